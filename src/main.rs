@@ -1,0 +1,2 @@
+//! seacable
+fn main() {}

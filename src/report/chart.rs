@@ -1,0 +1,1 @@
+//! Charts as data (axes, series, marks, cursor) and their drawing in characters.

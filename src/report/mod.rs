@@ -1,0 +1,5 @@
+//! What every view shares: tables, charts and the wording of numbers, as plain text.
+
+pub mod chart;
+pub mod number;
+pub mod table;

@@ -1,0 +1,1 @@
+//! One wording for numbers: digits that the error estimate supports, and the unit.

@@ -1,0 +1,254 @@
+//! A run as plain data, complete in itself: the case text it came from, every setting used, results
+//! with units and estimated errors, work and cost. Screen, command line and report only read it.
+
+use serde::{Deserialize, Serialize};
+
+/// Version of the program, written into every run.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// What came out of one execution of a case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// What was computed and how: everything of `run.toml`.
+    pub info: RunInfo,
+    /// The exact text of the case, with every override applied.
+    pub case_text: String,
+    /// Channels against time.
+    pub history: History,
+    /// Shapes of the line at chosen instants, oldest first.
+    pub shapes: Vec<LineShape>,
+    /// The line at the end of the run, node by node, with envelopes over time.
+    pub profile: Profile,
+    /// Single numbers with their estimated numerical errors.
+    pub summary: Vec<Quantity>,
+}
+
+/// What was computed and how.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RunInfo {
+    /// Name of the run; also the name of its directory.
+    pub id: String,
+    /// Title of the case.
+    pub title: String,
+    /// File name of the case, without directories.
+    pub case_file: String,
+    /// How the run stands.
+    pub state: RunState,
+    /// Version of the program.
+    pub version: String,
+    /// When it began, RFC 3339 in UTC.
+    pub started: String,
+    /// Keys that were set on top of the case file, as `key=value`.
+    pub overrides: Vec<String>,
+    /// Reason, when it failed.
+    pub failure: Option<String>,
+    /// What the user should know before trusting the numbers.
+    pub warnings: Vec<String>,
+    /// Settings used, also those chosen automatically.
+    pub settings: Settings,
+    /// Machine-independent work of the run itself, without its companions.
+    pub work: Work,
+    /// What it took.
+    pub cost: Cost,
+}
+
+/// How a run stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum RunState {
+    /// Written while the run goes on; found on disk it means the program was killed.
+    Partial,
+    /// Complete.
+    Done,
+    /// The solver gave up; what it had is kept.
+    Failed,
+    /// Stopped by the user; what it had is kept.
+    Cancelled,
+}
+
+/// Settings used by the solver.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Settings {
+    /// `static`, `quasi`, `rk4` or `alpha`.
+    pub method: String,
+    /// Simulated time \[s\].
+    pub duration_s: f64,
+    /// Time step \[s\].
+    pub time_step_s: f64,
+    /// True when the solver chose the step.
+    pub time_step_automatic: bool,
+    /// Spectral radius of generalized-alpha; absent for other methods.
+    pub rho_inf: Option<f64>,
+    /// Stability limit of explicit methods \[s\].
+    pub stability_limit_s: Option<f64>,
+    /// Where that limit comes from ("segment 57, wire").
+    pub stability_limit_at: Option<String>,
+    /// Newton's tolerance on positions \[m\].
+    pub position_tolerance_m: Option<f64>,
+    /// Number of nodes, both ends counted.
+    pub nodes: usize,
+    /// Output interval \[s\].
+    pub output_interval_s: f64,
+    /// How the numerical errors were estimated, in words.
+    pub error_method: String,
+}
+
+/// Work that does not depend on the machine.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Work {
+    /// Accepted time steps.
+    pub steps: u64,
+    /// Steps rejected and halved.
+    pub rejections: u64,
+    /// Newton iterations (assemblies with tangent and block solves).
+    pub iterations: u64,
+    /// Evaluations of the force without tangent.
+    pub evaluations: u64,
+}
+
+/// What a run took.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Cost {
+    /// CPU time of the run itself \[s\].
+    pub cpu_s: f64,
+    /// Wall time of the run itself \[s\].
+    pub wall_s: f64,
+    /// Wall time of the companion runs that estimate errors \[s\].
+    pub companions_wall_s: f64,
+}
+
+/// Channels against time; every channel has as many values as there are times.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct History {
+    /// Times \[s\], increasing.
+    pub time: Vec<f64>,
+    /// The channels, in the order of the file.
+    pub channels: Vec<Channel>,
+}
+
+impl History {
+    /// The channel of this name.
+    #[must_use]
+    pub fn channel(&self, name: &str) -> Option<&Channel> {
+        self.channels.iter().find(|c| c.name == name)
+    }
+}
+
+/// One quantity against time. Its name begins with quantity and unit: `tension_n[wire|payload]`.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Channel {
+    /// Name as in `history.csv`.
+    pub name: String,
+    /// Unit as shown ("N", "m").
+    pub unit: String,
+    /// Values at the output times.
+    pub values: Vec<f64>,
+    /// Greatest value over every step of the solver, and its time \[s\].
+    pub peak: (f64, f64),
+    /// Smallest value over every step of the solver, and its time \[s\].
+    pub trough: (f64, f64),
+}
+
+/// The line at one instant.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct LineShape {
+    /// Time \[s\].
+    pub time: f64,
+    /// Positions of the nodes \[m\], from A to B.
+    pub nodes: Vec<[f64; 3]>,
+    /// Tensions at the nodes \[N\]: the mean of the segments that meet there; at an end, its segment's.
+    pub tension: Vec<f64>,
+}
+
+/// The line node by node: its state at the end of the run, and envelopes over every step.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Profile {
+    /// Unstretched arc length from A \[m\].
+    pub arc: Vec<f64>,
+    /// Positions \[m\].
+    pub nodes: Vec<[f64; 3]>,
+    /// Tensions \[N\].
+    pub tension: Vec<f64>,
+    /// Smallest tensions \[N\].
+    pub tension_min: Vec<f64>,
+    /// Greatest tensions \[N\].
+    pub tension_max: Vec<f64>,
+    /// Lowest heights \[m\].
+    pub z_min: Vec<f64>,
+    /// Greatest heights \[m\].
+    pub z_max: Vec<f64>,
+}
+
+/// A single number with its estimated numerical errors. Model error is not in it: that is what the
+/// validation table shows.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Quantity {
+    /// Name as in `summary.csv`: channel and statistic (`tension_n[wire|payload].max`).
+    pub name: String,
+    /// Value.
+    pub value: f64,
+    /// Unit.
+    pub unit: String,
+    /// Estimated error from the time step; absent when not estimated.
+    pub time_error: Option<f64>,
+    /// Estimated error from the mesh; absent when not estimated.
+    pub mesh_error: Option<f64>,
+}
+
+impl Quantity {
+    /// Time and mesh error together; absent unless at least one was estimated.
+    #[must_use]
+    pub fn error_estimate(&self) -> Option<f64> {
+        match (self.time_error, self.mesh_error) {
+            (None, None) => None,
+            (t, m) => Some(t.unwrap_or(0.0) + m.unwrap_or(0.0)),
+        }
+    }
+}
+
+/// How far a running job is.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Progress {
+    /// Simulated time \[s\].
+    pub time: f64,
+    /// Simulated time at the end \[s\].
+    pub duration: f64,
+    /// Steps taken.
+    pub steps: u64,
+    /// Wall time so far \[s\].
+    pub wall_s: f64,
+    /// True once the run itself is complete and its companions estimate errors.
+    pub estimating: bool,
+}
+
+impl Progress {
+    /// Fraction done, 0 to 1.
+    #[must_use]
+    pub fn fraction(&self) -> f64 {
+        if self.duration > 0.0 {
+            (self.time / self.duration).clamp(0.0, 1.0)
+        } else {
+            1.0
+        }
+    }
+
+    /// Estimated wall time remaining \[s\]; absent before anything is done.
+    #[must_use]
+    pub fn remaining_s(&self) -> Option<f64> {
+        let done = self.fraction();
+        (done > 0.0).then(|| self.wall_s * (1.0 - done) / done)
+    }
+}
+
+/// One output instant of a running job.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// Time \[s\].
+    pub time: f64,
+    /// Values of all channels, in their order.
+    pub values: Vec<f64>,
+    /// The shape, at the instants at which shapes are stored.
+    pub shape: Option<LineShape>,
+    /// How far the job is.
+    pub progress: Progress,
+}
