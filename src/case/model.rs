@@ -522,6 +522,56 @@ pub enum Statistic {
     TimeOfMin,
     /// First time after which the channel stays within 2 % of its whole range from its final value \[s\].
     SettlingTime,
+    /// First time at which the channel has gone 90 % of the way from its first to its final value \[s\].
+    RiseTime,
+    /// Magnitude of the mean rate of change: |final value less first value| over the window's length
+    /// \[unit of the channel per second\].
+    Rate,
+}
+
+impl Statistic {
+    /// Every statistic, in the order in which they are explained to users.
+    pub const ALL: [Self; 10] = [
+        Self::Mean,
+        Self::Max,
+        Self::Min,
+        Self::Final,
+        Self::Travel,
+        Self::TimeOfMax,
+        Self::TimeOfMin,
+        Self::SettlingTime,
+        Self::RiseTime,
+        Self::Rate,
+    ];
+
+    /// The word for it, in case files and in names of quantities (`tension_n[wire|payload].mean`).
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Mean => "mean",
+            Self::Max => "max",
+            Self::Min => "min",
+            Self::Final => "final",
+            Self::Travel => "travel",
+            Self::TimeOfMax => "time_of_max",
+            Self::TimeOfMin => "time_of_min",
+            Self::SettlingTime => "settling_time",
+            Self::RiseTime => "rise_time",
+            Self::Rate => "rate",
+        }
+    }
+
+    /// Unit of the statistic of a channel that has the unit `channel` ("N" gives "N", "s" or "N/s").
+    #[must_use]
+    pub fn unit(self, channel: &str) -> String {
+        match self {
+            Self::Mean | Self::Max | Self::Min | Self::Final | Self::Travel => channel.to_owned(),
+            Self::TimeOfMax | Self::TimeOfMin | Self::SettlingTime | Self::RiseTime => {
+                "s".to_owned()
+            }
+            Self::Rate => format!("{channel}/s"),
+        }
+    }
 }
 
 /// A published statement of trend, checked along a study.

@@ -1,0 +1,95 @@
+//! The channels a run of a case records, named from the words of the case.
+//!
+//! One function decides names and order, so that the run, its files, the charts and the checks of
+//! published values never disagree.
+
+use super::{Case, End, EndKind};
+
+/// A quantity recorded against time.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Channel {
+    /// Name, beginning with quantity and unit: `tension_n[wire|payload]`.
+    pub name: String,
+    /// Unit as shown: "N", "m", "m/s".
+    pub unit: &'static str,
+    /// What is recorded.
+    pub source: Source,
+}
+
+/// Where the values of a channel come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Source {
+    /// Tension at a joint: 0 at end A, then after each section, the last at end B \[N\].
+    Joint(usize),
+    /// A coordinate of an end, 0 for x, 1 for y, 2 for z \[m\].
+    Coordinate(LineEnd, usize),
+    /// Speed of an end over ground \[m/s\].
+    Speed(LineEnd),
+}
+
+/// One of the two ends of the line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LineEnd {
+    /// Where arc length is zero.
+    A,
+    /// Where arc length is greatest.
+    B,
+}
+
+/// The channels a run of this case records, in their order: tensions at the joints from A to B,
+/// then position of every end that moves, then speed of every end that nothing holds.
+#[must_use]
+pub fn channels(case: &Case) -> Vec<Channel> {
+    let sections = case.line.iter().map(|section| section.name.as_str());
+    let names: Vec<&str> = std::iter::once(case.ends.a.name.as_str())
+        .chain(sections)
+        .chain(std::iter::once(case.ends.b.name.as_str()))
+        .collect();
+    let mut list = joint_channels(&names);
+    list.extend(end_channels(LineEnd::A, &case.ends.a));
+    list.extend(end_channels(LineEnd::B, &case.ends.b));
+    list
+}
+
+/// Tensions at the joints between neighbours of this list of names, from end A to end B.
+pub(crate) fn joint_channels(names: &[&str]) -> Vec<Channel> {
+    names
+        .windows(2)
+        .enumerate()
+        .map(|(joint, pair)| Channel {
+            name: format!("tension_n[{}|{}]", pair[0], pair[1]),
+            unit: "N",
+            source: Source::Joint(joint),
+        })
+        .collect()
+}
+
+fn end_channels(which: LineEnd, end: &End) -> Vec<Channel> {
+    motion_channels(which, &end.name, end.kind)
+}
+
+/// Position and speed of an end of this name and kind.
+pub(crate) fn motion_channels(which: LineEnd, name: &str, kind: EndKind) -> Vec<Channel> {
+    let (moves, loose) = match kind {
+        EndKind::Fixed | EndKind::Anchor => (false, false),
+        EndKind::Moving => (true, false),
+        EndKind::Payload | EndKind::Free => (true, true),
+    };
+    let coordinates = ["x", "y", "z"].into_iter().enumerate();
+    let mut list: Vec<Channel> = coordinates
+        .filter(|_| moves)
+        .map(|(axis, letter)| Channel {
+            name: format!("{letter}_m[{name}]"),
+            unit: "m",
+            source: Source::Coordinate(which, axis),
+        })
+        .collect();
+    if loose {
+        list.push(Channel {
+            name: format!("speed_m_per_s[{name}]"),
+            unit: "m/s",
+            source: Source::Speed(which),
+        });
+    }
+    list
+}
