@@ -1,0 +1,93 @@
+//! Runs on disk: one directory a run, readable with any editor, spreadsheet or numpy.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `case.toml` | the exact input, overrides applied |
+//! | `run.toml` | [`RunInfo`](super::RunInfo): state, settings, work, cost, warnings, version |
+//! | `summary.csv` | `quantity,value,unit,error_estimate` |
+//! | `errors.csv` | `quantity,unit,time_error,mesh_error`: the two parts of the error estimate |
+//! | `channels.csv` | `channel,unit,max,time_of_max_s,min,time_of_min_s`, over every step of the solver |
+//! | `history.csv` | `time_s` and one column a channel, at the output times |
+//! | `profile.csv` | the line node by node at the end, and its envelope over time |
+//! | `shapes.csv` | `time_s,node,x_m,y_m,z_m,tension_n`: stored shapes one after the other |
+//!
+//! **A kill at any moment leaves either the complete run or one marked `partial`.** The directory
+//! appears under its name with `case.toml` and `run.toml` (state `partial`) already in it; history and
+//! shapes grow while the run goes on; at the end every file is written beside its name, synced and
+//! renamed, and `run.toml` with the final state goes last.
+//!
+//! Numbers are written with the fewest digits that read back to the same bits.
+
+mod begin;
+mod finish;
+mod list;
+mod number;
+mod read;
+mod shapes;
+mod stamp;
+mod table;
+mod writer;
+
+use std::{io, path::PathBuf};
+
+pub use begin::Place;
+pub use list::{Entry, list};
+pub use read::{read, read_info};
+pub use stamp::{rfc3339, stamp};
+pub use writer::{Writer, save};
+
+/// The directory under which runs are kept unless the user says otherwise.
+pub const DEFAULT_ROOT: &str = "runs";
+
+pub(crate) const CASE: &str = "case.toml";
+pub(crate) const RUN: &str = "run.toml";
+pub(crate) const SUMMARY: &str = "summary.csv";
+pub(crate) const ERRORS: &str = "errors.csv";
+pub(crate) const CHANNELS: &str = "channels.csv";
+pub(crate) const HISTORY: &str = "history.csv";
+pub(crate) const PROFILE: &str = "profile.csv";
+pub(crate) const SHAPES: &str = "shapes.csv";
+
+/// Why a run cannot be written or read.
+#[derive(Debug, thiserror::Error)]
+pub enum StoreError {
+    /// Nothing is there.
+    #[error("There is no run directory at {}.", .0.display())]
+    NotFound(PathBuf),
+    /// Something is there, but not a run.
+    #[error("{} is not a run directory: it holds no run.toml. A run directory is what `seacable run` writes.", .0.display())]
+    NotARun(PathBuf),
+    /// `run.toml` cannot be understood, so nothing else can be trusted.
+    #[error("{} cannot be read: {reason}", file.display())]
+    Damaged {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong, with line and column where known.
+        reason: String,
+    },
+    /// The directory chosen for a run already holds something.
+    #[error("{} already holds files; a run never overwrites. Name a directory that does not exist yet.", .0.display())]
+    Taken(PathBuf),
+    /// The operating system refused.
+    #[error("{action} {} failed: {source}", path.display())]
+    Io {
+        /// What was tried ("Writing").
+        action: &'static str,
+        /// On what.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+}
+
+impl StoreError {
+    /// Wraps what the system said with what was tried on which file.
+    fn io(action: &'static str, path: impl Into<PathBuf>) -> impl FnOnce(io::Error) -> Self {
+        let path = path.into();
+        move |source| Self::Io {
+            action,
+            path,
+            source,
+        }
+    }
+}

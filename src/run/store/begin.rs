@@ -1,0 +1,187 @@
+//! A new run directory, under a name nobody else has.
+
+use std::{
+    fs::{self, File},
+    io::{self, Write},
+    path::{Path, PathBuf},
+    process,
+    sync::atomic::{AtomicU64, Ordering},
+    time::SystemTime,
+};
+
+use super::{CASE, RUN, StoreError, stamp::stamp};
+use crate::run::{RunInfo, RunState};
+
+/// Where a run directory goes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Place {
+    /// A new directory below this one, named after case and time.
+    Below(PathBuf),
+    /// This very directory; it must not exist yet, or be empty.
+    Exactly(PathBuf),
+}
+
+/// Makes the directory with `case.toml` and `run.toml` (state partial) in it, and sets the run's name
+/// to that of the directory. It appears in one step: nobody ever sees it without these two files.
+pub(super) fn create(
+    place: &Place,
+    info: &mut RunInfo,
+    case_text: &str,
+) -> Result<PathBuf, StoreError> {
+    info.state = RunState::Partial;
+    match place {
+        Place::Exactly(dir) => {
+            info.id = name_of(dir);
+            refuse_if_taken(dir)?;
+            appear(dir, info, case_text)?;
+            Ok(dir.clone())
+        }
+        Place::Below(root) => below(root, info, case_text),
+    }
+}
+
+/// Tries `stem-20261121-061126`, then `…-2`, `…-3` until a name is free.
+fn below(root: &Path, info: &mut RunInfo, case_text: &str) -> Result<PathBuf, StoreError> {
+    let base = format!("{}-{}", stem(&info.case_file), stamp(SystemTime::now()));
+    let mut count = 1_u64;
+    loop {
+        info.id = if count == 1 {
+            base.clone()
+        } else {
+            format!("{base}-{count}")
+        };
+        let dir = root.join(&info.id);
+        let taken = dir.symlink_metadata().is_ok();
+        match if taken {
+            Err(StoreError::Taken(dir.clone()))
+        } else {
+            appear(&dir, info, case_text)
+        } {
+            Ok(()) => return Ok(dir),
+            // Another run took the name between the look and the step.
+            Err(StoreError::Taken(_)) => count += 1,
+            Err(other) => return Err(other),
+        }
+    }
+}
+
+/// The case's file name without `.toml`, with only characters that no shell or file system minds.
+fn stem(case_file: &str) -> String {
+    let name = Path::new(case_file)
+        .file_stem()
+        .map(|s| s.to_string_lossy().into_owned());
+    let clean: String = name
+        .unwrap_or_default()
+        .chars()
+        .map(|c| {
+            if c.is_alphanumeric() || "-_.".contains(c) {
+                c
+            } else {
+                '-'
+            }
+        })
+        .collect();
+    let clean = clean.trim_start_matches(['.', '-']);
+    if clean.is_empty() {
+        "run".to_owned()
+    } else {
+        clean.to_owned()
+    }
+}
+
+fn name_of(dir: &Path) -> String {
+    dir.file_name()
+        .map_or_else(|| "run".to_owned(), |n| n.to_string_lossy().into_owned())
+}
+
+fn refuse_if_taken(dir: &Path) -> Result<(), StoreError> {
+    match fs::read_dir(dir) {
+        Ok(mut inside) => match inside.next() {
+            None => Ok(()),
+            Some(_) => Err(StoreError::Taken(dir.to_owned())),
+        },
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        Err(error) if error.kind() == io::ErrorKind::NotADirectory => {
+            Err(StoreError::Taken(dir.to_owned()))
+        }
+        Err(error) => Err(StoreError::io("Opening", dir)(error)),
+    }
+}
+
+/// Fills a hidden directory beside the final one, then renames it.
+fn appear(dir: &Path, info: &RunInfo, case_text: &str) -> Result<(), StoreError> {
+    static COUNTER: AtomicU64 = AtomicU64::new(0);
+    let parent = parent_of(dir);
+    fs::create_dir_all(&parent).map_err(StoreError::io("Making the directory", &parent))?;
+    let number = COUNTER.fetch_add(1, Ordering::Relaxed);
+    let hidden = parent.join(format!(".{}.{}-{number}.new", name_of(dir), process::id()));
+
+    let filled = fill(&hidden, info, case_text).and_then(|()| {
+        fs::rename(&hidden, dir).map_err(|error| match error.kind() {
+            io::ErrorKind::DirectoryNotEmpty | io::ErrorKind::AlreadyExists => {
+                StoreError::Taken(dir.to_owned())
+            }
+            _ => StoreError::io("Making the run directory", dir)(error),
+        })
+    });
+    if filled.is_err() {
+        // Best effort: the error that matters is the one already in hand.
+        let _ = fs::remove_dir_all(&hidden);
+    }
+    filled?;
+    sync_dir(&parent);
+    Ok(())
+}
+
+fn fill(hidden: &Path, info: &RunInfo, case_text: &str) -> Result<(), StoreError> {
+    fs::create_dir(hidden).map_err(StoreError::io("Making the directory", hidden))?;
+    replace(hidden, CASE, case_text.as_bytes())?;
+    replace(hidden, RUN, info_text(hidden, info)?.as_bytes())
+}
+
+/// `run.toml` as text.
+pub(super) fn info_text(dir: &Path, info: &RunInfo) -> Result<String, StoreError> {
+    toml::to_string(info).map_err(|error| StoreError::Damaged {
+        file: dir.join(RUN),
+        reason: error.to_string(),
+    })
+}
+
+/// Writes a file beside its name, syncs it and renames it: a reader sees the old or the new one whole.
+pub(super) fn replace(dir: &Path, name: &str, bytes: &[u8]) -> Result<(), StoreError> {
+    let (path, beside) = (dir.join(name), dir.join(format!(".{name}.new")));
+    let write = || -> io::Result<()> {
+        let mut file = File::create(&beside)?;
+        file.write_all(bytes)?;
+        file.sync_all()?;
+        fs::rename(&beside, &path)
+    };
+    write().map_err(StoreError::io("Writing", path.clone()))
+}
+
+/// Makes renames in a directory last over a power cut; a file system that cannot is left alone.
+pub(super) fn sync_dir(dir: &Path) {
+    if let Ok(open) = File::open(dir) {
+        let _ = open.sync_all();
+    }
+}
+
+fn parent_of(dir: &Path) -> PathBuf {
+    match dir.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::stem;
+
+    #[test]
+    fn names_are_safe() {
+        assert_eq!(stem("manifold.toml"), "manifold");
+        assert_eq!(stem("my case (2).toml"), "my-case--2-");
+        assert_eq!(stem("../x/..toml"), "toml");
+        assert_eq!(stem(""), "run");
+    }
+}

@@ -1,0 +1,103 @@
+//! The files of a complete run.
+
+use std::path::Path;
+
+use super::{
+    CASE, CHANNELS, ERRORS, HISTORY, PROFILE, RUN, SHAPES, SUMMARY, StoreError,
+    begin::{info_text, replace, sync_dir},
+    number::{text, text_or_empty},
+    shapes::{self, SHAPE_COLUMNS, write_shape},
+    table::Csv,
+};
+use crate::run::{Channel, History, LineShape, Quantity, Run, RunInfo};
+
+/// Columns of `summary.csv`.
+pub(super) const SUMMARY_COLUMNS: [&str; 4] = ["quantity", "value", "unit", "error_estimate"];
+/// Columns of `errors.csv`.
+pub(super) const ERROR_COLUMNS: [&str; 4] = ["quantity", "unit", "time_error", "mesh_error"];
+/// Columns of `channels.csv`.
+pub(super) const CHANNEL_COLUMNS: [&str; 6] = [
+    "channel",
+    "unit",
+    "max",
+    "time_of_max_s",
+    "min",
+    "time_of_min_s",
+];
+
+/// Writes everything, `run.toml` last.
+pub(super) fn all(dir: &Path, id: &str, run: &Run) -> Result<(), StoreError> {
+    replace(dir, CASE, run.case_text.as_bytes())?;
+    replace(dir, SUMMARY, &summary(&run.summary)?)?;
+    replace(dir, ERRORS, &errors(&run.summary)?)?;
+    replace(dir, CHANNELS, &channels(&run.history.channels)?)?;
+    replace(dir, HISTORY, &history(&run.history)?)?;
+    replace(dir, PROFILE, &shapes::profile(&run.profile)?)?;
+    replace(dir, SHAPES, &all_shapes(&run.shapes)?)?;
+    sync_dir(dir);
+
+    let info = RunInfo {
+        id: id.to_owned(),
+        ..run.info.clone()
+    };
+    replace(dir, RUN, info_text(dir, &info)?.as_bytes())?;
+    sync_dir(dir);
+    Ok(())
+}
+
+fn summary(quantities: &[Quantity]) -> Result<Vec<u8>, StoreError> {
+    let mut csv = Csv::new(SUMMARY_COLUMNS)?;
+    for q in quantities {
+        let error = text_or_empty(q.error_estimate());
+        csv.row([&q.name, &text(q.value), &q.unit, &error])?;
+    }
+    csv.bytes()
+}
+
+fn errors(quantities: &[Quantity]) -> Result<Vec<u8>, StoreError> {
+    let mut csv = Csv::new(ERROR_COLUMNS)?;
+    for q in quantities {
+        let (time, mesh) = (text_or_empty(q.time_error), text_or_empty(q.mesh_error));
+        csv.row([&q.name, &q.unit, &time, &mesh])?;
+    }
+    csv.bytes()
+}
+
+fn channels(channels: &[Channel]) -> Result<Vec<u8>, StoreError> {
+    let mut csv = Csv::new(CHANNEL_COLUMNS)?;
+    for c in channels {
+        let [max, max_time, min, min_time] = [c.peak.0, c.peak.1, c.trough.0, c.trough.1].map(text);
+        csv.row([&c.name, &c.unit, &max, &max_time, &min, &min_time])?;
+    }
+    csv.bytes()
+}
+
+/// `channels.csv` before any extreme is known.
+pub(super) fn channel_units(channels: &[(String, String)]) -> Result<Vec<u8>, StoreError> {
+    let mut csv = Csv::new(CHANNEL_COLUMNS)?;
+    for (name, unit) in channels {
+        csv.row([name.as_str(), unit, "", "", "", ""])?;
+    }
+    csv.bytes()
+}
+
+fn history(history: &History) -> Result<Vec<u8>, StoreError> {
+    let names = history.channels.iter().map(|c| c.name.as_str());
+    let mut csv = Csv::new(std::iter::once("time_s").chain(names))?;
+    for (i, time) in history.time.iter().enumerate() {
+        let values = history
+            .channels
+            .iter()
+            .map(|c| text_or_empty(c.values.get(i).copied()));
+        csv.row(std::iter::once(text(*time)).chain(values))?;
+    }
+    csv.bytes()
+}
+
+fn all_shapes(shapes: &[LineShape]) -> Result<Vec<u8>, StoreError> {
+    let mut csv = Csv::new(SHAPE_COLUMNS)?;
+    for shape in shapes {
+        write_shape(&mut csv, shape)?;
+    }
+    csv.bytes()
+}

@@ -1,0 +1,56 @@
+//! The runs below a directory.
+
+use std::{
+    fs, io,
+    path::{Path, PathBuf},
+};
+
+use super::{StoreError, read_info};
+use crate::run::RunInfo;
+
+/// One run directory.
+#[derive(Debug)]
+pub struct Entry {
+    /// Where it is.
+    pub dir: PathBuf,
+    /// What its `run.toml` says, or why it cannot be read.
+    pub info: Result<RunInfo, StoreError>,
+}
+
+/// The runs right below a directory, newest first, damaged ones last; none when it does not exist.
+/// Directories that hold no run are passed over.
+///
+/// # Errors
+/// The directory cannot be listed.
+pub fn list(root: &Path) -> Result<Vec<Entry>, StoreError> {
+    let inside = match fs::read_dir(root) {
+        Ok(inside) => inside,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+        Err(error) => return Err(StoreError::io("Listing", root)(error)),
+    };
+    let mut entries = Vec::new();
+    for item in inside {
+        let dir = item.map_err(StoreError::io("Listing", root))?.path();
+        // Hidden directories are runs about to appear, or left by a kill before they did.
+        let hidden = dir
+            .file_name()
+            .is_some_and(|n| n.to_string_lossy().starts_with('.'));
+        if hidden || !dir.is_dir() {
+            continue;
+        }
+        match read_info(&dir) {
+            Err(StoreError::NotARun(_)) => {}
+            info => entries.push(Entry { dir, info }),
+        }
+    }
+    entries.sort_by(|a, b| age(b).cmp(&age(a)));
+    Ok(entries)
+}
+
+/// Beginning of the run, then a name in which counters sort as numbers; empty for damaged ones.
+fn age(entry: &Entry) -> (String, usize, String) {
+    match &entry.info {
+        Ok(info) => (info.started.clone(), info.id.len(), info.id.clone()),
+        Err(_) => (String::new(), 0, entry.dir.to_string_lossy().into_owned()),
+    }
+}

@@ -1,0 +1,52 @@
+//! Numbers as text that read back to the same bits.
+
+/// The fewest digits that read back to the same number.
+pub(super) fn text(x: f64) -> String {
+    let full = format!("{x:?}");
+    match full.strip_suffix(".0") {
+        Some(short) => short.to_owned(),
+        None => full,
+    }
+}
+
+/// As [`text`]; nothing for an absent number.
+pub(super) fn text_or_empty(x: Option<f64>) -> String {
+    x.map(text).unwrap_or_default()
+}
+
+/// Reads a number; absent where the text is no number.
+pub(super) fn parse(text: &str) -> Option<f64> {
+    text.trim().parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_number_reads_back_to_the_same_bits() {
+        let tenth = 0.1_f64;
+        for x in [
+            0.0,
+            -0.0,
+            1.0,
+            tenth + 0.2,
+            1.0 / 3.0,
+            1e300,
+            -5e-324,
+            f64::MAX,
+            2.02e6,
+            f64::INFINITY,
+        ] {
+            let back = parse(&text(x)).unwrap_or(f64::NAN);
+            assert_eq!(
+                back.to_bits(),
+                x.to_bits(),
+                "{x} was written as {}",
+                text(x)
+            );
+        }
+        assert!(parse(&text(f64::NAN)).is_some_and(f64::is_nan));
+        assert_eq!(text(2.0), "2");
+    }
+}

@@ -1,0 +1,237 @@
+//! A run back from disk, as far as it goes.
+
+use std::{fs, io, path::Path};
+
+use super::{
+    CASE, CHANNELS, ERRORS, HISTORY, PROFILE, RUN, SHAPES, SUMMARY, StoreError,
+    finish::{CHANNEL_COLUMNS, ERROR_COLUMNS, SUMMARY_COLUMNS},
+    number::parse,
+    shapes::{self, PROFILE_COLUMNS, SHAPE_COLUMNS},
+    table::{self, Rows},
+};
+use crate::run::{Channel, History, LineShape, Profile, Quantity, Run, RunInfo, RunState};
+
+/// Reads a run. What is damaged or missing is left out, and said in [`RunInfo::warnings`]; so is a
+/// run found in state partial.
+///
+/// # Errors
+/// Nothing is there, it is no run directory, or `run.toml` cannot be understood.
+pub fn read(dir: &Path) -> Result<Run, StoreError> {
+    let info = read_info(dir)?;
+    // A run that never finished has no summary or profile to miss.
+    let whole = info.state != RunState::Partial;
+    let mut reader = Reader {
+        dir,
+        whole,
+        warnings: Vec::new(),
+    };
+
+    let case_text = reader.case_text();
+    let (history, shapes) = (reader.history(), reader.shapes());
+    let (profile, summary) = (reader.profile(), reader.summary());
+    let warnings = reader.warnings;
+
+    let mut run = Run {
+        info,
+        case_text,
+        history,
+        shapes,
+        profile,
+        summary,
+    };
+    if !whole {
+        run.info.warnings.push(partial(&run.history));
+    }
+    run.info.warnings.extend(warnings);
+    Ok(run)
+}
+
+/// Reads only `run.toml`.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_info(dir: &Path) -> Result<RunInfo, StoreError> {
+    let path = dir.join(RUN);
+    let text = fs::read_to_string(&path).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound if !dir.exists() => StoreError::NotFound(dir.to_owned()),
+        io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => {
+            StoreError::NotARun(dir.to_owned())
+        }
+        io::ErrorKind::InvalidData => StoreError::Damaged {
+            file: path.clone(),
+            reason: "it is not text in UTF-8.".to_owned(),
+        },
+        _ => StoreError::io("Reading", &path)(error),
+    })?;
+    toml::from_str(&text).map_err(|error| StoreError::Damaged {
+        file: path,
+        reason: error.to_string().trim_end().to_owned(),
+    })
+}
+
+fn partial(history: &History) -> String {
+    match history.time.last() {
+        Some(last) => format!(
+            "The run is partial: the program is still computing it or was stopped while it did. Its history ends at {last} s."
+        ),
+        None => "The run is partial: the program is still computing it or was stopped before the first result.".to_owned(),
+    }
+}
+
+struct Reader<'a> {
+    dir: &'a Path,
+    whole: bool,
+    warnings: Vec<String>,
+}
+
+impl Reader<'_> {
+    fn case_text(&mut self) -> String {
+        fs::read_to_string(self.dir.join(CASE)).unwrap_or_else(|error| {
+            self.warnings
+                .push(format!("{CASE} cannot be read: {error}."));
+            String::new()
+        })
+    }
+
+    /// A table with these columns; trouble is told, unless a partial run simply has not got there.
+    fn table(&mut self, name: &str, columns: Option<&[&str]>) -> Rows {
+        let mut table = table::read(self.dir, name);
+        if let Some(columns) = columns {
+            table.expect(name, columns);
+        }
+        table
+    }
+
+    fn told(&mut self, table: Rows) {
+        if let (Some(trouble), true) = (table.trouble, self.whole) {
+            self.warnings.push(trouble);
+        }
+    }
+
+    fn history(&mut self) -> History {
+        let known = self.channels();
+        let mut table = self.table(HISTORY, None);
+        let names = table.columns.get(1..).unwrap_or_default();
+        let mut channels: Vec<Channel> = names.iter().map(|name| named(name, &known)).collect();
+        let mut time = Vec::new();
+        if table.columns.first().is_some_and(|c| c != "time_s") {
+            table.trouble = Some(format!(
+                "{HISTORY} does not begin with the column time_s; it was left out."
+            ));
+            table.rows.clear();
+        }
+        for (line, fields) in &table.rows {
+            let numbers: Option<Vec<f64>> = fields.iter().map(|f| parse(f)).collect();
+            let Some((first, values)) = numbers.as_deref().and_then(<[f64]>::split_first) else {
+                table.trouble = Some(format!(
+                    "{HISTORY}, line {line} holds something that is no number; read up to there."
+                ));
+                break;
+            };
+            time.push(*first);
+            for (channel, value) in channels.iter_mut().zip(values) {
+                channel.values.push(*value);
+            }
+        }
+        self.told(table);
+        for channel in &mut channels {
+            if channel.peak.0.is_nan() {
+                extremes_of_rows(channel, &time);
+            }
+        }
+        History { time, channels }
+    }
+
+    /// Channels by name with unit and extremes; extremes not known yet are NaN.
+    fn channels(&mut self) -> Vec<Channel> {
+        let table = self.table(CHANNELS, Some(&CHANNEL_COLUMNS));
+        let mut channels = Vec::new();
+        for (_, fields) in &table.rows {
+            let [name, unit, numbers @ ..] = fields.as_slice() else {
+                continue;
+            };
+            let at = |i: usize| numbers.get(i).and_then(|f| parse(f)).unwrap_or(f64::NAN);
+            channels.push(Channel {
+                name: name.clone(),
+                unit: unit.clone(),
+                values: Vec::new(),
+                peak: (at(0), at(1)),
+                trough: (at(2), at(3)),
+            });
+        }
+        self.told(table);
+        channels
+    }
+
+    fn shapes(&mut self) -> Vec<LineShape> {
+        let mut table = self.table(SHAPES, Some(&SHAPE_COLUMNS));
+        let shapes = shapes::read_shapes(&mut table, SHAPES);
+        self.told(table);
+        shapes
+    }
+
+    fn profile(&mut self) -> Profile {
+        let mut table = self.table(PROFILE, Some(&PROFILE_COLUMNS));
+        let profile = shapes::read_profile(&mut table, PROFILE);
+        self.told(table);
+        profile
+    }
+
+    /// Values from `summary.csv`, the two parts of their errors from `errors.csv`.
+    fn summary(&mut self) -> Vec<Quantity> {
+        let mut table = self.table(SUMMARY, Some(&SUMMARY_COLUMNS));
+        let parts = self.table(ERRORS, Some(&ERROR_COLUMNS));
+        let mut summary = Vec::new();
+        for (line, fields) in &table.rows {
+            let (Some(name), Some(value), Some(unit)) = (
+                fields.first(),
+                fields.get(1).and_then(|f| parse(f)),
+                fields.get(2),
+            ) else {
+                table.trouble = Some(format!(
+                    "{SUMMARY}, line {line} holds a value that is no number; read up to there."
+                ));
+                break;
+            };
+            // Both files list the quantities in the same order; look further only when one is damaged.
+            let same = |(_, other): &&(u64, Vec<String>)| other.first() == Some(name);
+            let part = parts.rows.get(summary.len()).filter(same);
+            let part = part.or_else(|| parts.rows.iter().find(same));
+            let error = |i: usize| part.and_then(|(_, f)| f.get(i)).and_then(|f| parse(f));
+            summary.push(Quantity {
+                name: name.clone(),
+                value,
+                unit: unit.clone(),
+                time_error: error(2),
+                mesh_error: error(3),
+            });
+        }
+        self.told(table);
+        self.told(parts);
+        summary
+    }
+}
+
+fn named(name: &str, known: &[Channel]) -> Channel {
+    let found = known.iter().find(|c| c.name == name).cloned();
+    found.unwrap_or_else(|| Channel {
+        name: name.to_owned(),
+        peak: (f64::NAN, f64::NAN),
+        trough: (f64::NAN, f64::NAN),
+        ..Channel::default()
+    })
+}
+
+/// Extremes of a run that was stopped: those of the rows it left.
+fn extremes_of_rows(channel: &mut Channel, time: &[f64]) {
+    let (mut peak, mut trough) = ((f64::NAN, f64::NAN), (f64::NAN, f64::NAN));
+    for (&value, &at) in channel.values.iter().zip(time) {
+        if peak.0.is_nan() || value > peak.0 {
+            peak = (value, at);
+        }
+        if trough.0.is_nan() || value < trough.0 {
+            trough = (value, at);
+        }
+    }
+    (channel.peak, channel.trough) = (peak, trough);
+}

@@ -1,0 +1,128 @@
+//! Shapes of the line as rows of `shapes.csv`, and the profile as `profile.csv`.
+
+use super::{
+    StoreError,
+    number::{self, text},
+    table::{Csv, Rows},
+};
+use crate::run::{LineShape, Profile};
+
+/// Columns of `shapes.csv`.
+pub(super) const SHAPE_COLUMNS: [&str; 6] = ["time_s", "node", "x_m", "y_m", "z_m", "tension_n"];
+
+/// Columns of `profile.csv`.
+pub(super) const PROFILE_COLUMNS: [&str; 10] = [
+    "node",
+    "arc_m",
+    "x_m",
+    "y_m",
+    "z_m",
+    "tension_n",
+    "tension_min_n",
+    "tension_max_n",
+    "z_min_m",
+    "z_max_m",
+];
+
+/// Adds a shape to a table.
+pub(super) fn write_shape(csv: &mut Csv, shape: &LineShape) -> Result<(), StoreError> {
+    for (node, ([x, y, z], tension)) in shape.nodes.iter().zip(&shape.tension).enumerate() {
+        let fields = [*x, *y, *z, *tension].map(text);
+        let [x, y, z, tension] = fields;
+        csv.row([text(shape.time), node.to_string(), x, y, z, tension])?;
+    }
+    Ok(())
+}
+
+/// The profile as a table.
+pub(super) fn profile(profile: &Profile) -> Result<Vec<u8>, StoreError> {
+    let mut csv = Csv::new(PROFILE_COLUMNS)?;
+    for (i, [x, y, z]) in profile.nodes.iter().enumerate() {
+        let of = |column: &[f64]| column.get(i).copied().map(text).unwrap_or_default();
+        csv.row([
+            i.to_string(),
+            of(&profile.arc),
+            text(*x),
+            text(*y),
+            text(*z),
+            of(&profile.tension),
+            of(&profile.tension_min),
+            of(&profile.tension_max),
+            of(&profile.z_min),
+            of(&profile.z_max),
+        ])?;
+    }
+    csv.bytes()
+}
+
+/// All numbers of a row; absent when one of them is none.
+pub(super) fn numbers<const N: usize>(fields: &[String]) -> Option<[f64; N]> {
+    let all: Option<Vec<f64>> = fields.iter().map(|f| number::parse(f)).collect();
+    all?.try_into().ok()
+}
+
+/// Shapes from their rows: a new one begins at node 0. A last shape with fewer nodes than the first
+/// is torn and left out.
+pub(super) fn read_shapes(table: &mut Rows, name: &str) -> Vec<LineShape> {
+    let mut shapes: Vec<LineShape> = Vec::new();
+    for (line, fields) in &table.rows {
+        let Some([time, node, x, y, z, tension]) = numbers(fields) else {
+            table.trouble = Some(format!(
+                "{name}, line {line} holds something that is no number; read up to there."
+            ));
+            break;
+        };
+        if node < 0.5 {
+            shapes.push(LineShape {
+                time,
+                ..LineShape::default()
+            });
+        }
+        if let Some(shape) = shapes.last_mut() {
+            shape.nodes.push([x, y, z]);
+            shape.tension.push(tension);
+        }
+    }
+    let full = shapes.first().map_or(0, |s| s.nodes.len());
+    if shapes.len() > 1 && shapes.last().is_some_and(|s| s.nodes.len() < full) {
+        shapes.pop();
+        let torn = || format!("{name} ends in the middle of a shape; that shape was left out.");
+        table.trouble.get_or_insert_with(torn);
+    }
+    shapes
+}
+
+/// The profile from its rows.
+pub(super) fn read_profile(table: &mut Rows, name: &str) -> Profile {
+    let mut profile = Profile::default();
+    for (line, fields) in &table.rows {
+        let Some(
+            [
+                _,
+                arc,
+                x,
+                y,
+                z,
+                tension,
+                tension_min,
+                tension_max,
+                z_min,
+                z_max,
+            ],
+        ) = numbers(fields)
+        else {
+            table.trouble = Some(format!(
+                "{name}, line {line} holds something that is no number; read up to there."
+            ));
+            break;
+        };
+        profile.arc.push(arc);
+        profile.nodes.push([x, y, z]);
+        profile.tension.push(tension);
+        profile.tension_min.push(tension_min);
+        profile.tension_max.push(tension_max);
+        profile.z_min.push(z_min);
+        profile.z_max.push(z_max);
+    }
+    profile
+}

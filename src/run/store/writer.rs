@@ -1,0 +1,178 @@
+//! A run on its way to disk.
+
+use std::{
+    fs::File,
+    io::{BufWriter, Write},
+    path::{Path, PathBuf},
+    time::{Duration, Instant},
+};
+
+use super::{
+    CHANNELS, HISTORY, Place, SHAPES, StoreError, begin, finish, number,
+    shapes::{SHAPE_COLUMNS, write_shape},
+    table::Csv,
+};
+use crate::run::{Frame, LineShape, Run, RunInfo, job::Event};
+
+/// How long rows may wait in memory.
+const FLUSH: Duration = Duration::from_secs(1);
+
+/// Writes a run while it goes on: [`Writer::begin`], [`Writer::event`] for all that the job says (or
+/// [`Writer::channels`] and [`Writer::frame`]), and [`Writer::finish`].
+///
+/// Dropped without `finish`, it leaves a run marked partial.
+#[derive(Debug)]
+pub struct Writer {
+    dir: PathBuf,
+    id: String,
+    streams: Option<Streams>,
+    flushed: Instant,
+}
+
+#[derive(Debug)]
+struct Streams {
+    history: BufWriter<File>,
+    shapes: BufWriter<File>,
+}
+
+impl Writer {
+    /// Makes the run directory with the exact case and `run.toml` in state partial.
+    ///
+    /// The name of the run becomes that of the directory, see [`Writer::id`].
+    ///
+    /// # Errors
+    /// The directory holds files already, or the system refuses.
+    pub fn begin(place: &Place, mut info: RunInfo, case_text: &str) -> Result<Self, StoreError> {
+        let dir = begin::create(place, &mut info, case_text)?;
+        Ok(Self {
+            dir,
+            id: info.id,
+            streams: None,
+            flushed: Instant::now(),
+        })
+    }
+
+    /// The run directory.
+    #[must_use]
+    pub fn dir(&self) -> &Path {
+        &self.dir
+    }
+
+    /// The run's name: that of its directory.
+    #[must_use]
+    pub fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// Takes what a job says; the end is for [`Writer::finish`].
+    ///
+    /// # Errors
+    /// The system refuses, for example because the disk is full.
+    pub fn event(&mut self, event: &Event) -> Result<(), StoreError> {
+        match event {
+            Event::Started { channels } => self.channels(channels),
+            Event::Frame(frame) => self.frame(frame),
+            Event::Estimating => self.flush(),
+            Event::Finished(_) => Ok(()),
+        }
+    }
+
+    /// Says which channels (name, unit) the frames will bring.
+    ///
+    /// # Errors
+    /// The system refuses.
+    pub fn channels(&mut self, channels: &[(String, String)]) -> Result<(), StoreError> {
+        begin::replace(&self.dir, CHANNELS, &finish::channel_units(channels)?)?;
+        let names = channels.iter().map(|(name, _)| name.as_str());
+        let history = self.stream(HISTORY, Csv::new(std::iter::once("time_s").chain(names))?)?;
+        let shapes = self.stream(SHAPES, Csv::new(SHAPE_COLUMNS)?)?;
+        self.streams = Some(Streams { history, shapes });
+        Ok(())
+    }
+
+    /// Adds an output instant.
+    ///
+    /// # Errors
+    /// The system refuses.
+    pub fn frame(&mut self, frame: &Frame) -> Result<(), StoreError> {
+        let mut row = Csv::headless();
+        row.row(
+            std::iter::once(&frame.time)
+                .chain(&frame.values)
+                .copied()
+                .map(number::text),
+        )?;
+        let row = row.bytes()?;
+        let shape = frame.shape.as_ref().map(shape_rows).transpose()?;
+        if let Some(streams) = &mut self.streams {
+            let put = StoreError::io("Writing", self.dir.join(HISTORY));
+            streams.history.write_all(&row).map_err(put)?;
+            let put = StoreError::io("Writing", self.dir.join(SHAPES));
+            streams
+                .shapes
+                .write_all(&shape.unwrap_or_default())
+                .map_err(put)?;
+        }
+        if self.flushed.elapsed() >= FLUSH {
+            self.flush()?;
+        }
+        Ok(())
+    }
+
+    /// Brings everything taken so far to disk.
+    ///
+    /// # Errors
+    /// The system refuses.
+    pub fn flush(&mut self) -> Result<(), StoreError> {
+        self.flushed = Instant::now();
+        if let Some(streams) = &mut self.streams {
+            streams
+                .history
+                .flush()
+                .map_err(StoreError::io("Writing", self.dir.join(HISTORY)))?;
+            streams
+                .shapes
+                .flush()
+                .map_err(StoreError::io("Writing", self.dir.join(SHAPES)))?;
+        }
+        Ok(())
+    }
+
+    /// Writes the complete run, `run.toml` with its final state last. Returns the run directory.
+    ///
+    /// # Errors
+    /// The system refuses; the directory then still reads as a partial run.
+    pub fn finish(mut self, run: &Run) -> Result<PathBuf, StoreError> {
+        self.flush()?;
+        self.streams = None;
+        finish::all(&self.dir, &self.id, run)?;
+        Ok(self.dir)
+    }
+
+    /// A file that grows while the run goes on.
+    fn stream(&self, name: &str, head: Csv) -> Result<BufWriter<File>, StoreError> {
+        let path = self.dir.join(name);
+        let file = File::create(&path).map_err(StoreError::io("Writing", path.clone()))?;
+        let mut stream = BufWriter::with_capacity(1 << 16, file);
+        let put = StoreError::io("Writing", path);
+        stream
+            .write_all(&head.bytes()?)
+            .and_then(|()| stream.flush())
+            .map_err(put)?;
+        Ok(stream)
+    }
+}
+
+fn shape_rows(shape: &LineShape) -> Result<Vec<u8>, StoreError> {
+    let mut csv = Csv::headless();
+    write_shape(&mut csv, shape)?;
+    csv.bytes()
+}
+
+/// Writes a run that is already complete. Returns its directory.
+///
+/// # Errors
+/// The directory holds files already, or the system refuses.
+pub fn save(place: &Place, run: &Run) -> Result<PathBuf, StoreError> {
+    Writer::begin(place, run.info.clone(), &run.case_text)?.finish(run)
+}
