@@ -4,6 +4,8 @@
 
 pub mod job;
 pub mod model;
+mod names;
 pub mod store;
 
 pub use model::*;
+pub use names::quantity_name;

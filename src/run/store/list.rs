@@ -43,7 +43,7 @@ pub fn list(root: &Path) -> Result<Vec<Entry>, StoreError> {
             info => entries.push(Entry { dir, info }),
         }
     }
-    entries.sort_by(|a, b| age(b).cmp(&age(a)));
+    entries.sort_by_key(|e| std::cmp::Reverse(age(e)));
     Ok(entries)
 }
 
