@@ -1,0 +1,28 @@
+//! Which variants of a case its published statements need, and how one is made.
+
+use crate::case::{At, Case};
+
+/// The distinct variants that the published values and trends of a case need, `None` being the case
+/// as it stands; in the order in which the file asks for them.
+#[must_use]
+pub fn plan(case: &Case) -> Vec<Option<At>> {
+    let mut variants: Vec<Option<At>> = Vec::new();
+    let mut need = |at: Option<At>| {
+        if !variants.contains(&at) {
+            variants.push(at);
+        }
+    };
+    for published in &case.published {
+        need(published.at.clone());
+    }
+    for trend in &case.trend {
+        let study = case.study.iter().find(|s| s.name == trend.study);
+        for &value in study.map_or(&[][..], |s| &s.values) {
+            need(Some(At {
+                study: trend.study.clone(),
+                value,
+            }));
+        }
+    }
+    variants
+}

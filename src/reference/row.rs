@@ -1,0 +1,92 @@
+//! One published statement held against a run.
+
+use std::fmt;
+
+use crate::case::{At, Direction, Standing};
+
+/// One published statement held against a run: a value, or a trend.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// What it is, in words.
+    pub name: String,
+    /// The point of a study it belongs to; absent: the case as it stands (and for trends).
+    pub at: Option<At>,
+    /// Where it is printed.
+    pub source: String,
+    /// The published value; absent for trends.
+    pub published: Option<f64>,
+    /// What the run gives; absent when not run, and for trends.
+    pub computed: Option<f64>,
+    /// Unit of every number here.
+    pub unit: String,
+    /// Estimated numerical error of the computed value; absent when not estimated.
+    pub error: Option<f64>,
+    /// Computed less published.
+    pub difference: Option<f64>,
+    /// Greatest difference that passes; absent for trends.
+    pub tolerance: Option<f64>,
+    /// How it stands.
+    pub outcome: Outcome,
+    /// Standing of the inputs behind the computed value, at worst; absent for trends.
+    pub inputs: Option<Standing>,
+    /// True when an input was fitted to this very number: agreement is then no evidence.
+    pub fitted: bool,
+    /// Why it differs or was not run; and what else the reader must know.
+    pub reason: Option<String>,
+    /// For a trend: what is expected and the numbers along the study.
+    pub trend: Option<TrendLine>,
+}
+
+/// A statistic along a study.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TrendLine {
+    /// What the source says it does as the study's values grow.
+    pub expect: Direction,
+    /// The key that is varied.
+    pub key: String,
+    /// The numbers, in the order of growing values.
+    pub points: Vec<Point>,
+}
+
+/// A statistic at one value of a study.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// Value of the study's key, in its unit.
+    pub value: f64,
+    /// What the run gives; absent when not run.
+    pub computed: Option<f64>,
+    /// Its estimated numerical error; absent when not estimated.
+    pub error: Option<f64>,
+}
+
+/// How a row stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// Within its tolerance; for a trend: it does as stated.
+    Pass,
+    /// Outside its tolerance.
+    Fail,
+    /// Outside its tolerance, and the case says beforehand why the number is out of reach.
+    Differs,
+    /// There is no run, or the run does not hold the number.
+    NotRun,
+}
+
+impl Outcome {
+    /// The word for it: `PASS`, `FAIL`, `DIFFERS`, `NOT RUN`.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Pass => "PASS",
+            Self::Fail => "FAIL",
+            Self::Differs => "DIFFERS",
+            Self::NotRun => "NOT RUN",
+        }
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.word())
+    }
+}

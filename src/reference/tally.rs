@@ -1,0 +1,76 @@
+//! Outcomes counted.
+
+use std::fmt;
+
+use super::{Outcome, Row};
+
+/// How many rows stand how.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Within tolerance.
+    pub pass: usize,
+    /// Outside tolerance.
+    pub fail: usize,
+    /// Declared out of reach, and outside tolerance.
+    pub differs: usize,
+    /// Without a number to hold against.
+    pub not_run: usize,
+}
+
+/// Counts outcomes.
+#[must_use]
+pub fn tally(rows: &[Row]) -> Tally {
+    let mut tally = Tally::default();
+    for row in rows {
+        *match row.outcome {
+            Outcome::Pass => &mut tally.pass,
+            Outcome::Fail => &mut tally.fail,
+            Outcome::Differs => &mut tally.differs,
+            Outcome::NotRun => &mut tally.not_run,
+        } += 1;
+    }
+    tally
+}
+
+impl Tally {
+    /// All rows.
+    #[must_use]
+    pub const fn total(&self) -> usize {
+        self.pass + self.fail + self.differs + self.not_run
+    }
+
+    /// True when no row is outside its tolerance and none is left without a number.
+    #[must_use]
+    pub const fn holds(&self) -> bool {
+        self.fail == 0 && self.not_run == 0
+    }
+}
+
+impl fmt::Display for Tally {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            pass,
+            fail,
+            differs,
+            not_run,
+        } = self;
+        write!(
+            f,
+            "{} rows: {pass} PASS, {fail} FAIL, {differs} DIFFERS, {not_run} NOT RUN",
+            self.total()
+        )
+    }
+}
+
+impl std::ops::Add for Tally {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            pass: self.pass + other.pass,
+            fail: self.fail + other.fail,
+            differs: self.differs + other.differs,
+            not_run: self.not_run + other.not_run,
+        }
+    }
+}
