@@ -1,1 +1,0 @@
-//! Charts as data (axes, series, marks, cursor) and their drawing in characters.

@@ -1,0 +1,423 @@
+//! From a chart to a picture: ranges, room, axes, lines, then what lies over them.
+
+use std::borrow::Cow;
+
+use unicode_width::UnicodeWidthStr;
+
+use super::canvas::{Canvas, Path};
+use super::layout::{self, Columns, Rows};
+use super::legend;
+use super::picture::{Frame, Ink, Picture};
+use super::range::{Range, equalise, extent, fit, sane};
+use super::ticks::{self, Tick};
+use super::{Chart, Glyphs, LimitLine, Series};
+use crate::report::plain;
+
+/// Draws a chart into so many columns and rows. Any size will do: what has no room is left out
+/// whole, nothing is cut, and nothing overlaps.
+#[must_use]
+pub fn draw(chart: &Chart, width: usize, height: usize, glyphs: Glyphs) -> Picture {
+    let chart = &*in_glyphs(chart, glyphs);
+    let mut picture = Picture::blank(width, height);
+    if width == 0 || height == 0 {
+        return picture;
+    }
+    let plan = Plan::make(chart, width, height, glyphs);
+    picture.frame = plan.frame;
+    draw_head(chart, &plan, glyphs, &mut picture);
+    draw_axes(chart, &plan, glyphs, &mut picture);
+    draw_plot(chart, &plan, glyphs, &mut picture);
+    picture
+}
+
+/// The chart with all its words in ASCII, when that is what is wanted.
+fn in_glyphs(chart: &Chart, glyphs: Glyphs) -> Cow<'_, Chart> {
+    if glyphs == Glyphs::Braille {
+        return Cow::Borrowed(chart);
+    }
+    let mut plain = chart.clone();
+    let words = [&mut plain.title, &mut plain.x.label, &mut plain.x.unit];
+    let words = words
+        .into_iter()
+        .chain([&mut plain.y.label, &mut plain.y.unit]);
+    let words = words.chain(plain.series.iter_mut().map(|series| &mut series.label));
+    for word in words.chain(plain.limits.iter_mut().map(|limit| &mut limit.label)) {
+        if let Cow::Owned(ascii) = plain::ascii(word) {
+            *word = ascii;
+        }
+    }
+    Cow::Owned(plain)
+}
+
+/// What goes where.
+struct Plan {
+    rows: Rows,
+    columns: Columns,
+    frame: Frame,
+    /// Ticks of the y axis; empty when there is no room for their numbers.
+    up: Vec<Tick>,
+    /// Name and unit of the y axis, as short as needed.
+    name: String,
+}
+
+impl Plan {
+    /// Room for the numbers at the y axis depends on the range, which at equal scale depends on the
+    /// room; so the room grows until the numbers fit, which takes two or three turns.
+    fn make(chart: &Chart, width: usize, height: usize, glyphs: Glyphs) -> Self {
+        let mut numbers = 0;
+        let mut plan = Self::with_numbers(chart, width, height, glyphs, numbers);
+        for _ in 0..4 {
+            let needed = widest(&plan.up);
+            if needed <= numbers {
+                break;
+            }
+            numbers = needed;
+            plan = Self::with_numbers(chart, width, height, glyphs, numbers);
+        }
+        if widest(&plan.up) > plan.columns.numbers {
+            plan.up.iter_mut().for_each(|tick| tick.label.clear());
+        }
+        plan
+    }
+
+    fn with_numbers(
+        chart: &Chart,
+        width: usize,
+        height: usize,
+        glyphs: Glyphs,
+        numbers: usize,
+    ) -> Self {
+        let columns = Columns::share(width, numbers);
+        let (x, y) = ranges(chart);
+        let unit = ticks::scale(y, &chart.y.unit).unit(&chart.y.unit);
+        let name = axis_name(&chart.y.label, &unit, width);
+        let indent = head_indent(&name);
+        let rows = Rows::share(chart, height, layout::legend_rows(chart, width, indent));
+        let dots = glyphs.dots();
+        let mut frame = Frame {
+            left: columns.left,
+            top: rows.top,
+            width: columns.width,
+            height: rows.height,
+            dots,
+            x,
+            y,
+        };
+        if chart.equal_scale {
+            (frame.x, frame.y) = equalise(x, y, paper(&frame));
+        }
+        let up = ticks::choose(frame.y, &chart.y.unit, |ticks| roomy_up(ticks, &frame));
+        // At equal scale the range may have grown into another prefix.
+        let unit = ticks::scale(frame.y, &chart.y.unit).unit(&chart.y.unit);
+        Self {
+            name: axis_name(&chart.y.label, &unit, width),
+            rows,
+            columns,
+            frame,
+            up,
+        }
+    }
+}
+
+/// Length of both axes on paper, in widths of a cell; a cell is twice as tall as it is wide.
+fn paper(frame: &Frame) -> (f64, f64) {
+    let (nx, ny) = frame.dot_count();
+    let dot = (1.0 / frame.dots.0 as f64, 2.0 / frame.dots.1 as f64);
+    let gaps = |n: usize| n.saturating_sub(1).max(1) as f64;
+    (gaps(nx) * dot.0, gaps(ny) * dot.1)
+}
+
+/// What both axes show: as asked for, or all visible data.
+fn ranges(chart: &Chart) -> (Range, Range) {
+    let shown = || chart.series.iter().filter(|series| series.visible);
+    let xs = shown().flat_map(|s| s.points.iter().map(|p| p.0));
+    let x = chart.x.range.map_or_else(|| fit(extent(xs)), sane);
+    // A zoomed x axis does not change the y axis: the eye compares heights.
+    let ys = shown().flat_map(|s| s.points.iter().map(|p| p.1));
+    let y = chart.y.range.map_or_else(|| fit(extent(ys)), sane);
+    (x, y)
+}
+
+/// Name and unit of an axis if there is room, else the unit alone, else nothing.
+fn axis_name(label: &str, unit: &str, room: usize) -> String {
+    let unit = if unit.is_empty() {
+        String::new()
+    } else {
+        format!("[{unit}]")
+    };
+    let whole = format!("{label} {unit}").trim().to_owned();
+    [whole, unit]
+        .into_iter()
+        .find(|text| text.width() <= room)
+        .unwrap_or_default()
+}
+
+/// Column at which the legend begins beside the name of the y axis.
+fn head_indent(name: &str) -> usize {
+    if name.is_empty() { 0 } else { name.width() + 3 }
+}
+
+fn widest(ticks: &[Tick]) -> usize {
+    ticks
+        .iter()
+        .map(|tick| tick.label.width())
+        .max()
+        .unwrap_or(0)
+}
+
+/// Numbers at the y axis need a free row between them, two in tall plots, none in tiny ones.
+fn roomy_up(ticks: &[Tick], frame: &Frame) -> bool {
+    let apart = match frame.height {
+        0..5 => 1,
+        5..10 => 2,
+        _ => 3,
+    };
+    let rows: Vec<usize> = ticks.iter().filter_map(|t| frame.row_of(t.value)).collect();
+    rows.windows(2).all(|pair| pair[0] >= pair[1] + apart)
+}
+
+/// Where the numbers of the x axis begin: centred below their ticks, moved inside the picture.
+fn places_along(ticks: &[Tick], frame: &Frame, width: usize) -> Vec<(usize, usize)> {
+    let place = |tick: &Tick| {
+        let wide = tick.label.width();
+        let middle = frame.left + frame.column_of(tick.value)?;
+        Some((
+            middle
+                .saturating_sub(wide / 2)
+                .min(width.saturating_sub(wide)),
+            wide,
+        ))
+    };
+    ticks.iter().filter_map(place).collect()
+}
+
+fn roomy_along(ticks: &[Tick], frame: &Frame, width: usize) -> bool {
+    let places = places_along(ticks, frame, width);
+    let apart = places
+        .windows(2)
+        .all(|pair| pair[0].0 + pair[0].1 + 2 <= pair[1].0);
+    apart && places.iter().all(|(_, wide)| *wide <= width)
+}
+
+/// Title, name of the y axis, legend.
+fn draw_head(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
+    let width = on.width;
+    if let Some(row) = plan.rows.title {
+        let title = shorten(&chart.title, width, glyphs);
+        on.write((width - title.width()) / 2, row, &title, Ink::Title);
+    }
+    let (top, rows) = plan.rows.head;
+    if rows == 0 {
+        return;
+    }
+    on.write(0, top, &plan.name, Ink::Label);
+    if chart.legend {
+        let flow = legend::flow(chart, width, head_indent(&plan.name), rows);
+        legend::draw(chart, &flow, top, glyphs, on);
+    }
+}
+
+/// The text if it fits, else its beginning with dots that say that more follows.
+fn shorten(text: &str, room: usize, glyphs: Glyphs) -> String {
+    if text.width() <= room {
+        return text.to_owned();
+    }
+    let dots = if glyphs == Glyphs::Ascii {
+        "..."
+    } else {
+        "…"
+    };
+    let mut short = text.to_owned();
+    while !short.is_empty() && short.width() + dots.width() > room {
+        short.pop();
+    }
+    if short.is_empty() {
+        short
+    } else {
+        format!("{}{dots}", short.trim_end())
+    }
+}
+
+/// Both axes with ticks and numbers, and the name of the x axis.
+fn draw_axes(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
+    let ascii = glyphs == Glyphs::Ascii;
+    let frame = plan.frame;
+    if let Some(column) = plan.columns.axis {
+        for row in 0..frame.height {
+            on.put(
+                column,
+                frame.top + row,
+                if ascii { '|' } else { '│' },
+                Ink::Axis,
+            );
+        }
+        for tick in &plan.up {
+            let Some(row) = frame.row_of(tick.value) else {
+                continue;
+            };
+            on.put(
+                column,
+                frame.top + row,
+                if ascii { '+' } else { '┤' },
+                Ink::Axis,
+            );
+            let start = plan.columns.numbers.saturating_sub(tick.label.width());
+            on.write(start, frame.top + row, &tick.label, Ink::Label);
+        }
+    }
+    let Some(row) = plan.rows.axis else { return };
+    if let Some(column) = plan.columns.axis {
+        on.put(column, row, if ascii { '+' } else { '└' }, Ink::Axis);
+    }
+    for column in frame.left..on.width {
+        on.put(column, row, if ascii { '-' } else { '─' }, Ink::Axis);
+    }
+    let width = on.width;
+    let along = ticks::choose(frame.x, &chart.x.unit, |t| roomy_along(t, &frame, width));
+    for (tick, (start, _)) in along.iter().zip(places_along(&along, &frame, width)) {
+        if let Some(column) = frame.column_of(tick.value) {
+            on.put(
+                frame.left + column,
+                row,
+                if ascii { '+' } else { '┬' },
+                Ink::Axis,
+            );
+        }
+        on.write(start, row + 1, &tick.label, Ink::Label);
+    }
+    if let Some(row) = plan.rows.name {
+        let unit = ticks::scale(frame.x, &chart.x.unit).unit(&chart.x.unit);
+        let name = axis_name(&chart.x.label, &unit, width - frame.left);
+        let start = frame.left + (width - frame.left - name.width()) / 2;
+        on.write(start, row, &name, Ink::Label);
+    }
+}
+
+/// Everything inside the axes: reference lines below, series, markers, then cursor and names where
+/// cells are free.
+fn draw_plot(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
+    let frame = plan.frame;
+    let canvas = draw_series(chart, frame, glyphs);
+    draw_limits(chart, frame, glyphs, on);
+    draw_cursor(chart, plan, glyphs, on);
+    for row in 0..frame.height {
+        for column in 0..frame.width {
+            if let Some((ch, ink)) = canvas.get(column, row) {
+                on.put(frame.left + column, frame.top + row, ch, ink);
+            }
+        }
+    }
+    name_limits(chart, frame, on);
+}
+
+/// Dimmed series first, so that they lie below; markers last.
+fn draw_series(chart: &Chart, frame: Frame, glyphs: Glyphs) -> Canvas {
+    let mut canvas = Canvas::new(frame, glyphs);
+    let of_kind = |dimmed: bool| {
+        let shown = move |s: &&Series| s.visible && s.dimmed == dimmed;
+        chart.series.iter().filter(shown)
+    };
+    let order: Vec<&Series> = of_kind(true).chain(of_kind(false)).collect();
+    let paths: Vec<Path> = order.iter().map(|series| canvas.line(series)).collect();
+    for (turn, (series, path)) in order.iter().zip(&paths).enumerate() {
+        canvas.markers(series, path, turn, order.len());
+    }
+    canvas
+}
+
+fn draw_limits(chart: &Chart, frame: Frame, glyphs: Glyphs, on: &mut Picture) {
+    let ascii = glyphs == Glyphs::Ascii;
+    for limit in &chart.limits {
+        match limit.line {
+            LimitLine::Horizontal(y) => {
+                let Some(row) = frame.row_of(y) else { continue };
+                for column in 0..frame.width {
+                    let ch = if ascii { '-' } else { '╌' };
+                    on.put(frame.left + column, frame.top + row, ch, Ink::Limit);
+                }
+            }
+            LimitLine::Vertical(x) => {
+                let Some(column) = frame.column_of(x) else {
+                    continue;
+                };
+                for row in 0..frame.height {
+                    let ch = if ascii { ':' } else { '╎' };
+                    on.put(frame.left + column, frame.top + row, ch, Ink::Limit);
+                }
+            }
+        }
+    }
+}
+
+/// The cursor: a line from bottom to top, and a mark on the axis that no series can hide.
+fn draw_cursor(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
+    let frame = plan.frame;
+    let Some(column) = chart.cursor.and_then(|x| frame.column_of(x)) else {
+        return;
+    };
+    let (line, mark) = match glyphs {
+        Glyphs::Ascii => ('|', '^'),
+        Glyphs::Braille => ('┃', '╋'),
+    };
+    for row in 0..frame.height {
+        on.put(frame.left + column, frame.top + row, line, Ink::Cursor);
+    }
+    if let Some(row) = plan.rows.axis {
+        on.put(frame.left + column, row, mark, Ink::Cursor);
+    }
+}
+
+/// Writes the names of reference lines where they hide no series; the right end is tried first.
+fn name_limits(chart: &Chart, frame: Frame, on: &mut Picture) {
+    for limit in &chart.limits {
+        let wide = limit.label.width();
+        if wide == 0 || wide > frame.width {
+            continue;
+        }
+        let columns: Vec<usize> = (0..=frame.width - wide).rev().collect();
+        let place = match limit.line {
+            LimitLine::Horizontal(y) => frame.row_of(y).and_then(|row| {
+                let rows = [Some(row), row.checked_sub(1), Some(row + 1)];
+                free(&columns, rows.into_iter().flatten(), wide, frame, on)
+            }),
+            LimitLine::Vertical(x) => frame.column_of(x).and_then(|column| {
+                // Right of the line, else left of it.
+                let beside = [Some(column + 1), column.checked_sub(wide)];
+                let beside: Vec<usize> = beside.into_iter().flatten().collect();
+                free(&beside, 0..frame.height, wide, frame, on)
+            }),
+        };
+        if let Some((column, row)) = place {
+            on.write(
+                frame.left + column,
+                frame.top + row,
+                &limit.label,
+                Ink::Limit,
+            );
+        }
+    }
+}
+
+/// The first of the places where a name covers neither a series, nor the cursor, nor another name.
+fn free(
+    columns: &[usize],
+    rows: impl Iterator<Item = usize>,
+    wide: usize,
+    frame: Frame,
+    on: &Picture,
+) -> Option<(usize, usize)> {
+    let is_free = |column: usize, row: usize| {
+        let cell = on.get(frame.left + column, frame.top + row);
+        cell.is_some_and(|cell| match cell.ink {
+            Ink::Blank => true,
+            Ink::Limit => matches!(cell.ch, '-' | '╌'),
+            _ => false,
+        })
+    };
+    let fits = |column: usize, row: usize| {
+        let inside = column + wide <= frame.width && row < frame.height;
+        inside && (column..column + wide).all(|c| is_free(c, row))
+    };
+    rows.flat_map(|row| columns.iter().map(move |column| (*column, row)))
+        .find(|(column, row)| fits(*column, *row))
+}

@@ -1,0 +1,175 @@
+//! Round numbers along an axis: 1, 2, 5 times a power of ten, at their true places.
+
+use super::Range;
+use crate::report::number::{self, Scale};
+
+/// A round distance between ticks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Step {
+    /// 1, 2 or 5.
+    mantissa: i32,
+    /// Power of ten.
+    exponent: i32,
+}
+
+impl Step {
+    /// The smallest round distance that is not smaller than `least`.
+    pub(super) fn at_least(least: f64) -> Self {
+        let least = least.clamp(1e-300, 1e305);
+        let exponent = number::order(least);
+        // The tolerance keeps 0.1 from becoming 0.2 for want of its last bit.
+        let mantissa = least / 10f64.powi(exponent) * (1.0 - 1e-9);
+        match mantissa {
+            m if m <= 1.0 => Self {
+                mantissa: 1,
+                exponent,
+            },
+            m if m <= 2.0 => Self {
+                mantissa: 2,
+                exponent,
+            },
+            m if m <= 5.0 => Self {
+                mantissa: 5,
+                exponent,
+            },
+            _ => Self {
+                mantissa: 1,
+                exponent: exponent + 1,
+            },
+        }
+    }
+
+    /// The next coarser round distance.
+    pub(super) fn coarser(self) -> Self {
+        match self.mantissa {
+            1 => Self {
+                mantissa: 2,
+                ..self
+            },
+            2 => Self {
+                mantissa: 5,
+                ..self
+            },
+            _ => Self {
+                mantissa: 1,
+                exponent: self.exponent + 1,
+            },
+        }
+    }
+
+    /// The value of the tick with this number. Dividing by a power of ten instead of multiplying by
+    /// its inverse gives 0.3 and not 0.30000000000000004.
+    pub(super) fn value(self, index: f64) -> f64 {
+        let count = index * f64::from(self.mantissa);
+        if self.exponent < 0 {
+            count / 10f64.powi(-self.exponent)
+        } else {
+            count * 10f64.powi(self.exponent)
+        }
+    }
+
+    /// Number of the last tick at or below a value.
+    pub(super) fn below(self, value: f64) -> f64 {
+        (value / self.value(1.0) + 1e-6).floor()
+    }
+
+    /// Number of the first tick at or above a value.
+    pub(super) fn above(self, value: f64) -> f64 {
+        (value / self.value(1.0) - 1e-6).ceil()
+    }
+
+    /// The ticks inside a range; at most a thousand.
+    pub(super) fn ticks(self, range: Range) -> Vec<f64> {
+        let (first, last) = (self.above(range.0), self.below(range.1));
+        if !(last - first).is_finite() || last - first > 1000.0 {
+            return Vec::new();
+        }
+        let count = (last - first).max(-1.0) as i64 + 1;
+        (0..count).map(|i| self.value(first + i as f64)).collect()
+    }
+
+    /// Decimals that tell neighbouring ticks apart at a scale.
+    fn decimals(self, scale: Scale) -> i32 {
+        (number::order(scale.factor * (1.0 + 1e-9)) - self.exponent).max(0)
+    }
+}
+
+/// A tick and its number in words.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Tick {
+    /// Where it stands.
+    pub(super) value: f64,
+    /// What is written beside it, at the scale of the axis.
+    pub(super) label: String,
+}
+
+/// The scale all numbers of an axis are written at.
+pub(super) fn scale(range: Range, unit: &str) -> Scale {
+    Scale::of(range.0.abs().max(range.1.abs()), unit)
+}
+
+/// The finest round ticks that pass a test, labelled at one scale; the test sees them all and says
+/// whether there is room.
+pub(super) fn choose(range: Range, unit: &str, roomy: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
+    let scale = scale(range, unit);
+    let mut step = Step::at_least((range.1 - range.0) / 400.0);
+    // 400 is passed in 8 steps; more only ever leave fewer ticks.
+    for _ in 0..12 {
+        let ticks = label(&step.ticks(range), step.decimals(scale), scale);
+        if roomy(&ticks) {
+            return ticks;
+        }
+        step = step.coarser();
+    }
+    Vec::new()
+}
+
+fn label(values: &[f64], decimals: i32, scale: Scale) -> Vec<Tick> {
+    values
+        .iter()
+        .map(|value| Tick {
+            value: *value,
+            label: number::rounded(value / scale.factor, decimals),
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn labels(range: Range, unit: &str, most: usize) -> Vec<String> {
+        choose(range, unit, |ticks| ticks.len() <= most)
+            .into_iter()
+            .map(|tick| tick.label)
+            .collect()
+    }
+
+    #[test]
+    fn steps_are_one_two_five() {
+        assert_eq!(Step::at_least(0.1).value(1.0).to_string(), "0.1");
+        assert_eq!(Step::at_least(0.11).value(3.0).to_string(), "0.6");
+        assert_eq!(Step::at_least(60.0).value(1.0).to_string(), "100");
+        assert_eq!(
+            Step::at_least(3e-7).coarser().value(1.0).to_string(),
+            "0.000001"
+        );
+    }
+
+    #[test]
+    fn labels_share_one_scale_and_their_decimals() {
+        assert_eq!(labels((0.0, 4e6), "N", 5), ["0", "1", "2", "3", "4"]);
+        assert_eq!(
+            labels((1.9e6, 2.1e6), "N", 5),
+            ["1.90", "1.95", "2.00", "2.05", "2.10"]
+        );
+        assert_eq!(labels((-1400.0, 0.0), "m", 4), ["-1000", "-500", "0"]);
+    }
+
+    #[test]
+    fn ticks_stand_at_their_values_when_the_range_is_not_round() {
+        let ticks = choose((137.0, 481.0), "s", |ticks| ticks.len() <= 4);
+        let values: Vec<f64> = ticks.iter().map(|tick| tick.value).collect();
+        assert_eq!(values, [200.0, 300.0, 400.0]);
+    }
+}

@@ -1,0 +1,293 @@
+//! Charts as people see them, and what must hold at any size and for any data.
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
+use proptest::prelude::*;
+use seacable::report::chart::{
+    Axis, Chart, Glyphs, Ink, Limit, LimitLine, PictureCell, Series, draw, marker, readout,
+};
+
+/// Accepted pictures live in the top-level `snapshots/`, named by what they show.
+fn accept(name: &str, text: &str) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!(name, text));
+}
+
+/// A tension that surges, falls and settles, as a lowered payload's does.
+fn tension(peak_s: f64, final_n: f64) -> Vec<(f64, f64)> {
+    let at = |i: i32| {
+        let t = f64::from(i) * 0.5;
+        let settling = 1.0 - (-(t / 180.0).powi(3)).exp();
+        let surge = 0.35 * (-((t - peak_s) / 12.0).powi(2)).exp();
+        (t, final_n * (0.4 + 0.6 * settling + surge))
+    };
+    (0..=1200).map(at).collect()
+}
+
+fn tensions() -> Chart {
+    Chart {
+        title: "Tension at the joints".to_owned(),
+        x: Axis::new("time", "s"),
+        y: Axis::new("tension", "N"),
+        series: vec![
+            Series::new("vessel|chain", 0, tension(25.0, 3.94e6)),
+            Series::new("chain|polyester", 1, tension(25.0, 3.6e6)),
+            Series::new("polyester|wire", 2, tension(30.0, 2.4e6)),
+            Series::new("wire|payload", 3, tension(30.0, 1.96e6)),
+        ],
+        limits: vec![Limit {
+            label: "hanging weight 3.77 MN".to_owned(),
+            line: LimitLine::Horizontal(3.766e6),
+        }],
+        cursor: Some(281.0),
+        legend: true,
+        ..Chart::default()
+    }
+}
+
+fn trajectory() -> Chart {
+    let swing = |i: i32| {
+        let angle = f64::from(i) / 200.0 * std::f64::consts::FRAC_PI_2;
+        (1400.0 * angle.cos(), -1400.0 * angle.sin())
+    };
+    Chart {
+        title: "Path of the payload".to_owned(),
+        x: Axis::new("x", "m"),
+        y: Axis::new("z", "m"),
+        series: vec![
+            Series::new("this run", 0, (0..=200).map(swing).collect()),
+            Series {
+                dimmed: true,
+                ..Series::new(
+                    "run before",
+                    1,
+                    vec![(1400.0, 0.0), (900.0, -900.0), (0.0, -1380.0)],
+                )
+            },
+        ],
+        equal_scale: true,
+        legend: true,
+        ..Chart::default()
+    }
+}
+
+#[test]
+fn tensions_at_80x24_in_braille_and_ascii() {
+    let chart = tensions();
+    accept(
+        "chart_tensions_80x24_braille",
+        &draw(&chart, 80, 24, Glyphs::Braille).to_text(),
+    );
+    accept(
+        "chart_tensions_80x24_ascii",
+        &draw(&chart, 80, 24, Glyphs::Ascii).to_text(),
+    );
+}
+
+#[test]
+fn a_trajectory_to_equal_scale() {
+    let chart = trajectory();
+    accept(
+        "chart_trajectory_60x24_braille",
+        &draw(&chart, 60, 24, Glyphs::Braille).to_text(),
+    );
+    accept(
+        "chart_trajectory_60x24_ascii",
+        &draw(&chart, 60, 24, Glyphs::Ascii).to_text(),
+    );
+}
+
+#[test]
+fn small_charts_lose_their_surroundings_before_their_plot() {
+    let mut all = String::new();
+    for (width, height) in [(40, 12), (30, 8), (20, 5), (10, 3), (3, 2), (1, 1)] {
+        let text = draw(&tensions(), width, height, Glyphs::Braille).to_text();
+        all.push_str(&format!("{width}x{height}\n{text}\n"));
+    }
+    accept("chart_tensions_small", &all);
+}
+
+#[test]
+fn equal_scale_is_equal() {
+    for (width, height) in [(80, 24), (40, 30), (200, 20)] {
+        for glyphs in [Glyphs::Braille, Glyphs::Ascii] {
+            let frame = draw(&trajectory(), width, height, glyphs).frame;
+            // A cell is twice as tall as it is wide.
+            let (nx, ny) = frame.dot_count();
+            let across = 1.0 / frame.dots.0 as f64;
+            let up = 2.0 / frame.dots.1 as f64;
+            let per_x = (frame.x.1 - frame.x.0) / ((nx - 1) as f64 * across);
+            let per_y = (frame.y.1 - frame.y.0) / ((ny - 1) as f64 * up);
+            assert!((per_x / per_y - 1.0).abs() < 1e-9, "{per_x} {per_y}");
+            assert!(frame.x.0 <= 0.0 && frame.x.1 >= 1400.0);
+            assert!(frame.y.0 <= -1400.0 && frame.y.1 >= 0.0);
+        }
+    }
+}
+
+#[test]
+fn a_peak_one_sample_wide_stays_visible() {
+    let mut points: Vec<(f64, f64)> = (0..200_000).map(|i| (f64::from(i), 0.0)).collect();
+    points[123_456].1 = 1.0;
+    let chart = Chart {
+        y: Axis {
+            range: Some((-0.1, 1.0)),
+            ..Axis::default()
+        },
+        series: vec![Series::new("s", 0, points)],
+        ..Chart::default()
+    };
+    for glyphs in [Glyphs::Braille, Glyphs::Ascii] {
+        let picture = draw(&chart, 80, 20, glyphs);
+        let top = picture.frame.top;
+        let reaches = (0..80).any(|c| picture.get(c, top).unwrap().ink == Ink::Series(0));
+        assert!(reaches, "{}", picture.to_text());
+    }
+}
+
+#[test]
+fn the_later_of_two_series_owns_their_common_cells() {
+    let flat = vec![(0.0, 1.0), (10.0, 1.0)];
+    let chart = Chart {
+        series: vec![
+            Series::new("first", 0, flat.clone()),
+            Series::new("second", 1, flat),
+        ],
+        ..Chart::default()
+    };
+    let picture = draw(&chart, 80, 10, Glyphs::Braille);
+    let count = |ch: char| picture.cells.iter().filter(|cell| cell.ch == ch).count();
+    // Both markers are on the line, though only the second's dots are.
+    assert!(count(marker(0)) > 0 && count(marker(1)) > 0);
+    let dots = |ink: Ink| {
+        let of = |c: &&PictureCell| c.ink == ink && c.ch > '\u{2800}';
+        picture.cells.iter().filter(of).count()
+    };
+    assert_eq!(dots(Ink::Series(0)), 0);
+    assert!(dots(Ink::Series(1)) > 60);
+}
+
+#[test]
+fn a_zoomed_line_is_cut_at_the_edges_with_its_true_slope() {
+    let chart = Chart {
+        x: Axis {
+            range: Some((40.0, 60.0)),
+            ..Axis::default()
+        },
+        y: Axis {
+            range: Some((0.0, 100.0)),
+            ..Axis::default()
+        },
+        series: vec![Series::new("s", 0, vec![(0.0, 0.0), (100.0, 100.0)])],
+        ..Chart::default()
+    };
+    let picture = draw(&chart, 60, 24, Glyphs::Ascii);
+    let frame = picture.frame;
+    for (x, y) in [(40.0, 40.0), (60.0, 60.0)] {
+        let (column, row) = (frame.column_of(x).unwrap(), frame.row_of(y).unwrap());
+        let cell = picture.get(frame.left + column, frame.top + row).unwrap();
+        assert_eq!(cell.ink, Ink::Series(0), "{}", picture.to_text());
+    }
+}
+
+#[test]
+fn ascii_is_ascii_whatever_the_words() {
+    let mut chart = tensions();
+    chart.title = "Zugkraft – Größe ± 漢字".to_owned();
+    chart.series[0].label = "Schäkel→Kette".to_owned();
+    chart.limits[0].label = "≤ 4 MN".to_owned();
+    for width in [5, 20, 80] {
+        assert!(draw(&chart, width, 24, Glyphs::Ascii).to_text().is_ascii());
+    }
+}
+
+fn value() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        8 => -1e7..1e7,
+        2 => -1.0..1.0,
+        1 => prop::sample::select(vec![
+            f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -0.0, 1e300, -1e300, 1e-300, f64::MAX,
+            f64::MIN_POSITIVE, 5e-324, 1e305,
+        ]),
+    ]
+}
+
+fn points() -> impl Strategy<Value = Vec<(f64, f64)>> {
+    let constant = (value(), value(), 0..5_usize).prop_map(|(x, y, n)| vec![(x, y); n]);
+    prop_oneof![prop::collection::vec((value(), value()), 0..40), constant]
+}
+
+prop_compose! {
+    fn axis()(range in prop::option::of((value(), value())), unit in "(N|m|-|)") -> Axis {
+        Axis { label: "quantity".to_owned(), unit, range }
+    }
+}
+
+prop_compose! {
+    fn chart()(
+        x in axis(),
+        y in axis(),
+        series in prop::collection::vec((points(), 0..40_usize, any::<bool>(), any::<bool>()), 0..5),
+        limit in value(),
+        cursor in prop::option::of(value()),
+        equal_scale in any::<bool>(),
+        title in "(|Title|ein längerer Titel 漢字)",
+    ) -> Chart {
+        let series = series.into_iter().map(|(points, slot, dimmed, visible)| {
+            Series { dimmed, visible, ..Series::new("a series", slot, points) }
+        });
+        Chart {
+            title, x, y, cursor, equal_scale,
+            series: series.collect(),
+            limits: vec![
+                Limit { label: "limit".to_owned(), line: LimitLine::Horizontal(limit) },
+                Limit { label: "limit".to_owned(), line: LimitLine::Vertical(limit) },
+            ],
+            legend: true,
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_chart_fits_any_size(chart in chart(), width in 0..90_usize, height in 0..40_usize) {
+        for glyphs in [Glyphs::Braille, Glyphs::Ascii] {
+            let picture = draw(&chart, width, height, glyphs);
+            prop_assert_eq!(picture.cells.len(), width * height);
+            let frame = picture.frame;
+            prop_assert!(frame.left + frame.width <= width && frame.top + frame.height <= height);
+            if width > 0 && height > 0 {
+                prop_assert!(frame.width > 0 && frame.height > 0);
+                prop_assert!(frame.x.0 < frame.x.1 && frame.y.0 < frame.y.1);
+                prop_assert!(frame.x_of_column(0).is_finite());
+            }
+            if let Some(x) = chart.cursor {
+                let _ = readout(&chart, x);
+            }
+        }
+    }
+
+    #[test]
+    fn numbers_at_the_axes_are_whole_and_apart(
+        low in -1e9..1e9, span in 1e-3..1e9, width in 20..120_usize, height in 5..50_usize,
+    ) {
+        let chart = Chart {
+            series: vec![Series::new("s", 0, vec![(low, low), (low + span, low + span)])],
+            ..Chart::default()
+        };
+        let picture = draw(&chart, width, height, Glyphs::Ascii);
+        let row = picture.frame.top + picture.frame.height + 1;
+        let text = picture.to_text();
+        let line = text.lines().nth(row).unwrap_or_default();
+        let numbers: Vec<f64> = line.split_whitespace().map(|t| t.parse().unwrap()).collect();
+        // Evenly spaced, increasing: none was cut and none ran into its neighbour.
+        for three in numbers.windows(3) {
+            let (a, b) = (three[1] - three[0], three[2] - three[1]);
+            prop_assert!(a > 0.0 && (a - b).abs() < 1e-6 * a, "{}", text);
+        }
+    }
+}
