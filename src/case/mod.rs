@@ -1,9 +1,19 @@
 //! The case file: what the user says, in TOML, with the unit of every number in its key.
 //!
-//! [`model`] holds the words, as plain data; [`channels`] names what a run of the case records.
+//! [`model`] holds the words, as plain data; [`fields`] knows every key with unit, range, default
+//! and help; [`parse`] and [`load`] check a file against both and tell all that is wrong at once,
+//! each a [`Diagnostic`] with file, line, column, key and remedy; [`channels`](mod@channels) names
+//! what a run of the case records.
 
 pub mod channels;
+mod check;
+mod diagnostic;
+pub mod fields;
 pub mod model;
+mod read;
+mod tree;
 
 pub use channels::{Channel, LineEnd, Source, channels};
+pub use diagnostic::{Diagnostic, render_all};
 pub use model::*;
+pub use read::{Loaded, load, parse};

@@ -1,0 +1,337 @@
+//! What the case says about itself: studies of keys that exist, published values and trends of
+//! channels that a run records, marks of inputs that stand in the file.
+
+use super::line::unknown_name;
+use super::value;
+use super::words::{join, nearest, split};
+use crate::case::channels::{LineEnd, joint_channels, motion_channels};
+use crate::case::diagnostic::Finding;
+use crate::case::fields::{Absent, FIELDS, Field, field_at, number, quantity};
+use crate::case::model::EndKind;
+use crate::case::tree::{Data, Node, element_names};
+
+/// Checks of studies, published values, trends and marks.
+pub(crate) fn check(root: &Node) -> Vec<Finding> {
+    let mut found = studies(root);
+    found.extend(marks(root));
+    let channels = channel_names(root);
+    for list in ["published", "trend"] {
+        for (name, row) in named(root, list) {
+            let key = |last: &str| join(&[list, name.as_str(), last]);
+            found.extend(
+                channels
+                    .as_ref()
+                    .and_then(|known| channel(row, known, key("channel"))),
+            );
+            found.extend(window(root, row, &key("window_s")));
+            if list == "published" {
+                found.extend(tolerance(row, &key("tolerance_rel")));
+                found.extend(row.get("at").and_then(|at| point(root, at, &key("at"))));
+            } else {
+                found.extend(study_of(root, row, key("study")).err());
+            }
+        }
+    }
+    found
+}
+
+fn named<'a>(root: &'a Node, list: &str) -> Vec<(String, &'a Node)> {
+    let items = root.get(list).map_or(&[] as &[Node], Node::items);
+    element_names(items).into_iter().zip(items).collect()
+}
+
+/// A study varies a key that exists and takes one number, over values in its range.
+fn studies(root: &Node) -> Vec<Finding> {
+    let mut found = Vec::new();
+    let mut taken: Vec<String> = Vec::new();
+    for (name, study) in named(root, "study") {
+        if let Some((node, own)) = study
+            .get("name")
+            .and_then(|node| Some((node, node.text()?)))
+        {
+            if taken.iter().any(|earlier| earlier == own) {
+                let problem = format!("the name \"{own}\" is used twice");
+                found.push(Finding::new(
+                    &node.span,
+                    join(&["study", &name, "name"]),
+                    problem,
+                    "give every study a name of its own",
+                ));
+            }
+            taken.push(own.to_owned());
+        }
+        let Some((node, key)) = study.get("key").and_then(|node| Some((node, node.text()?))) else {
+            continue;
+        };
+        match varied(root, key) {
+            Ok(field) => found.extend(study_values(study, field, &name)),
+            Err((problem, remedy)) => {
+                found.push(Finding::new(
+                    &node.span,
+                    join(&["study", &name, "key"]),
+                    problem,
+                    remedy,
+                ));
+            }
+        }
+    }
+    found
+}
+
+/// The field a study varies.
+fn varied(root: &Node, key: &str) -> Result<&'static Field, (String, String)> {
+    let field = existing(root, key)?;
+    if field.takes_number() {
+        return Ok(field);
+    }
+    let problem = format!("`{key}` is not a number, so a study cannot vary it");
+    Err((problem, "name a key that takes one number".to_owned()))
+}
+
+/// The field of a key path whose table stands in the file.
+fn existing(root: &Node, path: &str) -> Result<&'static Field, (String, String)> {
+    let unknown = |remedy: String| (format!("there is no key `{path}` in this case"), remedy);
+    let Some(parts) = split(path) else {
+        return Err(unknown(
+            "write a key path such as `current.speed_m_per_s`".to_owned(),
+        ));
+    };
+    let here = given_or_defaulted(root);
+    let Some(field) = field_at(&parts) else {
+        return Err(unknown(near_path(path, &here)));
+    };
+    if here.iter().any(|known| *known == join(&parts)) {
+        return Ok(field);
+    }
+    let remedy = match (root.find(&parts[..parts.len() - 1]), field.absent) {
+        (Some(_), Absent::Means(_)) => "give the key a value in this file first".to_owned(),
+        _ => near_path(path, &here),
+    };
+    Err(unknown(remedy))
+}
+
+fn near_path(path: &str, here: &[String]) -> String {
+    match nearest(path, here.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "name a key as in `materials.<name>.ea_n`, `line.<section>.length_m`, `ends.b.position_m`".to_owned(),
+    }
+}
+
+/// Key paths with a value: those given, and those left to their default.
+fn given_or_defaulted(root: &Node) -> Vec<String> {
+    let mut list = Vec::new();
+    collect(root, &mut Vec::new(), &mut list);
+    for field in FIELDS {
+        let plain = !field.path.contains('*') && matches!(field.absent, Absent::Default(_));
+        if plain && !list.iter().any(|known| known == field.path) {
+            list.push(field.path.to_owned());
+        }
+    }
+    for (table, names) in [
+        ("materials", material_names(root)),
+        ("floats", names_of(root, "floats")),
+    ] {
+        let defaults = FIELDS.iter().filter(|field| {
+            field.table() == format!("{table}.*") && matches!(field.absent, Absent::Default(_))
+        });
+        for field in defaults {
+            list.extend(
+                names
+                    .iter()
+                    .map(|name| join(&[table, name.as_str(), field.key()])),
+            );
+        }
+    }
+    list
+}
+
+fn material_names(root: &Node) -> Vec<String> {
+    let materials = root.get("materials").map_or(&[] as &[_], Node::entries);
+    materials.iter().map(|entry| entry.key.clone()).collect()
+}
+
+fn names_of(root: &Node, list: &str) -> Vec<String> {
+    named(root, list)
+        .into_iter()
+        .map(|(name, _)| name)
+        .collect()
+}
+
+fn collect(node: &Node, path: &mut Vec<String>, list: &mut Vec<String>) {
+    match &node.data {
+        Data::Table(_, entries) => {
+            for entry in entries {
+                path.push(entry.key.clone());
+                collect(&entry.node, path, list);
+                path.pop();
+            }
+        }
+        Data::List(items) if !items.is_empty() && node.is_list_of_tables() => {
+            for (item, name) in items.iter().zip(element_names(items)) {
+                path.push(name);
+                collect(item, path, list);
+                path.pop();
+            }
+        }
+        _ => list.push(join(path)),
+    }
+}
+
+fn study_values(study: &Node, field: &Field, name: &str) -> Vec<Finding> {
+    let items = study.get("values").map_or(&[] as &[Node], Node::items);
+    let wrong = items.iter().filter_map(|item| {
+        let fault = value::check(field, item)
+            .err()
+            .filter(|_| item.number().is_some())?;
+        Some(Finding::new(
+            &item.span,
+            join(&["study", name, "values"]),
+            fault.problem,
+            fault.remedy,
+        ))
+    });
+    wrong.collect()
+}
+
+/// Marks point to inputs that the case has.
+fn marks(root: &Node) -> Vec<Finding> {
+    let marks = root.get("marks").map_or(&[] as &[_], Node::entries);
+    let lost = marks.iter().filter_map(|mark| {
+        let (problem, remedy) = existing(root, &mark.key).err()?;
+        Some(Finding::new(
+            &mark.key_span,
+            join(&["marks", &mark.key]),
+            problem,
+            remedy,
+        ))
+    });
+    lost.collect()
+}
+
+/// Names of the channels a run would record; nothing while line or ends are themselves faulty.
+fn channel_names(root: &Node) -> Option<Vec<String>> {
+    let end = |letter: &str| {
+        let end = root.find(&["ends", letter])?;
+        let kind = match end.get("kind")?.text()? {
+            "fixed" => EndKind::Fixed,
+            "anchor" => EndKind::Anchor,
+            "payload" => EndKind::Payload,
+            "moving" => EndKind::Moving,
+            "free" => EndKind::Free,
+            _ => return None,
+        };
+        Some((end.get("name")?.text()?, kind))
+    };
+    let (a, b) = (end("a")?, end("b")?);
+    let sections: Option<Vec<&str>> = root
+        .get("line")?
+        .items()
+        .iter()
+        .map(|section| section.get("name")?.text())
+        .collect();
+    let mut names = sections?;
+    names.insert(0, a.0);
+    names.push(b.0);
+    let mut channels = joint_channels(&names);
+    channels.extend(motion_channels(LineEnd::A, a.0, a.1));
+    channels.extend(motion_channels(LineEnd::B, b.0, b.1));
+    Some(channels.into_iter().map(|channel| channel.name).collect())
+}
+
+fn channel(row: &Node, known: &[String], key: String) -> Option<Finding> {
+    let node = row.get("channel")?;
+    let word = node.text()?;
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    if known.contains(&word) {
+        return None;
+    }
+    let (problem, remedy) = unknown_name(word, &known, "channel");
+    Some(Finding::new(&node.span, key, problem, remedy))
+}
+
+/// A window runs forward and ends with the run at the latest.
+fn window(root: &Node, row: &Node, key: &str) -> Option<Finding> {
+    let node = row.get("window_s")?;
+    let numbers = node.numbers()?;
+    let [from, to] = numbers[..] else {
+        return None;
+    };
+    if from >= to {
+        let problem = format!(
+            "the window is empty: it begins at {} and ends at {}",
+            quantity(from, "s"),
+            quantity(to, "s")
+        );
+        return Some(Finding::new(
+            &node.span,
+            key,
+            problem,
+            "let it begin before it ends",
+        ));
+    }
+    let duration = root
+        .find(&["solver", "duration_s"])
+        .map_or(Some(600.0), Node::number)?;
+    (to > duration).then(|| {
+        let problem = format!(
+            "the window ends at {} and the run at {}",
+            quantity(to, "s"),
+            quantity(duration, "s")
+        );
+        Finding::new(
+            &node.span,
+            key,
+            problem,
+            "end the window with the run, or raise solver.duration_s",
+        )
+    })
+}
+
+fn tolerance(row: &Node, key: &str) -> Option<Finding> {
+    let given = row.get("tolerance_rel").is_some() || row.get("tolerance_abs").is_some();
+    (!given && row.get("value").is_some()).then(|| {
+        let remedy = "add `tolerance_rel = ...` (a fraction of the value) or `tolerance_abs = ...` (in the unit of the value)";
+        Finding::new(&row.span, key, "the row has no tolerance", remedy)
+    })
+}
+
+/// The study named by `table.study`.
+fn study_of<'a>(root: &'a Node, table: &Node, key: String) -> Result<Option<&'a Node>, Finding> {
+    let Some((node, word)) = table
+        .get("study")
+        .and_then(|node| Some((node, node.text()?)))
+    else {
+        return Ok(None);
+    };
+    let studies = named(root, "study");
+    if let Some((_, study)) = studies.iter().find(|(name, _)| name == word) {
+        return Ok(Some(*study));
+    }
+    let known: Vec<&str> = studies.iter().map(|(name, _)| name.as_str()).collect();
+    let (problem, remedy) = unknown_name(word, &known, "study");
+    Err(Finding::new(&node.span, key, problem, remedy))
+}
+
+/// The point of a study that a published row belongs to: one of the study's values.
+fn point(root: &Node, at: &Node, key: &str) -> Option<Finding> {
+    let study = match study_of(root, at, format!("{key}.study")) {
+        Ok(study) => study?,
+        Err(finding) => return Some(finding),
+    };
+    let node = at.get("value")?;
+    let value = node.number()?;
+    let values = study.get("values")?.numbers()?;
+    let near =
+        |candidate: &f64| (candidate - value).abs() <= 1e-9 * value.abs().max(candidate.abs());
+    if values.iter().any(near) {
+        return None;
+    }
+    let list: Vec<String> = values.iter().map(|value| number(*value)).collect();
+    let problem = format!("{} is not a value of the study", number(value));
+    Some(Finding::new(
+        &node.span,
+        format!("{key}.value"),
+        problem,
+        format!("the study's values are {}", list.join(", ")),
+    ))
+}

@@ -1,0 +1,219 @@
+//! Every table and value of the file against the table of fields: unknown keys, missing units,
+//! wrong types, numbers out of range, required keys that are not there.
+
+use super::value;
+use super::words::{join, unknown_key};
+use crate::case::diagnostic::Finding;
+use crate::case::fields::{Absent, FIELDS, Field, TABLES, Table, TableShape, fields_of};
+use crate::case::tree::{Entry, Node, element_names};
+
+/// Checks the whole document.
+pub(crate) fn check(root: &Node) -> Vec<Finding> {
+    let mut walk = Walk::default();
+    walk.table(root, "", &mut Vec::new());
+    walk.found
+}
+
+#[derive(Default)]
+struct Walk {
+    found: Vec<Finding>,
+}
+
+impl Walk {
+    /// A table instance: `pattern` is the pattern of the table, `path` its own key path.
+    fn table(&mut self, node: &Node, pattern: &str, path: &mut Vec<String>) {
+        let known = fields_here(node, pattern);
+        let mut meant = Vec::new();
+        for entry in node.entries() {
+            path.push(entry.key.clone());
+            if let Some(field) = known.iter().find(|field| field.key() == entry.key) {
+                self.value(field, entry, path);
+            } else if let Some(table) = subtable(pattern, &entry.key) {
+                self.subtables(table, entry, path);
+            } else {
+                meant.extend(self.unknown(entry, pattern, &known, path));
+            }
+            path.pop();
+        }
+        for field in known {
+            let required = field.absent == Absent::Required && exists(field, node) == Some(true);
+            if required && node.get(field.key()).is_none() && !meant.contains(&field.key()) {
+                self.missing_field(field, node, path);
+            }
+        }
+        self.missing_tables(node, pattern, path);
+    }
+
+    fn value(&mut self, field: &Field, entry: &Entry, path: &[String]) {
+        if let Err(fault) = value::check(field, &entry.node) {
+            let finding = Finding::new(&fault.span, join(path), fault.problem, fault.remedy);
+            self.found.push(finding);
+        }
+    }
+
+    fn subtables(&mut self, table: &'static Table, entry: &Entry, path: &mut Vec<String>) {
+        let inner = format!("{}.*", table.path);
+        match table.shape {
+            TableShape::One if entry.node.is_table() => {
+                self.table(&entry.node, table.path, path);
+            }
+            TableShape::ByName if entry.node.is_table() => {
+                self.empty(table, &entry.node, path);
+                for named in entry.node.entries() {
+                    path.push(named.key.clone());
+                    if named.node.is_table() {
+                        self.table(&named.node, &inner, path);
+                    } else {
+                        self.not_a_table(table, &named.node, path);
+                    }
+                    path.pop();
+                }
+            }
+            TableShape::List if entry.node.is_list_of_tables() => {
+                self.empty(table, &entry.node, path);
+                let items = entry.node.items();
+                for (item, name) in items.iter().zip(element_names(items)) {
+                    path.push(name);
+                    self.table(item, &inner, path);
+                    path.pop();
+                }
+            }
+            _ => self.not_a_table(table, &entry.node, path),
+        }
+    }
+
+    /// A required list of tables that holds none.
+    fn empty(&mut self, table: &Table, node: &Node, path: &[String]) {
+        if table.required && node.items().is_empty() && node.entries().is_empty() {
+            let finding = Finding::new(
+                &node.span,
+                join(path),
+                "is empty",
+                format!("add {}", header(table)),
+            );
+            self.found.push(finding);
+        }
+    }
+
+    fn not_a_table(&mut self, table: &Table, node: &Node, path: &[String]) {
+        let problem = format!(
+            "must be written as {}, and is {}",
+            header(table),
+            node.describe()
+        );
+        let finding = Finding::new(
+            &node.span,
+            join(path),
+            problem,
+            format!("write {}", header(table)),
+        );
+        self.found.push(finding);
+    }
+
+    /// Reports an unknown key; returns the key that was meant, when that is clear.
+    fn unknown(
+        &mut self,
+        entry: &Entry,
+        pattern: &str,
+        known: &[&'static Field],
+        path: &[String],
+    ) -> Option<&'static str> {
+        let wrong_kind = FIELDS
+            .iter()
+            .find(|field| field.table() == pattern && field.key() == entry.key)
+            .and_then(|field| field.only_if);
+        if let Some((key, wanted)) = wrong_kind {
+            let problem = format!("belongs to a table with {key} = \"{wanted}\"");
+            let finding = Finding::new(
+                &entry.key_span,
+                join(path),
+                problem,
+                format!("remove it, or set {key} = \"{wanted}\""),
+            );
+            self.found.push(finding);
+            return None;
+        }
+        let tables: Vec<&str> = subtables_of(pattern)
+            .map(|table| last(table.path))
+            .collect();
+        let said = unknown_key(&entry.key, known, &tables);
+        self.found.push(Finding::new(
+            &entry.key_span,
+            join(path),
+            said.problem,
+            said.remedy,
+        ));
+        said.meant
+    }
+
+    fn missing_field(&mut self, field: &Field, node: &Node, path: &mut Vec<String>) {
+        path.push(field.key().to_owned());
+        let remedy = format!(
+            "add `{} = ...` ({}): {}",
+            field.key(),
+            field.label,
+            field.range_text()
+        );
+        self.found
+            .push(Finding::new(&node.span, join(path), "is missing", remedy));
+        path.pop();
+    }
+
+    fn missing_tables(&mut self, node: &Node, pattern: &str, path: &mut Vec<String>) {
+        for table in subtables_of(pattern) {
+            let key = last(table.path);
+            if table.required && node.get(key).is_none() {
+                path.push(key.to_owned());
+                let remedy = format!("add {}: {}", header(table), table.help);
+                self.found
+                    .push(Finding::new(&node.span, join(path), "is missing", remedy));
+                path.pop();
+            }
+        }
+    }
+}
+
+/// The fields a table of this pattern has, given what its own keys say.
+pub(crate) fn fields_here(node: &Node, pattern: &str) -> Vec<&'static Field> {
+    fields_of(pattern)
+        .filter(|field| exists(field, node) != Some(false))
+        .collect()
+}
+
+/// Whether this table has the field at all; nothing when the key that decides it is itself wrong.
+fn exists(field: &Field, node: &Node) -> Option<bool> {
+    let Some((key, wanted)) = field.only_if else {
+        return Some(true);
+    };
+    let decides = fields_of(field.table()).find(|other| other.key() == key)?;
+    let deciding = node.get(key)?;
+    value::check(decides, deciding).ok()?;
+    Some(deciding.text() == Some(wanted))
+}
+
+fn subtables_of(pattern: &str) -> impl Iterator<Item = &'static Table> {
+    TABLES
+        .iter()
+        .filter(move |table| match table.path.rsplit_once('.') {
+            Some((parent, _)) => parent == pattern,
+            None => pattern.is_empty(),
+        })
+}
+
+fn subtable(pattern: &str, key: &str) -> Option<&'static Table> {
+    subtables_of(pattern).find(|table| last(table.path) == key)
+}
+
+fn last(path: &str) -> &str {
+    path.rsplit('.').next().unwrap_or(path)
+}
+
+/// How the header of such a table is written.
+fn header(table: &Table) -> String {
+    let path = table.path.replace(".*", "");
+    match table.shape {
+        TableShape::One => format!("[{path}]"),
+        TableShape::ByName => format!("[{path}.<name>]"),
+        TableShape::List => format!("[[{path}]]"),
+    }
+}

@@ -1,0 +1,28 @@
+//! Checks of a case file. [`keys`] holds every table and value against the table of fields;
+//! [`line`], [`loads`] and [`claims`] hold values against each other. Every check works on the tree
+//! of the file and passes over what is missing or malformed, so that all faults are told at once,
+//! each at its place.
+
+mod claims;
+mod keys;
+mod line;
+mod loads;
+mod value;
+mod words;
+
+use super::diagnostic::Finding;
+use super::tree::Node;
+
+pub(crate) use keys::fields_here;
+pub(crate) use value::text as value_text;
+pub(crate) use words::join;
+
+/// Everything wrong with the file, in the order of its lines.
+pub(crate) fn check(root: &Node) -> Vec<Finding> {
+    let mut found = keys::check(root);
+    found.extend(line::check(root));
+    found.extend(loads::check(root));
+    found.extend(claims::check(root));
+    found.sort_by_key(|finding| finding.span.start);
+    found
+}

@@ -1,0 +1,265 @@
+//! Key paths, and the words of a message about a key that nobody knows.
+
+use crate::case::fields::{self, FIELDS, Field};
+
+/// A key path as its parts; parts with dots stand in quotes. Nothing when it is malformed.
+pub(crate) fn split(path: &str) -> Option<Vec<String>> {
+    let mut parts = vec![String::new()];
+    let mut quote: Option<char> = None;
+    for letter in path.trim().chars() {
+        match quote {
+            Some(q) if letter == q => quote = None,
+            Some(_) => parts.last_mut()?.push(letter),
+            None if letter == '"' || letter == '\'' => quote = Some(letter),
+            None if letter == '.' => parts.push(String::new()),
+            None => parts.last_mut()?.push(letter),
+        }
+    }
+    let whole = quote.is_none() && parts.iter().all(|part| !part.is_empty());
+    whole.then_some(parts)
+}
+
+/// The key path of these parts.
+pub(crate) fn join<S: AsRef<str>>(parts: &[S]) -> String {
+    let quoted = parts.iter().map(|part| {
+        let part = part.as_ref();
+        let plain = !part.is_empty() && part.chars().all(is_name_letter);
+        if plain {
+            part.to_owned()
+        } else {
+            format!("\"{part}\"")
+        }
+    });
+    quoted.collect::<Vec<_>>().join(".")
+}
+
+/// Letters of names that become part of channel names and key paths.
+pub(crate) fn is_name_letter(letter: char) -> bool {
+    letter.is_alphanumeric() || matches!(letter, '-' | '_')
+}
+
+/// The candidate that was probably meant, if one is near enough.
+pub(crate) fn nearest<'a>(
+    word: &str,
+    candidates: impl IntoIterator<Item = &'a str>,
+) -> Option<&'a str> {
+    let lower = word.to_lowercase();
+    let allowed = (word.chars().count() / 3).max(1);
+    candidates
+        .into_iter()
+        .map(|candidate| (distance(&lower, &candidate.to_lowercase()), candidate))
+        .filter(|(distance, _)| *distance <= allowed)
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, candidate)| candidate)
+}
+
+/// Letters to insert, delete, replace or swap with their neighbour to get from one word to the other.
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
+    for i in 1..=a.len() {
+        let mut row = vec![i; b.len() + 1];
+        for j in 1..=b.len() {
+            let change = usize::from(a[i - 1] != b[j - 1]);
+            row[j] = (row[j - 1] + 1)
+                .min(rows[i - 1][j] + 1)
+                .min(rows[i - 1][j - 1] + change);
+            let swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+            if swapped {
+                row[j] = row[j].min(rows[i - 2][j - 2] + 1);
+            }
+        }
+        rows.push(row);
+    }
+    rows[a.len()][b.len()]
+}
+
+/// What to say about a key that its table does not know.
+pub(crate) struct Unknown {
+    pub(crate) problem: String,
+    pub(crate) remedy: String,
+    /// The key that was meant, when that is clear; it is then not reported as missing too.
+    pub(crate) meant: Option<&'static str>,
+}
+
+/// A key that the table of this pattern does not know. `known` are the fields it may have here.
+pub(crate) fn unknown_key(key: &str, known: &[&'static Field], tables: &[&str]) -> Unknown {
+    if let Some(field) = with_unit(key, known) {
+        return unit_slip(key, field);
+    }
+    let names = known
+        .iter()
+        .map(|field| field.key())
+        .chain(tables.iter().copied());
+    if let Some(near) = nearest(key, names) {
+        let meant = known
+            .iter()
+            .map(|field| field.key())
+            .find(|name| *name == near);
+        return Unknown {
+            problem: "is not a known key".to_owned(),
+            remedy: format!("did you mean `{near}`?"),
+            meant,
+        };
+    }
+    let remedy = elsewhere(key).unwrap_or_else(|| {
+        let names: Vec<&str> = known
+            .iter()
+            .map(|field| field.key())
+            .chain(tables.iter().copied())
+            .collect();
+        format!(
+            "the keys known here are {}",
+            fields::either(&names).replace(" or ", " and ")
+        )
+    });
+    Unknown {
+        problem: "is not a known key".to_owned(),
+        remedy,
+        meant: None,
+    }
+}
+
+/// The field meant by a key that lacks its unit or has another one.
+fn with_unit(key: &str, known: &[&'static Field]) -> Option<&'static Field> {
+    let has_unit = |field: &&&'static Field| field.stem() != field.key();
+    let bare = known
+        .iter()
+        .filter(has_unit)
+        .find(|field| field.stem() == key);
+    let other = || {
+        known
+            .iter()
+            .filter(has_unit)
+            .filter(|field| {
+                let rest = key.strip_prefix(field.stem());
+                rest.and_then(|rest| rest.strip_prefix('_'))
+                    .is_some_and(is_unit)
+            })
+            .max_by_key(|field| field.stem().len())
+    };
+    bare.or_else(other).copied()
+}
+
+/// Units people put into key names, the right ones among them.
+fn is_unit(suffix: &str) -> bool {
+    const OTHERS: &[&str] = &[
+        "mm",
+        "cm",
+        "km",
+        "ft",
+        "in",
+        "inch",
+        "min",
+        "h",
+        "ms",
+        "kn",
+        "mn",
+        "gn",
+        "lbf",
+        "kgf",
+        "tf",
+        "t",
+        "te",
+        "g",
+        "lb",
+        "mt",
+        "rad",
+        "degrees",
+        "knots",
+        "kt",
+        "km_per_h",
+        "cm2",
+        "mm2",
+        "cm3",
+        "l",
+        "t_per_m",
+        "g_per_m",
+        "n_per_m",
+        "kn_per_m",
+        "kn_s",
+        "ns",
+        "mps",
+        "seconds",
+        "metres",
+        "meters",
+        "newton",
+        "newtons",
+        "pa",
+        "gpa",
+        "mpa",
+        "g_per_cm3",
+        "t_per_m3",
+    ];
+    let known = FIELDS
+        .iter()
+        .any(|field| fields::unit_suffix(field.unit) == Some(suffix));
+    known || OTHERS.contains(&suffix)
+}
+
+fn unit_slip(key: &str, field: &'static Field) -> Unknown {
+    let (right, unit) = (field.key(), field.unit);
+    let problem = if key == field.stem() {
+        "has no unit in its name".to_owned()
+    } else {
+        "has the wrong unit in its name".to_owned()
+    };
+    Unknown {
+        problem,
+        remedy: format!("write `{right}`, with the value in {unit}"),
+        meant: Some(right),
+    }
+}
+
+/// Where else a key of this name belongs.
+fn elsewhere(key: &str) -> Option<String> {
+    let field = FIELDS.iter().find(|field| field.key() == key)?;
+    Some(format!(
+        "`{key}` belongs in `{}`",
+        field.table().replace(".*", "")
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_split_and_join() {
+        let parts = split("marks.\"payload.drag_area_m2\".status").unwrap();
+        assert_eq!(parts, ["marks", "payload.drag_area_m2", "status"]);
+        assert_eq!(join(&parts), "marks.\"payload.drag_area_m2\".status");
+        assert_eq!(split("a..b"), None);
+        assert_eq!(split("a.\"b"), None);
+        assert_eq!(split(""), None);
+    }
+
+    #[test]
+    fn near_words() {
+        assert_eq!(nearest("chian", ["chain", "wire"]), Some("chain"));
+        assert_eq!(
+            nearest("lenght_m", ["length_m", "segments"]),
+            Some("length_m")
+        );
+        assert_eq!(nearest("colour", ["chain", "wire"]), None);
+    }
+
+    #[test]
+    fn a_unit_left_out_or_wrong_names_the_right_key() {
+        let known: Vec<_> = fields::fields_of("line.*").collect();
+        let bare = unknown_key("length", &known, &[]);
+        assert_eq!(bare.remedy, "write `length_m`, with the value in m");
+        assert_eq!(bare.meant, Some("length_m"));
+        let wrong = unknown_key("length_ft", &known, &[]);
+        assert_eq!(wrong.problem, "has the wrong unit in its name");
+        let known: Vec<_> = fields::fields_of("materials.*").collect();
+        assert_eq!(
+            unknown_key("mass_kg", &known, &[]).meant,
+            Some("mass_kg_per_m")
+        );
+        assert_eq!(
+            unknown_key("wet_weight_n_per_m", &known, &[]).meant,
+            Some("wet_weight_kg_per_m")
+        );
+    }
+}

@@ -1,0 +1,197 @@
+//! What is wrong with a case file, where, and what would be right.
+
+use std::fmt;
+use std::ops::Range;
+
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+
+/// One thing wrong with a case file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// Name of the file, as the user gave it.
+    pub file: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+    /// Key path (`materials.chain.ea_n`); empty when the file as a whole is meant.
+    pub key: String,
+    /// What is wrong.
+    pub problem: String,
+    /// What would be right.
+    pub remedy: String,
+    /// The bytes meant, in the text of the file.
+    pub span: Range<usize>,
+}
+
+impl Diagnostic {
+    /// A diagnostic about the file as a whole.
+    #[must_use]
+    pub fn whole_file(file: &str, problem: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self {
+            file: file.to_owned(),
+            line: 1,
+            column: 1,
+            key: String::new(),
+            problem: problem.into(),
+            remedy: remedy.into(),
+            span: 0..0,
+        }
+    }
+
+    /// The diagnostic as a compiler shows it: the line of the file with a mark under the place.
+    ///
+    /// `text` is the text of the file. Without `color` the result is plain ASCII apart from what
+    /// the file itself holds.
+    #[must_use]
+    pub fn render(&self, text: &str, color: bool) -> String {
+        let renderer = if color {
+            Renderer::styled()
+        } else {
+            Renderer::plain()
+        };
+        renderer.render(&[self.group(text)])
+    }
+
+    fn group<'a>(&'a self, text: &'a str) -> Group<'a> {
+        let title = Level::ERROR.primary_title(self.headline());
+        let help = Level::HELP.message(self.remedy.as_str());
+        let span = within(text, &self.span);
+        if text.is_empty() || self.span.is_empty() {
+            let origin = Origin::path(self.file.as_str())
+                .line(self.line)
+                .char_column(self.column);
+            return title.element(origin).element(help);
+        }
+        let snippet = Snippet::source(text)
+            .path(self.file.as_str())
+            .annotation(AnnotationKind::Primary.span(span));
+        title.element(snippet).element(help)
+    }
+
+    fn headline(&self) -> String {
+        if self.key.is_empty() {
+            self.problem.clone()
+        } else {
+            format!("{}: {}", self.key, self.problem)
+        }
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            file, line, column, ..
+        } = self;
+        write!(
+            f,
+            "{file}:{line}:{column}: {}; {}",
+            self.headline(),
+            self.remedy
+        )
+    }
+}
+
+impl std::error::Error for Diagnostic {}
+
+/// All diagnostics one below the other, each as [`Diagnostic::render`] shows it.
+#[must_use]
+pub fn render_all(diagnostics: &[Diagnostic], text: &str, color: bool) -> String {
+    let each: Vec<String> = diagnostics.iter().map(|d| d.render(text, color)).collect();
+    each.join("\n\n")
+}
+
+/// What a check found, before it is told apart by file, line and column.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Finding {
+    pub(crate) span: Range<usize>,
+    pub(crate) key: String,
+    pub(crate) problem: String,
+    pub(crate) remedy: String,
+}
+
+impl Finding {
+    pub(crate) fn new(
+        span: &Range<usize>,
+        key: impl Into<String>,
+        problem: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Self {
+        Self {
+            span: span.clone(),
+            key: key.into(),
+            problem: problem.into(),
+            remedy: remedy.into(),
+        }
+    }
+
+    pub(crate) fn at(self, file: &str, text: &str) -> Diagnostic {
+        let span = within(text, &self.span);
+        let (line, column) = position(text, span.start);
+        Diagnostic {
+            file: file.to_owned(),
+            line,
+            column,
+            key: self.key,
+            problem: self.problem,
+            remedy: self.remedy,
+            span,
+        }
+    }
+}
+
+/// Line and column of a byte offset, both from 1, the column in characters.
+pub(crate) fn position(text: &str, offset: usize) -> (usize, usize) {
+    let before = &text[..floor_boundary(text, offset)];
+    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let line = before.matches('\n').count() + 1;
+    (line, before[line_start..].chars().count() + 1)
+}
+
+/// The span, cut to the text and to whole characters.
+fn within(text: &str, span: &Range<usize>) -> Range<usize> {
+    let start = floor_boundary(text, span.start);
+    start..floor_boundary(text, span.end).max(start)
+}
+
+fn floor_boundary(text: &str, offset: usize) -> usize {
+    let mut offset = offset.min(text.len());
+    while !text.is_char_boundary(offset) {
+        offset -= 1;
+    }
+    offset
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sample() -> Diagnostic {
+        let text = "[line]\nlength = 5\n";
+        Finding::new(&(7..13), "line.length", "has no unit", "write `length_m`").at("a.toml", text)
+    }
+
+    #[test]
+    fn one_line_names_file_line_column_key_problem_remedy() {
+        assert_eq!(
+            sample().to_string(),
+            "a.toml:2:1: line.length: has no unit; write `length_m`"
+        );
+    }
+
+    #[test]
+    fn rendered_text_marks_the_place() {
+        let shown = sample().render("[line]\nlength = 5\n", false);
+        assert_eq!(
+            shown,
+            "error: line.length: has no unit\n --> a.toml:2:1\n  |\n2 | length = 5\n  | ^^^^^^\n  |\n  = help: write `length_m`"
+        );
+        assert!(shown.is_ascii());
+    }
+
+    #[test]
+    fn columns_count_characters() {
+        assert_eq!(position("é = \"ü\"x", 8), (1, 7));
+        assert_eq!(position("ab\ncd", 999), (2, 3));
+    }
+}

@@ -1,0 +1,262 @@
+//! Every field a case can have: unit, range, default, help. The one source for the checks, the
+//! parameter editor and the printed reference.
+//!
+//! A field is known by a path pattern in which `*` stands for a name the user chose:
+//! `materials.*.ea_n`, `line.*.length_m` (sections by their `name`), `floats.*.lift_kg` (by their
+//! `section`), `ends.b.kind`.
+
+mod range;
+mod rows;
+mod table;
+
+pub use range::Range;
+pub(crate) use range::{number, quantity};
+pub use rows::{FieldRow, rows};
+pub use table::{FIELDS, TABLES};
+
+/// A key of the case file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Field {
+    /// Path pattern: `materials.*.ea_n`.
+    pub path: &'static str,
+    /// What it is, in a few words.
+    pub label: &'static str,
+    /// What may be written.
+    pub kind: Kind,
+    /// Unit as shown; empty for words, "-" for pure numbers.
+    pub unit: &'static str,
+    /// Range of every number in it.
+    pub range: Range,
+    /// What holds when the key is absent.
+    pub absent: Absent,
+    /// One line of help.
+    pub help: &'static str,
+    /// A key of the same table and the value it needs for this field to exist: the dimensions of a
+    /// payload's shape depend on its `kind`.
+    pub only_if: Option<(&'static str, &'static str)>,
+}
+
+/// What may be written for a field.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A number.
+    Number,
+    /// A whole number.
+    Integer,
+    /// `true` or `false`.
+    Boolean,
+    /// Text.
+    Text,
+    /// Text of letters, digits, `-` and `_`: it becomes part of channel names and key paths.
+    Name,
+    /// One of these words.
+    Choice(&'static [&'static str]),
+    /// A number, or one of these words.
+    NumberOrChoice(&'static [&'static str]),
+    /// A number, or a list of numbers.
+    NumberOrList,
+    /// A number, or one for each of x, y, z.
+    NumberOrTriple,
+    /// A list of numbers.
+    List,
+    /// Two numbers.
+    Pair,
+    /// Three numbers, along x, y, z.
+    Triple,
+}
+
+/// What holds when a key is absent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Absent {
+    /// The key must be there.
+    Required,
+    /// This value, written as in a case file.
+    Default(&'static str),
+    /// Something else, in words.
+    Means(&'static str),
+}
+
+/// A table of the case file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Table {
+    /// Path pattern: `materials`, `ends.a`.
+    pub path: &'static str,
+    /// How many there are.
+    pub shape: TableShape,
+    /// Whether it must be there.
+    pub required: bool,
+    /// One line of help.
+    pub help: &'static str,
+}
+
+/// How many tables stand under a path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TableShape {
+    /// One: `[solver]`.
+    One,
+    /// Any number, by name: `[materials.chain]`.
+    ByName,
+    /// A list: `[[line]]`.
+    List,
+}
+
+impl Field {
+    /// The last part of the path: the key itself.
+    #[must_use]
+    pub fn key(&self) -> &'static str {
+        self.path.rsplit('.').next().unwrap_or(self.path)
+    }
+
+    /// The pattern of the table it stands in.
+    #[must_use]
+    pub fn table(&self) -> &'static str {
+        self.path.rsplit_once('.').map_or("", |(table, _)| table)
+    }
+
+    /// The key without its unit: `length` for `length_m`.
+    #[must_use]
+    pub fn stem(&self) -> &'static str {
+        let key = self.key();
+        unit_suffix(self.unit)
+            .and_then(|suffix| key.strip_suffix(suffix)?.strip_suffix('_'))
+            .unwrap_or(key)
+    }
+
+    /// What may be written, with range and unit, for people: "greater than 0 m, up to 1e5 m".
+    #[must_use]
+    pub fn range_text(&self) -> String {
+        let numbers = self.range.text(self.unit);
+        match self.kind {
+            Kind::Number => numbers,
+            Kind::Integer => self.range.whole_text(),
+            Kind::Boolean => "true or false".to_owned(),
+            Kind::Text => "text".to_owned(),
+            Kind::Name => "a name of letters, digits, - and _".to_owned(),
+            Kind::Choice(words) => either(words),
+            Kind::NumberOrChoice(words) => format!("{numbers}; or {}", either(words)),
+            Kind::NumberOrList => format!("{numbers}; or a list of such numbers"),
+            Kind::NumberOrTriple => format!("{numbers}; or three such numbers, along x, y, z"),
+            Kind::List => format!("a list, each {numbers}"),
+            Kind::Pair => format!("two numbers, each {numbers}"),
+            Kind::Triple => format!("three numbers along x, y, z, each {numbers}"),
+        }
+    }
+
+    /// True when the value is text, so that a bare word typed by the user is meant as text.
+    #[must_use]
+    pub fn takes_words(&self) -> bool {
+        matches!(
+            self.kind,
+            Kind::Text | Kind::Name | Kind::Choice(_) | Kind::NumberOrChoice(_)
+        )
+    }
+
+    /// True when one number may be written, so that a study can vary the field.
+    #[must_use]
+    pub fn takes_number(&self) -> bool {
+        matches!(
+            self.kind,
+            Kind::Number
+                | Kind::Integer
+                | Kind::NumberOrChoice(_)
+                | Kind::NumberOrList
+                | Kind::NumberOrTriple
+        )
+    }
+}
+
+/// The field of a key path given as its parts, if there is one.
+#[must_use]
+pub fn field_at<S: AsRef<str>>(path: &[S]) -> Option<&'static Field> {
+    FIELDS.iter().find(|field| {
+        let mut pattern = field.path.split('.');
+        let same = path.iter().all(|part| {
+            pattern
+                .next()
+                .is_some_and(|p| p == "*" || p == part.as_ref())
+        });
+        same && pattern.next().is_none()
+    })
+}
+
+/// The fields of a table, by the table's pattern.
+pub fn fields_of(table: &str) -> impl Iterator<Item = &'static Field> {
+    FIELDS.iter().filter(move |field| field.table() == table)
+}
+
+/// Keys end in this when their value has the unit: `m` for metres, `kg_per_m` for kg/m.
+#[must_use]
+pub fn unit_suffix(unit: &str) -> Option<&'static str> {
+    UNITS
+        .iter()
+        .find(|(shown, _)| *shown == unit)
+        .map(|(_, suffix)| *suffix)
+}
+
+/// Units as shown, and as they stand in key names.
+const UNITS: &[(&str, &str)] = &[
+    ("m", "m"),
+    ("s", "s"),
+    ("N", "n"),
+    ("kg", "kg"),
+    ("deg", "deg"),
+    ("m/s", "m_per_s"),
+    ("m/s²", "m_per_s2"),
+    ("m²", "m2"),
+    ("m³", "m3"),
+    ("m²/s", "m2_per_s"),
+    ("kg/m", "kg_per_m"),
+    ("kg/m³", "kg_per_m3"),
+    ("N s", "n_s"),
+];
+
+/// "a, b or c", each in backquotes.
+pub(crate) fn either(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    match quoted.split_last() {
+        None => "nothing".to_owned(),
+        Some((last, [])) => last.clone(),
+        Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_finds_its_field() {
+        let field = field_at(&["line", "polyester", "length_m"]).unwrap();
+        assert_eq!(field.path, "line.*.length_m");
+        assert_eq!(field.stem(), "length");
+        assert!(field_at(&["line", "polyester"]).is_none());
+        assert!(field_at(&["line", "a", "b", "length_m"]).is_none());
+    }
+
+    #[test]
+    fn every_unit_stands_in_its_key() {
+        for field in FIELDS {
+            if let Some(suffix) = unit_suffix(field.unit) {
+                assert!(field.key().ends_with(suffix), "{}", field.path);
+            } else {
+                assert!(
+                    matches!(field.unit, "" | "-"),
+                    "{}: {}",
+                    field.path,
+                    field.unit
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn every_field_stands_in_a_known_table() {
+        for field in FIELDS {
+            let known = TABLES.iter().any(|table| match table.shape {
+                TableShape::One => field.table() == table.path,
+                _ => field.table() == format!("{}.*", table.path),
+            });
+            assert!(known, "{}", field.path);
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! The fields of one case, as a parameter editor lists them.
+
+use super::{Absent, FIELDS, Field};
+use crate::case::check::{fields_here, join, value_text};
+use crate::case::model::{Case, Mark};
+use crate::case::tree::{Node, element_names};
+
+/// A field of one case with its value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FieldRow {
+    /// Key path: `materials.chain.ea_n`.
+    pub path: String,
+    /// The heading it stands under: `environment`, `material chain`, `end A (vessel)`.
+    pub group: String,
+    /// What it is, in a few words.
+    pub label: &'static str,
+    /// Unit as shown; empty for words, "-" for pure numbers.
+    pub unit: &'static str,
+    /// The value as in the file, or its default; empty when it is absent and has none.
+    pub value: String,
+    /// What holds when the key is absent and has no default: "chosen by the solver".
+    pub absent: Option<&'static str>,
+    /// What may be written, with range and unit.
+    pub range: String,
+    /// One line of help.
+    pub help: &'static str,
+    /// Where the value comes from, when the case marks it.
+    pub standing: Option<Mark>,
+    /// True when the file gives it, false when the default holds.
+    pub given: bool,
+    /// The field itself.
+    pub field: &'static Field,
+}
+
+/// Every input the case can have, given or not, in reading order: environment, current, each
+/// material, each section, ends, payload, floats, start, solver, output.
+///
+/// `text` is the text the case was parsed from; a text that is not TOML gives no rows.
+#[must_use]
+pub fn rows(text: &str, case: &Case) -> Vec<FieldRow> {
+    let Ok(root) = Node::parse(text) else {
+        return Vec::new();
+    };
+    let lister = Lister {
+        text,
+        root: &root,
+        case,
+    };
+    lister.all()
+}
+
+struct Lister<'a> {
+    text: &'a str,
+    root: &'a Node,
+    case: &'a Case,
+}
+
+impl Lister<'_> {
+    fn all(&self) -> Vec<FieldRow> {
+        let mut rows = Vec::new();
+        for table in ["environment", "current"] {
+            rows.extend(self.table(table, &[table], table.to_owned()));
+        }
+        rows.extend(self.named("materials", "material"));
+        rows.extend(self.named("line", "section"));
+        for (letter, end) in [("a", &self.case.ends.a), ("b", &self.case.ends.b)] {
+            let group = format!("end {} ({})", letter.to_uppercase(), end.name);
+            rows.extend(self.table(&format!("ends.{letter}"), &["ends", letter], group));
+        }
+        if self.case.payload.is_some() {
+            rows.extend(self.table("payload", &["payload"], "payload".to_owned()));
+            if self.root.find(&["payload", "shape"]).is_some() {
+                rows.extend(self.table(
+                    "payload.shape",
+                    &["payload", "shape"],
+                    "payload".to_owned(),
+                ));
+            }
+        }
+        rows.extend(self.named("floats", "floats on"));
+        for table in ["start", "solver", "output"] {
+            rows.extend(self.table(table, &[table], table.to_owned()));
+        }
+        rows
+    }
+
+    /// The rows of every table under `table`, by name.
+    fn named(&self, table: &str, heading: &str) -> Vec<FieldRow> {
+        let Some(node) = self.root.get(table) else {
+            return Vec::new();
+        };
+        let names: Vec<String> = if node.is_table() {
+            node.entries()
+                .iter()
+                .map(|entry| entry.key.clone())
+                .collect()
+        } else {
+            element_names(node.items())
+        };
+        let each = names.iter().flat_map(|name| {
+            self.table(
+                &format!("{table}.*"),
+                &[table, name],
+                format!("{heading} {name}"),
+            )
+        });
+        each.collect()
+    }
+
+    fn table(&self, pattern: &str, path: &[&str], group: String) -> Vec<FieldRow> {
+        let node = self.root.find(path);
+        let fields: Vec<&'static Field> = match node {
+            Some(node) => fields_here(node, pattern),
+            None => FIELDS
+                .iter()
+                .filter(|field| field.table() == pattern)
+                .collect(),
+        };
+        let rows = fields.into_iter().map(|field| {
+            let given = node.and_then(|node| node.get(field.key()));
+            self.row(field, given, path, group.clone())
+        });
+        rows.collect()
+    }
+
+    fn row(
+        &self,
+        field: &'static Field,
+        given: Option<&Node>,
+        path: &[&str],
+        group: String,
+    ) -> FieldRow {
+        let path = join(&[path, &[field.key()]].concat());
+        let (value, absent) = match (given, field.absent) {
+            (Some(node), _) => (value_text(self.text, node), None),
+            (None, Absent::Default(value)) => (value.trim_matches('"').to_owned(), None),
+            (None, Absent::Means(meaning)) => (String::new(), Some(meaning)),
+            (None, Absent::Required) => (String::new(), None),
+        };
+        FieldRow {
+            standing: self.case.marks.get(&path).cloned(),
+            path,
+            group,
+            label: field.label,
+            unit: field.unit,
+            value,
+            absent,
+            range: field.range_text(),
+            help: field.help,
+            given: given.is_some(),
+            field,
+        }
+    }
+}
