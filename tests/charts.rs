@@ -1,5 +1,4 @@
 //! Charts as people see them, and what must hold at any size and for any data.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use proptest::prelude::*;
 use seacable::report::chart::{

@@ -1,1 +1,0 @@
-//! Tables as data, drawn the same on screen, in the report and on the command line.

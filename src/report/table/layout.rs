@@ -1,0 +1,358 @@
+//! Setting a table into a width.
+//!
+//! Three ways, the first that fits: *flat*, a row a line, wide words wrapped; *two-storeyed*, the
+//! first column on a line of its own above the others; *records*, a line a cell, each with its head.
+//! Numbers are never cut or wrapped in any of them.
+
+use unicode_width::UnicodeWidthStr;
+
+use super::wrap::{narrowest, padded, wrap};
+use super::{Align, CellInk, Table};
+
+/// Blanks between columns.
+const GAP: usize = 2;
+
+/// Words up to this width are not broken to make a table fit.
+const WORD: usize = 10;
+
+/// A table set into lines.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Layout {
+    /// The lines, from the top.
+    pub lines: Vec<Line>,
+    /// Widest of the lines.
+    pub width: usize,
+}
+
+/// A line of a table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Line {
+    /// What it is part of.
+    pub kind: LineKind,
+    /// Its text, piece by piece, blanks included.
+    pub pieces: Vec<Piece>,
+}
+
+/// What a line is part of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LineKind {
+    /// The title.
+    Title,
+    /// The heads of the columns.
+    Head,
+    /// The rule below the heads.
+    Rule,
+    /// A row of the table, by its number.
+    Row(usize),
+    /// A blank line.
+    Blank,
+    /// A note.
+    Note,
+}
+
+/// Text of one meaning.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Piece {
+    /// The text, padded to its column.
+    pub text: String,
+    /// How it is meant.
+    pub ink: CellInk,
+}
+
+impl Table {
+    /// Sets the table into a width.
+    #[must_use]
+    pub fn layout(&self, width: usize) -> Layout {
+        let width = width.max(1);
+        let mut lines = Vec::new();
+        if !self.title.is_empty() {
+            self.add_text(&mut lines, LineKind::Title, &self.title, width);
+        }
+        if !self.columns.is_empty() {
+            self.add_body(&mut lines, width);
+        }
+        if !self.notes.is_empty() {
+            lines.push(blank());
+        }
+        for note in &self.notes {
+            self.add_text(&mut lines, LineKind::Note, note, width);
+        }
+        let wide = |line: &Line| line.pieces.iter().map(|p| p.text.width()).sum();
+        let width = lines.iter().map(wide).max().unwrap_or(0);
+        Layout { lines, width }
+    }
+
+    fn add_text(&self, lines: &mut Vec<Line>, kind: LineKind, text: &str, width: usize) {
+        lines.extend(wrap(text, width).into_iter().map(|text| Line {
+            kind,
+            pieces: vec![plain(text)],
+        }));
+    }
+
+    fn add_body(&self, lines: &mut Vec<Line>, width: usize) {
+        let all: Vec<usize> = (0..self.columns.len()).collect();
+        if let Some(grid) = Grid::fit(self, &all, width) {
+            grid.head(self, lines);
+            for row in 0..self.rows.len() {
+                grid.row(self, row, 0, lines);
+            }
+        } else if let Some(grid) = Grid::fit(self, &all[1..], width.saturating_sub(GAP)) {
+            self.two_storeys(&grid, lines, width);
+        } else {
+            self.records(lines, width);
+        }
+    }
+
+    /// The first column above the others, which stand a little to the right.
+    fn two_storeys(&self, grid: &Grid, lines: &mut Vec<Line>, width: usize) {
+        self.add_text(lines, LineKind::Head, &self.columns[0].head, width);
+        let start = lines.len();
+        grid.head(self, lines);
+        for line in &mut lines[start..] {
+            line.pieces.insert(0, plain(" ".repeat(GAP)));
+        }
+        for row in 0..self.rows.len() {
+            let first = self.cell(row, 0);
+            for text in wrap(&first.text, width) {
+                let ink = first.ink;
+                lines.push(Line {
+                    kind: LineKind::Row(row),
+                    pieces: vec![Piece { text, ink }],
+                });
+            }
+            grid.row(self, row, GAP, lines);
+        }
+    }
+
+    /// A line a cell, `head: text`, a blank line between rows.
+    fn records(&self, lines: &mut Vec<Line>, width: usize) {
+        for row in 0..self.rows.len() {
+            if row > 0 {
+                lines.push(blank());
+            }
+            for (number, column) in self.columns.iter().enumerate() {
+                let cell = self.cell(row, number);
+                let ink = cell.ink;
+                for text in wrap(&format!("{}: {}", column.head, cell.text), width) {
+                    lines.push(Line {
+                        kind: LineKind::Row(row),
+                        pieces: vec![Piece { text, ink }],
+                    });
+                }
+            }
+        }
+    }
+}
+
+/// Columns side by side.
+struct Grid {
+    columns: Vec<GridColumn>,
+}
+
+/// A column with its place in the table and its measures.
+struct GridColumn {
+    number: usize,
+    align: Align,
+    width: usize,
+    /// Columns from the decimal point on.
+    after: usize,
+}
+
+impl Grid {
+    /// The columns made to fit; absent when they cannot.
+    fn fit(table: &Table, numbers: &[usize], width: usize) -> Option<Self> {
+        let mut columns: Vec<GridColumn> = numbers.iter().map(|n| measure(table, *n)).collect();
+        let least: Vec<usize> = columns.iter().map(|c| least(table, c)).collect();
+        let gaps = GAP * columns.len().saturating_sub(1);
+        let total = |columns: &[GridColumn]| columns.iter().map(|c| c.width).sum::<usize>() + gaps;
+        while total(&columns) > width {
+            // The widest of those that can still shrink gives way.
+            let candidates = columns.iter_mut().zip(&least);
+            let shrinking = candidates.filter(|(column, least)| column.width > **least);
+            let (column, _) = shrinking.max_by_key(|(column, _)| column.width)?;
+            column.width -= 1;
+        }
+        Some(Self { columns })
+    }
+
+    /// The heads, bottom-aligned, and a rule.
+    fn head(&self, table: &Table, lines: &mut Vec<Line>) {
+        let heads: Vec<Vec<String>> = self
+            .columns
+            .iter()
+            .map(|column| wrap(&table.columns[column.number].head, column.width))
+            .collect();
+        let rows = heads.iter().map(Vec::len).max().unwrap_or(0);
+        for row in 0..rows {
+            let pieces = self.columns.iter().zip(&heads).map(|(column, head)| {
+                let skipped = rows - head.len();
+                let text = row.checked_sub(skipped).and_then(|i| head.get(i));
+                let text = text.map_or("", String::as_str);
+                let before = match column.align {
+                    Align::Left => 0,
+                    Align::Right | Align::Decimal => column.width.saturating_sub(text.width()),
+                };
+                plain(padded(text, before, column.width))
+            });
+            lines.push(Line {
+                kind: LineKind::Head,
+                pieces: gapped(pieces),
+            });
+        }
+        let rules = self.columns.iter().map(|c| plain("-".repeat(c.width)));
+        lines.push(Line {
+            kind: LineKind::Rule,
+            pieces: gapped(rules),
+        });
+    }
+
+    /// A row, as many lines as its tallest cell needs.
+    fn row(&self, table: &Table, row: usize, indent: usize, lines: &mut Vec<Line>) {
+        let cells: Vec<(Vec<String>, CellInk)> = self
+            .columns
+            .iter()
+            .map(|column| {
+                let cell = table.cell(row, column.number);
+                (column.set(&cell.text), cell.ink)
+            })
+            .collect();
+        let height = cells.iter().map(|(set, _)| set.len()).max().unwrap_or(0);
+        for line in 0..height {
+            let pieces = self.columns.iter().zip(&cells).map(|(column, (set, ink))| {
+                let empty = || " ".repeat(column.width);
+                Piece {
+                    text: set.get(line).cloned().unwrap_or_else(empty),
+                    ink: *ink,
+                }
+            });
+            let mut pieces = gapped(pieces);
+            if indent > 0 {
+                pieces.insert(0, plain(" ".repeat(indent)));
+            }
+            lines.push(Line {
+                kind: LineKind::Row(row),
+                pieces,
+            });
+        }
+    }
+}
+
+impl GridColumn {
+    /// A cell's text in lines of the column's width.
+    fn set(&self, text: &str) -> Vec<String> {
+        match self.align {
+            Align::Left => wrap(text, self.width)
+                .iter()
+                .map(|line| padded(line, 0, self.width))
+                .collect(),
+            Align::Right => vec![padded(
+                text,
+                self.width.saturating_sub(text.width()),
+                self.width,
+            )],
+            Align::Decimal => {
+                let room = self.width.saturating_sub(text.width());
+                let at = self.width.saturating_sub(self.after);
+                // Words among numbers stand at the right.
+                let before = point(text).map_or(room, |point| at.saturating_sub(point));
+                vec![padded(text, before.min(room), self.width)]
+            }
+        }
+    }
+}
+
+/// A column as wide as it is when nothing is wrapped.
+fn measure(table: &Table, number: usize) -> GridColumn {
+    let column = &table.columns[number];
+    let texts = Texts::of(table, number);
+    let body = match column.align {
+        Align::Decimal => texts.words.max(texts.before + texts.after),
+        Align::Left | Align::Right => texts.widest,
+    };
+    GridColumn {
+        number,
+        align: column.align,
+        width: body.max(column.head.width()),
+        after: texts.after,
+    }
+}
+
+/// How narrow a column may become: words wrap, numbers do not, heads always.
+fn least(table: &Table, column: &GridColumn) -> usize {
+    let texts = Texts::of(table, column.number);
+    let body = match column.align {
+        Align::Left => texts.least,
+        Align::Right => texts.widest,
+        Align::Decimal => texts.words.max(texts.before + texts.after),
+    };
+    let head = narrowest(&table.columns[column.number].head, WORD);
+    head.max(body).max(1)
+}
+
+/// Measures of the cells of a column.
+#[derive(Default)]
+struct Texts {
+    /// Widest cell.
+    widest: usize,
+    /// Widest part that must not be broken.
+    least: usize,
+    /// Widest part before a decimal point.
+    before: usize,
+    /// Widest part from a decimal point on.
+    after: usize,
+    /// Widest cell without a number.
+    words: usize,
+}
+
+impl Texts {
+    fn of(table: &Table, number: usize) -> Self {
+        let mut all = Self::default();
+        for row in 0..table.rows.len() {
+            let text = table.cell(row, number).text;
+            let wide = text.width();
+            all.widest = all.widest.max(wide);
+            all.least = all.least.max(narrowest(&text, WORD));
+            match point(&text) {
+                Some(point) => {
+                    all.before = all.before.max(point);
+                    all.after = all.after.max(wide - point);
+                }
+                None => all.words = all.words.max(wide),
+            }
+        }
+        all
+    }
+}
+
+/// Columns before the decimal point (or the end) of the first number of a text.
+fn point(text: &str) -> Option<usize> {
+    let first = text.find(|c: char| c.is_ascii_digit())?;
+    let digits = text[first..].find(|c: char| !c.is_ascii_digit());
+    let end = digits.map_or(text.len(), |digits| first + digits);
+    Some(text[..end].width())
+}
+
+fn gapped(pieces: impl Iterator<Item = Piece>) -> Vec<Piece> {
+    let mut row = Vec::new();
+    for piece in pieces {
+        if !row.is_empty() {
+            row.push(plain(" ".repeat(GAP)));
+        }
+        row.push(piece);
+    }
+    row
+}
+
+fn plain(text: String) -> Piece {
+    Piece {
+        text,
+        ink: CellInk::Plain,
+    }
+}
+
+fn blank() -> Line {
+    Line {
+        kind: LineKind::Blank,
+        pieces: Vec::new(),
+    }
+}

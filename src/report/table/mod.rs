@@ -1,0 +1,157 @@
+//! Tables as data, drawn the same on screen, in the report and on the command line.
+//!
+//! ```
+//! use seacable::report::table::{Cell, Column, Table};
+//!
+//! let table = Table {
+//!     title: "Joints".into(),
+//!     columns: vec![Column::left("joint"), Column::decimal("tension")],
+//!     rows: vec![
+//!         vec![Cell::plain("vessel|chain"), Cell::plain("3.94 MN")],
+//!         vec![Cell::plain("wire|payload"), Cell::plain("1.9 MN")],
+//!     ],
+//!     notes: vec![],
+//! };
+//! assert!(table.to_text(80).contains("wire|payload  1.9  MN") == false);
+//! assert!(table.to_text(80).contains("wire|payload  1.9 MN"));
+//! ```
+
+mod export;
+mod layout;
+mod wrap;
+
+pub use layout::{Layout, Line, LineKind, Piece};
+
+/// A table: named columns, rows of cells, and what is to be said below.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Table {
+    /// One line above; empty for none.
+    pub title: String,
+    /// The columns.
+    pub columns: Vec<Column>,
+    /// The rows; a row that is shorter than the columns ends in empty cells.
+    pub rows: Vec<Vec<Cell>>,
+    /// Sentences below the table.
+    pub notes: Vec<String>,
+}
+
+/// A column: its head, and how its cells line up.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Column {
+    /// Its name; may be wrapped onto several lines.
+    pub head: String,
+    /// How its cells line up.
+    pub align: Align,
+}
+
+impl Column {
+    /// A column of words.
+    #[must_use]
+    pub fn left(head: &str) -> Self {
+        Self::new(head, Align::Left)
+    }
+
+    /// A column whose cells end below each other.
+    #[must_use]
+    pub fn right(head: &str) -> Self {
+        Self::new(head, Align::Right)
+    }
+
+    /// A column of numbers with their points below each other.
+    #[must_use]
+    pub fn decimal(head: &str) -> Self {
+        Self::new(head, Align::Decimal)
+    }
+
+    fn new(head: &str, align: Align) -> Self {
+        Self {
+            head: head.to_owned(),
+            align,
+        }
+    }
+}
+
+/// How the cells of a column line up. Only [`Align::Left`] cells are ever wrapped.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Align {
+    /// At the left: words.
+    #[default]
+    Left,
+    /// At the right.
+    Right,
+    /// At the decimal point of their first number.
+    Decimal,
+}
+
+/// A cell: what it says, and how it is meant.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Cell {
+    /// The text.
+    pub text: String,
+    /// How it is meant; the text must say it too.
+    pub ink: CellInk,
+}
+
+impl Cell {
+    /// A cell of this ink.
+    #[must_use]
+    pub fn new(text: impl Into<String>, ink: CellInk) -> Self {
+        Self {
+            text: text.into(),
+            ink,
+        }
+    }
+
+    /// A cell without further meaning.
+    #[must_use]
+    pub fn plain(text: impl Into<String>) -> Self {
+        Self::new(text, CellInk::Plain)
+    }
+}
+
+/// How a cell is meant; the screen chooses colours by it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum CellInk {
+    /// As it is.
+    #[default]
+    Plain,
+    /// As it should be.
+    Good,
+    /// Not as it should be.
+    Bad,
+    /// To be looked at.
+    Warn,
+    /// Of less weight.
+    Dim,
+}
+
+impl Table {
+    /// The cell at a place as it may be shown: empty where the row is short, one line, without the
+    /// control characters that would steer a terminal.
+    #[must_use]
+    pub fn cell(&self, row: usize, column: usize) -> Cell {
+        let cell = self.rows.get(row).and_then(|row| row.get(column));
+        let mut cell = cell.cloned().unwrap_or_default();
+        if cell.text.chars().any(char::is_control) {
+            cell.text = cell.text.replace(char::is_control, " ");
+        }
+        cell
+    }
+
+    /// The table as lines of text with no more than `width` columns, without trailing blanks, each
+    /// ended by a newline. Only a single number or word longer than that makes a line longer.
+    #[must_use]
+    pub fn to_text(&self, width: usize) -> String {
+        let mut text = String::new();
+        for line in self.layout(width).lines {
+            let words: String = line
+                .pieces
+                .iter()
+                .map(|piece| piece.text.as_str())
+                .collect();
+            text.push_str(words.trim_end());
+            text.push('\n');
+        }
+        text
+    }
+}

@@ -1,0 +1,92 @@
+//! Breaking words into lines, and padding them, by the width they have on screen.
+
+use unicode_width::UnicodeWidthStr;
+
+/// The text in lines no wider than `width`, broken between words. A word that is wider is broken
+/// inside, unless it holds a digit: numbers are never cut.
+pub(super) fn wrap(text: &str, width: usize) -> Vec<String> {
+    let mut lines = Vec::new();
+    for paragraph in text.split('\n') {
+        let mut line = String::new();
+        for word in paragraph.split_whitespace() {
+            if !line.is_empty() && line.width() + 1 + word.width() > width {
+                lines.push(std::mem::take(&mut line));
+            }
+            if !line.is_empty() {
+                line.push(' ');
+            }
+            line.push_str(word);
+            while line.width() > width && breakable(&line) {
+                let at = split_at(&line, width);
+                let rest = line.split_off(at);
+                lines.push(std::mem::replace(&mut line, rest));
+            }
+        }
+        lines.push(line);
+    }
+    lines
+}
+
+/// The narrowest a text can be made without breaking numbers, or words of up to `keep` columns.
+pub(super) fn narrowest(text: &str, keep: usize) -> usize {
+    let least = |word: &str| {
+        if breakable(word) {
+            word.width().min(keep)
+        } else {
+            word.width()
+        }
+    };
+    text.split_whitespace().map(least).max().unwrap_or(0)
+}
+
+fn breakable(word: &str) -> bool {
+    !word.bytes().any(|b| b.is_ascii_digit())
+}
+
+/// Byte at which so many columns are full; at least one character.
+fn split_at(text: &str, width: usize) -> usize {
+    let mut end = 0;
+    for (at, ch) in text.char_indices() {
+        let next = at + ch.len_utf8();
+        if end > 0 && text[..next].width() > width {
+            break;
+        }
+        end = next;
+    }
+    end
+}
+
+/// The text with blanks before and after it.
+pub(super) fn padded(text: &str, before: usize, width: usize) -> String {
+    let after = width.saturating_sub(before + text.width());
+    format!("{:before$}{text}{:after$}", "", "")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_kept_whole_where_they_fit() {
+        assert_eq!(
+            wrap("mean tension at the wire joint", 12),
+            ["mean tension", "at the wire", "joint"]
+        );
+        assert_eq!(wrap("", 5), [""]);
+        assert_eq!(wrap("a\nb", 5), ["a", "b"]);
+    }
+
+    #[test]
+    fn long_words_are_broken_and_numbers_are_not() {
+        assert_eq!(wrap("uncomfortable", 5), ["uncom", "forta", "ble"]);
+        assert_eq!(wrap("1.234567e-12", 5), ["1.234567e-12"]);
+        assert_eq!(narrowest("a 1.234567 uncomfortable", 8), 8);
+    }
+
+    #[test]
+    fn wide_characters_count_twice() {
+        assert_eq!(wrap("漢字漢字", 5), ["漢字", "漢字"]);
+        assert_eq!(padded("漢", 1, 5), " 漢  ");
+        assert_eq!(wrap("漢字", 1), ["漢", "字"]);
+    }
+}
