@@ -11,9 +11,9 @@ pub struct Diagnostic {
     /// Name of the file, as the user gave it.
     pub file: String,
     /// Line, from 1.
-    pub line: usize,
+    pub line: u32,
     /// Column in characters, from 1.
-    pub column: usize,
+    pub column: u32,
     /// Key path (`materials.chain.ea_n`); empty when the file as a whole is meant.
     pub key: String,
     /// What is wrong.
@@ -59,8 +59,8 @@ impl Diagnostic {
         let span = within(text, &self.span);
         if text.is_empty() || self.span.is_empty() {
             let origin = Origin::path(self.file.as_str())
-                .line(self.line)
-                .char_column(self.column);
+                .line(self.line as usize)
+                .char_column(self.column as usize);
             return title.element(origin).element(help);
         }
         let snippet = Snippet::source(text)
@@ -141,11 +141,16 @@ impl Finding {
 }
 
 /// Line and column of a byte offset, both from 1, the column in characters.
-pub(crate) fn position(text: &str, offset: usize) -> (usize, usize) {
+pub(crate) fn position(text: &str, offset: usize) -> (u32, u32) {
     let before = &text[..floor_boundary(text, offset)];
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
     let line = before.matches('\n').count() + 1;
-    (line, before[line_start..].chars().count() + 1)
+    (count(line), count(before[line_start..].chars().count() + 1))
+}
+
+/// Lines and columns are told as 32-bit numbers; a file with more of them than that has no reader.
+pub(crate) fn count(number: usize) -> u32 {
+    u32::try_from(number).unwrap_or(u32::MAX)
 }
 
 /// The span, cut to the text and to whole characters.

@@ -2,12 +2,14 @@
 //!
 //! [`model`] holds the words, as plain data; [`fields`] knows every key with unit, range, default
 //! and help; [`parse`] and [`load`] check a file against both and tell all that is wrong at once,
-//! each a [`Diagnostic`] with file, line, column, key and remedy; [`channels`](mod@channels) names
-//! what a run of the case records.
+//! each a [`Diagnostic`] with file, line, column, key and remedy; [`edit`] sets
+//! single values and keeps the rest of the file; [`channels`](mod@channels) names what a run of the
+//! case records.
 
 pub mod channels;
 mod check;
 mod diagnostic;
+pub mod edit;
 pub mod fields;
 pub mod model;
 mod read;

@@ -211,13 +211,13 @@ fn from_value(value: &Value, fallback: &Range<usize>) -> Node {
         Value::Datetime(_) => Data::Date,
         Value::Array(list) => Data::List(list.iter().map(|item| from_value(item, &span)).collect()),
         Value::InlineTable(inner) => {
-            let entries = inner.iter().filter_map(|(key, item)| {
+            let entries = inner.iter().map(|(key, item)| {
                 let key_span = inner.key(key).and_then(toml_edit::Key::span);
-                Some(Entry {
+                Entry {
                     key: key.to_owned(),
                     key_span: key_span.unwrap_or_else(|| span.clone()),
                     node: from_value(item, &span),
-                })
+                }
             });
             let form = if inner.is_dotted() {
                 Form::Lines

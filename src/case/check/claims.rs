@@ -3,7 +3,7 @@
 
 use super::line::unknown_name;
 use super::value;
-use super::words::{join, nearest, split};
+use super::words::{join, nearest, split, unknown_key};
 use crate::case::channels::{LineEnd, joint_channels, motion_channels};
 use crate::case::diagnostic::Finding;
 use crate::case::fields::{Absent, FIELDS, Field, field_at, number, quantity};
@@ -23,7 +23,7 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
                     .as_ref()
                     .and_then(|known| channel(row, known, key("channel"))),
             );
-            found.extend(window(root, row, &key("window_s")));
+            found.extend(window(row, &key("window_s")));
             if list == "published" {
                 found.extend(tolerance(row, &key("tolerance_rel")));
                 found.extend(row.get("at").and_then(|at| point(root, at, &key("at"))));
@@ -108,6 +108,29 @@ fn existing(root: &Node, path: &str) -> Result<&'static Field, (String, String)>
         _ => near_path(path, &here),
     };
     Err(unknown(remedy))
+}
+
+/// What to say of a key path that no field has.
+pub(crate) fn unknown_path(root: &Node, path: &str) -> (String, String) {
+    let remedy = split(path).and_then(|parts| right_key(root, &parts));
+    let problem = format!("there is no key `{path}` in a case");
+    let remedy = remedy.unwrap_or_else(|| near_path(path, &given_or_defaulted(root)));
+    (problem, remedy)
+}
+
+/// The remedy for a last part that its table does not know, when the table is there.
+fn right_key(root: &Node, parts: &[String]) -> Option<String> {
+    let (key, table) = parts.split_last()?;
+    let known = FIELDS.iter().filter(|field| {
+        let mut path = table.to_vec();
+        path.push(field.key().to_owned());
+        field_at(&path).is_some_and(|found| found.path == field.path)
+    });
+    let known: Vec<&'static Field> = known.collect();
+    if known.is_empty() || root.find(table).is_none() {
+        return None;
+    }
+    Some(unknown_key(key, &known, &[]).remedy)
 }
 
 fn near_path(path: &str, here: &[String]) -> String {
@@ -249,41 +272,21 @@ fn channel(row: &Node, known: &[String], key: String) -> Option<Finding> {
     Some(Finding::new(&node.span, key, problem, remedy))
 }
 
-/// A window runs forward and ends with the run at the latest.
-fn window(root: &Node, row: &Node, key: &str) -> Option<Finding> {
+/// A window runs forward. One that ends after the run is no fault: whoever shortens a run for a
+/// first look may do so, and the row is then not computed.
+fn window(row: &Node, key: &str) -> Option<Finding> {
     let node = row.get("window_s")?;
     let numbers = node.numbers()?;
     let [from, to] = numbers[..] else {
         return None;
     };
-    if from >= to {
+    (from >= to).then(|| {
         let problem = format!(
             "the window is empty: it begins at {} and ends at {}",
             quantity(from, "s"),
             quantity(to, "s")
         );
-        return Some(Finding::new(
-            &node.span,
-            key,
-            problem,
-            "let it begin before it ends",
-        ));
-    }
-    let duration = root
-        .find(&["solver", "duration_s"])
-        .map_or(Some(600.0), Node::number)?;
-    (to > duration).then(|| {
-        let problem = format!(
-            "the window ends at {} and the run at {}",
-            quantity(to, "s"),
-            quantity(duration, "s")
-        );
-        Finding::new(
-            &node.span,
-            key,
-            problem,
-            "end the window with the run, or raise solver.duration_s",
-        )
+        Finding::new(&node.span, key, problem, "let it begin before it ends")
     })
 }
 

@@ -108,21 +108,22 @@ fn payload(root: &Node) -> Vec<Finding> {
         ));
     }
     let dry = payload.get("dry_mass_kg").and_then(Node::number);
-    if let (Some(node), Some(dry)) = (wet, dry) {
-        if let Some(wet) = node.number().filter(|wet| *wet > dry) {
-            let problem = format!(
-                "a mass in water of {} kg is more than the {} kg in air",
-                number(wet),
-                number(dry)
-            );
-            found.push(Finding::new(
-                &node.span,
-                "payload.wet_mass_kg",
-                problem,
-                "give dry_mass_kg less the mass of the displaced water",
-            ));
-        }
-    }
+    let heavier = wet.zip(dry).and_then(|(node, dry)| {
+        let wet = node.number().filter(|wet| *wet > dry)?;
+        let problem = format!(
+            "a mass in water of {} kg is more than the {} kg in air",
+            number(wet),
+            number(dry)
+        );
+        let remedy = "give dry_mass_kg less the mass of the displaced water";
+        Some(Finding::new(
+            &node.span,
+            "payload.wet_mass_kg",
+            problem,
+            remedy,
+        ))
+    });
+    found.extend(heavier);
     if payload.get("shape").is_some() {
         return found;
     }

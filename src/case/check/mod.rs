@@ -13,9 +13,10 @@ mod words;
 use super::diagnostic::Finding;
 use super::tree::Node;
 
+pub(crate) use claims::unknown_path;
 pub(crate) use keys::fields_here;
-pub(crate) use value::text as value_text;
-pub(crate) use words::join;
+pub(crate) use value::{check as check_value, text as value_text};
+pub(crate) use words::{join, split};
 
 /// Everything wrong with the file, in the order of its lines.
 pub(crate) fn check(root: &Node) -> Vec<Finding> {

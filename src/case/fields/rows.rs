@@ -59,27 +59,23 @@ impl Lister<'_> {
     fn all(&self) -> Vec<FieldRow> {
         let mut rows = Vec::new();
         for table in ["environment", "current"] {
-            rows.extend(self.table(table, &[table], table.to_owned()));
+            rows.extend(self.table(table, &[table], table));
         }
         rows.extend(self.named("materials", "material"));
         rows.extend(self.named("line", "section"));
         for (letter, end) in [("a", &self.case.ends.a), ("b", &self.case.ends.b)] {
             let group = format!("end {} ({})", letter.to_uppercase(), end.name);
-            rows.extend(self.table(&format!("ends.{letter}"), &["ends", letter], group));
+            rows.extend(self.table(&format!("ends.{letter}"), &["ends", letter], &group));
         }
         if self.case.payload.is_some() {
-            rows.extend(self.table("payload", &["payload"], "payload".to_owned()));
+            rows.extend(self.table("payload", &["payload"], "payload"));
             if self.root.find(&["payload", "shape"]).is_some() {
-                rows.extend(self.table(
-                    "payload.shape",
-                    &["payload", "shape"],
-                    "payload".to_owned(),
-                ));
+                rows.extend(self.table("payload.shape", &["payload", "shape"], "payload"));
             }
         }
         rows.extend(self.named("floats", "floats on"));
         for table in ["start", "solver", "output"] {
-            rows.extend(self.table(table, &[table], table.to_owned()));
+            rows.extend(self.table(table, &[table], table));
         }
         rows
     }
@@ -101,13 +97,13 @@ impl Lister<'_> {
             self.table(
                 &format!("{table}.*"),
                 &[table, name],
-                format!("{heading} {name}"),
+                &format!("{heading} {name}"),
             )
         });
         each.collect()
     }
 
-    fn table(&self, pattern: &str, path: &[&str], group: String) -> Vec<FieldRow> {
+    fn table(&self, pattern: &str, path: &[&str], group: &str) -> Vec<FieldRow> {
         let node = self.root.find(path);
         let fields: Vec<&'static Field> = match node {
             Some(node) => fields_here(node, pattern),
@@ -118,7 +114,7 @@ impl Lister<'_> {
         };
         let rows = fields.into_iter().map(|field| {
             let given = node.and_then(|node| node.get(field.key()));
-            self.row(field, given, path, group.clone())
+            self.row(field, given, path, group)
         });
         rows.collect()
     }
@@ -128,7 +124,7 @@ impl Lister<'_> {
         field: &'static Field,
         given: Option<&Node>,
         path: &[&str],
-        group: String,
+        group: &str,
     ) -> FieldRow {
         let path = join(&[path, &[field.key()]].concat());
         let (value, absent) = match (given, field.absent) {
@@ -140,7 +136,7 @@ impl Lister<'_> {
         FieldRow {
             standing: self.case.marks.get(&path).cloned(),
             path,
-            group,
+            group: group.to_owned(),
             label: field.label,
             unit: field.unit,
             value,

@@ -1,0 +1,277 @@
+//! Edits of a case's text that touch nothing but the value: comments, order of keys, spacing and
+//! line ends of every other byte stay as they are.
+
+use std::ops::Range;
+
+use super::check::{check, check_value, join, split, unknown_path, value_text};
+use super::diagnostic::{Diagnostic, Finding, count};
+use super::fields::{Field, Kind, TABLES, TableShape, field_at};
+use super::read::tree_of;
+use super::tree::{Data, Form, Node};
+
+/// The text of the case with one key set to a value, given as a user types it: a TOML value, or a
+/// bare word where the field takes words.
+///
+/// A key that the file leaves out is added to its table; a table that the file leaves out is added
+/// at the end of the file.
+///
+/// # Errors
+///
+/// The key is not known, the value is of the wrong type or out of range (the remedy names the
+/// range), or the case with it would contradict itself in a way it did not before. The diagnostic
+/// carries the edit, `key = value`, in place of a file.
+pub fn set(text: &str, key_path: &str, value: &str) -> Result<String, Diagnostic> {
+    set_all(text, &[(key_path, value)]).map_err(|faults| {
+        let first = faults.into_iter().next();
+        first.unwrap_or_else(|| {
+            refusal(
+                key_path,
+                value,
+                "is refused".to_owned(),
+                "give another value".to_owned(),
+            )
+        })
+    })
+}
+
+/// The text of the case with several keys set one after the other; whether they agree with each
+/// other is asked once all are set.
+///
+/// # Errors
+///
+/// As [`set`]; all faults at once.
+pub fn set_all(text: &str, edits: &[(&str, &str)]) -> Result<String, Vec<Diagnostic>> {
+    let mut edited = text.to_owned();
+    let mut faults = Vec::new();
+    for (key_path, value) in edits {
+        match put(&edited, key_path, value) {
+            Ok(next) => edited = next,
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if faults.is_empty() {
+        let shown: Vec<String> = edits
+            .iter()
+            .map(|(key, value)| format!("{key} = {value}"))
+            .collect();
+        faults = new_faults(text, &edited, &shown.join(", "));
+    }
+    if faults.is_empty() {
+        Ok(edited)
+    } else {
+        Err(faults)
+    }
+}
+
+/// The text of the case with one key set to a number, written as its field wants it.
+///
+/// # Errors
+///
+/// As [`set`].
+pub fn set_number(text: &str, key_path: &str, value: f64) -> Result<String, Diagnostic> {
+    let whole = split(key_path)
+        .and_then(|parts| field_at(&parts))
+        .is_some_and(|field| field.kind == Kind::Integer);
+    let shown = if whole && value.fract() == 0.0 {
+        format!("{value:.0}")
+    } else {
+        format!("{value:?}")
+    };
+    set(text, key_path, &shown)
+}
+
+/// The value of a key as the file gives it, text without its quotes; nothing when the file leaves
+/// it out or is not TOML.
+#[must_use]
+pub fn get(text: &str, key_path: &str) -> Option<String> {
+    let root = Node::parse(text).ok()?;
+    let node = root.find(&split(key_path)?)?;
+    Some(value_text(text, node))
+}
+
+/// Sets one key, checking key and value but not the case as a whole.
+fn put(text: &str, key_path: &str, value: &str) -> Result<String, Diagnostic> {
+    let refuse = |problem: String, remedy: String| refusal(key_path, value, problem, remedy);
+    let parts = split(key_path).filter(|parts| field_at(parts).is_some());
+    let root = tree_of(text).map_err(|found| {
+        let problem = found
+            .first()
+            .map_or(String::new(), |fault| fault.problem.clone());
+        refuse(problem, "mend the file in an editor first".to_owned())
+    })?;
+    let Some((parts, field)) = parts.and_then(|parts| field_at(&parts).map(|field| (parts, field)))
+    else {
+        let (problem, remedy) = unknown_path(&root, key_path);
+        return Err(refuse(problem, remedy));
+    };
+    let (written, node) = typed(field, value);
+    check_value(field, &node).map_err(|fault| refuse(fault.problem, fault.remedy))?;
+    if let Some(node) = root.find(&parts) {
+        return Ok(spliced(text, &node.span, &written));
+    }
+    inserted(text, &root, &parts, &written).map_err(|(problem, remedy)| refuse(problem, remedy))
+}
+
+/// A value as it will stand in the file, and as a tree.
+fn typed(field: &Field, value: &str) -> (String, Node) {
+    let value = value.trim();
+    let as_text = || {
+        let written = toml_edit::Value::from(value).to_string();
+        let node = Node {
+            span: 0..written.len(),
+            data: Data::Text(value.to_owned()),
+        };
+        (written, node)
+    };
+    let numbers_too = matches!(field.kind, Kind::NumberOrChoice(_));
+    match Node::parse_value(value) {
+        Some(node) if node.text().is_some() || !field.takes_words() || numbers_too => {
+            let written = value.get(node.span.clone()).unwrap_or(value);
+            (written.to_owned(), node)
+        }
+        _ => as_text(),
+    }
+}
+
+fn refusal(key_path: &str, value: &str, problem: String, remedy: String) -> Diagnostic {
+    let mut diagnostic = Diagnostic::whole_file(&format!("{key_path} = {value}"), problem, remedy);
+    diagnostic.key = key_path.to_owned();
+    diagnostic.column = count(key_path.chars().count() + " = ".len() + 1);
+    diagnostic
+}
+
+/// Faults of the edited case that the case did not have before.
+fn new_faults(before: &str, after: &str, edit: &str) -> Vec<Diagnostic> {
+    let old: Vec<Finding> = tree_of(before).map_or_else(|found| found, |tree| check(&tree));
+    let new: Vec<Finding> = tree_of(after).map_or_else(|found| found, |tree| check(&tree));
+    let known = |fault: &Finding| {
+        old.iter()
+            .any(|one| one.key == fault.key && one.problem == fault.problem)
+    };
+    let fresh = new.into_iter().filter(|fault| !known(fault));
+    fresh.map(|fault| fault.at(edit, after)).collect()
+}
+
+fn spliced(text: &str, span: &Range<usize>, new: &str) -> String {
+    [&text[..span.start], new, &text[span.end..]].concat()
+}
+
+type Refusal = (String, String);
+
+fn no_key() -> Refusal {
+    (
+        "is not the path of a key".to_owned(),
+        "write table and key: `solver.method`".to_owned(),
+    )
+}
+
+/// Adds a key that the file leaves out.
+fn inserted(text: &str, root: &Node, parts: &[String], written: &str) -> Result<String, Refusal> {
+    let (key, table) = match parts.split_last() {
+        Some((key, table)) if !table.is_empty() => (key, table),
+        _ => return Err(no_key()),
+    };
+    match root.find(table) {
+        Some(node) => into_table(text, node, key, written),
+        None => new_table(text, root, table, key, written),
+    }
+}
+
+/// Adds a key to a table that stands in the file: after its last value, written like its neighbour.
+fn into_table(text: &str, node: &Node, key: &str, written: &str) -> Result<String, Refusal> {
+    let last = node
+        .entries()
+        .iter()
+        .filter(|entry| !entry.node.is_table() && !holds_tables(&entry.node))
+        .max_by_key(|entry| entry.node.span.end);
+    if let Data::Table(Form::Inline, _) = node.data {
+        let addition = match last {
+            Some(_) => format!(", {key} = {written}"),
+            None => format!(" {key} = {written} "),
+        };
+        let at = last.map_or(node.span.start + 1, |entry| entry.node.span.end);
+        return Ok(spliced(text, &(at..at), &addition));
+    }
+    let (prefix, after) = match last {
+        Some(entry) => {
+            let line = line_start(text, entry.key_span.start);
+            (&text[line..entry.key_span.start], entry.node.span.end)
+        }
+        None => ("", node.span.end),
+    };
+    Ok(line_after(
+        text,
+        after,
+        &format!("{prefix}{key} = {written}"),
+    ))
+}
+
+fn holds_tables(node: &Node) -> bool {
+    !node.items().is_empty() && node.is_list_of_tables()
+}
+
+/// Adds a table that the file leaves out, with one key, at the end of the file.
+fn new_table(
+    text: &str,
+    root: &Node,
+    table: &[String],
+    key: &str,
+    written: &str,
+) -> Result<String, Refusal> {
+    let Some((name, parent)) = table.split_last() else {
+        return Err(no_key());
+    };
+    let one = TABLES
+        .iter()
+        .any(|known| known.shape == TableShape::One && known.path == join(table));
+    let mark = parent.first().is_some_and(|parent| parent == "marks");
+    if !one && !mark {
+        let known: Vec<String> = root.find(parent).map_or(Vec::new(), names);
+        return Err((
+            format!("there is no `{name}` in {}", join(parent)),
+            format!("{} has {}", join(parent), known.join(", ")),
+        ));
+    }
+    let end = newline(text);
+    let gap = if text.is_empty() || text.ends_with('\n') {
+        ""
+    } else {
+        end
+    };
+    Ok(format!(
+        "{text}{gap}{end}[{}]{end}{key} = {written}{end}",
+        join(table)
+    ))
+}
+
+fn names(node: &Node) -> Vec<String> {
+    if node.is_table() {
+        node.entries()
+            .iter()
+            .map(|entry| entry.key.clone())
+            .collect()
+    } else {
+        super::tree::element_names(node.items())
+    }
+}
+
+/// Puts a line after the line in which `offset` stands.
+fn line_after(text: &str, offset: usize, line: &str) -> String {
+    let end = newline(text);
+    match text[offset..].find('\n') {
+        Some(rest) => {
+            let at = offset + rest + 1;
+            spliced(text, &(at..at), &format!("{line}{end}"))
+        }
+        None => format!("{text}{end}{line}{end}"),
+    }
+}
+
+fn line_start(text: &str, offset: usize) -> usize {
+    text[..offset].rfind('\n').map_or(0, |newline| newline + 1)
+}
+
+/// How lines end in this file.
+fn newline(text: &str) -> &'static str {
+    if text.contains("\r\n") { "\r\n" } else { "\n" }
+}
