@@ -1,1 +1,4 @@
 //! tui
+
+pub mod inks;
+pub mod plot_pane;

@@ -30,6 +30,16 @@ pub fn draw(chart: &Chart, width: usize, height: usize, glyphs: Glyphs) -> Pictu
     picture
 }
 
+/// Where the plot of a chart would lie and what it would show, without drawing it: what a cursor, a
+/// zoom or a pan has to know.
+#[must_use]
+pub fn frame(chart: &Chart, width: usize, height: usize, glyphs: Glyphs) -> Frame {
+    if width == 0 || height == 0 {
+        return Frame::default();
+    }
+    Plan::make(&in_glyphs(chart, glyphs), width, height, glyphs).frame
+}
+
 /// The chart with all its words in ASCII, when that is what is wanted.
 fn in_glyphs(chart: &Chart, glyphs: Glyphs) -> Cow<'_, Chart> {
     if glyphs == Glyphs::Braille {

@@ -30,9 +30,9 @@ mod range;
 mod readout;
 mod ticks;
 
-pub use draw::draw;
+pub use draw::{draw, frame};
 pub use picture::{CONTINUATION, Frame, Ink, Picture, PictureCell};
-pub use range::{Range, Sticky, fit};
+pub use range::{Range, Sticky, extent, fit};
 pub use readout::{Found, Readout, readout};
 
 /// Everything a chart shows.

@@ -11,8 +11,8 @@ const LARGEST: f64 = 1e300;
 /// Smallest span, relative to the values, that is told apart; below it a series counts as constant.
 const FINEST: f64 = 1e-10;
 
-/// The smallest and the greatest of the values that can be drawn.
-pub(super) fn extent(values: impl Iterator<Item = f64>) -> Option<Range> {
+/// The smallest and the greatest of the values that can be drawn; absent when there is none.
+pub fn extent(values: impl Iterator<Item = f64>) -> Option<Range> {
     values.filter(|v| drawable(*v)).fold(None, |range, v| {
         let (low, high) = range.unwrap_or((v, v));
         Some((low.min(v), high.max(v)))

@@ -1,6 +1,7 @@
 //! What the series say at the cursor.
 
 use super::Chart;
+use crate::report::number;
 
 /// A series at the cursor.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +16,24 @@ pub struct Readout {
     pub unit: String,
     /// How it was read.
     pub found: Found,
+}
+
+impl Readout {
+    /// As words: `vessel|chain 3.94 MN`; a nearest sample says where it lies, a missing value is a
+    /// dash.
+    #[must_use]
+    pub fn words(&self, x_unit: &str) -> String {
+        match (self.y, self.found) {
+            (None, _) => format!("{} -", self.label),
+            (Some(y), Found::Nearest) => format!(
+                "{} {} (at {})",
+                self.label,
+                number::si(y, &self.unit),
+                number::si(self.x, x_unit)
+            ),
+            (Some(y), _) => format!("{} {}", self.label, number::si(y, &self.unit)),
+        }
+    }
 }
 
 /// How a value was read from a series.

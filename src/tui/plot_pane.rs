@@ -1,0 +1,326 @@
+//! What the user does with a chart: cursor, zoom, pan, freeze, marks, hidden series.
+//!
+//! [`PlotPane`] is plain state. [`PlotPane::act`] changes it, [`PlotPane::chart`] lays it over a
+//! chart made from runs, [`draw_chart`] paints the outcome; only the first changes anything.
+
+use std::collections::BTreeSet;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::inks::Inks;
+use crate::report::chart::{
+    self, CONTINUATION, Chart, Frame, Glyphs, Limit, LimitLine, Range, Readout, Series,
+};
+use crate::report::number;
+
+/// What can be done with a chart.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum PlotVerb {
+    /// Cursor left by a stride.
+    CursorLeft(Stride),
+    /// Cursor right by a stride.
+    CursorRight(Stride),
+    /// Cursor gone.
+    CursorOff,
+    /// Show what lies further left.
+    PanLeft,
+    /// Show what lies further right.
+    PanRight,
+    /// Show what lies higher.
+    PanUp,
+    /// Show what lies lower.
+    PanDown,
+    /// Half as much along x, about the cursor; at equal scale along both axes.
+    ZoomIn,
+    /// Twice as much along x.
+    ZoomOut,
+    /// Half as much along y, about the middle.
+    ZoomInUp,
+    /// Twice as much along y.
+    ZoomOutUp,
+    /// Everything along x and y.
+    Fit,
+    /// Along y just what the lines do within the x shown.
+    FitUp,
+    /// Hold the curves still, or let them go on.
+    Freeze,
+    /// Hide a series of the chart, by its number, or show it again.
+    Toggle(usize),
+    /// Set a mark at the cursor, or remove the mark there.
+    Mark,
+}
+
+/// How far the cursor goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stride {
+    /// One column of dots.
+    Fine,
+    /// A tenth of what is shown.
+    Coarse,
+}
+
+/// Least part of the whole range that a zoom shows.
+const CLOSEST: f64 = 1e-6;
+
+/// A chart as the user has it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct PlotPane {
+    /// What is shown along x; absent: everything.
+    x: Option<Range>,
+    /// What is shown along y; absent: everything.
+    y: Option<Range>,
+    cursor: Option<f64>,
+    /// Marked places on the x axis, in the order in which they were set.
+    marks: Vec<f64>,
+    /// Labels of hidden series; labels outlast a new solve, numbers may not.
+    hidden: BTreeSet<String>,
+    /// The chart as it was when it was frozen.
+    frozen: Option<Box<Chart>>,
+}
+
+impl PlotPane {
+    /// Where the cursor stands on the x axis.
+    #[must_use]
+    pub fn cursor(&self) -> Option<f64> {
+        self.cursor
+    }
+
+    /// Puts the cursor somewhere, say where it stands in another chart.
+    pub fn set_cursor(&mut self, x: Option<f64>) {
+        self.cursor = x.filter(|x| x.is_finite());
+    }
+
+    /// Marked places on the x axis.
+    #[must_use]
+    pub fn marks(&self) -> &[f64] {
+        &self.marks
+    }
+
+    /// Whether the curves are held still.
+    #[must_use]
+    pub fn is_frozen(&self) -> bool {
+        self.frozen.is_some()
+    }
+
+    /// Whether less than everything is shown.
+    #[must_use]
+    pub fn is_zoomed(&self) -> bool {
+        self.x.is_some() || self.y.is_some()
+    }
+
+    /// The chart as it is to be drawn: the one given, or the frozen one, with the user's ranges,
+    /// cursor, marks and hidden series.
+    #[must_use]
+    pub fn chart(&self, base: &Chart) -> Chart {
+        let mut chart = self.source(base).clone();
+        chart.x.range = self.x.or(chart.x.range);
+        chart.y.range = self.y.or(chart.y.range);
+        chart.cursor = self.cursor.or(chart.cursor);
+        for series in &mut chart.series {
+            series.visible &= !self.hidden.contains(&series.label);
+        }
+        for (i, x) in self.marks.iter().enumerate() {
+            chart.limits.push(Limit {
+                label: format!("{}: {}", i + 1, number::si(*x, &chart.x.unit)),
+                line: LimitLine::Vertical(*x),
+            });
+        }
+        chart
+    }
+
+    /// What the visible series say at the cursor; nothing without a cursor.
+    #[must_use]
+    pub fn readout(&self, base: &Chart) -> Vec<Readout> {
+        let read = |x| chart::readout(&self.chart(base), x);
+        self.cursor.map(read).unwrap_or_default()
+    }
+
+    /// Does what the user asked for. `base` is the chart without the user's changes, `frame` where
+    /// and what was drawn last ([`chart::frame`] tells it without drawing); with nothing drawn,
+    /// nothing is done.
+    pub fn act(&mut self, verb: &PlotVerb, base: &Chart, frame: Frame) {
+        if frame.width == 0 || frame.height == 0 {
+            return;
+        }
+        match verb {
+            PlotVerb::CursorLeft(stride) => self.move_cursor(-1.0, *stride, base, frame),
+            PlotVerb::CursorRight(stride) => self.move_cursor(1.0, *stride, base, frame),
+            PlotVerb::CursorOff => self.cursor = None,
+            PlotVerb::PanLeft => self.pan(-0.25, 0.0, base, frame),
+            PlotVerb::PanRight => self.pan(0.25, 0.0, base, frame),
+            PlotVerb::PanUp => self.pan(0.0, 0.25, base, frame),
+            PlotVerb::PanDown => self.pan(0.0, -0.25, base, frame),
+            PlotVerb::ZoomIn => self.zoom(0.5, base, frame),
+            PlotVerb::ZoomOut => self.zoom(2.0, base, frame),
+            PlotVerb::ZoomInUp => self.zoom_up(0.5, base, frame),
+            PlotVerb::ZoomOutUp => self.zoom_up(2.0, base, frame),
+            PlotVerb::Fit => (self.x, self.y) = (None, None),
+            PlotVerb::FitUp => self.fit_up(base, frame),
+            PlotVerb::Freeze => {
+                self.frozen = match self.frozen {
+                    Some(_) => None,
+                    None => Some(Box::new(base.clone())),
+                };
+            }
+            PlotVerb::Toggle(number) => self.toggle(*number, base),
+            PlotVerb::Mark => self.mark(frame),
+        }
+    }
+
+    fn source<'a>(&'a self, base: &'a Chart) -> &'a Chart {
+        self.frozen.as_deref().unwrap_or(base)
+    }
+
+    /// The ranges that show everything.
+    fn whole(&self, base: &Chart) -> (Range, Range) {
+        let chart = self.source(base);
+        let all = |of: fn(&(f64, f64)) -> f64, given: Option<Range>| {
+            let values = chart.series.iter().flat_map(|s| s.points.iter().map(of));
+            given.unwrap_or_else(|| chart::fit(chart::extent(values)))
+        };
+        (all(|p| p.0, chart.x.range), all(|p| p.1, chart.y.range))
+    }
+
+    /// The cursor begins in the middle, stays within the chart's whole range, and takes the view
+    /// along when it leaves it.
+    fn move_cursor(&mut self, way: f64, stride: Stride, base: &Chart, frame: Frame) {
+        let span = frame.x.1 - frame.x.0;
+        let step = match stride {
+            Stride::Fine => span / (frame.dot_count().0.max(2) - 1) as f64,
+            Stride::Coarse => span / 10.0,
+        };
+        let whole = self.whole(base).0;
+        // What is on screen may reach beyond the data, at equal scale for instance.
+        let (low, high) = (whole.0.min(frame.x.0), whole.1.max(frame.x.1));
+        let cursor = match self.cursor {
+            Some(at) => (at + way * step).clamp(low, high),
+            None => middle(frame.x),
+        };
+        if cursor < frame.x.0 || cursor > frame.x.1 {
+            let shift = (cursor - frame.x.0).min(0.0) + (cursor - frame.x.1).max(0.0);
+            self.x = Some((frame.x.0 + shift, frame.x.1 + shift));
+        }
+        self.cursor = Some(cursor);
+    }
+
+    /// Moves the view by parts of itself; never so far that it leaves the data.
+    fn pan(&mut self, across: f64, up: f64, base: &Chart, frame: Frame) {
+        let (x, y) = self.whole(base);
+        if across.abs() > 0.0 {
+            self.x = Some(shifted(frame.x, across, x));
+        }
+        if up.abs() > 0.0 {
+            self.y = Some(shifted(frame.y, up, y));
+        }
+    }
+
+    fn zoom(&mut self, factor: f64, base: &Chart, frame: Frame) {
+        let (x, y) = self.whole(base);
+        let seen = |at: &f64| (frame.x.0..=frame.x.1).contains(at);
+        let about = self.cursor.filter(seen).unwrap_or_else(|| middle(frame.x));
+        self.x = scaled(frame.x, about, factor, x);
+        if self.source(base).equal_scale {
+            let at_cursor = self.readout(base).into_iter().find_map(|read| read.y);
+            let seen = |at: &f64| (frame.y.0..=frame.y.1).contains(at);
+            let about = at_cursor.filter(seen).unwrap_or_else(|| middle(frame.y));
+            self.y = scaled(frame.y, about, factor, y);
+            // One axis alone cannot show everything at equal scale.
+            if self.x.is_none() || self.y.is_none() {
+                (self.x, self.y) = (None, None);
+            }
+        }
+    }
+
+    fn zoom_up(&mut self, factor: f64, base: &Chart, frame: Frame) {
+        self.y = scaled(frame.y, middle(frame.y), factor, self.whole(base).1);
+    }
+
+    fn fit_up(&mut self, base: &Chart, frame: Frame) {
+        let chart = self.chart(base);
+        let shown = chart.series.iter().filter(|series| series.visible);
+        let seen = shown.flat_map(|series| between(series, frame.x));
+        self.y = chart::extent(seen).map(|range| chart::fit(Some(range)));
+    }
+
+    fn toggle(&mut self, number: usize, base: &Chart) {
+        let label = self
+            .source(base)
+            .series
+            .get(number)
+            .map(|s| s.label.clone());
+        if let Some(label) = label
+            && !self.hidden.remove(&label)
+        {
+            self.hidden.insert(label);
+        }
+    }
+
+    fn mark(&mut self, frame: Frame) {
+        let Some(at) = self.cursor else { return };
+        let column = (frame.x.1 - frame.x.0) / frame.width.max(1) as f64;
+        let before = self.marks.len();
+        self.marks.retain(|mark| (mark - at).abs() > 0.5 * column);
+        if self.marks.len() == before {
+            self.marks.push(at);
+        }
+    }
+}
+
+/// What a series says within a range of x.
+fn between(series: &Series, x: Range) -> impl Iterator<Item = f64> {
+    let inside = move |p: &&(f64, f64)| (x.0..=x.1).contains(&p.0);
+    series.points.iter().filter(inside).map(|p| p.1)
+}
+
+fn middle(range: Range) -> f64 {
+    0.5 * range.0 + 0.5 * range.1
+}
+
+/// A range moved by a part of itself, its middle kept within the whole.
+fn shifted(range: Range, part: f64, whole: Range) -> Range {
+    let wanted = part * (range.1 - range.0);
+    let at = middle(range);
+    // A view whose middle already lies outside may come back, not go further.
+    let (low, high) = (whole.0.min(at), whole.1.max(at));
+    let shift = (at + wanted).clamp(low, high) - at;
+    (range.0 + shift, range.1 + shift)
+}
+
+/// A range scaled about a place; absent when it would show the whole and more.
+fn scaled(range: Range, about: f64, factor: f64, whole: Range) -> Option<Range> {
+    let (full, span) = (whole.1 - whole.0, range.1 - range.0);
+    let wanted = (span * factor).max(full * CLOSEST);
+    if factor > 1.0 && wanted >= full {
+        return None;
+    }
+    let ratio = wanted / span;
+    Some((
+        about - (about - range.0) * ratio,
+        about + (range.1 - about) * ratio,
+    ))
+}
+
+/// Paints a chart into an area of the screen.
+pub fn draw_chart(chart: &Chart, area: Rect, buf: &mut Buffer, glyphs: Glyphs, inks: Inks) {
+    let area = area.intersection(*buf.area());
+    let picture = chart::draw(chart, area.width.into(), area.height.into(), glyphs);
+    for row in 0..area.height {
+        for column in 0..area.width {
+            let Some(cell) = picture.get(column.into(), row.into()) else {
+                continue;
+            };
+            let place = &mut buf[(area.x + column, area.y + row)];
+            if cell.ch == CONTINUATION {
+                // The wide character before it covers this cell.
+                place.set_symbol("");
+            } else {
+                place.set_char(cell.ch);
+            }
+            place.set_style(inks.chart(cell.ink));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

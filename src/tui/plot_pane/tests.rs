@@ -1,0 +1,210 @@
+//! Cursor, zoom, pan, freeze, marks.
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::report::chart::{Axis, Ink};
+
+const SIZE: (usize, usize) = (80, 20);
+
+fn base() -> Chart {
+    let points = (0..=600).map(|i| (f64::from(i), 1e6 + 1e3 * f64::from(i)));
+    Chart {
+        x: Axis {
+            range: Some((0.0, 600.0)),
+            ..Axis::new("time", "s")
+        },
+        y: Axis::new("tension", "N"),
+        series: vec![
+            Series::new("top", 0, points.collect()),
+            Series::new("end", 1, vec![(0.0, 0.0), (600.0, 5e5)]),
+        ],
+        legend: true,
+        ..Chart::default()
+    }
+}
+
+fn act(pane: &mut PlotPane, base: &Chart, verbs: &[PlotVerb]) {
+    for verb in verbs {
+        let frame = frame(pane, base);
+        pane.act(verb, base, frame);
+    }
+}
+
+fn frame(pane: &PlotPane, base: &Chart) -> Frame {
+    chart::frame(&pane.chart(base), SIZE.0, SIZE.1, Glyphs::Braille)
+}
+
+#[test]
+fn the_cursor_begins_in_the_middle_and_stops_at_the_ends() {
+    let (base, mut pane) = (base(), PlotPane::default());
+    act(&mut pane, &base, &[PlotVerb::CursorRight(Stride::Fine)]);
+    assert_eq!(pane.cursor(), Some(300.0));
+    act(&mut pane, &base, &[PlotVerb::CursorRight(Stride::Coarse)]);
+    assert_eq!(pane.cursor(), Some(360.0));
+    act(
+        &mut pane,
+        &base,
+        &vec![PlotVerb::CursorRight(Stride::Coarse); 20],
+    );
+    assert_eq!(pane.cursor(), Some(600.0));
+    let read = pane.readout(&base);
+    assert_eq!(read[0].y, Some(1.6e6));
+    assert_eq!(read[1].words("s"), "end 500 kN");
+}
+
+#[test]
+fn zoom_keeps_the_cursor_where_it_is_and_ends_at_everything() {
+    let (base, mut pane) = (base(), PlotPane::default());
+    pane.set_cursor(Some(150.0));
+    let before = frame(&pane, &base).column_of(150.0);
+    act(&mut pane, &base, &[PlotVerb::ZoomIn]);
+    let zoomed = frame(&pane, &base);
+    assert_eq!(zoomed.x, (75.0, 375.0));
+    assert_eq!(zoomed.column_of(150.0), before);
+    act(&mut pane, &base, &[PlotVerb::ZoomOut]);
+    assert!(!pane.is_zoomed());
+}
+
+#[test]
+fn a_zoom_has_an_end() {
+    let (base, mut pane) = (base(), PlotPane::default());
+    act(&mut pane, &base, &vec![PlotVerb::ZoomIn; 100]);
+    let x = frame(&pane, &base).x;
+    assert!((x.1 - x.0) > 5e-4, "{x:?}");
+    act(&mut pane, &base, &[PlotVerb::Fit]);
+    assert_eq!(frame(&pane, &base).x, (0.0, 600.0));
+}
+
+#[test]
+fn panning_stays_with_the_data_and_the_cursor_takes_the_view_along() {
+    let (base, mut pane) = (base(), PlotPane::default());
+    act(&mut pane, &base, &[PlotVerb::ZoomIn, PlotVerb::PanRight]);
+    assert_eq!(frame(&pane, &base).x, (225.0, 525.0));
+    act(&mut pane, &base, &vec![PlotVerb::PanRight; 20]);
+    assert_eq!(frame(&pane, &base).x, (450.0, 750.0));
+    pane.set_cursor(Some(460.0));
+    act(&mut pane, &base, &[PlotVerb::CursorLeft(Stride::Coarse)]);
+    assert_eq!(pane.cursor(), Some(430.0));
+    assert_eq!(frame(&pane, &base).x, (430.0, 730.0));
+}
+
+#[test]
+fn height_can_be_fitted_to_what_is_seen() {
+    let (base, mut pane) = (base(), PlotPane::default());
+    act(
+        &mut pane,
+        &base,
+        &[PlotVerb::Toggle(1), PlotVerb::ZoomIn, PlotVerb::FitUp],
+    );
+    // From 150 s to 450 s the visible series goes from 1.15 to 1.45 MN.
+    assert_eq!(frame(&pane, &base).y, (1.15e6, 1.45e6));
+    act(&mut pane, &base, &[PlotVerb::ZoomInUp]);
+    let y = frame(&pane, &base).y;
+    assert!((y.1 - y.0 - 0.15e6).abs() < 1.0, "{y:?}");
+}
+
+#[test]
+fn hidden_series_stay_hidden_when_new_curves_come() {
+    let (mut base, mut pane) = (base(), PlotPane::default());
+    act(&mut pane, &base, &[PlotVerb::Toggle(0)]);
+    base.series.swap(0, 1);
+    let shown = pane.chart(&base);
+    assert_eq!(
+        shown.series.iter().map(|s| s.visible).collect::<Vec<_>>(),
+        [true, false]
+    );
+    act(&mut pane, &base, &[PlotVerb::Toggle(1)]);
+    assert!(pane.chart(&base).series[1].visible);
+}
+
+#[test]
+fn a_frozen_chart_does_not_see_new_curves() {
+    let (mut base, mut pane) = (base(), PlotPane::default());
+    act(&mut pane, &base, &[PlotVerb::Freeze]);
+    base.series[0].points.push((601.0, 0.0));
+    assert_eq!(pane.chart(&base).series[0].points.len(), 601);
+    act(&mut pane, &base, &[PlotVerb::Freeze]);
+    assert_eq!(pane.chart(&base).series[0].points.len(), 602);
+}
+
+#[test]
+fn a_second_mark_in_the_same_column_removes_the_first() {
+    let (base, mut pane) = (base(), PlotPane::default());
+    act(&mut pane, &base, &[PlotVerb::Mark]);
+    assert!(pane.marks().is_empty(), "there is no cursor yet");
+    pane.set_cursor(Some(281.0));
+    act(&mut pane, &base, &[PlotVerb::Mark]);
+    assert_eq!(pane.chart(&base).limits[0].label, "1: 281 s");
+    act(&mut pane, &base, &[PlotVerb::Mark]);
+    assert!(pane.marks().is_empty());
+}
+
+#[test]
+fn without_colour_series_are_told_apart_by_marker_and_dimmed_by_weight() {
+    let mut base = base();
+    base.series[1].dimmed = true;
+    let area = Rect::new(3, 2, 60, 16);
+    let mut buf = Buffer::empty(Rect::new(0, 0, 70, 20));
+    draw_chart(&base, area, &mut buf, Glyphs::Ascii, Inks::Mono);
+    let markers = |ch: &str| {
+        buf.content()
+            .iter()
+            .filter(|cell| cell.symbol() == ch)
+            .count()
+    };
+    assert!(markers("o") > 20 && markers("x") > 1 && markers(".") > 20);
+    assert!(
+        buf.content()
+            .iter()
+            .all(|cell| cell.fg == ratatui::style::Color::Reset)
+    );
+    assert_eq!(Inks::Mono.chart(Ink::Dimmed(1)), Inks::Mono.slot(1).dim());
+}
+
+fn verb() -> impl Strategy<Value = PlotVerb> {
+    use PlotVerb as V;
+    prop::sample::select(vec![
+        V::CursorLeft(Stride::Fine),
+        V::CursorRight(Stride::Coarse),
+        V::CursorOff,
+        V::PanLeft,
+        V::PanRight,
+        V::PanUp,
+        V::PanDown,
+        V::ZoomIn,
+        V::ZoomOut,
+        V::ZoomInUp,
+        V::ZoomOutUp,
+        V::Fit,
+        V::FitUp,
+        V::Freeze,
+        V::Toggle(0),
+        V::Toggle(7),
+        V::Mark,
+    ])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_keys_at_any_size_leave_a_usable_view(
+        verbs in prop::collection::vec(verb(), 0..60),
+        equal_scale in any::<bool>(),
+        size in (0..90_usize, 0..30_usize),
+    ) {
+        let mut base = base();
+        base.equal_scale = equal_scale;
+        let mut pane = PlotPane::default();
+        for verb in &verbs {
+            let frame = chart::frame(&pane.chart(&base), size.0, size.1, Glyphs::Ascii);
+            pane.act(verb, &base, frame);
+        }
+        let frame = chart::frame(&pane.chart(&base), 80, 20, Glyphs::Ascii);
+        prop_assert!(frame.x.0 < frame.x.1 && frame.y.0 < frame.y.1);
+        let area = Rect::new(0, 0, size.0 as u16, size.1 as u16);
+        let mut buf = Buffer::empty(area);
+        draw_chart(&pane.chart(&base), area, &mut buf, Glyphs::Braille, Inks::Colour);
+    }
+}
