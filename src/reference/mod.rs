@@ -10,12 +10,14 @@
 
 mod plan;
 mod row;
+mod table;
 mod tally;
 mod trend;
 mod value;
 
 pub use plan::plan;
 pub use row::{Outcome, Point, Row, TrendLine};
+pub use table::{standing_word, table};
 pub use tally::{Tally, tally};
 
 use crate::{

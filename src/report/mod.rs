@@ -4,3 +4,4 @@ pub mod chart;
 pub mod number;
 pub mod plain;
 pub mod table;
+pub mod text;

@@ -1,0 +1,35 @@
+//! The text report of a stored run: everything a reader needs to judge it, on 80 columns.
+
+mod about;
+mod inputs;
+mod layout;
+mod results;
+mod validation;
+
+pub use results::summary;
+pub use validation::validation;
+
+use self::layout::Page;
+use crate::{case::Case, reference::Row, run::Run};
+
+/// The report of a run: what was computed and with which settings, inputs with their standing,
+/// results with their errors, charts, the published values it is held against, work and cost.
+///
+/// `rows` are the published rows of the case ([`reference::rows`](crate::reference::rows)).
+#[must_use]
+pub fn report(run: &Run, case: &Case, rows: &[Row]) -> String {
+    let mut page = Page::default();
+    about::head(&mut page, run, case);
+    about::warnings(&mut page, &run.info);
+    about::settings(&mut page, &run.info);
+    inputs::table(&mut page, run, case);
+    page.heading("Results");
+    page.block(&summary(run));
+    if !rows.is_empty() {
+        page.heading("Published values");
+        page.block(&validation(rows));
+        validation::unrun(&mut page, rows);
+    }
+    about::work(&mut page, &run.info);
+    page.finish()
+}

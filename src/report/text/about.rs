@@ -1,0 +1,125 @@
+//! What was computed, how, and at what cost.
+
+use super::layout::Page;
+use crate::{
+    case::Case,
+    report::number::{duration, si},
+    run::{Run, RunInfo, RunState},
+};
+
+/// Title, source and state.
+pub(super) fn head(page: &mut Page, run: &Run, case: &Case) {
+    let info = &run.info;
+    page.title(&case.case.title);
+    page.pairs(&[
+        ("Run", info.id.clone()),
+        ("Case", info.case_file.clone()),
+        ("Set on top", info.overrides.join(", ")),
+        ("Source", case.case.source.clone()),
+        ("Started", info.started.clone()),
+        ("State", state(info)),
+        ("Version", format!("seacable {}", info.version)),
+    ]);
+    if !case.case.notes.trim().is_empty() {
+        page.line("");
+        page.paragraph(&case.case.notes);
+    }
+}
+
+fn state(info: &RunInfo) -> String {
+    match info.state {
+        RunState::Done => "complete".to_owned(),
+        RunState::Partial => "PARTIAL: the program was stopped while it computed".to_owned(),
+        RunState::Cancelled => "CANCELLED before its end; what it had is shown".to_owned(),
+        RunState::Failed => {
+            let why = info.failure.as_deref().unwrap_or("no reason was given");
+            format!("FAILED: {why}")
+        }
+    }
+}
+
+/// What the reader must know before trusting the numbers.
+pub(super) fn warnings(page: &mut Page, info: &RunInfo) {
+    if !info.warnings.is_empty() {
+        page.heading("Warnings");
+        for warning in &info.warnings {
+            page.hanging("* ", warning);
+        }
+    }
+}
+
+/// The solver's settings, those it chose itself marked so.
+pub(super) fn settings(page: &mut Page, info: &RunInfo) {
+    let s = &info.settings;
+    let chosen = if s.time_step_automatic {
+        " (chosen by the solver)"
+    } else {
+        ""
+    };
+    let step = if s.time_step_s > 0.0 {
+        format!("{}{chosen}", si(s.time_step_s, "s"))
+    } else {
+        String::new()
+    };
+    let limit = s.stability_limit_s.map(|limit| {
+        let at = s
+            .stability_limit_at
+            .as_ref()
+            .map_or_else(String::new, |at| format!(", set by {at}"));
+        format!("{}{at}", si(limit, "s"))
+    });
+    page.heading("Solver");
+    page.pairs(&[
+        ("Method", method(&s.method)),
+        ("Simulated time", si(s.duration_s, "s")),
+        ("Time step", step),
+        ("Stability limit", limit.unwrap_or_default()),
+        (
+            "Spectral radius",
+            s.rho_inf.map(|r| r.to_string()).unwrap_or_default(),
+        ),
+        (
+            "Newton tolerance",
+            s.position_tolerance_m
+                .map(|t| si(t, "m"))
+                .unwrap_or_default(),
+        ),
+        ("Nodes", s.nodes.to_string()),
+        ("Output interval", si(s.output_interval_s, "s")),
+        ("Error estimate", s.error_method.clone()),
+    ]);
+}
+
+fn method(word: &str) -> String {
+    let long = match word {
+        "static" => "static equilibrium (Newton on the nodes)",
+        "quasi" => "quasi-static march (equilibrium at each instant, no inertia)",
+        "rk4" => "explicit Runge-Kutta of order 4",
+        "alpha" => "implicit generalized-alpha",
+        other => other,
+    };
+    long.to_owned()
+}
+
+/// Work counts and cost.
+pub(super) fn work(page: &mut Page, info: &RunInfo) {
+    let (work, cost) = (info.work, info.cost);
+    page.heading("Work and cost");
+    page.pairs(&[
+        (
+            "Steps",
+            format!(
+                "{} accepted, {} rejected and halved",
+                work.steps, work.rejections
+            ),
+        ),
+        ("Newton iterations", work.iterations.to_string()),
+        ("Force evaluations", work.evaluations.to_string()),
+        ("CPU time", duration(cost.cpu_s)),
+        ("Wall time", duration(cost.wall_s)),
+        (
+            "Error estimation",
+            format!("{} of wall time", duration(cost.companions_wall_s)),
+        ),
+    ]);
+}
