@@ -8,6 +8,7 @@
 //! *error* is what the computation itself may be off by. A row whose error is not small beside its
 //! tolerance says so.
 
+mod note;
 mod plan;
 mod row;
 mod table;

@@ -1,6 +1,6 @@
 //! Rows as the table that screen, report and command line show.
 
-use super::{Outcome, Row};
+use super::{Outcome, Row, note::note};
 use crate::{
     case::{Direction, Standing},
     report::{
@@ -9,15 +9,16 @@ use crate::{
     },
 };
 
-/// The validation table: quantity and where it is printed, outcome, published and computed value, its
-/// estimated numerical error, difference, tolerance, standing of the inputs. Row `n` of the table is
-/// row `n` of `rows`, and is numbered `[n+1]`, so that notes can refer to it.
+/// The validation table: quantity, outcome, published and computed value, its estimated numerical
+/// error, difference, tolerance, standing of the inputs. Row `n` of the table is row `n` of `rows` and
+/// carries the number `[n+1]`; the note of that number says where the value is printed, what stands
+/// behind it and why it is as it is.
 #[must_use]
 pub fn table(rows: &[Row]) -> Table {
     Table {
         title: String::new(),
         columns: vec![
-            Column::left("quantity (where it is printed)"),
+            Column::left("quantity"),
             Column::left("outcome"),
             Column::decimal("published"),
             Column::decimal("computed"),
@@ -31,7 +32,11 @@ pub fn table(rows: &[Row]) -> Table {
             .enumerate()
             .map(|(i, row)| cells(i, row))
             .collect(),
-        notes: Vec::new(),
+        notes: rows
+            .iter()
+            .enumerate()
+            .map(|(i, row)| format!("[{}] {}", i + 1, note(row)))
+            .collect(),
     }
 }
 
@@ -72,12 +77,7 @@ fn title(row: &Row) -> String {
     let at = row.at.as_ref().map_or_else(String::new, |at| {
         format!(", {} = {}", at.study, digits(at.value, 6))
     });
-    let source = if row.source.is_empty() {
-        String::new()
-    } else {
-        format!(" ({})", row.source)
-    };
-    format!("{}{at}{source}", row.name)
+    format!("{}{at}", row.name)
 }
 
 fn expected(direction: Direction) -> &'static str {

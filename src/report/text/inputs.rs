@@ -13,18 +13,17 @@ use crate::{
 
 /// The inputs table, and below it the reason of every input that its source does not print.
 pub(super) fn table(page: &mut Page, run: &Run, case: &Case) {
-    let rows = fields::rows(&run.case_text, case);
-    let shown: Vec<&FieldRow> = rows.iter().filter(|row| !row.value.is_empty()).collect();
-    if shown.is_empty() {
+    let all = fields::rows(&run.case_text, case);
+    let rows: Vec<&FieldRow> = all.iter().filter(|row| shown(row)).collect();
+    if rows.is_empty() {
         return;
     }
     page.heading("Inputs");
     let sourced = !case.case.source.trim().is_empty();
-    page.block(&lines(&shown, sourced).to_text(WIDTH));
+    page.block(&lines(&rows, sourced).to_text(WIDTH));
 
     let marked = || {
-        shown
-            .iter()
+        rows.iter()
             .filter_map(|row| Some((row, row.standing.as_ref()?)))
     };
     if marked().next().is_some() {
@@ -35,6 +34,14 @@ pub(super) fn table(page: &mut Page, run: &Run, case: &Case) {
             page.hanging("* ", &format!("{head} {}", mark.reason.trim()));
         }
     }
+}
+
+/// Names stand in the headings, and an end at rest needs no words on its motion.
+fn shown(row: &FieldRow) -> bool {
+    let motion = ["amplitude_m", "period_s", "phase_deg", "ramp_s"]
+        .iter()
+        .any(|key| row.path.ends_with(key));
+    !row.value.is_empty() && row.field.kind != Kind::Name && (row.given || !motion)
 }
 
 fn lines(rows: &[&FieldRow], sourced: bool) -> Table {

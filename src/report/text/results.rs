@@ -32,7 +32,10 @@ fn with_errors(quantities: &[Quantity]) -> Table {
     let rows = quantities.iter().map(|q| {
         vec![
             Cell::plain(&q.name),
-            Cell::plain(with_error(q.value, q.error_estimate(), &q.unit)),
+            Cell::plain(match q.error_estimate() {
+                Some(error) => with_error(q.value, Some(error), &q.unit),
+                None => si(q.value, &q.unit),
+            }),
             error(q.time_error, &q.unit),
             error(q.mesh_error, &q.unit),
         ]
@@ -40,7 +43,7 @@ fn with_errors(quantities: &[Quantity]) -> Table {
     Table {
         columns: vec![
             Column::left("quantity"),
-            Column::left("value"),
+            Column::decimal("value"),
             Column::decimal("time error"),
             Column::decimal("mesh error"),
         ],

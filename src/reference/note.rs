@@ -1,0 +1,52 @@
+//! What a row says beyond its numbers.
+
+use super::{Outcome, Row, TrendLine};
+use crate::{
+    case::{Direction, Standing},
+    report::number::with_error,
+};
+
+/// Where a row is printed, what stands behind it, why it is as it is.
+pub(super) fn note(row: &Row) -> String {
+    let mut words = Vec::new();
+    if !row.source.is_empty() {
+        words.push(format!("{}.", row.source.trim_end_matches('.')));
+    }
+    if let Some(line) = &row.trend {
+        words.push(along(line, &row.unit));
+    }
+    match (row.fitted, row.inputs) {
+        (true, _) => words
+            .push("An input was fitted to this very number: agreement is no evidence.".to_owned()),
+        (false, Some(Standing::Calibrated)) => {
+            words.push("Inputs were calibrated, but not on this number.".to_owned())
+        }
+        (false, _) => {}
+    }
+    if let Some(reason) = &row.reason {
+        let differs = if row.outcome == Outcome::Differs {
+            "It differs because: "
+        } else {
+            ""
+        };
+        words.push(format!("{differs}{}", reason.trim()));
+    }
+    words.join(" ")
+}
+
+/// The numbers along a study.
+fn along(line: &TrendLine, unit: &str) -> String {
+    let expect = match line.expect {
+        Direction::Rises => "Should rise",
+        Direction::Falls => "Should fall",
+    };
+    let points: Vec<String> = line
+        .points
+        .iter()
+        .map(|p| match p.computed {
+            Some(computed) => format!("{}: {}", p.value, with_error(computed, p.error, unit)),
+            None => format!("{}: not run", p.value),
+        })
+        .collect();
+    format!("{expect} along {}: {}.", line.key, points.join("; "))
+}
