@@ -1,0 +1,138 @@
+//! The charts of a run, or of several laid over each other: the same for screen and report.
+//!
+//! ```
+//! use seacable::report::figures::{Source, tensions};
+//! use seacable::run::History;
+//!
+//! let history = History::default();
+//! let chart = tensions(&[Source::streamed(&history, &[], "this run")]);
+//! assert_eq!(chart.y.unit, "N");
+//! ```
+
+mod shapes;
+mod times;
+
+pub use shapes::{line_shape, tension_profile, trajectory};
+pub use times::{against_time, payload_position, tensions};
+
+use crate::run::{History, LineShape, Profile, Run};
+
+/// A run to be drawn, whole or still on its way.
+#[derive(Debug, Clone, Copy)]
+pub struct Source<'a> {
+    /// Channels against time.
+    pub history: &'a History,
+    /// Shapes of the line, oldest first.
+    pub shapes: &'a [LineShape],
+    /// The line at the end; absent while the run goes on.
+    pub profile: Option<&'a Profile>,
+    /// Name, where several runs are drawn together.
+    pub label: &'a str,
+    /// An older result: drawn broken, below the others.
+    pub dimmed: bool,
+    /// Simulated time at the end \[s\], so that the time axis stands still while the run goes on;
+    /// absent: as far as the history goes.
+    pub duration: Option<f64>,
+}
+
+impl<'a> Source<'a> {
+    /// A complete run.
+    #[must_use]
+    pub fn whole(run: &'a Run, label: &'a str) -> Self {
+        let duration = run.info.settings.duration_s;
+        Self {
+            profile: (!run.profile.nodes.is_empty()).then_some(&run.profile),
+            duration: (duration > 0.0 && run.history.time.len() > 1).then_some(duration),
+            ..Self::streamed(&run.history, &run.shapes, label)
+        }
+    }
+
+    /// A run on its way.
+    #[must_use]
+    pub fn streamed(history: &'a History, shapes: &'a [LineShape], label: &'a str) -> Self {
+        Self {
+            history,
+            shapes,
+            profile: None,
+            label,
+            dimmed: false,
+            duration: None,
+        }
+    }
+
+    /// The same, drawn as an older result.
+    #[must_use]
+    pub fn dimmed(self) -> Self {
+        Self {
+            dimmed: true,
+            ..self
+        }
+    }
+
+    /// The same, with the time axis up to this time \[s\].
+    #[must_use]
+    pub fn until(self, duration: f64) -> Self {
+        Self {
+            duration: (duration > 0.0).then_some(duration),
+            ..self
+        }
+    }
+}
+
+/// A colour and marker for each thing drawn of each run. A dimmed run shares them with the run in
+/// full ink that takes its place.
+fn slots(sources: &[Source], things: usize) -> Vec<usize> {
+    let (mut full, mut dimmed) = (0, 0);
+    let mut next = |is_dimmed: bool| {
+        let count = if is_dimmed { &mut dimmed } else { &mut full };
+        *count += 1;
+        (*count - 1) * things
+    };
+    sources.iter().map(|source| next(source.dimmed)).collect()
+}
+
+/// The name of a thing in the legend, with the name of its run where there are several.
+fn named(sources: &[Source], source: &Source, thing: &str) -> String {
+    match (sources.len() > 1 && !source.label.is_empty(), thing) {
+        (false, _) => thing.to_owned(),
+        (true, "") => source.label.to_owned(),
+        (true, _) => format!("{thing}, {}", source.label),
+    }
+}
+
+/// What stands in the brackets of a channel's name: `wire|payload` of `tension_n[wire|payload]`.
+fn place<'n>(channel: &'n str, quantity: &str) -> Option<&'n str> {
+    let rest = channel.strip_prefix(quantity)?;
+    rest.strip_prefix('[')?.strip_suffix(']')
+}
+
+/// The places at which any of the runs recorded a quantity, in the order of their channels.
+fn places<'n>(sources: &[Source<'n>], quantity: &str) -> Vec<&'n str> {
+    let mut all: Vec<&str> = Vec::new();
+    for source in sources {
+        for channel in &source.history.channels {
+            if let Some(place) = place(&channel.name, quantity)
+                && !all.contains(&place)
+            {
+                all.push(place);
+            }
+        }
+    }
+    all
+}
+
+/// The body whose path is drawn: the payload, or else the first that was recorded.
+fn body<'n>(sources: &[Source<'n>]) -> Option<&'n str> {
+    let all = places(sources, "z_m");
+    let payload = all.iter().find(|place| **place == "payload");
+    payload.or(all.first()).copied()
+}
+
+/// The values of a channel, by quantity and place.
+fn values<'a>(source: &Source<'a>, quantity: &str, place: &str) -> Option<&'a [f64]> {
+    let channel = source.history.channel(&format!("{quantity}[{place}]"))?;
+    Some(&channel.values)
+}
+
+#[cfg(test)]
+mod tests;

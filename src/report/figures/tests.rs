@@ -1,0 +1,98 @@
+//! What the charts of runs are made of.
+
+use super::*;
+use crate::report::chart::LimitLine;
+use crate::run::Channel;
+
+fn channel(name: &str, values: Vec<f64>) -> Channel {
+    Channel {
+        name: name.to_owned(),
+        values,
+        ..Channel::default()
+    }
+}
+
+fn history() -> History {
+    History {
+        time: vec![0.0, 1.0, 2.0],
+        channels: vec![
+            channel("tension_n[vessel|wire]", vec![3e6, 2e6, 1e6]),
+            channel("tension_n[wire|payload]", vec![1e6, 1e6, 1e6]),
+            channel("x_m[payload]", vec![1400.0, 700.0, 0.0]),
+            channel("z_m[payload]", vec![0.0, -900.0, -1400.0]),
+        ],
+    }
+}
+
+fn shapes() -> Vec<LineShape> {
+    let at = |time: f64, x: f64, z: f64| LineShape {
+        time,
+        nodes: vec![[0.0, 0.0, 0.0], [x, 0.0, z]],
+        tension: vec![0.0, 0.0],
+    };
+    vec![at(0.0, 1400.0, 0.0), at(5.0, 0.0, -1390.0)]
+}
+
+fn labels(chart: &crate::report::chart::Chart) -> Vec<&str> {
+    chart.series.iter().map(|s| s.label.as_str()).collect()
+}
+
+#[test]
+fn joints_come_from_the_channel_names() {
+    let history = history();
+    let chart = tensions(&[Source::streamed(&history, &[], "a").until(600.0)]);
+    assert_eq!(labels(&chart), ["vessel|wire", "wire|payload"]);
+    assert_eq!(chart.series[0].points[1], (1.0, 2e6));
+    assert_eq!(chart.x.range, Some((0.0, 600.0)));
+}
+
+#[test]
+fn an_older_run_shares_slots_and_a_second_one_does_not() {
+    let history = history();
+    let new = Source::streamed(&history, &[], "new");
+    let old = Source::streamed(&history, &[], "old");
+    let slots = |sources: &[Source]| -> Vec<usize> {
+        tensions(sources).series.iter().map(|s| s.slot).collect()
+    };
+    assert_eq!(slots(&[old.dimmed(), new]), [0, 1, 0, 1]);
+    assert_eq!(slots(&[old, new]), [0, 1, 2, 3]);
+    let chart = tensions(&[old.dimmed(), new]);
+    assert_eq!(labels(&chart)[0], "vessel|wire, old");
+    assert!(chart.series[0].dimmed && !chart.series[2].dimmed);
+}
+
+#[test]
+fn the_path_is_to_equal_scale_with_still_water_and_the_instant() {
+    let history = history();
+    let chart = trajectory(&[Source::streamed(&history, &[], "")], Some(1.2));
+    assert!(chart.equal_scale);
+    assert_eq!(labels(&chart), ["payload", "at 1 s"]);
+    assert_eq!(chart.series[1].points, [(700.0, -900.0)]);
+    assert_eq!(chart.limits[0].line, LimitLine::Horizontal(0.0));
+}
+
+#[test]
+fn the_axes_of_the_shape_stand_still() {
+    let (history, shapes) = (history(), shapes());
+    let sources = [Source::streamed(&history, &shapes, "")];
+    let (early, late) = (line_shape(&sources, 0.0), line_shape(&sources, 99.0));
+    assert_eq!(early.x.range, late.x.range);
+    assert_eq!(early.y.range, Some((-1400.0, 0.0)));
+    assert_eq!(labels(&late), ["line at 5 s"]);
+}
+
+#[test]
+fn nothing_yet_is_an_empty_chart() {
+    let history = History::default();
+    let sources = [Source::streamed(&history, &[], "")];
+    for chart in [
+        tensions(&sources),
+        payload_position(&sources),
+        trajectory(&sources, Some(1.0)),
+        line_shape(&sources, 1.0),
+        tension_profile(&sources),
+        tensions(&[]),
+    ] {
+        assert!(chart.series.is_empty());
+    }
+}

@@ -1,0 +1,85 @@
+//! Channels against time.
+
+use super::{Source, body, named, places, slots, values};
+use crate::report::chart::{Axis, Chart, Series};
+
+/// Tension at the joints against time \[s, N\], a series a joint and run.
+#[must_use]
+pub fn tensions(sources: &[Source]) -> Chart {
+    let joints = places(sources, "tension_n");
+    let things: Vec<_> = joints
+        .iter()
+        .map(|joint| ("tension_n", *joint, *joint))
+        .collect();
+    chart(
+        sources,
+        "Tension at the joints",
+        Axis::new("tension", "N"),
+        &things,
+    )
+}
+
+/// Position of the payload against time \[s, m\]: x along the scene, z up from still water.
+#[must_use]
+pub fn payload_position(sources: &[Source]) -> Chart {
+    let body = body(sources).unwrap_or("payload");
+    let things = [("x_m", body, "x"), ("z_m", body, "z")];
+    let title = format!("Position of the {body}");
+    chart(sources, &title, Axis::new("position", "m"), &things)
+}
+
+/// One quantity at all the places where it was recorded, against time: `against_time(.., "x_m",
+/// Axis::new("x", "m"))`.
+#[must_use]
+pub fn against_time(sources: &[Source], quantity: &str, y: Axis) -> Chart {
+    let all = places(sources, quantity);
+    let things: Vec<_> = all.iter().map(|place| (quantity, *place, *place)).collect();
+    let title = y.label.clone();
+    chart(sources, &title, y, &things)
+}
+
+/// A series for each run and thing: quantity, place, name in the legend.
+fn chart(sources: &[Source], title: &str, y: Axis, things: &[(&str, &str, &str)]) -> Chart {
+    let mut series = Vec::new();
+    for (source, slot) in sources.iter().zip(slots(sources, things.len())) {
+        for (number, (quantity, place, name)) in things.iter().enumerate() {
+            let Some(values) = values(source, quantity, place) else {
+                continue;
+            };
+            let points = source
+                .history
+                .time
+                .iter()
+                .copied()
+                .zip(values.iter().copied());
+            series.push(Series {
+                dimmed: source.dimmed,
+                ..Series::new(
+                    &named(sources, source, name),
+                    slot + number,
+                    points.collect(),
+                )
+            });
+        }
+    }
+    Chart {
+        title: title.to_owned(),
+        x: Axis {
+            range: time_range(sources),
+            ..Axis::new("time", "s")
+        },
+        y,
+        series,
+        legend: true,
+        ..Chart::default()
+    }
+}
+
+/// From the first instant to the end of the longest run, exactly: a time axis is not rounded up.
+fn time_range(sources: &[Source]) -> Option<(f64, f64)> {
+    let first = sources.iter().filter_map(|s| s.history.time.first());
+    let start = first.copied().fold(0.0, f64::min);
+    let end = |s: &Source| s.duration.or(s.history.time.last().copied());
+    let end = sources.iter().filter_map(end).fold(start, f64::max);
+    (end > start).then_some((start, end))
+}
