@@ -70,6 +70,12 @@ impl Inks {
         }
     }
 
+    /// The style of the heads of a table.
+    #[must_use]
+    pub fn head(self) -> Style {
+        Style::new().add_modifier(Modifier::BOLD)
+    }
+
     /// The style laid over a selected line.
     #[must_use]
     pub fn selected(self) -> Style {

@@ -2,3 +2,4 @@
 
 pub mod inks;
 pub mod plot_pane;
+pub mod table_pane;

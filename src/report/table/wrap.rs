@@ -7,6 +7,8 @@ use unicode_width::UnicodeWidthStr;
 pub(super) fn wrap(text: &str, width: usize) -> Vec<String> {
     let mut lines = Vec::new();
     for paragraph in text.split('\n') {
+        // What would steer a terminal is no part of a table.
+        let paragraph = paragraph.replace(char::is_control, " ");
         let mut line = String::new();
         for word in paragraph.split_whitespace() {
             if !line.is_empty() && line.width() + 1 + word.width() > width {
