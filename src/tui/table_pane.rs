@@ -237,7 +237,7 @@ fn draw_line(
     inks: Inks,
 ) {
     let width = usize::from(place.width);
-    let mut column = 0;
+    let mut column = 0_usize;
     for piece in &line.pieces {
         let style = match line.kind {
             LineKind::Title => inks.chart(crate::report::chart::Ink::Title),
