@@ -7,10 +7,11 @@ use unicode_width::UnicodeWidthStr;
 use super::canvas::{Canvas, Path};
 use super::layout::{self, Columns, Rows};
 use super::legend;
+use super::marks;
 use super::picture::{Frame, Ink, Picture};
 use super::range::{Range, equalise, extent, fit, sane};
 use super::ticks::{self, Tick};
-use super::{Chart, Glyphs, LimitLine, Series};
+use super::{Chart, Glyphs, Series};
 use crate::report::plain;
 
 /// Draws a chart into so many columns and rows. Any size will do: what has no room is left out
@@ -308,8 +309,8 @@ fn draw_axes(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
 fn draw_plot(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
     let frame = plan.frame;
     let canvas = draw_series(chart, frame, glyphs);
-    draw_limits(chart, frame, glyphs, on);
-    draw_cursor(chart, plan, glyphs, on);
+    marks::limits(chart, frame, glyphs, on);
+    marks::cursor(chart, frame, plan.rows.axis, glyphs, on);
     for row in 0..frame.height {
         for column in 0..frame.width {
             if let Some((ch, ink)) = canvas.get(column, row) {
@@ -317,7 +318,7 @@ fn draw_plot(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
             }
         }
     }
-    name_limits(chart, frame, on);
+    marks::names(chart, frame, on);
 }
 
 /// Dimmed series first, so that they lie below; markers last.
@@ -333,101 +334,4 @@ fn draw_series(chart: &Chart, frame: Frame, glyphs: Glyphs) -> Canvas {
         canvas.markers(series, path, turn, order.len());
     }
     canvas
-}
-
-fn draw_limits(chart: &Chart, frame: Frame, glyphs: Glyphs, on: &mut Picture) {
-    let ascii = glyphs == Glyphs::Ascii;
-    for limit in &chart.limits {
-        match limit.line {
-            LimitLine::Horizontal(y) => {
-                let Some(row) = frame.row_of(y) else { continue };
-                for column in 0..frame.width {
-                    let ch = if ascii { '-' } else { '╌' };
-                    on.put(frame.left + column, frame.top + row, ch, Ink::Limit);
-                }
-            }
-            LimitLine::Vertical(x) => {
-                let Some(column) = frame.column_of(x) else {
-                    continue;
-                };
-                for row in 0..frame.height {
-                    let ch = if ascii { ':' } else { '╎' };
-                    on.put(frame.left + column, frame.top + row, ch, Ink::Limit);
-                }
-            }
-        }
-    }
-}
-
-/// The cursor: a line from bottom to top, and a mark on the axis that no series can hide.
-fn draw_cursor(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
-    let frame = plan.frame;
-    let Some(column) = chart.cursor.and_then(|x| frame.column_of(x)) else {
-        return;
-    };
-    let (line, mark) = match glyphs {
-        Glyphs::Ascii => ('|', '^'),
-        Glyphs::Braille => ('┃', '╋'),
-    };
-    for row in 0..frame.height {
-        on.put(frame.left + column, frame.top + row, line, Ink::Cursor);
-    }
-    if let Some(row) = plan.rows.axis {
-        on.put(frame.left + column, row, mark, Ink::Cursor);
-    }
-}
-
-/// Writes the names of reference lines where they hide no series; the right end is tried first.
-fn name_limits(chart: &Chart, frame: Frame, on: &mut Picture) {
-    for limit in &chart.limits {
-        let wide = limit.label.width();
-        if wide == 0 || wide > frame.width {
-            continue;
-        }
-        let columns: Vec<usize> = (0..=frame.width - wide).rev().collect();
-        let place = match limit.line {
-            LimitLine::Horizontal(y) => frame.row_of(y).and_then(|row| {
-                let rows = [Some(row), row.checked_sub(1), Some(row + 1)];
-                free(&columns, rows.into_iter().flatten(), wide, frame, on)
-            }),
-            LimitLine::Vertical(x) => frame.column_of(x).and_then(|column| {
-                // Right of the line, else left of it.
-                let beside = [Some(column + 1), column.checked_sub(wide)];
-                let beside: Vec<usize> = beside.into_iter().flatten().collect();
-                free(&beside, 0..frame.height, wide, frame, on)
-            }),
-        };
-        if let Some((column, row)) = place {
-            on.write(
-                frame.left + column,
-                frame.top + row,
-                &limit.label,
-                Ink::Limit,
-            );
-        }
-    }
-}
-
-/// The first of the places where a name covers neither a series, nor the cursor, nor another name.
-fn free(
-    columns: &[usize],
-    rows: impl Iterator<Item = usize>,
-    wide: usize,
-    frame: Frame,
-    on: &Picture,
-) -> Option<(usize, usize)> {
-    let is_free = |column: usize, row: usize| {
-        let cell = on.get(frame.left + column, frame.top + row);
-        cell.is_some_and(|cell| match cell.ink {
-            Ink::Blank => true,
-            Ink::Limit => matches!(cell.ch, '-' | '╌'),
-            _ => false,
-        })
-    };
-    let fits = |column: usize, row: usize| {
-        let inside = column + wide <= frame.width && row < frame.height;
-        inside && (column..column + wide).all(|c| is_free(c, row))
-    };
-    rows.flat_map(|row| columns.iter().map(move |column| (*column, row)))
-        .find(|(column, row)| fits(*column, *row))
 }

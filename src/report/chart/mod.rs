@@ -25,6 +25,7 @@ mod decimate;
 mod draw;
 mod layout;
 mod legend;
+mod marks;
 mod picture;
 mod range;
 mod readout;

@@ -20,6 +20,9 @@ pub(super) fn wrap(text: &str, width: usize) -> Vec<String> {
             line.push_str(word);
             while line.width() > width && breakable(&line) {
                 let at = split_at(&line, width);
+                if at == line.len() {
+                    break;
+                }
                 let rest = line.split_off(at);
                 lines.push(std::mem::replace(&mut line, rest));
             }
