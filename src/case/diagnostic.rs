@@ -57,7 +57,7 @@ impl Diagnostic {
         let title = Level::ERROR.primary_title(self.headline());
         let help = Level::HELP.message(self.remedy.as_str());
         let span = within(text, &self.span);
-        if text.is_empty() || self.span.is_empty() {
+        if text.is_empty() || self.span == (0..0) {
             let origin = Origin::path(self.file.as_str())
                 .line(self.line as usize)
                 .char_column(self.column as usize);

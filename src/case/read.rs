@@ -72,6 +72,7 @@ pub(crate) fn tree_of(text: &str) -> Result<Node, Vec<Finding>> {
         if found.is_empty() {
             found.push(syntax(first.span(), first.message()));
         }
+        found.sort_by_key(|fault| fault.span.start);
         found
     })
 }

@@ -103,7 +103,9 @@ fn existing(root: &Node, path: &str) -> Result<&'static Field, (String, String)>
     if here.iter().any(|known| *known == join(&parts)) {
         return Ok(field);
     }
+    // A required key that its table lacks is told as missing already.
     let remedy = match (root.find(&parts[..parts.len() - 1]), field.absent) {
+        (Some(_), Absent::Required) => return Ok(field),
         (Some(_), Absent::Means(_)) => "give the key a value in this file first".to_owned(),
         _ => near_path(path, &here),
     };

@@ -239,7 +239,7 @@ fn floats(root: &Node) -> Vec<Finding> {
 
 /// The stretch a group of floats sits on: not empty, and inside its section.
 fn stretch(item: &Node, name: &str, section: &str, length: Option<f64>) -> Option<Finding> {
-    let length = length?;
+    let length = length.filter(|length| *length > 0.0)?;
     let from = item.get("from_m").and_then(Node::number).unwrap_or(0.0);
     let to = item.get("to_m").and_then(Node::number);
     let inside = format!("section \"{section}\" is {} long", quantity(length, "m"));
