@@ -51,6 +51,16 @@ pub enum PlotVerb {
     Mark,
 }
 
+impl PlotVerb {
+    /// Whether what it does depends on what is drawn.
+    fn needs_frame(&self) -> bool {
+        !matches!(
+            self,
+            Self::CursorOff | Self::Fit | Self::Freeze | Self::Toggle(_)
+        )
+    }
+}
+
 /// How far the cursor goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stride {
@@ -137,10 +147,10 @@ impl PlotPane {
     }
 
     /// Does what the user asked for. `base` is the chart without the user's changes, `frame` where
-    /// and what was drawn last ([`chart::frame`] tells it without drawing); with nothing drawn,
-    /// nothing is done.
+    /// and what was drawn last ([`chart::frame`] tells it without drawing). With nothing drawn, an
+    /// empty frame, whatever would move or scale the view does nothing.
     pub fn act(&mut self, verb: &PlotVerb, base: &Chart, frame: Frame) {
-        if frame.width == 0 || frame.height == 0 {
+        if (frame.width == 0 || frame.height == 0) && verb.needs_frame() {
             return;
         }
         match verb {

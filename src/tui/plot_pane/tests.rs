@@ -119,6 +119,14 @@ fn hidden_series_stay_hidden_when_new_curves_come() {
 }
 
 #[test]
+fn nothing_drawn_can_be_frozen_but_not_zoomed() {
+    let (base, mut pane) = (base(), PlotPane::default());
+    pane.act(&PlotVerb::Freeze, &base, Frame::default());
+    pane.act(&PlotVerb::ZoomIn, &base, Frame::default());
+    assert!(pane.is_frozen() && !pane.is_zoomed());
+}
+
+#[test]
 fn a_frozen_chart_does_not_see_new_curves() {
     let (mut base, mut pane) = (base(), PlotPane::default());
     act(&mut pane, &base, &[PlotVerb::Freeze]);
