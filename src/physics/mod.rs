@@ -1,1 +1,15 @@
-//! physics
+//! Forces on a line, one file a force: each gives its value and its exact tangent. No solver is known
+//! here, and no case file: numbers in SI.
+
+pub mod added_mass;
+pub mod current;
+pub mod drag;
+pub mod drag_law;
+pub mod motion;
+pub mod payload;
+pub mod tension;
+
+pub use current::Current;
+pub use drag_law::DragLaw;
+pub use motion::EndMotion;
+pub use payload::Body;

@@ -1,1 +1,12 @@
-//! scene
+//! A case made ready to compute: nodes, segments, ends and loads, in SI.
+//!
+//! The line is lumped: n segments join n + 1 nodes, each node carries the mass, weight, drag and added
+//! mass of the halves of its segments (second order in segment length). Only what the case names is
+//! in the scene. The whole line counts as under water.
+
+pub mod build;
+pub mod line;
+pub mod reading;
+
+pub use build::{SceneError, build};
+pub use line::{End, Joint, Scene, Segment};

@@ -1,1 +1,9 @@
-//! solve
+//! Between physics and numerics: what a solver may ask of a line, and the one Newton loop.
+
+pub mod newton;
+pub mod sink;
+pub mod system;
+
+pub use newton::{Newton, NewtonError};
+pub use sink::{Instant, Progressing, Sink};
+pub use system::{Factors, State, System};

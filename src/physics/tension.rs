@@ -1,0 +1,75 @@
+//! Tension of a segment: linear elastic with axial damping, and no compression.
+//!
+//! `T = EA e + C de/dt` in tension and 0 when slack (Jia et al. 2019, sec. 1.3: bushing forces of an
+//! axial stiffness; the line carries no push). The damping part is held between -EA e and EA e, so
+//! that the tension grows from zero, without a jump, when a slack segment comes taut at speed.
+
+use crate::linalg::V3;
+
+/// Axial constants of a segment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axial {
+    /// Unstretched length \[m\].
+    pub length: f64,
+    /// Stiffness EA \[N\].
+    pub ea: f64,
+    /// Damping C \[N s\], tension per strain rate.
+    pub damping: f64,
+}
+
+/// Where a segment is and how it moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Chord {
+    /// Unit tangent from its first to its second node.
+    pub tangent: V3,
+    /// Length \[m\], at least a millionth of the unstretched one.
+    pub length: f64,
+    /// Velocity of the second node less that of the first \[m/s\].
+    pub opening: V3,
+}
+
+impl Chord {
+    /// From the positions and velocities of both nodes. Nodes that coincide have no direction: the
+    /// tangent is then shorter than one, and zero in the limit, so that nothing is ever divided by zero.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(x: (&V3, &V3), v: (&V3, &V3), unstretched: f64) -> Self {
+        let d = x.1 - x.0;
+        let length = d.norm().max(1e-6 * unstretched);
+        Self { tangent: d / length, length, opening: v.1 - v.0 }
+    }
+}
+
+/// Tension and its derivatives.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tension {
+    /// Tension \[N\], never negative.
+    pub value: f64,
+    /// Derivative by length \[N/m\], at fixed direction and speed.
+    pub by_length: f64,
+    /// Derivative by the speed at which the segment opens \[N s/m\].
+    pub by_speed: f64,
+}
+
+impl Axial {
+    /// The tension of a segment.
+    #[inline(always)]
+    #[must_use]
+    pub fn tension(&self, chord: &Chord) -> Tension {
+        let strain = (chord.length - self.length) / self.length;
+        if strain <= 0.0 {
+            return Tension { value: 0.0, by_length: 0.0, by_speed: 0.0 };
+        }
+        let elastic = self.ea * strain;
+        let stiffness = self.ea / self.length;
+        let c = self.damping / self.length;
+        let viscous = c * chord.tangent.dot(&chord.opening);
+        if viscous > elastic {
+            Tension { value: 2.0 * elastic, by_length: 2.0 * stiffness, by_speed: 0.0 }
+        } else if viscous < -elastic {
+            Tension { value: 0.0, by_length: 0.0, by_speed: 0.0 }
+        } else {
+            Tension { value: elastic + viscous, by_length: stiffness, by_speed: c }
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! What is read off a state: tensions at nodes, loads, energies, and the explicit accelerations.
+
+use super::{End, Scene};
+use crate::linalg::V3;
+use crate::solve::{State, System};
+
+impl Scene {
+    /// Tension at node i \[N\], from the segment after it (before it at the last node): its pull, with the
+    /// weight, drag and inertia of the half segment between the node and the segment's middle. So a
+    /// hanging line's top tension is its whole weight, whatever the mesh.
+    #[must_use]
+    pub fn tension_at(&self, node: usize, state: &State) -> f64 {
+        let last = self.segments.len();
+        let (i, sign) = if node < last { (node, 1.0) } else { (last - 1, -1.0) };
+        let chord = self.chord(i, state);
+        let pull = chord.tangent * self.segments[i].axial.tension(&chord).value;
+        let load = self.half_load(i, node, state);
+        // A slack segment has no direction to speak of: its half's load is then no tension.
+        if pull == V3::zeros() {
+            return 0.0;
+        }
+        (pull + load * sign).norm()
+    }
+
+    /// Weight, drag and (negative) inertia of the half of segment i at one of its nodes \[N\].
+    fn half_load(&self, i: usize, node: usize, state: &State) -> V3 {
+        let segment = &self.segments[i];
+        let chord = self.chord(i, state);
+        let (drag, _, _) = self.half_drag(i, &chord, node, state);
+        let a = &state.a[node];
+        let inertia = a * segment.half_mass + segment.added.force(&chord.tangent, a);
+        drag.force - inertia - V3::z() * segment.half_weight
+    }
+
+    /// Tensions at all nodes \[N\].
+    #[must_use]
+    pub fn tensions(&self, state: &State) -> Vec<f64> {
+        (0..self.nodes()).map(|i| self.tension_at(i, state)).collect()
+    }
+
+    /// Kinetic, potential (weight in water) and elastic energy \[J\]. Added mass counts as mass.
+    #[must_use]
+    pub fn energy(&self, state: &State) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..self.nodes() {
+            energy += 0.5 * self.mass[i] * state.v[i].norm_squared() + self.weight[i] * state.x[i].z;
+        }
+        for (i, segment) in self.segments.iter().enumerate() {
+            let chord = self.chord(i, state);
+            let stretch = (chord.length - segment.axial.length).max(0.0);
+            energy += 0.5 * segment.axial.ea / segment.axial.length * stretch * stretch;
+            for node in [i, i + 1] {
+                let v = &state.v[node];
+                energy += 0.5 * v.dot(&segment.added.force(&chord.tangent, v));
+            }
+        }
+        if let Some(body) = &self.payload {
+            let v = &state.v[self.nodes() - 1];
+            energy += 0.5 * v.dot(&body.added.component_mul(v));
+        }
+        energy
+    }
+
+    /// Power that drag and axial damping take out of the line \[W\], positive when energy is lost.
+    #[must_use]
+    pub fn dissipation(&self, state: &State) -> f64 {
+        let mut power = 0.0;
+        for (i, segment) in self.segments.iter().enumerate() {
+            let chord = self.chord(i, state);
+            let elastic = segment.axial.ea * (chord.length / segment.axial.length - 1.0).max(0.0);
+            let viscous = segment.axial.tension(&chord).value - elastic;
+            power += viscous * chord.tangent.dot(&chord.opening);
+            for node in [i, i + 1] {
+                let (drag, _, _) = self.half_drag(i, &chord, node, state);
+                power -= drag.force.dot(&state.v[node]);
+            }
+        }
+        if let Some(body) = &self.payload {
+            let last = self.nodes() - 1;
+            let (water, _) = self.current.at(state.x[last].z);
+            power -= body.drag(&(water - state.v[last])).dot(&state.v[last]);
+        }
+        power
+    }
+
+    /// Accelerations of the free nodes, `a = M(x)^-1 f(x, v)`: the mass of a node is a 3 x 3 block of its
+    /// own, since added mass is lumped with the rest.
+    pub(super) fn accelerations(&self, state: &mut State) {
+        let free = self.free();
+        let last = self.nodes() - 1;
+        let mut before: Option<(V3, Symmetric)> = None;
+        for i in 0..self.nodes() {
+            // Force and mass of node i: what the segment before left here, then the segment after.
+            let (mut f, mut m) = before.take().unwrap_or((V3::zeros(), Symmetric::default()));
+            f.z -= self.weight[i];
+            m.add_diagonal(self.mass[i]);
+            if i < last {
+                let segment = &self.segments[i];
+                let chord = self.chord(i, state);
+                let t = &chord.tangent;
+                let pull = t * segment.axial.tension(&chord).value;
+                f += pull + self.half_drag(i, &chord, i, state).0.force;
+                let there = self.half_drag(i, &chord, i + 1, state).0.force;
+                let (normal, tangential) = (segment.added.normal, segment.added.tangential);
+                m.add_directed(t, normal, tangential);
+                let mut next = Symmetric::default();
+                next.add_directed(t, normal, tangential);
+                before = Some((there - pull, next));
+            } else if let Some(body) = &self.payload {
+                let (water, _) = self.current.at(state.x[i].z);
+                f += body.drag(&(water - state.v[i]));
+                m.add_axes(&body.added);
+            }
+            if free.contains(&i) {
+                state.a[i] = m.solve(&f);
+            }
+        }
+    }
+
+    /// The largest explicit time step \[s\] that classical Runge-Kutta of order 4 bears, and the segment that
+    /// sets it. Highest axial frequency of a segment between nodes of masses m1, m2:
+    /// `omega² = 2 (EA/l) (1/m1 + 1/m2)` (Gershgorin, exact for a uniform line; added mass does not count along
+    /// the line), damping ratio `zeta = C omega / (2 EA)`. The limit is 2.785 / omega, less with damping:
+    /// both roots of `s² + 2 zeta omega s + omega²` must lie in the stability region, whose real axis
+    /// ends at -2.785 too.
+    #[must_use]
+    pub fn explicit_limit(&self) -> (f64, usize) {
+        let mut limit = (f64::INFINITY, 0);
+        for (i, segment) in self.segments.iter().enumerate() {
+            let lightness = |node: usize, held: bool| if held { 0.0 } else { 1.0 / self.mass[node] };
+            let held = |end: usize| matches!(self.ends[end], End::Held(_));
+            let last = self.segments.len();
+            let sum = lightness(i, i == 0 && held(0)) + lightness(i + 1, i + 1 == last && held(1));
+            let omega = (2.0 * segment.axial.ea / segment.axial.length * sum).sqrt();
+            let zeta = 0.5 * segment.axial.damping * omega / segment.axial.ea;
+            let fastest = omega * (zeta + (zeta * zeta + 1.0).sqrt()).max(1.0);
+            let step = 2.785 / fastest;
+            if step < limit.0 {
+                limit = (step, i);
+            }
+        }
+        limit
+    }
+}
+
+/// A symmetric positive definite 3 x 3 block.
+#[derive(Debug, Clone, Copy, Default)]
+struct Symmetric {
+    xx: f64,
+    xy: f64,
+    xz: f64,
+    yy: f64,
+    yz: f64,
+    zz: f64,
+}
+
+impl Symmetric {
+    #[inline(always)]
+    fn add_diagonal(&mut self, m: f64) {
+        self.xx += m;
+        self.yy += m;
+        self.zz += m;
+    }
+
+    #[inline(always)]
+    fn add_axes(&mut self, m: &V3) {
+        self.xx += m.x;
+        self.yy += m.y;
+        self.zz += m.z;
+    }
+
+    /// `normal (I - tt') + tangential tt'`.
+    #[inline(always)]
+    fn add_directed(&mut self, t: &V3, normal: f64, tangential: f64) {
+        let k = tangential - normal;
+        self.xx += normal + k * t.x * t.x;
+        self.yy += normal + k * t.y * t.y;
+        self.zz += normal + k * t.z * t.z;
+        self.xy += k * t.x * t.y;
+        self.xz += k * t.x * t.z;
+        self.yz += k * t.y * t.z;
+    }
+
+    /// By LDL', which no positive definite block needs pivoting for.
+    #[inline(always)]
+    fn solve(&self, f: &V3) -> V3 {
+        let d0 = 1.0 / self.xx;
+        let l10 = self.xy * d0;
+        let l20 = self.xz * d0;
+        let d1 = 1.0 / (self.yy - l10 * self.xy);
+        let l21 = (self.yz - l20 * self.xy) * d1;
+        let d2 = 1.0 / (self.zz - l20 * self.xz - l21 * (self.yz - l20 * self.xy));
+        let y1 = f.y - l10 * f.x;
+        let y2 = f.z - l20 * f.x - l21 * y1;
+        let z = y2 * d2;
+        let y = y1 * d1 - l21 * z;
+        let x = f.x * d0 - l10 * y - l20 * z;
+        V3::new(x, y, z)
+    }
+}

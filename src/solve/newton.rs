@@ -1,0 +1,173 @@
+//! The one Newton loop, used by statics, the quasi-static march and every implicit time step.
+//!
+//! The unknown is a displacement `d`; position, velocity and acceleration follow it by the three
+//! [`Factors`] of the method. The tangent is exact, also where a segment goes slack (semismooth
+//! Newton). There is no line search on the residual norm: measured on snapping lines it only cost.
+//!
+//! Stopping: the largest displacement of an iteration falls below the tolerance; or, because
+//! convergence is quadratic, the next one is foretold to do so (`|d1| = c |d0|²` with c measured on
+//! the iterations before, and a factor of safety), which saves an assembly a step.
+
+use super::{Factors, State, System};
+use crate::linalg::{BlockTri, V3};
+
+/// Newton's memory for one line: scratch and the measured rate. Allocates only when made.
+#[derive(Debug, Clone)]
+pub struct Newton {
+    /// Largest displacement of a node at which an iteration counts as converged \[m\].
+    pub tolerance: f64,
+    /// Greatest number of iterations.
+    pub max_iterations: usize,
+    /// Iterations so far, over all calls.
+    pub iterations: u64,
+    residual: Vec<V3>,
+    tangent: BlockTri,
+    /// Measured `|d1| / |d0|²` \[1/m\]; absent until two iterations were seen.
+    curvature: Option<f64>,
+}
+
+/// Why Newton gave up.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum NewtonError {
+    /// The iterations were used up.
+    #[error("Newton did not converge in {iterations} iterations: node {node} still moves by {moved:.3e} m")]
+    Diverged {
+        /// Iterations made.
+        iterations: usize,
+        /// The node that moved most in the last one.
+        node: usize,
+        /// By how much \[m\].
+        moved: f64,
+    },
+    /// The tangent cannot be solved.
+    #[error("the tangent is singular at node {node}: nothing holds it")]
+    Singular {
+        /// The node.
+        node: usize,
+    },
+    /// A number is no longer finite.
+    #[error("a force is not finite at node {node}")]
+    NotFinite {
+        /// The node.
+        node: usize,
+    },
+}
+
+impl NewtonError {
+    /// The node concerned.
+    #[must_use]
+    pub fn node(&self) -> usize {
+        match *self {
+            Self::Diverged { node, .. } | Self::Singular { node } | Self::NotFinite { node } => node,
+        }
+    }
+}
+
+/// Factor of safety on the foretold displacement.
+const SAFETY: f64 = 4.0;
+
+impl Newton {
+    /// Scratch for a line of `nodes` nodes.
+    #[must_use]
+    pub fn new(nodes: usize, tolerance: f64, max_iterations: usize) -> Self {
+        Self {
+            tolerance,
+            max_iterations,
+            iterations: 0,
+            residual: vec![V3::zeros(); nodes],
+            tangent: BlockTri::new(nodes),
+            curvature: None,
+        }
+    }
+
+    /// Forgets the measured rate, as after a jump of the state.
+    pub fn forget(&mut self) {
+        self.curvature = None;
+    }
+
+    /// Moves `state` to where its residual vanishes, velocities and accelerations following the
+    /// positions by `c`. Returns the number of iterations.
+    ///
+    /// # Errors
+    /// [`NewtonError`]; `state` then holds the last iterate.
+    pub fn solve<S: System + ?Sized>(
+        &mut self,
+        system: &S,
+        t: f64,
+        state: &mut State,
+        c: Factors,
+    ) -> Result<usize, NewtonError> {
+        let mut before: Option<f64> = None;
+        let mut worst = (0, f64::INFINITY);
+        for iteration in 1..=self.max_iterations {
+            worst = self.iterate(system, t, state, c)?;
+            let moved = worst.1;
+            if let Some(last) = before {
+                let rate = moved / (last * last);
+                // Only the tail of the iteration tells the rate; rounding is no rate.
+                if moved < 0.1 * last && moved > 1e-3 * self.tolerance {
+                    self.curvature = Some(self.curvature.map_or(rate, |c| rate.max(0.7 * c)));
+                }
+            }
+            let foretold = self.curvature.map_or(f64::INFINITY, |k| SAFETY * k * moved * moved);
+            if moved <= self.tolerance || foretold <= self.tolerance {
+                return Ok(iteration);
+            }
+            before = Some(moved);
+        }
+        self.forget();
+        let (node, moved) = worst;
+        Err(NewtonError::Diverged { iterations: self.max_iterations, node, moved })
+    }
+
+    /// One iteration; the node that moved most and by how much.
+    fn iterate<S: System + ?Sized>(
+        &mut self,
+        system: &S,
+        t: f64,
+        state: &mut State,
+        c: Factors,
+    ) -> Result<(usize, f64), NewtonError> {
+        self.iterations += 1;
+        system.linearise(t, state, c, &mut self.residual, &mut self.tangent);
+        let free = system.free();
+        self.tangent
+            .solve(free.clone(), &mut self.residual)
+            .map_err(|e| self.why_unsolved(system, t, state, e.node))?;
+        let mut worst = (free.start, 0.0);
+        for i in free {
+            let d = self.residual[i];
+            let moved = d.amax();
+            if !moved.is_finite() {
+                return Err(NewtonError::NotFinite { node: i });
+            }
+            if moved > worst.1 {
+                worst = (i, moved);
+            }
+            state.x[i] -= d;
+            state.v[i] -= d * c.damping;
+            state.a[i] -= d * c.mass;
+        }
+        Ok(worst)
+    }
+
+    /// Tells a tangent that nothing holds from one spoilt by a number that is not finite.
+    fn why_unsolved<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &State, node: usize) -> NewtonError {
+        system.residual(t, state, &mut self.residual);
+        let bad = system.free().find(|&i| !self.residual[i].iter().all(|c| c.is_finite()));
+        bad.map_or(NewtonError::Singular { node }, |node| NewtonError::NotFinite { node })
+    }
+
+    /// The largest residual of a free node \[N\], and its node.
+    pub fn largest_residual<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &State) -> (usize, f64) {
+        system.residual(t, state, &mut self.residual);
+        let mut worst = (0, 0.0);
+        for i in system.free() {
+            let size = self.residual[i].norm();
+            if size.is_nan() || size > worst.1 {
+                worst = (i, size);
+            }
+        }
+        worst
+    }
+}

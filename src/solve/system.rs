@@ -1,0 +1,77 @@
+//! What a solver may ask of a line.
+
+use std::ops::Range;
+
+use crate::linalg::{BlockTri, V3};
+
+/// Position \[m\], velocity \[m/s\] and acceleration \[m/s²\] of every node, from end A to end B.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    /// Positions.
+    pub x: Vec<V3>,
+    /// Velocities.
+    pub v: Vec<V3>,
+    /// Accelerations.
+    pub a: Vec<V3>,
+}
+
+impl State {
+    /// At rest at the given positions.
+    #[must_use]
+    pub fn at_rest(x: Vec<V3>) -> Self {
+        let n = x.len();
+        Self { x, v: vec![V3::zeros(); n], a: vec![V3::zeros(); n] }
+    }
+
+    /// Takes over another state of the same size without allocating.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.x.copy_from_slice(&other.x);
+        self.v.copy_from_slice(&other.v);
+        self.a.copy_from_slice(&other.a);
+    }
+
+    /// Whether every number is finite.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        let finite = |list: &[V3]| list.iter().all(|p| p.iter().all(|c| c.is_finite()));
+        finite(&self.x) && finite(&self.v) && finite(&self.a)
+    }
+}
+
+/// How much of mass, damping and stiffness enters a tangent: statics, quasi-statics and every
+/// implicit time step differ in nothing else.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Factors {
+    /// Change of acceleration per change of position \[1/s²\].
+    pub mass: f64,
+    /// Change of velocity per change of position \[1/s\].
+    pub damping: f64,
+    /// Change of position per change of position \[-\]; 1 but for tests.
+    pub stiffness: f64,
+}
+
+/// A discretised line, as a solver sees it. The residual is `R = M(x) a - f(t, x, v)` \[N\], a vector
+/// a node; none of these functions changes the line or allocates.
+pub trait System: Sync {
+    /// Number of nodes, both ends counted.
+    fn nodes(&self) -> usize;
+
+    /// The nodes that move by their equation of motion; the others are prescribed.
+    fn free(&self) -> Range<usize>;
+
+    /// Sets position, velocity and acceleration of the prescribed nodes at time t \[s\].
+    fn prescribe(&self, t: f64, state: &mut State);
+
+    /// The residual of every node.
+    fn residual(&self, t: f64, state: &State, r: &mut [V3]);
+
+    /// The residual, and its tangent `mass dR/da + damping dR/dv + stiffness dR/dx`.
+    fn linearise(&self, t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockTri);
+
+    /// Accelerations of the free nodes from positions and velocities, `a = M(x)^-1 f(t, x, v)`. Those
+    /// of the prescribed nodes are left as they are.
+    fn accelerate(&self, t: f64, state: &mut State);
+
+    /// A force that is small for this line \[N\]: residuals are measured against it.
+    fn force_scale(&self) -> f64;
+}
