@@ -201,8 +201,10 @@ mod tests {
         for i in 0..n {
             a.fixed_view_mut::<3, 3>(3 * i, 3 * i).copy_from(&m.diag[i]);
             if i + 1 < n {
-                a.fixed_view_mut::<3, 3>(3 * i, 3 * i + 3).copy_from(&m.upper[i]);
-                a.fixed_view_mut::<3, 3>(3 * i + 3, 3 * i).copy_from(&m.lower[i + 1]);
+                a.fixed_view_mut::<3, 3>(3 * i, 3 * i + 3)
+                    .copy_from(&m.upper[i]);
+                a.fixed_view_mut::<3, 3>(3 * i + 3, 3 * i)
+                    .copy_from(&m.lower[i + 1]);
             }
         }
         a

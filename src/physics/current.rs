@@ -47,7 +47,10 @@ mod tests {
 
     #[test]
     fn straight_between_depths_and_constant_beyond() {
-        let current = Current::Table { depth: vec![10.0, 30.0], velocity: vec![V3::x(), V3::x() * 3.0] };
+        let current = Current::Table {
+            depth: vec![10.0, 30.0],
+            velocity: vec![V3::x(), V3::x() * 3.0],
+        };
         assert_eq!(current.at(0.0), (V3::x(), V3::zeros()));
         assert_eq!(current.at(-20.0).0, V3::x() * 2.0);
         assert_eq!(current.at(-20.0).1, V3::x() * -0.1);

@@ -101,7 +101,8 @@ impl Drag {
         let inverse = 1.0 / chord_length;
         let s = -(self.a - self.b) * self.ut * inverse;
         let p = self.un * ((self.by_ut - self.a) * inverse) + t * (self.b * self.ut * stretch - s);
-        let q = self.un * (-(self.by_un - self.a) * self.ut * self.inverse_un2 * inverse) + t * (self.a * stretch);
+        let q = self.un * (-(self.by_un - self.a) * self.ut * self.inverse_un2 * inverse)
+            + t * (self.a * stretch);
         (s, p, q)
     }
 

@@ -77,7 +77,10 @@ mod tests {
             for re in [0.5, 3.0, 40.0, 99.0, 300.0, 2e4, 3e5] {
                 let h = 1e-6 * re;
                 let slope = (law.coefficient(re + h).0 - law.coefficient(re - h).0) / (2.0 * h);
-                assert!((law.coefficient(re).1 - slope).abs() < 1e-6 * (1.0 + slope.abs()), "{law:?} {re}");
+                assert!(
+                    (law.coefficient(re).1 - slope).abs() < 1e-6 * (1.0 + slope.abs()),
+                    "{law:?} {re}"
+                );
             }
         }
     }

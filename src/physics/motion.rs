@@ -23,7 +23,13 @@ impl EndMotion {
     /// Held still.
     #[must_use]
     pub fn still(position: V3) -> Self {
-        Self { position, amplitude: V3::zeros(), omega: 0.0, phase: V3::zeros(), ramp: 0.0 }
+        Self {
+            position,
+            amplitude: V3::zeros(),
+            omega: 0.0,
+            phase: V3::zeros(),
+            ramp: 0.0,
+        }
     }
 
     /// Position \[m\], velocity \[m/s\] and acceleration \[m/s²\] at time t \[s\]:
@@ -38,7 +44,11 @@ impl EndMotion {
         let angle = self.phase.map(|p| w * t + p);
         let s = angle.map(f64::sin).component_mul(&self.amplitude);
         let c = angle.map(f64::cos).component_mul(&self.amplitude) * w;
-        (self.position + s * r, c * r + s * r1, s * (r2 - w * w * r) + c * (2.0 * r1))
+        (
+            self.position + s * r,
+            c * r + s * r1,
+            s * (r2 - w * w * r) + c * (2.0 * r1),
+        )
     }
 
     /// The growth r and its two derivatives by time.

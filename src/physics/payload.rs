@@ -58,8 +58,16 @@ pub fn box_form(length: f64, breadth: f64, height: f64) -> Form {
     let plate = |a: f64, b: f64| 0.579 * PI / 4.0 * (a * b).powf(1.5);
     Form {
         volume: length * breadth * height,
-        drag_area: V3::new(face(breadth, height), face(length, height), face(length, breadth)),
-        added_volume: V3::new(plate(breadth, height), plate(length, height), plate(length, breadth)),
+        drag_area: V3::new(
+            face(breadth, height),
+            face(length, height),
+            face(length, breadth),
+        ),
+        added_volume: V3::new(
+            plate(breadth, height),
+            plate(length, height),
+            plate(length, breadth),
+        ),
     }
 }
 
@@ -95,7 +103,12 @@ mod tests {
 
     #[test]
     fn drag_tangent_is_the_finite_difference() {
-        let body = Body { mass: 1.0, weight: 0.0, drag: V3::new(2.0, 3.0, 5.0), added: V3::zeros() };
+        let body = Body {
+            mass: 1.0,
+            weight: 0.0,
+            drag: V3::new(2.0, 3.0, 5.0),
+            added: V3::zeros(),
+        };
         let u = V3::new(0.3, -0.7, 1.1);
         let tangent = body.drag_by_velocity(&u);
         for j in 0..3 {

@@ -36,7 +36,11 @@ impl Chord {
     pub fn new(x: (&V3, &V3), v: (&V3, &V3), unstretched: f64) -> Self {
         let d = x.1 - x.0;
         let length = d.norm().max(1e-6 * unstretched);
-        Self { tangent: d / length, length, opening: v.1 - v.0 }
+        Self {
+            tangent: d / length,
+            length,
+            opening: v.1 - v.0,
+        }
     }
 }
 
@@ -58,18 +62,34 @@ impl Axial {
     pub fn tension(&self, chord: &Chord) -> Tension {
         let strain = (chord.length - self.length) / self.length;
         if strain <= 0.0 {
-            return Tension { value: 0.0, by_length: 0.0, by_speed: 0.0 };
+            return Tension {
+                value: 0.0,
+                by_length: 0.0,
+                by_speed: 0.0,
+            };
         }
         let elastic = self.ea * strain;
         let stiffness = self.ea / self.length;
         let c = self.damping / self.length;
         let viscous = c * chord.tangent.dot(&chord.opening);
         if viscous > elastic {
-            Tension { value: 2.0 * elastic, by_length: 2.0 * stiffness, by_speed: 0.0 }
+            Tension {
+                value: 2.0 * elastic,
+                by_length: 2.0 * stiffness,
+                by_speed: 0.0,
+            }
         } else if viscous < -elastic {
-            Tension { value: 0.0, by_length: 0.0, by_speed: 0.0 }
+            Tension {
+                value: 0.0,
+                by_length: 0.0,
+                by_speed: 0.0,
+            }
         } else {
-            Tension { value: elastic + viscous, by_length: stiffness, by_speed: c }
+            Tension {
+                value: elastic + viscous,
+                by_length: stiffness,
+                by_speed: c,
+            }
         }
     }
 }

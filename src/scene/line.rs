@@ -67,7 +67,7 @@ pub struct Scene {
     pub start: Vec<V3>,
     /// Whether the line starts in equilibrium.
     pub start_in_equilibrium: bool,
-    /// A force that is small for this line \[N\].
+    /// A force typical of this line \[N\]: its whole weight, or what its drag can be.
     pub force_scale: f64,
 }
 
@@ -95,23 +95,45 @@ impl Scene {
     #[inline(always)]
     fn wetted(&self, i: usize, chord: &Chord) -> (f64, f64) {
         let unstretched = self.segments[i].axial.length;
-        if chord.length > unstretched { (chord.length, 1.0 / chord.length) } else { (unstretched, 0.0) }
+        if chord.length > unstretched {
+            (chord.length, 1.0 / chord.length)
+        } else {
+            (unstretched, 0.0)
+        }
     }
 
     /// Drag on the half of segment i at one of its nodes, and the shear of the current there \[1/s\].
     #[inline(always)]
-    pub(super) fn half_drag(&self, i: usize, chord: &Chord, node: usize, state: &State) -> (Drag, V3, f64) {
+    pub(super) fn half_drag(
+        &self,
+        i: usize,
+        chord: &Chord,
+        node: usize,
+        state: &State,
+    ) -> (Drag, V3, f64) {
         let (water, shear) = self.current.at(state.x[node].z);
         let (length, stretch) = self.wetted(i, chord);
         let u = water - state.v[node];
-        (self.segments[i].drag.drag(&chord.tangent, &u, 0.5 * length), shear, stretch)
+        (
+            self.segments[i].drag.drag(&chord.tangent, &u, 0.5 * length),
+            shear,
+            stretch,
+        )
     }
 
     /// Adds what segment i contributes at `node` (its drag, added mass) to residual and tangent. `sign` is
     /// the derivative of the chord by the node's position, -1 at the first node and 1 at the second.
     /// Returns the block that couples the node to the segment's other node.
     #[inline(always)]
-    fn half(&self, i: usize, chord: &Chord, node: usize, sign: f64, c: Factors, out: &mut HalfOut<'_>) -> M3 {
+    fn half(
+        &self,
+        i: usize,
+        chord: &Chord,
+        node: usize,
+        sign: f64,
+        c: Factors,
+        out: &mut HalfOut<'_>,
+    ) -> M3 {
         let (state, t) = (out.state, &chord.tangent);
         let (drag, shear, stretch) = self.half_drag(i, chord, node, state);
         let added = &self.segments[i].added;
@@ -121,11 +143,13 @@ impl Scene {
         let (s_m, p_m) = added.by_chord(t, a, chord.length);
         let (s_d, p_d, q) = drag.by_chord(t, chord.length, stretch);
         let k = sign * c.stiffness;
-        let mut by_chord = t * ((p_m - p_d) * k).transpose() - drag.normal_velocity() * (q * k).transpose();
+        let mut by_chord =
+            t * ((p_m - p_d) * k).transpose() - drag.normal_velocity() * (q * k).transpose();
         add_diagonal(&mut by_chord, (s_m - s_d) * k);
         // Drag falls with the node's own velocity.
         let by_velocity = drag.by_velocity(t);
-        let mut own = by_velocity * c.damping + t * t.transpose() * (c.mass * (added.tangential - added.normal));
+        let mut own = by_velocity * c.damping
+            + t * t.transpose() * (c.mass * (added.tangential - added.normal));
         add_diagonal(&mut own, c.mass * added.normal);
         if shear != V3::zeros() {
             let column = own.column(2) - by_velocity * shear * c.stiffness;
@@ -188,7 +212,8 @@ impl System for Scene {
         if let Some(body) = &self.payload {
             let last = self.nodes() - 1;
             let (water, _) = self.current.at(state.x[last].z);
-            r[last] += body.added.component_mul(&state.a[last]) - body.drag(&(water - state.v[last]));
+            r[last] +=
+                body.added.component_mul(&state.a[last]) - body.drag(&(water - state.v[last]));
         }
     }
 
@@ -208,10 +233,18 @@ impl System for Scene {
             let elastic = elastic_block(&chord, &tension, c);
             let (head, tail) = tangent.diag.split_at_mut(i + 1);
             let (r_head, r_tail) = r.split_at_mut(i + 1);
-            let mut first = HalfOut { state, r: &mut r_head[i], diag: &mut head[i] };
+            let mut first = HalfOut {
+                state,
+                r: &mut r_head[i],
+                diag: &mut head[i],
+            };
             let upper = self.half(i, &chord, i, -1.0, c, &mut first);
             *first.diag += elastic;
-            let mut second = HalfOut { state, r: &mut r_tail[0], diag: &mut tail[0] };
+            let mut second = HalfOut {
+                state,
+                r: &mut r_tail[0],
+                diag: &mut tail[0],
+            };
             let lower = self.half(i, &chord, i + 1, 1.0, c, &mut second);
             *second.diag += elastic;
             tangent.upper[i] = upper - elastic;
@@ -237,6 +270,17 @@ impl System for Scene {
     fn force_scale(&self) -> f64 {
         self.force_scale
     }
+
+    fn position_tolerance(&self, relative: f64) -> f64 {
+        let stiffest = self
+            .segments
+            .iter()
+            .map(|s| s.axial.ea / s.axial.length)
+            .fold(0.0, f64::max);
+        let reach = self.start.iter().map(V3::amax).fold(1.0, f64::max);
+        // Positions themselves carry no more digits than this.
+        (relative * self.force_scale / stiffest).max(8.0 * f64::EPSILON * reach)
+    }
 }
 
 /// Derivative of the pull of a segment by its chord, stiffness and damping in their shares:
@@ -246,7 +290,8 @@ fn elastic_block(chord: &Chord, tension: &crate::physics::tension::Tension, c: F
     let t = &chord.tangent;
     let across = c.stiffness * tension.value / chord.length;
     let along = c.stiffness * tension.by_length + c.damping * tension.by_speed;
-    let turning = (chord.opening - t * t.dot(&chord.opening)) * (c.stiffness * tension.by_speed / chord.length);
+    let turning = (chord.opening - t * t.dot(&chord.opening))
+        * (c.stiffness * tension.by_speed / chord.length);
     let mut block = t * (t * (along - across) + turning).transpose();
     add_diagonal(&mut block, across);
     block

@@ -7,6 +7,7 @@
 pub mod build;
 pub mod line;
 pub mod reading;
+mod shape;
 
 pub use build::{SceneError, build};
 pub use line::{End, Joint, Scene, Segment};

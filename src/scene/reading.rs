@@ -11,7 +11,11 @@ impl Scene {
     #[must_use]
     pub fn tension_at(&self, node: usize, state: &State) -> f64 {
         let last = self.segments.len();
-        let (i, sign) = if node < last { (node, 1.0) } else { (last - 1, -1.0) };
+        let (i, sign) = if node < last {
+            (node, 1.0)
+        } else {
+            (last - 1, -1.0)
+        };
         let chord = self.chord(i, state);
         let pull = chord.tangent * self.segments[i].axial.tension(&chord).value;
         let load = self.half_load(i, node, state);
@@ -35,7 +39,9 @@ impl Scene {
     /// Tensions at all nodes \[N\].
     #[must_use]
     pub fn tensions(&self, state: &State) -> Vec<f64> {
-        (0..self.nodes()).map(|i| self.tension_at(i, state)).collect()
+        (0..self.nodes())
+            .map(|i| self.tension_at(i, state))
+            .collect()
     }
 
     /// Kinetic, potential (weight in water) and elastic energy \[J\]. Added mass counts as mass.
@@ -43,7 +49,8 @@ impl Scene {
     pub fn energy(&self, state: &State) -> f64 {
         let mut energy = 0.0;
         for i in 0..self.nodes() {
-            energy += 0.5 * self.mass[i] * state.v[i].norm_squared() + self.weight[i] * state.x[i].z;
+            energy +=
+                0.5 * self.mass[i] * state.v[i].norm_squared() + self.weight[i] * state.x[i].z;
         }
         for (i, segment) in self.segments.iter().enumerate() {
             let chord = self.chord(i, state);
@@ -127,7 +134,8 @@ impl Scene {
     pub fn explicit_limit(&self) -> (f64, usize) {
         let mut limit = (f64::INFINITY, 0);
         for (i, segment) in self.segments.iter().enumerate() {
-            let lightness = |node: usize, held: bool| if held { 0.0 } else { 1.0 / self.mass[node] };
+            let lightness =
+                |node: usize, held: bool| if held { 0.0 } else { 1.0 / self.mass[node] };
             let held = |end: usize| matches!(self.ends[end], End::Held(_));
             let last = self.segments.len();
             let sum = lightness(i, i == 0 && held(0)) + lightness(i + 1, i + 1 == last && held(1));

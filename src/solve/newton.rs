@@ -30,7 +30,9 @@ pub struct Newton {
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum NewtonError {
     /// The iterations were used up.
-    #[error("Newton did not converge in {iterations} iterations: node {node} still moves by {moved:.3e} m")]
+    #[error(
+        "Newton did not converge in {iterations} iterations: node {node} still moves by {moved:.3e} m"
+    )]
     Diverged {
         /// Iterations made.
         iterations: usize,
@@ -58,7 +60,9 @@ impl NewtonError {
     #[must_use]
     pub fn node(&self) -> usize {
         match *self {
-            Self::Diverged { node, .. } | Self::Singular { node } | Self::NotFinite { node } => node,
+            Self::Diverged { node, .. } | Self::Singular { node } | Self::NotFinite { node } => {
+                node
+            }
         }
     }
 }
@@ -109,7 +113,9 @@ impl Newton {
                     self.curvature = Some(self.curvature.map_or(rate, |c| rate.max(0.7 * c)));
                 }
             }
-            let foretold = self.curvature.map_or(f64::INFINITY, |k| SAFETY * k * moved * moved);
+            let foretold = self
+                .curvature
+                .map_or(f64::INFINITY, |k| SAFETY * k * moved * moved);
             if moved <= self.tolerance || foretold <= self.tolerance {
                 return Ok(iteration);
             }
@@ -117,7 +123,11 @@ impl Newton {
         }
         self.forget();
         let (node, moved) = worst;
-        Err(NewtonError::Diverged { iterations: self.max_iterations, node, moved })
+        Err(NewtonError::Diverged {
+            iterations: self.max_iterations,
+            node,
+            moved,
+        })
     }
 
     /// One iteration; the node that moved most and by how much.
@@ -152,14 +162,29 @@ impl Newton {
     }
 
     /// Tells a tangent that nothing holds from one spoilt by a number that is not finite.
-    fn why_unsolved<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &State, node: usize) -> NewtonError {
+    fn why_unsolved<S: System + ?Sized>(
+        &mut self,
+        system: &S,
+        t: f64,
+        state: &State,
+        node: usize,
+    ) -> NewtonError {
         system.residual(t, state, &mut self.residual);
-        let bad = system.free().find(|&i| !self.residual[i].iter().all(|c| c.is_finite()));
-        bad.map_or(NewtonError::Singular { node }, |node| NewtonError::NotFinite { node })
+        let bad = system
+            .free()
+            .find(|&i| !self.residual[i].iter().all(|c| c.is_finite()));
+        bad.map_or(NewtonError::Singular { node }, |node| {
+            NewtonError::NotFinite { node }
+        })
     }
 
     /// The largest residual of a free node \[N\], and its node.
-    pub fn largest_residual<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &State) -> (usize, f64) {
+    pub fn largest_residual<S: System + ?Sized>(
+        &mut self,
+        system: &S,
+        t: f64,
+        state: &State,
+    ) -> (usize, f64) {
         system.residual(t, state, &mut self.residual);
         let mut worst = (0, 0.0);
         for i in system.free() {

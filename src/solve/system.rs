@@ -20,7 +20,11 @@ impl State {
     #[must_use]
     pub fn at_rest(x: Vec<V3>) -> Self {
         let n = x.len();
-        Self { x, v: vec![V3::zeros(); n], a: vec![V3::zeros(); n] }
+        Self {
+            x,
+            v: vec![V3::zeros(); n],
+            a: vec![V3::zeros(); n],
+        }
     }
 
     /// Takes over another state of the same size without allocating.
@@ -72,6 +76,10 @@ pub trait System: Sync {
     /// of the prescribed nodes are left as they are.
     fn accelerate(&self, t: f64, state: &mut State);
 
-    /// A force that is small for this line \[N\]: residuals are measured against it.
+    /// A force typical of this line \[N\]: residuals are measured against it.
     fn force_scale(&self) -> f64;
+
+    /// The displacement of a node \[m\] below which no force of the line changes by more than
+    /// `relative` times [`System::force_scale`]: what "converged on force" means for positions.
+    fn position_tolerance(&self, relative: f64) -> f64;
 }

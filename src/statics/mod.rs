@@ -1,1 +1,3 @@
-//! statics
+//! Lines at rest.
+
+pub mod equilibrium;

@@ -1,0 +1,350 @@
+//! From the words of a case to a line in SI.
+
+use std::f64::consts::{FRAC_PI_4, PI};
+
+use super::line::{End, Joint, Scene, Segment};
+use super::shape;
+use crate::case::{self, Case, DragWidth, EndKind, OneOrMany};
+use crate::linalg::V3;
+use crate::physics::added_mass::AddedMass;
+use crate::physics::drag::Profile;
+use crate::physics::payload::{Form, box_form, sphere_and_cylinder};
+use crate::physics::tension::Axial;
+use crate::physics::{Body, Current, DragLaw, EndMotion, motion};
+
+/// Why a case cannot be made into a scene. A case that passed its checks does not meet these.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SceneError {
+    /// A section names a material that the case does not have.
+    #[error("section `{section}` is made of `{material}`, which the case does not describe")]
+    NoMaterial {
+        /// The section.
+        section: String,
+        /// The material.
+        material: String,
+    },
+    /// A key is needed and absent.
+    #[error("`{key}` is needed: {why}")]
+    Missing {
+        /// The key path.
+        key: String,
+        /// Why.
+        why: &'static str,
+    },
+    /// A number would spoil the computation.
+    #[error("`{key}` makes no line: {why}")]
+    Impossible {
+        /// The key path.
+        key: String,
+        /// Why.
+        why: &'static str,
+    },
+}
+
+/// Makes the line of a case, every section divided into `1 / coarsening` of its segments (rounded up): 1 for
+/// the run itself, 2 for the companion that estimates the mesh error.
+///
+/// # Errors
+/// [`SceneError`] when the case contradicts itself.
+pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
+    let mut segments = Vec::new();
+    let mut joints = Vec::new();
+    let mut arc = vec![0.0];
+    let mut name_before = case.ends.a.name.as_str();
+    for (index, section) in case.line.iter().enumerate() {
+        joints.push(Joint {
+            name: format!("{name_before}|{}", section.name),
+            node: segments.len(),
+        });
+        add_section(case, index, coarsening, &mut segments, &mut arc)?;
+        name_before = &section.name;
+    }
+    if segments.is_empty() {
+        return Err(SceneError::Impossible {
+            key: "line".into(),
+            why: "it has no segments",
+        });
+    }
+    joints.push(Joint {
+        name: format!("{name_before}|{}", case.ends.b.name),
+        node: segments.len(),
+    });
+    let payload = payload(case)?;
+    let (mass, weight) = lump(&segments, payload.as_ref())?;
+    let ends = [end(&case.ends.a, "ends.a")?, end(&case.ends.b, "ends.b")?];
+    let (start, start_in_equilibrium) = shape::start(case, &segments, &weight, &arc)?;
+    let gross: f64 = weight.iter().map(|w| w.abs()).sum();
+    Ok(Scene {
+        force_scale: gross
+            .max(mass.iter().sum::<f64>() * 1e-3)
+            .max(f64::MIN_POSITIVE),
+        segments,
+        mass,
+        weight,
+        end_names: [case.ends.a.name.clone(), case.ends.b.name.clone()],
+        ends,
+        payload,
+        current: current(case.current.as_ref()),
+        joints,
+        arc,
+        start,
+        start_in_equilibrium,
+    })
+}
+
+/// Adds the segments of a section.
+fn add_section(
+    case: &Case,
+    index: usize,
+    coarsening: usize,
+    segments: &mut Vec<Segment>,
+    arc: &mut Vec<f64>,
+) -> Result<(), SceneError> {
+    let section = &case.line[index];
+    let material = case
+        .materials
+        .get(&section.material)
+        .ok_or_else(|| SceneError::NoMaterial {
+            section: section.name.clone(),
+            material: section.material.clone(),
+        })?;
+    if section.segments == 0 || section.length_m.is_nan() || section.length_m <= 0.0 {
+        let key = format!("line.{}", section.name);
+        return Err(SceneError::Impossible {
+            key,
+            why: "its length and its number of segments must be positive",
+        });
+    }
+    let count = section.segments.div_ceil(coarsening.max(1));
+    let length = section.length_m / count as f64;
+    for k in 0..count {
+        let from = length * k as f64;
+        let mut segment = bare_segment(&case.environment, material, length);
+        for floats in case.floats.iter().filter(|f| f.section == section.name) {
+            add_floats(
+                &case.environment,
+                floats,
+                section.length_m,
+                (from, from + length),
+                &mut segment,
+            );
+        }
+        segments.push(segment);
+        arc.push(arc[arc.len() - 1] + length);
+    }
+    Ok(())
+}
+
+/// A segment of a material, without floats.
+fn bare_segment(water: &case::Environment, material: &case::Material, length: f64) -> Segment {
+    let area = FRAC_PI_4 * material.diameter_m * material.diameter_m;
+    let displaced = water.water_density_kg_per_m3 * area;
+    let wet = material
+        .wet_weight_kg_per_m
+        .unwrap_or(material.mass_kg_per_m - displaced);
+    let critical = length * (material.ea_n * material.mass_kg_per_m).sqrt();
+    let damping = match (material.axial_damping_n_s, material.axial_damping_ratio) {
+        (Some(c), _) => c,
+        (None, Some(ratio)) => ratio * critical,
+        (None, None) => 0.0,
+    };
+    let half_pressure = 0.5 * water.water_density_kg_per_m3 * material.diameter_m;
+    let width = match material.drag_tangential_width {
+        DragWidth::Diameter => 1.0,
+        DragWidth::Perimeter => PI,
+    };
+    Segment {
+        axial: Axial {
+            length,
+            ea: material.ea_n,
+            damping,
+        },
+        drag: Profile {
+            reynolds: material.diameter_m / water.kinematic_viscosity_m2_per_s,
+            normal: half_pressure,
+            tangential: half_pressure * width,
+            normal_law: law(&material.drag_normal),
+            tangential_law: law(&material.drag_tangential),
+            floats: 0.0,
+        },
+        added: AddedMass {
+            normal: 0.5 * length * displaced * material.added_mass_normal,
+            tangential: 0.5 * length * displaced * material.added_mass_tangential,
+        },
+        half_mass: 0.5 * length * material.mass_kg_per_m,
+        half_weight: 0.5 * length * wet * water.gravity_m_per_s2,
+    }
+}
+
+fn law(law: &case::DragLaw) -> DragLaw {
+    match law {
+        case::DragLaw::Constant(c) => DragLaw::Constant(*c),
+        case::DragLaw::Named(case::DragLawName::Jia2019Normal) => DragLaw::Jia2019Normal,
+        case::DragLaw::Named(case::DragLawName::Jia2019Tangential) => DragLaw::Jia2019Tangential,
+    }
+}
+
+/// Adds the share of floats whose stretch overlaps this part of the section.
+fn add_floats(
+    water: &case::Environment,
+    floats: &case::Floats,
+    section_length: f64,
+    (from, to): (f64, f64),
+    segment: &mut Segment,
+) {
+    let end = floats.to_m.unwrap_or(section_length);
+    let stretch = end - floats.from_m;
+    let overlap = (to.min(end) - from.max(floats.from_m)).max(0.0);
+    if stretch <= 0.0 || overlap == 0.0 {
+        return;
+    }
+    let share = overlap / stretch;
+    segment.half_mass += 0.5 * share * floats.mass_kg;
+    segment.half_weight -= 0.5 * share * floats.lift_kg * water.gravity_m_per_s2;
+    segment.added.normal += 0.5 * share * floats.added_mass_kg;
+    segment.drag.floats +=
+        0.5 * water.water_density_kg_per_m3 * floats.drag_area_m2 * share / (to - from);
+}
+
+/// Masses and weights of the nodes: halves of their segments, and the payload at the last.
+fn lump(segments: &[Segment], payload: Option<&Body>) -> Result<(Vec<f64>, Vec<f64>), SceneError> {
+    let nodes = segments.len() + 1;
+    let (mut mass, mut weight) = (vec![0.0; nodes], vec![0.0; nodes]);
+    for (i, segment) in segments.iter().enumerate() {
+        for node in [i, i + 1] {
+            mass[node] += segment.half_mass;
+            weight[node] += segment.half_weight;
+        }
+    }
+    if let Some(body) = payload {
+        mass[nodes - 1] += body.mass;
+        weight[nodes - 1] += body.weight;
+    }
+    if mass.iter().all(|m| m.is_finite() && *m > 0.0) && weight.iter().all(|w| w.is_finite()) {
+        Ok((mass, weight))
+    } else {
+        Err(SceneError::Impossible {
+            key: "materials".into(),
+            why: "every node must have a positive, finite mass",
+        })
+    }
+}
+
+/// The payload, its form filling in what the case leaves out.
+fn payload(case: &Case) -> Result<Option<Body>, SceneError> {
+    if case.ends.a.kind == EndKind::Payload {
+        let key = "ends.a.kind".into();
+        return Err(SceneError::Impossible {
+            key,
+            why: "the payload hangs at end B; list the sections the other way",
+        });
+    }
+    if case.ends.b.kind != EndKind::Payload {
+        return Ok(None);
+    }
+    let missing = |key: &str, why| SceneError::Missing {
+        key: key.into(),
+        why,
+    };
+    let body = case
+        .payload
+        .as_ref()
+        .ok_or_else(|| missing("payload", "end B carries one"))?;
+    let rho = case.environment.water_density_kg_per_m3;
+    let form = body.shape.as_ref().map(form);
+    let volume = body.volume_m3.or(form.map(|f| f.volume));
+    let wet = match (body.wet_mass_kg, volume) {
+        (Some(wet), _) => wet,
+        (None, Some(volume)) => body.dry_mass_kg - rho * volume,
+        (None, None) => {
+            return Err(missing(
+                "payload.wet_mass_kg",
+                "neither volume nor shape gives the buoyancy",
+            ));
+        }
+    };
+    let area = along_axes(body.drag_area_m2.as_ref()).or(form.map(|f| f.drag_area));
+    let added = along_axes(body.added_mass_kg.as_ref()).or(form.map(|f| f.added_volume * rho));
+    Ok(Some(Body {
+        mass: body.dry_mass_kg,
+        weight: wet * case.environment.gravity_m_per_s2,
+        drag: area.unwrap_or_default() * (0.5 * rho),
+        added: added.unwrap_or_default(),
+    }))
+}
+
+fn form(shape: &case::Shape) -> Form {
+    match *shape {
+        case::Shape::Box {
+            length_m,
+            breadth_m,
+            height_m,
+        } => box_form(length_m, breadth_m, height_m),
+        case::Shape::SphereAndCylinder {
+            sphere_diameter_m,
+            cylinder_diameter_m,
+            cylinder_length_m,
+        } => sphere_and_cylinder(sphere_diameter_m, cylinder_diameter_m, cylinder_length_m),
+    }
+}
+
+/// One number for all axes, or one an axis; a list of another length counts by its first numbers.
+fn along_axes(value: Option<&OneOrMany>) -> Option<V3> {
+    match value? {
+        OneOrMany::One(all) => Some(V3::repeat(*all)),
+        OneOrMany::Many(list) => Some(V3::from_fn(|i, _| list.get(i).copied().unwrap_or(0.0))),
+    }
+}
+
+fn end(end: &case::End, key: &str) -> Result<End, SceneError> {
+    let position = || {
+        end.position_m
+            .map(V3::from)
+            .ok_or_else(|| SceneError::Missing {
+                key: format!("{key}.position_m"),
+                why: "a held end must be somewhere",
+            })
+    };
+    match end.kind {
+        EndKind::Payload | EndKind::Free => Ok(End::Free),
+        EndKind::Fixed | EndKind::Anchor => Ok(End::Held(EndMotion::still(position()?))),
+        EndKind::Moving => {
+            let period = end
+                .period_s
+                .filter(|p| *p > 0.0)
+                .ok_or_else(|| SceneError::Missing {
+                    key: format!("{key}.period_s"),
+                    why: "a moving end needs the period of its motion",
+                })?;
+            Ok(End::Held(EndMotion {
+                position: position()?,
+                amplitude: V3::from(end.amplitude_m),
+                omega: motion::omega(period),
+                phase: V3::from(end.phase_deg).map(f64::to_radians),
+                ramp: end.ramp_s,
+            }))
+        }
+    }
+}
+
+/// Still water unless the case has a current.
+fn current(current: Option<&case::Current>) -> Current {
+    let Some(current) = current else {
+        return Current::Uniform(V3::zeros());
+    };
+    let at = |value: &OneOrMany, i: usize| match value {
+        OneOrMany::One(all) => *all,
+        OneOrMany::Many(list) => list.get(i).or(list.last()).copied().unwrap_or(0.0),
+    };
+    let velocity = |i: usize| {
+        let (sin, cos) = at(&current.direction_deg, i).to_radians().sin_cos();
+        V3::new(cos, sin, 0.0) * at(&current.speed_m_per_s, i)
+    };
+    match &current.depth_m {
+        Some(depth) if depth.len() > 1 => Current::Table {
+            depth: depth.clone(),
+            velocity: (0..depth.len()).map(velocity).collect(),
+        },
+        _ => Current::Uniform(velocity(0)),
+    }
+}

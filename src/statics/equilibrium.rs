@@ -1,0 +1,182 @@
+//! Static equilibrium of the discretised line by Newton on the nodes, with the exact tangent.
+//!
+//! Newton first, from the guess given. Where that does not converge, the line is let go in steps of
+//! pseudo-time: each step is backward Euler from rest (`M (x - x_k) / h² = f(x)`), which takes all kinetic
+//! energy out and so cannot swing; h grows while steps converge and shrinks where they do not, until
+//! plain Newton takes over. The state is accepted on the displacement and then on the residual force.
+
+use crate::solve::{Factors, Newton, NewtonError, State, System};
+
+/// Settings of the search.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Search {
+    /// Largest residual force accepted, relative to the force scale of the line \[-\].
+    pub force_tolerance: f64,
+    /// Greatest Newton iterations a try.
+    pub max_iterations: usize,
+    /// Greatest steps of pseudo-time.
+    pub max_steps: usize,
+}
+
+impl Default for Search {
+    fn default() -> Self {
+        Self {
+            force_tolerance: 1e-8,
+            max_iterations: 40,
+            max_steps: 400,
+        }
+    }
+}
+
+/// What it took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Found {
+    /// Newton iterations, all tries counted.
+    pub iterations: u64,
+    /// Steps of pseudo-time; 0 when plain Newton converged.
+    pub steps: u64,
+    /// Largest residual force left \[N\].
+    pub residual: f64,
+}
+
+/// No equilibrium was found.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error(
+    "no equilibrium found in {iterations} iterations: a force of {residual:.3e} N is left at node {node}; \
+     a line that is slack, or that nothing holds, has none"
+)]
+pub struct NotFound {
+    /// Newton iterations, all tries counted.
+    pub iterations: u64,
+    /// Largest residual force left \[N\].
+    pub residual: f64,
+    /// Where.
+    pub node: usize,
+    /// What Newton said last.
+    pub why: Option<NewtonError>,
+}
+
+const STATICS: Factors = Factors {
+    mass: 0.0,
+    damping: 0.0,
+    stiffness: 1.0,
+};
+
+impl Search {
+    /// Moves `state` to an equilibrium at time t, at rest.
+    ///
+    /// # Errors
+    /// [`NotFound`]; `state` is then the best shape reached.
+    pub fn run<S: System + ?Sized>(
+        &self,
+        system: &S,
+        t: f64,
+        state: &mut State,
+    ) -> Result<Found, NotFound> {
+        let nodes = system.nodes();
+        let tolerance = system.position_tolerance(0.1 * self.force_tolerance);
+        let mut newton = Newton::new(nodes, tolerance, self.max_iterations);
+        let mut trial = state.clone();
+        come_to_rest(&mut trial);
+        if let Ok(found) = self.finish(system, t, &mut newton, &mut trial, 0) {
+            *state = trial;
+            return Ok(found);
+        }
+        self.let_go(system, t, &mut newton, state)
+    }
+
+    /// Plain Newton, accepted on the residual.
+    fn finish<S: System + ?Sized>(
+        &self,
+        system: &S,
+        t: f64,
+        newton: &mut Newton,
+        state: &mut State,
+        steps: u64,
+    ) -> Result<Found, Option<NewtonError>> {
+        newton.solve(system, t, state, STATICS).map_err(Some)?;
+        let (_, residual) = newton.largest_residual(system, t, state);
+        if residual <= self.force_tolerance * system.force_scale() {
+            Ok(Found {
+                iterations: newton.iterations,
+                steps,
+                residual,
+            })
+        } else {
+            Err(None)
+        }
+    }
+
+    /// Steps of pseudo-time until plain Newton converges.
+    fn let_go<S: System + ?Sized>(
+        &self,
+        system: &S,
+        t: f64,
+        newton: &mut Newton,
+        state: &mut State,
+    ) -> Result<Found, NotFound> {
+        come_to_rest(state);
+        let mut trial = state.clone();
+        let mut h = 0.1;
+        let mut why = None;
+        for step in 1..=self.max_steps as u64 {
+            trial.copy_from(state);
+            newton.forget();
+            let factors = Factors {
+                mass: 1.0 / (h * h),
+                damping: 0.0,
+                stiffness: 1.0,
+            };
+            match newton.solve(system, t, &mut trial, factors) {
+                Err(error) => {
+                    why = Some(error);
+                    h *= 0.25;
+                    if h < 1e-9 {
+                        break;
+                    }
+                }
+                Ok(_) => {
+                    come_to_rest(&mut trial);
+                    state.copy_from(&trial);
+                    h *= 2.5;
+                    match self.finish(system, t, newton, &mut trial, step) {
+                        Ok(found) if nearby(state, &trial) => {
+                            state.copy_from(&trial);
+                            return Ok(found);
+                        }
+                        Ok(_) => {}
+                        Err(error) => why = error,
+                    }
+                }
+            }
+        }
+        let (node, residual) = newton.largest_residual(system, t, state);
+        Err(NotFound {
+            iterations: newton.iterations,
+            residual,
+            node,
+            why,
+        })
+    }
+}
+
+/// Newton may jump from a moving line to an unstable shape far away; only a near one is where the line
+/// was going.
+fn nearby(from: &State, to: &State) -> bool {
+    let size = from
+        .x
+        .iter()
+        .map(|p| (p - from.x[0]).norm())
+        .fold(1.0, f64::max);
+    from.x
+        .iter()
+        .zip(&to.x)
+        .all(|(a, b)| (a - b).norm() < 0.2 * size)
+}
+
+fn come_to_rest(state: &mut State) {
+    for (v, a) in state.v.iter_mut().zip(&mut state.a) {
+        *v = nalgebra::zero();
+        *a = nalgebra::zero();
+    }
+}
