@@ -1,6 +1,15 @@
-//! A case computed on a thread: events out, a cancel flag in.
+//! A case computed: on the caller's thread by [`execute`], on its own by [`start`]. Events out, a
+//! cancel flag in; a receiver that is slow or gone never holds the solver up.
 
-use super::{Frame, Run};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::time::SystemTime;
+
+use crossbeam_channel::Sender;
+
+use super::compute::{self, Computed};
+use super::store::rfc3339;
+use super::{Cost, Frame, Run, RunInfo, RunState, VERSION, errors};
 use crate::case::Case;
 
 /// What to compute.
@@ -30,6 +39,109 @@ pub enum Event {
     Frame(Box<Frame>),
     /// The run is complete; companions now estimate its errors.
     Estimating,
-    /// The end, whatever it was: see [`super::RunInfo::state`].
+    /// The end, whatever it was: see [`RunInfo::state`].
     Finished(Box<Run>),
+}
+
+/// Names a job among all of this process.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct JobId(pub u64);
+
+/// A job going on. Dropping it does not stop it.
+#[derive(Debug, Clone)]
+pub struct Job {
+    /// Its name.
+    pub id: JobId,
+    cancel: Arc<AtomicBool>,
+}
+
+impl Job {
+    /// Asks the job to stop after the step it is at.
+    pub fn cancel(&self) {
+        self.cancel.store(true, Ordering::Relaxed);
+    }
+}
+
+/// Starts a thread that computes the request and sends its events, named with the job. The last one is always
+/// [`Event::Finished`].
+///
+/// # Errors
+/// When the system gives no thread.
+pub fn start(request: Request, events: Sender<(JobId, Event)>) -> std::io::Result<Job> {
+    static NEXT: AtomicU64 = AtomicU64::new(1);
+    let id = JobId(NEXT.fetch_add(1, Ordering::Relaxed));
+    let cancel = Arc::new(AtomicBool::new(false));
+    let job = Job {
+        id,
+        cancel: Arc::clone(&cancel),
+    };
+    std::thread::Builder::new()
+        .name(format!("job-{}", id.0))
+        .spawn(move || {
+            // The channel is unbounded, and one that nobody listens to any more is no reason to stop early.
+            let mut tell = |event| drop(events.send((id, event)));
+            let run = execute(&request, &cancel, &mut tell);
+            tell(Event::Finished(Box::new(run)));
+        })?;
+    Ok(job)
+}
+
+/// Computes a request, with its companions if the case asks for error estimates. Failures are told in the run,
+/// which keeps what there was. Does not send [`Event::Finished`]: the run is returned.
+pub fn execute(request: &Request, cancel: &AtomicBool, events: &mut dyn FnMut(Event)) -> Run {
+    let started = rfc3339(SystemTime::now());
+    let mut computed = compute::compute(&request.case, 1, compute::Step::AsSet, cancel, events);
+    let done = computed.state == RunState::Done;
+    let companions = std::time::Instant::now();
+    let mut estimated = errors::Estimates::default();
+    if done && request.case.solver.error_estimate {
+        events(Event::Estimating);
+        estimated = errors::estimate(&request.case, &computed, cancel);
+    }
+    computed.settings.error_method = estimated.method.clone();
+    let cost = Cost {
+        companions_wall_s: companions.elapsed().as_secs_f64(),
+        ..computed.cost
+    };
+    let summary = errors::summary(&request.case, &computed, &estimated);
+    assemble(
+        request,
+        computed,
+        started,
+        cost,
+        estimated.warnings,
+        summary,
+    )
+}
+
+fn assemble(
+    request: &Request,
+    computed: Computed,
+    started: String,
+    cost: Cost,
+    warnings: Vec<String>,
+    summary: Vec<super::Quantity>,
+) -> Run {
+    let info = RunInfo {
+        id: request.id.clone(),
+        title: request.case.case.title.clone(),
+        case_file: request.file.clone(),
+        state: computed.state,
+        version: VERSION.to_owned(),
+        started,
+        overrides: request.overrides.clone(),
+        failure: computed.failure,
+        warnings: computed.warnings.into_iter().chain(warnings).collect(),
+        settings: computed.settings,
+        work: computed.work,
+        cost,
+    };
+    Run {
+        info,
+        case_text: request.text.clone(),
+        history: computed.history,
+        shapes: computed.shapes,
+        profile: computed.profile,
+        summary,
+    }
 }

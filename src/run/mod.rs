@@ -2,9 +2,14 @@
 //!
 //! [`model`] holds a [`Run`] as plain data; [`store`] keeps it on disk.
 
+mod compute;
+mod errors;
 pub mod job;
 pub mod model;
 mod names;
+mod recorder;
+pub mod settings;
+pub mod statistic;
 pub mod store;
 
 pub use model::*;

@@ -1,0 +1,275 @@
+//! One computation of a case, without companions: scene, settings, start, march.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use rustix::time::{ClockId, clock_gettime};
+
+use super::job::Event;
+use super::recorder::Recorder;
+use super::settings::{position_tolerance, settings};
+use super::{Cost, History, LineShape, Profile, RunState, Settings, Work};
+use crate::case::{Case, Method};
+use crate::dynamics::alpha::Alpha;
+use crate::dynamics::quasi::Quasi;
+use crate::dynamics::rk4::Rk4;
+use crate::dynamics::{March, MarchError, Outcome, Stepper, Tally};
+use crate::scene::{self, Scene};
+use crate::solve::{Instant, Progressing, Sink, State, System};
+use crate::statics::equilibrium::Search;
+
+/// What one computation gave.
+#[derive(Debug, Clone)]
+pub(super) struct Computed {
+    pub(super) state: RunState,
+    pub(super) failure: Option<String>,
+    pub(super) warnings: Vec<String>,
+    pub(super) settings: Settings,
+    pub(super) work: Work,
+    pub(super) cost: Cost,
+    pub(super) history: History,
+    pub(super) shapes: Vec<LineShape>,
+    pub(super) profile: Profile,
+}
+
+/// The time step of a computation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Step {
+    /// As the case sets it, or as chosen for it.
+    AsSet,
+    /// This one \[s\].
+    Exactly(f64),
+}
+
+impl Computed {
+    /// Nothing but a reason.
+    fn failed(failure: String) -> Self {
+        Self {
+            state: RunState::Failed,
+            failure: Some(failure),
+            warnings: Vec::new(),
+            settings: Settings::default(),
+            work: Work::default(),
+            cost: Cost::default(),
+            history: History::default(),
+            shapes: Vec::new(),
+            profile: Profile::default(),
+        }
+    }
+}
+
+/// Computes a case on a mesh coarsened by `coarsening`.
+pub(super) fn compute(
+    case: &Case,
+    coarsening: usize,
+    step: Step,
+    cancel: &AtomicBool,
+    events: &mut dyn FnMut(Event),
+) -> Computed {
+    let scene = match scene::build(case, coarsening) {
+        Ok(scene) => scene,
+        Err(error) => return Computed::failed(error.to_string()),
+    };
+    let mut settings = settings(case, &scene);
+    if let Step::Exactly(step) = step {
+        settings.time_step_s = step;
+    }
+    let named = crate::case::channels(case)
+        .into_iter()
+        .map(|c| (c.name, c.unit.to_owned()));
+    events(Event::Started {
+        channels: named.collect(),
+    });
+    let (cpu, wall) = (cpu_time(), std::time::Instant::now());
+    let stop = || cancel.load(Ordering::Relaxed);
+    let mut recorder = Recorder::new(case, &scene, events, &stop);
+    let ended = solve(case, &scene, &settings, &mut recorder);
+    let cost = Cost {
+        cpu_s: cpu_time() - cpu,
+        wall_s: wall.elapsed().as_secs_f64(),
+        companions_wall_s: 0.0,
+    };
+    let warnings = warnings(&scene, &settings);
+    let Recorder {
+        history,
+        shapes,
+        profile,
+        ..
+    } = recorder;
+    Computed {
+        state: ended.state,
+        failure: ended.failure,
+        warnings,
+        settings,
+        work: ended.work,
+        cost,
+        history,
+        shapes,
+        profile,
+    }
+}
+
+/// CPU time of this thread \[s\].
+fn cpu_time() -> f64 {
+    let t = clock_gettime(ClockId::ThreadCPUTime);
+    t.tv_sec as f64 + 1e-9 * t.tv_nsec as f64
+}
+
+/// How a computation ended.
+struct Ended {
+    state: RunState,
+    failure: Option<String>,
+    work: Work,
+}
+
+/// Brings the line to its start and runs the method of the case.
+fn solve(case: &Case, scene: &Scene, settings: &Settings, sink: &mut Recorder<'_>) -> Ended {
+    let mut state = scene.initial_state();
+    let mut work = Work::default();
+    if scene.start_in_equilibrium || case.solver.method == Method::Static {
+        match Search::default().run(scene, 0.0, &mut state) {
+            Ok(found) => work.iterations += found.iterations,
+            Err(error) => {
+                work.iterations += error.iterations;
+                give(sink, &state);
+                return Ended {
+                    state: RunState::Failed,
+                    failure: Some(error.to_string()),
+                    work,
+                };
+            }
+        }
+    }
+    let nodes = scene.nodes();
+    let tolerance = position_tolerance(case, scene);
+    let newton = case.solver.max_iterations;
+    match case.solver.method {
+        Method::Static => {
+            give(sink, &state);
+            Ended {
+                state: RunState::Done,
+                failure: None,
+                work,
+            }
+        }
+        Method::Quasi => {
+            let method = Quasi::new(nodes, tolerance, newton);
+            march(method, settings, scene, &mut state, sink, work)
+        }
+        Method::Rk4 => {
+            if settings
+                .stability_limit_s
+                .is_some_and(|limit| settings.time_step_s > limit)
+            {
+                return Ended {
+                    state: RunState::Failed,
+                    failure: Some(unstable(settings)),
+                    work,
+                };
+            }
+            scene.accelerate(0.0, &mut state);
+            march(Rk4::new(nodes), settings, scene, &mut state, sink, work)
+        }
+        Method::Alpha => {
+            scene.accelerate(0.0, &mut state);
+            let method = Alpha::new(nodes, case.solver.rho_inf, tolerance, newton);
+            march(method, settings, scene, &mut state, sink, work)
+        }
+    }
+}
+
+/// Gives a single state to the sink.
+fn give(sink: &mut Recorder<'_>, state: &State) {
+    let _: Progressing = sink.accept(Instant {
+        time: 0.0,
+        state,
+        steps: 0,
+        output: true,
+    });
+}
+
+fn unstable(settings: &Settings) -> String {
+    format!(
+        "time step {} s is above the stability limit of RK4, {:.3e} s, set by {}; \
+         choose a smaller step, leave it open, or use the solver `alpha`",
+        settings.time_step_s,
+        settings.stability_limit_s.unwrap_or_default(),
+        settings.stability_limit_at.as_deref().unwrap_or_default(),
+    )
+}
+
+fn march<M: Stepper>(
+    mut method: M,
+    settings: &Settings,
+    scene: &Scene,
+    state: &mut State,
+    sink: &mut Recorder<'_>,
+    mut work: Work,
+) -> Ended {
+    let march = March {
+        duration: settings.duration_s,
+        step: settings.time_step_s,
+        output: settings.output_interval_s,
+    };
+    let result = march.run(&mut method, scene, state, sink);
+    let Tally {
+        iterations,
+        evaluations,
+    } = method.tally();
+    work.iterations += iterations;
+    work.evaluations += evaluations;
+    let (state, failure, steps, rejections) = match result {
+        Ok(Outcome {
+            steps,
+            rejections,
+            stopped: true,
+        }) => (RunState::Cancelled, None, steps, rejections),
+        Ok(Outcome {
+            steps,
+            rejections,
+            stopped: false,
+        }) => (RunState::Done, None, steps, rejections),
+        Err(error) => {
+            let advice = advice(&error);
+            let MarchError {
+                steps, rejections, ..
+            } = error;
+            (
+                RunState::Failed,
+                Some(format!("{error}; {advice}")),
+                steps,
+                rejections,
+            )
+        }
+    };
+    work.steps = steps;
+    work.rejections = rejections;
+    Ended {
+        state,
+        failure,
+        work,
+    }
+}
+
+/// What to try after a step that failed at every length.
+fn advice(error: &MarchError) -> &'static str {
+    use crate::solve::NewtonError::{Diverged, NotFinite, Singular};
+    match error.why {
+        Diverged { .. } => {
+            "try a smaller time_step_s, a smaller rho_inf, or more segments near that node"
+        }
+        Singular { .. } => "give that part of the line mass, drag or tension",
+        NotFinite { .. } => "try a smaller time_step_s, and look for extreme inputs near that node",
+    }
+}
+
+/// What the user should know before trusting the numbers.
+fn warnings(scene: &Scene, settings: &Settings) -> Vec<String> {
+    let mut list = Vec::new();
+    if settings.method == "quasi" && scene.weight.iter().sum::<f64>() > 0.0 {
+        list.push(
+            "quasi-static: inertia is left out; compare with `alpha` to see whether it matters"
+                .to_owned(),
+        );
+    }
+    list
+}
