@@ -362,8 +362,12 @@ pub struct Solver {
     pub method: Method,
     /// Simulated time \[s\].
     pub duration_s: f64,
-    /// Time step \[s\]; absent: chosen by the solver and told in the run.
+    /// Time step \[s\]; absent: chosen by the solver and told in the run. `alpha` then takes steps of varying length,
+    /// as its error estimate allows.
     pub time_step_s: Option<f64>,
+    /// Error that `alpha` allows in one step of varying length \[-\]: in positions as a share of the line's length
+    /// L, in velocities of 2 sqrt(g L).
+    pub step_tolerance: f64,
     /// Spectral radius of generalized-alpha at infinite frequency, 0 to 1 \[-\].
     pub rho_inf: f64,
     /// Greatest Newton iterations a step before it is halved.
@@ -380,6 +384,7 @@ impl Default for Solver {
             method: Method::Alpha,
             duration_s: 600.0,
             time_step_s: None,
+            step_tolerance: 2e-5,
             rho_inf: 0.4,
             max_iterations: 30,
             position_tolerance_m: 1e-6,

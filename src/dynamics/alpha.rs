@@ -15,9 +15,9 @@
 //! point between the steps, so that Newton works on one state there. The algorithmic acceleration
 //! is carried from step to step: taken anew from the forces, the method falls to first order.
 
-use super::{Stepper, Tally};
+use super::{Step, StepError, Stepper, Tally};
 use crate::linalg::V3;
-use crate::solve::{Factors, Newton, NewtonError, State, System};
+use crate::solve::{Factors, Newton, State, System};
 
 /// The method and its scratch for one line; allocates only when made.
 #[derive(Debug, Clone)]
@@ -33,6 +33,16 @@ pub struct Alpha {
     between: State,
     /// Change of acceleration over the step before, per second, for the predictor \[m/s³\].
     jerk: Vec<V3>,
+    control: Option<Control>,
+}
+
+/// Errors allowed in one step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Control {
+    /// In the position of any node \[m\].
+    pub position: f64,
+    /// In the velocity of any node \[m/s\].
+    pub velocity: f64,
 }
 
 impl Alpha {
@@ -51,6 +61,16 @@ impl Alpha {
             end: state.clone(),
             between: state,
             jerk: vec![V3::zeros(); nodes],
+            control: None,
+        }
+    }
+
+    /// The same with errors controlled: a step that exceeds them is refused.
+    #[must_use]
+    pub fn controlled(self, control: Control) -> Self {
+        Self {
+            control: Some(control),
+            ..self
         }
     }
 
@@ -86,16 +106,45 @@ impl Alpha {
     }
 
     /// The end state from the converged state between.
-    fn finish<S: System + ?Sized>(&mut self, system: &S, h: f64, state: &mut State) {
+    fn conclude<S: System + ?Sized>(&mut self, system: &S, h: f64, state: &State) {
         let (m, k) = (1.0 / (1.0 - self.alpha_m), self.alpha_m);
         let (beta, gamma) = (self.beta, self.gamma);
         for i in system.free() {
             let a0 = state.a[i];
             let a1 = (self.between.a[i] - a0 * k) * m;
-            self.jerk[i] = (a1 - a0) / h;
             self.end.x[i] = state.x[i] + (state.v[i] + (a0 * (0.5 - beta) + a1 * beta) * h) * h;
             self.end.v[i] = state.v[i] + (a0 * (1.0 - gamma) + a1 * gamma) * h;
             self.end.a[i] = a1;
+        }
+    }
+
+    /// Estimated error of the step as a share of what is allowed, from the acceleration at its end: by its change
+    /// in position, `|beta - 1/6| h² |a1 - a0|` (Zienkiewicz and Xie 1991, doi 10.1002/eqe.4290200907); by what the
+    /// predictor missed, which is the second difference, in velocity, `h |a1 - a0 - h j0| / 12`.
+    fn share_of_error<S: System + ?Sized>(
+        &self,
+        system: &S,
+        h: f64,
+        state: &State,
+        control: &Control,
+    ) -> f64 {
+        let by_change = (self.beta - 1.0 / 6.0).abs() * h * h / control.position;
+        let by_miss = h / (12.0 * control.velocity);
+        let mut share = 0.0_f64;
+        for i in system.free() {
+            let change = self.end.a[i] - state.a[i];
+            let miss = change - self.jerk[i] * h;
+            share = share
+                .max(change.norm_squared() * by_change * by_change)
+                .max(miss.norm_squared() * by_miss * by_miss);
+        }
+        share.sqrt()
+    }
+
+    /// Takes the end state over.
+    fn accept<S: System + ?Sized>(&mut self, system: &S, h: f64, state: &mut State) {
+        for i in system.free() {
+            self.jerk[i] = (self.end.a[i] - state.a[i]) / h;
         }
         state.copy_from(&self.end);
     }
@@ -105,23 +154,29 @@ impl Stepper for Alpha {
     fn step<S: System + ?Sized>(
         &mut self,
         system: &S,
-        t: f64,
-        dt: f64,
+        at: Step,
         state: &mut State,
-    ) -> Result<(), NewtonError> {
+    ) -> Result<f64, StepError> {
+        let Step { t, dt, refuse } = at;
         self.predict(system, t, dt, state);
-        let at = t + (1.0 - self.alpha_f) * dt;
         let factors = self.factors(dt);
-        match self.newton.solve(system, at, &mut self.between, factors) {
-            Ok(_) => {
-                self.finish(system, dt, state);
-                Ok(())
-            }
-            Err(why) => {
-                self.jerk.fill(V3::zeros());
-                Err(why)
-            }
+        let balance = t + (1.0 - self.alpha_f) * dt;
+        if let Err(why) = self
+            .newton
+            .solve(system, balance, &mut self.between, factors)
+        {
+            self.jerk.fill(V3::zeros());
+            return Err(why.into());
         }
+        self.conclude(system, dt, state);
+        let share = self.control.map_or(0.0, |control| {
+            self.share_of_error(system, dt, state, &control)
+        });
+        if refuse && share > 1.0 {
+            return Err(StepError::Inaccurate(share));
+        }
+        self.accept(system, dt, state);
+        Ok(share)
     }
 
     fn tally(&self) -> Tally {

@@ -5,20 +5,43 @@ use crate::solve::{Instant, NewtonError, Progressing, Sink, State, System};
 
 /// A method that can take one step.
 pub trait Stepper {
-    /// Moves `state` from t to t + dt. On failure `state` must be as before the step.
+    /// Moves `state` from t to t + dt and returns the estimated error of the step as a share of what is allowed
+    /// (0 where the method controls none). A step whose share exceeds 1 is refused while `refuse` says so. On
+    /// failure `state` must be as before the step.
     ///
     /// # Errors
     /// Why the step cannot be taken at this length.
     fn step<S: System + ?Sized>(
         &mut self,
         system: &S,
-        t: f64,
-        dt: f64,
+        at: Step,
         state: &mut State,
-    ) -> Result<(), NewtonError>;
+    ) -> Result<f64, StepError>;
 
     /// Work done so far.
     fn tally(&self) -> Tally;
+}
+
+/// A step to take.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// Where it begins \[s\].
+    pub t: f64,
+    /// Its length \[s\].
+    pub dt: f64,
+    /// Whether a step that is too inaccurate is refused; it is not once it cannot be halved any more.
+    pub refuse: bool,
+}
+
+/// Why a step is not taken.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum StepError {
+    /// Its equations were not solved.
+    #[error(transparent)]
+    Unsolved(#[from] NewtonError),
+    /// Its estimated error exceeds what is allowed by this factor.
+    #[error("the estimated error is {0:.3} of what is allowed")]
+    Inaccurate(f64),
 }
 
 /// Machine-independent work of a stepper.
@@ -68,8 +91,16 @@ pub struct MarchError {
     pub why: NewtonError,
 }
 
-/// How often a failing step is halved before the march gives up.
+/// How often a step that cannot be solved is halved before the march gives up.
 const HALVINGS: u32 = 14;
+
+/// How often a step is halved for accuracy: a jump of a force is no more accurate in smaller steps than these,
+/// since the estimate falls with the step and not with its square.
+const HALVINGS_FOR_ACCURACY: u32 = 7;
+
+/// Share of the allowed error below which the next step may be twice as long. An error that grows with the cube
+/// of the step stays below one then.
+const ROOM_TO_DOUBLE: f64 = 0.1;
 
 impl March {
     /// Marches `state` from time 0. The state at time 0 is given to the sink first.
@@ -106,17 +137,23 @@ impl March {
         let interval = self.duration / outputs as f64;
         let per_output = (interval / self.step * (1.0 - 1e-9)).ceil().max(1.0) as u64;
         let dt = interval / per_output as f64;
+        let mut level = 0;
         for k in 0..outputs * per_output {
-            let t = k as f64 * dt;
-            self.guarded(method, system, t, dt, state, &mut outcome)?;
-            let output = (k + 1) % per_output == 0;
-            let instant = Instant {
-                time: (k + 1) as f64 * dt,
-                state,
-                steps: outcome.steps,
-                output,
+            let whole = Whole {
+                from: k as f64 * dt,
+                dt,
+                output: (k + 1) % per_output == 0,
             };
-            if sink.accept(instant) == Progressing::Stop {
+            if self.whole_step(
+                method,
+                system,
+                &whole,
+                &mut level,
+                state,
+                &mut outcome,
+                sink,
+            )? == Progressing::Stop
+            {
                 outcome.stopped = true;
                 return Ok(outcome);
             }
@@ -124,48 +161,82 @@ impl March {
         Ok(outcome)
     }
 
-    /// One step of length dt, in halves of halves where it must be.
-    fn guarded<M: Stepper, S: System + ?Sized>(
+    /// One whole step, in `2^level` pieces. The level goes up where a piece fails and down again, one at a time and
+    /// only where pieces join to the next longer one, when there is room; it is kept for the next whole step.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "the loop variables of one march, used nowhere else"
+    )]
+    fn whole_step<M: Stepper, S: System + ?Sized>(
         &self,
         method: &mut M,
         system: &S,
-        from: f64,
-        dt: f64,
+        whole: &Whole,
+        level: &mut u32,
         state: &mut State,
         outcome: &mut Outcome,
-    ) -> Result<(), MarchError> {
-        let (mut done, mut pieces) = (0_u64, 1_u64);
-        let mut halvings = 0;
-        while done < pieces {
-            let h = dt / pieces as f64;
-            match method.step(system, from + done as f64 * h, h, state) {
-                Ok(()) => {
+        sink: &mut dyn Sink,
+    ) -> Result<Progressing, MarchError> {
+        let mut done = 0_u64;
+        while done < 1 << *level {
+            let dt = whole.dt / (1_u64 << *level) as f64;
+            let t = whole.from + done as f64 * dt;
+            match method.step(
+                system,
+                Step {
+                    t,
+                    dt,
+                    refuse: *level < HALVINGS_FOR_ACCURACY,
+                },
+                state,
+            ) {
+                Ok(share) => {
                     done += 1;
                     outcome.steps += 1;
-                    // Twice the piece as soon as it fits: a hard moment does not slow the rest of the step.
-                    if pieces > 1 && done % 2 == 0 {
-                        (done, pieces) = (done / 2, pieces / 2);
-                        halvings -= 1;
+                    let last = done == 1 << *level;
+                    let time = if last {
+                        whole.from + whole.dt
+                    } else {
+                        whole.from + done as f64 * dt
+                    };
+                    let instant = Instant {
+                        time,
+                        state,
+                        steps: outcome.steps,
+                        output: last && whole.output,
+                    };
+                    if sink.accept(instant) == Progressing::Stop {
+                        return Ok(Progressing::Stop);
+                    }
+                    if *level > 0 && done.is_multiple_of(2) && share < ROOM_TO_DOUBLE {
+                        done /= 2;
+                        *level -= 1;
                     }
                 }
                 Err(why) => {
                     outcome.rejections += 1;
-                    if halvings == HALVINGS {
+                    if let (StepError::Unsolved(why), HALVINGS..) = (why, *level) {
                         let (steps, rejections) = (outcome.steps, outcome.rejections);
-                        let time = from + done as f64 * h;
                         return Err(MarchError {
-                            time,
-                            step: h,
+                            time: t,
+                            step: dt,
                             steps,
                             rejections,
                             why,
                         });
                     }
-                    (done, pieces) = (done * 2, pieces * 2);
-                    halvings += 1;
+                    done *= 2;
+                    *level += 1;
                 }
             }
         }
-        Ok(())
+        Ok(Progressing::Continue)
     }
+}
+
+/// A whole step of the march.
+struct Whole {
+    from: f64,
+    dt: f64,
+    output: bool,
 }

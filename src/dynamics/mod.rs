@@ -7,4 +7,4 @@ pub mod march;
 pub mod quasi;
 pub mod rk4;
 
-pub use march::{March, MarchError, Outcome, Stepper, Tally};
+pub use march::{March, MarchError, Outcome, Step, StepError, Stepper, Tally};

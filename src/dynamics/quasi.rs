@@ -4,7 +4,7 @@
 //! `0 = f(t, x, v)` with v by backward differences of second order, variable step (BDF2; the first step by
 //! backward Euler). L-stable: the fast decay to the drag-limited speed needs no small step.
 
-use super::{Stepper, Tally};
+use super::{Step, StepError, Stepper, Tally};
 use crate::linalg::V3;
 use crate::solve::{Factors, Newton, NewtonError, State, System};
 
@@ -109,16 +109,16 @@ impl Stepper for Quasi {
     fn step<S: System + ?Sized>(
         &mut self,
         system: &S,
-        t: f64,
-        dt: f64,
+        at: Step,
         state: &mut State,
-    ) -> Result<(), NewtonError> {
+    ) -> Result<f64, StepError> {
+        let Step { t, dt, .. } = at;
         self.predict(system, t, dt, state);
         self.converge(system, t, dt, state)?;
         self.x_before.copy_from_slice(&state.x);
         self.before = Some(dt);
         state.copy_from(&self.trial);
-        Ok(())
+        Ok(0.0)
     }
 
     fn tally(&self) -> Tally {

@@ -1,7 +1,7 @@
 //! Classical Runge-Kutta of order 4: the independent reference for accuracy, and the method for short,
 //! snappy lines. Stable up to 2.785 / omega of the fastest axial mode.
 
-use super::{Stepper, Tally};
+use super::{Step, StepError, Stepper, Tally};
 use crate::linalg::V3;
 use crate::solve::{NewtonError, State, System};
 
@@ -49,10 +49,10 @@ impl Stepper for Rk4 {
     fn step<S: System + ?Sized>(
         &mut self,
         system: &S,
-        t: f64,
-        dt: f64,
+        at: Step,
         state: &mut State,
-    ) -> Result<(), NewtonError> {
+    ) -> Result<f64, StepError> {
+        let Step { t, dt, .. } = at;
         self.stage.copy_from(state);
         self.next.copy_from(state);
         let half = 0.5 * dt;
@@ -69,12 +69,12 @@ impl Stepper for Rk4 {
             .free()
             .find(|&i| !finite(&self.next.x[i]) || !finite(&self.next.v[i]))
         {
-            return Err(NewtonError::NotFinite { node });
+            return Err(NewtonError::NotFinite { node }.into());
         }
         // The acceleration of the last stage is at the end of the step: good for what is read off.
         self.next.a.copy_from_slice(&self.stage.a);
         state.copy_from(&self.next);
-        Ok(())
+        Ok(0.0)
     }
 
     fn tally(&self) -> Tally {

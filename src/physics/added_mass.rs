@@ -26,8 +26,8 @@ impl AddedMass {
     /// `(m_t - m_n) [ (t.a) (I - tt') + t ((I - tt') a)' ] / l`.
     #[inline(always)]
     #[must_use]
-    pub fn by_chord(&self, t: &V3, a: &V3, chord_length: f64) -> (f64, V3) {
-        let k = (self.tangential - self.normal) / chord_length;
+    pub fn by_chord(&self, t: &V3, a: &V3, inverse_chord: f64) -> (f64, V3) {
+        let k = (self.tangential - self.normal) * inverse_chord;
         let along = t.dot(a);
         let s = k * along;
         (s, (a - t * along) * k - t * s)

@@ -14,17 +14,14 @@ pub enum DragLaw {
 }
 
 impl DragLaw {
-    /// Coefficient \[-\] and its derivative by the Reynolds number. The laws of Jia et al. jump (at
-    /// Re = 1e5 the normal drag falls to a quarter); the derivative is that of the branch, the jump
-    /// itself has none. The force falls where the speed rises, so an implicit step has a root on one
-    /// side or on both, never on neither, and Newton on the branches finds it.
+    /// Coefficient \[-\] and its derivative by the Reynolds number; at a jump, that of the branch.
     #[inline(always)]
     #[must_use]
     pub fn coefficient(self, re: f64) -> (f64, f64) {
         match self {
             Self::Constant(c) => (c, 0.0),
             Self::Jia2019Normal => {
-                if re > 1e5 {
+                if re > CRISIS {
                     (0.3, 0.0)
                 } else if re > 400.0 {
                     (1.27, 0.0)
@@ -42,6 +39,22 @@ impl DragLaw {
         }
     }
 }
+
+impl DragLaw {
+    /// The Reynolds number at which the coefficient jumps by so much that the force of a moving line would jump
+    /// with it: the drag crisis of eq. (4), where the coefficient falls from 1.27 to 0.3. (The other joints of
+    /// the printed branches jump by less than the last digit printed, or where the force is next to nothing.)
+    #[must_use]
+    pub fn crisis(self) -> Option<f64> {
+        match self {
+            Self::Jia2019Normal => Some(CRISIS),
+            Self::Constant(_) | Self::Jia2019Tangential => None,
+        }
+    }
+}
+
+/// Drag crisis of Jia et al. 2019, eq. (4).
+const CRISIS: f64 = 1e5;
 
 /// `base + factor / Re^exponent` above Re = 0.1, nothing below.
 #[cold]

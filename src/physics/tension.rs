@@ -24,6 +24,8 @@ pub struct Chord {
     pub tangent: V3,
     /// Length \[m\], at least a millionth of the unstretched one.
     pub length: f64,
+    /// 1 / length \[1/m\].
+    pub inverse: f64,
     /// Velocity of the second node less that of the first \[m/s\].
     pub opening: V3,
 }
@@ -36,9 +38,11 @@ impl Chord {
     pub fn new(x: (&V3, &V3), v: (&V3, &V3), unstretched: f64) -> Self {
         let d = x.1 - x.0;
         let length = d.norm().max(1e-6 * unstretched);
+        let inverse = 1.0 / length;
         Self {
-            tangent: d / length,
+            tangent: d * inverse,
             length,
+            inverse,
             opening: v.1 - v.0,
         }
     }
@@ -60,17 +64,18 @@ impl Axial {
     #[inline(always)]
     #[must_use]
     pub fn tension(&self, chord: &Chord) -> Tension {
-        let strain = (chord.length - self.length) / self.length;
-        if strain <= 0.0 {
+        let stretch = chord.length - self.length;
+        if stretch <= 0.0 {
             return Tension {
                 value: 0.0,
                 by_length: 0.0,
                 by_speed: 0.0,
             };
         }
-        let elastic = self.ea * strain;
-        let stiffness = self.ea / self.length;
-        let c = self.damping / self.length;
+        let inverse = 1.0 / self.length;
+        let stiffness = self.ea * inverse;
+        let elastic = stiffness * stretch;
+        let c = self.damping * inverse;
         let viscous = c * chord.tangent.dot(&chord.opening);
         if viscous > elastic {
             Tension {

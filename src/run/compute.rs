@@ -9,7 +9,7 @@ use super::recorder::Recorder;
 use super::settings::{position_tolerance, settings};
 use super::{Cost, History, LineShape, Profile, RunState, Settings, Work};
 use crate::case::{Case, Method};
-use crate::dynamics::alpha::Alpha;
+use crate::dynamics::alpha::{Alpha, Control};
 use crate::dynamics::quasi::Quasi;
 use crate::dynamics::rk4::Rk4;
 use crate::dynamics::{March, MarchError, Outcome, Stepper, Tally};
@@ -32,12 +32,13 @@ pub(super) struct Computed {
 }
 
 /// The time step of a computation.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Step {
     /// As the case sets it, or as chosen for it.
     AsSet,
-    /// This one \[s\].
-    Exactly(f64),
+    /// Such that the time error is `2^p` times as large, p the order of the method: twice the step or, where the steps
+    /// vary, `2^(p + 1)` times the error in each (which grows with one power more) and twice the longest.
+    Doubled,
 }
 
 impl Computed {
@@ -70,8 +71,9 @@ pub(super) fn compute(
         Err(error) => return Computed::failed(error.to_string()),
     };
     let mut settings = settings(case, &scene);
-    if let Step::Exactly(step) = step {
-        settings.time_step_s = step;
+    if step == Step::Doubled {
+        settings.time_step_s *= 2.0;
+        settings.step_tolerance = settings.step_tolerance.map(|t| 8.0 * t);
     }
     let named = crate::case::channels(case)
         .into_iter()
@@ -172,8 +174,22 @@ fn solve(case: &Case, scene: &Scene, settings: &Settings, sink: &mut Recorder<'_
         Method::Alpha => {
             scene.accelerate(0.0, &mut state);
             let method = Alpha::new(nodes, case.solver.rho_inf, tolerance, newton);
+            let method = match settings.step_tolerance {
+                Some(tolerance) => method.controlled(control(case, scene, tolerance)),
+                None => method,
+            };
             march(method, settings, scene, &mut state, sink, work)
         }
+    }
+}
+
+/// Errors allowed in a step, from the dimensionless tolerance of the case.
+fn control(case: &Case, scene: &Scene, tolerance: f64) -> Control {
+    let length = scene.arc.last().copied().unwrap_or(1.0);
+    let speed = (case.environment.gravity_m_per_s2 * length).sqrt();
+    Control {
+        position: tolerance * length,
+        velocity: 2.0 * tolerance * speed,
     }
 }
 

@@ -29,8 +29,8 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
     let order = order(case.solver.method);
     let companion = |coarsening, step| compute(case, coarsening, step, cancel, &mut |_| {});
     let (slow, coarse) = rayon::join(
-        || order.map(|_| companion(1, Step::Exactly(2.0 * run.settings.time_step_s))),
-        || companion(2, Step::Exactly(run.settings.time_step_s)),
+        || order.map(|_| companion(1, Step::Doubled)),
+        || companion(2, Step::AsSet),
     );
     let mut estimates = Estimates {
         method: describe(case, order),
@@ -88,6 +88,9 @@ fn describe(case: &Case, order: Option<i32>) -> String {
         ratio_of_meshes(case)
     );
     match order {
+        Some(order) if case.solver.time_step_s.is_none() && case.solver.method == Method::Alpha => {
+            format!("time: eight times the error allowed in a step (order {order}); {mesh}")
+        }
         Some(order) => format!("time: twice the step (order {order}); {mesh}"),
         None => mesh,
     }

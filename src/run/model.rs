@@ -73,8 +73,11 @@ pub struct Settings {
     pub method: String,
     /// Simulated time \[s\].
     pub duration_s: f64,
-    /// Time step \[s\].
+    /// Time step \[s\]; the longest where steps vary.
     pub time_step_s: f64,
+    /// Error allowed in a step of varying length \[-\]; absent where steps are constant.
+    #[serde(default)]
+    pub step_tolerance: Option<f64>,
     /// True when the solver chose the step.
     pub time_step_automatic: bool,
     /// Spectral radius of generalized-alpha; absent for other methods.

@@ -10,7 +10,8 @@ use crate::solve::System;
 const EXPLICIT_SHARE: f64 = 0.45;
 
 /// Steps an axial period of the payload on its line, or a period of prescribed motion, is divided into.
-const STEPS_A_PERIOD: f64 = 40.0;
+/// at least; steps that vary are shorter where their error asks for it.
+const STEPS_A_PERIOD: f64 = 20.0;
 
 /// The settings of a run of this case.
 #[must_use]
@@ -29,6 +30,8 @@ pub fn settings(case: &Case, scene: &Scene) -> Settings {
         duration_s: if still { 0.0 } else { solver.duration_s },
         time_step_s: step,
         time_step_automatic: automatic,
+        step_tolerance: (automatic && solver.method == Method::Alpha)
+            .then_some(solver.step_tolerance),
         rho_inf: (solver.method == Method::Alpha).then_some(solver.rho_inf),
         stability_limit_s: limit.map(|l| l.0),
         stability_limit_at: limit

@@ -165,6 +165,11 @@ fn bare_segment(water: &case::Environment, material: &case::Material, length: f6
             tangential: half_pressure * width,
             normal_law: law(&material.drag_normal),
             tangential_law: law(&material.drag_tangential),
+            crisis: law(&material.drag_normal)
+                .crisis()
+                .map_or(f64::INFINITY, |re| {
+                    re * water.kinematic_viscosity_m2_per_s / material.diameter_m
+                }),
             floats: 0.0,
         },
         added: AddedMass {

@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::linalg::{BlockTri, M3, V3};
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::{Drag, Profile};
-use crate::physics::tension::{Axial, Chord};
+use crate::physics::tension::{Axial, Chord, Tension};
 use crate::physics::{Body, Current, EndMotion};
 use crate::solve::{Factors, State, System};
 
@@ -102,69 +102,109 @@ impl Scene {
         }
     }
 
-    /// Drag on the half of segment i at one of its nodes, and the shear of the current there \[1/s\].
+    /// Shear of the current at both nodes of segment i \[1/s\]; nothing where the current is uniform.
     #[inline(always)]
-    pub(super) fn half_drag(
-        &self,
-        i: usize,
-        chord: &Chord,
-        node: usize,
-        state: &State,
-    ) -> (Drag, V3, f64) {
-        let (water, shear) = self.current.at(state.x[node].z);
-        let (length, stretch) = self.wetted(i, chord);
-        let u = water - state.v[node];
-        (
-            self.segments[i].drag.drag(&chord.tangent, &u, 0.5 * length),
-            shear,
-            stretch,
-        )
+    fn shear(&self, i: usize, state: &State) -> Option<[V3; 2]> {
+        match &self.current {
+            Current::Uniform(_) => None,
+            Current::Table { .. } => {
+                Some([i, i + 1].map(|node| self.current.at(state.x[node].z).1))
+            }
+        }
     }
 
-    /// Adds what segment i contributes at `node` (its drag, added mass) to residual and tangent. `sign` is
-    /// the derivative of the chord by the node's position, -1 at the first node and 1 at the second.
-    /// Returns the block that couples the node to the segment's other node.
+    /// Drag on both halves of segment i.
     #[inline(always)]
-    fn half(
-        &self,
-        i: usize,
-        chord: &Chord,
-        node: usize,
-        sign: f64,
-        c: Factors,
-        out: &mut HalfOut<'_>,
-    ) -> M3 {
-        let (state, t) = (out.state, &chord.tangent);
-        let (drag, shear, stretch) = self.half_drag(i, chord, node, state);
-        let added = &self.segments[i].added;
-        let a = &state.a[node];
-        *out.r += added.force(t, a) - drag.force;
-        // R depends on the chord through the added mass and, with a minus, the drag.
-        let (s_m, p_m) = added.by_chord(t, a, chord.length);
-        let (s_d, p_d, q) = drag.by_chord(t, chord.length, stretch);
+    pub(super) fn drag(&self, i: usize, chord: &Chord, state: &State) -> [Drag; 2] {
+        let u = [i, i + 1].map(|node| self.current.at(state.x[node].z).0 - state.v[node]);
+        let length = self.wetted(i, chord).0;
+        self.segments[i]
+            .drag
+            .drag(&chord.tangent, [&u[0], &u[1]], 0.5 * length)
+    }
+
+    /// Adds what half a segment contributes to its node, pull, drag and added mass, and returns the block that couples the
+    /// node to the segment's other one.
+    #[inline(always)]
+    fn add_half(half: &Half<'_>, c: Factors, r: &mut V3, diag: &mut M3) -> M3 {
+        let Half {
+            segment,
+            chord,
+            pull,
+            drag,
+            other,
+            a,
+            shear,
+            stretch,
+            sign,
+        } = *half;
+        let (t, n) = (&chord.tangent, drag.direction());
+        let added = &segment.added;
+        *r += added.force(t, a) - drag.force;
+        // R depends on the chord through the pull, the added mass and, with a minus, the drag: s I + t p' + n q'.
+        let (s_m, p_m) = added.by_chord(t, a, chord.inverse);
+        let (s_d, p_d, q_d) = drag.by_chord(other, t, chord.inverse, stretch);
         let k = sign * c.stiffness;
-        let mut by_chord =
-            t * ((p_m - p_d) * k).transpose() - drag.normal_velocity() * (q * k).transpose();
-        add_diagonal(&mut by_chord, (s_m - s_d) * k);
-        // Drag falls with the node's own velocity.
-        let by_velocity = drag.by_velocity(t);
-        let mut own = by_velocity * c.damping
-            + t * t.transpose() * (c.mass * (added.tangential - added.normal));
-        add_diagonal(&mut own, c.mass * added.normal);
-        if shear != V3::zeros() {
-            let column = own.column(2) - by_velocity * shear * c.stiffness;
-            own.set_column(2, &column);
+        let (s, p, q) = ((s_m - s_d) * k + pull.0, (p_m - p_d) * k + pull.1, q_d * -k);
+        // Of its own node: the same, its acceleration, and its velocity, with which drag falls.
+        let (v_i, v_t, v_n) = drag.by_velocity();
+        let tt = c.damping * v_t + c.mass * (added.tangential - added.normal);
+        add_outer(diag, t, &(p + t * tt));
+        add_outer(diag, n, &(q + n * (c.damping * v_n)));
+        add_diagonal(diag, s + c.damping * v_i + c.mass * added.normal);
+        let mut coupling = M3::zeros();
+        add_outer(&mut coupling, t, &-p);
+        add_outer(&mut coupling, n, &-q);
+        add_diagonal(&mut coupling, -s);
+        let by_other = drag.by_other_velocity(other);
+        if let Some(block) = by_other {
+            coupling += block * c.damping;
         }
-        *out.diag += own + by_chord;
-        -by_chord
+        if let Some([own_shear, other_shear]) = shear {
+            let change =
+                own_shear * v_i + t * (v_t * t.dot(own_shear)) + n * (v_n * n.dot(own_shear));
+            add_to_last_column(diag, &(change * -c.stiffness));
+            if let Some(block) = by_other {
+                add_to_last_column(&mut coupling, &(block * other_shear * -c.stiffness));
+            }
+        }
+        coupling
     }
 }
 
-/// Where half a segment adds to.
-struct HalfOut<'a> {
-    state: &'a State,
-    r: &'a mut V3,
-    diag: &'a mut M3,
+/// Half a segment: where it is, and what acts on it.
+struct Half<'a> {
+    segment: &'a Segment,
+    chord: &'a Chord,
+    /// Derivative of the pull, see [`pull_by_chord`].
+    pull: (f64, V3),
+    drag: &'a Drag,
+    /// Drag of the other half.
+    other: &'a Drag,
+    /// Acceleration of its node.
+    a: &'a V3,
+    /// Shear of the current at its own node and at the other \[1/s\], where there is any.
+    shear: Option<[&'a V3; 2]>,
+    /// 1 / chord length where the wetted length grows with the chord.
+    stretch: f64,
+    /// Derivative of the chord by the node's position: -1 at the first node, 1 at the second.
+    sign: f64,
+}
+
+fn add_to_last_column(m: &mut M3, v: &V3) {
+    for i in 0..3 {
+        m[(i, 2)] += v[i];
+    }
+}
+
+/// `m += a b'`.
+#[inline(always)]
+fn add_outer(m: &mut M3, a: &V3, b: &V3) {
+    for j in 0..3 {
+        for i in 0..3 {
+            m[(i, j)] += a[i] * b[j];
+        }
+    }
 }
 
 #[inline(always)]
@@ -204,8 +244,7 @@ impl System for Scene {
             let pull = t * self.segments[i].axial.tension(&chord).value;
             r[i] -= pull;
             r[i + 1] += pull;
-            for node in [i, i + 1] {
-                let (drag, _, _) = self.half_drag(i, &chord, node, state);
+            for (node, drag) in [i, i + 1].into_iter().zip(self.drag(i, &chord, state)) {
                 r[node] += self.segments[i].added.force(t, &state.a[node]) - drag.force;
             }
         }
@@ -230,25 +269,31 @@ impl System for Scene {
             let pull = t * tension.value;
             r[i] -= pull;
             r[i + 1] += pull;
-            let elastic = elastic_block(&chord, &tension, c);
-            let (head, tail) = tangent.diag.split_at_mut(i + 1);
-            let (r_head, r_tail) = r.split_at_mut(i + 1);
-            let mut first = HalfOut {
-                state,
-                r: &mut r_head[i],
-                diag: &mut head[i],
+            let by_chord = pull_by_chord(&chord, &tension, c);
+            let drag = self.drag(i, &chord, state);
+            let sheared = self.shear(i, state);
+            let (shear, back) = match &sheared {
+                Some([first, second]) => (Some([first, second]), Some([second, first])),
+                None => (None, None),
             };
-            let upper = self.half(i, &chord, i, -1.0, c, &mut first);
-            *first.diag += elastic;
-            let mut second = HalfOut {
-                state,
-                r: &mut r_tail[0],
-                diag: &mut tail[0],
+            let stretch = self.wetted(i, &chord).1;
+            let segment = &self.segments[i];
+            let half = |drag, other, a, shear, sign| Half {
+                segment,
+                chord: &chord,
+                pull: by_chord,
+                drag,
+                other,
+                a,
+                shear,
+                stretch,
+                sign,
             };
-            let lower = self.half(i, &chord, i + 1, 1.0, c, &mut second);
-            *second.diag += elastic;
-            tangent.upper[i] = upper - elastic;
-            tangent.lower[i + 1] = lower - elastic;
+            let first = half(&drag[0], &drag[1], &state.a[i], shear, -1.0);
+            tangent.upper[i] = Self::add_half(&first, c, &mut r[i], &mut tangent.diag[i]);
+            let second = half(&drag[1], &drag[0], &state.a[i + 1], back, 1.0);
+            tangent.lower[i + 1] =
+                Self::add_half(&second, c, &mut r[i + 1], &mut tangent.diag[i + 1]);
         }
         if let Some(body) = &self.payload {
             let last = self.nodes() - 1;
@@ -283,16 +328,17 @@ impl System for Scene {
     }
 }
 
-/// Derivative of the pull of a segment by its chord, stiffness and damping in their shares:
-/// `dT/dl tt' + T/l (I - tt')` and, through the turning of the chord, `C/l (I - tt') w` along t.
+/// Derivative of the pull of a segment by its chord, stiffness and damping in their shares, in the form
+/// `s I + t p'`, the numbers (s, p): `dT/dl tt' + T/l (I - tt')` and, through the turning of the chord,
+/// `C/l (I - tt') w` along t.
 #[inline(always)]
-fn elastic_block(chord: &Chord, tension: &crate::physics::tension::Tension, c: Factors) -> M3 {
+fn pull_by_chord(chord: &Chord, tension: &Tension, c: Factors) -> (f64, V3) {
     let t = &chord.tangent;
-    let across = c.stiffness * tension.value / chord.length;
+    let across = c.stiffness * tension.value * chord.inverse;
     let along = c.stiffness * tension.by_length + c.damping * tension.by_speed;
-    let turning = (chord.opening - t * t.dot(&chord.opening))
-        * (c.stiffness * tension.by_speed / chord.length);
-    let mut block = t * (t * (along - across) + turning).transpose();
-    add_diagonal(&mut block, across);
-    block
+    let turning = c.stiffness * tension.by_speed * chord.inverse;
+    (
+        across,
+        t * (along - across - turning * t.dot(&chord.opening)) + chord.opening * turning,
+    )
 }

@@ -30,7 +30,7 @@ impl Scene {
     fn half_load(&self, i: usize, node: usize, state: &State) -> V3 {
         let segment = &self.segments[i];
         let chord = self.chord(i, state);
-        let (drag, _, _) = self.half_drag(i, &chord, node, state);
+        let drag = self.drag(i, &chord, state)[node - i];
         let a = &state.a[node];
         let inertia = a * segment.half_mass + segment.added.force(&chord.tangent, a);
         drag.force - inertia - V3::z() * segment.half_weight
@@ -77,8 +77,7 @@ impl Scene {
             let elastic = segment.axial.ea * (chord.length / segment.axial.length - 1.0).max(0.0);
             let viscous = segment.axial.tension(&chord).value - elastic;
             power += viscous * chord.tangent.dot(&chord.opening);
-            for node in [i, i + 1] {
-                let (drag, _, _) = self.half_drag(i, &chord, node, state);
+            for (node, drag) in [i, i + 1].into_iter().zip(self.drag(i, &chord, state)) {
                 power -= drag.force.dot(&state.v[node]);
             }
         }
@@ -106,13 +105,13 @@ impl Scene {
                 let chord = self.chord(i, state);
                 let t = &chord.tangent;
                 let pull = t * segment.axial.tension(&chord).value;
-                f += pull + self.half_drag(i, &chord, i, state).0.force;
-                let there = self.half_drag(i, &chord, i + 1, state).0.force;
+                let [here, there] = self.drag(i, &chord, state);
+                f += pull + here.force;
                 let (normal, tangential) = (segment.added.normal, segment.added.tangential);
                 m.add_directed(t, normal, tangential);
                 let mut next = Symmetric::default();
                 next.add_directed(t, normal, tangential);
-                before = Some((there - pull, next));
+                before = Some((there.force - pull, next));
             } else if let Some(body) = &self.payload {
                 let (water, _) = self.current.at(state.x[i].z);
                 f += body.drag(&(water - state.v[i]));

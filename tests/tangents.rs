@@ -1,0 +1,201 @@
+//! Every force's tangent against central differences, on lines that are taut, slack, moving, in a sheared
+//! current, astride the drag crisis.
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
+use proptest::prelude::*;
+use seacable::case::Case;
+use seacable::linalg::{BlockTri, V3};
+use seacable::scene::{self, Scene};
+use seacable::solve::{Factors, State, System};
+
+/// Two materials, floats, a payload, a current sheared over depth.
+const LINE: &str = r#"
+[case]
+title = "tangent"
+[current]
+speed_m_per_s = [0.2, 0.7]
+direction_deg = [0.0, 80.0]
+depth_m = [0.0, 60.0]
+[materials.rope]
+diameter_m = 0.2
+mass_kg_per_m = 30.0
+ea_n = 1.0e6
+axial_damping_n_s = 2.0e4
+drag_normal = "NORMAL"
+drag_tangential = "jia-2019-tangential"
+added_mass_tangential = 0.1
+[materials.wire]
+diameter_m = 0.1
+mass_kg_per_m = 60.0
+ea_n = 5.0e6
+axial_damping_ratio = 0.1
+drag_normal = 1.1
+drag_tangential = 0.02
+drag_tangential_width = "perimeter"
+[[line]]
+name = "rope"
+material = "rope"
+length_m = 30.0
+segments = 3
+[[line]]
+name = "wire"
+material = "wire"
+length_m = 20.0
+segments = 2
+[[floats]]
+section = "wire"
+from_m = 5.0
+lift_kg = 300.0
+mass_kg = 200.0
+drag_area_m2 = 2.0
+added_mass_kg = 100.0
+[ends.a]
+name = "vessel"
+kind = "fixed"
+position_m = [0, 0, 0]
+[ends.b]
+name = "payload"
+kind = "payload"
+[payload]
+dry_mass_kg = 2000.0
+wet_mass_kg = 1500.0
+drag_area_m2 = [3.0, 4.0, 5.0]
+added_mass_kg = 500.0
+[start]
+shape = "straight"
+elevation_deg = -50.0
+"#;
+
+fn line(normal: &str) -> Scene {
+    let text = LINE.replace("\"NORMAL\"", normal);
+    scene::build(&toml::from_str::<Case>(&text).unwrap(), 1).unwrap()
+}
+
+/// A state near the straight start, displaced, moving and accelerating at random.
+fn state(scene: &Scene, numbers: &[f64], strain: f64, speed: f64) -> State {
+    let mut next = numbers.iter().copied().cycle();
+    let mut vector = |size: f64| V3::from_fn(|_, _| size * next.next().unwrap());
+    let mut state = scene.initial_state();
+    for i in 1..scene.nodes() {
+        state.x[i] = state.x[i] * (1.0 + strain) + vector(0.02);
+        state.v[i] = vector(speed);
+        state.a[i] = vector(2.0);
+    }
+    state
+}
+
+/// The largest difference between the tangent and central differences, as a share of its largest entry.
+fn mismatch(scene: &Scene, state: &State, c: Factors) -> f64 {
+    let n = scene.nodes();
+    let mut tangent = BlockTri::new(n);
+    let mut r = vec![V3::zeros(); n];
+    scene.linearise(0.0, state, c, &mut r, &mut tangent);
+    let mut plain = r.clone();
+    scene.residual(0.0, state, &mut plain);
+    let size = tangent.diag.iter().map(|m| m.amax()).fold(0.0, f64::max);
+    let force = r.iter().map(V3::amax).fold(1.0, f64::max);
+    let mut worst = r
+        .iter()
+        .zip(&plain)
+        .map(|(a, b)| (a - b).amax() / force)
+        .fold(0.0, f64::max);
+    for node in 1..n {
+        for axis in 0..3 {
+            let h = 1e-7;
+            let shifted = |sign: f64| {
+                let mut moved = state.clone();
+                moved.x[node][axis] += sign * h * c.stiffness;
+                moved.v[node][axis] += sign * h * c.damping;
+                moved.a[node][axis] += sign * h * c.mass;
+                let mut r = vec![V3::zeros(); n];
+                scene.residual(0.0, &moved, &mut r);
+                r
+            };
+            let (up, down) = (shifted(1.0), shifted(-1.0));
+            for row in node - 1..(node + 2).min(n) {
+                let difference = (up[row] - down[row]) / (2.0 * h);
+                let block = match row as isize - node as isize {
+                    -1 => tangent.upper[row],
+                    0 => tangent.diag[row],
+                    _ => tangent.lower[row],
+                };
+                worst = f64::max(worst, (block.column(axis) - difference).amax() / size);
+            }
+        }
+    }
+    worst
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn tangent_is_the_finite_difference(
+        numbers in proptest::collection::vec(-1.0f64..1.0, 97),
+        strain in prop_oneof![Just(0.03), Just(-0.03)],
+        speed in prop_oneof![Just(0.05), Just(2.0)],
+        mass in 0.0f64..2.0,
+        damping in 0.0f64..2.0,
+        stiffness in 0.0f64..1.0,
+    ) {
+        let scene = line("1.2");
+        let state = state(&scene, &numbers, strain, speed);
+        // The strains of all segments stay on one side of slack, and damping below the elastic part.
+        let c = Factors { mass, damping, stiffness };
+        prop_assert!(mismatch(&scene, &state, c) < 1e-5, "{}", mismatch(&scene, &state, c));
+    }
+}
+
+#[test]
+fn tangent_astride_the_drag_crisis() {
+    let scene = line("\"jia-2019-normal\"");
+    let crisis = 1e5 * 1.19e-6 / 0.2;
+    for share in [0.2, 0.45, 0.55, 0.9] {
+        let mut state = state(&scene, &[0.3, -0.7, 0.5, 0.1, -0.2, 0.6, -0.9], 0.03, 0.0);
+        // Node 1 below and node 2 above the critical speed, the crisis at a share of the way between.
+        let across = V3::y();
+        for (node, offset) in [(1, -share), (2, 1.0 - share), (3, 2.0 - share)] {
+            let water = scene.current.at(state.x[node].z).0;
+            state.v[node] = water + across * (crisis + 0.3 * offset);
+        }
+        for c in [
+            Factors {
+                mass: 0.0,
+                damping: 1.0,
+                stiffness: 0.0,
+            },
+            Factors {
+                mass: 0.0,
+                damping: 0.0,
+                stiffness: 1.0,
+            },
+            Factors {
+                mass: 3.0,
+                damping: 2.0,
+                stiffness: 1.0,
+            },
+        ] {
+            assert!(
+                mismatch(&scene, &state, c) < 1e-5,
+                "share {share} {c:?}: {}",
+                mismatch(&scene, &state, c)
+            );
+        }
+    }
+}
+
+#[test]
+fn the_explicit_acceleration_leaves_no_residual() {
+    let scene = line("\"jia-2019-normal\"");
+    let mut state = state(&scene, &[0.3, -0.7, 0.5, 0.1, -0.2, 0.6, -0.9], 0.03, 0.4);
+    scene.accelerate(0.0, &mut state);
+    let mut r = vec![V3::zeros(); scene.nodes()];
+    scene.residual(0.0, &state, &mut r);
+    for i in scene.free() {
+        assert!(
+            r[i].norm() < 1e-9 * scene.force_scale(),
+            "node {i}: {}",
+            r[i].norm()
+        );
+    }
+}
