@@ -19,7 +19,7 @@ pub(super) fn note(row: &Row) -> String {
         (true, _) => words
             .push("An input was fitted to this very number: agreement is no evidence.".to_owned()),
         (false, Some(Standing::Calibrated)) => {
-            words.push("Inputs were calibrated, but not on this number.".to_owned())
+            words.push("Inputs were calibrated, but not on this number.".to_owned());
         }
         (false, _) => {}
     }

@@ -257,10 +257,10 @@ impl System for Scene {
     }
 
     fn linearise(&self, _t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockTri) {
-        for i in 0..self.nodes() {
-            r[i] = state.a[i] * self.mass[i];
-            r[i].z += self.weight[i];
-            tangent.diag[i] = M3::from_diagonal_element(c.mass * self.mass[i]);
+        for (i, (out, diag)) in r.iter_mut().zip(&mut tangent.diag).enumerate() {
+            *out = state.a[i] * self.mass[i];
+            out.z += self.weight[i];
+            *diag = M3::from_diagonal_element(c.mass * self.mass[i]);
         }
         for i in 0..self.segments.len() {
             let chord = self.chord(i, state);

@@ -18,6 +18,7 @@ pub(crate) fn info() -> RunInfo {
         failure: None,
         warnings: vec!["Segment 57 was slack for 12 s.".to_owned()],
         settings: Settings {
+            step_tolerance: None,
             method: "alpha".to_owned(),
             duration_s: 1200.0,
             time_step_s: 0.1 + 0.2,
