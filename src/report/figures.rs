@@ -121,10 +121,13 @@ fn places<'n>(sources: &[Source<'n>], quantity: &str) -> Vec<&'n str> {
     all
 }
 
-/// The body whose path is drawn: the payload, or else the first that was recorded.
+/// The body whose path is drawn: the payload, or else the first loose end, which has a speed of its
+/// own, or else the first end that moves at all.
 fn body<'n>(sources: &[Source<'n>]) -> Option<&'n str> {
     let all = places(sources, "z_m");
+    let loose = places(sources, "speed_m_per_s");
     let payload = all.iter().find(|place| **place == "payload");
+    let payload = payload.or(all.iter().find(|place| loose.contains(place)));
     payload.or(all.first()).copied()
 }
 

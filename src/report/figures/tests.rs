@@ -72,6 +72,20 @@ fn the_path_is_to_equal_scale_with_still_water_and_the_instant() {
 }
 
 #[test]
+fn the_path_is_that_of_the_loose_end_whatever_its_name() {
+    let mut history = history();
+    history.channels = ["x_m[vessel]", "z_m[vessel]", "x_m[clump]", "z_m[clump]"]
+        .map(|name| channel(name, vec![0.0; 3]))
+        .into();
+    let title = |history: &History| trajectory(&[Source::streamed(history, &[], "")], None).title;
+    assert_eq!(title(&history), "Path of the vessel");
+    history
+        .channels
+        .push(channel("speed_m_per_s[clump]", vec![0.0; 3]));
+    assert_eq!(title(&history), "Path of the clump");
+}
+
+#[test]
 fn the_axes_of_the_shape_stand_still() {
     let (history, shapes) = (history(), shapes());
     let sources = [Source::streamed(&history, &shapes, "")];

@@ -216,3 +216,61 @@ proptest! {
         draw_chart(&pane.chart(&base), area, &mut buf, Glyphs::Braille, Inks::Colour);
     }
 }
+
+/// The characters, and below them a map of their styles: `c`, `y` and so on for colours, capitals
+/// for bold, `.` for dim, `-` for the terminal's own.
+fn with_styles(buf: &Buffer) -> String {
+    use ratatui::style::{Color, Modifier};
+    let letter = |cell: &ratatui::buffer::Cell| {
+        let colour = match cell.fg {
+            Color::Cyan => 'c',
+            Color::Yellow => 'y',
+            Color::Red => 'r',
+            _ if cell.modifier.contains(Modifier::DIM) => '.',
+            _ => '-',
+        };
+        match (cell.symbol(), cell.modifier.contains(Modifier::BOLD)) {
+            (" ", _) => ' ',
+            (_, true) if colour == '-' => 'B',
+            (_, true) => colour.to_ascii_uppercase(),
+            _ => colour,
+        }
+    };
+    let width = usize::from(buf.area().width);
+    let mut text = String::new();
+    for row in buf.content().chunks(width) {
+        let line: String = row.iter().map(ratatui::buffer::Cell::symbol).collect();
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    for row in buf.content().chunks(width) {
+        let line: String = row.iter().map(letter).collect();
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}
+
+#[test]
+fn a_zoomed_and_marked_chart_with_its_styles() {
+    let (mut base, mut pane) = (base(), PlotPane::default());
+    base.title = "Tension".to_owned();
+    base.series[1].dimmed = true;
+    pane.set_cursor(Some(200.0));
+    act(&mut pane, &base, &[PlotVerb::Mark, PlotVerb::ZoomIn]);
+    act(&mut pane, &base, &[PlotVerb::CursorRight(Stride::Coarse)]);
+    let mut buf = Buffer::empty(Rect::new(0, 0, 60, 16));
+    let area = *buf.area();
+    draw_chart(
+        &pane.chart(&base),
+        area,
+        &mut buf,
+        Glyphs::Braille,
+        Inks::Colour,
+    );
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!("plot_pane_zoomed_60x16", with_styles(&buf)));
+}
