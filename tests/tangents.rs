@@ -92,7 +92,11 @@ fn mismatch(scene: &Scene, state: &State, c: Factors) -> f64 {
     scene.linearise(0.0, state, c, &mut r, &mut tangent);
     let mut plain = r.clone();
     scene.residual(0.0, state, &mut plain);
-    let size = tangent.diag.iter().map(nalgebra::Matrix::amax).fold(0.0, f64::max);
+    let size = tangent
+        .diag
+        .iter()
+        .map(nalgebra::Matrix::amax)
+        .fold(0.0, f64::max);
     let force = r.iter().map(V3::amax).fold(1.0, f64::max);
     let mut worst = r
         .iter()
