@@ -1,0 +1,370 @@
+//! The loop of the workbench: terminal, signals and jobs in; frames out; and every way to end.
+
+use std::any::Any;
+use std::io;
+use std::os::fd::AsFd;
+use std::panic::{self, AssertUnwindSafe};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use crossbeam_channel::Sender;
+use crossterm::clipboard::CopyToClipboard;
+use crossterm::{Command, style};
+use rustix::io::Errno;
+use rustix::process::{
+    Signal as Sig, getpgrp, getpid, getsid, kill_current_process_group, kill_process,
+};
+
+use super::msg::{Effect, Msg};
+use super::state::{Level, Overlay, Question, State};
+use super::terminal::decode::{Decoder, Input};
+use super::terminal::looks::{self, Looks};
+use super::terminal::screen::{Screen, restore};
+use super::terminal::signals::{Signal, Signals};
+use super::terminal::wait::{read, wait};
+use super::world::World;
+use super::{drafts, draw, shelf, update};
+use crate::report::chart::Glyphs;
+
+/// How the workbench is opened.
+#[derive(Debug, Clone, Default)]
+pub struct Options {
+    /// A case file to open, or a directory of cases to list; absent: the shipped cases.
+    pub path: Option<PathBuf>,
+    /// Characters for the charts; absent: chosen from the environment.
+    pub glyphs: Option<Glyphs>,
+    /// Fewer frames, and more patience with cut escape sequences.
+    pub slow_link: bool,
+}
+
+/// Why the workbench cannot be opened, or ended.
+#[derive(Debug, thiserror::Error)]
+pub enum OpenError {
+    /// There is no terminal to draw on.
+    #[error(
+        "The workbench needs a terminal, and {0}. Without one, use:\n  \
+         seacable run CASE          compute a case and store the run under runs/\n  \
+         seacable validate CASE     hold a case against its published values\n  \
+         seacable report RUN_DIR    print the report of a stored run"
+    )]
+    NoTerminal(&'static str),
+    /// The path named is not there.
+    #[error("There is no file or directory {}. Name a case file (*.toml) or a directory of cases.", .0.display())]
+    NotFound(PathBuf),
+    /// The shipped cases cannot be written where the user's data are kept.
+    #[error("The shipped cases cannot be written: {0}. Name a directory of cases: seacable DIR")]
+    NoCases(io::Error),
+    /// The terminal failed.
+    #[error("The terminal failed: {0}.")]
+    Terminal(#[from] io::Error),
+}
+
+/// How the workbench ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum End {
+    Quit,
+    Signal(i32),
+    HangUp,
+}
+
+/// Time between frames, and the longest wait for the rest of an escape sequence.
+#[derive(Debug, Clone, Copy)]
+struct Pace {
+    frame: Duration,
+    escape: Duration,
+}
+
+/// How often jobs are listened to while any runs.
+const LISTEN: Duration = Duration::from_millis(30);
+
+/// Opens the workbench, and returns when the user quits.
+///
+/// Ends the process itself, with the terminal restored, on SIGTERM, SIGHUP, a hang-up and a panic.
+///
+/// # Errors
+/// When there is no terminal, the path is not there, or the terminal fails.
+pub fn open(options: &Options) -> Result<(), OpenError> {
+    look_for_terminal()?;
+    let (dir, file) = whereto(options)?;
+    let var = |name: &str| std::env::var(name).ok();
+    let looks = looks::decide(options.glyphs, drafts::remembered_glyphs(), &var);
+    if !looks.colour {
+        // The theme has no colours then; the library's own handling of NO_COLOR would take the
+        // selection away as well.
+        style::force_color_output(true);
+    }
+    let mut world = World::new(dir);
+    guard_panics(world.sender());
+    let signals = Signals::register()?;
+    let mut screen = Screen::enter()?;
+    let pace = if options.slow_link {
+        Pace {
+            frame: Duration::from_millis(250),
+            escape: Duration::from_millis(400),
+        }
+    } else {
+        Pace {
+            frame: Duration::from_millis(100),
+            escape: Duration::from_millis(80),
+        }
+    };
+    let state = State::new(screen.size()?, looks);
+    let mut app = App {
+        state,
+        screen: &mut screen,
+        signals,
+        world: &mut world,
+        pace,
+        looks,
+    };
+    let ended = panic::catch_unwind(AssertUnwindSafe(|| app.run(file)));
+    finish(ended)
+}
+
+/// Every way to end meets here.
+fn finish(ended: Result<io::Result<End>, Box<dyn Any + Send>>) -> Result<(), OpenError> {
+    match ended {
+        Ok(Ok(End::HangUp)) => {
+            // There is nobody to tell; drops would try to write to the dead terminal.
+            std::process::exit(129);
+        }
+        Ok(Ok(End::Signal(number))) => {
+            restore();
+            std::process::exit(128 + number);
+        }
+        Ok(Ok(End::Quit)) => {
+            restore();
+            Ok(())
+        }
+        Ok(Err(error)) if gone(&error) => std::process::exit(129),
+        Ok(Err(error)) => {
+            restore();
+            Err(error.into())
+        }
+        Err(_) => {
+            restore();
+            std::process::exit(101);
+        }
+    }
+}
+
+fn gone(error: &io::Error) -> bool {
+    matches!(
+        Errno::from_io_error(error),
+        Some(Errno::IO | Errno::PIPE | Errno::NXIO | Errno::BADF)
+    )
+}
+
+fn look_for_terminal() -> Result<(), OpenError> {
+    let (input, output) = (io::stdin(), io::stdout());
+    if !rustix::termios::isatty(input.as_fd()) {
+        return Err(OpenError::NoTerminal("standard input is none"));
+    }
+    if !rustix::termios::isatty(output.as_fd()) {
+        return Err(OpenError::NoTerminal("standard output is none"));
+    }
+    if std::env::var("TERM").is_ok_and(|t| t == "dumb") {
+        return Err(OpenError::NoTerminal(
+            "TERM=dumb says that this one can only print lines",
+        ));
+    }
+    Ok(())
+}
+
+/// The directory to list, and the case to open at once.
+fn whereto(options: &Options) -> Result<(PathBuf, Option<PathBuf>), OpenError> {
+    let Some(path) = &options.path else {
+        return Ok((shelf::default_dir().map_err(OpenError::NoCases)?, None));
+    };
+    if path.is_dir() {
+        return Ok((path.clone(), None));
+    }
+    if !path.exists() {
+        return Err(OpenError::NotFound(path.clone()));
+    }
+    let parent = path.parent().filter(|p| !p.as_os_str().is_empty());
+    let dir = parent.map_or_else(|| PathBuf::from("."), PathBuf::from);
+    Ok((dir, Some(path.clone())))
+}
+
+/// A panic of the screen gives the terminal back before it is told; a panic of a job is told on the
+/// screen, which goes on.
+fn guard_panics(sender: Sender<Msg>) {
+    let screen_thread = std::thread::current().id();
+    let tell = panic::take_hook();
+    panic::set_hook(Box::new(move |info| {
+        if std::thread::current().id() == screen_thread {
+            restore();
+            tell(info);
+        } else {
+            let words = format!("A fault in seacable: {info}");
+            drop(sender.send(Msg::Say(Level::Error, words)));
+        }
+    }));
+}
+
+struct App<'a> {
+    state: State,
+    screen: &'a mut Screen,
+    signals: Signals,
+    world: &'a mut World,
+    pace: Pace,
+    looks: Looks,
+}
+
+impl App<'_> {
+    fn run(&mut self, file: Option<PathBuf>) -> io::Result<End> {
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        self.state.jobs.limit = cores.saturating_sub(1).max(1);
+        if self.looks.unsure {
+            self.state.overlay = Some(Overlay::Ask(Question::Glyphs));
+        }
+        let first = [Some(Effect::ReadCases), file.map(Effect::ReadCase)];
+        let mut end = self.perform(first.into_iter().flatten().collect())?;
+        let mut decoder = Decoder::default();
+        let mut dirty = true;
+        let mut drawn: Option<Instant> = None;
+        while end.is_none() {
+            let since = drawn.map_or(Duration::MAX, |at| at.elapsed());
+            if dirty && since >= self.pace.frame {
+                self.screen.draw(|frame| draw(&self.state, frame))?;
+                drawn = Some(Instant::now());
+                dirty = false;
+            }
+            let limit = self.limit(dirty, drawn, decoder.waiting());
+            let (messages, ended) = self.listen(&mut decoder, limit)?;
+            dirty |= !messages.is_empty();
+            end = ended;
+            for message in messages {
+                if end.is_none() {
+                    end = self.take(message)?;
+                }
+            }
+        }
+        Ok(end.unwrap_or(End::Quit))
+    }
+
+    /// How long nothing needs to be done.
+    fn limit(&self, dirty: bool, drawn: Option<Instant>, waiting: bool) -> Option<Duration> {
+        let frame = drawn
+            .filter(|_| dirty)
+            .map(|at| self.pace.frame.saturating_sub(at.elapsed()));
+        let escape = waiting.then_some(self.pace.escape);
+        let jobs = self.world.busy().then_some(LISTEN);
+        [frame, escape, jobs].into_iter().flatten().min()
+    }
+
+    /// Waits, and returns what happened.
+    fn listen(
+        &mut self,
+        decoder: &mut Decoder,
+        limit: Option<Duration>,
+    ) -> io::Result<(Vec<Msg>, Option<End>)> {
+        let began = Instant::now();
+        let terminal = io::stdin();
+        let woken = wait(terminal.as_fd(), self.signals.fd(), limit)?;
+        if woken.hung_up {
+            return Ok((Vec::new(), Some(End::HangUp)));
+        }
+        let mut messages = Vec::new();
+        for signal in self.signals.take() {
+            match signal {
+                Signal::Terminate(number) => return Ok((messages, Some(End::Signal(number)))),
+                Signal::HangUp => return Ok((messages, Some(End::Signal(1)))),
+                Signal::Stop => self.stop()?,
+                Signal::Continue => self.screen.reenter()?,
+                Signal::Resize => {}
+            }
+            let (columns, rows) = self.screen.size()?;
+            messages.push(Msg::Resize(columns, rows));
+        }
+        let mut inputs = Vec::new();
+        if woken.input {
+            let mut buffer = [0_u8; 4096];
+            match read(terminal.as_fd(), &mut buffer)? {
+                None => return Ok((messages, Some(End::HangUp))),
+                Some(n) => inputs = decoder.feed(&buffer[..n]),
+            }
+        } else if decoder.waiting() && began.elapsed() >= self.pace.escape {
+            inputs = decoder.give_up();
+        }
+        messages.extend(inputs.into_iter().map(|input| match input {
+            Input::Key(key) => Msg::Key(key),
+            Input::Paste(text) => Msg::Paste(text),
+        }));
+        messages.extend(self.world.heard());
+        Ok((messages, None))
+    }
+
+    fn take(&mut self, message: Msg) -> io::Result<Option<End>> {
+        let effects = update(&mut self.state, message);
+        self.perform(effects)
+    }
+
+    /// Does the effects, and the effects of what they answer.
+    fn perform(&mut self, effects: Vec<Effect>) -> io::Result<Option<End>> {
+        for effect in effects {
+            match effect {
+                Effect::Quit => return Ok(Some(End::Quit)),
+                Effect::Repaint => self.screen.repaint()?,
+                Effect::Suspend => self.suspend(),
+                Effect::Copy(text) => self.copy(&text)?,
+                other => {
+                    for answer in self.world.perform(other) {
+                        if let Some(end) = self.take(answer)? {
+                            return Ok(Some(end));
+                        }
+                    }
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// ^Z: stops the whole job of the shell, which may be more than this process.
+    fn suspend(&mut self) {
+        let alone = getsid(None).is_ok_and(|session| session == getpgrp());
+        if alone {
+            // Stopped without a shell above, nothing could ever bring it back.
+            self.state.say(
+                Level::Info,
+                "There is no shell behind this terminal that `fg` could be typed in.",
+            );
+        } else if let Err(error) = kill_current_process_group(Sig::TSTP) {
+            self.state.say(
+                Level::Warning,
+                format!("The program cannot be stopped: {error}."),
+            );
+        }
+    }
+
+    /// SIGTSTP: the terminal is given back, and taken again on SIGCONT.
+    fn stop(&mut self) -> io::Result<()> {
+        restore();
+        kill_process(getpid(), Sig::STOP)?;
+        self.screen.reenter()
+    }
+
+    fn copy(&mut self, text: &str) -> io::Result<()> {
+        let mut sequence = String::new();
+        let worded = CopyToClipboard::to_clipboard_from(text).write_ansi(&mut sequence);
+        if worded.is_ok() {
+            self.screen.write(sequence.as_bytes())?;
+        }
+        let kept = shelf::state_dir().and_then(|dir| {
+            std::fs::create_dir_all(&dir)?;
+            let path = dir.join("copied.txt");
+            std::fs::write(&path, text)?;
+            Ok(path)
+        });
+        let words = match kept {
+            Ok(path) => format!(
+                "Offered to the clipboard of your terminal (not every terminal takes it); also in {}.",
+                path.display()
+            ),
+            Err(error) => format!("Offered to the clipboard of your terminal; no file: {error}."),
+        };
+        self.state.say(Level::Info, words);
+        Ok(())
+    }
+}

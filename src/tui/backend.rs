@@ -1,0 +1,124 @@
+//! The core as the screen needs it: one thin layer over case, reference and report.
+
+use std::sync::Arc;
+
+use crate::case::{self, At, Case, Method};
+use crate::reference;
+use crate::report::table::Table;
+use crate::run::Run;
+
+pub use crate::case::fields::FieldRow;
+pub use crate::reference::Row;
+
+/// Reads a text as a case.
+///
+/// # Errors
+/// The first thing wrong, as one line with file, line and column.
+pub fn parse(text: &str, file: &str) -> Result<Case, String> {
+    case::parse(text, file).map_err(|all| {
+        all.first()
+            .map_or_else(|| format!("{file} is no case."), ToString::to_string)
+    })
+}
+
+/// The fields of the editor.
+#[must_use]
+pub fn rows(text: &str, case: &Case) -> Vec<FieldRow> {
+    case::fields::rows(text, case)
+}
+
+/// Sets a key of the text.
+///
+/// # Errors
+/// What is wrong with the value and what would be right.
+pub fn set(text: &str, key: &str, value: &str) -> Result<String, String> {
+    case::edit::set(text, key, value)
+        .map_err(|d| format!("{} {}", sentence(&d.problem), sentence(&d.remedy)))
+}
+
+fn sentence(text: &str) -> String {
+    let mut chars = text.trim().chars();
+    let first: String = chars
+        .next()
+        .into_iter()
+        .flat_map(char::to_uppercase)
+        .collect();
+    let rest: String = chars.collect();
+    let stop = if rest.ends_with(['.', '!', '?']) {
+        ""
+    } else {
+        "."
+    };
+    format!("{first}{rest}{stop}")
+}
+
+/// The word of a method in a case file.
+#[must_use]
+pub fn method_word(method: Method) -> &'static str {
+    match method {
+        Method::Static => "static",
+        Method::Quasi => "quasi",
+        Method::Rk4 => "rk4",
+        Method::Alpha => "alpha",
+    }
+}
+
+/// A point of a study in words: `speed_m_per_s = 0.2`.
+#[must_use]
+pub fn at_label(case: &Case, at: &At) -> String {
+    let study = case.study.iter().find(|s| s.name == at.study);
+    let key = study.map_or(at.study.as_str(), |s| s.key.as_str());
+    let last = key.rsplit('.').next().unwrap_or(key);
+    format!("{last} = {}", at.value)
+}
+
+/// Text and case at a point of a study; `None` is the case as it stands.
+///
+/// # Errors
+/// Why the point cannot be made.
+pub fn variant(
+    text: &str,
+    case: &Case,
+    at: Option<&At>,
+    file: &str,
+) -> Result<(String, Case), String> {
+    let Some(at) = at else {
+        return Ok((text.to_owned(), case.clone()));
+    };
+    let study = case
+        .study
+        .iter()
+        .find(|s| s.name == at.study)
+        .ok_or_else(|| format!("{file} has no study named `{}`.", at.study))?;
+    let text = case::edit::set_number(text, &study.key, at.value).map_err(|d| d.to_string())?;
+    let case = parse(&text, file)?;
+    Ok((text, case))
+}
+
+/// The variants that the validation table needs.
+#[must_use]
+pub fn plan(case: &Case) -> Vec<Option<At>> {
+    reference::plan(case)
+}
+
+/// Holds runs against the published values.
+#[must_use]
+pub fn checks(case: &Case, runs: &[(Option<At>, Arc<Run>)]) -> Vec<Row> {
+    reference::rows(case, &|at| {
+        runs.iter()
+            .find(|(have, _)| have.as_ref() == at)
+            .map(|(_, run)| run.as_ref())
+    })
+}
+
+/// The validation table.
+#[must_use]
+pub fn checks_table(rows: &[Row]) -> Table {
+    reference::table(rows)
+}
+
+/// The text report of a run.
+#[must_use]
+pub fn report(run: &Run, case: &Case, rows: &[Row]) -> String {
+    crate::report::text::report(run, case, rows)
+}

@@ -1,0 +1,119 @@
+//! What outlives a session without being the user's files: unsaved changes, and answers given.
+//!
+//! Changes are kept at every edit and not only when the program ends badly: so they also survive a
+//! kill that leaves no time for anything.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use rustix::process::{Pid, test_kill_process};
+
+use super::shelf::state_dir;
+use crate::report::chart::Glyphs;
+
+/// Keeps the unsaved text of a case, or drops it when there is none any more.
+///
+/// # Errors
+/// When the state directory cannot be written.
+pub fn keep(case: &Path, text: Option<&str>) -> io::Result<()> {
+    let dir = state_dir()?.join("recovery");
+    let path = dir.join(format!("{}{}.toml", prefix(case), std::process::id()));
+    match text {
+        Some(text) => {
+            fs::create_dir_all(&dir)?;
+            let beside = path.with_extension("tmp");
+            fs::write(&beside, text)?;
+            fs::rename(&beside, &path)
+        }
+        None => gone(&path),
+    }
+}
+
+/// The text that a session which is no longer there left of this case; the newest of several.
+#[must_use]
+pub fn left(case: &Path) -> Option<String> {
+    let newest = left_files(case)
+        .into_iter()
+        .max_by_key(|path| fs::metadata(path).and_then(|m| m.modified()).ok())?;
+    fs::read_to_string(newest).ok()
+}
+
+/// Drops what sessions that are no longer there left of this case.
+///
+/// # Errors
+/// When a file cannot be removed.
+pub fn drop_left(case: &Path) -> io::Result<()> {
+    left_files(case).iter().try_for_each(|path| gone(path))
+}
+
+fn gone(path: &Path) -> io::Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+fn left_files(case: &Path) -> Vec<PathBuf> {
+    let inside = state_dir().and_then(|dir| fs::read_dir(dir.join("recovery")));
+    let prefix = prefix(case);
+    inside
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|item| item.path())
+        .filter(|path| {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            let process = name
+                .strip_prefix(&prefix)
+                .and_then(|rest| rest.strip_suffix(".toml"))
+                .and_then(|n| n.parse::<i32>().ok());
+            process.is_some_and(|n| !alive(n))
+        })
+        .collect()
+}
+
+/// Whether a session of this process number is still there, this one included.
+fn alive(process: i32) -> bool {
+    Pid::from_raw(process).is_some_and(|pid| test_kill_process(pid).is_ok())
+}
+
+/// Name of the case and a fingerprint of its whole path.
+fn prefix(case: &Path) -> String {
+    let whole = case.canonicalize().unwrap_or_else(|_| case.to_owned());
+    let stem = case.file_stem().unwrap_or_default().to_string_lossy();
+    // FNV-1a, which unlike the standard hasher will be the same in every later version.
+    let print = whole
+        .as_os_str()
+        .as_encoded_bytes()
+        .iter()
+        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+            (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
+        });
+    format!("{stem}-{print:016x}-")
+}
+
+/// The glyphs the user chose in an earlier session.
+#[must_use]
+pub fn remembered_glyphs() -> Option<Glyphs> {
+    let text = fs::read_to_string(state_dir().ok()?.join("glyphs")).ok()?;
+    match text.trim() {
+        "braille" => Some(Glyphs::Braille),
+        "ascii" => Some(Glyphs::Ascii),
+        _ => None,
+    }
+}
+
+/// Remembers the glyphs the user chose.
+///
+/// # Errors
+/// When the state directory cannot be written.
+pub fn remember_glyphs(glyphs: Glyphs) -> io::Result<()> {
+    let dir = state_dir()?;
+    fs::create_dir_all(&dir)?;
+    let word = match glyphs {
+        Glyphs::Braille => "braille\n",
+        Glyphs::Ascii => "ascii\n",
+    };
+    fs::write(dir.join("glyphs"), word)
+}

@@ -1,0 +1,145 @@
+//! Keys as the program words them: `j`, `enter`, `ctrl+r`, `shift+tab`. One spelling for the command
+//! table, the footer and the help.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// A key press. Modifiers other than Ctrl on letters are left out on purpose: they do not pass
+/// every terminal, multiplexer and slow link.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Key {
+    /// A printable character.
+    Char(char),
+    /// Ctrl and a lower-case letter.
+    Ctrl(char),
+    /// Function key 1 to 12.
+    F(u8),
+    /// Return.
+    Enter,
+    /// Escape.
+    Esc,
+    /// Tabulator.
+    Tab,
+    /// Shift and tabulator.
+    BackTab,
+    /// Rub out to the left.
+    Backspace,
+    /// Rub out under the cursor.
+    Delete,
+    /// Insert.
+    Insert,
+    /// Arrow up.
+    Up,
+    /// Arrow down.
+    Down,
+    /// Arrow left.
+    Left,
+    /// Arrow right.
+    Right,
+    /// Home.
+    Home,
+    /// End.
+    End,
+    /// Page up.
+    PageUp,
+    /// Page down.
+    PageDown,
+}
+
+/// Names of the keys that are not a character.
+const NAMES: [(&str, Key); 16] = [
+    ("enter", Key::Enter),
+    ("esc", Key::Esc),
+    ("tab", Key::Tab),
+    ("shift+tab", Key::BackTab),
+    ("backspace", Key::Backspace),
+    ("del", Key::Delete),
+    ("ins", Key::Insert),
+    ("up", Key::Up),
+    ("down", Key::Down),
+    ("left", Key::Left),
+    ("right", Key::Right),
+    ("home", Key::Home),
+    ("end", Key::End),
+    ("pgup", Key::PageUp),
+    ("pgdn", Key::PageDown),
+    ("space", Key::Char(' ')),
+];
+
+impl fmt::Display for Key {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some((name, _)) = NAMES.iter().find(|(_, k)| k == self) {
+            return f.write_str(name);
+        }
+        match self {
+            Self::Ctrl(c) => write!(f, "ctrl+{c}"),
+            Self::F(n) => write!(f, "f{n}"),
+            Self::Char(c) => write!(f, "{c}"),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A key name that says nothing to us.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "`{0}` is no key; keys are a character, `ctrl+` and a letter, `f1` to `f12`, or a name such as `enter`"
+)]
+pub struct UnknownKey(pub String);
+
+impl FromStr for Key {
+    type Err = UnknownKey;
+
+    fn from_str(text: &str) -> Result<Self, UnknownKey> {
+        if let Some((_, key)) = NAMES.iter().find(|(n, _)| *n == text) {
+            return Ok(*key);
+        }
+        let mut chars = text.chars();
+        if let (Some(c), None) = (chars.next(), chars.next()) {
+            return Ok(Self::Char(c));
+        }
+        let letter = text.strip_prefix("ctrl+").and_then(|rest| {
+            let mut rest = rest.chars();
+            match (rest.next(), rest.next()) {
+                (Some(c), None) if c.is_ascii_lowercase() => Some(c),
+                _ => None,
+            }
+        });
+        if let Some(c) = letter {
+            return Ok(Self::Ctrl(c));
+        }
+        if let Some(n) = text.strip_prefix('f').and_then(|n| n.parse::<u8>().ok())
+            && (1..=12).contains(&n)
+        {
+            return Ok(Self::F(n));
+        }
+        Err(UnknownKey(text.to_owned()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_reads_back_as_the_key_it_came_from() {
+        let mut keys: Vec<Key> = NAMES.iter().map(|(_, k)| *k).collect();
+        keys.extend([
+            Key::Ctrl('r'),
+            Key::F(11),
+            Key::Char('?'),
+            Key::Char('+'),
+            Key::Char('é'),
+        ]);
+        for key in keys {
+            assert_eq!(key.to_string().parse(), Ok(key));
+        }
+    }
+
+    #[test]
+    fn nonsense_is_refused() {
+        for text in ["", "ctrl+", "ctrl+R", "f13", "meta+x", "ab"] {
+            assert_eq!(text.parse::<Key>(), Err(UnknownKey(text.to_owned())));
+        }
+    }
+}

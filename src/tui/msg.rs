@@ -1,0 +1,129 @@
+//! What reaches the state, and what the state asks of the world.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::key::Key;
+use super::state::{CaseEntry, Level, RunSlot, Ticket};
+use crate::report::chart::Glyphs;
+use crate::run::Run;
+use crate::run::job::{Event, Request};
+
+/// Something happened.
+#[derive(Debug, Clone)]
+pub enum Msg {
+    /// A key was pressed.
+    Key(Key),
+    /// Text was pasted.
+    Paste(String),
+    /// The terminal has this size.
+    Resize(u16, u16),
+    /// A job said something.
+    Job(Ticket, Box<Event>),
+    /// The run of a job has this directory.
+    Stored(Ticket, PathBuf),
+    /// A job could not be started or stored, for this reason.
+    JobFailed(Ticket, String),
+    /// The cases of a directory.
+    CasesRead(PathBuf, Vec<CaseEntry>),
+    /// A case file was read; with edits that an earlier session left behind.
+    CaseRead(Box<CaseRead>),
+    /// A case file cannot be opened: title, and all that is wrong.
+    CaseRefused(String, String),
+    /// A case was saved here.
+    Saved(PathBuf, String),
+    /// A case cannot be saved, for this reason.
+    NotSaved(String),
+    /// The file of a case is not what it was when it was read.
+    ChangedOnDisk,
+    /// The runs of the open case found on disk.
+    RunsListed(Vec<RunSlot>),
+    /// A stored run was read.
+    RunRead(PathBuf, Result<Arc<Run>, String>),
+    /// A stored run was deleted.
+    RunDeleted(PathBuf),
+    /// The live run was kept here.
+    Kept(PathBuf, Arc<Run>),
+    /// Something to tell.
+    Say(Level, String),
+}
+
+/// A case file as read.
+#[derive(Debug, Clone)]
+pub struct CaseRead {
+    /// Where it is.
+    pub path: PathBuf,
+    /// Its text.
+    pub text: String,
+    /// Its meaning.
+    pub case: crate::case::Case,
+    /// Unsaved text of an earlier session.
+    pub recovered: Option<String>,
+}
+
+/// Something to be done outside of the state.
+#[derive(Debug, Clone)]
+pub enum Effect {
+    /// List the cases.
+    ReadCases,
+    /// Read a case file.
+    ReadCase(PathBuf),
+    /// Write the text of a case, unless the file no longer holds `expected`.
+    SaveCase {
+        /// Where to.
+        path: PathBuf,
+        /// What.
+        text: String,
+        /// What the file should hold; absent: whatever it holds, write.
+        expected: Option<String>,
+        /// Do not overwrite a file that is there.
+        new: bool,
+    },
+    /// Keep unsaved text in case the program ends badly.
+    KeepDraft {
+        /// The case it belongs to.
+        path: PathBuf,
+        /// The text; absent: there is nothing unsaved any more.
+        text: Option<String>,
+    },
+    /// Delete the recovery file of a case.
+    DropRecovery(PathBuf),
+    /// Start a job.
+    Start {
+        /// Its number.
+        ticket: Ticket,
+        /// What to compute.
+        request: Box<Request>,
+        /// Whether its run is stored.
+        store: bool,
+    },
+    /// Cancel a job.
+    Cancel(Ticket),
+    /// List the stored runs of a case file.
+    ListRuns(String),
+    /// Read a stored run.
+    ReadRun(PathBuf),
+    /// Delete a stored run.
+    DeleteRun(PathBuf),
+    /// Store a run that is in memory.
+    KeepRun(Arc<Run>),
+    /// Write a text to a new file; when the name is taken, to the next free one.
+    WriteText {
+        /// Where to.
+        path: PathBuf,
+        /// What.
+        text: String,
+        /// What it is, for the message ("The report").
+        what: &'static str,
+    },
+    /// Copy text to the clipboard of the user's terminal, and to a file.
+    Copy(String),
+    /// Remember the glyphs for the next session.
+    RememberGlyphs(Glyphs),
+    /// Paint the whole screen anew.
+    Repaint,
+    /// Stop until `fg`.
+    Suspend,
+    /// End the program.
+    Quit,
+}

@@ -1,0 +1,137 @@
+//! The charts of the open case: which runs are on them, and which of their curves.
+
+use super::state::{ChartKind, Curves, OpenCase};
+use crate::report::chart::{Chart, Range};
+use crate::report::figures::{
+    Source, line_shape, payload_position, tension_profile, tensions, trajectory,
+};
+
+/// A run on the charts.
+struct Shown<'a> {
+    label: &'a str,
+    curves: &'a Curves,
+    dimmed: bool,
+}
+
+impl<'a> Shown<'a> {
+    fn source(&self) -> Source<'a> {
+        let source = match &self.curves.run {
+            Some(run) => Source::whole(run, self.label),
+            None => Source::streamed(self.curves.history(), self.curves.shapes(), self.label)
+                .until(self.curves.progress.duration),
+        };
+        if self.dimmed { source.dimmed() } else { source }
+    }
+}
+
+/// The runs on the charts, older results first.
+fn shown(open: &OpenCase) -> Vec<Shown<'_>> {
+    let mut list = Vec::new();
+    let live = &open.live;
+    if !live.hidden {
+        // The old curve stays, dimmed, until the new one is complete.
+        let landed = live.going.as_ref().is_some_and(|g| g.progress.estimating);
+        let done = live.done.as_ref().filter(|_| !landed);
+        list.extend(done.map(|curves| Shown {
+            label: if live.going.is_some() {
+                "before"
+            } else {
+                "live"
+            },
+            curves,
+            dimmed: live.going.is_some(),
+        }));
+        list.extend(live.going.as_ref().map(|curves| Shown {
+            label: "live",
+            curves,
+            dimmed: false,
+        }));
+    }
+    list.extend(open.runs.iter().filter(|s| s.shown).map(|slot| Shown {
+        label: if slot.label.is_empty() {
+            &slot.id
+        } else {
+            &slot.label
+        },
+        curves: &slot.curves,
+        dimmed: false,
+    }));
+    list
+}
+
+/// How many runs are on the charts in full ink.
+#[must_use]
+pub fn runs_shown(open: &OpenCase) -> usize {
+    shown(open).iter().filter(|s| !s.dimmed).count()
+}
+
+/// The chart of this kind as the user has it: with zoom, cursor and marks.
+#[must_use]
+pub fn viewed(open: &OpenCase, kind: ChartKind) -> Chart {
+    open.views[kind.index()].chart(&chart(open, kind))
+}
+
+/// The chart of this kind as the case stands.
+#[must_use]
+pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
+    let sources: Vec<Source> = shown(open).iter().map(Shown::source).collect();
+    let newest = time_range(open).map_or(0.0, |(_, last)| last);
+    let mut chart = match kind {
+        ChartKind::Tensions => tensions(&sources),
+        ChartKind::Payload => payload_position(&sources),
+        ChartKind::Path => trajectory(&sources, open.instant),
+        ChartKind::Shape => line_shape(&sources, open.instant.unwrap_or(newest)),
+        ChartKind::Profile => tension_profile(&sources),
+    };
+    let names = series_names(open, kind);
+    let only = match open.series {
+        Some(i) => names.get(i.min(names.len().saturating_sub(1))),
+        // Every curve of every run would be too many to tell apart.
+        None if runs_shown(open) > 1 => names.last(),
+        None => None,
+    };
+    if let Some(only) = only {
+        let with_run = format!("{only}, ");
+        chart
+            .series
+            .retain(|s| s.label == *only || s.label.starts_with(&with_run));
+        chart.title = format!("{}: {only}", chart.title);
+    }
+    chart
+}
+
+/// Names of the curves of one run, among which the user leafs.
+#[must_use]
+pub fn series_names(open: &OpenCase, kind: ChartKind) -> Vec<String> {
+    let fixed = |names: &[&str]| names.iter().map(|n| (*n).to_owned()).collect();
+    match kind {
+        ChartKind::Tensions => {
+            let mut names: Vec<String> = Vec::new();
+            for run in shown(open) {
+                for channel in &run.curves.history().channels {
+                    if let Some(rest) = channel.name.strip_prefix("tension_n[") {
+                        let name = rest.trim_end_matches(']');
+                        if !names.iter().any(|n| n == name) {
+                            names.push(name.to_owned());
+                        }
+                    }
+                }
+            }
+            names
+        }
+        ChartKind::Payload => fixed(&["x", "z"]),
+        ChartKind::Profile => fixed(&["at the end", "smallest", "greatest"]),
+        ChartKind::Path | ChartKind::Shape => Vec::new(),
+    }
+}
+
+/// First and last instant of the runs shown.
+#[must_use]
+pub fn time_range(open: &OpenCase) -> Option<Range> {
+    let runs = shown(open);
+    let ends = runs.iter().filter_map(|s| {
+        let time = &s.curves.history().time;
+        Some((*time.first()?, *time.last()?))
+    });
+    ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+}

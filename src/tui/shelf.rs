@@ -1,0 +1,157 @@
+//! The shipped cases, and listing a directory of cases.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use etcetera::base_strategy::{BaseStrategy, Xdg};
+
+use super::state::CaseEntry;
+use crate::case::{self, render_all};
+
+/// A case that comes with the program: path below `cases/`, and text.
+type Shipped = (&'static str, &'static str);
+
+macro_rules! shipped {
+    ($path:literal) => {
+        ($path, include_str!(concat!("../../cases/", $path)))
+    };
+}
+
+/// The cases that come with the program, so that an installed binary needs no files beside it.
+pub const SHIPPED: &[Shipped] = &[
+    shipped!("basics/hanging_line.toml"),
+    shipped!("basics/mooring_static.toml"),
+    shipped!("basics/pendulum.toml"),
+    shipped!("pendulous/manifold.toml"),
+    shipped!("pendulous/module.toml"),
+];
+
+/// The case on which the list opens.
+pub const FIRST: &str = "pendulous/manifold.toml";
+
+/// Directories deeper than this below the listed one are not looked into.
+const DEPTH: usize = 4;
+
+/// The directory that is listed when the user names none: `cases/` here, else the shipped cases
+/// written to the user's data directory. Files that are there already are left alone.
+///
+/// # Errors
+/// When the shipped cases cannot be written.
+pub fn default_dir() -> io::Result<PathBuf> {
+    let here = PathBuf::from("cases");
+    if !files_below(&here, DEPTH).is_empty() {
+        return Ok(here);
+    }
+    let dir = data_dir()?.join("cases");
+    for (name, text) in SHIPPED {
+        let path = dir.join(name);
+        if !path.exists() {
+            if let Some(parent) = path.parent() {
+                fs::create_dir_all(parent)?;
+            }
+            fs::write(&path, text)?;
+        }
+    }
+    Ok(dir)
+}
+
+fn data_dir() -> io::Result<PathBuf> {
+    let base = Xdg::new().map_err(io::Error::other)?;
+    Ok(base.data_dir().join("seacable"))
+}
+
+/// Where the program keeps what is not the user's: drafts, answers given.
+///
+/// # Errors
+/// When the user has no home directory.
+pub fn state_dir() -> io::Result<PathBuf> {
+    let base = Xdg::new().map_err(io::Error::other)?;
+    let dir = base.state_dir().unwrap_or_else(|| base.data_dir());
+    Ok(dir.join("seacable"))
+}
+
+/// The cases of a directory, by path; those that do not pass say why.
+#[must_use]
+pub fn list(dir: &Path) -> Vec<CaseEntry> {
+    let mut files = files_below(dir, DEPTH);
+    files.sort();
+    files.into_iter().map(|path| entry(dir, path)).collect()
+}
+
+fn entry(dir: &Path, path: PathBuf) -> CaseEntry {
+    let name = path
+        .strip_prefix(dir)
+        .unwrap_or(&path)
+        .display()
+        .to_string();
+    let about = match case::load(&path) {
+        Ok(loaded) => Ok((loaded.case.case.title, loaded.case.case.source)),
+        Err(all) => {
+            let line = all.first().map_or_else(String::new, |d| {
+                format!("line {}, column {}: {}", d.line, d.column, d.problem)
+            });
+            Err((line, story(&path, &all)))
+        }
+    };
+    CaseEntry { path, name, about }
+}
+
+/// All that is wrong with a file, with the lines meant.
+#[must_use]
+pub fn story(path: &Path, all: &[case::Diagnostic]) -> String {
+    let text = fs::read_to_string(path).unwrap_or_default();
+    render_all(all, &text, false)
+}
+
+fn files_below(dir: &Path, depth: usize) -> Vec<PathBuf> {
+    let Ok(inside) = fs::read_dir(dir) else {
+        return Vec::new();
+    };
+    let mut files = Vec::new();
+    for item in inside.flatten() {
+        let path = item.path();
+        let hidden = item.file_name().to_string_lossy().starts_with('.');
+        if hidden {
+            continue;
+        }
+        if path.is_dir() {
+            if depth > 0 {
+                files.extend(files_below(&path, depth - 1));
+            }
+        } else if path.extension().is_some_and(|e| e == "toml") {
+            files.push(path);
+        }
+    }
+    files
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_case_of_the_repository_is_shipped_as_it_stands() {
+        let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases");
+        let mut files = files_below(&dir, DEPTH);
+        files.sort();
+        let names: Vec<String> = files
+            .iter()
+            .map(|f| f.strip_prefix(&dir).unwrap().display().to_string())
+            .collect();
+        let mut shipped: Vec<&str> = SHIPPED.iter().map(|(name, _)| *name).collect();
+        shipped.sort_unstable();
+        assert_eq!(names, shipped);
+        assert!(shipped.contains(&FIRST));
+    }
+
+    #[test]
+    fn a_broken_case_is_listed_with_place_and_remedy() {
+        let dir = tempfile::tempdir().unwrap();
+        fs::write(dir.path().join("broken.toml"), "[case]\ntitle = 3\n").unwrap();
+        let entries = list(dir.path());
+        let (line, whole) = entries[0].about.clone().unwrap_err();
+        assert!(line.starts_with("line "), "{line}");
+        assert!(whole.contains("broken.toml:"), "{whole}");
+    }
+}

@@ -1,0 +1,152 @@
+//! The curves of one run: streamed while it computes, whole when it is done.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::jobs::Ticket;
+use crate::case::At;
+use crate::run::{Channel, Frame, History, LineShape, Progress, Run};
+
+/// What is known of a run so far.
+#[derive(Debug, Clone, Default)]
+pub struct Curves {
+    streamed: History,
+    shapes: Vec<LineShape>,
+    /// The run, once it is complete.
+    pub run: Option<Arc<Run>>,
+    /// How far it is.
+    pub progress: Progress,
+}
+
+impl Curves {
+    /// The curves of a complete run.
+    #[must_use]
+    pub fn whole(run: Arc<Run>) -> Self {
+        Self {
+            run: Some(run),
+            ..Self::default()
+        }
+    }
+
+    /// Names the channels that frames will fill.
+    pub fn begin(&mut self, channels: Vec<(String, String)>) {
+        self.streamed.channels = channels
+            .into_iter()
+            .map(|(name, unit)| Channel {
+                name,
+                unit,
+                values: Vec::new(),
+                peak: (f64::NEG_INFINITY, 0.0),
+                trough: (f64::INFINITY, 0.0),
+            })
+            .collect();
+    }
+
+    /// Adds an output instant.
+    pub fn push(&mut self, frame: Frame) {
+        self.progress = frame.progress;
+        self.streamed.time.push(frame.time);
+        for (channel, value) in self.streamed.channels.iter_mut().zip(frame.values) {
+            channel.values.push(value);
+            if value > channel.peak.0 {
+                channel.peak = (value, frame.time);
+            }
+            if value < channel.trough.0 {
+                channel.trough = (value, frame.time);
+            }
+        }
+        self.shapes.extend(frame.shape);
+    }
+
+    /// The complete run takes the place of what was streamed.
+    pub fn finish(&mut self, run: Arc<Run>) {
+        self.streamed = History::default();
+        self.shapes = Vec::new();
+        self.run = Some(run);
+    }
+
+    /// Channels against time.
+    #[must_use]
+    pub fn history(&self) -> &History {
+        self.run.as_ref().map_or(&self.streamed, |run| &run.history)
+    }
+
+    /// Shapes of the line, oldest first.
+    #[must_use]
+    pub fn shapes(&self) -> &[LineShape] {
+        self.run.as_ref().map_or(&self.shapes, |run| &run.shapes)
+    }
+}
+
+/// Where a run of the list comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SlotKind {
+    /// Asked for in this session.
+    Session,
+    /// Found on disk.
+    Stored,
+}
+
+/// How a run of the list stands.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum SlotState {
+    /// Waits for its turn.
+    Queued,
+    /// Computes.
+    Running,
+    /// Complete.
+    Done,
+    /// The solver gave up, for this reason.
+    Failed(String),
+    /// Stopped by the user.
+    Cancelled,
+    /// Found incomplete: the program that wrote it was killed.
+    Partial,
+    /// Cannot be read, for this reason.
+    Unreadable(String),
+}
+
+impl SlotState {
+    /// Its word on screen.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Queued => "queued",
+            Self::Running => "running",
+            Self::Done => "done",
+            Self::Failed(_) => "failed",
+            Self::Cancelled => "cancelled",
+            Self::Partial => "partial",
+            Self::Unreadable(_) => "unreadable",
+        }
+    }
+}
+
+/// A run of the list.
+#[derive(Debug, Clone)]
+pub struct RunSlot {
+    /// Number of its job, in this session.
+    pub ticket: Option<Ticket>,
+    /// Name, as of its directory once it has one.
+    pub id: String,
+    /// What is special about it ("current.speed_m_per_s = 0.2"), or empty.
+    pub label: String,
+    /// The point of a study it belongs to; absent: the case as it stands.
+    pub at: Option<At>,
+    /// The case text it computes, to tell whether it answers for the case as it stands.
+    pub text: String,
+    /// Where it comes from.
+    pub kind: SlotKind,
+    /// How it stands.
+    pub state: SlotState,
+    /// Method, for the list.
+    pub method: String,
+    /// Its directory, once there is one.
+    pub dir: Option<PathBuf>,
+    /// Steps and CPU time, for the list, once known.
+    pub cost: Option<(u64, f64)>,
+    /// Whether the charts show it.
+    pub shown: bool,
+    /// Its curves; a stored run has none before it is first shown.
+    pub curves: Curves,
+}

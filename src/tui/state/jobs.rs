@@ -1,0 +1,133 @@
+//! Jobs that run, wait or have ended.
+
+use std::collections::VecDeque;
+
+use crate::run::Progress;
+use crate::run::job::Request;
+
+/// Number of a job in this session; a message with a number we no longer wait for is dropped.
+pub type Ticket = u64;
+
+/// What a job is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Purpose {
+    /// The re-solve after an edit; the newest wins and nothing is stored.
+    Live,
+    /// Asked for by the user, and stored.
+    Run,
+}
+
+/// How a job stands.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum JobState {
+    /// Waits for its turn.
+    Queued,
+    /// Computes.
+    Running,
+    /// Complete.
+    Done,
+    /// Gave up, for this reason.
+    Failed(String),
+    /// Stopped by the user.
+    Cancelled,
+}
+
+impl JobState {
+    /// Its word on screen.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Queued => "queued",
+            Self::Running => "running",
+            Self::Done => "done",
+            Self::Failed(_) => "failed",
+            Self::Cancelled => "cancelled",
+        }
+    }
+
+    /// True while it may still compute.
+    #[must_use]
+    pub fn is_open(&self) -> bool {
+        matches!(self, Self::Queued | Self::Running)
+    }
+}
+
+/// A job as the list shows it.
+#[derive(Debug, Clone)]
+pub struct JobLine {
+    /// Its number.
+    pub ticket: Ticket,
+    /// What it computes, in words.
+    pub name: String,
+    /// What it is for.
+    pub purpose: Purpose,
+    /// How it stands.
+    pub state: JobState,
+    /// How far it is.
+    pub progress: Progress,
+}
+
+/// All jobs of the session, oldest first.
+#[derive(Debug, Clone)]
+pub struct Jobs {
+    /// The jobs.
+    pub lines: Vec<JobLine>,
+    /// Requests that wait for their turn.
+    pub waiting: VecDeque<(Ticket, Box<Request>)>,
+    /// How many stored runs may compute at a time.
+    pub limit: usize,
+    /// Cursor in the list.
+    pub cursor: usize,
+    /// The next number.
+    pub next: Ticket,
+}
+
+impl Default for Jobs {
+    fn default() -> Self {
+        Self {
+            lines: Vec::new(),
+            waiting: VecDeque::new(),
+            limit: 1,
+            cursor: 0,
+            next: 1,
+        }
+    }
+}
+
+impl Jobs {
+    /// A new number, never used before.
+    pub fn ticket(&mut self) -> Ticket {
+        let ticket = self.next;
+        self.next += 1;
+        ticket
+    }
+
+    /// The job of this number.
+    pub fn get_mut(&mut self, ticket: Ticket) -> Option<&mut JobLine> {
+        self.lines.iter_mut().find(|line| line.ticket == ticket)
+    }
+
+    /// How many compute for the store at this moment.
+    #[must_use]
+    pub fn computing(&self) -> usize {
+        self.of(Purpose::Run)
+            .filter(|l| l.state == JobState::Running)
+            .count()
+    }
+
+    /// How many stored runs wait or compute.
+    #[must_use]
+    pub fn open(&self) -> usize {
+        self.of(Purpose::Run).filter(|l| l.state.is_open()).count()
+    }
+
+    fn of(&self, purpose: Purpose) -> impl Iterator<Item = &JobLine> {
+        self.lines.iter().filter(move |l| l.purpose == purpose)
+    }
+
+    /// True while anything computes or waits, live solves too.
+    #[must_use]
+    pub fn busy(&self) -> bool {
+        self.lines.iter().any(|l| l.state.is_open())
+    }
+}

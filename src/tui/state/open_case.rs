@@ -1,0 +1,193 @@
+//! A case that is open: its text and edits, its runs, and what the panes show.
+
+use std::path::PathBuf;
+
+use tui_input::Input;
+
+use super::curves::{Curves, RunSlot};
+use super::jobs::Ticket;
+use crate::case::Case;
+use crate::tui::backend::{FieldRow, Row};
+use crate::tui::command::Place;
+use crate::tui::plot_pane::PlotPane;
+use crate::tui::table_pane::TablePane;
+
+/// What follows a save that was asked for on the way out.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum After {
+    /// Nothing.
+    #[default]
+    Stay,
+    /// The case is left.
+    Close,
+    /// The program is left.
+    Quit,
+}
+
+/// The charts, in the order in which they are leafed through.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ChartKind {
+    /// Tension at the joints against time.
+    Tensions,
+    /// Payload x and z against time.
+    Payload,
+    /// Path of the payload, z against x, to equal scale.
+    Path,
+    /// The line at an instant, z against x, to equal scale.
+    Shape,
+    /// Tension along the line, with its envelope.
+    Profile,
+}
+
+impl ChartKind {
+    /// All of them.
+    pub const ALL: [Self; 5] = [
+        Self::Tensions,
+        Self::Payload,
+        Self::Path,
+        Self::Shape,
+        Self::Profile,
+    ];
+
+    /// Name on its tab.
+    #[must_use]
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Tensions => "Tensions",
+            Self::Payload => "Payload",
+            Self::Path => "Path",
+            Self::Shape => "Shape",
+            Self::Profile => "Profile",
+        }
+    }
+
+    /// Its place among [`Self::ALL`].
+    #[must_use]
+    pub fn index(self) -> usize {
+        self as usize
+    }
+
+    /// The chart so many steps on, around the end.
+    #[must_use]
+    pub fn step(self, by: usize) -> Self {
+        Self::ALL[(self.index() + by) % Self::ALL.len()]
+    }
+}
+
+/// A value being typed.
+#[derive(Debug, Clone)]
+pub struct Editing {
+    /// Key path of the field.
+    pub path: String,
+    /// What is typed.
+    pub input: Input,
+    /// Why what was typed is refused.
+    pub problem: Option<String>,
+}
+
+/// The re-solve after an edit.
+#[derive(Debug, Clone, Default)]
+pub struct Live {
+    /// The job that computes now.
+    pub ticket: Option<Ticket>,
+    /// Its curves so far.
+    pub going: Option<Curves>,
+    /// The text that `going` computes.
+    pub going_text: String,
+    /// The last complete curves, dimmed while `going` is on its way.
+    pub done: Option<Curves>,
+    /// The text that `done` computed.
+    pub done_text: String,
+    /// Where it was kept on disk, if the user did.
+    pub kept: Option<PathBuf>,
+    /// Why the last one failed.
+    pub failure: Option<String>,
+    /// Taken off the charts while other runs are shown alone.
+    pub hidden: bool,
+}
+
+/// A case that is open.
+#[derive(Debug, Clone)]
+pub struct OpenCase {
+    /// Where its file is.
+    pub path: PathBuf,
+    /// Name of the file.
+    pub file: String,
+    /// Text of the file as read or saved last.
+    pub saved: String,
+    /// The text now.
+    pub text: String,
+    /// What the text says.
+    pub case: Case,
+    /// The fields of the editor.
+    pub rows: Vec<FieldRow>,
+    /// Texts before each edit, oldest first.
+    pub undo: Vec<String>,
+    /// Texts undone, to be redone.
+    pub redo: Vec<String>,
+    /// What follows the next save.
+    pub after_save: After,
+    /// Where the keys go.
+    pub pane: Place,
+    /// Cursor among the fields that pass the filter.
+    pub field: usize,
+    /// Filter of the fields.
+    pub filter: Input,
+    /// True while the filter is typed.
+    pub filtering: bool,
+    /// A value being typed.
+    pub editing: Option<Editing>,
+    /// The chart shown.
+    pub chart: ChartKind,
+    /// Zoom, cursor and marks of each chart.
+    pub views: [PlotPane; 5],
+    /// The joint or component shown alone; absent: all, or the last one when several runs are shown.
+    pub series: Option<usize>,
+    /// The instant that all charts show \[s\]; absent: the newest.
+    pub instant: Option<f64>,
+    /// The re-solve after an edit.
+    pub live: Live,
+    /// Runs of the case, the oldest first.
+    pub runs: Vec<RunSlot>,
+    /// Cursor among the runs; 0 is the live one.
+    pub run: usize,
+    /// The validation table, made anew when a run lands.
+    pub checks: Vec<Row>,
+    /// Selection, sorting and scrolling of the validation table.
+    pub checks_pane: TablePane,
+    /// The report shown: name of the run and text.
+    pub report: Option<(String, String)>,
+    /// First line and column shown of the report.
+    pub report_scroll: (usize, usize),
+}
+
+impl OpenCase {
+    /// True when the text differs from the file.
+    #[must_use]
+    pub fn unsaved(&self) -> bool {
+        self.text != self.saved
+    }
+
+    /// The fields that pass the filter.
+    pub fn fields(&self) -> impl Iterator<Item = &FieldRow> {
+        let filter = self.filter.value().to_lowercase();
+        self.rows.iter().filter(move |row| {
+            super::case_list::passes(
+                &format!("{} {} {}", row.path, row.group, row.label),
+                &filter,
+            )
+        })
+    }
+
+    /// The field under the cursor.
+    #[must_use]
+    pub fn current_field(&self) -> Option<&FieldRow> {
+        self.fields().nth(self.field)
+    }
+
+    /// The run under the cursor; the live one is none.
+    #[must_use]
+    pub fn current_run(&self) -> Option<&RunSlot> {
+        self.run.checked_sub(1).and_then(|i| self.runs.get(i))
+    }
+}

@@ -1,0 +1,126 @@
+//! What lies over the screen and takes the keys.
+
+use std::path::PathBuf;
+
+use tui_input::Input;
+
+/// What lies over the screen.
+#[derive(Debug, Clone)]
+pub enum Overlay {
+    /// The keys that work here.
+    Help {
+        /// First line shown.
+        scroll: usize,
+    },
+    /// All commands, filtered by what is typed.
+    Palette {
+        /// What is typed.
+        input: Input,
+        /// Cursor among the commands that pass.
+        cursor: usize,
+    },
+    /// The messages so far.
+    Messages {
+        /// Lines scrolled up from the newest.
+        scroll: usize,
+    },
+    /// A text to read, such as all that is wrong with a case file.
+    Text {
+        /// Title of the frame.
+        title: String,
+        /// The text.
+        text: String,
+        /// First line shown.
+        scroll: usize,
+    },
+    /// A question with an answer a key.
+    Ask(Question),
+    /// A list to choose from.
+    Choose {
+        /// What is chosen.
+        choice: Choice,
+        /// The lines.
+        items: Vec<String>,
+        /// Cursor.
+        cursor: usize,
+    },
+    /// A file name to type, for a case whose own file cannot be written.
+    SaveAs {
+        /// What is typed.
+        input: Input,
+        /// Why the file itself is not written.
+        why: String,
+    },
+}
+
+/// What a list is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Choice {
+    /// A study to run.
+    Study,
+}
+
+/// A question.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Question {
+    /// Unsaved edits are in the way of leaving the case; `quit` when the program is left too.
+    Unsaved {
+        /// Leave the program, not only the case.
+        quit: bool,
+    },
+    /// Jobs are in the way of quitting.
+    JobsRunning,
+    /// A stored run is to be deleted.
+    DeleteRun {
+        /// Its directory.
+        dir: PathBuf,
+        /// Its name.
+        id: String,
+    },
+    /// Edits of an earlier session were kept.
+    Recover {
+        /// The text with those edits.
+        text: String,
+    },
+    /// Nothing tells whether the terminal shows braille.
+    Glyphs,
+    /// The file changed on disk since it was read.
+    Overwrite,
+}
+
+impl Question {
+    /// The question, and its answers as key and meaning. Esc always means the last one.
+    #[must_use]
+    pub fn wording(&self) -> (String, &'static [(char, &'static str)]) {
+        match self {
+            Self::Unsaved { .. } => (
+                "This case has changes that are not saved.".to_owned(),
+                &[('s', "save them"), ('d', "drop them"), ('c', "stay here")],
+            ),
+            Self::JobsRunning => (
+                "Jobs are running. What they have so far is kept and marked as partial; \
+                 this question closes when they end."
+                    .to_owned(),
+                &[('q', "stop them and quit"), ('c', "stay here")],
+            ),
+            Self::DeleteRun { id, .. } => (
+                format!("Delete the stored run {id} with all of its files? This cannot be undone."),
+                &[('d', "delete"), ('c', "keep it")],
+            ),
+            Self::Recover { .. } => (
+                "An earlier session ended before its edits of this case were saved.".to_owned(),
+                &[('r', "bring them back"), ('d', "drop them"), ('c', "decide later")],
+            ),
+            Self::Glyphs => (
+                "No locale is set, so nothing tells what this terminal can show. \
+                 Is this a row of dot patterns?   \u{2801}\u{2803}\u{2807}\u{2847}\u{28c7}\u{28e7}\u{28f7}\u{28ff}"
+                    .to_owned(),
+                &[('y', "yes, draw with dots"), ('n', "no, draw with ASCII")],
+            ),
+            Self::Overwrite => (
+                "The file has changed on disk since it was opened.".to_owned(),
+                &[('o', "overwrite it"), ('a', "save under another name"), ('c', "leave it")],
+            ),
+        }
+    }
+}

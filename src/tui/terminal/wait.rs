@@ -1,0 +1,67 @@
+//! Waiting for the terminal and for signals with `poll(2)`.
+//!
+//! Asked before every read, it notices a terminal that is gone without a SIGHUP; libraries that
+//! only ask for readability spin forever on such a descriptor.
+
+use std::io;
+use std::os::fd::BorrowedFd;
+use std::time::Duration;
+
+use rustix::event::{PollFd, PollFlags, Timespec, poll};
+use rustix::io::Errno;
+
+/// Why the wait ended; all false when the time was up.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Woken {
+    /// The terminal has bytes.
+    pub input: bool,
+    /// A signal came.
+    pub signal: bool,
+    /// The terminal is gone.
+    pub hung_up: bool,
+}
+
+/// Waits until the terminal or the signal socket has something, or the time is up; no limit: `None`.
+///
+/// # Errors
+/// What `poll(2)` reports, except that an interruption by a signal counts as one.
+pub fn wait(
+    terminal: BorrowedFd<'_>,
+    signals: BorrowedFd<'_>,
+    limit: Option<Duration>,
+) -> io::Result<Woken> {
+    let mut fds = [
+        PollFd::from_borrowed_fd(terminal, PollFlags::IN),
+        PollFd::from_borrowed_fd(signals, PollFlags::IN),
+    ];
+    let limit = limit.and_then(|d| Timespec::try_from(d).ok());
+    match poll(&mut fds, limit.as_ref()) {
+        Ok(_) => {}
+        Err(Errno::INTR) => {
+            return Ok(Woken {
+                signal: true,
+                ..Woken::default()
+            });
+        }
+        Err(error) => return Err(error.into()),
+    }
+    let gone = PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL;
+    Ok(Woken {
+        input: fds[0].revents().contains(PollFlags::IN),
+        signal: fds[1].revents().contains(PollFlags::IN),
+        hung_up: fds[0].revents().intersects(gone),
+    })
+}
+
+/// Reads what is there; zero bytes and an input/output error both mean that the terminal is gone.
+///
+/// # Errors
+/// Any other error of `read(2)`.
+pub fn read(terminal: BorrowedFd<'_>, buffer: &mut [u8]) -> io::Result<Option<usize>> {
+    match rustix::io::read(terminal, buffer) {
+        Ok(0) | Err(Errno::IO) => Ok(None),
+        Ok(n) => Ok(Some(n)),
+        Err(Errno::INTR | Errno::AGAIN) => Ok(Some(0)),
+        Err(error) => Err(error.into()),
+    }
+}

@@ -1,0 +1,118 @@
+//! The list of cases, and opening one.
+
+use std::path::PathBuf;
+
+use tui_input::Input;
+
+use super::typing::type_key;
+use super::{edit, jobs, moved};
+use crate::tui::command::{Id, Place};
+use crate::tui::key::Key;
+use crate::tui::msg::{CaseRead, Effect};
+use crate::tui::state::open_case::{After, Live};
+use crate::tui::state::{CaseEntry, ChartKind, Level, OpenCase, Overlay, Question, State};
+use crate::tui::table_pane::TablePane;
+
+pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
+    match (id, state.cases.current()) {
+        (Id::Open, Some(entry)) => vec![Effect::ReadCase(entry.path.clone())],
+        (Id::Reload, _) => vec![Effect::ReadCases],
+        _ => Vec::new(),
+    }
+}
+
+/// Keys while the filter is typed.
+pub(super) fn typing_key(state: &mut State, key: Key) -> Option<Vec<Effect>> {
+    if state.open.is_some() || !state.cases.typing {
+        return None;
+    }
+    let lines = state.cases.shown().count();
+    let cases = &mut state.cases;
+    match key {
+        Key::Enter => cases.typing = false,
+        Key::Esc | Key::Ctrl('c') => {
+            cases.typing = false;
+            cases.filter.reset();
+            cases.cursor = 0;
+        }
+        Key::Down => cases.cursor = moved(cases.cursor, 1, lines),
+        Key::Up => cases.cursor = moved(cases.cursor, -1, lines),
+        Key::Ctrl('z') => return Some(vec![Effect::Suspend]),
+        _ => {
+            if type_key(&mut cases.filter, key) {
+                cases.cursor = 0;
+            }
+        }
+    }
+    Some(Vec::new())
+}
+
+pub(super) fn listed(state: &mut State, dir: PathBuf, entries: Vec<CaseEntry>) -> Vec<Effect> {
+    let before = state.cases.current().map(|e| e.path.clone());
+    state.cases.dir = dir;
+    state.cases.entries = entries;
+    // The cursor stays on its case.
+    let at = before.and_then(|path| state.cases.shown().position(|e| e.path == path));
+    let lines = state.cases.shown().count();
+    state.cases.cursor = at
+        .unwrap_or(state.cases.cursor)
+        .min(lines.saturating_sub(1));
+    Vec::new()
+}
+
+pub(super) fn refused(state: &mut State, title: String, text: String) -> Vec<Effect> {
+    state.say(Level::Error, format!("{title} cannot be opened."));
+    state.overlay = Some(Overlay::Text {
+        title,
+        text,
+        scroll: 0,
+    });
+    Vec::new()
+}
+
+pub(super) fn opened(state: &mut State, read: CaseRead) -> Vec<Effect> {
+    let CaseRead {
+        path,
+        text,
+        case,
+        recovered,
+    } = read;
+    let file = path.file_name().map_or_else(
+        || "case.toml".to_owned(),
+        |n| n.to_string_lossy().into_owned(),
+    );
+    state.open = Some(OpenCase {
+        path,
+        file: file.clone(),
+        saved: text.clone(),
+        text,
+        case,
+        rows: Vec::new(),
+        undo: Vec::new(),
+        redo: Vec::new(),
+        after_save: After::Stay,
+        pane: Place::Inputs,
+        field: 0,
+        filter: Input::default(),
+        filtering: false,
+        editing: None,
+        chart: ChartKind::Tensions,
+        views: Default::default(),
+        series: None,
+        instant: None,
+        live: Live::default(),
+        runs: Vec::new(),
+        run: 0,
+        checks: Vec::new(),
+        checks_pane: TablePane::default(),
+        report: None,
+        report_scroll: (0, 0),
+    });
+    edit::refresh(state);
+    let mut effects = jobs::resolve(state);
+    effects.push(Effect::ListRuns(file));
+    if let Some(text) = recovered {
+        state.overlay = Some(Overlay::Ask(Question::Recover { text }));
+    }
+    effects
+}

@@ -1,0 +1,89 @@
+//! Which commands can be done now, and why the others cannot.
+
+use crate::tui::command::{Id, Place};
+use crate::tui::state::{OpenCase, SlotKind, SlotState, State};
+
+/// Nothing, or the reason why the command cannot be done now.
+///
+/// # Errors
+/// The reason, as a full sentence.
+pub fn enabled(state: &State, id: Id) -> Result<(), String> {
+    let reason = match (&state.open, id) {
+        (None, Id::Open) => state
+            .cases
+            .current()
+            .is_none()
+            .then_some("There is no case here. `ctrl+r` reads the directory again."),
+        (Some(open), _) => in_case(state, open, id),
+        _ => None,
+    };
+    reason.map_or(Ok(()), |r| Err(r.to_owned()))
+}
+
+fn in_case(state: &State, open: &OpenCase, id: Id) -> Option<&'static str> {
+    let when = |condition: bool, reason: &'static str| condition.then_some(reason);
+    match id {
+        Id::Undo => when(open.undo.is_empty(), "There is nothing to undo."),
+        Id::Redo => when(open.redo.is_empty(), "There is nothing to redo."),
+        Id::Save => when(!open.unsaved(), "The file already holds everything."),
+        Id::Edit | Id::Reset => when(
+            open.current_field().is_none(),
+            "No field passes the filter. `/` and Esc drop it.",
+        ),
+        Id::Study => when(
+            open.case.study.is_empty(),
+            "This case has no study. A `[[study]]` table in its file makes one.",
+        ),
+        Id::Validate => when(
+            open.case.published.is_empty() && open.case.trend.is_empty(),
+            "This case states no published values to be held against.",
+        ),
+        Id::Keep => keep(open),
+        Id::Delete => delete(open),
+        Id::ShowAlone | Id::Select => None,
+        Id::CancelJob => {
+            let open = state.jobs.lines.get(state.jobs.cursor);
+            when(
+                !open.is_some_and(|l| l.state.is_open()),
+                "There is no running job under the cursor.",
+            )
+        }
+        Id::Write => match open.pane {
+            Place::Report => when(
+                open.report.is_none(),
+                "There is no finished run to report on. `R` runs the case.",
+            ),
+            Place::Validation => when(
+                open.checks.is_empty(),
+                "This case states no published values to be held against.",
+            ),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+fn keep(open: &OpenCase) -> Option<&'static str> {
+    if open.live.kept.is_some() {
+        Some("The live run is already kept.")
+    } else if open.live.ticket.is_some() {
+        Some("The live run is still on its way; it can be kept when it is complete.")
+    } else if open.live.done.as_ref().is_none_or(|d| d.run.is_none()) {
+        Some("There is no live run to keep.")
+    } else {
+        None
+    }
+}
+
+fn delete(open: &OpenCase) -> Option<&'static str> {
+    match open.current_run() {
+        None => Some("The live run is in memory only; there is nothing to delete."),
+        Some(run) if matches!(run.state, SlotState::Queued | SlotState::Running) => {
+            Some("This run is still going on; `ctrl+c` cancels it.")
+        }
+        Some(run) if run.kind == SlotKind::Session && run.dir.is_none() => {
+            Some("This run has no directory to delete.")
+        }
+        Some(_) => None,
+    }
+}

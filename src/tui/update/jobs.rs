@@ -1,0 +1,530 @@
+//! Jobs: the live re-solve, runs asked for, studies, validation; and what jobs say.
+
+use std::sync::Arc;
+
+use super::{info, runs};
+use crate::case::{At, Case};
+use crate::run::job::{Event, Request};
+use crate::run::{Run, RunState};
+use crate::tui::backend;
+use crate::tui::command::{Id, Place};
+use crate::tui::msg::Effect;
+use crate::tui::state::{
+    Choice, Curves, JobLine, JobState, Level, OpenCase, Overlay, Purpose, Question, RunSlot,
+    SlotKind, SlotState, State, Ticket,
+};
+
+pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
+    match id {
+        Id::Run => run(state),
+        Id::Study => ask_study(state),
+        Id::Validate => validate(state),
+        Id::CancelJob => {
+            let ticket = state.jobs.lines.get(state.jobs.cursor).map(|l| l.ticket);
+            ticket.map_or_else(Vec::new, |t| cancel(state, t))
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Solves the case as it stands in the background; the newest wins.
+pub(super) fn resolve(state: &mut State) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    let ticket = state.jobs.ticket();
+    let Some(open) = &mut state.open else {
+        return effects;
+    };
+    let request = request(open, &open.text, open.case.clone(), "live");
+    let live = &mut open.live;
+    live.going = Some(Curves::default());
+    live.going_text.clone_from(&open.text);
+    live.failure = None;
+    live.hidden = false;
+    let name = format!(
+        "live: {} ({})",
+        open.file,
+        backend::method_word(open.case.solver.method)
+    );
+    if let Some(old) = live.ticket.replace(ticket) {
+        effects.push(Effect::Cancel(old));
+    }
+    // Of live solves only the newest has a line in the list.
+    state.jobs.lines.retain(|l| l.purpose != Purpose::Live);
+    state
+        .jobs
+        .lines
+        .insert(0, line(ticket, name, Purpose::Live, JobState::Running));
+    effects.push(Effect::Start {
+        ticket,
+        request: Box::new(request),
+        store: false,
+    });
+    effects
+}
+
+fn line(ticket: Ticket, name: String, purpose: Purpose, state: JobState) -> JobLine {
+    JobLine {
+        ticket,
+        name,
+        purpose,
+        state,
+        progress: crate::run::Progress::default(),
+    }
+}
+
+fn request(open: &OpenCase, text: &str, case: Case, id: &str) -> Request {
+    Request {
+        case,
+        text: text.to_owned(),
+        file: open.file.clone(),
+        overrides: overrides(open, text),
+        id: id.to_owned(),
+    }
+}
+
+/// The keys in which a text differs from the file, as `key=value`.
+fn overrides(open: &OpenCase, text: &str) -> Vec<String> {
+    if text == open.saved {
+        return Vec::new();
+    }
+    let rows = |text: &str| {
+        backend::parse(text, &open.file)
+            .map_or_else(|_| Vec::new(), |case| backend::rows(text, &case))
+    };
+    let of_file = rows(&open.saved);
+    rows(text)
+        .into_iter()
+        .filter(|row| {
+            of_file
+                .iter()
+                .find(|old| old.path == row.path)
+                .is_none_or(|old| old.value != row.value)
+        })
+        .map(|row| format!("{}={}", row.path, row.value))
+        .collect()
+}
+
+fn run(state: &mut State) -> Vec<Effect> {
+    let Some(open) = &mut state.open else {
+        return Vec::new();
+    };
+    let (text, case) = (open.text.clone(), open.case.clone());
+    // The same curves twice would only hide each other.
+    open.live.hidden = true;
+    for slot in &mut open.runs {
+        slot.shown = false;
+    }
+    enqueue(state, text, case, None, true);
+    if let Some(open) = &mut state.open {
+        open.run = open.runs.len();
+    }
+    let effects = start_waiting(state);
+    info(
+        state,
+        "The run has begun; it is stored under runs/. `2` shows its curves, `6` the jobs.",
+    );
+    effects
+}
+
+/// Puts a run at the end of the queue.
+fn enqueue(state: &mut State, text: String, case: Case, at: Option<At>, shown: bool) {
+    let ticket = state.jobs.ticket();
+    let Some(open) = &mut state.open else {
+        return;
+    };
+    let method = backend::method_word(case.solver.method).to_owned();
+    let label = at
+        .as_ref()
+        .map_or_else(String::new, |at| backend::at_label(&open.case, at));
+    let stem = open.file.trim_end_matches(".toml");
+    let name = joined_label(&[stem, &label, &method]);
+    let request = request(open, &text, case, stem);
+    open.runs.push(RunSlot {
+        ticket: Some(ticket),
+        id: name.clone(),
+        label,
+        at,
+        text,
+        kind: SlotKind::Session,
+        state: SlotState::Queued,
+        method,
+        dir: None,
+        cost: None,
+        shown,
+        curves: Curves::default(),
+    });
+    state
+        .jobs
+        .lines
+        .push(line(ticket, name, Purpose::Run, JobState::Queued));
+    state.jobs.waiting.push_back((ticket, Box::new(request)));
+}
+
+/// The parts that say something, joined.
+#[must_use]
+pub fn joined_label(parts: &[&str]) -> String {
+    let parts: Vec<&str> = parts.iter().copied().filter(|p| !p.is_empty()).collect();
+    parts.join(", ")
+}
+
+/// Starts what waits, as far as there is room.
+fn start_waiting(state: &mut State) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    while state.jobs.computing() < state.jobs.limit {
+        let Some((ticket, request)) = state.jobs.waiting.pop_front() else {
+            break;
+        };
+        set_state(state, ticket, JobState::Running);
+        effects.push(Effect::Start {
+            ticket,
+            request,
+            store: true,
+        });
+    }
+    effects
+}
+
+fn ask_study(state: &mut State) -> Vec<Effect> {
+    let Some(open) = &state.open else {
+        return Vec::new();
+    };
+    if open.case.study.len() == 1 {
+        return study(state, 0);
+    }
+    let items = open
+        .case
+        .study
+        .iter()
+        .map(|s| {
+            let values: Vec<String> = s.values.iter().map(f64::to_string).collect();
+            format!("{}: {} = {}", s.name, s.key, values.join(", "))
+        })
+        .collect();
+    state.overlay = Some(Overlay::Choose {
+        choice: Choice::Study,
+        items,
+        cursor: 0,
+    });
+    Vec::new()
+}
+
+/// Runs all variants of a study and overlays them.
+pub(super) fn study(state: &mut State, index: usize) -> Vec<Effect> {
+    let Some(open) = &mut state.open else {
+        return Vec::new();
+    };
+    let Some(study) = open.case.study.get(index).cloned() else {
+        return Vec::new();
+    };
+    open.live.hidden = true;
+    for slot in &mut open.runs {
+        slot.shown = false;
+    }
+    let points = study.values.iter().map(|value| {
+        Some(At {
+            study: study.name.clone(),
+            value: *value,
+        })
+    });
+    let effects = variants(state, points.collect(), true);
+    if let Some(open) = &mut state.open {
+        open.pane = Place::Charts;
+    }
+    effects
+}
+
+fn validate(state: &mut State) -> Vec<Effect> {
+    let Some(open) = &mut state.open else {
+        return Vec::new();
+    };
+    open.pane = Place::Validation;
+    let plan = backend::plan(&open.case);
+    variants(state, plan, false)
+}
+
+/// Queues the variants that are not there yet, and shows those that are.
+fn variants(state: &mut State, points: Vec<Option<At>>, shown: bool) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    let mut begun = 0;
+    for at in points {
+        let Some(open) = &mut state.open else {
+            break;
+        };
+        let (text, case) = match backend::variant(&open.text, &open.case, at.as_ref(), &open.file) {
+            Ok(found) => found,
+            Err(problem) => {
+                state.say(Level::Error, problem);
+                continue;
+            }
+        };
+        if let Some(slot) = open
+            .runs
+            .iter_mut()
+            .rev()
+            .find(|s| s.text == text && usable(s))
+        {
+            slot.at.clone_from(&at);
+            slot.label = at
+                .as_ref()
+                .map_or_else(String::new, |at| backend::at_label(&open.case, at));
+            slot.shown |= shown;
+            effects.extend(runs::load(slot));
+            continue;
+        }
+        let live = &open.live;
+        if at.is_none() && !shown && (live.done_text == text || live.going_text == text) {
+            // The live run answers for the case as it stands.
+            continue;
+        }
+        begun += 1;
+        enqueue(state, text, case, at, shown);
+    }
+    effects.extend(start_waiting(state));
+    runs::check(state);
+    info(
+        state,
+        if begun == 0 {
+            "Everything needed has been run already.".to_owned()
+        } else {
+            format!("{begun} runs begun. `6` shows the jobs, `ctrl+c` cancels.")
+        },
+    );
+    effects
+}
+
+fn usable(slot: &RunSlot) -> bool {
+    matches!(
+        slot.state,
+        SlotState::Queued | SlotState::Running | SlotState::Done
+    )
+}
+
+/// Cancels the job that the user looks at.
+pub(super) fn cancel_focused(state: &mut State) -> Vec<Effect> {
+    let cursor = state.jobs.cursor;
+    let in_jobs = state
+        .jobs
+        .lines
+        .get(cursor)
+        .filter(|l| state.place() == Place::Jobs && l.state.is_open());
+    let in_runs = state.open.as_ref().and_then(|open| {
+        let ticket = open.current_run()?.ticket?;
+        let line = state.jobs.lines.iter().find(|l| l.ticket == ticket)?;
+        (open.pane == Place::Runs && line.state.is_open()).then_some(line)
+    });
+    let newest = |purpose: Purpose| {
+        let mut lines = state.jobs.lines.iter();
+        lines.rfind(|l| l.purpose == purpose && l.state == JobState::Running)
+    };
+    let found = in_jobs
+        .or(in_runs)
+        .or_else(|| newest(Purpose::Run))
+        .or_else(|| newest(Purpose::Live));
+    match found.map(|l| (l.ticket, l.name.clone())) {
+        Some((ticket, name)) => {
+            let effects = cancel(state, ticket);
+            info(state, format!("Cancelled {name}. Ctrl-C again quits."));
+            effects
+        }
+        None => info(
+            state,
+            "Nothing is running. Ctrl-C again quits; so does `q`.",
+        ),
+    }
+}
+
+fn cancel(state: &mut State, ticket: Ticket) -> Vec<Effect> {
+    let was_waiting = state.jobs.waiting.len();
+    state.jobs.waiting.retain(|(t, _)| *t != ticket);
+    if state.jobs.waiting.len() < was_waiting {
+        set_state(state, ticket, JobState::Cancelled);
+        return Vec::new();
+    }
+    // A running job still delivers what it has; its last event says that it is cancelled.
+    vec![Effect::Cancel(ticket)]
+}
+
+/// Sets job and run to a state.
+fn set_state(state: &mut State, ticket: Ticket, new: JobState) {
+    let slot_state = match &new {
+        JobState::Queued => SlotState::Queued,
+        JobState::Running => SlotState::Running,
+        JobState::Done => SlotState::Done,
+        JobState::Failed(why) => SlotState::Failed(why.clone()),
+        JobState::Cancelled => SlotState::Cancelled,
+    };
+    if let Some(slot) = slot(state, ticket) {
+        slot.state = slot_state;
+    }
+    if let Some(line) = state.jobs.get_mut(ticket) {
+        line.state = new;
+    }
+}
+
+fn slot(state: &mut State, ticket: Ticket) -> Option<&mut RunSlot> {
+    let runs = &mut state.open.as_mut()?.runs;
+    runs.iter_mut().find(|s| s.ticket == Some(ticket))
+}
+
+/// What a job says. Messages of jobs that nobody waits for any more are dropped.
+pub(super) fn event(state: &mut State, ticket: Ticket, event: Event) -> Vec<Effect> {
+    if state
+        .jobs
+        .get_mut(ticket)
+        .is_none_or(|l| !l.state.is_open())
+    {
+        return Vec::new();
+    }
+    let live = state
+        .open
+        .as_ref()
+        .is_some_and(|o| o.live.ticket == Some(ticket));
+    match event {
+        Event::Finished(run) => return finished(state, ticket, Arc::from(run), live),
+        Event::Started { channels } => {
+            if let Some(curves) = curves(state, ticket, live) {
+                curves.begin(channels);
+            }
+        }
+        Event::Frame(frame) => {
+            if let Some(line) = state.jobs.get_mut(ticket) {
+                line.progress = frame.progress;
+            }
+            if let Some(curves) = curves(state, ticket, live) {
+                curves.push(*frame);
+            }
+        }
+        Event::Estimating => {
+            if let Some(line) = state.jobs.get_mut(ticket) {
+                line.progress.estimating = true;
+            }
+            if let Some(curves) = curves(state, ticket, live) {
+                curves.progress.estimating = true;
+            }
+        }
+    }
+    Vec::new()
+}
+
+fn curves(state: &mut State, ticket: Ticket, live: bool) -> Option<&mut Curves> {
+    if live {
+        return state.open.as_mut()?.live.going.as_mut();
+    }
+    Some(&mut slot(state, ticket)?.curves)
+}
+
+fn finished(state: &mut State, ticket: Ticket, run: Arc<Run>, live: bool) -> Vec<Effect> {
+    let failure = run
+        .info
+        .failure
+        .clone()
+        .unwrap_or_else(|| "no reason given".to_owned());
+    let new = match run.info.state {
+        RunState::Done => JobState::Done,
+        RunState::Cancelled => JobState::Cancelled,
+        RunState::Failed | RunState::Partial => JobState::Failed(failure.clone()),
+    };
+    set_state(state, ticket, new.clone());
+    if live {
+        live_finished(state, run, &new);
+    } else if let Some(slot) = slot(state, ticket) {
+        slot.cost = Some((run.info.work.steps, run.info.cost.cpu_s));
+        slot.curves.finish(run);
+    }
+    match new {
+        JobState::Failed(why) => state.say(Level::Error, format!("The run failed: {why}")),
+        JobState::Done if !live => said_done(state, ticket),
+        _ => {}
+    }
+    runs::check(state);
+    let mut effects = start_waiting(state);
+    effects.extend(quit_if_asked(state));
+    effects
+}
+
+fn live_finished(state: &mut State, run: Arc<Run>, new: &JobState) {
+    let Some(open) = &mut state.open else {
+        return;
+    };
+    let live = &mut open.live;
+    live.ticket = None;
+    live.going = None;
+    match new {
+        // A cancelled solve leaves the old curve as it was.
+        JobState::Cancelled => live.failure = Some("cancelled".to_owned()),
+        _ => {
+            live.done = Some(Curves::whole(run));
+            live.done_text = std::mem::take(&mut live.going_text);
+            live.kept = None;
+            live.failure = match new {
+                JobState::Failed(why) => Some(why.clone()),
+                _ => None,
+            };
+        }
+    }
+}
+
+fn said_done(state: &mut State, ticket: Ticket) {
+    let left = state.jobs.open();
+    let Some(slot) = slot(state, ticket) else {
+        return;
+    };
+    let text = match left {
+        0 => format!(
+            "{} is done. `4` shows the validation table, `5` the report.",
+            slot.id
+        ),
+        _ => format!("{} is done; {left} runs to go.", slot.id),
+    };
+    state.say(Level::Info, text);
+}
+
+/// A quit that waited for jobs goes on when they have ended.
+fn quit_if_asked(state: &mut State) -> Vec<Effect> {
+    let asked = matches!(state.overlay, Some(Overlay::Ask(Question::JobsRunning)));
+    if asked && state.jobs.open() == 0 {
+        state.overlay = None;
+        return vec![Effect::Quit];
+    }
+    Vec::new()
+}
+
+/// A job could not be started or stored.
+pub(super) fn failed(state: &mut State, ticket: Ticket, reason: String) -> Vec<Effect> {
+    if state
+        .jobs
+        .get_mut(ticket)
+        .is_none_or(|l| !l.state.is_open())
+    {
+        state.say(Level::Error, reason);
+        return Vec::new();
+    }
+    set_state(state, ticket, JobState::Failed(reason.clone()));
+    if let Some(open) = &mut state.open
+        && open.live.ticket == Some(ticket)
+    {
+        open.live.ticket = None;
+        open.live.going = None;
+        open.live.failure = Some(reason.clone());
+    }
+    state.say(Level::Error, reason);
+    let mut effects = start_waiting(state);
+    effects.extend(quit_if_asked(state));
+    effects
+}
+
+/// Jobs of the open case end with it.
+pub(super) fn cancel_all(state: &mut State) -> Vec<Effect> {
+    state.jobs.waiting.clear();
+    let open: Vec<Ticket> = state
+        .jobs
+        .lines
+        .iter_mut()
+        .filter(|l| l.state.is_open())
+        .map(|l| {
+            l.state = JobState::Cancelled;
+            l.ticket
+        })
+        .collect();
+    open.into_iter().map(Effect::Cancel).collect()
+}

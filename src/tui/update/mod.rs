@@ -1,0 +1,62 @@
+//! What each message does to the state. Pure: the world is asked for by [`Effect`]s.
+
+mod cases;
+mod charts;
+mod edit;
+mod enabled;
+mod jobs;
+mod keys;
+mod leave;
+mod overlay;
+mod runs;
+mod typing;
+
+pub(in crate::tui) use charts::readout_words;
+pub use enabled::enabled;
+pub use jobs::joined_label;
+pub use overlay::{palette_matches, run_command};
+
+use super::msg::{Effect, Msg};
+use super::state::{Level, State};
+
+/// Changes the state as the message says, and returns what is to be done outside of it.
+pub fn update(state: &mut State, msg: Msg) -> Vec<Effect> {
+    match msg {
+        Msg::Key(key) => keys::key(state, key),
+        Msg::Paste(text) => keys::paste(state, &text),
+        Msg::Resize(columns, rows) => {
+            state.size = (columns, rows);
+            vec![Effect::Repaint]
+        }
+        Msg::Job(ticket, event) => jobs::event(state, ticket, *event),
+        Msg::Stored(ticket, dir) => runs::stored(state, ticket, dir),
+        Msg::JobFailed(ticket, reason) => jobs::failed(state, ticket, reason),
+        Msg::CasesRead(dir, entries) => cases::listed(state, dir, entries),
+        Msg::CaseRead(read) => cases::opened(state, *read),
+        Msg::CaseRefused(title, text) => cases::refused(state, title, text),
+        Msg::Saved(path, text) => leave::saved(state, path, text),
+        Msg::NotSaved(why) => leave::not_saved(state, &why),
+        Msg::ChangedOnDisk => leave::changed_on_disk(state),
+        Msg::RunsListed(slots) => runs::listed(state, slots),
+        Msg::RunRead(dir, run) => runs::read(state, &dir, run),
+        Msg::RunDeleted(dir) => runs::deleted(state, &dir),
+        Msg::Kept(dir, run) => runs::kept(state, &dir, run),
+        Msg::Say(level, text) => {
+            state.say(level, text);
+            Vec::new()
+        }
+    }
+}
+
+/// Says something of little weight.
+fn info(state: &mut State, text: impl Into<String>) -> Vec<Effect> {
+    state.say(Level::Info, text);
+    Vec::new()
+}
+
+/// Moves a cursor in a list of so many lines.
+fn moved(cursor: usize, by: isize, lines: usize) -> usize {
+    cursor
+        .saturating_add_signed(by)
+        .min(lines.saturating_sub(1))
+}

@@ -1,0 +1,346 @@
+//! The runs of the open case, and the papers made of them: validation table and report.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::{info, moved};
+use crate::run::{Run, RunState};
+use crate::tui::backend;
+use crate::tui::command::{Id, Place};
+use crate::tui::msg::Effect;
+use crate::tui::plots;
+use crate::tui::state::{
+    Curves, Level, OpenCase, Overlay, Question, RunSlot, SlotKind, SlotState, State, Ticket,
+};
+use crate::tui::table_pane::TableVerb;
+
+/// Width of texts that are written to files.
+const PAPER_WIDTH: usize = 100;
+
+pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
+    let Some(open) = &mut state.open else {
+        return Vec::new();
+    };
+    match id {
+        Id::Keep => {
+            let run = open.live.done.as_ref().and_then(|d| d.run.clone());
+            run.map(Effect::KeepRun).into_iter().collect()
+        }
+        Id::ShowAlone => show_alone(state),
+        Id::Select => select(open),
+        Id::SelectNone => {
+            open.runs.iter_mut().for_each(|slot| slot.shown = false);
+            open.live.hidden = false;
+            Vec::new()
+        }
+        Id::Delete => {
+            if let Some(slot) = open.current_run()
+                && let Some(dir) = slot.dir.clone()
+            {
+                let id = slot.id.clone();
+                state.overlay = Some(Overlay::Ask(Question::DeleteRun { dir, id }));
+            }
+            Vec::new()
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn show_alone(state: &mut State) -> Vec<Effect> {
+    let Some(open) = &mut state.open else {
+        return Vec::new();
+    };
+    let at = open.run;
+    open.live.hidden = at > 0;
+    for (i, slot) in open.runs.iter_mut().enumerate() {
+        slot.shown = i + 1 == at;
+    }
+    let name = open
+        .current_run()
+        .map_or_else(|| "the live run".to_owned(), |r| r.id.clone());
+    let effects = at
+        .checked_sub(1)
+        .and_then(|i| open.runs.get(i))
+        .map_or_else(Vec::new, load);
+    info(state, format!("Charts and report now show {name}."));
+    effects
+}
+
+fn select(open: &mut OpenCase) -> Vec<Effect> {
+    let effects = match open.run.checked_sub(1).and_then(|i| open.runs.get_mut(i)) {
+        Some(slot) => {
+            slot.shown = !slot.shown;
+            if slot.shown { load(slot) } else { Vec::new() }
+        }
+        None => {
+            open.live.hidden = !open.live.hidden;
+            Vec::new()
+        }
+    };
+    open.run = moved(open.run, 1, open.runs.len() + 1);
+    effects
+}
+
+/// Reads a stored run when it is needed for the first time.
+pub(super) fn load(slot: &RunSlot) -> Vec<Effect> {
+    let missing = slot.kind == SlotKind::Stored && slot.curves.run.is_none();
+    slot.dir
+        .iter()
+        .filter(|_| missing)
+        .map(|dir| Effect::ReadRun(dir.clone()))
+        .collect()
+}
+
+pub(super) fn stored(state: &mut State, ticket: Ticket, dir: PathBuf) -> Vec<Effect> {
+    if let Some(open) = &mut state.open
+        && let Some(slot) = open.runs.iter_mut().find(|s| s.ticket == Some(ticket))
+    {
+        if let Some(name) = dir.file_name() {
+            slot.id = name.to_string_lossy().into_owned();
+        }
+        slot.dir = Some(dir);
+    }
+    Vec::new()
+}
+
+pub(super) fn kept(state: &mut State, dir: &Path, run: Arc<Run>) -> Vec<Effect> {
+    if let Some(open) = &mut state.open {
+        let mut slot = slot_of(&run);
+        if let Some(name) = dir.file_name() {
+            slot.id = name.to_string_lossy().into_owned();
+        }
+        slot.dir = Some(dir.to_owned());
+        slot.curves = Curves::whole(run);
+        open.runs.push(slot);
+        open.live.kept = Some(dir.to_owned());
+    }
+    info(state, format!("Kept in {}.", dir.display()))
+}
+
+/// A stored run for the list, without its curves.
+#[must_use]
+fn slot_of(run: &Run) -> RunSlot {
+    RunSlot {
+        ticket: None,
+        id: run.info.id.clone(),
+        label: String::new(),
+        at: None,
+        text: run.case_text.clone(),
+        kind: SlotKind::Stored,
+        state: match run.info.state {
+            RunState::Done => SlotState::Done,
+            RunState::Partial => SlotState::Partial,
+            RunState::Cancelled => SlotState::Cancelled,
+            RunState::Failed => SlotState::Failed(run.info.failure.clone().unwrap_or_default()),
+        },
+        method: run.info.settings.method.clone(),
+        dir: None,
+        cost: Some((run.info.work.steps, run.info.cost.cpu_s)),
+        shown: false,
+        curves: Curves::default(),
+    }
+}
+
+/// Stored runs join the list; those that the validation table needs are read.
+pub(super) fn listed(state: &mut State, slots: Vec<RunSlot>) -> Vec<Effect> {
+    let Some(open) = &mut state.open else {
+        return Vec::new();
+    };
+    let needed: Vec<_> = backend::plan(&open.case)
+        .into_iter()
+        .filter_map(|at| {
+            let found = backend::variant(&open.text, &open.case, at.as_ref(), &open.file);
+            Some((at, found.ok()?.0))
+        })
+        .collect();
+    let mut effects = Vec::new();
+    for mut slot in slots {
+        if open
+            .runs
+            .iter()
+            .any(|s| s.dir.is_some() && s.dir == slot.dir)
+        {
+            continue;
+        }
+        if let Some((at, _)) = needed.iter().find(|(_, text)| *text == slot.text)
+            && slot.state == SlotState::Done
+        {
+            slot.label = at
+                .as_ref()
+                .map_or_else(String::new, |at| backend::at_label(&open.case, at));
+            slot.at.clone_from(at);
+            effects.extend(load(&slot));
+        }
+        open.runs.push(slot);
+    }
+    effects
+}
+
+pub(super) fn read(state: &mut State, dir: &Path, run: Result<Arc<Run>, String>) -> Vec<Effect> {
+    let Some(open) = &mut state.open else {
+        return Vec::new();
+    };
+    let mut problem = None;
+    if let Some(slot) = open.runs.iter_mut().find(|s| s.dir.as_deref() == Some(dir)) {
+        match run {
+            Ok(run) => slot.curves = Curves::whole(run),
+            Err(why) => {
+                slot.shown = false;
+                slot.state = SlotState::Unreadable(why.clone());
+                problem = Some(why);
+            }
+        }
+    }
+    if let Some(why) = problem {
+        state.say(Level::Error, why);
+    }
+    check(state);
+    Vec::new()
+}
+
+pub(super) fn deleted(state: &mut State, dir: &Path) -> Vec<Effect> {
+    if let Some(open) = &mut state.open {
+        open.runs.retain(|s| s.dir.as_deref() != Some(dir));
+        open.run = open.run.min(open.runs.len());
+        if open.live.kept.as_deref() == Some(dir) {
+            open.live.kept = None;
+        }
+    }
+    check(state);
+    info(state, format!("Deleted {}.", dir.display()))
+}
+
+/// Makes the validation table anew from the runs that answer for the case as it stands.
+pub(super) fn check(state: &mut State) {
+    let Some(open) = &mut state.open else {
+        return;
+    };
+    let variants: Vec<_> = backend::plan(&open.case)
+        .into_iter()
+        .filter_map(|at| {
+            let (text, _) =
+                backend::variant(&open.text, &open.case, at.as_ref(), &open.file).ok()?;
+            let run = answering(open, &text)?;
+            Some((at, run))
+        })
+        .collect();
+    open.checks = backend::checks(&open.case, &variants);
+    if open.pane == Place::Report {
+        write_report(state);
+    }
+}
+
+/// The newest complete run of exactly this text.
+fn answering(open: &OpenCase, text: &str) -> Option<Arc<Run>> {
+    let done = |run: &&Arc<Run>| run.info.state == RunState::Done;
+    let live = open
+        .live
+        .done
+        .as_ref()
+        .filter(|_| open.live.done_text == text);
+    let slots = open.runs.iter().rev().filter(|s| s.text == text);
+    slots
+        .map(|s| &s.curves)
+        .chain(live)
+        .filter_map(|c| c.run.as_ref())
+        .find(done)
+        .cloned()
+}
+
+/// The run that the report is about: the one under the cursor of the list, else the live one.
+fn reported(open: &OpenCase) -> Option<(String, Arc<Run>, Option<PathBuf>)> {
+    if let Some(slot) = open.current_run()
+        && let Some(run) = &slot.curves.run
+    {
+        return Some((slot.id.clone(), Arc::clone(run), slot.dir.clone()));
+    }
+    let run = open.live.done.as_ref()?.run.clone()?;
+    Some(("live".to_owned(), run, open.live.kept.clone()))
+}
+
+/// Words the report of the chosen run.
+pub(super) fn write_report(state: &mut State) {
+    let Some(open) = &mut state.open else {
+        return;
+    };
+    let Some((name, run, _)) = reported(open) else {
+        open.report = None;
+        return;
+    };
+    let text = match backend::parse(&run.case_text, &open.file) {
+        Ok(case) => {
+            let variants = vec![(None, Arc::clone(&run))];
+            let same = run.case_text == open.text;
+            let rows = if same {
+                open.checks.clone()
+            } else {
+                backend::checks(&case, &variants)
+            };
+            backend::report(&run, &case, &rows)
+        }
+        Err(problem) => problem,
+    };
+    open.report = Some((name, text));
+}
+
+/// What the panes with text on them do: write to a file, scroll sideways.
+pub(super) fn paper(state: &mut State, id: Id) -> Vec<Effect> {
+    let glyphs = state.looks.glyphs;
+    let Some(open) = &mut state.open else {
+        return Vec::new();
+    };
+    let stem = open.file.trim_end_matches(".toml").to_owned();
+    match (id, open.pane) {
+        (Id::Write, Place::Report) => {
+            let dir = reported(open).and_then(|(_, _, dir)| dir);
+            let path = dir.map_or_else(
+                || PathBuf::from(format!("{stem}-report.txt")),
+                |dir| dir.join("report.txt"),
+            );
+            write(
+                path,
+                open.report.as_ref().map(|(_, t)| t.clone()),
+                "The report",
+            )
+        }
+        (Id::Write, Place::Validation) => {
+            let text = backend::checks_table(&open.checks).to_text(PAPER_WIDTH);
+            write(
+                PathBuf::from(format!("{stem}-validation.txt")),
+                Some(text),
+                "The validation table",
+            )
+        }
+        (Id::Write, _) => {
+            let chart = open.views[open.chart.index()].chart(&plots::chart(open, open.chart));
+            let text = crate::report::chart::draw(&chart, PAPER_WIDTH, 30, glyphs).to_text();
+            let name = open.chart.title().to_lowercase();
+            write(
+                PathBuf::from(format!("{stem}-{name}.txt")),
+                Some(text),
+                "The chart",
+            )
+        }
+        (_, Place::Validation) => {
+            let verb = match id {
+                Id::ScrollLeft => TableVerb::Left,
+                Id::ScrollRight => TableVerb::Right,
+                _ => TableVerb::SortNext,
+            };
+            let table = backend::checks_table(&open.checks);
+            open.checks_pane.act(verb, &table);
+            Vec::new()
+        }
+        _ => {
+            let across = &mut open.report_scroll.1;
+            *across = moved(*across, if id == Id::ScrollRight { 8 } else { -8 }, 400);
+            Vec::new()
+        }
+    }
+}
+
+fn write(path: PathBuf, text: Option<String>, what: &'static str) -> Vec<Effect> {
+    text.map(|text| Effect::WriteText { path, text, what })
+        .into_iter()
+        .collect()
+}

@@ -1,0 +1,170 @@
+//! Where everything lies, from the size of the screen alone.
+//!
+//! Three designed layouts: one pane at a time below 120 columns; inputs beside one pane from there;
+//! everything at once from 180 columns and 45 rows.
+
+use ratatui::layout::{Constraint, Layout, Rect};
+
+use crate::tui::command::Place;
+use crate::tui::state::{ChartKind, State};
+
+/// The smallest screen that is drawn.
+pub const SMALLEST: (u16, u16) = (40, 10);
+
+const WIDE: u16 = 120;
+const FULL: (u16, u16) = (180, 45);
+
+/// The parts of the screen that are always there.
+#[derive(Debug, Clone, Copy)]
+pub struct Areas {
+    /// Case and progress.
+    pub head: Rect,
+    /// Tabs of the panes.
+    pub tabs: Rect,
+    /// The panes.
+    pub body: Rect,
+    /// The latest message.
+    pub note: Rect,
+    /// Keys.
+    pub foot: Rect,
+}
+
+/// Cuts the screen into its parts.
+#[must_use]
+pub fn areas(screen: Rect) -> Areas {
+    let [head, tabs, body, note, foot] = Layout::vertical([
+        Constraint::Length(1),
+        Constraint::Length(1),
+        Constraint::Min(0),
+        Constraint::Length(1),
+        Constraint::Length(1),
+    ])
+    .areas(screen);
+    Areas {
+        head,
+        tabs,
+        body,
+        note,
+        foot,
+    }
+}
+
+/// True when panes have frames with their names, as several are seen at once.
+#[must_use]
+pub fn framed(screen: Rect) -> bool {
+    screen.width >= WIDE
+}
+
+/// The panes seen, with their outer areas, when the keys go to `focus`.
+#[must_use]
+pub fn panes(screen: Rect, focus: Place) -> Vec<(Place, Rect)> {
+    let body = areas(screen).body;
+    if screen.width < WIDE {
+        return vec![(focus, body)];
+    }
+    if screen.width < FULL.0 || screen.height < FULL.1 {
+        let [left, right] =
+            Layout::horizontal([Constraint::Length(58), Constraint::Min(0)]).areas(body);
+        let other = if focus == Place::Inputs {
+            Place::Charts
+        } else {
+            focus
+        };
+        return vec![(Place::Inputs, left), (other, right)];
+    }
+    let [left, right] =
+        Layout::horizontal([Constraint::Length(66), Constraint::Min(0)]).areas(body);
+    let [inputs, runs, jobs] = Layout::vertical([
+        Constraint::Fill(3),
+        Constraint::Fill(1),
+        Constraint::Length(8),
+    ])
+    .areas(left);
+    let mut panes = vec![
+        (Place::Inputs, inputs),
+        (Place::Runs, runs),
+        (Place::Jobs, jobs),
+    ];
+    if focus == Place::Report {
+        panes.push((Place::Report, right));
+    } else {
+        let [charts, table] =
+            Layout::vertical([Constraint::Fill(2), Constraint::Fill(1)]).areas(right);
+        panes.push((Place::Charts, charts));
+        panes.push((Place::Validation, table));
+    }
+    panes
+}
+
+/// The inside of a pane.
+#[must_use]
+pub fn inside(screen: Rect, pane: Rect) -> Rect {
+    if framed(screen) {
+        Rect {
+            x: pane.x.saturating_add(1),
+            y: pane.y.saturating_add(1),
+            width: pane.width.saturating_sub(2),
+            height: pane.height.saturating_sub(2),
+        }
+    } else {
+        pane
+    }
+}
+
+/// The parts of the chart pane: tabs, the charts with their areas, the readout.
+#[derive(Debug, Clone)]
+pub struct Charts {
+    /// Names of the charts; empty when all are seen.
+    pub tabs: Rect,
+    /// The charts seen.
+    pub charts: Vec<(ChartKind, Rect)>,
+    /// Values at the cursor.
+    pub readout: Rect,
+}
+
+/// Cuts the inside of the chart pane.
+#[must_use]
+pub fn charts(inside: Rect, chosen: ChartKind) -> Charts {
+    let all = inside.width >= 110 && inside.height >= 24;
+    let [tabs, middle, readout] = Layout::vertical([
+        Constraint::Length(u16::from(!all)),
+        Constraint::Min(0),
+        Constraint::Length(1),
+    ])
+    .areas(inside);
+    let charts = if all {
+        let [upper, lower] =
+            Layout::vertical([Constraint::Fill(1), Constraint::Fill(1)]).areas(middle);
+        let [a, b] = Layout::horizontal([Constraint::Fill(1); 2])
+            .spacing(1)
+            .areas(upper);
+        let [c, d, e] = Layout::horizontal([Constraint::Fill(1); 3])
+            .spacing(1)
+            .areas(lower);
+        ChartKind::ALL.into_iter().zip([a, b, c, d, e]).collect()
+    } else {
+        vec![(chosen, middle)]
+    };
+    Charts {
+        tabs,
+        charts,
+        readout,
+    }
+}
+
+/// Where the chosen chart is drawn.
+#[must_use]
+pub fn chart_area(state: &State) -> Rect {
+    let screen = Rect::new(0, 0, state.size.0, state.size.1);
+    let Some(open) = &state.open else {
+        return Rect::default();
+    };
+    panes(screen, open.pane)
+        .into_iter()
+        .find(|(place, _)| *place == Place::Charts)
+        .and_then(|(_, pane)| {
+            let charts = charts(inside(screen, pane), open.chart).charts;
+            charts.into_iter().find(|(kind, _)| *kind == open.chart)
+        })
+        .map_or_else(Rect::default, |(_, area)| area)
+}

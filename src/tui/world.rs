@@ -1,0 +1,377 @@
+//! Files and threads: does what the effects ask for, and answers with messages.
+
+use std::collections::HashMap;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::SystemTime;
+
+use crossbeam_channel::{Receiver, Sender, unbounded};
+
+use super::backend;
+use super::drafts;
+use super::msg::{CaseRead, Effect, Msg};
+use super::shelf;
+use super::state::{Curves, Level, RunSlot, SlotKind, SlotState, Ticket};
+use crate::case;
+use crate::run::job::{self, Event, Job, JobId, Request};
+use crate::run::store::{self, Place, Writer, rfc3339};
+use crate::run::{Cost, Run, RunInfo, RunState, Settings, VERSION, Work};
+
+/// What is outside of the state.
+#[derive(Debug)]
+pub struct World {
+    dir: PathBuf,
+    sender: Sender<Msg>,
+    receiver: Receiver<Msg>,
+    jobs: HashMap<Ticket, Job>,
+}
+
+impl World {
+    /// A world that lists the cases of a directory.
+    #[must_use]
+    pub fn new(dir: PathBuf) -> Self {
+        let (sender, receiver) = unbounded();
+        Self {
+            dir,
+            sender,
+            receiver,
+            jobs: HashMap::new(),
+        }
+    }
+
+    /// Where other threads send what happened.
+    #[must_use]
+    pub fn sender(&self) -> Sender<Msg> {
+        self.sender.clone()
+    }
+
+    /// What jobs said since the last call.
+    pub fn heard(&mut self) -> Vec<Msg> {
+        let heard: Vec<Msg> = self.receiver.try_iter().collect();
+        for msg in &heard {
+            let ended = match msg {
+                Msg::Job(ticket, event) if matches!(**event, Event::Finished(_)) => Some(ticket),
+                Msg::JobFailed(ticket, _) => Some(ticket),
+                _ => None,
+            };
+            if let Some(ticket) = ended {
+                self.jobs.remove(ticket);
+            }
+        }
+        heard
+    }
+
+    /// True while a job may still say something.
+    #[must_use]
+    pub fn busy(&self) -> bool {
+        !self.jobs.is_empty()
+    }
+
+    /// Does what the effect asks for. Effects of the terminal itself are not for here.
+    pub fn perform(&mut self, effect: Effect) -> Vec<Msg> {
+        match effect {
+            Effect::ReadCases => {
+                vec![Msg::CasesRead(self.dir.clone(), shelf::list(&self.dir))]
+            }
+            Effect::ReadCase(path) => vec![read_case(&path)],
+            Effect::SaveCase {
+                path,
+                text,
+                expected,
+                new,
+            } => vec![save_case(path, text, expected.as_deref(), new)],
+            Effect::KeepDraft { path, text } => said(
+                drafts::keep(&path, text.as_deref()),
+                "The unsaved changes cannot be kept for recovery",
+            ),
+            Effect::DropRecovery(path) => said(
+                drafts::drop_left(&path),
+                "The kept changes cannot be dropped",
+            ),
+            Effect::Start {
+                ticket,
+                request,
+                store,
+            } => self.start(ticket, *request, store),
+            Effect::Cancel(ticket) => {
+                if let Some(job) = self.jobs.get(&ticket) {
+                    job.cancel();
+                }
+                Vec::new()
+            }
+            Effect::ListRuns(file) => vec![Msg::RunsListed(list_runs(&file))],
+            Effect::ReadRun(dir) => {
+                let run = store::read(&dir).map(Arc::new).map_err(|e| e.to_string());
+                vec![Msg::RunRead(dir, run)]
+            }
+            Effect::DeleteRun(dir) => vec![delete_run(dir)],
+            Effect::KeepRun(run) => vec![keep_run(run)],
+            Effect::WriteText { path, text, what } => vec![write_text(&path, &text, what)],
+            Effect::RememberGlyphs(glyphs) => said(
+                drafts::remember_glyphs(glyphs),
+                "The choice cannot be remembered",
+            ),
+            Effect::Copy(_) | Effect::Repaint | Effect::Suspend | Effect::Quit => Vec::new(),
+        }
+    }
+
+    /// Starts a job, and a thread that passes on what it says; the same thread stores the run, so
+    /// that a slow disk never holds the screen up.
+    fn start(&mut self, ticket: Ticket, request: Request, store: bool) -> Vec<Msg> {
+        let writer = match store.then(|| begin(&request)).transpose() {
+            Ok(writer) => writer,
+            Err(error) => return vec![Msg::JobFailed(ticket, error.to_string())],
+        };
+        let mut messages = Vec::new();
+        if let Some(writer) = &writer {
+            messages.push(Msg::Stored(ticket, writer.dir().to_owned()));
+        }
+        let (events, said) = unbounded();
+        let started = job::start(request, events).and_then(|job| {
+            let out = self.sender.clone();
+            std::thread::Builder::new()
+                .name(format!("relay-{ticket}"))
+                .spawn(move || relay(ticket, &said, writer, &out))?;
+            Ok(job)
+        });
+        match started {
+            Ok(job) => {
+                self.jobs.insert(ticket, job);
+            }
+            Err(error) => messages.push(Msg::JobFailed(
+                ticket,
+                format!("The system gives no thread for the run: {error}."),
+            )),
+        }
+        messages
+    }
+}
+
+fn said(result: io::Result<()>, what: &str) -> Vec<Msg> {
+    result
+        .err()
+        .map(|error| Msg::Say(Level::Warning, format!("{what}: {error}.")))
+        .into_iter()
+        .collect()
+}
+
+/// Passes on what a job says; returns when it has said its last, or nobody listens.
+fn relay(
+    ticket: Ticket,
+    said: &Receiver<(JobId, Event)>,
+    mut writer: Option<Writer>,
+    out: &Sender<Msg>,
+) {
+    let mut complaint = None;
+    for (_, event) in said {
+        let mut event = event;
+        let last = matches!(event, Event::Finished(_));
+        if let Event::Finished(run) = &mut event {
+            if let Some(writer) = writer.take() {
+                writer.id().clone_into(&mut run.info.id);
+                complaint = complaint.or(writer.finish(run).err());
+            }
+        } else if let Some(open) = &mut writer
+            && let Err(error) = open.event(&event)
+        {
+            // The run goes on in memory; its directory stays marked as partial.
+            complaint = Some(error);
+            writer = None;
+        }
+        if let Some(error) = complaint.take() {
+            let words = format!("The run cannot be stored: {error}");
+            drop(out.send(Msg::Say(Level::Error, words)));
+        }
+        if out.send(Msg::Job(ticket, Box::new(event))).is_err() || last {
+            return;
+        }
+    }
+    let words = "The run ended without a result; this is a fault of seacable.".to_owned();
+    drop(out.send(Msg::JobFailed(ticket, words)));
+}
+
+fn begin(request: &Request) -> Result<Writer, store::StoreError> {
+    let info = RunInfo {
+        id: request.id.clone(),
+        title: request.case.case.title.clone(),
+        case_file: request.file.clone(),
+        state: RunState::Partial,
+        version: VERSION.to_owned(),
+        started: rfc3339(SystemTime::now()),
+        overrides: request.overrides.clone(),
+        failure: None,
+        warnings: Vec::new(),
+        settings: Settings {
+            method: backend::method_word(request.case.solver.method).to_owned(),
+            duration_s: request.case.solver.duration_s,
+            ..Settings::default()
+        },
+        work: Work::default(),
+        cost: Cost::default(),
+    };
+    Writer::begin(
+        &Place::Below(PathBuf::from(store::DEFAULT_ROOT)),
+        info,
+        &request.text,
+    )
+}
+
+fn read_case(path: &Path) -> Msg {
+    match case::load(path) {
+        Ok(loaded) => Msg::CaseRead(Box::new(CaseRead {
+            recovered: drafts::left(path).filter(|text| *text != loaded.text),
+            path: loaded.path,
+            text: loaded.text,
+            case: loaded.case,
+        })),
+        Err(all) => Msg::CaseRefused(path.display().to_string(), shelf::story(path, &all)),
+    }
+}
+
+/// Writes beside the file and renames, so that no kill leaves half a case.
+fn save_case(path: PathBuf, text: String, expected: Option<&str>, new: bool) -> Msg {
+    if new && path.symlink_metadata().is_ok() {
+        return Msg::NotSaved(format!("{} exists already.", path.display()));
+    }
+    if let Some(expected) = expected
+        && fs::read_to_string(&path).is_ok_and(|now| now != expected)
+    {
+        return Msg::ChangedOnDisk;
+    }
+    match replace(&path, &text, new) {
+        Ok(()) => Msg::Saved(path, text),
+        Err(error) => Msg::NotSaved(format!("{} cannot be written: {error}.", path.display())),
+    }
+}
+
+fn replace(path: &Path, text: &str, new: bool) -> io::Result<()> {
+    let target = if new {
+        path.to_owned()
+    } else {
+        path.canonicalize()?
+    };
+    let permissions = if new {
+        None
+    } else {
+        // A file that may not be written is not replaced either, though its directory would allow it.
+        let file = fs::OpenOptions::new().write(true).open(&target)?;
+        let permissions = file.metadata()?.permissions();
+        if permissions.readonly() {
+            return Err(io::Error::new(
+                io::ErrorKind::PermissionDenied,
+                "it is read-only",
+            ));
+        }
+        Some(permissions)
+    };
+    let mut name = target.file_name().unwrap_or_default().to_owned();
+    name.push(format!(".{}.tmp", std::process::id()));
+    let beside = target.with_file_name(name);
+    let written = write_synced(&beside, text)
+        .and_then(|()| permissions.map_or(Ok(()), |p| fs::set_permissions(&beside, p)))
+        .and_then(|()| fs::rename(&beside, &target));
+    if written.is_err() {
+        drop(fs::remove_file(&beside));
+    }
+    written
+}
+
+fn write_synced(path: &Path, text: &str) -> io::Result<()> {
+    let mut file = fs::File::create(path)?;
+    file.write_all(text.as_bytes())?;
+    file.sync_all()
+}
+
+fn list_runs(file: &str) -> Vec<RunSlot> {
+    let entries = store::list(Path::new(store::DEFAULT_ROOT)).unwrap_or_default();
+    let mut slots: Vec<RunSlot> = entries
+        .into_iter()
+        .filter_map(|entry| {
+            let info = entry.info.ok()?;
+            (info.case_file == file).then(|| slot(entry.dir, info))
+        })
+        .collect();
+    slots.reverse();
+    slots
+}
+
+fn slot(dir: PathBuf, info: RunInfo) -> RunSlot {
+    RunSlot {
+        ticket: None,
+        label: info.overrides.join(", "),
+        at: None,
+        text: fs::read_to_string(dir.join("case.toml")).unwrap_or_default(),
+        kind: SlotKind::Stored,
+        state: match info.state {
+            RunState::Done => SlotState::Done,
+            RunState::Partial => SlotState::Partial,
+            RunState::Cancelled => SlotState::Cancelled,
+            RunState::Failed => SlotState::Failed(info.failure.unwrap_or_default()),
+        },
+        method: info.settings.method,
+        dir: Some(dir),
+        cost: Some((info.work.steps, info.cost.cpu_s)),
+        shown: false,
+        curves: Curves::default(),
+        id: info.id,
+    }
+}
+
+/// Deletes a run directory, and nothing that is no run directory.
+fn delete_run(dir: PathBuf) -> Msg {
+    let deleted = store::read_info(&dir)
+        .map_err(|e| e.to_string())
+        .and_then(|_| fs::remove_dir_all(&dir).map_err(|e| e.to_string()));
+    match deleted {
+        Ok(()) => Msg::RunDeleted(dir),
+        Err(error) => Msg::Say(
+            Level::Error,
+            format!("{} cannot be deleted: {error}", dir.display()),
+        ),
+    }
+}
+
+fn keep_run(run: Arc<Run>) -> Msg {
+    let place = Place::Below(PathBuf::from(store::DEFAULT_ROOT));
+    match store::save(&place, &run) {
+        Ok(dir) => Msg::Kept(dir, run),
+        Err(error) => Msg::Say(Level::Error, format!("The run cannot be kept: {error}")),
+    }
+}
+
+/// Writes to the name asked for, or the first free one of `name-2`, `name-3` and so on.
+fn write_text(path: &Path, text: &str, what: &str) -> Msg {
+    let stem = path
+        .file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned();
+    for n in 1..10_000_u32 {
+        let target = if n == 1 {
+            path.to_owned()
+        } else {
+            path.with_file_name(format!("{stem}-{n}.txt"))
+        };
+        let file = fs::OpenOptions::new()
+            .write(true)
+            .create_new(true)
+            .open(&target);
+        let written = file.and_then(|mut file| file.write_all(text.as_bytes()));
+        match written {
+            Ok(()) => {
+                return Msg::Say(Level::Info, format!("{what} is in {}.", target.display()));
+            }
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(error) => {
+                let words = format!("{what} cannot be written to {}: {error}.", target.display());
+                return Msg::Say(Level::Error, words);
+            }
+        }
+    }
+    Msg::Say(
+        Level::Error,
+        format!("{what} finds no free name beside {}.", path.display()),
+    )
+}
