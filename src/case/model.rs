@@ -387,7 +387,7 @@ impl Default for Solver {
             step_tolerance: 2e-5,
             rho_inf: 0.4,
             max_iterations: 30,
-            position_tolerance_m: 1e-6,
+            position_tolerance_m: 1e-5,
             error_estimate: true,
         }
     }

@@ -108,6 +108,11 @@ impl Profile {
         ]
     }
 
+    #[inline(always)]
+    fn each(&self, speeds: [f64; 2]) -> [Coefficient; 2] {
+        [self.one_sided(speeds[0]), self.one_sided(speeds[1])]
+    }
+
     /// The coefficient where the whole segment is on one side of the crisis.
     #[inline(always)]
     fn one_sided(&self, speed: f64) -> Coefficient {
@@ -126,7 +131,7 @@ impl Profile {
         let span = speeds[1] - speeds[0];
         let x = (self.crisis - speeds[0]) / span;
         let x_by = [-(1.0 - x) / span, -x / span];
-        let mut own = speeds.map(|s| self.one_sided(s));
+        let mut own = self.each(speeds);
         let difference = own[0].value - own[1].value;
         // The share of the mixed half that lies on the first node's side is 2x, or 2x - 1.
         let (mixed, share) = if x < 0.5 {

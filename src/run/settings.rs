@@ -59,7 +59,7 @@ pub fn method_name(method: Method) -> &'static str {
 pub fn position_tolerance(case: &Case, scene: &Scene) -> f64 {
     case.solver
         .position_tolerance_m
-        .min(scene.position_tolerance(1e-5))
+        .min(scene.position_tolerance(1e-4))
 }
 
 /// A share of the stability limit for explicit methods. For implicit ones a share of the shortest period that

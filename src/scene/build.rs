@@ -154,11 +154,7 @@ fn bare_segment(water: &case::Environment, material: &case::Material, length: f6
         DragWidth::Perimeter => PI,
     };
     Segment {
-        axial: Axial {
-            length,
-            ea: material.ea_n,
-            damping,
-        },
+        axial: Axial::new(length, material.ea_n, damping),
         drag: Profile {
             reynolds: material.diameter_m / water.kinematic_viscosity_m2_per_s,
             normal: half_pressure,

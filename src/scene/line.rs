@@ -116,7 +116,10 @@ impl Scene {
     /// Drag on both halves of segment i.
     #[inline(always)]
     pub(super) fn drag(&self, i: usize, chord: &Chord, state: &State) -> [Drag; 2] {
-        let u = [i, i + 1].map(|node| self.current.at(state.x[node].z).0 - state.v[node]);
+        let u = [
+            self.current.at(state.x[i].z).0 - state.v[i],
+            self.current.at(state.x[i + 1].z).0 - state.v[i + 1],
+        ];
         let length = self.wetted(i, chord).0;
         self.segments[i]
             .drag

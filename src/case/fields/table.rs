@@ -195,11 +195,11 @@ pub static FIELDS: &[Field] = &[
 
     field("solver.method",               Choice(&["static", "quasi", "rk4", "alpha"]), "", ANY, Default("\"alpha\""), "method", "Static equilibrium, quasi-static march, explicit Runge-Kutta, or implicit generalized-alpha."),
     field("solver.duration_s",           Number,  "s", Range::positive(1e6),   Default("600.0"), "duration", "Simulated time."),
-    field("solver.time_step_s",          Number,  "s", Range::positive(1e3),   Means("chosen by the solver"), "time step", "Time step; given: constant. Left open: chosen, and for alpha varying with the error of each step; the run tells."),
-    field("solver.step_tolerance",       Number,  "-", Range::positive(1.0),   Default("2e-5"), "step tolerance", "Error alpha allows in a step of varying length: in positions by the line's length L, in velocities by 2 sqrt(g L). No use where time_step_s is given."),
+    field("solver.time_step_s",          Number,  "s", Range::positive(1e3),   Means("chosen by the solver"), "time step", "Constant time step. Left open it is chosen, and varies with the error for alpha; the run tells."),
+    field("solver.step_tolerance",       Number,  "-", Range::positive(1.0),   Default("2e-5"), "step tolerance", "Error alpha allows in a step of varying length: in positions by the line's length L, in velocities by 2 sqrt(g L)."),
     field("solver.rho_inf",              Number,  "-", Range::of(0.0, 1.0),    Default("0.4"),  "rho infinity", "Spectral radius of generalized-alpha at infinite frequency: 0 damps most, 1 not at all."),
     field("solver.max_iterations",       Integer, "-", Range::of(1.0, 1e4),    Default("30"),   "greatest iterations", "Newton iterations a step may take before it is halved."),
-    field("solver.position_tolerance_m", Number,  "m", Range::positive(1.0),   Default("1e-6"), "position tolerance", "Newton stops when no node moves by more than this."),
+    field("solver.position_tolerance_m", Number,  "m", Range::positive(1.0),   Default("1e-5"), "position tolerance", "Newton stops when no node moves by more than this."),
     field("solver.error_estimate",       Boolean, "",  ANY,                    Default("true"), "error estimate", "Whether companion runs estimate the time and mesh error of every result."),
 
     field("output.interval_s",       Number, "s", Range::positive(1e5), Default("0.5"), "history interval", "Interval of the time history."),
