@@ -1,3 +1,4 @@
 //! Lines at rest.
 
+pub mod catenary;
 pub mod equilibrium;

@@ -1,0 +1,229 @@
+//! A line that hangs down from A, lies on a flat, frictionless bed and rises to B.
+//!
+//! Along the bed and in both hanging legs the horizontal force H is the same. A leg that leaves the
+//! bed level and rises by `d` carries at its top the vertical force `v = w s`; with `y = T - H`,
+//!
+//! ```text
+//! w d = y + y (y + 2H)/(2 EA)   →   y = 2 w d / (p + sqrt(p² + 2 w d/EA)),  p = 1 + H/EA
+//! v = sqrt(y (y + 2H))
+//! ```
+//!
+//! and the lengths add up when (Jonkman, NREL/TP-500-41958, 2007, eqs 2-37 and 2-38, for one leg)
+//!
+//! ```text
+//! (L - x) + H L/EA = Σ over legs (H/w) (σ - asinh σ),   σ = v/H
+//! ```
+//!
+//! The left side less the right rises with H. The right side is the length that sag takes out.
+
+use super::hyperbolic::{asinh_less_sine, less_asinh};
+use super::root::{Value, rising};
+use super::span::{Span, length};
+use super::twofold::Twofold;
+
+/// The line in the solver's plane: sunk, B to the right, both ends above the bed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Trough {
+    pub x: f64,
+    pub length: f64,
+    pub w: f64,
+    pub ea: f64,
+    /// Heights of A and B above the bed.
+    pub rise: [f64; 2],
+}
+
+/// A leg rising from the bed.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Leg {
+    /// Vertical force at its top.
+    pub v: f64,
+    /// T - H at its top.
+    y: f64,
+}
+
+/// Forces of the line on the bed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Lying {
+    /// Horizontal force; zero when slack.
+    pub h: f64,
+    /// Legs at A and at B.
+    pub legs: [Leg; 2],
+    pub iterations: u32,
+}
+
+impl Trough {
+    /// The leg rising by `d` at horizontal force `h`.
+    pub(super) fn leg(&self, h: f64, d: f64) -> Leg {
+        let p = 1.0 + h / self.ea;
+        let load = 2.0 * self.w * d;
+        let y = load / (p + (p * p + load / self.ea).sqrt());
+        Leg {
+            v: (y * (y + 2.0 * h)).sqrt(),
+            y,
+        }
+    }
+
+    fn legs(&self, h: f64) -> [Leg; 2] {
+        self.rise.map(|d| self.leg(h, d))
+    }
+
+    /// Unstretched length off the bed.
+    fn hanging(&self, legs: &[Leg; 2]) -> f64 {
+        (legs[0].v + legs[1].v) / self.w
+    }
+
+    /// The forces, or `None` when the line does not come down to the bed.
+    pub(super) fn solve(&self, seed: Option<f64>) -> Option<Lying> {
+        let straight = self.legs(0.0);
+        let hanging = self.hanging(&straight);
+        if hanging > self.length {
+            return None;
+        }
+        let surplus = self.length - self.x - hanging;
+        if surplus >= 0.0 {
+            return Some(Lying {
+                h: 0.0,
+                legs: straight,
+                iterations: 0,
+            });
+        }
+        let guess = seed.unwrap_or_else(|| self.guess(&straight, surplus));
+        let mut lifted = false;
+        let root = rising(guess, f64::INFINITY, |h| {
+            let legs = self.legs(h);
+            let mut found = self.value(h, &legs);
+            // Too much line off the bed already and the force still too small.
+            if found.value < 0.0 && self.hanging(&legs) > self.length {
+                lifted = true;
+                found.value = f64::NAN;
+            }
+            found
+        });
+        let root = root.filter(|_| !lifted)?;
+        let legs = self.legs(root.at);
+        (self.hanging(&legs) <= self.length).then_some(Lying {
+            h: root.at,
+            legs,
+            iterations: root.iterations,
+        })
+    }
+
+    /// Length in hand less length lost to sag.
+    fn value(&self, h: f64, legs: &[Leg; 2]) -> Value {
+        let spare = self.length - self.x;
+        let mut value = spare + h * self.length / self.ea;
+        let mut scale = spare.abs() + h * self.length / self.ea;
+        let mut slope = self.length / self.ea;
+        for leg in legs.iter().filter(|leg| leg.v > 0.0) {
+            let (t, sigma) = (h + leg.y, leg.v / h);
+            let dv = leg.y / leg.v / (1.0 + t / self.ea);
+            let lost = h / self.w * less_asinh(sigma);
+            value -= lost;
+            scale += lost;
+            slope -= (dv * leg.y / t - asinh_less_sine(sigma)) / self.w;
+        }
+        Value {
+            value,
+            slope: h * slope,
+            scale,
+        }
+    }
+
+    /// Parabolic legs when flat, `H ln(2σ)` when steep, stretch when too short: the nearest of them.
+    fn guess(&self, straight: &[Leg; 2], surplus: f64) -> f64 {
+        let spare = self.length - self.x;
+        let sag = 0.4714 * self.w.sqrt() * self.rise.iter().map(|d| d * d.sqrt()).sum::<f64>();
+        let soft = (sag * self.ea / self.length).powf(2.0 / 3.0);
+        if spare <= 0.0 {
+            return soft.max(-spare * self.ea / self.length);
+        }
+        let flat = soft.min((sag / spare).powi(2));
+        let v = straight[0].v.max(straight[1].v);
+        if flat < 0.3 * v {
+            // Σ (H/w) asinh(v/H) = what is missing to being slack
+            let legs = self.rise.iter().filter(|d| **d > 0.0).count().max(1);
+            let each = -surplus * self.w / f64::from(u32::try_from(legs).unwrap_or(1));
+            let first = each / (2.0 + 2.0 * v / each).ln();
+            return each / (2.0 + 2.0 * v / first).ln();
+        }
+        flat
+    }
+}
+
+/// A leg's answer to small changes of H and of its own length, and how far it misses its height.
+struct Answer {
+    /// Change of reach x - s with length and with H.
+    x_s: f64,
+    x_h: f64,
+    /// Change of rise with length and with H.
+    z_s: f64,
+    z_h: f64,
+    /// Height asked for less height reached.
+    miss: f64,
+}
+
+impl Trough {
+    fn answer(&self, h: f64, leg: &Leg, rise: f64) -> (Answer, Twofold) {
+        let s = leg.v / self.w;
+        let t = length(h, leg.v);
+        let span = Span {
+            length: s,
+            weight: self.w,
+            ea: self.ea,
+        };
+        let (dx, dz) = span.reach_exactly(h, 0.0.into());
+        // H/T - 1 without the difference
+        let fall = -leg.v * leg.v / (t * (t + h));
+        let answer = Answer {
+            x_s: fall,
+            x_h: asinh_less_sine(leg.v / h) / self.w,
+            z_s: leg.v / self.ea + leg.v / t,
+            z_h: fall / self.w,
+            miss: (-dz + rise).value(),
+        };
+        (answer, dx)
+    }
+
+    /// Error of force over end tension that the misses stand for, and the stiffness of end B.
+    pub(super) fn verify(&self, lying: &Lying) -> (f64, [[f64; 2]; 2]) {
+        let h = lying.h;
+        let on_bed =
+            Twofold::from(self.length) + -(lying.legs[0].v / self.w) + -(lying.legs[1].v / self.w);
+        let bed = on_bed * (Twofold::from(h) / Twofold::from(self.ea) + 1.0);
+        let (mut reached, mut answers) = (bed, [None, None]);
+        let mut by_h = self.length / self.ea;
+        let bed_stretch = (lying.legs[0].v + lying.legs[1].v) / self.w / self.ea;
+        by_h -= bed_stretch;
+        for (i, leg) in lying.legs.iter().enumerate().filter(|(_, leg)| leg.v > 0.0) {
+            let (answer, dx) = self.answer(h, leg, self.rise[i]);
+            reached = reached + dx;
+            by_h += answer.x_h + leg.v / self.w / self.ea - answer.x_s * answer.z_h / answer.z_s;
+            answers[i] = Some(answer);
+        }
+        let miss = (-reached + self.x).value();
+        // Legs keep their heights by changing length: ds = (dz - z_h dH)/z_s.
+        let force = |x: f64, rise: [f64; 2]| {
+            let give = |i: usize| {
+                let answer: &Option<Answer> = &answers[i];
+                answer.as_ref().map_or(0.0, |a| a.x_s * rise[i] / a.z_s)
+            };
+            let dh = (x - give(0) - give(1)) / by_h;
+            let dv = |i: usize| {
+                let answer: &Option<Answer> = &answers[i];
+                answer
+                    .as_ref()
+                    .map_or(0.0, |a| self.w * (rise[i] - a.z_h * dh) / a.z_s)
+            };
+            (dh, dv(0), dv(1))
+        };
+        let missed = |i: usize| {
+            let answer: &Option<Answer> = &answers[i];
+            answer.as_ref().map_or(0.0, |a| a.miss)
+        };
+        let (dh, dva, dvb) = force(miss, [missed(0), missed(1)]);
+        let top = length(h, lying.legs[0].v.max(lying.legs[1].v));
+        let error = length(dh, length(dva, dvb)) / top;
+        let (by_x, by_z) = (force(1.0, [0.0, 0.0]), force(0.0, [0.0, 1.0]));
+        (error, [[by_x.0, by_z.0], [by_x.2, by_z.2]])
+    }
+}
