@@ -15,6 +15,7 @@ use rustix::process::{
     Signal as Sig, getpgrp, getpid, getsid, kill_current_process_group, kill_process,
 };
 
+use super::key::Key;
 use super::msg::{Effect, Msg};
 use super::state::{Level, Overlay, Question, State};
 use super::terminal::decode::{Decoder, Input};
@@ -116,6 +117,7 @@ pub fn open(options: &Options) -> Result<(), OpenError> {
         world: &mut world,
         pace,
         looks,
+        may_panic: std::env::var_os("SEACABLE_MAY_PANIC").is_some(),
     };
     let ended = panic::catch_unwind(AssertUnwindSafe(|| app.run(file)));
     finish(ended)
@@ -210,6 +212,8 @@ struct App<'a> {
     world: &'a mut World,
     pace: Pace,
     looks: Looks,
+    /// Lets the tests see that a panic gives the terminal back.
+    may_panic: bool,
 }
 
 impl App<'_> {
@@ -297,6 +301,9 @@ impl App<'_> {
     }
 
     fn take(&mut self, message: Msg) -> io::Result<Option<End>> {
+        if self.may_panic && matches!(message, Msg::Key(Key::F(12))) {
+            panic::panic_any("asked for by SEACABLE_MAY_PANIC");
+        }
         let effects = update(&mut self.state, message);
         self.perform(effects)
     }

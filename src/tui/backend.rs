@@ -32,24 +32,23 @@ pub fn rows(text: &str, case: &Case) -> Vec<FieldRow> {
 /// # Errors
 /// What is wrong with the value and what would be right.
 pub fn set(text: &str, key: &str, value: &str) -> Result<String, String> {
+    let last = key.rsplit('.').next().unwrap_or(key);
     case::edit::set(text, key, value)
-        .map_err(|d| format!("{} {}", sentence(&d.problem), sentence(&d.remedy)))
+        .map_err(|d| format!("{last} {}. {}", stopped(&d.problem), sentence(&d.remedy)))
+}
+
+fn stopped(text: &str) -> &str {
+    text.trim().trim_end_matches('.')
 }
 
 fn sentence(text: &str) -> String {
-    let mut chars = text.trim().chars();
+    let mut chars = stopped(text).chars();
     let first: String = chars
         .next()
         .into_iter()
         .flat_map(char::to_uppercase)
         .collect();
-    let rest: String = chars.collect();
-    let stop = if rest.ends_with(['.', '!', '?']) {
-        ""
-    } else {
-        "."
-    };
-    format!("{first}{rest}{stop}")
+    format!("{first}{}.", chars.as_str())
 }
 
 /// The word of a method in a case file.
@@ -63,13 +62,17 @@ pub fn method_word(method: Method) -> &'static str {
     }
 }
 
-/// A point of a study in words: `speed_m_per_s = 0.2`.
+/// A point of a study in words: `current speed 0.2 m/s`.
 #[must_use]
 pub fn at_label(case: &Case, at: &At) -> String {
     let study = case.study.iter().find(|s| s.name == at.study);
     let key = study.map_or(at.study.as_str(), |s| s.key.as_str());
-    let last = key.rsplit('.').next().unwrap_or(key);
-    format!("{last} = {}", at.value)
+    let path: Vec<&str> = key.split('.').collect();
+    match case::fields::field_at(&path) {
+        Some(field) if field.unit == "-" => format!("{} {}", field.label, at.value),
+        Some(field) => format!("{} {} {}", field.label, at.value, field.unit),
+        None => format!("{key} {}", at.value),
+    }
 }
 
 /// Text and case at a point of a study; `None` is the case as it stands.

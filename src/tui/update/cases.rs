@@ -9,6 +9,7 @@ use super::{edit, jobs, moved};
 use crate::tui::command::{Id, Place};
 use crate::tui::key::Key;
 use crate::tui::msg::{CaseRead, Effect};
+use crate::tui::shelf::FIRST;
 use crate::tui::state::open_case::{After, Live};
 use crate::tui::state::{CaseEntry, ChartKind, Level, OpenCase, Overlay, Question, State};
 use crate::tui::table_pane::TablePane;
@@ -51,8 +52,11 @@ pub(super) fn listed(state: &mut State, dir: PathBuf, entries: Vec<CaseEntry>) -
     let before = state.cases.current().map(|e| e.path.clone());
     state.cases.dir = dir;
     state.cases.entries = entries;
-    // The cursor stays on its case.
-    let at = before.and_then(|path| state.cases.shown().position(|e| e.path == path));
+    // The cursor stays on its case; at first it is on the one that newcomers should see.
+    let at = match before {
+        Some(path) => state.cases.shown().position(|e| e.path == path),
+        None => state.cases.shown().position(|e| e.name == FIRST),
+    };
     let lines = state.cases.shown().count();
     state.cases.cursor = at
         .unwrap_or(state.cases.cursor)

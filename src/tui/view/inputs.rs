@@ -110,11 +110,10 @@ impl Canvas<'_> {
             None => "",
         };
         let note_width = 11.min(line.width / 4);
-        let value_width = (line.width / 4).max(10);
         let unit_width = 9.min(line.width / 6);
-        let label_width = line
-            .width
-            .saturating_sub(note_width + value_width + unit_width + 4);
+        let room = line.width.saturating_sub(note_width + unit_width + 4);
+        let label_width = 25.min(room / 2);
+        let value_width = room - label_width;
         let mut x = line.x + 2;
         text(
             self.buf,

@@ -10,7 +10,7 @@ use crate::tui::state::{JobLine, JobState, OpenCase, RunSlot, SlotState};
 
 impl Canvas<'_> {
     pub(super) fn runs(&mut self, area: Rect, open: &OpenCase) {
-        let name_width = area.width.saturating_sub(44).clamp(12, 60);
+        let name_width = area.width.saturating_sub(38).clamp(12, 60);
         let head = row(area, 0);
         self.columns(
             head,
@@ -49,7 +49,7 @@ impl Canvas<'_> {
         words: [&str; 5],
         style: ratatui::style::Style,
     ) {
-        let widths = [name_width, 10, 7, 9, 10];
+        let widths = [name_width, 10, 6, 8, 10];
         let mut x = line.x;
         for (word, width) in words.into_iter().zip(widths) {
             let room = line.right().saturating_sub(x).min(width);

@@ -50,21 +50,32 @@ impl Canvas<'_> {
 
     fn help(&mut self, screen: Rect, scroll: usize) {
         let place = self.state.place();
-        let commands: Vec<&Command> = command::at(place).filter(|c| !c.keys.is_empty()).collect();
-        let height = u16::try_from(commands.len() + 2).unwrap_or(u16::MAX);
+        let width = 96.min(screen.width);
+        let mut lines = Vec::new();
+        for command in command::at(place).filter(|c| !c.keys.is_empty()) {
+            let words = match enabled(self.state, command.id) {
+                Ok(()) => command.doc.to_owned(),
+                Err(why) => format!("{}. Not now: {why}", command.doc),
+            };
+            for (i, part) in wrap(&words, usize::from(width.saturating_sub(21)))
+                .iter()
+                .enumerate()
+            {
+                let keys = if i == 0 {
+                    command.keys.join(" ")
+                } else {
+                    String::new()
+                };
+                lines.push(format!(" {keys:<16} {part}"));
+            }
+        }
+        let height = u16::try_from(lines.len() + 2).unwrap_or(u16::MAX);
         let title = format!(
             "Keys: {} (j and k scroll, any other key closes)",
             place.title()
         );
-        let area = self.boxed(screen, (96, height), &title);
-        let first = scroll.min(commands.len().saturating_sub(area.height.into()));
-        for (i, command) in commands.iter().skip(first).enumerate() {
-            let at = row(area, u16::try_from(i).unwrap_or(u16::MAX));
-            if at.width == 0 {
-                break;
-            }
-            self.command_line(at, command, false);
-        }
+        let area = self.boxed(screen, (width, height), &title);
+        self.lines(area, &lines, scroll);
     }
 
     /// Keys and meaning; a command that cannot be done now says why.

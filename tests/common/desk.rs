@@ -1,0 +1,414 @@
+//! The workbench without a terminal: keys in, screen out, and jobs that answer with a run made by
+//! hand, so that a screen does not change with every digit of the solvers.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use ratatui::buffer::{Buffer, Cell};
+use ratatui::style::{Color, Modifier};
+use seacable::case;
+use seacable::report::chart::Glyphs;
+use seacable::run::job::{Event, Request};
+use seacable::run::{
+    Channel, Cost, Frame, History, LineShape, Profile, Progress, Quantity, Run, RunInfo, RunState,
+    Settings, VERSION, Work, quantity_name,
+};
+use seacable::tui::key::Key;
+use seacable::tui::msg::CaseRead;
+use seacable::tui::state::{CaseEntry, Ticket};
+use seacable::tui::terminal::looks::Looks;
+use seacable::tui::{Effect, Msg, State, draw, update};
+
+/// A small case with everything the screens show: marks, floats left out, a study, published rows.
+pub(crate) const CASE: &str = r#"# A body lowered on a chain and a rope.
+[case]
+title = "Body lowered on a chain and a rope"
+source = "made for the tests"
+
+[current]
+speed_m_per_s = 0.3  # along x
+
+[materials.chain]
+diameter_m = 0.105
+mass_kg_per_m = 222.8
+ea_n = 9.4e8
+
+[materials.rope]
+diameter_m = 0.21
+mass_kg_per_m = 28.8
+wet_weight_kg_per_m = 7.4
+ea_n = 2.2e8
+
+[[line]]
+name = "chain"
+material = "chain"
+length_m = 30.0
+segments = 2
+
+[[line]]
+name = "rope"
+material = "rope"
+length_m = 970.0
+segments = 20
+
+[ends.a]
+name = "vessel"
+kind = "fixed"
+position_m = [0.0, 0.0, 0.0]
+
+[ends.b]
+name = "body"
+kind = "payload"
+
+[payload]
+dry_mass_kg = 300e3
+wet_mass_kg = 200e3
+drag_area_m2 = 141.0
+added_mass_kg = 300e3
+
+[start]
+shape = "straight"
+
+[solver]
+method = "alpha"
+duration_s = 600.0
+
+[marks]
+"payload.drag_area_m2" = { status = "calibrated", reason = "fitted to the mean tension" }
+"materials.rope.ea_n" = { status = "assumed", reason = "18 times the breaking load" }
+
+[[study]]
+name = "current"
+key = "current.speed_m_per_s"
+values = [0.0, 0.4]
+
+[[published]]
+name = "late tension"
+channel = "tension_n[rope|body]"
+statistic = "mean"
+window_s = [300.0, 600.0]
+value = 1.95e6
+tolerance_rel = 0.03
+source = "table 1"
+inputs = "published"
+
+[[published]]
+name = "early tension"
+channel = "tension_n[rope|body]"
+statistic = "max"
+value = 2.5e6
+tolerance_rel = 0.02
+source = "fig. 2"
+inputs = "assumed"
+out_of_reach = "the source leaves out how the line begins"
+"#;
+
+/// The workbench and what it asked of the world.
+pub(crate) struct Desk {
+    pub(crate) state: State,
+    pub(crate) asked: Vec<Effect>,
+}
+
+pub(crate) fn looks(glyphs: Glyphs, colour: bool) -> Looks {
+    Looks {
+        glyphs,
+        colour,
+        unsure: false,
+    }
+}
+
+impl Desk {
+    /// The list of cases: one good, one broken.
+    pub(crate) fn new(size: (u16, u16)) -> Self {
+        let mut desk = Self {
+            state: State::new(size, looks(Glyphs::Braille, true)),
+            asked: Vec::new(),
+        };
+        let entry = |name: &str, about| CaseEntry {
+            path: PathBuf::from("cases").join(name),
+            name: name.to_owned(),
+            about,
+        };
+        let broken = "error: line.chain.length_m: is out of range: -30 m\n --> cases/broken.toml:21:12\n   |\n21 | length_m = -30.0\n   |            ^^^^^\n   = help: give more than 0 m";
+        desk.tell(Msg::CasesRead(
+            PathBuf::from("cases"),
+            vec![
+                entry(
+                    "body.toml",
+                    Ok((
+                        "Body lowered on a chain and a rope".to_owned(),
+                        "made for the tests".to_owned(),
+                    )),
+                ),
+                entry(
+                    "broken.toml",
+                    Err((
+                        "line 21, column 12: is out of range: -30 m".to_owned(),
+                        broken.to_owned(),
+                    )),
+                ),
+            ],
+        ));
+        desk
+    }
+
+    /// The case open, with its live solve complete.
+    pub(crate) fn with_case(size: (u16, u16)) -> Self {
+        let mut desk = Self::opening(size);
+        desk.finish_jobs();
+        desk
+    }
+
+    /// The case open, with its live solve on its way.
+    pub(crate) fn opening(size: (u16, u16)) -> Self {
+        let mut desk = Self::new(size);
+        desk.tell(Msg::CaseRead(Box::new(CaseRead {
+            path: PathBuf::from("cases/body.toml"),
+            text: CASE.to_owned(),
+            case: case::parse(CASE, "body.toml").unwrap(),
+            recovered: None,
+        })));
+        desk
+    }
+
+    pub(crate) fn tell(&mut self, msg: Msg) {
+        let effects = update(&mut self.state, msg);
+        self.asked.extend(effects);
+    }
+
+    /// Presses keys, given by their names with blanks between them.
+    pub(crate) fn keys(&mut self, names: &str) {
+        for name in names.split_whitespace() {
+            let key: Key = name.parse().unwrap();
+            self.tell(Msg::Key(key));
+        }
+    }
+
+    /// Types a text letter by letter.
+    pub(crate) fn type_text(&mut self, text: &str) {
+        for c in text.chars() {
+            self.tell(Msg::Key(Key::Char(c)));
+        }
+    }
+
+    /// The jobs asked for and not yet answered.
+    pub(crate) fn started(&mut self) -> Vec<(Ticket, Request)> {
+        let mut started = Vec::new();
+        self.asked.retain(|effect| match effect {
+            Effect::Start {
+                ticket, request, ..
+            } => {
+                started.push((*ticket, (**request).clone()));
+                false
+            }
+            _ => true,
+        });
+        started
+    }
+
+    /// Answers every job with its whole run, until none is asked for any more.
+    pub(crate) fn finish_jobs(&mut self) {
+        loop {
+            let started = self.started();
+            if started.is_empty() {
+                return;
+            }
+            for (ticket, request) in started {
+                self.tell(Msg::Stored(
+                    ticket,
+                    PathBuf::from(format!("runs/body-{ticket}")),
+                ));
+                let run = run(&request, RunState::Done);
+                self.tell(Msg::Job(ticket, Box::new(Event::Finished(Box::new(run)))));
+            }
+        }
+    }
+
+    /// Sends the beginning of a job: channels, and frames up to a time.
+    pub(crate) fn stream(&mut self, ticket: Ticket, request: &Request, until: f64) {
+        let whole = run(request, RunState::Done);
+        let channels = whole.history.channels.iter();
+        let channels = channels.map(|c| (c.name.clone(), c.unit.clone())).collect();
+        self.tell(Msg::Job(ticket, Box::new(Event::Started { channels })));
+        for (i, time) in whole.history.time.iter().enumerate() {
+            if *time > until {
+                break;
+            }
+            let frame = Frame {
+                time: *time,
+                values: whole.history.channels.iter().map(|c| c.values[i]).collect(),
+                shape: whole.shapes.iter().find(|s| s.time == *time).cloned(),
+                progress: Progress {
+                    time: *time,
+                    duration: 600.0,
+                    steps: 10 * i as u64,
+                    wall_s: *time / 100.0,
+                    estimating: false,
+                },
+            };
+            self.tell(Msg::Job(ticket, Box::new(Event::Frame(Box::new(frame)))));
+        }
+    }
+
+    /// The screen as cells.
+    pub(crate) fn buffer(&self) -> Buffer {
+        let (width, height) = self.state.size;
+        let mut terminal = Terminal::new(TestBackend::new(width, height)).unwrap();
+        terminal.draw(|frame| draw(&self.state, frame)).unwrap();
+        terminal.backend().buffer().clone()
+    }
+
+    /// The screen as text, and below it a map of its styles.
+    pub(crate) fn screen(&self) -> String {
+        with_styles(&self.buffer())
+    }
+}
+
+/// The characters, and below them a map of their styles: a letter a colour, capitals for bold, `~`
+/// for dim, `#` for reversed, `-` for the terminal's own.
+pub(crate) fn with_styles(buffer: &Buffer) -> String {
+    let width = usize::from(buffer.area().width);
+    let rows = |of: fn(&Cell) -> String| {
+        let lines = buffer.content().chunks(width.max(1));
+        lines
+            .map(|row| row.iter().map(of).collect::<String>().trim_end().to_owned() + "\n")
+            .collect::<String>()
+    };
+    let grid = rows(|cell| cell.symbol().to_owned());
+    format!("{grid}{}\n{}", "=".repeat(width), rows(style))
+}
+
+fn style(cell: &Cell) -> String {
+    let has = |modifier| cell.modifier.contains(modifier);
+    let letter = match cell.fg {
+        _ if has(Modifier::REVERSED) => '#',
+        _ if cell.symbol() == " " => ' ',
+        Color::Cyan | Color::LightCyan => 'c',
+        Color::Yellow => 'y',
+        Color::Green => 'g',
+        Color::Red => 'r',
+        Color::Magenta => 'm',
+        Color::Reset if has(Modifier::DIM) => '~',
+        Color::Reset if has(Modifier::BOLD) => 'B',
+        Color::Reset => '-',
+        _ => 'o',
+    };
+    let letter = if has(Modifier::BOLD) {
+        letter.to_ascii_uppercase()
+    } else {
+        letter
+    };
+    letter.to_string()
+}
+
+/// A run made by hand: the body swings down and settles below the vessel.
+pub(crate) fn run(request: &Request, state: RunState) -> Run {
+    let time: Vec<f64> = (0..=60).map(|i| 10.0 * f64::from(i)).collect();
+    let angle = |t: f64| 1.5 * (-t / 100.0).exp();
+    let tension = |t: f64| 1.96e6 * (1.0 - (-t / 80.0).exp());
+    let channel = |name: &str, unit: &str, f: &dyn Fn(f64) -> f64| {
+        let values: Vec<f64> = time.iter().map(|t| f(*t)).collect();
+        let extreme =
+            |better: fn(f64, f64) -> bool| {
+                let start = (values[0], time[0]);
+                values.iter().zip(&time).fold(start, |best, (v, t)| {
+                    if better(*v, best.0) { (*v, *t) } else { best }
+                })
+            };
+        Channel {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            peak: extreme(|a, b| a > b),
+            trough: extreme(|a, b| a < b),
+            values,
+        }
+    };
+    let channels = vec![
+        channel("tension_n[vessel|chain]", "N", &|t| tension(t) + 1.2e5),
+        channel("tension_n[chain|rope]", "N", &|t| tension(t) + 0.7e5),
+        channel("tension_n[rope|body]", "N", &tension),
+        channel("x_m[body]", "m", &|t| 1000.0 * angle(t).sin()),
+        channel("z_m[body]", "m", &|t| -1000.0 * angle(t).cos()),
+    ];
+    let shape = |t: f64| LineShape {
+        time: t,
+        nodes: (0..=22)
+            .map(|i| {
+                let s = 1000.0 * f64::from(i) / 22.0;
+                [s * angle(t).sin(), 0.0, -s * angle(t).cos()]
+            })
+            .collect(),
+        tension: (0..=22)
+            .map(|i| tension(t) + 5e3 * f64::from(22 - i))
+            .collect(),
+    };
+    let last = shape(600.0);
+    let profile = Profile {
+        arc: (0..=22).map(|i| 1000.0 * f64::from(i) / 22.0).collect(),
+        tension_min: vec![0.0; 23],
+        tension_max: last.tension.iter().map(|t| 1.05 * t).collect(),
+        z_min: last.nodes.iter().map(|n| n[2]).collect(),
+        z_max: vec![0.0; 23],
+        nodes: last.nodes,
+        tension: last.tension,
+    };
+    let rows = request.case.published.iter();
+    let quantity = |channel: &str, statistic, window, value| Quantity {
+        name: quantity_name(channel, statistic, window),
+        value,
+        unit: "N".to_owned(),
+        time_error: Some(200.0),
+        mesh_error: Some(100.0),
+    };
+    let summary = rows
+        .map(|row| quantity(&row.channel, row.statistic, row.window_s, 1.955e6))
+        .collect();
+    Run {
+        info: RunInfo {
+            id: request.id.clone(),
+            title: request.case.case.title.clone(),
+            case_file: request.file.clone(),
+            state,
+            version: VERSION.to_owned(),
+            started: "2026-01-02T03:04:05Z".to_owned(),
+            overrides: request.overrides.clone(),
+            failure: (state == RunState::Failed).then(|| "step 7 did not converge.".to_owned()),
+            warnings: Vec::new(),
+            settings: Settings {
+                method: "alpha".to_owned(),
+                duration_s: 600.0,
+                time_step_s: 0.25,
+                nodes: 23,
+                output_interval_s: 10.0,
+                error_method: "half the step, half the segments".to_owned(),
+                ..Settings::default()
+            },
+            work: Work {
+                steps: 2400,
+                rejections: 0,
+                iterations: 5000,
+                evaluations: 0,
+            },
+            cost: Cost {
+                cpu_s: 0.05,
+                wall_s: 0.05,
+                companions_wall_s: 0.2,
+            },
+        },
+        case_text: request.text.clone(),
+        history: History {
+            time: time.clone(),
+            channels,
+        },
+        shapes: (0..=6).map(|i| shape(100.0 * f64::from(i))).collect(),
+        profile,
+        summary,
+    }
+}
+
+/// The same run, shared.
+pub(crate) fn shared(request: &Request) -> Arc<Run> {
+    Arc::new(run(request, RunState::Done))
+}

@@ -1,0 +1,471 @@
+//! The screens without a terminal: what keys do, and what it looks like.
+
+#![expect(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    reason = "a test may panic, and compares numbers that are the same bits"
+)]
+
+#[path = "common/desk.rs"]
+mod desk;
+
+use std::path::PathBuf;
+
+use desk::{Desk, looks, run, shared};
+use proptest::prelude::*;
+use seacable::report::chart::Glyphs;
+use seacable::run::RunState;
+use seacable::run::job::Event;
+use seacable::tui::command::{COMMANDS, Place};
+use seacable::tui::key::Key;
+use seacable::tui::state::{JobState, Level, Overlay, Question};
+use seacable::tui::{Effect, Msg};
+
+const SMALL: (u16, u16) = (80, 24);
+const LARGE: (u16, u16) = (200, 60);
+
+fn snapshot(name: &str, desk: &Desk) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!(name, desk.screen()));
+}
+
+fn said(desk: &Desk) -> &str {
+    desk.state.note.as_ref().map_or("", |note| &note.text)
+}
+
+fn has(desk: &Desk, wanted: impl Fn(&Effect) -> bool) -> bool {
+    desk.asked.iter().any(wanted)
+}
+
+#[test]
+fn the_case_list() {
+    let mut desk = Desk::new(SMALL);
+    snapshot("tui_cases_80x24", &desk);
+    desk.keys("j");
+    snapshot("tui_cases_broken_80x24", &desk);
+}
+
+#[test]
+fn the_panes_of_a_case_at_80x24() {
+    let mut desk = Desk::with_case(SMALL);
+    snapshot("tui_inputs_80x24", &desk);
+    desk.keys("2");
+    snapshot("tui_tensions_80x24", &desk);
+    desk.keys("] ] ]");
+    snapshot("tui_shape_80x24", &desk);
+    desk.keys("3");
+    snapshot("tui_runs_80x24", &desk);
+    desk.keys("4");
+    snapshot("tui_validation_80x24", &desk);
+    desk.keys("5");
+    snapshot("tui_report_80x24", &desk);
+    desk.keys("6");
+    snapshot("tui_jobs_80x24", &desk);
+    desk.keys("?");
+    snapshot("tui_help_80x24", &desk);
+}
+
+#[test]
+fn everything_at_once_at_200x60() {
+    let mut desk = Desk::with_case(LARGE);
+    snapshot("tui_case_200x60", &desk);
+    desk.keys("2 l l l l l l l l");
+    snapshot("tui_charts_cursor_200x60", &desk);
+}
+
+#[test]
+fn two_panes_at_120x30_without_colour_in_ascii() {
+    let mut desk = Desk::with_case((120, 30));
+    desk.state.looks = looks(Glyphs::Ascii, false);
+    snapshot("tui_ascii_mono_120x30", &desk);
+    let buffer = desk.buffer();
+    assert!(buffer.content().iter().all(|cell| cell.symbol().is_ascii()));
+    let plain = ratatui::style::Color::Reset;
+    assert!(
+        buffer
+            .content()
+            .iter()
+            .all(|cell| cell.fg == plain && cell.bg == plain)
+    );
+}
+
+#[test]
+fn a_screen_that_is_too_small_says_so() {
+    for size in [(39, 24), (80, 9), (1, 1)] {
+        let desk = Desk::with_case(size);
+        let text = desk.screen();
+        assert!(
+            text.starts_with(&"need 40x10"[..usize::from(size.0).min(10)]),
+            "{text}"
+        );
+    }
+}
+
+#[test]
+fn a_bad_value_is_refused_with_its_reason_and_a_good_one_solves_again() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys("/");
+    desk.type_text("current speed");
+    desk.keys("enter enter ctrl+u");
+    desk.type_text("99");
+    desk.keys("enter");
+    snapshot("tui_refused_80x24", &desk);
+    assert!(desk.started().is_empty());
+    desk.keys("ctrl+u");
+    desk.type_text("0.8");
+    desk.keys("enter");
+    let started = desk.started();
+    assert_eq!(started.len(), 1);
+    assert!(started[0].1.text.contains("speed_m_per_s = 0.8  # along x"));
+    assert_eq!(started[0].1.overrides, ["current.speed_m_per_s=0.8"]);
+    let open = desk.state.open.as_ref().unwrap();
+    assert!(open.unsaved());
+    desk.keys("u");
+    assert!(!desk.state.open.as_ref().unwrap().unsaved());
+    desk.keys("U");
+    assert!(desk.state.open.as_ref().unwrap().unsaved());
+    desk.keys("r");
+    assert!(!desk.state.open.as_ref().unwrap().unsaved());
+}
+
+#[test]
+fn the_newest_solve_wins_and_the_old_curve_stays_dimmed_until_it_lands() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys("M");
+    let first = desk.started().remove(0);
+    desk.keys("M");
+    assert!(has(
+        &desk,
+        |e| matches!(e, Effect::Cancel(t) if *t == first.0)
+    ));
+    let second = desk.started().remove(0);
+    desk.stream(second.0, &second.1, 150.0);
+    // What the old job still says changes nothing.
+    let before = desk.buffer();
+    desk.stream(first.0, &first.1, 600.0);
+    let late = run(&first.1, RunState::Done);
+    desk.tell(Msg::Job(first.0, Box::new(Event::Finished(Box::new(late)))));
+    assert_eq!(desk.buffer(), before);
+    desk.keys("2");
+    snapshot("tui_live_80x24", &desk);
+    let whole = run(&second.1, RunState::Done);
+    desk.tell(Msg::Job(
+        second.0,
+        Box::new(Event::Finished(Box::new(whole))),
+    ));
+    let open = desk.state.open.as_ref().unwrap();
+    assert!(open.live.going.is_none() && open.live.done_text == open.text);
+}
+
+#[test]
+fn a_run_is_stored_validated_and_reported() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys("R");
+    assert!(has(&desk, |e| matches!(
+        e,
+        Effect::Start { store: true, .. }
+    )));
+    desk.finish_jobs();
+    let open = desk.state.open.as_ref().unwrap();
+    assert_eq!(open.runs.len(), 1);
+    assert_eq!(open.checks.len(), 2);
+    desk.keys("5 w");
+    let written = desk.asked.iter().find_map(|e| match e {
+        Effect::WriteText { path, text, .. } => Some((path.clone(), text.clone())),
+        _ => None,
+    });
+    let (path, text) = written.unwrap();
+    assert!(path.starts_with("runs"), "{}", path.display());
+    assert!(text.contains("Body lowered on a chain and a rope"));
+}
+
+#[test]
+fn a_study_runs_all_its_variants_one_after_the_other_and_overlays_them() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys("S");
+    let running = desk
+        .state
+        .jobs
+        .lines
+        .iter()
+        .filter(|l| l.state == JobState::Running);
+    assert_eq!(running.count(), 1);
+    assert_eq!(desk.state.jobs.waiting.len(), 1);
+    desk.finish_jobs();
+    snapshot("tui_study_80x24", &desk);
+    desk.keys("S");
+    assert_eq!(said(&desk), "Everything needed has been run already.");
+}
+
+#[test]
+fn runs_can_be_overlaid_shown_alone_and_deleted_after_a_question() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys("S");
+    desk.finish_jobs();
+    desk.keys("3 g space");
+    assert!(!desk.state.open.as_ref().unwrap().live.hidden);
+    desk.keys("enter");
+    let open = desk.state.open.as_ref().unwrap();
+    assert!(open.live.hidden && open.runs[0].shown && !open.runs[1].shown);
+    desk.keys("d");
+    snapshot("tui_delete_80x24", &desk);
+    desk.keys("esc");
+    assert!(!has(&desk, |e| matches!(e, Effect::DeleteRun(_))));
+    desk.keys("d d");
+    let dir = desk.state.open.as_ref().unwrap().runs[0]
+        .dir
+        .clone()
+        .unwrap();
+    assert!(has(
+        &desk,
+        |e| matches!(e, Effect::DeleteRun(d) if *d == dir)
+    ));
+    desk.tell(Msg::RunDeleted(dir));
+    assert_eq!(desk.state.open.as_ref().unwrap().runs.len(), 1);
+}
+
+#[test]
+fn control_c_cancels_first_and_quits_second() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys("R");
+    let (ticket, request) = desk.started().remove(0);
+    desk.keys("ctrl+c");
+    assert!(has(
+        &desk,
+        |e| matches!(e, Effect::Cancel(t) if *t == ticket)
+    ));
+    assert!(
+        said(&desk).ends_with("Ctrl-C again quits."),
+        "{}",
+        said(&desk)
+    );
+    let cancelled = run(&request, RunState::Cancelled);
+    desk.tell(Msg::Job(
+        ticket,
+        Box::new(Event::Finished(Box::new(cancelled))),
+    ));
+    desk.keys("ctrl+c");
+    assert!(has(&desk, |e| matches!(e, Effect::Quit)));
+}
+
+#[test]
+fn quitting_asks_while_runs_go_on_and_goes_on_when_they_end() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys("R q");
+    assert!(matches!(
+        desk.state.overlay,
+        Some(Overlay::Ask(Question::JobsRunning))
+    ));
+    assert!(!has(&desk, |e| matches!(e, Effect::Quit)));
+    desk.finish_jobs();
+    assert!(desk.state.overlay.is_none());
+    assert!(has(&desk, |e| matches!(e, Effect::Quit)));
+}
+
+#[test]
+fn unsaved_changes_ask_and_are_kept_for_recovery_meanwhile() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys("M q");
+    assert!(has(&desk, |e| matches!(
+        e,
+        Effect::KeepDraft { text: Some(_), .. }
+    )));
+    snapshot("tui_unsaved_80x24", &desk);
+    desk.keys("s");
+    let saved = desk.asked.iter().find_map(|e| match e {
+        Effect::SaveCase { path, text, .. } => Some((path.clone(), text.clone())),
+        _ => None,
+    });
+    let (path, text) = saved.unwrap();
+    desk.tell(Msg::Saved(path, text));
+    assert!(has(&desk, |e| matches!(e, Effect::Quit)));
+    assert!(has(&desk, |e| matches!(
+        e,
+        Effect::KeepDraft { text: None, .. }
+    )));
+}
+
+#[test]
+fn a_file_that_cannot_be_written_offers_another_name() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys("M s");
+    desk.tell(Msg::NotSaved(
+        "cases/body.toml cannot be written: it is read-only.".to_owned(),
+    ));
+    assert!(matches!(desk.state.overlay, Some(Overlay::SaveAs { .. })));
+    assert_eq!(desk.state.note.as_ref().unwrap().level, Level::Error);
+    desk.asked.clear();
+    desk.keys("enter");
+    assert!(has(&desk, |e| matches!(
+        e,
+        Effect::SaveCase { path, new: true, .. } if path.as_os_str() == "body-copy.toml"
+    )));
+}
+
+#[test]
+fn edits_of_an_earlier_session_are_offered() {
+    let mut desk = Desk::new(SMALL);
+    let edited = desk::CASE.replace("= 0.3", "= 0.7");
+    desk.tell(Msg::CaseRead(Box::new(seacable::tui::msg::CaseRead {
+        path: PathBuf::from("cases/body.toml"),
+        text: desk::CASE.to_owned(),
+        case: seacable::case::parse(desk::CASE, "body.toml").unwrap(),
+        recovered: Some(edited.clone()),
+    })));
+    desk.keys("r");
+    let open = desk.state.open.as_ref().unwrap();
+    assert_eq!(open.text, edited);
+    assert!(open.unsaved());
+    desk.keys("u");
+    assert_eq!(desk.state.open.as_ref().unwrap().text, desk::CASE);
+}
+
+#[test]
+fn the_palette_finds_a_command_by_its_words_and_does_it() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys(":");
+    desk.type_text("braille");
+    desk.keys("enter");
+    assert_eq!(desk.state.looks.glyphs, Glyphs::Ascii);
+    assert!(has(&desk, |e| matches!(
+        e,
+        Effect::RememberGlyphs(Glyphs::Ascii)
+    )));
+}
+
+#[test]
+fn a_command_that_cannot_be_done_says_why() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys("u");
+    assert_eq!(said(&desk), "There is nothing to undo.");
+    desk.keys("f2");
+    assert!(said(&desk).contains("`f2` does nothing here"));
+}
+
+#[test]
+fn a_paste_goes_to_the_field_and_never_to_the_commands() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.tell(Msg::Paste("q\nq".to_owned()));
+    assert!(desk.state.overlay.is_none());
+    desk.keys("enter ctrl+u");
+    desk.tell(Msg::Paste("9.81\n".to_owned()));
+    desk.keys("enter");
+    assert_eq!(
+        desk.state
+            .open
+            .as_ref()
+            .unwrap()
+            .case
+            .environment
+            .gravity_m_per_s2,
+        9.81
+    );
+}
+
+#[test]
+fn the_live_run_can_be_kept() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys("K");
+    assert!(has(&desk, |e| matches!(e, Effect::KeepRun(_))));
+    desk.keys("R");
+    let request = desk.started().remove(0).1;
+    desk.tell(Msg::Kept(PathBuf::from("runs/body-1"), shared(&request)));
+    desk.keys("K");
+    assert_eq!(said(&desk), "The live run is already kept.");
+}
+
+#[test]
+fn the_charts_share_one_instant() {
+    let mut desk = Desk::with_case(LARGE);
+    desk.keys("2 l pgdn");
+    let open = desk.state.open.as_ref().unwrap();
+    let at = open.instant.unwrap();
+    assert!((300.0..420.0).contains(&at), "{at}");
+    assert!(desk.screen().contains("line at 400 s"));
+    desk.keys("0");
+    assert_eq!(desk.state.open.as_ref().unwrap().instant, None);
+}
+
+#[test]
+fn every_command_can_be_reached_by_a_key_or_by_its_name() {
+    for place in Place::ALL {
+        let mut desk = Desk::with_case(SMALL);
+        if let Some(open) = &mut desk.state.open {
+            open.pane = place;
+        }
+        for command in COMMANDS.iter().filter(|c| c.places.contains(&place)) {
+            let found = seacable::tui::update::palette_matches(place, command.doc);
+            assert!(found.iter().any(|c| c.id == command.id), "{}", command.doc);
+        }
+    }
+}
+
+fn any_msg() -> impl Strategy<Value = Msg> {
+    let letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 []{}+-=?:/.,";
+    let letters: Vec<Key> = letters.chars().map(Key::Char).collect();
+    let named: Vec<Key> = [
+        "enter",
+        "esc",
+        "tab",
+        "shift+tab",
+        "backspace",
+        "del",
+        "up",
+        "down",
+        "left",
+        "right",
+        "home",
+        "end",
+        "pgup",
+        "pgdn",
+        "ctrl+c",
+        "ctrl+r",
+        "ctrl+u",
+        "ctrl+d",
+        "ctrl+l",
+        "ctrl+z",
+    ]
+    .iter()
+    .map(|name| name.parse().unwrap())
+    .collect();
+    prop_oneof![
+        4 => prop::sample::select(letters).prop_map(Msg::Key),
+        4 => prop::sample::select(named).prop_map(Msg::Key),
+        1 => (0..260_u16, 0..90_u16).prop_map(|(w, h)| Msg::Resize(w, h)),
+        1 => "[ -~é日\n\u{1b}]{0,12}".prop_map(Msg::Paste),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        cases: 48,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
+
+    #[test]
+    fn no_size_and_no_keys_break_the_screen(
+        messages in prop::collection::vec(any_msg(), 0..60),
+        size in (0..260_u16, 0..90_u16),
+        answered in any::<bool>(),
+        ascii in any::<bool>(),
+    ) {
+        let mut desk = Desk::opening(size);
+        if ascii {
+            desk.state.looks = looks(Glyphs::Ascii, false);
+        }
+        for (i, message) in messages.into_iter().enumerate() {
+            desk.tell(message);
+            if answered && i % 7 == 3 {
+                desk.finish_jobs();
+            }
+            if i % 5 == 0 {
+                desk.buffer();
+            }
+        }
+        desk.buffer();
+    }
+}
