@@ -2,7 +2,9 @@
 //! inertia left out. Beside a dynamic run it shows when inertia matters.
 //!
 //! `0 = f(t, x, v)` with v by backward differences of second order, variable step (BDF2; the first step by
-//! backward Euler). L-stable: the fast decay to the drag-limited speed needs no small step.
+//! backward Euler). L-stable: the fast decay to the drag-limited speed needs no small step. Drag coefficients are
+//! held over a step, at the speeds of the step before: where one jumps (a drag crisis), a line without inertia may
+//! move at either of two speeds, and so keeps to the one it has until that is gone.
 
 use super::{Step, StepError, Stepper, Tally};
 use crate::linalg::V3;
@@ -16,6 +18,8 @@ pub struct Quasi {
     /// Positions one accepted step back, and the length of that step \[s\].
     before: Option<f64>,
     x_before: Vec<V3>,
+    /// Whether speeds are known at which drag coefficients can be held.
+    remembers: bool,
 }
 
 /// Shares of inertia that a step falls back on when it does not converge without; the last is none.
@@ -30,6 +34,7 @@ impl Quasi {
             trial: State::at_rest(vec![V3::zeros(); nodes]),
             before: None,
             x_before: vec![V3::zeros(); nodes],
+            remembers: false,
         }
     }
 
@@ -90,7 +95,20 @@ impl Quasi {
             return Ok(());
         }
         self.predict(system, t, h, state);
-        for share in HELP {
+        self.help(system, t, h, state, &HELP)
+    }
+
+    /// Newton with these shares of inertia, one after the other.
+    fn help<S: System + ?Sized>(
+        &mut self,
+        system: &S,
+        t: f64,
+        h: f64,
+        state: &State,
+        shares: &[f64],
+    ) -> Result<(), NewtonError> {
+        let (c, _) = self.differences(h);
+        for share in shares {
             let factors = Factors {
                 mass: share * c / h,
                 damping: c,
@@ -113,11 +131,20 @@ impl Stepper for Quasi {
         state: &mut State,
     ) -> Result<f64, StepError> {
         let Step { t, dt, .. } = at;
+        if !self.remembers {
+            // A line at rest has no speeds to take coefficients at: those after one step with its inertia.
+            self.predict(system, t, dt, state);
+            self.help(system, t, dt, state, &HELP[..1])?;
+            system.remember(&mut self.trial);
+            state.memory.clone_from(&self.trial.memory);
+            self.remembers = true;
+        }
         self.predict(system, t, dt, state);
         self.converge(system, t, dt, state)?;
         self.x_before.copy_from_slice(&state.x);
         self.before = Some(dt);
         state.copy_from(&self.trial);
+        system.remember(state);
         Ok(0.0)
     }
 

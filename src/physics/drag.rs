@@ -90,22 +90,40 @@ impl Split {
 
 impl Profile {
     /// Drag of both halves of a segment, each of this length \[m\], with tangent t, at the relative velocities of
-    /// the water at its two nodes \[m/s\].
+    /// the water at its two nodes \[m/s\]; with the normal coefficients `held`, where they are.
     #[inline(always)]
     #[must_use]
-    pub fn drag(&self, t: &V3, u: [&V3; 2], length: f64) -> [Drag; 2] {
+    pub fn drag(&self, t: &V3, u: [&V3; 2], length: f64, held: Option<&[f64; 2]>) -> [Drag; 2] {
         let split = [Split::new(t, u[0]), Split::new(t, u[1])];
-        let speeds = [split[0].speed, split[1].speed];
-        let astride = (speeds[0] > self.crisis) != (speeds[1] > self.crisis);
-        let normal = if astride {
-            self.astride(speeds)
-        } else {
-            speeds.map(|s| self.one_sided(s))
+        let normal = match held {
+            Some(held) => held.map(|value| Coefficient {
+                value,
+                by_own: 0.0,
+                by_other: 0.0,
+            }),
+            None => self.normal([split[0].speed, split[1].speed]),
         };
         [
             self.half(t, &split[0], normal[0], length),
             self.half(t, &split[1], normal[1], length),
         ]
+    }
+
+    /// The normal coefficients of both halves at the relative velocities of the water at its nodes \[m/s\].
+    #[must_use]
+    pub fn normal_coefficients(&self, t: &V3, u: [&V3; 2]) -> [f64; 2] {
+        self.normal([Split::new(t, u[0]).speed, Split::new(t, u[1]).speed])
+            .map(|c| c.value)
+    }
+
+    #[inline(always)]
+    fn normal(&self, speeds: [f64; 2]) -> [Coefficient; 2] {
+        let astride = (speeds[0] > self.crisis) != (speeds[1] > self.crisis);
+        if astride {
+            self.astride(speeds)
+        } else {
+            self.each(speeds)
+        }
     }
 
     #[inline(always)]

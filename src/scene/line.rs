@@ -116,14 +116,23 @@ impl Scene {
     /// Drag on both halves of segment i.
     #[inline(always)]
     pub(super) fn drag(&self, i: usize, chord: &Chord, state: &State) -> [Drag; 2] {
-        let u = [
+        let u = self.relative_velocities(i, state);
+        let length = self.wetted(i, chord).0;
+        self.segments[i].drag.drag(
+            &chord.tangent,
+            [&u[0], &u[1]],
+            0.5 * length,
+            state.memory.get(i),
+        )
+    }
+
+    /// Velocities of the water relative to both nodes of segment i \[m/s\].
+    #[inline(always)]
+    fn relative_velocities(&self, i: usize, state: &State) -> [V3; 2] {
+        [
             self.current.at(state.x[i].z).0 - state.v[i],
             self.current.at(state.x[i + 1].z).0 - state.v[i + 1],
-        ];
-        let length = self.wetted(i, chord).0;
-        self.segments[i]
-            .drag
-            .drag(&chord.tangent, [&u[0], &u[1]], 0.5 * length)
+        ]
     }
 
     /// Adds what half a segment contributes to its node, pull, drag and added mass, and returns the block that couples the
@@ -308,6 +317,17 @@ impl System for Scene {
             let column = own.column(2) - by_velocity * shear * c.stiffness;
             own.set_column(2, &column);
             tangent.diag[last] += own;
+        }
+    }
+
+    fn remember(&self, state: &mut State) {
+        state.memory.resize(self.segments.len(), [0.0; 2]);
+        for i in 0..self.segments.len() {
+            let u = self.relative_velocities(i, state);
+            let tangent = self.chord(i, state).tangent;
+            state.memory[i] = self.segments[i]
+                .drag
+                .normal_coefficients(&tangent, [&u[0], &u[1]]);
         }
     }
 

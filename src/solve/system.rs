@@ -13,6 +13,9 @@ pub struct State {
     pub v: Vec<V3>,
     /// Accelerations.
     pub a: Vec<V3>,
+    /// What the line remembers from the last accepted step, if anything: see [`System::remember`]. One entry a
+    /// segment, or none at all.
+    pub memory: Vec<[f64; 2]>,
 }
 
 impl State {
@@ -24,6 +27,7 @@ impl State {
             x,
             v: vec![V3::zeros(); n],
             a: vec![V3::zeros(); n],
+            memory: Vec::new(),
         }
     }
 
@@ -32,6 +36,7 @@ impl State {
         self.x.copy_from_slice(&other.x);
         self.v.copy_from_slice(&other.v);
         self.a.copy_from_slice(&other.a);
+        self.memory.clone_from(&other.memory);
     }
 
     /// Whether every number is finite.
@@ -75,6 +80,11 @@ pub trait System: Sync {
     /// Accelerations of the free nodes from positions and velocities, `a = M(x)^-1 f(t, x, v)`. Those
     /// of the prescribed nodes are left as they are.
     fn accelerate(&self, t: f64, state: &mut State);
+
+    /// Writes into the state's memory what stays as it is until the next step is accepted: the normal drag
+    /// coefficients of both halves of every segment. A method that leaves inertia out needs it where the coefficient
+    /// jumps: without inertia nothing carries a node across a force that falls while its speed rises.
+    fn remember(&self, state: &mut State);
 
     /// A force typical of this line \[N\]: residuals are measured against it.
     fn force_scale(&self) -> f64;
