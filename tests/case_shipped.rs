@@ -4,7 +4,12 @@
 
 use std::path::{Path, PathBuf};
 
-use seacable::case::{self, Loaded};
+use std::sync::atomic::AtomicBool;
+
+use seacable::case::{self, Loaded, edit};
+use seacable::reference::{self, Outcome};
+use seacable::run::RunState;
+use seacable::run::job::{self, Request};
 
 fn case_files(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
@@ -38,4 +43,54 @@ fn shipped() -> Vec<Loaded> {
 #[test]
 fn shipped_cases_have_no_faults() {
     shipped();
+}
+
+#[test]
+fn every_value_of_a_study_makes_a_case() {
+    for loaded in shipped() {
+        for study in &loaded.case.study {
+            for value in &study.values {
+                let text = edit::set_number(&loaded.text, &study.key, *value)
+                    .unwrap_or_else(|fault| panic!("{}: {fault}", loaded.path.display()));
+                case::parse(&text, &study.name).unwrap();
+            }
+        }
+    }
+}
+
+#[test]
+fn small_cases_run_and_meet_their_closed_forms() {
+    for loaded in shipped().into_iter().filter(|loaded| {
+        loaded
+            .path
+            .parent()
+            .is_some_and(|folder| folder.ends_with("basics"))
+    }) {
+        let request = Request {
+            case: loaded.case.clone(),
+            text: loaded.text,
+            file: loaded.path.display().to_string(),
+            overrides: Vec::new(),
+            id: "shipped".to_owned(),
+        };
+        let run = job::execute(&request, &AtomicBool::new(false), &mut |_| {});
+        assert_eq!(
+            run.info.state,
+            RunState::Done,
+            "{}: {:?}",
+            request.file,
+            run.info.failure
+        );
+        assert!(run.info.warnings.is_empty(), "{:?}", run.info.warnings);
+        for row in reference::rows(&loaded.case, &|at| at.is_none().then_some(&run)) {
+            assert_eq!(
+                row.outcome,
+                Outcome::Pass,
+                "{}: {} is {:?}",
+                request.file,
+                row.name,
+                row.computed
+            );
+        }
+    }
 }

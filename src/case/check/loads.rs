@@ -22,73 +22,79 @@ fn current(root: &Node) -> Vec<Finding> {
     let Some(current) = root.get("current") else {
         return Vec::new();
     };
-    let lists = ["speed_m_per_s", "direction_deg"]
-        .into_iter()
-        .filter_map(|key| {
-            let list = current.get(key)?;
-            list.numbers().map(|values| (key, list, values.len()))
-        });
-    let lists: Vec<_> = lists.collect();
-    let Some((depth, values)) = current
-        .get("depth_m")
-        .and_then(|node| Some((node, node.numbers()?)))
-    else {
-        return lists
-            .into_iter()
-            .filter(|_| current.get("depth_m").is_none())
-            .map(|(key, list, count)| {
-                let remedy = format!("add `depth_m = [...]` with {count} depths in m, increasing");
-                Finding::new(
-                    &list.span,
-                    format!("current.{key}"),
-                    "is a list, and the depths it belongs to are missing",
-                    remedy,
-                )
-            })
-            .collect();
+    let lists = current_lists(current);
+    let Some(depth) = current.get("depth_m") else {
+        return lists.iter().map(without_depths).collect();
     };
-    let mut found = Vec::new();
-    for (key, list, count) in &lists {
-        if *count != values.len() {
-            let problem = format!("has {count} values for {} depths", values.len());
-            found.push(Finding::new(
-                &list.span,
-                format!("current.{key}"),
-                problem,
-                "give one value for each depth of depth_m",
-            ));
-        }
-    }
-    if lists.is_empty()
-        && current
-            .get("speed_m_per_s")
-            .and_then(Node::number)
-            .is_some()
-    {
-        let remedy = "give a list of speeds, one for each depth, or remove depth_m";
+    let Some(depths) = depth.numbers() else {
+        return Vec::new();
+    };
+    let mut found: Vec<Finding> = lists
+        .iter()
+        .filter(|list| list.count != depths.len())
+        .map(|list| {
+            let problem = format!("has {} values for {} depths", list.count, depths.len());
+            list.finding(problem, "give one value for each depth of depth_m")
+        })
+        .collect();
+    let one_speed = current.get("speed_m_per_s").and_then(Node::number);
+    if lists.is_empty() && one_speed.is_some() {
         found.push(Finding::new(
             &depth.span,
             "current.depth_m",
             "has no effect: speed and direction are the same at every depth",
-            remedy,
+            "give a list of speeds, one for each depth, or remove depth_m",
         ));
     }
-    let step_back = values.windows(2).position(|pair| pair[1] <= pair[0]);
-    found.extend(step_back.and_then(|at| {
-        let span = &depth.items().get(at + 1)?.span;
-        let problem = format!(
-            "the depths must increase: {} follows {}",
-            quantity(values[at + 1], "m"),
-            quantity(values[at], "m")
-        );
-        Some(Finding::new(
-            span,
-            "current.depth_m",
-            problem,
-            "list the depths from the surface down, each once",
-        ))
-    }));
+    found.extend(depths_that_step_back(depth, &depths));
     found
+}
+
+/// A key of the current that holds a list.
+struct CurrentList<'a> {
+    key: &'static str,
+    node: &'a Node,
+    count: usize,
+}
+
+impl CurrentList<'_> {
+    fn finding(&self, problem: impl Into<String>, remedy: impl Into<String>) -> Finding {
+        let key = format!("current.{}", self.key);
+        Finding::new(&self.node.span, key, problem, remedy)
+    }
+}
+
+fn current_lists(current: &Node) -> Vec<CurrentList<'_>> {
+    let keys = ["speed_m_per_s", "direction_deg"].into_iter();
+    keys.filter_map(|key| {
+        let node = current.get(key)?;
+        let count = node.numbers()?.len();
+        Some(CurrentList { key, node, count })
+    })
+    .collect()
+}
+
+fn without_depths(list: &CurrentList<'_>) -> Finding {
+    let remedy = format!(
+        "add `depth_m = [...]` with {} depths in m, increasing",
+        list.count
+    );
+    list.finding(
+        "is a list, and the depths it belongs to are missing",
+        remedy,
+    )
+}
+
+fn depths_that_step_back(node: &Node, depths: &[f64]) -> Option<Finding> {
+    let at = depths.windows(2).position(|pair| pair[1] <= pair[0])?;
+    let problem = format!(
+        "the depths must increase: {} follows {}",
+        quantity(depths[at + 1], "m"),
+        quantity(depths[at], "m")
+    );
+    let remedy = "list the depths from the surface down, each once";
+    let span = &node.items().get(at + 1)?.span;
+    Some(Finding::new(span, "current.depth_m", problem, remedy))
 }
 
 /// Weight in water is told once, and what the payload's keys leave out follows from its shape.
@@ -124,34 +130,37 @@ fn payload(root: &Node) -> Vec<Finding> {
         ))
     });
     found.extend(heavier);
-    if payload.get("shape").is_some() {
-        return found;
-    }
-    if wet.is_none() && volume.is_none() {
-        found.push(missing(
-            payload,
-            "wet_mass_kg",
-            "the weight in water is not known",
-            "wet_mass_kg in kg, volume_m3 in m³",
-        ));
-    }
-    if payload.get("drag_area_m2").is_none() {
-        found.push(missing(
-            payload,
-            "drag_area_m2",
-            "the drag is not known",
-            "drag_area_m2 in m² (drag coefficient times area)",
-        ));
-    }
-    if payload.get("added_mass_kg").is_none() {
-        found.push(missing(
-            payload,
-            "added_mass_kg",
-            "the added mass is not known",
-            "added_mass_kg in kg",
-        ));
+    if payload.get("shape").is_none() {
+        found.extend(left_open(payload));
     }
     found
+}
+
+/// What neither the keys of a payload without shape tell nor a shape could.
+fn left_open(payload: &Node) -> Vec<Finding> {
+    let weight = ["wet_mass_kg", "volume_m3"];
+    let wanted: [(&[&str], &str, &str); 3] = [
+        (
+            &weight,
+            "the weight in water is not known",
+            "wet_mass_kg in kg, volume_m3 in m³",
+        ),
+        (
+            &["drag_area_m2"],
+            "the drag is not known",
+            "drag_area_m2 in m² (drag coefficient times area)",
+        ),
+        (
+            &["added_mass_kg"],
+            "the added mass is not known",
+            "added_mass_kg in kg",
+        ),
+    ];
+    wanted
+        .into_iter()
+        .filter(|(keys, _, _)| keys.iter().all(|key| payload.get(key).is_none()))
+        .map(|(keys, problem, remedy)| missing(payload, keys[0], problem, remedy))
+        .collect()
 }
 
 fn missing(payload: &Node, key: &str, problem: &str, wanted: &str) -> Finding {

@@ -1,0 +1,187 @@
+//! What a case says about itself: where inputs come from, studies, published values, trends.
+
+use serde::{Deserialize, Serialize};
+
+/// Where an input comes from when the source does not print it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Mark {
+    /// Its standing.
+    pub status: Standing,
+    /// Why this value.
+    pub reason: String,
+}
+
+/// Standing of a number, from best to worst.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Standing {
+    /// Printed in the source.
+    Published,
+    /// Follows from printed numbers by algebra.
+    Derived,
+    /// Fitted so that printed outputs come out.
+    Calibrated,
+    /// An engineering choice.
+    Assumed,
+}
+
+/// One key, or several together, varied over a list of values.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Study {
+    /// Name, referred to by `published` and `trend`.
+    pub name: String,
+    /// The key path varied (`current.speed_m_per_s`).
+    pub key: String,
+    /// Its values, in the unit of the key.
+    pub values: Vec<f64>,
+    /// What the study shows, one line.
+    #[serde(default)]
+    pub title: String,
+}
+
+/// A published value and how a run is held against it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Published {
+    /// What it is, in words.
+    pub name: String,
+    /// Channel of the history (`tension_n[wire|payload]`).
+    pub channel: String,
+    /// What is taken of the channel.
+    pub statistic: Statistic,
+    /// Window of time \[s\] for the statistic; absent: the whole run.
+    pub window_s: Option<[f64; 2]>,
+    /// The published value, in the unit of the channel (seconds for times).
+    pub value: f64,
+    /// Tolerance relative to the value \[-\]. One of the two tolerances is needed.
+    pub tolerance_rel: Option<f64>,
+    /// Tolerance in the unit of the value.
+    pub tolerance_abs: Option<f64>,
+    /// Where it is printed ("sec. 2.1, fig. 5").
+    pub source: String,
+    /// Standing of the inputs behind the computed value, at worst.
+    pub inputs: Standing,
+    /// True when an input was fitted to this very number: agreement is then no evidence.
+    #[serde(default)]
+    pub fitted: bool,
+    /// The study and the value of its key this row belongs to; absent: the case as it stands.
+    pub at: Option<At>,
+    /// Why the number is out of reach; the row then reads DIFFERS instead of FAIL.
+    pub out_of_reach: Option<String>,
+}
+
+/// A point of a study.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct At {
+    /// Name of the study.
+    pub study: String,
+    /// Value of its key.
+    pub value: f64,
+}
+
+/// A number taken of a channel over a window of time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Statistic {
+    /// Time average.
+    Mean,
+    /// Greatest value, over every step of the solver.
+    Max,
+    /// Smallest value, over every step of the solver.
+    Min,
+    /// Value at the end of the window.
+    Final,
+    /// First value less the smallest (the paper's travel distance).
+    Travel,
+    /// Time of the greatest value \[s\].
+    TimeOfMax,
+    /// Time of the smallest value \[s\].
+    TimeOfMin,
+    /// First time after which the channel stays within 2 % of its whole range from its final value \[s\].
+    SettlingTime,
+    /// First time at which the channel has gone 90 % of the way from its first to its final value \[s\].
+    RiseTime,
+    /// Magnitude of the mean rate of change: |final value less first value| over the window's length
+    /// \[unit of the channel per second\].
+    Rate,
+}
+
+impl Statistic {
+    /// Every statistic, in the order in which they are explained to users.
+    pub const ALL: [Self; 10] = [
+        Self::Mean,
+        Self::Max,
+        Self::Min,
+        Self::Final,
+        Self::Travel,
+        Self::TimeOfMax,
+        Self::TimeOfMin,
+        Self::SettlingTime,
+        Self::RiseTime,
+        Self::Rate,
+    ];
+
+    /// The word for it, in case files and in names of quantities (`tension_n[wire|payload].mean`).
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Mean => "mean",
+            Self::Max => "max",
+            Self::Min => "min",
+            Self::Final => "final",
+            Self::Travel => "travel",
+            Self::TimeOfMax => "time_of_max",
+            Self::TimeOfMin => "time_of_min",
+            Self::SettlingTime => "settling_time",
+            Self::RiseTime => "rise_time",
+            Self::Rate => "rate",
+        }
+    }
+
+    /// Unit of the statistic of a channel that has the unit `channel` ("N" gives "N", "s" or "N/s").
+    #[must_use]
+    pub fn unit(self, channel: &str) -> String {
+        match self {
+            Self::Mean | Self::Max | Self::Min | Self::Final | Self::Travel => channel.to_owned(),
+            Self::TimeOfMax | Self::TimeOfMin | Self::SettlingTime | Self::RiseTime => {
+                "s".to_owned()
+            }
+            Self::Rate => format!("{channel}/s"),
+        }
+    }
+}
+
+/// A published statement of trend, checked along a study.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Trend {
+    /// The statement, in words.
+    pub name: String,
+    /// The study it is checked along.
+    pub study: String,
+    /// Channel of the history.
+    pub channel: String,
+    /// What is taken of the channel.
+    pub statistic: Statistic,
+    /// Window of time \[s\].
+    pub window_s: Option<[f64; 2]>,
+    /// What the statistic does as the study's values grow.
+    pub expect: Direction,
+    /// Where it is printed.
+    pub source: String,
+    /// Why it is out of reach; the row then reads DIFFERS instead of FAIL.
+    pub out_of_reach: Option<String>,
+}
+
+/// What a statistic does along a study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Direction {
+    /// Grows at every step.
+    Rises,
+    /// Shrinks at every step.
+    Falls,
+}

@@ -1,0 +1,116 @@
+//! The line: materials, sections, floats.
+
+use serde::{Deserialize, Serialize};
+
+/// What a stretch of line is made of.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Material {
+    /// Hydrodynamic (outer) diameter \[m\].
+    pub diameter_m: f64,
+    /// Mass per unstretched length \[kg/m\].
+    pub mass_kg_per_m: f64,
+    /// Weight in water as mass per unstretched length \[kg/m\]; absent: from mass, diameter and water density.
+    pub wet_weight_kg_per_m: Option<f64>,
+    /// Axial stiffness EA \[N\].
+    pub ea_n: f64,
+    /// Axial damping \[N s\]: tension per strain rate. At most one of this and the ratio.
+    pub axial_damping_n_s: Option<f64>,
+    /// Axial damping as a fraction of critical of a segment's highest axial mode \[-\].
+    pub axial_damping_ratio: Option<f64>,
+    /// Normal drag on the diameter: a coefficient or a named law \[-\].
+    #[serde(default = "no_drag")]
+    pub drag_normal: DragLaw,
+    /// Tangential drag, on the width chosen below: a coefficient or a named law \[-\].
+    #[serde(default = "no_drag")]
+    pub drag_tangential: DragLaw,
+    /// Reference width of tangential drag: `diameter` (Jia et al. 2019, eq. 3) or `perimeter`.
+    #[serde(default)]
+    pub drag_tangential_width: DragWidth,
+    /// Normal added-mass coefficient on the displaced volume \[-\].
+    #[serde(default = "one")]
+    pub added_mass_normal: f64,
+    /// Tangential added-mass coefficient on the displaced volume \[-\].
+    #[serde(default)]
+    pub added_mass_tangential: f64,
+    /// Minimum breaking load \[N\], for checks.
+    pub break_load_n: Option<f64>,
+}
+
+fn no_drag() -> DragLaw {
+    DragLaw::Constant(0.0)
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+/// A drag coefficient, constant or from a named law of the Reynolds number.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum DragLaw {
+    /// The same at every Reynolds number.
+    Constant(f64),
+    /// A law by name.
+    Named(DragLawName),
+}
+
+/// The drag laws known by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum DragLawName {
+    /// Normal drag of Jia et al. 2019, eq. (4).
+    #[serde(rename = "jia-2019-normal")]
+    Jia2019Normal,
+    /// Tangential drag of Jia et al. 2019, eq. (5).
+    #[serde(rename = "jia-2019-tangential")]
+    Jia2019Tangential,
+}
+
+/// The width that tangential drag is referred to.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum DragWidth {
+    /// The diameter D.
+    #[default]
+    Diameter,
+    /// The perimeter πD.
+    Perimeter,
+}
+
+/// A section of the line.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Section {
+    /// Name, used in channel names and key paths (`line.polyester.length_m`).
+    pub name: String,
+    /// Name of its material.
+    pub material: String,
+    /// Unstretched length \[m\].
+    pub length_m: f64,
+    /// Number of segments it is divided into.
+    pub segments: usize,
+}
+
+/// Floats spread evenly over a stretch of a section.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Floats {
+    /// The section they sit on.
+    pub section: String,
+    /// Where the stretch begins, from the section's end nearer to A \[m\].
+    #[serde(default)]
+    pub from_m: f64,
+    /// Where it ends \[m\]; absent: the section's end.
+    pub to_m: Option<f64>,
+    /// Net lift of all of them as mass \[kg\] (buoyancy less their own weight).
+    pub lift_kg: f64,
+    /// Mass of all of them \[kg\].
+    #[serde(default)]
+    pub mass_kg: f64,
+    /// Normal drag coefficient times area of all of them \[m²\].
+    #[serde(default)]
+    pub drag_area_m2: f64,
+    /// Normal added mass of all of them \[kg\].
+    #[serde(default)]
+    pub added_mass_kg: f64,
+}

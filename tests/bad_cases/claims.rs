@@ -1,0 +1,143 @@
+//! Studies, published values, trends and marks.
+
+use super::{GOOD, faults, spoilt, tells};
+
+#[test]
+fn study_of_a_key_that_is_not_there() {
+    let fault = spoilt(
+        "key = \"materials.chain.diameter_m\"",
+        "key = \"materials.chain.diametr_m\"",
+    );
+    tells(
+        &fault,
+        (53, 7),
+        "study.current.key",
+        "there is no key `materials.chain.diametr_m`",
+        "did you mean `materials.chain.diameter_m`?",
+    );
+    let fault = spoilt(
+        "key = \"materials.chain.diameter_m\"",
+        "key = \"case.title\"",
+    );
+    tells(
+        &fault,
+        (53, 7),
+        "study.current.key",
+        "is not a number",
+        "takes one number",
+    );
+    let fault = spoilt("values = [0.05, 0.1]", "values = [0.05, -0.1]");
+    tells(
+        &fault,
+        (54, 17),
+        "study.current.values",
+        "is out of range: -0.1 m",
+        "greater than 0 m",
+    );
+}
+
+#[test]
+fn published_value_of_a_channel_that_is_not_recorded() {
+    let fault = spoilt(
+        "channel = \"tension_n[lower|load]\"",
+        "channel = \"tension_n[lower|loda]\"",
+    );
+    tells(
+        &fault,
+        (58, 11),
+        "published.\"tension at the load\".channel",
+        "there is no channel named",
+        "did you mean \"tension_n[lower|load]\"?",
+    );
+    let fault = spoilt("channel = \"x_m[load]\"", "channel = \"x_m[vessel]\"");
+    tells(
+        &fault,
+        (70, 11),
+        "trend.\"thicker, more drag\".channel",
+        "there is no channel named \"x_m[vessel]\"",
+        "x_m[load]",
+    );
+}
+
+#[test]
+fn published_value_without_tolerance() {
+    let fault = spoilt("tolerance_rel = 0.03\n", "");
+    tells(
+        &fault,
+        (56, 1),
+        "published.\"tension at the load\".tolerance_rel",
+        "no tolerance",
+        "tolerance_abs",
+    );
+}
+
+#[test]
+fn window_that_runs_backward() {
+    let fault = spoilt("window_s = [0.0, 200.0]", "window_s = [200.0, 0.0]");
+    tells(
+        &fault,
+        (60, 12),
+        "published.\"tension at the load\".window_s",
+        "the window is empty",
+        "begin before it ends",
+    );
+}
+
+#[test]
+fn point_of_a_study_that_is_not_there() {
+    let fault = spoilt("at = { study = \"current\"", "at = { study = \"curent\"");
+    tells(
+        &fault,
+        (65, 16),
+        "published.\"tension at the load\".at.study",
+        "there is no study named \"curent\"",
+        "did you mean \"current\"?",
+    );
+    let fault = spoilt("value = 0.05 }", "value = 0.06 }");
+    tells(
+        &fault,
+        (65, 35),
+        "published.\"tension at the load\".at.value",
+        "0.06 is not a value of the study",
+        "0.05, 0.1",
+    );
+    let fault = spoilt("study = \"current\"\n", "study = \"weight\"\n");
+    tells(
+        &fault,
+        (69, 9),
+        "trend.\"thicker, more drag\".study",
+        "there is no study named \"weight\"",
+        "`current`",
+    );
+}
+
+#[test]
+fn mark_of_a_key_that_is_not_there() {
+    let fault = spoilt("\"payload.drag_area_m2\" =", "\"payload.drag_aera_m2\" =");
+    tells(
+        &fault,
+        (49, 1),
+        "marks.\"payload.drag_aera_m2\"",
+        "there is no key `payload.drag_aera_m2`",
+        "did you mean `payload.drag_area_m2`?",
+    );
+}
+
+#[test]
+fn all_faults_are_told_at_once_in_the_order_of_lines() {
+    let text = GOOD
+        .replace("length_m = 80.0", "length_m = -80.0")
+        .replace("ea_n = 1e9", "ea = 1e9")
+        .replace("\"x_m[load]\"", "\"x_m[laod]\"")
+        .replace("section = \"upper\"", "section = \"uper\"");
+    let keys: Vec<String> = faults(&text).into_iter().map(|fault| fault.key).collect();
+    assert_eq!(
+        keys,
+        [
+            "materials.chain.ea",
+            "line.upper.length_m",
+            "floats.uper.section",
+            "trend.\"thicker, more drag\".channel"
+        ]
+    );
+}

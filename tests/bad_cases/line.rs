@@ -1,0 +1,151 @@
+//! Materials, names, ends, reach and floats.
+
+use seacable::case;
+
+use super::{GOOD, faults, spoilt, tells};
+
+#[test]
+fn unknown_material() {
+    let fault = spoilt(
+        "name = \"upper\"\nmaterial = \"chain\"",
+        "name = \"upper\"\nmaterial = \"chian\"",
+    );
+    tells(
+        &fault,
+        (17, 12),
+        "line.upper.material",
+        "there is no material named \"chian\"",
+        "did you mean \"chain\"?",
+    );
+}
+
+#[test]
+fn name_used_twice() {
+    let fault = spoilt("name = \"vessel\"", "name = \"upper\"");
+    tells(
+        &fault,
+        (28, 8),
+        "ends.a.name",
+        "the name \"upper\" is used twice",
+        "a name of its own",
+    );
+}
+
+#[test]
+fn end_off_the_lines_reach() {
+    let fault = spoilt(
+        "kind = \"payload\"",
+        "kind = \"payload\"\nposition_m = [0.0, 0.0, -1000.0]",
+    );
+    tells(
+        &fault,
+        (35, 14),
+        "ends.b.position_m",
+        "off the line's reach: the ends are 1000 m apart and the line is 100 m long",
+        "within 150 m of each other",
+    );
+    let taut = GOOD.replace(
+        "kind = \"payload\"",
+        "kind = \"payload\"\nposition_m = [0.0, 0.0, -101.0]",
+    );
+    assert!(case::parse(&taut, "taut").is_ok());
+}
+
+#[test]
+fn held_end_without_position() {
+    let fault = spoilt("position_m = [0.0, 0.0, 0.0]\n", "");
+    tells(
+        &fault,
+        (27, 1),
+        "ends.a.position_m",
+        "is missing",
+        "position_m = [x, y, z]",
+    );
+}
+
+#[test]
+fn moving_end_without_period() {
+    let fault = spoilt(
+        "kind = \"fixed\"",
+        "kind = \"moving\"\namplitude_m = [0.0, 0.0, 1.0]",
+    );
+    tells(
+        &fault,
+        (27, 1),
+        "ends.a.period_s",
+        "is missing",
+        "needs the period of its motion",
+    );
+}
+
+#[test]
+fn nothing_holds_the_line() {
+    let fault = spoilt("kind = \"fixed\"", "kind = \"free\"");
+    tells(
+        &fault,
+        (34, 8),
+        "ends.b.kind",
+        "nothing holds the line",
+        "start.shape = \"straight\"",
+    );
+}
+
+#[test]
+fn payload_without_an_end_and_end_without_payload() {
+    let text = GOOD.replace("kind = \"payload\"", "kind = \"free\"");
+    tells(
+        &faults(&text)[0],
+        (36, 1),
+        "payload",
+        "no end carries the payload",
+        "\"payload\", or remove [payload]",
+    );
+    let payload = "[payload]\ndry_mass_kg = 1000.0\nwet_mass_kg = 800.0\ndrag_area_m2 = 2.0\nadded_mass_kg = 500.0\n";
+    let found = faults(&GOOD.replace(payload, ""));
+    tells(
+        &found[0],
+        (34, 8),
+        "ends.b.kind",
+        "carries a payload, and the case has none",
+        "add a table [payload]",
+    );
+    let fault = spoilt(
+        "kind = \"fixed\"\nposition_m = [0.0, 0.0, 0.0]\n",
+        "kind = \"payload\"\nposition_m = [0.0, 0.0, 0.0]\n[start]\nshape = \"straight\"\n",
+    );
+    tells(
+        &fault,
+        (36, 8),
+        "ends.b.kind",
+        "both ends carry the payload",
+        "leave it on one end",
+    );
+}
+
+#[test]
+fn floats_off_their_section() {
+    let fault = spoilt("to_m = 30.0", "to_m = 90.0");
+    tells(
+        &fault,
+        (45, 8),
+        "floats.upper.to_m",
+        "reach beyond their section: 90 m",
+        "section \"upper\" is 80 m long",
+    );
+    let fault = spoilt("from_m = 10.0", "from_m = 40.0");
+    tells(
+        &fault,
+        (44, 10),
+        "floats.upper.from_m",
+        "the stretch is empty",
+        "begin before it ends",
+    );
+    let fault = spoilt("section = \"upper\"", "section = \"middle\"");
+    tells(
+        &fault,
+        (43, 11),
+        "floats.middle.section",
+        "there is no section named \"middle\"",
+        "`upper` and `lower`",
+    );
+}

@@ -1,0 +1,120 @@
+//! Current, damping, payload and output.
+
+use super::{spoilt, tells};
+
+#[test]
+fn current_table() {
+    let fault = spoilt("depth_m = [0.0, 100.0]\n", "");
+    tells(
+        &fault,
+        (5, 17),
+        "current.speed_m_per_s",
+        "the depths it belongs to are missing",
+        "with 2 depths in m",
+    );
+    let fault = spoilt("depth_m = [0.0, 100.0]", "depth_m = [0.0, 50.0, 100.0]");
+    tells(
+        &fault,
+        (5, 17),
+        "current.speed_m_per_s",
+        "has 2 values for 3 depths",
+        "one value for each depth",
+    );
+    let fault = spoilt("depth_m = [0.0, 100.0]", "depth_m = [100.0, 0.0]");
+    tells(
+        &fault,
+        (6, 19),
+        "current.depth_m",
+        "must increase: 0 m follows 100 m",
+        "from the surface down",
+    );
+    let fault = spoilt("speed_m_per_s = [0.5, 0.2]", "speed_m_per_s = 0.5");
+    tells(
+        &fault,
+        (6, 11),
+        "current.depth_m",
+        "has no effect",
+        "a list of speeds",
+    );
+}
+
+#[test]
+fn damping_given_twice() {
+    let fault = spoilt(
+        "axial_damping_ratio = 0.02",
+        "axial_damping_ratio = 0.02\naxial_damping_n_s = 1e5",
+    );
+    tells(
+        &fault,
+        (13, 1),
+        "materials.chain.axial_damping_n_s",
+        "given twice",
+        "keep one",
+    );
+}
+
+#[test]
+fn payload_weight() {
+    let fault = spoilt(
+        "wet_mass_kg = 800.0",
+        "wet_mass_kg = 800.0\nvolume_m3 = 0.2",
+    );
+    tells(
+        &fault,
+        (39, 13),
+        "payload.volume_m3",
+        "given twice",
+        "keep one",
+    );
+    let fault = spoilt("wet_mass_kg = 800.0", "wet_mass_kg = 1800.0");
+    tells(
+        &fault,
+        (38, 15),
+        "payload.wet_mass_kg",
+        "more than the 1000 kg in air",
+        "less the mass of the displaced water",
+    );
+    let fault = spoilt("wet_mass_kg = 800.0\n", "");
+    tells(
+        &fault,
+        (36, 1),
+        "payload.wet_mass_kg",
+        "the weight in water is not known",
+        "volume_m3",
+    );
+}
+
+#[test]
+fn payload_shape_of_another_kind() {
+    let shape = "added_mass_kg = 500.0\nshape = { kind = \"box\", length_m = 1.0, breadth_m = 1.0, height_m = 1.0, sphere_diameter_m = 2.0 }";
+    let fault = spoilt("added_mass_kg = 500.0", shape);
+    tells(
+        &fault,
+        (41, 74),
+        "payload.shape.sphere_diameter_m",
+        "belongs to a table with kind = \"sphere-and-cylinder\"",
+        "remove it",
+    );
+    let shape =
+        "added_mass_kg = 500.0\nshape = { kind = \"box\", length_m = 1.0, breadth_m = 1.0 }";
+    let fault = spoilt("added_mass_kg = 500.0", shape);
+    tells(
+        &fault,
+        (41, 9),
+        "payload.shape.height_m",
+        "is missing",
+        "box height",
+    );
+}
+
+#[test]
+fn more_output_than_a_disk_holds() {
+    let fault = spoilt("[marks]", "[output]\ninterval_s = 1e-6\n[marks]");
+    tells(
+        &fault,
+        (49, 14),
+        "output.interval_s",
+        "output instants in 600 s",
+        "at least",
+    );
+}
