@@ -1,2 +1,7 @@
-//! seacable
-fn main() {}
+//! seacable: parses the command line and hands over.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    seacable::cli::main()
+}

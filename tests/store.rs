@@ -319,3 +319,33 @@ fn the_list_is_newest_first_and_shows_damaged_runs() {
     assert!(entries[4].info.is_err());
     assert!(list(&root.path().join("nowhere")).unwrap().is_empty());
 }
+
+#[test]
+fn a_kill_between_any_two_files_of_the_end_leaves_a_partial_run() {
+    let root = tempfile::tempdir().unwrap();
+    let finished = saved(root.path());
+    let mut writer = begun(root.path(), 30);
+    writer.flush().unwrap();
+    let dir = writer.dir().to_owned();
+    let order = [
+        "case.toml",
+        "summary.csv",
+        "errors.csv",
+        "channels.csv",
+        "history.csv",
+        "profile.csv",
+        "shapes.csv",
+    ];
+    for name in order {
+        // A kill while the next file was being written beside its name.
+        fs::write(dir.join(format!(".{name}.new")), "half a fi").unwrap();
+        assert_eq!(read(&dir).unwrap().info.state, RunState::Partial);
+        fs::remove_file(dir.join(format!(".{name}.new"))).unwrap();
+        fs::copy(finished.join(name), dir.join(name)).unwrap();
+        let back = read(&dir).unwrap();
+        assert_eq!(back.info.state, RunState::Partial);
+        assert!(back.history.time.len() >= 30);
+    }
+    fs::copy(finished.join("run.toml"), dir.join("run.toml")).unwrap();
+    assert_eq!(read(&dir).unwrap(), read(&finished).unwrap());
+}

@@ -13,6 +13,7 @@ pub mod edit;
 pub mod fields;
 pub mod model;
 mod read;
+pub mod shipped;
 mod tree;
 
 pub use channels::{Channel, LineEnd, Source, channels};

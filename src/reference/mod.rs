@@ -15,11 +15,13 @@ mod table;
 mod tally;
 mod trend;
 mod value;
+mod variant;
 
 pub use plan::plan;
 pub use row::{Outcome, Point, Row, TrendLine};
 pub use table::{standing_word, table};
 pub use tally::{Tally, tally};
+pub use variant::{Variant, rows_of_run, stands_at, variant};
 
 use crate::{
     case::{At, Case},

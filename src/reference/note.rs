@@ -12,6 +12,9 @@ pub(super) fn note(row: &Row) -> String {
     if !row.source.is_empty() {
         words.push(format!("{}.", row.source.trim_end_matches('.')));
     }
+    if let Some(at) = &row.at {
+        words.push(format!("Computed at {} = {}.", at.study, at.value));
+    }
     if let Some(line) = &row.trend {
         words.push(along(line, &row.unit));
     }

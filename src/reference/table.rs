@@ -4,7 +4,7 @@ use super::{Outcome, Row, note::note};
 use crate::{
     case::{Direction, Standing},
     report::{
-        number::{digits, si},
+        number::si,
         table::{Cell, CellInk, Column, Table},
     },
 };
@@ -58,7 +58,7 @@ fn cells(i: usize, row: &Row) -> Vec<Cell> {
         ),
     };
     vec![
-        Cell::plain(format!("[{}] {}", i + 1, title(row))),
+        Cell::plain(format!("[{}] {}", i + 1, row.name)),
         Cell::new(row.outcome.word(), ink(row.outcome)),
         published,
         computed,
@@ -71,13 +71,6 @@ fn cells(i: usize, row: &Row) -> Vec<Cell> {
         number(row.tolerance, if row.trend.is_some() { "" } else { "-" }),
         inputs(row),
     ]
-}
-
-fn title(row: &Row) -> String {
-    let at = row.at.as_ref().map_or_else(String::new, |at| {
-        format!(", {} = {}", at.study, digits(at.value, 6))
-    });
-    format!("{}{at}", row.name)
 }
 
 fn expected(direction: Direction) -> &'static str {

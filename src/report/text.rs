@@ -1,6 +1,7 @@
 //! The text report of a stored run: everything a reader needs to judge it, on 80 columns.
 
 mod about;
+mod charts;
 mod inputs;
 mod layout;
 mod results;
@@ -10,14 +11,17 @@ pub use results::summary;
 pub use validation::validation;
 
 use self::layout::Page;
+use super::chart::Glyphs;
 use crate::{case::Case, reference::Row, run::Run};
 
 /// The report of a run: what was computed and with which settings, inputs with their standing,
 /// results with their errors, charts, the published values it is held against, work and cost.
 ///
 /// `rows` are the published rows of the case ([`reference::rows`](crate::reference::rows)).
+/// Charts are drawn with `glyphs`; for a report that is ASCII throughout, pass the result through
+/// [`plain::ascii`](super::plain::ascii).
 #[must_use]
-pub fn report(run: &Run, case: &Case, rows: &[Row]) -> String {
+pub fn report(run: &Run, case: &Case, rows: &[Row], glyphs: Glyphs) -> String {
     let mut page = Page::default();
     about::head(&mut page, run, case);
     about::warnings(&mut page, &run.info);
@@ -25,6 +29,7 @@ pub fn report(run: &Run, case: &Case, rows: &[Row]) -> String {
     inputs::table(&mut page, run, case);
     page.heading("Results");
     page.block(&summary(run));
+    charts::all(&mut page, run, glyphs);
     if !rows.is_empty() {
         page.heading("Published values");
         page.block(&validation(rows));

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::case::{self, At, Case, Method};
 use crate::reference;
+use crate::report::chart::Glyphs;
 use crate::report::table::Table;
 use crate::run::Run;
 
@@ -123,5 +124,5 @@ pub fn checks_table(rows: &[Row]) -> Table {
 /// The text report of a run.
 #[must_use]
 pub fn report(run: &Run, case: &Case, rows: &[Row]) -> String {
-    crate::report::text::report(run, case, rows)
+    crate::report::text::report(run, case, rows, Glyphs::Braille)
 }

@@ -3,7 +3,7 @@
 use super::layout::WIDTH;
 use crate::{
     report::{
-        number::{si, with_error},
+        number::{order, si, with_error},
         table::{Cell, CellInk, Column, Table},
     },
     run::{Quantity, Run},
@@ -25,37 +25,79 @@ pub fn summary(run: &Run) -> String {
 }
 
 fn with_errors(quantities: &[Quantity]) -> Table {
-    let error = |error: Option<f64>, unit: &str| match error {
-        Some(error) => Cell::plain(si(error, unit)),
-        None => Cell::new("-", CellInk::Dim),
-    };
-    let rows = quantities.iter().map(|q| {
-        vec![
-            Cell::plain(&q.name),
-            Cell::plain(match q.error_estimate() {
-                Some(error) => with_error(q.value, Some(error), &q.unit),
-                None => si(q.value, &q.unit),
-            }),
-            error(q.time_error, &q.unit),
-            error(q.mesh_error, &q.unit),
-        ]
-    });
+    let rows = grouped(quantities)
+        .into_iter()
+        .flat_map(|(channel, of_channel)| {
+            let head = vec![Cell::plain(channel)];
+            let cells = of_channel.into_iter().map(|(statistic, q)| {
+                vec![
+                    Cell::plain(statistic),
+                    value(q),
+                    error(q.time_error, &q.unit),
+                    error(q.mesh_error, &q.unit),
+                ]
+            });
+            std::iter::once(head).chain(cells).collect::<Vec<_>>()
+        });
     Table {
         columns: vec![
             Column::left("quantity"),
             Column::decimal("value"),
-            Column::decimal("time error"),
-            Column::decimal("mesh error"),
+            Column::right("time error"),
+            Column::right("mesh error"),
         ],
         rows: rows.collect(),
         ..Table::default()
     }
 }
 
+/// Quantities by channel, in the order in which the channels come: `tension_n[wire|payload]` with
+/// `.max`, `.mean(0..200)`, which together are the name in `summary.csv`.
+fn grouped(quantities: &[Quantity]) -> Vec<(&str, Vec<(&str, &Quantity)>)> {
+    let mut groups: Vec<(&str, Vec<(&str, &Quantity)>)> = Vec::new();
+    for quantity in quantities {
+        let name = quantity.name.as_str();
+        let end = name.find("].").map_or(0, |bracket| bracket + 1);
+        let (channel, statistic) = name.split_at(end);
+        match groups.iter_mut().find(|(c, _)| *c == channel) {
+            Some((_, group)) => group.push((statistic, quantity)),
+            None => groups.push((channel, vec![(statistic, quantity)])),
+        }
+    }
+    groups
+}
+
+fn value(quantity: &Quantity) -> Cell {
+    let error = quantity.error_estimate().filter(|error| *error > 0.0);
+    Cell::plain(match error {
+        Some(_) => with_error(quantity.value, error, &quantity.unit),
+        None => si(quantity.value, &quantity.unit),
+    })
+}
+
+/// An estimate is good for two digits.
+fn error(error: Option<f64>, unit: &str) -> Cell {
+    match error {
+        Some(error) if error > 0.0 => {
+            let digit = 10_f64.powi(order(error) - 1);
+            Cell::plain(si((error / digit).round() * digit, unit))
+        }
+        Some(error) => Cell::plain(si(error, unit)),
+        None => Cell::new("-", CellInk::Dim),
+    }
+}
+
 fn bare(quantities: &[Quantity]) -> Table {
-    let rows = quantities
-        .iter()
-        .map(|q| vec![Cell::plain(&q.name), Cell::plain(si(q.value, &q.unit))]);
+    let rows = grouped(quantities)
+        .into_iter()
+        .flat_map(|(channel, of_channel)| {
+            let cells = of_channel.into_iter().map(|(statistic, q)| {
+                vec![Cell::plain(statistic), Cell::plain(si(q.value, &q.unit))]
+            });
+            std::iter::once(vec![Cell::plain(channel)])
+                .chain(cells)
+                .collect::<Vec<_>>()
+        });
     Table {
         columns: vec![Column::left("quantity"), Column::decimal("value")],
         rows: rows.collect(),

@@ -181,7 +181,7 @@ mod tests {
     fn names_are_safe() {
         assert_eq!(stem("manifold.toml"), "manifold");
         assert_eq!(stem("my case (2).toml"), "my-case--2-");
-        assert_eq!(stem("../x/..toml"), "toml");
+        assert_eq!(stem("../x/..toml"), "run");
         assert_eq!(stem(""), "run");
     }
 }

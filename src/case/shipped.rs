@@ -1,0 +1,62 @@
+//! The cases that come with the program, so that it needs nothing but itself.
+
+/// Path below `cases` and text.
+pub type Shipped = (&'static str, &'static str);
+
+macro_rules! shipped {
+    ($path:literal) => {
+        ($path, include_str!(concat!("../../cases/", $path)))
+    };
+}
+
+/// The cases that come with the program, in the order of their paths.
+pub const SHIPPED: &[Shipped] = &[
+    shipped!("basics/hanging_line.toml"),
+    shipped!("basics/mooring_static.toml"),
+    shipped!("basics/pendulum.toml"),
+    shipped!("pendulous/manifold.toml"),
+    shipped!("pendulous/module.toml"),
+];
+
+#[cfg(test)]
+mod tests {
+    use std::{
+        collections::BTreeMap,
+        fs,
+        path::{Path, PathBuf},
+    };
+
+    use super::SHIPPED;
+
+    #[test]
+    fn the_list_is_the_folder() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases");
+        let mut found = BTreeMap::new();
+        let mut folders: Vec<PathBuf> = vec![root.clone()];
+        while let Some(folder) = folders.pop() {
+            for item in fs::read_dir(folder).unwrap() {
+                let path = item.unwrap().path();
+                if path.is_dir() {
+                    folders.push(path);
+                } else if path.extension().is_some_and(|e| e == "toml") {
+                    let name = path
+                        .strip_prefix(&root)
+                        .unwrap()
+                        .to_str()
+                        .unwrap()
+                        .to_owned();
+                    found.insert(name, fs::read_to_string(&path).unwrap());
+                }
+            }
+        }
+        let listed: BTreeMap<String, String> = SHIPPED
+            .iter()
+            .map(|(path, text)| ((*path).to_owned(), (*text).to_owned()))
+            .collect();
+        assert_eq!(
+            listed.keys().collect::<Vec<_>>(),
+            found.keys().collect::<Vec<_>>()
+        );
+        assert!(listed == found, "a listed case is not the text of its file");
+    }
+}

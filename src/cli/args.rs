@@ -1,0 +1,136 @@
+//! The words of the command line.
+
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand, ValueEnum};
+
+/// A terminal workbench for marine cables.
+///
+/// Without a command it opens the workbench: on a case file, on the cases below a directory, or on
+/// the cases that come with the program.
+#[derive(Debug, Parser)]
+#[command(
+    name = "seacable",
+    version,
+    max_term_width = 100,
+    args_conflicts_with_subcommands = true
+)]
+#[command(
+    after_help = "Exit status: 0 all is well; 1 a row is outside its tolerance or the solver \
+    gave up; 2 bad input; 130 and 143 stopped by a signal."
+)]
+pub(super) struct Args {
+    /// A case file, or a directory with case files, to open in the workbench.
+    #[arg(value_name = "CASE|DIR")]
+    pub(super) path: Option<PathBuf>,
+
+    /// Draw with ASCII characters only.
+    #[arg(long)]
+    pub(super) ascii: bool,
+
+    /// For slow links: fewer frames, and more patience with keys that arrive in pieces.
+    #[arg(long)]
+    pub(super) slow_link: bool,
+
+    #[command(subcommand)]
+    pub(super) command: Option<Command>,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Compute a case and keep the run in a directory.
+    ///
+    /// Prints the run directory and the table of results.
+    Run(RunWords),
+    /// Hold cases against the published values they state.
+    ///
+    /// Computes every case and every variant that its published rows ask for, and prints the
+    /// validation tables. The exit status is 1 when a row is outside its tolerance.
+    Validate(ValidateWords),
+    /// Print the text report of a stored run.
+    Report(ReportWords),
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct RunWords {
+    /// The case file.
+    #[arg(value_name = "CASE")]
+    pub(super) case: PathBuf,
+
+    /// Set a key on top of the file, for example current.speed_m_per_s=0.4; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub(super) set: Vec<String>,
+
+    /// The solver to use instead of the one the case names.
+    #[arg(long)]
+    pub(super) solver: Option<SolverWord>,
+
+    /// The directory to write, which must not exist yet; runs/<case>-<time> unless given.
+    #[arg(long, value_name = "DIR")]
+    pub(super) out: Option<PathBuf>,
+
+    /// Print with ASCII characters only.
+    #[arg(long)]
+    pub(super) ascii: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct ValidateWords {
+    /// Case files, or directories with case files; all that come with the program unless given.
+    #[arg(value_name = "CASE")]
+    pub(super) cases: Vec<PathBuf>,
+
+    /// Print with ASCII characters only.
+    #[arg(long)]
+    pub(super) ascii: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct ReportWords {
+    /// The run directory.
+    #[arg(value_name = "RUN_DIR")]
+    pub(super) dir: PathBuf,
+
+    /// Write the report to this file instead of standard output.
+    #[arg(short, long = "output", value_name = "FILE")]
+    pub(super) output: Option<PathBuf>,
+
+    /// Draw with ASCII characters only.
+    #[arg(long)]
+    pub(super) ascii: bool,
+}
+
+/// The solvers, as the command line names them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum SolverWord {
+    /// Static equilibrium.
+    Static,
+    /// Quasi-static march: equilibrium of weight and drag at each instant.
+    Quasi,
+    /// Explicit Runge-Kutta of order 4.
+    Rk4,
+    /// Implicit generalized-alpha.
+    Alpha,
+}
+
+impl SolverWord {
+    /// The word a case file uses for it.
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Self::Static => "static",
+            Self::Quasi => "quasi",
+            Self::Rk4 => "rk4",
+            Self::Alpha => "alpha",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_words_are_consistent() {
+        super::Args::command().debug_assert();
+    }
+}

@@ -1,0 +1,76 @@
+//! Why a command could not do its work, and how the user is told.
+
+use std::{
+    io::{self, IsTerminal},
+    path::PathBuf,
+    process::ExitCode,
+};
+
+use super::{BAD_INPUT, NOT_GOOD, output};
+use crate::{case::Diagnostic, run::store::StoreError, tui::OpenError};
+
+/// Why a command could not do its work.
+#[derive(Debug)]
+pub(super) enum Failure {
+    /// The case is not right; its text, where there is one, lets every complaint show its place.
+    Case {
+        text: String,
+        diagnostics: Vec<Diagnostic>,
+    },
+    /// Words that cannot be followed.
+    Usage(String),
+    /// A run cannot be written or read.
+    Store(StoreError),
+    /// A file cannot be written.
+    Write { path: PathBuf, source: io::Error },
+    /// Whoever read our output has gone; there is nobody left to tell.
+    Unheard,
+    /// The screen gave up.
+    Screen(OpenError),
+}
+
+impl From<StoreError> for Failure {
+    fn from(error: StoreError) -> Self {
+        Self::Store(error)
+    }
+}
+
+impl Failure {
+    /// Standard output could not be written.
+    pub(super) fn stdout(error: io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Self::Unheard,
+            _ => Self::Write {
+                path: PathBuf::from("standard output"),
+                source: error,
+            },
+        }
+    }
+
+    /// Tells the user, and gives the exit status.
+    pub(super) fn tell(self) -> ExitCode {
+        match self {
+            Self::Unheard => ExitCode::SUCCESS,
+            Self::Case { text, diagnostics } => {
+                let color = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+                for diagnostic in &diagnostics {
+                    output::message(diagnostic.render(&text, color).trim_end());
+                }
+                ExitCode::from(BAD_INPUT)
+            }
+            Self::Usage(text) => say(&text, BAD_INPUT),
+            Self::Store(error) => say(&error.to_string(), BAD_INPUT),
+            Self::Write { path, source } => say(
+                &format!("Writing {} failed: {source}", path.display()),
+                BAD_INPUT,
+            ),
+            Self::Screen(error @ OpenError::Terminal(_)) => say(&error.to_string(), NOT_GOOD),
+            Self::Screen(error) => say(&error.to_string(), BAD_INPUT),
+        }
+    }
+}
+
+fn say(text: &str, status: u8) -> ExitCode {
+    output::message(&format!("error: {text}"));
+    ExitCode::from(status)
+}

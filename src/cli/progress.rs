@@ -1,0 +1,69 @@
+//! How far a run is, on one line of the terminal that is written over and wiped at the end.
+
+use std::{
+    io::{self, IsTerminal, Write},
+    time::{Duration, Instant},
+};
+
+use crate::{report::number::duration, run::Progress};
+
+/// How often the line changes.
+const EVERY: Duration = Duration::from_millis(100);
+
+/// The progress line; silent when standard error is no terminal.
+#[derive(Debug)]
+pub(super) struct Line {
+    terminal: bool,
+    shown: Option<Instant>,
+}
+
+impl Line {
+    /// Nothing is shown yet.
+    pub(super) fn new() -> Self {
+        Self {
+            terminal: io::stderr().is_terminal(),
+            shown: None,
+        }
+    }
+
+    /// Shows how far a run is.
+    pub(super) fn run(&mut self, progress: &Progress) {
+        if self.due() {
+            let left = progress
+                .remaining_s()
+                .map_or_else(String::new, |s| format!(", {} left", duration(s)));
+            self.put(&format!(
+                "{:3.0} %  step {}  {:.1} s of {} s{left}",
+                100.0 * progress.fraction(),
+                progress.steps,
+                progress.time,
+                progress.duration,
+            ));
+        }
+    }
+
+    /// Shows words at once.
+    pub(super) fn words(&mut self, text: &str) {
+        if self.terminal {
+            self.put(text);
+        }
+    }
+
+    fn due(&self) -> bool {
+        self.terminal && self.shown.is_none_or(|at| at.elapsed() >= EVERY)
+    }
+
+    fn put(&mut self, text: &str) {
+        self.shown = Some(Instant::now());
+        let mut err = io::stderr().lock();
+        let _ = write!(err, "\r\x1b[K{text}").and_then(|()| err.flush());
+    }
+}
+
+impl Drop for Line {
+    fn drop(&mut self) {
+        if self.terminal && self.shown.is_some() {
+            let _ = write!(io::stderr().lock(), "\r\x1b[K");
+        }
+    }
+}

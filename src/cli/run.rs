@@ -1,0 +1,106 @@
+//! `seacable run`: a case computed and kept.
+
+use std::{process::ExitCode, time::SystemTime};
+
+use super::{Failure, NOT_GOOD, args::RunWords, cases, output, progress, signals::Stop};
+use crate::{
+    report::text,
+    run::{
+        Cost, Run, RunInfo, RunState, Settings, VERSION, Work,
+        job::{self, Event, Request},
+        store::{self, Place, StoreError, Writer},
+    },
+};
+
+pub(super) fn run(words: &RunWords) -> Result<ExitCode, Failure> {
+    let mut request = request(words)?;
+    let stop =
+        Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
+    let place = match &words.out {
+        Some(dir) => Place::Exactly(dir.clone()),
+        None => Place::Below(store::DEFAULT_ROOT.into()),
+    };
+    let mut writer = Writer::begin(&place, beginning(&request), &request.text)?;
+    writer.id().clone_into(&mut request.id);
+
+    let (run, trouble) = compute(&request, &stop, &mut writer);
+    if let Some(error) = trouble {
+        return Err(error.into());
+    }
+    let dir = writer.finish(&run)?;
+    let text = format!("{}\n\n{}", dir.display(), text::summary(&run));
+    output::results(&text, words.ascii)?;
+    Ok(status(&run, &stop))
+}
+
+/// The case with every `--set` and `--solver` applied, in their order.
+fn request(words: &RunWords) -> Result<Request, Failure> {
+    let loaded = cases::load(&words.case)?;
+    let mut overrides = words.set.clone();
+    overrides.extend(words.solver.map(|s| format!("solver.method={}", s.word())));
+    let text = cases::set(&loaded.text, &overrides)?;
+    let case = cases::parse(&text, &loaded.file)?;
+    Ok(Request {
+        case,
+        text,
+        file: loaded.file,
+        overrides,
+        id: String::new(),
+    })
+}
+
+/// What `run.toml` says while the run goes on.
+fn beginning(request: &Request) -> RunInfo {
+    RunInfo {
+        id: String::new(),
+        title: request.case.case.title.clone(),
+        case_file: request.file.clone(),
+        state: RunState::Partial,
+        version: VERSION.to_owned(),
+        started: store::rfc3339(SystemTime::now()),
+        overrides: request.overrides.clone(),
+        failure: None,
+        warnings: Vec::new(),
+        settings: Settings::default(),
+        work: Work::default(),
+        cost: Cost::default(),
+    }
+}
+
+/// Computes while everything that comes out goes to disk. When the disk refuses, the run is cancelled.
+fn compute(request: &Request, stop: &Stop, writer: &mut Writer) -> (Run, Option<StoreError>) {
+    let mut line = progress::Line::new();
+    let mut trouble = None;
+    let run = job::execute(request, stop.cancel(), &mut |event: Event| {
+        match &event {
+            Event::Frame(frame) => line.run(&frame.progress),
+            Event::Estimating => line.words("Estimating the numerical errors"),
+            Event::Started { .. } | Event::Finished(_) => {}
+        }
+        if trouble.is_none() {
+            trouble = writer.event(&event).err();
+            if trouble.is_some() {
+                stop.ask();
+            }
+        }
+    });
+    (run, trouble)
+}
+
+fn status(run: &Run, stop: &Stop) -> ExitCode {
+    for warning in &run.info.warnings {
+        output::message(&format!("warning: {warning}"));
+    }
+    match run.info.state {
+        RunState::Done => ExitCode::SUCCESS,
+        RunState::Cancelled | RunState::Partial => {
+            output::message("The run was stopped before its end; what it had is kept.");
+            stop.status().unwrap_or(ExitCode::from(NOT_GOOD))
+        }
+        RunState::Failed => {
+            let why = run.info.failure.as_deref().unwrap_or("no reason was given");
+            output::message(&format!("error: The run failed: {why}"));
+            ExitCode::from(NOT_GOOD)
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! SIGINT and SIGTERM ask a run to stop; what it has is kept. A second one ends the program at once.
+
+use std::{
+    io,
+    process::ExitCode,
+    sync::{
+        Arc,
+        atomic::{AtomicBool, AtomicUsize, Ordering},
+    },
+};
+
+use signal_hook::{
+    consts::{SIGINT, SIGTERM},
+    flag,
+};
+
+/// What shells expect of a program ended by signal `n`: 128 + n.
+const BY_SIGNAL: i32 = 128;
+
+/// Set when the user or the system asks the program to stop.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Stop {
+    cancel: Arc<AtomicBool>,
+    signal: Arc<AtomicUsize>,
+}
+
+impl Stop {
+    /// Listens to both signals from now on.
+    pub(super) fn listen() -> io::Result<Self> {
+        let stop = Self::default();
+        for signal in [SIGINT, SIGTERM] {
+            let again = BY_SIGNAL + signal;
+            flag::register_conditional_shutdown(signal, again, Arc::clone(&stop.cancel))?;
+            let number = usize::try_from(signal).unwrap_or_default();
+            flag::register_usize(signal, Arc::clone(&stop.signal), number)?;
+            flag::register(signal, Arc::clone(&stop.cancel))?;
+        }
+        Ok(stop)
+    }
+
+    /// For those who compute.
+    pub(super) fn cancel(&self) -> &AtomicBool {
+        &self.cancel
+    }
+
+    /// Asks for a stop from within.
+    pub(super) fn ask(&self) {
+        self.cancel.store(true, Ordering::SeqCst);
+    }
+
+    /// The exit status for the signal that came, if one did.
+    pub(super) fn status(&self) -> Option<ExitCode> {
+        let code = match i32::try_from(self.signal.load(Ordering::SeqCst)) {
+            Ok(0) | Err(_) => return None,
+            Ok(signal) => BY_SIGNAL + signal,
+        };
+        u8::try_from(code).ok().map(ExitCode::from)
+    }
+}

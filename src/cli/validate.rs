@@ -1,0 +1,150 @@
+//! `seacable validate`: cases held against the published values they state.
+
+use std::{
+    process::ExitCode,
+    sync::atomic::{AtomicUsize, Ordering},
+};
+
+use rayon::prelude::*;
+
+use super::{
+    Failure, NOT_GOOD,
+    args::ValidateWords,
+    cases::{self, Loaded},
+    output, progress,
+    signals::Stop,
+};
+use crate::{
+    case::At,
+    reference::{self, Outcome, Row, Tally},
+    report::text,
+    run::{
+        Run,
+        job::{self, Request},
+    },
+};
+
+pub(super) fn validate(words: &ValidateWords) -> Result<ExitCode, Failure> {
+    let cases = cases::named_or_shipped(&words.cases)?;
+    let variants = variants(&cases)?;
+    let stop =
+        Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
+    let runs = compute(&variants, &stop);
+    if let Some(status) = stop.status() {
+        output::message("Stopped before all variants were computed; nothing was judged.");
+        return Ok(status);
+    }
+
+    let mut tables = Vec::with_capacity(cases.len());
+    for (i, loaded) in cases.iter().enumerate() {
+        let of_case = || variants.iter().zip(&runs).filter(|(v, _)| v.case == i);
+        let lookup = |at: Option<&At>| {
+            of_case()
+                .find(|(v, _)| v.at.as_ref() == at)
+                .map(|(_, run)| run)
+        };
+        tables.push((loaded, reference::rows(&loaded.case, &lookup)));
+    }
+    output::results(&text(&tables), words.ascii)?;
+    let holds = total(&tables).holds();
+    Ok(if holds {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::from(NOT_GOOD)
+    })
+}
+
+/// A variant of a case, ready to be computed.
+struct Variant {
+    case: usize,
+    at: Option<At>,
+    request: Request,
+}
+
+fn variants(cases: &[Loaded]) -> Result<Vec<Variant>, Failure> {
+    let mut variants = Vec::new();
+    for (i, loaded) in cases.iter().enumerate() {
+        for at in reference::plan(&loaded.case) {
+            let request = request(loaded, at.as_ref())?;
+            variants.push(Variant {
+                case: i,
+                at,
+                request,
+            });
+        }
+    }
+    Ok(variants)
+}
+
+fn request(loaded: &Loaded, at: Option<&At>) -> Result<Request, Failure> {
+    let wrong = |diagnostics| Failure::Case {
+        text: loaded.text.clone(),
+        diagnostics,
+    };
+    let (text, overrides) = match at {
+        None => (loaded.text.clone(), Vec::new()),
+        Some(at) => {
+            let variant = reference::variant(&loaded.text, &loaded.case, at).map_err(wrong)?;
+            (variant.text, variant.overrides)
+        }
+    };
+    let case = cases::parse(&text, &loaded.file)?;
+    Ok(Request {
+        case,
+        text,
+        file: loaded.file.clone(),
+        overrides,
+        id: String::new(),
+    })
+}
+
+/// Every variant on its own core.
+fn compute(variants: &[Variant], stop: &Stop) -> Vec<Run> {
+    let line = std::sync::Mutex::new(progress::Line::new());
+    let done = AtomicUsize::new(0);
+    let say = |count: usize| {
+        if let Ok(mut line) = line.lock() {
+            line.words(&format!("{count} of {} variants computed", variants.len()));
+        }
+    };
+    say(0);
+    let one = |variant: &Variant| {
+        let run = job::execute(&variant.request, stop.cancel(), &mut |_| ());
+        say(done.fetch_add(1, Ordering::Relaxed) + 1);
+        run
+    };
+    variants.par_iter().map(one).collect()
+}
+
+fn total(tables: &[(&Loaded, Vec<Row>)]) -> Tally {
+    tables
+        .iter()
+        .map(|(_, rows)| reference::tally(rows))
+        .fold(Tally::default(), |a, b| a + b)
+}
+
+fn text(tables: &[(&Loaded, Vec<Row>)]) -> String {
+    let mut out = String::new();
+    for (loaded, rows) in tables {
+        out.push_str(&format!("{} ({})\n", loaded.case.case.title, loaded.name));
+        if rows.is_empty() {
+            out.push_str("The case states no published values.\n\n");
+            continue;
+        }
+        out.push_str(&text::validation(rows));
+        out.push('\n');
+    }
+    let differing = tables
+        .iter()
+        .flat_map(|(_, rows)| rows)
+        .filter(|r| r.outcome == Outcome::Differs);
+    let differing = differing.count();
+    if differing > 0 {
+        out.push_str(&format!(
+            "{differing} published numbers are declared out of reach by their case and do differ; \
+             the reasons stand below each table.\n"
+        ));
+    }
+    out.push_str(&format!("All cases: {}\n", total(tables)));
+    out
+}

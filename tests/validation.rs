@@ -1,0 +1,149 @@
+//! The shipped cases against the published values they state: what `seacable validate` promises.
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
+use std::sync::{LazyLock, atomic::AtomicBool};
+
+use rayon::prelude::*;
+use seacable::{
+    case::{self, At, Case, shipped::SHIPPED},
+    reference::{self, Outcome, Row},
+    run::{
+        Run, RunState,
+        job::{self, Request},
+    },
+};
+
+/// Rows of every shipped case, by its path.
+static ROWS: LazyLock<Vec<(&str, Vec<Row>)>> = LazyLock::new(|| {
+    SHIPPED
+        .par_iter()
+        .map(|(path, text)| (*path, rows(path, text)))
+        .collect()
+});
+
+fn rows(path: &str, text: &str) -> Vec<Row> {
+    let case = case::parse(text, path).unwrap();
+    let runs: Vec<(Option<At>, Run)> = reference::plan(&case)
+        .into_par_iter()
+        .map(|at| {
+            let run = compute(path, text, &case, at.as_ref());
+            (at, run)
+        })
+        .collect();
+    let lookup = |at: Option<&At>| {
+        runs.iter()
+            .find(|(a, _)| a.as_ref() == at)
+            .map(|(_, run)| run)
+    };
+    reference::rows(&case, &lookup)
+}
+
+fn compute(path: &str, text: &str, case: &Case, at: Option<&At>) -> Run {
+    let (text, overrides) = match at {
+        None => (text.to_owned(), Vec::new()),
+        Some(at) => {
+            let variant = reference::variant(text, case, at).unwrap();
+            (variant.text, variant.overrides)
+        }
+    };
+    let case = case::parse(&text, path).unwrap();
+    let request = Request {
+        case,
+        text,
+        file: path.to_owned(),
+        overrides,
+        id: String::new(),
+    };
+    let run = job::execute(&request, &AtomicBool::new(false), &mut |_| ());
+    assert_eq!(
+        run.info.state,
+        RunState::Done,
+        "{path} at {at:?}: {:?}",
+        run.info.failure
+    );
+    run
+}
+
+fn of(path: &str, name: &str) -> Vec<&'static Row> {
+    let (_, rows) = ROWS.iter().find(|(p, _)| p.ends_with(path)).unwrap();
+    rows.iter().filter(|row| row.name.contains(name)).collect()
+}
+
+#[test]
+fn no_row_fails_and_none_is_left_out() {
+    for (path, rows) in ROWS.iter() {
+        for row in rows {
+            assert!(
+                matches!(row.outcome, Outcome::Pass | Outcome::Differs),
+                "{path}: {row:#?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn what_differs_says_why() {
+    for (_, rows) in ROWS.iter() {
+        for row in rows.iter().filter(|r| r.outcome == Outcome::Differs) {
+            assert!(
+                row.reason.as_deref().is_some_and(|r| r.len() > 20),
+                "{row:#?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn numerical_errors_are_ten_times_smaller_than_the_tolerances() {
+    for (path, rows) in ROWS.iter() {
+        for row in rows
+            .iter()
+            .filter(|r| r.trend.is_none() && r.outcome == Outcome::Pass)
+        {
+            let error = row.error.unwrap_or(f64::INFINITY);
+            assert!(error <= 0.1 * row.tolerance.unwrap(), "{path}: {row:#?}");
+        }
+    }
+}
+
+#[test]
+fn all_nine_travels_come_out_and_one_of_them_was_fitted() {
+    let travels = of("module.toml", "travel at");
+    assert_eq!(travels.len(), 9);
+    for row in &travels {
+        assert_eq!(row.outcome, Outcome::Pass, "{row:#?}");
+        assert!(row.difference.unwrap().abs() <= 1.5, "{row:#?}");
+    }
+    assert_eq!(travels.iter().filter(|row| row.fitted).count(), 1);
+}
+
+#[test]
+fn the_manifold_means_are_within_three_percent_of_the_reference() {
+    let means = of("manifold.toml", "reference [6]");
+    assert_eq!(means.len(), 2);
+    for row in means {
+        assert_eq!(row.outcome, Outcome::Pass, "{row:#?}");
+        assert!(
+            row.difference.unwrap().abs() <= 0.03 * row.published.unwrap(),
+            "{row:#?}"
+        );
+    }
+}
+
+#[test]
+fn the_upper_joint_maxima_come_out_and_the_lower_ones_are_declared_out_of_reach() {
+    let outcome = |joint: &str| of("module.toml", joint)[0].outcome;
+    assert_eq!(outcome("greatest tension at vessel-chain"), Outcome::Pass);
+    assert_eq!(
+        outcome("greatest tension at chain-polyester"),
+        Outcome::Pass
+    );
+    assert_eq!(
+        outcome("greatest tension at polyester-wire"),
+        Outcome::Differs
+    );
+    assert_eq!(
+        outcome("greatest tension at wire-payload"),
+        Outcome::Differs
+    );
+}
