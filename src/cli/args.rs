@@ -28,6 +28,10 @@ pub(super) struct Args {
     #[arg(long)]
     pub(super) ascii: bool,
 
+    /// Draw with these characters; chosen from the locale and the terminal unless given.
+    #[arg(long, value_name = "SET", conflicts_with = "ascii")]
+    pub(super) glyphs: Option<GlyphWord>,
+
     /// For slow links: fewer frames, and more patience with keys that arrive in pieces.
     #[arg(long)]
     pub(super) slow_link: bool,
@@ -98,6 +102,15 @@ pub(super) struct ReportWords {
     /// Draw with ASCII characters only.
     #[arg(long)]
     pub(super) ascii: bool,
+}
+
+/// The sets of characters, as the command line names them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum GlyphWord {
+    /// Dot patterns: eight dots a character.
+    Braille,
+    /// ASCII only.
+    Ascii,
 }
 
 /// The solvers, as the command line names them.

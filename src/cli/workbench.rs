@@ -2,7 +2,10 @@
 
 use std::{path::Path, process::ExitCode};
 
-use super::{Failure, args::Args};
+use super::{
+    Failure,
+    args::{Args, GlyphWord},
+};
 use crate::{
     report::chart::Glyphs,
     tui::{self, Options},
@@ -17,7 +20,11 @@ pub(super) fn open(args: Args) -> Result<ExitCode, Failure> {
     }
     let options = Options {
         path: args.path,
-        glyphs: args.ascii.then_some(Glyphs::Ascii),
+        glyphs: match args.glyphs {
+            Some(GlyphWord::Braille) => Some(Glyphs::Braille),
+            Some(GlyphWord::Ascii) => Some(Glyphs::Ascii),
+            None => args.ascii.then_some(Glyphs::Ascii),
+        },
         slow_link: args.slow_link,
     };
     tui::open(&options).map_err(Failure::Screen)?;
