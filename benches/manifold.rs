@@ -179,7 +179,7 @@ fn kernels(case: &Case) {
     let residual = best(nodes, || scene.residual(0.0, &state, black_box(&mut r)));
     println!("  residual                       {residual:6.1}");
     let assembly = best(nodes, || {
-        scene.linearise(0.0, &state, c, black_box(&mut r), &mut tangent)
+        scene.linearise(0.0, &state, c, black_box(&mut r), &mut tangent);
     });
     println!(
         "  residual and exact tangent     {assembly:6.1}      41-57 (one drag a node, symmetric)"

@@ -126,7 +126,8 @@ fn total(tables: &[(&Loaded, Vec<Row>)]) -> Tally {
 fn text(tables: &[(&Loaded, Vec<Row>)]) -> String {
     let mut out = String::new();
     for (loaded, rows) in tables {
-        out.push_str(&format!("{} ({})\n", loaded.case.case.title, loaded.name));
+        let head = format!("{} ({})", loaded.case.case.title, loaded.name);
+        out.push_str(&format!("{head}\n{}\n", "=".repeat(head.chars().count())));
         if rows.is_empty() {
             out.push_str("The case states no published values.\n\n");
             continue;
@@ -141,8 +142,8 @@ fn text(tables: &[(&Loaded, Vec<Row>)]) -> String {
     let differing = differing.count();
     if differing > 0 {
         out.push_str(&format!(
-            "{differing} published numbers are declared out of reach by their case and do differ; \
-             the reasons stand below each table.\n"
+            "{differing} published numbers differ and are declared out of reach by their case;\n\
+             the reasons stand below its table.\n"
         ));
     }
     out.push_str(&format!("All cases: {}\n", total(tables)));

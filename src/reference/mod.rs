@@ -18,7 +18,7 @@ mod value;
 mod variant;
 
 pub use plan::plan;
-pub use row::{Outcome, Point, Row, TrendLine};
+pub use row::{Basis, Outcome, Point, Row, TrendLine};
 pub use table::{standing_word, table};
 pub use tally::{Tally, tally};
 pub use variant::{Variant, rows_of_run, stands_at, variant};
@@ -38,7 +38,7 @@ pub fn rows<'r>(case: &Case, lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>) ->
     let values = case
         .published
         .iter()
-        .map(|published| value::row(published, lookup));
+        .map(|published| value::row(published, &case.published, lookup));
     let trends = case
         .trend
         .iter()

@@ -1,10 +1,7 @@
 //! What a row says beyond its numbers.
 
 use super::{Outcome, Row, TrendLine};
-use crate::{
-    case::{Direction, Standing},
-    report::number::with_error,
-};
+use crate::{case::Direction, report::number::with_error};
 
 /// Where a row is printed, what stands behind it, why it is as it is.
 pub(super) fn note(row: &Row) -> String {
@@ -18,23 +15,27 @@ pub(super) fn note(row: &Row) -> String {
     if let Some(line) = &row.trend {
         words.push(along(line, &row.unit));
     }
-    match (row.fitted, row.inputs) {
-        (true, _) => words
-            .push("An input was fitted to this very number: agreement is no evidence.".to_owned()),
-        (false, Some(Standing::Calibrated)) => {
-            words.push("Inputs were calibrated, but not on this number.".to_owned());
-        }
-        (false, _) => {}
+    if let Some(basis) = row.basis {
+        words.push(basis.words().to_owned());
     }
     if let Some(reason) = &row.reason {
         let differs = if row.outcome == Outcome::Differs {
-            "It differs because: "
+            "Why it differs: "
         } else {
             ""
         };
         words.push(format!("{differs}{}", reason.trim()));
     }
-    words.join(" ")
+    capitalised(&words.join(" "))
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters
+        .next()
+        .map(|c| c.to_uppercase().to_string())
+        .unwrap_or_default();
+    first + letters.as_str()
 }
 
 /// The numbers along a study.

@@ -31,10 +31,39 @@ pub struct Row {
     pub inputs: Option<Standing>,
     /// True when an input was fitted to this very number: agreement is then no evidence.
     pub fitted: bool,
+    /// What the inputs make of an agreement; absent where they were not calibrated.
+    pub basis: Option<Basis>,
     /// Why it differs or was not run; and what else the reader must know.
     pub reason: Option<String>,
     /// For a trend: what is expected and the numbers along the study.
     pub trend: Option<TrendLine>,
+}
+
+/// What an agreement is worth when inputs were calibrated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Basis {
+    /// An input was fitted to this very number.
+    Fitted,
+    /// An input was fitted to another published value of the same quantity.
+    FittedNearby,
+    /// Inputs were calibrated, but on other quantities.
+    Prediction,
+}
+
+impl Basis {
+    /// A sentence for it.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Fitted => "An input was fitted to this very number: agreement is no evidence.",
+            Self::FittedNearby => {
+                "An input was fitted to another published value of this quantity: agreement is no evidence."
+            }
+            Self::Prediction => {
+                "Inputs were calibrated, but on other quantities: this one is a prediction."
+            }
+        }
+    }
 }
 
 /// A statistic along a study.

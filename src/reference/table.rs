@@ -4,7 +4,7 @@ use super::{Outcome, Row, note::note};
 use crate::{
     case::{Direction, Standing},
     report::{
-        number::si,
+        number::{Scale, digits, order, rounded},
         table::{Cell, CellInk, Column, Table},
     },
 };
@@ -20,11 +20,11 @@ pub fn table(rows: &[Row]) -> Table {
         columns: vec![
             Column::left("quantity"),
             Column::left("outcome"),
-            Column::decimal("published"),
-            Column::decimal("computed"),
-            Column::decimal("error"),
-            Column::decimal("difference"),
-            Column::decimal("tolerance"),
+            Column::right("published"),
+            Column::right("computed"),
+            Column::right("error"),
+            Column::right("difference"),
+            Column::right("tolerance"),
             Column::left("inputs"),
         ],
         rows: rows
@@ -41,36 +41,84 @@ pub fn table(rows: &[Row]) -> Table {
 }
 
 fn cells(i: usize, row: &Row) -> Vec<Cell> {
-    let number = |value: Option<f64>, absent: &str| match value {
-        Some(value) => Cell::plain(si(value, &row.unit)),
-        None => Cell::new(absent, CellInk::Dim),
-    };
-    let (published, computed, error) = match &row.trend {
-        Some(line) => (
+    let name = Cell::plain(format!("[{}] {}", i + 1, row.name));
+    let outcome = Cell::new(row.outcome.word(), ink(row.outcome));
+    if let Some(line) = &row.trend {
+        return vec![
+            name,
+            outcome,
             Cell::plain(expected(line.expect)),
             done(row.outcome),
-            number(None, ""),
-        ),
-        None => (
-            number(row.published, "-"),
-            number(row.computed, "-"),
-            number(row.error, "unknown"),
-        ),
+        ];
+    }
+    let number = |value: Option<f64>, word: &dyn Fn(f64) -> String| match value {
+        Some(value) => Cell::plain(word(value)),
+        None => Cell::new("-", CellInk::Dim),
+    };
+    let unit = row.unit.as_str();
+    let step = row.tolerance.unwrap_or(0.0) / 100.0;
+    let error = match row.outcome {
+        Outcome::NotRun => number(None, &|_| String::new()),
+        _ if row.error.is_none() => Cell::new("unknown", CellInk::Warn),
+        _ => number(row.error, &|error| significant(error, 2, unit)),
     };
     vec![
-        Cell::plain(format!("[{}] {}", i + 1, row.name)),
-        Cell::new(row.outcome.word(), ink(row.outcome)),
-        published,
-        computed,
-        if row.outcome == Outcome::NotRun {
-            number(None, "-")
-        } else {
-            error
-        },
-        number(row.difference, if row.trend.is_some() { "" } else { "-" }),
-        number(row.tolerance, if row.trend.is_some() { "" } else { "-" }),
+        name,
+        outcome,
+        number(row.published, &|value| significant(value, PRINTED, unit)),
+        number(row.computed, &|value| to_step(value, step, unit)),
+        error,
+        number(row.difference, &|value| to_step(value, step, unit)),
+        number(row.tolerance, &|value| significant(value, 3, unit)),
         inputs(row),
     ]
+}
+
+/// Published values are shown as they are printed.
+const PRINTED: i32 = 12;
+
+/// A number to so many digits, without trailing zeros.
+fn significant(value: f64, count: i32, unit: &str) -> String {
+    let scale = Scale::of(value, unit);
+    with_unit(
+        &digits(rounded_to(value / scale.factor, count), count),
+        scale,
+        unit,
+    )
+}
+
+/// The digits beyond the count become zeros: 98.2 to 1 digit is 100.
+fn rounded_to(value: f64, count: i32) -> f64 {
+    if value.abs() > 0.0 {
+        let step = 10_f64.powi(order(value) + 1 - count);
+        (value / step).round() * step
+    } else {
+        value
+    }
+}
+
+/// A number to the decimals that steps of this size need: there is no use in telling apart what is a
+/// hundredth of the tolerance.
+fn to_step(value: f64, step: f64, unit: &str) -> String {
+    if value.abs() < 0.5 * step {
+        return with_unit("0", Scale::of(0.0, unit), unit);
+    }
+    let scale = Scale::of(value, unit);
+    let decimals = if step > 0.0 {
+        -order(step / scale.factor)
+    } else {
+        6
+    };
+    with_unit(&rounded(value / scale.factor, decimals.max(0)), scale, unit)
+}
+
+fn with_unit(number: &str, scale: Scale, unit: &str) -> String {
+    match (scale.exponent, unit) {
+        (0, "" | "-") => number.to_owned(),
+        (0, _) => format!("{number} {}", scale.unit(unit)),
+        (power, "" | "-") => format!("{number}e{power}"),
+        (power, _) => format!("{number}e{power} {unit}"),
+    }
 }
 
 fn expected(direction: Direction) -> &'static str {
@@ -118,5 +166,24 @@ pub const fn standing_word(standing: Standing) -> &'static str {
         Standing::Derived => "derived",
         Standing::Calibrated => "calibrated",
         Standing::Assumed => "assumed",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_carry_the_digits_that_matter() {
+        assert_eq!(significant(1410.43, PRINTED, "m"), "1410.43 m");
+        assert_eq!(significant(7.63e5, PRINTED, "N"), "763 kN");
+        assert_eq!(significant(98.15, 1, "N"), "100 N");
+        assert_eq!(significant(0.0, 2, "N"), "0 N");
+        assert_eq!(significant(2.0, 3, "-"), "2");
+        assert_eq!(to_step(1404.546, 0.015, "m"), "1404.55 m");
+        assert_eq!(to_step(-145.6, 788.0, "N"), "0 N");
+        assert_eq!(to_step(-2819.0, 788.0, "N"), "-2.8 kN");
+        assert_eq!(to_step(1.960_8e6, 591.0, "N"), "1.9608 MN");
+        assert_eq!(to_step(3e-7, 0.0, "m"), "300.000000e-9 m");
     }
 }

@@ -1,6 +1,6 @@
 //! Rows against runs made by hand.
 
-use super::{Outcome, Row, plan, rows, tally};
+use super::{Basis, Outcome, Row, plan, rows, tally};
 use crate::{
     case::{At, Case},
     run::{Channel, History, Profile, Quantity, Run, RunInfo, RunState, Settings},
@@ -152,6 +152,31 @@ fn an_error_that_is_not_small_beside_the_tolerance_is_said() {
     assert_eq!(one(101.0, 0.3, "").reason, None);
     let row = one(150.0, 0.31, "out_of_reach = \"No.\"");
     assert!(row.reason.unwrap().starts_with("No. Its estimated"));
+}
+
+#[test]
+fn what_was_fitted_is_told_from_what_was_predicted() {
+    let calibrated = VALUE.replace("inputs = \"published\"", "inputs = \"calibrated\"");
+    let basis = |parts: &[&str]| {
+        rows(&case(parts), &|_| None)
+            .iter()
+            .map(|row| row.basis)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(
+        basis(&[VALUE, &calibrated]),
+        [None, Some(Basis::Prediction)]
+    );
+    let fitted = format!("{calibrated}fitted = true\n");
+    assert_eq!(
+        basis(&[&fitted, &calibrated]),
+        [Some(Basis::Fitted), Some(Basis::FittedNearby)]
+    );
+    let elsewhere = calibrated.replace("[0, 200]", "[0, 100]");
+    assert_eq!(
+        basis(&[&fitted, &elsewhere]),
+        [Some(Basis::Fitted), Some(Basis::Prediction)]
+    );
 }
 
 #[test]

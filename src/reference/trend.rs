@@ -59,6 +59,7 @@ pub(super) fn row<'r>(
         outcome,
         inputs: None,
         fitted: false,
+        basis: None,
         reason,
         trend: Some(TrendLine {
             expect: trend.expect,

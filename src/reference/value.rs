@@ -1,8 +1,8 @@
 //! A published value held against its run.
 
-use super::{Outcome, Row};
+use super::{Basis, Outcome, Row};
 use crate::{
-    case::{At, Published, Statistic},
+    case::{At, Published, Standing, Statistic},
     run::{Quantity, Run, RunState, quantity_name},
 };
 
@@ -11,6 +11,7 @@ const ERROR_SHARE: f64 = 0.1;
 
 pub(super) fn row<'r>(
     published: &Published,
+    all: &[Published],
     lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>,
 ) -> Row {
     let tolerance = tolerance(published);
@@ -41,6 +42,7 @@ pub(super) fn row<'r>(
         outcome: Outcome::NotRun,
         inputs: Some(published.inputs),
         fitted: published.fitted,
+        basis: basis(published, all),
         reason: None,
         trend: None,
     };
@@ -49,6 +51,23 @@ pub(super) fn row<'r>(
         Ok(quantity) => judge(&mut row, published, quantity, tolerance),
     }
     row
+}
+
+/// What the inputs make of an agreement, in the light of everything the case was fitted to.
+fn basis(published: &Published, all: &[Published]) -> Option<Basis> {
+    let same = |other: &Published| {
+        other.channel == published.channel
+            && other.statistic == published.statistic
+            && other.window_s == published.window_s
+            && other.at == published.at
+    };
+    if published.fitted {
+        Some(Basis::Fitted)
+    } else if all.iter().any(|other| other.fitted && same(other)) {
+        Some(Basis::FittedNearby)
+    } else {
+        (published.inputs == Standing::Calibrated).then_some(Basis::Prediction)
+    }
 }
 
 fn judge(row: &mut Row, published: &Published, quantity: &Quantity, tolerance: f64) {
