@@ -1,0 +1,55 @@
+//! Lines marched through time in steps of one length, for tests that look at every step.
+
+use seacable::dynamics::alpha::Alpha;
+use seacable::dynamics::rk4::Rk4;
+use seacable::dynamics::{March, Stepper};
+use seacable::scene::{self, Scene};
+use seacable::solve::{Instant, Progressing, State, System};
+use seacable::statics::equilibrium::Search;
+
+use super::lines;
+
+/// The scene of the bare rope with changes.
+pub(crate) fn build(changes: &str) -> Scene {
+    scene::build(&lines::line(changes), 1).unwrap()
+}
+
+/// The line in equilibrium.
+pub(crate) fn at_rest(scene: &Scene) -> State {
+    let mut state = scene.initial_state();
+    Search::default().run(scene, 0.0, &mut state).unwrap();
+    state
+}
+
+/// Marches in steps of `step`, showing every step.
+pub(crate) fn march(
+    mut method: impl Stepper,
+    scene: &Scene,
+    state: &mut State,
+    (duration, step): (f64, f64),
+    mut see: impl FnMut(f64, &State),
+) {
+    scene.accelerate(0.0, state);
+    let march = March {
+        duration,
+        step,
+        output: duration,
+    };
+    let outcome = march
+        .run(&mut method, scene, state, &mut |i: Instant<'_>| {
+            see(i.time, i.state);
+            Progressing::Continue
+        })
+        .unwrap();
+    assert_eq!(outcome.rejections, 0);
+}
+
+/// Runge-Kutta for this line.
+pub(crate) fn rk4(scene: &Scene) -> Rk4 {
+    Rk4::new(scene.nodes())
+}
+
+/// Generalized-alpha for this line, its equations solved to 1e-12 m.
+pub(crate) fn alpha(scene: &Scene, rho: f64) -> Alpha {
+    Alpha::new(scene.nodes(), rho, 1e-12, 30)
+}
