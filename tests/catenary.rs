@@ -407,3 +407,51 @@ proptest! {
         }
     }
 }
+
+mod tables {
+    use seacable::statics::catenary::{TableFault, solve_table};
+
+    #[test]
+    fn a_table_keeps_its_rows_and_order_and_says_what_is_wrong_with_a_row() {
+        let table = "name,x_m,z_m,length_m,ea_n,weight_n_per_m,bed_below_a_m,h_b_n\n\
+                     good,80,20,100,1e9,1000,,999\n\
+                     word,80,20,long,1e9,1000,,\n\
+                     short,80,20\n\
+                     deep,80,-20,100,1e9,1000,5,\n\
+                     \"comma, quoted\",80,20,-1,1e9,1000,,\n\
+                     again,80,20,100,1e9,1000,,\n";
+        let written = solve_table(table.as_bytes()).unwrap();
+        assert_eq!((written.rows, written.refused), (6, 4));
+        let text = String::from_utf8(written.text).unwrap();
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(
+            lines[0],
+            "name,x_m,z_m,length_m,ea_n,weight_n_per_m,bed_below_a_m,h_b_n,v_b_n,h_a_n,v_a_n,on_bed_m,status,shape"
+        );
+        assert!(lines[1].ends_with(",0,ok,hanging") && !lines[1].contains("999"));
+        assert!(lines[2].contains("line 3, column length_m: \"\"long\"\" is not a number"));
+        assert!(lines[3].contains("line 4: 3 cells where the first line names 8 columns"));
+        assert!(lines[4].contains("line 5: end B lies 15.000000 m below the bed"));
+        assert!(
+            lines[5].starts_with("\"comma, quoted\"")
+                && lines[5].contains("line 6, column length_m")
+        );
+        assert_eq!(lines[6].replace("again", "good"), lines[1]);
+    }
+
+    #[test]
+    fn a_table_without_its_columns_is_told_which_are_missing() {
+        let fault = solve_table(b"x_m,z_m,length_m\n1,2,3\n").unwrap_err();
+        assert!(
+            matches!(&fault, TableFault::Columns(missing) if missing == "ea_n, weight_n_per_m")
+        );
+        assert!(solve_table(b"").is_err());
+    }
+
+    #[test]
+    fn the_table_of_independent_answers_comes_back_all_ok() {
+        let written = solve_table(super::TABLE.as_bytes()).unwrap();
+        assert_eq!(written.refused, 0);
+        assert_eq!(written.rows, super::rows().len());
+    }
+}

@@ -15,7 +15,7 @@ use super::twofold::Twofold;
 /// Largest error of force, over the end tension, that is given out as solved.
 pub(super) const BELIEVED: f64 = 1e-7;
 /// Errors below this are rounding.
-pub(super) const ROUNDING: f64 = 1e-14;
+pub(super) const ROUNDING: f64 = 1e-13;
 
 /// What all regimes hand in: forces in the solver's plane.
 pub(super) struct Found {

@@ -15,27 +15,26 @@ pub(super) fn partly(
     mut state: State,
     iterations: u32,
 ) -> Result<Solution, Refusal> {
-    let error = |state: State| {
+    let look = |state: State| {
         let leg = incline.leg(state);
         let miss = incline.miss(state, &leg);
         let step = incline.step(&leg, -miss.0, -miss.1);
         let (dh, dv) = Incline::force_step(state, &leg, step);
         let top = length(state.h, incline.v_b(state, &leg));
-        (step, length(dh, dv) / top, incline.blur(state, &leg) / top)
+        (leg, step, length(dh, dv) / top)
     };
-    let (step, mut residual, blur) = error(state);
+    let (mut leg, step, mut residual) = look(state);
     let mended = State {
         h: state.h + step.0,
         beta: state.beta + step.1,
     };
     if residual > ROUNDING && mended.h > 0.0 && mended.beta > 0.0 {
-        let better = error(mended).1;
-        if better < residual {
-            (state, residual) = (mended, better);
+        let better = look(mended);
+        if better.2 < residual {
+            (state, leg, residual) = (mended, better.0, better.2);
         }
     }
-    residual += blur;
-    let leg = incline.leg(state);
+    residual += incline.blur(state, &leg) / length(state.h, incline.v_b(state, &leg));
     let on_bed = (plane.length - leg.s).max(0.0);
     let t0 = state.h / incline.cos;
     let t_a = incline.tension_a(t0, on_bed);

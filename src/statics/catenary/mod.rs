@@ -47,12 +47,14 @@ mod root;
 mod single;
 mod solution;
 mod span;
+mod table;
 mod trough;
 mod twofold;
 
 pub use line::{Bed, Ends, Line, SectionProps};
 pub use refusal::Refusal;
 pub use solution::{Point, Shape, Solution};
+pub use table::{TableFault, Written, solve_table};
 
 use solution::Seed;
 
