@@ -455,3 +455,47 @@ mod tables {
         assert_eq!(written.rows, super::rows().len());
     }
 }
+
+mod command {
+    use assert_cmd::Command;
+
+    fn seacable() -> Command {
+        Command::cargo_bin("seacable").unwrap()
+    }
+
+    #[test]
+    fn the_command_writes_the_table() {
+        let dir = tempfile::tempdir().unwrap();
+        let (input, output) = (dir.path().join("in.csv"), dir.path().join("out.csv"));
+        std::fs::write(&input, super::TABLE).unwrap();
+        let run = |command: &mut Command| command.arg("catenary").arg(&input).assert();
+        run(&mut seacable()).success();
+        seacable()
+            .arg("catenary")
+            .arg(&input)
+            .arg("-o")
+            .arg(&output)
+            .assert()
+            .success();
+        let text = std::fs::read_to_string(&output).unwrap();
+        assert_eq!(text.lines().count(), super::TABLE.lines().count());
+        assert!(text.lines().skip(1).all(|line| line.contains(",ok,")));
+    }
+
+    #[test]
+    fn a_refused_row_and_a_missing_file_are_told() {
+        let dir = tempfile::tempdir().unwrap();
+        let input = dir.path().join("in.csv");
+        let head = "x_m,z_m,length_m,ea_n,weight_n_per_m,bed_below_a_m\n";
+        std::fs::write(&input, format!("{head}80,-20,100,1e9,1000,0\n")).unwrap();
+        let told = seacable().arg("catenary").arg(&input).assert().code(1);
+        let output = told.get_output();
+        assert!(String::from_utf8_lossy(&output.stdout).contains("below the bed"));
+        assert!(String::from_utf8_lossy(&output.stderr).contains("1 of 1 lines"));
+        seacable()
+            .arg("catenary")
+            .arg(dir.path().join("none.csv"))
+            .assert()
+            .code(2);
+    }
+}

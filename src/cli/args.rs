@@ -53,6 +53,15 @@ pub(super) enum Command {
     Validate(ValidateWords),
     /// Print the text report of a stored run.
     Report(ReportWords),
+    /// Solve a table of single lines at rest in still water.
+    ///
+    /// Every row is a line hanging between end A and end B, seen from A: columns x_m, z_m, length_m,
+    /// ea_n, weight_n_per_m and, where wanted, friction, bed_below_a_m (empty: no bed),
+    /// bed_slope_deg (positive uphill from A to B), surface_above_a_m (holds floating lines down).
+    /// Written are the same columns and h_b_n, v_b_n, h_a_n, v_a_n, on_bed_m, status and shape: h the
+    /// horizontal part of the tension, v_b pulling B down and v_a pulling A up when positive. A row
+    /// without an answer says why in its status; the exit status is 1 when there is one.
+    Catenary(CatenaryWords),
 }
 
 #[derive(Debug, clap::Args)]
@@ -111,6 +120,17 @@ pub(super) enum GlyphWord {
     Braille,
     /// ASCII only.
     Ascii,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct CatenaryWords {
+    /// The table of lines, as CSV.
+    #[arg(value_name = "IN.csv")]
+    pub(super) input: PathBuf,
+
+    /// Write the table to this file instead of standard output.
+    #[arg(short, long = "output", value_name = "OUT.csv")]
+    pub(super) output: Option<PathBuf>,
 }
 
 /// The solvers, as the command line names them.

@@ -7,6 +7,7 @@
 
 mod args;
 mod cases;
+mod catenary;
 mod failure;
 mod output;
 mod progress;
@@ -37,6 +38,7 @@ pub fn main() -> ExitCode {
         Some(Command::Run(words)) => run::run(words),
         Some(Command::Validate(words)) => validate::validate(words),
         Some(Command::Report(words)) => report::report(words),
+        Some(Command::Catenary(words)) => catenary::catenary(words),
     };
     done.unwrap_or_else(Failure::tell)
 }

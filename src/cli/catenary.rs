@@ -1,0 +1,37 @@
+//! `seacable catenary`: a table of lines at rest in still water.
+
+use std::{
+    fs,
+    io::{self, Write},
+    process::ExitCode,
+};
+
+use super::{Failure, NOT_GOOD, args::CatenaryWords, output};
+use crate::statics::catenary::solve_table;
+
+pub(super) fn catenary(words: &CatenaryWords) -> Result<ExitCode, Failure> {
+    let input = words.input.display();
+    let bytes = fs::read(&words.input)
+        .map_err(|e| Failure::Usage(format!("Reading {input} failed: {e}")))?;
+    let table = solve_table(&bytes).map_err(|e| Failure::Usage(format!("{input}: {e}")))?;
+    match &words.output {
+        None => {
+            let mut out = io::stdout().lock();
+            out.write_all(&table.text)
+                .and_then(|()| out.flush())
+                .map_err(Failure::stdout)?;
+        }
+        Some(path) => fs::write(path, &table.text).map_err(|source| Failure::Write {
+            path: path.clone(),
+            source,
+        })?,
+    }
+    if table.refused == 0 {
+        return Ok(ExitCode::SUCCESS);
+    }
+    output::message(&format!(
+        "{} of {} lines have no answer; the column status says why.",
+        table.refused, table.rows
+    ));
+    Ok(ExitCode::from(NOT_GOOD))
+}
