@@ -14,6 +14,7 @@ pub const SHIPPED: &[Shipped] = &[
     shipped!("basics/hanging_line.toml"),
     shipped!("basics/mooring_static.toml"),
     shipped!("basics/pendulum.toml"),
+    shipped!("basics/steep_wave.toml"),
     shipped!("pendulous/manifold.toml"),
     shipped!("pendulous/module.toml"),
 ];
