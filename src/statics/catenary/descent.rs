@@ -203,7 +203,7 @@ pub(super) fn lift(chain: &Chain, bay: &Bay, h: f64, guess: f64) -> Option<f64> 
             high = at;
         }
         let step = miss / spread.vv;
-        if miss == 0.0 || step.abs() <= 1e-15 * weight {
+        if miss == 0.0 || step.abs() <= f64::EPSILON * at.abs() {
             return Some(at + if step.is_finite() { step } else { 0.0 });
         }
         let mut next = at + step;
