@@ -6,7 +6,7 @@
 //!                                 draw(&State) ──▶ terminal
 //! ```
 //!
-//! [`update`] is pure and [`draw`] changes nothing; [`app`] does what the effects ask for, and
+//! [`update()`] is pure and [`draw`] changes nothing; [`app`] does what the effects ask for, and
 //! [`terminal`] is the only place that touches the terminal's modes. All keys stand in one table,
 //! [`command::COMMANDS`].
 

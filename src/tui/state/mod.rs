@@ -1,4 +1,4 @@
-//! Everything the screen knows, as plain data. Only [`update`](super::update) changes it.
+//! Everything the screen knows, as plain data. Only [`update`](super::update()) changes it.
 
 pub mod case_list;
 pub mod curves;

@@ -1,17 +1,14 @@
-//! Jobs: the live re-solve, runs asked for, studies, validation; and what jobs say.
-
-use std::sync::Arc;
+//! Jobs: the live re-solve, runs asked for, studies, validation; starting and cancelling them.
 
 use super::{info, runs};
 use crate::case::{At, Case};
-use crate::run::job::{Event, Request};
-use crate::run::{Run, RunState};
+use crate::run::job::Request;
 use crate::tui::backend;
 use crate::tui::command::{Id, Place};
 use crate::tui::msg::Effect;
 use crate::tui::state::{
-    Choice, Curves, JobLine, JobState, Level, OpenCase, Overlay, Purpose, Question, RunSlot,
-    SlotKind, SlotState, State, Ticket,
+    Choice, Curves, JobLine, JobState, Level, OpenCase, Overlay, Purpose, RunSlot, SlotKind,
+    SlotState, State, Ticket,
 };
 
 pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
@@ -168,7 +165,7 @@ pub fn joined_label(parts: &[&str]) -> String {
 }
 
 /// Starts what waits, as far as there is room.
-fn start_waiting(state: &mut State) -> Vec<Effect> {
+pub(super) fn start_waiting(state: &mut State) -> Vec<Effect> {
     let mut effects = Vec::new();
     while state.jobs.computing() < state.jobs.limit {
         let Some((ticket, request)) = state.jobs.waiting.pop_front() else {
@@ -345,7 +342,7 @@ fn cancel(state: &mut State, ticket: Ticket) -> Vec<Effect> {
 }
 
 /// Sets job and run to a state.
-fn set_state(state: &mut State, ticket: Ticket, new: JobState) {
+pub(super) fn set_state(state: &mut State, ticket: Ticket, new: JobState) {
     let slot_state = match &new {
         JobState::Queued => SlotState::Queued,
         JobState::Running => SlotState::Running,
@@ -361,156 +358,9 @@ fn set_state(state: &mut State, ticket: Ticket, new: JobState) {
     }
 }
 
-fn slot(state: &mut State, ticket: Ticket) -> Option<&mut RunSlot> {
+pub(super) fn slot(state: &mut State, ticket: Ticket) -> Option<&mut RunSlot> {
     let runs = &mut state.open.as_mut()?.runs;
     runs.iter_mut().find(|s| s.ticket == Some(ticket))
-}
-
-/// What a job says. Messages of jobs that nobody waits for any more are dropped.
-pub(super) fn event(state: &mut State, ticket: Ticket, event: Event) -> Vec<Effect> {
-    if state
-        .jobs
-        .get_mut(ticket)
-        .is_none_or(|l| !l.state.is_open())
-    {
-        return Vec::new();
-    }
-    let live = state
-        .open
-        .as_ref()
-        .is_some_and(|o| o.live.ticket == Some(ticket));
-    match event {
-        Event::Finished(run) => return finished(state, ticket, Arc::from(run), live),
-        Event::Started { channels } => {
-            if let Some(curves) = curves(state, ticket, live) {
-                curves.begin(channels);
-            }
-        }
-        Event::Frame(frame) => {
-            if let Some(line) = state.jobs.get_mut(ticket) {
-                line.progress = frame.progress;
-            }
-            if let Some(curves) = curves(state, ticket, live) {
-                curves.push(*frame);
-            }
-        }
-        Event::Estimating => {
-            if let Some(line) = state.jobs.get_mut(ticket) {
-                line.progress.estimating = true;
-            }
-            if let Some(curves) = curves(state, ticket, live) {
-                curves.progress.estimating = true;
-            }
-        }
-    }
-    Vec::new()
-}
-
-fn curves(state: &mut State, ticket: Ticket, live: bool) -> Option<&mut Curves> {
-    if live {
-        return state.open.as_mut()?.live.going.as_mut();
-    }
-    Some(&mut slot(state, ticket)?.curves)
-}
-
-fn finished(state: &mut State, ticket: Ticket, run: Arc<Run>, live: bool) -> Vec<Effect> {
-    let failure = run
-        .info
-        .failure
-        .clone()
-        .unwrap_or_else(|| "no reason given".to_owned());
-    let new = match run.info.state {
-        RunState::Done => JobState::Done,
-        RunState::Cancelled => JobState::Cancelled,
-        RunState::Failed | RunState::Partial => JobState::Failed(failure.clone()),
-    };
-    set_state(state, ticket, new.clone());
-    if live {
-        live_finished(state, run, &new);
-    } else if let Some(slot) = slot(state, ticket) {
-        slot.cost = Some((run.info.work.steps, run.info.cost.cpu_s));
-        slot.curves.finish(run);
-    }
-    match new {
-        JobState::Failed(why) => state.say(Level::Error, format!("The run failed: {why}")),
-        JobState::Done if !live => said_done(state, ticket),
-        _ => {}
-    }
-    runs::check(state);
-    let mut effects = start_waiting(state);
-    effects.extend(quit_if_asked(state));
-    effects
-}
-
-fn live_finished(state: &mut State, run: Arc<Run>, new: &JobState) {
-    let Some(open) = &mut state.open else {
-        return;
-    };
-    let live = &mut open.live;
-    live.ticket = None;
-    live.going = None;
-    match new {
-        // A cancelled solve leaves the old curve as it was.
-        JobState::Cancelled => live.failure = Some("cancelled".to_owned()),
-        _ => {
-            live.done = Some(Curves::whole(run));
-            live.done_text = std::mem::take(&mut live.going_text);
-            live.kept = None;
-            live.failure = match new {
-                JobState::Failed(why) => Some(why.clone()),
-                _ => None,
-            };
-        }
-    }
-}
-
-fn said_done(state: &mut State, ticket: Ticket) {
-    let left = state.jobs.open();
-    let Some(slot) = slot(state, ticket) else {
-        return;
-    };
-    let text = match left {
-        0 => format!(
-            "{} is done. `4` shows the validation table, `5` the report.",
-            slot.id
-        ),
-        _ => format!("{} is done; {left} runs to go.", slot.id),
-    };
-    state.say(Level::Info, text);
-}
-
-/// A quit that waited for jobs goes on when they have ended.
-fn quit_if_asked(state: &mut State) -> Vec<Effect> {
-    let asked = matches!(state.overlay, Some(Overlay::Ask(Question::JobsRunning)));
-    if asked && state.jobs.open() == 0 {
-        state.overlay = None;
-        return vec![Effect::Quit];
-    }
-    Vec::new()
-}
-
-/// A job could not be started or stored.
-pub(super) fn failed(state: &mut State, ticket: Ticket, reason: String) -> Vec<Effect> {
-    if state
-        .jobs
-        .get_mut(ticket)
-        .is_none_or(|l| !l.state.is_open())
-    {
-        state.say(Level::Error, reason);
-        return Vec::new();
-    }
-    set_state(state, ticket, JobState::Failed(reason.clone()));
-    if let Some(open) = &mut state.open
-        && open.live.ticket == Some(ticket)
-    {
-        open.live.ticket = None;
-        open.live.going = None;
-        open.live.failure = Some(reason.clone());
-    }
-    state.say(Level::Error, reason);
-    let mut effects = start_waiting(state);
-    effects.extend(quit_if_asked(state));
-    effects
 }
 
 /// Jobs of the open case end with it.

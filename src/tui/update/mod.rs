@@ -4,6 +4,7 @@ mod cases;
 mod charts;
 mod edit;
 mod enabled;
+mod job_events;
 mod jobs;
 mod keys;
 mod leave;
@@ -28,9 +29,9 @@ pub fn update(state: &mut State, msg: Msg) -> Vec<Effect> {
             state.size = (columns, rows);
             vec![Effect::Repaint]
         }
-        Msg::Job(ticket, event) => jobs::event(state, ticket, *event),
+        Msg::Job(ticket, event) => job_events::event(state, ticket, *event),
         Msg::Stored(ticket, dir) => runs::stored(state, ticket, dir),
-        Msg::JobFailed(ticket, reason) => jobs::failed(state, ticket, reason),
+        Msg::JobFailed(ticket, reason) => job_events::failed(state, ticket, reason),
         Msg::CasesRead(dir, entries) => cases::listed(state, dir, entries),
         Msg::CaseRead(read) => cases::opened(state, *read),
         Msg::CaseRefused(title, text) => cases::refused(state, title, text),

@@ -159,6 +159,7 @@ fn job_words(line: &JobLine) -> String {
     let p = line.progress;
     match &line.state {
         JobState::Running if p.estimating => "estimating errors".to_owned(),
+        JobState::Running if p.steps == 0 => "starting".to_owned(),
         JobState::Running => {
             let left = p
                 .remaining_s()

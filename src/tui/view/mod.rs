@@ -159,6 +159,9 @@ impl Canvas<'_> {
         if p.estimating {
             return fitting(room, &[format!("{what}: estimating errors"), what]);
         }
+        if p.steps == 0 {
+            return fitting(room, &[format!("{what}: starting"), what]);
+        }
         let left = p.remaining_s().map_or_else(
             || "starting".to_owned(),
             |s| format!("{} left", number::duration(s)),
