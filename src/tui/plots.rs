@@ -91,13 +91,27 @@ pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
         None => None,
     };
     if let Some(only) = only {
-        let with_run = format!("{only}, ");
-        chart
-            .series
-            .retain(|s| s.label == *only || s.label.starts_with(&with_run));
-        chart.title = format!("{}: {only}", chart.title);
+        keep_only(&mut chart, only);
     }
     chart
+}
+
+/// Leaves one curve of each run on the chart, named after the run, each with a marker and colour of
+/// its own; an older result shares those of the curve that takes its place.
+fn keep_only(chart: &mut Chart, name: &str) {
+    let with_run = format!("{name}, ");
+    chart
+        .series
+        .retain(|s| s.label == name || s.label.starts_with(&with_run));
+    chart.title = format!("{}: {name}", chart.title);
+    let mut slot = 0;
+    for series in &mut chart.series {
+        if let Some(run) = series.label.strip_prefix(&with_run) {
+            series.label = run.to_owned();
+        }
+        series.slot = slot;
+        slot += usize::from(!series.dimmed);
+    }
 }
 
 /// Names of the curves of one run, among which the user leafs.

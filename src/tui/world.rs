@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::SystemTime;
@@ -11,6 +11,7 @@ use crossbeam_channel::{Receiver, Sender, unbounded};
 
 use super::backend;
 use super::drafts;
+use super::files::{save_case, write_text};
 use super::msg::{CaseRead, Effect, Msg};
 use super::shelf;
 use super::state::{Curves, Level, RunSlot, SlotKind, SlotState, Ticket};
@@ -230,60 +231,6 @@ fn read_case(path: &Path) -> Msg {
     }
 }
 
-/// Writes beside the file and renames, so that no kill leaves half a case.
-fn save_case(path: PathBuf, text: String, expected: Option<&str>, new: bool) -> Msg {
-    if new && path.symlink_metadata().is_ok() {
-        return Msg::NotSaved(format!("{} exists already.", path.display()));
-    }
-    if let Some(expected) = expected
-        && fs::read_to_string(&path).is_ok_and(|now| now != expected)
-    {
-        return Msg::ChangedOnDisk;
-    }
-    match replace(&path, &text, new) {
-        Ok(()) => Msg::Saved(path, text),
-        Err(error) => Msg::NotSaved(format!("{} cannot be written: {error}.", path.display())),
-    }
-}
-
-fn replace(path: &Path, text: &str, new: bool) -> io::Result<()> {
-    let target = if new {
-        path.to_owned()
-    } else {
-        path.canonicalize()?
-    };
-    let permissions = if new {
-        None
-    } else {
-        // A file that may not be written is not replaced either, though its directory would allow it.
-        let file = fs::OpenOptions::new().write(true).open(&target)?;
-        let permissions = file.metadata()?.permissions();
-        if permissions.readonly() {
-            return Err(io::Error::new(
-                io::ErrorKind::PermissionDenied,
-                "it is read-only",
-            ));
-        }
-        Some(permissions)
-    };
-    let mut name = target.file_name().unwrap_or_default().to_owned();
-    name.push(format!(".{}.tmp", std::process::id()));
-    let beside = target.with_file_name(name);
-    let written = write_synced(&beside, text)
-        .and_then(|()| permissions.map_or(Ok(()), |p| fs::set_permissions(&beside, p)))
-        .and_then(|()| fs::rename(&beside, &target));
-    if written.is_err() {
-        drop(fs::remove_file(&beside));
-    }
-    written
-}
-
-fn write_synced(path: &Path, text: &str) -> io::Result<()> {
-    let mut file = fs::File::create(path)?;
-    file.write_all(text.as_bytes())?;
-    file.sync_all()
-}
-
 fn list_runs(file: &str) -> Vec<RunSlot> {
     let entries = store::list(Path::new(store::DEFAULT_ROOT)).unwrap_or_default();
     let mut slots: Vec<RunSlot> = entries
@@ -339,39 +286,4 @@ fn keep_run(run: Arc<Run>) -> Msg {
         Ok(dir) => Msg::Kept(dir, run),
         Err(error) => Msg::Say(Level::Error, format!("The run cannot be kept: {error}")),
     }
-}
-
-/// Writes to the name asked for, or the first free one of `name-2`, `name-3` and so on.
-fn write_text(path: &Path, text: &str, what: &str) -> Msg {
-    let stem = path
-        .file_stem()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned();
-    for n in 1..10_000_u32 {
-        let target = if n == 1 {
-            path.to_owned()
-        } else {
-            path.with_file_name(format!("{stem}-{n}.txt"))
-        };
-        let file = fs::OpenOptions::new()
-            .write(true)
-            .create_new(true)
-            .open(&target);
-        let written = file.and_then(|mut file| file.write_all(text.as_bytes()));
-        match written {
-            Ok(()) => {
-                return Msg::Say(Level::Info, format!("{what} is in {}.", target.display()));
-            }
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            Err(error) => {
-                let words = format!("{what} cannot be written to {}: {error}.", target.display());
-                return Msg::Say(Level::Error, words);
-            }
-        }
-    }
-    Msg::Say(
-        Level::Error,
-        format!("{what} finds no free name beside {}.", path.display()),
-    )
 }
