@@ -147,3 +147,57 @@ fn the_upper_joint_maxima_come_out_and_the_lower_ones_are_declared_out_of_reach(
         Outcome::Differs
     );
 }
+
+#[test]
+fn a_single_run_is_held_against_the_rows_it_stands_at() {
+    let (path, text) = SHIPPED
+        .iter()
+        .find(|(path, _)| path.ends_with("module.toml"))
+        .unwrap();
+    let case = case::parse(text, path).unwrap();
+    let judged = |overrides: &[&str]| {
+        let edits: Vec<(&str, &str)> = overrides
+            .iter()
+            .map(|o| o.split_once('=').unwrap())
+            .collect();
+        let text = case::edit::set_all(text, &edits).unwrap();
+        let case = case::parse(&text, path).unwrap();
+        let mut request = Request {
+            case: case.clone(),
+            text,
+            file: (*path).to_owned(),
+            overrides: overrides.iter().map(|o| (*o).to_owned()).collect(),
+            id: String::new(),
+        };
+        request.case.solver.error_estimate = false;
+        let run = job::execute(&request, &AtomicBool::new(false), &mut |_| ());
+        let rows = reference::rows_of_run(&run, &case);
+        let names = rows
+            .iter()
+            .filter(|r| r.outcome != Outcome::NotRun)
+            .map(|r| r.name.clone());
+        names.collect::<Vec<_>>()
+    };
+    let base: Vec<&str> = case
+        .published
+        .iter()
+        .filter(|p| p.at.is_none())
+        .map(|p| p.name.as_str())
+        .collect();
+    let own = judged(&["solver.rho_inf=0.3"]);
+    assert!(
+        base.iter().all(|name| own.iter().any(|o| o == name)),
+        "{own:?}"
+    );
+    // The case stands at one of its study's weights.
+    assert!(
+        own.iter()
+            .any(|name| name == "travel at a dry weight of 469 t"),
+        "{own:?}"
+    );
+
+    let at_point = judged(&["current.speed_m_per_s=0.2"]);
+    assert_eq!(at_point, ["travel at a current of 0.2 m/s"]);
+    let elsewhere = judged(&["current.speed_m_per_s=0.2", "payload.drag_area_m2=5"]);
+    assert!(elsewhere.is_empty(), "{elsewhere:?}");
+}

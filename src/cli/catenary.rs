@@ -1,10 +1,6 @@
 //! `seacable catenary`: a table of lines at rest in still water.
 
-use std::{
-    fs,
-    io::{self, Write},
-    process::ExitCode,
-};
+use std::{fs, process::ExitCode};
 
 use super::{Failure, NOT_GOOD, args::CatenaryWords, output};
 use crate::statics::catenary::solve_table;
@@ -15,12 +11,7 @@ pub(super) fn catenary(words: &CatenaryWords) -> Result<ExitCode, Failure> {
         .map_err(|e| Failure::Usage(format!("Reading {input} failed: {e}")))?;
     let table = solve_table(&bytes).map_err(|e| Failure::Usage(format!("{input}: {e}")))?;
     match &words.output {
-        None => {
-            let mut out = io::stdout().lock();
-            out.write_all(&table.text)
-                .and_then(|()| out.flush())
-                .map_err(Failure::stdout)?;
-        }
+        None => output::bytes(&table.text)?,
         Some(path) => fs::write(path, &table.text).map_err(|source| Failure::Write {
             path: path.clone(),
             source,

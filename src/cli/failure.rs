@@ -23,8 +23,6 @@ pub(super) enum Failure {
     Store(StoreError),
     /// A file cannot be written.
     Write { path: PathBuf, source: io::Error },
-    /// Whoever read our output has gone; there is nobody left to tell.
-    Unheard,
     /// The screen gave up.
     Screen(OpenError),
 }
@@ -36,21 +34,9 @@ impl From<StoreError> for Failure {
 }
 
 impl Failure {
-    /// Standard output could not be written.
-    pub(super) fn stdout(error: io::Error) -> Self {
-        match error.kind() {
-            io::ErrorKind::BrokenPipe => Self::Unheard,
-            _ => Self::Write {
-                path: PathBuf::from("standard output"),
-                source: error,
-            },
-        }
-    }
-
     /// Tells the user, and gives the exit status.
     pub(super) fn tell(self) -> ExitCode {
         match self {
-            Self::Unheard => ExitCode::SUCCESS,
             Self::Case { text, diagnostics } => {
                 let color = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
                 for diagnostic in &diagnostics {

@@ -4,7 +4,7 @@ use super::layout::Page;
 use crate::{
     case::Case,
     report::number::{duration, si},
-    run::{Run, RunInfo, RunState},
+    run::{Run, RunInfo, RunState, Settings},
 };
 
 /// Title, source and state.
@@ -51,16 +51,6 @@ pub(super) fn warnings(page: &mut Page, info: &RunInfo) {
 /// The solver's settings, those it chose itself marked so.
 pub(super) fn settings(page: &mut Page, info: &RunInfo) {
     let s = &info.settings;
-    let chosen = if s.time_step_automatic {
-        " (chosen by the solver)"
-    } else {
-        ""
-    };
-    let step = if s.time_step_s > 0.0 {
-        format!("{}{chosen}", si(s.time_step_s, "s"))
-    } else {
-        String::new()
-    };
     let limit = s.stability_limit_s.map(|limit| {
         let at = s
             .stability_limit_at
@@ -72,7 +62,11 @@ pub(super) fn settings(page: &mut Page, info: &RunInfo) {
     page.pairs(&[
         ("Method", method(&s.method)),
         ("Simulated time", si(s.duration_s, "s")),
-        ("Time step", step),
+        ("Time step", step(s)),
+        (
+            "Error allowed in a step",
+            s.step_tolerance.map(|t| si(t, "-")).unwrap_or_default(),
+        ),
         ("Stability limit", limit.unwrap_or_default()),
         (
             "Spectral radius",
@@ -88,6 +82,19 @@ pub(super) fn settings(page: &mut Page, info: &RunInfo) {
         ("Output interval", si(s.output_interval_s, "s")),
         ("Error estimate", s.error_method.clone()),
     ]);
+}
+
+fn step(settings: &Settings) -> String {
+    if settings.time_step_s <= 0.0 {
+        return String::new();
+    }
+    let step = si(settings.time_step_s, "s");
+    let varies = settings.step_tolerance.is_some();
+    match (varies, settings.time_step_automatic) {
+        (true, _) => format!("at most {step}, varied by the solver"),
+        (false, true) => format!("{step} (chosen by the solver)"),
+        (false, false) => step,
+    }
 }
 
 fn method(word: &str) -> String {
