@@ -14,7 +14,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use seacable::case::{self, Case, Method};
-use seacable::linalg::{BlockTri, V3};
+use seacable::linalg::{BlockBand, V3};
 use seacable::run::{History, Run, job};
 use seacable::scene::{self, Scene};
 use seacable::solve::{Factors, State, System};
@@ -169,7 +169,7 @@ fn kernels(case: &Case) {
     let mut state = swinging(&scene);
     let nodes = scene.nodes();
     let mut r = vec![V3::zeros(); nodes];
-    let mut tangent = BlockTri::new(nodes);
+    let mut tangent = BlockBand::new(nodes);
     let c = Factors {
         mass: 64.0,
         damping: 6.0,

@@ -11,7 +11,7 @@
 //! * [`case`]: the file format: fields with units, ranges, defaults and help; checks; edits that keep comments.
 //! * [`physics`]: one file a force; knows no solver.
 //! * [`scene`]: a case made ready to compute: nodes, segments, ends, loads, in SI.
-//! * [`linalg`]: the block-tridiagonal solver; knows no cable.
+//! * [`linalg`]: the block-banded solver; knows no cable.
 //! * [`solve`]: the trait between physics and numerics, and the one Newton loop.
 //! * [`statics`], [`dynamics`]: equilibrium, quasi-static march, RK4, generalized-alpha.
 //! * [`run`]: a case computed: history, shapes, summary with errors, cost; jobs on threads; the store.

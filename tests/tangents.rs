@@ -4,7 +4,7 @@
 
 use proptest::prelude::*;
 use seacable::case::Case;
-use seacable::linalg::{BlockTri, V3};
+use seacable::linalg::{BlockBand, V3};
 use seacable::scene::{self, Scene};
 use seacable::solve::{Factors, State, System};
 
@@ -87,7 +87,7 @@ fn state(scene: &Scene, numbers: &[f64], strain: f64, speed: f64) -> State {
 /// The largest difference between the tangent and central differences, as a share of its largest entry.
 fn mismatch(scene: &Scene, state: &State, c: Factors) -> f64 {
     let n = scene.nodes();
-    let mut tangent = BlockTri::new(n);
+    let mut tangent = BlockBand::new(n);
     let mut r = vec![V3::zeros(); n];
     scene.linearise(0.0, state, c, &mut r, &mut tangent);
     let mut plain = r.clone();

@@ -15,8 +15,8 @@ mod settings;
 
 pub use claims::{At, Direction, Mark, Published, Standing, Statistic, Study, Trend};
 pub use ends::{End, EndKind, Ends, Payload, Shape};
-pub use line::{DragLaw, DragLawName, DragWidth, Floats, Material, Section};
-pub use settings::{Method, Output, Solver, Start, StartShape};
+pub use line::{DragLaw, DragLawName, DragWidth, Floats, Material, Modules, Section};
+pub use settings::{Method, Output, Seabed, Solver, Start, StartShape};
 
 /// Everything a case file says.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -29,6 +29,8 @@ pub struct Case {
     pub environment: Environment,
     /// The current; absent means still water.
     pub current: Option<Current>,
+    /// The sea bed; absent means water without end.
+    pub seabed: Option<Seabed>,
     /// Materials by name, referred to by the sections of the line.
     pub materials: BTreeMap<String, Material>,
     /// Sections of the line, from end A to end B.
@@ -40,6 +42,9 @@ pub struct Case {
     /// Floats spread over stretches of the line.
     #[serde(default)]
     pub floats: Vec<Floats>,
+    /// Buoyancy modules clamped on stretches of the line.
+    #[serde(default)]
+    pub modules: Vec<Modules>,
     /// Where the line is at time zero.
     #[serde(default)]
     pub start: Start,

@@ -1,8 +1,8 @@
-//! Small dense blocks and the block-tridiagonal solver. Knows no cable.
+//! Small dense blocks and the block-banded solver. Knows no cable.
 
-pub mod block_tri;
+pub mod block_band;
 
-pub use block_tri::{BlockTri, SingularBlock};
+pub use block_band::{BlockBand, SingularBlock};
 
 /// A vector of three numbers.
 pub type V3 = nalgebra::Vector3<f64>;

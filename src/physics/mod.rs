@@ -2,14 +2,17 @@
 //! here, and no case file: numbers in SI.
 
 pub mod added_mass;
+pub mod bending;
 pub mod current;
 pub mod drag;
 pub mod drag_law;
 pub mod motion;
 pub mod payload;
+pub mod seabed;
 pub mod tension;
 
 pub use current::Current;
 pub use drag_law::DragLaw;
 pub use motion::EndMotion;
 pub use payload::Body;
+pub use seabed::Seabed;

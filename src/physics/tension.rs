@@ -1,4 +1,4 @@
-//! Tension of a segment: linear elastic with axial damping, and no compression.
+//! Tension of a segment: linear elastic with axial damping; no compression unless the line is a rod.
 //!
 //! `T = EA e + C de/dt` in tension and 0 when slack (Jia et al. 2019, sec. 1.3: bushing forces of an
 //! axial stiffness; the line carries no push). The damping part is held between -EA e and EA e, so
@@ -17,6 +17,8 @@ pub struct Axial {
     pub damping: f64,
     /// 1 / length \[1/m\], kept because a division costs more than all the rest of a tension.
     inverse: f64,
+    /// Whether it bears compression: a line with bending stiffness does, a rope does not.
+    pub rod: bool,
 }
 
 /// Where a segment is and how it moves.
@@ -53,7 +55,7 @@ impl Chord {
 /// Tension and its derivatives.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tension {
-    /// Tension \[N\], never negative.
+    /// Tension \[N\]; negative only in a rod.
     pub value: f64,
     /// Derivative by length \[N/m\], at fixed direction and speed.
     pub by_length: f64,
@@ -70,7 +72,14 @@ impl Axial {
             ea,
             damping,
             inverse: 1.0 / length,
+            rod: false,
         }
+    }
+
+    /// The same, bearing compression or not.
+    #[must_use]
+    pub fn as_rod(self, rod: bool) -> Self {
+        Self { rod, ..self }
     }
 
     /// The tension of a segment.
@@ -78,7 +87,7 @@ impl Axial {
     #[must_use]
     pub fn tension(&self, chord: &Chord) -> Tension {
         let stretch = chord.length - self.length;
-        if stretch <= 0.0 {
+        if stretch <= 0.0 && !self.rod {
             return Tension {
                 value: 0.0,
                 by_length: 0.0,
@@ -89,6 +98,13 @@ impl Axial {
         let elastic = stiffness * stretch;
         let c = self.damping * self.inverse;
         let viscous = c * chord.tangent.dot(&chord.opening);
+        if self.rod {
+            return Tension {
+                value: elastic + viscous,
+                by_length: stiffness,
+                by_speed: c,
+            };
+        }
         if viscous > elastic {
             Tension {
                 value: 2.0 * elastic,

@@ -3,14 +3,14 @@
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use super::line::{End, Joint, Scene, Segment};
-use super::shape;
+use super::{Flexure, buoyancy, shape};
 use crate::case::{self, Case, DragWidth, EndKind, OneOrMany};
 use crate::linalg::V3;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Profile;
 use crate::physics::payload::{Form, box_form, sphere_and_cylinder};
 use crate::physics::tension::Axial;
-use crate::physics::{Body, Current, DragLaw, EndMotion, motion};
+use crate::physics::{Body, Current, DragLaw, EndMotion, Seabed, bending, motion};
 
 /// Why a case cannot be made into a scene. A case that passed its checks does not meet these.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -73,17 +73,26 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
     let (mass, weight) = lump(&segments, payload.as_ref())?;
     let ends = [end(&case.ends.a, "ends.a")?, end(&case.ends.b, "ends.b")?];
     let (start, start_in_equilibrium) = shape::start(case, &segments, &weight, &arc)?;
+    let flexure = flexure(case, &segments);
+    let bed = case.seabed.as_ref().map(|bed| Seabed {
+        z: -bed.depth_m,
+        stiffness: bed.stiffness_n_per_m3,
+        damping: bed.damping_n_s_per_m3,
+    });
     let gross: f64 = weight.iter().map(|w| w.abs()).sum();
     Ok(Scene {
         force_scale: gross
             .max(mass.iter().sum::<f64>() * 1e-3)
             .max(f64::MIN_POSITIVE),
-        segments,
         mass,
         weight,
         end_names: [case.ends.a.name.clone(), case.ends.b.name.clone()],
         ends,
         payload,
+        flexure,
+        bed,
+        footprint: footprint(&segments),
+        segments,
         current: current(case.current.as_ref()),
         joints,
         arc,
@@ -120,8 +129,20 @@ fn add_section(
     for k in 0..count {
         let from = length * k as f64;
         let mut segment = bare_segment(&case.environment, material, length);
+        for modules in case.modules.iter().filter(|m| m.section == section.name) {
+            let bare = material.diameter_m;
+            let reach = (from, from + length);
+            buoyancy::add_modules(
+                &case.environment,
+                modules,
+                bare,
+                section.length_m,
+                reach,
+                &mut segment,
+            );
+        }
         for floats in case.floats.iter().filter(|f| f.section == section.name) {
-            add_floats(
+            buoyancy::add_floats(
                 &case.environment,
                 floats,
                 section.length_m,
@@ -154,7 +175,7 @@ fn bare_segment(water: &case::Environment, material: &case::Material, length: f6
         DragWidth::Perimeter => PI,
     };
     Segment {
-        axial: Axial::new(length, material.ea_n, damping),
+        axial: Axial::new(length, material.ea_n, damping).as_rod(material.ei_n_m2 > 0.0),
         drag: Profile {
             reynolds: material.diameter_m / water.kinematic_viscosity_m2_per_s,
             normal: half_pressure,
@@ -174,6 +195,8 @@ fn bare_segment(water: &case::Environment, material: &case::Material, length: f6
         },
         half_mass: 0.5 * length * material.mass_kg_per_m,
         half_weight: 0.5 * length * wet * water.gravity_m_per_s2,
+        ei: material.ei_n_m2,
+        diameter: material.diameter_m,
     }
 }
 
@@ -185,26 +208,50 @@ fn law(law: &case::DragLaw) -> DragLaw {
     }
 }
 
-/// Adds the share of floats whose stretch overlaps this part of the section.
-fn add_floats(
-    water: &case::Environment,
-    floats: &case::Floats,
-    section_length: f64,
-    (from, to): (f64, f64),
-    segment: &mut Segment,
-) {
-    let end = floats.to_m.unwrap_or(section_length);
-    let stretch = end - floats.from_m;
-    let overlap = (to.min(end) - from.max(floats.from_m)).max(0.0);
-    if stretch <= 0.0 || overlap == 0.0 {
-        return;
+/// What bends and what clamps; nothing where no material has a bending stiffness.
+fn flexure(case: &Case, segments: &[Segment]) -> Option<Flexure> {
+    if segments.iter().all(|s| s.ei <= 0.0) {
+        return None;
     }
-    let share = overlap / stretch;
-    segment.half_mass += 0.5 * share * floats.mass_kg;
-    segment.half_weight -= 0.5 * share * floats.lift_kg * water.gravity_m_per_s2;
-    segment.added.normal += 0.5 * share * floats.added_mass_kg;
-    segment.drag.floats +=
-        0.5 * water.water_density_kg_per_m3 * floats.drag_area_m2 * share / (to - from);
+    let last = segments.len();
+    let part = |i: usize| (segments[i].ei, segments[i].axial.length);
+    let span = |i: usize| match i {
+        0 => 0.5 * part(0).1,
+        i if i == last => 0.5 * part(last - 1).1,
+        i => 0.5 * (part(i - 1).1 + part(i).1),
+    };
+    let joint = |i: usize| {
+        if i == 0 || i == last {
+            0.0
+        } else {
+            bending::stiffness(part(i - 1), part(i))
+        }
+    };
+    let clamp = |end: &case::End, i: usize| {
+        let elevation = end.clamp_elevation_deg?.to_radians();
+        let azimuth = end.clamp_azimuth_deg.to_radians();
+        let (ei, length) = part(i);
+        Some((
+            shape::direction(azimuth, elevation),
+            bending::clamp_stiffness(ei, length),
+        ))
+    };
+    Some(Flexure {
+        joints: (0..=last).map(joint).collect(),
+        spans: (0..=last).map(span).collect(),
+        clamps: [clamp(&case.ends.a, 0), clamp(&case.ends.b, last - 1)],
+    })
+}
+
+/// Area that each node rests on the bed with: the diameter times the halves of its segments.
+fn footprint(segments: &[Segment]) -> Vec<f64> {
+    let mut area = vec![0.0; segments.len() + 1];
+    for (i, segment) in segments.iter().enumerate() {
+        let half = 0.5 * segment.axial.length * segment.diameter;
+        area[i] += half;
+        area[i + 1] += half;
+    }
+    area
 }
 
 /// Masses and weights of the nodes: halves of their segments, and the payload at the last.

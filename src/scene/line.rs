@@ -2,11 +2,13 @@
 
 use std::ops::Range;
 
-use crate::linalg::{BlockTri, M3, V3};
+use crate::linalg::{BlockBand, M3, V3};
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::{Drag, Profile};
 use crate::physics::tension::{Axial, Chord, Tension};
-use crate::physics::{Body, Current, EndMotion};
+use crate::physics::{Body, Current, EndMotion, Seabed};
+
+use super::Flexure;
 use crate::solve::{Factors, State, System};
 
 /// A segment between two nodes.
@@ -22,6 +24,10 @@ pub struct Segment {
     pub half_mass: f64,
     /// Weight in water of half the segment \[N\], positive down.
     pub half_weight: f64,
+    /// Bending stiffness EI \[N m²\].
+    pub ei: f64,
+    /// Hydrodynamic diameter \[m\].
+    pub diameter: f64,
 }
 
 /// One end of the line.
@@ -57,6 +63,12 @@ pub struct Scene {
     pub ends: [End; 2],
     /// The payload, at the last node.
     pub payload: Option<Body>,
+    /// Bending, where any material has a bending stiffness.
+    pub flexure: Option<Flexure>,
+    /// The sea bed, if there is one.
+    pub bed: Option<Seabed>,
+    /// Area of line that each node rests on the bed with \[m²\].
+    pub footprint: Vec<f64>,
     /// The current.
     pub current: Current,
     /// Where tension is reported, from A to B.
@@ -133,6 +145,27 @@ impl Scene {
             self.current.at(state.x[i].z).0 - state.v[i],
             self.current.at(state.x[i + 1].z).0 - state.v[i + 1],
         ]
+    }
+
+    /// Takes the push of the bed from the residual.
+    fn add_bed(&self, state: &State, r: &mut [V3]) {
+        if let Some(bed) = &self.bed {
+            for (i, out) in r.iter_mut().enumerate() {
+                out.z -= bed
+                    .push(state.x[i].z, state.v[i].z, self.footprint[i])
+                    .force;
+            }
+        }
+    }
+
+    /// Takes the derivatives of that push from the tangent.
+    fn add_bed_tangent(&self, state: &State, c: Factors, tangent: &mut BlockBand) {
+        if let Some(bed) = &self.bed {
+            for (i, block) in tangent.diag.iter_mut().enumerate() {
+                let push = bed.push(state.x[i].z, state.v[i].z, self.footprint[i]);
+                block[(2, 2)] -= c.stiffness * push.by_z + c.damping * push.by_speed;
+            }
+        }
     }
 
     /// Adds what half a segment contributes to its node, pull, drag and added mass, and returns the block that couples the
@@ -236,6 +269,10 @@ impl System for Scene {
         held(0)..self.nodes() - held(1)
     }
 
+    fn bends(&self) -> bool {
+        self.flexure.is_some()
+    }
+
     fn prescribe(&self, t: f64, state: &mut State) {
         let last = self.nodes() - 1;
         for (end, node) in [(0, 0), (1, last)] {
@@ -260,6 +297,10 @@ impl System for Scene {
                 r[node] += self.segments[i].added.force(t, &state.a[node]) - drag.force;
             }
         }
+        self.add_bed(state, r);
+        if let Some(flexure) = &self.flexure {
+            flexure.add_forces(self, state, r);
+        }
         if let Some(body) = &self.payload {
             let last = self.nodes() - 1;
             let (water, _) = self.current.at(state.x[last].z);
@@ -268,7 +309,7 @@ impl System for Scene {
         }
     }
 
-    fn linearise(&self, _t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockTri) {
+    fn linearise(&self, _t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
         for (i, (out, diag)) in r.iter_mut().zip(&mut tangent.diag).enumerate() {
             *out = state.a[i] * self.mass[i];
             out.z += self.weight[i];
@@ -307,6 +348,12 @@ impl System for Scene {
             tangent.lower[i + 1] =
                 Self::add_half(&second, c, &mut r[i + 1], &mut tangent.diag[i + 1]);
         }
+        self.add_bed(state, r);
+        self.add_bed_tangent(state, c, tangent);
+        if let Some(flexure) = &self.flexure {
+            flexure.add_forces(self, state, r);
+            flexure.add_tangent(self, state, c.stiffness, tangent);
+        }
         if let Some(body) = &self.payload {
             let last = self.nodes() - 1;
             let (water, shear) = self.current.at(state.x[last].z);
@@ -339,15 +386,27 @@ impl System for Scene {
         self.force_scale
     }
 
+    fn rounding_force(&self) -> f64 {
+        self.stiffest() * self.rounding()
+    }
+
     fn position_tolerance(&self, relative: f64) -> f64 {
-        let stiffest = self
-            .segments
+        (relative * self.force_scale / self.stiffest()).max(self.rounding())
+    }
+}
+
+impl Scene {
+    /// Greatest axial stiffness of a segment \[N/m\].
+    fn stiffest(&self) -> f64 {
+        self.segments
             .iter()
             .map(|s| s.axial.ea / s.axial.length)
-            .fold(0.0, f64::max);
-        let reach = self.start.iter().map(V3::amax).fold(1.0, f64::max);
-        // Positions themselves carry no more digits than this.
-        (relative * self.force_scale / stiffest).max(8.0 * f64::EPSILON * reach)
+            .fold(0.0, f64::max)
+    }
+
+    /// Positions carry no more digits than this \[m\].
+    fn rounding(&self) -> f64 {
+        8.0 * f64::EPSILON * self.start.iter().map(V3::amax).fold(1.0, f64::max)
     }
 }
 

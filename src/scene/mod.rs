@@ -5,9 +5,12 @@
 //! in the scene. The whole line counts as under water.
 
 pub mod build;
+mod buoyancy;
+pub mod flexure;
 pub mod line;
 pub mod reading;
 mod shape;
 
 pub use build::{SceneError, build};
+pub use flexure::Flexure;
 pub use line::{End, Joint, Scene, Segment};

@@ -23,7 +23,13 @@ impl Scene {
         if pull == V3::zeros() {
             return 0.0;
         }
-        (pull + load * sign).norm()
+        let force = pull + load * sign;
+        // With bending the force at a node has a shear part as well; the tension is the part along the line.
+        if self.flexure.is_some() {
+            force.dot(&chord.tangent)
+        } else {
+            force.norm()
+        }
     }
 
     /// Weight, drag and (negative) inertia of the half of segment i at one of its nodes \[N\].
@@ -54,11 +60,24 @@ impl Scene {
         }
         for (i, segment) in self.segments.iter().enumerate() {
             let chord = self.chord(i, state);
-            let stretch = (chord.length - segment.axial.length).max(0.0);
+            let stretch = chord.length - segment.axial.length;
+            let stretch = if segment.axial.rod {
+                stretch
+            } else {
+                stretch.max(0.0)
+            };
             energy += 0.5 * segment.axial.ea / segment.axial.length * stretch * stretch;
             for node in [i, i + 1] {
                 let v = &state.v[node];
                 energy += 0.5 * v.dot(&segment.added.force(&chord.tangent, v));
+            }
+        }
+        if let Some(flexure) = &self.flexure {
+            energy += flexure.energy(self, state);
+        }
+        if let Some(bed) = &self.bed {
+            for (x, area) in state.x.iter().zip(&self.footprint) {
+                energy += 0.5 * bed.stiffness * area * (bed.z - x.z).max(0.0).powi(2);
             }
         }
         if let Some(body) = &self.payload {
@@ -74,11 +93,23 @@ impl Scene {
         let mut power = 0.0;
         for (i, segment) in self.segments.iter().enumerate() {
             let chord = self.chord(i, state);
-            let elastic = segment.axial.ea * (chord.length / segment.axial.length - 1.0).max(0.0);
+            let strain = chord.length / segment.axial.length - 1.0;
+            let strain = if segment.axial.rod {
+                strain
+            } else {
+                strain.max(0.0)
+            };
+            let elastic = segment.axial.ea * strain;
             let viscous = segment.axial.tension(&chord).value - elastic;
             power += viscous * chord.tangent.dot(&chord.opening);
             for (node, drag) in [i, i + 1].into_iter().zip(self.drag(i, &chord, state)) {
                 power -= drag.force.dot(&state.v[node]);
+            }
+        }
+        if let Some(bed) = &self.bed {
+            for ((x, v), area) in state.x.iter().zip(&state.v).zip(&self.footprint) {
+                let elastic = bed.stiffness * area * (bed.z - x.z).max(0.0);
+                power -= (bed.push(x.z, v.z, *area).force - elastic) * v.z;
             }
         }
         if let Some(body) = &self.payload {
@@ -94,12 +125,22 @@ impl Scene {
     pub(super) fn accelerations(&self, state: &mut State) {
         let free = self.free();
         let last = self.nodes() - 1;
+        let held = [state.a[0], state.a[last]];
+        let bending = self.preload_bending(state);
         let mut before: Option<(V3, Symmetric)> = None;
         for i in 0..self.nodes() {
             // Force and mass of node i: what the segment before left here, then the segment after.
             let (mut f, mut m) = before.take().unwrap_or((V3::zeros(), Symmetric::default()));
             f.z -= self.weight[i];
             m.add_diagonal(self.mass[i]);
+            if bending {
+                f -= state.a[i];
+            }
+            if let Some(bed) = &self.bed {
+                f.z += bed
+                    .push(state.x[i].z, state.v[i].z, self.footprint[i])
+                    .force;
+            }
             if i < last {
                 let segment = &self.segments[i];
                 let chord = self.chord(i, state);
@@ -121,6 +162,37 @@ impl Scene {
                 state.a[i] = m.solve(&f);
             }
         }
+        for (end, node) in [0, last].into_iter().enumerate() {
+            if !free.contains(&node) {
+                state.a[node] = held[end];
+            }
+        }
+    }
+
+    /// Puts the residual forces of bending where the accelerations will stand: they couple nodes two apart, and so
+    /// must be complete before the first node is solved for. Whether there are any.
+    fn preload_bending(&self, state: &mut State) -> bool {
+        let Some(flexure) = &self.flexure else {
+            return false;
+        };
+        let mut forces = std::mem::take(&mut state.a);
+        forces.fill(V3::zeros());
+        flexure.add_forces(self, state, &mut forces);
+        state.a = forces;
+        true
+    }
+
+    /// What bending and the bed add to the stiffness of segment i in its highest mode \[N/m\]: `8 EI / l³` as two
+    /// neighbouring bends resist a zigzag, and the springs under its nodes.
+    fn other_stiffness(&self, i: usize) -> f64 {
+        let length = self.segments[i].axial.length;
+        let bending = self.flexure.as_ref().map_or(0.0, |f| {
+            8.0 * f.joints[i].max(f.joints[i + 1]) / (length * length)
+        });
+        let bed = self.bed.map_or(0.0, |b| {
+            b.stiffness * self.footprint[i].max(self.footprint[i + 1])
+        });
+        bending + bed
     }
 
     /// The largest explicit time step \[s\] that classical Runge-Kutta of order 4 bears, and the segment that
@@ -138,7 +210,8 @@ impl Scene {
             let held = |end: usize| matches!(self.ends[end], End::Held(_));
             let last = self.segments.len();
             let sum = lightness(i, i == 0 && held(0)) + lightness(i + 1, i + 1 == last && held(1));
-            let omega = (2.0 * segment.axial.ea / segment.axial.length * sum).sqrt();
+            let axial = 2.0 * segment.axial.ea / segment.axial.length;
+            let omega = ((axial + self.other_stiffness(i)) * sum).sqrt();
             let zeta = 0.5 * segment.axial.damping * omega / segment.axial.ea;
             let fastest = omega * (zeta + (zeta * zeta + 1.0).sqrt()).max(1.0);
             let step = 2.785 / fastest;

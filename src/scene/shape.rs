@@ -4,6 +4,7 @@ use super::build::SceneError;
 use super::line::Segment;
 use crate::case::{Case, EndKind, StartShape};
 use crate::linalg::V3;
+use crate::statics::catenary::{Ends, Line, SectionProps};
 
 /// Positions of the nodes \[m\], and whether they are only a guess at the equilibrium.
 pub(super) fn start(
@@ -28,7 +29,7 @@ pub(super) fn start(
                 anchored_at(b.position_m, "b")?,
             );
             if equilibrium {
-                sagging(from, to, weight, arc)
+                catenary(from, to, segments, arc).unwrap_or_else(|| sagging(from, to, weight, arc))
             } else {
                 between(from, to, arc)
             }
@@ -45,7 +46,7 @@ pub(super) fn start(
             let to = anchored_at(b.position_m, "b")?;
             let whole = arc[arc.len() - 1];
             arc.iter()
-                .map(|s| to - direction(case) * (whole - s))
+                .map(|s| to - start_direction(case) * (whole - s))
                 .collect()
         }
         (_, false) => {
@@ -55,18 +56,24 @@ pub(super) fn start(
                 return Err(SceneError::Impossible { key, why });
             }
             let from = anchored_at(a.position_m, "a")?;
-            arc.iter().map(|s| from + direction(case) * *s).collect()
+            arc.iter()
+                .map(|s| from + start_direction(case) * *s)
+                .collect()
         }
     };
     Ok((nodes, equilibrium))
 }
 
 /// Unit vector of a straight start.
-fn direction(case: &Case) -> V3 {
-    let (azimuth, elevation) = (
+fn start_direction(case: &Case) -> V3 {
+    direction(
         case.start.azimuth_deg.to_radians(),
         case.start.elevation_deg.to_radians(),
-    );
+    )
+}
+
+/// Unit vector of an azimuth from +x towards +y and an elevation \[rad\].
+pub(super) fn direction(azimuth: f64, elevation: f64) -> V3 {
     V3::new(
         azimuth.cos() * elevation.cos(),
         azimuth.sin() * elevation.cos(),
@@ -80,6 +87,48 @@ fn between(from: V3, to: V3, arc: &[f64]) -> Vec<V3> {
     arc.iter()
         .map(|s| from + (to - from) * (s / whole))
         .collect()
+}
+
+/// The closed-form catenary between two held ends, still water and no bed: a good guess at anything near it.
+fn catenary(from: V3, to: V3, segments: &[Segment], arc: &[f64]) -> Option<Vec<V3>> {
+    let mut sections: Vec<SectionProps> = Vec::new();
+    for segment in segments {
+        let length = segment.axial.length;
+        let weight = 2.0 * segment.half_weight / length;
+        match sections.last_mut() {
+            Some(s) if same(s.weight_n_per_m, weight) && same(s.ea_n, segment.axial.ea) => {
+                s.length_m += length;
+            }
+            _ => sections.push(SectionProps::new(length, weight, segment.axial.ea)),
+        }
+    }
+    let ends = Ends::between(from.into(), to.into());
+    let line = Line {
+        ends,
+        sections: &sections,
+        bed: None,
+        surface_above_a_m: None,
+    };
+    let solution = line.solve().ok()?;
+    let plan = V3::new(to.x - from.x, to.y - from.y, 0.0);
+    let along = if ends.x_m > 0.0 {
+        plan / ends.x_m
+    } else {
+        V3::x()
+    };
+    Some(
+        arc.iter()
+            .map(|s| {
+                let point = solution.at(*s);
+                from + along * point.x_m + V3::z() * point.z_m
+            })
+            .collect(),
+    )
+}
+
+/// Equal but for rounding: segments of one section come out of the same formulas.
+fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9 * a.abs().max(b.abs())
 }
 
 /// A parabola of about the right length between two held ends, hanging down (up for a buoyant line).

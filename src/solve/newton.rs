@@ -9,9 +9,10 @@
 //! the iterations before, and a factor of safety), which saves an assembly a step.
 
 use super::{Factors, State, System};
-use crate::linalg::{BlockTri, V3};
+use crate::linalg::{BlockBand, V3};
 
-/// Newton's memory for one line: scratch and the measured rate. Allocates only when made.
+/// Newton's memory for one line: scratch and the measured rate. Allocates only when made, and
+/// at the first iteration of a line that bends.
 #[derive(Debug, Clone)]
 pub struct Newton {
     /// Largest displacement of a node at which an iteration counts as converged \[m\].
@@ -21,7 +22,7 @@ pub struct Newton {
     /// Iterations so far, over all calls.
     pub iterations: u64,
     residual: Vec<V3>,
-    tangent: BlockTri,
+    tangent: BlockBand,
     /// Measured `|d1| / |d0|²` \[1/m\]; absent until two iterations were seen.
     curvature: Option<f64>,
 }
@@ -79,7 +80,7 @@ impl Newton {
             max_iterations,
             iterations: 0,
             residual: vec![V3::zeros(); nodes],
-            tangent: BlockTri::new(nodes),
+            tangent: BlockBand::new(nodes),
             curvature: None,
         }
     }
@@ -139,6 +140,9 @@ impl Newton {
         c: Factors,
     ) -> Result<(usize, f64), NewtonError> {
         self.iterations += 1;
+        if system.bends() && !self.tangent.is_wide() {
+            self.tangent.widen();
+        }
         system.linearise(t, state, c, &mut self.residual, &mut self.tangent);
         let free = system.free();
         self.tangent

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::linalg::{BlockTri, V3};
+use crate::linalg::{BlockBand, V3};
 
 /// Position \[m\], velocity \[m/s\] and acceleration \[m/s²\] of every node, from end A to end B.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,6 +68,9 @@ pub trait System: Sync {
     /// The nodes that move by their equation of motion; the others are prescribed.
     fn free(&self) -> Range<usize>;
 
+    /// Whether nodes two apart are coupled: the tangent then needs its far blocks.
+    fn bends(&self) -> bool;
+
     /// Sets position, velocity and acceleration of the prescribed nodes at time t \[s\].
     fn prescribe(&self, t: f64, state: &mut State);
 
@@ -75,7 +78,7 @@ pub trait System: Sync {
     fn residual(&self, t: f64, state: &State, r: &mut [V3]);
 
     /// The residual, and its tangent `mass dR/da + damping dR/dv + stiffness dR/dx`.
-    fn linearise(&self, t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockTri);
+    fn linearise(&self, t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockBand);
 
     /// Accelerations of the free nodes from positions and velocities, `a = M(x)^-1 f(t, x, v)`. Those
     /// of the prescribed nodes are left as they are.
@@ -88,6 +91,9 @@ pub trait System: Sync {
 
     /// A force typical of this line \[N\]: residuals are measured against it.
     fn force_scale(&self) -> f64;
+
+    /// The force that rounding of positions makes of nothing \[N\]: no residual can be asked to be smaller.
+    fn rounding_force(&self) -> f64;
 
     /// The displacement of a node \[m\] below which no force of the line changes by more than
     /// `relative` times [`System::force_scale`]: what "converged on force" means for positions.

@@ -96,7 +96,7 @@ impl Search {
     ) -> Result<Found, Option<NewtonError>> {
         newton.solve(system, t, state, STATICS).map_err(Some)?;
         let (_, residual) = newton.largest_residual(system, t, state);
-        if residual <= self.force_tolerance * system.force_scale() {
+        if residual <= (self.force_tolerance * system.force_scale()).max(system.rounding_force()) {
             Ok(Found {
                 iterations: newton.iterations,
                 steps,

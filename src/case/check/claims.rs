@@ -155,6 +155,7 @@ fn given_or_defaulted(root: &Node) -> Vec<String> {
     for (table, names) in [
         ("materials", material_names(root)),
         ("floats", names_of(root, "floats")),
+        ("modules", names_of(root, "modules")),
     ] {
         let defaults = FIELDS.iter().filter(|field| {
             field.table() == format!("{table}.*") && matches!(field.absent, Absent::Default(_))

@@ -16,7 +16,9 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
     found.extend(names(root));
     found.extend(held_ends(root));
     found.extend(reach(root));
-    found.extend(floats(root));
+    for table in ["floats", "modules"] {
+        found.extend(on_stretches(root, table));
+    }
     found.extend(nothing_holds(root));
     found
 }
@@ -205,8 +207,9 @@ fn rounded(metres: f64) -> f64 {
     (metres * 1e3).round() / 1e3
 }
 
-fn floats(root: &Node) -> Vec<Finding> {
-    let items = root.get("floats").map_or(&[] as &[Node], Node::items);
+/// Floats and buoyancy modules sit on a stretch of a section that exists.
+fn on_stretches(root: &Node, table: &str) -> Vec<Finding> {
+    let items = root.get(table).map_or(&[] as &[Node], Node::items);
     let lines = sections(root);
     let mut found = Vec::new();
     for (name, item) in element_names(items).into_iter().zip(items) {
@@ -221,7 +224,7 @@ fn floats(root: &Node) -> Vec<Finding> {
             let (problem, remedy) = unknown_name(section, &known, "section");
             found.push(Finding::new(
                 &node.span,
-                format!("floats.{name}.section"),
+                format!("{table}.{name}.section"),
                 problem,
                 remedy,
             ));
@@ -229,7 +232,7 @@ fn floats(root: &Node) -> Vec<Finding> {
         };
         found.extend(stretch(
             item,
-            &name,
+            &format!("{table}.{name}"),
             section,
             on.get("length_m").and_then(Node::number),
         ));
@@ -244,13 +247,10 @@ fn stretch(item: &Node, name: &str, section: &str, length: Option<f64>) -> Optio
     let to = item.get("to_m").and_then(Node::number);
     let inside = format!("section \"{section}\" is {} long", quantity(length, "m"));
     if let Some((to, node)) = to.zip(item.get("to_m")).filter(|(to, _)| *to > length) {
-        let problem = format!(
-            "the floats reach beyond their section: {}",
-            quantity(to, "m")
-        );
+        let problem = format!("they reach beyond their section: {}", quantity(to, "m"));
         return Some(Finding::new(
             &node.span,
-            format!("floats.{name}.to_m"),
+            format!("{name}.to_m"),
             problem,
             inside,
         ));
@@ -269,12 +269,7 @@ fn stretch(item: &Node, name: &str, section: &str, length: Option<f64>) -> Optio
             quantity(end, "m")
         );
         let remedy = format!("let it begin before it ends; {inside}");
-        return Some(Finding::new(
-            span,
-            format!("floats.{name}.{key}"),
-            problem,
-            remedy,
-        ));
+        return Some(Finding::new(span, format!("{name}.{key}"), problem, remedy));
     }
     None
 }

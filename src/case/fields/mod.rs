@@ -208,6 +208,9 @@ const UNITS: &[(&str, &str)] = &[
     ("kg/m", "kg_per_m"),
     ("kg/m³", "kg_per_m3"),
     ("N s", "n_s"),
+    ("N m²", "n_m2"),
+    ("N/m³", "n_per_m3"),
+    ("N s/m³", "n_s_per_m3"),
 ];
 
 /// "a, b or c", each in backquotes.

@@ -32,8 +32,8 @@ pub struct FieldRow {
     pub field: &'static Field,
 }
 
-/// Every input the case can have, given or not, in reading order: environment, current, each
-/// material, each section, ends, payload, floats, start, solver, output.
+/// Every input the case can have, given or not, in reading order: environment, current, sea bed, each
+/// material, each section, ends, payload, floats, modules, start, solver, output.
 ///
 /// `text` is the text the case was parsed from; a text that is not TOML gives no rows.
 #[must_use]
@@ -61,6 +61,9 @@ impl Lister<'_> {
         for table in ["environment", "current"] {
             rows.extend(self.table(table, &[table], table));
         }
+        if self.case.seabed.is_some() {
+            rows.extend(self.table("seabed", &["seabed"], "sea bed"));
+        }
         rows.extend(self.named("materials", "material"));
         rows.extend(self.named("line", "section"));
         for (letter, end) in [("a", &self.case.ends.a), ("b", &self.case.ends.b)] {
@@ -74,6 +77,7 @@ impl Lister<'_> {
             }
         }
         rows.extend(self.named("floats", "floats on"));
+        rows.extend(self.named("modules", "modules on"));
         for table in ["start", "solver", "output"] {
             rows.extend(self.table(table, &[table], table));
         }

@@ -42,6 +42,7 @@ pub static TABLES: &[Table] = &[
         false,
         "The current; absent means still water.",
     ),
+    table("seabed", One, false, "A flat sea bed under the line."),
     table(
         "materials",
         ByName,
@@ -79,6 +80,12 @@ pub static TABLES: &[Table] = &[
         ListOf,
         false,
         "Floats spread evenly over a stretch of a section.",
+    ),
+    table(
+        "modules",
+        ListOf,
+        false,
+        "Buoyancy modules clamped on a stretch of a section, one a pitch.",
     ),
     table(
         "start",
@@ -135,10 +142,15 @@ pub static FIELDS: &[Field] = &[
     field("current.direction_deg", NumberOrList, "deg", Range::of(-360.0, 360.0),  Default("0.0"), "current direction", "Where the water flows to, from +x towards +y: one number, or one for each depth."),
     field("current.depth_m",       List,         "m",   Range::of(0.0, 2e4),       Means("the same at every depth"), "current depths", "Depths below still water, increasing; linear in between, constant beyond."),
 
+    field("seabed.depth_m",               Number, "m",      Range::of(0.0, 2e4),   Required,       "depth", "Depth of the bed below still water."),
+    field("seabed.stiffness_n_per_m3",    Number, "N/m³",   Range::positive(1e12), Default("1.0e5"), "stiffness", "Push of the bed per area and depth below it."),
+    field("seabed.damping_n_s_per_m3",    Number, "N s/m³", Range::of(0.0, 1e12),  Default("0.0"), "damping", "Push of the bed per area and speed into it."),
+
     field("materials.*.diameter_m",               Number,          "m",    Range::positive(10.0),     Required, "diameter", "Outer diameter, which drag, buoyancy and added mass refer to."),
     field("materials.*.mass_kg_per_m",            Number,          "kg/m", Range::positive(1e6),      Required, "mass", "Mass in air per unstretched length."),
     field("materials.*.wet_weight_kg_per_m",      Number,          "kg/m", Range::of(-1e6, 1e6),      Means("mass less displaced water"), "wet weight", "Weight in water, as mass per unstretched length; negative floats."),
     field("materials.*.ea_n",                     Number,          "N",    Range::positive(1e13),     Required, "axial stiffness EA", "Tension per strain."),
+    field("materials.*.ei_n_m2",                  Number,          "N m²", Range::of(0.0, 1e12),      Default("0.0"), "bending stiffness EI", "Moment per curvature; 0 for ropes and chains. What bends also bears compression."),
     field("materials.*.axial_damping_n_s",        Number,          "N s",  Range::of(0.0, 1e13),      Means("no axial damping"), "axial damping", "Tension per strain rate. Give this or axial_damping_ratio."),
     field("materials.*.axial_damping_ratio",      Number,          "-",    Range::of(0.0, 10.0),      Means("no axial damping"), "axial damping ratio", "Fraction of critical of a segment's highest axial mode. Give this or axial_damping_n_s."),
     field("materials.*.drag_normal",              NORMAL_DRAG,     "-",    Range::of(0.0, 100.0),     Default("0.0"), "normal drag", "Coefficient on the diameter, or a law of the Reynolds number by name."),
@@ -160,6 +172,8 @@ pub static FIELDS: &[Field] = &[
     field("ends.a.period_s",    Number,    "s",   Range::positive(1e5),      Means("no motion"), "motion period", "Period of the prescribed motion; a moving end needs it."),
     field("ends.a.phase_deg",   Triple,    "deg", Range::of(-360.0, 360.0),  Default("[0.0, 0.0, 0.0]"), "motion phase", "Phase of the prescribed motion."),
     field("ends.a.ramp_s",      Number,    "s",   Range::of(0.0, 1e6),       Default("0.0"), "motion ramp", "The prescribed motion grows smoothly from nothing over this time."),
+    field("ends.a.clamp_elevation_deg", Number, "deg", Range::of(-90.0, 90.0),   Means("hinged"), "clamp elevation", "Clamps the end: angle of the line there above the horizontal, going from A to B."),
+    field("ends.a.clamp_azimuth_deg",   Number, "deg", Range::of(-360.0, 360.0), Default("0.0"),  "clamp azimuth", "Direction of a clamped end in plan, from +x towards +y, going from A to B."),
     field("ends.b.name",        Name,      "",    ANY,                       Required, "name", "Name of the end, used in channel names."),
     field("ends.b.kind",        END_KINDS, "",    ANY,                       Required, "kind", "What holds the end."),
     field("ends.b.position_m",  Triple,    "m",   Range::of(-1e6, 1e6),      Means("given by the start shape"), "position", "Position, z up from still water; held ends need it."),
@@ -167,6 +181,8 @@ pub static FIELDS: &[Field] = &[
     field("ends.b.period_s",    Number,    "s",   Range::positive(1e5),      Means("no motion"), "motion period", "Period of the prescribed motion; a moving end needs it."),
     field("ends.b.phase_deg",   Triple,    "deg", Range::of(-360.0, 360.0),  Default("[0.0, 0.0, 0.0]"), "motion phase", "Phase of the prescribed motion."),
     field("ends.b.ramp_s",      Number,    "s",   Range::of(0.0, 1e6),       Default("0.0"), "motion ramp", "The prescribed motion grows smoothly from nothing over this time."),
+    field("ends.b.clamp_elevation_deg", Number, "deg", Range::of(-90.0, 90.0),   Means("hinged"), "clamp elevation", "Clamps the end: angle of the line there above the horizontal, going from A to B."),
+    field("ends.b.clamp_azimuth_deg",   Number, "deg", Range::of(-360.0, 360.0), Default("0.0"),  "clamp azimuth", "Direction of a clamped end in plan, from +x towards +y, going from A to B."),
 
     field("payload.dry_mass_kg",   Number,         "kg", Range::positive(1e10),   Required, "dry mass", "Mass in air."),
     field("payload.wet_mass_kg",   Number,         "kg", Range::of(-1e10, 1e10),  Means("from the volume"), "wet mass", "Weight in water, as mass. Give this or volume_m3."),
@@ -188,6 +204,16 @@ pub static FIELDS: &[Field] = &[
     field("floats.*.mass_kg",       Number, "kg", Range::of(0.0, 1e9),    Default("0.0"), "mass", "Mass of all of them."),
     field("floats.*.drag_area_m2",  Number, "m²", Range::of(0.0, 1e6),    Default("0.0"), "drag area", "Drag coefficient times area of all of them, across the line."),
     field("floats.*.added_mass_kg", Number, "kg", Range::of(0.0, 1e9),    Default("0.0"), "added mass", "Added mass of all of them, across the line."),
+
+    field("modules.*.section",             Text,   "",      ANY,                  Required,       "section", "The section they sit on."),
+    field("modules.*.from_m",              Number, "m",     Range::of(0.0, 1e5),  Default("0.0"), "from", "Where the stretch begins, from the section's end nearer to A."),
+    field("modules.*.to_m",                Number, "m",     Range::positive(1e5), Means("the section's end"), "to", "Where the stretch ends, from the section's end nearer to A."),
+    field("modules.*.diameter_m",          Number, "m",     Range::positive(50.0), Required,      "diameter", "Outer diameter of a module."),
+    field("modules.*.length_m",            Number, "m",     Range::positive(100.0), Required,     "length", "Length of a module along the line."),
+    field("modules.*.pitch_m",             Number, "m",     Range::positive(1e3), Required,       "pitch", "Distance from one module to the next; at least a module's length."),
+    field("modules.*.density_kg_per_m3",   Number, "kg/m³", Range::positive(2e4), Required,       "density", "Density of a module's material."),
+    field("modules.*.fittings_kg",         Number, "kg",    Range::of(0.0, 1e6),  Default("0.0"), "fittings", "Mass of what holds a module in place, each."),
+    field("modules.*.drag_normal",         Number, "-",     Range::of(0.0, 20.0), Default("0.0"), "normal drag", "Normal drag coefficient of a module on its diameter."),
 
     field("start.shape",         Choice(&["straight", "equilibrium"]), "", ANY,    Default("\"equilibrium\""), "start shape", "How the line lies at time zero: straight and unstretched, or in static equilibrium."),
     field("start.azimuth_deg",   Number, "deg", Range::of(-360.0, 360.0),          Default("0.0"), "start azimuth", "Azimuth of a straight line with a free end, from +x towards +y."),

@@ -36,6 +36,11 @@ pub struct End {
     /// The motion grows smoothly from nothing over this time \[s\].
     #[serde(default)]
     pub ramp_s: f64,
+    /// Clamps the end: angle of the line there above the horizontal, going from A to B \[deg\]; absent: hinged.
+    pub clamp_elevation_deg: Option<f64>,
+    /// Direction of a clamped end in plan, from +x towards +y, going from A to B \[deg\].
+    #[serde(default)]
+    pub clamp_azimuth_deg: f64,
 }
 
 /// What holds an end.

@@ -14,6 +14,9 @@ pub struct Material {
     pub wet_weight_kg_per_m: Option<f64>,
     /// Axial stiffness EA \[N\].
     pub ea_n: f64,
+    /// Bending stiffness EI \[N m²\]; 0 for ropes and chains. A material that bends also bears compression.
+    #[serde(default)]
+    pub ei_n_m2: f64,
     /// Axial damping \[N s\]: tension per strain rate. At most one of this and the ratio.
     pub axial_damping_n_s: Option<f64>,
     /// Axial damping as a fraction of critical of a segment's highest axial mode \[-\].
@@ -113,4 +116,32 @@ pub struct Floats {
     /// Normal added mass of all of them \[kg\].
     #[serde(default)]
     pub added_mass_kg: f64,
+}
+
+/// Buoyancy modules clamped on a stretch of a section, one a pitch. Their volume, mass and drag are spread over the
+/// stretch (the umbilical paper, its eqs 20 and 21).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Modules {
+    /// The section they sit on.
+    pub section: String,
+    /// Where the stretch begins, from the section's end nearer to A \[m\].
+    #[serde(default)]
+    pub from_m: f64,
+    /// Where it ends \[m\]; absent: the section's end.
+    pub to_m: Option<f64>,
+    /// Outer diameter of a module \[m\].
+    pub diameter_m: f64,
+    /// Length of a module \[m\].
+    pub length_m: f64,
+    /// Distance from one module to the next \[m\].
+    pub pitch_m: f64,
+    /// Density of a module's material \[kg/m³\].
+    pub density_kg_per_m3: f64,
+    /// Mass of what holds each module in place \[kg\].
+    #[serde(default)]
+    pub fittings_kg: f64,
+    /// Normal drag coefficient of a module on its diameter \[-\].
+    #[serde(default)]
+    pub drag_normal: f64,
 }

@@ -106,3 +106,21 @@ impl Default for Output {
         }
     }
 }
+
+/// A flat sea bed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Seabed {
+    /// Depth below still water \[m\].
+    pub depth_m: f64,
+    /// Push per area and depth below it \[N/m³\].
+    #[serde(default = "bed_stiffness")]
+    pub stiffness_n_per_m3: f64,
+    /// Push per area and speed into it \[N s/m³\].
+    #[serde(default)]
+    pub damping_n_s_per_m3: f64,
+}
+
+fn bed_stiffness() -> f64 {
+    1.0e5
+}

@@ -1,6 +1,8 @@
-//! The block-tridiagonal system of one line: 3 x 3 blocks, not necessarily symmetric.
+//! The banded system of one line: 3 x 3 blocks, not necessarily symmetric, block-tridiagonal or, with bending,
+//! block-pentadiagonal.
 //!
-//! Row i reads `lower[i] x[i-1] + diag[i] x[i] + upper[i] x[i+1] = r[i]`. The elimination runs from
+//! Row i reads `lower[i] x[i-1] + diag[i] x[i] + upper[i] x[i+1] = r[i]`, with bending also
+//! `far_lower[i] x[i-2] + far_upper[i] x[i+2]` on the left. The elimination runs from
 //! both ends at once and meets in the middle: the two chains do not depend on each other, so a
 //! processor works on both, where one chain alone would leave it waiting. Blocks are factored without
 //! pivoting, which the tangents of a line (mass plus stiffness) bear; a pivot that vanishes against
@@ -10,15 +12,19 @@ use std::ops::Range;
 
 use super::{M3, V3};
 
-/// A block-tridiagonal matrix with room for its own elimination; allocates only when made.
+/// A banded matrix of blocks with room for its own elimination; allocates only when made.
 #[derive(Debug, Clone)]
-pub struct BlockTri {
+pub struct BlockBand {
     /// Blocks on the diagonal, one a node.
     pub diag: Vec<M3>,
     /// `upper[i]` couples row i to node i + 1.
     pub upper: Vec<M3>,
     /// `lower[i]` couples row i to node i - 1.
     pub lower: Vec<M3>,
+    /// `far_upper[i]` couples row i to node i + 2; empty where nothing bends.
+    pub far_upper: Vec<M3>,
+    /// `far_lower[i]` couples row i to node i - 2; empty where nothing bends.
+    pub far_lower: Vec<M3>,
 }
 
 /// A pivot vanished in the block of this node.
@@ -29,22 +35,30 @@ pub struct SingularBlock {
     pub node: usize,
 }
 
-impl BlockTri {
-    /// A zero matrix for `nodes` nodes.
+impl BlockBand {
+    /// A zero block-tridiagonal matrix for `nodes` nodes.
     #[must_use]
     pub fn new(nodes: usize) -> Self {
         Self {
             diag: vec![M3::zeros(); nodes],
             upper: vec![M3::zeros(); nodes],
             lower: vec![M3::zeros(); nodes],
+            far_upper: Vec::new(),
+            far_lower: Vec::new(),
         }
     }
 
-    /// Sets every block to zero.
-    pub fn clear(&mut self) {
-        self.diag.fill(M3::zeros());
-        self.upper.fill(M3::zeros());
-        self.lower.fill(M3::zeros());
+    /// Makes room for the couplings of bending, all zero.
+    pub fn widen(&mut self) {
+        let nodes = self.diag.len();
+        self.far_upper.resize(nodes, M3::zeros());
+        self.far_lower.resize(nodes, M3::zeros());
+    }
+
+    /// Whether there is room for the couplings of bending.
+    #[must_use]
+    pub fn is_wide(&self) -> bool {
+        !self.far_upper.is_empty()
     }
 
     /// Solves for the rows and nodes of `range`, couplings that leave it left out. `r` holds the
@@ -55,6 +69,9 @@ impl BlockTri {
     pub fn solve(&mut self, range: Range<usize>, r: &mut [V3]) -> Result<(), SingularBlock> {
         if range.is_empty() {
             return Ok(());
+        }
+        if self.is_wide() {
+            return self.solve_wide(range, r);
         }
         let (first, last) = (range.start, range.end - 1);
         let middle = first + (last - first) / 2;
@@ -81,6 +98,43 @@ impl BlockTri {
             if middle + k <= last {
                 let i = middle + k;
                 let x = self.lower[i] * r[i - 1];
+                r[i] -= x;
+            }
+        }
+        Ok(())
+    }
+
+    /// Elimination of five bands, from the first node to the last and back.
+    fn solve_wide(&mut self, range: Range<usize>, r: &mut [V3]) -> Result<(), SingularBlock> {
+        let end = range.end;
+        for i in range.clone() {
+            let lu = Lu::new(&self.diag[i]).ok_or(SingularBlock { node: i })?;
+            let y = lu.solve(&r[i]);
+            r[i] = y;
+            if i + 1 >= end {
+                continue;
+            }
+            let near = lu.solve_block(&self.upper[i]);
+            let far = lu.solve_block(&self.far_upper[i]);
+            let below = self.lower[i + 1];
+            subtract_product(&mut self.diag[i + 1], &below, &near);
+            subtract_product(&mut self.upper[i + 1], &below, &far);
+            r[i + 1] -= below * y;
+            if i + 2 < end {
+                let below = self.far_lower[i + 2];
+                subtract_product(&mut self.lower[i + 2], &below, &near);
+                subtract_product(&mut self.diag[i + 2], &below, &far);
+                r[i + 2] -= below * y;
+            }
+            (self.upper[i], self.far_upper[i]) = (near, far);
+        }
+        for i in range.rev() {
+            if i + 1 < end {
+                let x = self.upper[i] * r[i + 1];
+                r[i] -= x;
+            }
+            if i + 2 < end {
+                let x = self.far_upper[i] * r[i + 2];
                 r[i] -= x;
             }
         }
@@ -196,7 +250,7 @@ mod tests {
     use nalgebra::{DMatrix, DVector};
     use proptest::prelude::*;
 
-    fn dense(m: &BlockTri, n: usize) -> DMatrix<f64> {
+    fn dense(m: &BlockBand, n: usize) -> DMatrix<f64> {
         let mut a = DMatrix::zeros(3 * n, 3 * n);
         for i in 0..n {
             a.fixed_view_mut::<3, 3>(3 * i, 3 * i).copy_from(&m.diag[i]);
@@ -205,6 +259,12 @@ mod tests {
                     .copy_from(&m.upper[i]);
                 a.fixed_view_mut::<3, 3>(3 * i + 3, 3 * i)
                     .copy_from(&m.lower[i + 1]);
+            }
+            if i + 2 < n && m.is_wide() {
+                a.fixed_view_mut::<3, 3>(3 * i, 3 * i + 6)
+                    .copy_from(&m.far_upper[i]);
+                a.fixed_view_mut::<3, 3>(3 * i + 6, 3 * i)
+                    .copy_from(&m.far_lower[i + 2]);
             }
         }
         a
@@ -215,13 +275,19 @@ mod tests {
         #[test]
         fn agrees_with_dense_lu(
             n in 1usize..9,
+            wide in any::<bool>(),
             entries in proptest::collection::vec(-1.0f64..1.0, 9 * 9 * 3 + 27),
         ) {
-            let mut m = BlockTri::new(n);
+            let mut m = BlockBand::new(n);
             let mut next = entries.iter().copied().cycle();
             let mut block = || M3::from_fn(|_, _| next.next().unwrap());
+            if wide {
+                m.widen();
+                m.far_upper.fill_with(&mut block);
+                m.far_lower.fill_with(&mut block);
+            }
             for i in 0..n {
-                m.diag[i] = block() + M3::identity() * 8.0;
+                m.diag[i] = block() + M3::identity() * 12.0;
                 m.upper[i] = block();
                 m.lower[i] = block();
             }
@@ -239,7 +305,7 @@ mod tests {
 
     #[test]
     fn a_singular_block_is_named() {
-        let mut m = BlockTri::new(3);
+        let mut m = BlockBand::new(3);
         m.diag[0] = M3::identity();
         m.diag[2] = M3::identity();
         let mut r = vec![V3::zeros(); 3];
@@ -248,7 +314,7 @@ mod tests {
 
     #[test]
     fn not_a_number_is_refused() {
-        let mut m = BlockTri::new(1);
+        let mut m = BlockBand::new(1);
         m.diag[0] = M3::identity() * f64::NAN;
         assert!(m.solve(0..1, &mut [V3::zeros()]).is_err());
     }

@@ -1,0 +1,63 @@
+//! Floats and buoyancy modules, spread over the segments they sit on.
+
+use std::f64::consts::FRAC_PI_4;
+
+use super::Segment;
+use crate::case;
+
+/// Length of the stretch from `from` to `to` \[m\] (the section's end where open) that lies on a piece of the section.
+fn overlap(from: f64, to: Option<f64>, section: f64, piece: (f64, f64)) -> f64 {
+    (piece.1.min(to.unwrap_or(section)) - piece.0.max(from)).max(0.0)
+}
+
+/// Adds the share of floats whose stretch overlaps this part of the section.
+pub(super) fn add_floats(
+    water: &case::Environment,
+    floats: &case::Floats,
+    section_length: f64,
+    (from, to): (f64, f64),
+    segment: &mut Segment,
+) {
+    let end = floats.to_m.unwrap_or(section_length);
+    let stretch = end - floats.from_m;
+    let overlap = overlap(floats.from_m, floats.to_m, section_length, (from, to));
+    if stretch <= 0.0 || overlap == 0.0 {
+        return;
+    }
+    let share = overlap / stretch;
+    segment.half_mass += 0.5 * share * floats.mass_kg;
+    segment.half_weight -= 0.5 * share * floats.lift_kg * water.gravity_m_per_s2;
+    segment.added.normal += 0.5 * share * floats.added_mass_kg;
+    segment.drag.floats +=
+        0.5 * water.water_density_kg_per_m3 * floats.drag_area_m2 * share / (to - from);
+}
+
+/// Adds the share of buoyancy modules on this part of the section, by the umbilical paper's equivalence: volume and
+/// mass per length are kept (its eqs 20 and 21), `V = pi/4 (Df² - Dp²) Lf / Sf` and `M = V rho_f + M_fh / Sf`, and so is
+/// drag, `[C_Df Df Lf + C_D Dp (Sf - Lf)] / Sf`. The line under a module keeps its own stiffness.
+pub(super) fn add_modules(
+    water: &case::Environment,
+    modules: &case::Modules,
+    bare_diameter: f64,
+    section_length: f64,
+    piece: (f64, f64),
+    segment: &mut Segment,
+) {
+    let covered = overlap(modules.from_m, modules.to_m, section_length, piece);
+    let share = covered / (piece.1 - piece.0);
+    let filled = modules.length_m / modules.pitch_m;
+    let ring = modules.diameter_m.powi(2) - bare_diameter.powi(2);
+    let volume = FRAC_PI_4 * ring * filled;
+    let mass = volume * modules.density_kg_per_m3 + modules.fittings_kg / modules.pitch_m;
+    let displaced = volume * water.water_density_kg_per_m3;
+    segment.half_mass += 0.5 * covered * mass;
+    segment.half_weight += 0.5 * covered * (mass - displaced) * water.gravity_m_per_s2;
+    segment.added.normal += 0.5 * covered * displaced;
+    segment.drag.normal *= 1.0 - share * filled;
+    segment.drag.floats += 0.5
+        * water.water_density_kg_per_m3
+        * modules.drag_normal
+        * modules.diameter_m
+        * filled
+        * share;
+}

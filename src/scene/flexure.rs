@@ -1,0 +1,144 @@
+//! Bending of the whole line: at its inner nodes and at clamped ends.
+
+use crate::linalg::{BlockBand, M3, V3};
+use crate::physics::bending::{bend, bend_tangent, curvature};
+use crate::physics::tension::Chord;
+use crate::solve::State;
+
+use super::Scene;
+
+/// What bends, and what clamps.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Flexure {
+    /// Stiffness of the bend at every node, EI / l \[N m\]; zero at the ends and at hinges.
+    pub joints: Vec<f64>,
+    /// Mean unstretched length of the segments that meet at every node \[m\]; half a segment at an end.
+    pub spans: Vec<f64>,
+    /// Clamped ends A and B: the direction of the line there, from A to B, and the stiffness of the bend \[N m\].
+    pub clamps: [Option<(V3, f64)>; 2],
+}
+
+impl Flexure {
+    /// Adds the moments' forces to the residual.
+    pub(super) fn add_forces(&self, scene: &Scene, state: &State, r: &mut [V3]) {
+        let last = scene.segments.len();
+        for i in 1..last {
+            let k = self.joints[i];
+            if k > 0.0 {
+                let (a, b) = (scene.chord(i - 1, state), scene.chord(i, state));
+                let g = bend(k, (&a.tangent, a.inverse), (&b.tangent, b.inverse));
+                r[i - 1] -= g.by_first;
+                r[i] += g.by_first - g.by_second;
+                r[i + 1] += g.by_second;
+            }
+        }
+        for end in 0..2 {
+            if let Some((direction, k)) = &self.clamps[end] {
+                let i = if end == 0 { 0 } else { last - 1 };
+                let g = clamped(*k, direction, &scene.chord(i, state));
+                r[i] -= g;
+                r[i + 1] += g;
+            }
+        }
+    }
+
+    /// Adds the derivatives of those forces, times `share`.
+    pub(super) fn add_tangent(
+        &self,
+        scene: &Scene,
+        state: &State,
+        share: f64,
+        tangent: &mut BlockBand,
+    ) {
+        tangent.far_upper.fill(M3::zeros());
+        tangent.far_lower.fill(M3::zeros());
+        let last = scene.segments.len();
+        for i in 1..last {
+            let k = self.joints[i] * share;
+            if k > 0.0 {
+                let (a, b) = (scene.chord(i - 1, state), scene.chord(i, state));
+                let h = bend_tangent(k, (&a.tangent, a.inverse), (&b.tangent, b.inverse));
+                let mixed = h.mixed.transpose();
+                tangent.diag[i - 1] += h.first;
+                tangent.diag[i] += h.first + h.second - h.mixed - mixed;
+                tangent.diag[i + 1] += h.second;
+                tangent.upper[i - 1] += h.mixed - h.first;
+                tangent.lower[i] += mixed - h.first;
+                tangent.upper[i] += h.mixed - h.second;
+                tangent.lower[i + 1] += mixed - h.second;
+                tangent.far_upper[i - 1] -= h.mixed;
+                tangent.far_lower[i + 1] -= mixed;
+            }
+        }
+        for end in 0..2 {
+            if let Some((direction, k)) = &self.clamps[end] {
+                let i = if end == 0 { 0 } else { last - 1 };
+                let chord = scene.chord(i, state);
+                let own =
+                    bend_tangent(k * share, (&chord.tangent, chord.inverse), (direction, 0.0))
+                        .first;
+                tangent.diag[i] += own;
+                tangent.diag[i + 1] += own;
+                tangent.upper[i] -= own;
+                tangent.lower[i + 1] -= own;
+            }
+        }
+    }
+
+    /// Curvature \[1/m\] at every node.
+    #[must_use]
+    pub fn curvatures(&self, scene: &Scene, state: &State) -> Vec<f64> {
+        let last = scene.segments.len();
+        let tangents: Vec<V3> = (0..last).map(|i| scene.chord(i, state).tangent).collect();
+        let at_clamp = |end: usize, t: &V3, node: usize| {
+            self.clamps[end].map_or(0.0, |(direction, _)| {
+                curvature(&direction, t, self.spans[node])
+            })
+        };
+        (0..=last)
+            .map(|i| match i {
+                0 => at_clamp(0, &tangents[0], 0),
+                i if i == last => at_clamp(1, &tangents[last - 1], last),
+                i => curvature(&tangents[i - 1], &tangents[i], self.spans[i]),
+            })
+            .collect()
+    }
+
+    /// Bending moment \[N m\] at every node.
+    #[must_use]
+    pub fn moments(&self, scene: &Scene, state: &State) -> Vec<f64> {
+        let last = scene.segments.len();
+        let stiffness = |i: usize| match i {
+            0 => self.clamps[0].map_or(0.0, |c| c.1),
+            i if i == last => self.clamps[1].map_or(0.0, |c| c.1),
+            i => self.joints[i],
+        };
+        let curvatures = self.curvatures(scene, state);
+        curvatures
+            .iter()
+            .enumerate()
+            .map(|(i, c)| c * self.spans[i] * stiffness(i))
+            .collect()
+    }
+
+    /// Energy of bending \[J\].
+    #[must_use]
+    pub fn energy(&self, scene: &Scene, state: &State) -> f64 {
+        let last = scene.segments.len();
+        let tangent = |i: usize| scene.chord(i, state).tangent;
+        let inner: f64 = (1..last)
+            .map(|i| self.joints[i] * (1.0 - tangent(i - 1).dot(&tangent(i))))
+            .sum();
+        let ends = [0, last - 1].into_iter().zip(&self.clamps);
+        inner
+            + ends
+                .filter_map(|(i, c)| c.map(|(d, k)| k * (1.0 - d.dot(&tangent(i)))))
+                .sum::<f64>()
+    }
+}
+
+/// Gradient of a clamp's energy by its segment's chord. The bend is symmetric in its two directions, so that end B
+/// needs no case of its own.
+fn clamped(k: f64, direction: &V3, chord: &Chord) -> V3 {
+    bend(k, (&chord.tangent, chord.inverse), (direction, 0.0)).by_first
+}
