@@ -78,7 +78,7 @@ pub(super) struct RunWords {
     #[arg(long)]
     pub(super) solver: Option<SolverWord>,
 
-    /// The directory to write, which must not exist yet; runs/<case>-<time> unless given.
+    /// The directory to write, which must not exist yet; runs/CASE-TIME unless given.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
 

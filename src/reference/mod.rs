@@ -1,8 +1,8 @@
 //! Published data, and how a run is held against it.
 //!
 //! A case states what its source printed: values with tolerances ([`Published`](crate::case::Published))
-//! and statements of trend ([`Trend`](crate::case::Trend)). [`plan`] says which variants of the case
-//! have to be computed for them, [`rows`] holds the runs against them, [`tally`] counts the outcomes.
+//! and statements of trend ([`Trend`](crate::case::Trend)). [`plan()`] says which variants of the case
+//! have to be computed for them, [`rows()`] holds the runs against them, [`tally()`] counts the outcomes.
 //!
 //! Two errors are kept apart: the *difference* of a row is what model and source disagree by, the
 //! *error* is what the computation itself may be off by. A row whose error is not small beside its
@@ -31,7 +31,7 @@ use crate::{
 /// Holds runs against everything the case states: first the values, then the trends, in the order
 /// of the file.
 ///
-/// `lookup` gives the run of a variant ([`plan`]), `None` being the case as it stands; a row whose run
+/// `lookup` gives the run of a variant ([`plan()`]), `None` being the case as it stands; a row whose run
 /// it does not give reads NOT RUN.
 #[must_use]
 pub fn rows<'r>(case: &Case, lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>) -> Vec<Row> {

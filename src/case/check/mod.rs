@@ -1,5 +1,5 @@
 //! Checks of a case file. [`keys`] holds every table and value against the table of fields;
-//! [`line`], [`loads`] and [`claims`] hold values against each other. Every check works on the tree
+//! [`mod@line`], [`loads`] and [`claims`] hold values against each other. Every check works on the tree
 //! of the file and passes over what is missing or malformed, so that all faults are told at once,
 //! each at its place.
 

@@ -1,6 +1,6 @@
 //! Charts as data (axes, series, marks, cursor) and their drawing in characters.
 //!
-//! A [`Chart`] says what is shown; [`draw`] turns it into a [`Picture`], a grid of characters each
+//! A [`Chart`] says what is shown; [`draw()`] turns it into a [`Picture`], a grid of characters each
 //! with an [`Ink`] that says what it is. Screen and report draw the same chart; only the screen
 //! turns inks into colours, and nothing is told by colour alone: every series has a marker of its
 //! own, shown in the legend and along its line.
