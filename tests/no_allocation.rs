@@ -1,0 +1,140 @@
+//! A step allocates nothing, whatever the method, and also when it is refused and halved: all memory is taken
+//! when the method is made, or at its first step (what a line remembers from step to step).
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
+use std::ops::Range;
+use std::path::Path;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use allocation_counter::measure;
+use seacable::case;
+use seacable::dynamics::alpha::{Alpha, Control};
+use seacable::dynamics::quasi::Quasi;
+use seacable::dynamics::rk4::Rk4;
+use seacable::dynamics::{March, Step, Stepper};
+use seacable::linalg::{BlockTri, V3};
+use seacable::scene::{self, Scene};
+use seacable::solve::{Factors, Instant, Progressing, State, System};
+
+/// A line whose force is not finite at two successive calls of many (a quasi-static step tries twice), so that a step
+/// is refused.
+struct Spoilt {
+    scene: Scene,
+    calls: AtomicU64,
+    spoilt: u64,
+}
+
+impl Spoilt {
+    fn spoils(&self) -> bool {
+        (self.spoilt..self.spoilt + 2).contains(&self.calls.fetch_add(1, Ordering::Relaxed))
+    }
+}
+
+impl System for Spoilt {
+    fn nodes(&self) -> usize {
+        self.scene.nodes()
+    }
+    fn free(&self) -> Range<usize> {
+        self.scene.free()
+    }
+    fn prescribe(&self, t: f64, state: &mut State) {
+        self.scene.prescribe(t, state);
+    }
+    fn residual(&self, t: f64, state: &State, r: &mut [V3]) {
+        self.scene.residual(t, state, r);
+    }
+    fn linearise(&self, t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockTri) {
+        self.scene.linearise(t, state, c, r, tangent);
+        if self.spoils() {
+            r[3].x = f64::NAN;
+        }
+    }
+    fn accelerate(&self, t: f64, state: &mut State) {
+        self.scene.accelerate(t, state);
+        if self.spoils() {
+            state.a[3].x = f64::NAN;
+        }
+    }
+    fn remember(&self, state: &mut State) {
+        self.scene.remember(state);
+    }
+    fn force_scale(&self) -> f64 {
+        self.scene.force_scale()
+    }
+    fn position_tolerance(&self, relative: f64) -> f64 {
+        self.scene.position_tolerance(relative)
+    }
+}
+
+/// Marches the manifold's line, two calls spoilt, and counts what is allocated meanwhile.
+fn check(mut method: impl Stepper, spoilt: u64, step: f64) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/pendulous/manifold.toml");
+    let system = Spoilt {
+        scene: scene::build(&case::load(&path).unwrap().case, 1).unwrap(),
+        calls: AtomicU64::new(0),
+        spoilt,
+    };
+    let mut state = system.scene.initial_state();
+    system.scene.accelerate(0.0, &mut state);
+    let march = March {
+        duration: 400.0 * step,
+        step,
+        output: 20.0 * step,
+    };
+    let first = Step {
+        t: 0.0,
+        dt: step,
+        refuse: false,
+    };
+    method.step(&system, first, &mut state).unwrap();
+    let mut seen = 0_u64;
+    let mut ended = None;
+    let info = measure(|| {
+        ended = Some(
+            march.run(&mut method, &system, &mut state, &mut |_: Instant<'_>| {
+                seen += 1;
+                Progressing::Continue
+            }),
+        );
+    });
+    let outcome = ended.unwrap().unwrap();
+    assert!(
+        outcome.rejections >= 1 && outcome.steps > 400,
+        "{outcome:?}"
+    );
+    assert_eq!(seen, outcome.steps + 1);
+    assert_eq!((info.count_total, info.bytes_total), (0, 0), "{info:?}");
+}
+
+/// Nodes of the manifold's line.
+const NODES: usize = 58;
+
+#[test]
+fn a_step_of_runge_kutta_allocates_nothing() {
+    check(Rk4::new(NODES), 1000, 0.003);
+}
+
+#[test]
+fn a_step_of_generalized_alpha_allocates_nothing() {
+    check(Alpha::new(NODES, 0.4, 1e-6, 30), 500, 0.1);
+    let control = Control {
+        position: 1e-3,
+        velocity: 1e-3,
+    };
+    check(
+        Alpha::new(NODES, 0.4, 1e-6, 30).controlled(control),
+        500,
+        0.25,
+    );
+}
+
+#[test]
+fn a_quasi_static_step_allocates_nothing() {
+    check(Quasi::new(NODES, 1e-6, 30), 500, 0.25);
+}
+
+#[test]
+fn the_counter_counts() {
+    let info = measure(|| drop(std::hint::black_box(vec![1_u8; 100])));
+    assert_eq!(info.count_total, 1);
+}
