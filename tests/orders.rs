@@ -1,0 +1,168 @@
+//! Orders of convergence, in time and in the length of segments: by least squares over at least four steps, and
+//! every slope between neighbours besides. Constant drag coefficients, taut throughout, nothing that sets in with
+//! a kink: what is measured is the method.
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
+
+use seacable::dynamics::quasi::Quasi;
+use seacable::dynamics::{March, Step, StepError, Stepper, Tally};
+use seacable::linalg::V3;
+use seacable::scene::Scene;
+use seacable::solve::{State, System};
+
+mod lines;
+#[path = "lines/march.rs"]
+mod march;
+
+/// Slopes of log error over log step: over all by least squares, then between neighbours.
+fn slopes(points: &[(f64, f64)]) -> (f64, Vec<f64>) {
+    assert!(points.len() >= 4);
+    let logs: Vec<(f64, f64)> = points.iter().map(|(h, e)| (h.ln(), e.ln())).collect();
+    let n = logs.len() as f64;
+    let (mx, my) = logs
+        .iter()
+        .fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
+    let (above, below) = logs.iter().fold((0.0, 0.0), |s, (x, y)| {
+        (s.0 + (x - mx) * (y - my), s.1 + (x - mx) * (x - mx))
+    });
+    let pairs = logs
+        .windows(2)
+        .map(|p| (p[1].1 - p[0].1) / (p[1].0 - p[0].0));
+    (above / below, pairs.collect())
+}
+
+/// Asserts an order over all points, and between each two neighbours.
+fn assert_order(what: &str, points: &[(f64, f64)], order: f64, (fit, pair): (f64, f64)) {
+    let (slope, pairs) = slopes(points);
+    eprintln!("{what}: {slope:.3} {pairs:.3?} {points:.3e?}");
+    assert!(
+        (slope - order).abs() < fit,
+        "{what}: order {slope:.3}, {pairs:.3?}, {points:.3e?}"
+    );
+    for p in &pairs {
+        assert!(
+            (p - order).abs() < pair,
+            "{what}: order {slope:.3}, {pairs:.3?}, {points:.3e?}"
+        );
+    }
+}
+
+/// A payload in a current, swung by its upper end from rest. The motion grows over the whole run, without a kink
+/// in its acceleration; the current is faster than anything that moves, so that no drag passes through zero.
+const SWUNG: &str = r#"
+    environment.water_density_kg_per_m3 = 1025.0
+    current.speed_m_per_s = 2.0
+    materials.rope = { mass_kg_per_m = 12.0, drag_normal = 1.2, drag_tangential = 0.02, added_mass_normal = 1.0, axial_damping_n_s = 2e4, ea_n = 2e5 }
+    line.segments = 5
+    ends.a = { kind = "moving", amplitude_m = [1.0, 2.0, 0.5], period_s = 10.0, ramp_s = 20.0 }
+    ends.b = { name = "bob", kind = "payload" }
+    payload = { dry_mass_kg = 1000.0, wet_mass_kg = 700.0, drag_area_m2 = 1.0, added_mass_kg = 500.0 }
+"#;
+
+const DURATION: f64 = 16.0;
+
+/// The state of the swung line at the end.
+fn swung(scene: &Scene, method: impl Stepper, step: f64) -> State {
+    let mut state = march::at_rest(scene);
+    march::march(method, scene, &mut state, (DURATION, step), |_, s| {
+        for i in 0..scene.segments.len() {
+            assert!(scene.segments[i].axial.tension(&scene.chord(i, s)).value > 0.0);
+        }
+    });
+    state
+}
+
+/// Greatest difference of two states in position [m] and velocity [m/s].
+fn apart(a: &State, b: &State) -> f64 {
+    let pairs = a.x.iter().chain(&a.v).zip(b.x.iter().chain(&b.v));
+    pairs.map(|(p, q)| (p - q).norm()).fold(0.0, f64::max)
+}
+
+/// Steps of `longest`, halved so many times, against the error of each.
+fn points(longest: f64, count: u32, error: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+    (0..count)
+        .map(|k| longest * 0.5_f64.powi(k as i32))
+        .map(|h| (h, error(h)))
+        .collect()
+}
+
+#[test]
+fn runge_kutta_is_of_order_four() {
+    let scene = march::build(SWUNG);
+    let limit = scene.explicit_limit().0;
+    eprintln!("limit {limit}");
+    let exact = swung(&scene, march::rk4(&scene), 0.001);
+    let error = |h| apart(&swung(&scene, march::rk4(&scene), h), &exact);
+    assert_order("rk4", &points(0.064, 4, error), 4.0, (0.1, 0.2));
+}
+
+#[test]
+fn generalized_alpha_is_of_order_two_at_every_rho() {
+    let scene = march::build(SWUNG);
+    let exact = swung(&scene, march::rk4(&scene), 0.004);
+    for rho in [0.0, 0.4, 0.8, 1.0] {
+        let error = |h| apart(&swung(&scene, march::alpha(&scene, rho), h), &exact);
+        assert_order(
+            &format!("rho = {rho}"),
+            &points(0.064, 5, error),
+            2.0,
+            (0.1, 0.2),
+        );
+    }
+}
+
+/// Tensions at the nodes take the carried acceleration into account: these too are of order two.
+#[test]
+fn tensions_by_the_carried_acceleration_are_of_order_two() {
+    let scene = march::build(SWUNG);
+    let exact = scene.tensions(&swung(&scene, march::rk4(&scene), 0.004));
+    let error = |h| {
+        let state = swung(&scene, march::alpha(&scene, 0.4), h);
+        let pairs = scene
+            .tensions(&state)
+            .into_iter()
+            .zip(&exact)
+            .map(|(a, b)| (a - b).abs());
+        pairs.fold(0.0, f64::max)
+    };
+    assert_order("tension", &points(0.064, 5, error), 2.0, (0.1, 0.2));
+}
+
+/// Generalized-alpha as it should not be: its acceleration taken anew from the forces before every step.
+struct Retaken<M>(M);
+
+impl<M: Stepper> Stepper for Retaken<M> {
+    fn step<S: System + ?Sized>(
+        &mut self,
+        system: &S,
+        at: Step,
+        state: &mut State,
+    ) -> Result<f64, StepError> {
+        system.accelerate(at.t, state);
+        self.0.step(system, at, state)
+    }
+    fn tally(&self) -> Tally {
+        self.0.tally()
+    }
+}
+
+#[test]
+fn an_acceleration_that_is_not_carried_costs_an_order() {
+    let scene = march::build(SWUNG);
+    let exact = swung(&scene, march::rk4(&scene), 0.004);
+    let error = |h| {
+        apart(
+            &swung(&scene, Retaken(march::alpha(&scene, 0.0)), h),
+            &exact,
+        )
+    };
+    assert_order("retaken", &points(0.032, 4, error), 1.0, (0.2, 0.3));
+}
+
+#[test]
+fn the_quasi_static_march_is_of_order_two() {
+    let scene = march::build(SWUNG);
+    let quasi = || Quasi::new(scene.nodes(), 1e-12, 40);
+    let exact = swung(&scene, quasi(), 0.002);
+    let error = |h| apart(&swung(&scene, quasi(), h), &exact);
+    assert_order("quasi", &points(0.5, 5, error), 2.0, (0.1, 0.25));
+}
