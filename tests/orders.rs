@@ -3,12 +3,14 @@
 //! a kink: what is measured is the method.
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
+use catenary::Catenary;
 use seacable::dynamics::quasi::Quasi;
-use seacable::dynamics::{March, Step, StepError, Stepper, Tally};
-use seacable::linalg::V3;
+use seacable::dynamics::{Step, StepError, Stepper, Tally};
 use seacable::scene::Scene;
 use seacable::solve::{State, System};
 
+#[path = "lines/catenary.rs"]
+mod catenary;
 mod lines;
 #[path = "lines/march.rs"]
 mod march;
@@ -33,15 +35,14 @@ fn slopes(points: &[(f64, f64)]) -> (f64, Vec<f64>) {
 /// Asserts an order over all points, and between each two neighbours.
 fn assert_order(what: &str, points: &[(f64, f64)], order: f64, (fit, pair): (f64, f64)) {
     let (slope, pairs) = slopes(points);
-    eprintln!("{what}: {slope:.3} {pairs:.3?} {points:.3e?}");
     assert!(
         (slope - order).abs() < fit,
-        "{what}: order {slope:.3}, {pairs:.3?}, {points:.3e?}"
+        "{what}: order {slope:.3}, {pairs:.3?}, {points:?}"
     );
     for p in &pairs {
         assert!(
             (p - order).abs() < pair,
-            "{what}: order {slope:.3}, {pairs:.3?}, {points:.3e?}"
+            "{what}: order {slope:.3}, {pairs:.3?}, {points:?}"
         );
     }
 }
@@ -88,8 +89,6 @@ fn points(longest: f64, count: u32, error: impl Fn(f64) -> f64) -> Vec<(f64, f64
 #[test]
 fn runge_kutta_is_of_order_four() {
     let scene = march::build(SWUNG);
-    let limit = scene.explicit_limit().0;
-    eprintln!("limit {limit}");
     let exact = swung(&scene, march::rk4(&scene), 0.001);
     let error = |h| apart(&swung(&scene, march::rk4(&scene), h), &exact);
     assert_order("rk4", &points(0.064, 4, error), 4.0, (0.1, 0.2));
@@ -110,19 +109,21 @@ fn generalized_alpha_is_of_order_two_at_every_rho() {
     }
 }
 
-/// Tensions at the nodes take the carried acceleration into account: these too are of order two.
+/// The tension of a segment follows from positions and velocities.
 #[test]
-fn tensions_by_the_carried_acceleration_are_of_order_two() {
+fn tensions_of_segments_are_of_order_two() {
     let scene = march::build(SWUNG);
-    let exact = scene.tensions(&swung(&scene, march::rk4(&scene), 0.004));
+    let tensions = |state: &State| -> Vec<f64> {
+        let segments = scene.segments.iter().enumerate();
+        segments
+            .map(|(i, s)| s.axial.tension(&scene.chord(i, state)).value)
+            .collect()
+    };
+    let exact = tensions(&swung(&scene, march::rk4(&scene), 0.004));
     let error = |h| {
-        let state = swung(&scene, march::alpha(&scene, 0.4), h);
-        let pairs = scene
-            .tensions(&state)
-            .into_iter()
-            .zip(&exact)
-            .map(|(a, b)| (a - b).abs());
-        pairs.fold(0.0, f64::max)
+        let found = tensions(&swung(&scene, march::alpha(&scene, 0.4), h));
+        let apart = found.iter().zip(&exact).map(|(a, b)| (a - b).abs());
+        apart.fold(0.0, f64::max)
     };
     assert_order("tension", &points(0.064, 5, error), 2.0, (0.1, 0.2));
 }
@@ -165,4 +166,64 @@ fn the_quasi_static_march_is_of_order_two() {
     let exact = swung(&scene, quasi(), 0.002);
     let error = |h| apart(&swung(&scene, quasi(), h), &exact);
     assert_order("quasi", &points(0.5, 5, error), 2.0, (0.1, 0.25));
+}
+
+/// Node positions and tensions against the closed form; the greatest error of all nodes.
+#[test]
+fn a_hanging_line_meets_the_catenary_to_order_two_in_segment_length() {
+    let exact = Catenary::between(100.0, 2.0 * 9.80665, 1e6, 70.0, -30.0);
+    let mut shape = Vec::new();
+    let mut tension = Vec::new();
+    for n in [8, 16, 32, 64, 128] {
+        let scene = march::build(&format!(
+            r#"
+            line.segments = {n}
+            ends.b = {{ name = "post", kind = "fixed", position_m = [70.0, 0.0, -30.0] }}
+            "#
+        ));
+        let state = march::at_rest(&scene);
+        let off = |i: usize| {
+            let (x, z) = exact.at(scene.arc[i]);
+            (state.x[i].x - x).hypot(state.x[i].z - z)
+        };
+        let pull = |i: usize| (scene.tension_at(i, &state) - exact.tension(scene.arc[i])).abs();
+        shape.push((100.0 / n as f64, (0..=n).map(off).fold(0.0, f64::max)));
+        tension.push((100.0 / n as f64, (0..=n).map(pull).fold(0.0, f64::max)));
+    }
+    assert_order("shape", &shape, 2.0, (0.05, 0.1));
+    assert_order("tension", &tension, 2.0, (0.05, 0.1));
+}
+
+/// No closed form here: the change from one mesh to the next finer one falls with the same order.
+#[test]
+fn a_line_in_a_current_converges_to_order_two_in_segment_length() {
+    let solve = |n: usize| {
+        let scene = march::build(&format!(
+            r#"
+            environment.water_density_kg_per_m3 = 1025.0
+            current = {{ speed_m_per_s = [1.5, 0.3], direction_deg = [0.0, 90.0], depth_m = [0.0, 120.0] }}
+            materials.rope = {{ mass_kg_per_m = 12.0, drag_normal = 1.2, drag_tangential = 0.02 }}
+            line.segments = {n}
+            ends.b = {{ name = "bob", kind = "payload" }}
+            payload = {{ dry_mass_kg = 200.0, wet_mass_kg = 100.0, drag_area_m2 = 1.0, added_mass_kg = 0.0 }}
+            "#
+        ));
+        let state = march::at_rest(&scene);
+        let nodes: Vec<_> = (0..=8)
+            .map(|k| (state.x[k * n / 8], scene.tension_at(k * n / 8, &state)))
+            .collect();
+        nodes
+    };
+    let meshes = [8, 16, 32, 64, 128, 256];
+    let solved: Vec<_> = meshes.iter().map(|n| solve(*n)).collect();
+    let change = |of: &dyn Fn(usize, usize) -> f64| -> Vec<(f64, f64)> {
+        let worst = |k: usize| (0..=8).map(|i| of(k, i)).fold(0.0, f64::max);
+        (0..meshes.len() - 1)
+            .map(|k| (100.0 / meshes[k] as f64, worst(k)))
+            .collect()
+    };
+    let shape = change(&|k, i| (solved[k][i].0 - solved[k + 1][i].0).norm());
+    let tension = change(&|k, i| (solved[k][i].1 - solved[k + 1][i].1).abs());
+    assert_order("shape", &shape, 2.0, (0.05, 0.1));
+    assert_order("tension", &tension, 2.0, (0.05, 0.1));
 }
