@@ -12,7 +12,7 @@ use seacable::dynamics::alpha::{Alpha, Control};
 use seacable::dynamics::quasi::Quasi;
 use seacable::dynamics::rk4::Rk4;
 use seacable::dynamics::{March, Step, Stepper};
-use seacable::linalg::{BlockTri, V3};
+use seacable::linalg::{BlockBand, V3};
 use seacable::scene::{self, Scene};
 use seacable::solve::{Factors, Instant, Progressing, State, System};
 
@@ -37,13 +37,19 @@ impl System for Spoilt {
     fn free(&self) -> Range<usize> {
         self.scene.free()
     }
+    fn bends(&self) -> bool {
+        self.scene.bends()
+    }
+    fn rounding_force(&self) -> f64 {
+        self.scene.rounding_force()
+    }
     fn prescribe(&self, t: f64, state: &mut State) {
         self.scene.prescribe(t, state);
     }
     fn residual(&self, t: f64, state: &State, r: &mut [V3]) {
         self.scene.residual(t, state, r);
     }
-    fn linearise(&self, t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockTri) {
+    fn linearise(&self, t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
         self.scene.linearise(t, state, c, r, tangent);
         if self.spoils() {
             r[3].x = f64::NAN;
