@@ -74,8 +74,26 @@ fn left_files(case: &Path) -> Vec<PathBuf> {
 }
 
 /// Whether a session of this process number is still there, this one included.
+///
+/// The number alone proves little: another program may have it by now, and a session whose end
+/// nobody has asked about yet still answers to it. Where the system tells more, that is believed.
 fn alive(process: i32) -> bool {
-    Pid::from_raw(process).is_some_and(|pid| test_kill_process(pid).is_ok())
+    let answers = Pid::from_raw(process).is_some_and(|pid| test_kill_process(pid).is_ok());
+    let own = i32::try_from(std::process::id()).ok().and_then(about);
+    answers
+        && match (about(process), own) {
+            (Some((name, state)), Some((own, _))) => name == own && !matches!(state, 'Z' | 'X'),
+            _ => true,
+        }
+}
+
+/// Name and state of a process, from Linux's `/proc`; the state is `Z` or `X` once it has ended.
+fn about(process: i32) -> Option<(String, char)> {
+    let stat = fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
+    // pid (name) state ..., and the name may hold blanks and brackets.
+    let (head, tail) = stat.rsplit_once(')')?;
+    let (_, name) = head.split_once('(')?;
+    Some((name.to_owned(), tail.trim_start().chars().next()?))
 }
 
 /// Name of the case and a fingerprint of its whole path.
@@ -116,4 +134,31 @@ pub fn remember_glyphs(glyphs: Glyphs) -> io::Result<()> {
         Glyphs::Ascii => "ascii\n",
     };
     fs::write(dir.join("glyphs"), word)
+}
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_running_session_of_this_program_is_alive() {
+        let own = i32::try_from(std::process::id()).unwrap();
+        assert!(alive(own));
+        assert!(!alive(1), "another program");
+        // The same program, ended, while nobody has asked about its end.
+        let mut child = std::process::Command::new(std::env::current_exe().unwrap())
+            .arg("--list")
+            .stdout(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        let number = i32::try_from(child.id()).unwrap();
+        let until = std::time::Instant::now() + std::time::Duration::from_secs(60);
+        while about(number).is_some_and(|(_, state)| state != 'Z') {
+            assert!(std::time::Instant::now() < until, "it never ends");
+            std::thread::sleep(std::time::Duration::from_millis(5));
+        }
+        assert!(!alive(number), "ended");
+        child.wait().unwrap();
+        assert!(!alive(number), "gone");
+    }
 }

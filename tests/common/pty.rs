@@ -63,12 +63,7 @@ impl Default for Start<'_> {
 impl Start<'_> {
     /// Starts the shell in a directory of its own, with copies of the shipped cases.
     pub(crate) fn go(self) -> Pty {
-        let dir = tempfile::tempdir().unwrap();
-        copy(
-            &Path::new(env!("CARGO_MANIFEST_DIR")).join("cases"),
-            &dir.path().join("cases"),
-        );
-        self.go_in(dir)
+        self.go_in(place())
     }
 
     /// Starts the shell in this directory.
@@ -114,6 +109,16 @@ impl Start<'_> {
             dir,
         }
     }
+}
+
+/// A directory to work in, with copies of the shipped cases.
+pub(crate) fn place() -> tempfile::TempDir {
+    let dir = tempfile::tempdir().unwrap();
+    copy(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("cases"),
+        &dir.path().join("cases"),
+    );
+    dir
 }
 
 fn size(columns: u16, rows: u16) -> PtySize {

@@ -1,0 +1,18 @@
+//! The program inside tmux and behind an SSH server, as its users meet it.
+//!
+//! Needs tmux and OpenSSH, so a plain `cargo test` lists these tests as ignored and says why;
+//! `.ci/run` installs what is missing and runs them with
+//! `cargo test --test real_programs -- --ignored`. Asked for, they fail where a program is missing.
+
+#![cfg(target_os = "linux")]
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
+#[path = "../common/pty.rs"]
+#[expect(dead_code, reason = "other tests use the rest")]
+mod pty;
+#[path = "../common/small.rs"]
+mod small;
+mod ssh;
+mod sshd;
+mod tmux;
+mod work;
