@@ -8,6 +8,7 @@ const BARE: &str = r#"
 materials.m = { diameter_m = 0.1, mass_kg_per_m = 10.0, ea_n = 1e8 }
 line = [{ name = "s", material = "m", length_m = 10.0, segments = 2 }]
 floats = [{ section = "s", lift_kg = 1.0 }]
+clumps = [{ name = "c", section = "s", at_m = 5.0, mass_kg = 1.0, wet_mass_kg = 1.0 }]
 modules = [{ section = "s", diameter_m = 1.0, length_m = 1.0, pitch_m = 2.0, density_kg_per_m3 = 400.0 }]
 seabed.depth_m = 100.0
 study = [{ name = "t", key = "line.s.length_m", values = [10.0] }]

@@ -23,6 +23,10 @@ pub enum Source {
     Joint(usize),
     /// A coordinate of an end, 0 for x, 1 for y, 2 for z \[m\].
     Coordinate(LineEnd, usize),
+    /// A coordinate of a body hung on the line, by its number in the case \[m\].
+    Body(usize, usize),
+    /// A component of the line's pull on a held end, 0 for x, 1 for y, 2 for z \[N\].
+    Force(LineEnd, usize),
     /// Speed of an end over ground \[m/s\].
     Speed(LineEnd),
 }
@@ -37,7 +41,8 @@ pub enum LineEnd {
 }
 
 /// The channels a run of this case records, in their order: tensions at the joints from A to B,
-/// then position of every end that moves, then speed of every end that nothing holds.
+/// then position of every end that moves and speed of every end that nothing holds, then position of every body hung on
+/// the line, then the line's pull on every held end.
 #[must_use]
 pub fn channels(case: &Case) -> Vec<Channel> {
     let sections = case.line.iter().map(|section| section.name.as_str());
@@ -48,6 +53,12 @@ pub fn channels(case: &Case) -> Vec<Channel> {
     let mut list = joint_channels(&names);
     list.extend(end_channels(LineEnd::A, &case.ends.a));
     list.extend(end_channels(LineEnd::B, &case.ends.b));
+    for (index, clump) in case.clumps.iter().enumerate() {
+        list.extend(body_channels(index, &clump.name));
+    }
+    for (which, end) in [(LineEnd::A, &case.ends.a), (LineEnd::B, &case.ends.b)] {
+        list.extend(force_channels(which, &end.name, end.kind));
+    }
     list
 }
 
@@ -64,6 +75,34 @@ pub(crate) fn joint_channels(names: &[&str]) -> Vec<Channel> {
         .collect()
 }
 
+/// Position of a body hung on the line.
+pub(crate) fn body_channels(index: usize, name: &str) -> impl Iterator<Item = Channel> {
+    AXES.into_iter()
+        .enumerate()
+        .map(move |(axis, letter)| Channel {
+            name: format!("{letter}_m[{name}]"),
+            unit: "m",
+            source: Source::Body(index, axis),
+        })
+}
+
+/// The line's pull on an end of this name and kind, if it is held.
+pub(crate) fn force_channels(
+    which: LineEnd,
+    name: &str,
+    kind: EndKind,
+) -> impl Iterator<Item = Channel> {
+    let held = !matches!(kind, EndKind::Payload | EndKind::Free);
+    let axes = AXES.into_iter().enumerate().filter(move |_| held);
+    axes.map(move |(axis, letter)| Channel {
+        name: format!("force_{letter}_n[{name}]"),
+        unit: "N",
+        source: Source::Force(which, axis),
+    })
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
 fn end_channels(which: LineEnd, end: &End) -> Vec<Channel> {
     motion_channels(which, &end.name, end.kind)
 }
@@ -75,7 +114,7 @@ pub(crate) fn motion_channels(which: LineEnd, name: &str, kind: EndKind) -> Vec<
         EndKind::Moving => (true, false),
         EndKind::Payload | EndKind::Free => (true, true),
     };
-    let coordinates = ["x", "y", "z"].into_iter().enumerate();
+    let coordinates = AXES.into_iter().enumerate();
     let mut list: Vec<Channel> = coordinates
         .filter(|_| moves)
         .map(|(axis, letter)| Channel {

@@ -15,7 +15,7 @@ mod settings;
 
 pub use claims::{At, Direction, Mark, Published, Standing, Statistic, Study, Trend};
 pub use ends::{End, EndKind, Ends, Payload, Shape};
-pub use line::{DragLaw, DragLawName, DragWidth, Floats, Material, Modules, Section};
+pub use line::{Clump, DragLaw, DragLawName, DragWidth, Floats, Material, Modules, Section};
 pub use settings::{Method, Output, Seabed, Solver, Start, StartShape};
 
 /// Everything a case file says.
@@ -42,6 +42,9 @@ pub struct Case {
     /// Floats spread over stretches of the line.
     #[serde(default)]
     pub floats: Vec<Floats>,
+    /// Bodies hung on the line, each at one place.
+    #[serde(default)]
+    pub clumps: Vec<Clump>,
     /// Buoyancy modules clamped on stretches of the line.
     #[serde(default)]
     pub modules: Vec<Modules>,

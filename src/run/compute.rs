@@ -280,7 +280,7 @@ fn advice(error: &MarchError) -> &'static str {
 
 /// What the user should know before trusting the numbers.
 fn warnings(scene: &Scene, settings: &Settings) -> Vec<String> {
-    let mut list = Vec::new();
+    let mut list = scene.remarks.clone();
     if settings.method == "quasi" && scene.weight.iter().sum::<f64>() > 0.0 {
         list.push(
             "quasi-static: inertia is left out; compare with `alpha` to see whether it matters"

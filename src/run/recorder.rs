@@ -89,6 +89,8 @@ impl<'a> Recorder<'a> {
             *value = match *source {
                 Source::Joint(joint) => self.scene.tension_at(self.scene.joints[joint].node, state),
                 Source::Coordinate(end, axis) => state.x[node(end)][axis],
+                Source::Body(body, axis) => state.x[self.scene.clumps[body]][axis],
+                Source::Force(end, axis) => self.scene.end_force(node(end), state)[axis],
                 Source::Speed(end) => state.v[node(end)].norm(),
             };
         }

@@ -74,7 +74,8 @@ fn automatic_step(case: &Case, scene: &Scene, limit: Option<f64>) -> f64 {
         .iter()
         .map(|s| s.axial.length / s.axial.ea)
         .sum();
-    let mass = scene.mass.iter().sum::<f64>() + scene.payload.map_or(0.0, |b| b.added.max());
+    let mass = scene.mass.iter().sum::<f64>()
+        + scene.bodies.iter().map(|b| b.body.added.max()).sum::<f64>();
     let mut period = std::f64::consts::TAU * (mass * compliance).sqrt();
     for end in &scene.ends {
         if let End::Held(motion) = end

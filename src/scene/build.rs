@@ -2,15 +2,14 @@
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
-use super::line::{End, Joint, Scene, Segment};
-use super::{Flexure, buoyancy, shape};
+use super::line::{End, Hung, Joint, Scene, Segment};
+use super::{Flexure, bodies, buoyancy, shape};
 use crate::case::{self, Case, DragWidth, EndKind, OneOrMany};
 use crate::linalg::V3;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Profile;
-use crate::physics::payload::{Form, box_form, sphere_and_cylinder};
 use crate::physics::tension::Axial;
-use crate::physics::{Body, Current, DragLaw, EndMotion, Seabed, bending, motion};
+use crate::physics::{Current, DragLaw, EndMotion, Seabed, bending, motion};
 
 /// Why a case cannot be made into a scene. A case that passed its checks does not meet these.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -69,8 +68,10 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
         name: format!("{name_before}|{}", case.ends.b.name),
         node: segments.len(),
     });
-    let payload = payload(case)?;
-    let (mass, weight) = lump(&segments, payload.as_ref())?;
+    let (mut bodies, remarks) = bodies::on_line(case, &joints, &arc)?;
+    let clumps = bodies[..case.clumps.len()].iter().map(|b| b.node).collect();
+    bodies.sort_by_key(|hung| hung.node);
+    let (mass, weight) = lump(&segments, &bodies)?;
     let ends = [end(&case.ends.a, "ends.a")?, end(&case.ends.b, "ends.b")?];
     let (start, start_in_equilibrium) = shape::start(case, &segments, &weight, &arc)?;
     let flexure = flexure(case, &segments);
@@ -88,7 +89,9 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
         weight,
         end_names: [case.ends.a.name.clone(), case.ends.b.name.clone()],
         ends,
-        payload,
+        bodies,
+        clumps,
+        remarks,
         flexure,
         bed,
         footprint: footprint(&segments),
@@ -254,8 +257,8 @@ fn footprint(segments: &[Segment]) -> Vec<f64> {
     area
 }
 
-/// Masses and weights of the nodes: halves of their segments, and the payload at the last.
-fn lump(segments: &[Segment], payload: Option<&Body>) -> Result<(Vec<f64>, Vec<f64>), SceneError> {
+/// Masses and weights of the nodes: halves of their segments, and the bodies hung there.
+fn lump(segments: &[Segment], bodies: &[Hung]) -> Result<(Vec<f64>, Vec<f64>), SceneError> {
     let nodes = segments.len() + 1;
     let (mut mass, mut weight) = (vec![0.0; nodes], vec![0.0; nodes]);
     for (i, segment) in segments.iter().enumerate() {
@@ -264,9 +267,9 @@ fn lump(segments: &[Segment], payload: Option<&Body>) -> Result<(Vec<f64>, Vec<f
             weight[node] += segment.half_weight;
         }
     }
-    if let Some(body) = payload {
-        mass[nodes - 1] += body.mass;
-        weight[nodes - 1] += body.weight;
+    for hung in bodies {
+        mass[hung.node] += hung.body.mass;
+        weight[hung.node] += hung.body.weight;
     }
     if mass.iter().all(|m| m.is_finite() && *m > 0.0) && weight.iter().all(|w| w.is_finite()) {
         Ok((mass, weight))
@@ -275,72 +278,6 @@ fn lump(segments: &[Segment], payload: Option<&Body>) -> Result<(Vec<f64>, Vec<f
             key: "materials".into(),
             why: "every node must have a positive, finite mass",
         })
-    }
-}
-
-/// The payload, its form filling in what the case leaves out.
-fn payload(case: &Case) -> Result<Option<Body>, SceneError> {
-    if case.ends.a.kind == EndKind::Payload {
-        let key = "ends.a.kind".into();
-        return Err(SceneError::Impossible {
-            key,
-            why: "the payload hangs at end B; list the sections the other way",
-        });
-    }
-    if case.ends.b.kind != EndKind::Payload {
-        return Ok(None);
-    }
-    let missing = |key: &str, why| SceneError::Missing {
-        key: key.into(),
-        why,
-    };
-    let body = case
-        .payload
-        .as_ref()
-        .ok_or_else(|| missing("payload", "end B carries one"))?;
-    let rho = case.environment.water_density_kg_per_m3;
-    let form = body.shape.as_ref().map(form);
-    let volume = body.volume_m3.or(form.map(|f| f.volume));
-    let wet = match (body.wet_mass_kg, volume) {
-        (Some(wet), _) => wet,
-        (None, Some(volume)) => body.dry_mass_kg - rho * volume,
-        (None, None) => {
-            return Err(missing(
-                "payload.wet_mass_kg",
-                "neither volume nor shape gives the buoyancy",
-            ));
-        }
-    };
-    let area = along_axes(body.drag_area_m2.as_ref()).or(form.map(|f| f.drag_area));
-    let added = along_axes(body.added_mass_kg.as_ref()).or(form.map(|f| f.added_volume * rho));
-    Ok(Some(Body {
-        mass: body.dry_mass_kg,
-        weight: wet * case.environment.gravity_m_per_s2,
-        drag: area.unwrap_or_default() * (0.5 * rho),
-        added: added.unwrap_or_default(),
-    }))
-}
-
-fn form(shape: &case::Shape) -> Form {
-    match *shape {
-        case::Shape::Box {
-            length_m,
-            breadth_m,
-            height_m,
-        } => box_form(length_m, breadth_m, height_m),
-        case::Shape::SphereAndCylinder {
-            sphere_diameter_m,
-            cylinder_diameter_m,
-            cylinder_length_m,
-        } => sphere_and_cylinder(sphere_diameter_m, cylinder_diameter_m, cylinder_length_m),
-    }
-}
-
-/// One number for all axes, or one an axis; a list of another length counts by its first numbers.
-fn along_axes(value: Option<&OneOrMany>) -> Option<V3> {
-    match value? {
-        OneOrMany::One(all) => Some(V3::repeat(*all)),
-        OneOrMany::Many(list) => Some(V3::from_fn(|i, _| list.get(i).copied().unwrap_or(0.0))),
     }
 }
 

@@ -42,6 +42,33 @@ impl Flexure {
         }
     }
 
+    /// Force of bending on the first or last node \[N\].
+    pub(super) fn end_force(&self, scene: &Scene, node: usize, state: &State) -> V3 {
+        let last = scene.segments.len();
+        let (end, i, sign) = if node == 0 {
+            (0, 0, 1.0)
+        } else {
+            (1, last - 1, -1.0)
+        };
+        let chord = scene.chord(i, state);
+        let mut force = self.clamps[end].map_or_else(V3::zeros, |(direction, k)| {
+            clamped(k, &direction, &chord) * sign
+        });
+        if last > 1 {
+            let (joint, other) = if node == 0 {
+                (1, 1)
+            } else {
+                (last - 1, last - 2)
+            };
+            let beside = scene.chord(other, state);
+            let outer = (&chord.tangent, chord.inverse);
+            let inner = (&beside.tangent, beside.inverse);
+            // The bend is symmetric in its two segments.
+            force += bend(self.joints[joint], outer, inner).by_first * sign;
+        }
+        force
+    }
+
     /// Adds the derivatives of those forces, times `share`.
     pub(super) fn add_tangent(
         &self,

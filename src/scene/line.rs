@@ -39,6 +39,15 @@ pub enum End {
     Free,
 }
 
+/// A body and the node it hangs on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hung {
+    /// The node.
+    pub node: usize,
+    /// The body; its mass and weight are those of the node already.
+    pub body: Body,
+}
+
 /// A named place where the tension is reported.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Joint {
@@ -53,16 +62,18 @@ pub struct Joint {
 pub struct Scene {
     /// Segments from A to B; node i lies before segment i.
     pub segments: Vec<Segment>,
-    /// Masses of the nodes without added mass, payload included \[kg\].
+    /// Masses of the nodes without added mass, bodies included \[kg\].
     pub mass: Vec<f64>,
-    /// Weights of the nodes in water, payload included \[N\], positive down.
+    /// Weights of the nodes in water, bodies included \[N\], positive down.
     pub weight: Vec<f64>,
     /// Names of the ends A and B.
     pub end_names: [String; 2],
     /// What holds the ends A and B.
     pub ends: [End; 2],
-    /// The payload, at the last node.
-    pub payload: Option<Body>,
+    /// Bodies on the line, by their nodes, the payload last.
+    pub bodies: Vec<Hung>,
+    /// Nodes of the clumps, in the order of the case.
+    pub clumps: Vec<usize>,
     /// Bending, where any material has a bending stiffness.
     pub flexure: Option<Flexure>,
     /// The sea bed, if there is one.
@@ -77,6 +88,8 @@ pub struct Scene {
     pub arc: Vec<f64>,
     /// Positions at time zero, or a first guess where the start is an equilibrium \[m\].
     pub start: Vec<V3>,
+    /// What the user should know of how the case was made into this line.
+    pub remarks: Vec<String>,
     /// Whether the line starts in equilibrium.
     pub start_in_equilibrium: bool,
     /// A force typical of this line \[N\]: its whole weight, or what its drag can be.
@@ -301,11 +314,9 @@ impl System for Scene {
         if let Some(flexure) = &self.flexure {
             flexure.add_forces(self, state, r);
         }
-        if let Some(body) = &self.payload {
-            let last = self.nodes() - 1;
-            let (water, _) = self.current.at(state.x[last].z);
-            r[last] +=
-                body.added.component_mul(&state.a[last]) - body.drag(&(water - state.v[last]));
+        for Hung { node: i, body } in &self.bodies {
+            let (water, _) = self.current.at(state.x[*i].z);
+            r[*i] += body.added.component_mul(&state.a[*i]) - body.drag(&(water - state.v[*i]));
         }
     }
 
@@ -354,16 +365,15 @@ impl System for Scene {
             flexure.add_forces(self, state, r);
             flexure.add_tangent(self, state, c.stiffness, tangent);
         }
-        if let Some(body) = &self.payload {
-            let last = self.nodes() - 1;
-            let (water, shear) = self.current.at(state.x[last].z);
-            let u = water - state.v[last];
-            r[last] += body.added.component_mul(&state.a[last]) - body.drag(&u);
+        for Hung { node: i, body } in &self.bodies {
+            let (water, shear) = self.current.at(state.x[*i].z);
+            let u = water - state.v[*i];
+            r[*i] += body.added.component_mul(&state.a[*i]) - body.drag(&u);
             let by_velocity = body.drag_by_velocity(&u);
             let mut own = by_velocity * c.damping + M3::from_diagonal(&(body.added * c.mass));
             let column = own.column(2) - by_velocity * shear * c.stiffness;
             own.set_column(2, &column);
-            tangent.diag[last] += own;
+            tangent.diag[*i] += own;
         }
     }
 

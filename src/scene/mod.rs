@@ -4,6 +4,7 @@
 //! mass of the halves of its segments (second order in segment length). Only what the case names is
 //! in the scene. The whole line counts as under water.
 
+mod bodies;
 pub mod build;
 mod buoyancy;
 pub mod flexure;
@@ -13,4 +14,4 @@ mod shape;
 
 pub use build::{SceneError, build};
 pub use flexure::Flexure;
-pub use line::{End, Joint, Scene, Segment};
+pub use line::{End, Hung, Joint, Scene, Segment};

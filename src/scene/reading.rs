@@ -1,6 +1,6 @@
 //! What is read off a state: tensions at nodes, loads, energies, and the explicit accelerations.
 
-use super::{End, Scene};
+use super::{End, Hung, Scene};
 use crate::linalg::V3;
 use crate::solve::{State, System};
 
@@ -50,6 +50,36 @@ impl Scene {
             .collect()
     }
 
+    /// The line's pull on its first or last node's holder \[N\]: all forces on that node, less its inertia.
+    #[must_use]
+    pub fn end_force(&self, node: usize, state: &State) -> V3 {
+        let (i, sign) = if node == 0 {
+            (0, 1.0)
+        } else {
+            (node - 1, -1.0)
+        };
+        let segment = &self.segments[i];
+        let chord = self.chord(i, state);
+        let (t, a) = (&chord.tangent, &state.a[node]);
+        let mut force = t * (segment.axial.tension(&chord).value * sign)
+            + self.drag(i, &chord, state)[node - i].force
+            - V3::z() * self.weight[node]
+            - a * self.mass[node]
+            - segment.added.force(t, a);
+        for Hung { body, .. } in self.bodies.iter().filter(|hung| hung.node == node) {
+            let (water, _) = self.current.at(state.x[node].z);
+            force += body.drag(&(water - state.v[node])) - body.added.component_mul(a);
+        }
+        if let Some(bed) = &self.bed {
+            let (x, v) = (&state.x[node], &state.v[node]);
+            force.z += bed.push(x.z, v.z, self.footprint[node]).force;
+        }
+        if let Some(flexure) = &self.flexure {
+            force += flexure.end_force(self, node, state);
+        }
+        force
+    }
+
     /// Kinetic, potential (weight in water) and elastic energy \[J\]. Added mass counts as mass.
     #[must_use]
     pub fn energy(&self, state: &State) -> f64 {
@@ -80,8 +110,8 @@ impl Scene {
                 energy += 0.5 * bed.stiffness * area * (bed.z - x.z).max(0.0).powi(2);
             }
         }
-        if let Some(body) = &self.payload {
-            let v = &state.v[self.nodes() - 1];
+        for Hung { node, body } in &self.bodies {
+            let v = &state.v[*node];
             energy += 0.5 * v.dot(&body.added.component_mul(v));
         }
         energy
@@ -112,10 +142,10 @@ impl Scene {
                 power -= (bed.push(x.z, v.z, *area).force - elastic) * v.z;
             }
         }
-        if let Some(body) = &self.payload {
-            let last = self.nodes() - 1;
-            let (water, _) = self.current.at(state.x[last].z);
-            power -= body.drag(&(water - state.v[last])).dot(&state.v[last]);
+        for Hung { node, body } in &self.bodies {
+            let v = &state.v[*node];
+            let (water, _) = self.current.at(state.x[*node].z);
+            power -= body.drag(&(water - v)).dot(v);
         }
         power
     }
@@ -127,6 +157,7 @@ impl Scene {
         let last = self.nodes() - 1;
         let held = [state.a[0], state.a[last]];
         let bending = self.preload_bending(state);
+        let mut bodies = self.bodies.iter().peekable();
         let mut before: Option<(V3, Symmetric)> = None;
         for i in 0..self.nodes() {
             // Force and mass of node i: what the segment before left here, then the segment after.
@@ -153,7 +184,8 @@ impl Scene {
                 let mut next = Symmetric::default();
                 next.add_directed(t, normal, tangential);
                 before = Some((there.force - pull, next));
-            } else if let Some(body) = &self.payload {
+            }
+            while let Some(Hung { body, .. }) = bodies.next_if(|hung| hung.node == i) {
                 let (water, _) = self.current.at(state.x[i].z);
                 f += body.drag(&(water - state.v[i]));
                 m.add_axes(&body.added);

@@ -39,7 +39,7 @@ pub(crate) fn line(changes: &str) -> Case {
     case::parse(&text, "test.toml").unwrap_or_else(|found| panic!("{found:#?}\n{text}"))
 }
 
-fn merge(base: &mut Table, changes: Table) {
+pub(crate) fn merge(base: &mut Table, changes: Table) {
     for (key, change) in changes {
         match (base.get_mut(&key), change) {
             (Some(Value::Table(old)), Value::Table(new)) => merge(old, new),

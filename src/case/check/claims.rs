@@ -4,7 +4,9 @@
 use super::line::unknown_name;
 use super::value;
 use super::words::{join, nearest, split, unknown_key};
-use crate::case::channels::{LineEnd, joint_channels, motion_channels};
+use crate::case::channels::{
+    LineEnd, body_channels, force_channels, joint_channels, motion_channels,
+};
 use crate::case::diagnostic::Finding;
 use crate::case::fields::{Absent, FIELDS, Field, field_at, number, quantity};
 use crate::case::model::EndKind;
@@ -155,6 +157,7 @@ fn given_or_defaulted(root: &Node) -> Vec<String> {
     for (table, names) in [
         ("materials", material_names(root)),
         ("floats", names_of(root, "floats")),
+        ("clumps", names_of(root, "clumps")),
         ("modules", names_of(root, "modules")),
     ] {
         let defaults = FIELDS.iter().filter(|field| {
@@ -261,6 +264,11 @@ fn channel_names(root: &Node) -> Option<Vec<String>> {
     let mut channels = joint_channels(&names);
     channels.extend(motion_channels(LineEnd::A, a.0, a.1));
     channels.extend(motion_channels(LineEnd::B, b.0, b.1));
+    for (index, (_, clump)) in named(root, "clumps").iter().enumerate() {
+        channels.extend(body_channels(index, clump.get("name")?.text()?));
+    }
+    channels.extend(force_channels(LineEnd::A, a.0, a.1));
+    channels.extend(force_channels(LineEnd::B, b.0, b.1));
     Some(channels.into_iter().map(|channel| channel.name).collect())
 }
 

@@ -1,5 +1,5 @@
 //! The line as a whole: materials its sections name, names of sections and ends, what holds the
-//! ends and whether the line reaches, floats inside their section.
+//! ends and whether the line reaches, floats and bodies inside their section.
 
 use super::words::nearest;
 use crate::case::diagnostic::Finding;
@@ -16,7 +16,7 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
     found.extend(names(root));
     found.extend(held_ends(root));
     found.extend(reach(root));
-    for table in ["floats", "modules"] {
+    for table in ["floats", "clumps", "modules"] {
         found.extend(on_stretches(root, table));
     }
     found.extend(nothing_holds(root));
@@ -25,6 +25,11 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
 
 fn sections(root: &Node) -> Vec<(String, &Node)> {
     let items = root.get("line").map_or(&[] as &[Node], Node::items);
+    element_names(items).into_iter().zip(items).collect()
+}
+
+fn clumps(root: &Node) -> Vec<(String, &Node)> {
+    let items = root.get("clumps").map_or(&[] as &[Node], Node::items);
     element_names(items).into_iter().zip(items).collect()
 }
 
@@ -71,15 +76,18 @@ fn materials(root: &Node) -> Vec<Finding> {
     missing.collect()
 }
 
-/// Sections and ends share channel names, so no two of them may be called the same.
+/// Sections, ends and bodies share channel names, so no two of them may be called the same.
 fn names(root: &Node) -> Vec<Finding> {
     let of_sections = sections(root)
         .into_iter()
         .map(|(name, section)| (format!("line.{name}.name"), section));
+    let of_clumps = clumps(root)
+        .into_iter()
+        .map(|(name, clump)| (format!("clumps.{name}.name"), clump));
     let of_ends = ends(root).map(|(letter, end)| (format!("ends.{letter}.name"), end));
     let mut taken: Vec<&str> = Vec::new();
     let mut found = Vec::new();
-    for (key, table) in of_sections.chain(of_ends) {
+    for (key, table) in of_sections.chain(of_ends).chain(of_clumps) {
         let Some((node, name)) = table
             .get("name")
             .and_then(|node| Some((node, node.text()?)))
@@ -88,7 +96,8 @@ fn names(root: &Node) -> Vec<Finding> {
         };
         if taken.contains(&name) {
             let problem = format!("the name \"{name}\" is used twice");
-            let remedy = "give every section and every end a name of its own";
+            let remedy =
+                "give every section, every end and every body on the line a name of its own";
             found.push(Finding::new(&node.span, key, problem, remedy));
         }
         taken.push(name);
@@ -207,7 +216,7 @@ fn rounded(metres: f64) -> f64 {
     (metres * 1e3).round() / 1e3
 }
 
-/// Floats and buoyancy modules sit on a stretch of a section that exists.
+/// Floats, bodies and buoyancy modules sit on a section that exists, and inside it.
 fn on_stretches(root: &Node, table: &str) -> Vec<Finding> {
     let items = root.get(table).map_or(&[] as &[Node], Node::items);
     let lines = sections(root);
@@ -230,14 +239,23 @@ fn on_stretches(root: &Node, table: &str) -> Vec<Finding> {
             ));
             continue;
         };
-        found.extend(stretch(
-            item,
-            &format!("{table}.{name}"),
-            section,
-            on.get("length_m").and_then(Node::number),
-        ));
+        let length = on.get("length_m").and_then(Node::number);
+        let name = format!("{table}.{name}");
+        found.extend(place(item, &name, section, length));
+        found.extend(stretch(item, &name, section, length));
     }
     found
+}
+
+/// The place of a body: inside its section.
+fn place(item: &Node, name: &str, section: &str, length: Option<f64>) -> Option<Finding> {
+    let node = item.get("at_m")?;
+    let (at, length) = (node.number()?, length.filter(|length| *length > 0.0)?);
+    (at > length).then(|| {
+        let problem = format!("it hangs beyond its section: at {}", quantity(at, "m"));
+        let inside = format!("section \"{section}\" is {} long", quantity(length, "m"));
+        Finding::new(&node.span, format!("{name}.at_m"), problem, inside)
+    })
 }
 
 /// The stretch a group of floats sits on: not empty, and inside its section.

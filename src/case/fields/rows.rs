@@ -33,7 +33,7 @@ pub struct FieldRow {
 }
 
 /// Every input the case can have, given or not, in reading order: environment, current, sea bed, each
-/// material, each section, ends, payload, floats, modules, start, solver, output.
+/// material, each section, ends, payload, floats, clumps, modules, start, solver, output.
 ///
 /// `text` is the text the case was parsed from; a text that is not TOML gives no rows.
 #[must_use]
@@ -77,6 +77,7 @@ impl Lister<'_> {
             }
         }
         rows.extend(self.named("floats", "floats on"));
+        rows.extend(self.named("clumps", "body"));
         rows.extend(self.named("modules", "modules on"));
         for table in ["start", "solver", "output"] {
             rows.extend(self.table(table, &[table], table));

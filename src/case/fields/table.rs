@@ -82,6 +82,12 @@ pub static TABLES: &[Table] = &[
         "Floats spread evenly over a stretch of a section.",
     ),
     table(
+        "clumps",
+        ListOf,
+        false,
+        "A body hung on the line at one place: a clump weight, or a buoy.",
+    ),
+    table(
         "modules",
         ListOf,
         false,
@@ -204,6 +210,14 @@ pub static FIELDS: &[Field] = &[
     field("floats.*.mass_kg",       Number, "kg", Range::of(0.0, 1e9),    Default("0.0"), "mass", "Mass of all of them."),
     field("floats.*.drag_area_m2",  Number, "m²", Range::of(0.0, 1e6),    Default("0.0"), "drag area", "Drag coefficient times area of all of them, across the line."),
     field("floats.*.added_mass_kg", Number, "kg", Range::of(0.0, 1e9),    Default("0.0"), "added mass", "Added mass of all of them, across the line."),
+
+    field("clumps.*.name",          Name,           "",   ANY,                  Required, "name", "Name of the body, used in channel names."),
+    field("clumps.*.section",       Text,           "",   ANY,                  Required, "section", "The section it hangs on."),
+    field("clumps.*.at_m",          Number,         "m",  Range::of(0.0, 1e5),  Required, "place", "Where it hangs, from the section's end nearer to A; at the node nearest to that."),
+    field("clumps.*.mass_kg",       Number,         "kg", Range::of(0.0, 1e10), Required, "mass", "Mass in air."),
+    field("clumps.*.wet_mass_kg",   Number,         "kg", Range::of(-1e10, 1e10), Required, "wet mass", "Weight in water, as mass; negative for a buoy."),
+    field("clumps.*.drag_area_m2",  NumberOrTriple, "m²", Range::of(0.0, 1e6),  Default("0.0"), "drag area", "Drag coefficient times area: one number, or along x, y, z."),
+    field("clumps.*.added_mass_kg", NumberOrTriple, "kg", Range::of(0.0, 1e10), Default("0.0"), "added mass", "Added mass: one number, or along x, y, z."),
 
     field("modules.*.section",             Text,   "",      ANY,                  Required,       "section", "The section they sit on."),
     field("modules.*.from_m",              Number, "m",     Range::of(0.0, 1e5),  Default("0.0"), "from", "Where the stretch begins, from the section's end nearer to A."),

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::OneOrMany;
+
 /// What a stretch of line is made of.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -116,6 +118,32 @@ pub struct Floats {
     /// Normal added mass of all of them \[kg\].
     #[serde(default)]
     pub added_mass_kg: f64,
+}
+
+/// A body hung on the line at one place: a clump weight, or a buoy where its weight in water is negative.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Clump {
+    /// Name, used in channel names (`x_m[clump]`).
+    pub name: String,
+    /// The section it hangs on.
+    pub section: String,
+    /// Where, from the section's end nearer to A \[m\]; it hangs at the node nearest to that.
+    pub at_m: f64,
+    /// Mass in air \[kg\].
+    pub mass_kg: f64,
+    /// Weight in water as mass \[kg\]; negative for a buoy.
+    pub wet_mass_kg: f64,
+    /// Drag coefficient times area \[m²\]: one number, or along x, y, z.
+    #[serde(default = "nothing")]
+    pub drag_area_m2: OneOrMany,
+    /// Added mass \[kg\]: one number, or along x, y, z.
+    #[serde(default = "nothing")]
+    pub added_mass_kg: OneOrMany,
+}
+
+fn nothing() -> OneOrMany {
+    OneOrMany::One(0.0)
 }
 
 /// Buoyancy modules clamped on a stretch of a section, one a pitch. Their volume, mass and drag are spread over the

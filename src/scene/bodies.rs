@@ -1,0 +1,143 @@
+//! Bodies hung on the line: clumps along it, and the payload at its end.
+
+use super::SceneError;
+use super::line::{Hung, Joint};
+use crate::case::{self, Case, EndKind, OneOrMany};
+use crate::linalg::V3;
+use crate::physics::Body;
+use crate::physics::payload::{Form, box_form, sphere_and_cylinder};
+
+/// The bodies, clumps in the order of the case and then the payload, and what is to be said of their places.
+pub(super) fn on_line(
+    case: &Case,
+    joints: &[Joint],
+    arc: &[f64],
+) -> Result<(Vec<Hung>, Vec<String>), SceneError> {
+    let mut bodies = Vec::new();
+    let mut remarks = Vec::new();
+    for clump in &case.clumps {
+        let (node, off) = nearest_node(case, clump, joints, arc)?;
+        if off.abs() > 1e-6 * arc[arc.len() - 1] {
+            remarks.push(format!(
+                "`{}` hangs at the nearest node, {:.3} m {} the place given; choose the segments of section `{}` so that a node lies there",
+                clump.name,
+                off.abs(),
+                if off > 0.0 { "beyond" } else { "before" },
+                clump.section,
+            ));
+        }
+        bodies.push(Hung {
+            node,
+            body: hung(case, clump),
+        });
+    }
+    bodies.extend(payload(case)?.map(|body| Hung {
+        node: arc.len() - 1,
+        body,
+    }));
+    Ok((bodies, remarks))
+}
+
+/// The node of the clump's section nearest to its place, and how far beyond the place it lies \[m\].
+fn nearest_node(
+    case: &Case,
+    clump: &case::Clump,
+    joints: &[Joint],
+    arc: &[f64],
+) -> Result<(usize, f64), SceneError> {
+    let section = case.line.iter().position(|s| s.name == clump.section);
+    let section = section.ok_or_else(|| SceneError::Impossible {
+        key: format!("clumps.{}.section", clump.name),
+        why: "the case has no section of that name",
+    })?;
+    let (first, last) = (joints[section].node, joints[section + 1].node);
+    let place = arc[first] + clump.at_m;
+    let off = |node: usize| arc[node] - place;
+    let nearest = (first..=last).min_by(|a, b| off(*a).abs().total_cmp(&off(*b).abs()));
+    let node = nearest.unwrap_or(first);
+    Ok((node, off(node)))
+}
+
+fn hung(case: &Case, clump: &case::Clump) -> Body {
+    let water = &case.environment;
+    Body {
+        mass: clump.mass_kg,
+        weight: clump.wet_mass_kg * water.gravity_m_per_s2,
+        drag: axes(&clump.drag_area_m2) * (0.5 * water.water_density_kg_per_m3),
+        added: axes(&clump.added_mass_kg),
+    }
+}
+
+/// The payload, its form filling in what the case leaves out.
+fn payload(case: &Case) -> Result<Option<Body>, SceneError> {
+    if case.ends.a.kind == EndKind::Payload {
+        let key = "ends.a.kind".into();
+        return Err(SceneError::Impossible {
+            key,
+            why: "the payload hangs at end B; list the sections the other way",
+        });
+    }
+    if case.ends.b.kind != EndKind::Payload {
+        return Ok(None);
+    }
+    let missing = |key: &str, why| SceneError::Missing {
+        key: key.into(),
+        why,
+    };
+    let body = case
+        .payload
+        .as_ref()
+        .ok_or_else(|| missing("payload", "end B carries one"))?;
+    let rho = case.environment.water_density_kg_per_m3;
+    let form = body.shape.as_ref().map(form);
+    let volume = body.volume_m3.or(form.map(|f| f.volume));
+    let wet = match (body.wet_mass_kg, volume) {
+        (Some(wet), _) => wet,
+        (None, Some(volume)) => body.dry_mass_kg - rho * volume,
+        (None, None) => {
+            return Err(missing(
+                "payload.wet_mass_kg",
+                "neither volume nor shape gives the buoyancy",
+            ));
+        }
+    };
+    let area = body
+        .drag_area_m2
+        .as_ref()
+        .map(axes)
+        .or(form.map(|f| f.drag_area));
+    let added = body
+        .added_mass_kg
+        .as_ref()
+        .map(axes)
+        .or(form.map(|f| f.added_volume * rho));
+    Ok(Some(Body {
+        mass: body.dry_mass_kg,
+        weight: wet * case.environment.gravity_m_per_s2,
+        drag: area.unwrap_or_default() * (0.5 * rho),
+        added: added.unwrap_or_default(),
+    }))
+}
+
+fn form(shape: &case::Shape) -> Form {
+    match *shape {
+        case::Shape::Box {
+            length_m,
+            breadth_m,
+            height_m,
+        } => box_form(length_m, breadth_m, height_m),
+        case::Shape::SphereAndCylinder {
+            sphere_diameter_m,
+            cylinder_diameter_m,
+            cylinder_length_m,
+        } => sphere_and_cylinder(sphere_diameter_m, cylinder_diameter_m, cylinder_length_m),
+    }
+}
+
+/// One number for all axes, or one an axis; a list of another length counts by its first numbers.
+fn axes(value: &OneOrMany) -> V3 {
+    match value {
+        OneOrMany::One(all) => V3::repeat(*all),
+        OneOrMany::Many(list) => V3::from_fn(|i, _| list.get(i).copied().unwrap_or(0.0)),
+    }
+}
