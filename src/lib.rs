@@ -15,6 +15,7 @@
 //! * [`solve`]: the trait between physics and numerics, and the one Newton loop.
 //! * [`statics`], [`dynamics`]: equilibrium, quasi-static march, RK4, generalized-alpha.
 //! * [`run`]: a case computed: history, shapes, summary with errors, cost; jobs on threads; the store.
+//! * [`section`]: the cross-section designer: from units, layers and armour to the material of a line.
 //! * [`reference`](mod@reference): published data and how a run is held against it.
 //! * [`report`]: tables and charts as text, shared by every view.
 //! * [`tui`], [`cli`]: the screen and the command line.
@@ -31,6 +32,7 @@ pub mod reference;
 pub mod report;
 pub mod run;
 pub mod scene;
+pub mod section;
 pub mod solve;
 pub mod statics;
 pub mod tui;

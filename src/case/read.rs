@@ -3,11 +3,12 @@
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use serde::Deserialize;
+use serde::de::DeserializeOwned;
 use toml::de::DeTable;
 
 use super::check::check;
 use super::diagnostic::{Diagnostic, Finding};
+use super::fields::{CASE, Schema};
 use super::model::Case;
 use super::tree::Node;
 
@@ -29,7 +30,7 @@ pub struct Loaded {
 /// Everything that is wrong, at once: that there is no such file, that it is a directory, binary
 /// or empty, faults of the TOML syntax, or every fault of keys and values.
 pub fn load(path: &Path) -> Result<Loaded, Vec<Diagnostic>> {
-    let text = text_of(path).map_err(|diagnostic| vec![diagnostic])?;
+    let text = text_of(path, &CASE).map_err(|diagnostic| vec![diagnostic])?;
     let case = parse(&text, &path.display().to_string())?;
     Ok(Loaded {
         text,
@@ -44,21 +45,26 @@ pub fn load(path: &Path) -> Result<Loaded, Vec<Diagnostic>> {
 ///
 /// Everything that is wrong, at once, in the order of the lines.
 pub fn parse(text: &str, file: &str) -> Result<Case, Vec<Diagnostic>> {
-    let diagnose = |found: Vec<Finding>| {
-        found
-            .into_iter()
-            .map(|finding| finding.at(file, text))
-            .collect()
-    };
-    if let Some(diagnostic) = nothing_said(text, file) {
-        return Err(vec![diagnostic]);
-    }
-    let tree = tree_of(text).map_err(diagnose)?;
+    let tree = said(text, file, &CASE)?;
     let found = check(&tree);
     if !found.is_empty() {
-        return Err(diagnose(found));
+        return Err(diagnose(found, text, file));
     }
-    words_of(text).map_err(|finding| diagnose(vec![finding]))
+    words_of(text).map_err(|finding| diagnose(vec![finding], text, file))
+}
+
+/// The tree of a text that says something, in TOML.
+pub(crate) fn said(text: &str, file: &str, schema: &Schema) -> Result<Node, Vec<Diagnostic>> {
+    if let Some(diagnostic) = nothing_said(text, file, schema) {
+        return Err(vec![diagnostic]);
+    }
+    tree_of(text).map_err(|found| diagnose(found, text, file))
+}
+
+/// Findings with their places in the text.
+pub(crate) fn diagnose(found: Vec<Finding>, text: &str, file: &str) -> Vec<Diagnostic> {
+    let placed = found.into_iter().map(|finding| finding.at(file, text));
+    placed.collect()
 }
 
 /// The tree of the text, or its faults of syntax.
@@ -91,9 +97,9 @@ fn syntax(span: Option<std::ops::Range<usize>>, message: &str) -> Finding {
     )
 }
 
-/// The checked text as a [`Case`]. The checks leave nothing for this to find; should they miss
+/// The checked text as the words of its kind, such as a [`Case`]. The checks leave nothing for this to find; should they miss
 /// something, it is still told as a diagnostic.
-fn words_of(text: &str) -> Result<Case, Finding> {
+pub(crate) fn words_of<T: DeserializeOwned>(text: &str) -> Result<T, Finding> {
     let fault = |error: &toml_edit::de::Error| {
         let problem = error.message().lines().collect::<Vec<_>>().join(", ");
         Finding::new(
@@ -104,10 +110,10 @@ fn words_of(text: &str) -> Result<Case, Finding> {
         )
     };
     let reader = toml_edit::de::Deserializer::parse(text).map_err(|error| fault(&error))?;
-    Case::deserialize(reader).map_err(|error| fault(&error))
+    T::deserialize(reader).map_err(|error| fault(&error))
 }
 
-fn nothing_said(text: &str, file: &str) -> Option<Diagnostic> {
+fn nothing_said(text: &str, file: &str, schema: &Schema) -> Option<Diagnostic> {
     let comment = |line: &str| line.trim().is_empty() || line.trim_start().starts_with('#');
     text.trim_start_matches('\u{feff}')
         .lines()
@@ -115,24 +121,28 @@ fn nothing_said(text: &str, file: &str) -> Option<Diagnostic> {
         .then(|| {
             Diagnostic::whole_file(
                 file,
-                "the file is empty: it holds no case",
-                "a case has at least [case], [materials.<name>], [[line]] and [ends.a], [ends.b]",
+                format!("the file is empty: it holds no {}", schema.what),
+                schema.least,
             )
         })
 }
 
-fn text_of(path: &Path) -> Result<String, Diagnostic> {
+/// The text of a file.
+pub(crate) fn text_of(path: &Path, schema: &Schema) -> Result<String, Diagnostic> {
     let file = path.display().to_string();
     if path.is_dir() {
-        let remedy = "name a case file in it; `seacable DIR` opens the workbench on all of them";
+        let what = schema.what;
+        let remedy = format!(
+            "name a {what} file in it; `seacable DIR` opens the workbench on all its cases"
+        );
         return Err(Diagnostic::whole_file(
             &file,
-            "is a directory, not a case file",
+            format!("is a directory, not a {what} file"),
             remedy,
         ));
     }
     let bytes = std::fs::read(path).map_err(|error| unreadable(&file, &error))?;
-    String::from_utf8(bytes).map_err(|error| binary(&file, &error))
+    String::from_utf8(bytes).map_err(|error| binary(&file, &error, schema))
 }
 
 fn unreadable(file: &str, error: &std::io::Error) -> Diagnostic {
@@ -156,14 +166,14 @@ fn unreadable(file: &str, error: &std::io::Error) -> Diagnostic {
 }
 
 /// A file that is not UTF-8, with the place of the first byte that is not.
-fn binary(file: &str, error: &std::string::FromUtf8Error) -> Diagnostic {
+fn binary(file: &str, error: &std::string::FromUtf8Error, schema: &Schema) -> Diagnostic {
     let good = error.utf8_error().valid_up_to();
     let before = String::from_utf8_lossy(&error.as_bytes()[..good]);
     let problem = format!(
         "this is not text: byte {} of the file is not UTF-8",
         good + 1
     );
-    let remedy = "a case is a text file in TOML, saved as UTF-8";
+    let remedy = format!("a {} is a text file in TOML, saved as UTF-8", schema.what);
     let finding = Finding::new(&(good..good), "", problem, remedy);
     finding.at(file, &before)
 }

@@ -8,7 +8,7 @@ use crate::case::channels::{
     LineEnd, body_channels, force_channels, joint_channels, motion_channels,
 };
 use crate::case::diagnostic::Finding;
-use crate::case::fields::{Absent, FIELDS, Field, field_at, number, quantity};
+use crate::case::fields::{Absent, CASE, FIELDS, Field, field_at, number, quantity};
 use crate::case::model::EndKind;
 use crate::case::tree::{Data, Node, element_names};
 
@@ -134,7 +134,7 @@ fn right_key(root: &Node, parts: &[String]) -> Option<String> {
     if known.is_empty() || root.find(table).is_none() {
         return None;
     }
-    Some(unknown_key(key, &known, &[]).remedy)
+    Some(unknown_key(&CASE, key, &known, &[]).remedy)
 }
 
 fn near_path(path: &str, here: &[String]) -> String {

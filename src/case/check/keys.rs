@@ -1,34 +1,37 @@
-//! Every table and value of the file against the table of fields: unknown keys, missing units,
+//! Every table and value of a file against the fields of its kind: unknown keys, missing units,
 //! wrong types, numbers out of range, required keys that are not there.
 
 use super::value;
 use super::words::{join, unknown_key};
 use crate::case::diagnostic::Finding;
-use crate::case::fields::{Absent, FIELDS, Field, TABLES, Table, TableShape, fields_of};
+use crate::case::fields::{Absent, Field, Schema, Table, TableShape};
 use crate::case::tree::{Entry, Node, element_names};
 
 /// Checks the whole document.
-pub(crate) fn check(root: &Node) -> Vec<Finding> {
-    let mut walk = Walk::default();
+pub(crate) fn check(schema: &'static Schema, root: &Node) -> Vec<Finding> {
+    let mut walk = Walk {
+        schema,
+        found: Vec::new(),
+    };
     walk.table(root, "", &mut Vec::new());
     walk.found
 }
 
-#[derive(Default)]
 struct Walk {
+    schema: &'static Schema,
     found: Vec<Finding>,
 }
 
 impl Walk {
     /// A table instance: `pattern` is the pattern of the table, `path` its own key path.
     fn table(&mut self, node: &Node, pattern: &str, path: &mut Vec<String>) {
-        let known = fields_here(node, pattern);
+        let known = fields_here(self.schema, node, pattern);
         let mut meant = Vec::new();
         for entry in node.entries() {
             path.push(entry.key.clone());
             if let Some(field) = known.iter().find(|field| field.key() == entry.key) {
                 self.value(field, entry, path);
-            } else if let Some(table) = subtable(pattern, &entry.key) {
+            } else if let Some(table) = subtable(self.schema, pattern, &entry.key) {
                 self.subtables(table, entry, path);
             } else {
                 meant.extend(self.unknown(entry, pattern, &known, path));
@@ -36,7 +39,8 @@ impl Walk {
             path.pop();
         }
         for field in known {
-            let required = field.absent == Absent::Required && exists(field, node) == Some(true);
+            let required =
+                field.absent == Absent::Required && exists(self.schema, field, node) == Some(true);
             if required && node.get(field.key()).is_none() && !meant.contains(&field.key()) {
                 self.missing_field(field, node, path);
             }
@@ -118,7 +122,9 @@ impl Walk {
         known: &[&'static Field],
         path: &[String],
     ) -> Option<&'static str> {
-        let wrong_kind = FIELDS
+        let wrong_kind = self
+            .schema
+            .fields
             .iter()
             .find(|field| field.table() == pattern && field.key() == entry.key)
             .and_then(|field| field.only_if);
@@ -133,10 +139,10 @@ impl Walk {
             self.found.push(finding);
             return None;
         }
-        let tables: Vec<&str> = subtables_of(pattern)
+        let tables: Vec<&str> = subtables_of(self.schema, pattern)
             .map(|table| last(table.path))
             .collect();
-        let said = unknown_key(&entry.key, known, &tables);
+        let said = unknown_key(self.schema, &entry.key, known, &tables);
         self.found.push(Finding::new(
             &entry.key_span,
             join(path),
@@ -160,7 +166,7 @@ impl Walk {
     }
 
     fn missing_tables(&mut self, node: &Node, pattern: &str, path: &mut Vec<String>) {
-        for table in subtables_of(pattern) {
+        for table in subtables_of(self.schema, pattern) {
             let key = last(table.path);
             if table.required && node.get(key).is_none() {
                 path.push(key.to_owned());
@@ -174,25 +180,29 @@ impl Walk {
 }
 
 /// The fields a table of this pattern has, given what its own keys say.
-pub(crate) fn fields_here(node: &Node, pattern: &str) -> Vec<&'static Field> {
-    fields_of(pattern)
-        .filter(|field| exists(field, node) != Some(false))
+pub(crate) fn fields_here(schema: &Schema, node: &Node, pattern: &str) -> Vec<&'static Field> {
+    schema
+        .fields_of(pattern)
+        .filter(|field| exists(schema, field, node) != Some(false))
         .collect()
 }
 
 /// Whether this table has the field at all; nothing when the key that decides it is itself wrong.
-fn exists(field: &Field, node: &Node) -> Option<bool> {
+fn exists(schema: &Schema, field: &Field, node: &Node) -> Option<bool> {
     let Some((key, wanted)) = field.only_if else {
         return Some(true);
     };
-    let decides = fields_of(field.table()).find(|other| other.key() == key)?;
+    let decides = schema
+        .fields_of(field.table())
+        .find(|other| other.key() == key)?;
     let deciding = node.get(key)?;
     value::check(decides, deciding).ok()?;
     Some(deciding.text() == Some(wanted))
 }
 
-fn subtables_of(pattern: &str) -> impl Iterator<Item = &'static Table> {
-    TABLES
+fn subtables_of(schema: &Schema, pattern: &str) -> impl Iterator<Item = &'static Table> {
+    schema
+        .tables
         .iter()
         .filter(move |table| match table.path.rsplit_once('.') {
             Some((parent, _)) => parent == pattern,
@@ -200,8 +210,8 @@ fn subtables_of(pattern: &str) -> impl Iterator<Item = &'static Table> {
         })
 }
 
-fn subtable(pattern: &str, key: &str) -> Option<&'static Table> {
-    subtables_of(pattern).find(|table| last(table.path) == key)
+fn subtable(schema: &Schema, pattern: &str, key: &str) -> Option<&'static Table> {
+    subtables_of(schema, pattern).find(|table| last(table.path) == key)
 }
 
 fn last(path: &str) -> &str {

@@ -11,16 +11,17 @@ mod value;
 mod words;
 
 use super::diagnostic::Finding;
+use super::fields::CASE;
 use super::tree::Node;
 
 pub(crate) use claims::unknown_path;
-pub(crate) use keys::fields_here;
+pub(crate) use keys::{check as check_keys, fields_here};
 pub(crate) use value::{check as check_value, text as value_text};
-pub(crate) use words::{join, split};
+pub(crate) use words::{join, nearest, split};
 
 /// Everything wrong with the file, in the order of its lines.
 pub(crate) fn check(root: &Node) -> Vec<Finding> {
-    let mut found = keys::check(root);
+    let mut found = keys::check(&CASE, root);
     found.extend(line::check(root));
     found.extend(loads::check(root));
     found.extend(claims::check(root));

@@ -41,6 +41,7 @@ pub(crate) fn check(field: &Field, node: &Node) -> Result<(), Fault> {
         Kind::List => list(field, node, None),
         Kind::Pair => list(field, node, Some(2)),
         Kind::Triple => list(field, node, Some(3)),
+        Kind::Words => words(field, node),
     }
 }
 
@@ -183,4 +184,20 @@ fn list(field: &Field, node: &Node, count: Option<usize>) -> Result<(), Fault> {
         ));
     }
     items.iter().try_for_each(|item| one_number(field, item))
+}
+
+fn words(field: &Field, node: &Node) -> Result<(), Fault> {
+    let Data::List(items) = &node.data else {
+        return Err(wrong_type(field, node, "a list of words in brackets"));
+    };
+    if items.is_empty() {
+        return Err(fault(
+            node,
+            "is an empty list",
+            format!("give {}", field.range_text()),
+        ));
+    }
+    items
+        .iter()
+        .try_for_each(|item| a_text(field, item).map(|_| ()))
 }

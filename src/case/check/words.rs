@@ -1,6 +1,6 @@
 //! Key paths, and the words of a message about a key that nobody knows.
 
-use crate::case::fields::{self, FIELDS, Field};
+use crate::case::fields::{self, Field, Schema};
 
 /// A key path as its parts; parts with dots stand in quotes. Nothing when it is malformed.
 pub(crate) fn split(path: &str) -> Option<Vec<String>> {
@@ -83,8 +83,13 @@ pub(crate) struct Unknown {
 }
 
 /// A key that the table of this pattern does not know. `known` are the fields it may have here.
-pub(crate) fn unknown_key(key: &str, known: &[&'static Field], tables: &[&str]) -> Unknown {
-    if let Some(field) = with_unit(key, known) {
+pub(crate) fn unknown_key(
+    schema: &Schema,
+    key: &str,
+    known: &[&'static Field],
+    tables: &[&str],
+) -> Unknown {
+    if let Some(field) = with_unit(schema, key, known) {
         return unit_slip(key, field);
     }
     let names = known
@@ -102,7 +107,7 @@ pub(crate) fn unknown_key(key: &str, known: &[&'static Field], tables: &[&str]) 
             meant,
         };
     }
-    let remedy = elsewhere(key).unwrap_or_else(|| {
+    let remedy = elsewhere(schema, key).unwrap_or_else(|| {
         let names: Vec<&str> = known
             .iter()
             .map(|field| field.key())
@@ -121,7 +126,7 @@ pub(crate) fn unknown_key(key: &str, known: &[&'static Field], tables: &[&str]) 
 }
 
 /// The field meant by a key that lacks its unit or has another one.
-fn with_unit(key: &str, known: &[&'static Field]) -> Option<&'static Field> {
+fn with_unit(schema: &Schema, key: &str, known: &[&'static Field]) -> Option<&'static Field> {
     let has_unit = |field: &&&'static Field| field.stem() != field.key();
     let bare = known
         .iter()
@@ -134,7 +139,7 @@ fn with_unit(key: &str, known: &[&'static Field]) -> Option<&'static Field> {
             .filter(|field| {
                 let rest = key.strip_prefix(field.stem());
                 rest.and_then(|rest| rest.strip_prefix('_'))
-                    .is_some_and(is_unit)
+                    .is_some_and(|suffix| is_unit(schema, suffix))
             })
             .max_by_key(|field| field.stem().len())
     };
@@ -142,7 +147,7 @@ fn with_unit(key: &str, known: &[&'static Field]) -> Option<&'static Field> {
 }
 
 /// Units people put into key names, the right ones among them.
-fn is_unit(suffix: &str) -> bool {
+fn is_unit(schema: &Schema, suffix: &str) -> bool {
     const OTHERS: &[&str] = &[
         "mm",
         "cm",
@@ -191,7 +196,8 @@ fn is_unit(suffix: &str) -> bool {
         "g_per_cm3",
         "t_per_m3",
     ];
-    let known = FIELDS
+    let known = schema
+        .fields
         .iter()
         .any(|field| fields::unit_suffix(field.unit) == Some(suffix));
     known || OTHERS.contains(&suffix)
@@ -212,8 +218,8 @@ fn unit_slip(key: &str, field: &'static Field) -> Unknown {
 }
 
 /// Where else a key of this name belongs.
-fn elsewhere(key: &str) -> Option<String> {
-    let field = FIELDS.iter().find(|field| field.key() == key)?;
+fn elsewhere(schema: &Schema, key: &str) -> Option<String> {
+    let field = schema.fields.iter().find(|field| field.key() == key)?;
     Some(format!(
         "`{key}` belongs in `{}`",
         field.table().replace(".*", "")
@@ -247,18 +253,18 @@ mod tests {
     #[test]
     fn a_unit_left_out_or_wrong_names_the_right_key() {
         let known: Vec<_> = fields::fields_of("line.*").collect();
-        let bare = unknown_key("length", &known, &[]);
+        let bare = unknown_key(&fields::CASE, "length", &known, &[]);
         assert_eq!(bare.remedy, "write `length_m`, with the value in m");
         assert_eq!(bare.meant, Some("length_m"));
-        let wrong = unknown_key("length_ft", &known, &[]);
+        let wrong = unknown_key(&fields::CASE, "length_ft", &known, &[]);
         assert_eq!(wrong.problem, "has the wrong unit in its name");
         let known: Vec<_> = fields::fields_of("materials.*").collect();
         assert_eq!(
-            unknown_key("mass_kg", &known, &[]).meant,
+            unknown_key(&fields::CASE, "mass_kg", &known, &[]).meant,
             Some("mass_kg_per_m")
         );
         assert_eq!(
-            unknown_key("wet_weight_n_per_m", &known, &[]).meant,
+            unknown_key(&fields::CASE, "wet_weight_n_per_m", &known, &[]).meant,
             Some("wet_weight_kg_per_m")
         );
     }

@@ -14,7 +14,37 @@ pub(crate) use range::{number, quantity};
 pub use rows::{FieldRow, rows};
 pub use table::{FIELDS, TABLES};
 
-/// A key of the case file.
+/// A kind of file: what it is called, and every table and field it can have.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Schema {
+    /// What a file of this kind is, in a word: "case".
+    pub what: &'static str,
+    /// What it holds at the least, as a sentence for somebody with an empty one.
+    pub least: &'static str,
+    /// Its fields.
+    pub fields: &'static [Field],
+    /// Its tables.
+    pub tables: &'static [Table],
+}
+
+/// The case file.
+pub static CASE: Schema = Schema {
+    what: "case",
+    least: "a case has at least [case], [materials.<name>], [[line]] and [ends.a], [ends.b]",
+    fields: FIELDS,
+    tables: TABLES,
+};
+
+impl Schema {
+    /// The fields of a table, by the table's pattern.
+    pub fn fields_of(&self, table: &str) -> impl Iterator<Item = &'static Field> {
+        self.fields
+            .iter()
+            .filter(move |field| field.table() == table)
+    }
+}
+
+/// A key of a file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Field {
     /// Path pattern: `materials.*.ea_n`.
@@ -63,6 +93,8 @@ pub enum Kind {
     Pair,
     /// Three numbers, along x, y, z.
     Triple,
+    /// A list of words.
+    Words,
 }
 
 /// What holds when a key is absent.
@@ -76,7 +108,7 @@ pub enum Absent {
     Means(&'static str),
 }
 
-/// A table of the case file.
+/// A table of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Table {
     /// Path pattern: `materials`, `ends.a`.
@@ -139,6 +171,7 @@ impl Field {
             Kind::List => format!("a list, each {numbers}"),
             Kind::Pair => format!("two numbers, each {numbers}"),
             Kind::Triple => format!("three numbers along x, y, z, each {numbers}"),
+            Kind::Words => "a list of words in quotes".to_owned(),
         }
     }
 
@@ -179,9 +212,9 @@ pub fn field_at<S: AsRef<str>>(path: &[S]) -> Option<&'static Field> {
     })
 }
 
-/// The fields of a table, by the table's pattern.
+/// The fields of a table of the case file, by the table's pattern.
 pub fn fields_of(table: &str) -> impl Iterator<Item = &'static Field> {
-    FIELDS.iter().filter(move |field| field.table() == table)
+    CASE.fields_of(table)
 }
 
 /// Keys end in this when their value has the unit: `m` for metres, `kg_per_m` for kg/m.
@@ -211,6 +244,7 @@ const UNITS: &[(&str, &str)] = &[
     ("N m²", "n_m2"),
     ("N/m³", "n_per_m3"),
     ("N s/m³", "n_s_per_m3"),
+    ("Pa", "pa"),
 ];
 
 /// "a, b or c", each in backquotes.

@@ -1,6 +1,6 @@
 //! The fields of one case, as a parameter editor lists them.
 
-use super::{Absent, FIELDS, Field};
+use super::{Absent, CASE, FIELDS, Field};
 use crate::case::check::{fields_here, join, value_text};
 use crate::case::model::{Case, Mark};
 use crate::case::tree::{Node, element_names};
@@ -111,7 +111,7 @@ impl Lister<'_> {
     fn table(&self, pattern: &str, path: &[&str], group: &str) -> Vec<FieldRow> {
         let node = self.root.find(path);
         let fields: Vec<&'static Field> = match node {
-            Some(node) => fields_here(node, pattern),
+            Some(node) => fields_here(&CASE, node, pattern),
             None => FIELDS
                 .iter()
                 .filter(|field| field.table() == pattern)

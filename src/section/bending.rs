@@ -1,0 +1,51 @@
+//! Bending after Costello, G. A. and Phillips, J. W. (1976), "Effective modulus of twisted wire
+//! cables", J. Eng. Mech. Div. ASCE 102, 171-181 (also Costello 1990, *Theory of Wire Rope*), as
+//! Lin et al. 2016 use it, eqs. (18)-(19):
+//!
+//! ```text
+//! EI = Σ 2 cos α/(2 + ν sin²α) E I + E_c I_c
+//! ```
+//!
+//! with the lay angle α to the axis (Costello counts it from the plane of the section). Every unit
+//! bends about its own axis: all slip freely. That is the least the bending stiffness can be, and
+//! what it comes to at large curvature. Sheaths go all around and cannot slip: they are added.
+
+use super::layout::Layout;
+
+/// Bending stiffness of a section, by what it comes from \[N m²\].
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Bending {
+    /// The helical layers.
+    pub helices: f64,
+    /// The middle with its jacket.
+    pub centre: f64,
+    /// The sheaths.
+    pub sheaths: f64,
+}
+
+impl Bending {
+    /// All together \[N m²\].
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.helices + self.centre + self.sheaths
+    }
+}
+
+/// The bending stiffness of a section.
+#[must_use]
+pub fn bending(layout: &Layout) -> Bending {
+    let helices = layout.helices().map(|helix| {
+        let (sin, cos) = helix.angle.sin_cos();
+        let units = helix
+            .elements
+            .iter()
+            .map(|unit| unit.ei * 2.0 * cos / (2.0 + unit.poisson * sin * sin));
+        units.sum::<f64>()
+    });
+    let centre = layout.centre.as_ref();
+    Bending {
+        helices: helices.sum(),
+        centre: centre.map_or(0.0, |centre| centre.element.ei + centre.jacket().ei),
+        sheaths: layout.sheaths().map(|sheath| sheath.solid().ei).sum(),
+    }
+}

@@ -1,0 +1,34 @@
+//! The cross-section designer: from units, layers, armour and sheaths to the stiffness and weight of
+//! a cable, for a line case to use.
+//!
+//! [`model`] holds the words of a section file, [`fields`] its keys with unit, range, default and
+//! help, [`parse`] and [`load`] check it. [`design`](design()) lays the section out
+//! ([`layout`], by the [`packing`] of helices) and works out [`stiffness`], [`bending`],
+//! [`weight`] and [`strength`]. [`picture`] draws it, [`tables`] and [`text`] put it in words,
+//! [`material`] and [`fragment`](fragment()) hand it to a line case.
+
+pub mod bending;
+mod design;
+mod element;
+pub mod fields;
+mod fragment;
+pub mod layout;
+mod misfit;
+pub mod model;
+pub mod packing;
+pub mod picture;
+mod read;
+pub mod stiffness;
+pub mod strength;
+pub mod tables;
+pub mod text;
+mod units;
+pub mod weight;
+
+pub use design::{Design, design, material};
+pub use element::Element;
+pub use fragment::fragment;
+pub use layout::{Helix, Layout, Middle, SheathTube, Shell};
+pub use misfit::Misfit;
+pub use model::Section;
+pub use read::{Loaded, load, parse};

@@ -1,0 +1,50 @@
+//! What a metre of cable weighs, in air and in water.
+
+use super::element::disc;
+use super::layout::{Layout, Shell};
+use super::model::{About, Voids};
+
+/// Weight of a metre of cable.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Weight {
+    /// Mass in air, the gaps empty \[kg/m\].
+    pub in_air: f64,
+    /// Mass that moves with the cable in water: water in flooded gaps counts \[kg/m\].
+    pub moving: f64,
+    /// Weight in water as mass \[kg/m\].
+    pub in_water: f64,
+    /// Weight in water as force \[N/m\].
+    pub in_water_force: f64,
+    /// Gaps that nothing fills \[m²\].
+    pub voids: f64,
+}
+
+/// The weight of a section.
+#[must_use]
+pub fn weight(layout: &Layout, about: &About) -> Weight {
+    let shells = layout.shells.iter().map(|shell| match shell {
+        Shell::Helix(helix) => helix.mass(),
+        Shell::Tube(tube) => tube.mass(),
+    });
+    let centre = layout.centre.as_ref().map_or(0.0, super::Middle::mass);
+    let in_air = centre + shells.sum::<f64>();
+    let voids = layout
+        .helices()
+        .map(|helix| helix.gaps() * (1.0 - helix.filler.0))
+        .sum::<f64>();
+    let water = about.water_density_kg_per_m3;
+    let outside = disc(layout.outer_radius);
+    // Water in the gaps floats in water: it neither weighs nor lifts.
+    let (moving, displaced) = match about.voids {
+        Voids::Dry => (in_air, outside),
+        Voids::Flooded => (in_air + voids * water, outside - voids),
+    };
+    let in_water = in_air - displaced * water;
+    Weight {
+        in_air,
+        moving,
+        in_water,
+        in_water_force: in_water * about.gravity_m_per_s2,
+        voids,
+    }
+}
