@@ -10,6 +10,7 @@ use seacable::case::{self, Loaded, edit};
 use seacable::reference::{self, Outcome};
 use seacable::run::RunState;
 use seacable::run::job::{self, Request};
+use seacable::section::is_section;
 
 fn case_files(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
@@ -17,7 +18,7 @@ fn case_files(folder: &Path) -> Vec<PathBuf> {
         let path = entry.unwrap().path();
         if path.is_dir() {
             files.extend(case_files(&path));
-        } else if path.extension().is_some_and(|ending| ending == "toml") {
+        } else if path.extension().is_some_and(|ending| ending == "toml") && !is_section(&path) {
             files.push(path);
         }
     }

@@ -58,7 +58,31 @@ pub(crate) fn said(text: &str, file: &str, schema: &Schema) -> Result<Node, Vec<
     if let Some(diagnostic) = nothing_said(text, file, schema) {
         return Err(vec![diagnostic]);
     }
-    tree_of(text).map_err(|found| diagnose(found, text, file))
+    let tree = tree_of(text).map_err(|found| diagnose(found, text, file))?;
+    match other_kind(&tree, schema) {
+        Some(found) => Err(diagnose(vec![found], text, file)),
+        None => Ok(tree),
+    }
+}
+
+/// A file of another kind, told by the table that every file of its kind begins with.
+fn other_kind(tree: &Node, schema: &Schema) -> Option<Finding> {
+    const KINDS: [(&str, &str, &str); 2] = [
+        ("case", "a line case", "`seacable run` computes it"),
+        (
+            "section",
+            "a cross-section",
+            "`seacable section` works it out",
+        ),
+    ];
+    if tree.get(schema.what).is_some() {
+        return None;
+    }
+    let (table, found, remedy) = KINDS.iter().find(|kind| tree.get(kind.0).is_some())?;
+    let wanted = KINDS.iter().find(|kind| kind.0 == schema.what)?;
+    let span = &tree.get(table)?.span;
+    let problem = format!("this is {found}, not {}", wanted.1);
+    Some(Finding::new(span, *table, problem, *remedy))
 }
 
 /// Findings with their places in the text.

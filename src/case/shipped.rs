@@ -28,6 +28,7 @@ mod tests {
     };
 
     use super::SHIPPED;
+    use crate::section::is_section;
 
     #[test]
     fn the_list_is_the_folder() {
@@ -39,7 +40,7 @@ mod tests {
                 let path = item.unwrap().path();
                 if path.is_dir() {
                     folders.push(path);
-                } else if path.extension().is_some_and(|e| e == "toml") {
+                } else if path.extension().is_some_and(|e| e == "toml") && !is_section(&path) {
                     let name = path
                         .strip_prefix(&root)
                         .unwrap()

@@ -62,6 +62,39 @@ pub(super) enum Command {
     /// horizontal part of the tension, v_b pulling B down and v_a pulling A up when positive. A row
     /// without an answer says why in its status; the exit status is 1 when there is one.
     Catenary(CatenaryWords),
+    /// Work out a cable's cross-section: layout, stiffness, weight, strength.
+    ///
+    /// Prints the section drawn to scale and its tables, stiffness with a rigid and an incompressible
+    /// core side by side; writes the material for a line case where wanted. A layout that is
+    /// impossible is refused with the reason.
+    Section(SectionWords),
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct SectionWords {
+    /// The section file, such as cases/umbilical/section.toml.
+    #[arg(value_name = "CASE")]
+    pub(super) file: PathBuf,
+
+    /// Write the table [materials.<name>] for a line case to this file.
+    #[arg(short, long = "output", value_name = "FILE")]
+    pub(super) output: Option<PathBuf>,
+
+    /// Tension to share out over the layers, in N; the allowable one unless given.
+    #[arg(long, value_name = "TENSION", value_parser = tension)]
+    pub(super) tension_n: Option<f64>,
+
+    /// Draw with ASCII characters only.
+    #[arg(long)]
+    pub(super) ascii: bool,
+}
+
+/// A tension worth sharing out.
+fn tension(word: &str) -> Result<f64, String> {
+    match word.parse::<f64>() {
+        Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
+        _ => Err("give a number of newtons greater than 0, for example 1e5".to_owned()),
+    }
 }
 
 #[derive(Debug, clap::Args)]

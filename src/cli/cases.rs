@@ -6,7 +6,10 @@ use std::{
 };
 
 use super::Failure;
-use crate::case::{self, Case, edit, shipped::SHIPPED};
+use crate::{
+    case::{self, Case, edit, shipped::SHIPPED},
+    section::is_section,
+};
 
 /// Where the cases that come with the program lie in its source.
 const FOLDER: &str = "cases";
@@ -125,7 +128,7 @@ fn collect(dir: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
     for path in inside {
         if path.is_dir() {
             collect(&path, files)?;
-        } else if path.extension().is_some_and(|e| e == "toml") {
+        } else if path.extension().is_some_and(|e| e == "toml") && !is_section(&path) {
             files.push(path);
         }
     }

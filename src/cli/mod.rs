@@ -13,6 +13,7 @@ mod output;
 mod progress;
 mod report;
 mod run;
+mod section;
 mod signals;
 mod validate;
 mod workbench;
@@ -39,6 +40,7 @@ pub fn main() -> ExitCode {
         Some(Command::Validate(words)) => validate::validate(words),
         Some(Command::Report(words)) => report::report(words),
         Some(Command::Catenary(words)) => catenary::catenary(words),
+        Some(Command::Section(words)) => section::section(words),
     };
     done.unwrap_or_else(Failure::tell)
 }

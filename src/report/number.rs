@@ -5,7 +5,7 @@
 //! number would otherwise be too long to read.
 
 /// Units that take engineering prefixes.
-const PREFIXED: [&str; 6] = ["N", "Pa", "W", "J", "N m", "N s"];
+const PREFIXED: [&str; 7] = ["N", "Pa", "W", "J", "N m", "N m²", "N s"];
 
 /// Greatest number of significant digits shown, however small the error.
 const MOST_DIGITS: i32 = 7;

@@ -9,6 +9,10 @@
 //! with the lay angle α to the axis (Costello counts it from the plane of the section). Every unit
 //! bends about its own axis: all slip freely. That is the least the bending stiffness can be, and
 //! what it comes to at large curvature. Sheaths go all around and cannot slip: they are added.
+//!
+//! The most it can be is with nothing slipping: plane sections then stay plane, a helical unit is
+//! strained by κ R cos²α times the cosine of its place around the cable, and the layer adds
+//! ½ Σ E A R² cos³α.
 
 use super::layout::Layout;
 
@@ -21,13 +25,21 @@ pub struct Bending {
     pub centre: f64,
     /// The sheaths.
     pub sheaths: f64,
+    /// What the helical layers would add if nothing slipped.
+    pub friction: f64,
 }
 
 impl Bending {
-    /// All together \[N m²\].
+    /// All together, units slipping freely: the least it can be \[N m²\].
     #[must_use]
     pub fn total(&self) -> f64 {
         self.helices + self.centre + self.sheaths
+    }
+
+    /// All together, nothing slipping: the most it can be \[N m²\].
+    #[must_use]
+    pub fn stuck(&self) -> f64 {
+        self.total() + self.friction
     }
 }
 
@@ -42,8 +54,13 @@ pub fn bending(layout: &Layout) -> Bending {
             .map(|unit| unit.ei * 2.0 * cos / (2.0 + unit.poisson * sin * sin));
         units.sum::<f64>()
     });
+    let friction = layout.helices().map(|helix| {
+        let ea: f64 = helix.elements.iter().map(|unit| unit.ea).sum();
+        0.5 * ea * helix.pitch_radius.powi(2) * helix.angle.cos().powi(3)
+    });
     let centre = layout.centre.as_ref();
     Bending {
+        friction: friction.sum(),
         helices: helices.sum(),
         centre: centre.map_or(0.0, |centre| centre.element.ei + centre.jacket().ei),
         sheaths: layout.sheaths().map(|sheath| sheath.solid().ei).sum(),

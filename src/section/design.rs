@@ -1,7 +1,8 @@
 //! A section with all that follows from it.
 
 use super::bending::{Bending, bending};
-use super::layout::{Layout, lay_out};
+use super::lay::lay_out;
+use super::layout::Layout;
 use super::misfit::Misfit;
 use super::model::{Core, Section};
 use super::stiffness::{Matrix, Twist, matrix};

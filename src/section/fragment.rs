@@ -4,13 +4,17 @@ use super::design::Design;
 use super::stiffness::Twist;
 use crate::report::number::si;
 
+/// How every such piece begins.
+pub const FRAGMENT_HEAD: &str = "# Material of a line, made by `seacable section`";
+
 /// The table `[materials.<name>]` of a line case, with what the table has no key for in comments.
 #[must_use]
 pub fn fragment(design: &Design) -> String {
     let about = &design.section.about;
     let material = design.material();
     let other = |core: super::model::Core| si(design.matrix(core).ea(Twist::Held), "N");
-    let mut lines = comment(&format!("{}.", about.title.trim_end_matches('.')));
+    let mut lines = format!("{FRAGMENT_HEAD} {}.\n", env!("CARGO_PKG_VERSION"));
+    lines += &comment(&format!("{}.", about.title.trim_end_matches('.')));
     if !about.source.is_empty() {
         lines += &comment(&format!("Source: {}", about.source));
     }
@@ -21,8 +25,9 @@ pub fn fragment(design: &Design) -> String {
         about.core
     ));
     lines += &comment(&format!(
-        "EI = {} with full slip (Costello 1976, eqs. (18)-(19)), sheaths added.",
-        si(design.bending.total(), "N m²")
+        "EI = {} with full slip (Costello 1976, eqs. (18)-(19)), sheaths added; {} if nothing slipped.",
+        si(design.bending.total(), "N m²"),
+        si(design.bending.stuck(), "N m²")
     ));
     lines += &comment(&format!(
         "GJ = {} at held length (eq. (17)).",

@@ -85,10 +85,10 @@ pub fn ring(radii: &[f64], radius: f64, angle: f64) -> Option<Ring> {
     let mut from_thickest: Vec<f64> = vec![0.0];
     for j in 1..n {
         let mut place = from_thickest[j - 1] + touch.phase(of(j - 1) + of(j))?;
-        for i in 0..j - 1 {
+        for (i, before) in from_thickest.iter().enumerate().take(j - 1) {
             let sum = of(i) + of(j);
-            if place - from_thickest[i] < touch.at_most(sum) {
-                place = place.max(from_thickest[i] + touch.phase(sum)?);
+            if place - before < touch.at_most(sum) {
+                place = place.max(before + touch.phase(sum)?);
             }
         }
         from_thickest.push(place);
@@ -208,9 +208,10 @@ mod tests {
 
     /// Least distance of two helices by brute force.
     fn by_hand(phase: f64, angle: f64) -> f64 {
-        (-20_000..=20_000)
+        let phase = phase.min(TAU - phase);
+        (0..=20_000)
             .map(|i| {
-                let theta = f64::from(i) * TAU / 20_000.0;
+                let theta = -f64::from(i) * phase / 20_000.0;
                 let other = (phase + theta).cos();
                 (2.0 - 2.0 * other + (theta / angle.tan()).powi(2)).sqrt()
             })
@@ -224,7 +225,7 @@ mod tests {
                 let angle = degrees.to_radians();
                 let (ours, other) = (helix_distance(phase, angle), by_hand(phase, angle));
                 assert!(
-                    (ours - other).abs() < 1e-6,
+                    ours <= other && (ours / other - 1.0).abs() < 1e-5,
                     "{phase} {degrees}: {ours} {other}"
                 );
             }
@@ -233,9 +234,9 @@ mod tests {
 
     #[test]
     fn straight_units_need_the_circle_of_the_polygon() {
-        let radius = smallest_radius(&[1.0; 6], 1e-6);
-        assert!((radius - 2.0).abs() < 1e-9, "{radius}");
-        assert_eq!(most(1.0, 2.0, 1e-6), 6);
+        let radius = smallest_radius(&[1.0; 6], 1e-4);
+        assert!((radius - 2.0).abs() < 1e-7, "{radius}");
+        assert_eq!(most(1.0, radius, 1e-4), 6);
     }
 
     #[test]

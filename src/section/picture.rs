@@ -13,6 +13,9 @@ use crate::report::chart::{Axis, Chart, Glyphs, Series, draw};
 /// Corners of an outline that is drawn as a circle.
 const CORNERS: u32 = 72;
 
+/// Corners of outlines \[mm\]; what is not a number ends one.
+type Points = Vec<(f64, f64)>;
+
 /// The section as a chart, in millimetres, equal in both directions.
 #[must_use]
 pub fn chart(design: &Design) -> Chart {
@@ -39,7 +42,7 @@ pub fn picture(design: &Design, width: usize, height: usize, glyphs: Glyphs) -> 
 }
 
 fn series(design: &Design) -> Vec<Series> {
-    let mut outlines: Vec<(String, Vec<(f64, f64)>)> = Vec::new();
+    let mut outlines: Vec<(String, Points)> = Vec::new();
     if let Some(centre) = &design.layout.centre {
         let mut points = unit(&centre.element, 0.0, 0.0, 1.0);
         if centre.radius > centre.element.radius {
@@ -64,8 +67,8 @@ fn series(design: &Design) -> Vec<Series> {
 }
 
 /// The outlines of a layer, one set for each kind of unit.
-fn layer(helix: &Helix) -> Vec<(String, Vec<(f64, f64)>)> {
-    let mut kinds: Vec<(&str, usize, Vec<(f64, f64)>)> = Vec::new();
+fn layer(helix: &Helix) -> Vec<(String, Points)> {
+    let mut kinds: Vec<(&str, usize, Points)> = Vec::new();
     let stretch = 1.0 / helix.angle.cos();
     for (element, place) in helix.elements.iter().zip(&helix.places) {
         let points = unit(element, helix.pitch_radius, *place, stretch);
@@ -88,7 +91,7 @@ fn layer(helix: &Helix) -> Vec<(String, Vec<(f64, f64)>)> {
 }
 
 /// The outline of a unit at a place of its layer, and that of its bore.
-fn unit(element: &Element, pitch_radius: f64, place: f64, stretch: f64) -> Vec<(f64, f64)> {
+fn unit(element: &Element, pitch_radius: f64, place: f64, stretch: f64) -> Points {
     let mut points = ellipse(
         pitch_radius,
         place,
@@ -104,7 +107,7 @@ fn unit(element: &Element, pitch_radius: f64, place: f64, stretch: f64) -> Vec<(
 
 /// A closed outline \[mm\] about a point at this distance and angle, so thick across and around;
 /// what is not a number ends it.
-fn ellipse(distance: f64, place: f64, across: f64, around: f64) -> Vec<(f64, f64)> {
+fn ellipse(distance: f64, place: f64, across: f64, around: f64) -> Points {
     // The first unit lies at the top.
     let (sin, cos) = (0.25 * TAU - place).sin_cos();
     let corner = |i: u32| {
@@ -115,7 +118,7 @@ fn ellipse(distance: f64, place: f64, across: f64, around: f64) -> Vec<(f64, f64
             1e3 * (out * sin + along * cos),
         )
     };
-    let mut points: Vec<(f64, f64)> = (0..=CORNERS).map(corner).collect();
+    let mut points: Points = (0..=CORNERS).map(corner).collect();
     points.push((f64::NAN, f64::NAN));
     points
 }

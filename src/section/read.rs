@@ -19,6 +19,14 @@ pub struct Loaded {
     pub path: PathBuf,
 }
 
+/// Whether a file is a section rather than a line case; the two may share a folder.
+#[must_use]
+pub fn is_section(path: &Path) -> bool {
+    let text = std::fs::read_to_string(path).unwrap_or_default();
+    text.lines()
+        .any(|line| line.trim_start().starts_with("[section]"))
+}
+
 /// Reads, checks and works out a section file.
 ///
 /// # Errors

@@ -157,19 +157,26 @@ pub fn stiffness(design: &Design) -> Table {
             TENSION,
         ),
     ];
-    rows.push(alone(
-        "EI",
-        design.bending.total(),
-        "the rows below together",
-    ));
-    let slip = "Costello, eqs. (18)-(19), full slip";
-    let units = design.bending.helices + design.bending.centre;
-    rows.push(alone("EI of units, wires and middle", units, slip));
-    rows.push(alone(
-        "EI of the sheaths",
-        design.bending.sheaths,
-        "E I of a tube",
-    ));
+    let bending = &design.bending;
+    let ei = [
+        (
+            "EI, all slips",
+            bending.total(),
+            "the two rows below together",
+        ),
+        (
+            "EI of units, wires, middle",
+            bending.helices + bending.centre,
+            "Costello, eqs. (18)-(19)",
+        ),
+        ("EI of the sheaths", bending.sheaths, "E I of a tube"),
+        (
+            "EI, nothing slips",
+            bending.stuck(),
+            "plane sections stay plane",
+        ),
+    ];
+    rows.extend(ei.map(|(name, value, theory)| alone(name, value, theory)));
     Table {
         title: "Stiffness".to_owned(),
         columns: vec![
@@ -211,7 +218,7 @@ fn alone(name: &str, value: f64, theory: &str) -> Vec<Cell> {
         Cell::plain(name),
         Cell::plain(si(value, "N m²")),
         Cell::plain(si(value, "N m²")),
-        Cell::plain("not known"),
+        Cell::plain("-"),
         Cell::plain(theory),
     ]
 }
@@ -230,7 +237,8 @@ fn stiffness_notes(design: &Design) -> Vec<String> {
         "Positive coupling: under tension the cable wants to unwind its right-handed layers."
             .to_owned(),
     );
-    notes.push("Full slip is the least EI can be; before its layers slip, at small curvature, a cable is much stiffer in bending.".to_owned());
+    notes.push("EI lies between its two values: a cable is stiff until its layers slip, and soft at large curvature. The spread between them is a model error; where friction lets the layers slip is not worked out. A line takes the value of full slip.".to_owned());
+
     let (ea, gj) = design.sheaths;
     if ea > 0.0 {
         notes.push(format!(

@@ -8,6 +8,7 @@ use etcetera::base_strategy::{BaseStrategy, Xdg};
 
 use super::state::CaseEntry;
 use crate::case::{self, render_all};
+use crate::section::is_section;
 
 pub use crate::case::shipped::SHIPPED;
 
@@ -103,7 +104,7 @@ fn files_below(dir: &Path, depth: usize) -> Vec<PathBuf> {
             if depth > 0 {
                 files.extend(files_below(&path, depth - 1));
             }
-        } else if path.extension().is_some_and(|e| e == "toml") {
+        } else if path.extension().is_some_and(|e| e == "toml") && !is_section(&path) {
             files.push(path);
         }
     }
