@@ -646,6 +646,7 @@ fn the_material_goes_into_a_line_case() {
             "wet",
         );
         near(theirs.ea_n, ours.ea_n, 1e-6, "EA");
+        near(theirs.ei_n_m2, ours.ei_n_m2, 1e-6, "EI");
         near(
             theirs.break_load_n.unwrap(),
             ours.break_load_n.unwrap(),

@@ -76,7 +76,7 @@ pub(super) struct SectionWords {
     #[arg(value_name = "CASE")]
     pub(super) file: PathBuf,
 
-    /// Write the table [materials.<name>] for a line case to this file.
+    /// Write the material, a table to paste into a line case, to this file.
     #[arg(short, long = "output", value_name = "FILE")]
     pub(super) output: Option<PathBuf>,
 

@@ -48,7 +48,7 @@ impl Design {
         self.matrix(self.section.about.core).ea(Twist::Held)
     }
 
-    /// The section as a material of a line case. Its drag is left at nothing: it depends on the
+    /// The section as a material of a line case, its bending stiffness that of full slip. Its drag is left at nothing: it depends on the
     /// flow, not on the make-up.
     #[must_use]
     pub fn material(&self) -> Material {
@@ -57,6 +57,7 @@ impl Design {
             mass_kg_per_m: self.weight.moving,
             wet_weight_kg_per_m: Some(self.weight.in_water),
             ea_n: self.ea(),
+            ei_n_m2: self.bending.total(),
             axial_damping_n_s: None,
             axial_damping_ratio: None,
             drag_normal: DragLaw::Constant(0.0),

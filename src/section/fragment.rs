@@ -49,6 +49,7 @@ pub fn fragment(design: &Design) -> String {
         lines += &key("wet_weight_kg_per_m", wet);
     }
     lines += &key("ea_n", material.ea_n);
+    lines += &key("ei_n_m2", material.ei_n_m2);
     if let Some(load) = material.break_load_n {
         lines += &key("break_load_n", load);
     }
