@@ -41,7 +41,7 @@ fn main() {
         &reference,
     );
     for rho in [0.0, 0.4, 0.8] {
-        for tolerance in [1e-4, 4e-5, 2e-5, 1e-5, 1e-6] {
+        for tolerance in [1e-4, 4e-5, 2e-5, 1e-5, 5e-6, 2e-6, 1e-6, 5e-7] {
             let case = with(&case, |c| {
                 set(c, Method::Alpha, None, rho);
                 c.solver.step_tolerance = tolerance;

@@ -13,7 +13,9 @@
 //!
 //! rho = 1 is close to Newmark's average acceleration, rho = 0 damps most. The forces are taken at the
 //! point between the steps, so that Newton works on one state there. The algorithmic acceleration
-//! is carried from step to step: taken anew from the forces, the method falls to first order.
+//! is carried from step to step: taken anew from the forces, the method falls to first order. It stands for the true
+//! one at `t + (alpha_f - alpha_m) h`, so where the step changes it is moved on to the new place, or each change of step
+//! would cost an error of first order.
 
 use super::{Step, StepError, Stepper, Tally};
 use crate::linalg::V3;
@@ -33,6 +35,10 @@ pub struct Alpha {
     between: State,
     /// Change of acceleration over the step before, per second, for the predictor \[m/s³\].
     jerk: Vec<V3>,
+    /// Length of the step before \[s\]; absent before the first.
+    last: Option<f64>,
+    /// Acceleration carried into the step, at the place that belongs to its length \[m/s²\].
+    carried: Vec<V3>,
     control: Option<Control>,
 }
 
@@ -61,6 +67,8 @@ impl Alpha {
             end: state.clone(),
             between: state,
             jerk: vec![V3::zeros(); nodes],
+            last: None,
+            carried: vec![V3::zeros(); nodes],
             control: None,
         }
     }
@@ -84,11 +92,21 @@ impl Alpha {
         }
     }
 
+    /// The acceleration carried from the step before, moved to where it stands for the true one in a step of h.
+    fn carry(&mut self, h: f64, state: &State) {
+        let moved = self
+            .last
+            .map_or(0.0, |last| (self.alpha_f - self.alpha_m) * (h - last));
+        for ((carried, a), jerk) in self.carried.iter_mut().zip(&state.a).zip(&self.jerk) {
+            *carried = a + jerk * moved;
+        }
+    }
+
     /// The end state foretold with the acceleration going on as before, and the state between.
     fn predict<S: System + ?Sized>(&mut self, system: &S, t: f64, h: f64, state: &State) {
         let (beta, gamma) = (self.beta, self.gamma);
         for i in system.free() {
-            let a0 = state.a[i];
+            let a0 = self.carried[i];
             let a1 = a0 + self.jerk[i] * h;
             self.end.x[i] = state.x[i] + (state.v[i] + (a0 * (0.5 - beta) + a1 * beta) * h) * h;
             self.end.v[i] = state.v[i] + (a0 * (1.0 - gamma) + a1 * gamma) * h;
@@ -102,7 +120,12 @@ impl Alpha {
         };
         mix(self.alpha_f, &self.end.x, &state.x, &mut self.between.x);
         mix(self.alpha_f, &self.end.v, &state.v, &mut self.between.v);
-        mix(self.alpha_m, &self.end.a, &state.a, &mut self.between.a);
+        mix(
+            self.alpha_m,
+            &self.end.a,
+            &self.carried,
+            &mut self.between.a,
+        );
     }
 
     /// The end state from the converged state between.
@@ -110,7 +133,7 @@ impl Alpha {
         let (m, k) = (1.0 / (1.0 - self.alpha_m), self.alpha_m);
         let (beta, gamma) = (self.beta, self.gamma);
         for i in system.free() {
-            let a0 = state.a[i];
+            let a0 = self.carried[i];
             let a1 = (self.between.a[i] - a0 * k) * m;
             self.end.x[i] = state.x[i] + (state.v[i] + (a0 * (0.5 - beta) + a1 * beta) * h) * h;
             self.end.v[i] = state.v[i] + (a0 * (1.0 - gamma) + a1 * gamma) * h;
@@ -121,18 +144,12 @@ impl Alpha {
     /// Estimated error of the step as a share of what is allowed, from the acceleration at its end: by its change
     /// in position, `|beta - 1/6| h² |a1 - a0|` (Zienkiewicz and Xie 1991, doi 10.1002/eqe.4290200907); by what the
     /// predictor missed, which is the second difference, in velocity, `h |a1 - a0 - h j0| / 12`.
-    fn share_of_error<S: System + ?Sized>(
-        &self,
-        system: &S,
-        h: f64,
-        state: &State,
-        control: &Control,
-    ) -> f64 {
+    fn share_of_error<S: System + ?Sized>(&self, system: &S, h: f64, control: &Control) -> f64 {
         let by_change = (self.beta - 1.0 / 6.0).abs() * h * h / control.position;
         let by_miss = h / (12.0 * control.velocity);
         let mut share = 0.0_f64;
         for i in system.free() {
-            let change = self.end.a[i] - state.a[i];
+            let change = self.end.a[i] - self.carried[i];
             let miss = change - self.jerk[i] * h;
             share = share
                 .max(change.norm_squared() * by_change * by_change)
@@ -144,8 +161,9 @@ impl Alpha {
     /// Takes the end state over.
     fn accept<S: System + ?Sized>(&mut self, system: &S, h: f64, state: &mut State) {
         for i in system.free() {
-            self.jerk[i] = (self.end.a[i] - state.a[i]) / h;
+            self.jerk[i] = (self.end.a[i] - self.carried[i]) / h;
         }
+        self.last = Some(h);
         state.copy_from(&self.end);
     }
 }
@@ -158,6 +176,7 @@ impl Stepper for Alpha {
         state: &mut State,
     ) -> Result<f64, StepError> {
         let Step { t, dt, refuse } = at;
+        self.carry(dt, state);
         self.predict(system, t, dt, state);
         let factors = self.factors(dt);
         let balance = t + (1.0 - self.alpha_f) * dt;
@@ -169,9 +188,9 @@ impl Stepper for Alpha {
             return Err(why.into());
         }
         self.conclude(system, dt, state);
-        let share = self.control.map_or(0.0, |control| {
-            self.share_of_error(system, dt, state, &control)
-        });
+        let share = self
+            .control
+            .map_or(0.0, |control| self.share_of_error(system, dt, &control));
         if refuse && share > 1.0 {
             return Err(StepError::Inaccurate(share));
         }

@@ -1,15 +1,15 @@
-//! Numerical errors of a run, estimated by companions: one with twice the time step, one with half the
-//! segments. Time error and mesh error are kept apart; model error is what a validation table shows.
+//! Numerical errors of a run, estimated by companions: one with another time step, one with another mesh. Time error and mesh error are kept apart; model error is what a validation table shows.
 //!
 //! With a method of order p and a ratio r between the steps, the error of the finer result is about
-//! `|fine - coarse| / (r^p - 1)` (Richardson).
+//! `|fine - coarse| / (r^p - 1)` (Richardson). A force that jumps (a drag crisis) leaves no method its order: the whole
+//! difference counts then.
 
 use std::sync::atomic::AtomicBool;
 
 use super::compute::{Computed, Step, compute};
 use super::statistic::{Wanted, evaluate, wanted};
 use super::{Quantity, RunState, quantity_name};
-use crate::case::{Case, Method};
+use crate::case::{Case, DragLaw, DragLawName, Method};
 
 /// Estimated errors, one a wanted number; absent where not estimated.
 #[derive(Debug, Clone, Default)]
@@ -27,43 +27,57 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
     let wanted = wanted_of(case, run);
     let fine: Vec<Option<f64>> = wanted.iter().map(|w| evaluate(&run.history, w)).collect();
     let order = order(case.solver.method);
+    let ratio = ratio_of_meshes(case);
     let companion = |coarsening, step| compute(case, coarsening, step, cancel, &mut |_| {});
     let (slow, coarse) = rayon::join(
         || order.map(|_| companion(1, Step::Doubled)),
-        || companion(2, Step::AsSet),
+        || (ratio > 1.0).then(|| companion(2, Step::AsSet)),
     );
-    let mut estimates = Estimates {
-        method: describe(case, order),
-        ..Estimates::default()
-    };
-    if let (Some(order), Some(slow)) = (order, slow) {
-        let divisor = 2f64.powi(order) - 1.0;
-        estimates.time = differences(
-            &wanted,
-            &fine,
-            &slow,
-            divisor,
-            "time",
-            &mut estimates.warnings,
-        );
-    }
-    let ratio = ratio_of_meshes(case);
-    if ratio > 1.0 {
-        let divisor = ratio * ratio - 1.0;
-        estimates.mesh = differences(
-            &wanted,
-            &fine,
-            &coarse,
-            divisor,
-            "mesh",
-            &mut estimates.warnings,
-        );
-    } else {
-        estimates
-            .warnings
+    let mut warnings = Vec::new();
+    if coarse.is_none() {
+        warnings
             .push("every section is one segment: the mesh error cannot be estimated".to_owned());
     }
-    estimates
+    let assured = !has_crisis(case);
+    let mut compare = |other: Option<Computed>, divisor: f64, what| {
+        let divisor = if assured { divisor } else { 1.0 };
+        other.map_or_else(Vec::new, |other| {
+            differences(&wanted, &fine, &other, divisor, what, &mut warnings)
+        })
+    };
+    let time = compare(slow, 2f64.powi(order.unwrap_or(0)) - 1.0, "time");
+    let mesh = compare(coarse, ratio * ratio - 1.0, "mesh");
+    Estimates {
+        time,
+        mesh,
+        method: describe(case, order, ratio),
+        warnings,
+    }
+}
+
+/// How the errors are estimated, in words.
+fn describe(case: &Case, order: Option<i32>, ratio: f64) -> String {
+    let varies = case.solver.time_step_s.is_none() && case.solver.method == Method::Alpha;
+    let step = if varies {
+        "eight times the error allowed in a step"
+    } else {
+        "twice the step"
+    };
+    let time = order.map_or_else(String::new, |_| format!("time: {step}; "));
+    let how = match order {
+        _ if has_crisis(case) => "whole differences, since a drag coefficient jumps".to_owned(),
+        Some(order) => format!("by Richardson, orders {order} and 2"),
+        None => "by Richardson, order 2".to_owned(),
+    };
+    format!("{time}mesh: half the segments (ratio {ratio:.2}); {how}")
+}
+
+/// Whether any drag coefficient of the line jumps with the speed.
+fn has_crisis(case: &Case) -> bool {
+    case.line
+        .iter()
+        .filter_map(|section| case.materials.get(&section.material))
+        .any(|material| material.drag_normal == DragLaw::Named(DragLawName::Jia2019Normal))
 }
 
 /// The order in time of a method; none for statics.
@@ -80,20 +94,6 @@ fn ratio_of_meshes(case: &Case) -> f64 {
     let fine: usize = case.line.iter().map(|s| s.segments).sum();
     let coarse: usize = case.line.iter().map(|s| s.segments.div_ceil(2)).sum();
     fine as f64 / coarse as f64
-}
-
-fn describe(case: &Case, order: Option<i32>) -> String {
-    let mesh = format!(
-        "mesh: half the segments (ratio {:.2}, order 2)",
-        ratio_of_meshes(case)
-    );
-    match order {
-        Some(order) if case.solver.time_step_s.is_none() && case.solver.method == Method::Alpha => {
-            format!("time: eight times the error allowed in a step (order {order}); {mesh}")
-        }
-        Some(order) => format!("time: twice the step (order {order}); {mesh}"),
-        None => mesh,
-    }
 }
 
 fn differences(
