@@ -183,10 +183,10 @@ fn rows_list_given_and_defaulted_fields_with_their_standing() {
         ("141.0", "m²", true)
     );
     assert_eq!(drag.standing.as_ref().unwrap().status, Standing::Calibrated);
-    let rho = row("solver.rho_inf");
+    let most = row("solver.max_iterations");
     assert_eq!(
-        (rho.value.as_str(), rho.given, rho.absent),
-        ("0.4", false, None)
+        (most.value.as_str(), most.given, most.absent),
+        ("30", false, None)
     );
     let step = row("solver.time_step_s");
     assert_eq!(
