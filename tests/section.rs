@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use seacable::case::{self, Diagnostic};
 use seacable::report::chart::Glyphs;
 use seacable::section::model::{Core, Layer, Sense};
-use seacable::section::stiffness::{Twist, matrix};
+use seacable::section::stiffness::{Twist, ea_with_pressure, matrix};
 use seacable::section::strength::shares;
 use seacable::section::{self, Design, Section, fragment};
 
@@ -254,6 +254,27 @@ fn with_a_rigid_core_the_coupling_is_symmetric() {
     // With an incompressible one it is not, in these equations; see `section::stiffness`.
     let soft = umbilical().incompressible;
     assert!((soft.tension_twist - soft.torque_strain).abs() > 1e3);
+}
+
+#[test]
+fn the_pressure_of_the_core_takes_its_part_of_the_tension() {
+    let design = umbilical();
+    let layout = &design.layout;
+    // Wire forces at a strain of 1 press on the core: p A_c = Σ t (R_c/2R) sin²α/cos α.
+    let tension = design.incompressible.tension_strain;
+    let list = shares(layout, Core::Incompressible, Twist::Held, tension);
+    let core = layout.centre.as_ref().unwrap().radius;
+    let pressed: f64 = layout
+        .helices()
+        .map(|helix| {
+            let of_layer = list.iter().filter(|share| share.layer == helix.name);
+            let force: f64 = of_layer.map(|share| share.force * share.count as f64).sum();
+            let (sin, cos) = helix.angle.sin_cos();
+            force * core / (2.0 * helix.pitch_radius) * sin * sin / cos
+        })
+        .sum();
+    near(ea_with_pressure(layout), tension - pressed, 1e-12, "EA");
+    assert!(pressed > 0.0);
 }
 
 #[test]

@@ -14,7 +14,9 @@
 //! all layers follow it inwards. Sheaths carry nothing here.
 //!
 //! With Θ = 0 the matrix is symmetric, as Maxwell's theorem asks. With Θ = 1 it is not: the wires'
-//! tension is counted, the pressure they put on the middle is not.
+//! tension is counted, the pressure they put on the middle is not. Wires of force t squeeze it with
+//! p A_c = Σ t (R_c/2R) sin²α/cos α; [`ea_with_pressure`] takes that off, and is what virtual work
+//! gives.
 
 use super::layout::Layout;
 use super::model::Core;
@@ -112,4 +114,18 @@ pub fn matrix(layout: &Layout, core: Core) -> Matrix {
         sum.torque_twist += ea * radius * radius * sin * sin * cos;
     }
     sum
+}
+
+/// Axial stiffness with ends held and an incompressible middle whose pressure is counted, which
+/// eq. (16) does not do: Σ E A (cos²α − (R_c/2R) sin²α)²/cos α + E_c A_c \[N\].
+#[must_use]
+pub fn ea_with_pressure(layout: &Layout) -> f64 {
+    let centre = layout.centre.as_ref();
+    let centre = centre.map_or(0.0, |centre| centre.element.ea + centre.jacket().ea);
+    let helices = layout.helices().map(|helix| {
+        let ea: f64 = helix.elements.iter().map(|unit| unit.ea).sum();
+        let (radius, angle) = (helix.pitch_radius, helix.angle);
+        ea * unit_strain(layout, radius, angle, Core::Incompressible).powi(2) / angle.cos()
+    });
+    centre + helices.sum::<f64>()
 }

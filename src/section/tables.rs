@@ -4,7 +4,7 @@ use super::design::Design;
 use super::layout::{Helix, Shell};
 use super::misfit::mm;
 use super::model::{Core, Voids};
-use super::stiffness::Twist;
+use super::stiffness::{Twist, ea_with_pressure};
 use super::strength::{Share, shares};
 use crate::report::number::{digits, percent, si};
 use crate::report::table::{Cell, CellInk, Column, Table};
@@ -229,7 +229,10 @@ fn stiffness_notes(design: &Design) -> Vec<String> {
         "Model error: the spread between a core that keeps its diameter and one that keeps its volume. A real core lies between them, or is softer. The arithmetic itself is exact to rounding.".to_owned(),
     ];
     if design.layout.centre.is_some() {
-        notes.push("With an incompressible core the coupling is not symmetric, as eqs. (16)-(17) count the tension of the wires but not the pressure in the core.".to_owned());
+        notes.push(format!(
+            "With an incompressible core the coupling is not symmetric, as eqs. (16)-(17) count the tension of the wires but not the pressure in the core. With that pressure, EA with ends held would be {}.",
+            si(ea_with_pressure(&design.layout), "N")
+        ));
     } else {
         notes.push("There is no central cylinder to squeeze, so both columns agree, and the model error is not known.".to_owned());
     }
