@@ -1,10 +1,12 @@
 //! The charts: one with tabs, or all at once where there is room.
 
 use ratatui::layout::Rect;
+use unicode_width::UnicodeWidthStr;
 
 use super::Canvas;
 use super::layout;
 use super::paint::{right, text};
+use crate::report::number;
 use crate::tui::command::Place;
 use crate::tui::inks::Inks;
 use crate::tui::plot_pane::{PlotPane, draw_chart};
@@ -83,20 +85,37 @@ impl Canvas<'_> {
         }
     }
 
-    fn readout(&mut self, line: Rect, open: &OpenCase) {
-        let words = readout_words(open, open.chart);
-        let words = if words.is_empty() {
-            open.instant
-                .map_or_else(String::new, |t| format!("t = {t:.1} s"))
-        } else {
-            words.join("   ")
+    /// Where the cursor is and every value there, as many lines as the area has.
+    fn readout(&mut self, area: Rect, open: &OpenCase) {
+        let chart = plots::viewed(open, open.chart);
+        let mut words = readout_words(open, open.chart);
+        let at = match chart.cursor {
+            Some(x) if !words.is_empty() => Some(number::si(x, &chart.x.unit)),
+            _ => open.instant.map(|t| format!("t = {t:.1} s")),
         };
-        text(
-            self.buf,
-            (line.x, line.y),
-            line.width,
-            &words,
-            self.theme.plain(),
-        );
+        if let Some(at) = at {
+            words.insert(0, at);
+        }
+        for (row, line) in wrapped(&words, usize::from(area.width)).iter().enumerate() {
+            if row < usize::from(area.height) {
+                let y = area.y + row as u16;
+                text(self.buf, (area.x, y), area.width, line, self.theme.plain());
+            }
+        }
     }
+}
+
+/// Words on lines of this width, three spaces apart, none broken.
+fn wrapped(words: &[String], width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words {
+        match lines.last_mut() {
+            Some(line) if line.width() + 3 + word.width() <= width => {
+                line.push_str("   ");
+                line.push_str(word);
+            }
+            _ => lines.push(word.clone()),
+        }
+    }
+    lines
 }

@@ -126,10 +126,12 @@ pub struct Charts {
 #[must_use]
 pub fn charts(inside: Rect, chosen: ChartKind) -> Charts {
     let all = inside.width >= 110 && inside.height >= 24;
+    // Four joints with their units need more than one line of 80 columns.
+    let lines = if inside.height >= 12 { 2 } else { 1 };
     let [tabs, middle, readout] = Layout::vertical([
         Constraint::Length(u16::from(!all)),
         Constraint::Min(0),
-        Constraint::Length(1),
+        Constraint::Length(lines),
     ])
     .areas(inside);
     let charts = if all {
