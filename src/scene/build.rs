@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 
 use super::line::{End, Hung, Joint, Scene, Segment};
 use super::{Flexure, bodies, buoyancy, shape};
-use crate::case::{self, Case, DragWidth, EndKind, OneOrMany};
+use crate::case::{self, Case, DragWidth, EndKind, OneOrMany, StartShape};
 use crate::linalg::V3;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Profile;
@@ -73,7 +73,6 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
     bodies.sort_by_key(|hung| hung.node);
     let (mass, weight) = lump(&segments, &bodies)?;
     let ends = [end(&case.ends.a, "ends.a")?, end(&case.ends.b, "ends.b")?];
-    let (start, start_in_equilibrium) = shape::start(case, &segments, &weight, &arc)?;
     let flexure = flexure(case, &segments);
     let bed = case.seabed.as_ref().map(|bed| Seabed {
         z: -bed.depth_m,
@@ -81,7 +80,7 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
         damping: bed.damping_n_s_per_m3,
     });
     let gross: f64 = weight.iter().map(|w| w.abs()).sum();
-    Ok(Scene {
+    let mut scene = Scene {
         force_scale: gross
             .max(mass.iter().sum::<f64>() * 1e-3)
             .max(f64::MIN_POSITIVE),
@@ -99,9 +98,14 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
         current: current(case.current.as_ref()),
         joints,
         arc,
-        start,
-        start_in_equilibrium,
-    })
+        start: Vec::new(),
+        start_tension: Vec::new(),
+        start_in_equilibrium: case.start.shape == StartShape::Equilibrium,
+    };
+    let guess = shape::start(case, &scene)?;
+    scene.start = guess.nodes;
+    scene.start_tension = guess.tension;
+    Ok(scene)
 }
 
 /// Adds the segments of a section.

@@ -90,6 +90,8 @@ pub struct Scene {
     pub start: Vec<V3>,
     /// What the user should know of how the case was made into this line.
     pub remarks: Vec<String>,
+    /// Tensions of the segments that go with the start \[N\].
+    pub start_tension: Vec<f64>,
     /// Whether the line starts in equilibrium.
     pub start_in_equilibrium: bool,
     /// A force typical of this line \[N\]: its whole weight, or what its drag can be.
@@ -114,6 +116,24 @@ impl Scene {
             (&state.v[i], &state.v[i + 1]),
             self.segments[i].axial.length,
         )
+    }
+
+    /// Tension of segment i, and the same as its stiffness should see it. Where tensions are foretold, a slack segment
+    /// pushes: it is not yet where it will be, and must be told where to go.
+    #[inline(always)]
+    fn tension(&self, i: usize, chord: &Chord, state: &State) -> (Tension, Tension) {
+        let axial = &self.segments[i].axial;
+        match state.foretold.get(i) {
+            None => {
+                let tension = axial.tension(chord);
+                (tension, tension)
+            }
+            Some(foretold) => {
+                let tension = axial.as_rod(true).tension(chord);
+                let value = *foretold;
+                (tension, Tension { value, ..tension })
+            }
+        }
     }
 
     /// Stretched length that the water sees \[m\], and 1 / chord length where it grows with the chord.
@@ -303,7 +323,7 @@ impl System for Scene {
         for i in 0..self.segments.len() {
             let chord = self.chord(i, state);
             let t = &chord.tangent;
-            let pull = t * self.segments[i].axial.tension(&chord).value;
+            let pull = t * self.tension(i, &chord, state).0.value;
             r[i] -= pull;
             r[i + 1] += pull;
             for (node, drag) in [i, i + 1].into_iter().zip(self.drag(i, &chord, state)) {
@@ -329,11 +349,11 @@ impl System for Scene {
         for i in 0..self.segments.len() {
             let chord = self.chord(i, state);
             let t = &chord.tangent;
-            let tension = self.segments[i].axial.tension(&chord);
+            let (tension, foretold) = self.tension(i, &chord, state);
             let pull = t * tension.value;
             r[i] -= pull;
             r[i + 1] += pull;
-            let by_chord = pull_by_chord(&chord, &tension, c);
+            let by_chord = pull_by_chord(&chord, &foretold, c);
             let drag = self.drag(i, &chord, state);
             let sheared = self.shear(i, state);
             let (shear, back) = match &sheared {
@@ -388,6 +408,36 @@ impl System for Scene {
         }
     }
 
+    fn guess_tensions(&self, state: &mut State) {
+        let stretched = |i: usize| {
+            let axial = &self.segments[i].axial;
+            let chord = self.chord(i, state);
+            axial.as_rod(true).tension(&chord).value
+        };
+        let tensions: Vec<f64> = (0..self.segments.len()).map(stretched).collect();
+        let usual = self.start_tension.iter().copied().fold(0.0, f64::max);
+        let likely = |t: &f64| (1e-3 * usual..3.0 * usual).contains(t);
+        state.foretold = if tensions.iter().all(likely) {
+            tensions
+        } else {
+            self.start_tension.clone()
+        };
+    }
+
+    fn foretell(&self, d: &[V3], state: &mut State) {
+        for i in 0..self.segments.len() {
+            let axial = &self.segments[i].axial;
+            let chord = self.chord(i, state);
+            let tension = axial.as_rod(true).tension(&chord);
+            let next = tension.value - tension.by_length * chord.tangent.dot(&(d[i + 1] - d[i]));
+            state.foretold[i] = if axial.rod {
+                next
+            } else {
+                next.max(self.least_tension(i))
+            };
+        }
+    }
+
     fn accelerate(&self, _t: f64, state: &mut State) {
         self.accelerations(state);
     }
@@ -406,6 +456,11 @@ impl System for Scene {
 }
 
 impl Scene {
+    /// A tension below which a rope has no stiffness worth iterating with \[N\].
+    fn least_tension(&self, i: usize) -> f64 {
+        0.1 * self.segments[i].half_weight.abs() + 1e-6 * self.force_scale
+    }
+
     /// Greatest axial stiffness of a segment \[N/m\].
     fn stiffest(&self) -> f64 {
         self.segments

@@ -19,6 +19,8 @@ pub struct Newton {
     pub tolerance: f64,
     /// Greatest number of iterations.
     pub max_iterations: usize,
+    /// No node moves farther in an iteration: all displacements are scaled down together \[m\].
+    pub longest: f64,
     /// Iterations so far, over all calls.
     pub iterations: u64,
     residual: Vec<V3>,
@@ -78,6 +80,7 @@ impl Newton {
         Self {
             tolerance,
             max_iterations,
+            longest: f64::INFINITY,
             iterations: 0,
             residual: vec![V3::zeros(); nodes],
             tangent: BlockBand::new(nodes),
@@ -149,15 +152,27 @@ impl Newton {
             .solve(free.clone(), &mut self.residual)
             .map_err(|e| self.why_unsolved(system, t, state, e.node))?;
         let mut worst = (free.start, 0.0);
-        for i in free {
-            let d = self.residual[i];
-            let moved = d.amax();
+        for i in free.clone() {
+            let moved = self.residual[i].amax();
             if !moved.is_finite() {
                 return Err(NewtonError::NotFinite { node: i });
             }
             if moved > worst.1 {
                 worst = (i, moved);
             }
+        }
+        if !state.foretold.is_empty() {
+            self.residual[..free.start].fill(V3::zeros());
+            self.residual[free.end..].fill(V3::zeros());
+            system.foretell(&self.residual, state);
+        }
+        let share = if worst.1 > self.longest {
+            self.longest / worst.1
+        } else {
+            1.0
+        };
+        for i in free {
+            let d = self.residual[i] * share;
             state.x[i] -= d;
             state.v[i] -= d * c.damping;
             state.a[i] -= d * c.mass;

@@ -16,6 +16,9 @@ pub struct State {
     /// What the line remembers from the last accepted step, if anything: see [`System::remember`]. One entry a
     /// segment, or none at all.
     pub memory: Vec<[f64; 2]>,
+    /// Tensions of the segments as the iteration before foretold them \[N\], for the stiffness across the line: see
+    /// [`System::foretell`]. One entry a segment, or none at all: tensions are then those of the stretch.
+    pub foretold: Vec<f64>,
 }
 
 impl State {
@@ -28,6 +31,7 @@ impl State {
             v: vec![V3::zeros(); n],
             a: vec![V3::zeros(); n],
             memory: Vec::new(),
+            foretold: Vec::new(),
         }
     }
 
@@ -37,6 +41,7 @@ impl State {
         self.v.copy_from_slice(&other.v);
         self.a.copy_from_slice(&other.a);
         self.memory.clone_from(&other.memory);
+        self.foretold.clone_from(&other.foretold);
     }
 
     /// Whether every number is finite.
@@ -88,6 +93,17 @@ pub trait System: Sync {
     /// coefficients of both halves of every segment. A method that leaves inertia out needs it where the coefficient
     /// jumps: without inertia nothing carries a node across a force that falls while its speed rises.
     fn remember(&self, state: &mut State);
+
+    /// Writes into the state the tensions to begin with, from its stretch or, where that is nothing a line at rest
+    /// could have, from the first guess.
+    fn guess_tensions(&self, _state: &mut State) {}
+
+    /// Writes into the state the tensions that displacements `-d` make of it, to first order, before they are made. A
+    /// stiff line that turns also stretches, to second order, by a strain that means little and a tension that means a
+    /// lot; with foretold tensions in the stiffness across the line, Newton does not see those (D. Magisano,
+    /// L. Leonetti, G. Garcea, Computer Methods in Applied Mechanics and Engineering 313 (2017) 985: the same
+    /// answer in a few iterations however stiff the line).
+    fn foretell(&self, _d: &[V3], _state: &mut State) {}
 
     /// A force typical of this line \[N\]: residuals are measured against it.
     fn force_scale(&self) -> f64;

@@ -76,12 +76,15 @@ impl Search {
         let nodes = system.nodes();
         let tolerance = system.position_tolerance(0.1 * self.force_tolerance);
         let mut newton = Newton::new(nodes, tolerance, self.max_iterations);
+        newton.longest = 0.3 * length(state);
         let mut trial = state.clone();
         come_to_rest(&mut trial);
+        system.guess_tensions(&mut trial);
         if let Ok(found) = self.finish(system, t, &mut newton, &mut trial, 0) {
             *state = trial;
             return Ok(found);
         }
+        newton.longest = f64::INFINITY;
         self.let_go(system, t, &mut newton, state)
     }
 
@@ -94,7 +97,9 @@ impl Search {
         state: &mut State,
         steps: u64,
     ) -> Result<Found, Option<NewtonError>> {
-        newton.solve(system, t, state, STATICS).map_err(Some)?;
+        let solved = newton.solve(system, t, state, STATICS);
+        state.foretold.clear();
+        solved.map_err(Some)?;
         let (_, residual) = newton.largest_residual(system, t, state);
         if residual <= (self.force_tolerance * system.force_scale()).max(system.rounding_force()) {
             Ok(Found {
@@ -172,6 +177,11 @@ fn nearby(from: &State, to: &State) -> bool {
         .iter()
         .zip(&to.x)
         .all(|(a, b)| (a - b).norm() < 0.2 * size)
+}
+
+/// Length of the line as it is.
+fn length(state: &State) -> f64 {
+    state.x.windows(2).map(|x| (x[1] - x[0]).norm()).sum()
 }
 
 fn come_to_rest(state: &mut State) {

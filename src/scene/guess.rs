@@ -1,0 +1,243 @@
+//! First guesses at an equilibrium: the closed-form catenary in the resultant of weight and mean drag, or a line that
+//! hangs from one end.
+
+use super::Scene;
+use crate::linalg::V3;
+use crate::solve::State;
+use crate::statics::catenary::{Bed, Ends, Line, SectionProps};
+
+/// Where the nodes may be at rest \[m\], and the tensions of the segments \[N\].
+#[derive(Debug, Clone)]
+pub(super) struct Guess {
+    pub(super) nodes: Vec<V3>,
+    pub(super) tension: Vec<f64>,
+}
+
+/// Rounds of drag on the shape so far, then the shape in that drag.
+const ROUNDS: usize = 2;
+/// A line that hangs from one end may turn far from where its drag was taken first.
+const HANGING_ROUNDS: usize = 4;
+
+impl Scene {
+    /// Between two held ends.
+    pub(super) fn guess_between(&self, from: V3, to: V3) -> Guess {
+        let straight = between(from, to, &self.arc);
+        let mut best: Option<Guess> = None;
+        for _ in 0..ROUNDS {
+            let shape = best.as_ref().map_or(&straight, |guess| &guess.nodes);
+            let drag = self.drag_on(shape);
+            let Some(guess) = self.catenary(from, to, &drag) else {
+                break;
+            };
+            let still = drag.iter().all(|force| *force == V3::zeros());
+            best = Some(guess);
+            if still {
+                break;
+            }
+        }
+        let mut guess = best
+            .or_else(|| self.catenary(from, to, &vec![V3::zeros(); self.segments.len()]))
+            .unwrap_or_else(|| self.sagging(from, to));
+        self.lay_on_bed(&mut guess.nodes);
+        guess
+    }
+
+    /// Drag on every segment of a line at rest in this shape \[N\].
+    fn drag_on(&self, nodes: &[V3]) -> Vec<V3> {
+        let state = State::at_rest(nodes.to_vec());
+        let on = |i| {
+            let [first, second] = self.drag(i, &self.chord(i, &state), &state);
+            first.force + second.force
+        };
+        (0..self.segments.len()).map(on).collect()
+    }
+
+    /// The catenary in the resultant of weight and the mean of this drag, in the plane of that and both ends; with a bed,
+    /// in still water.
+    fn catenary(&self, from: V3, to: V3, drag: &[V3]) -> Option<Guess> {
+        let whole = self.arc[self.arc.len() - 1];
+        let (down, mean) = if self.bed.is_some() {
+            (-V3::z(), V3::zeros())
+        } else {
+            let mean = drag.iter().sum::<V3>() / whole;
+            let load = mean * whole - V3::z() * self.weight.iter().sum::<f64>();
+            let size = load.norm();
+            // A load that all but cancels has no direction to turn the plane by.
+            if size > 1e-9 * self.force_scale {
+                let down = load / size;
+                // A buoyant line in still water is worded as such.
+                (if down.z > 0.99 { -down } else { down }, mean)
+            } else {
+                (-V3::z(), V3::zeros())
+            }
+        };
+        let sections = self.sections(&down, &mean);
+        let chord = to - from;
+        let up = -down;
+        let rise = chord.dot(&up);
+        let level = chord - up * rise;
+        let ends = Ends {
+            x_m: level.norm(),
+            z_m: rise,
+        };
+        let along = if ends.x_m > 0.0 {
+            level / ends.x_m
+        } else {
+            across(&up)
+        };
+        let bed = self.bed.map(|bed| Bed {
+            below_a_m: from.z - bed.z,
+            ..Bed::default()
+        });
+        let line = Line {
+            ends,
+            sections: &sections,
+            bed,
+            surface_above_a_m: None,
+        };
+        let solution = line.solve().ok()?;
+        let place = |s: &f64| {
+            let point = solution.at(*s);
+            from + along * point.x_m + up * point.z_m
+        };
+        let middle = |ends: &[f64]| solution.at(0.5 * (ends[0] + ends[1])).tension_n;
+        Some(Guess {
+            nodes: self.arc.iter().map(place).collect(),
+            tension: self.arc.windows(2).map(middle).collect(),
+        })
+    }
+
+    /// Sections of equal segments with the bodies between them, their loads as seen along `down`.
+    fn sections(&self, down: &V3, mean_drag: &V3) -> Vec<SectionProps> {
+        let sinks = -down.z;
+        let mut sections: Vec<SectionProps> = Vec::new();
+        let last = self.segments.len() - 1;
+        for (i, segment) in self.segments.iter().enumerate() {
+            let length = segment.axial.length;
+            let weight = 2.0 * segment.half_weight / length * sinks + mean_drag.dot(down);
+            match sections.last_mut() {
+                Some(s)
+                    if same(s.weight_n_per_m, weight)
+                        && same(s.ea_n, segment.axial.ea)
+                        && s.clump_n == 0.0 =>
+                {
+                    s.length_m += length;
+                }
+                _ => sections.push(SectionProps::new(length, weight, segment.axial.ea)),
+            }
+            if let Some(s) = sections.last_mut().filter(|_| i < last) {
+                let here = self.bodies.iter().filter(|hung| hung.node == i + 1);
+                s.clump_n = here.map(|hung| hung.body.weight * sinks).sum();
+            }
+        }
+        sections
+    }
+
+    /// Sinks what lies on the bed by as much as its springs give under its weight.
+    fn lay_on_bed(&self, nodes: &mut [V3]) {
+        let Some(bed) = &self.bed else { return };
+        let last = nodes.len() - 1;
+        let tall = 1e-9 * self.arc[last];
+        for (i, node) in nodes.iter_mut().enumerate().take(last).skip(1) {
+            if node.z <= bed.z + tall {
+                let give = self.weight[i].max(0.0) / (bed.stiffness * self.footprint[i]);
+                node.z = bed.z - give;
+            }
+        }
+    }
+
+    /// A parabola of about the right length between two held ends, hanging down (up for a buoyant line).
+    fn sagging(&self, from: V3, to: V3) -> Guess {
+        let whole = self.arc[self.arc.len() - 1];
+        let chord = (to - from).norm();
+        let slack = (whole * whole - chord * chord).max(0.0).sqrt();
+        // Between the flat parabola's sag, sqrt(3/8 c (L - c)), and that of a line folded double, L/2.
+        let sag = 0.43 * slack;
+        let weight: f64 = self.weight.iter().sum();
+        let down = if weight >= 0.0 { -1.0 } else { 1.0 };
+        let mut nodes = between(from, to, &self.arc);
+        for (node, s) in nodes.iter_mut().zip(&self.arc) {
+            let f = s / whole;
+            *node += V3::z() * (down * sag * 4.0 * f * (1.0 - f));
+        }
+        let tension = vec![self.force_scale; self.segments.len()];
+        Guess { nodes, tension }
+    }
+
+    /// From end A, held, to end B, which is not: each segment along the sum of the loads beyond it.
+    pub(super) fn guess_hanging(&self, from: V3, reversed: bool) -> Guess {
+        let count = self.segments.len();
+        let mut guess = Guess {
+            nodes: vec![from; count + 1],
+            tension: vec![0.0; count],
+        };
+        let mut drag = vec![V3::zeros(); count];
+        for round in 0..HANGING_ROUNDS {
+            self.hang(&drag, reversed, &mut guess);
+            if round + 1 < HANGING_ROUNDS {
+                drag = self.drag_on(&guess.nodes);
+                if drag.iter().all(|force| *force == V3::zeros()) {
+                    break;
+                }
+            }
+        }
+        self.lay_on_bed(&mut guess.nodes);
+        guess
+    }
+
+    /// The shape of a line that hangs from one end, with this drag on its segments.
+    fn hang(&self, drag: &[V3], reversed: bool, guess: &mut Guess) {
+        let count = self.segments.len();
+        let order = |k: usize| if reversed { k } else { count - 1 - k };
+        // From the free end to the held one: k counts segments from the free end.
+        let mut load = V3::zeros();
+        let mut pull = vec![V3::zeros(); count];
+        for k in 0..count {
+            let i = order(k);
+            let outer = if reversed { i } else { i + 1 };
+            let beyond = if k > 0 {
+                drag[order(k - 1)]
+            } else {
+                V3::zeros()
+            };
+            load += (drag[i] + beyond) * 0.5 - V3::z() * self.weight[outer];
+            load += self.drag_of_bodies(outer, &guess.nodes[outer]);
+            pull[i] = load;
+        }
+        for k in (0..count).rev() {
+            let i = order(k);
+            let (inner, outer) = if reversed { (i + 1, i) } else { (i, i + 1) };
+            let axial = &self.segments[i].axial;
+            let size = pull[i].norm();
+            let direction = if size > 0.0 { pull[i] / size } else { -V3::z() };
+            let length = axial.length * (1.0 + size / axial.ea);
+            guess.nodes[outer] = guess.nodes[inner] + direction * length;
+            guess.tension[i] = size;
+        }
+    }
+
+    fn drag_of_bodies(&self, node: usize, at: &V3) -> V3 {
+        let here = self.bodies.iter().filter(|hung| hung.node == node);
+        here.map(|hung| hung.body.drag(&self.current.at(at.z).0))
+            .sum()
+    }
+}
+
+/// On the chord between two held ends, evenly by arc length.
+pub(super) fn between(from: V3, to: V3, arc: &[f64]) -> Vec<V3> {
+    let whole = arc[arc.len() - 1];
+    arc.iter()
+        .map(|s| from + (to - from) * (s / whole))
+        .collect()
+}
+
+/// A unit vector across this one: x where that is upright.
+fn across(up: &V3) -> V3 {
+    let x = V3::x() - up * up.x;
+    x.try_normalize(1e-3).unwrap_or_else(V3::y)
+}
+
+/// Equal but for rounding: segments of one section come out of the same formulas.
+fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9 * a.abs().max(b.abs())
+}
