@@ -1,4 +1,5 @@
 //! Setting a key changes its value and no other byte.
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use seacable::case::{self, edit};
 
