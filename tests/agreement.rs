@@ -13,6 +13,8 @@ use seacable::solve::{State, System};
 mod lines;
 #[path = "lines/march.rs"]
 mod march;
+#[path = "lines/rest.rs"]
+mod rest;
 
 fn run(case: Case) -> Run {
     let request = Request {
@@ -108,8 +110,8 @@ const AT_REST: &str = r#"
 /// force, at its softest, across: twice the force by the stiffness `T/L` of a line with a tension T at its foot.
 #[test]
 fn rest_stays_at_rest() {
-    let scene = march::build(AT_REST);
-    let still = march::at_rest(&scene);
+    let scene = rest::build(AT_REST);
+    let still = rest::at_rest(&scene);
     let left = 1e-8 * scene.force_scale * 11.0;
     let tolerance = 2.0 * left * 100.0 / (700.0 * 9.80665);
     let check = |t: f64, state: &State| {

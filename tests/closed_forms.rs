@@ -6,8 +6,9 @@
 
 use std::f64::consts::PI;
 
-use march::{alpha, at_rest, build, march, rk4};
+use march::{alpha, march, rk4};
 use period::Period;
+use rest::{at_rest, build};
 use seacable::dynamics::Stepper;
 use seacable::linalg::V3;
 use seacable::scene::Scene;
@@ -18,6 +19,8 @@ mod lines;
 mod march;
 #[path = "lines/period.rs"]
 mod period;
+#[path = "lines/rest.rs"]
+mod rest;
 
 const G: f64 = 9.80665;
 

@@ -12,6 +12,8 @@ use seacable::solve::State;
 mod lines;
 #[path = "lines/march.rs"]
 mod march;
+#[path = "lines/rest.rs"]
+mod rest;
 
 /// Power by which the energy of the added mass grows without a force doing work \[W\]. The added mass of a segment
 /// turns with it, `M = m_n I + (m_t - m_n) t t'`; the force by which the water resists is taken as `M a` (Morison),
@@ -54,7 +56,7 @@ fn out_by(scene: &Scene, method: impl Stepper, state: &mut State, time: (f64, f6
 /// The trapezoidal rule is what is left: a quarter of it at half the step.
 #[test]
 fn the_books_of_a_falling_payload_balance() {
-    let scene = march::build(
+    let scene = rest::build(
         r#"
         environment.water_density_kg_per_m3 = 1025.0
         materials.rope = { mass_kg_per_m = 12.0, drag_normal = 1.2, drag_tangential = 0.02, added_mass_normal = 1.0, axial_damping_ratio = 0.1 }
@@ -89,7 +91,7 @@ fn the_books_of_the_manifold_balance() {
 /// Energy that a swing of 1000 s without drag loses, as a share of its kinetic energy at first: a bob on five
 /// segments, pushed to 10 m/s from rest, which swings it to 18 degrees and pulls the line taut and less taut.
 fn lost_in_a_long_swing(scene: &Scene, method: impl Stepper, step: f64) -> f64 {
-    let mut state = march::at_rest(scene);
+    let mut state = rest::at_rest(scene);
     for (v, s) in state.v.iter_mut().zip(&scene.arc) {
         v.x = 0.1 * s;
     }
@@ -103,7 +105,7 @@ fn lost_in_a_long_swing(scene: &Scene, method: impl Stepper, step: f64) -> f64 {
 /// transverse waves are: the more the smaller rho and the longer the step, and never gains.
 #[test]
 fn an_undamped_swing_keeps_its_energy_or_loses_it_as_known() {
-    let scene = march::build(
+    let scene = rest::build(
         r#"
         line.segments = 5
         ends.b = { name = "bob", kind = "payload" }

@@ -16,6 +16,8 @@ use seacable::solve::State;
 mod lines;
 #[path = "lines/march.rs"]
 mod march;
+#[path = "lines/rest.rs"]
+mod rest;
 
 /// Everything a run of the manifold computes, its error estimates too, in digits that tell every bit.
 fn manifold_in_digits(threads: usize) -> String {
@@ -102,7 +104,7 @@ fn all(scene: &Scene) -> [Vec<Vec<f64>>; 3] {
     [
         tensions(scene, march::rk4(scene)),
         tensions(scene, march::alpha(scene, 0.4)),
-        vec![scene.tensions(&march::at_rest(scene))],
+        vec![scene.tensions(&rest::at_rest(scene))],
     ]
 }
 
@@ -120,7 +122,7 @@ fn apart(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
 /// A sign costs no rounding: the mirror image has the same tensions to the last bit.
 #[test]
 fn a_mirrored_line_is_its_mirror_image() {
-    let scene = march::build(SWINGING);
+    let scene = rest::build(SWINGING);
     let expected = all(&scene);
     for signs in [V3::new(-1.0, 1.0, 1.0), V3::new(1.0, -1.0, 1.0)] {
         let mirror = |v: &V3| v.component_mul(&signs);
@@ -133,7 +135,7 @@ fn a_mirrored_line_is_its_mirror_image() {
 
 #[test]
 fn a_turned_line_has_the_same_tensions() {
-    let scene = march::build(SWINGING);
+    let scene = rest::build(SWINGING);
     let expected = all(&scene);
     let turn = nalgebra::Rotation3::from_axis_angle(&V3::z_axis(), 37_f64.to_radians());
     let turned = all(&mapped(&scene, |v| turn * v, |v| turn * v));
@@ -147,7 +149,7 @@ fn a_turned_line_has_the_same_tensions() {
 /// twice that. The steps add up their roundings at random: after n of them sqrt(n) times as much.
 #[test]
 fn a_line_far_away_has_the_same_tensions() {
-    let scene = march::build(SWINGING);
+    let scene = rest::build(SWINGING);
     let expected = all(&scene);
     let far = V3::new(1e6, -1e6, 0.0);
     let shifted = all(&mapped(&scene, |x| x + far, |v| *v));

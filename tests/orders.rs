@@ -14,6 +14,8 @@ mod catenary;
 mod lines;
 #[path = "lines/march.rs"]
 mod march;
+#[path = "lines/rest.rs"]
+mod rest;
 
 /// Slopes of log error over log step: over all by least squares, then between neighbours.
 fn slopes(points: &[(f64, f64)]) -> (f64, Vec<f64>) {
@@ -63,7 +65,7 @@ const DURATION: f64 = 16.0;
 
 /// The state of the swung line at the end.
 fn swung(scene: &Scene, method: impl Stepper, step: f64) -> State {
-    let mut state = march::at_rest(scene);
+    let mut state = rest::at_rest(scene);
     march::march(method, scene, &mut state, (DURATION, step), |_, s| {
         for i in 0..scene.segments.len() {
             assert!(scene.segments[i].axial.tension(&scene.chord(i, s)).value > 0.0);
@@ -88,7 +90,7 @@ fn points(longest: f64, count: u32, error: impl Fn(f64) -> f64) -> Vec<(f64, f64
 
 #[test]
 fn runge_kutta_is_of_order_four() {
-    let scene = march::build(SWUNG);
+    let scene = rest::build(SWUNG);
     let exact = swung(&scene, march::rk4(&scene), 0.001);
     let error = |h| apart(&swung(&scene, march::rk4(&scene), h), &exact);
     assert_order("rk4", &points(0.064, 4, error), 4.0, (0.1, 0.2));
@@ -96,7 +98,7 @@ fn runge_kutta_is_of_order_four() {
 
 #[test]
 fn generalized_alpha_is_of_order_two_at_every_rho() {
-    let scene = march::build(SWUNG);
+    let scene = rest::build(SWUNG);
     let exact = swung(&scene, march::rk4(&scene), 0.004);
     for rho in [0.0, 0.4, 0.8, 1.0] {
         let error = |h| apart(&swung(&scene, march::alpha(&scene, rho), h), &exact);
@@ -112,7 +114,7 @@ fn generalized_alpha_is_of_order_two_at_every_rho() {
 /// The tension of a segment follows from positions and velocities.
 #[test]
 fn tensions_of_segments_are_of_order_two() {
-    let scene = march::build(SWUNG);
+    let scene = rest::build(SWUNG);
     let tensions = |state: &State| -> Vec<f64> {
         let segments = scene.segments.iter().enumerate();
         segments
@@ -148,7 +150,7 @@ impl<M: Stepper> Stepper for Retaken<M> {
 
 #[test]
 fn an_acceleration_that_is_not_carried_costs_an_order() {
-    let scene = march::build(SWUNG);
+    let scene = rest::build(SWUNG);
     let exact = swung(&scene, march::rk4(&scene), 0.004);
     let error = |h| {
         apart(
@@ -161,7 +163,7 @@ fn an_acceleration_that_is_not_carried_costs_an_order() {
 
 #[test]
 fn the_quasi_static_march_is_of_order_two() {
-    let scene = march::build(SWUNG);
+    let scene = rest::build(SWUNG);
     let quasi = || Quasi::new(scene.nodes(), 1e-12, 40);
     let exact = swung(&scene, quasi(), 0.002);
     let error = |h| apart(&swung(&scene, quasi(), h), &exact);
@@ -175,13 +177,13 @@ fn a_hanging_line_meets_the_catenary_to_order_two_in_segment_length() {
     let mut shape = Vec::new();
     let mut tension = Vec::new();
     for n in [8, 16, 32, 64, 128] {
-        let scene = march::build(&format!(
+        let scene = rest::build(&format!(
             r#"
             line.segments = {n}
             ends.b = {{ name = "post", kind = "fixed", position_m = [70.0, 0.0, -30.0] }}
             "#
         ));
-        let state = march::at_rest(&scene);
+        let state = rest::at_rest(&scene);
         let off = |i: usize| {
             let (x, z) = exact.at(scene.arc[i]);
             (state.x[i].x - x).hypot(state.x[i].z - z)
@@ -198,7 +200,7 @@ fn a_hanging_line_meets_the_catenary_to_order_two_in_segment_length() {
 #[test]
 fn a_line_in_a_current_converges_to_order_two_in_segment_length() {
     let solve = |n: usize| {
-        let scene = march::build(&format!(
+        let scene = rest::build(&format!(
             r#"
             environment.water_density_kg_per_m3 = 1025.0
             current = {{ speed_m_per_s = [1.5, 0.3], direction_deg = [0.0, 90.0], depth_m = [0.0, 120.0] }}
@@ -208,7 +210,7 @@ fn a_line_in_a_current_converges_to_order_two_in_segment_length() {
             payload = {{ dry_mass_kg = 200.0, wet_mass_kg = 100.0, drag_area_m2 = 1.0, added_mass_kg = 0.0 }}
             "#
         ));
-        let state = march::at_rest(&scene);
+        let state = rest::at_rest(&scene);
         let nodes: Vec<_> = (0..=8)
             .map(|k| (state.x[k * n / 8], scene.tension_at(k * n / 8, &state)))
             .collect();

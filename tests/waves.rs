@@ -7,8 +7,9 @@
 
 use std::f64::consts::PI;
 
-use march::{alpha, at_rest, build, march, rk4};
+use march::{alpha, march, rk4};
 use period::Period;
+use rest::{at_rest, build};
 use seacable::linalg::V3;
 use seacable::solve::State;
 
@@ -17,6 +18,8 @@ mod lines;
 mod march;
 #[path = "lines/period.rs"]
 mod period;
+#[path = "lines/rest.rs"]
+mod rest;
 
 const G: f64 = 9.80665;
 

@@ -3,23 +3,8 @@
 use seacable::dynamics::alpha::Alpha;
 use seacable::dynamics::rk4::Rk4;
 use seacable::dynamics::{March, Stepper};
-use seacable::scene::{self, Scene};
+use seacable::scene::Scene;
 use seacable::solve::{Instant, Progressing, State, System};
-use seacable::statics::equilibrium::Search;
-
-use super::lines;
-
-/// The scene of the bare rope with changes.
-pub(crate) fn build(changes: &str) -> Scene {
-    scene::build(&lines::line(changes), 1).unwrap()
-}
-
-/// The line in equilibrium.
-pub(crate) fn at_rest(scene: &Scene) -> State {
-    let mut state = scene.initial_state();
-    Search::default().run(scene, 0.0, &mut state).unwrap();
-    state
-}
 
 /// Marches in steps of `step`, showing every step.
 pub(crate) fn march(
