@@ -1,0 +1,191 @@
+//! What must never happen, on lines drawn at random from all that a case may say: a panic, a number that is not
+//! finite in a run that calls itself done, a failure that does not say where and when, an equilibrium with a force
+//! left over.
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
+
+use std::sync::atomic::AtomicBool;
+
+use proptest::prelude::*;
+use seacable::case::Method;
+use seacable::run::job::{Request, execute};
+use seacable::run::{Run, RunState};
+use seacable::scene;
+use seacable::solve::{Newton, System};
+use seacable::statics::equilibrium::Search;
+
+mod lines;
+
+prop_compose! {
+    /// Materials from ropes lighter than water to chains, EA over eight decades.
+    fn material()(
+        log_ea in 4.0f64..12.0,
+        log_diameter in -2.0f64..0.0,
+        density in prop_oneof![100.0f64..1000.0, 1000.0f64..1100.0, 1100.0f64..8000.0],
+        damping in prop_oneof![Just(0.0), 0.0f64..0.5],
+        normal in prop_oneof![Just("0.0"), Just("1.2"), Just("\"jia-2019-normal\"")],
+        tangential in prop_oneof![Just("0.0"), Just("0.05"), Just("\"jia-2019-tangential\"")],
+        added in 0.0f64..2.0,
+    ) -> String {
+        let (ea, diameter) = (10f64.powf(log_ea), 10f64.powf(log_diameter));
+        let mass = density * 0.785 * diameter * diameter;
+        format!(
+            "materials.rope = {{ ea_n = {ea:?}, diameter_m = {diameter:?}, mass_kg_per_m = {mass:?}, \
+             axial_damping_ratio = {damping:?}, drag_normal = {normal}, drag_tangential = {tangential}, \
+             added_mass_normal = {added:?} }}\n"
+        )
+    }
+}
+
+/// A lower end: free, a payload heavy or buoyant, held near or far, taut or slack, or moving.
+fn foot(length: f64) -> impl Strategy<Value = String> {
+    let held = (0.0f64..1.1, -180.0f64..180.0, -90.0f64..90.0).prop_map(
+        move |(share, azimuth, elevation)| {
+            let (a, e) = (azimuth.to_radians(), elevation.to_radians());
+            let d = share * length;
+            format!(
+                "[{:?}, {:?}, {:?}]",
+                d * e.cos() * a.cos(),
+                d * e.cos() * a.sin(),
+                d * e.sin()
+            )
+        },
+    );
+    let fixed = held
+        .clone()
+        .prop_map(|p| format!("ends.b = {{ name = \"b\", kind = \"fixed\", position_m = {p} }}\n"));
+    let moving = (held, -5.0f64..5.0, 2.0f64..20.0).prop_map(|(p, a, period)| {
+        format!(
+            "ends.b = {{ name = \"b\", kind = \"moving\", position_m = {p}, amplitude_m = [{a:?}, 0.3, {a:?}], period_s = {period:?} }}\n"
+        )
+    });
+    let payload = (0.0f64..6.0, -0.9f64..0.9, 0.0f64..100.0, 0.0f64..2.0).prop_map(|(log, wet, area, added)| {
+        let mass = 10f64.powf(log);
+        format!(
+            "ends.b = {{ name = \"b\", kind = \"payload\" }}\npayload = {{ dry_mass_kg = {mass:?}, wet_mass_kg = {:?}, drag_area_m2 = {area:?}, added_mass_kg = {:?} }}\n",
+            wet * mass,
+            added * mass
+        )
+    });
+    prop_oneof![1 => Just(String::new()), 3 => payload, 2 => fixed, 1 => moving]
+}
+
+prop_compose! {
+    /// A case without its solver.
+    fn any_line()(log_length in 0.5f64..3.5)(
+        length in Just(10f64.powf(log_length)),
+        segments in 1usize..12,
+        material in material(),
+        foot in foot(10f64.powf(log_length)),
+        speed in prop_oneof![Just(0.0), 0.0f64..3.0],
+        sheared in any::<bool>(),
+        shape in prop_oneof![
+            Just("shape = \"equilibrium\"".to_owned()),
+            (-180.0f64..180.0, -90.0f64..90.0).prop_map(|(a, e)| format!(
+                "shape = \"straight\", azimuth_deg = {a:?}, elevation_deg = {e:?}"
+            )),
+        ],
+    ) -> String {
+        let current = if sheared {
+            format!("current = {{ speed_m_per_s = [{speed:?}, 0.1], direction_deg = [0.0, 120.0], depth_m = [0.0, {length:?}] }}\n")
+        } else {
+            format!("current.speed_m_per_s = {speed:?}\n")
+        };
+        format!(
+            "environment.water_density_kg_per_m3 = 1025.0\nline = {{ length_m = {length:?}, segments = {segments} }}\n{material}{foot}{current}start = {{ {shape} }}\n"
+        )
+    }
+}
+
+/// Runs a case for some seconds, or as many steps as its stiffest segment lets one compute in a moment.
+fn run(text: &str, method: Method, time_step_s: Option<f64>, rho: f64) -> Run {
+    let mut case = lines::line(text);
+    let limit = scene::build(&case, 1).unwrap().explicit_limit().0;
+    case.solver.method = method;
+    case.solver.time_step_s = time_step_s.filter(|_| method != Method::Rk4);
+    case.solver.rho_inf = rho;
+    case.solver.duration_s = (1000.0 * limit).min(5.0);
+    case.output.interval_s = case.solver.duration_s / 10.0;
+    let request = Request {
+        case,
+        text: String::new(),
+        file: "test.toml".to_owned(),
+        overrides: Vec::new(),
+        id: "test".to_owned(),
+    };
+    execute(&request, &AtomicBool::new(false), &mut |_| {})
+}
+
+fn finite(run: &Run) -> bool {
+    let channels = run.history.channels.iter();
+    let mut values = channels.flat_map(|c| c.values.iter().chain([&c.peak.0, &c.trough.0]));
+    let p = &run.profile;
+    let profile = [
+        &p.tension,
+        &p.tension_min,
+        &p.tension_max,
+        &p.z_min,
+        &p.z_max,
+    ];
+    values.all(|v| v.is_finite())
+        && profile.into_iter().flatten().all(|v| v.is_finite())
+        && run.shapes.iter().all(|s| {
+            s.nodes
+                .iter()
+                .flatten()
+                .chain(&s.tension)
+                .all(|v| v.is_finite())
+        })
+        && run.summary.iter().all(|q| q.value.is_finite())
+}
+
+/// Cases drawn; few enough for a quick test. `PROPTEST_CASES` draws more.
+fn cases(n: u32) -> ProptestConfig {
+    let cases = std::env::var("PROPTEST_CASES")
+        .ok()
+        .and_then(|n| n.parse().ok());
+    ProptestConfig {
+        cases: cases.unwrap_or(n),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(400))]
+
+    #[test]
+    fn no_run_panics_or_hides_a_number_that_is_not_finite(
+        text in any_line(),
+        method in prop_oneof![
+            Just(Method::Alpha), Just(Method::Quasi), Just(Method::Rk4), Just(Method::Static)
+        ],
+        step in prop_oneof![Just(None), (-3.0f64..0.0).prop_map(|log| Some(10f64.powf(log)))],
+        rho in 0.0f64..1.0,
+    ) {
+        let run = run(&text, method, step, rho);
+        match run.info.state {
+            RunState::Done => prop_assert!(finite(&run), "{text}"),
+            RunState::Failed => {
+                let why = run.info.failure.clone().unwrap_or_default();
+                let placed = why.contains("node ") && (why.contains("t = ") || why.contains("equilibrium"));
+                prop_assert!(placed, "{why}\n{text}");
+                prop_assert!(run.history.channels.iter().flat_map(|c| &c.values).all(|v| v.is_finite()));
+            }
+            state => prop_assert!(false, "{state:?}"),
+        }
+    }
+
+    #[test]
+    fn an_equilibrium_leaves_no_force_or_is_refused(text in any_line()) {
+        let scene = scene::build(&lines::line(&text), 1).unwrap();
+        let mut state = scene.initial_state();
+        match Search::default().run(&scene, 0.0, &mut state) {
+            Ok(found) => {
+                let (_, left) = Newton::new(scene.nodes(), 1.0, 1).largest_residual(&scene, 0.0, &state);
+                prop_assert!(left <= (1e-8 * scene.force_scale).max(scene.rounding_force()), "{left} N\n{text}");
+                prop_assert_eq!(left, found.residual);
+            }
+            Err(why) => prop_assert!(why.to_string().contains("at node"), "{why}"),
+        }
+    }
+}
