@@ -100,7 +100,7 @@ const HALVINGS_FOR_ACCURACY: u32 = 7;
 
 /// Share of the allowed error below which the next step may be twice as long. An error that grows with the cube
 /// of the step stays below one then.
-const ROOM_TO_DOUBLE: f64 = 0.1;
+pub(super) const ROOM_TO_DOUBLE: f64 = 0.1;
 
 impl March {
     /// Marches `state` from time 0. The state at time 0 is given to the sink first.

@@ -109,6 +109,15 @@ impl Profile {
         ]
     }
 
+    /// Drag per length and speed squared \[kg/m²\], no less than it is whichever way the water passes at this
+    /// speed \[m/s\].
+    #[must_use]
+    pub fn greatest(&self, speed: f64) -> f64 {
+        let re = self.reynolds * speed;
+        let normal = self.normal * self.normal_law.greatest(re) + self.floats;
+        normal.max(self.tangential * self.tangential_law.greatest(re))
+    }
+
     /// The normal coefficients of both halves at the relative velocities of the water at its nodes \[m/s\].
     #[must_use]
     pub fn normal_coefficients(&self, t: &V3, u: [&V3; 2]) -> [f64; 2] {

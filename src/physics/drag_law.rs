@@ -41,6 +41,16 @@ impl DragLaw {
 }
 
 impl DragLaw {
+    /// A coefficient that, with the square of this Reynolds number, gives no less force than any part of the velocity
+    /// does: past the crisis that of before it, as a part may be slower.
+    #[must_use]
+    pub fn greatest(self, re: f64) -> f64 {
+        match self {
+            Self::Jia2019Normal if re > CRISIS => 1.27,
+            _ => self.coefficient(re).0,
+        }
+    }
+
     /// The Reynolds number at which the coefficient jumps by so much that the force of a moving line would jump
     /// with it: the drag crisis of eq. (4), where the coefficient falls from 1.27 to 0.3. (The other joints of
     /// the printed branches jump by less than the last digit printed, or where the force is next to nothing.)

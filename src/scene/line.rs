@@ -397,6 +397,10 @@ impl System for Scene {
         }
     }
 
+    fn fastest_decay(&self, state: &State) -> (f64, usize) {
+        self.decay_by_drag(state)
+    }
+
     fn remember(&self, state: &mut State) {
         state.memory.resize(self.segments.len(), [0.0; 2]);
         for i in 0..self.segments.len() {

@@ -214,6 +214,28 @@ impl Scene {
         true
     }
 
+    /// The fastest rate at which drag slows a node \[1/s\], and the node: `dF/du / m` with all the relative velocity
+    /// counted as normal or as tangential, whichever gives more, and without added mass; so no less than it is.
+    pub(super) fn decay_by_drag(&self, state: &State) -> (f64, usize) {
+        let last = self.nodes() - 1;
+        let mut fastest = (0.0, 0);
+        for node in self.free() {
+            let speed = (self.current.at(state.x[node].z).0 - state.v[node]).norm();
+            let halves = self.segments[node.saturating_sub(1)..(node + 1).min(last)].iter();
+            let mut drag: f64 = halves
+                .map(|s| 0.5 * s.axial.length * s.drag.greatest(speed))
+                .sum();
+            if let Some(body) = self.payload.as_ref().filter(|_| node == last) {
+                drag += body.drag.amax();
+            }
+            let rate = 2.0 * drag * speed / self.mass[node];
+            if rate > fastest.0 {
+                fastest = (rate, node);
+            }
+        }
+        fastest
+    }
+
     /// What bending and the bed add to the stiffness of segment i in its highest mode \[N/m\]: `8 EI / l³` as two
     /// neighbouring bends resist a zigzag, and the springs under its nodes.
     fn other_stiffness(&self, i: usize) -> f64 {

@@ -56,6 +56,12 @@ pub enum NewtonError {
         /// The node.
         node: usize,
     },
+    /// An explicit step is longer than what decays at a node bears.
+    #[error("the explicit step is too long for how fast drag slows node {node}")]
+    Unstable {
+        /// The node.
+        node: usize,
+    },
 }
 
 impl NewtonError {
@@ -63,9 +69,10 @@ impl NewtonError {
     #[must_use]
     pub fn node(&self) -> usize {
         match *self {
-            Self::Diverged { node, .. } | Self::Singular { node } | Self::NotFinite { node } => {
-                node
-            }
+            Self::Diverged { node, .. }
+            | Self::Singular { node }
+            | Self::NotFinite { node }
+            | Self::Unstable { node } => node,
         }
     }
 }

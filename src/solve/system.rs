@@ -89,6 +89,12 @@ pub trait System: Sync {
     /// of the prescribed nodes are left as they are.
     fn accelerate(&self, t: f64, state: &mut State);
 
+    /// The fastest rate at which drag slows a free node that moves as it does \[1/s\], or more, and the node: what an
+    /// explicit step must be short for. None unless a line tells one.
+    fn fastest_decay(&self, _state: &State) -> (f64, usize) {
+        (0.0, 0)
+    }
+
     /// Writes into the state's memory what stays as it is until the next step is accepted: the normal drag
     /// coefficients of both halves of every segment. A method that leaves inertia out needs it where the coefficient
     /// jumps: without inertia nothing carries a node across a force that falls while its speed rises.
