@@ -148,6 +148,50 @@ impl<M: Stepper> Stepper for Retaken<M> {
     }
 }
 
+/// Every step in two parts, one twice as long as the other.
+struct Uneven<M>(M);
+
+impl<M: Stepper> Stepper for Uneven<M> {
+    fn step<S: System + ?Sized>(
+        &mut self,
+        system: &S,
+        at: Step,
+        state: &mut State,
+    ) -> Result<f64, StepError> {
+        let third = at.dt / 3.0;
+        self.0.step(system, Step { dt: third, ..at }, state)?;
+        let rest = Step {
+            t: at.t + third,
+            dt: 2.0 * third,
+            ..at
+        };
+        self.0.step(system, rest, state)
+    }
+    fn tally(&self) -> Tally {
+        self.0.tally()
+    }
+}
+
+/// The carried acceleration stands for the true one at another place in a step of another length.
+#[test]
+fn steps_of_changing_length_keep_the_order() {
+    let scene = rest::build(SWUNG);
+    let exact = swung(&scene, march::rk4(&scene), 0.004);
+    for rho in [0.0, 0.4, 0.8] {
+        let error = |h| apart(&swung(&scene, Uneven(march::alpha(&scene, rho)), h), &exact);
+        assert_order(
+            &format!("uneven, rho = {rho}"),
+            &points(0.064, 5, error),
+            2.0,
+            (0.1, 0.2),
+        );
+    }
+    let quasi = || Uneven(Quasi::new(scene.nodes(), 1e-12, 40));
+    let exact = swung(&scene, quasi(), 0.002);
+    let error = |h| apart(&swung(&scene, quasi(), h), &exact);
+    assert_order("uneven, quasi", &points(0.5, 5, error), 2.0, (0.1, 0.25));
+}
+
 #[test]
 fn an_acceleration_that_is_not_carried_costs_an_order() {
     let scene = rest::build(SWUNG);

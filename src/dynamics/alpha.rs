@@ -96,7 +96,7 @@ impl Alpha {
     fn carry(&mut self, h: f64, state: &State) {
         let moved = self
             .last
-            .map_or(0.0, |last| (self.alpha_f - self.alpha_m) * (h - last));
+            .map_or(0.0, |last| (self.alpha_m - self.alpha_f) * (h - last));
         for ((carried, a), jerk) in self.carried.iter_mut().zip(&state.a).zip(&self.jerk) {
             *carried = a + jerk * moved;
         }
