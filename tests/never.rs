@@ -147,7 +147,11 @@ fn stretches_far(text: &str) -> bool {
         .iter()
         .map(|s| s.diameter * s.axial.length)
         .sum();
-    let payload = scene.payload.map_or(0.0, |b| 9.0 * b.drag.max());
+    let payload = scene
+        .bodies
+        .iter()
+        .map(|h| 9.0 * h.body.drag.max())
+        .sum::<f64>();
     let load = scene.force_scale + drag(2.0 * sides) + payload;
     scene.segments[0].axial.ea < 10.0 * load
 }

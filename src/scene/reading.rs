@@ -225,9 +225,8 @@ impl Scene {
             let mut drag: f64 = halves
                 .map(|s| 0.5 * s.axial.length * s.drag.greatest(speed))
                 .sum();
-            if let Some(body) = self.payload.as_ref().filter(|_| node == last) {
-                drag += body.drag.amax();
-            }
+            let here = self.bodies.iter().filter(|hung| hung.node == node);
+            drag += here.map(|hung| hung.body.drag.amax()).sum::<f64>();
             let rate = 2.0 * drag * speed / self.mass[node];
             if rate > fastest.0 {
                 fastest = (rate, node);
