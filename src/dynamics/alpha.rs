@@ -13,9 +13,10 @@
 //!
 //! rho = 1 is close to Newmark's average acceleration, rho = 0 damps most. The forces are taken at the
 //! point between the steps, so that Newton works on one state there. The algorithmic acceleration
-//! is carried from step to step: taken anew from the forces, the method falls to first order. It stands for the true
-//! one at `t + (alpha_f - alpha_m) h`, so where the step changes it is moved on to the new place, or each change of step
-//! would cost an error of first order.
+//! is carried from step to step, never taken anew from the forces. It stands for the true one at
+//! `t + (alpha_m - alpha_f) h`, before the end of its step. So at the end it is moved on to t, for what is read off the
+//! state, and at the next step back to the place that belongs to that step's length: left where it was, the method, or
+//! each change of step, would be of first order.
 
 use super::{Step, StepError, Stepper, Tally};
 use crate::linalg::V3;
@@ -35,8 +36,8 @@ pub struct Alpha {
     between: State,
     /// Change of acceleration over the step before, per second, for the predictor \[m/s³\].
     jerk: Vec<V3>,
-    /// Length of the step before \[s\]; absent before the first.
-    last: Option<f64>,
+    /// 1, or 0 where the predictor leaves that change out: after a step that could not be solved.
+    trust: f64,
     /// Acceleration carried into the step, at the place that belongs to its length \[m/s²\].
     carried: Vec<V3>,
     control: Option<Control>,
@@ -67,7 +68,7 @@ impl Alpha {
             end: state.clone(),
             between: state,
             jerk: vec![V3::zeros(); nodes],
-            last: None,
+            trust: 1.0,
             carried: vec![V3::zeros(); nodes],
             control: None,
         }
@@ -92,11 +93,9 @@ impl Alpha {
         }
     }
 
-    /// The acceleration carried from the step before, moved to where it stands for the true one in a step of h.
+    /// The acceleration of the state, moved to where the one carried stands in a step of h.
     fn carry(&mut self, h: f64, state: &State) {
-        let moved = self
-            .last
-            .map_or(0.0, |last| (self.alpha_m - self.alpha_f) * (h - last));
+        let moved = (self.alpha_m - self.alpha_f) * h;
         for ((carried, a), jerk) in self.carried.iter_mut().zip(&state.a).zip(&self.jerk) {
             *carried = a + jerk * moved;
         }
@@ -107,7 +106,7 @@ impl Alpha {
         let (beta, gamma) = (self.beta, self.gamma);
         for i in system.free() {
             let a0 = self.carried[i];
-            let a1 = a0 + self.jerk[i] * h;
+            let a1 = a0 + self.jerk[i] * (h * self.trust);
             self.end.x[i] = state.x[i] + (state.v[i] + (a0 * (0.5 - beta) + a1 * beta) * h) * h;
             self.end.v[i] = state.v[i] + (a0 * (1.0 - gamma) + a1 * gamma) * h;
             self.end.a[i] = a1;
@@ -150,7 +149,7 @@ impl Alpha {
         let mut share = 0.0_f64;
         for i in system.free() {
             let change = self.end.a[i] - self.carried[i];
-            let miss = change - self.jerk[i] * h;
+            let miss = change - self.jerk[i] * (h * self.trust);
             share = share
                 .max(change.norm_squared() * by_change * by_change)
                 .max(miss.norm_squared() * by_miss * by_miss);
@@ -158,12 +157,14 @@ impl Alpha {
         share.sqrt()
     }
 
-    /// Takes the end state over.
+    /// Takes the end state over, its acceleration moved to the end of the step.
     fn accept<S: System + ?Sized>(&mut self, system: &S, h: f64, state: &mut State) {
+        let moved = (self.alpha_f - self.alpha_m) * h;
         for i in system.free() {
             self.jerk[i] = (self.end.a[i] - self.carried[i]) / h;
+            self.end.a[i] += self.jerk[i] * moved;
         }
-        self.last = Some(h);
+        self.trust = 1.0;
         state.copy_from(&self.end);
     }
 }
@@ -184,7 +185,7 @@ impl Stepper for Alpha {
             .newton
             .solve(system, balance, &mut self.between, factors)
         {
-            self.jerk.fill(V3::zeros());
+            self.trust = 0.0;
             return Err(why.into());
         }
         self.conclude(system, dt, state);
