@@ -172,6 +172,10 @@ fn inserted(text: &str, root: &Node, parts: &[String], written: &str) -> Result<
         _ => return Err(no_key()),
     };
     match root.find(table) {
+        Some(node) if !node.is_table() => Err((
+            format!("`{}` has no `{key}` in this file", join(table)),
+            "give all three of its numbers".to_owned(),
+        )),
         Some(node) => into_table(text, node, key, written),
         None => new_table(text, root, table, key, written),
     }
@@ -221,6 +225,12 @@ fn new_table(
     let Some((name, parent)) = table.split_last() else {
         return Err(no_key());
     };
+    if field_at(table).is_some() {
+        return Err((
+            format!("`{}` is not given in this file, so one of its numbers cannot be set", join(table)),
+            "give all three of its numbers first".to_owned(),
+        ));
+    }
     let one = TABLES
         .iter()
         .any(|known| known.shape == TableShape::One && known.path == join(table));

@@ -4,8 +4,9 @@
 //! and help; [`parse`] and [`load`] check a file against both and tell all that is wrong at once,
 //! each a [`Diagnostic`] with file, line, column, key and remedy; [`edit`] sets
 //! single values and keeps the rest of the file; [`channels`](mod@channels) names what a run of the
-//! case records.
+//! case records, [`AlongLine`] the quantities of the whole line.
 
+mod along;
 pub mod channels;
 mod check;
 mod diagnostic;
@@ -16,6 +17,7 @@ mod read;
 pub mod shipped;
 mod tree;
 
+pub use along::{AlongLine, bends};
 pub use channels::{Channel, LineEnd, Source, channels};
 pub use diagnostic::{Diagnostic, render_all};
 pub use model::*;

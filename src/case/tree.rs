@@ -129,13 +129,16 @@ impl Node {
     }
 
     /// The value at a key path. Elements of lists of tables go by their name (or, for floats, their
-    /// section), or by their number from 1.
+    /// section), or by their number from 1; those of lists of numbers by the letter of their axis.
     pub(crate) fn find<S: AsRef<str>>(&self, path: &[S]) -> Option<&Self> {
         let Some((first, rest)) = path.split_first() else {
             return Some(self);
         };
         let first = first.as_ref();
         let next = match &self.data {
+            Data::List(items) if !items.is_empty() && !self.is_list_of_tables() => {
+                items.get(["x", "y", "z"].iter().position(|axis| *axis == first)?)?
+            }
             Data::List(items) => {
                 let position = element_names(items).iter().position(|name| name == first)?;
                 items.get(position)?

@@ -2,7 +2,7 @@
 
 use super::{Basis, Outcome, Row};
 use crate::{
-    case::{At, Published, Standing, Statistic},
+    case::{AlongLine, At, Published, Standing, Statistic},
     run::{Quantity, Run, RunState, quantity_name},
 };
 
@@ -140,7 +140,10 @@ fn unfinished(run: &Run) -> Option<String> {
 }
 
 fn missing(run: &Run, channel: &str, name: &str) -> String {
-    if run.history.channel(channel).is_some() {
+    if AlongLine::named(channel).is_some_and(AlongLine::of_bending) && !run.profile.bends() {
+        return format!("Nothing bends in this run, so it has no `{name}`.");
+    }
+    if run.history.channel(channel).is_some() || AlongLine::named(channel).is_some() {
         return format!("The summary of the run does not hold `{name}`.");
     }
     let known: Vec<&str> = run
@@ -157,6 +160,9 @@ fn missing(run: &Run, channel: &str, name: &str) -> String {
 
 /// Unit of a channel by its name, for rows without a run: `tension_n[…]` is in N.
 pub(super) fn unit_of(channel: &str) -> &'static str {
+    if let Some(quantity) = AlongLine::named(channel) {
+        return quantity.unit();
+    }
     let quantity = channel.split('[').next().unwrap_or(channel);
     let units = [
         ("_m_per_s", "m/s"),

@@ -7,7 +7,8 @@
 use std::sync::atomic::AtomicBool;
 
 use super::compute::{Computed, Step, compute};
-use super::statistic::{Wanted, evaluate, wanted};
+use super::along;
+use super::statistic::{Of, Wanted, evaluate, wanted};
 use super::{Quantity, RunState, quantity_name};
 use crate::case::{Case, DragLaw, DragLawName, Method};
 
@@ -25,7 +26,10 @@ pub(super) struct Estimates {
 /// Runs the companions, side by side where there are cores.
 pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Estimates {
     let wanted = wanted_of(case, run);
-    let fine: Vec<Option<f64>> = wanted.iter().map(|w| evaluate(&run.history, w)).collect();
+    let fine: Vec<Option<f64>> = wanted
+        .iter()
+        .map(|w| evaluate(&run.history, &run.profile, w))
+        .collect();
     let order = order(case.solver.method);
     let ratio = ratio_of_meshes(case);
     let companion = |coarsening, step| compute(case, coarsening, step, cancel, &mut |_| {});
@@ -46,7 +50,10 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
         })
     };
     let time = compare(slow, 2f64.powi(order.unwrap_or(0)) - 1.0, "time");
-    let mesh = compare(coarse, ratio * ratio - 1.0, "mesh");
+    let mut mesh = compare(coarse, ratio * ratio - 1.0, "mesh");
+    for (error, w) in mesh.iter_mut().zip(&wanted) {
+        *error = error.map(|e| e.max(along::resolution(&run.profile, w.statistic)));
+    }
     Estimates {
         time,
         mesh,
@@ -111,7 +118,9 @@ fn differences(
         ));
         return Vec::new();
     }
-    let coarse = wanted.iter().map(|w| evaluate(&companion.history, w));
+    let coarse = wanted
+        .iter()
+        .map(|w| evaluate(&companion.history, &companion.profile, w));
     fine.iter()
         .zip(coarse)
         .map(|(f, c)| Some((f.as_ref()? - c?).abs() / divisor))
@@ -135,11 +144,17 @@ pub(super) fn summary(case: &Case, run: &Computed, estimates: &Estimates) -> Vec
         .iter()
         .enumerate()
         .filter_map(|(i, w)| {
-            let channel = &run.history.channels[w.channel];
+            let (name, unit) = match w.of {
+                Of::Channel(index) => {
+                    let channel = run.history.channels.get(index)?;
+                    (channel.name.as_str(), channel.unit.as_str())
+                }
+                Of::Line(quantity) => (quantity.name(), quantity.unit()),
+            };
             Some(Quantity {
-                name: quantity_name(&channel.name, w.statistic, w.window),
-                value: evaluate(&run.history, w)?,
-                unit: w.statistic.unit(&channel.unit),
+                name: quantity_name(name, w.statistic, w.window),
+                value: evaluate(&run.history, &run.profile, w)?,
+                unit: w.statistic.unit(unit),
                 time_error: pick(&estimates.time, i),
                 mesh_error: pick(&estimates.mesh, i),
             })

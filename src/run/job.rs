@@ -9,7 +9,7 @@ use crossbeam_channel::Sender;
 
 use super::compute::{self, Computed};
 use super::store::rfc3339;
-use super::{Cost, Frame, Run, RunInfo, RunState, VERSION, errors};
+use super::{Cost, Frame, Run, RunInfo, RunState, VERSION, errors, limits};
 use crate::case::Case;
 
 /// What to compute.
@@ -99,6 +99,9 @@ pub fn execute(request: &Request, cancel: &AtomicBool, events: &mut dyn FnMut(Ev
         estimated = errors::estimate(&request.case, &computed, cancel);
     }
     computed.settings.error_method = estimated.method.clone();
+    let checks = limits::check(&request.case, &computed.profile);
+    let exceeded = checks.iter().flat_map(limits::Check::warnings);
+    computed.warnings.extend(exceeded);
     let cost = Cost {
         companions_wall_s: companions.elapsed().as_secs_f64(),
         ..computed.cost

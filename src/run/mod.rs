@@ -2,9 +2,11 @@
 //!
 //! [`model`] holds a [`Run`] as plain data; [`store`] keeps it on disk.
 
+mod along;
 mod compute;
 mod errors;
 pub mod job;
+pub mod limits;
 pub mod model;
 mod names;
 mod recorder;

@@ -163,7 +163,7 @@ pub struct LineShape {
     pub tension: Vec<f64>,
 }
 
-/// The line node by node: its state at the end of the run, and envelopes over every step.
+/// The line node by node: its state at the end of the run, and envelopes over the output times.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Profile {
     /// Unstretched arc length from A \[m\].
@@ -180,6 +180,22 @@ pub struct Profile {
     pub z_min: Vec<f64>,
     /// Greatest heights \[m\].
     pub z_max: Vec<f64>,
+    /// Curvatures \[1/m\]; empty where nothing bends, zero at hinges.
+    pub curvature: Vec<f64>,
+    /// Greatest curvatures \[1/m\]; likewise.
+    pub curvature_max: Vec<f64>,
+    /// Bending moments \[N m\]; likewise.
+    pub moment: Vec<f64>,
+    /// Greatest bending moments \[N m\]; likewise.
+    pub moment_max: Vec<f64>,
+}
+
+impl Profile {
+    /// True when the line bends: curvatures and moments are then as many as nodes.
+    #[must_use]
+    pub fn bends(&self) -> bool {
+        !self.moment.is_empty()
+    }
 }
 
 /// A single number with its estimated numerical errors. Model error is not in it: that is what the

@@ -47,6 +47,7 @@ impl<'a> Recorder<'a> {
                 .collect(),
         };
         let nodes = scene.nodes();
+        let bending = if scene.flexure.is_some() { nodes } else { 0 };
         let profile = Profile {
             arc: scene.arc.clone(),
             nodes: vec![[0.0; 3]; nodes],
@@ -55,6 +56,10 @@ impl<'a> Recorder<'a> {
             tension_max: vec![f64::NEG_INFINITY; nodes],
             z_min: vec![f64::INFINITY; nodes],
             z_max: vec![f64::NEG_INFINITY; nodes],
+            curvature: vec![0.0; bending],
+            curvature_max: vec![0.0; bending],
+            moment: vec![0.0; bending],
+            moment_max: vec![0.0; bending],
         };
         Self {
             scene,
@@ -143,6 +148,19 @@ impl<'a> Recorder<'a> {
             p.z_min[i] = p.z_min[i].min(x.z);
             p.z_max[i] = p.z_max[i].max(x.z);
         }
+        if let Some(flexure) = &self.scene.flexure {
+            let (curvature, moment) = flexure.bent(self.scene, state);
+            widen(&mut p.curvature_max, &curvature);
+            widen(&mut p.moment_max, &moment);
+            (p.curvature, p.moment) = (curvature, moment);
+        }
+    }
+}
+
+/// Raises greatest values to the new ones.
+fn widen(greatest: &mut [f64], values: &[f64]) {
+    for (most, value) in greatest.iter_mut().zip(values) {
+        *most = most.max(*value);
     }
 }
 

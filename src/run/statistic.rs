@@ -1,33 +1,42 @@
-//! Single numbers taken of a channel: means, extremes, times.
+//! Single numbers taken of a channel: means, extremes, times; and which are wanted of a run.
 
-use super::{Channel, History};
-use crate::case::{Case, Statistic};
+use super::{Channel, History, Profile, along};
+use crate::case::{AlongLine, Case, Statistic};
 
-/// A number that is wanted of a channel.
+/// What a number is taken of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Of {
+    /// The channel of this index.
+    Channel(usize),
+    /// A quantity of the whole line.
+    Line(AlongLine),
+}
+
+/// A number that is wanted of a channel or of the whole line.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
-    /// Index of the channel.
-    pub channel: usize,
+    /// What it is taken of.
+    pub of: Of,
     /// What is taken of it.
     pub statistic: Statistic,
     /// Over which window \[s\]; absent: the whole run.
     pub window: Option<[f64; 2]>,
 }
 
-/// What a run of this case summarises: the greatest, smallest, mean and last value of every channel, and every
-/// statistic its published values and trends ask for.
+/// What a run of this case summarises: the greatest, smallest, mean and last value of every channel, the extremes of
+/// the whole line, and every statistic its published values and trends ask for.
 #[must_use]
 pub fn wanted(case: &Case, channels: &[String]) -> Vec<Wanted> {
     use Statistic::{Final, Max, Mean, Min};
+    let whole = |of, statistic| Wanted {
+        of,
+        statistic,
+        window: None,
+    };
     let mut list: Vec<Wanted> = (0..channels.len())
-        .flat_map(|channel| {
-            [Max, Min, Mean, Final].map(|statistic| Wanted {
-                channel,
-                statistic,
-                window: None,
-            })
-        })
+        .flat_map(|channel| [Max, Min, Mean, Final].map(|s| whole(Of::Channel(channel), s)))
         .collect();
+    list.extend(along::ALWAYS.map(|(quantity, statistic)| whole(Of::Line(quantity), statistic)));
     let published = case
         .published
         .iter()
@@ -37,11 +46,12 @@ pub fn wanted(case: &Case, channels: &[String]) -> Vec<Wanted> {
         .iter()
         .map(|t| (&t.channel, t.statistic, t.window_s));
     for (name, statistic, window) in published.chain(trends) {
-        let Some(channel) = channels.iter().position(|c| c == name) else {
+        let channel = channels.iter().position(|c| c == name).map(Of::Channel);
+        let Some(of) = channel.or_else(|| AlongLine::named(name).map(Of::Line)) else {
             continue;
         };
         let item = Wanted {
-            channel,
+            of,
             statistic,
             window,
         };
@@ -52,10 +62,18 @@ pub fn wanted(case: &Case, channels: &[String]) -> Vec<Wanted> {
     list
 }
 
-/// The number wanted; `None` where the window holds no output time, or the run ended before the window does.
+/// The number wanted; `None` where the window holds no output time, the run ended before the window does, or nothing
+/// of the kind was recorded.
 #[must_use]
-pub fn evaluate(history: &History, wanted: &Wanted) -> Option<f64> {
-    let channel = history.channels.get(wanted.channel)?;
+pub fn evaluate(history: &History, profile: &Profile, wanted: &Wanted) -> Option<f64> {
+    match wanted.of {
+        Of::Channel(index) => over_time(history, history.channels.get(index)?, wanted),
+        Of::Line(_) if wanted.window.is_some() => None,
+        Of::Line(quantity) => along::evaluate(profile, quantity, wanted.statistic),
+    }
+}
+
+fn over_time(history: &History, channel: &Channel, wanted: &Wanted) -> Option<f64> {
     let (times, values) = within(&history.time, &channel.values, wanted.window)?;
     let (first, last) = (*values.first()?, *values.last()?);
     let whole = wanted.window.is_none();
@@ -73,6 +91,10 @@ pub fn evaluate(history: &History, wanted: &Wanted) -> Option<f64> {
             let span = times[times.len() - 1] - times[0];
             (span > 0.0).then(|| (last - first).abs() / span)
         }
+        Statistic::ArcOfMax
+        | Statistic::ArcOfMin
+        | Statistic::GreatestFall
+        | Statistic::Turns => None,
     }
 }
 
@@ -201,8 +223,9 @@ mod tests {
     fn take(values: &[f64], statistic: Statistic, window: Option<[f64; 2]>) -> Option<f64> {
         evaluate(
             &history(values.to_vec()),
+            &Profile::default(),
             &Wanted {
-                channel: 0,
+                of: Of::Channel(0),
                 statistic,
                 window,
             },

@@ -134,18 +134,26 @@ impl Flexure {
     /// Bending moment \[N m\] at every node.
     #[must_use]
     pub fn moments(&self, scene: &Scene, state: &State) -> Vec<f64> {
+        self.bent(scene, state).1
+    }
+
+    /// Curvature \[1/m\] and bending moment \[N m\] at every node. A hinge, where the line may turn without a moment,
+    /// has no curvature.
+    #[must_use]
+    pub fn bent(&self, scene: &Scene, state: &State) -> (Vec<f64>, Vec<f64>) {
         let last = scene.segments.len();
         let stiffness = |i: usize| match i {
             0 => self.clamps[0].map_or(0.0, |c| c.1),
             i if i == last => self.clamps[1].map_or(0.0, |c| c.1),
             i => self.joints[i],
         };
-        let curvatures = self.curvatures(scene, state);
-        curvatures
-            .iter()
-            .enumerate()
-            .map(|(i, c)| c * self.spans[i] * stiffness(i))
-            .collect()
+        let turned = self.curvatures(scene, state).into_iter().enumerate();
+        turned
+            .map(|(i, c)| match stiffness(i) {
+                k if k > 0.0 => (c, c * self.spans[i] * k),
+                _ => (0.0, 0.0),
+            })
+            .unzip()
     }
 
     /// Energy of bending \[J\].

@@ -83,6 +83,7 @@ pub(crate) fn run() -> Run {
             tension_max: vec![1e7 / 7.0; 4],
             z_min: vec![-1400.0 / 3.0; 4],
             z_max: vec![1e-17; 4],
+            ..Profile::default()
         },
         summary: vec![
             quantity(

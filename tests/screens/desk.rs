@@ -272,6 +272,7 @@ pub(crate) fn run(request: &Request, state: RunState) -> Run {
         z_max: vec![0.0; 23],
         nodes: last.nodes,
         tension: last.tension,
+        ..Profile::default()
     };
     let rows = request.case.published.iter();
     let quantity = |channel: &str, statistic, window, value| Quantity {

@@ -4,12 +4,13 @@
 use super::line::unknown_name;
 use super::value;
 use super::words::{join, nearest, split, unknown_key};
+use crate::case::along::AlongLine;
 use crate::case::channels::{
     LineEnd, body_channels, force_channels, joint_channels, motion_channels,
 };
 use crate::case::diagnostic::Finding;
-use crate::case::fields::{Absent, CASE, FIELDS, Field, field_at, number, quantity};
-use crate::case::model::EndKind;
+use crate::case::fields::{Absent, CASE, FIELDS, Field, either, field_at, number, quantity};
+use crate::case::model::{EndKind, Statistic};
 use crate::case::tree::{Data, Node, element_names};
 
 /// Checks of studies, published values, trends and marks.
@@ -25,6 +26,7 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
                     .as_ref()
                     .and_then(|known| channel(row, known, key("channel"))),
             );
+            found.extend(suits(row, &key("statistic")));
             found.extend(window(row, &key("window_s")));
             if list == "published" {
                 found.extend(tolerance(row, &key("tolerance_rel")));
@@ -275,7 +277,8 @@ fn channel_names(root: &Node) -> Option<Vec<String>> {
 fn channel(row: &Node, known: &[String], key: String) -> Option<Finding> {
     let node = row.get("channel")?;
     let word = node.text()?;
-    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    let line = AlongLine::ALL.map(AlongLine::name);
+    let known: Vec<&str> = known.iter().map(String::as_str).chain(line).collect();
     if known.contains(&word) {
         return None;
     }
@@ -283,10 +286,54 @@ fn channel(row: &Node, known: &[String], key: String) -> Option<Finding> {
     Some(Finding::new(&node.span, key, problem, remedy))
 }
 
+/// Statistics over time are taken of channels, those over arc length of quantities of the whole line.
+fn suits(row: &Node, key: &str) -> Option<Finding> {
+    let node = row.get("statistic")?;
+    let word = node.text()?;
+    let statistic = Statistic::ALL.into_iter().find(|s| s.name() == word)?;
+    let channel = row.get("channel")?.text()?;
+    let along = AlongLine::named(channel).is_some();
+    let fits = if along {
+        Statistic::along_line
+    } else {
+        Statistic::over_time
+    };
+    if fits(statistic) {
+        return None;
+    }
+    let words: Vec<&str> = Statistic::ALL
+        .into_iter()
+        .filter(|s| fits(*s))
+        .map(Statistic::name)
+        .collect();
+    let (problem, remedy) = if along {
+        (
+            format!("`{word}` goes over time, and `{channel}` over the length of the line"),
+            format!("take {}", either(&words)),
+        )
+    } else {
+        (
+            format!("`{word}` goes over the length of the line, and a channel over time"),
+            format!(
+                "take {}, or name a quantity of the whole line: {}",
+                either(&words),
+                either(&AlongLine::ALL.map(AlongLine::name))
+            ),
+        )
+    };
+    Some(Finding::new(&node.span, key.to_owned(), problem, remedy))
+}
+
 /// A window runs forward. One that ends after the run is no fault: whoever shortens a run for a
 /// first look may do so, and the row is then not computed.
 fn window(row: &Node, key: &str) -> Option<Finding> {
     let node = row.get("window_s")?;
+    if let Some(channel) = row.get("channel").and_then(Node::text)
+        && AlongLine::named(channel).is_some()
+    {
+        let problem = format!("`{channel}` of the whole line is taken over the whole run");
+        return Some(Finding::new(&node.span, key, problem, "leave the window out"));
+    }
     let numbers = node.numbers()?;
     let [from, to] = numbers[..] else {
         return None;

@@ -3,8 +3,9 @@
 //!
 //! A field is known by a path pattern in which `*` stands for a name the user chose:
 //! `materials.*.ea_n`, `line.*.length_m` (sections by their `name`), `floats.*.lift_kg` (by their
-//! `section`), `ends.b.kind`.
+//! `section`), `ends.b.kind`. A coordinate of a position goes by its letter: `ends.b.position_m.x`.
 
+mod components;
 mod range;
 mod rows;
 mod table;
@@ -12,6 +13,7 @@ mod table;
 pub use range::Range;
 pub(crate) use range::{number, quantity};
 pub use rows::{FieldRow, rows};
+use components::COMPONENTS;
 pub use table::{FIELDS, TABLES};
 
 /// A kind of file: what it is called, and every table and field it can have.
@@ -198,10 +200,10 @@ impl Field {
     }
 }
 
-/// The field of a key path given as its parts, if there is one.
+/// The field of a key path given as its parts, if there is one; `ends.b.position_m.x` is a number of its own.
 #[must_use]
 pub fn field_at<S: AsRef<str>>(path: &[S]) -> Option<&'static Field> {
-    FIELDS.iter().find(|field| {
+    FIELDS.iter().chain(COMPONENTS).find(|field| {
         let mut pattern = field.path.split('.');
         let same = path.iter().all(|part| {
             pattern
@@ -268,6 +270,15 @@ mod tests {
         assert_eq!(field.stem(), "length");
         assert!(field_at(&["line", "polyester"]).is_none());
         assert!(field_at(&["line", "a", "b", "length_m"]).is_none());
+    }
+
+    #[test]
+    fn a_coordinate_is_a_number_in_the_range_of_its_position() {
+        let field = field_at(&["ends", "b", "position_m", "y"]).unwrap();
+        let whole = field_at(&["ends", "b", "position_m"]).unwrap();
+        assert!(field.takes_number() && !whole.takes_number());
+        assert_eq!((field.range, field.unit), (whole.range, whole.unit));
+        assert!(field_at(&["ends", "b", "position_m", "w"]).is_none());
     }
 
     #[test]

@@ -26,6 +26,10 @@ const STATISTICS: Kind = Choice(&[
     "settling_time",
     "rise_time",
     "rate",
+    "arc_of_max",
+    "arc_of_min",
+    "greatest_fall",
+    "turns",
 ]);
 const END_KINDS: Kind = Choice(&["fixed", "anchor", "payload", "moving", "free"]);
 
@@ -164,7 +168,8 @@ pub static FIELDS: &[Field] = &[
     field("materials.*.drag_tangential_width",    Choice(&["diameter", "perimeter"]), "", ANY,        Default("\"diameter\""), "tangential drag width", "What tangential drag refers to: the diameter D, or the perimeter pi D."),
     field("materials.*.added_mass_normal",        Number,          "-",    Range::of(0.0, 100.0),     Default("1.0"), "normal added mass", "Coefficient on the displaced volume, across the line."),
     field("materials.*.added_mass_tangential",    Number,          "-",    Range::of(0.0, 100.0),     Default("0.0"), "tangential added mass", "Coefficient on the displaced volume, along the line."),
-    field("materials.*.break_load_n",             Number,          "N",    Range::positive(1e12),     NOT_USED, "breaking load", "Minimum breaking load, shown as a limit in tension charts."),
+    field("materials.*.break_load_n",             Number,          "N",    Range::positive(1e12),     NOT_USED, "breaking load", "Minimum breaking load; the run warns where the tension comes to more."),
+    field("materials.*.min_bend_radius_m",        Number,          "m",    Range::positive(1e5),      NOT_USED, "least bending radius", "Smallest radius it may be bent to; the run warns where it is bent more sharply."),
 
     field("line.*.name",     Name,    "",  ANY,                   Required, "name", "Name of the section, used in channel names and key paths."),
     field("line.*.material", Text,    "",  ANY,                   Required, "material", "Name of its material."),
@@ -254,7 +259,7 @@ pub static FIELDS: &[Field] = &[
     field("study.*.title",  Text, "", ANY, Default("\"\""), "title", "What the study shows, in one line."),
 
     field("published.*.name",          Text,       "",  ANY,     Required, "name", "What the value is, in words."),
-    field("published.*.channel",       Text,       "",  ANY,     Required, "channel", "Channel of the history, such as tension_n[wire|payload]."),
+    field("published.*.channel",       Text,       "",  ANY,     Required, "channel", "Channel of the history, such as tension_n[wire|payload], or of the whole line, such as tension_n."),
     field("published.*.statistic",     STATISTICS, "",  ANY,     Required, "statistic", "What is taken of the channel."),
     field("published.*.window_s",      Pair,       "s", ZERO_UP, WHOLE_RUN, "window", "Window of time for the statistic."),
     field("published.*.value",         Number,     "",  ANY,     Required, "value", "The published value, in the unit of the channel; seconds for times."),
@@ -269,7 +274,7 @@ pub static FIELDS: &[Field] = &[
 
     field("trend.*.name",         Text,       "",  ANY,     Required, "name", "The statement, in words."),
     field("trend.*.study",        Text,       "",  ANY,     Required, "study", "The study it is checked along."),
-    field("trend.*.channel",      Text,       "",  ANY,     Required, "channel", "Channel of the history."),
+    field("trend.*.channel",      Text,       "",  ANY,     Required, "channel", "Channel of the history, or quantity of the whole line."),
     field("trend.*.statistic",    STATISTICS, "",  ANY,     Required, "statistic", "What is taken of the channel."),
     field("trend.*.window_s",     Pair,       "s", ZERO_UP, WHOLE_RUN, "window", "Window of time for the statistic."),
     field("trend.*.expect",       Choice(&["rises", "falls"]), "", ANY, Required, "expect", "What the statistic does as the study's values grow."),

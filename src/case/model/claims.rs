@@ -47,7 +47,7 @@ pub struct Study {
 pub struct Published {
     /// What it is, in words.
     pub name: String,
-    /// Channel of the history (`tension_n[wire|payload]`).
+    /// Channel of the history (`tension_n[wire|payload]`), or a quantity of the whole line (`tension_n`).
     pub channel: String,
     /// What is taken of the channel.
     pub statistic: Statistic,
@@ -107,11 +107,21 @@ pub enum Statistic {
     /// Magnitude of the mean rate of change: |final value less first value| over the window's length
     /// \[unit of the channel per second\].
     Rate,
+    /// Along the line: arc length from end A of the greatest value \[m\].
+    ArcOfMax,
+    /// Along the line: arc length from end A of the smallest value \[m\].
+    ArcOfMin,
+    /// Along the line at the end of the run: the most that the value falls between one place and any later one, going
+    /// from A to B. Of heights: how far the line comes down again after a hog.
+    GreatestFall,
+    /// Along the line at the end of the run: how often the value turns from rising to falling or back, going from A to
+    /// B \[-\]. A turn by less than 1 % of the whole range is not counted.
+    Turns,
 }
 
 impl Statistic {
     /// Every statistic, in the order in which they are explained to users.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 14] = [
         Self::Mean,
         Self::Max,
         Self::Min,
@@ -122,6 +132,10 @@ impl Statistic {
         Self::SettlingTime,
         Self::RiseTime,
         Self::Rate,
+        Self::ArcOfMax,
+        Self::ArcOfMin,
+        Self::GreatestFall,
+        Self::Turns,
     ];
 
     /// The word for it, in case files and in names of quantities (`tension_n[wire|payload].mean`).
@@ -138,18 +152,44 @@ impl Statistic {
             Self::SettlingTime => "settling_time",
             Self::RiseTime => "rise_time",
             Self::Rate => "rate",
+            Self::ArcOfMax => "arc_of_max",
+            Self::ArcOfMin => "arc_of_min",
+            Self::GreatestFall => "greatest_fall",
+            Self::Turns => "turns",
         }
+    }
+
+    /// True where it can be taken of a channel, over time.
+    #[must_use]
+    pub const fn over_time(self) -> bool {
+        !matches!(
+            self,
+            Self::ArcOfMax | Self::ArcOfMin | Self::GreatestFall | Self::Turns
+        )
+    }
+
+    /// True where it can be taken of a quantity of the whole line, over arc length.
+    #[must_use]
+    pub const fn along_line(self) -> bool {
+        matches!(self, Self::Max | Self::Min) || !self.over_time()
     }
 
     /// Unit of the statistic of a channel that has the unit `channel` ("N" gives "N", "s" or "N/s").
     #[must_use]
     pub fn unit(self, channel: &str) -> String {
         match self {
-            Self::Mean | Self::Max | Self::Min | Self::Final | Self::Travel => channel.to_owned(),
+            Self::Mean
+            | Self::Max
+            | Self::Min
+            | Self::Final
+            | Self::Travel
+            | Self::GreatestFall => channel.to_owned(),
             Self::TimeOfMax | Self::TimeOfMin | Self::SettlingTime | Self::RiseTime => {
                 "s".to_owned()
             }
             Self::Rate => format!("{channel}/s"),
+            Self::ArcOfMax | Self::ArcOfMin => "m".to_owned(),
+            Self::Turns => "-".to_owned(),
         }
     }
 }
@@ -162,7 +202,7 @@ pub struct Trend {
     pub name: String,
     /// The study it is checked along.
     pub study: String,
-    /// Channel of the history.
+    /// Channel of the history, or a quantity of the whole line.
     pub channel: String,
     /// What is taken of the channel.
     pub statistic: Statistic,

@@ -40,6 +40,8 @@ pub struct Material {
     pub added_mass_tangential: f64,
     /// Minimum breaking load \[N\], for checks.
     pub break_load_n: Option<f64>,
+    /// Smallest radius it may be bent to \[m\], for checks.
+    pub min_bend_radius_m: Option<f64>,
 }
 
 fn no_drag() -> DragLaw {

@@ -6,7 +6,7 @@ use super::{
     CASE, CHANNELS, ERRORS, HISTORY, PROFILE, RUN, SHAPES, SUMMARY, StoreError,
     finish::{CHANNEL_COLUMNS, ERROR_COLUMNS, SUMMARY_COLUMNS},
     number::parse,
-    shapes::{self, PROFILE_COLUMNS, SHAPE_COLUMNS},
+    shapes::{self, BENDING_COLUMNS, PROFILE_COLUMNS, SHAPE_COLUMNS},
     table::{self, Rows},
 };
 use crate::run::{Channel, History, LineShape, Profile, Quantity, Run, RunInfo, RunState};
@@ -171,7 +171,10 @@ impl Reader<'_> {
     }
 
     fn profile(&mut self) -> Profile {
-        let mut table = self.table(PROFILE, Some(&PROFILE_COLUMNS));
+        let bending: Vec<&str> = [&PROFILE_COLUMNS[..], &BENDING_COLUMNS].concat();
+        let mut table = self.table(PROFILE, None);
+        let bends = table.columns.len() == bending.len();
+        table.expect(PROFILE, if bends { &bending } else { &PROFILE_COLUMNS });
         let profile = shapes::read_profile(&mut table, PROFILE);
         self.told(table);
         profile

@@ -24,6 +24,14 @@ pub(super) const PROFILE_COLUMNS: [&str; 10] = [
     "z_max_m",
 ];
 
+/// Further columns of `profile.csv`, for a line that bends.
+pub(super) const BENDING_COLUMNS: [&str; 4] = [
+    "curvature_per_m",
+    "curvature_max_per_m",
+    "moment_nm",
+    "moment_max_nm",
+];
+
 /// Adds a shape to a table.
 pub(super) fn write_shape(csv: &mut Csv, shape: &LineShape) -> Result<(), StoreError> {
     for (node, ([x, y, z], tension)) in shape.nodes.iter().zip(&shape.tension).enumerate() {
@@ -36,10 +44,11 @@ pub(super) fn write_shape(csv: &mut Csv, shape: &LineShape) -> Result<(), StoreE
 
 /// The profile as a table.
 pub(super) fn profile(profile: &Profile) -> Result<Vec<u8>, StoreError> {
-    let mut csv = Csv::new(PROFILE_COLUMNS)?;
+    let further: &[&str] = if profile.bends() { &BENDING_COLUMNS } else { &[] };
+    let mut csv = Csv::new(PROFILE_COLUMNS.iter().chain(further))?;
     for (i, [x, y, z]) in profile.nodes.iter().enumerate() {
         let of = |column: &[f64]| column.get(i).copied().map(text).unwrap_or_default();
-        csv.row([
+        let mut row = vec![
             i.to_string(),
             of(&profile.arc),
             text(*x),
@@ -50,7 +59,16 @@ pub(super) fn profile(profile: &Profile) -> Result<Vec<u8>, StoreError> {
             of(&profile.tension_max),
             of(&profile.z_min),
             of(&profile.z_max),
-        ])?;
+        ];
+        if profile.bends() {
+            row.extend([
+                of(&profile.curvature),
+                of(&profile.curvature_max),
+                of(&profile.moment),
+                of(&profile.moment_max),
+            ]);
+        }
+        csv.row(row)?;
     }
     csv.bytes()
 }
@@ -92,10 +110,13 @@ pub(super) fn read_shapes(table: &mut Rows, name: &str) -> Vec<LineShape> {
     shapes
 }
 
-/// The profile from its rows.
+/// The profile from its rows, with or without the columns of bending.
 pub(super) fn read_profile(table: &mut Rows, name: &str) -> Profile {
     let mut profile = Profile::default();
     for (line, fields) in &table.rows {
+        let (line_fields, bending_fields) =
+            fields.split_at(PROFILE_COLUMNS.len().min(fields.len()));
+        let bending = numbers(bending_fields);
         let Some(
             [
                 _,
@@ -109,7 +130,7 @@ pub(super) fn read_profile(table: &mut Rows, name: &str) -> Profile {
                 z_min,
                 z_max,
             ],
-        ) = numbers(fields)
+        ) = numbers(line_fields).filter(|_| bending.is_some() || bending_fields.is_empty())
         else {
             table.trouble = Some(format!(
                 "{name}, line {line} holds something that is no number; read up to there."
@@ -123,6 +144,12 @@ pub(super) fn read_profile(table: &mut Rows, name: &str) -> Profile {
         profile.tension_max.push(tension_max);
         profile.z_min.push(z_min);
         profile.z_max.push(z_max);
+        if let Some([curvature, curvature_max, moment, moment_max]) = bending {
+            profile.curvature.push(curvature);
+            profile.curvature_max.push(curvature_max);
+            profile.moment.push(moment);
+            profile.moment_max.push(moment_max);
+        }
     }
     profile
 }
