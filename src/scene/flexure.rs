@@ -156,6 +156,21 @@ impl Flexure {
             .unzip()
     }
 
+    /// The first node at which the line bends by a right angle or more: no mesh can carry such a bend, and past it
+    /// the moment of this one falls again.
+    #[must_use]
+    pub fn folded(&self, scene: &Scene, state: &State) -> Option<usize> {
+        let chord = |i: usize| state.x[i + 1] - state.x[i];
+        let last = scene.segments.len();
+        let back = |direction: &V3, i: usize| direction.dot(&chord(i)) <= 0.0;
+        let at_end = |end: usize, i: usize| self.clamps[end].is_some_and(|(d, _)| back(&d, i));
+        if at_end(0, 0) {
+            return Some(0);
+        }
+        let inner = (1..last).find(|i| self.joints[*i] > 0.0 && back(&chord(i - 1), *i));
+        inner.or_else(|| at_end(1, last - 1).then_some(last))
+    }
+
     /// Energy of bending \[J\].
     #[must_use]
     pub fn energy(&self, scene: &Scene, state: &State) -> f64 {

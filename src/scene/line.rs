@@ -306,6 +306,10 @@ impl System for Scene {
         self.flexure.is_some()
     }
 
+    fn folded(&self, state: &State) -> Option<usize> {
+        self.flexure.as_ref()?.folded(self, state)
+    }
+
     fn prescribe(&self, t: f64, state: &mut State) {
         let last = self.nodes() - 1;
         for (end, node) in [(0, 0), (1, last)] {

@@ -111,6 +111,12 @@ pub trait System: Sync {
     /// answer in a few iterations however stiff the line).
     fn foretell(&self, _d: &[V3], _state: &mut State) {}
 
+    /// A node at which the line is folded back on itself, if there is one. Bending forces vanish at such a fold, so
+    /// that forces may balance there, but no line stays so: an equilibrium with a fold is none to be told.
+    fn folded(&self, _state: &State) -> Option<usize> {
+        None
+    }
+
     /// A force typical of this line \[N\]: residuals are measured against it.
     fn force_scale(&self) -> f64;
 

@@ -3,7 +3,8 @@
 //! Newton first, from the guess given. Where that does not converge, the line is let go in steps of
 //! pseudo-time: each step is backward Euler from rest (`M (x - x_k) / h² = f(x)`), which takes all kinetic
 //! energy out and so cannot swing; h grows while steps converge and shrinks where they do not, until
-//! plain Newton takes over. The state is accepted on the displacement and then on the residual force.
+//! plain Newton takes over. The state is accepted on the displacement and then on the residual force, and never with
+//! a fold in a line that bends: Newton finds such shapes, in which forces balance, and no line stays in them.
 
 use crate::solve::{Factors, Newton, NewtonError, State, System};
 
@@ -100,6 +101,9 @@ impl Search {
         let solved = newton.solve(system, t, state, STATICS);
         state.foretold.clear();
         solved.map_err(Some)?;
+        if system.folded(state).is_some() {
+            return Err(None);
+        }
         let (_, residual) = newton.largest_residual(system, t, state);
         if residual <= (self.force_tolerance * system.force_scale()).max(system.rounding_force()) {
             Ok(Found {
