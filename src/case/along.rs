@@ -60,7 +60,9 @@ impl AlongLine {
     /// The quantity of this name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|quantity| quantity.name() == name)
+        Self::ALL
+            .into_iter()
+            .find(|quantity| quantity.name() == name)
     }
 }
 

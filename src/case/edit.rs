@@ -227,7 +227,10 @@ fn new_table(
     };
     if field_at(table).is_some() {
         return Err((
-            format!("`{}` is not given in this file, so one of its numbers cannot be set", join(table)),
+            format!(
+                "`{}` is not given in this file, so one of its numbers cannot be set",
+                join(table)
+            ),
             "give all three of its numbers first".to_owned(),
         ));
     }

@@ -17,6 +17,8 @@ pub const SHIPPED: &[Shipped] = &[
     shipped!("basics/steep_wave.toml"),
     shipped!("pendulous/manifold.toml"),
     shipped!("pendulous/module.toml"),
+    shipped!("umbilical/catenary.toml"),
+    shipped!("umbilical/steep_wave.toml"),
 ];
 
 #[cfg(test)]

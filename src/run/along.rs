@@ -88,10 +88,7 @@ fn radii(curvatures: &[f64]) -> Vec<f64> {
 }
 
 /// The first node at which a value is better than all others, and that value.
-pub(super) fn extreme(
-    values: &[f64],
-    better: impl Fn(f64, f64) -> bool,
-) -> Option<(usize, f64)> {
+pub(super) fn extreme(values: &[f64], better: impl Fn(f64, f64) -> bool) -> Option<(usize, f64)> {
     let numbered = values.iter().copied().enumerate();
     numbered.reduce(|best, here| if better(here.1, best.1) { here } else { best })
 }

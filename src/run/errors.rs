@@ -6,8 +6,8 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::compute::{Computed, Step, compute};
 use super::along;
+use super::compute::{Computed, Step, compute};
 use super::statistic::{Of, Wanted, evaluate, wanted};
 use super::{Quantity, RunState, quantity_name};
 use crate::case::{Case, DragLaw, DragLawName, Method};

@@ -91,10 +91,9 @@ fn over_time(history: &History, channel: &Channel, wanted: &Wanted) -> Option<f6
             let span = times[times.len() - 1] - times[0];
             (span > 0.0).then(|| (last - first).abs() / span)
         }
-        Statistic::ArcOfMax
-        | Statistic::ArcOfMin
-        | Statistic::GreatestFall
-        | Statistic::Turns => None,
+        Statistic::ArcOfMax | Statistic::ArcOfMin | Statistic::GreatestFall | Statistic::Turns => {
+            None
+        }
     }
 }
 

@@ -137,14 +137,7 @@ impl Search {
                 stiffness: 1.0,
             };
             match newton.solve(system, t, &mut trial, factors) {
-                Err(error) => {
-                    why = Some(error);
-                    h *= 0.25;
-                    if h < 1e-9 {
-                        break;
-                    }
-                }
-                Ok(_) => {
+                Ok(_) if system.folded(&trial).is_none() || system.folded(state).is_some() => {
                     come_to_rest(&mut trial);
                     state.copy_from(&trial);
                     h *= 2.5;
@@ -155,6 +148,14 @@ impl Search {
                         }
                         Ok(_) => {}
                         Err(error) => why = error,
+                    }
+                }
+                // A step that folds the line was as much too long as one that does not converge.
+                failed => {
+                    why = failed.err();
+                    h *= 0.25;
+                    if h < 1e-9 {
+                        break;
                     }
                 }
             }

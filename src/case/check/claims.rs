@@ -332,7 +332,12 @@ fn window(row: &Node, key: &str) -> Option<Finding> {
         && AlongLine::named(channel).is_some()
     {
         let problem = format!("`{channel}` of the whole line is taken over the whole run");
-        return Some(Finding::new(&node.span, key, problem, "leave the window out"));
+        return Some(Finding::new(
+            &node.span,
+            key,
+            problem,
+            "leave the window out",
+        ));
     }
     let numbers = node.numbers()?;
     let [from, to] = numbers[..] else {

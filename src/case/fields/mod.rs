@@ -10,10 +10,10 @@ mod range;
 mod rows;
 mod table;
 
+use components::COMPONENTS;
 pub use range::Range;
 pub(crate) use range::{number, quantity};
 pub use rows::{FieldRow, rows};
-use components::COMPONENTS;
 pub use table::{FIELDS, TABLES};
 
 /// A kind of file: what it is called, and every table and field it can have.

@@ -44,7 +44,11 @@ pub(super) fn write_shape(csv: &mut Csv, shape: &LineShape) -> Result<(), StoreE
 
 /// The profile as a table.
 pub(super) fn profile(profile: &Profile) -> Result<Vec<u8>, StoreError> {
-    let further: &[&str] = if profile.bends() { &BENDING_COLUMNS } else { &[] };
+    let further: &[&str] = if profile.bends() {
+        &BENDING_COLUMNS
+    } else {
+        &[]
+    };
     let mut csv = Csv::new(PROFILE_COLUMNS.iter().chain(further))?;
     for (i, [x, y, z]) in profile.nodes.iter().enumerate() {
         let of = |column: &[f64]| column.get(i).copied().map(text).unwrap_or_default();
