@@ -28,7 +28,10 @@ pub(super) fn run(words: &RunWords) -> Result<ExitCode, Failure> {
         return Err(error.into());
     }
     let dir = writer.finish(&run)?;
-    let text = format!("{}\n\n{}", dir.display(), text::summary(&run));
+    let mut text = format!("{}\n\n{}", dir.display(), text::summary(&run));
+    if let Some(limits) = text::limits(&run, &request.case) {
+        text.push_str(&format!("\n{limits}"));
+    }
     output::results(&text, words.ascii)?;
     Ok(status(&run, &stop))
 }

@@ -9,10 +9,12 @@
 //! assert_eq!(chart.y.unit, "N");
 //! ```
 
+mod along;
 mod shapes;
 mod times;
 
-pub use shapes::{line_shape, tension_profile, trajectory};
+pub use along::{curvature_profile, moment_profile, tension_profile};
+pub use shapes::{line_from_above, line_from_ahead, line_shape, trajectory};
 pub use times::{against_time, payload_position, tensions};
 
 use crate::run::{History, LineShape, Profile, Run};
@@ -67,6 +69,12 @@ impl<'a> Source<'a> {
             dimmed: true,
             ..self
         }
+    }
+
+    /// True for a line at rest: there is a profile, and nothing changed with time.
+    #[must_use]
+    pub fn at_rest(&self) -> bool {
+        self.profile.is_some() && self.history.time.len() <= 1
     }
 
     /// The same, with the time axis up to this time \[s\].

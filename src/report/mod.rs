@@ -2,6 +2,8 @@
 
 pub mod chart;
 pub mod figures;
+pub mod limits;
+pub mod nodes;
 pub mod number;
 pub mod plain;
 pub mod table;

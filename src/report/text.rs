@@ -7,7 +7,7 @@ mod layout;
 mod results;
 mod validation;
 
-pub use results::summary;
+pub use results::{limits, summary};
 pub use validation::validation;
 
 use self::layout::Page;
@@ -29,7 +29,12 @@ pub fn report(run: &Run, case: &Case, rows: &[Row], glyphs: Glyphs) -> String {
     inputs::table(&mut page, run, case);
     page.heading("Results");
     page.block(&summary(run));
+    if let Some(limits) = limits(run, case) {
+        page.heading("What the sections bear");
+        page.block(&limits);
+    }
     charts::all(&mut page, run, glyphs);
+    results::nodes(&mut page, run);
     if !rows.is_empty() {
         page.heading("Published values");
         page.block(&validation(rows));

@@ -146,11 +146,13 @@ pub enum Place {
     Report,
     /// The jobs.
     Jobs,
+    /// The line node by node.
+    Nodes,
 }
 
 impl Place {
     /// All of them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Cases,
         Self::Inputs,
         Self::Charts,
@@ -158,16 +160,18 @@ impl Place {
         Self::Validation,
         Self::Report,
         Self::Jobs,
+        Self::Nodes,
     ];
 
     /// The panes of an open case, in the order of their numbers.
-    pub const PANES: [Self; 6] = [
+    pub const PANES: [Self; 7] = [
         Self::Inputs,
         Self::Charts,
         Self::Runs,
         Self::Validation,
         Self::Report,
         Self::Jobs,
+        Self::Nodes,
     ];
 
     /// The name shown on its frame and tab.
@@ -181,6 +185,7 @@ impl Place {
             Self::Validation => "Validation",
             Self::Report => "Report",
             Self::Jobs => "Jobs",
+            Self::Nodes => "Nodes",
         }
     }
 }
@@ -209,14 +214,20 @@ const LISTS: &[Place] = &[
     Place::Validation,
     Place::Report,
     Place::Jobs,
+    Place::Nodes,
 ];
 const CASES: &[Place] = &[Place::Cases];
 const INPUTS: &[Place] = &[Place::Inputs];
 const CHARTS: &[Place] = &[Place::Charts];
 const RUNS: &[Place] = &[Place::Runs];
 const JOBS: &[Place] = &[Place::Jobs];
-const WIDE: &[Place] = &[Place::Validation, Place::Report];
-const WRITABLE: &[Place] = &[Place::Charts, Place::Validation, Place::Report];
+const WIDE: &[Place] = &[Place::Validation, Place::Report, Place::Nodes];
+const WRITABLE: &[Place] = &[
+    Place::Charts,
+    Place::Validation,
+    Place::Report,
+    Place::Nodes,
+];
 
 const fn command(
     id: Id,
@@ -249,7 +260,7 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Run, &["R"], "run", "Run the case with the chosen solver and store the run", IN_CASE),
     command(Id::Validate, &["V"], "validate", "Run everything that the validation table needs", IN_CASE),
     command(Id::NextPane, &["tab"], "pane", "Go to the next pane", IN_CASE),
-    command(Id::Write, &["w"], "write", "Write what this pane shows to a text file; on the report: save the report", WRITABLE),
+    command(Id::Write, &["w"], "write", "Write what this pane shows to a text file; the report into its run, the nodes as CSV", WRITABLE),
     command(Id::Save, &["s"], "save", "Save the case to its file, with your comments kept", IN_CASE),
     command(Id::Undo, &["u"], "undo", "Undo the last edit", IN_CASE),
     command(Id::Back, &["esc", "b"], "cases", "Back to the list of cases", IN_CASE),
@@ -259,7 +270,7 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Keep, &["K"], "keep", "Keep the live run on disk", IN_CASE),
     command(Id::SelectNone, &["a"], "live only", "Show the live run only", RUNS),
     command(Id::Delete, &["d"], "delete", "Delete this stored run (asks first)", RUNS),
-    command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as in the case", &[Place::Validation]),
+    command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", &[Place::Validation, Place::Nodes]),
     command(Id::Fit, &["0"], "fit", "Show everything again, at the newest instant", CHARTS),
     command(Id::Freeze, &["f"], "freeze", "Hold the curves still while the job goes on, or let them go on", CHARTS),
     command(Id::Reset, &["r"], "reset", "Put the field back to the value of the file", INPUTS),
@@ -295,6 +306,7 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Pane(4), &["4"], "", "Go to the validation table", IN_CASE),
     command(Id::Pane(5), &["5"], "", "Go to the report", IN_CASE),
     command(Id::Pane(6), &["6"], "", "Go to the jobs", IN_CASE),
+    command(Id::Pane(7), &["7"], "", "Go to the line node by node", IN_CASE),
     command(Id::Help, &["?", "f1"], "help", "Show every key that works here", EVERYWHERE),
     command(Id::Palette, &[":"], "", "Find a command by its name", EVERYWHERE),
     command(Id::Glyphs, &[], "", "Change between braille and ASCII characters, and remember it", EVERYWHERE),

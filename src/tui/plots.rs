@@ -3,7 +3,8 @@
 use super::state::{ChartKind, Curves, OpenCase};
 use crate::report::chart::{Chart, Range};
 use crate::report::figures::{
-    Source, line_shape, payload_position, tension_profile, tensions, trajectory,
+    Source, curvature_profile, line_from_above, line_from_ahead, line_shape, moment_profile,
+    payload_position, tension_profile, tensions, trajectory,
 };
 
 /// A run on the charts.
@@ -76,12 +77,17 @@ pub fn viewed(open: &OpenCase, kind: ChartKind) -> Chart {
 pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
     let sources: Vec<Source> = shown(open).iter().map(Shown::source).collect();
     let newest = time_range(open).map_or(0.0, |(_, last)| last);
+    let instant = open.instant.unwrap_or(newest);
     let mut chart = match kind {
         ChartKind::Tensions => tensions(&sources),
         ChartKind::Payload => payload_position(&sources),
         ChartKind::Path => trajectory(&sources, open.instant),
-        ChartKind::Shape => line_shape(&sources, open.instant.unwrap_or(newest)),
+        ChartKind::Shape => line_shape(&sources, instant),
+        ChartKind::Plan => line_from_above(&sources, instant),
+        ChartKind::Front => line_from_ahead(&sources, instant),
         ChartKind::Profile => tension_profile(&sources),
+        ChartKind::Curvature => curvature_profile(&sources),
+        ChartKind::Moment => moment_profile(&sources),
     };
     let names = series_names(open, kind);
     let only = match open.series {
@@ -134,8 +140,11 @@ pub fn series_names(open: &OpenCase, kind: ChartKind) -> Vec<String> {
             names
         }
         ChartKind::Payload => fixed(&["x", "z"]),
+        // Lines at rest have one curve each, whose legend names the run.
+        _ if shown(open).iter().all(|run| run.source().at_rest()) => Vec::new(),
         ChartKind::Profile => fixed(&["at the end", "smallest", "greatest"]),
-        ChartKind::Path | ChartKind::Shape => Vec::new(),
+        ChartKind::Curvature | ChartKind::Moment => fixed(&["at the end", "greatest"]),
+        ChartKind::Path | ChartKind::Shape | ChartKind::Plan | ChartKind::Front => Vec::new(),
     }
 }
 

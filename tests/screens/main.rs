@@ -8,6 +8,7 @@
 
 mod desk;
 mod random;
+mod umbilical;
 
 use std::path::PathBuf;
 

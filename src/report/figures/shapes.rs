@@ -1,4 +1,4 @@
-//! The scene in space: the path of the payload, the line at an instant, tension along it.
+//! The scene in space: the path of the payload, the line at an instant from the side, above and ahead.
 
 use super::{Source, body, named, slots, values};
 use crate::report::chart::{Axis, Chart, Limit, LimitLine, Range, Series, extent, fit};
@@ -33,74 +33,97 @@ pub fn trajectory(sources: &[Source], instant: Option<f64>) -> Chart {
     in_space(&format!("Path of the {body}"), series)
 }
 
+/// From where the line is looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum View {
+    /// Along y: z against x.
+    Side,
+    /// From above: y against x.
+    Plan,
+    /// Along x: z against y.
+    Front,
+}
+
+impl View {
+    /// The coordinates to the right and up.
+    fn axes(self) -> (usize, usize) {
+        match self {
+            Self::Side => (0, 2),
+            Self::Plan => (0, 1),
+            Self::Front => (1, 2),
+        }
+    }
+
+    fn title(self) -> &'static str {
+        match self {
+            Self::Side => "Shape of the line",
+            Self::Plan => "The line from above",
+            Self::Front => "The line from ahead",
+        }
+    }
+
+    fn project(self, nodes: &[[f64; 3]]) -> impl Iterator<Item = (f64, f64)> {
+        let (right, up) = self.axes();
+        nodes.iter().map(move |p| (p[right], p[up]))
+    }
+}
+
 /// The line at the stored instant nearest to a time \[s\], z against x \[m\], to equal scale. The
 /// axes show all stored shapes, so that they stand still while time goes on.
 #[must_use]
 pub fn line_shape(sources: &[Source], time: f64) -> Chart {
+    view(sources, time, View::Side)
+}
+
+/// The line from above, y against x \[m\], as [`line_shape`].
+#[must_use]
+pub fn line_from_above(sources: &[Source], time: f64) -> Chart {
+    view(sources, time, View::Plan)
+}
+
+/// The line along the x axis, z against y \[m\], as [`line_shape`].
+#[must_use]
+pub fn line_from_ahead(sources: &[Source], time: f64) -> Chart {
+    view(sources, time, View::Front)
+}
+
+fn view(sources: &[Source], time: f64, view: View) -> Chart {
     let mut series = Vec::new();
     for (source, slot) in sources.iter().zip(slots(sources, 1)) {
-        let (label, nodes) = match shape_at(source.shapes, time) {
-            Some(shape) => (
+        let (label, nodes) = match (shape_at(source.shapes, time), source.profile) {
+            (_, Some(profile)) if source.at_rest() => {
+                let alone = sources.len() == 1;
+                let label = if alone { "line at rest" } else { "" };
+                (label.to_owned(), &profile.nodes)
+            }
+            (Some(shape), _) => (
                 format!("line at {}", number::si(shape.time, "s")),
                 &shape.nodes,
             ),
-            None => match source.profile {
-                Some(profile) => ("line at the end".to_owned(), &profile.nodes),
-                None => continue,
-            },
+            (None, Some(profile)) => ("line at the end".to_owned(), &profile.nodes),
+            (None, None) => continue,
         };
         series.push(Series {
             dimmed: source.dimmed,
-            ..Series::new(&named(sources, source, &label), slot, xz(nodes).collect())
+            ..Series::new(
+                &named(sources, source, &label),
+                slot,
+                view.project(nodes).collect(),
+            )
         });
     }
-    let mut chart = in_space("Shape of the line", series);
-    let (x, z) = reach(sources);
-    chart.x.range = x.map(|x| fit(Some(x)));
-    chart.y.range = z.map(|z| fit(Some(z)));
+    let mut chart = in_space(view.title(), series);
+    if view == View::Plan {
+        chart.limits.clear();
+    }
+    let (right, up) = view.axes();
+    let letters = ["x", "y", "z"];
+    chart.x = Axis::new(letters[right], "m");
+    chart.y = Axis::new(letters[up], "m");
+    let (across, upward) = reach(sources, view);
+    chart.x.range = across.map(|r| fit(Some(r)));
+    chart.y.range = upward.map(|r| fit(Some(r)));
     chart
-}
-
-/// Tension along the line at the end \[N\] over unstretched arc length from end A \[m\], with its
-/// smallest and greatest values over time.
-#[must_use]
-pub fn tension_profile(sources: &[Source]) -> Chart {
-    let mut series = Vec::new();
-    for (source, slot) in sources.iter().zip(slots(sources, 3)) {
-        let Some(profile) = source.profile else {
-            continue;
-        };
-        let lines = [
-            ("at the end", &profile.tension),
-            ("smallest", &profile.tension_min),
-            ("greatest", &profile.tension_max),
-        ];
-        for (number, (name, tension)) in lines.into_iter().enumerate() {
-            let points = profile.arc.iter().copied().zip(tension.iter().copied());
-            series.push(Series {
-                dimmed: source.dimmed,
-                ..Series::new(
-                    &named(sources, source, name),
-                    slot + number,
-                    points.collect(),
-                )
-            });
-        }
-    }
-    let length = sources
-        .iter()
-        .filter_map(|s| s.profile?.arc.last().copied());
-    Chart {
-        title: "Tension along the line".to_owned(),
-        x: Axis {
-            range: extent(length.chain([0.0])).filter(|range| range.1 > range.0),
-            ..Axis::new("arc length from end A", "m")
-        },
-        y: Axis::new("tension", "N"),
-        series,
-        legend: true,
-        ..Chart::default()
-    }
 }
 
 /// A chart of the vertical plane, still water marked.
@@ -120,16 +143,19 @@ fn in_space(title: &str, series: Vec<Series>) -> Chart {
     }
 }
 
-fn xz(nodes: &[[f64; 3]]) -> impl Iterator<Item = (f64, f64)> {
-    nodes.iter().map(|[x, _, z]| (*x, *z))
-}
-
-/// From where to where the line goes in x and z, in all shapes of all runs.
-fn reach(sources: &[Source]) -> (Option<Range>, Option<Range>) {
+/// From where to where the line goes across and up, in all shapes of all runs.
+fn reach(sources: &[Source], view: View) -> (Option<Range>, Option<Range>) {
     let all = || {
         sources.iter().flat_map(|source| {
-            let end = source.profile.into_iter().flat_map(|p| xz(&p.nodes));
-            source.shapes.iter().flat_map(|s| xz(&s.nodes)).chain(end)
+            let end = source
+                .profile
+                .into_iter()
+                .flat_map(|p| view.project(&p.nodes));
+            source
+                .shapes
+                .iter()
+                .flat_map(|s| view.project(&s.nodes))
+                .chain(end)
         })
     };
     (extent(all().map(|p| p.0)), extent(all().map(|p| p.1)))

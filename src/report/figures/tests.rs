@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::report::chart::LimitLine;
-use crate::run::Channel;
+use crate::run::{Channel, Profile};
 
 fn channel(name: &str, values: Vec<f64>) -> Channel {
     Channel {
@@ -93,6 +93,41 @@ fn the_axes_of_the_shape_stand_still() {
     assert_eq!(early.x.range, late.x.range);
     assert_eq!(early.y.range, Some((-1400.0, 0.0)));
     assert_eq!(labels(&late), ["line at 5 s"]);
+}
+
+#[test]
+fn a_line_at_rest_is_seen_from_three_sides_and_has_no_envelope() {
+    let history = History {
+        time: vec![0.0],
+        ..History::default()
+    };
+    let profile = Profile {
+        arc: vec![0.0, 5.0],
+        nodes: vec![[0.0, 0.0, -4.0], [3.0, 1.0, 0.0]],
+        tension: vec![1.0, 2.0],
+        tension_min: vec![1.0, 2.0],
+        tension_max: vec![1.0, 2.0],
+        curvature: vec![0.0, 0.1],
+        curvature_max: vec![0.0, 0.1],
+        moment: vec![0.0, 10.0],
+        moment_max: vec![0.0, 10.0],
+        ..Profile::default()
+    };
+    let named = |label| Source {
+        profile: Some(&profile),
+        ..Source::streamed(&history, &[], label)
+    };
+    let alone = [named("a")];
+    let points = |chart: crate::report::chart::Chart| chart.series[0].points.clone();
+    assert_eq!(points(line_shape(&alone, 0.0))[1], (3.0, 0.0));
+    assert_eq!(points(line_from_above(&alone, 0.0))[1], (3.0, 1.0));
+    assert_eq!(points(line_from_ahead(&alone, 0.0))[1], (1.0, 0.0));
+    assert!(line_from_above(&alone, 0.0).limits.is_empty());
+    assert_eq!(labels(&tension_profile(&alone)), ["at rest"]);
+    assert_eq!(points(moment_profile(&alone))[1], (5.0, 10.0));
+    let two = [named("a"), named("b")];
+    assert_eq!(labels(&curvature_profile(&two)), ["a", "b"]);
+    assert_eq!(labels(&line_shape(&two, 0.0)), ["a", "b"]);
 }
 
 #[test]

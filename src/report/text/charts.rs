@@ -3,8 +3,11 @@
 use super::layout::{Page, WIDTH};
 use crate::{
     report::{
-        chart::{Chart, Glyphs, draw},
-        figures::{Source, line_shape, payload_position, tension_profile, tensions, trajectory},
+        chart::{Chart, Glyphs, draw, extent},
+        figures::{
+            Source, curvature_profile, line_from_above, line_from_ahead, line_shape,
+            moment_profile, payload_position, tension_profile, tensions, trajectory,
+        },
     },
     run::Run,
 };
@@ -25,8 +28,14 @@ pub(super) fn all(page: &mut Page, run: &Run, glyphs: Glyphs) {
     }
     if let Some(last) = run.shapes.last() {
         charts.push(line_shape(&sources, last.time));
+        if out_of_plane(run) {
+            charts.push(line_from_above(&sources, last.time));
+            charts.push(line_from_ahead(&sources, last.time));
+        }
     }
     charts.push(tension_profile(&sources));
+    charts.push(curvature_profile(&sources));
+    charts.push(moment_profile(&sources));
     charts.retain(shows_something);
     if charts.is_empty() {
         return;
@@ -38,6 +47,16 @@ pub(super) fn all(page: &mut Page, run: &Run, glyphs: Glyphs) {
         }
         page.block(&draw(chart, WIDTH, HEIGHT, glyphs).to_text());
     }
+}
+
+/// Whether the line leaves the plane y = const by more than it is worth to look at.
+fn out_of_plane(run: &Run) -> bool {
+    let nodes = || run.shapes.iter().flat_map(|shape| &shape.nodes);
+    let span = |axis: usize| {
+        let reach = extent(nodes().map(|p| p[axis]));
+        reach.map_or(0.0, |(low, high)| high - low)
+    };
+    span(1) > 1e-3 * (span(0) + span(2))
 }
 
 fn shows_something(chart: &Chart) -> bool {

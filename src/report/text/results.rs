@@ -1,13 +1,18 @@
 //! The summary of a run: value beside value with the two parts of its error.
 
-use super::layout::WIDTH;
+use super::layout::{Page, WIDTH};
 use crate::{
+    case::Case,
     report::{
+        limits as limits_table, nodes as nodes_table,
         number::{order, si, with_error},
         table::{Cell, CellInk, Column, Table},
     },
-    run::{Quantity, Run},
+    run::{Quantity, Run, limits::check},
 };
+
+/// Rows of the table of nodes in a report, about.
+const NODES: usize = 40;
 
 /// The summary table on 80 columns: value with its error, time error and mesh error.
 #[must_use]
@@ -22,6 +27,22 @@ pub fn summary(run: &Run) -> String {
         bare(&run.summary)
     };
     table.to_text(WIDTH)
+}
+
+/// The sections against their breaking load and least bending radius, on 80 columns; nothing where the case states
+/// neither.
+#[must_use]
+pub fn limits(run: &Run, case: &Case) -> Option<String> {
+    let table = limits_table::table(&check(case, &run.profile))?;
+    Some(table.to_text(WIDTH))
+}
+
+/// The line node by node at the end of the run.
+pub(super) fn nodes(page: &mut Page, run: &Run) {
+    if !run.profile.nodes.is_empty() {
+        page.heading("The line node by node");
+        page.block(&nodes_table::thinned(&run.profile, NODES).to_text(WIDTH));
+    }
 }
 
 fn with_errors(quantities: &[Quantity]) -> Table {

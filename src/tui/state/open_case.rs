@@ -6,7 +6,7 @@ use tui_input::Input;
 
 use super::curves::{Curves, RunSlot};
 use super::jobs::Ticket;
-use crate::case::Case;
+use crate::case::{self, Case, End, Method, OneOrMany, Source};
 use crate::tui::backend::{FieldRow, Row};
 use crate::tui::command::Place;
 use crate::tui::plot_pane::PlotPane;
@@ -37,17 +37,51 @@ pub enum ChartKind {
     Shape,
     /// Tension along the line, with its envelope.
     Profile,
+    /// The line from above, y against x, to equal scale.
+    Plan,
+    /// The line along the x axis, z against y, to equal scale.
+    Front,
+    /// Curvature along the line.
+    Curvature,
+    /// Bending moment along the line.
+    Moment,
 }
 
 impl ChartKind {
     /// All of them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 9] = [
         Self::Tensions,
         Self::Payload,
         Self::Path,
         Self::Shape,
         Self::Profile,
+        Self::Plan,
+        Self::Front,
+        Self::Curvature,
+        Self::Moment,
     ];
+
+    /// The charts that a run of this case has something for, in the order in which they are leafed through: those
+    /// against time first, but for statics, which have no time.
+    #[must_use]
+    pub fn of(case: &Case) -> Vec<Self> {
+        let channels = case::channels(case);
+        let of_end = |s: &Source| matches!(s, Source::Coordinate(..));
+        let moves = channels.iter().any(|c| of_end(&c.source));
+        let bending = case::bends(case);
+        if case.solver.method == Method::Static {
+            let mut list = vec![Self::Shape, Self::Plan, Self::Front, Self::Profile];
+            list.extend([Self::Curvature, Self::Moment].iter().filter(|_| bending));
+            return list;
+        }
+        let mut list = vec![Self::Tensions];
+        list.extend([Self::Payload, Self::Path].iter().filter(|_| moves));
+        list.push(Self::Shape);
+        list.extend([Self::Plan, Self::Front].iter().filter(|_| spatial(case)));
+        list.push(Self::Profile);
+        list.extend([Self::Curvature, Self::Moment].iter().filter(|_| bending));
+        list
+    }
 
     /// Name on its tab.
     #[must_use]
@@ -58,6 +92,10 @@ impl ChartKind {
             Self::Path => "Path",
             Self::Shape => "Shape",
             Self::Profile => "Profile",
+            Self::Plan => "Plan",
+            Self::Front => "Front",
+            Self::Curvature => "Curvature",
+            Self::Moment => "Moment",
         }
     }
 
@@ -67,11 +105,37 @@ impl ChartKind {
         self as usize
     }
 
-    /// The chart so many steps on, around the end.
+    /// The next or previous one of a list, around its end; the first where it is not among them.
     #[must_use]
-    pub fn step(self, by: usize) -> Self {
-        Self::ALL[(self.index() + by) % Self::ALL.len()]
+    pub fn beside(self, list: &[Self], forward: bool) -> Self {
+        let Some(at) = list.iter().position(|kind| *kind == self) else {
+            return list.first().copied().unwrap_or(self);
+        };
+        let step = if forward { 1 } else { list.len() - 1 };
+        list[(at + step) % list.len()]
     }
+
+    /// True for the line in space, which the instant moves.
+    #[must_use]
+    pub fn in_space(self) -> bool {
+        matches!(self, Self::Path | Self::Shape | Self::Plan | Self::Front)
+    }
+}
+
+/// Whether anything in the case takes the line out of a plane along x.
+fn spatial(case: &Case) -> bool {
+    let aside = |end: &End| {
+        let y = |p: &[f64; 3]| p[1].abs() > 0.0;
+        end.position_m.as_ref().is_some_and(y) || y(&end.amplitude_m)
+    };
+    let oblique = case.current.as_ref().is_some_and(|current| {
+        let turns = |degrees: &f64| degrees.to_radians().sin().abs() > 1e-9;
+        match &current.direction_deg {
+            OneOrMany::One(one) => turns(one),
+            OneOrMany::Many(many) => many.iter().any(turns),
+        }
+    });
+    aside(&case.ends.a) || aside(&case.ends.b) || oblique
 }
 
 /// A value being typed.
@@ -140,7 +204,7 @@ pub struct OpenCase {
     /// The chart shown.
     pub chart: ChartKind,
     /// Zoom, cursor and marks of each chart.
-    pub views: [PlotPane; 5],
+    pub views: [PlotPane; 9],
     /// The joint or component shown alone; absent: all, or the last one when several runs are shown.
     pub series: Option<usize>,
     /// The instant that all charts show \[s\]; absent: the newest.
@@ -155,6 +219,8 @@ pub struct OpenCase {
     pub checks: Vec<Row>,
     /// Selection, sorting and scrolling of the validation table.
     pub checks_pane: TablePane,
+    /// Selection, sorting and scrolling of the table of nodes.
+    pub nodes_pane: TablePane,
     /// The report shown: name of the run and text.
     pub report: Option<(String, String)>,
     /// First line and column shown of the report.

@@ -85,6 +85,10 @@ pub(super) fn opened(state: &mut State, read: CaseRead) -> Vec<Effect> {
         || "case.toml".to_owned(),
         |n| n.to_string_lossy().into_owned(),
     );
+    let chart = ChartKind::of(&case)
+        .first()
+        .copied()
+        .unwrap_or(ChartKind::Shape);
     state.open = Some(OpenCase {
         path,
         file: file.clone(),
@@ -100,7 +104,7 @@ pub(super) fn opened(state: &mut State, read: CaseRead) -> Vec<Effect> {
         filter: Input::default(),
         filtering: false,
         editing: None,
-        chart: ChartKind::Tensions,
+        chart,
         views: Default::default(),
         series: None,
         instant: None,
@@ -109,6 +113,7 @@ pub(super) fn opened(state: &mut State, read: CaseRead) -> Vec<Effect> {
         run: 0,
         checks: Vec::new(),
         checks_pane: TablePane::default(),
+        nodes_pane: TablePane::default(),
         report: None,
         report_scroll: (0, 0),
     });

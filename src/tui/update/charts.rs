@@ -20,14 +20,14 @@ pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
         return Vec::new();
     };
     match id {
-        Id::NextChart => open.chart = open.chart.step(1),
-        Id::PreviousChart => open.chart = open.chart.step(ChartKind::ALL.len() - 1),
+        Id::NextChart => open.chart = open.chart.beside(&ChartKind::of(&open.case), true),
+        Id::PreviousChart => open.chart = open.chart.beside(&ChartKind::of(&open.case), false),
         Id::NextSeries => leaf(open, true),
         Id::PreviousSeries => leaf(open, false),
         Id::Freeze => return freeze(state),
         Id::Copy => return copy(state),
         _ => {
-            let moves_instant = matches!(open.chart, ChartKind::Path | ChartKind::Shape);
+            let moves_instant = open.chart.in_space();
             match (verb(id), moves_instant, step(id)) {
                 (_, true, Some((way, parts))) => move_instant(open, way, parts),
                 (Some(verb), ..) => {

@@ -53,6 +53,10 @@ fn in_case(state: &State, open: &OpenCase, id: Id) -> Option<&'static str> {
                 open.report.is_none(),
                 "There is no finished run to report on. `R` runs the case.",
             ),
+            Place::Nodes => when(
+                super::reported(open).is_none(),
+                "There is no finished run to write the nodes of. `R` runs the case.",
+            ),
             Place::Validation => when(
                 open.checks.is_empty(),
                 "This case states no published values to be held against.",

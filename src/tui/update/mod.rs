@@ -16,12 +16,25 @@ pub(in crate::tui) use charts::readout_words;
 pub use enabled::enabled;
 pub use jobs::joined_label;
 pub use overlay::{palette_matches, run_command};
+pub(in crate::tui) use runs::reported;
 
 use super::msg::{Effect, Msg};
-use super::state::{Level, State};
+use super::state::{ChartKind, Level, State};
 
 /// Changes the state as the message says, and returns what is to be done outside of it.
 pub fn update(state: &mut State, msg: Msg) -> Vec<Effect> {
+    let effects = on(state, msg);
+    if let Some(open) = &mut state.open {
+        // An edit may take away the chart that was shown.
+        let kinds = ChartKind::of(&open.case);
+        if !kinds.contains(&open.chart) {
+            open.chart = kinds.first().copied().unwrap_or(open.chart);
+        }
+    }
+    effects
+}
+
+fn on(state: &mut State, msg: Msg) -> Vec<Effect> {
     match msg {
         Msg::Key(key) => keys::key(state, key),
         Msg::Paste(text) => keys::paste(state, &text),

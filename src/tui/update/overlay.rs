@@ -259,6 +259,16 @@ fn pane(state: &mut State, id: Id) -> Vec<Effect> {
     Vec::new()
 }
 
+/// The selection of a table by so many rows.
+fn by_rows(by: isize) -> TableVerb {
+    let rows = by.unsigned_abs();
+    if by < 0 {
+        TableVerb::PageUp(rows)
+    } else {
+        TableVerb::PageDown(rows)
+    }
+}
+
 fn move_by(state: &mut State, by: isize) -> Vec<Effect> {
     let job_lines = state.jobs.lines.len();
     match (&mut state.open, state.cases.shown().count()) {
@@ -267,14 +277,14 @@ fn move_by(state: &mut State, by: isize) -> Vec<Effect> {
             Place::Inputs => open.field = moved(open.field, by, open.fields().count()),
             Place::Runs => open.run = moved(open.run, by, open.runs.len() + 1),
             Place::Validation => {
-                let rows = by.unsigned_abs();
-                let verb = if by < 0 {
-                    TableVerb::PageUp(rows)
-                } else {
-                    TableVerb::PageDown(rows)
-                };
                 open.checks_pane
-                    .act(verb, &backend::checks_table(&open.checks));
+                    .act(by_rows(by), &backend::checks_table(&open.checks));
+            }
+            Place::Nodes => {
+                let verb = by_rows(by);
+                if let Some(table) = runs::nodes(open) {
+                    open.nodes_pane.act(verb, &table);
+                }
             }
             Place::Report => {
                 let lines = open.report.as_ref().map_or(0, |(_, t)| t.lines().count());

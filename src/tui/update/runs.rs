@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::{info, moved};
+use crate::report::nodes;
+use crate::report::table::Table;
 use crate::run::{Run, RunState};
 use crate::tui::backend;
 use crate::tui::command::{Id, Place};
@@ -248,7 +250,7 @@ fn answering(open: &OpenCase, text: &str) -> Option<Arc<Run>> {
 }
 
 /// The run that the report is about: the one under the cursor of the list, else the live one.
-fn reported(open: &OpenCase) -> Option<(String, Arc<Run>, Option<PathBuf>)> {
+pub(in crate::tui) fn reported(open: &OpenCase) -> Option<(String, Arc<Run>, Option<PathBuf>)> {
     if let Some(slot) = open.current_run()
         && let Some(run) = &slot.curves.run
     {
@@ -256,6 +258,12 @@ fn reported(open: &OpenCase) -> Option<(String, Arc<Run>, Option<PathBuf>)> {
     }
     let run = open.live.done.as_ref()?.run.clone()?;
     Some(("live".to_owned(), run, open.live.kept.clone()))
+}
+
+/// The table of nodes of the chosen run.
+pub(super) fn nodes(open: &OpenCase) -> Option<Table> {
+    let (_, run, _) = reported(open).filter(|(_, run, _)| !run.profile.nodes.is_empty())?;
+    Some(nodes::table(&run.profile))
 }
 
 /// Words the report of the chosen run.
@@ -311,6 +319,14 @@ pub(super) fn paper(state: &mut State, id: Id) -> Vec<Effect> {
                 "The validation table",
             )
         }
+        (Id::Write, Place::Nodes) => {
+            let text = reported(open).map(|(_, run, _)| nodes::csv(&run.profile));
+            write(
+                PathBuf::from(format!("{stem}-nodes.csv")),
+                text,
+                "The table of nodes",
+            )
+        }
         (Id::Write, _) => {
             let chart = open.views[open.chart.index()].chart(&plots::chart(open, open.chart));
             let text = crate::report::chart::draw(&chart, PAPER_WIDTH, 30, glyphs).to_text();
@@ -322,13 +338,14 @@ pub(super) fn paper(state: &mut State, id: Id) -> Vec<Effect> {
             )
         }
         (_, Place::Validation) => {
-            let verb = match id {
-                Id::ScrollLeft => TableVerb::Left,
-                Id::ScrollRight => TableVerb::Right,
-                _ => TableVerb::SortNext,
-            };
             let table = backend::checks_table(&open.checks);
-            open.checks_pane.act(verb, &table);
+            open.checks_pane.act(table_verb(id), &table);
+            Vec::new()
+        }
+        (_, Place::Nodes) => {
+            if let Some(table) = nodes(open) {
+                open.nodes_pane.act(table_verb(id), &table);
+            }
             Vec::new()
         }
         _ => {
@@ -336,6 +353,14 @@ pub(super) fn paper(state: &mut State, id: Id) -> Vec<Effect> {
             *across = moved(*across, if id == Id::ScrollRight { 8 } else { -8 }, 400);
             Vec::new()
         }
+    }
+}
+
+fn table_verb(id: Id) -> TableVerb {
+    match id {
+        Id::ScrollLeft => TableVerb::Left,
+        Id::ScrollRight => TableVerb::Right,
+        _ => TableVerb::SortNext,
     }
 }
 

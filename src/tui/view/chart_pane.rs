@@ -16,7 +16,7 @@ use crate::tui::update::readout_words;
 
 impl Canvas<'_> {
     pub(super) fn charts(&mut self, area: Rect, open: &OpenCase) {
-        let parts = layout::charts(area, open.chart);
+        let parts = layout::charts(area, &ChartKind::of(&open.case), open.chart);
         let all = parts.charts.len() > 1;
         if !all {
             self.chart_tabs(parts.tabs, open);
@@ -39,7 +39,7 @@ impl Canvas<'_> {
 
     fn chart_tabs(&mut self, line: Rect, open: &OpenCase) {
         let mut x = line.x;
-        for kind in ChartKind::ALL {
+        for kind in ChartKind::of(&open.case) {
             let style = if kind == open.chart {
                 self.theme.selected()
             } else {

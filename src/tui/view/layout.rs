@@ -91,7 +91,12 @@ pub fn panes(screen: Rect, focus: Place) -> Vec<(Place, Rect)> {
         let [charts, table] =
             Layout::vertical([Constraint::Fill(2), Constraint::Fill(1)]).areas(right);
         panes.push((Place::Charts, charts));
-        panes.push((Place::Validation, table));
+        let shown = if focus == Place::Nodes {
+            Place::Nodes
+        } else {
+            Place::Validation
+        };
+        panes.push((shown, table));
     }
     panes
 }
@@ -124,7 +129,7 @@ pub struct Charts {
 
 /// Cuts the inside of the chart pane.
 #[must_use]
-pub fn charts(inside: Rect, chosen: ChartKind) -> Charts {
+pub fn charts(inside: Rect, kinds: &[ChartKind], chosen: ChartKind) -> Charts {
     let all = inside.width >= 110 && inside.height >= 24;
     // Four joints with their units need more than one line of 80 columns.
     let lines = if inside.height >= 12 { 2 } else { 1 };
@@ -135,15 +140,7 @@ pub fn charts(inside: Rect, chosen: ChartKind) -> Charts {
     ])
     .areas(inside);
     let charts = if all {
-        let [upper, lower] =
-            Layout::vertical([Constraint::Fill(1), Constraint::Fill(1)]).areas(middle);
-        let [a, b] = Layout::horizontal([Constraint::Fill(1); 2])
-            .spacing(1)
-            .areas(upper);
-        let [c, d, e] = Layout::horizontal([Constraint::Fill(1); 3])
-            .spacing(1)
-            .areas(lower);
-        ChartKind::ALL.into_iter().zip([a, b, c, d, e]).collect()
+        together(middle, kinds, chosen)
     } else {
         vec![(chosen, middle)]
     };
@@ -152,6 +149,25 @@ pub fn charts(inside: Rect, chosen: ChartKind) -> Charts {
         charts,
         readout,
     }
+}
+
+/// The most charts that are seen at once.
+const TOGETHER: usize = 6;
+
+/// The page of charts with the chosen one on it, in two rows, the lower the longer.
+fn together(area: Rect, kinds: &[ChartKind], chosen: ChartKind) -> Vec<(ChartKind, Rect)> {
+    let page = kinds.chunks(TOGETHER).find(|page| page.contains(&chosen));
+    let page = page.unwrap_or_default();
+    let [upper, lower] = Layout::vertical([Constraint::Fill(1), Constraint::Fill(1)]).areas(area);
+    let (above, below) = page.split_at(page.len() / 2);
+    let row = |kinds: &[ChartKind], area: Rect| {
+        let places = Layout::horizontal(vec![Constraint::Fill(1); kinds.len()])
+            .spacing(1)
+            .split(area);
+        let places: Vec<Rect> = places.iter().copied().collect();
+        kinds.iter().copied().zip(places).collect::<Vec<_>>()
+    };
+    [row(above, upper), row(below, lower)].concat()
 }
 
 /// Where the chosen chart is drawn.
@@ -165,7 +181,8 @@ pub fn chart_area(state: &State) -> Rect {
         .into_iter()
         .find(|(place, _)| *place == Place::Charts)
         .and_then(|(_, pane)| {
-            let charts = charts(inside(screen, pane), open.chart).charts;
+            let kinds = ChartKind::of(&open.case);
+            let charts = charts(inside(screen, pane), &kinds, open.chart).charts;
             charts.into_iter().find(|(kind, _)| *kind == open.chart)
         })
         .map_or_else(Rect::default, |(_, area)| area)

@@ -105,6 +105,7 @@ impl Canvas<'_> {
             Place::Validation => self.validation(inside, open),
             Place::Report => self.report(inside, open),
             Place::Jobs => self.jobs(inside),
+            Place::Nodes => self.nodes(inside, open),
             Place::Cases => {}
         }
     }

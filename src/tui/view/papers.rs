@@ -1,12 +1,15 @@
-//! The validation table and the report.
+//! The validation table, the report, and the line node by node.
 
-use ratatui::layout::Rect;
+use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::Canvas;
 use super::paint::{row, text, wrap};
+use crate::report::{limits as limits_table, nodes};
+use crate::run::limits;
 use crate::tui::backend;
 use crate::tui::inks::Inks;
 use crate::tui::state::OpenCase;
+use crate::tui::update::reported;
 
 impl Canvas<'_> {
     pub(super) fn validation(&mut self, area: Rect, open: &OpenCase) {
@@ -25,6 +28,53 @@ impl Canvas<'_> {
         let table = backend::checks_table(&open.checks);
         let glyphs = self.state.looks.glyphs;
         open.checks_pane.draw(&table, area, self.buf, glyphs, inks);
+    }
+
+    /// What the sections bear, where the case states limits, and the nodes below.
+    pub(super) fn nodes(&mut self, area: Rect, open: &OpenCase) {
+        let Some((name, run, _)) = reported(open) else {
+            let words = "There is no finished run yet. `R` runs the case.";
+            text(
+                self.buf,
+                (area.x, area.y),
+                area.width,
+                words,
+                self.theme.plain(),
+            );
+            return;
+        };
+        let inks = Inks::new(self.state.looks.colour);
+        let glyphs = self.state.looks.glyphs;
+        let mut rest = area;
+        // A stored run may be of another text than the one that is open.
+        let case = backend::parse(&run.case_text, &open.file);
+        let limits = case.ok().and_then(|case| {
+            let checks = limits::check(&case, &run.profile);
+            limits_table::table(&checks)
+        });
+        if let Some(table) = limits {
+            let lines = table.to_text(area.width.into());
+            let height = u16::try_from(lines.lines().count()).unwrap_or(u16::MAX);
+            // The nodes keep at least half of the room.
+            if height < area.height / 2 {
+                for (i, line) in lines.lines().enumerate() {
+                    let at = row(area, u16::try_from(i).unwrap_or(u16::MAX));
+                    let style = if line.contains(limits_table::EXCEEDED) {
+                        self.theme.error()
+                    } else {
+                        self.theme.plain()
+                    };
+                    text(self.buf, (at.x, at.y), at.width, line, style);
+                }
+                let [_, below] =
+                    Layout::vertical([Constraint::Length(height + 1), Constraint::Min(0)])
+                        .areas(area);
+                rest = below;
+            }
+        }
+        let mut table = nodes::table(&run.profile);
+        table.title = format!("Nodes of {name}; `w` writes them as CSV.");
+        open.nodes_pane.draw(&table, rest, self.buf, glyphs, inks);
     }
 
     pub(super) fn report(&mut self, area: Rect, open: &OpenCase) {

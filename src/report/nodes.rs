@@ -1,0 +1,208 @@
+//! The line node by node as a table, with the greatest values marked.
+
+use super::number::{digits, rounded};
+use super::table::{Cell, CellInk, Column, Table};
+use crate::run::Profile;
+
+/// A column of numbers: its head, its values, and how many digits are shown.
+struct Numbers<'a> {
+    head: &'static str,
+    values: Vec<f64>,
+    shown: fn(f64) -> String,
+    /// Its name among the marks, where its greatest value is marked.
+    marked: Option<&'a str>,
+}
+
+impl Numbers<'_> {
+    /// The first node with the greatest value.
+    fn greatest(&self) -> Option<usize> {
+        let all = self.values.iter().copied().enumerate();
+        let best = all.reduce(|best, here| if here.1 > best.1 { here } else { best });
+        self.marked.and(best).map(|(node, _)| node)
+    }
+}
+
+fn metres(value: f64) -> String {
+    rounded(value, 2)
+}
+
+fn four(value: f64) -> String {
+    digits(value, 4)
+}
+
+fn columns(profile: &Profile) -> Vec<Numbers<'static>> {
+    let column = |head, values: Vec<f64>, shown, marked| Numbers {
+        head,
+        values,
+        shown,
+        marked,
+    };
+    let axis = |i: usize| profile.nodes.iter().map(|p| p[i]).collect();
+    let mut list = vec![
+        column(
+            "arc [m]",
+            profile.arc.clone(),
+            metres as fn(f64) -> String,
+            None,
+        ),
+        column("x [m]", axis(0), metres, None),
+        column("y [m]", axis(1), metres, None),
+        column("z [m]", axis(2), metres, None),
+        column(
+            "tension [N]",
+            profile.tension.clone(),
+            four,
+            Some("tension"),
+        ),
+    ];
+    if profile.bends() {
+        let (curvature, moment) = (profile.curvature.clone(), profile.moment.clone());
+        list.push(column(
+            "curvature [1/m]",
+            curvature,
+            four,
+            Some("curvature"),
+        ));
+        list.push(column("moment [N m]", moment, four, Some("moment")));
+    }
+    list
+}
+
+/// The words of a node's marks: "tension, moment".
+fn marks(columns: &[Numbers], node: usize) -> String {
+    let here = columns.iter().filter(|c| c.greatest() == Some(node));
+    let words: Vec<&str> = here.filter_map(|c| c.marked).collect();
+    words.join(", ")
+}
+
+/// All nodes at the end of the run; the node at which a value is greatest says so in the last column.
+#[must_use]
+pub fn table(profile: &Profile) -> Table {
+    some(profile, |_| true)
+}
+
+/// As [`table`], with about so many rows: both ends, every so manieth node, and the marked ones.
+#[must_use]
+pub fn thinned(profile: &Profile, rows: usize) -> Table {
+    let last = profile.nodes.len().saturating_sub(1);
+    let every = profile.nodes.len().div_ceil(rows.max(1)).max(1);
+    let mut table = some(profile, |node| node % every == 0 || node == last);
+    if every > 1 {
+        table.notes.push(format!(
+            "Every {every}th node, the last, and those with a greatest value; profile.csv holds all {}.",
+            profile.nodes.len()
+        ));
+    }
+    table
+}
+
+fn some(profile: &Profile, wanted: impl Fn(usize) -> bool) -> Table {
+    let columns = columns(profile);
+    let greatest: Vec<Option<usize>> = columns.iter().map(Numbers::greatest).collect();
+    let is_marked = |node: usize| greatest.contains(&Some(node));
+    let row = |node: usize| {
+        let numbers = columns.iter().zip(&greatest).map(|(column, most)| {
+            let ink = if *most == Some(node) {
+                CellInk::Warn
+            } else {
+                CellInk::Plain
+            };
+            let value = column.values.get(node).copied();
+            Cell::new(value.map(column.shown).unwrap_or_default(), ink)
+        });
+        let marks = if is_marked(node) {
+            marks(&columns, node)
+        } else {
+            String::new()
+        };
+        numbers
+            .chain([Cell::new(marks, CellInk::Warn)])
+            .collect::<Vec<_>>()
+    };
+    let nodes = (0..profile.nodes.len()).filter(|node| wanted(*node) || is_marked(*node));
+    Table {
+        columns: columns
+            .iter()
+            .map(|c| Column::decimal(c.head))
+            .chain([Column::left("greatest")])
+            .collect(),
+        rows: nodes.map(row).collect(),
+        ..Table::default()
+    }
+}
+
+/// All nodes as CSV, every digit kept, units in the heads.
+#[must_use]
+pub fn csv(profile: &Profile) -> String {
+    let columns = columns(profile);
+    let heads: Vec<&str> = columns.iter().map(|c| c.head).collect();
+    let mut text = format!("node,{},greatest\n", heads.join(","));
+    for node in 0..profile.nodes.len() {
+        let values = columns.iter().map(|c| {
+            let value = c.values.get(node);
+            value.map(ToString::to_string).unwrap_or_default()
+        });
+        let values: Vec<String> = values.collect();
+        // Marks are words and blanks; a semicolon keeps them in one field.
+        let marks = marks(&columns, node).replace(',', ";");
+        text.push_str(&format!("{node},{},{marks}\n", values.join(",")));
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn profile() -> Profile {
+        Profile {
+            arc: vec![0.0, 1.0, 2.0],
+            nodes: vec![[0.0, 0.0, -1.5], [0.5, 0.0, -0.75], [1.0, 0.0, 0.0]],
+            tension: vec![10.0, 20.0, 30.0],
+            curvature: vec![0.0, 0.25, 0.0],
+            moment: vec![0.0, 715.0, 0.0],
+            ..Profile::default()
+        }
+    }
+
+    #[test]
+    fn the_greatest_values_are_marked_in_words() {
+        let table = table(&profile());
+        let last = |row: usize| table.cell(row, table.columns.len() - 1).text;
+        assert_eq!(
+            [last(0), last(1), last(2)],
+            ["", "curvature, moment", "tension"]
+        );
+        assert_eq!(table.cell(1, 5).ink, CellInk::Warn);
+        assert_eq!(table.cell(0, 5).ink, CellInk::Plain);
+    }
+
+    #[test]
+    fn a_thinned_table_keeps_ends_and_marks() {
+        let mut long = profile();
+        long.arc = (0..100).map(f64::from).collect();
+        long.nodes = vec![[0.0; 3]; 100];
+        long.tension = (0..100).map(|i| -f64::from((i - 37) * (i - 37))).collect();
+        (long.curvature, long.moment) = (Vec::new(), Vec::new());
+        let table = thinned(&long, 10);
+        let arcs: Vec<String> = (0..table.rows.len())
+            .map(|r| table.cell(r, 0).text)
+            .collect();
+        assert_eq!(arcs[..2], ["0.00", "10.00"]);
+        assert!(arcs.contains(&"37.00".to_owned()) && arcs.contains(&"99.00".to_owned()));
+        assert_eq!(arcs.len(), 12);
+    }
+
+    #[test]
+    fn csv_holds_every_digit() {
+        let mut profile = profile();
+        profile.tension[1] = 1.0 / 3.0;
+        let text = csv(&profile);
+        let line = text.lines().nth(2).unwrap();
+        assert_eq!(
+            line,
+            "1,1,0.5,0,-0.75,0.3333333333333333,0.25,715,curvature; moment"
+        );
+        assert!(text.starts_with("node,arc [m],x [m],"));
+    }
+}
