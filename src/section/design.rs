@@ -66,6 +66,7 @@ impl Design {
             added_mass_normal: 1.0,
             added_mass_tangential: 0.0,
             break_load_n: self.strength.as_ref().map(|s| s.break_load),
+            min_bend_radius_m: None,
         }
     }
 }
