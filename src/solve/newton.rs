@@ -141,8 +141,12 @@ impl Newton {
         })
     }
 
-    /// One iteration; the node that moved most and by how much.
-    fn iterate<S: System + ?Sized>(
+    /// One iteration; the node that moves most and by how much \[m\], before all is scaled down to
+    /// [`Newton::longest`].
+    ///
+    /// # Errors
+    /// [`NewtonError::Singular`] and [`NewtonError::NotFinite`].
+    pub fn iterate<S: System + ?Sized>(
         &mut self,
         system: &S,
         t: f64,

@@ -1,9 +1,10 @@
 //! Static equilibrium of the discretised line by Newton on the nodes, with the exact tangent.
 //!
-//! Newton first, from the guess given. Where that does not converge, the line is let go in steps of
-//! pseudo-time: each step is backward Euler from rest (`M (x - x_k) / h² = f(x)`), which takes all kinetic
-//! energy out and so cannot swing; h grows while steps converge and shrinks where they do not, until
-//! plain Newton takes over. The state is accepted on the displacement and then on the residual force, and never with
+//! Newton first, from the guess given, with foretold tensions (see [`System::foretell`]), and then without, which
+//! suits a line that is slack somewhere. Where neither converges, the line creeps: one iteration a step of pseudo-time,
+//! backward Euler from rest (`M (x - x_k) / h² = f(x)`), which takes all kinetic energy out and so cannot swing; h
+//! grows while steps are short and shrinks where they are long, and Newton finishes. Last, the same with every step
+//! converged. The state is accepted on the displacement and then on the residual force, and never with
 //! a fold in a line that bends: Newton finds such shapes, in which forces balance, and no line stays in them.
 
 use crate::solve::{Factors, Newton, NewtonError, State, System};
@@ -63,6 +64,9 @@ const STATICS: Factors = Factors {
     stiffness: 1.0,
 };
 
+/// Greatest iterations of a try that follows a step of pseudo-time.
+const FINISHING: usize = 12;
+
 impl Search {
     /// Moves `state` to an equilibrium at time t, at rest.
     ///
@@ -74,14 +78,27 @@ impl Search {
         t: f64,
         state: &mut State,
     ) -> Result<Found, NotFound> {
-        let nodes = system.nodes();
         let tolerance = system.position_tolerance(0.1 * self.force_tolerance);
-        let mut newton = Newton::new(nodes, tolerance, self.max_iterations);
-        newton.longest = 0.3 * length(state);
+        let mut newton = Newton::new(system.nodes(), tolerance, self.max_iterations);
+        let size = length(state);
+        newton.longest = 0.3 * size;
+        come_to_rest(state);
         let mut trial = state.clone();
-        come_to_rest(&mut trial);
         system.guess_tensions(&mut trial);
         if let Ok(found) = self.finish(system, t, &mut newton, &mut trial, 0) {
+            *state = trial;
+            return Ok(found);
+        }
+        trial.copy_from(state);
+        newton.max_iterations = FINISHING;
+        if let Ok(found) = self.finish(system, t, &mut newton, &mut trial, 0)
+            && nearby(state, &trial)
+        {
+            *state = trial;
+            return Ok(found);
+        }
+        trial.copy_from(state);
+        if let Some(found) = self.creep(system, t, &mut newton, &mut trial, size) {
             *state = trial;
             return Ok(found);
         }
@@ -89,7 +106,7 @@ impl Search {
         self.let_go(system, t, &mut newton, state)
     }
 
-    /// Plain Newton, accepted on the residual.
+    /// Newton to the end, accepted on the residual.
     fn finish<S: System + ?Sized>(
         &self,
         system: &S,
@@ -98,25 +115,77 @@ impl Search {
         state: &mut State,
         steps: u64,
     ) -> Result<Found, Option<NewtonError>> {
+        newton.forget();
         let solved = newton.solve(system, t, state, STATICS);
         state.foretold.clear();
         solved.map_err(Some)?;
-        if system.folded(state).is_some() {
-            return Err(None);
-        }
-        let (_, residual) = newton.largest_residual(system, t, state);
-        if residual <= (self.force_tolerance * system.force_scale()).max(system.rounding_force()) {
-            Ok(Found {
-                iterations: newton.iterations,
-                steps,
-                residual,
-            })
-        } else {
-            Err(None)
-        }
+        self.accept(system, t, newton, state, steps).ok_or(None)
     }
 
-    /// Steps of pseudo-time until plain Newton converges.
+    /// The state as it is, if the forces left are small enough.
+    fn accept<S: System + ?Sized>(
+        &self,
+        system: &S,
+        t: f64,
+        newton: &mut Newton,
+        state: &State,
+        steps: u64,
+    ) -> Option<Found> {
+        if system.folded(state).is_some() {
+            return None;
+        }
+        let (_, residual) = newton.largest_residual(system, t, state);
+        let enough = (self.force_tolerance * system.force_scale()).max(system.rounding_force());
+        (residual <= enough).then_some(Found {
+            iterations: newton.iterations,
+            steps,
+            residual,
+        })
+    }
+
+    /// One iteration a step of pseudo-time, tensions foretold, until Newton finishes.
+    fn creep<S: System + ?Sized>(
+        &self,
+        system: &S,
+        t: f64,
+        newton: &mut Newton,
+        state: &mut State,
+        size: f64,
+    ) -> Option<Found> {
+        system.guess_tensions(state);
+        let mut trial = state.clone();
+        let mut h = 0.1 * size.sqrt();
+        let mut calm = 0;
+        for step in 1..=self.max_steps as u64 {
+            let moved = newton.iterate(system, t, state, pseudo_time(h)).ok()?.1;
+            come_to_rest(state);
+            h *= (0.03 * size / moved).clamp(0.3, 1.7);
+            calm = if moved < 0.03 * size { calm + 1 } else { 0 };
+            if calm >= 4 {
+                calm = 0;
+                trial.copy_from(state);
+                if let Ok(found) = self.finish(system, t, newton, &mut trial, step) {
+                    state.copy_from(&trial);
+                    return Some(found);
+                }
+                trial.copy_from(state);
+                trial.foretold.clear();
+                if let Some(found) = self.accept(system, t, newton, &trial, step) {
+                    state.copy_from(&trial);
+                    return Some(found);
+                }
+                if let Ok(found) = self.finish(system, t, newton, &mut trial, step)
+                    && nearby(state, &trial)
+                {
+                    state.copy_from(&trial);
+                    return Some(found);
+                }
+            }
+        }
+        None
+    }
+
+    /// Steps of pseudo-time, each converged, until Newton finishes or nothing is left to move the line.
     fn let_go<S: System + ?Sized>(
         &self,
         system: &S,
@@ -124,19 +193,13 @@ impl Search {
         newton: &mut Newton,
         state: &mut State,
     ) -> Result<Found, NotFound> {
-        come_to_rest(state);
         let mut trial = state.clone();
         let mut h = 0.1;
         let mut why = None;
         for step in 1..=self.max_steps as u64 {
             trial.copy_from(state);
             newton.forget();
-            let factors = Factors {
-                mass: 1.0 / (h * h),
-                damping: 0.0,
-                stiffness: 1.0,
-            };
-            match newton.solve(system, t, &mut trial, factors) {
+            match newton.solve(system, t, &mut trial, pseudo_time(h)) {
                 Ok(_) if system.folded(&trial).is_none() || system.folded(state).is_some() => {
                     come_to_rest(&mut trial);
                     state.copy_from(&trial);
@@ -148,6 +211,10 @@ impl Search {
                         }
                         Ok(_) => {}
                         Err(error) => why = error,
+                    }
+                    // Line that lies slack has no one shape for Newton to find, but it is at rest.
+                    if let Some(found) = self.accept(system, t, newton, state, step) {
+                        return Ok(found);
                     }
                 }
                 // A step that folds the line was as much too long as one that does not converge.
@@ -167,6 +234,14 @@ impl Search {
             node,
             why,
         })
+    }
+}
+
+fn pseudo_time(h: f64) -> Factors {
+    Factors {
+        mass: 1.0 / (h * h),
+        damping: 0.0,
+        stiffness: 1.0,
     }
 }
 
