@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 
 use std::sync::atomic::AtomicBool;
 
-use seacable::case::{self, Loaded, edit};
+use seacable::case::{self, At, Loaded, edit};
 use seacable::reference::{self, Outcome};
-use seacable::run::RunState;
 use seacable::run::job::{self, Request};
+use seacable::run::{Run, RunState};
 use seacable::section::is_section;
 
 fn case_files(folder: &Path) -> Vec<PathBuf> {
@@ -94,4 +94,48 @@ fn small_cases_run_and_meet_their_closed_forms() {
             );
         }
     }
+}
+
+#[test]
+fn benchmarks_meet_what_is_published() {
+    for loaded in shipped().into_iter().filter(|loaded| {
+        loaded
+            .path
+            .parent()
+            .is_some_and(|folder| folder.ends_with("benchmarks"))
+    }) {
+        let runs: Vec<(Option<At>, Run)> = reference::plan(&loaded.case)
+            .into_iter()
+            .map(|at| (at.clone(), run_at(&loaded, at.as_ref())))
+            .collect();
+        let lookup = |at: Option<&At>| {
+            let found = runs.iter().find(|(known, _)| known.as_ref() == at);
+            found.map(|(_, run)| run)
+        };
+        let rows = reference::rows(&loaded.case, &lookup);
+        assert!(!rows.is_empty());
+        for row in rows {
+            let off = (row.computed.unwrap_or(f64::NAN) - row.published).abs();
+            assert_eq!(row.outcome, Outcome::Pass, "{}: {off}", row.name);
+            // The tolerance is not met by chance: the mesh error is a small part of it.
+            assert!(row.error.unwrap() < 0.1 * row.tolerance, "{}", row.name);
+        }
+    }
+}
+
+/// A case at a point of a study.
+fn run_at(loaded: &Loaded, at: Option<&At>) -> Run {
+    let mut text = loaded.text.clone();
+    if let Some(at) = at {
+        let study = loaded.case.study.iter().find(|s| s.name == at.study);
+        text = edit::set_number(&text, &study.unwrap().key, at.value).unwrap();
+    }
+    let request = Request {
+        case: case::parse(&text, "benchmark").unwrap(),
+        text,
+        file: loaded.path.display().to_string(),
+        overrides: Vec::new(),
+        id: "benchmark".to_owned(),
+    };
+    job::execute(&request, &AtomicBool::new(false), &mut |_| {})
 }
