@@ -157,6 +157,36 @@ fn runge_kutta_halves_its_steps_where_drag_decays_fast() {
     assert!(speed < 1.5 * fastest, "{speed} m/s, {fastest} m/s");
 }
 
+/// A slack line that nothing slows along itself: without inertia its equations have roots hundreds of kilometres away,
+/// which are not where it goes.
+#[test]
+fn a_quasi_static_line_is_not_let_astray() {
+    let run = run(r#"
+        environment.water_density_kg_per_m3 = 1025.0
+        materials.rope = { ea_n = 1e9, diameter_m = 0.2, mass_kg_per_m = 3.0, drag_normal = 1.2, added_mass_normal = 1.0 }
+        line = { length_m = 374.5, segments = 11 }
+        ends.b = { name = "bob", kind = "payload" }
+        payload = { dry_mass_kg = 4878.0, wet_mass_kg = -2738.0, drag_area_m2 = 79.0, added_mass_kg = 0.0 }
+        start = { shape = "straight", azimuth_deg = -131.6, elevation_deg = -1.1 }
+        solver = { method = "quasi", duration_s = 10.0 }
+        "#);
+    let far = run
+        .profile
+        .nodes
+        .iter()
+        .flatten()
+        .fold(0.0, |far: f64, x| far.max(x.abs()));
+    match run.info.state {
+        RunState::Done => assert!(far < 400.0, "{far} m"),
+        _ => assert!(
+            run.info
+                .failure
+                .unwrap()
+                .contains("too little slows it along the line")
+        ),
+    }
+}
+
 /// A method that can take steps up to some length, from time to time.
 struct Choosy {
     longest: f64,

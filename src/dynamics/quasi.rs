@@ -98,6 +98,23 @@ impl Quasi {
         self.help(system, t, h, state, &HELP)
     }
 
+    /// Without inertia, a slack line that nothing slows along itself has no speed of its own, and the equations have
+    /// roots at any distance. None that a line could not reach from where it was (twice its length, and its stretch) is
+    /// where the line went.
+    fn stays_near<S: System + ?Sized>(&self, system: &S, state: &State) -> Result<(), NewtonError> {
+        let length: f64 = state.x.windows(2).map(|x| (x[1] - x[0]).norm()).sum();
+        let moved = |i: usize| (self.trial.x[i] - state.x[i]).norm();
+        system
+            .free()
+            .find(|&i| moved(i) > 3.0 * length)
+            .map_or(Ok(()), |node| {
+                Err(NewtonError::Astray {
+                    node,
+                    moved: moved(node),
+                })
+            })
+    }
+
     /// Newton with these shares of inertia, one after the other.
     fn help<S: System + ?Sized>(
         &mut self,
@@ -141,6 +158,7 @@ impl Stepper for Quasi {
         }
         self.predict(system, t, dt, state);
         self.converge(system, t, dt, state)?;
+        self.stays_near(system, state)?;
         self.x_before.copy_from_slice(&state.x);
         self.before = Some(dt);
         state.copy_from(&self.trial);

@@ -268,12 +268,15 @@ fn march<M: Stepper>(
 
 /// What to try after a step that failed at every length.
 fn advice(error: &MarchError) -> &'static str {
-    use crate::solve::NewtonError::{Diverged, NotFinite, Singular, Unstable};
+    use crate::solve::NewtonError::{Astray, Diverged, NotFinite, Singular, Unstable};
     match error.why {
         Diverged { .. } => {
             "try a smaller time_step_s, a smaller rho_inf, or more segments near that node"
         }
         Singular { .. } => "give that part of the line mass, drag or tension",
+        Astray { .. } => {
+            "give the line tangential drag or axial damping, or use the solver `alpha`"
+        }
         Unstable { .. } => "use the solver `alpha`, or try a smaller time_step_s",
         NotFinite { .. } => "try a smaller time_step_s, and look for extreme inputs near that node",
     }

@@ -56,6 +56,17 @@ pub enum NewtonError {
         /// The node.
         node: usize,
     },
+    /// The equations are solved, but far from where the line was.
+    #[error(
+        "node {node} would move by {moved:.3e} m in one step, three times as far as the line is long or more: \
+         too little slows it along the line"
+    )]
+    Astray {
+        /// The node.
+        node: usize,
+        /// How far it would move \[m\].
+        moved: f64,
+    },
     /// An explicit step is longer than what decays at a node bears.
     #[error("the explicit step is too long for how fast drag slows node {node}")]
     Unstable {
@@ -72,6 +83,7 @@ impl NewtonError {
             Self::Diverged { node, .. }
             | Self::Singular { node }
             | Self::NotFinite { node }
+            | Self::Astray { node, .. }
             | Self::Unstable { node } => node,
         }
     }
