@@ -194,3 +194,20 @@ fn numbers_are_written_as_their_field_wants_them() {
     );
     assert_eq!(edit::get(MANIFOLD, "solver.max_iterations"), None);
 }
+
+#[test]
+fn a_coordinate_of_an_end_is_set_alone() {
+    let text = include_str!("../cases/umbilical/steep_wave.toml");
+    let set = edit::set_number(text, "ends.b.position_m.y", 10.0).unwrap();
+    assert!(set.contains("position_m = [100.0, 10.0, 0.0]"));
+    assert_eq!(set.replace("[100.0, 10.0, 0.0]", "[100.0, 0.0, 0.0]"), text);
+    assert_eq!(
+        edit::get(&set, "ends.b.position_m.y").as_deref(),
+        Some("10.0")
+    );
+    // A coordinate needs its position, its axis and its range.
+    assert!(edit::set(text, "ends.b.position_m.w", "1.0").is_err());
+    assert!(edit::set(text, "ends.b.position_m.x", "1e9").is_err());
+    let without = text.replace("position_m = [100.0, 0.0, 0.0]\n", "");
+    assert!(edit::set(&without, "ends.b.position_m.x", "1.0").is_err());
+}

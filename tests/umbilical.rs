@@ -1,7 +1,10 @@
 //! The umbilical at rest: what its cases give, and how fast they converge.
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
+use std::sync::atomic::AtomicBool;
+
 use seacable::case::{self, Case, edit};
+use seacable::run::job::{self, Request};
 use seacable::scene::{self, Scene};
 use seacable::solve::State;
 use seacable::statics::equilibrium::{Found, Search};
@@ -85,7 +88,7 @@ fn vanishing_bending_stiffness_is_none() {
 
 #[test]
 fn the_line_is_never_folded_whatever_the_float() {
-    for diameter in ["0.28", "0.3", "0.32", "0.35", "0.38", "0.4", "0.45"] {
+    for diameter in ["0.25", "0.28", "0.3", "0.32", "0.35", "0.38", "0.4", "0.45"] {
         for coarsening in [1, 2, 4] {
             let case = set(&[("modules.buoyant.diameter_m", diameter)]);
             let (scene, state, _) = rest(&case, coarsening);
@@ -132,4 +135,43 @@ fn the_catenary_lies_on_the_bed_and_rises_to_the_vessel() {
     let lying = state.x.iter().filter(|p| p.z < -129.9).count();
     assert!((10..120).contains(&lying), "{lying} nodes");
     assert!(state.x.windows(2).all(|pair| pair[1].z > pair[0].z - 0.01));
+}
+
+#[test]
+fn limits_that_are_exceeded_are_told() {
+    let run = |edits: &[(&str, &str)]| {
+        let text = edit::set_all(WAVE, edits).unwrap();
+        let request = Request {
+            case: case::parse(&text, "steep_wave.toml").unwrap(),
+            text,
+            file: "steep_wave.toml".to_owned(),
+            overrides: Vec::new(),
+            id: String::new(),
+        };
+        job::execute(&request, &AtomicBool::new(false), &mut |_| ())
+    };
+    assert!(run(&[]).info.warnings.is_empty());
+    let run = run(&[
+        ("materials.umbilical.break_load_n", "1e4"),
+        ("materials.umbilical.min_bend_radius_m", "15.0"),
+    ]);
+    let told = &run.info.warnings;
+    assert_eq!(told.len(), 2, "{told:?}");
+    assert!(
+        told[0].contains("section `buoyant` is bent more sharply"),
+        "{told:?}"
+    );
+    assert!(
+        told[1].contains("section `upper` is loaded beyond"),
+        "{told:?}"
+    );
+    let named = |name: &str| run.summary.iter().find(|q| q.name == name).unwrap();
+    let (radius, curvature) = (named("bend_radius_m.min"), named("curvature_per_m.max"));
+    assert!((radius.value * curvature.value - 1.0).abs() < 1e-12);
+    assert!(radius.mesh_error.unwrap() < 0.01 * radius.value);
+    assert_eq!(named("moment_nm.max").unit, "N m");
+    assert_eq!(
+        named("tension_n.arc_of_max").value.to_bits(),
+        220f64.to_bits()
+    );
 }

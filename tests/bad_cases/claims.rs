@@ -141,3 +141,29 @@ fn all_faults_are_told_at_once_in_the_order_of_lines() {
         ]
     );
 }
+
+#[test]
+fn statistics_over_time_and_over_length_are_told_apart() {
+    let row = "\n[[trend]]\nname = \"n\"\nstudy = \"t\"\nexpect = \"rises\"\nsource = \"s\"\n";
+    let first = |channel: &str, statistic: &str, more: &str| {
+        let text =
+            format!("{GOOD}{row}channel = \"{channel}\"\nstatistic = \"{statistic}\"\n{more}");
+        let all = faults(&text).into_iter();
+        all.filter(|fault| fault.key.starts_with("trend.n.") && !fault.key.ends_with("study"))
+            .map(|fault| fault.problem)
+            .collect::<Vec<String>>()
+    };
+    assert_eq!(
+        first("tension_n", "mean", ""),
+        ["`mean` goes over time, and `tension_n` over the length of the line"]
+    );
+    assert_eq!(
+        first("x_m[load]", "turns", ""),
+        ["`turns` goes over the length of the line, and a channel over time"]
+    );
+    assert_eq!(
+        first("tension_n", "turns", "window_s = [0.0, 1.0]\n"),
+        ["`tension_n` of the whole line is taken over the whole run"]
+    );
+    assert!(first("curvature_per_m", "max", "").is_empty());
+}
