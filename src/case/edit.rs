@@ -3,9 +3,9 @@
 
 use std::ops::Range;
 
-use super::check::{check, check_value, join, split, unknown_path, value_text};
+use super::check::{check, check_value, fields_here, join, split, unknown_path, value_text};
 use super::diagnostic::{Diagnostic, Finding, count};
-use super::fields::{Field, Kind, TABLES, TableShape, field_at};
+use super::fields::{CASE, Field, Kind, Schema, TableShape, field_at};
 use super::read::tree_of;
 use super::tree::{Data, Form, Node};
 
@@ -44,7 +44,7 @@ pub fn set_all(text: &str, edits: &[(&str, &str)]) -> Result<String, Vec<Diagnos
     let mut edited = text.to_owned();
     let mut faults = Vec::new();
     for (key_path, value) in edits {
-        match put(&edited, key_path, value) {
+        match put(&CASE, &edited, key_path, value) {
             Ok(next) => edited = next,
             Err(fault) => faults.push(fault),
         }
@@ -89,19 +89,31 @@ pub fn get(text: &str, key_path: &str) -> Option<String> {
     Some(value_text(text, node))
 }
 
-/// Sets one key, checking key and value but not the case as a whole.
-fn put(text: &str, key_path: &str, value: &str) -> Result<String, Diagnostic> {
+/// Sets one key of a file, checking key and value but not the file as a whole.
+pub(crate) fn put(
+    schema: &Schema,
+    text: &str,
+    key_path: &str,
+    value: &str,
+) -> Result<String, Diagnostic> {
     let refuse = |problem: String, remedy: String| refusal(key_path, value, problem, remedy);
-    let parts = split(key_path).filter(|parts| field_at(parts).is_some());
     let root = tree_of(text).map_err(|found| {
         let problem = found
             .first()
             .map_or(String::new(), |fault| fault.problem.clone());
         refuse(problem, "mend the file in an editor first".to_owned())
     })?;
-    let Some((parts, field)) = parts.and_then(|parts| field_at(&parts).map(|field| (parts, field)))
-    else {
-        let (problem, remedy) = unknown_path(&root, key_path);
+    let known = split(key_path)
+        .and_then(|parts| field_of(schema, &root, &parts).map(|field| (parts, field)));
+    let Some((parts, field)) = known else {
+        let (problem, remedy) = if schema.what == CASE.what {
+            unknown_path(&root, key_path)
+        } else {
+            (
+                format!("there is no key `{key_path}` in a {}", schema.what),
+                "name a key as the file groups them: table, name, key".to_owned(),
+            )
+        };
         return Err(refuse(problem, remedy));
     };
     let (written, node) = typed(field, value);
@@ -109,7 +121,20 @@ fn put(text: &str, key_path: &str, value: &str) -> Result<String, Diagnostic> {
     if let Some(node) = root.find(&parts) {
         return Ok(spliced(text, &node.span, &written));
     }
-    inserted(text, &root, &parts, &written).map_err(|(problem, remedy)| refuse(problem, remedy))
+    inserted(schema, text, &root, &parts, &written)
+        .map_err(|(problem, remedy)| refuse(problem, remedy))
+}
+
+/// The field that a key path means; of several, the one that its table has.
+fn field_of(schema: &Schema, root: &Node, parts: &[String]) -> Option<&'static Field> {
+    let (_, table) = parts.split_last()?;
+    let has = |field: &Field| {
+        let node = root.find(table);
+        node.is_some_and(|node| fields_here(schema, node, field.table()).contains(&field))
+    };
+    let mut meant = schema.fields_at(parts);
+    let first = schema.fields_at(parts).next();
+    meant.find(|field| has(field)).or(first)
 }
 
 /// A value as it will stand in the file, and as a tree.
@@ -166,7 +191,13 @@ fn no_key() -> Refusal {
 }
 
 /// Adds a key that the file leaves out.
-fn inserted(text: &str, root: &Node, parts: &[String], written: &str) -> Result<String, Refusal> {
+fn inserted(
+    schema: &Schema,
+    text: &str,
+    root: &Node,
+    parts: &[String],
+    written: &str,
+) -> Result<String, Refusal> {
     let (key, table) = match parts.split_last() {
         Some((key, table)) if !table.is_empty() => (key, table),
         _ => return Err(no_key()),
@@ -177,7 +208,7 @@ fn inserted(text: &str, root: &Node, parts: &[String], written: &str) -> Result<
             "give all three of its numbers".to_owned(),
         )),
         Some(node) => into_table(text, node, key, written),
-        None => new_table(text, root, table, key, written),
+        None => new_table(schema, text, root, table, &format!("{key} = {written}")),
     }
 }
 
@@ -216,16 +247,16 @@ fn holds_tables(node: &Node) -> bool {
 
 /// Adds a table that the file leaves out, with one key, at the end of the file.
 fn new_table(
+    schema: &Schema,
     text: &str,
     root: &Node,
     table: &[String],
-    key: &str,
-    written: &str,
+    line: &str,
 ) -> Result<String, Refusal> {
     let Some((name, parent)) = table.split_last() else {
         return Err(no_key());
     };
-    if field_at(table).is_some() {
+    if schema.fields_at(table).next().is_some() {
         return Err((
             format!(
                 "`{}` is not given in this file, so one of its numbers cannot be set",
@@ -234,7 +265,8 @@ fn new_table(
             "give all three of its numbers first".to_owned(),
         ));
     }
-    let one = TABLES
+    let one = schema
+        .tables
         .iter()
         .any(|known| known.shape == TableShape::One && known.path == join(table));
     let mark = parent.first().is_some_and(|parent| parent == "marks");
@@ -251,10 +283,7 @@ fn new_table(
     } else {
         end
     };
-    Ok(format!(
-        "{text}{gap}{end}[{}]{end}{key} = {written}{end}",
-        join(table)
-    ))
+    Ok(format!("{text}{gap}{end}[{}]{end}{line}{end}", join(table)))
 }
 
 fn names(node: &Node) -> Vec<String> {

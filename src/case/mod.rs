@@ -24,7 +24,8 @@ pub use model::*;
 pub use read::{Loaded, load, parse};
 
 // What another kind of file needs to be read, checked and complained about in the same way.
-pub(crate) use check::{check_keys, join, nearest};
+pub(crate) use check::{check_keys, join, nearest, split};
 pub(crate) use diagnostic::Finding;
+pub(crate) use edit::put;
 pub(crate) use read::{diagnose, said, text_of, words_of};
 pub(crate) use tree::Node;

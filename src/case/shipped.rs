@@ -25,6 +25,12 @@ pub const SHIPPED: &[Shipped] = &[
     shipped!("umbilical/steep_wave.toml"),
 ];
 
+/// The cross-sections that come with the program, in the order of their paths.
+pub const SECTIONS: &[Shipped] = &[
+    shipped!("umbilical/section.toml"),
+    shipped!("umbilical/section_power_cable.toml"),
+];
+
 #[cfg(test)]
 mod tests {
     use std::{
@@ -33,11 +39,16 @@ mod tests {
         path::{Path, PathBuf},
     };
 
-    use super::SHIPPED;
+    use super::{SECTIONS, SHIPPED, Shipped};
     use crate::section::is_section;
 
     #[test]
-    fn the_list_is_the_folder() {
+    fn the_lists_are_the_folder() {
+        same(SHIPPED, |path| !is_section(path));
+        same(SECTIONS, is_section);
+    }
+
+    fn same(list: &[Shipped], belongs: impl Fn(&Path) -> bool) {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases");
         let mut found = BTreeMap::new();
         let mut folders: Vec<PathBuf> = vec![root.clone()];
@@ -46,7 +57,7 @@ mod tests {
                 let path = item.unwrap().path();
                 if path.is_dir() {
                     folders.push(path);
-                } else if path.extension().is_some_and(|e| e == "toml") && !is_section(&path) {
+                } else if path.extension().is_some_and(|e| e == "toml") && belongs(&path) {
                     let name = path
                         .strip_prefix(&root)
                         .unwrap()
@@ -57,7 +68,7 @@ mod tests {
                 }
             }
         }
-        let listed: BTreeMap<String, String> = SHIPPED
+        let listed: BTreeMap<String, String> = list
             .iter()
             .map(|(path, text)| ((*path).to_owned(), (*text).to_owned()))
             .collect();

@@ -9,6 +9,7 @@ pub static SECTION: Schema = Schema {
     what: "section",
     least: "a section has at least [section] with a name and a title, [units.<name>], and a [centre] or a [[layer]]",
     fields: FIELDS,
+    parts: &[],
     tables: TABLES,
 };
 

@@ -5,10 +5,12 @@
 //! help, [`parse`] and [`load`] check it. [`design`](design()) lays the section out
 //! ([`layout`], by the [`packing`] of helices) and works out [`stiffness`], [`bending`],
 //! [`weight`] and [`strength`]. [`picture`] draws it, [`tables`] and [`text`] put it in words,
-//! [`material`] and [`fragment`](fragment()) hand it to a line case.
+//! [`material`] and [`fragment`](fragment()) hand it to a line case. [`edit`] lists its keys for an editor
+//! and sets them.
 
 pub mod bending;
 mod design;
+pub mod edit;
 mod element;
 pub mod fields;
 mod fragment;

@@ -13,6 +13,7 @@ mod table;
 use components::COMPONENTS;
 pub use range::Range;
 pub(crate) use range::{number, quantity};
+pub(crate) use rows::Lister;
 pub use rows::{FieldRow, rows};
 pub use table::{FIELDS, TABLES};
 
@@ -25,6 +26,8 @@ pub struct Schema {
     pub least: &'static str,
     /// Its fields.
     pub fields: &'static [Field],
+    /// The numbers within values that can be set one by one.
+    pub parts: &'static [Field],
     /// Its tables.
     pub tables: &'static [Table],
 }
@@ -34,6 +37,7 @@ pub static CASE: Schema = Schema {
     what: "case",
     least: "a case has at least [case], [materials.<name>], [[line]] and [ends.a], [ends.b]",
     fields: FIELDS,
+    parts: COMPONENTS,
     tables: TABLES,
 };
 
@@ -43,6 +47,19 @@ impl Schema {
         self.fields
             .iter()
             .filter(move |field| field.table() == table)
+    }
+
+    /// The fields that a key path may mean; more than one where tables of several kinds share a key.
+    pub fn fields_at<S: AsRef<str>>(&self, path: &[S]) -> impl Iterator<Item = &'static Field> {
+        self.fields.iter().chain(self.parts).filter(move |field| {
+            let mut pattern = field.path.split('.');
+            let same = path.iter().all(|part| {
+                pattern
+                    .next()
+                    .is_some_and(|p| p == "*" || p == part.as_ref())
+            });
+            same && pattern.next().is_none()
+        })
     }
 }
 
@@ -203,15 +220,7 @@ impl Field {
 /// The field of a key path given as its parts, if there is one; `ends.b.position_m.x` is a number of its own.
 #[must_use]
 pub fn field_at<S: AsRef<str>>(path: &[S]) -> Option<&'static Field> {
-    FIELDS.iter().chain(COMPONENTS).find(|field| {
-        let mut pattern = field.path.split('.');
-        let same = path.iter().all(|part| {
-            pattern
-                .next()
-                .is_some_and(|p| p == "*" || p == part.as_ref())
-        });
-        same && pattern.next().is_none()
-    })
+    CASE.fields_at(path).next()
 }
 
 /// The fields of a table of the case file, by the table's pattern.

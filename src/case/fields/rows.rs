@@ -1,6 +1,8 @@
 //! The fields of one case, as a parameter editor lists them.
 
-use super::{Absent, CASE, FIELDS, Field};
+use std::collections::BTreeMap;
+
+use super::{Absent, CASE, Field, Schema};
 use crate::case::check::{fields_here, join, value_text};
 use crate::case::model::{Case, Mark};
 use crate::case::tree::{Node, element_names};
@@ -42,35 +44,42 @@ pub fn rows(text: &str, case: &Case) -> Vec<FieldRow> {
         return Vec::new();
     };
     let lister = Lister {
+        schema: &CASE,
         text,
         root: &root,
-        case,
+        marks: &case.marks,
     };
-    lister.all()
+    lister.of_case(case)
 }
 
-struct Lister<'a> {
-    text: &'a str,
-    root: &'a Node,
-    case: &'a Case,
+/// Lists the fields of a file.
+pub(crate) struct Lister<'a> {
+    /// Kind of the file.
+    pub(crate) schema: &'a Schema,
+    /// Its text.
+    pub(crate) text: &'a str,
+    /// The text as a tree.
+    pub(crate) root: &'a Node,
+    /// Where its values come from, by key path.
+    pub(crate) marks: &'a BTreeMap<String, Mark>,
 }
 
 impl Lister<'_> {
-    fn all(&self) -> Vec<FieldRow> {
+    fn of_case(&self, case: &Case) -> Vec<FieldRow> {
         let mut rows = Vec::new();
         for table in ["environment", "current"] {
             rows.extend(self.table(table, &[table], table));
         }
-        if self.case.seabed.is_some() {
+        if case.seabed.is_some() {
             rows.extend(self.table("seabed", &["seabed"], "sea bed"));
         }
         rows.extend(self.named("materials", "material"));
         rows.extend(self.named("line", "section"));
-        for (letter, end) in [("a", &self.case.ends.a), ("b", &self.case.ends.b)] {
+        for (letter, end) in [("a", &case.ends.a), ("b", &case.ends.b)] {
             let group = format!("end {} ({})", letter.to_uppercase(), end.name);
             rows.extend(self.table(&format!("ends.{letter}"), &["ends", letter], &group));
         }
-        if self.case.payload.is_some() {
+        if case.payload.is_some() {
             rows.extend(self.table("payload", &["payload"], "payload"));
             if self.root.find(&["payload", "shape"]).is_some() {
                 rows.extend(self.table("payload.shape", &["payload", "shape"], "payload"));
@@ -86,7 +95,7 @@ impl Lister<'_> {
     }
 
     /// The rows of every table under `table`, by name.
-    fn named(&self, table: &str, heading: &str) -> Vec<FieldRow> {
+    pub(crate) fn named(&self, table: &str, heading: &str) -> Vec<FieldRow> {
         let Some(node) = self.root.get(table) else {
             return Vec::new();
         };
@@ -108,14 +117,12 @@ impl Lister<'_> {
         each.collect()
     }
 
-    fn table(&self, pattern: &str, path: &[&str], group: &str) -> Vec<FieldRow> {
+    /// The rows of one table, whether the file has it or not.
+    pub(crate) fn table(&self, pattern: &str, path: &[&str], group: &str) -> Vec<FieldRow> {
         let node = self.root.find(path);
         let fields: Vec<&'static Field> = match node {
-            Some(node) => fields_here(&CASE, node, pattern),
-            None => FIELDS
-                .iter()
-                .filter(|field| field.table() == pattern)
-                .collect(),
+            Some(node) => fields_here(self.schema, node, pattern),
+            None => self.schema.fields_of(pattern).collect(),
         };
         let rows = fields.into_iter().map(|field| {
             let given = node.and_then(|node| node.get(field.key()));
@@ -139,7 +146,7 @@ impl Lister<'_> {
             (None, Absent::Required) => (String::new(), None),
         };
         FieldRow {
-            standing: self.case.marks.get(&path).cloned(),
+            standing: self.marks.get(&path).cloned(),
             path,
             group: group.to_owned(),
             label: field.label,
