@@ -10,13 +10,20 @@ use crate::report::table::Table;
 /// Tension shown when no strength is known \[N\].
 const SAMPLE: f64 = 1e5;
 
+/// The tension that is shared out when none is named \[N\]: the allowable one, or 100 kN when that is
+/// not known.
+#[must_use]
+pub fn tension(design: &Design) -> f64 {
+    let allowable = design.strength.as_ref().map(|s| s.allowable);
+    allowable.unwrap_or(SAMPLE)
+}
+
 /// The whole design as text of this width. `tension` is the one to share out \[N\]; absent: the
 /// allowable one, or 100 kN when that is not known.
 #[must_use]
 pub fn text(design: &Design, width: usize, glyphs: Glyphs, tension: Option<f64>) -> String {
     let about = &design.section.about;
-    let allowable = design.strength.as_ref().map(|s| s.allowable);
-    let tension = tension.or(allowable).unwrap_or(SAMPLE);
+    let tension = tension.unwrap_or_else(|| self::tension(design));
     let words = [&about.source, &about.notes];
     let mut parts = vec![picture(design, width, width / 2, glyphs)];
     parts.extend(

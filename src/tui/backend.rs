@@ -7,6 +7,7 @@ use crate::reference;
 use crate::report::chart::Glyphs;
 use crate::report::table::Table;
 use crate::run::Run;
+use crate::section::{self, Design};
 
 pub use crate::case::fields::FieldRow;
 pub use crate::reference::Row;
@@ -36,6 +37,41 @@ pub fn set(text: &str, key: &str, value: &str) -> Result<String, String> {
     let last = key.rsplit('.').next().unwrap_or(key);
     case::edit::set(text, key, value)
         .map_err(|d| format!("{last} {}. {}", stopped(&d.problem), sentence(&d.remedy)))
+}
+
+/// Works a cross-section out from its text.
+///
+/// # Errors
+/// The first thing wrong, as one line with file, line and column.
+pub fn design(text: &str, file: &str) -> Result<Design, String> {
+    section::parse(text, file).map_err(|all| {
+        all.first()
+            .map_or_else(|| format!("{file} is no section."), ToString::to_string)
+    })
+}
+
+/// The fields of a cross-section.
+#[must_use]
+pub fn section_rows(text: &str) -> Vec<FieldRow> {
+    section::edit::rows(text)
+}
+
+/// Sets a key of a cross-section's text.
+///
+/// # Errors
+/// What cannot be with that value and what would be right, at the key that says so.
+pub fn set_section(text: &str, key: &str, value: &str) -> Result<String, String> {
+    section::edit::set(text, key, value).map_err(|all| {
+        let words = all.iter().map(|d| {
+            let at = if d.key == key {
+                key.rsplit('.').next().unwrap_or(key)
+            } else {
+                &d.key
+            };
+            format!("{at} {}. {}", stopped(&d.problem), sentence(&d.remedy))
+        });
+        words.collect::<Vec<_>>().join(" ")
+    })
 }
 
 fn stopped(text: &str) -> &str {

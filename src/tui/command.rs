@@ -35,6 +35,12 @@ pub enum Id {
     Validate,
     /// Keep the live run on disk.
     Keep,
+    /// Show the next table of a cross-section.
+    NextTable,
+    /// Show the previous table of a cross-section.
+    PreviousTable,
+    /// Write the material that a cross-section makes.
+    Material,
     /// Show the next chart.
     NextChart,
     /// Show the previous chart.
@@ -148,11 +154,17 @@ pub enum Place {
     Jobs,
     /// The line node by node.
     Nodes,
+    /// The keys of a cross-section.
+    Keys,
+    /// A cross-section drawn.
+    Drawing,
+    /// A cross-section in tables.
+    Tables,
 }
 
 impl Place {
     /// All of them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 11] = [
         Self::Cases,
         Self::Inputs,
         Self::Charts,
@@ -161,7 +173,13 @@ impl Place {
         Self::Report,
         Self::Jobs,
         Self::Nodes,
+        Self::Keys,
+        Self::Drawing,
+        Self::Tables,
     ];
+
+    /// The panes of an open cross-section, in the order of their numbers.
+    pub const OF_SECTION: [Self; 3] = [Self::Keys, Self::Drawing, Self::Tables];
 
     /// The panes of an open case, in the order of their numbers.
     pub const PANES: [Self; 7] = [
@@ -179,13 +197,15 @@ impl Place {
     pub fn title(self) -> &'static str {
         match self {
             Self::Cases => "Cases",
-            Self::Inputs => "Inputs",
+            Self::Inputs | Self::Keys => "Inputs",
             Self::Charts => "Charts",
             Self::Runs => "Runs",
             Self::Validation => "Validation",
             Self::Report => "Report",
             Self::Jobs => "Jobs",
             Self::Nodes => "Nodes",
+            Self::Drawing => "Drawing",
+            Self::Tables => "Tables",
         }
     }
 }
@@ -215,13 +235,35 @@ const LISTS: &[Place] = &[
     Place::Report,
     Place::Jobs,
     Place::Nodes,
+    Place::Keys,
+    Place::Tables,
 ];
+const IN_SECTION: &[Place] = &Place::OF_SECTION;
 const CASES: &[Place] = &[Place::Cases];
-const INPUTS: &[Place] = &[Place::Inputs];
+const INPUTS: &[Place] = &[Place::Inputs, Place::Keys];
+const DRAWING: &[Place] = &[Place::Drawing];
+const TABLES: &[Place] = &[Place::Tables];
+const IN_FILE: &[Place] = &[
+    Place::Inputs,
+    Place::Charts,
+    Place::Runs,
+    Place::Validation,
+    Place::Report,
+    Place::Jobs,
+    Place::Nodes,
+    Place::Keys,
+    Place::Drawing,
+    Place::Tables,
+];
 const CHARTS: &[Place] = &[Place::Charts];
 const RUNS: &[Place] = &[Place::Runs];
 const JOBS: &[Place] = &[Place::Jobs];
-const WIDE: &[Place] = &[Place::Validation, Place::Report, Place::Nodes];
+const WIDE: &[Place] = &[
+    Place::Validation,
+    Place::Report,
+    Place::Nodes,
+    Place::Tables,
+];
 const WRITABLE: &[Place] = &[
     Place::Charts,
     Place::Validation,
@@ -257,14 +299,21 @@ pub const COMMANDS: &[Command] = &[
     command(Id::NextSeries, &["j", "down"], "curve", "Show the next joint or component alone; after the last: all of them", CHARTS),
     command(Id::CursorRight, &["l", "right"], "cursor", "Move the cursor right; on the line's shape: a later instant", CHARTS),
     command(Id::ZoomIn, &["+", "="], "zoom", "Zoom in about the cursor", CHARTS),
+    command(Id::NextTable, &["]", "n"], "table", "Show the next table", TABLES),
+    command(Id::ZoomIn, &["+", "="], "zoom", "Zoom in about the middle", DRAWING),
+    command(Id::PanLeft, &["h", "left", "H"], "left", "Show what lies further left", DRAWING),
+    command(Id::PanDown, &["j", "down", "{"], "down", "Show what lies lower", DRAWING),
+    command(Id::PanUp, &["k", "up", "}"], "up", "Show what lies higher", DRAWING),
+    command(Id::PanRight, &["l", "right", "L"], "right", "Show what lies further right", DRAWING),
+    command(Id::Material, &["M"], "material", "Write the table [materials.<name>] that a line case takes to a file, and say where", IN_SECTION),
     command(Id::Run, &["R"], "run", "Run the case with the chosen solver and store the run", IN_CASE),
     command(Id::Validate, &["V"], "validate", "Run everything that the validation table needs", IN_CASE),
-    command(Id::NextPane, &["tab"], "pane", "Go to the next pane", IN_CASE),
+    command(Id::NextPane, &["tab"], "pane", "Go to the next pane", IN_FILE),
     command(Id::Write, &["w"], "write", "Write what this pane shows to a text file; the report into its run, the nodes as CSV", WRITABLE),
-    command(Id::Save, &["s"], "save", "Save the case to its file, with your comments kept", IN_CASE),
-    command(Id::Undo, &["u"], "undo", "Undo the last edit", IN_CASE),
-    command(Id::Back, &["esc", "b"], "cases", "Back to the list of cases", IN_CASE),
-    command(Id::Filter, &["/"], "filter", "Type letters that the lines must contain; Enter keeps, Esc drops the filter", &[Place::Cases, Place::Inputs]),
+    command(Id::Save, &["s"], "save", "Save the case to its file, with your comments kept", IN_FILE),
+    command(Id::Undo, &["u"], "undo", "Undo the last edit", IN_FILE),
+    command(Id::Back, &["esc", "b"], "cases", "Back to the list of cases", IN_FILE),
+    command(Id::Filter, &["/"], "filter", "Type letters that the lines must contain; Enter keeps, Esc drops the filter", &[Place::Cases, Place::Inputs, Place::Keys]),
     command(Id::Method, &["M"], "solver", "Change to the next solver: static, quasi, rk4, alpha", IN_CASE),
     command(Id::Study, &["S"], "study", "Run all variants of a study and overlay them", IN_CASE),
     command(Id::Keep, &["K"], "keep", "Keep the live run on disk", IN_CASE),
@@ -274,6 +323,14 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Fit, &["0"], "fit", "Show everything again, at the newest instant", CHARTS),
     command(Id::Freeze, &["f"], "freeze", "Hold the curves still while the job goes on, or let them go on", CHARTS),
     command(Id::Reset, &["r"], "reset", "Put the field back to the value of the file", INPUTS),
+    command(Id::Fit, &["0"], "fit", "Show the whole cross-section again", DRAWING),
+    command(Id::ZoomOut, &["-"], "", "Zoom out about the middle", DRAWING),
+    command(Id::PreviousTable, &["[", "p"], "", "Show the previous table", TABLES),
+    command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", TABLES),
+    command(Id::Write, &["w"], "write", "Write the drawing to a text file; from other panes: the drawing and all tables", IN_SECTION),
+    command(Id::Copy, &["y"], "copy", "Copy the table [materials.<name>] to the clipboard of your terminal, and write it to a file", IN_SECTION),
+    command(Id::Pane(2), &["2"], "", "Go to the drawing", IN_SECTION),
+    command(Id::Pane(3), &["3"], "", "Go to the tables", IN_SECTION),
     command(Id::Reload, &["ctrl+r"], "", "Read the list of cases again", CASES),
     command(Id::PreviousChart, &["[", "p"], "", "Show the previous chart", CHARTS),
     command(Id::PreviousSeries, &["k", "up"], "", "Show the previous joint or component alone", CHARTS),
@@ -288,7 +345,7 @@ pub const COMMANDS: &[Command] = &[
     command(Id::FitUp, &["z"], "", "Fit the height to what is seen", CHARTS),
     command(Id::Mark, &["m"], "", "Set a mark at the cursor, or remove the mark there", CHARTS),
     command(Id::Copy, &["y"], "", "Copy the values at the cursor to the clipboard of your terminal, and write them to a file", CHARTS),
-    command(Id::Redo, &["U", "ctrl+r"], "", "Redo the edit undone last", IN_CASE),
+    command(Id::Redo, &["U", "ctrl+r"], "", "Redo the edit undone last", IN_FILE),
     command(Id::NextGroup, &["]"], "", "Go to the next group of fields", INPUTS),
     command(Id::PreviousGroup, &["["], "", "Go to the previous group of fields", INPUTS),
     command(Id::Down, &["j", "down"], "", "Down", LISTS),
@@ -299,8 +356,8 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Bottom, &["G", "end"], "", "To the last line", LISTS),
     command(Id::ScrollRight, &["l", "right"], "", "Scroll right", WIDE),
     command(Id::ScrollLeft, &["h", "left"], "", "Scroll left", WIDE),
-    command(Id::PreviousPane, &["shift+tab"], "", "Go to the previous pane", IN_CASE),
-    command(Id::Pane(1), &["1"], "", "Go to the inputs", IN_CASE),
+    command(Id::PreviousPane, &["shift+tab"], "", "Go to the previous pane", IN_FILE),
+    command(Id::Pane(1), &["1"], "", "Go to the inputs", IN_FILE),
     command(Id::Pane(2), &["2"], "", "Go to the charts", IN_CASE),
     command(Id::Pane(3), &["3"], "", "Go to the runs", IN_CASE),
     command(Id::Pane(4), &["4"], "", "Go to the validation table", IN_CASE),

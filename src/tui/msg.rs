@@ -28,6 +28,8 @@ pub enum Msg {
     CasesRead(PathBuf, Vec<CaseEntry>),
     /// A case file was read; with edits that an earlier session left behind.
     CaseRead(Box<CaseRead>),
+    /// A cross-section was read.
+    SectionRead(Box<SectionRead>),
     /// A case file cannot be opened: title, and all that is wrong.
     CaseRefused(String, String),
     /// A case was saved here.
@@ -61,12 +63,25 @@ pub struct CaseRead {
     pub recovered: Option<String>,
 }
 
+/// A cross-section as read.
+#[derive(Debug, Clone)]
+pub struct SectionRead {
+    /// Where it is.
+    pub path: PathBuf,
+    /// Its text.
+    pub text: String,
+    /// What it comes to.
+    pub design: crate::section::Design,
+    /// Unsaved text of an earlier session.
+    pub recovered: Option<String>,
+}
+
 /// Something to be done outside of the state.
 #[derive(Debug, Clone)]
 pub enum Effect {
     /// List the cases.
     ReadCases,
-    /// Read a case file.
+    /// Read a case file, or the file of a cross-section.
     ReadCase(PathBuf),
     /// Write the text of a case, unless the file no longer holds `expected`.
     SaveCase {

@@ -8,12 +8,15 @@ use etcetera::base_strategy::{BaseStrategy, Xdg};
 
 use super::state::CaseEntry;
 use crate::case::{self, render_all};
-use crate::section::is_section;
+use crate::section::{self, is_section};
 
-pub use crate::case::shipped::SHIPPED;
+pub use crate::case::shipped::{SECTIONS, SHIPPED};
 
 /// The case on which the list opens.
 pub const FIRST: &str = "pendulous/manifold.toml";
+
+/// What marks a cross-section in the list.
+const CROSS_SECTION: &str = "cross-section";
 
 /// Directories deeper than this below the listed one are not looked into.
 const DEPTH: usize = 4;
@@ -29,7 +32,7 @@ pub fn default_dir() -> io::Result<PathBuf> {
         return Ok(here);
     }
     let dir = data_dir()?.join("cases");
-    for (name, text) in SHIPPED {
+    for (name, text) in SHIPPED.iter().chain(SECTIONS) {
         let path = dir.join(name);
         if !path.exists() {
             if let Some(parent) = path.parent() {
@@ -70,8 +73,16 @@ fn entry(dir: &Path, path: PathBuf) -> CaseEntry {
         .unwrap_or(&path)
         .display()
         .to_string();
-    let about = match case::load(&path) {
-        Ok(loaded) => Ok((loaded.case.case.title, loaded.case.case.source)),
+    let read = if is_section(&path) {
+        section::load(&path).map(|loaded| {
+            let about = loaded.design.section.about;
+            (format!("{CROSS_SECTION}: {}", about.title), about.source)
+        })
+    } else {
+        case::load(&path).map(|loaded| (loaded.case.case.title, loaded.case.case.source))
+    };
+    let about = match read {
+        Ok(about) => Ok(about),
         Err(all) => {
             let line = all.first().map_or_else(String::new, |d| {
                 format!("line {}, column {}: {}", d.line, d.column, d.problem)
@@ -104,7 +115,7 @@ fn files_below(dir: &Path, depth: usize) -> Vec<PathBuf> {
             if depth > 0 {
                 files.extend(files_below(&path, depth - 1));
             }
-        } else if path.extension().is_some_and(|e| e == "toml") && !is_section(&path) {
+        } else if path.extension().is_some_and(|e| e == "toml") {
             files.push(path);
         }
     }
@@ -118,6 +129,17 @@ mod tests {
     #[test]
     fn the_list_opens_on_a_case_that_is_there() {
         assert!(SHIPPED.iter().any(|(name, _)| *name == FIRST));
+    }
+
+    #[test]
+    fn a_cross_section_is_listed_as_one() {
+        let dir = tempfile::tempdir().unwrap();
+        let (name, text) = SECTIONS[0];
+        let path = dir.path().join("cable.toml");
+        fs::write(&path, text).unwrap();
+        let (title, source) = list(dir.path())[0].about.clone().unwrap();
+        assert!(title.starts_with("cross-section: "), "{name}: {title}");
+        assert!(!source.is_empty());
     }
 
     #[test]

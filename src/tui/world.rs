@@ -12,13 +12,14 @@ use crossbeam_channel::{Receiver, Sender, unbounded};
 use super::backend;
 use super::drafts;
 use super::files::{save_case, write_text};
-use super::msg::{CaseRead, Effect, Msg};
+use super::msg::{CaseRead, Effect, Msg, SectionRead};
 use super::shelf;
 use super::state::{Curves, Level, RunSlot, SlotKind, SlotState, Ticket};
 use crate::case;
 use crate::run::job::{self, Event, Job, JobId, Request};
 use crate::run::store::{self, Place, Writer, rfc3339};
 use crate::run::{Cost, Run, RunInfo, RunState, Settings, VERSION, Work};
+use crate::section;
 
 /// What is outside of the state.
 #[derive(Debug)]
@@ -220,12 +221,27 @@ fn begin(request: &Request) -> Result<Writer, store::StoreError> {
 }
 
 fn read_case(path: &Path) -> Msg {
+    if section::is_section(path) {
+        return read_section(path);
+    }
     match case::load(path) {
         Ok(loaded) => Msg::CaseRead(Box::new(CaseRead {
             recovered: drafts::left(path).filter(|text| *text != loaded.text),
             path: loaded.path,
             text: loaded.text,
             case: loaded.case,
+        })),
+        Err(all) => Msg::CaseRefused(path.display().to_string(), shelf::story(path, &all)),
+    }
+}
+
+fn read_section(path: &Path) -> Msg {
+    match section::load(path) {
+        Ok(loaded) => Msg::SectionRead(Box::new(SectionRead {
+            recovered: drafts::left(path).filter(|text| *text != loaded.text),
+            path: loaded.path,
+            text: loaded.text,
+            design: loaded.design,
         })),
         Err(all) => Msg::CaseRefused(path.display().to_string(), shelf::story(path, &all)),
     }

@@ -8,6 +8,7 @@
 
 mod desk;
 mod random;
+mod section;
 mod umbilical;
 
 use std::path::PathBuf;
@@ -121,13 +122,13 @@ fn a_bad_value_is_refused_with_its_reason_and_a_good_one_solves_again() {
     assert!(started[0].1.text.contains("speed_m_per_s = 0.8  # along x"));
     assert_eq!(started[0].1.overrides, ["current.speed_m_per_s=0.8"]);
     let open = desk.state.open.as_ref().unwrap();
-    assert!(open.unsaved());
+    assert!(open.sheet.unsaved());
     desk.keys("u");
-    assert!(!desk.state.open.as_ref().unwrap().unsaved());
+    assert!(!desk.state.open.as_ref().unwrap().sheet.unsaved());
     desk.keys("U");
-    assert!(desk.state.open.as_ref().unwrap().unsaved());
+    assert!(desk.state.open.as_ref().unwrap().sheet.unsaved());
     desk.keys("r");
-    assert!(!desk.state.open.as_ref().unwrap().unsaved());
+    assert!(!desk.state.open.as_ref().unwrap().sheet.unsaved());
 }
 
 #[test]
@@ -156,7 +157,7 @@ fn the_newest_solve_wins_and_the_old_curve_stays_dimmed_until_it_lands() {
         Box::new(Event::Finished(Box::new(whole))),
     ));
     let open = desk.state.open.as_ref().unwrap();
-    assert!(open.live.going.is_none() && open.live.done_text == open.text);
+    assert!(open.live.going.is_none() && open.live.done_text == open.sheet.text);
 }
 
 #[test]
@@ -316,10 +317,10 @@ fn edits_of_an_earlier_session_are_offered() {
     })));
     desk.keys("r");
     let open = desk.state.open.as_ref().unwrap();
-    assert_eq!(open.text, edited);
-    assert!(open.unsaved());
+    assert_eq!(open.sheet.text, edited);
+    assert!(open.sheet.unsaved());
     desk.keys("u");
-    assert_eq!(desk.state.open.as_ref().unwrap().text, desk::CASE);
+    assert_eq!(desk.state.open.as_ref().unwrap().sheet.text, desk::CASE);
 }
 
 #[test]

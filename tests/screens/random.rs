@@ -56,8 +56,13 @@ proptest! {
         size in (0..260_u16, 0..90_u16),
         answered in any::<bool>(),
         ascii in any::<bool>(),
+        of_section in any::<bool>(),
     ) {
-        let mut desk = Desk::opening(size);
+        let mut desk = if of_section {
+            Desk::with_section(size)
+        } else {
+            Desk::opening(size)
+        };
         if ascii {
             desk.state.looks = looks(Glyphs::Ascii, false);
         }

@@ -5,12 +5,16 @@ pub mod curves;
 pub mod jobs;
 pub mod open_case;
 pub mod overlay;
+pub mod section;
+pub mod sheet;
 
 pub use case_list::{CaseEntry, CaseList};
 pub use curves::{Curves, RunSlot, SlotKind, SlotState};
 pub use jobs::{JobLine, JobState, Jobs, Purpose, Ticket};
-pub use open_case::{ChartKind, Editing, OpenCase};
+pub use open_case::{ChartKind, OpenCase};
 pub use overlay::{Choice, Overlay, Question};
+pub use section::OpenSection;
+pub use sheet::{Editing, Sheet};
 
 use super::command::Place;
 use super::terminal::looks::Looks;
@@ -26,6 +30,8 @@ pub struct State {
     pub cases: CaseList,
     /// The case that is open.
     pub open: Option<OpenCase>,
+    /// The cross-section that is open; then no case is.
+    pub section: Option<OpenSection>,
     /// Jobs that run, wait or have ended.
     pub jobs: Jobs,
     /// What lies over the screen and takes the keys.
@@ -67,6 +73,7 @@ impl State {
             looks,
             cases: CaseList::default(),
             open: None,
+            section: None,
             jobs: Jobs::default(),
             overlay: None,
             note: None,
@@ -78,7 +85,30 @@ impl State {
     /// Where the keys go.
     #[must_use]
     pub fn place(&self) -> Place {
-        self.open.as_ref().map_or(Place::Cases, |open| open.pane)
+        match (&self.section, &self.open) {
+            (Some(section), _) => section.pane,
+            (None, Some(open)) => open.pane,
+            (None, None) => Place::Cases,
+        }
+    }
+
+    /// The file in the parameter editor, be it a case or a cross-section.
+    #[must_use]
+    pub fn sheet(&self) -> Option<&Sheet> {
+        match (&self.section, &self.open) {
+            (Some(section), _) => Some(&section.sheet),
+            (None, Some(open)) => Some(&open.sheet),
+            (None, None) => None,
+        }
+    }
+
+    /// The file in the parameter editor, to be changed.
+    pub fn sheet_mut(&mut self) -> Option<&mut Sheet> {
+        match (&mut self.section, &mut self.open) {
+            (Some(section), _) => Some(&mut section.sheet),
+            (None, Some(open)) => Some(&mut open.sheet),
+            (None, None) => None,
+        }
     }
 
     /// Says something and keeps it in the log.

@@ -2,27 +2,14 @@
 
 use std::path::PathBuf;
 
-use tui_input::Input;
-
 use super::curves::{Curves, RunSlot};
 use super::jobs::Ticket;
+use super::sheet::Sheet;
 use crate::case::{self, Case, End, Method, OneOrMany, Source};
-use crate::tui::backend::{FieldRow, Row};
+use crate::tui::backend::Row;
 use crate::tui::command::Place;
 use crate::tui::plot_pane::PlotPane;
 use crate::tui::table_pane::TablePane;
-
-/// What follows a save that was asked for on the way out.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum After {
-    /// Nothing.
-    #[default]
-    Stay,
-    /// The case is left.
-    Close,
-    /// The program is left.
-    Quit,
-}
 
 /// The charts, in the order in which they are leafed through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -138,17 +125,6 @@ fn spatial(case: &Case) -> bool {
     aside(&case.ends.a) || aside(&case.ends.b) || oblique
 }
 
-/// A value being typed.
-#[derive(Debug, Clone)]
-pub struct Editing {
-    /// Key path of the field.
-    pub path: String,
-    /// What is typed.
-    pub input: Input,
-    /// Why what was typed is refused.
-    pub problem: Option<String>,
-}
-
 /// The re-solve after an edit.
 #[derive(Debug, Clone, Default)]
 pub struct Live {
@@ -173,34 +149,12 @@ pub struct Live {
 /// A case that is open.
 #[derive(Debug, Clone)]
 pub struct OpenCase {
-    /// Where its file is.
-    pub path: PathBuf,
-    /// Name of the file.
-    pub file: String,
-    /// Text of the file as read or saved last.
-    pub saved: String,
-    /// The text now.
-    pub text: String,
+    /// Its text and fields.
+    pub sheet: Sheet,
     /// What the text says.
     pub case: Case,
-    /// The fields of the editor.
-    pub rows: Vec<FieldRow>,
-    /// Texts before each edit, oldest first.
-    pub undo: Vec<String>,
-    /// Texts undone, to be redone.
-    pub redo: Vec<String>,
-    /// What follows the next save.
-    pub after_save: After,
     /// Where the keys go.
     pub pane: Place,
-    /// Cursor among the fields that pass the filter.
-    pub field: usize,
-    /// Filter of the fields.
-    pub filter: Input,
-    /// True while the filter is typed.
-    pub filtering: bool,
-    /// A value being typed.
-    pub editing: Option<Editing>,
     /// The chart shown.
     pub chart: ChartKind,
     /// Zoom, cursor and marks of each chart.
@@ -228,29 +182,6 @@ pub struct OpenCase {
 }
 
 impl OpenCase {
-    /// True when the text differs from the file.
-    #[must_use]
-    pub fn unsaved(&self) -> bool {
-        self.text != self.saved
-    }
-
-    /// The fields that pass the filter.
-    pub fn fields(&self) -> impl Iterator<Item = &FieldRow> {
-        let filter = self.filter.value().to_lowercase();
-        self.rows.iter().filter(move |row| {
-            super::case_list::passes(
-                &format!("{} {} {}", row.path, row.group, row.label),
-                &filter,
-            )
-        })
-    }
-
-    /// The field under the cursor.
-    #[must_use]
-    pub fn current_field(&self) -> Option<&FieldRow> {
-        self.fields().nth(self.field)
-    }
-
     /// The run under the cursor; the live one is none.
     #[must_use]
     pub fn current_run(&self) -> Option<&RunSlot> {

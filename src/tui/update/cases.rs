@@ -2,16 +2,14 @@
 
 use std::path::PathBuf;
 
-use tui_input::Input;
-
 use super::typing::type_key;
 use super::{edit, jobs, moved};
 use crate::tui::command::{Id, Place};
 use crate::tui::key::Key;
 use crate::tui::msg::{CaseRead, Effect};
 use crate::tui::shelf::FIRST;
-use crate::tui::state::open_case::{After, Live};
-use crate::tui::state::{CaseEntry, ChartKind, Level, OpenCase, Overlay, Question, State};
+use crate::tui::state::open_case::Live;
+use crate::tui::state::{CaseEntry, ChartKind, Level, OpenCase, Overlay, Question, Sheet, State};
 use crate::tui::table_pane::TablePane;
 
 pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
@@ -24,7 +22,7 @@ pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
 
 /// Keys while the filter is typed.
 pub(super) fn typing_key(state: &mut State, key: Key) -> Option<Vec<Effect>> {
-    if state.open.is_some() || !state.cases.typing {
+    if state.sheet().is_some() || !state.cases.typing {
         return None;
     }
     let lines = state.cases.shown().count();
@@ -81,29 +79,17 @@ pub(super) fn opened(state: &mut State, read: CaseRead) -> Vec<Effect> {
         case,
         recovered,
     } = read;
-    let file = path.file_name().map_or_else(
-        || "case.toml".to_owned(),
-        |n| n.to_string_lossy().into_owned(),
-    );
+    let sheet = Sheet::new(path, text);
+    let file = sheet.file.clone();
     let chart = ChartKind::of(&case)
         .first()
         .copied()
         .unwrap_or(ChartKind::Shape);
+    state.section = None;
     state.open = Some(OpenCase {
-        path,
-        file: file.clone(),
-        saved: text.clone(),
-        text,
+        sheet,
         case,
-        rows: Vec::new(),
-        undo: Vec::new(),
-        redo: Vec::new(),
-        after_save: After::Stay,
         pane: Place::Inputs,
-        field: 0,
-        filter: Input::default(),
-        filtering: false,
-        editing: None,
         chart,
         views: Default::default(),
         series: None,

@@ -51,7 +51,7 @@ fn leaf(open: &mut OpenCase, forward: bool) {
     };
 }
 
-fn verb(id: Id) -> Option<PlotVerb> {
+pub(super) fn verb(id: Id) -> Option<PlotVerb> {
     Some(match id {
         Id::CursorRight => PlotVerb::CursorRight(Stride::Fine),
         Id::CursorLeft => PlotVerb::CursorLeft(Stride::Fine),

@@ -4,7 +4,7 @@ use tui_input::Input;
 
 use super::typing::type_key;
 use super::{info, jobs, moved, runs};
-use crate::tui::backend;
+use crate::tui::backend::{self, FieldRow};
 use crate::tui::command::Id;
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
@@ -29,10 +29,10 @@ pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
 }
 
 fn begin(state: &mut State) -> Vec<Effect> {
-    if let Some(open) = &mut state.open
-        && let Some(row) = open.current_field()
+    if let Some(sheet) = state.sheet_mut()
+        && let Some(row) = sheet.current_field()
     {
-        open.editing = Some(Editing {
+        sheet.editing = Some(Editing {
             path: row.path.clone(),
             input: Input::new(row.value.clone()),
             problem: None,
@@ -43,13 +43,13 @@ fn begin(state: &mut State) -> Vec<Effect> {
 
 /// Keys while a value or the filter of the fields is typed.
 pub(super) fn typing_key(state: &mut State, key: Key) -> Option<Vec<Effect>> {
-    let open = state.open.as_mut()?;
-    if key == Key::Ctrl('z') && (open.editing.is_some() || open.filtering) {
+    let sheet = state.sheet_mut()?;
+    if key == Key::Ctrl('z') && (sheet.editing.is_some() || sheet.filtering) {
         return Some(vec![Effect::Suspend]);
     }
-    if let Some(editing) = &mut open.editing {
+    if let Some(editing) = &mut sheet.editing {
         match key {
-            Key::Esc | Key::Ctrl('c') => open.editing = None,
+            Key::Esc | Key::Ctrl('c') => sheet.editing = None,
             Key::Enter => return Some(accept(state)),
             _ => {
                 if type_key(&mut editing.input, key) {
@@ -59,39 +59,51 @@ pub(super) fn typing_key(state: &mut State, key: Key) -> Option<Vec<Effect>> {
         }
         return Some(Vec::new());
     }
-    if !open.filtering {
+    if !sheet.filtering {
         return None;
     }
-    let lines = open.fields().count();
+    let lines = sheet.fields().count();
     match key {
-        Key::Enter => open.filtering = false,
+        Key::Enter => sheet.filtering = false,
         Key::Esc | Key::Ctrl('c') => {
-            open.filtering = false;
-            open.filter.reset();
-            open.field = 0;
+            sheet.filtering = false;
+            sheet.filter.reset();
+            sheet.field = 0;
         }
-        Key::Down => open.field = moved(open.field, 1, lines),
-        Key::Up => open.field = moved(open.field, -1, lines),
+        Key::Down => sheet.field = moved(sheet.field, 1, lines),
+        Key::Up => sheet.field = moved(sheet.field, -1, lines),
         _ => {
-            if type_key(&mut open.filter, key) {
-                open.field = 0;
+            if type_key(&mut sheet.filter, key) {
+                sheet.field = 0;
             }
         }
     }
     Some(Vec::new())
 }
 
+/// Sets a key in a file of this kind.
+fn setter(is_section: bool) -> fn(&str, &str, &str) -> Result<String, String> {
+    if is_section {
+        backend::set_section
+    } else {
+        backend::set
+    }
+}
+
 fn accept(state: &mut State) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
+    let is_section = state.section.is_some();
+    let Some(sheet) = state.sheet_mut() else {
         return Vec::new();
     };
-    let Some(editing) = open.editing.take() else {
+    let Some(editing) = sheet.editing.take() else {
         return Vec::new();
     };
-    match backend::set(&open.text, &editing.path, editing.input.value().trim()) {
+    let value = editing.input.value().trim();
+    let set = setter(is_section);
+    match set(&sheet.text, &editing.path, value) {
         Ok(text) => change(state, text),
         Err(problem) => {
-            open.editing = Some(Editing {
+            sheet.editing = Some(Editing {
                 problem: Some(problem),
                 ..editing
             });
@@ -102,26 +114,26 @@ fn accept(state: &mut State) -> Vec<Effect> {
 
 /// Takes a new text as an edit that can be undone.
 fn change(state: &mut State, text: String) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
+    let Some(sheet) = state.sheet_mut() else {
         return Vec::new();
     };
-    if text == open.text {
+    if text == sheet.text {
         return Vec::new();
     }
-    let before = std::mem::replace(&mut open.text, text);
-    open.undo.push(before);
-    if open.undo.len() > UNDO_DEPTH {
-        open.undo.remove(0);
+    let before = std::mem::replace(&mut sheet.text, text);
+    sheet.undo.push(before);
+    if sheet.undo.len() > UNDO_DEPTH {
+        sheet.undo.remove(0);
     }
-    open.redo.clear();
+    sheet.redo.clear();
     changed(state)
 }
 
 fn undo(state: &mut State) -> Vec<Effect> {
-    if let Some(open) = &mut state.open
-        && let Some(text) = open.undo.pop()
+    if let Some(sheet) = state.sheet_mut()
+        && let Some(text) = sheet.undo.pop()
     {
-        open.redo.push(std::mem::replace(&mut open.text, text));
+        sheet.redo.push(std::mem::replace(&mut sheet.text, text));
         let effects = changed(state);
         info(state, "Undone. `U` does it again.");
         return effects;
@@ -130,10 +142,10 @@ fn undo(state: &mut State) -> Vec<Effect> {
 }
 
 fn redo(state: &mut State) -> Vec<Effect> {
-    if let Some(open) = &mut state.open
-        && let Some(text) = open.redo.pop()
+    if let Some(sheet) = state.sheet_mut()
+        && let Some(text) = sheet.redo.pop()
     {
-        open.undo.push(std::mem::replace(&mut open.text, text));
+        sheet.undo.push(std::mem::replace(&mut sheet.text, text));
         return changed(state);
     }
     Vec::new()
@@ -143,81 +155,100 @@ fn redo(state: &mut State) -> Vec<Effect> {
 fn changed(state: &mut State) -> Vec<Effect> {
     refresh(state);
     let mut effects = keep_draft(state);
-    effects.extend(jobs::resolve(state));
+    if state.open.is_some() {
+        effects.extend(jobs::resolve(state));
+    }
     effects
 }
 
 /// Keeps what is unsaved on disk, so that no kind of exit loses it.
 pub(super) fn keep_draft(state: &State) -> Vec<Effect> {
     state
-        .open
-        .iter()
-        .map(|open| Effect::KeepDraft {
-            path: open.path.clone(),
-            text: open.unsaved().then(|| open.text.clone()),
+        .sheet()
+        .into_iter()
+        .map(|sheet| Effect::KeepDraft {
+            path: sheet.path.clone(),
+            text: sheet.unsaved().then(|| sheet.text.clone()),
         })
         .collect()
 }
 
-/// Reads case and fields from the text again.
+/// Reads case or cross-section, and the fields, from the text again.
 pub(super) fn refresh(state: &mut State) {
-    let Some(open) = &mut state.open else {
-        return;
-    };
-    match backend::parse(&open.text, &open.file) {
-        Ok(case) => {
-            open.rows = backend::rows(&open.text, &case);
-            open.case = case;
+    // Edits are checked before they are taken; an old text that no longer passes is told, and
+    // the fields stay as they were.
+    let mut problem = None;
+    if let Some(section) = &mut state.section {
+        match backend::design(&section.sheet.text, &section.sheet.file) {
+            Ok(design) => {
+                section.sheet.rows = backend::section_rows(&section.sheet.text);
+                section.design = design;
+            }
+            Err(why) => problem = Some(why),
         }
-        // Edits are checked before they are taken; an old text that no longer passes is told, and
-        // the fields stay as they were.
-        Err(problem) => state.say(Level::Error, problem),
+    } else if let Some(open) = &mut state.open {
+        match backend::parse(&open.sheet.text, &open.sheet.file) {
+            Ok(case) => {
+                open.sheet.rows = backend::rows(&open.sheet.text, &case);
+                open.case = case;
+            }
+            Err(why) => problem = Some(why),
+        }
     }
-    if let Some(open) = &mut state.open {
-        open.field = open.field.min(open.fields().count().saturating_sub(1));
+    if let Some(problem) = problem {
+        state.say(Level::Error, problem);
     }
-    runs::check(state);
+    if let Some(sheet) = state.sheet_mut() {
+        sheet.field = sheet.field.min(sheet.fields().count().saturating_sub(1));
+    }
+    if state.open.is_some() {
+        runs::check(state);
+    }
+}
+
+/// The fields of a text, of the kind of file that is open; none when it does not pass.
+fn rows_of(is_section: bool, text: &str, file: &str) -> Vec<FieldRow> {
+    if is_section {
+        return backend::section_rows(text);
+    }
+    backend::parse(text, file).map_or_else(|_| Vec::new(), |case| backend::rows(text, &case))
 }
 
 /// Puts the field back to what the file says.
 fn reset(state: &mut State) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
+    let is_section = state.section.is_some();
+    let Some(sheet) = state.sheet() else {
         return Vec::new();
     };
-    let Some(path) = open.current_field().map(|row| row.path.clone()) else {
+    let Some(path) = sheet.current_field().map(|row| row.path.clone()) else {
         return Vec::new();
     };
-    let of_file = backend::parse(&open.saved, &open.file)
-        .ok()
-        .and_then(|case| {
-            backend::rows(&open.saved, &case)
-                .into_iter()
-                .find(|row| row.path == path)
-        });
+    let of_file = rows_of(is_section, &sheet.saved, &sheet.file)
+        .into_iter()
+        .find(|row| row.path == path);
     let Some(row) = of_file.filter(|row| !row.value.is_empty()) else {
         return info(
             state,
             "The file gives no value here; `u` undoes the edits one by one.",
         );
     };
-    let result = backend::set(&open.text, &path, &row.value);
-    match result {
+    match setter(is_section)(&sheet.text, &path, &row.value) {
         Ok(text) => change(state, text),
         Err(problem) => super::overlay::warn(state, problem),
     }
 }
 
 fn group(state: &mut State, forward: bool) -> Vec<Effect> {
-    if let Some(open) = &mut state.open {
-        let groups: Vec<String> = open.fields().map(|row| row.group.clone()).collect();
+    if let Some(sheet) = state.sheet_mut() {
+        let groups: Vec<String> = sheet.fields().map(|row| row.group.clone()).collect();
         let begins = |i: &usize| *i == 0 || groups[*i] != groups[*i - 1];
-        let at = open.field;
+        let at = sheet.field;
         let found = if forward {
             (at + 1..groups.len()).find(begins)
         } else {
             (0..at.min(groups.len())).rev().find(begins)
         };
-        open.field = found.unwrap_or(at);
+        sheet.field = found.unwrap_or(at);
     }
     Vec::new()
 }
@@ -230,7 +261,7 @@ fn next_method(state: &mut State) -> Vec<Effect> {
     let now = backend::method_word(open.case.solver.method);
     let at = METHODS.iter().position(|m| *m == now).unwrap_or(0);
     let next = METHODS[(at + 1) % METHODS.len()];
-    match backend::set(&open.text, "solver.method", next) {
+    match backend::set(&open.sheet.text, "solver.method", next) {
         Ok(text) => {
             let effects = change(state, text);
             info(state, format!("The solver is now `{next}`."));
@@ -242,11 +273,16 @@ fn next_method(state: &mut State) -> Vec<Effect> {
 
 /// Brings back the edits of an earlier session.
 pub(super) fn recover(state: &mut State, text: String) -> Vec<Effect> {
-    let Some(open) = &state.open else {
+    let Some(sheet) = state.sheet() else {
         return Vec::new();
     };
-    let path = open.path.clone();
-    if let Err(problem) = backend::parse(&text, &open.file) {
+    let path = sheet.path.clone();
+    let passes = if state.section.is_some() {
+        backend::design(&text, &sheet.file).map(drop)
+    } else {
+        backend::parse(&text, &sheet.file).map(drop)
+    };
+    if let Err(problem) = passes {
         return super::overlay::warn(
             state,
             format!("The kept edits no longer pass and stay where they are: {problem}"),

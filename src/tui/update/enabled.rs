@@ -1,7 +1,7 @@
 //! Which commands can be done now, and why the others cannot.
 
 use crate::tui::command::{Id, Place};
-use crate::tui::state::{OpenCase, SlotKind, SlotState, State};
+use crate::tui::state::{OpenCase, Sheet, SlotKind, SlotState, State};
 
 /// Nothing, or the reason why the command cannot be done now.
 ///
@@ -15,21 +15,32 @@ pub fn enabled(state: &State, id: Id) -> Result<(), String> {
             .is_none()
             .then_some("There is no case here. `ctrl+r` reads the directory again."),
         (Some(open), _) => in_case(state, open, id),
+        (None, _) if state.section.is_some() => state.sheet().and_then(|sheet| in_sheet(sheet, id)),
         _ => None,
     };
     reason.map_or(Ok(()), |r| Err(r.to_owned()))
 }
 
-fn in_case(state: &State, open: &OpenCase, id: Id) -> Option<&'static str> {
+fn in_sheet(sheet: &Sheet, id: Id) -> Option<&'static str> {
     let when = |condition: bool, reason: &'static str| condition.then_some(reason);
     match id {
-        Id::Undo => when(open.undo.is_empty(), "There is nothing to undo."),
-        Id::Redo => when(open.redo.is_empty(), "There is nothing to redo."),
-        Id::Save => when(!open.unsaved(), "The file already holds everything."),
+        Id::Undo => when(sheet.undo.is_empty(), "There is nothing to undo."),
+        Id::Redo => when(sheet.redo.is_empty(), "There is nothing to redo."),
+        Id::Save => when(!sheet.unsaved(), "The file already holds everything."),
         Id::Edit | Id::Reset => when(
-            open.current_field().is_none(),
+            sheet.current_field().is_none(),
             "No field passes the filter. `/` and Esc drop it.",
         ),
+        _ => None,
+    }
+}
+
+fn in_case(state: &State, open: &OpenCase, id: Id) -> Option<&'static str> {
+    let when = |condition: bool, reason: &'static str| condition.then_some(reason);
+    if let Some(reason) = in_sheet(&open.sheet, id) {
+        return Some(reason);
+    }
+    match id {
         Id::Study => when(
             open.case.study.is_empty(),
             "This case has no study. A `[[study]]` table in its file makes one.",

@@ -31,15 +31,15 @@ pub(super) fn resolve(state: &mut State) -> Vec<Effect> {
     let Some(open) = &mut state.open else {
         return effects;
     };
-    let request = request(open, &open.text, open.case.clone(), "live");
+    let request = request(open, &open.sheet.text, open.case.clone(), "live");
     let live = &mut open.live;
     live.going = Some(Curves::default());
-    live.going_text.clone_from(&open.text);
+    live.going_text.clone_from(&open.sheet.text);
     live.failure = None;
     live.hidden = false;
     let name = format!(
         "live: {} ({})",
-        open.file,
+        open.sheet.file,
         backend::method_word(open.case.solver.method)
     );
     if let Some(old) = live.ticket.replace(ticket) {
@@ -73,7 +73,7 @@ fn request(open: &OpenCase, text: &str, case: Case, id: &str) -> Request {
     Request {
         case,
         text: text.to_owned(),
-        file: open.file.clone(),
+        file: open.sheet.file.clone(),
         overrides: overrides(open, text),
         id: id.to_owned(),
     }
@@ -81,14 +81,14 @@ fn request(open: &OpenCase, text: &str, case: Case, id: &str) -> Request {
 
 /// The keys in which a text differs from the file, as `key=value`.
 fn overrides(open: &OpenCase, text: &str) -> Vec<String> {
-    if text == open.saved {
+    if text == open.sheet.saved {
         return Vec::new();
     }
     let rows = |text: &str| {
-        backend::parse(text, &open.file)
+        backend::parse(text, &open.sheet.file)
             .map_or_else(|_| Vec::new(), |case| backend::rows(text, &case))
     };
-    let of_file = rows(&open.saved);
+    let of_file = rows(&open.sheet.saved);
     rows(text)
         .into_iter()
         .filter(|row| {
@@ -105,7 +105,7 @@ fn run(state: &mut State) -> Vec<Effect> {
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
-    let (text, case) = (open.text.clone(), open.case.clone());
+    let (text, case) = (open.sheet.text.clone(), open.case.clone());
     // The same curves twice would only hide each other.
     open.live.hidden = true;
     for slot in &mut open.runs {
@@ -133,7 +133,7 @@ fn enqueue(state: &mut State, text: String, case: Case, at: Option<At>, shown: b
     let label = at
         .as_ref()
         .map_or_else(String::new, |at| backend::at_label(&open.case, at));
-    let stem = open.file.trim_end_matches(".toml");
+    let stem = open.sheet.file.trim_end_matches(".toml");
     let name = joined_label(&[stem, &label, &method]);
     let request = request(open, &text, case, stem);
     open.runs.push(RunSlot {
@@ -247,13 +247,14 @@ fn variants(state: &mut State, points: Vec<Option<At>>, shown: bool) -> Vec<Effe
         let Some(open) = &mut state.open else {
             break;
         };
-        let (text, case) = match backend::variant(&open.text, &open.case, at.as_ref(), &open.file) {
-            Ok(found) => found,
-            Err(problem) => {
-                state.say(Level::Error, problem);
-                continue;
-            }
-        };
+        let (text, case) =
+            match backend::variant(&open.sheet.text, &open.case, at.as_ref(), &open.sheet.file) {
+                Ok(found) => found,
+                Err(problem) => {
+                    state.say(Level::Error, problem);
+                    continue;
+                }
+            };
         if let Some(slot) = open
             .runs
             .iter_mut()

@@ -47,15 +47,15 @@ pub(super) fn paste(state: &mut State, text: &str) -> Vec<Effect> {
         Some(_) => return Vec::new(),
         None => {}
     }
-    if let Some(open) = &mut state.open {
-        if let Some(editing) = &mut open.editing {
+    if let Some(sheet) = state.sheet_mut() {
+        if let Some(editing) = &mut sheet.editing {
             type_text(&mut editing.input, text);
             editing.problem = None;
             return Vec::new();
         }
-        if open.filtering {
-            type_text(&mut open.filter, text);
-            open.field = 0;
+        if sheet.filtering {
+            type_text(&mut sheet.filter, text);
+            sheet.field = 0;
             return Vec::new();
         }
     } else if state.cases.typing {

@@ -8,11 +8,11 @@ use super::typing::type_key;
 use super::{edit, info, jobs};
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
-use crate::tui::state::open_case::After;
-use crate::tui::state::{Level, OpenCase, Overlay, Question, State};
+use crate::tui::state::sheet::After;
+use crate::tui::state::{Level, Overlay, Question, Sheet, State};
 
 pub(super) fn quit(state: &mut State) -> Vec<Effect> {
-    if state.open.as_ref().is_some_and(OpenCase::unsaved) {
+    if state.sheet().is_some_and(Sheet::unsaved) {
         state.overlay = Some(Overlay::Ask(Question::Unsaved { quit: true }));
         return Vec::new();
     }
@@ -28,15 +28,15 @@ fn quit_past_edits(state: &mut State) -> Vec<Effect> {
 }
 
 pub(super) fn back(state: &mut State) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
+    let Some(sheet) = state.sheet_mut() else {
         return Vec::new();
     };
-    if !open.filter.value().is_empty() {
-        open.filter.reset();
-        open.field = 0;
+    if !sheet.filter.value().is_empty() {
+        sheet.filter.reset();
+        sheet.field = 0;
         return Vec::new();
     }
-    if open.unsaved() {
+    if sheet.unsaved() {
         state.overlay = Some(Overlay::Ask(Question::Unsaved { quit: false }));
         return Vec::new();
     }
@@ -52,6 +52,7 @@ pub(super) fn back(state: &mut State) -> Vec<Effect> {
 fn close(state: &mut State) -> Vec<Effect> {
     let mut effects = jobs::cancel_all(state);
     state.open = None;
+    state.section = None;
     state.jobs.lines.clear();
     state.jobs.cursor = 0;
     effects.push(Effect::ReadCases);
@@ -59,21 +60,21 @@ fn close(state: &mut State) -> Vec<Effect> {
 }
 
 pub(super) fn save(state: &mut State) -> Vec<Effect> {
-    state.open.as_ref().map_or_else(Vec::new, |open| {
+    state.sheet().map_or_else(Vec::new, |sheet| {
         vec![Effect::SaveCase {
-            path: open.path.clone(),
-            text: open.text.clone(),
-            expected: Some(open.saved.clone()),
+            path: sheet.path.clone(),
+            text: sheet.text.clone(),
+            expected: Some(sheet.saved.clone()),
             new: false,
         }]
     })
 }
 
 pub(super) fn overwrite(state: &mut State) -> Vec<Effect> {
-    state.open.as_ref().map_or_else(Vec::new, |open| {
+    state.sheet().map_or_else(Vec::new, |sheet| {
         vec![Effect::SaveCase {
-            path: open.path.clone(),
-            text: open.text.clone(),
+            path: sheet.path.clone(),
+            text: sheet.text.clone(),
             expected: None,
             new: false,
         }]
@@ -81,15 +82,15 @@ pub(super) fn overwrite(state: &mut State) -> Vec<Effect> {
 }
 
 pub(super) fn save_then_leave(state: &mut State, quit: bool) -> Vec<Effect> {
-    if let Some(open) = &mut state.open {
-        open.after_save = if quit { After::Quit } else { After::Close };
+    if let Some(sheet) = state.sheet_mut() {
+        sheet.after_save = if quit { After::Quit } else { After::Close };
     }
     save(state)
 }
 
 pub(super) fn drop_edits(state: &mut State, quit: bool) -> Vec<Effect> {
-    if let Some(open) = &mut state.open {
-        open.text.clone_from(&open.saved);
+    if let Some(sheet) = state.sheet_mut() {
+        sheet.text.clone_from(&sheet.saved);
     }
     let mut effects = edit::keep_draft(state);
     effects.extend(if quit {
@@ -102,16 +103,16 @@ pub(super) fn drop_edits(state: &mut State, quit: bool) -> Vec<Effect> {
 }
 
 pub(super) fn saved(state: &mut State, path: PathBuf, text: String) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
+    let Some(sheet) = state.sheet_mut() else {
         return Vec::new();
     };
-    let old = std::mem::replace(&mut open.path, path);
-    if let Some(name) = open.path.file_name() {
-        open.file = name.to_string_lossy().into_owned();
+    let old = std::mem::replace(&mut sheet.path, path);
+    if let Some(name) = sheet.path.file_name() {
+        sheet.file = name.to_string_lossy().into_owned();
     }
-    open.saved = text;
-    let after = std::mem::take(&mut open.after_save);
-    let said = format!("Saved to {}.", open.path.display());
+    sheet.saved = text;
+    let after = std::mem::take(&mut sheet.after_save);
+    let said = format!("Saved to {}.", sheet.path.display());
     let mut effects = vec![Effect::KeepDraft {
         path: old,
         text: None,
@@ -137,8 +138,8 @@ pub(super) fn changed_on_disk(state: &mut State) -> Vec<Effect> {
 
 /// Asks for another file name.
 pub(super) fn ask_name(state: &mut State, why: &str) -> Vec<Effect> {
-    if let Some(open) = &state.open {
-        let stem = open.file.trim_end_matches(".toml");
+    if let Some(sheet) = state.sheet() {
+        let stem = sheet.file.trim_end_matches(".toml");
         state.overlay = Some(Overlay::SaveAs {
             input: Input::new(format!("{stem}-copy.toml")),
             why: why.to_owned(),
@@ -154,15 +155,15 @@ pub(super) fn save_as_key(
     key: Key,
 ) -> Vec<Effect> {
     let name = input.value().trim().to_owned();
-    match (key, &mut state.open) {
-        (Key::Esc, Some(open)) => {
-            open.after_save = After::Stay;
+    match (key, state.sheet_mut()) {
+        (Key::Esc, Some(sheet)) => {
+            sheet.after_save = After::Stay;
             return Vec::new();
         }
-        (Key::Enter, Some(open)) if !name.is_empty() => {
+        (Key::Enter, Some(sheet)) if !name.is_empty() => {
             return vec![Effect::SaveCase {
                 path: PathBuf::from(name),
-                text: open.text.clone(),
+                text: sheet.text.clone(),
                 expected: None,
                 new: true,
             }];

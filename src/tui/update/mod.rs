@@ -10,6 +10,7 @@ mod keys;
 mod leave;
 mod overlay;
 mod runs;
+mod section;
 mod typing;
 
 pub(in crate::tui) use charts::readout_words;
@@ -47,6 +48,7 @@ fn on(state: &mut State, msg: Msg) -> Vec<Effect> {
         Msg::JobFailed(ticket, reason) => job_events::failed(state, ticket, reason),
         Msg::CasesRead(dir, entries) => cases::listed(state, dir, entries),
         Msg::CaseRead(read) => cases::opened(state, *read),
+        Msg::SectionRead(read) => section::opened(state, *read),
         Msg::CaseRefused(title, text) => cases::refused(state, title, text),
         Msg::Saved(path, text) => leave::saved(state, path, text),
         Msg::NotSaved(why) => leave::not_saved(state, &why),

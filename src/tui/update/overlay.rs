@@ -3,7 +3,7 @@
 use tui_input::Input;
 
 use super::typing::type_key;
-use super::{cases, charts, edit, enabled, jobs, keys, leave, moved, runs};
+use super::{cases, charts, edit, enabled, jobs, keys, leave, moved, runs, section};
 use crate::report::chart::Glyphs;
 use crate::tui::backend;
 use crate::tui::command::{self, Command, Id, Place};
@@ -147,9 +147,8 @@ fn answer(state: &mut State, question: Question, key: Key) -> Vec<Effect> {
         (Question::DeleteRun { dir, .. }, 'd') => vec![Effect::DeleteRun(dir)],
         (Question::Recover { text }, 'r') => edit::recover(state, text),
         (Question::Recover { .. }, 'd') => state
-            .open
-            .as_ref()
-            .map(|open| Effect::DropRecovery(open.path.clone()))
+            .sheet()
+            .map(|sheet| Effect::DropRecovery(sheet.path.clone()))
             .into_iter()
             .collect(),
         (Question::Glyphs, c) => choose_glyphs(
@@ -177,6 +176,11 @@ pub fn run_command(state: &mut State, id: Id) -> Vec<Effect> {
     if let Err(reason) = enabled(state, id) {
         return super::info(state, reason);
     }
+    if state.section.is_some()
+        && let Some(effects) = section::command(state, id)
+    {
+        return effects;
+    }
     match id {
         Id::Help => open_overlay(state, Overlay::Help { scroll: 0 }),
         Id::Messages => open_overlay(state, Overlay::Messages { scroll: 0 }),
@@ -201,8 +205,8 @@ pub fn run_command(state: &mut State, id: Id) -> Vec<Effect> {
         Id::Back => leave::back(state),
         Id::Open | Id::Reload => cases::command(state, id),
         Id::Filter => {
-            match &mut state.open {
-                Some(open) => open.filtering = true,
+            match state.sheet_mut() {
+                Some(sheet) => sheet.filtering = true,
                 None => state.cases.typing = true,
             }
             Vec::new()
@@ -241,6 +245,9 @@ fn page(state: &State) -> isize {
 }
 
 fn pane(state: &mut State, id: Id) -> Vec<Effect> {
+    if state.section.is_some() {
+        return section::pane(state, id);
+    }
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
@@ -260,7 +267,7 @@ fn pane(state: &mut State, id: Id) -> Vec<Effect> {
 }
 
 /// The selection of a table by so many rows.
-fn by_rows(by: isize) -> TableVerb {
+pub(super) fn by_rows(by: isize) -> TableVerb {
     let rows = by.unsigned_abs();
     if by < 0 {
         TableVerb::PageUp(rows)
@@ -270,11 +277,16 @@ fn by_rows(by: isize) -> TableVerb {
 }
 
 fn move_by(state: &mut State, by: isize) -> Vec<Effect> {
+    if state.section.is_some() {
+        return section::move_by(state, by);
+    }
     let job_lines = state.jobs.lines.len();
     match (&mut state.open, state.cases.shown().count()) {
         (None, lines) => state.cases.cursor = moved(state.cases.cursor, by, lines),
         (Some(open), _) => match open.pane {
-            Place::Inputs => open.field = moved(open.field, by, open.fields().count()),
+            Place::Inputs => {
+                open.sheet.field = moved(open.sheet.field, by, open.sheet.fields().count())
+            }
             Place::Runs => open.run = moved(open.run, by, open.runs.len() + 1),
             Place::Validation => {
                 open.checks_pane
@@ -291,7 +303,7 @@ fn move_by(state: &mut State, by: isize) -> Vec<Effect> {
                 open.report_scroll.0 = moved(open.report_scroll.0, by, lines);
             }
             Place::Jobs => state.jobs.cursor = moved(state.jobs.cursor, by, job_lines),
-            Place::Cases | Place::Charts => {}
+            _ => {}
         },
     }
     Vec::new()

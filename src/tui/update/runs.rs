@@ -151,7 +151,8 @@ pub(super) fn listed(state: &mut State, slots: Vec<RunSlot>) -> Vec<Effect> {
     let needed: Vec<_> = backend::plan(&open.case)
         .into_iter()
         .filter_map(|at| {
-            let found = backend::variant(&open.text, &open.case, at.as_ref(), &open.file);
+            let found =
+                backend::variant(&open.sheet.text, &open.case, at.as_ref(), &open.sheet.file);
             Some((at, found.ok()?.0))
         })
         .collect();
@@ -221,7 +222,8 @@ pub(super) fn check(state: &mut State) {
         .into_iter()
         .filter_map(|at| {
             let (text, _) =
-                backend::variant(&open.text, &open.case, at.as_ref(), &open.file).ok()?;
+                backend::variant(&open.sheet.text, &open.case, at.as_ref(), &open.sheet.file)
+                    .ok()?;
             let run = answering(open, &text)?;
             Some((at, run))
         })
@@ -275,10 +277,10 @@ pub(super) fn write_report(state: &mut State) {
         open.report = None;
         return;
     };
-    let text = match backend::parse(&run.case_text, &open.file) {
+    let text = match backend::parse(&run.case_text, &open.sheet.file) {
         Ok(case) => {
             let variants = vec![(None, Arc::clone(&run))];
-            let same = run.case_text == open.text;
+            let same = run.case_text == open.sheet.text;
             let rows = if same {
                 open.checks.clone()
             } else {
@@ -297,7 +299,7 @@ pub(super) fn paper(state: &mut State, id: Id) -> Vec<Effect> {
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
-    let stem = open.file.trim_end_matches(".toml").to_owned();
+    let stem = open.sheet.file.trim_end_matches(".toml").to_owned();
     match (id, open.pane) {
         (Id::Write, Place::Report) => {
             let dir = reported(open).and_then(|(_, _, dir)| dir);
@@ -356,7 +358,7 @@ pub(super) fn paper(state: &mut State, id: Id) -> Vec<Effect> {
     }
 }
 
-fn table_verb(id: Id) -> TableVerb {
+pub(super) fn table_verb(id: Id) -> TableVerb {
     match id {
         Id::ScrollLeft => TableVerb::Left,
         Id::ScrollRight => TableVerb::Right,
@@ -364,7 +366,7 @@ fn table_verb(id: Id) -> TableVerb {
     }
 }
 
-fn write(path: PathBuf, text: Option<String>, what: &'static str) -> Vec<Effect> {
+pub(super) fn write(path: PathBuf, text: Option<String>, what: &'static str) -> Vec<Effect> {
     text.map(|text| Effect::WriteText { path, text, what })
         .into_iter()
         .collect()

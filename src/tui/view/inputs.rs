@@ -6,7 +6,7 @@ use super::Canvas;
 use super::paint::{first_line, row, text, wrap};
 use crate::case::Standing;
 use crate::tui::backend::FieldRow;
-use crate::tui::state::OpenCase;
+use crate::tui::state::Sheet;
 
 /// A line of the list.
 enum Line<'a> {
@@ -25,20 +25,20 @@ pub(super) fn standing_word(standing: Standing) -> &'static str {
 }
 
 impl Canvas<'_> {
-    pub(super) fn inputs(&mut self, area: Rect, open: &OpenCase) {
+    pub(super) fn inputs(&mut self, area: Rect, sheet: &Sheet) {
         let help_rows = if area.height > 14 { 5 } else { 3 };
         let [list, help] =
             Layout::vertical([Constraint::Min(0), Constraint::Length(help_rows)]).areas(area);
-        let list = self.filter_line(list, open);
+        let list = self.filter_line(list, sheet);
         let mut lines = Vec::new();
         let mut group = "";
         let mut cursor = 0;
-        for (i, field) in open.fields().enumerate() {
+        for (i, field) in sheet.fields().enumerate() {
             if field.group != group {
                 group = &field.group;
                 lines.push(Line::Group(group));
             }
-            if i == open.field {
+            if i == sheet.field {
                 cursor = lines.len();
             }
             lines.push(Line::Field(i, field));
@@ -60,17 +60,17 @@ impl Canvas<'_> {
                 Line::Group(name) => {
                     text(self.buf, (at.x, at.y), at.width, name, self.theme.head());
                 }
-                Line::Field(i, field) => self.field_line(at, field, *i == open.field),
+                Line::Field(i, field) => self.field_line(at, field, *i == sheet.field),
             }
         }
-        match &open.editing {
-            Some(_) => self.edit_lines(help, open),
-            None => self.help_lines(help, open),
+        match &sheet.editing {
+            Some(_) => self.edit_lines(help, sheet),
+            None => self.help_lines(help, sheet),
         }
     }
 
-    fn filter_line(&mut self, list: Rect, open: &OpenCase) -> Rect {
-        if !open.filtering && open.filter.value().is_empty() {
+    fn filter_line(&mut self, list: Rect, sheet: &Sheet) -> Rect {
+        if !sheet.filtering && sheet.filter.value().is_empty() {
             return list;
         }
         let [line, rest] =
@@ -86,11 +86,11 @@ impl Canvas<'_> {
             self.buf,
             (x, line.y),
             line.right().saturating_sub(x),
-            open.filter.value(),
+            sheet.filter.value(),
             self.theme.plain(),
         );
-        if open.filtering {
-            let at = u16::try_from(open.filter.visual_cursor()).unwrap_or(0);
+        if sheet.filtering {
+            let at = u16::try_from(sheet.filter.visual_cursor()).unwrap_or(0);
             self.cursor = Some((x.saturating_add(at), line.y));
         }
         rest
@@ -147,8 +147,8 @@ impl Canvas<'_> {
     }
 
     /// Help, range, and why a value is assumed.
-    fn help_lines(&mut self, area: Rect, open: &OpenCase) {
-        let Some(field) = open.current_field() else {
+    fn help_lines(&mut self, area: Rect, sheet: &Sheet) {
+        let Some(field) = sheet.current_field() else {
             return;
         };
         let mut words = format!("{}: {}\n{}", field.path, field.help, range_words(field));
@@ -172,8 +172,8 @@ impl Canvas<'_> {
     }
 
     /// The value being typed, and why it is refused.
-    fn edit_lines(&mut self, area: Rect, open: &OpenCase) {
-        let (Some(editing), Some(field)) = (&open.editing, open.current_field()) else {
+    fn edit_lines(&mut self, area: Rect, sheet: &Sheet) {
+        let (Some(editing), Some(field)) = (&sheet.editing, sheet.current_field()) else {
             return;
         };
         let line = row(area, 0);

@@ -59,6 +59,9 @@ pub fn framed(screen: Rect) -> bool {
 #[must_use]
 pub fn panes(screen: Rect, focus: Place) -> Vec<(Place, Rect)> {
     let body = areas(screen).body;
+    if Place::OF_SECTION.contains(&focus) {
+        return section_panes(screen, body, focus);
+    }
     if screen.width < WIDE {
         return vec![(focus, body)];
     }
@@ -99,6 +102,41 @@ pub fn panes(screen: Rect, focus: Place) -> Vec<(Place, Rect)> {
         panes.push((shown, table));
     }
     panes
+}
+
+/// The panes of a cross-section that are seen.
+fn section_panes(screen: Rect, body: Rect, focus: Place) -> Vec<(Place, Rect)> {
+    if screen.width < WIDE {
+        return vec![(focus, body)];
+    }
+    let full = screen.width >= FULL.0 && screen.height >= FULL.1;
+    let keys = if full { 66 } else { 58 };
+    let [left, right] =
+        Layout::horizontal([Constraint::Length(keys), Constraint::Min(0)]).areas(body);
+    if !full {
+        let other = if focus == Place::Tables {
+            focus
+        } else {
+            Place::Drawing
+        };
+        return vec![(Place::Keys, left), (other, right)];
+    }
+    let [upper, lower] = Layout::vertical([Constraint::Fill(3), Constraint::Fill(2)]).areas(right);
+    vec![
+        (Place::Keys, left),
+        (Place::Drawing, upper),
+        (Place::Tables, lower),
+    ]
+}
+
+/// Where a cross-section is drawn.
+#[must_use]
+pub fn drawing_area(state: &State) -> Rect {
+    let screen = Rect::new(0, 0, state.size.0, state.size.1);
+    panes(screen, state.place())
+        .into_iter()
+        .find(|(place, _)| *place == Place::Drawing)
+        .map_or_else(Rect::default, |(_, pane)| inside(screen, pane))
 }
 
 /// The inside of a pane.

@@ -8,6 +8,7 @@ mod lists;
 mod overlay;
 mod paint;
 mod papers;
+mod section;
 
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
@@ -15,7 +16,7 @@ use ratatui::layout::Rect;
 
 use self::paint::Theme;
 use super::command::{self, Command, Id, Place};
-use super::state::{JobState, Level, OpenCase, Purpose, State};
+use super::state::{JobState, Level, Purpose, State};
 use super::update::enabled;
 use crate::report::chart::Glyphs;
 use crate::report::number;
@@ -64,13 +65,13 @@ impl Canvas<'_> {
         }
         let areas = layout::areas(screen);
         self.head(areas.head);
-        match &self.state.open {
-            None => self.cases(areas.tabs.union(areas.body)),
-            Some(open) => {
-                self.tabs(areas.tabs, open);
-                for (place, area) in layout::panes(screen, open.pane) {
-                    self.pane(screen, place, area, open);
-                }
+        let focus = self.state.place();
+        if focus == Place::Cases {
+            self.cases(areas.tabs.union(areas.body));
+        } else {
+            self.tabs(areas.tabs);
+            for (place, area) in layout::panes(screen, focus) {
+                self.pane(screen, place, area);
             }
         }
         self.note(areas.note);
@@ -80,15 +81,16 @@ impl Canvas<'_> {
         }
     }
 
-    fn pane(&mut self, screen: Rect, place: Place, area: Rect, open: &OpenCase) {
-        let focused = open.pane == place;
+    fn pane(&mut self, screen: Rect, place: Place, area: Rect) {
+        let focused = self.state.place() == place;
         let inside = if layout::framed(screen) {
             let style = if focused {
                 self.theme.head()
             } else {
                 self.theme.faint()
             };
-            let number = Place::PANES
+            let number = self
+                .numbered()
                 .iter()
                 .position(|p| *p == place)
                 .map_or(0, |i| i + 1);
@@ -98,15 +100,31 @@ impl Canvas<'_> {
         } else {
             area
         };
+        let state = self.state;
+        if let Some(section) = &state.section {
+            self.section(place, inside, section);
+        }
+        let Some(open) = &state.open else {
+            return;
+        };
         match place {
-            Place::Inputs => self.inputs(inside, open),
+            Place::Inputs => self.inputs(inside, &open.sheet),
             Place::Charts => self.charts(inside, open),
             Place::Runs => self.runs(inside, open),
             Place::Validation => self.validation(inside, open),
             Place::Report => self.report(inside, open),
             Place::Jobs => self.jobs(inside),
             Place::Nodes => self.nodes(inside, open),
-            Place::Cases => {}
+            _ => {}
+        }
+    }
+
+    /// The panes of what is open, in the order of their numbers.
+    fn numbered(&self) -> &'static [Place] {
+        if self.state.section.is_some() {
+            &Place::OF_SECTION
+        } else {
+            &Place::PANES
         }
     }
 
@@ -119,9 +137,13 @@ impl Canvas<'_> {
             self.theme.head(),
         );
         if let Some(open) = &self.state.open {
-            let unsaved = if open.unsaved() { " *unsaved" } else { "" };
+            let unsaved = if open.sheet.unsaved() {
+                " *unsaved"
+            } else {
+                ""
+            };
             let method = super::backend::method_word(open.case.solver.method);
-            let words = format!("  {}{unsaved}  solver {method}", open.file);
+            let words = format!("  {}{unsaved}  solver {method}", open.sheet.file);
             x = paint::text(
                 self.buf,
                 (x, line.y),
@@ -129,6 +151,12 @@ impl Canvas<'_> {
                 &words,
                 self.theme.strong(),
             );
+        } else if let Some(section) = &self.state.section {
+            let sheet = &section.sheet;
+            let unsaved = if sheet.unsaved() { " *unsaved" } else { "" };
+            let words = format!("  {}{unsaved}  cross-section", sheet.file);
+            let room = line.right() - x;
+            x = paint::text(self.buf, (x, line.y), room, &words, self.theme.strong());
         } else {
             let words = format!("  {}", self.state.cases.dir.display());
             x = paint::text(
@@ -181,10 +209,10 @@ impl Canvas<'_> {
         )
     }
 
-    fn tabs(&mut self, line: Rect, open: &OpenCase) {
+    fn tabs(&mut self, line: Rect) {
         let mut x = line.x;
-        for (i, place) in Place::PANES.into_iter().enumerate() {
-            let style = if place == open.pane {
+        for (i, place) in self.numbered().iter().enumerate() {
+            let style = if *place == self.state.place() {
                 self.theme.selected()
             } else {
                 self.theme.plain()
@@ -200,14 +228,13 @@ impl Canvas<'_> {
         }
         let room = line.right().saturating_sub(x + 2);
         let rest = Rect::new(line.right() - room, line.y, room, 1);
+        let title = match (&self.state.section, &self.state.open) {
+            (Some(section), _) => &section.design.section.about.title,
+            (None, Some(open)) => &open.case.case.title,
+            (None, None) => return,
+        };
         if room > 20 {
-            paint::text(
-                self.buf,
-                (rest.x, rest.y),
-                room,
-                &open.case.case.title,
-                self.theme.faint(),
-            );
+            paint::text(self.buf, (rest.x, rest.y), room, title, self.theme.faint());
         }
     }
 

@@ -47,7 +47,7 @@ impl Canvas<'_> {
         let glyphs = self.state.looks.glyphs;
         let mut rest = area;
         // A stored run may be of another text than the one that is open.
-        let case = backend::parse(&run.case_text, &open.file);
+        let case = backend::parse(&run.case_text, &open.sheet.file);
         let limits = case.ok().and_then(|case| {
             let checks = limits::check(&case, &run.profile);
             limits_table::table(&checks)

@@ -1,0 +1,107 @@
+//! A file open in the parameter editor: its text, its fields, and the edits that can be undone.
+
+use std::path::PathBuf;
+
+use tui_input::Input;
+
+use crate::tui::backend::FieldRow;
+
+/// What follows a save that was asked for on the way out.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum After {
+    /// Nothing.
+    #[default]
+    Stay,
+    /// The case is left.
+    Close,
+    /// The program is left.
+    Quit,
+}
+
+/// A value being typed.
+#[derive(Debug, Clone)]
+pub struct Editing {
+    /// Key path of the field.
+    pub path: String,
+    /// What is typed.
+    pub input: Input,
+    /// Why what was typed is refused.
+    pub problem: Option<String>,
+}
+
+/// A file open in the parameter editor.
+#[derive(Debug, Clone)]
+pub struct Sheet {
+    /// Where its file is.
+    pub path: PathBuf,
+    /// Name of the file.
+    pub file: String,
+    /// Text of the file as read or saved last.
+    pub saved: String,
+    /// The text now.
+    pub text: String,
+    /// The fields of the editor.
+    pub rows: Vec<FieldRow>,
+    /// Texts before each edit, oldest first.
+    pub undo: Vec<String>,
+    /// Texts undone, to be redone.
+    pub redo: Vec<String>,
+    /// What follows the next save.
+    pub after_save: After,
+    /// Cursor among the fields that pass the filter.
+    pub field: usize,
+    /// Filter of the fields.
+    pub filter: Input,
+    /// True while the filter is typed.
+    pub filtering: bool,
+    /// A value being typed.
+    pub editing: Option<Editing>,
+}
+
+impl Sheet {
+    /// A file as read, with its fields still to be listed.
+    #[must_use]
+    pub fn new(path: PathBuf, text: String) -> Self {
+        let file = path.file_name().map_or_else(
+            || "case.toml".to_owned(),
+            |name| name.to_string_lossy().into_owned(),
+        );
+        Self {
+            path,
+            file,
+            saved: text.clone(),
+            text,
+            rows: Vec::new(),
+            undo: Vec::new(),
+            redo: Vec::new(),
+            after_save: After::Stay,
+            field: 0,
+            filter: Input::default(),
+            filtering: false,
+            editing: None,
+        }
+    }
+
+    /// True when the text differs from the file.
+    #[must_use]
+    pub fn unsaved(&self) -> bool {
+        self.text != self.saved
+    }
+
+    /// The fields that pass the filter.
+    pub fn fields(&self) -> impl Iterator<Item = &FieldRow> {
+        let filter = self.filter.value().to_lowercase();
+        self.rows.iter().filter(move |row| {
+            super::case_list::passes(
+                &format!("{} {} {}", row.path, row.group, row.label),
+                &filter,
+            )
+        })
+    }
+
+    /// The field under the cursor.
+    #[must_use]
+    pub fn current_field(&self) -> Option<&FieldRow> {
+        self.fields().nth(self.field)
+    }
+}
