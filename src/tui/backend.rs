@@ -68,7 +68,7 @@ pub fn set_section(text: &str, key: &str, value: &str) -> Result<String, String>
             } else {
                 &d.key
             };
-            format!("{at} {}. {}", stopped(&d.problem), sentence(&d.remedy))
+            format!("{at}: {}. {}", stopped(&d.problem), sentence(&d.remedy))
         });
         words.collect::<Vec<_>>().join(" ")
     })

@@ -285,7 +285,7 @@ fn move_by(state: &mut State, by: isize) -> Vec<Effect> {
         (None, lines) => state.cases.cursor = moved(state.cases.cursor, by, lines),
         (Some(open), _) => match open.pane {
             Place::Inputs => {
-                open.sheet.field = moved(open.sheet.field, by, open.sheet.fields().count())
+                open.sheet.field = moved(open.sheet.field, by, open.sheet.fields().count());
             }
             Place::Runs => open.run = moved(open.run, by, open.runs.len() + 1),
             Place::Validation => {
