@@ -104,6 +104,14 @@ impl BlockBand {
         Ok(())
     }
 
+    /// How many pivots of the last [`BlockBand::solve`] on this range were negative: of a symmetric matrix, as many as it
+    /// has negative eigenvalues (Sylvester).
+    #[must_use]
+    pub fn negative_pivots(&self, range: Range<usize>) -> usize {
+        let count = |block: &M3| Lu::new(block).map_or(0, |lu| lu.negative());
+        self.diag[range].iter().map(count).sum()
+    }
+
     /// Elimination of five bands, from the first node to the last and back.
     fn solve_wide(&mut self, range: Range<usize>, r: &mut [V3]) -> Result<(), SingularBlock> {
         let end = range.end;
@@ -224,6 +232,11 @@ impl Lu {
         })
     }
 
+    fn negative(&self) -> usize {
+        let pivots = [self.p0, self.p1, self.p2];
+        pivots.into_iter().filter(|p| *p < 0.0).count()
+    }
+
     #[inline(always)]
     fn solve(&self, r: &V3) -> V3 {
         let y0 = r[0];
@@ -300,6 +313,27 @@ mod tests {
             for i in 0..3 * n {
                 prop_assert!((x[i / 3][i % 3] - expected[i]).abs() < 1e-12);
             }
+        }
+    }
+
+    #[test]
+    fn negative_pivots_count_negative_eigenvalues() {
+        for wide in [false, true] {
+            let mut m = BlockBand::new(7);
+            if wide {
+                m.widen();
+                m.far_upper.fill(M3::identity() * 0.3);
+                m.far_lower.fill(M3::identity() * 0.3);
+            }
+            for i in 0..7 {
+                m.diag[i] = M3::from_diagonal(&V3::new(3.0, i as f64 - 2.5, -4.0));
+                m.upper[i] = M3::from_element(0.2);
+                m.lower[i] = M3::from_element(0.2);
+            }
+            let eigenvalues = dense(&m, 7).symmetric_eigenvalues();
+            let expected = eigenvalues.iter().filter(|e| **e < 0.0).count();
+            m.solve(0..7, &mut [V3::zeros(); 7]).unwrap();
+            assert_eq!(m.negative_pivots(0..7), expected);
         }
     }
 

@@ -15,7 +15,7 @@ use crate::dynamics::rk4::Rk4;
 use crate::dynamics::{March, MarchError, Outcome, Stepper, Tally};
 use crate::scene::{self, Scene};
 use crate::solve::{Instant, Progressing, Sink, State, System};
-use crate::statics::equilibrium::Search;
+use crate::statics::equilibrium::{Search, instabilities};
 
 /// What one computation gave.
 #[derive(Debug, Clone)]
@@ -84,13 +84,13 @@ pub(super) fn compute(
     let (cpu, wall) = (cpu_time(), std::time::Instant::now());
     let stop = || cancel.load(Ordering::Relaxed);
     let mut recorder = Recorder::new(case, &scene, events, &stop);
-    let ended = solve(case, &scene, &settings, &mut recorder);
+    let mut warnings = warnings(&scene, &settings);
+    let ended = solve(case, &scene, &settings, &mut recorder, &mut warnings);
     let cost = Cost {
         cpu_s: cpu_time() - cpu,
         wall_s: wall.elapsed().as_secs_f64(),
         companions_wall_s: 0.0,
     };
-    let warnings = warnings(&scene, &settings);
     let Recorder {
         history,
         shapes,
@@ -124,22 +124,22 @@ struct Ended {
 }
 
 /// Brings the line to its start and runs the method of the case.
-fn solve(case: &Case, scene: &Scene, settings: &Settings, sink: &mut Recorder<'_>) -> Ended {
+fn solve(
+    case: &Case,
+    scene: &Scene,
+    settings: &Settings,
+    sink: &mut Recorder<'_>,
+    warnings: &mut Vec<String>,
+) -> Ended {
     let mut state = scene.initial_state();
     let mut work = Work::default();
-    if scene.start_in_equilibrium || case.solver.method == Method::Static {
-        match Search::default().run(scene, 0.0, &mut state) {
-            Ok(found) => work.iterations += found.iterations,
-            Err(error) => {
-                work.iterations += error.iterations;
-                give(sink, &state);
-                return Ended {
-                    state: RunState::Failed,
-                    failure: Some(error.to_string()),
-                    work,
-                };
-            }
-        }
+    if let Err(failure) = come_to_rest(case, scene, &mut state, &mut work, warnings) {
+        give(sink, &state);
+        return Ended {
+            state: RunState::Failed,
+            failure: Some(failure),
+            work,
+        };
     }
     let nodes = scene.nodes();
     let tolerance = position_tolerance(case, scene);
@@ -181,6 +181,46 @@ fn solve(case: &Case, scene: &Scene, settings: &Settings, sink: &mut Recorder<'_
             march(method, settings, scene, &mut state, sink, work)
         }
     }
+}
+
+/// A turn between neighbouring segments \[rad\] from which the mesh error is not of second order any more.
+const SHARP: f64 = 0.8;
+
+/// Brings the line to its equilibrium, where the case asks for that; says so when it would not stay there.
+///
+/// # Errors
+/// Why there is none, in words.
+fn come_to_rest(
+    case: &Case,
+    scene: &Scene,
+    state: &mut State,
+    work: &mut Work,
+    warnings: &mut Vec<String>,
+) -> Result<(), String> {
+    if !scene.start_in_equilibrium && case.solver.method != Method::Static {
+        return Ok(());
+    }
+    match Search::default().run(scene, 0.0, state) {
+        Ok(found) => work.iterations += found.iterations,
+        Err(error) => {
+            work.iterations += error.iterations;
+            return Err(error.to_string());
+        }
+    }
+    if instabilities(scene, 0.0, state).is_some_and(|ways| ways > 0) {
+        let unstable = "the equilibrium found is not stable: forces balance, but a line pushed aside a little would leave \
+                        this shape for another one; start from another shape to find that";
+        warnings.push(unstable.to_owned());
+    }
+    let (turn, node) = scene.sharpest_turn(state);
+    if turn > SHARP {
+        warnings.push(format!(
+            "the line at rest turns by {:.0} degrees at node {node}: too sharply for segments of that length, and more \
+             than the estimated errors show; use more segments there",
+            turn.to_degrees()
+        ));
+    }
+    Ok(())
 }
 
 /// Errors allowed in a step, from the dimensionless tolerance of the case.

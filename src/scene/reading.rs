@@ -80,6 +80,25 @@ impl Scene {
         force
     }
 
+    /// The greatest angle between taut neighbouring segments \[rad\] and its node, those with a body left out: it must be
+    /// small where straight segments are to stand for a curve.
+    #[must_use]
+    pub fn sharpest_turn(&self, state: &State) -> (f64, usize) {
+        let taut = |i: usize| {
+            let chord = self.chord(i, state);
+            let pulls = self.segments[i].axial.tension(&chord).value > 0.0;
+            pulls.then_some(chord.tangent)
+        };
+        let turn = |node: usize| {
+            let bare = self.bodies.iter().all(|hung| hung.node != node);
+            let cos = taut(node - 1)?.dot(&taut(node)?);
+            bare.then(|| (cos.clamp(-1.0, 1.0).acos(), node))
+        };
+        (1..self.segments.len())
+            .filter_map(turn)
+            .fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a })
+    }
+
     /// Kinetic, potential (weight in water) and elastic energy \[J\]. Added mass counts as mass.
     #[must_use]
     pub fn energy(&self, state: &State) -> f64 {

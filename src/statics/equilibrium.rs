@@ -7,6 +7,7 @@
 //! converged. The state is accepted on the displacement and then on the residual force, and never with
 //! a fold in a line that bends: Newton finds such shapes, in which forces balance, and no line stays in them.
 
+use crate::linalg::{BlockBand, V3};
 use crate::solve::{Factors, Newton, NewtonError, State, System};
 
 /// Settings of the search.
@@ -43,10 +44,7 @@ pub struct Found {
 
 /// No equilibrium was found.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error(
-    "no equilibrium found in {iterations} iterations: a force of {residual:.3e} N is left at node {node}; \
-     a line that is slack, or that nothing holds, has none"
-)]
+#[error("no equilibrium found in {iterations} iterations: {}", self.reason())]
 pub struct NotFound {
     /// Newton iterations, all tries counted.
     pub iterations: u64,
@@ -54,8 +52,26 @@ pub struct NotFound {
     pub residual: f64,
     /// Where.
     pub node: usize,
+    /// The first node at which the best shape bends by a right angle or more, if it does.
+    pub folded: Option<usize>,
     /// What Newton said last.
     pub why: Option<NewtonError>,
+}
+
+impl NotFound {
+    fn reason(&self) -> String {
+        if let Some(node) = self.folded {
+            return format!(
+                "the line bends by a right angle or more at node {node}, which segments of this length cannot carry; \
+                 use shorter segments there, or turn the clamp the way the line goes, or set the bending stiffness to 0"
+            );
+        }
+        format!(
+            "a force of {:.3e} N is left at node {}; a line that is slack, or that nothing holds, has none, \
+             and one whose drag falls while its speed rises (a drag crisis) may have none",
+            self.residual, self.node
+        )
+    }
 }
 
 const STATICS: Factors = Factors {
@@ -232,6 +248,7 @@ impl Search {
             iterations: newton.iterations,
             residual,
             node,
+            folded: system.folded(state),
             why,
         })
     }
@@ -243,6 +260,20 @@ fn pseudo_time(h: f64) -> Factors {
         damping: 0.0,
         stiffness: 1.0,
     }
+}
+
+/// In how many independent ways a line at rest would leave its shape by itself: 0 where it is stable. Counts the
+/// negative pivots of the tangent, which in still water are as many as its negative eigenvalues. Nothing where the tangent
+/// is singular, as where line lies slack.
+pub fn instabilities<S: System + ?Sized>(system: &S, t: f64, state: &State) -> Option<usize> {
+    let mut residual = vec![V3::zeros(); system.nodes()];
+    let mut tangent = BlockBand::new(system.nodes());
+    if system.bends() {
+        tangent.widen();
+    }
+    system.linearise(t, state, STATICS, &mut residual, &mut tangent);
+    tangent.solve(system.free(), &mut residual).ok()?;
+    Some(tangent.negative_pivots(system.free()))
 }
 
 /// Newton may jump from a moving line to an unstable shape far away; only a near one is where the line

@@ -149,3 +149,32 @@ fn floats_off_their_section() {
         "`upper` and `lower`",
     );
 }
+
+#[test]
+fn bodies_off_their_section_or_without_a_name_of_their_own() {
+    let with = |name: &str, at: f64| {
+        let clump = format!(
+            "[[clumps]]\nname = \"{name}\"\nsection = \"upper\"\nat_m = {at:.1}\nmass_kg = 5.0\nwet_mass_kg = 4.0\n\n[[floats]]"
+        );
+        GOOD.replace("[[floats]]", &clump)
+    };
+    assert!(case::parse(&with("weight", 20.0), "good.toml").is_ok());
+    let found = faults(&with("weight", 81.0));
+    assert_eq!(found.len(), 1, "{found:#?}");
+    tells(
+        &found[0],
+        (45, 8),
+        "clumps.weight.at_m",
+        "beyond its section: at 81 m",
+        "section \"upper\" is 80 m long",
+    );
+    let found = faults(&with("vessel", 20.0));
+    assert_eq!(found.len(), 1, "{found:#?}");
+    tells(
+        &found[0],
+        (43, 8),
+        "clumps.vessel.name",
+        "the name \"vessel\" is used twice",
+        "a name of its own",
+    );
+}
