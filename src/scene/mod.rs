@@ -8,6 +8,7 @@ mod bodies;
 pub mod build;
 mod buoyancy;
 pub mod flexure;
+mod foretold;
 mod guess;
 pub mod line;
 pub mod reading;

@@ -1,0 +1,63 @@
+//! Tensions foretold from one iteration of statics to the next: see [`crate::solve::System::foretell`].
+
+use super::Scene;
+use crate::linalg::V3;
+use crate::physics::tension::{Chord, Tension};
+use crate::solve::State;
+
+impl Scene {
+    /// Tension of segment i, and the same as its stiffness should see it. Where tensions are foretold, a slack segment
+    /// pushes: it is not yet where it will be, and must be told where to go.
+    #[inline(always)]
+    pub(super) fn tension(&self, i: usize, chord: &Chord, state: &State) -> (Tension, Tension) {
+        let axial = &self.segments[i].axial;
+        match state.foretold.get(i) {
+            None => {
+                let tension = axial.tension(chord);
+                (tension, tension)
+            }
+            Some(foretold) => {
+                let tension = axial.as_rod(true).tension(chord);
+                let value = *foretold;
+                (tension, Tension { value, ..tension })
+            }
+        }
+    }
+
+    /// Tensions to begin with: those of the stretch where all are likely, else those of the first guess.
+    pub(super) fn begin_foretelling(&self, state: &mut State) {
+        let stretched = |i: usize| {
+            let axial = &self.segments[i].axial;
+            let chord = self.chord(i, state);
+            axial.as_rod(true).tension(&chord).value
+        };
+        let tensions: Vec<f64> = (0..self.segments.len()).map(stretched).collect();
+        let usual = self.start_tension.iter().copied().fold(0.0, f64::max);
+        let likely = |t: &f64| (1e-3 * usual..3.0 * usual).contains(t);
+        state.foretold = if tensions.iter().all(likely) {
+            tensions
+        } else {
+            self.start_tension.clone()
+        };
+    }
+
+    /// Tensions after displacements `-d`, to first order.
+    pub(super) fn foretell_tensions(&self, d: &[V3], state: &mut State) {
+        for i in 0..self.segments.len() {
+            let axial = &self.segments[i].axial;
+            let chord = self.chord(i, state);
+            let tension = axial.as_rod(true).tension(&chord);
+            let next = tension.value - tension.by_length * chord.tangent.dot(&(d[i + 1] - d[i]));
+            state.foretold[i] = if axial.rod {
+                next
+            } else {
+                next.max(self.least_tension(i))
+            };
+        }
+    }
+
+    /// A tension below which a rope has no stiffness worth iterating with \[N\].
+    fn least_tension(&self, i: usize) -> f64 {
+        0.1 * self.segments[i].half_weight.abs() + 1e-6 * self.force_scale
+    }
+}
