@@ -83,6 +83,8 @@ impl<'a> Recorder<'a> {
 
     /// Reads all channels off a state.
     fn read(&mut self, state: &State) {
+        // The three components of an end's force come from one reading.
+        let mut forces = [None; 2];
         for (value, source) in self.latest.iter_mut().zip(&self.sources) {
             let node = |end: LineEnd| {
                 if end == LineEnd::A {
@@ -95,7 +97,10 @@ impl<'a> Recorder<'a> {
                 Source::Joint(joint) => self.scene.tension_at(self.scene.joints[joint].node, state),
                 Source::Coordinate(end, axis) => state.x[node(end)][axis],
                 Source::Body(body, axis) => state.x[self.scene.clumps[body]][axis],
-                Source::Force(end, axis) => self.scene.end_force(node(end), state)[axis],
+                Source::Force(end, axis) => {
+                    let force = || self.scene.end_force(node(end), state);
+                    forces[usize::from(end == LineEnd::B)].get_or_insert_with(force)[axis]
+                }
                 Source::Speed(end) => state.v[node(end)].norm(),
             };
         }

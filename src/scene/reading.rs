@@ -2,6 +2,7 @@
 
 use super::{End, Hung, Scene};
 use crate::linalg::V3;
+use crate::physics::tension::Chord;
 use crate::solve::{State, System};
 
 impl Scene {
@@ -18,7 +19,7 @@ impl Scene {
         };
         let chord = self.chord(i, state);
         let pull = chord.tangent * self.segments[i].axial.tension(&chord).value;
-        let load = self.half_load(i, node, state);
+        let load = self.half_load(i, node, &chord, state);
         // A slack segment has no direction to speak of: its half's load is then no tension.
         if pull == V3::zeros() {
             return 0.0;
@@ -33,10 +34,9 @@ impl Scene {
     }
 
     /// Weight, drag and (negative) inertia of the half of segment i at one of its nodes \[N\].
-    fn half_load(&self, i: usize, node: usize, state: &State) -> V3 {
+    fn half_load(&self, i: usize, node: usize, chord: &Chord, state: &State) -> V3 {
         let segment = &self.segments[i];
-        let chord = self.chord(i, state);
-        let drag = self.drag(i, &chord, state)[node - i];
+        let drag = self.drag(i, chord, state)[node - i];
         let a = &state.a[node];
         let inertia = a * segment.half_mass + segment.added.force(&chord.tangent, a);
         drag.force - inertia - V3::z() * segment.half_weight
