@@ -7,9 +7,11 @@
 mod bodies;
 pub mod build;
 mod buoyancy;
+mod equation;
 pub mod flexure;
 mod foretold;
 mod guess;
+mod half;
 pub mod line;
 pub mod reading;
 mod shape;
