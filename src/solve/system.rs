@@ -106,9 +106,9 @@ pub trait System: Sync {
 
     /// Writes into the state the tensions that displacements `-d` make of it, to first order, before they are made. A
     /// stiff line that turns also stretches, to second order, by a strain that means little and a tension that means a
-    /// lot; with foretold tensions in the stiffness across the line, Newton does not see those (D. Magisano,
-    /// L. Leonetti, G. Garcea, Computer Methods in Applied Mechanics and Engineering 313 (2017) 985: the same
-    /// answer in a few iterations however stiff the line).
+    /// lot; with foretold tensions in the stiffness across the line, Newton does not see those, and takes
+    /// a few iterations to the same answer however stiff the line (the mixed iteration of Magisano, Leonetti and Garcea,
+    /// 2017).
     fn foretell(&self, _d: &[V3], _state: &mut State) {}
 
     /// A node at which the line is folded back on itself, if there is one. Bending forces vanish at such a fold, so
