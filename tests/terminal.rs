@@ -158,7 +158,7 @@ fn a_terminal_of_any_size_that_changes_while_a_run_goes_on() {
     pty.wait_for("need 40x10");
     pty.resize(80, 24);
     pty.wait_for(LIST);
-    pty.send("\rMM");
+    pty.send("\rMMM");
     pty.wait_for("solver");
     pty.send("R2");
     pty.wait_for("Tensions");
