@@ -1,6 +1,6 @@
 //! Bending between neighbouring segments, and at clamped ends.
 //!
-//! A slender rod's bending moment is EI times curvature (Garrett 1982; the umbilical of the second paper, its eq. 3
+//! A slender rod's bending moment is EI times curvature (Garrett 1982; Lin, Guo, Niu and Zhang 2016, eq. 3
 //! without twist). On a line of straight segments the curvature sits at the nodes: with unit tangents t1 and
 //! t2 meeting at an angle theta and the mean of their unstretched lengths l, the energy
 //! `E = EI (1 - t1.t2) / l` is `EI theta² / (2 l)` up to fourth order, the moment EI sin(theta) / l. It couples

@@ -1,7 +1,8 @@
 //! The sea bed: a flat bed that pushes back on nodes below it, like a bed of springs, with damping across.
 //!
-//! Normal force `N = k (z_b - z) - c v_z`, never pulling (Gao et al., the mooring paper, its eq. 8 without friction): k is the
-//! bed's stiffness per area times the diameter and length of line that the node stands for.
+//! Normal force `N = k (z_b - z) - c v_z`, never pulling (Zhu, Yin and Shen 2017, Journal of Harbin
+//! Engineering University, eq. 8 as rebuilt from its symbols, without its friction of eq. 9): k is the bed's
+//! stiffness per area times the diameter and length of line that the node stands for.
 
 /// The bed under the whole line.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -32,7 +32,7 @@ pub(super) fn add_floats(
         0.5 * water.water_density_kg_per_m3 * floats.drag_area_m2 * share / (to - from);
 }
 
-/// Adds the share of buoyancy modules on this part of the section, by the umbilical paper's equivalence: volume and
+/// Adds the share of buoyancy modules on this part of the section, by the equivalence of Lin et al. 2016: volume and
 /// mass per length are kept (its eqs 20 and 21), `V = pi/4 (Df² - Dp²) Lf / Sf` and `M = V rho_f + M_fh / Sf`, and so is
 /// drag, `[C_Df Df Lf + C_D Dp (Sf - Lf)] / Sf`. The line under a module keeps its own stiffness.
 pub(super) fn add_modules(

@@ -149,7 +149,7 @@ fn nothing() -> OneOrMany {
 }
 
 /// Buoyancy modules clamped on a stretch of a section, one a pitch. Their volume, mass and drag are spread over the
-/// stretch (the umbilical paper, its eqs 20 and 21).
+/// stretch (Lin, Guo, Niu and Zhang 2016, eqs 20 and 21).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Modules {
