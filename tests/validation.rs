@@ -94,7 +94,7 @@ fn what_differs_says_why() {
 }
 
 /// The travels of the module hang on when which part of the line passes the drag crisis: RK4, exact in time, gives 1404.38,
-/// 1404.54, 1404.53 and 1404.20 m with 29, 57, 110 and 216 segments. Their errors are whole differences between two
+/// 1404.54, 1404.53 and 1404.20 m with 31, 57, 110 and 216 segments. Their errors are whole differences between two
 /// such runs, and up to a fifth of the tolerance; the table says so at the row. All others are below a tenth.
 #[test]
 fn numerical_errors_are_ten_times_smaller_than_the_tolerances() {
