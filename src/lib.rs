@@ -14,9 +14,12 @@
 //! * [`linalg`]: the block-banded solver; knows no cable.
 //! * [`solve`]: the trait between physics and numerics, and the one Newton loop.
 //! * [`statics`], [`dynamics`]: equilibrium, quasi-static march, RK4, generalized-alpha.
+//! * [`modes`]: natural frequencies and mode shapes about the static shape.
 //! * [`run`]: a case computed: history, shapes, summary with errors, cost; jobs on threads; the store.
 //! * [`section`]: the cross-section designer: from units, layers and armour to the material of a line.
+//! * [`ship`]: a ship at single-point mooring: what acts on it, and where it rests.
 //! * [`reference`](mod@reference): published data and how a run is held against it.
+//! * [`study`]: hard cases, computed by every method that applies and judged.
 //! * [`report`]: tables and charts as text, shared by every view.
 //! * [`tui`], [`cli`]: the screen and the command line.
 //!
@@ -27,12 +30,16 @@ pub mod case;
 pub mod cli;
 pub mod dynamics;
 pub mod linalg;
+pub mod modes;
 pub mod physics;
 pub mod reference;
 pub mod report;
+pub mod ropeway;
 pub mod run;
 pub mod scene;
 pub mod section;
+pub mod ship;
 pub mod solve;
 pub mod statics;
+pub mod study;
 pub mod tui;

@@ -8,9 +8,11 @@ use std::sync::atomic::AtomicBool;
 
 use seacable::case::{self, At, Loaded, edit};
 use seacable::reference::{self, Outcome};
+use seacable::ropeway::is_ropeway;
 use seacable::run::job::{self, Request};
 use seacable::run::{Run, RunState};
 use seacable::section::is_section;
+use seacable::ship::is_ship;
 
 fn case_files(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
@@ -18,7 +20,11 @@ fn case_files(folder: &Path) -> Vec<PathBuf> {
         let path = entry.unwrap().path();
         if path.is_dir() {
             files.extend(case_files(&path));
-        } else if path.extension().is_some_and(|ending| ending == "toml") && !is_section(&path) {
+        } else if path.extension().is_some_and(|ending| ending == "toml")
+            && !is_section(&path)
+            && !is_ropeway(&path)
+            && !is_ship(&path)
+        {
             files.push(path);
         }
     }
@@ -51,7 +57,7 @@ fn every_value_of_a_study_makes_a_case() {
     for loaded in shipped() {
         for study in &loaded.case.study {
             for value in &study.values {
-                let text = edit::set_number(&loaded.text, &study.key, *value)
+                let text = edit::set_value(&loaded.text, &study.key, value)
                     .unwrap_or_else(|fault| panic!("{}: {fault}", loaded.path.display()));
                 case::parse(&text, &study.name).unwrap();
             }
@@ -132,7 +138,7 @@ fn run_at(loaded: &Loaded, at: Option<&At>) -> Run {
     let mut text = loaded.text.clone();
     if let Some(at) = at {
         let study = loaded.case.study.iter().find(|s| s.name == at.study);
-        text = edit::set_number(&text, &study.unwrap().key, at.value).unwrap();
+        text = edit::set_value(&text, &study.unwrap().key, &at.value).unwrap();
     }
     let request = Request {
         case: case::parse(&text, "benchmark").unwrap(),

@@ -308,3 +308,34 @@ fn a_reader_that_leaves_is_no_trouble() {
     assert!(child.wait().unwrap().success());
     assert_eq!(said, "");
 }
+
+#[test]
+fn modes_prints_frequencies_and_shapes_and_writes_them() {
+    let dir = place(SMALL);
+    let words = [
+        "modes",
+        "small.toml",
+        "--count",
+        "4",
+        "--ascii",
+        "-o",
+        "modes.csv",
+    ];
+    let done = seacable(dir.path()).args(words).assert().success();
+    let page = String::from_utf8(done.get_output().stdout.clone()).unwrap();
+    assert!(page.is_ascii());
+    for word in ["frequency [Hz]", "half waves", "Mode shapes along the line"] {
+        assert!(page.contains(word), "{word} is missing in\n{page}");
+    }
+    let csv = fs::read_to_string(dir.path().join("modes.csv")).unwrap();
+    let columns: Vec<usize> = csv.lines().map(|line| line.split(',').count()).collect();
+    assert!(
+        columns.iter().all(|count| *count == 4 + 3 * 4),
+        "{columns:?}"
+    );
+    for words in [["--shape", "99"], ["--count", "0"]] {
+        let mut command = seacable(dir.path());
+        command.args(["modes", "small.toml"]).args(words);
+        command.assert().code(2);
+    }
+}

@@ -9,6 +9,7 @@ use seacable::case;
 use seacable::dynamics::Stepper;
 use seacable::linalg::V3;
 use seacable::physics::Current;
+use seacable::physics::motion::Course;
 use seacable::run::job::{Request, execute};
 use seacable::scene::{End, Scene};
 use seacable::solve::State;
@@ -73,7 +74,9 @@ fn mapped(scene: &Scene, place: impl Fn(&V3) -> V3, turn: impl Fn(&V3) -> V3) ->
     for end in &mut scene.ends {
         if let End::Held(motion) = end {
             motion.position = place(&motion.position);
-            motion.amplitude = turn(&motion.amplitude);
+            if let Course::Swing(swing) = &mut motion.course {
+                swing.amplitude = turn(&swing.amplitude);
+            }
         }
     }
     if let Current::Table { velocity, .. } = &mut scene.current {

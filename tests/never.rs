@@ -58,10 +58,22 @@ fn foot(length: f64) -> impl Strategy<Value = String> {
             "ends.b = {{ name = \"b\", kind = \"moving\", position_m = {p}, amplitude_m = [{a:?}, 0.3, {a:?}], period_s = {period:?} }}\n"
         )
     });
-    let payload = (0.0f64..6.0, -0.9f64..0.9, 0.0f64..100.0, 0.0f64..2.0).prop_map(|(log, wet, area, added)| {
+    let turning = prop_oneof![
+        2 => Just(None),
+        1 => (-1.0f64..1.5, 0.0f64..4.0, 0.0f64..2.0, -180.0f64..180.0).prop_map(Some),
+    ];
+    let payload = (0.0f64..6.0, -0.9f64..0.9, 0.0f64..100.0, 0.0f64..2.0, turning).prop_map(|(log, wet, area, added, turning)| {
         let mass = 10f64.powf(log);
+        let rotation = turning.map_or_else(String::new, |(log, gyration, drag, tilt)| {
+            let centre = 10f64.powf(log);
+            let inertia = mass * (gyration * centre).powi(2);
+            format!(
+                ", rotation = {{ centre_of_gravity_m = {centre:?}, inertia_kg_m2 = {inertia:?}, centre_of_drag_m = {:?}, start_tilt_deg = {tilt:?} }}",
+                drag * centre
+            )
+        });
         format!(
-            "ends.b = {{ name = \"b\", kind = \"payload\" }}\npayload = {{ dry_mass_kg = {mass:?}, wet_mass_kg = {:?}, drag_area_m2 = {area:?}, added_mass_kg = {:?} }}\n",
+            "ends.b = {{ name = \"b\", kind = \"payload\" }}\npayload = {{ dry_mass_kg = {mass:?}, wet_mass_kg = {:?}, drag_area_m2 = {area:?}, added_mass_kg = {:?}{rotation} }}\n",
             wet * mass,
             added * mass
         )
@@ -152,7 +164,8 @@ fn stretches_far(text: &str) -> bool {
         .iter()
         .map(|h| 9.0 * h.body.drag.max())
         .sum::<f64>();
-    let load = scene.force_scale + drag(2.0 * sides) + payload;
+    let turning = scene.turning.map_or(0.0, |t| 9.0 * t.body.drag[0]);
+    let load = scene.force_scale + drag(2.0 * sides) + payload + turning;
     scene.segments[0].axial.ea < 10.0 * load
 }
 

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use allocation_counter::measure;
-use seacable::case;
+use seacable::case::{self, Case, Rotation};
 use seacable::dynamics::alpha::{Alpha, Control};
 use seacable::dynamics::quasi::Quasi;
 use seacable::dynamics::rk4::Rk4;
@@ -61,8 +61,12 @@ impl System for Spoilt {
             state.a[3].x = f64::NAN;
         }
     }
-    fn remember(&self, state: &mut State) {
-        self.scene.remember(state);
+    fn commit(&self, t: f64, dt: f64, state: &mut State) {
+        self.scene.commit(t, dt, state);
+    }
+
+    fn hold_drag(&self, state: &mut State) {
+        self.scene.hold_drag(state);
     }
     fn force_scale(&self) -> f64 {
         self.scene.force_scale()
@@ -73,10 +77,17 @@ impl System for Spoilt {
 }
 
 /// Marches the manifold's line, two calls spoilt, and counts what is allocated meanwhile.
-fn check(mut method: impl Stepper, spoilt: u64, step: f64) {
+fn check(method: impl Stepper, spoilt: u64, step: f64) {
+    check_changed(|_| {}, method, spoilt, step);
+}
+
+/// The same with the case changed.
+fn check_changed(change: impl Fn(&mut Case), mut method: impl Stepper, spoilt: u64, step: f64) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/pendulous/manifold.toml");
+    let mut case = case::load(&path).unwrap().case;
+    change(&mut case);
     let system = Spoilt {
-        scene: scene::build(&case::load(&path).unwrap().case, 1).unwrap(),
+        scene: scene::build(&case, 1).unwrap(),
         calls: AtomicU64::new(0),
         spoilt,
     };
@@ -137,6 +148,36 @@ fn a_step_of_generalized_alpha_allocates_nothing() {
 #[test]
 fn a_quasi_static_step_allocates_nothing() {
     check(Quasi::new(NODES, 1e-6, 30), 500, 0.25);
+}
+
+#[test]
+fn a_bed_with_friction_allocates_nothing() {
+    let bed = |case: &mut Case| {
+        let words = "depth_m = 1000.0\nfriction = 0.5\nfriction_lateral = 0.8\nslope_deg = 3.0";
+        case.seabed = Some(toml::from_str(words).unwrap());
+    };
+    check_changed(bed, Rk4::new(NODES), 1000, 0.003);
+    check_changed(bed, Alpha::new(NODES, 0.4, 1e-6, 30), 500, 0.1);
+    check_changed(bed, Quasi::new(NODES, 1e-6, 30), 500, 0.25);
+}
+
+#[test]
+fn a_step_with_a_payload_that_turns_allocates_nothing() {
+    let turning = |case: &mut Case| {
+        if let Some(payload) = &mut case.payload {
+            payload.rotation = Some(Rotation {
+                centre_of_gravity_m: 4.0,
+                inertia_kg_m2: 5e6,
+                centre_of_buoyancy_m: None,
+                centre_of_drag_m: None,
+                added_inertia_kg_m2: 0.0,
+                start_tilt_deg: 0.0,
+                start_azimuth_deg: 0.0,
+            });
+        }
+    };
+    check_changed(turning, Rk4::new(NODES + 1), 1000, 2e-4);
+    check_changed(turning, Alpha::new(NODES + 1, 0.4, 1e-6, 30), 200, 0.05);
 }
 
 #[test]

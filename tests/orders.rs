@@ -145,6 +145,9 @@ impl<M: Stepper> Stepper for Uneven<M> {
         };
         self.0.step(system, rest, state)
     }
+    fn restart<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &mut State) {
+        self.0.restart(system, t, state);
+    }
     fn tally(&self) -> Tally {
         self.0.tally()
     }

@@ -666,7 +666,7 @@ fn the_material_goes_into_a_line_case() {
             1e-6,
             "wet",
         );
-        near(theirs.ea_n, ours.ea_n, 1e-6, "EA");
+        near(theirs.ea_n.unwrap(), ours.ea_n.unwrap(), 1e-6, "EA");
         near(theirs.ei_n_m2, ours.ei_n_m2, 1e-6, "EI");
         near(
             theirs.break_load_n.unwrap(),

@@ -212,6 +212,7 @@ impl Stepper for Choosy {
         self.taken.push((at.t, at.dt));
         Ok(self.share)
     }
+    fn restart<S: System + ?Sized>(&mut self, _system: &S, _t: f64, _state: &mut State) {}
     fn tally(&self) -> Tally {
         Tally::default()
     }

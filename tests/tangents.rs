@@ -71,6 +71,38 @@ fn line(normal: &str) -> Scene {
     scene::build(&toml::from_str::<Case>(&text).unwrap(), 1).unwrap()
 }
 
+/// The same with dynamic stiffness in the rope: at rest, or remembering the tensions that it had when straight.
+fn line_of_fibre(reading: &str) -> Scene {
+    let fibre = format!(
+        "ea_n = 1.0e6\nbreak_load_n = 1e5\ndynamic_stiffness = \"{reading}\"\ndynamic_alpha = 14.0\n\
+         dynamic_beta = 0.2\ndynamic_gamma = 0.25"
+    );
+    let text = LINE.replace("\"NORMAL\"", "1.2");
+    let text = text.replacen("ea_n = 1.0e6", &fibre, 1);
+    scene::build(&toml::from_str::<Case>(&text).unwrap(), 1).unwrap()
+}
+
+/// The same with a rope whose tension follows a table.
+fn line_of_table() -> Scene {
+    let table = "strain = [0.0, 0.01, 0.04, 0.08]\ntension_n = [0.0, 2e3, 3e4, 2e5]";
+    let text = LINE.replace("\"NORMAL\"", "1.2");
+    let text = text.replacen("ea_n = 1.0e6", table, 1);
+    scene::build(&toml::from_str::<Case>(&text).unwrap(), 1).unwrap()
+}
+
+/// The same line in irregular waves, its upper end 12 m above still water, leaving the water there or not.
+fn line_at_sea(surface: &str, stretching: &str, depth: &str) -> Scene {
+    let text = LINE
+        .replace("\"NORMAL\"", "1.2")
+        .replace("position_m = [0, 0, 0]", "position_m = [3.0, -8.0, 12.0]");
+    let sea = format!(
+        "[environment]\nwater_surface = \"{surface}\"\n[waves]\nkind = \"irregular\"\n\
+         significant_height_m = 5.0\npeak_period_s = 8.0\ncomponents = 20\ndirection_deg = 40.0\n\
+         stretching = \"{stretching}\"\n{depth}\n"
+    );
+    scene::build(&toml::from_str::<Case>(&(text + &sea)).unwrap(), 1).unwrap()
+}
+
 /// A state near the straight start, displaced, moving and accelerating at random.
 fn state(scene: &Scene, numbers: &[f64], strain: f64, speed: f64) -> State {
     let mut next = numbers.iter().copied().cycle();
@@ -81,6 +113,7 @@ fn state(scene: &Scene, numbers: &[f64], strain: f64, speed: f64) -> State {
         state.v[i] = vector(speed);
         state.a[i] = vector(2.0);
     }
+    scene.take_water(23.0, &mut state);
     state
 }
 
@@ -148,6 +181,82 @@ proptest! {
         let c = Factors { mass, damping, stiffness };
         prop_assert!(mismatch(&scene, &state, c) < 1e-5, "{}", mismatch(&scene, &state, c));
     }
+
+    #[test]
+    fn tangent_of_dynamic_stiffness(
+        numbers in proptest::collection::vec(-1.0f64..1.0, 97),
+        strain in prop_oneof![Just(0.03), Just(-0.03)],
+        reading in prop_oneof![Just("secant"), Just("about-the-mean")],
+        rests: bool,
+        mass in 0.0f64..2.0,
+        damping in 0.0f64..2.0,
+        stiffness in 0.0f64..1.0,
+    ) {
+        let scene = line_of_fibre(reading);
+        let mut state = state(&scene, &numbers, strain, 0.05);
+        if !rests {
+            let mut before = self::state(&scene, &numbers, 0.02, 0.0);
+            scene.commit(0.0, 0.0, &mut before);
+            scene.commit(3.0, 3.0, &mut before);
+            state.memory = before.memory;
+            state.memory.time = 0.0;
+        }
+        let c = Factors { mass, damping, stiffness };
+        prop_assert!(mismatch(&scene, &state, c) < 1e-5, "{}", mismatch(&scene, &state, c));
+    }
+
+    #[test]
+    fn tangent_of_a_tension_strain_table(
+        numbers in proptest::collection::vec(-1.0f64..1.0, 97),
+        strain in prop_oneof![Just(0.03), Just(0.1), Just(-0.03)],
+        mass in 0.0f64..2.0,
+        damping in 0.0f64..2.0,
+        stiffness in 0.0f64..1.0,
+    ) {
+        let scene = line_of_table();
+        let state = state(&scene, &numbers, strain, 0.05);
+        let c = Factors { mass, damping, stiffness };
+        prop_assert!(mismatch(&scene, &state, c) < 1e-5, "{}", mismatch(&scene, &state, c));
+    }
+}
+
+/// Part of the line under a sloping bed, grips before the limit and beyond it, laid and not, and the law that has none.
+#[test]
+fn tangent_on_a_rough_slope() {
+    for friction in [
+        "friction = 0.5",
+        "friction = 1e-3",
+        "friction = 2e-3\nfriction_lateral = 5e-3",
+        "friction = 0.3\nfriction_law = \"zhu-2017\"\nslip_speed_m_per_s = 0.5",
+    ] {
+        let bed = format!(
+            "[seabed]\ndepth_m = 20.0\nslope_deg = 9.0\nslope_azimuth_deg = 70.0\nstiffness_n_per_m3 = 1e4\ndamping_n_s_per_m3 = 500.0\n{friction}\n[ends.a]"
+        );
+        let text = LINE.replace("\"NORMAL\"", "1.2").replace("[ends.a]", &bed);
+        let scene = scene::build(&toml::from_str::<Case>(&text).unwrap(), 1).unwrap();
+        for (laid, speed) in [(false, 0.05), (true, 0.05), (false, 0.9)] {
+            let mut state = state(&scene, &[0.3, -0.7, 0.5, 0.1, -0.2, 0.6, -0.9], 0.03, speed);
+            for grip in &mut state.memory.grips {
+                grip.laid = laid;
+                grip.at += V3::new(0.1, -0.2, 0.3);
+            }
+            for c in [
+                Factors {
+                    mass: 0.0,
+                    damping: 0.0,
+                    stiffness: 1.0,
+                },
+                Factors {
+                    mass: 3.0,
+                    damping: 0.5,
+                    stiffness: 1.0,
+                },
+            ] {
+                let off = mismatch(&scene, &state, c);
+                assert!(off < 1e-5, "{friction} {laid} {speed} {c:?}: {off}");
+            }
+        }
+    }
 }
 
 #[test]
@@ -188,10 +297,40 @@ fn tangent_astride_the_drag_crisis() {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn tangent_in_waves_and_across_the_surface(
+        numbers in proptest::collection::vec(-1.0f64..1.0, 97),
+        strain in prop_oneof![Just(0.03), Just(-0.03)],
+        surface in prop_oneof![Just("ignored"), Just("crossed")],
+        stretching in prop_oneof![Just("none"), Just("vertical"), Just("wheeler"), Just("linear")],
+        depth in prop_oneof![Just(""), Just("depth_m = 60.0")],
+        mass in 0.0f64..2.0,
+        damping in 0.0f64..2.0,
+        stiffness in 0.0f64..1.0,
+    ) {
+        let scene = line_at_sea(surface, stretching, depth);
+        let state = state(&scene, &numbers, strain, 2.0);
+        let c = Factors { mass, damping, stiffness };
+        prop_assert!(mismatch(&scene, &state, c) < 1e-5, "{}", mismatch(&scene, &state, c));
+    }
+}
+
 #[test]
 fn the_explicit_acceleration_leaves_no_residual() {
-    let scene = line("\"jia-2019-normal\"");
-    let mut state = state(&scene, &[0.3, -0.7, 0.5, 0.1, -0.2, 0.6, -0.9], 0.03, 0.4);
+    for scene in [
+        line("\"jia-2019-normal\""),
+        line_at_sea("ignored", "wheeler", ""),
+        line_at_sea("crossed", "vertical", ""),
+    ] {
+        leaves_no_residual(&scene);
+    }
+}
+
+fn leaves_no_residual(scene: &Scene) {
+    let mut state = state(scene, &[0.3, -0.7, 0.5, 0.1, -0.2, 0.6, -0.9], 0.03, 0.4);
     scene.accelerate(0.0, &mut state);
     let mut r = vec![V3::zeros(); scene.nodes()];
     scene.residual(0.0, &state, &mut r);

@@ -60,6 +60,10 @@ fn work_of_the_shipped_cases() {
             "module, quasi",
             work("module.toml", Method::Quasi, None, None),
         ),
+        (
+            "module, rotating, alpha",
+            work("module_rotating.toml", Method::Alpha, None, None),
+        ),
     ];
     let mut text = format!(
         "{:34}{:>8}{:>11}{:>12}{:>13}\n",

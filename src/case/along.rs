@@ -16,16 +16,31 @@ pub enum AlongLine {
     BendRadius,
     /// Bending moment \[N m\].
     Moment,
+    /// Mean of the past tension of ropes with dynamic stiffness, in percent of the breaking load.
+    MeanLoad,
+    /// Stiffness EA by breaking load of such ropes \[-\].
+    Stiffness,
+    /// Root mean square displacement about the mean \[m\].
+    RmsDisplacement,
+    /// The same by the diameter of the line \[-\].
+    RmsDiameters,
+    /// Share of the motion at the driving period that travels, 1 towards end A, -1 towards end B, 0 standing \[-\].
+    Travelling,
 }
 
 impl AlongLine {
     /// All of them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 10] = [
         Self::Tension,
         Self::Height,
         Self::Curvature,
         Self::BendRadius,
         Self::Moment,
+        Self::MeanLoad,
+        Self::Stiffness,
+        Self::RmsDisplacement,
+        Self::RmsDiameters,
+        Self::Travelling,
     ];
 
     /// Its name, where a channel would stand: `tension_n` in `tension_n.max`.
@@ -37,6 +52,11 @@ impl AlongLine {
             Self::Curvature => "curvature_per_m",
             Self::BendRadius => "bend_radius_m",
             Self::Moment => "moment_nm",
+            Self::MeanLoad => "mean_load_percent",
+            Self::Stiffness => "stiffness_k",
+            Self::RmsDisplacement => "rms_displacement_m",
+            Self::RmsDiameters => "rms_displacement_d",
+            Self::Travelling => "travelling",
         }
     }
 
@@ -45,9 +65,12 @@ impl AlongLine {
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Tension => "N",
-            Self::Height | Self::BendRadius => "m",
+            Self::Height | Self::BendRadius | Self::RmsDisplacement => "m",
+            Self::RmsDiameters | Self::Travelling => "-",
             Self::Curvature => "1/m",
             Self::Moment => "N m",
+            Self::MeanLoad => "%",
+            Self::Stiffness => "-",
         }
     }
 
@@ -55,6 +78,12 @@ impl AlongLine {
     #[must_use]
     pub const fn of_bending(self) -> bool {
         matches!(self, Self::Curvature | Self::BendRadius | Self::Moment)
+    }
+
+    /// True for what only ropes with dynamic stiffness have.
+    #[must_use]
+    pub const fn of_ropes(self) -> bool {
+        matches!(self, Self::MeanLoad | Self::Stiffness)
     }
 
     /// The quantity of this name.

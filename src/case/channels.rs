@@ -3,7 +3,7 @@
 //! One function decides names and order, so that the run, its files, the charts and the checks of
 //! published values never disagree.
 
-use super::{Case, End, EndKind};
+use super::{Case, DynamicStiffness, End, EndKind};
 
 /// A quantity recorded against time.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -29,6 +29,29 @@ pub enum Source {
     Force(LineEnd, usize),
     /// Speed of an end over ground \[m/s\].
     Speed(LineEnd),
+    /// A coordinate of the body that travels along the line \[m\].
+    Traveller(usize),
+    /// Unstretched length from end A to the body that travels along the line \[m\].
+    TravellerArc,
+    /// Tension of the line where that body is \[N\].
+    TravellerTension,
+    /// Angle between the axis of a payload that turns and straight down \[deg\].
+    Tilt,
+    /// Energy of the whole line and what hangs on it \[J\].
+    Energy,
+    /// What the dynamic stiffness of a section, by its number, stands at in its first or last segment.
+    Rope(usize, LineEnd, RopeQuantity),
+}
+
+/// A quantity of dynamic stiffness.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RopeQuantity {
+    /// Lm: mean of the past tension, in percent of the breaking load.
+    MeanLoad,
+    /// La: deviation of the tension from that mean, in percent of the breaking load.
+    Deviation,
+    /// k: stiffness EA by breaking load \[-\].
+    Stiffness,
 }
 
 /// One of the two ends of the line.
@@ -41,8 +64,11 @@ pub enum LineEnd {
 }
 
 /// The channels a run of this case records, in their order: tensions at the joints from A to B,
-/// then position of every end that moves and speed of every end that nothing holds, then position of every body hung on
-/// the line, then the line's pull on every held end.
+/// then position of every end that moves and speed of every end that nothing holds (of a payload that turns, of its centre
+/// of gravity, and its tilt), then position of every body hung on the line, place of the body that
+/// travels along it and the tension there, then the line's pull on every held end, then
+/// its energy where that is asked for, then the dynamic stiffness at both ends of every section that has it: `polyester.a`
+/// is its first segment, `polyester.b` its last. An end that is let go at some time counts as one that nothing holds, too.
 #[must_use]
 pub fn channels(case: &Case) -> Vec<Channel> {
     let sections = case.line.iter().map(|section| section.name.as_str());
@@ -53,13 +79,37 @@ pub fn channels(case: &Case) -> Vec<Channel> {
     let mut list = joint_channels(&names);
     list.extend(end_channels(LineEnd::A, &case.ends.a));
     list.extend(end_channels(LineEnd::B, &case.ends.b));
+    let turns = case
+        .payload
+        .as_ref()
+        .is_some_and(|body| body.rotation.is_some());
+    list.extend(tilt_channel(&case.ends.b.name, case.ends.b.kind, turns));
     for (index, clump) in case.clumps.iter().enumerate() {
         list.extend(body_channels(index, &clump.name));
+    }
+    if let Some(traveller) = &case.traveller {
+        list.extend(traveller_channels(&traveller.name));
     }
     for (which, end) in [(LineEnd::A, &case.ends.a), (LineEnd::B, &case.ends.b)] {
         list.extend(force_channels(which, &end.name, end.kind));
     }
+    list.extend(case.output.energy.then(energy_channel));
+    for (index, section) in case.line.iter().enumerate() {
+        let material = case.materials.get(&section.material);
+        if material.is_some_and(|m| m.dynamic_stiffness != DynamicStiffness::None) {
+            list.extend(rope_channels(index, &section.name));
+        }
+    }
     list
+}
+
+/// Energy of the whole line.
+pub(crate) fn energy_channel() -> Channel {
+    Channel {
+        name: "energy_j[line]".to_owned(),
+        unit: "J",
+        source: Source::Energy,
+    }
 }
 
 /// Tensions at the joints between neighbours of this list of names, from end A to end B.
@@ -86,6 +136,27 @@ pub(crate) fn body_channels(index: usize, name: &str) -> impl Iterator<Item = Ch
         })
 }
 
+/// Place of a body that travels along the line, and the tension there.
+pub(crate) fn traveller_channels(name: &str) -> Vec<Channel> {
+    let place = AXES.into_iter().enumerate().map(|(axis, letter)| Channel {
+        name: format!("{letter}_m[{name}]"),
+        unit: "m",
+        source: Source::Traveller(axis),
+    });
+    let mut list: Vec<Channel> = place.collect();
+    list.push(Channel {
+        name: format!("arc_m[{name}]"),
+        unit: "m",
+        source: Source::TravellerArc,
+    });
+    list.push(Channel {
+        name: format!("tension_n[{name}]"),
+        unit: "N",
+        source: Source::TravellerTension,
+    });
+    list
+}
+
 /// The line's pull on an end of this name and kind, if it is held.
 pub(crate) fn force_channels(
     which: LineEnd,
@@ -101,15 +172,49 @@ pub(crate) fn force_channels(
     })
 }
 
+/// Dynamic stiffness at both ends of a section.
+pub(crate) fn rope_channels(section: usize, name: &str) -> impl Iterator<Item = Channel> {
+    let quantities = [
+        ("mean_load_percent", "%", RopeQuantity::MeanLoad),
+        ("load_deviation_percent", "%", RopeQuantity::Deviation),
+        ("stiffness_k", "-", RopeQuantity::Stiffness),
+    ];
+    let ends = [("a", LineEnd::A), ("b", LineEnd::B)];
+    quantities
+        .into_iter()
+        .flat_map(move |(quantity, unit, which)| {
+            ends.map(|(letter, end)| Channel {
+                name: format!("{quantity}[{name}.{letter}]"),
+                unit,
+                source: Source::Rope(section, end, which),
+            })
+        })
+}
+
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 fn end_channels(which: LineEnd, end: &End) -> Vec<Channel> {
-    motion_channels(which, &end.name, end.kind)
+    motion_channels(which, &end.name, end.kind, end.release_s.is_some())
 }
 
-/// Position and speed of an end of this name and kind.
-pub(crate) fn motion_channels(which: LineEnd, name: &str, kind: EndKind) -> Vec<Channel> {
+/// Tilt of a payload at end B, if that turns.
+pub(crate) fn tilt_channel(name: &str, kind: EndKind, turns: bool) -> Option<Channel> {
+    (turns && kind == EndKind::Payload).then(|| Channel {
+        name: format!("tilt_deg[{name}]"),
+        unit: "deg",
+        source: Source::Tilt,
+    })
+}
+
+/// Position and speed of an end of this name and kind, which is let go at some time or is not.
+pub(crate) fn motion_channels(
+    which: LineEnd,
+    name: &str,
+    kind: EndKind,
+    let_go: bool,
+) -> Vec<Channel> {
     let (moves, loose) = match kind {
+        _ if let_go => (true, true),
         EndKind::Fixed | EndKind::Anchor => (false, false),
         EndKind::Moving => (true, false),
         EndKind::Payload | EndKind::Free => (true, true),

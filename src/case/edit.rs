@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use super::StudyValue;
 use super::check::{check, check_value, fields_here, join, split, unknown_path, value_text};
 use super::diagnostic::{Diagnostic, Finding, count};
 use super::fields::{CASE, Field, Kind, Schema, TableShape, field_at};
@@ -78,6 +79,18 @@ pub fn set_number(text: &str, key_path: &str, value: f64) -> Result<String, Diag
         format!("{value:?}")
     };
     set(text, key_path, &shown)
+}
+
+/// Sets one key to a value of a study, as [`set_number`] does or as a word.
+///
+/// # Errors
+///
+/// As [`set`].
+pub fn set_value(text: &str, key_path: &str, value: &StudyValue) -> Result<String, Diagnostic> {
+    match value {
+        StudyValue::Number(number) => set_number(text, key_path, *number),
+        StudyValue::Word(word) => set(text, key_path, word),
+    }
 }
 
 /// The value of a key as the file gives it, text without its quotes; nothing when the file leaves

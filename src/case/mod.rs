@@ -7,19 +7,23 @@
 //! case records, [`AlongLine`] the quantities of the whole line.
 
 mod along;
+pub(crate) mod carried;
 pub mod channels;
 mod check;
 mod diagnostic;
 pub mod edit;
 pub mod fields;
+mod misfit;
 pub mod model;
 mod read;
 pub mod shipped;
 mod tree;
 
 pub use along::{AlongLine, bends};
-pub use channels::{Channel, LineEnd, Source, channels};
+pub use carried::stand_alone;
+pub use channels::{Channel, LineEnd, RopeQuantity, Source, channels};
 pub use diagnostic::{Diagnostic, render_all};
+pub use misfit::Misfit;
 pub use model::*;
 pub use read::{Loaded, load, parse};
 

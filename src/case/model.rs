@@ -11,12 +11,19 @@ use serde::{Deserialize, Serialize};
 mod claims;
 mod ends;
 mod line;
+mod sea;
 mod settings;
 
-pub use claims::{At, Direction, Mark, Published, Standing, Statistic, Study, Trend};
-pub use ends::{End, EndKind, Ends, Payload, Shape};
-pub use line::{Clump, DragLaw, DragLawName, DragWidth, Floats, Material, Modules, Section};
-pub use settings::{Method, Output, Seabed, Solver, Start, StartShape};
+pub use claims::{
+    At, Direction, Mark, Published, Standing, Statistic, Study, StudyValue, Trend, Trial,
+};
+pub use ends::{Carried, End, EndKind, Ends, MotionName, Payload, Rotation, Shape};
+pub use line::{
+    Clump, DragLaw, DragLawName, DragWidth, DynamicStiffness, Floats, Material, Modules, Section,
+    Traveller,
+};
+pub use sea::{DecayName, SpectrumName, StretchingName, WaterSurface, WaveKind, Waves};
+pub use settings::{FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartShape};
 
 /// Everything a case file says.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -29,6 +36,8 @@ pub struct Case {
     pub environment: Environment,
     /// The current; absent means still water.
     pub current: Option<Current>,
+    /// Waves; absent means a calm sea.
+    pub waves: Option<Waves>,
     /// The sea bed; absent means water without end.
     pub seabed: Option<Seabed>,
     /// Materials by name, referred to by the sections of the line.
@@ -45,9 +54,14 @@ pub struct Case {
     /// Bodies hung on the line, each at one place.
     #[serde(default)]
     pub clumps: Vec<Clump>,
+    /// A body that travels along the line; absent: there is none.
+    pub traveller: Option<Traveller>,
     /// Buoyancy modules clamped on stretches of the line.
     #[serde(default)]
     pub modules: Vec<Modules>,
+    /// Files that the case names, by their names, so that it needs nothing else.
+    #[serde(default)]
+    pub files: BTreeMap<String, Carried>,
     /// Where the line is at time zero.
     #[serde(default)]
     pub start: Start,
@@ -57,6 +71,8 @@ pub struct Case {
     /// What is recorded and how often.
     #[serde(default)]
     pub output: Output,
+    /// Natural modes that a run tells beside its results; absent: none.
+    pub modes: Option<Modes>,
     /// Where inputs come from, by key path (`"payload.drag_area_m2"`): published inputs need no mark.
     #[serde(default)]
     pub marks: BTreeMap<String, Mark>,
@@ -69,6 +85,9 @@ pub struct Case {
     /// Published statements of trend, checked along a study.
     #[serde(default)]
     pub trend: Vec<Trend>,
+    /// Ways in which a hard case is computed, for `seacable study hard-cases`.
+    #[serde(default)]
+    pub trial: Vec<Trial>,
 }
 
 /// What a case is, for people.
@@ -83,6 +102,8 @@ pub struct About {
     /// A few sentences: the scene, what is missing in the source, what was decided.
     #[serde(default)]
     pub notes: String,
+    /// Names of other case files whose stored runs are listed with those of this one.
+    pub beside: Option<Vec<String>>,
 }
 
 /// Water and gravity.
@@ -95,6 +116,8 @@ pub struct Environment {
     pub water_density_kg_per_m3: f64,
     /// Kinematic viscosity of the water \[m²/s\], for Reynolds numbers.
     pub kinematic_viscosity_m2_per_s: f64,
+    /// Whether the line leaves the water where it is above the surface.
+    pub water_surface: WaterSurface,
 }
 
 impl Default for Environment {
@@ -103,6 +126,7 @@ impl Default for Environment {
             gravity_m_per_s2: 9.80665,
             water_density_kg_per_m3: 1025.0,
             kinematic_viscosity_m2_per_s: 1.19e-6,
+            water_surface: WaterSurface::Ignored,
         }
     }
 }

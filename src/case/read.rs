@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::de::DeserializeOwned;
 use toml::de::DeTable;
 
+use super::carried::gather;
 use super::check::check;
 use super::diagnostic::{Diagnostic, Finding};
 use super::fields::{CASE, Schema};
@@ -50,7 +51,9 @@ pub fn parse(text: &str, file: &str) -> Result<Case, Vec<Diagnostic>> {
     if !found.is_empty() {
         return Err(diagnose(found, text, file));
     }
-    words_of(text).map_err(|finding| diagnose(vec![finding], text, file))
+    let mut case: Case = words_of(text).map_err(|finding| diagnose(vec![finding], text, file))?;
+    gather(&mut case, &tree, text, file).map_err(|diagnostic| vec![diagnostic])?;
+    Ok(case)
 }
 
 /// The tree of a text that says something, in TOML.
@@ -67,13 +70,15 @@ pub(crate) fn said(text: &str, file: &str, schema: &Schema) -> Result<Node, Vec<
 
 /// A file of another kind, told by the table that every file of its kind begins with.
 fn other_kind(tree: &Node, schema: &Schema) -> Option<Finding> {
-    const KINDS: [(&str, &str, &str); 2] = [
+    const KINDS: [(&str, &str, &str); 4] = [
         ("case", "a line case", "`seacable run` computes it"),
         (
             "section",
             "a cross-section",
             "`seacable section` works it out",
         ),
+        ("ropeway", "a ropeway", "`seacable ropeway` works it out"),
+        ("ship", "a ship", "`seacable ship` works it out"),
     ];
     if tree.get(schema.what).is_some() {
         return None;

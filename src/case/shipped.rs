@@ -18,9 +18,46 @@ pub const SHIPPED: &[Shipped] = &[
     shipped!("benchmarks/current_across.toml"),
     shipped!("benchmarks/current_along.toml"),
     shipped!("benchmarks/elastica.toml"),
+    shipped!("benchmarks/jumper_across.toml"),
+    shipped!("benchmarks/jumper_along.toml"),
+    shipped!("benchmarks/jumper_heave.toml"),
+    shipped!("benchmarks/lindahl_chain.toml"),
     shipped!("benchmarks/point_load.toml"),
+    shipped!("double_stepped/cable.toml"),
+    shipped!("double_stepped/cantilever.toml"),
+    shipped!("double_stepped/extreme_wave.toml"),
+    shipped!("double_stepped/regular_wave.toml"),
+    shipped!("hard/buckling.toml"),
+    shipped!("hard/buoyant.toml"),
+    shipped!("hard/coincident.toml"),
+    shipped!("hard/contrast.toml"),
+    shipped!("hard/crisis.toml"),
+    shipped!("hard/cut_off.toml"),
+    shipped!("hard/falling.toml"),
+    shipped!("hard/frames.toml"),
+    shipped!("hard/free_fall.toml"),
+    shipped!("hard/release.toml"),
+    shipped!("hard/resonance.toml"),
+    shipped!("hard/reversal.toml"),
+    shipped!("hard/slack.toml"),
+    shipped!("hard/snap.toml"),
+    shipped!("hard/stick_slip.toml"),
+    shipped!("hard/stop.toml"),
+    shipped!("hard/swing.toml"),
+    shipped!("hard/taut.toml"),
+    shipped!("hard/ten_km.toml"),
+    shipped!("hard/tiny_ei.toml"),
+    shipped!("hard/touchdown.toml"),
+    shipped!("hard/vertical.toml"),
+    shipped!("hard/whip.toml"),
+    shipped!("mooring/hybrid_fixed.toml"),
+    shipped!("mooring/hybrid_moving.toml"),
     shipped!("pendulous/manifold.toml"),
+    shipped!("pendulous/manifold_as_published.toml"),
     shipped!("pendulous/module.toml"),
+    shipped!("pendulous/module_as_published.toml"),
+    shipped!("pendulous/module_rotating.toml"),
+    shipped!("ropeway/crossing.toml"),
     shipped!("umbilical/catenary.toml"),
     shipped!("umbilical/steep_wave.toml"),
 ];
@@ -31,6 +68,17 @@ pub const SECTIONS: &[Shipped] = &[
     shipped!("umbilical/section_power_cable.toml"),
 ];
 
+/// The ships that come with the program, in the order of their paths.
+pub const SHIPS: &[Shipped] = &[shipped!("ship/anchored.toml")];
+
+/// The ropeways that come with the program, in the order of their paths.
+pub const ROPEWAYS: &[Shipped] = &[
+    shipped!("ropeway/constant_tension.toml"),
+    shipped!("ropeway/span_40.toml"),
+    shipped!("ropeway/span_60.toml"),
+    shipped!("ropeway/span_80.toml"),
+];
+
 #[cfg(test)]
 mod tests {
     use std::{
@@ -39,13 +87,18 @@ mod tests {
         path::{Path, PathBuf},
     };
 
-    use super::{SECTIONS, SHIPPED, Shipped};
+    use super::{ROPEWAYS, SECTIONS, SHIPPED, SHIPS, Shipped};
+    use crate::ropeway::is_ropeway;
     use crate::section::is_section;
+    use crate::ship::is_ship;
 
     #[test]
     fn the_lists_are_the_folder() {
-        same(SHIPPED, |path| !is_section(path));
+        let other = |path: &Path| is_section(path) || is_ship(path) || is_ropeway(path);
+        same(SHIPPED, |path| !other(path));
         same(SECTIONS, is_section);
+        same(SHIPS, is_ship);
+        same(ROPEWAYS, is_ropeway);
     }
 
     fn same(list: &[Shipped], belongs: impl Fn(&Path) -> bool) {

@@ -68,6 +68,118 @@ pub(super) enum Command {
     /// core side by side; writes the material for a line case where wanted. A layout that is
     /// impossible is refused with the reason.
     Section(SectionWords),
+    /// Work out a ship at single-point mooring: every heading at which it rests, and its offset.
+    ///
+    /// Prints the moment about the mooring against the heading, all headings in balance with their
+    /// stability, the loads there and the reach of the mooring line.
+    Ship(ShipWords),
+    /// Tell the natural frequencies and mode shapes of a line about its static shape.
+    ///
+    /// Prints the lowest modes, which way they move, and their error from the mesh, and draws some of their
+    /// shapes. Added mass is included, drag is left out.
+    Modes(ModesWords),
+    /// Work out a ropeway between a platform and a ship: tensions, sag, clearance, winch, cargo.
+    ///
+    /// Prints the ropeway drawn and its tables, the paper's model, parabola theory, the exact rope with
+    /// the cargo on it and the discretised line side by side.
+    Ropeway(RopewayWords),
+    /// Studies over many runs.
+    #[command(subcommand)]
+    Study(StudyWords),
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum StudyWords {
+    /// Compute the hard cases by every method that applies, and hold them against closed forms.
+    ///
+    /// Every trial reads OK, REFUSED (with the reason) or WRONG. The exit status is 1 when one came
+    /// out other than it must.
+    HardCases(HardWords),
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct HardWords {
+    /// Case files with trials, or directories with such; those that come with the program unless
+    /// given.
+    #[arg(value_name = "CASE")]
+    pub(super) cases: Vec<PathBuf>,
+
+    /// Write the table as CSV to this file as well.
+    #[arg(short, long = "output", value_name = "FILE")]
+    pub(super) output: Option<PathBuf>,
+
+    /// Print with ASCII characters only.
+    #[arg(long)]
+    pub(super) ascii: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct ShipWords {
+    /// The ship file, such as cases/ship/anchored.toml.
+    #[arg(value_name = "CASE")]
+    pub(super) file: PathBuf,
+
+    /// Set a key on top of the file, for example wind.speed_m_per_s=12; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub(super) set: Vec<String>,
+
+    /// Draw with ASCII characters only.
+    #[arg(long)]
+    pub(super) ascii: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct ModesWords {
+    /// The case file.
+    #[arg(value_name = "CASE")]
+    pub(super) case: PathBuf,
+
+    /// How many modes, the lowest first.
+    #[arg(long, value_name = "N", default_value = "10", value_parser = count)]
+    pub(super) count: usize,
+
+    /// The modes to draw, by their numbers: 9,10,11; the first three unless given.
+    #[arg(long, value_name = "N,...", value_delimiter = ',', value_parser = count)]
+    pub(super) shape: Vec<usize>,
+
+    /// Set a key on top of the file, for example ends.b.position_m.x=850; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub(super) set: Vec<String>,
+
+    /// Write the shapes of all modes, node by node, to this file.
+    #[arg(short, long = "output", value_name = "OUT.csv")]
+    pub(super) output: Option<PathBuf>,
+
+    /// Draw with ASCII characters only.
+    #[arg(long)]
+    pub(super) ascii: bool,
+}
+
+/// A number of modes.
+fn count(word: &str) -> Result<usize, String> {
+    match word.parse::<usize>() {
+        Ok(value) if (1..=1000).contains(&value) => Ok(value),
+        _ => Err("give a whole number from 1 to 1000".to_owned()),
+    }
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct RopewayWords {
+    /// The ropeway file, such as cases/ropeway/span_80.toml.
+    #[arg(value_name = "CASE")]
+    pub(super) file: PathBuf,
+
+    /// Set a key on top of the file, for example cargo.position=0.3; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub(super) set: Vec<String>,
+
+    /// Write the rope with the cargo on it as a line case to this file.
+    #[arg(long, value_name = "FILE")]
+    pub(super) line: Option<PathBuf>,
+
+    /// Draw with ASCII characters only.
+    #[arg(long)]
+    pub(super) ascii: bool,
 }
 
 #[derive(Debug, clap::Args)]
@@ -100,8 +212,16 @@ fn tension(word: &str) -> Result<f64, String> {
 #[derive(Debug, clap::Args)]
 pub(super) struct RunWords {
     /// The case file.
-    #[arg(value_name = "CASE")]
-    pub(super) case: PathBuf,
+    #[arg(value_name = "CASE", required_unless_present = "resume")]
+    pub(super) case: Option<PathBuf>,
+
+    /// Go on from where a stored run stands, in a new run: killed, stopped or complete.
+    #[arg(long, value_name = "RUN_DIR", conflicts_with_all = ["case", "set", "solver"])]
+    pub(super) resume: Option<PathBuf>,
+
+    /// Go on to this time, in s; to the end of the case unless given.
+    #[arg(long, value_name = "TIME", requires = "resume")]
+    pub(super) until: Option<f64>,
 
     /// Set a key on top of the file, for example current.speed_m_per_s=0.4; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
@@ -177,6 +297,8 @@ pub(super) enum SolverWord {
     Rk4,
     /// Implicit generalized-alpha.
     Alpha,
+    /// Runge-Kutta or generalized-alpha, whichever is estimated to cost less.
+    Auto,
 }
 
 impl SolverWord {
@@ -187,6 +309,7 @@ impl SolverWord {
             Self::Quasi => "quasi",
             Self::Rk4 => "rk4",
             Self::Alpha => "alpha",
+            Self::Auto => "auto",
         }
     }
 }

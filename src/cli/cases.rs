@@ -7,8 +7,10 @@ use std::{
 
 use super::Failure;
 use crate::{
-    case::{self, Case, edit, shipped::SHIPPED},
+    case::{self, Case, edit, shipped},
+    ropeway::{self, is_ropeway},
     section::is_section,
+    ship::{self, is_ship},
 };
 
 /// Where the cases that come with the program lie in its source.
@@ -51,8 +53,8 @@ pub(super) fn parse(text: &str, file: &str) -> Result<Case, Failure> {
     case::parse(text, file).map_err(wrong)
 }
 
-/// Applies every `KEY=VALUE` to the text of a case.
-pub(super) fn set(text: &str, words: &[String]) -> Result<String, Failure> {
+/// Every `KEY=VALUE` as its two parts.
+pub(super) fn edits(words: &[String]) -> Result<Vec<(&str, &str)>, Failure> {
     let mut edits = Vec::with_capacity(words.len());
     for word in words {
         let Some((key, value)) = word.split_once('=') else {
@@ -63,6 +65,12 @@ pub(super) fn set(text: &str, words: &[String]) -> Result<String, Failure> {
         };
         edits.push((key.trim(), value.trim()));
     }
+    Ok(edits)
+}
+
+/// Applies every `KEY=VALUE` to the text of a case.
+pub(super) fn set(text: &str, words: &[String]) -> Result<String, Failure> {
+    let edits = edits(words)?;
     let wrong = |diagnostics| Failure::Case {
         text: text.to_owned(),
         diagnostics,
@@ -70,38 +78,108 @@ pub(super) fn set(text: &str, words: &[String]) -> Result<String, Failure> {
     edit::set_all(text, &edits).map_err(wrong)
 }
 
+/// What may state published values: line cases, and ropeways with the name that the user knows them by.
+#[derive(Debug, Default)]
+pub(super) struct Named {
+    /// Line cases.
+    pub(super) lines: Vec<Loaded>,
+    /// Ropeways.
+    pub(super) ropeways: Vec<(String, ropeway::Loaded)>,
+    /// Ships, by name.
+    pub(super) ships: Vec<(String, ship::Rest)>,
+}
+
 /// The cases named; without names, those below `cases` here, or else those that come with the
 /// program, as far as they state published values.
-pub(super) fn named_or_shipped(paths: &[PathBuf]) -> Result<Vec<Loaded>, Failure> {
+pub(super) fn named_or_shipped(paths: &[PathBuf]) -> Result<Named, Failure> {
     if !paths.is_empty() {
         return below(paths);
     }
     let folder = Path::new(FOLDER);
-    let mut cases = if folder.is_dir() {
+    let mut named = if folder.is_dir() {
         below(&[folder.to_owned()])?
     } else {
         shipped()?
     };
-    cases.retain(|loaded| !(loaded.case.published.is_empty() && loaded.case.trend.is_empty()));
+    named
+        .lines
+        .retain(|loaded| !(loaded.case.published.is_empty() && loaded.case.trend.is_empty()));
+    named.ropeways.retain(|(_, loaded)| {
+        let ropeway = &loaded.worked.ropeway;
+        !(ropeway.published.is_empty() && ropeway.trend.is_empty())
+    });
+    named
+        .ships
+        .retain(|(_, rest)| !rest.ship.published.is_empty());
+    Ok(named)
+}
+
+/// The cases with trials among those named; without names, among those below `cases` here, or else among those that
+/// come with the program.
+pub(super) fn with_trials(paths: &[PathBuf]) -> Result<Vec<Loaded>, Failure> {
+    let folder = Path::new(FOLDER);
+    let named = if !paths.is_empty() {
+        below(paths)?
+    } else if folder.is_dir() {
+        below(&[folder.to_owned()])?
+    } else {
+        shipped()?
+    };
+    let mut cases = named.lines;
+    cases.retain(|loaded| !loaded.case.trial.is_empty());
+    if cases.is_empty() {
+        let what = "There is no case with trials; a hard case has at least one table [[trial]].";
+        return Err(Failure::Usage(what.to_owned()));
+    }
     Ok(cases)
 }
 
-fn shipped() -> Result<Vec<Loaded>, Failure> {
-    let each = SHIPPED.iter().map(|(path, text)| {
+fn shipped() -> Result<Named, Failure> {
+    let line = |(path, text): &(&str, &str)| {
         let case = parse(text, path)?;
-        let name = format!("{FOLDER}/{path}");
-        Ok(Loaded {
+        Ok::<_, Failure>(Loaded {
             file: file_name(path),
-            name,
+            name: format!("{FOLDER}/{path}"),
             text: (*text).to_owned(),
             case,
         })
-    });
-    each.collect()
+    };
+    let ropeway = |(path, text): &(&str, &str)| {
+        let wrong = |diagnostics| Failure::Case {
+            text: (*text).to_owned(),
+            diagnostics,
+        };
+        let name = format!("{FOLDER}/{path}");
+        let loaded = ropeway::Loaded {
+            worked: ropeway::parse(text, path).map_err(wrong)?,
+            text: (*text).to_owned(),
+            path: PathBuf::from(&name),
+        };
+        Ok::<_, Failure>((name, loaded))
+    };
+    let ship = |(path, text): &(&str, &str)| {
+        let wrong = |diagnostics| Failure::Case {
+            text: (*text).to_owned(),
+            diagnostics,
+        };
+        let rest = ship::parse(text, path).map_err(wrong)?;
+        Ok::<_, Failure>((format!("{FOLDER}/{path}"), rest))
+    };
+    Ok(Named {
+        ships: shipped::SHIPS.iter().map(ship).collect::<Result<_, _>>()?,
+        lines: shipped::SHIPPED
+            .iter()
+            .map(line)
+            .collect::<Result<_, _>>()?,
+        ropeways: shipped::ROPEWAYS
+            .iter()
+            .map(ropeway)
+            .collect::<Result<_, _>>()?,
+    })
 }
 
 /// Every file named, and every case file below every directory named.
-fn below(paths: &[PathBuf]) -> Result<Vec<Loaded>, Failure> {
+fn below(paths: &[PathBuf]) -> Result<Named, Failure> {
     let mut files = Vec::new();
     for path in paths {
         if path.is_dir() {
@@ -117,7 +195,34 @@ fn below(paths: &[PathBuf]) -> Result<Vec<Loaded>, Failure> {
             files.push(path.clone());
         }
     }
-    files.iter().map(|file| load(file)).collect()
+    let mut named = Named::default();
+    for file in &files {
+        if is_ropeway(file) {
+            let loaded = load_ropeway(file)?;
+            named.ropeways.push((file.display().to_string(), loaded));
+        } else if is_ship(file) {
+            let name = file.display().to_string();
+            named.ships.push((name, load_ship(file)?));
+        } else {
+            named.lines.push(load(file)?);
+        }
+    }
+    Ok(named)
+}
+
+/// Loads a ropeway file.
+pub(super) fn load_ropeway(path: &Path) -> Result<ropeway::Loaded, Failure> {
+    ropeway::load(path).map_err(|diagnostics| Failure::Case {
+        text: fs::read_to_string(path).unwrap_or_default(),
+        diagnostics,
+    })
+}
+
+/// Loads a ship file, without the rope that it may name.
+fn load_ship(path: &Path) -> Result<ship::Rest, Failure> {
+    let text = fs::read_to_string(path).unwrap_or_default();
+    let read = ship::text_of(path).and_then(|text| ship::parse(&text, &path.display().to_string()));
+    read.map_err(|diagnostics| Failure::Case { text, diagnostics })
 }
 
 fn collect(dir: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {

@@ -9,12 +9,16 @@ mod args;
 mod cases;
 mod catenary;
 mod failure;
+mod modes;
 mod output;
 mod progress;
 mod report;
+mod ropeway;
 mod run;
 mod section;
+mod ship;
 mod signals;
+mod study;
 mod validate;
 mod workbench;
 
@@ -41,6 +45,10 @@ pub fn main() -> ExitCode {
         Some(Command::Report(words)) => report::report(words),
         Some(Command::Catenary(words)) => catenary::catenary(words),
         Some(Command::Section(words)) => section::section(words),
+        Some(Command::Ship(words)) => ship::ship(words),
+        Some(Command::Modes(words)) => modes::modes(words),
+        Some(Command::Ropeway(words)) => ropeway::ropeway(words),
+        Some(Command::Study(words)) => study::study(words),
     };
     done.unwrap_or_else(Failure::tell)
 }

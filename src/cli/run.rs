@@ -1,29 +1,41 @@
 //! `seacable run`: a case computed and kept.
 
-use std::{process::ExitCode, time::SystemTime};
+use std::{path::Path, process::ExitCode, time::SystemTime};
 
 use super::{Failure, NOT_GOOD, args::RunWords, cases, output, progress, signals::Stop};
 use crate::{
+    case,
+    dynamics::March,
     report::text,
     run::{
-        Cost, Run, RunInfo, RunState, Settings, VERSION, Work,
+        Cost, Resume, Run, RunInfo, RunState, Settings, VERSION, Work,
         job::{self, Event, Request},
         store::{self, Place, StoreError, Writer},
     },
 };
 
 pub(super) fn run(words: &RunWords) -> Result<ExitCode, Failure> {
-    let mut request = request(words)?;
+    let (mut request, from) = match &words.resume {
+        Some(dir) => {
+            let (request, from) = resumed(dir, words)?;
+            (request, Some(from))
+        }
+        None => (request(words)?, None),
+    };
     let stop =
         Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
     let place = match &words.out {
         Some(dir) => Place::Exactly(dir.clone()),
         None => Place::Below(store::DEFAULT_ROOT.into()),
     };
-    let mut writer = Writer::begin(&place, beginning(&request), &request.text)?;
+    let mut writer = Writer::begin(
+        &place,
+        beginning(&request),
+        &case::stand_alone(&request.text, &request.case),
+    )?;
     writer.id().clone_into(&mut request.id);
 
-    let (run, trouble) = compute(&request, &stop, &mut writer);
+    let (run, trouble) = compute(&request, from.as_ref(), &stop, &mut writer);
     if let Some(error) = trouble {
         return Err(error.into());
     }
@@ -38,7 +50,7 @@ pub(super) fn run(words: &RunWords) -> Result<ExitCode, Failure> {
 
 /// The case with every `--set` and `--solver` applied, in their order.
 fn request(words: &RunWords) -> Result<Request, Failure> {
-    let loaded = cases::load(&words.case)?;
+    let loaded = cases::load(words.case.as_deref().unwrap_or(Path::new("")))?;
     let mut overrides = words.set.clone();
     overrides.extend(words.solver.map(|s| format!("solver.method={}", s.word())));
     let text = cases::set(&loaded.text, &overrides)?;
@@ -50,6 +62,49 @@ fn request(words: &RunWords) -> Result<Request, Failure> {
         overrides,
         id: String::new(),
     })
+}
+
+/// The request of a stored run, and where it stands.
+fn resumed(dir: &Path, words: &RunWords) -> Result<(Request, Resume), Failure> {
+    let (run, from) = store::resume(dir)?;
+    let mut overrides = run.info.overrides.clone();
+    let mut text = run.case_text;
+    if let Some(until) = words.until {
+        let word = format!("solver.duration_s={until:?}");
+        text = cases::set(&text, std::slice::from_ref(&word))?;
+        overrides.push(word);
+    }
+    let case = cases::parse(&text, &run.info.case_file)?;
+    // The march of the resumed run must be the one that the checkpoint is of.
+    let march = March {
+        duration: case.solver.duration_s,
+        step: run
+            .info
+            .settings
+            .time_step_s
+            .max(from.checkpoint.whole_step_s),
+        output: case.output.interval_s,
+    };
+    if !from.checkpoint.fits(&march.grid()) {
+        return Err(Failure::Usage(format!(
+            "The run cannot go on to {} s: that is no whole number of its output intervals of {} s.",
+            case.solver.duration_s, case.output.interval_s
+        )));
+    }
+    if march.is_over(&from.checkpoint.place) {
+        return Err(Failure::Usage(format!(
+            "The run is at {} s already; name a later time with --until.",
+            from.checkpoint.place.time
+        )));
+    }
+    let request = Request {
+        case,
+        text,
+        file: run.info.case_file,
+        overrides,
+        id: String::new(),
+    };
+    Ok((request, from))
 }
 
 /// What `run.toml` says while the run goes on.
@@ -71,14 +126,19 @@ fn beginning(request: &Request) -> RunInfo {
 }
 
 /// Computes while everything that comes out goes to disk. When the disk refuses, the run is cancelled.
-fn compute(request: &Request, stop: &Stop, writer: &mut Writer) -> (Run, Option<StoreError>) {
+fn compute(
+    request: &Request,
+    from: Option<&Resume>,
+    stop: &Stop,
+    writer: &mut Writer,
+) -> (Run, Option<StoreError>) {
     let mut line = progress::Line::new();
     let mut trouble = None;
-    let run = job::execute(request, stop.cancel(), &mut |event: Event| {
+    let run = job::execute_from(request, from, stop.cancel(), &mut |event: Event| {
         match &event {
             Event::Frame(frame) => line.run(&frame.progress),
             Event::Estimating => line.words("Estimating the numerical errors"),
-            Event::Started { .. } | Event::Finished(_) => {}
+            Event::Started { .. } | Event::Checkpoint(_) | Event::Finished(_) => {}
         }
         if trouble.is_none() {
             trouble = writer.event(&event).err();

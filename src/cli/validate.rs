@@ -18,14 +18,17 @@ use crate::{
     case::At,
     reference::{self, Outcome, Row, Tally},
     report::text,
+    ropeway::held,
     run::{
         Run,
         job::{self, Request},
     },
+    ship,
 };
 
 pub(super) fn validate(words: &ValidateWords) -> Result<ExitCode, Failure> {
-    let cases = cases::named_or_shipped(&words.cases)?;
+    let named = cases::named_or_shipped(&words.cases)?;
+    let cases = named.lines;
     let variants = variants(&cases)?;
     let stop =
         Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
@@ -43,7 +46,20 @@ pub(super) fn validate(words: &ValidateWords) -> Result<ExitCode, Failure> {
                 .find(|(v, _)| v.at.as_ref() == at)
                 .map(|(_, run)| run)
         };
-        tables.push((loaded, reference::rows(&loaded.case, &lookup)));
+        let rows = reference::rows(&loaded.case, &lookup);
+        tables.push(Held::new(&loaded.case.case.title, &loaded.name, rows));
+    }
+    for (name, loaded) in &named.ropeways {
+        let rows = held::rows(&loaded.worked, &loaded.text);
+        let title = &loaded.worked.ropeway.about.title;
+        tables.push(Held::new(title, name, rows));
+    }
+    for (name, rest) in &named.ships {
+        tables.push(Held::new(
+            &rest.ship.about.title,
+            name,
+            ship::held::rows(rest),
+        ));
     }
     output::results(&text(&tables), words.ascii)?;
     let holds = total(&tables).holds();
@@ -116,17 +132,32 @@ fn compute(variants: &[Variant], stop: &Stop) -> Vec<Run> {
     variants.par_iter().map(one).collect()
 }
 
-fn total(tables: &[(&Loaded, Vec<Row>)]) -> Tally {
+/// A file held against what it states.
+struct Held {
+    /// Its title and its name.
+    head: String,
+    rows: Vec<Row>,
+}
+
+impl Held {
+    fn new(title: &str, name: &str, rows: Vec<Row>) -> Self {
+        Self {
+            head: format!("{title} ({name})"),
+            rows,
+        }
+    }
+}
+
+fn total(tables: &[Held]) -> Tally {
     tables
         .iter()
-        .map(|(_, rows)| reference::tally(rows))
+        .map(|held| reference::tally(&held.rows))
         .fold(Tally::default(), |a, b| a + b)
 }
 
-fn text(tables: &[(&Loaded, Vec<Row>)]) -> String {
+fn text(tables: &[Held]) -> String {
     let mut out = String::new();
-    for (loaded, rows) in tables {
-        let head = format!("{} ({})", loaded.case.case.title, loaded.name);
+    for Held { head, rows } in tables {
         out.push_str(&format!("{head}\n{}\n", "=".repeat(head.chars().count())));
         if rows.is_empty() {
             out.push_str("The case states no published values.\n\n");
@@ -137,7 +168,7 @@ fn text(tables: &[(&Loaded, Vec<Row>)]) -> String {
     }
     let differing = tables
         .iter()
-        .flat_map(|(_, rows)| rows)
+        .flat_map(|held| &held.rows)
         .filter(|r| r.outcome == Outcome::Differs);
     let differing = differing.count();
     if differing > 0 {

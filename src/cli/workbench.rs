@@ -12,7 +12,9 @@ use crate::{
 };
 
 /// Words that are commands, and may have been meant by a path that is not there.
-const COMMANDS: [&str; 4] = ["run", "validate", "report", "help"];
+const COMMANDS: [&str; 7] = [
+    "run", "validate", "report", "catenary", "section", "ropeway", "help",
+];
 
 pub(super) fn open(args: Args) -> Result<ExitCode, Failure> {
     if let Some(path) = args.path.as_deref().filter(|path| !path.exists()) {

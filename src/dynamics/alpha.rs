@@ -18,7 +18,7 @@
 //! state, and at the next step back to the place that belongs to that step's length: left where it was, the method, or
 //! each change of step, would be of first order.
 
-use super::{Step, StepError, Stepper, Tally};
+use super::{Carried, Step, StepError, Stepper, Tally};
 use crate::linalg::V3;
 use crate::solve::{Factors, Newton, State, System};
 
@@ -112,6 +112,8 @@ impl Alpha {
             self.end.a[i] = a1;
         }
         system.prescribe(t + h, &mut self.end);
+        self.between.memory.copy_from(&state.memory);
+        self.end.memory.copy_from(&state.memory);
         let mix = |k: f64, new: &[V3], old: &[V3], out: &mut [V3]| {
             for ((o, n), p) in out.iter_mut().zip(new).zip(old) {
                 *o = n * (1.0 - k) + p * k;
@@ -142,7 +144,8 @@ impl Alpha {
 
     /// Estimated error of the step as a share of what is allowed, from the acceleration at its end: by its change
     /// in position, `|beta - 1/6| h² |a1 - a0|` (Zienkiewicz and Xie 1991, doi 10.1002/eqe.4290200907); by what the
-    /// predictor missed, which is the second difference, in velocity, `h |a1 - a0 - h j0| / 12`.
+    /// predictor missed, which is the second difference, in velocity, `h |a1 - a0 - h j0| / 12`; and by what came up
+    /// between the point of balance and the end of the step.
     fn share_of_error<S: System + ?Sized>(&self, system: &S, h: f64, control: &Control) -> f64 {
         let by_change = (self.beta - 1.0 / 6.0).abs() * h * h / control.position;
         let by_miss = h / (12.0 * control.velocity);
@@ -154,17 +157,24 @@ impl Alpha {
                 .max(change.norm_squared() * by_change * by_change)
                 .max(miss.norm_squared() * by_miss * by_miss);
         }
-        share.sqrt()
+        // A segment that snaps taut after the point of balance has its energy from nowhere.
+        let unseen = if self.alpha_f > 0.0 {
+            system.jolt(&self.between, &self.end) * self.alpha_f * h / control.velocity
+        } else {
+            0.0
+        };
+        share.sqrt().max(unseen)
     }
 
     /// Takes the end state over, its acceleration moved to the end of the step.
-    fn accept<S: System + ?Sized>(&mut self, system: &S, h: f64, state: &mut State) {
+    fn accept<S: System + ?Sized>(&mut self, system: &S, t: f64, h: f64, state: &mut State) {
         let moved = (self.alpha_f - self.alpha_m) * h;
         for i in system.free() {
             self.jerk[i] = (self.end.a[i] - self.carried[i]) / h;
             self.end.a[i] += self.jerk[i] * moved;
         }
         self.trust = 1.0;
+        system.take_water(t + h, &mut self.end);
         state.copy_from(&self.end);
     }
 }
@@ -181,6 +191,7 @@ impl Stepper for Alpha {
         self.predict(system, t, dt, state);
         let factors = self.factors(dt);
         let balance = t + (1.0 - self.alpha_f) * dt;
+        system.take_water(balance, &mut self.between);
         if let Err(why) = self
             .newton
             .solve(system, balance, &mut self.between, factors)
@@ -195,8 +206,32 @@ impl Stepper for Alpha {
         if refuse && share > 1.0 {
             return Err(StepError::Inaccurate(share));
         }
-        self.accept(system, dt, state);
+        self.accept(system, t, dt, state);
         Ok(share)
+    }
+
+    fn carried(&self) -> Carried {
+        Carried {
+            jerk: self.jerk.clone(),
+            trust: self.trust,
+            rate: self.newton.rate(),
+            tally: self.tally(),
+            ..Carried::default()
+        }
+    }
+
+    fn take_up(&mut self, carried: &Carried) {
+        self.jerk.clone_from(&carried.jerk);
+        self.trust = carried.trust;
+        self.newton.take_up(carried.rate, carried.tally.iterations);
+    }
+
+    fn restart<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &mut State) {
+        system.take_water(t, state);
+        system.accelerate(t, state);
+        self.jerk.fill(V3::zeros());
+        self.trust = 1.0;
+        self.newton.forget();
     }
 
     fn tally(&self) -> Tally {

@@ -1,6 +1,9 @@
 //! The march through time that all methods share: output times hit exactly, a step that fails is
 //! halved and counted, the sink may stop it at any step.
 
+use serde::{Deserialize, Serialize};
+
+use super::Carried;
 use crate::solve::{Instant, NewtonError, Progressing, Sink, State, System};
 
 /// A method that can take one step.
@@ -20,6 +23,17 @@ pub trait Stepper {
 
     /// Work done so far.
     fn tally(&self) -> Tally;
+
+    /// What it carries from step to step.
+    fn carried(&self) -> Carried {
+        Carried::default()
+    }
+
+    /// Takes up what it carried in an earlier march.
+    fn take_up(&mut self, _carried: &Carried) {}
+
+    /// Forgets what it carries from step to step: at time t \[s\] the line has changed, and its forces have jumped.
+    fn restart<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &mut State);
 }
 
 /// A step to take.
@@ -45,7 +59,7 @@ pub enum StepError {
 }
 
 /// Machine-independent work of a stepper.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tally {
     /// Newton iterations.
     pub iterations: u64,
@@ -102,7 +116,62 @@ const HALVINGS_FOR_ACCURACY: u32 = 7;
 /// of the step stays below one then.
 pub(super) const ROOM_TO_DOUBLE: f64 = 0.1;
 
+/// Where a march is.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Place {
+    /// Time \[s\].
+    pub time: f64,
+    /// Whole steps completed.
+    pub whole: u64,
+    /// How often whole steps are halved at present.
+    pub level: u32,
+    /// Steps accepted so far.
+    pub steps: u64,
+    /// Steps rejected so far.
+    pub rejections: u64,
+}
+
+/// The times of a march. Output intervals divide the duration, whole steps divide the output interval: no time is ever
+/// a sum of many roundings.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grid {
+    /// Length of a whole step \[s\].
+    pub dt: f64,
+    /// Whole steps an output interval.
+    pub per_output: u64,
+    /// Output intervals.
+    pub outputs: u64,
+}
+
+impl Grid {
+    /// When the output of this number is due \[s\].
+    #[must_use]
+    pub fn output(&self, number: u64) -> f64 {
+        (number * self.per_output) as f64 * self.dt
+    }
+}
+
 impl March {
+    /// The times of this march.
+    #[must_use]
+    pub fn grid(&self) -> Grid {
+        let outputs = (self.duration / self.output).round().max(1.0) as u64;
+        let interval = self.duration / outputs as f64;
+        let per_output = (interval / self.step * (1.0 - 1e-9)).ceil().max(1.0) as u64;
+        Grid {
+            dt: interval / per_output as f64,
+            per_output,
+            outputs,
+        }
+    }
+
+    /// Whether a march has come to its end.
+    #[must_use]
+    pub fn is_over(&self, place: &Place) -> bool {
+        let grid = self.grid();
+        place.whole >= grid.outputs * grid.per_output
+    }
+
     /// Marches `state` from time 0. The state at time 0 is given to the sink first.
     ///
     /// # Errors
@@ -114,129 +183,138 @@ impl March {
         state: &mut State,
         sink: &mut dyn Sink,
     ) -> Result<Outcome, MarchError> {
-        let mut outcome = Outcome {
-            steps: 0,
-            rejections: 0,
-            stopped: false,
-        };
+        let mut place = Place::default();
+        system.take_water(0.0, state);
+        system.commit(0.0, 0.0, state);
         let first = Instant {
             time: 0.0,
             state,
             steps: 0,
             output: true,
         };
-        if sink.accept(first) == Progressing::Stop {
-            return Ok(Outcome {
-                stopped: true,
-                ..outcome
-            });
+        let mut going = sink.accept(first);
+        if going == Progressing::Continue {
+            going = self.advance(&mut place, f64::INFINITY, method, system, state, sink)?;
         }
-        // Output intervals divide the duration, steps divide the output interval: no time is ever a
-        // sum of many roundings.
-        let outputs = (self.duration / self.output).round().max(1.0) as u64;
-        let interval = self.duration / outputs as f64;
-        let per_output = (interval / self.step * (1.0 - 1e-9)).ceil().max(1.0) as u64;
-        let dt = interval / per_output as f64;
-        let mut level = 0;
-        for k in 0..outputs * per_output {
-            let whole = Whole {
-                from: k as f64 * dt,
-                dt,
-                output: (k + 1) % per_output == 0,
-            };
-            if self.whole_step(
-                method,
-                system,
-                &whole,
-                &mut level,
-                state,
-                &mut outcome,
-                sink,
-            )? == Progressing::Stop
-            {
-                outcome.stopped = true;
-                return Ok(outcome);
-            }
-        }
-        Ok(outcome)
+        Ok(Outcome {
+            steps: place.steps,
+            rejections: place.rejections,
+            stopped: going == Progressing::Stop,
+        })
     }
 
-    /// One whole step, in `2^level` pieces. The level goes up where a piece fails and down again, one at a time and
-    /// only where pieces join to the next longer one, when there is room; it is kept for the next whole step.
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "the loop variables of one march, used nowhere else"
-    )]
-    fn whole_step<M: Stepper, S: System + ?Sized>(
+    /// Marches on from a place to a time \[s\], or to the end if that comes before. A time between two whole steps is
+    /// hit exactly, by a step that is cut short there and completed when the march goes on.
+    ///
+    /// # Errors
+    /// As [`March::run`].
+    pub fn advance<M: Stepper, S: System + ?Sized>(
         &self,
+        place: &mut Place,
+        until: f64,
         method: &mut M,
         system: &S,
-        whole: &Whole,
-        level: &mut u32,
         state: &mut State,
-        outcome: &mut Outcome,
         sink: &mut dyn Sink,
     ) -> Result<Progressing, MarchError> {
-        let mut done = 0_u64;
-        while done < 1 << *level {
-            let dt = whole.dt / (1_u64 << *level) as f64;
-            let t = whole.from + done as f64 * dt;
-            match method.step(
-                system,
-                Step {
-                    t,
-                    dt,
-                    refuse: *level < HALVINGS_FOR_ACCURACY,
-                },
-                state,
-            ) {
-                Ok(share) => {
-                    done += 1;
-                    outcome.steps += 1;
-                    let last = done == 1 << *level;
-                    let time = if last {
-                        whole.from + whole.dt
-                    } else {
-                        whole.from + done as f64 * dt
-                    };
-                    let instant = Instant {
-                        time,
-                        state,
-                        steps: outcome.steps,
-                        output: last && whole.output,
-                    };
-                    if sink.accept(instant) == Progressing::Stop {
-                        return Ok(Progressing::Stop);
-                    }
-                    if *level > 0 && done.is_multiple_of(2) && share < ROOM_TO_DOUBLE {
-                        done /= 2;
-                        *level -= 1;
-                    }
-                }
-                Err(why) => {
-                    outcome.rejections += 1;
-                    if let (StepError::Unsolved(why), HALVINGS..) = (why, *level) {
-                        let (steps, rejections) = (outcome.steps, outcome.rejections);
-                        return Err(MarchError {
-                            time: t,
-                            step: dt,
-                            steps,
-                            rejections,
-                            why,
-                        });
-                    }
-                    done *= 2;
-                    *level += 1;
-                }
+        let grid = self.grid();
+        let same = |a: f64, b: f64| (a - b).abs() <= 1e-9 * grid.dt;
+        while place.whole < grid.outputs * grid.per_output {
+            if place.time >= until || same(place.time, until) {
+                break;
             }
+            let end = (place.whole + 1) as f64 * grid.dt;
+            let cut = until < end && !same(until, end);
+            let whole = if cut {
+                Whole {
+                    from: place.time,
+                    dt: until - place.time,
+                    end: until,
+                    output: false,
+                }
+            } else {
+                // From a place on the grid this is its step to the last digit.
+                let on_grid = place.time == place.whole as f64 * grid.dt;
+                Whole {
+                    from: place.time,
+                    dt: if on_grid { grid.dt } else { end - place.time },
+                    end: if on_grid { place.time + grid.dt } else { end },
+                    output: (place.whole + 1).is_multiple_of(grid.per_output),
+                }
+            };
+            if whole_step(&whole, place, method, system, state, sink)? == Progressing::Stop {
+                return Ok(Progressing::Stop);
+            }
+            place.time = if cut { until } else { end };
+            place.whole += u64::from(!cut);
         }
         Ok(Progressing::Continue)
     }
+}
+
+/// One whole step, in `2^level` pieces. The level goes up where a piece fails and down again, one at a time and
+/// only where pieces join to the next longer one, when there is room; it is kept for the next whole step.
+fn whole_step<M: Stepper, S: System + ?Sized>(
+    whole: &Whole,
+    place: &mut Place,
+    method: &mut M,
+    system: &S,
+    state: &mut State,
+    sink: &mut dyn Sink,
+) -> Result<Progressing, MarchError> {
+    let mut done = 0_u64;
+    while done < 1 << place.level {
+        let dt = whole.dt / (1_u64 << place.level) as f64;
+        let t = whole.from + done as f64 * dt;
+        let refuse = place.level < HALVINGS_FOR_ACCURACY;
+        match method.step(system, Step { t, dt, refuse }, state) {
+            Ok(share) => {
+                done += 1;
+                place.steps += 1;
+                let last = done == 1 << place.level;
+                let time = if last {
+                    whole.end
+                } else {
+                    whole.from + done as f64 * dt
+                };
+                system.commit(time, dt, state);
+                let instant = Instant {
+                    time,
+                    state,
+                    steps: place.steps,
+                    output: last && whole.output,
+                };
+                if sink.accept(instant) == Progressing::Stop {
+                    return Ok(Progressing::Stop);
+                }
+                if place.level > 0 && done.is_multiple_of(2) && share < ROOM_TO_DOUBLE {
+                    done /= 2;
+                    place.level -= 1;
+                }
+            }
+            Err(why) => {
+                place.rejections += 1;
+                if let (StepError::Unsolved(why), HALVINGS..) = (why, place.level) {
+                    return Err(MarchError {
+                        time: t,
+                        step: dt,
+                        steps: place.steps,
+                        rejections: place.rejections,
+                        why,
+                    });
+                }
+                done *= 2;
+                place.level += 1;
+            }
+        }
+    }
+    Ok(Progressing::Continue)
 }
 
 /// A whole step of the march.
 struct Whole {
     from: f64,
     dt: f64,
+    end: f64,
     output: bool,
 }

@@ -3,8 +3,11 @@
 //! [`Sink`](crate::solve::Sink); none knows a case, a file or a screen.
 
 pub mod alpha;
+pub mod carried;
+pub mod damping;
 pub mod march;
 pub mod quasi;
 pub mod rk4;
 
-pub use march::{March, MarchError, Outcome, Step, StepError, Stepper, Tally};
+pub use carried::Carried;
+pub use march::{Grid, March, MarchError, Outcome, Place, Step, StepError, Stepper, Tally};

@@ -6,7 +6,7 @@
 //! held over a step, at the speeds of the step before: where one jumps (a drag crisis), a line without inertia may
 //! move at either of two speeds, and so keeps to the one it has until that is gone.
 
-use super::{Step, StepError, Stepper, Tally};
+use super::{Carried, Step, StepError, Stepper, Tally};
 use crate::linalg::V3;
 use crate::solve::{Factors, Newton, NewtonError, State, System};
 
@@ -60,6 +60,7 @@ impl Quasi {
             self.trial.a[i] = V3::zeros();
         }
         system.prescribe(t + h, &mut self.trial);
+        system.take_water(t + h, &mut self.trial);
         self.leave_inertia_out(system);
     }
 
@@ -152,8 +153,8 @@ impl Stepper for Quasi {
             // A line at rest has no speeds to take coefficients at: those after one step with its inertia.
             self.predict(system, t, dt, state);
             self.help(system, t, dt, state, &HELP[..1])?;
-            system.remember(&mut self.trial);
-            state.memory.clone_from(&self.trial.memory);
+            system.hold_drag(&mut self.trial);
+            state.memory.copy_from(&self.trial.memory);
             self.remembers = true;
         }
         self.predict(system, t, dt, state);
@@ -162,8 +163,31 @@ impl Stepper for Quasi {
         self.x_before.copy_from_slice(&state.x);
         self.before = Some(dt);
         state.copy_from(&self.trial);
-        system.remember(state);
+        system.hold_drag(state);
         Ok(0.0)
+    }
+
+    fn carried(&self) -> Carried {
+        Carried {
+            before: self.before,
+            x_before: self.x_before.clone(),
+            remembers: self.remembers,
+            rate: self.newton.rate(),
+            tally: self.tally(),
+            ..Carried::default()
+        }
+    }
+
+    fn take_up(&mut self, carried: &Carried) {
+        self.before = carried.before;
+        self.x_before.clone_from(&carried.x_before);
+        self.remembers = carried.remembers;
+        self.newton.take_up(carried.rate, carried.tally.iterations);
+    }
+
+    fn restart<S: System + ?Sized>(&mut self, _system: &S, _t: f64, _state: &mut State) {
+        self.before = None;
+        self.newton.forget();
     }
 
     fn tally(&self) -> Tally {

@@ -3,7 +3,7 @@
 //! of the fastest decay by drag, which grows with speed: a step longer than that is refused and halved.
 
 use super::march::ROOM_TO_DOUBLE;
-use super::{Step, StepError, Stepper, Tally};
+use super::{Carried, Step, StepError, Stepper, Tally};
 use crate::linalg::V3;
 use crate::solve::{NewtonError, State, System};
 
@@ -33,6 +33,7 @@ impl Rk4 {
     /// Evaluates the stage and adds its derivative, times `weight`, to the next state.
     fn add_stage<S: System + ?Sized>(&mut self, system: &S, t: f64, weight: f64) {
         system.prescribe(t, &mut self.stage);
+        system.take_water(t, &mut self.stage);
         system.accelerate(t, &mut self.stage);
         self.tally.evaluations += 1;
         for i in system.free() {
@@ -95,11 +96,28 @@ impl Stepper for Rk4 {
         self.move_stage(system, state, dt);
         self.add_stage(system, t + dt, dt / 6.0);
         system.prescribe(t + dt, &mut self.next);
+        system.take_water(t + dt, &mut self.next);
         // The acceleration of the last stage is at the end of the step: good for what is read off.
         self.next.a.copy_from_slice(&self.stage.a);
         let share = self.check(system, dt, state)?;
         state.copy_from(&self.next);
         Ok(share)
+    }
+
+    fn carried(&self) -> Carried {
+        Carried {
+            tally: self.tally,
+            ..Carried::default()
+        }
+    }
+
+    fn take_up(&mut self, carried: &Carried) {
+        self.tally = carried.tally;
+    }
+
+    fn restart<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &mut State) {
+        system.take_water(t, state);
+        system.accelerate(t, state);
     }
 
     fn tally(&self) -> Tally {

@@ -15,6 +15,16 @@ pub struct AddedMass {
 }
 
 impl AddedMass {
+    /// A share of it.
+    #[inline(always)]
+    #[must_use]
+    pub fn scaled(&self, share: f64) -> Self {
+        Self {
+            normal: self.normal * share,
+            tangential: self.tangential * share,
+        }
+    }
+
     /// Force that the acceleration a \[m/s²\] needs \[N\], at tangent t.
     #[inline(always)]
     #[must_use]

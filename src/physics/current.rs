@@ -17,6 +17,15 @@ pub enum Current {
 }
 
 impl Current {
+    /// Greatest speed at any depth \[m/s\].
+    #[must_use]
+    pub fn fastest(&self) -> f64 {
+        match self {
+            Self::Uniform(u) => u.norm(),
+            Self::Table { velocity, .. } => velocity.iter().map(V3::norm).fold(0.0, f64::max),
+        }
+    }
+
     /// Velocity \[m/s\] and its derivative by z \[1/s\] at height z \[m\] above still water.
     #[inline(always)]
     #[must_use]

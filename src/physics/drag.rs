@@ -202,6 +202,30 @@ impl Profile {
 }
 
 impl Drag {
+    /// A share of it.
+    #[inline(always)]
+    #[must_use]
+    pub fn scaled(&self, share: f64) -> Self {
+        Self {
+            force: self.force * share,
+            a: self.a * share,
+            b: self.b * share,
+            by_un: self.by_un * share,
+            by_ut: self.by_ut * share,
+            by_other: self.by_other * share,
+            ..*self
+        }
+    }
+
+    /// Derivative of the force by the relative velocity at its own node \[N s/m\], as a matrix.
+    #[must_use]
+    pub fn matrix(&self, t: &V3) -> M3 {
+        let (i, along, across) = self.by_velocity();
+        M3::from_diagonal_element(i)
+            + t * (t * along).transpose()
+            + self.direction * (self.direction * across).transpose()
+    }
+
     /// Derivative of the force by the relative velocity at its own node \[N s/m\], in the form
     /// `i I + t_t tt' + n_n nn'`, the numbers (i, t_t, n_n).
     #[inline(always)]

@@ -1,22 +1,45 @@
-//! Prescribed motion of an end: held, or harmonic along each axis with a smooth start.
+//! Prescribed motion of an end about its place, with a smooth start.
 
 use std::f64::consts::TAU;
 
+use super::growth::growth;
+use super::sea::Harmonics;
+use super::spline::Spline;
 use crate::linalg::V3;
 
 /// Motion of a held end.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct EndMotion {
-    /// Mean position \[m\].
+    /// The place it moves about \[m\].
     pub position: V3,
+    /// How it moves about it.
+    pub course: Course,
+    /// The motion grows from nothing over this time \[s\].
+    pub ramp: f64,
+}
+
+/// How an end moves about its place.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Course {
+    /// Not at all.
+    Still,
+    /// In harmonics of one period.
+    Swing(Swing),
+    /// Along a table of places over time.
+    Table(Spline),
+    /// In a sum of harmonics: an irregular motion, or that of a vessel in waves.
+    Sum(Harmonics),
+}
+
+/// Harmonic motion along each axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Swing {
     /// Amplitudes along x, y, z \[m\].
     pub amplitude: V3,
     /// Angular frequency \[rad/s\].
     pub omega: f64,
     /// Phases along x, y, z \[rad\].
     pub phase: V3,
-    /// The motion grows from nothing over this time \[s\].
-    pub ramp: f64,
 }
 
 impl EndMotion {
@@ -25,42 +48,50 @@ impl EndMotion {
     pub fn still(position: V3) -> Self {
         Self {
             position,
-            amplitude: V3::zeros(),
-            omega: 0.0,
-            phase: V3::zeros(),
+            course: Course::Still,
             ramp: 0.0,
         }
     }
 
-    /// Position \[m\], velocity \[m/s\] and acceleration \[m/s²\] at time t \[s\]:
-    /// `x0 + r(t) A sin(omega t + phase)`, r rising from 0 to 1 as a quintic with no kink in acceleration.
+    /// Position \[m\], velocity \[m/s\] and acceleration \[m/s²\] at time t \[s\]: `x0 + r(t) d(t)`, d the course and r
+    /// rising from 0 to 1 as a quintic with no kink in acceleration.
     #[must_use]
     pub fn at(&self, t: f64) -> (V3, V3, V3) {
-        if self.amplitude == V3::zeros() {
-            return (self.position, V3::zeros(), V3::zeros());
+        let (d, v, a) = match &self.course {
+            Course::Still => return (self.position, V3::zeros(), V3::zeros()),
+            Course::Swing(swing) => swing.at(t),
+            Course::Table(spline) => spline.at(t),
+            Course::Sum(harmonics) => harmonics.at(t),
+        };
+        let (r, r1, r2) = growth(t, self.ramp);
+        (
+            self.position + d * r,
+            v * r + d * r1,
+            a * r + v * (2.0 * r1) + d * r2,
+        )
+    }
+
+    /// The shortest period that matters in it \[s\], or the time that steps have to resolve; nothing for an end that stands
+    /// still. Of a sum of harmonics the one that half of the acceleration lies below.
+    #[must_use]
+    pub fn period(&self) -> Option<f64> {
+        match &self.course {
+            Course::Still => None,
+            Course::Swing(swing) => (swing.omega > 0.0).then(|| TAU / swing.omega),
+            Course::Table(spline) => Some(2.0 * spline.finest()),
+            Course::Sum(harmonics) => harmonics.middle_of_acceleration().map(|w| TAU / w),
         }
-        let (r, r1, r2) = self.growth(t);
+    }
+}
+
+impl Swing {
+    /// `A sin(omega t + phase)` and its derivatives.
+    fn at(&self, t: f64) -> (V3, V3, V3) {
         let w = self.omega;
         let angle = self.phase.map(|p| w * t + p);
         let s = angle.map(f64::sin).component_mul(&self.amplitude);
         let c = angle.map(f64::cos).component_mul(&self.amplitude) * w;
-        (
-            self.position + s * r,
-            c * r + s * r1,
-            s * (r2 - w * w * r) + c * (2.0 * r1),
-        )
-    }
-
-    /// The growth r and its two derivatives by time.
-    fn growth(&self, t: f64) -> (f64, f64, f64) {
-        if t >= self.ramp {
-            return (1.0, 0.0, 0.0);
-        }
-        let s = (t / self.ramp).max(0.0);
-        let r = s * s * s * (10.0 + s * (6.0 * s - 15.0));
-        let r1 = 30.0 * s * s * (1.0 - s) * (1.0 - s) / self.ramp;
-        let r2 = 60.0 * s * (1.0 - s) * (1.0 - 2.0 * s) / (self.ramp * self.ramp);
-        (r, r1, r2)
+        (s, c, s * (-w * w))
     }
 }
 
@@ -73,21 +104,37 @@ pub fn omega(period: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::physics::sea::{Spectrum, synthesise};
 
     #[test]
     fn velocity_and_acceleration_are_derivatives() {
-        let motion = EndMotion {
-            position: V3::new(1.0, 2.0, 3.0),
+        let swing = Swing {
             amplitude: V3::new(1.0, 0.5, 2.0),
             omega: 0.7,
             phase: V3::new(0.0, 1.0, 2.0),
-            ramp: 5.0,
         };
-        for t in [0.5, 2.0, 4.9, 7.0] {
-            let h = 1e-4;
-            let (before, now, after) = (motion.at(t - h), motion.at(t), motion.at(t + h));
-            assert!(((after.0 - before.0) / (2.0 * h) - now.1).norm() < 1e-6);
-            assert!(((after.1 - before.1) / (2.0 * h) - now.2).norm() < 1e-6);
+        let record = synthesise(&Spectrum::of_rms(0.5, 9.0, 3.3), 20, 1, 0);
+        let sum = Harmonics::along_axes(&[record, Vec::new(), Vec::new()]);
+        let points: Vec<_> = (0..9_i32)
+            .map(|i| (f64::from(i), V3::new(0.0, f64::from(i * i % 7), 1.0)))
+            .collect();
+        let spline = Spline::through(&points).unwrap();
+        for course in [
+            Course::Swing(swing),
+            Course::Sum(sum),
+            Course::Table(spline),
+        ] {
+            let motion = EndMotion {
+                position: V3::new(1.0, 2.0, 3.0),
+                course,
+                ramp: 5.0,
+            };
+            for t in [0.5, 2.2, 4.9, 7.3] {
+                let h = 1e-4;
+                let (before, now, after) = (motion.at(t - h), motion.at(t), motion.at(t + h));
+                assert!(((after.0 - before.0) / (2.0 * h) - now.1).norm() < 1e-6);
+                assert!(((after.1 - before.1) / (2.0 * h) - now.2).norm() < 1e-5);
+            }
         }
     }
 }

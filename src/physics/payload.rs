@@ -1,4 +1,5 @@
-//! The payload: a body at the line's end, with mass, wet weight, drag and added mass, without rotation.
+//! The payload: a body at the line's end, with mass, wet weight, drag and added mass, without rotation (with it: see
+//! [`super::rigid_body`]).
 //!
 //! Drag `F_i = 1/2 rho (C_D A)_i |u| u_i` along x, y, z: Morison's first term (Jia et al. 2019, eq. 1)
 //! with one area a direction. The form of the body gives what a case leaves out.

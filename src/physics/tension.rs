@@ -2,8 +2,10 @@
 //!
 //! `T = EA e + C de/dt` in tension and 0 when slack (Jia et al. 2019, sec. 1.3: bushing forces of an
 //! axial stiffness; the line carries no push). The damping part is held between -EA e and EA e, so
-//! that the tension grows from zero, without a jump, when a slack segment comes taut at speed.
+//! that the tension grows from zero, without a jump, when a slack segment comes taut at speed. A material may have
+//! another elastic part than `EA e`: see [`super::rope`].
 
+use super::rope::Elastic;
 use crate::linalg::V3;
 
 /// Axial constants of a segment.
@@ -11,7 +13,7 @@ use crate::linalg::V3;
 pub struct Axial {
     /// Unstretched length \[m\].
     pub length: f64,
-    /// Stiffness EA \[N\].
+    /// Stiffness EA \[N\]; where the material has a law of its own, a slope that its tension does not exceed.
     pub ea: f64,
     /// Damping C \[N s\], tension per strain rate.
     pub damping: f64,
@@ -19,6 +21,8 @@ pub struct Axial {
     inverse: f64,
     /// Whether it bears compression: a line with bending stiffness does, a rope does not.
     pub rod: bool,
+    /// The law its elastic tension follows, by its number among those of the line; absent: EA times strain.
+    pub law: Option<u16>,
 }
 
 /// Where a segment is and how it moves.
@@ -63,6 +67,15 @@ pub struct Tension {
     pub by_speed: f64,
 }
 
+impl Tension {
+    /// Of a slack segment.
+    pub const NONE: Self = Self {
+        value: 0.0,
+        by_length: 0.0,
+        by_speed: 0.0,
+    };
+}
+
 impl Axial {
     /// From unstretched length \[m\], stiffness \[N\] and damping \[N s\].
     #[must_use]
@@ -73,6 +86,7 @@ impl Axial {
             damping,
             inverse: 1.0 / length,
             rod: false,
+            law: None,
         }
     }
 
@@ -82,20 +96,43 @@ impl Axial {
         Self { rod, ..self }
     }
 
-    /// The tension of a segment.
+    /// The same, its elastic tension following a law.
+    #[must_use]
+    pub fn by_law(self, law: Option<u16>) -> Self {
+        Self { law, ..self }
+    }
+
+    /// Strain of a segment of this length \[-\].
+    #[inline(always)]
+    #[must_use]
+    pub fn strain(&self, length: f64) -> f64 {
+        (length - self.length) * self.inverse
+    }
+
+    /// The tension of a segment that has no law of its own.
     #[inline(always)]
     #[must_use]
     pub fn tension(&self, chord: &Chord) -> Tension {
         let stretch = chord.length - self.length;
         if stretch <= 0.0 && !self.rod {
-            return Tension {
-                value: 0.0,
-                by_length: 0.0,
-                by_speed: 0.0,
-            };
+            return Tension::NONE;
         }
         let stiffness = self.ea * self.inverse;
-        let elastic = stiffness * stretch;
+        self.damped(chord, stiffness * stretch, stiffness)
+    }
+
+    /// The tension of a segment whose elastic part is given.
+    #[must_use]
+    pub fn tension_by(&self, chord: &Chord, elastic: Elastic) -> Tension {
+        if elastic.tension <= 0.0 && !self.rod {
+            return Tension::NONE;
+        }
+        self.damped(chord, elastic.tension, elastic.by_strain * self.inverse)
+    }
+
+    /// Elastic tension \[N\] of this slope by length \[N/m\], and axial damping.
+    #[inline(always)]
+    fn damped(&self, chord: &Chord, elastic: f64, stiffness: f64) -> Tension {
         let c = self.damping * self.inverse;
         let viscous = c * chord.tangent.dot(&chord.opening);
         if self.rod {
@@ -112,11 +149,7 @@ impl Axial {
                 by_speed: 0.0,
             }
         } else if viscous < -elastic {
-            Tension {
-                value: 0.0,
-                by_length: 0.0,
-                by_speed: 0.0,
-            }
+            Tension::NONE
         } else {
             Tension {
                 value: elastic + viscous,

@@ -7,6 +7,9 @@
 //! Two errors are kept apart: the *difference* of a row is what model and source disagree by, the
 //! *error* is what the computation itself may be off by. A row whose error is not small beside its
 //! tolerance says so.
+//!
+//! Rows of line cases come from runs ([`rows()`]). A kind of file that is worked out without a run holds its
+//! numbers against what its source printed by [`hold()`] and [`hold_trend()`]; tables, tallies and words are the same.
 
 mod note;
 mod plan;
@@ -21,6 +24,9 @@ pub use plan::plan;
 pub use row::{Basis, Outcome, Point, Row, TrendLine};
 pub use table::{standing_word, table};
 pub use tally::{Tally, tally};
+pub use trend::{Statement, hold_trend};
+pub(crate) use value::tolerance;
+pub use value::{Claim, hold};
 pub use variant::{Variant, rows_of_run, stands_at, variant};
 
 use crate::{

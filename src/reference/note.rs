@@ -12,6 +12,12 @@ pub(super) fn note(row: &Row) -> String {
     if let Some(at) = &row.at {
         words.push(format!("Computed at {} = {}.", at.study, at.value));
     }
+    if let Some(from) = &row.from {
+        words.push(format!("The change from {} = {}.", from.study, from.value));
+    }
+    if let Some(by) = &row.by {
+        words.push(format!("The ratio to {} = {}.", by.study, by.value));
+    }
     if let Some(line) = &row.trend {
         words.push(along(line, &row.unit));
     }

@@ -14,13 +14,18 @@ pub fn plan(case: &Case) -> Vec<Option<At>> {
     };
     for published in &case.published {
         need(published.at.clone());
+        for other in [&published.change_from, &published.ratio_to] {
+            if other.is_some() {
+                need(other.clone());
+            }
+        }
     }
     for trend in &case.trend {
         let study = case.study.iter().find(|s| s.name == trend.study);
-        for &value in study.map_or(&[][..], |s| &s.values) {
+        for value in study.map_or(&[][..], |s| &s.values) {
             need(Some(At {
                 study: trend.study.clone(),
-                value,
+                value: value.clone(),
             }));
         }
     }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::case::{At, Direction, Standing};
+use crate::case::{At, Direction, Standing, StudyValue};
 
 /// One published statement held against a run: a value, or a trend.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,6 +11,10 @@ pub struct Row {
     pub name: String,
     /// The point of a study it belongs to; absent: the case as it stands (and for trends).
     pub at: Option<At>,
+    /// The point of a study that it is a change from; absent where it is no change.
+    pub from: Option<At>,
+    /// The point of a study that it is a ratio to; absent where it is none.
+    pub by: Option<At>,
     /// Where it is printed.
     pub source: String,
     /// The published value; absent for trends.
@@ -81,7 +85,7 @@ pub struct TrendLine {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
     /// Value of the study's key, in its unit.
-    pub value: f64,
+    pub value: StudyValue,
     /// What the run gives; absent when not run.
     pub computed: Option<f64>,
     /// Its estimated numerical error; absent when not estimated.

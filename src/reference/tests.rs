@@ -212,7 +212,8 @@ fn what_is_missing_is_an_outcome_with_its_reason() {
 /// A trend row from travels at 0, 0.2 and 0.4 m/s.
 fn trend(extra: &str, travels: [f64; 3], error: f64) -> Row {
     let runs = travels.map(|t| run(&[("z_m[payload].travel", t, error)]));
-    let pick = |at: Option<&At>| at.map(|at| &runs[(at.value / 0.2).round() as usize]);
+    let pick =
+        |at: Option<&At>| at.map(|at| &runs[(at.value.number().unwrap() / 0.2).round() as usize]);
     rows(&case(&[TREND, extra]), &pick).remove(0)
 }
 
@@ -221,8 +222,8 @@ fn a_trend_holds_when_every_step_does() {
     let row = trend("", [3.0, 2.0, 1.0], 0.1);
     assert_eq!((row.outcome, row.reason), (Outcome::Pass, None));
     let line = row.trend.unwrap();
-    let values: Vec<f64> = line.points.iter().map(|p| p.value).collect();
-    assert_eq!(values, [0.0, 0.2, 0.4]);
+    let values: Vec<Option<f64>> = line.points.iter().map(|p| p.value.number()).collect();
+    assert_eq!(values, [Some(0.0), Some(0.2), Some(0.4)]);
     assert_eq!(line.points[2].computed, Some(1.0));
 
     let row = trend("", [3.0, 1.0, 2.0], 0.1);
@@ -247,7 +248,10 @@ fn a_step_within_the_errors_is_said() {
 fn a_trend_with_a_gap_is_not_run() {
     let run = run(&[("z_m[payload].travel", 1.0, 0.1)]);
     let case = case(&[TREND]);
-    let row = rows(&case, &|at| at.filter(|a| a.value < 0.3).map(|_| &run)).remove(0);
+    let row = rows(&case, &|at| {
+        at.filter(|a| a.value.number() < Some(0.3)).map(|_| &run)
+    })
+    .remove(0);
     assert_eq!(row.outcome, Outcome::NotRun);
     assert!(row.reason.unwrap().contains("At 0.4"));
 }
@@ -258,7 +262,7 @@ fn the_plan_lists_every_variant_once() {
     let case = case(&[VALUE, VALUE, at, VALUE, at, TREND]);
     let planned: Vec<Option<f64>> = plan(&case)
         .iter()
-        .map(|p| p.as_ref().map(|a| a.value))
+        .map(|p| p.as_ref().and_then(|a| a.value.number()))
         .collect();
     assert_eq!(planned, [None, Some(0.2), Some(0.4), Some(0.0)]);
 }

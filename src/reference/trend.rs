@@ -1,11 +1,13 @@
 //! A published statement of trend checked along a study.
 
+use std::cmp::Ordering;
+
 use super::{
     Outcome, Point, Row, TrendLine,
     value::{REACHED, find, unit_of},
 };
 use crate::{
-    case::{At, Case, Direction, Trend},
+    case::{At, Case, Direction, StudyValue, Trend},
     run::Run,
 };
 
@@ -15,8 +17,12 @@ pub(super) fn row<'r>(
     lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>,
 ) -> Row {
     let study = case.study.iter().find(|s| s.name == trend.study);
-    let mut values: Vec<f64> = study.map_or_else(Vec::new, |s| s.values.clone());
-    values.sort_by(f64::total_cmp);
+    let mut values: Vec<StudyValue> = study.map_or_else(Vec::new, |s| s.values.clone());
+    // Words have no order but that of the file.
+    values.sort_by(|a, b| match (a.number(), b.number()) {
+        (Some(a), Some(b)) => a.total_cmp(&b),
+        _ => Ordering::Equal,
+    });
 
     let mut unit = trend.statistic.unit(unit_of(&trend.channel));
     let mut missing = None;
@@ -24,11 +30,11 @@ pub(super) fn row<'r>(
     for value in values {
         let at = At {
             study: trend.study.clone(),
-            value,
+            value: value.clone(),
         };
         let found = lookup(Some(&at))
             .ok_or_else(|| "It has not been run.".to_owned())
-            .and_then(|run| find(run, &trend.channel, trend.statistic, trend.window_s));
+            .and_then(|run| find(run, &trend.channel, trend.statistic, trend.within()));
         let (computed, error) = match found {
             Ok(quantity) => {
                 unit.clone_from(&quantity.unit);
@@ -45,11 +51,50 @@ pub(super) fn row<'r>(
             error,
         });
     }
-    let (outcome, reason) = judge(trend, &points, missing);
+    hold_trend(
+        Statement {
+            name: &trend.name,
+            source: &trend.source,
+            expect: trend.expect,
+            key: study.map_or("", |s| &s.key),
+            out_of_reach: trend.out_of_reach.as_deref(),
+        },
+        unit,
+        points,
+        missing,
+    )
+}
+
+/// A statement of trend as a source made it, whatever kind of file repeats it.
+#[derive(Debug, Clone, Copy)]
+pub struct Statement<'a> {
+    /// The statement, in words.
+    pub name: &'a str,
+    /// Where it is printed.
+    pub source: &'a str,
+    /// What the number does as the key's values grow.
+    pub expect: Direction,
+    /// The key that is varied.
+    pub key: &'a str,
+    /// Why it is out of reach, where it is.
+    pub out_of_reach: Option<&'a str>,
+}
+
+/// Holds numbers at growing values of a key against a statement of trend. `missing` says why a point has no number.
+#[must_use]
+pub fn hold_trend(
+    statement: Statement<'_>,
+    unit: String,
+    points: Vec<Point>,
+    missing: Option<String>,
+) -> Row {
+    let (outcome, reason) = judge(&statement, &points, missing);
     Row {
-        name: trend.name.clone(),
+        name: statement.name.to_owned(),
         at: None,
-        source: trend.source.clone(),
+        from: None,
+        by: None,
+        source: statement.source.to_owned(),
         published: None,
         computed: None,
         unit,
@@ -62,35 +107,42 @@ pub(super) fn row<'r>(
         basis: None,
         reason,
         trend: Some(TrendLine {
-            expect: trend.expect,
-            key: study.map_or_else(String::new, |s| s.key.clone()),
+            expect: statement.expect,
+            key: statement.key.to_owned(),
             points,
         }),
     }
 }
 
-fn judge(trend: &Trend, points: &[Point], missing: Option<String>) -> (Outcome, Option<String>) {
+/// A value of the study, the number there, and its estimated error.
+type Known<'a> = (&'a StudyValue, f64, Option<f64>);
+
+fn judge(
+    statement: &Statement<'_>,
+    points: &[Point],
+    missing: Option<String>,
+) -> (Outcome, Option<String>) {
     if points.len() < 2 {
-        let why = format!("The study `{}` has fewer than two values.", trend.study);
+        let why = "There are fewer than two values to compare.".to_owned();
         return (Outcome::NotRun, Some(why));
     }
-    let known: Option<Vec<(f64, f64, Option<f64>)>> = points
+    let known: Option<Vec<Known>> = points
         .iter()
-        .map(|p| p.computed.map(|c| (p.value, c, p.error)))
+        .map(|p| p.computed.map(|c| (&p.value, c, p.error)))
         .collect();
     let Some(known) = known else {
         return (Outcome::NotRun, missing);
     };
     let against = known.windows(2).find_map(|pair| match pair {
-        [(from, before, _), (to, after, _)] if !goes(trend.expect, *before, *after) => {
+        [(from, before, _), (to, after, _)] if !goes(statement.expect, *before, *after) => {
             Some(format!("It does not from {from} to {to}."))
         }
         _ => None,
     });
-    match (against, &trend.out_of_reach) {
+    match (against, statement.out_of_reach) {
         (None, None) => (Outcome::Pass, doubtful(&known)),
         (None, Some(_)) => (Outcome::Pass, Some(REACHED.to_owned())),
-        (Some(_), Some(reason)) => (Outcome::Differs, Some(reason.clone())),
+        (Some(_), Some(reason)) => (Outcome::Differs, Some(reason.to_owned())),
         (Some(where_), None) => (Outcome::Fail, Some(where_)),
     }
 }
@@ -103,7 +155,7 @@ fn goes(expect: Direction, before: f64, after: f64) -> bool {
 }
 
 /// Says where a step of the trend is no larger than what the two numbers may be off by.
-fn doubtful(known: &[(f64, f64, Option<f64>)]) -> Option<String> {
+fn doubtful(known: &[Known]) -> Option<String> {
     known.windows(2).find_map(|pair| match pair {
         [(from, before, e0), (to, after, e1)] => {
             let error = e0.unwrap_or(0.0) + e1.unwrap_or(0.0);

@@ -14,43 +14,140 @@ pub(super) fn row<'r>(
     all: &[Published],
     lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>,
 ) -> Row {
-    let tolerance = tolerance(published);
-    let found = lookup(published.at.as_ref())
-        .ok_or_else(|| "This variant of the case has not been run.".to_owned())
-        .and_then(|run| {
-            find(
-                run,
-                &published.channel,
-                published.statistic,
-                published.window_s,
-            )
-        });
+    let found = found(published, lookup);
     let unit = match &found {
         Ok(quantity) => quantity.unit.clone(),
+        Err(_) if published.ratio_to.is_some() => "-".to_owned(),
         Err(_) => published.statistic.unit(unit_of(&published.channel)),
     };
-    let mut row = Row {
-        name: published.name.clone(),
-        at: published.at.clone(),
-        source: published.source.clone(),
-        published: Some(published.value),
-        computed: None,
+    let claim = Claim {
+        name: &published.name,
+        source: &published.source,
+        value: published.value,
+        tolerance: tolerance(
+            published.value,
+            published.tolerance_rel,
+            published.tolerance_abs,
+        ),
         unit,
-        error: None,
-        difference: None,
-        tolerance: Some(tolerance),
-        outcome: Outcome::NotRun,
-        inputs: Some(published.inputs),
+        inputs: published.inputs,
         fitted: published.fitted,
         basis: basis(published, all),
+        at: published.at.clone(),
+        from: published.change_from.clone(),
+        by: published.ratio_to.clone(),
+        out_of_reach: published.out_of_reach.as_deref(),
+    };
+    let number = found.map(|quantity| (quantity.value, quantity.error_estimate()));
+    hold(claim, number)
+}
+
+/// A value as a source printed it, whatever kind of file states it.
+#[derive(Debug, Clone)]
+pub struct Claim<'a> {
+    /// What it is, in words.
+    pub name: &'a str,
+    /// Where it is printed.
+    pub source: &'a str,
+    /// The value.
+    pub value: f64,
+    /// Greatest difference that passes.
+    pub tolerance: f64,
+    /// Unit of both.
+    pub unit: String,
+    /// Standing of the inputs behind the computed value, at worst.
+    pub inputs: Standing,
+    /// True when an input was fitted to this very number.
+    pub fitted: bool,
+    /// What the inputs make of an agreement.
+    pub basis: Option<Basis>,
+    /// The point of a study it belongs to.
+    pub at: Option<At>,
+    /// The point of a study that it is a change from.
+    pub from: Option<At>,
+    /// The point of a study it is a ratio to; absent where it is none.
+    pub by: Option<At>,
+    /// Why the number is out of reach, where it is.
+    pub out_of_reach: Option<&'a str>,
+}
+
+/// Holds a computed value, with its numerical error where that is known, against a published one; without a value the row
+/// reads NOT RUN, with the reason.
+#[must_use]
+pub fn hold(claim: Claim<'_>, computed: Result<(f64, Option<f64>), String>) -> Row {
+    let mut row = Row {
+        name: claim.name.to_owned(),
+        at: claim.at,
+        from: claim.from,
+        by: claim.by,
+        source: claim.source.to_owned(),
+        published: Some(claim.value),
+        computed: None,
+        unit: claim.unit,
+        error: None,
+        difference: None,
+        tolerance: Some(claim.tolerance),
+        outcome: Outcome::NotRun,
+        inputs: Some(claim.inputs),
+        fitted: claim.fitted,
+        basis: claim.basis,
         reason: None,
         trend: None,
     };
-    match found {
+    match computed {
         Err(reason) => row.reason = Some(reason),
-        Ok(quantity) => judge(&mut row, published, quantity, tolerance),
+        Ok(computed) => judge(&mut row, claim.out_of_reach, claim.value, computed),
     }
     row
+}
+
+/// The number of the row's variant or, of a change, how far it is from that of the variant it is a change from.
+fn found<'r>(
+    published: &Published,
+    lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>,
+) -> Result<Quantity, String> {
+    let number = |at: Option<&At>| {
+        let run =
+            lookup(at).ok_or_else(|| "This variant of the case has not been run.".to_owned())?;
+        find(
+            run,
+            &published.channel,
+            published.statistic,
+            published.within(),
+        )
+    };
+    let quantity = number(published.at.as_ref())?.clone();
+    if let Some(other) = &published.ratio_to {
+        return Ok(ratio(&quantity, number(Some(other))?));
+    }
+    let Some(before) = &published.change_from else {
+        return Ok(quantity);
+    };
+    let before = number(Some(before))?;
+    let both = |a: Option<f64>, b: Option<f64>| a.zip(b).map(|(a, b)| a + b);
+    Ok(Quantity {
+        value: quantity.value - before.value,
+        time_error: both(quantity.time_error, before.time_error),
+        mesh_error: both(quantity.mesh_error, before.mesh_error),
+        ..quantity
+    })
+}
+
+/// One number by another. Two variants computed on one mesh by one method err alike, so that most of it cancels: told
+/// is the greater of both relative errors.
+fn ratio(quantity: &Quantity, other: &Quantity) -> Quantity {
+    let value = quantity.value / other.value;
+    let both = |a: Option<f64>, b: Option<f64>| {
+        let (a, b) = a.zip(b)?;
+        Some(value.abs() * (a / quantity.value.abs()).max(b / other.value.abs()))
+    };
+    Quantity {
+        name: quantity.name.clone(),
+        value,
+        unit: "-".to_owned(),
+        time_error: both(quantity.time_error, other.time_error),
+        mesh_error: both(quantity.mesh_error, other.mesh_error),
+    }
 }
 
 /// What the inputs make of an agreement, in the light of everything the case was fitted to.
@@ -58,7 +155,9 @@ fn basis(published: &Published, all: &[Published]) -> Option<Basis> {
     let same = |other: &Published| {
         other.channel == published.channel
             && other.statistic == published.statistic
-            && other.window_s == published.window_s
+            && other.within() == published.within()
+            && other.change_from == published.change_from
+            && other.ratio_to == published.ratio_to
             && other.at == published.at
     };
     if published.fitted {
@@ -70,17 +169,23 @@ fn basis(published: &Published, all: &[Published]) -> Option<Basis> {
     }
 }
 
-fn judge(row: &mut Row, published: &Published, quantity: &Quantity, tolerance: f64) {
-    let difference = quantity.value - published.value;
+fn judge(
+    row: &mut Row,
+    out_of_reach: Option<&str>,
+    published: f64,
+    (value, error): (f64, Option<f64>),
+) {
+    let tolerance = row.tolerance.unwrap_or(0.0);
+    let difference = value - published;
     let within = difference.abs() <= tolerance;
-    row.computed = Some(quantity.value);
-    row.error = quantity.error_estimate();
+    row.computed = Some(value);
+    row.error = error;
     row.difference = Some(difference);
-    (row.outcome, row.reason) = match (within, &published.out_of_reach) {
+    (row.outcome, row.reason) = match (within, out_of_reach) {
         (true, None) => (Outcome::Pass, None),
         (true, Some(_)) => (Outcome::Pass, Some(REACHED.to_owned())),
         (false, None) => (Outcome::Fail, None),
-        (false, Some(reason)) => (Outcome::Differs, Some(reason.clone())),
+        (false, Some(reason)) => (Outcome::Differs, Some(reason.to_owned())),
     };
     if row
         .error
@@ -98,10 +203,8 @@ pub(super) const REACHED: &str =
     "The case declares this out of reach, and yet it is reached: the declaration can go.";
 
 /// The greatest difference that passes; with both tolerances given, the wider one.
-fn tolerance(published: &Published) -> f64 {
-    let relative = published.tolerance_rel.map(|t| t * published.value.abs());
-    let absolute = published.tolerance_abs;
-    match (relative, absolute) {
+pub(crate) fn tolerance(value: f64, relative: Option<f64>, absolute: Option<f64>) -> f64 {
+    match (relative.map(|t| t * value.abs()), absolute) {
         (Some(r), Some(a)) => r.max(a),
         (r, a) => r.or(a).unwrap_or(0.0),
     }
@@ -112,12 +215,12 @@ pub(super) fn find<'r>(
     run: &'r Run,
     channel: &str,
     statistic: Statistic,
-    window_s: Option<[f64; 2]>,
+    within: Option<[f64; 2]>,
 ) -> Result<&'r Quantity, String> {
     if let Some(why) = unfinished(run) {
         return Err(why);
     }
-    let name = quantity_name(channel, statistic, window_s);
+    let name = quantity_name(channel, statistic, within);
     let found = run.summary.iter().find(|q| q.name == name);
     let quantity = found.ok_or_else(|| missing(run, channel, &name))?;
     if quantity.value.is_finite() {
@@ -165,10 +268,14 @@ pub(super) fn unit_of(channel: &str) -> &'static str {
     }
     let quantity = channel.split('[').next().unwrap_or(channel);
     let units = [
+        ("_percent", "%"),
         ("_m_per_s", "m/s"),
         ("_n", "N"),
         ("_m", "m"),
+        ("_j", "J"),
         ("_deg", "deg"),
+        ("_hz", "Hz"),
+        ("_mode_near", "-"),
         ("_s", "s"),
     ];
     units

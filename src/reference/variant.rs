@@ -28,7 +28,7 @@ pub fn variant(text: &str, case: &Case, at: &At) -> Result<Variant, Vec<Diagnost
         )]);
     };
     let text =
-        edit::set_number(text, &study.key, at.value).map_err(|diagnostic| vec![diagnostic])?;
+        edit::set_value(text, &study.key, &at.value).map_err(|diagnostic| vec![diagnostic])?;
     Ok(Variant {
         text,
         overrides: vec![format!("{}={}", study.key, at.value)],

@@ -10,12 +10,16 @@
 //! ```
 
 mod along;
+mod ropes;
 mod shapes;
+mod study;
 mod times;
 
 pub use along::{curvature_profile, moment_profile, tension_profile};
+pub use ropes::{deviation_in_time, mean_load_in_time, stiffness_in_time, stiffness_profile};
 pub use shapes::{line_from_above, line_from_ahead, line_shape, trajectory};
-pub use times::{against_time, payload_position, tensions};
+pub use study::along_studies;
+pub use times::{against_time, payload_position, speed, tensions, tilt};
 
 use crate::run::{History, LineShape, Profile, Run};
 

@@ -3,6 +3,7 @@
 pub mod chart;
 pub mod figures;
 pub mod limits;
+pub mod modes;
 pub mod nodes;
 pub mod number;
 pub mod plain;

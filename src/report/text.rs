@@ -7,10 +7,11 @@ mod layout;
 mod results;
 mod validation;
 
+pub(crate) use inputs::list as inputs;
+pub(crate) use layout::{Page, WIDTH};
 pub use results::{limits, summary};
 pub use validation::validation;
 
-use self::layout::Page;
 use super::chart::Glyphs;
 use crate::{case::Case, reference::Row, run::Run};
 

@@ -1,10 +1,11 @@
 //! Single numbers taken of the whole line: extremes and where they lie, falls, turns.
 
 use super::Profile;
+use super::response::travelling;
 use crate::case::{AlongLine, Statistic};
 
 /// What every run summarises of its line.
-pub(super) const ALWAYS: [(AlongLine, Statistic); 9] = [
+pub(super) const ALWAYS: [(AlongLine, Statistic); 17] = [
     (AlongLine::Tension, Statistic::Max),
     (AlongLine::Tension, Statistic::ArcOfMax),
     (AlongLine::Tension, Statistic::Min),
@@ -14,27 +15,62 @@ pub(super) const ALWAYS: [(AlongLine, Statistic); 9] = [
     (AlongLine::BendRadius, Statistic::ArcOfMin),
     (AlongLine::Moment, Statistic::Max),
     (AlongLine::Moment, Statistic::ArcOfMax),
+    (AlongLine::MeanLoad, Statistic::Max),
+    (AlongLine::MeanLoad, Statistic::Min),
+    (AlongLine::Stiffness, Statistic::Max),
+    (AlongLine::Stiffness, Statistic::Min),
+    (AlongLine::RmsDisplacement, Statistic::Max),
+    (AlongLine::RmsDiameters, Statistic::Max),
+    (AlongLine::RmsDiameters, Statistic::ArcOfMax),
+    (AlongLine::Travelling, Statistic::Mean),
 ];
 
 /// A turn by less than this share of the whole range is not counted.
 const SMALL_TURN: f64 = 0.01;
 
-/// A statistic of a quantity along the line; nothing where it was not recorded or is not finite.
+/// A statistic of a quantity along the line, or along a stretch of it \[m\]; nothing where it was not recorded, is not
+/// finite, or the line has no such stretch.
 pub(super) fn evaluate(
     profile: &Profile,
     quantity: AlongLine,
     statistic: Statistic,
+    stretch: Option<[f64; 2]>,
 ) -> Option<f64> {
-    let greatest = || extreme(&most(profile, quantity), |new, old| new > old);
-    let smallest = || extreme(&least(profile, quantity), |new, old| new < old);
-    let arc = |node: usize| profile.arc.get(node).copied();
+    let arc = if quantity.of_ropes() {
+        &profile.ropes.arc
+    } else {
+        &profile.arc
+    };
+    let cut = |values: Vec<f64>| match stretch {
+        Some(stretch) => cut(arc, &values, stretch),
+        None => (values.len() == arc.len()).then(|| (arc.clone(), values)),
+    };
+    let greatest = || {
+        let (arc, values) = cut(most(profile, quantity))?;
+        let (node, value) = extreme(&values, |new, old| new > old)?;
+        Some((*arc.get(node)?, value))
+    };
+    let smallest = || {
+        let (arc, values) = cut(least(profile, quantity))?;
+        let (node, value) = extreme(&values, |new, old| new < old)?;
+        Some((*arc.get(node)?, value))
+    };
+    if quantity == AlongLine::Travelling {
+        let (arc, cos) = cut(profile.wave_cos.clone())?;
+        let (_, sin) = cut(profile.wave_sin.clone())?;
+        let share = || travelling(&arc, &cos, &sin);
+        return (statistic == Statistic::Mean).then(share).flatten();
+    }
+    let at_end = || cut(at_end(profile, quantity));
     let value = match statistic {
         Statistic::Max => greatest()?.1,
         Statistic::Min => smallest()?.1,
-        Statistic::ArcOfMax => arc(greatest()?.0)?,
-        Statistic::ArcOfMin => arc(smallest()?.0)?,
-        Statistic::GreatestFall => greatest_fall(&at_end(profile, quantity))?,
-        Statistic::Turns => turns(&at_end(profile, quantity))?,
+        Statistic::ArcOfMax => greatest()?.0,
+        Statistic::ArcOfMin => smallest()?.0,
+        Statistic::Mean => at_end().and_then(|(arc, values)| mean(&arc, &values))?,
+        Statistic::GreatestFall => greatest_fall(&at_end()?.1)?,
+        Statistic::Turns => turns(&at_end()?.1)?.0,
+        Statistic::Peaks => turns(&at_end()?.1)?.1,
         _ => return None,
     };
     value.is_finite().then_some(value)
@@ -59,6 +95,12 @@ fn at_end(profile: &Profile, quantity: AlongLine) -> Vec<f64> {
         AlongLine::Curvature => profile.curvature.clone(),
         AlongLine::BendRadius => radii(&profile.curvature),
         AlongLine::Moment => profile.moment.clone(),
+        AlongLine::MeanLoad => profile.ropes.mean_load.clone(),
+        AlongLine::Stiffness => profile.ropes.stiffness.clone(),
+        AlongLine::RmsDisplacement => profile.rms.clone(),
+        AlongLine::RmsDiameters => profile.rms_diameters.clone(),
+        // Not of a node, but of a stretch.
+        AlongLine::Travelling => Vec::new(),
     }
 }
 
@@ -69,7 +111,12 @@ fn most(profile: &Profile, quantity: AlongLine) -> Vec<f64> {
         AlongLine::Height => profile.z_max.clone(),
         AlongLine::Curvature => profile.curvature_max.clone(),
         AlongLine::Moment => profile.moment_max.clone(),
-        AlongLine::BendRadius => at_end(profile, quantity),
+        AlongLine::Stiffness => profile.ropes.stiffness_max.clone(),
+        AlongLine::BendRadius
+        | AlongLine::MeanLoad
+        | AlongLine::RmsDisplacement
+        | AlongLine::RmsDiameters
+        | AlongLine::Travelling => at_end(profile, quantity),
     }
 }
 
@@ -79,12 +126,49 @@ fn least(profile: &Profile, quantity: AlongLine) -> Vec<f64> {
         AlongLine::Tension => profile.tension_min.clone(),
         AlongLine::Height => profile.z_min.clone(),
         AlongLine::BendRadius => radii(&profile.curvature_max),
-        AlongLine::Curvature | AlongLine::Moment => at_end(profile, quantity),
+        AlongLine::Stiffness => profile.ropes.stiffness_min.clone(),
+        _ => at_end(profile, quantity),
     }
 }
 
 fn radii(curvatures: &[f64]) -> Vec<f64> {
     curvatures.iter().map(|c| 1.0 / c).collect()
+}
+
+/// Arc lengths and values on a stretch of the line, its ends interpolated; nothing where the line does not reach so far.
+fn cut(arc: &[f64], values: &[f64], [from, to]: [f64; 2]) -> Option<(Vec<f64>, Vec<f64>)> {
+    // Arc lengths are sums of roundings: the end of the line belongs to it.
+    let slop = 1e-9 * arc.last()?.max(1.0);
+    let (first, last) = (*arc.first()?, *arc.last()?);
+    if values.len() != arc.len() || from < first - slop || to > last + slop || from > to {
+        return None;
+    }
+    let at = |s: f64| {
+        let after = arc.partition_point(|a| *a < s).clamp(1, arc.len() - 1);
+        let share = (s - arc[after - 1]) / (arc[after] - arc[after - 1]);
+        values[after - 1] + share.clamp(0.0, 1.0) * (values[after] - values[after - 1])
+    };
+    let inner = arc
+        .iter()
+        .zip(values)
+        .filter(|(a, _)| **a > from && **a < to);
+    let mut points = vec![(from, at(from))];
+    points.extend(inner.map(|(a, v)| (*a, *v)));
+    points.push((to, at(to)));
+    Some(points.into_iter().unzip())
+}
+
+/// Average over arc length by trapezes; over no length: the value there.
+fn mean(arc: &[f64], values: &[f64]) -> Option<f64> {
+    let length = arc.last()? - arc.first()?;
+    if length <= 0.0 {
+        return values.first().copied();
+    }
+    let pieces = arc.windows(2).zip(values.windows(2));
+    let area: f64 = pieces
+        .map(|(a, v)| 0.5 * (a[1] - a[0]) * (v[0] + v[1]))
+        .sum();
+    Some(area / length)
 }
 
 /// The first node at which a value is better than all others, and that value.
@@ -104,8 +188,8 @@ fn greatest_fall(values: &[f64]) -> Option<f64> {
     Some(fall)
 }
 
-/// How often the values turn, small ripples left out.
-fn turns(values: &[f64]) -> Option<f64> {
+/// How often the values turn, small ripples left out, and how often they do so at a peak.
+fn turns(values: &[f64]) -> Option<(f64, f64)> {
     let first = *values.first()?;
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -113,7 +197,7 @@ fn turns(values: &[f64]) -> Option<f64> {
     // The extreme values since the last turn; a way is known once one of them is far enough behind.
     let (mut bottom, mut top) = (first, first);
     let mut rising = None;
-    let mut count = 0;
+    let (mut count, mut peaks) = (0, 0);
     for value in values.iter().copied() {
         (bottom, top) = (bottom.min(value), top.max(value));
         let way = match rising {
@@ -123,11 +207,12 @@ fn turns(values: &[f64]) -> Option<f64> {
         };
         if way != rising {
             count += u32::from(rising.is_some());
+            peaks += u32::from(rising == Some(true));
             rising = way;
             (bottom, top) = (value, value);
         }
     }
-    Some(f64::from(count))
+    Some((f64::from(count), f64::from(peaks)))
 }
 
 #[cfg(test)]
@@ -136,13 +221,35 @@ mod tests {
 
     #[test]
     fn up_down_up_turns_twice_and_ripples_do_not_count() {
-        let turns = |values: &[f64]| turns(values);
-        assert_eq!(turns(&[0.0, 1.0, 2.0, 3.0]), Some(0.0));
-        assert_eq!(turns(&[0.0, 5.0, 2.0, 8.0]), Some(2.0));
-        assert_eq!(turns(&[0.0, 50.0, 49.8, 50.1, 20.0, 80.0]), Some(2.0));
-        assert_eq!(turns(&[3.0, 1.0]), Some(0.0));
-        assert_eq!(turns(&[1.0; 4]), Some(0.0));
+        assert_eq!(turns(&[0.0, 1.0, 2.0, 3.0]), Some((0.0, 0.0)));
+        assert_eq!(turns(&[0.0, 5.0, 2.0, 8.0]), Some((2.0, 1.0)));
+        assert_eq!(
+            turns(&[0.0, 50.0, 49.8, 50.1, 20.0, 80.0]),
+            Some((2.0, 1.0))
+        );
+        assert_eq!(turns(&[3.0, 1.0]), Some((0.0, 0.0)));
+        assert_eq!(turns(&[1.0; 4]), Some((0.0, 0.0)));
         assert_eq!(turns(&[]), None);
+    }
+
+    #[test]
+    fn a_stretch_has_its_ends_interpolated() {
+        let profile = Profile {
+            arc: vec![0.0, 2.0, 4.0, 8.0],
+            tension: vec![0.0, 4.0, 2.0, 6.0],
+            tension_max: vec![0.0, 4.0, 2.0, 6.0],
+            tension_min: vec![0.0, 4.0, 2.0, 6.0],
+            ..Profile::default()
+        };
+        let take = |s, stretch| evaluate(&profile, AlongLine::Tension, s, Some(stretch));
+        assert_eq!(take(Statistic::Mean, [1.0, 1.0]), Some(2.0));
+        assert_eq!(take(Statistic::Mean, [8.0, 8.0]), Some(6.0));
+        assert_eq!(take(Statistic::Mean, [0.0, 2.0]), Some(2.0));
+        assert_eq!(take(Statistic::Max, [1.0, 3.0]), Some(4.0));
+        assert_eq!(take(Statistic::ArcOfMin, [3.0, 8.0]), Some(4.0));
+        assert_eq!(take(Statistic::Peaks, [0.0, 8.0]), Some(1.0));
+        assert_eq!(take(Statistic::Peaks, [2.0, 8.0]), Some(0.0));
+        assert_eq!(take(Statistic::Mean, [0.0, 9.0]), None);
     }
 
     #[test]
@@ -159,7 +266,7 @@ mod tests {
             tension_min: vec![1.0, 4.0, -3.0],
             ..Profile::default()
         };
-        let take = |q, s| evaluate(&profile, q, s);
+        let take = |q, s| evaluate(&profile, q, s, None);
         assert_eq!(take(AlongLine::Tension, Statistic::Max), Some(9.0));
         assert_eq!(take(AlongLine::Tension, Statistic::ArcOfMax), Some(2.0));
         assert_eq!(take(AlongLine::Tension, Statistic::ArcOfMin), Some(5.0));

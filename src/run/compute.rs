@@ -5,17 +5,18 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use rustix::time::{ClockId, clock_gettime};
 
 use super::job::Event;
+use super::marching::{Ended, From, march, phases};
+use super::modes;
 use super::recorder::Recorder;
-use super::settings::{position_tolerance, settings};
-use super::{Cost, History, LineShape, Profile, RunState, Settings, Work};
-use crate::case::{Case, Method};
+use super::rest::come_to_rest;
+use super::settings::{position_tolerance, settings, tell_damping};
+use super::{Cost, History, LineShape, Profile, Quantity, Resume, RunState, Settings, Work};
+use crate::case::{Case, Method, WaterSurface};
 use crate::dynamics::alpha::{Alpha, Control};
 use crate::dynamics::quasi::Quasi;
 use crate::dynamics::rk4::Rk4;
-use crate::dynamics::{March, MarchError, Outcome, Stepper, Tally};
 use crate::scene::{self, Scene};
 use crate::solve::{Instant, Progressing, Sink, State, System};
-use crate::statics::equilibrium::{Search, instabilities};
 
 /// What one computation gave.
 #[derive(Debug, Clone)]
@@ -29,6 +30,8 @@ pub(super) struct Computed {
     pub(super) history: History,
     pub(super) shapes: Vec<LineShape>,
     pub(super) profile: Profile,
+    /// What is told of natural modes, without errors.
+    pub(super) modes: Vec<Quantity>,
 }
 
 /// The time step of a computation.
@@ -54,8 +57,19 @@ impl Computed {
             history: History::default(),
             shapes: Vec::new(),
             profile: Profile::default(),
+            modes: Vec::new(),
         }
     }
+}
+
+/// Computes a case as it stands, going on from where an earlier run stands if there is one.
+pub(super) fn compute_from(
+    case: &Case,
+    from: Option<&Resume>,
+    cancel: &AtomicBool,
+    events: &mut dyn FnMut(Event),
+) -> Computed {
+    compute_on(case, 1, Step::AsSet, from, cancel, events)
 }
 
 /// Computes a case on a mesh coarsened by `coarsening`.
@@ -63,6 +77,17 @@ pub(super) fn compute(
     case: &Case,
     coarsening: usize,
     step: Step,
+    cancel: &AtomicBool,
+    events: &mut dyn FnMut(Event),
+) -> Computed {
+    compute_on(case, coarsening, step, None, cancel, events)
+}
+
+fn compute_on(
+    case: &Case,
+    coarsening: usize,
+    step: Step,
+    from: Option<&Resume>,
     cancel: &AtomicBool,
     events: &mut dyn FnMut(Event),
 ) -> Computed {
@@ -83,14 +108,22 @@ pub(super) fn compute(
     });
     let (cpu, wall) = (cpu_time(), std::time::Instant::now());
     let stop = || cancel.load(Ordering::Relaxed);
-    let mut recorder = Recorder::new(case, &scene, events, &stop);
     let mut warnings = warnings(&scene, &settings);
-    let ended = solve(case, &scene, &settings, &mut recorder, &mut warnings);
+    let phases = phases(scene);
+    let mut recorder = Recorder::new(case, &phases[0], events, &stop);
+    let ended = solve(case, &phases, &settings, &mut recorder, &mut warnings, from);
+    recorder.finish();
     let cost = Cost {
         cpu_s: cpu_time() - cpu,
         wall_s: wall.elapsed().as_secs_f64(),
         companions_wall_s: 0.0,
     };
+    tell_damping(&mut settings, &phases[0], ended.work.steps);
+    warnings.extend(out_of_water(case, &recorder.profile));
+    let modes = modes::numbers(case, &phases[0]).unwrap_or_else(|why| {
+        warnings.push(format!("natural modes are not told: {why}"));
+        Vec::new()
+    });
     let Recorder {
         history,
         shapes,
@@ -107,6 +140,7 @@ pub(super) fn compute(
         history,
         shapes,
         profile,
+        modes,
     }
 }
 
@@ -116,24 +150,23 @@ fn cpu_time() -> f64 {
     t.tv_sec as f64 + 1e-9 * t.tv_nsec as f64
 }
 
-/// How a computation ended.
-struct Ended {
-    state: RunState,
-    failure: Option<String>,
-    work: Work,
-}
-
 /// Brings the line to its start and runs the method of the case.
-fn solve(
+fn solve<'a>(
     case: &Case,
-    scene: &Scene,
+    phases: &'a [Scene],
     settings: &Settings,
-    sink: &mut Recorder<'_>,
+    sink: &mut Recorder<'a>,
     warnings: &mut Vec<String>,
+    from: Option<&Resume>,
 ) -> Ended {
+    let scene = &phases[0];
     let mut state = scene.initial_state();
     let mut work = Work::default();
-    if let Err(failure) = come_to_rest(case, scene, &mut state, &mut work, warnings) {
+    let said = warnings.len();
+    if let Some(resume) = from {
+        work.iterations = resume.checkpoint.start_iterations;
+        warnings.extend(resume.checkpoint.warnings.iter().cloned());
+    } else if let Err(failure) = come_to_rest(case, scene, &mut state, &mut work, warnings) {
         give(sink, &state);
         return Ended {
             state: RunState::Failed,
@@ -141,6 +174,11 @@ fn solve(
             work,
         };
     }
+    scene.set_going(&mut state);
+    let from = &From {
+        resume: from,
+        warnings: &warnings[said..],
+    };
     let nodes = scene.nodes();
     let tolerance = position_tolerance(case, scene);
     let newton = case.solver.max_iterations;
@@ -155,7 +193,7 @@ fn solve(
         }
         Method::Quasi => {
             let method = Quasi::new(nodes, tolerance, newton);
-            march(method, settings, scene, &mut state, sink, work)
+            march(method, settings, phases, &mut state, sink, work, from)
         }
         Method::Rk4 => {
             if settings
@@ -168,59 +206,29 @@ fn solve(
                     work,
                 };
             }
+            scene.take_water(0.0, &mut state);
             scene.accelerate(0.0, &mut state);
-            march(Rk4::new(nodes), settings, scene, &mut state, sink, work)
+            march(
+                Rk4::new(nodes),
+                settings,
+                phases,
+                &mut state,
+                sink,
+                work,
+                from,
+            )
         }
-        Method::Alpha => {
+        Method::Alpha | Method::Auto => {
+            scene.take_water(0.0, &mut state);
             scene.accelerate(0.0, &mut state);
             let method = Alpha::new(nodes, case.solver.rho_inf, tolerance, newton);
             let method = match settings.step_tolerance {
                 Some(tolerance) => method.controlled(control(case, scene, tolerance)),
                 None => method,
             };
-            march(method, settings, scene, &mut state, sink, work)
+            march(method, settings, phases, &mut state, sink, work, from)
         }
     }
-}
-
-/// A turn between neighbouring segments \[rad\] from which the mesh error is not of second order any more.
-const SHARP: f64 = 0.8;
-
-/// Brings the line to its equilibrium, where the case asks for that; says so when it would not stay there.
-///
-/// # Errors
-/// Why there is none, in words.
-fn come_to_rest(
-    case: &Case,
-    scene: &Scene,
-    state: &mut State,
-    work: &mut Work,
-    warnings: &mut Vec<String>,
-) -> Result<(), String> {
-    if !scene.start_in_equilibrium && case.solver.method != Method::Static {
-        return Ok(());
-    }
-    match Search::default().run(scene, 0.0, state) {
-        Ok(found) => work.iterations += found.iterations,
-        Err(error) => {
-            work.iterations += error.iterations;
-            return Err(error.to_string());
-        }
-    }
-    if instabilities(scene, 0.0, state).is_some_and(|ways| ways > 0) {
-        let unstable = "the equilibrium found is not stable: forces balance, but a line pushed aside a little would leave \
-                        this shape for another one; start from another shape to find that";
-        warnings.push(unstable.to_owned());
-    }
-    let (turn, node) = scene.sharpest_turn(state);
-    if turn > SHARP {
-        warnings.push(format!(
-            "the line at rest turns by {:.0} degrees at node {node}: too sharply for segments of that length, and more \
-             than the estimated errors show; use more segments there",
-            turn.to_degrees()
-        ));
-    }
-    Ok(())
 }
 
 /// Errors allowed in a step, from the dimensionless tolerance of the case.
@@ -253,73 +261,23 @@ fn unstable(settings: &Settings) -> String {
     )
 }
 
-fn march<M: Stepper>(
-    mut method: M,
-    settings: &Settings,
-    scene: &Scene,
-    state: &mut State,
-    sink: &mut Recorder<'_>,
-    mut work: Work,
-) -> Ended {
-    let march = March {
-        duration: settings.duration_s,
-        step: settings.time_step_s,
-        output: settings.output_interval_s,
-    };
-    let result = march.run(&mut method, scene, state, sink);
-    let Tally {
-        iterations,
-        evaluations,
-    } = method.tally();
-    work.iterations += iterations;
-    work.evaluations += evaluations;
-    let (state, failure, steps, rejections) = match result {
-        Ok(Outcome {
-            steps,
-            rejections,
-            stopped: true,
-        }) => (RunState::Cancelled, None, steps, rejections),
-        Ok(Outcome {
-            steps,
-            rejections,
-            stopped: false,
-        }) => (RunState::Done, None, steps, rejections),
-        Err(error) => {
-            let advice = advice(&error);
-            let MarchError {
-                steps, rejections, ..
-            } = error;
-            (
-                RunState::Failed,
-                Some(format!("{error}; {advice}")),
-                steps,
-                rejections,
-            )
-        }
-    };
-    work.steps = steps;
-    work.rejections = rejections;
-    Ended {
-        state,
-        failure,
-        work,
-    }
-}
+/// A node this little above still water is at it \[m\].
+const LITTLE: f64 = 1e-3;
 
-/// What to try after a step that failed at every length.
-fn advice(error: &MarchError) -> &'static str {
-    use crate::solve::NewtonError::{Astray, Diverged, NotFinite, Singular, Unstable};
-    match error.why {
-        Diverged { .. } => {
-            "try a smaller time_step_s, a smaller rho_inf, or more segments near that node"
-        }
-        Singular { .. } => "give that part of the line mass, drag or tension",
-        Astray { .. } => {
-            "give the line tangential drag or axial damping, or use the solver `alpha`"
-        }
-        Unstable { .. } => "use the solver `alpha`, or try a smaller time_step_s",
-        NotFinite { .. } => "try a smaller time_step_s, and look for extreme inputs near that node",
+/// That a part of the line was above still water and counted as under water all the same, at output times.
+fn out_of_water(case: &Case, profile: &Profile) -> Option<String> {
+    let water = &case.environment;
+    if water.water_surface == WaterSurface::Crossed || water.water_density_kg_per_m3 <= 0.0 {
+        return None;
     }
+    let above = profile.z_max.iter().filter(|z| **z > LITTLE).count();
+    (above > 0).then(|| {
+        format!(
+            "{above} of {} nodes came above still water and counted as under water all the same; \
+             environment.water_surface = \"crossed\" gives them their weight in air",
+            profile.z_max.len()
+        )
+    })
 }
 
 /// What the user should know before trusting the numbers.

@@ -6,10 +6,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::along;
 use super::compute::{Computed, Step, compute};
 use super::statistic::{Of, Wanted, evaluate, wanted};
 use super::{Quantity, RunState, quantity_name};
+use super::{along, modes};
 use crate::case::{Case, DragLaw, DragLawName, Method};
 
 /// Estimated errors, one a wanted number; absent where not estimated.
@@ -17,6 +17,8 @@ use crate::case::{Case, DragLaw, DragLawName, Method};
 pub(super) struct Estimates {
     time: Vec<Option<f64>>,
     mesh: Vec<Option<f64>>,
+    /// What is told of natural modes.
+    modes: Vec<Quantity>,
     /// How they were made, in words.
     pub(super) method: String,
     /// What went wrong, in words.
@@ -37,6 +39,8 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
         || order.map(|_| companion(1, Step::Doubled)),
         || (ratio > 1.0).then(|| companion(2, Step::AsSet)),
     );
+    let coarse_modes = coarse.as_ref().map_or(&[][..], |c| &c.modes);
+    let modes = modes::with_errors(&run.modes, coarse_modes, ratio);
     let mut warnings = Vec::new();
     if coarse.is_none() {
         warnings
@@ -57,6 +61,7 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
     Estimates {
         time,
         mesh,
+        modes,
         method: describe(case, order, ratio),
         warnings,
     }
@@ -91,16 +96,15 @@ fn has_crisis(case: &Case) -> bool {
 fn order(method: Method) -> Option<i32> {
     match method {
         Method::Static => None,
-        Method::Quasi | Method::Alpha => Some(2),
+        Method::Quasi | Method::Alpha | Method::Auto => Some(2),
         Method::Rk4 => Some(4),
     }
 }
 
 /// Segment length of the coarse mesh by that of the fine one, over the whole line.
 fn ratio_of_meshes(case: &Case) -> f64 {
-    let fine: usize = case.line.iter().map(|s| s.segments).sum();
-    let coarse: usize = case.line.iter().map(|s| s.segments.div_ceil(2)).sum();
-    fine as f64 / coarse as f64
+    let segments = |coarsening| crate::scene::division::segments(case, coarsening) as f64;
+    segments(1) / segments(2)
 }
 
 fn differences(
@@ -140,6 +144,12 @@ fn wanted_of(case: &Case, run: &Computed) -> Vec<Wanted> {
 /// The single numbers of a run with their errors; those that cannot be taken are left out.
 pub(super) fn summary(case: &Case, run: &Computed, estimates: &Estimates) -> Vec<Quantity> {
     let pick = |list: &[Option<f64>], i: usize| list.get(i).copied().flatten();
+    // Without companions their errors are unknown.
+    let modes = if estimates.modes.is_empty() {
+        &run.modes
+    } else {
+        &estimates.modes
+    };
     wanted_of(case, run)
         .iter()
         .enumerate()
@@ -159,5 +169,6 @@ pub(super) fn summary(case: &Case, run: &Computed, estimates: &Estimates) -> Vec
                 mesh_error: pick(&estimates.mesh, i),
             })
         })
+        .chain(modes.iter().cloned())
         .collect()
 }

@@ -9,8 +9,11 @@ use crossbeam_channel::Sender;
 
 use super::compute::{self, Computed};
 use super::store::rfc3339;
-use super::{Cost, Frame, Run, RunInfo, RunState, VERSION, errors, limits};
-use crate::case::Case;
+use super::{
+    Checkpoint, Cost, Frame, Resume, Run, RunInfo, RunState, VERSION, errors, limits, settings,
+};
+use crate::case::{Case, Method};
+use crate::scene;
 
 /// What to compute.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +40,8 @@ pub enum Event {
     },
     /// An output instant.
     Frame(Box<Frame>),
+    /// The run as it stands, to go on from later.
+    Checkpoint(Box<Checkpoint>),
     /// The run is complete; companions now estimate its errors.
     Estimating,
     /// The end, whatever it was: see [`RunInfo::state`].
@@ -89,8 +94,21 @@ pub fn start(request: Request, events: Sender<(JobId, Event)>) -> std::io::Resul
 /// Computes a request, with its companions if the case asks for error estimates. Failures are told in the run,
 /// which keeps what there was. Does not send [`Event::Finished`]: the run is returned.
 pub fn execute(request: &Request, cancel: &AtomicBool, events: &mut dyn FnMut(Event)) -> Run {
+    execute_from(request, None, cancel, events)
+}
+
+/// As [`execute`], going on from where an earlier run stands, if there is one.
+pub fn execute_from(
+    request: &Request,
+    from: Option<&Resume>,
+    cancel: &AtomicBool,
+    events: &mut dyn FnMut(Event),
+) -> Run {
     let started = rfc3339(SystemTime::now());
-    let mut computed = compute::compute(&request.case, 1, compute::Step::AsSet, cancel, events);
+    let (chosen, reason) = chosen(request);
+    let request = chosen.as_ref().unwrap_or(request);
+    let mut computed = compute::compute_from(&request.case, from, cancel, events);
+    computed.settings.method_reason = reason;
     let done = computed.state == RunState::Done;
     let companions = std::time::Instant::now();
     let mut estimated = errors::Estimates::default();
@@ -115,6 +133,22 @@ pub fn execute(request: &Request, cancel: &AtomicBool, events: &mut dyn FnMut(Ev
         estimated.warnings,
         summary,
     )
+}
+
+/// The request with a method in place of the choice that its case leaves open, and why that one.
+fn chosen(request: &Request) -> (Option<Request>, Option<String>) {
+    if request.case.solver.method != Method::Auto {
+        return (None, None);
+    }
+    let mut request = request.clone();
+    request.case.solver.method = Method::Alpha;
+    // A case that makes no scene fails with its reason a little later.
+    let Ok(scene) = scene::build(&request.case, 1) else {
+        return (Some(request), None);
+    };
+    let (method, why) = settings::choose(&request.case, &scene);
+    request.case.solver.method = method;
+    (Some(request), Some(why))
 }
 
 fn assemble(

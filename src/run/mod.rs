@@ -3,16 +3,25 @@
 //! [`model`] holds a [`Run`] as plain data; [`store`] keeps it on disk.
 
 mod along;
+mod checkpoint;
 mod compute;
+mod cycles;
 mod errors;
 pub mod job;
 pub mod limits;
+mod marching;
 pub mod model;
+mod modes;
 mod names;
 mod recorder;
+pub mod response;
+mod rest;
+mod ropes;
 pub mod settings;
 pub mod statistic;
 pub mod store;
 
+pub use checkpoint::{Checkpoint, Resume};
 pub use model::*;
 pub use names::quantity_name;
+pub use ropes::RopeProfile;

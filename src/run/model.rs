@@ -3,6 +3,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::RopeProfile;
+
 /// Version of the program, written into every run.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
@@ -82,6 +84,16 @@ pub struct Settings {
     pub time_step_automatic: bool,
     /// Spectral radius of generalized-alpha; absent for other methods.
     pub rho_inf: Option<f64>,
+    /// Damping ratio that generalized-alpha adds by itself at the period below, in steps of the mean length taken; absent
+    /// for other methods.
+    #[serde(default)]
+    pub numerical_damping: Option<f64>,
+    /// That period \[s\]: of the motion of an end, or of the line bouncing along itself.
+    #[serde(default)]
+    pub numerical_damping_period_s: Option<f64>,
+    /// Why this method, where the case leaves the choice to the program.
+    #[serde(default)]
+    pub method_reason: Option<String>,
     /// Stability limit of explicit methods \[s\].
     pub stability_limit_s: Option<f64>,
     /// Where that limit comes from ("segment 57, wire").
@@ -164,7 +176,7 @@ pub struct LineShape {
 }
 
 /// The line node by node: its state at the end of the run, and envelopes over the output times.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
     /// Unstretched arc length from A \[m\].
     pub arc: Vec<f64>,
@@ -188,6 +200,16 @@ pub struct Profile {
     pub moment: Vec<f64>,
     /// Greatest bending moments \[N m\]; likewise.
     pub moment_max: Vec<f64>,
+    /// Ropes with dynamic stiffness; empty where there are none.
+    pub ropes: RopeProfile,
+    /// Root mean square displacements about the mean \[m\]; empty where the case does not ask for them.
+    pub rms: Vec<f64>,
+    /// The same by the diameter \[-\]; likewise.
+    pub rms_diameters: Vec<f64>,
+    /// Displacement across the line at the driving period, `Re((cos + i sin) e^(i omega t))` \[m\]: its real part; likewise.
+    pub wave_cos: Vec<f64>,
+    /// Its imaginary part \[m\]; likewise.
+    pub wave_sin: Vec<f64>,
 }
 
 impl Profile {

@@ -2,12 +2,12 @@
 
 use crate::case::Statistic;
 
-/// Name of a statistic of a channel, over a window of time \[s\] when one is given:
+/// Name of a statistic of a channel, over a window of time \[s\] or a stretch of the line \[m\] when one is given:
 /// `tension_n[wire|payload].mean(0..200)`.
 #[must_use]
-pub fn quantity_name(channel: &str, statistic: Statistic, window_s: Option<[f64; 2]>) -> String {
+pub fn quantity_name(channel: &str, statistic: Statistic, within: Option<[f64; 2]>) -> String {
     let word = statistic.name();
-    match window_s {
+    match within {
         Some([from, to]) => format!("{channel}.{word}({from}..{to})"),
         None => format!("{channel}.{word}"),
     }

@@ -1,8 +1,9 @@
 //! Takes the accepted steps of a solver and makes of them channels, shapes and envelopes.
 
 use super::job::Event;
-use super::{Channel, Frame, History, LineShape, Profile, Progress};
-use crate::case::{self, Case, LineEnd, Source};
+use super::response::Response;
+use super::{Channel, Checkpoint, Frame, History, LineShape, Profile, Progress, Resume};
+use crate::case::{self, Case, LineEnd, RopeQuantity, Source};
 use crate::scene::Scene;
 use crate::solve::{Instant, Progressing, Sink, State, System};
 
@@ -14,7 +15,10 @@ pub(super) struct Recorder<'a> {
     pub(super) history: History,
     pub(super) shapes: Vec<LineShape>,
     pub(super) profile: Profile,
+    response: Option<Response>,
     latest: Vec<f64>,
+    /// Segments whose section states a breaking load, with the square of the longest that each was \[m²\].
+    longest: Vec<(usize, f64)>,
     shape_interval: f64,
     duration: f64,
     clock: std::time::Instant,
@@ -46,10 +50,10 @@ impl<'a> Recorder<'a> {
                 })
                 .collect(),
         };
-        let nodes = scene.nodes();
+        let nodes = scene.line_nodes();
         let bending = if scene.flexure.is_some() { nodes } else { 0 };
         let profile = Profile {
-            arc: scene.arc.clone(),
+            arc: scene.arc[..nodes].to_vec(),
             nodes: vec![[0.0; 3]; nodes],
             tension: vec![0.0; nodes],
             tension_min: vec![f64::INFINITY; nodes],
@@ -60,10 +64,13 @@ impl<'a> Recorder<'a> {
             curvature_max: vec![0.0; bending],
             moment: vec![0.0; bending],
             moment_max: vec![0.0; bending],
+            ..Profile::default()
         };
         Self {
             scene,
+            response: Response::of(case),
             latest: vec![0.0; channels.len()],
+            longest: watched(case, scene),
             sources: channels.into_iter().map(|c| c.source).collect(),
             history,
             shapes: Vec::new(),
@@ -81,8 +88,64 @@ impl<'a> Recorder<'a> {
         }
     }
 
+    /// Tells of the run as it stands, for whoever wants to go on from there.
+    pub(super) fn tell_checkpoint(&mut self, checkpoint: Checkpoint) {
+        (self.events)(Event::Checkpoint(Box::new(checkpoint)));
+    }
+
+    /// One extreme of every channel so far, and its time \[s\].
+    pub(super) fn extremes(&self, of: impl Fn(&Channel) -> (f64, f64)) -> Vec<(f64, f64)> {
+        self.history.channels.iter().map(of).collect()
+    }
+
+    /// Squares of the longest that segments with a breaking load were so far \[m²\].
+    pub(super) fn longest(&self) -> Vec<f64> {
+        self.longest.iter().map(|(_, longest)| *longest).collect()
+    }
+
+    /// Takes up what was recorded before, and tells of it as if it were recorded now.
+    pub(super) fn take_up(&mut self, from: &Resume) {
+        // The sums of what was recorded before are not kept: half a window would be told as a whole one.
+        let taken_up = from.history.time.last().copied().unwrap_or(0.0);
+        self.response = self.response.take().filter(|r| r.begins_after(taken_up));
+        let mut shapes = from.shapes.iter().peekable();
+        for (row, time) in from.history.time.iter().enumerate() {
+            let values = from.history.channels.iter();
+            let shape = shapes.next_if(|shape| shape.time <= *time).cloned();
+            self.progress.time = *time;
+            let frame = Frame {
+                time: *time,
+                values: values.filter_map(|c| c.values.get(row).copied()).collect(),
+                shape,
+                progress: Progress {
+                    duration: self.duration,
+                    ..self.progress
+                },
+            };
+            (self.events)(Event::Frame(Box::new(frame)));
+        }
+        self.history.time.clone_from(&from.history.time);
+        let channels = self.history.channels.iter_mut().zip(&from.history.channels);
+        for (i, (channel, old)) in channels.enumerate() {
+            channel.values.clone_from(&old.values);
+            let known = (from.checkpoint.peaks.get(i), from.checkpoint.troughs.get(i));
+            if let (Some(peak), Some(trough)) = known {
+                (channel.peak, channel.trough) = (*peak, *trough);
+            }
+        }
+        self.shapes.clone_from(&from.shapes);
+        self.profile.clone_from(&from.checkpoint.profile);
+        let longest = self.longest.iter_mut().zip(&from.checkpoint.longest);
+        longest.for_each(|((_, longest), known)| *longest = *known);
+    }
+
+    /// Goes on with the line as it is after an event.
+    pub(super) fn enter(&mut self, scene: &'a Scene) {
+        self.scene = scene;
+    }
+
     /// Reads all channels off a state.
-    fn read(&mut self, state: &State) {
+    fn read(&mut self, time: f64, state: &State) {
         // The three components of an end's force come from one reading.
         let mut forces = [None; 2];
         for (value, source) in self.latest.iter_mut().zip(&self.sources) {
@@ -95,13 +158,43 @@ impl<'a> Recorder<'a> {
             };
             *value = match *source {
                 Source::Joint(joint) => self.scene.tension_at(self.scene.joints[joint].node, state),
-                Source::Coordinate(end, axis) => state.x[node(end)][axis],
+                Source::Coordinate(LineEnd::A, axis) => state.x[0][axis],
+                Source::Coordinate(LineEnd::B, axis) => self.scene.place_of_b(state)[axis],
                 Source::Body(body, axis) => state.x[self.scene.clumps[body]][axis],
                 Source::Force(end, axis) => {
-                    let force = || self.scene.end_force(node(end), state);
+                    let node = node(end);
+                    let force = || {
+                        self.scene.end_force(node, state)
+                            + self.scene.traveller_on(node, time, state)
+                    };
                     forces[usize::from(end == LineEnd::B)].get_or_insert_with(force)[axis]
                 }
-                Source::Speed(end) => state.v[node(end)].norm(),
+                Source::Traveller(axis) => {
+                    let at = self.scene.traveller_at(time, state);
+                    at.map_or(f64::NAN, |(place, _)| place[axis])
+                }
+                Source::TravellerArc => self.scene.traveller_arc(time).unwrap_or(f64::NAN),
+                Source::TravellerTension => {
+                    let tension = self.scene.traveller_tension(time, state);
+                    tension.unwrap_or(f64::NAN)
+                }
+                Source::Speed(LineEnd::A) => state.v[0].norm(),
+                Source::Speed(LineEnd::B) => self.scene.velocity_of_b(state).norm(),
+                Source::Tilt => self.scene.tilt(state).to_degrees(),
+                Source::Energy => self.scene.energy(state),
+                Source::Rope(section, end, quantity) => {
+                    let joint = |index: usize| self.scene.joints[index].node;
+                    let segment = match end {
+                        LineEnd::A => joint(section),
+                        LineEnd::B => joint(section + 1) - 1,
+                    };
+                    let told = self.scene.rope_reading(segment, state).unwrap_or_default();
+                    match quantity {
+                        RopeQuantity::MeanLoad => told.mean_load,
+                        RopeQuantity::Deviation => told.deviation,
+                        RopeQuantity::Stiffness => told.stiffness,
+                    }
+                }
             };
         }
     }
@@ -113,13 +206,17 @@ impl<'a> Recorder<'a> {
             channel.values.push(*value);
         }
         let tension = self.scene.tensions(instant.state);
+        if let Some(response) = &mut self.response {
+            response.take(instant.time, &instant.state.x[..tension.len()]);
+        }
         self.widen_envelopes(instant.state, &tension);
         let due = self
             .shapes
             .last()
             .is_none_or(|s| instant.time >= s.time + self.shape_interval * (1.0 - 1e-9));
         let shape = (due || instant.time >= self.duration * (1.0 - 1e-12)).then(|| {
-            let nodes = instant.state.x.iter().map(|p| [p.x, p.y, p.z]).collect();
+            let nodes = instant.state.x.iter().map(|p| [p.x, p.y, p.z]);
+            let nodes = nodes.take(tension.len()).collect();
             LineShape {
                 time: instant.time,
                 nodes,
@@ -143,6 +240,33 @@ impl<'a> Recorder<'a> {
         (self.events)(Event::Frame(Box::new(frame)));
     }
 
+    /// Takes the tensions of what is stretched more than ever before into the envelope: greatest tensions, which the
+    /// breaking load is held against, are those of every step and not of the output times alone.
+    fn widen_peaks(&mut self, state: &State) {
+        for (i, longest) in &mut self.longest {
+            let length = (state.x[*i + 1] - state.x[*i]).norm_squared();
+            if length > *longest {
+                *longest = length;
+                for node in [*i, *i + 1] {
+                    let tension = self.scene.tension_at(node, state);
+                    let most = &mut self.profile.tension_max[node];
+                    *most = most.max(tension);
+                }
+            }
+        }
+    }
+
+    /// Completes the profile once the run is over.
+    pub(super) fn finish(&mut self) {
+        let Some(response) = self.response.take() else {
+            return;
+        };
+        let last = self.scene.segments.len() - 1;
+        let diameter = |i: usize| self.scene.segments[i.min(last)].diameter;
+        let diameters: Vec<f64> = (0..self.profile.arc.len()).map(diameter).collect();
+        response.finish(&diameters, &mut self.profile);
+    }
+
     fn widen_envelopes(&mut self, state: &State, tension: &[f64]) {
         let p = &mut self.profile;
         for (i, (x, t)) in state.x.iter().zip(tension).enumerate() {
@@ -153,13 +277,30 @@ impl<'a> Recorder<'a> {
             p.z_min[i] = p.z_min[i].min(x.z);
             p.z_max[i] = p.z_max[i].max(x.z);
         }
+        p.ropes.widen(self.scene, state);
         if let Some(flexure) = &self.scene.flexure {
-            let (curvature, moment) = flexure.bent(self.scene, state);
+            let (mut curvature, mut moment) = flexure.bent(self.scene, state);
+            curvature.truncate(tension.len());
+            moment.truncate(tension.len());
             widen(&mut p.curvature_max, &curvature);
             widen(&mut p.moment_max, &moment);
             (p.curvature, p.moment) = (curvature, moment);
         }
     }
+}
+
+/// Segments of the sections whose material states a breaking load.
+fn watched(case: &Case, scene: &Scene) -> Vec<(usize, f64)> {
+    let limited = |section: &case::Section| {
+        let material = case.materials.get(&section.material);
+        material.is_some_and(|m| m.break_load_n.is_some())
+    };
+    let reaches = scene.joints.windows(2).zip(&case.line);
+    reaches
+        .filter(|(_, section)| limited(section))
+        .flat_map(|(joints, _)| joints[0].node..joints[1].node)
+        .map(|segment| (segment, 0.0))
+        .collect()
 }
 
 /// Raises greatest values to the new ones.
@@ -171,7 +312,7 @@ fn widen(greatest: &mut [f64], values: &[f64]) {
 
 impl Sink for Recorder<'_> {
     fn accept(&mut self, instant: Instant<'_>) -> Progressing {
-        self.read(instant.state);
+        self.read(instant.time, instant.state);
         for (channel, value) in self.history.channels.iter_mut().zip(&self.latest) {
             if *value > channel.peak.0 {
                 channel.peak = (*value, instant.time);
@@ -180,6 +321,7 @@ impl Sink for Recorder<'_> {
                 channel.trough = (*value, instant.time);
             }
         }
+        self.widen_peaks(instant.state);
         if instant.output {
             self.store(&instant);
         }

@@ -2,6 +2,7 @@
 
 use super::Settings;
 use crate::case::{Case, Method};
+use crate::dynamics::damping::numerical_damping;
 use crate::scene::{End, Scene};
 use crate::solve::System;
 
@@ -40,6 +41,7 @@ pub fn settings(case: &Case, scene: &Scene) -> Settings {
         nodes: scene.nodes(),
         output_interval_s: if still { 0.0 } else { case.output.interval_s },
         error_method: String::new(),
+        ..Settings::default()
     }
 }
 
@@ -47,6 +49,7 @@ pub fn settings(case: &Case, scene: &Scene) -> Settings {
 #[must_use]
 pub fn method_name(method: Method) -> &'static str {
     match method {
+        Method::Auto => "auto",
         Method::Static => "static",
         Method::Quasi => "quasi",
         Method::Rk4 => "rk4",
@@ -69,6 +72,11 @@ fn automatic_step(case: &Case, scene: &Scene, limit: Option<f64>) -> f64 {
     if let Some(limit) = limit {
         return limit * EXPLICIT_SHARE;
     }
+    (forced_period(scene) / STEPS_A_PERIOD).min(case.output.interval_s)
+}
+
+/// The shortest period that the scene forces \[s\]: of prescribed motion, or of the line and its payload bouncing.
+fn forced_period(scene: &Scene) -> f64 {
     let compliance: f64 = scene
         .segments
         .iter()
@@ -79,12 +87,57 @@ fn automatic_step(case: &Case, scene: &Scene, limit: Option<f64>) -> f64 {
     let mut period = std::f64::consts::TAU * (mass * compliance).sqrt();
     for end in &scene.ends {
         if let End::Held(motion) = end
-            && motion.omega > 0.0
+            && let Some(own) = motion.period()
         {
-            period = period.min(std::f64::consts::TAU / motion.omega);
+            period = period.min(own);
         }
     }
-    (period / STEPS_A_PERIOD).min(case.output.interval_s)
+    period
+}
+
+/// Tells what generalized-alpha damped by itself, in steps of the mean length.
+pub(super) fn tell_damping(settings: &mut Settings, scene: &Scene, steps: u64) {
+    if let (Some(rho), true) = (settings.rho_inf, steps > 0) {
+        let period = forced_period(scene);
+        let omega = std::f64::consts::TAU / period;
+        let h = settings.duration_s / steps as f64;
+        settings.numerical_damping = Some(numerical_damping(rho, omega, h));
+        settings.numerical_damping_period_s = Some(period);
+    }
+}
+
+/// The cost of a Newton iteration in evaluations of the force alone, measured on lines without bending.
+const ITERATION: f64 = 4.0;
+
+/// Steps that vary are shorter than the longest by about this.
+const SHORTER: f64 = 2.0;
+
+/// The method for a case that leaves the choice open, and why: the one with the smaller estimated cost. An explicit step
+/// is bound by the stiffest, lightest segment; an implicit one by what moves the line.
+pub(super) fn choose(case: &Case, scene: &Scene) -> (Method, String) {
+    let (limit, segment) = scene.explicit_limit();
+    let given = case.solver.time_step_s;
+    let of = section_of(case, scene, segment);
+    if given.is_some_and(|step| step > limit) {
+        let why = format!(
+            "alpha: the time step is above the limit of RK4, {limit:.2e} s, set by segment {segment} ({of})"
+        );
+        return (Method::Alpha, why);
+    }
+    let long = |step: Option<f64>| given.unwrap_or_else(|| automatic_step(case, scene, step));
+    let explicit = 4.0 * case.solver.duration_s / long(Some(limit));
+    let shorter = if given.is_some() { 1.0 } else { SHORTER };
+    let implicit = 1.3 * ITERATION * shorter * case.solver.duration_s / long(None);
+    let (method, word) = if explicit < implicit {
+        (Method::Rk4, "rk4")
+    } else {
+        (Method::Alpha, "alpha")
+    };
+    let why = format!(
+        "{word}: RK4 needs some {explicit:.1e} evaluations of the force (its step is bound to {limit:.2e} s by segment {segment}, \
+         {of}), generalized-alpha the worth of {implicit:.1e}"
+    );
+    (method, why)
 }
 
 /// Name of the section that a segment belongs to.
@@ -97,5 +150,5 @@ fn section_of(case: &Case, scene: &Scene, segment: usize) -> String {
     index
         .checked_sub(1)
         .and_then(|i| case.line.get(i))
-        .map_or_else(String::new, |s| s.name.clone())
+        .map_or_else(|| "rod of the payload".to_owned(), |s| s.name.clone())
 }

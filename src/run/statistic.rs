@@ -1,6 +1,6 @@
 //! Single numbers taken of a channel: means, extremes, times; and which are wanted of a run.
 
-use super::{Channel, History, Profile, along};
+use super::{Channel, History, Profile, along, cycles};
 use crate::case::{AlongLine, Case, Statistic};
 
 /// What a number is taken of.
@@ -19,7 +19,7 @@ pub struct Wanted {
     pub of: Of,
     /// What is taken of it.
     pub statistic: Statistic,
-    /// Over which window \[s\]; absent: the whole run.
+    /// Over which window of time \[s\] or, of the whole line, which stretch \[m\]; absent: all of it.
     pub window: Option<[f64; 2]>,
 }
 
@@ -40,11 +40,11 @@ pub fn wanted(case: &Case, channels: &[String]) -> Vec<Wanted> {
     let published = case
         .published
         .iter()
-        .map(|p| (&p.channel, p.statistic, p.window_s));
+        .map(|p| (&p.channel, p.statistic, p.within()));
     let trends = case
         .trend
         .iter()
-        .map(|t| (&t.channel, t.statistic, t.window_s));
+        .map(|t| (&t.channel, t.statistic, t.within()));
     for (name, statistic, window) in published.chain(trends) {
         let channel = channels.iter().position(|c| c == name).map(Of::Channel);
         let Some(of) = channel.or_else(|| AlongLine::named(name).map(Of::Line)) else {
@@ -68,8 +68,7 @@ pub fn wanted(case: &Case, channels: &[String]) -> Vec<Wanted> {
 pub fn evaluate(history: &History, profile: &Profile, wanted: &Wanted) -> Option<f64> {
     match wanted.of {
         Of::Channel(index) => over_time(history, history.channels.get(index)?, wanted),
-        Of::Line(_) if wanted.window.is_some() => None,
-        Of::Line(quantity) => along::evaluate(profile, quantity, wanted.statistic),
+        Of::Line(quantity) => along::evaluate(profile, quantity, wanted.statistic, wanted.window),
     }
 }
 
@@ -91,9 +90,13 @@ fn over_time(history: &History, channel: &Channel, wanted: &Wanted) -> Option<f6
             let span = times[times.len() - 1] - times[0];
             (span > 0.0).then(|| (last - first).abs() / span)
         }
-        Statistic::ArcOfMax | Statistic::ArcOfMin | Statistic::GreatestFall | Statistic::Turns => {
-            None
-        }
+        Statistic::MeanPeak => cycles::mean(values, f64::max),
+        Statistic::MeanTrough => cycles::mean(values, f64::min),
+        Statistic::ArcOfMax
+        | Statistic::ArcOfMin
+        | Statistic::GreatestFall
+        | Statistic::Turns
+        | Statistic::Peaks => None,
     }
 }
 
@@ -253,6 +256,25 @@ mod tests {
             Some(2.0)
         );
         assert_eq!(take(&[1.0, 2.0, 0.0], Statistic::Travel, None), Some(10.0));
+    }
+
+    #[test]
+    fn peaks_are_those_of_whole_cycles() {
+        // Amplitudes 1, 2, 3 and 4; the cycles begun before the record and not ended in it are not whole.
+        let swing: Vec<f64> = (0..=70)
+            .map(|i| {
+                let t = f64::from(i) / 20.0;
+                (std::f64::consts::TAU * t).sin() * (1.0 + t.floor())
+            })
+            .collect();
+        let mean = |s| take(&swing, s, None).unwrap();
+        assert!(
+            (mean(Statistic::MeanPeak) - 2.5).abs() < 1e-9,
+            "{}",
+            mean(Statistic::MeanPeak)
+        );
+        assert!((mean(Statistic::MeanTrough) + 2.5).abs() < 1e-9);
+        assert_eq!(take(&[0.0, 1.0, 0.0], Statistic::MeanPeak, None), None);
     }
 
     #[test]

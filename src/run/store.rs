@@ -9,6 +9,8 @@
 //! | `channels.csv` | `channel,unit,max,time_of_max_s,min,time_of_min_s`, over every step of the solver |
 //! | `history.csv` | `time_s` and one column a channel, at the output times |
 //! | `profile.csv` | the line node by node at the end, and its envelope over time |
+//! | `ropes.csv` | dynamic stiffness along the ropes that have it, at the end, and its envelope over time |
+//! | `checkpoint.toml` | everything that is needed to go on from where the run stands |
 //! | `shapes.csv` | `time_s,node,x_m,y_m,z_m,tension_n`: stored shapes one after the other |
 //!
 //! **A kill at any moment leaves either the complete run or one marked `partial`.** The directory
@@ -23,6 +25,7 @@ mod finish;
 mod list;
 mod number;
 mod read;
+mod ropes;
 mod shapes;
 mod stamp;
 mod table;
@@ -32,7 +35,7 @@ use std::{io, path::PathBuf};
 
 pub use begin::Place;
 pub use list::{Entry, list};
-pub use read::{read, read_info};
+pub use read::{read, read_info, resume};
 pub use stamp::{rfc3339, stamp};
 pub use writer::{Writer, save};
 
@@ -46,7 +49,9 @@ pub(crate) const ERRORS: &str = "errors.csv";
 pub(crate) const CHANNELS: &str = "channels.csv";
 pub(crate) const HISTORY: &str = "history.csv";
 pub(crate) const PROFILE: &str = "profile.csv";
+pub(crate) const ROPES: &str = "ropes.csv";
 pub(crate) const SHAPES: &str = "shapes.csv";
+pub(crate) const CHECKPOINT: &str = "checkpoint.toml";
 
 /// Why a run cannot be written or read.
 #[derive(Debug, thiserror::Error)]
@@ -65,6 +70,9 @@ pub enum StoreError {
         /// What is wrong, with line and column where known.
         reason: String,
     },
+    /// A run that cannot be gone on with.
+    #[error("{} has no checkpoint.toml to go on from: it stopped before its first one, or is at rest.", .0.display())]
+    NoCheckpoint(PathBuf),
     /// The directory chosen for a run already holds something.
     #[error("{} already holds files; a run never overwrites. Name a directory that does not exist yet.", .0.display())]
     Taken(PathBuf),

@@ -1,11 +1,12 @@
 //! Bodies hung on the line: clumps along it, and the payload at its end.
 
-use super::SceneError;
 use super::line::{Hung, Joint};
+use super::{SceneError, Turning};
 use crate::case::{self, Case, EndKind, OneOrMany};
 use crate::linalg::V3;
-use crate::physics::Body;
 use crate::physics::payload::{Form, box_form, sphere_and_cylinder};
+use crate::physics::rigid_body::Measures;
+use crate::physics::{Body, RigidBody};
 
 /// The bodies, clumps in the order of the case and then the payload, and what is to be said of their places.
 pub(super) fn on_line(
@@ -31,10 +32,13 @@ pub(super) fn on_line(
             body: hung(case, clump),
         });
     }
-    bodies.extend(payload(case)?.map(|body| Hung {
-        node: arc.len() - 1,
-        body,
-    }));
+    let turns = |body: &case::Payload| body.rotation.is_some();
+    if !case.payload.as_ref().is_some_and(turns) {
+        bodies.extend(payload(case)?.map(|body| Hung {
+            node: arc.len() - 1,
+            body,
+        }));
+    }
     Ok((bodies, remarks))
 }
 
@@ -117,6 +121,44 @@ fn payload(case: &Case) -> Result<Option<Body>, SceneError> {
         drag: area.unwrap_or_default() * (0.5 * rho),
         added: added.unwrap_or_default(),
     }))
+}
+
+/// The payload, where it turns about the last node of the line.
+pub(super) fn turning(case: &Case, node: usize) -> Result<Option<Turning>, SceneError> {
+    let rotation = case
+        .payload
+        .as_ref()
+        .and_then(|body| body.rotation.as_ref());
+    let (Some(rotation), Some(body)) = (rotation, payload(case)?) else {
+        return Ok(None);
+    };
+    let impossible = |why| SceneError::Impossible {
+        key: "payload.rotation".into(),
+        why,
+    };
+    if body.drag.x != body.drag.y || body.added.x != body.added.y {
+        return Err(impossible(
+            "a body that turns is symmetric about its axis, with the same drag area and added mass along x and y",
+        ));
+    }
+    let weight = body.mass * case.environment.gravity_m_per_s2;
+    let gravity_at = rotation.centre_of_gravity_m;
+    let buoyancy_at = rotation.centre_of_buoyancy_m.unwrap_or(gravity_at);
+    let measures = Measures {
+        mass: body.mass,
+        weight,
+        buoyancy: weight - body.weight,
+        gravity_at,
+        buoyancy_at,
+        drag_at: rotation.centre_of_drag_m.unwrap_or(buoyancy_at),
+        inertia: rotation.inertia_kg_m2,
+        added: [body.added.x, body.added.z],
+        added_inertia: rotation.added_inertia_kg_m2,
+        drag: [body.drag.x, body.drag.z],
+    };
+    let body = RigidBody::new(&measures)
+        .ok_or_else(|| impossible("its centre of gravity must lie below the hang point"))?;
+    Ok(Some(Turning { node, body }))
 }
 
 fn form(shape: &case::Shape) -> Form {

@@ -2,14 +2,18 @@
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
-use super::line::{End, Hung, Joint, Scene, Segment};
-use super::{Flexure, bodies, buoyancy, shape};
-use crate::case::{self, Case, DragWidth, EndKind, OneOrMany, StartShape};
+use super::elasticity::{Elasticity, elasticity};
+use super::line::{Hung, Joint, Scene, Segment};
+use super::{
+    Traveller, Turning, bed, bodies, buoyancy, division, ends, event, flexure, sea, shape,
+};
+use crate::case::{self, Case, DragWidth, OneOrMany, StartShape};
 use crate::linalg::V3;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Profile;
+use crate::physics::rope::Law;
 use crate::physics::tension::Axial;
-use crate::physics::{Current, DragLaw, EndMotion, Seabed, bending, motion};
+use crate::physics::{Current, DragLaw};
 
 /// Why a case cannot be made into a scene. A case that passed its checks does not meet these.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -30,6 +34,9 @@ pub enum SceneError {
         /// Why.
         why: &'static str,
     },
+    /// A file that the case names cannot be what it is named for.
+    #[error("{0}")]
+    File(String),
     /// A number would spoil the computation.
     #[error("`{key}` makes no line: {why}")]
     Impossible {
@@ -49,13 +56,14 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
     let mut segments = Vec::new();
     let mut joints = Vec::new();
     let mut arc = vec![0.0];
+    let mut laws = Vec::new();
     let mut name_before = case.ends.a.name.as_str();
     for (index, section) in case.line.iter().enumerate() {
         joints.push(Joint {
             name: format!("{name_before}|{}", section.name),
             node: segments.len(),
         });
-        add_section(case, index, coarsening, &mut segments, &mut arc)?;
+        add_section(case, index, coarsening, &mut segments, &mut arc, &mut laws)?;
         name_before = &section.name;
     }
     if segments.is_empty() {
@@ -68,18 +76,31 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
         name: format!("{name_before}|{}", case.ends.b.name),
         node: segments.len(),
     });
-    let (mut bodies, remarks) = bodies::on_line(case, &joints, &arc)?;
+    let (mut bodies, mut remarks) = bodies::on_line(case, &joints, &arc)?;
     let clumps = bodies[..case.clumps.len()].iter().map(|b| b.node).collect();
     bodies.sort_by_key(|hung| hung.node);
-    let (mass, weight) = lump(&segments, &bodies)?;
-    let ends = [end(&case.ends.a, "ends.a")?, end(&case.ends.b, "ends.b")?];
-    let flexure = flexure(case, &segments);
-    let bed = case.seabed.as_ref().map(|bed| Seabed {
-        z: -bed.depth_m,
-        stiffness: bed.stiffness_n_per_m3,
-        damping: bed.damping_n_s_per_m3,
-    });
+    let turning = bodies::turning(case, arc.len() - 1)?;
+    if let Some(turning) = &turning {
+        arc.push(arc[arc.len() - 1] + turning.body.reach);
+        segments.push(rod(&segments[segments.len() - 1], turning));
+    }
+    let (mass, weight) = lump(&segments, &bodies, turning.as_ref())?;
+    let (water, of_water) = sea::water(case, &segments, &bodies)?;
+    remarks.extend(of_water);
+    if water.is_some() && turning.is_some() {
+        let said = "waves and the surface act on the line, not on the payload that turns";
+        remarks.push(said.to_owned());
+    }
+    let waves = water.as_ref().and_then(|water| water.waves.as_ref());
+    let ends = [
+        ends::end(case, &case.ends.a, "ends.a", waves, &mut remarks)?,
+        ends::end(case, &case.ends.b, "ends.b", waves, &mut remarks)?,
+    ];
+    let flexure = flexure::flexure(case, &segments);
+    remarks.extend(flexure::clamps_in_vain(case, &segments));
+    let bed = case.seabed.as_ref().map(bed::seabed);
     let gross: f64 = weight.iter().map(|w| w.abs()).sum();
+    let line_length = case.line.iter().map(|section| section.length_m).sum();
     let mut scene = Scene {
         force_scale: gross
             .max(mass.iter().sum::<f64>() * 1e-3)
@@ -89,22 +110,40 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
         end_names: [case.ends.a.name.clone(), case.ends.b.name.clone()],
         ends,
         bodies,
+        turning,
+        traveller: case
+            .traveller
+            .as_ref()
+            .map(|words| traveller(words, &case.environment, line_length)),
         clumps,
         remarks,
         flexure,
         bed,
         footprint: footprint(&segments),
         segments,
+        laws,
         current: current(case.current.as_ref()),
+        water,
         joints,
         arc,
         start: Vec::new(),
         start_tension: Vec::new(),
+        start_grips: Vec::new(),
+        start_velocity: V3::from(case.start.velocity_m_per_s),
+        events: event::events(case),
         start_in_equilibrium: case.start.shape == StartShape::Equilibrium,
     };
     let guess = shape::start(case, &scene)?;
+    if scene.start_in_equilibrium {
+        let laid = scene.laid(&guess.nodes, &guess.tension);
+        scene.start_grips = laid.grips;
+        scene.remarks.extend(laid.remark);
+    } else {
+        scene.start_grips = scene.grips_at(&guess.nodes);
+    }
     scene.start = guess.nodes;
     scene.start_tension = guess.tension;
+    scene.force_scale = scene.force_scale.max(scene.most_drag());
     Ok(scene)
 }
 
@@ -115,6 +154,7 @@ fn add_section(
     coarsening: usize,
     segments: &mut Vec<Segment>,
     arc: &mut Vec<f64>,
+    laws: &mut Vec<Law>,
 ) -> Result<(), SceneError> {
     let section = &case.line[index];
     let material = case
@@ -131,11 +171,9 @@ fn add_section(
             why: "its length and its number of segments must be positive",
         });
     }
-    let count = section.segments.div_ceil(coarsening.max(1));
-    let length = section.length_m / count as f64;
-    for k in 0..count {
-        let from = length * k as f64;
-        let mut segment = bare_segment(&case.environment, material, length);
+    let elasticity = elasticity(&section.material, material, laws)?;
+    for (from, length) in division::of_section(case, index, coarsening) {
+        let mut segment = bare_segment(&case.environment, material, &elasticity, length);
         for modules in case.modules.iter().filter(|m| m.section == section.name) {
             let bare = material.diameter_m;
             let reach = (from, from + length);
@@ -164,13 +202,18 @@ fn add_section(
 }
 
 /// A segment of a material, without floats.
-fn bare_segment(water: &case::Environment, material: &case::Material, length: f64) -> Segment {
+fn bare_segment(
+    water: &case::Environment,
+    material: &case::Material,
+    elasticity: &Elasticity,
+    length: f64,
+) -> Segment {
     let area = FRAC_PI_4 * material.diameter_m * material.diameter_m;
     let displaced = water.water_density_kg_per_m3 * area;
     let wet = material
         .wet_weight_kg_per_m
         .unwrap_or(material.mass_kg_per_m - displaced);
-    let critical = length * (material.ea_n * material.mass_kg_per_m).sqrt();
+    let critical = length * (elasticity.ea * material.mass_kg_per_m).sqrt();
     let damping = match (material.axial_damping_n_s, material.axial_damping_ratio) {
         (Some(c), _) => c,
         (None, Some(ratio)) => ratio * critical,
@@ -182,7 +225,9 @@ fn bare_segment(water: &case::Environment, material: &case::Material, length: f6
         DragWidth::Perimeter => PI,
     };
     Segment {
-        axial: Axial::new(length, material.ea_n, damping).as_rod(material.ei_n_m2 > 0.0),
+        axial: Axial::new(length, elasticity.steepest, damping)
+            .as_rod(material.ei_n_m2 > 0.0)
+            .by_law(elasticity.law),
         drag: Profile {
             reynolds: material.diameter_m / water.kinematic_viscosity_m2_per_s,
             normal: half_pressure,
@@ -207,6 +252,20 @@ fn bare_segment(water: &case::Environment, material: &case::Material, length: f6
     }
 }
 
+/// The rod of a payload that turns: no line, only stiffness. What it shares with the segment before it has no effect.
+fn rod(before: &Segment, turning: &Turning) -> Segment {
+    let mut rod = *before;
+    rod.axial = turning.body.rod();
+    (rod.drag.normal, rod.drag.tangential, rod.drag.floats) = (0.0, 0.0, 0.0);
+    rod.drag.normal_law = DragLaw::Constant(0.0);
+    rod.drag.tangential_law = DragLaw::Constant(0.0);
+    rod.drag.crisis = f64::INFINITY;
+    (rod.added.normal, rod.added.tangential) = (0.0, 0.0);
+    (rod.half_mass, rod.half_weight) = (0.0, 0.0);
+    (rod.ei, rod.diameter) = (0.0, 0.0);
+    rod
+}
+
 fn law(law: &case::DragLaw) -> DragLaw {
     match law {
         case::DragLaw::Constant(c) => DragLaw::Constant(*c),
@@ -215,39 +274,17 @@ fn law(law: &case::DragLaw) -> DragLaw {
     }
 }
 
-/// What bends and what clamps; nothing where no material has a bending stiffness.
-fn flexure(case: &Case, segments: &[Segment]) -> Option<Flexure> {
-    if segments.iter().all(|s| s.ei <= 0.0) {
-        return None;
+/// The body that travels along the line.
+fn traveller(words: &case::Traveller, water: &case::Environment, length: f64) -> Traveller {
+    Traveller {
+        mass: words.mass_kg,
+        weight: words.wet_mass_kg * water.gravity_m_per_s2,
+        from: words.from_m.min(length),
+        to: words.to_m.unwrap_or(length).min(length),
+        speed: words.speed_m_per_s,
+        start: words.start_s,
+        ramp: words.ramp_s,
     }
-    let last = segments.len();
-    let part = |i: usize| (segments[i].ei, segments[i].axial.length);
-    let span = |i: usize| match i {
-        0 => 0.5 * part(0).1,
-        i if i == last => 0.5 * part(last - 1).1,
-        i => 0.5 * (part(i - 1).1 + part(i).1),
-    };
-    let joint = |i: usize| {
-        if i == 0 || i == last {
-            0.0
-        } else {
-            bending::stiffness(part(i - 1), part(i))
-        }
-    };
-    let clamp = |end: &case::End, i: usize| {
-        let elevation = end.clamp_elevation_deg?.to_radians();
-        let azimuth = end.clamp_azimuth_deg.to_radians();
-        let (ei, length) = part(i);
-        Some((
-            shape::direction(azimuth, elevation),
-            bending::clamp_stiffness(ei, length),
-        ))
-    };
-    Some(Flexure {
-        joints: (0..=last).map(joint).collect(),
-        spans: (0..=last).map(span).collect(),
-        clamps: [clamp(&case.ends.a, 0), clamp(&case.ends.b, last - 1)],
-    })
 }
 
 /// Area that each node rests on the bed with: the diameter times the halves of its segments.
@@ -262,7 +299,11 @@ fn footprint(segments: &[Segment]) -> Vec<f64> {
 }
 
 /// Masses and weights of the nodes: halves of their segments, and the bodies hung there.
-fn lump(segments: &[Segment], bodies: &[Hung]) -> Result<(Vec<f64>, Vec<f64>), SceneError> {
+fn lump(
+    segments: &[Segment],
+    bodies: &[Hung],
+    turning: Option<&Turning>,
+) -> Result<(Vec<f64>, Vec<f64>), SceneError> {
     let nodes = segments.len() + 1;
     let (mut mass, mut weight) = (vec![0.0; nodes], vec![0.0; nodes]);
     for (i, segment) in segments.iter().enumerate() {
@@ -275,6 +316,12 @@ fn lump(segments: &[Segment], bodies: &[Hung]) -> Result<(Vec<f64>, Vec<f64>), S
         mass[hung.node] += hung.body.mass;
         weight[hung.node] += hung.body.weight;
     }
+    if let Some(Turning { node, body }) = turning {
+        for i in 0..2 {
+            mass[node + i] += body.mass[i];
+            weight[node + i] += body.weight[i];
+        }
+    }
     if mass.iter().all(|m| m.is_finite() && *m > 0.0) && weight.iter().all(|w| w.is_finite()) {
         Ok((mass, weight))
     } else {
@@ -282,37 +329,6 @@ fn lump(segments: &[Segment], bodies: &[Hung]) -> Result<(Vec<f64>, Vec<f64>), S
             key: "materials".into(),
             why: "every node must have a positive, finite mass",
         })
-    }
-}
-
-fn end(end: &case::End, key: &str) -> Result<End, SceneError> {
-    let position = || {
-        end.position_m
-            .map(V3::from)
-            .ok_or_else(|| SceneError::Missing {
-                key: format!("{key}.position_m"),
-                why: "a held end must be somewhere",
-            })
-    };
-    match end.kind {
-        EndKind::Payload | EndKind::Free => Ok(End::Free),
-        EndKind::Fixed | EndKind::Anchor => Ok(End::Held(EndMotion::still(position()?))),
-        EndKind::Moving => {
-            let period = end
-                .period_s
-                .filter(|p| *p > 0.0)
-                .ok_or_else(|| SceneError::Missing {
-                    key: format!("{key}.period_s"),
-                    why: "a moving end needs the period of its motion",
-                })?;
-            Ok(End::Held(EndMotion {
-                position: position()?,
-                amplitude: V3::from(end.amplitude_m),
-                omega: motion::omega(period),
-                phase: V3::from(end.phase_deg).map(f64::to_radians),
-                ramp: end.ramp_s,
-            }))
-        }
     }
 }
 

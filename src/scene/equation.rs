@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::half::{Half, pull_by_chord};
+use super::water::Bathed;
 use super::{End, Hung, Scene};
 use crate::linalg::{BlockBand, M3, V3};
 use crate::solve::{Factors, State, System};
@@ -34,32 +35,40 @@ impl System for Scene {
         }
     }
 
-    fn residual(&self, _t: f64, state: &State, r: &mut [V3]) {
+    fn residual(&self, t: f64, state: &State, r: &mut [V3]) {
         for (i, out) in r.iter_mut().enumerate() {
             *out = state.a[i] * self.mass[i];
             out.z += self.weight[i];
         }
         for i in 0..self.segments.len() {
             let chord = self.chord(i, state);
-            let t = &chord.tangent;
-            let pull = t * self.tension(i, &chord, state).0.value;
+            let along = &chord.tangent;
+            let pull = along * self.tension(i, &chord, t, state).0.value;
             r[i] -= pull;
             r[i + 1] += pull;
-            for (node, drag) in [i, i + 1].into_iter().zip(self.drag(i, &chord, state)) {
-                r[node] += self.segments[i].added.force(t, &state.a[node]) - drag.force;
+            let wet = self.wet(i, state);
+            let drag = self.wet_drag(i, &chord, state, wet.as_ref());
+            for (half, added) in self.added(i, wet.as_ref()).into_iter().enumerate() {
+                let a = self.relative_acceleration(i + half, state);
+                r[i + half] += added.force(along, &a) - drag[half].force;
             }
         }
         self.add_bed(state, r);
+        self.add_water(state, r);
+        self.add_traveller(t, state, r);
         if let Some(flexure) = &self.flexure {
             flexure.add_forces(self, state, r);
         }
-        for Hung { node: i, body } in &self.bodies {
-            let (water, _) = self.current.at(state.x[*i].z);
-            r[*i] += body.added.component_mul(&state.a[*i]) - body.drag(&(water - state.v[*i]));
+        for (number, Hung { node: i, body }) in self.bodies.iter().enumerate() {
+            let Bathed { u, a, share, .. } = self.bathed(number, state);
+            r[*i] += (body.added.component_mul(&a) - body.drag(&u)) * share;
+        }
+        if let Some(turning) = &self.turning {
+            turning.add_forces(self, state, r);
         }
     }
 
-    fn linearise(&self, _t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
+    fn linearise(&self, t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
         for (i, (out, diag)) in r.iter_mut().zip(&mut tangent.diag).enumerate() {
             *out = state.a[i] * self.mass[i];
             out.z += self.weight[i];
@@ -67,22 +76,22 @@ impl System for Scene {
         }
         for i in 0..self.segments.len() {
             let chord = self.chord(i, state);
-            let t = &chord.tangent;
-            let (tension, foretold) = self.tension(i, &chord, state);
-            let pull = t * tension.value;
+            let (tension, foretold) = self.tension(i, &chord, t, state);
+            let pull = chord.tangent * tension.value;
             r[i] -= pull;
             r[i + 1] += pull;
             let by_chord = pull_by_chord(&chord, &foretold, c);
-            let drag = self.drag(i, &chord, state);
+            let wet = self.wet(i, state);
+            let drag = self.wet_drag(i, &chord, state, wet.as_ref());
             let sheared = self.shear(i, state);
             let (shear, back) = match &sheared {
                 Some([first, second]) => (Some([first, second]), Some([second, first])),
                 None => (None, None),
             };
             let stretch = self.wetted(i, &chord).1;
-            let segment = &self.segments[i];
-            let half = |drag, other, a, shear, sign| Half {
-                segment,
+            let [near, far] = self.added(i, wet.as_ref());
+            let half = |added, drag, other, a, shear, sign| Half {
+                added,
                 chord: &chord,
                 pull: by_chord,
                 drag,
@@ -92,42 +101,66 @@ impl System for Scene {
                 stretch,
                 sign,
             };
-            let first = half(&drag[0], &drag[1], &state.a[i], shear, -1.0);
+            let a = [i, i + 1].map(|node| self.relative_acceleration(node, state));
+            let first = half(&near, &drag[0], &drag[1], &a[0], shear, -1.0);
             tangent.upper[i] = first.add(c, &mut r[i], &mut tangent.diag[i]);
-            let second = half(&drag[1], &drag[0], &state.a[i + 1], back, 1.0);
+            let second = half(&far, &drag[1], &drag[0], &a[1], back, 1.0);
             tangent.lower[i + 1] = second.add(c, &mut r[i + 1], &mut tangent.diag[i + 1]);
         }
         self.add_bed(state, r);
         self.add_bed_tangent(state, c, tangent);
+        self.add_water(state, r);
+        self.add_water_tangent(state, c, tangent);
+        self.add_traveller(t, state, r);
+        self.add_traveller_tangent(t, c, tangent);
         if let Some(flexure) = &self.flexure {
             flexure.add_forces(self, state, r);
             flexure.add_tangent(self, state, c.stiffness, tangent);
         }
-        for Hung { node: i, body } in &self.bodies {
-            let (water, shear) = self.current.at(state.x[*i].z);
-            let u = water - state.v[*i];
-            r[*i] += body.added.component_mul(&state.a[*i]) - body.drag(&u);
-            let by_velocity = body.drag_by_velocity(&u);
-            let mut own = by_velocity * c.damping + M3::from_diagonal(&(body.added * c.mass));
+        for (number, Hung { node: i, body }) in self.bodies.iter().enumerate() {
+            let Bathed { u, a, share, .. } = self.bathed(number, state);
+            let (_, shear) = self.current.at(state.x[*i].z);
+            r[*i] += (body.added.component_mul(&a) - body.drag(&u)) * share;
+            let by_velocity = body.drag_by_velocity(&u) * share;
+            let added = body.added * share;
+            let mut own = by_velocity * c.damping + M3::from_diagonal(&(added * c.mass));
             let column = own.column(2) - by_velocity * shear * c.stiffness;
             own.set_column(2, &column);
             tangent.diag[*i] += own;
         }
+        if let Some(turning) = &self.turning {
+            turning.add_forces(self, state, r);
+            turning.add_tangent(self, state, c, tangent);
+        }
+    }
+
+    fn take_water(&self, t: f64, state: &mut State) {
+        self.take_in_waves(t, state);
     }
 
     fn fastest_decay(&self, state: &State) -> (f64, usize) {
         self.decay_by_drag(state)
     }
 
-    fn remember(&self, state: &mut State) {
-        state.memory.resize(self.segments.len(), [0.0; 2]);
+    fn jolt(&self, between: &State, end: &State) -> f64 {
+        self.jolt_of_snaps(between, end)
+    }
+
+    fn hold_drag(&self, state: &mut State) {
+        let segments = self.segments.len();
+        state.memory.held_drag.resize(segments, [0.0; 2]);
         for i in 0..self.segments.len() {
             let u = self.relative_velocities(i, state);
             let tangent = self.chord(i, state).tangent;
-            state.memory[i] = self.segments[i]
+            state.memory.held_drag[i] = self.segments[i]
                 .drag
                 .normal_coefficients(&tangent, [&u[0], &u[1]]);
         }
+    }
+
+    fn commit(&self, t: f64, dt: f64, state: &mut State) {
+        self.take_hold(state);
+        self.remember_ropes(t, dt, state);
     }
 
     fn guess_tensions(&self, state: &mut State) {
@@ -138,8 +171,9 @@ impl System for Scene {
         self.foretell_tensions(d, state);
     }
 
-    fn accelerate(&self, _t: f64, state: &mut State) {
-        self.accelerations(state);
+    fn accelerate(&self, t: f64, state: &mut State) {
+        self.accelerations(t, state);
+        self.accelerate_traveller(t, state);
     }
 
     fn force_scale(&self) -> f64 {

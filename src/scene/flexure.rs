@@ -1,11 +1,12 @@
 //! Bending of the whole line: at its inner nodes and at clamped ends.
 
 use crate::linalg::{BlockBand, M3, V3};
-use crate::physics::bending::{bend, bend_tangent, curvature};
+use crate::physics::bending::{self, bend, bend_tangent, curvature};
 use crate::physics::tension::Chord;
 use crate::solve::State;
 
-use super::Scene;
+use super::{Scene, Segment, shape};
+use crate::case::{self, Case};
 
 /// What bends, and what clamps.
 #[derive(Debug, Clone, PartialEq)]
@@ -185,6 +186,62 @@ impl Flexure {
                 .filter_map(|(i, c)| c.map(|(d, k)| k * (1.0 - d.dot(&tangent(i)))))
                 .sum::<f64>()
     }
+}
+
+/// What bends and what clamps; nothing where no material has a bending stiffness.
+pub(super) fn flexure(case: &Case, segments: &[Segment]) -> Option<Flexure> {
+    if segments.iter().all(|s| s.ei <= 0.0) {
+        return None;
+    }
+    let last = segments.len();
+    let part = |i: usize| (segments[i].ei, segments[i].axial.length);
+    let span = |i: usize| match i {
+        0 => 0.5 * part(0).1,
+        i if i == last => 0.5 * part(last - 1).1,
+        i => 0.5 * (part(i - 1).1 + part(i).1),
+    };
+    let joint = |i: usize| {
+        if i == 0 || i == last {
+            0.0
+        } else {
+            bending::stiffness(part(i - 1), part(i))
+        }
+    };
+    let clamp = |end: &case::End, i: usize| {
+        let elevation = end
+            .clamp_elevation_deg
+            .filter(|_| part(i).0 > 0.0)?
+            .to_radians();
+        let azimuth = end.clamp_azimuth_deg.to_radians();
+        let (ei, length) = part(i);
+        Some((
+            shape::direction(azimuth, elevation),
+            bending::clamp_stiffness(ei, length),
+        ))
+    };
+    Some(Flexure {
+        joints: (0..=last).map(joint).collect(),
+        spans: (0..=last).map(span).collect(),
+        clamps: [clamp(&case.ends.a, 0), clamp(&case.ends.b, last - 1)],
+    })
+}
+
+/// Clamps at ends whose section has no bending stiffness, in words: they hold nothing.
+pub(super) fn clamps_in_vain(case: &Case, segments: &[Segment]) -> Vec<String> {
+    let ends = [
+        (&case.ends.a, segments.first()),
+        (&case.ends.b, segments.last()),
+    ];
+    let idle = ends.into_iter().filter(|(end, segment)| {
+        end.clamp_elevation_deg.is_some() && segment.is_some_and(|s| s.ei <= 0.0)
+    });
+    idle.map(|(end, _)| {
+        format!(
+            "the clamp at `{}` holds nothing: the line has no bending stiffness there (ei_n_m2); it turns as on a hinge",
+            end.name
+        )
+    })
+    .collect()
 }
 
 /// Gradient of a clamp's energy by its segment's chord. The bend is symmetric in its two directions, so that end B

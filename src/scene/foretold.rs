@@ -9,15 +9,20 @@ impl Scene {
     /// Tension of segment i, and the same as its stiffness should see it. Where tensions are foretold, a slack segment
     /// pushes: it is not yet where it will be, and must be told where to go.
     #[inline(always)]
-    pub(super) fn tension(&self, i: usize, chord: &Chord, state: &State) -> (Tension, Tension) {
-        let axial = &self.segments[i].axial;
+    pub(super) fn tension(
+        &self,
+        i: usize,
+        chord: &Chord,
+        t: f64,
+        state: &State,
+    ) -> (Tension, Tension) {
         match state.foretold.get(i) {
             None => {
-                let tension = axial.tension(chord);
+                let tension = self.pull(i, chord, t, state);
                 (tension, tension)
             }
             Some(foretold) => {
-                let tension = axial.as_rod(true).tension(chord);
+                let tension = self.pull_or_push(i, chord, t, state);
                 let value = *foretold;
                 (tension, Tension { value, ..tension })
             }
@@ -26,10 +31,10 @@ impl Scene {
 
     /// Tensions to begin with: those of the stretch where all are likely, else those of the first guess.
     pub(super) fn begin_foretelling(&self, state: &mut State) {
+        let now = state.memory.time;
         let stretched = |i: usize| {
-            let axial = &self.segments[i].axial;
             let chord = self.chord(i, state);
-            axial.as_rod(true).tension(&chord).value
+            self.pull_or_push(i, &chord, now, state).value
         };
         let tensions: Vec<f64> = (0..self.segments.len()).map(stretched).collect();
         let usual = self.start_tension.iter().copied().fold(0.0, f64::max);
@@ -44,11 +49,10 @@ impl Scene {
     /// Tensions after displacements `-d`, to first order.
     pub(super) fn foretell_tensions(&self, d: &[V3], state: &mut State) {
         for i in 0..self.segments.len() {
-            let axial = &self.segments[i].axial;
             let chord = self.chord(i, state);
-            let tension = axial.as_rod(true).tension(&chord);
+            let tension = self.pull_or_push(i, &chord, state.memory.time, state);
             let next = tension.value - tension.by_length * chord.tangent.dot(&(d[i + 1] - d[i]));
-            state.foretold[i] = if axial.rod {
+            state.foretold[i] = if self.segments[i].axial.rod {
                 next
             } else {
                 next.max(self.least_tension(i))

@@ -1,10 +1,11 @@
 //! First guesses at an equilibrium: the closed-form catenary in the resultant of weight and mean drag, or a line that
 //! hangs from one end.
 
-use super::Scene;
+use super::{End, Scene};
 use crate::linalg::V3;
+use crate::physics::friction::{Friction, Law};
 use crate::solve::State;
-use crate::statics::catenary::{Bed, Ends, Line, SectionProps};
+use crate::statics::catenary::{Bed, Ends, Line, Refusal, SectionProps, Solution};
 
 /// Where the nodes may be at rest \[m\], and the tensions of the segments \[N\].
 #[derive(Debug, Clone)]
@@ -15,6 +16,8 @@ pub(super) struct Guess {
 
 /// Rounds of drag on the shape so far, then the shape in that drag.
 const ROUNDS: usize = 2;
+/// The same where the stiffness of ropes goes with the tensions so far.
+const ROUNDS_OF_ROPES: usize = 3;
 /// A line that hangs from one end may turn far from where its drag was taken first.
 const HANGING_ROUNDS: usize = 4;
 
@@ -23,23 +26,45 @@ impl Scene {
     pub(super) fn guess_between(&self, from: V3, to: V3) -> Guess {
         let straight = between(from, to, &self.arc);
         let mut best: Option<Guess> = None;
-        for _ in 0..ROUNDS {
+        let rounds = if self.laws.is_empty() {
+            ROUNDS
+        } else {
+            ROUNDS_OF_ROPES
+        };
+        for _ in 0..rounds {
             let shape = best.as_ref().map_or(&straight, |guess| &guess.nodes);
             let drag = self.drag_on(shape);
-            let Some(guess) = self.catenary(from, to, &drag) else {
+            let stiffness = self.stiffness_of_laws(best.as_ref());
+            let Ok(guess) = self.catenary(from, to, &drag, &stiffness) else {
                 break;
             };
             let still = drag.iter().all(|force| *force == V3::zeros());
             best = Some(guess);
-            if still {
+            if still && self.laws.is_empty() {
                 break;
             }
         }
+        let calm = || vec![V3::zeros(); self.segments.len()];
         let mut guess = best
-            .or_else(|| self.catenary(from, to, &vec![V3::zeros(); self.segments.len()]))
+            .or_else(|| {
+                self.catenary(from, to, &calm(), &self.stiffness_of_laws(None))
+                    .ok()
+            })
             .unwrap_or_else(|| self.sagging(from, to));
         self.lay_on_bed(&mut guess.nodes);
         guess
+    }
+
+    /// Why the same line, without bending and in still water, has no one shape at rest, where it has none.
+    #[must_use]
+    pub fn refusal(&self) -> Option<Refusal> {
+        let (End::Held(from), End::Held(to)) = (&self.ends[0], &self.ends[1]) else {
+            return None;
+        };
+        let calm = vec![V3::zeros(); self.segments.len()];
+        let laws = self.stiffness_of_laws(None);
+        let solved = self.catenary(from.at(0.0).0, to.at(0.0).0, &calm, &laws);
+        solved.err()
     }
 
     /// Drag on every segment of a line at rest in this shape \[N\].
@@ -54,7 +79,7 @@ impl Scene {
 
     /// The catenary in the resultant of weight and the mean of this drag, in the plane of that and both ends; with a bed,
     /// in still water.
-    fn catenary(&self, from: V3, to: V3, drag: &[V3]) -> Option<Guess> {
+    fn catenary(&self, from: V3, to: V3, drag: &[V3], of_laws: &[f64]) -> Result<Guess, Refusal> {
         let whole = self.arc[self.arc.len() - 1];
         let (down, mean) = if self.bed.is_some() {
             (-V3::z(), V3::zeros())
@@ -71,9 +96,13 @@ impl Scene {
                 (-V3::z(), V3::zeros())
             }
         };
-        let sections = self.sections(&down, &mean);
-        let chord = to - from;
         let up = -down;
+        let reversed = self
+            .bed
+            .is_some_and(|bed| !bed.is_plain() && bed.height(&from) > bed.height(&to));
+        let sections = self.sections(&down, &mean, of_laws, reversed);
+        let (first, last) = if reversed { (to, from) } else { (from, to) };
+        let chord = last - first;
         let rise = chord.dot(&up);
         let level = chord - up * rise;
         let ends = Ends {
@@ -85,48 +114,110 @@ impl Scene {
         } else {
             across(&up)
         };
-        let bed = self.bed.map(|bed| Bed {
-            below_a_m: from.z - bed.z,
-            ..Bed::default()
-        });
-        let line = Line {
-            ends,
-            sections: &sections,
-            bed,
-            surface_above_a_m: None,
-        };
-        let solution = line.solve().ok()?;
+        let solution = self.solve_over_bed(first, along, ends, &sections)?;
         let place = |s: &f64| {
-            let point = solution.at(*s);
-            from + along * point.x_m + up * point.z_m
+            let point = solution.at(if reversed { whole - s } else { *s });
+            first + along * point.x_m + up * point.z_m
         };
-        let middle = |ends: &[f64]| solution.at(0.5 * (ends[0] + ends[1])).tension_n;
-        Some(Guess {
+        let middle = |ends: &[f64]| {
+            let s = 0.5 * (ends[0] + ends[1]);
+            solution.at(if reversed { whole - s } else { s }).tension_n
+        };
+        Ok(Guess {
             nodes: self.arc.iter().map(place).collect(),
             tension: self.arc.windows(2).map(middle).collect(),
         })
     }
 
-    /// Sections of equal segments with the bodies between them, their loads as seen along `down`.
-    fn sections(&self, down: &V3, mean_drag: &V3) -> Vec<SectionProps> {
+    /// A stiffness for the segments of every law \[N\]: that of their mean tension in a guess, or of all of the law.
+    fn stiffness_of_laws(&self, guess: Option<&Guess>) -> Vec<f64> {
+        let of = |number: usize| {
+            let mine = |i: &usize| self.segments[*i].axial.law.map(usize::from) == Some(number);
+            let segments: Vec<usize> = (0..self.segments.len()).filter(mine).collect();
+            let (Some(guess), Some(first)) = (guess, segments.first()) else {
+                return self.laws[number].overall();
+            };
+            let sum: f64 = segments.iter().map(|i| guess.tension[*i]).sum();
+            self.stiffness_under(*first, sum / segments.len() as f64)
+        };
+        (0..self.laws.len()).map(of).collect()
+    }
+
+    /// The closed form over the bed as it slopes in the line's plane; without friction where only that has no answer.
+    fn solve_over_bed(
+        &self,
+        first: V3,
+        along: V3,
+        ends: Ends,
+        sections: &[SectionProps],
+    ) -> Result<Solution, Refusal> {
+        let bed = self.bed.map(|bed| {
+            let normal = bed.normal();
+            let slope = (-normal.dot(&along) / normal.z).atan();
+            Bed {
+                below_a_m: if bed.is_plain() {
+                    first.z - bed.z
+                } else {
+                    (bed.height(&first) / normal.z).max(0.0)
+                },
+                // Across the line a bed may slope without sloping along it, but for rounding.
+                slope_rad: if slope.abs() > 1e-12 { slope } else { 0.0 },
+                friction: match bed.friction {
+                    Some(Friction {
+                        axial,
+                        law: Law::Grip(_),
+                        ..
+                    }) => axial,
+                    _ => 0.0,
+                },
+            }
+        });
+        let line = |bed| Line {
+            ends,
+            sections,
+            bed,
+            surface_above_a_m: None,
+        };
+        line(bed).solve().or_else(|refusal| {
+            let rough = bed.filter(|bed| bed.friction > 0.0).ok_or(refusal)?;
+            let smooth = Bed {
+                friction: 0.0,
+                ..rough
+            };
+            line(Some(smooth)).solve()
+        })
+    }
+
+    /// Sections of equal segments with the bodies between them, their loads as seen along `down`; from end B to A where
+    /// reversed.
+    fn sections(
+        &self,
+        down: &V3,
+        mean_drag: &V3,
+        of_laws: &[f64],
+        reversed: bool,
+    ) -> Vec<SectionProps> {
         let sinks = -down.z;
         let mut sections: Vec<SectionProps> = Vec::new();
         let last = self.segments.len() - 1;
-        for (i, segment) in self.segments.iter().enumerate() {
+        for k in 0..=last {
+            let i = if reversed { last - k } else { k };
+            let segment = &self.segments[i];
             let length = segment.axial.length;
             let weight = 2.0 * segment.half_weight / length * sinks + mean_drag.dot(down);
+            let law = segment.axial.law.map(usize::from);
+            let ea = law.map_or(segment.axial.ea, |law| of_laws[law]);
             match sections.last_mut() {
                 Some(s)
-                    if same(s.weight_n_per_m, weight)
-                        && same(s.ea_n, segment.axial.ea)
-                        && s.clump_n == 0.0 =>
+                    if same(s.weight_n_per_m, weight) && same(s.ea_n, ea) && s.clump_n == 0.0 =>
                 {
                     s.length_m += length;
                 }
-                _ => sections.push(SectionProps::new(length, weight, segment.axial.ea)),
+                _ => sections.push(SectionProps::new(length, weight, ea)),
             }
-            if let Some(s) = sections.last_mut().filter(|_| i < last) {
-                let here = self.bodies.iter().filter(|hung| hung.node == i + 1);
+            if let Some(s) = sections.last_mut().filter(|_| k < last) {
+                let beyond = if reversed { i } else { i + 1 };
+                let here = self.bodies.iter().filter(|hung| hung.node == beyond);
                 s.clump_n = here.map(|hung| hung.body.weight * sinks).sum();
             }
         }
@@ -136,12 +227,18 @@ impl Scene {
     /// Sinks what lies on the bed by as much as its springs give under its weight.
     fn lay_on_bed(&self, nodes: &mut [V3]) {
         let Some(bed) = &self.bed else { return };
+        let normal = bed.normal();
         let last = nodes.len() - 1;
         let tall = 1e-9 * self.arc[last];
         for (i, node) in nodes.iter_mut().enumerate().take(last).skip(1) {
-            if node.z <= bed.z + tall {
-                let give = self.weight[i].max(0.0) / (bed.stiffness * self.footprint[i]);
-                node.z = bed.z - give;
+            let height = bed.height(node);
+            if height <= tall {
+                let weight = self.weight[i].max(0.0) * normal.z;
+                let give = weight / (bed.stiffness * self.footprint[i]);
+                match bed.slope {
+                    None => node.z = bed.z - give,
+                    Some(_) => *node -= normal * (height + give),
+                }
             }
         }
     }
@@ -210,7 +307,7 @@ impl Scene {
             let axial = &self.segments[i].axial;
             let size = pull[i].norm();
             let direction = if size > 0.0 { pull[i] / size } else { -V3::z() };
-            let length = axial.length * (1.0 + size / axial.ea);
+            let length = axial.length * (1.0 + self.strain_under(i, size));
             guess.nodes[outer] = guess.nodes[inner] + direction * length;
             guess.tension[i] = size;
         }

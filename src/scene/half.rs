@@ -1,21 +1,22 @@
 //! What half a segment contributes to its node: pull, drag and added mass, and their tangents.
 
-use super::Segment;
 use crate::linalg::{M3, V3};
+use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Drag;
 use crate::physics::tension::{Chord, Tension};
 use crate::solve::Factors;
 
 /// Half a segment: where it is, and what acts on it.
 pub(super) struct Half<'a> {
-    pub(super) segment: &'a Segment,
+    /// Its added mass, as far as it is wet.
+    pub(super) added: &'a AddedMass,
     pub(super) chord: &'a Chord,
     /// Derivative of the pull, see [`pull_by_chord`].
     pub(super) pull: (f64, V3),
     pub(super) drag: &'a Drag,
     /// Drag of the other half.
     pub(super) other: &'a Drag,
-    /// Acceleration of its node.
+    /// Acceleration of its node relative to the water.
     pub(super) a: &'a V3,
     /// Shear of the current at its own node and at the other \[1/s\], where there is any.
     pub(super) shear: Option<[&'a V3; 2]>,
@@ -31,7 +32,7 @@ impl Half<'_> {
     #[inline(always)]
     pub(super) fn add(&self, c: Factors, r: &mut V3, diag: &mut M3) -> M3 {
         let Half {
-            segment,
+            added,
             chord,
             pull,
             drag,
@@ -42,7 +43,6 @@ impl Half<'_> {
             sign,
         } = *self;
         let (t, n) = (&chord.tangent, drag.direction());
-        let added = &segment.added;
         *r += added.force(t, a) - drag.force;
         // R depends on the chord through the pull, the added mass and, with a minus, the drag: s I + t p' + n q'.
         let (s_m, p_m) = added.by_chord(t, a, chord.inverse);

@@ -1,13 +1,15 @@
 //! The discretised line: its parts, and where they are.
 
-use crate::linalg::{BlockBand, V3};
+use crate::linalg::V3;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::{Drag, Profile};
+use crate::physics::rope::Law;
 use crate::physics::tension::{Axial, Chord};
-use crate::physics::{Body, Current, EndMotion, Seabed};
+use crate::physics::{Body, Current, EndMotion, Grip, Seabed};
 
-use super::Flexure;
-use crate::solve::{Factors, State, System};
+use super::wetting::Wet;
+use super::{Event, Flexure, Traveller, Turning, Water};
+use crate::solve::{State, System};
 
 /// A segment between two nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,7 +31,7 @@ pub struct Segment {
 }
 
 /// One end of the line.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum End {
     /// Prescribed.
     Held(EndMotion),
@@ -58,8 +60,10 @@ pub struct Joint {
 /// A line ready to compute.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
-    /// Segments from A to B; node i lies before segment i.
+    /// Segments from A to B, then the rod of a payload that turns; node i lies before segment i.
     pub segments: Vec<Segment>,
+    /// How tension follows from strain where a material does not have it in proportion; see [`Axial::law`].
+    pub laws: Vec<Law>,
     /// Masses of the nodes without added mass, bodies included \[kg\].
     pub mass: Vec<f64>,
     /// Weights of the nodes in water, bodies included \[N\], positive down.
@@ -68,10 +72,14 @@ pub struct Scene {
     pub end_names: [String; 2],
     /// What holds the ends A and B.
     pub ends: [End; 2],
-    /// Bodies on the line, by their nodes, the payload last.
+    /// Bodies on the line that are points, by their nodes, the payload last.
     pub bodies: Vec<Hung>,
+    /// A payload that turns about the last node of the line.
+    pub turning: Option<Turning>,
     /// Nodes of the clumps, in the order of the case.
     pub clumps: Vec<usize>,
+    /// A body that travels along the line, if there is one.
+    pub traveller: Option<Traveller>,
     /// Bending, where any material has a bending stiffness.
     pub flexure: Option<Flexure>,
     /// The sea bed, if there is one.
@@ -80,6 +88,8 @@ pub struct Scene {
     pub footprint: Vec<f64>,
     /// The current.
     pub current: Current,
+    /// Waves and the surface of the water, where the case names them.
+    pub water: Option<Water>,
     /// Where tension is reported, from A to B.
     pub joints: Vec<Joint>,
     /// Unstretched arc length of the nodes from A \[m\].
@@ -90,6 +100,12 @@ pub struct Scene {
     pub remarks: Vec<String>,
     /// Tensions of the segments that go with the start \[N\].
     pub start_tension: Vec<f64>,
+    /// Where the bed has hold of the nodes at the start; none where it has no hold.
+    pub start_grips: Vec<Grip>,
+    /// Velocity at time zero of what is not held \[m/s\].
+    pub start_velocity: V3,
+    /// What happens to the line, the earliest first.
+    pub events: Vec<Event>,
     /// Whether the line starts in equilibrium.
     pub start_in_equilibrium: bool,
     /// A force typical of this line \[N\]: its whole weight, or what its drag can be.
@@ -101,6 +117,7 @@ impl Scene {
     #[must_use]
     pub fn initial_state(&self) -> State {
         let mut state = State::at_rest(self.start.clone());
+        state.memory.grips.clone_from(&self.start_grips);
         self.prescribe(0.0, &mut state);
         state
     }
@@ -141,13 +158,35 @@ impl Scene {
     /// Drag on both halves of segment i.
     #[inline(always)]
     pub(super) fn drag(&self, i: usize, chord: &Chord, state: &State) -> [Drag; 2] {
+        self.wet_drag(i, chord, state, self.wet(i, state).as_ref())
+    }
+
+    /// The same where it is known how much of both halves is wet.
+    #[inline(always)]
+    pub(super) fn wet_drag(
+        &self,
+        i: usize,
+        chord: &Chord,
+        state: &State,
+        wet: Option<&[Wet; 2]>,
+    ) -> [Drag; 2] {
+        let full = self.full_drag(i, chord, state);
+        match wet {
+            None => full,
+            Some(wet) => [0, 1].map(|half| full[half].scaled(wet[half].share)),
+        }
+    }
+
+    /// Drag on both halves of segment i as if all of it were under water.
+    #[inline(always)]
+    pub(super) fn full_drag(&self, i: usize, chord: &Chord, state: &State) -> [Drag; 2] {
         let u = self.relative_velocities(i, state);
         let length = self.wetted(i, chord).0;
         self.segments[i].drag.drag(
             &chord.tangent,
             [&u[0], &u[1]],
             0.5 * length,
-            state.memory.get(i),
+            state.memory.held_drag.get(i),
         )
     }
 
@@ -155,40 +194,41 @@ impl Scene {
     #[inline(always)]
     pub(super) fn relative_velocities(&self, i: usize, state: &State) -> [V3; 2] {
         [
-            self.current.at(state.x[i].z).0 - state.v[i],
-            self.current.at(state.x[i + 1].z).0 - state.v[i + 1],
+            self.water_at(i, state) - state.v[i],
+            self.water_at(i + 1, state) - state.v[i + 1],
         ]
-    }
-
-    /// Takes the push of the bed from the residual.
-    pub(super) fn add_bed(&self, state: &State, r: &mut [V3]) {
-        if let Some(bed) = &self.bed {
-            for (i, out) in r.iter_mut().enumerate() {
-                out.z -= bed
-                    .push(state.x[i].z, state.v[i].z, self.footprint[i])
-                    .force;
-            }
-        }
-    }
-
-    /// Takes the derivatives of that push from the tangent.
-    pub(super) fn add_bed_tangent(&self, state: &State, c: Factors, tangent: &mut BlockBand) {
-        if let Some(bed) = &self.bed {
-            for (i, block) in tangent.diag.iter_mut().enumerate() {
-                let push = bed.push(state.x[i].z, state.v[i].z, self.footprint[i]);
-                block[(2, 2)] -= c.stiffness * push.by_z + c.damping * push.by_speed;
-            }
-        }
     }
 }
 
 impl Scene {
-    /// Greatest axial stiffness of a segment \[N/m\].
+    /// The same line without drag, in still water without waves or surface.
+    #[must_use]
+    pub fn without_drag(&self) -> Self {
+        let mut bare = self.clone();
+        bare.current = Current::Uniform(V3::zeros());
+        bare.water = None;
+        for segment in &mut bare.segments {
+            let drag = &mut segment.drag;
+            (drag.normal, drag.tangential, drag.floats) = (0.0, 0.0, 0.0);
+        }
+        for hung in &mut bare.bodies {
+            hung.body.drag = V3::zeros();
+        }
+        bare
+    }
+
+    /// Greatest stiffness of a segment along itself, or of the bed's hold on a node \[N/m\].
     pub(super) fn stiffest(&self) -> f64 {
-        self.segments
-            .iter()
-            .map(|s| s.axial.ea / s.axial.length)
-            .fold(0.0, f64::max)
+        let segments = self.segments.iter().map(|s| s.axial.ea / s.axial.length);
+        let grips = self.start_grips.iter().map(|grip| grip.stiffness);
+        segments.chain(grips).fold(0.0, f64::max)
+    }
+
+    /// What the drag of the line could be in the fastest current there is, all of it across that or along \[N\].
+    pub(super) fn most_drag(&self) -> f64 {
+        let speed = self.current.fastest();
+        let per_square = |s: &Segment| s.axial.length * s.drag.greatest(speed);
+        speed * speed * self.segments.iter().map(per_square).sum::<f64>()
     }
 
     /// Positions carry no more digits than this \[m\].

@@ -1,7 +1,8 @@
 //! What is read off a state: tensions at nodes, loads, energies, and the explicit accelerations.
 
+use super::water::Bathed;
 use super::{End, Hung, Scene};
-use crate::linalg::V3;
+use crate::linalg::{M3, V3};
 use crate::physics::tension::Chord;
 use crate::solve::{State, System};
 
@@ -11,15 +12,16 @@ impl Scene {
     /// hanging line's top tension is its whole weight, whatever the mesh.
     #[must_use]
     pub fn tension_at(&self, node: usize, state: &State) -> f64 {
-        let last = self.segments.len();
+        let last = self.line_nodes() - 1;
         let (i, sign) = if node < last {
             (node, 1.0)
         } else {
             (last - 1, -1.0)
         };
         let chord = self.chord(i, state);
-        let pull = chord.tangent * self.segments[i].axial.tension(&chord).value;
+        let pull = chord.tangent * self.pull_now(i, &chord, state).value;
         let load = self.half_load(i, node, &chord, state);
+        let load = load + self.bed_on_half(i, node, (&(pull * sign), &load), state);
         // A slack segment has no direction to speak of: its half's load is then no tension.
         if pull == V3::zeros() {
             return 0.0;
@@ -36,16 +38,24 @@ impl Scene {
     /// Weight, drag and (negative) inertia of the half of segment i at one of its nodes \[N\].
     fn half_load(&self, i: usize, node: usize, chord: &Chord, state: &State) -> V3 {
         let segment = &self.segments[i];
-        let drag = self.drag(i, chord, state)[node - i];
-        let a = &state.a[node];
-        let inertia = a * segment.half_mass + segment.added.force(&chord.tangent, a);
-        drag.force - inertia - V3::z() * segment.half_weight
+        let half = node - i;
+        let drag = self.drag(i, chord, state)[half];
+        let wet = self.wet(i, state);
+        let relative = self.relative_acceleration(node, state);
+        let added = self.added(i, wet.as_ref())[half].force(&chord.tangent, &relative);
+        let inertia = state.a[node] * segment.half_mass + added;
+        let load = drag.force - inertia - V3::z() * segment.half_weight;
+        if self.water.is_some() {
+            load + self.pressure(i, half, wet.as_ref(), state)
+        } else {
+            load
+        }
     }
 
-    /// Tensions at all nodes \[N\].
+    /// Tensions at all nodes of the line \[N\].
     #[must_use]
     pub fn tensions(&self, state: &State) -> Vec<f64> {
-        (0..self.nodes())
+        (0..self.line_nodes())
             .map(|i| self.tension_at(i, state))
             .collect()
     }
@@ -58,24 +68,31 @@ impl Scene {
         } else {
             (node - 1, -1.0)
         };
-        let segment = &self.segments[i];
         let chord = self.chord(i, state);
         let (t, a) = (&chord.tangent, &state.a[node]);
-        let mut force = t * (segment.axial.tension(&chord).value * sign)
-            + self.drag(i, &chord, state)[node - i].force
+        let wet = self.wet(i, state);
+        let pull = t * (self.pull_now(i, &chord, state).value * sign);
+        let mut force = pull + self.drag(i, &chord, state)[node - i].force
             - V3::z() * self.weight[node]
             - a * self.mass[node]
-            - segment.added.force(t, a);
-        for Hung { body, .. } in self.bodies.iter().filter(|hung| hung.node == node) {
-            let (water, _) = self.current.at(state.x[node].z);
-            force += body.drag(&(water - state.v[node])) - body.added.component_mul(a);
+            - self.added(i, wet.as_ref())[node - i]
+                .force(t, &self.relative_acceleration(node, state));
+        if self.water.is_some() {
+            force += self.pressure(i, node - i, wet.as_ref(), state);
         }
-        if let Some(bed) = &self.bed {
-            let (x, v) = (&state.x[node], &state.v[node]);
-            force.z += bed.push(x.z, v.z, self.footprint[node]).force;
+        for (number, Hung { node: at, body }) in self.bodies.iter().enumerate() {
+            if *at == node {
+                let Bathed {
+                    u, a, share, load, ..
+                } = self.bathed(number, state);
+                force += (body.drag(&u) - body.added.component_mul(&a)) * share + load;
+            }
         }
         if let Some(flexure) = &self.flexure {
             force += flexure.end_force(self, node, state);
+        }
+        if self.bed.is_some() {
+            force += self.bed_on_half(i, node, (&pull, &(force - pull)), state);
         }
         force
     }
@@ -86,7 +103,7 @@ impl Scene {
     pub fn sharpest_turn(&self, state: &State) -> (f64, usize) {
         let taut = |i: usize| {
             let chord = self.chord(i, state);
-            let pulls = self.segments[i].axial.tension(&chord).value > 0.0;
+            let pulls = self.pull_now(i, &chord, state).value > 0.0;
             pulls.then_some(chord.tangent)
         };
         let turn = |node: usize| {
@@ -94,7 +111,7 @@ impl Scene {
             let cos = taut(node - 1)?.dot(&taut(node)?);
             bare.then(|| (cos.clamp(-1.0, 1.0).acos(), node))
         };
-        (1..self.segments.len())
+        (1..self.line_nodes() - 1)
             .filter_map(turn)
             .fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a })
     }
@@ -109,13 +126,7 @@ impl Scene {
         }
         for (i, segment) in self.segments.iter().enumerate() {
             let chord = self.chord(i, state);
-            let stretch = chord.length - segment.axial.length;
-            let stretch = if segment.axial.rod {
-                stretch
-            } else {
-                stretch.max(0.0)
-            };
-            energy += 0.5 * segment.axial.ea / segment.axial.length * stretch * stretch;
+            energy += self.stored(i, &chord, state);
             for node in [i, i + 1] {
                 let v = &state.v[node];
                 energy += 0.5 * v.dot(&segment.added.force(&chord.tangent, v));
@@ -124,59 +135,50 @@ impl Scene {
         if let Some(flexure) = &self.flexure {
             energy += flexure.energy(self, state);
         }
-        if let Some(bed) = &self.bed {
-            for (x, area) in state.x.iter().zip(&self.footprint) {
-                energy += 0.5 * bed.stiffness * area * (bed.z - x.z).max(0.0).powi(2);
-            }
-        }
+        energy += self.energy_in_bed(state);
         for Hung { node, body } in &self.bodies {
             let v = &state.v[*node];
             energy += 0.5 * v.dot(&body.added.component_mul(v));
         }
+        if let Some(turning) = &self.turning {
+            energy += turning.energy(self, state);
+        }
         energy
     }
 
-    /// Power that drag and axial damping take out of the line \[W\], positive when energy is lost.
+    /// Power that drag, axial damping and the fading memory of ropes take out of the line \[W\], positive when energy is
+    /// lost.
     #[must_use]
     pub fn dissipation(&self, state: &State) -> f64 {
         let mut power = 0.0;
-        for (i, segment) in self.segments.iter().enumerate() {
+        for i in 0..self.segments.len() {
             let chord = self.chord(i, state);
-            let strain = chord.length / segment.axial.length - 1.0;
-            let strain = if segment.axial.rod {
-                strain
-            } else {
-                strain.max(0.0)
-            };
-            let elastic = segment.axial.ea * strain;
-            let viscous = segment.axial.tension(&chord).value - elastic;
+            let viscous = self.pull_now(i, &chord, state).value - self.elastic(i, &chord, state);
+            power += self.forgotten(i, &chord, state);
             power += viscous * chord.tangent.dot(&chord.opening);
             for (node, drag) in [i, i + 1].into_iter().zip(self.drag(i, &chord, state)) {
                 power -= drag.force.dot(&state.v[node]);
             }
         }
-        if let Some(bed) = &self.bed {
-            for ((x, v), area) in state.x.iter().zip(&state.v).zip(&self.footprint) {
-                let elastic = bed.stiffness * area * (bed.z - x.z).max(0.0);
-                power -= (bed.push(x.z, v.z, *area).force - elastic) * v.z;
-            }
+        power += self.loss_to_bed(state);
+        for (number, Hung { node, body }) in self.bodies.iter().enumerate() {
+            let Bathed { u, share, .. } = self.bathed(number, state);
+            power -= body.drag(&u).dot(&state.v[*node]) * share;
         }
-        for Hung { node, body } in &self.bodies {
-            let v = &state.v[*node];
-            let (water, _) = self.current.at(state.x[*node].z);
-            power -= body.drag(&(water - v)).dot(v);
+        if let Some(turning) = &self.turning {
+            power += turning.dissipation(self, state);
         }
         power
     }
 
     /// Accelerations of the free nodes, `a = M(x)^-1 f(x, v)`: the mass of a node is a 3 x 3 block of its
     /// own, since added mass is lumped with the rest.
-    pub(super) fn accelerations(&self, state: &mut State) {
+    pub(super) fn accelerations(&self, t: f64, state: &mut State) {
         let free = self.free();
         let last = self.nodes() - 1;
         let held = [state.a[0], state.a[last]];
         let bending = self.preload_bending(state);
-        let mut bodies = self.bodies.iter().peekable();
+        let mut bodies = self.bodies.iter().enumerate().peekable();
         let mut before: Option<(V3, Symmetric)> = None;
         for i in 0..self.nodes() {
             // Force and mass of node i: what the segment before left here, then the segment after.
@@ -187,27 +189,42 @@ impl Scene {
                 f -= state.a[i];
             }
             if let Some(bed) = &self.bed {
-                f.z += bed
-                    .push(state.x[i].z, state.v[i].z, self.footprint[i])
-                    .force;
+                f += self.bed_force(bed, i, state);
             }
             if i < last {
-                let segment = &self.segments[i];
                 let chord = self.chord(i, state);
-                let t = &chord.tangent;
-                let pull = t * segment.axial.tension(&chord).value;
-                let [here, there] = self.drag(i, &chord, state);
+                let along = &chord.tangent;
+                let pull = along * self.pull(i, &chord, t, state).value;
+                let wet = self.wet(i, state);
+                let [here, there] = self.wet_drag(i, &chord, state, wet.as_ref());
                 f += pull + here.force;
-                let (normal, tangential) = (segment.added.normal, segment.added.tangential);
-                m.add_directed(t, normal, tangential);
+                let added = self.added(i, wet.as_ref());
+                m.add_directed(along, added[0].normal, added[0].tangential);
                 let mut next = Symmetric::default();
-                next.add_directed(t, normal, tangential);
-                before = Some((there.force - pull, next));
+                next.add_directed(along, added[1].normal, added[1].tangential);
+                let mut beyond = there.force - pull;
+                if self.water.is_some() {
+                    f += self.dragged_along(i, 0, along, wet.as_ref(), state);
+                    beyond += self.dragged_along(i, 1, along, wet.as_ref(), state);
+                }
+                before = Some((beyond, next));
             }
-            while let Some(Hung { body, .. }) = bodies.next_if(|hung| hung.node == i) {
-                let (water, _) = self.current.at(state.x[i].z);
-                f += body.drag(&(water - state.v[i]));
-                m.add_axes(&body.added);
+            while let Some((number, Hung { body, .. })) = bodies.next_if(|(_, h)| h.node == i) {
+                let Bathed {
+                    u,
+                    carried,
+                    share,
+                    load,
+                    ..
+                } = self.bathed(number, state);
+                f += (body.drag(&u) + body.added.component_mul(&carried)) * share + load;
+                m.add_axes(&(body.added * share));
+            }
+            if let Some((push, axis, more)) =
+                self.turning.as_ref().and_then(|t| t.load(self, i, state))
+            {
+                f += push;
+                m.add_directed(&axis, 0.0, more);
             }
             if free.contains(&i) {
                 state.a[i] = m.solve(&f);
@@ -218,6 +235,36 @@ impl Scene {
                 state.a[node] = held[end];
             }
         }
+    }
+
+    /// Inverse of the mass of a free node, added mass and bodies included, a traveller left out \[1/kg\].
+    pub(super) fn lightness(&self, node: usize, state: &State) -> M3 {
+        let mut m = Symmetric::default();
+        m.add_diagonal(self.mass[node]);
+        let halves = [(node.checked_sub(1), 1), (Some(node), 0)];
+        for (i, half) in halves.into_iter().filter_map(|(i, half)| Some((i?, half))) {
+            if i < self.segments.len() {
+                let along = self.chord(i, state).tangent;
+                let added = self.added(i, self.wet(i, state).as_ref())[half];
+                m.add_directed(&along, added.normal, added.tangential);
+            }
+        }
+        for (number, hung) in self
+            .bodies
+            .iter()
+            .enumerate()
+            .filter(|(_, h)| h.node == node)
+        {
+            m.add_axes(&(hung.body.added * self.bathed(number, state).share));
+        }
+        if let Some((_, axis, more)) = self
+            .turning
+            .as_ref()
+            .and_then(|t| t.load(self, node, state))
+        {
+            m.add_directed(&axis, 0.0, more);
+        }
+        M3::from_columns(&[V3::x(), V3::y(), V3::z()].map(|axis| m.solve(&axis)))
     }
 
     /// Puts the residual forces of bending where the accelerations will stand: they couple nodes two apart, and so
@@ -239,19 +286,54 @@ impl Scene {
         let last = self.nodes() - 1;
         let mut fastest = (0.0, 0);
         for node in self.free() {
-            let speed = (self.current.at(state.x[node].z).0 - state.v[node]).norm();
+            let speed = (self.water_at(node, state) - state.v[node]).norm();
             let halves = self.segments[node.saturating_sub(1)..(node + 1).min(last)].iter();
             let mut drag: f64 = halves
                 .map(|s| 0.5 * s.axial.length * s.drag.greatest(speed))
                 .sum();
             let here = self.bodies.iter().filter(|hung| hung.node == node);
             drag += here.map(|hung| hung.body.drag.amax()).sum::<f64>();
-            let rate = 2.0 * drag * speed / self.mass[node];
+            let mut rate = 2.0 * drag * speed / self.mass[node] + self.decay_by_bed(node, state);
+            if !self.laws.is_empty() {
+                rate = rate.max(self.ring_of_ropes(node, state));
+            }
             if rate > fastest.0 {
                 fastest = (rate, node);
             }
         }
+        if let Some(turning) = &self.turning {
+            let rate = turning.decay(self, state);
+            if rate > fastest.0 {
+                fastest = (rate, turning.node);
+            }
+        }
         fastest
+    }
+
+    /// The greatest acceleration \[m/s²\] that segments which are slack at `between` and taut at `end` give a node there.
+    pub(super) fn jolt_of_snaps(&self, between: &State, end: &State) -> f64 {
+        let mut jolt = 0.0_f64;
+        for (i, segment) in self.segments.iter().enumerate() {
+            let unstretched = segment.axial.length * segment.axial.length;
+            let taut = |s: &State| (s.x[i + 1] - s.x[i]).norm_squared() > unstretched;
+            if taut(end) && !taut(between) && !segment.axial.rod {
+                let stretch = (end.x[i + 1] - end.x[i]).norm() - segment.axial.length;
+                let pull = segment.axial.ea * stretch / segment.axial.length;
+                jolt = jolt.max(pull / self.mass[i].min(self.mass[i + 1]));
+            }
+        }
+        jolt
+    }
+
+    /// Fastest axial frequency of the ropes at a node, as stiff as they are now \[rad/s\]: [`Scene::explicit_limit`]
+    /// knows them up to half their breaking load only.
+    fn ring_of_ropes(&self, node: usize, state: &State) -> f64 {
+        let last = self.segments.len();
+        let stiffest = (node.saturating_sub(1)..(node + 1).min(last))
+            .filter(|i| self.segments[*i].axial.law.is_some())
+            .map(|i| self.pull_now(i, &self.chord(i, state), state).by_length)
+            .fold(0.0, f64::max);
+        2.0 * (stiffest / self.mass[node]).sqrt()
     }
 
     /// What bending and the bed add to the stiffness of segment i in its highest mode \[N/m\]: `8 EI / l³` as two
@@ -261,10 +343,7 @@ impl Scene {
         let bending = self.flexure.as_ref().map_or(0.0, |f| {
             8.0 * f.joints[i].max(f.joints[i + 1]) / (length * length)
         });
-        let bed = self.bed.map_or(0.0, |b| {
-            b.stiffness * self.footprint[i].max(self.footprint[i + 1])
-        });
-        bending + bed
+        bending + self.bed_stiffness(i).max(self.bed_stiffness(i + 1))
     }
 
     /// The largest explicit time step \[s\] that classical Runge-Kutta of order 4 bears, and the segment that
@@ -277,8 +356,13 @@ impl Scene {
     pub fn explicit_limit(&self) -> (f64, usize) {
         let mut limit = (f64::INFINITY, 0);
         for (i, segment) in self.segments.iter().enumerate() {
-            let lightness =
-                |node: usize, held: bool| if held { 0.0 } else { 1.0 / self.mass[node] };
+            let lightness = |node: usize, held: bool| {
+                if held {
+                    0.0
+                } else {
+                    1.0 / self.least_mass(node)
+                }
+            };
             let held = |end: usize| matches!(self.ends[end], End::Held(_));
             let last = self.segments.len();
             let sum = lightness(i, i == 0 && held(0)) + lightness(i + 1, i + 1 == last && held(1));

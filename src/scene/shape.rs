@@ -1,9 +1,11 @@
 //! Where the nodes are at time zero, or a first guess at the equilibrium that the line starts from.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::Scene;
 use super::build::SceneError;
 use super::guess::{Guess, between};
-use crate::case::{Case, EndKind, StartShape};
+use crate::case::{Case, EndKind, Payload, Start, StartShape};
 use crate::linalg::V3;
 
 /// Positions of the nodes \[m\] and tensions of the segments \[N\]; where the line starts in equilibrium, a guess.
@@ -23,7 +25,9 @@ pub(super) fn start(case: &Case, scene: &Scene) -> Result<Guess, SceneError> {
         tension: vec![scene.force_scale; scene.segments.len()],
     };
     let direction = start_direction(case);
-    Ok(match (held(a.kind), held(b.kind)) {
+    let given = given(&case.start, arc);
+    let mut guess = match (held(a.kind), held(b.kind)) {
+        _ if given.is_some() => straight(given.unwrap_or_default()),
         (true, true) => {
             let from = anchored_at(a.position_m, "a")?;
             let to = anchored_at(b.position_m, "b")?;
@@ -50,6 +54,43 @@ pub(super) fn start(case: &Case, scene: &Scene) -> Result<Guess, SceneError> {
             let from = anchored_at(a.position_m, "a")?;
             straight(arc.iter().map(|s| from + direction * *s).collect())
         }
+    };
+    if let (false, Some(turning), Some(payload)) = (equilibrium, &scene.turning, &case.payload) {
+        // Held upright, or as the case tilts it, whatever way the line goes.
+        let axis = start_axis(payload);
+        guess.nodes[turning.node + 1] = guess.nodes[turning.node] + axis * turning.body.reach;
+    }
+    Ok(guess)
+}
+
+/// Where the axis of a payload that turns points at time zero.
+fn start_axis(payload: &Payload) -> V3 {
+    let Some(rotation) = &payload.rotation else {
+        return -V3::z();
+    };
+    let azimuth = rotation.start_azimuth_deg.to_radians();
+    direction(azimuth, rotation.start_tilt_deg.to_radians() - FRAC_PI_2)
+}
+
+/// The shape that the case gives by coordinates, read at the arc lengths of the nodes.
+fn given(start: &Start, arc: &[f64]) -> Option<Vec<V3>> {
+    if start.shape == StartShape::Straight {
+        return None;
+    }
+    let known = start.arc_m.as_ref()?;
+    let (x, z) = (start.x_m.as_ref()?, start.z_m.as_ref()?);
+    let at = |list: &[f64], s: f64| {
+        let next = known.partition_point(|k| *k < s).clamp(1, known.len() - 1);
+        let share = (s - known[next - 1]) / (known[next] - known[next - 1]);
+        list[next - 1] + share * (list[next] - list[next - 1])
+    };
+    let full = |list: &[f64]| list.len() == known.len();
+    let enough = known.len() > 1 && full(x) && full(z) && start.y_m.as_deref().is_none_or(full);
+    let y = |s: f64| start.y_m.as_ref().map_or(0.0, |y| at(y, s));
+    enough.then(|| {
+        arc.iter()
+            .map(|&s| V3::new(at(x, s), y(s), at(z, s)))
+            .collect()
     })
 }
 

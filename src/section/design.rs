@@ -9,7 +9,7 @@ use super::stiffness::{Matrix, Twist, matrix};
 use super::strength::{Strength, strength};
 use super::units::unused;
 use super::weight::{Weight, weight};
-use crate::case::{DragLaw, DragWidth, Material};
+use crate::case::{DragLaw, DragWidth, DynamicStiffness, Material};
 
 /// A section with all that follows from it.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,7 +56,14 @@ impl Design {
             diameter_m: 2.0 * self.layout.outer_radius,
             mass_kg_per_m: self.weight.moving,
             wet_weight_kg_per_m: Some(self.weight.in_water),
-            ea_n: self.ea(),
+            ea_n: Some(self.ea()),
+            strain: None,
+            tension_n: None,
+            dynamic_stiffness: DynamicStiffness::None,
+            dynamic_alpha: None,
+            dynamic_beta: 0.0,
+            dynamic_gamma: 0.0,
+            mean_window_s: None,
             ei_n_m2: self.bending.total(),
             axial_damping_n_s: None,
             axial_damping_ratio: None,

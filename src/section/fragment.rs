@@ -48,7 +48,7 @@ pub fn fragment(design: &Design) -> String {
     if let Some(wet) = material.wet_weight_kg_per_m {
         lines += &key("wet_weight_kg_per_m", wet);
     }
-    lines += &key("ea_n", material.ea_n);
+    lines += &key("ea_n", design.ea());
     lines += &key("ei_n_m2", material.ei_n_m2);
     if let Some(load) = material.break_load_n {
         lines += &key("break_load_n", load);

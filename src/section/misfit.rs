@@ -1,46 +1,8 @@
-//! What does not fit in a section, and how sizes are worded.
+//! How what does not fit in a section is worded.
 
-use std::fmt;
-
-use crate::case::join;
 use crate::report::number::digits;
 
-/// Something about a section that cannot be, or should be looked at.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Misfit {
-    /// The key meant, as the parts of its path: `["layer", "bundle", "pitch_radius_m"]`.
-    pub path: Vec<String>,
-    /// What is wrong.
-    pub problem: String,
-    /// What would be right.
-    pub remedy: String,
-}
-
-impl Misfit {
-    pub(super) fn new(
-        path: &[&str],
-        problem: impl Into<String>,
-        remedy: impl Into<String>,
-    ) -> Self {
-        Self {
-            path: path.iter().map(|part| (*part).to_owned()).collect(),
-            problem: problem.into(),
-            remedy: remedy.into(),
-        }
-    }
-
-    /// The key path as one word: `layer.bundle.pitch_radius_m`.
-    #[must_use]
-    pub fn key(&self) -> String {
-        join(&self.path)
-    }
-}
-
-impl fmt::Display for Misfit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}; {}", self.key(), self.problem, self.remedy)
-    }
-}
+pub use crate::case::Misfit;
 
 /// A length in millimetres, for people: `23.12 mm`.
 pub(super) fn mm(metres: f64) -> String {

@@ -4,9 +4,8 @@ use std::path::{Path, PathBuf};
 
 use super::design::{Design, design};
 use super::fields::SECTION;
-use super::misfit::Misfit;
 use super::model::Section;
-use crate::case::{self, Diagnostic, Finding, Node};
+use crate::case::{self, Diagnostic, Finding};
 
 /// A design with the text and the file it came from.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,19 +58,9 @@ pub fn parse(text: &str, file: &str) -> Result<Design, Vec<Diagnostic>> {
     let section: Section =
         case::words_of(text).map_err(|finding| case::diagnose(vec![finding], text, file))?;
     design(&section).map_err(|misfits| {
-        let placed = misfits.iter().map(|misfit| finding(misfit, &tree));
+        let placed = misfits.iter().map(|misfit| misfit.found(&tree));
         let mut found: Vec<Finding> = placed.collect();
         found.sort_by_key(|finding| finding.span.start);
         case::diagnose(found, text, file)
     })
-}
-
-/// A misfit at the key it means, or, when that is not written, at the table it belongs to.
-fn finding(misfit: &Misfit, tree: &Node) -> Finding {
-    let depth = misfit.path.len();
-    let node = (0..=depth)
-        .rev()
-        .find_map(|parts| tree.find(misfit.path.get(..parts)?));
-    let span = node.map_or(0..0, |node| node.span.clone());
-    Finding::new(&span, misfit.key(), &misfit.problem, &misfit.remedy)
 }

@@ -107,6 +107,18 @@ impl Newton {
         }
     }
 
+    /// The measured rate of convergence \[1/m\], for whoever takes up the march later.
+    #[must_use]
+    pub fn rate(&self) -> Option<f64> {
+        self.curvature
+    }
+
+    /// Takes up the rate and the count of an earlier march.
+    pub fn take_up(&mut self, rate: Option<f64>, iterations: u64) {
+        self.curvature = rate;
+        self.iterations = iterations;
+    }
+
     /// Forgets the measured rate, as after a jump of the state.
     pub fn forget(&mut self) {
         self.curvature = None;

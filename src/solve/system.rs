@@ -2,10 +2,56 @@
 
 use std::ops::Range;
 
+use serde::{Deserialize, Serialize};
+
 use crate::linalg::{BlockBand, V3};
+use crate::physics::Grip;
+use crate::physics::sea::Flow;
+
+/// What a line remembers of the steps accepted so far. It changes in [`System::commit`] and [`System::hold_drag`] only,
+/// never while a step is being tried: every trial of a step sees the same past.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Memory {
+    /// Normal drag coefficients of both halves of every segment, where a method holds them over a step: see
+    /// [`System::hold_drag`]. One entry a segment, or none at all.
+    pub held_drag: Vec<[f64; 2]>,
+    /// Where a bed with friction has hold of every node. One entry a node, or none at all.
+    pub grips: Vec<Grip>,
+    /// What ropes with dynamic stiffness remember, see [`System::commit`]. One entry a segment, or none at all: such a
+    /// rope is then at rest.
+    pub ropes: Vec<RopePast>,
+    /// Time of the last accepted step \[s\], where ropes remember.
+    pub time: f64,
+}
+
+/// What a segment of rope remembers of the tensions of accepted steps.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct RopePast {
+    /// Their mean \[N\].
+    pub mean: f64,
+    /// Strain that goes with that mean, loaded slowly \[-\].
+    pub strain: f64,
+    /// How fast the mean moves \[N/s\].
+    pub tension_rate: f64,
+    /// How fast its strain moves \[1/s\].
+    pub strain_rate: f64,
+    /// The last of them \[N\].
+    pub tension: f64,
+}
+
+impl Memory {
+    /// Takes over another line's memory, without allocating where the sizes agree.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.held_drag.clone_from(&other.held_drag);
+        self.grips.clone_from(&other.grips);
+        self.ropes.clone_from(&other.ropes);
+        self.time = other.time;
+    }
+}
 
 /// Position \[m\], velocity \[m/s\] and acceleration \[m/s²\] of every node, from end A to end B.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Positions.
     pub x: Vec<V3>,
@@ -13,9 +59,12 @@ pub struct State {
     pub v: Vec<V3>,
     /// Accelerations.
     pub a: Vec<V3>,
-    /// What the line remembers from the last accepted step, if anything: see [`System::remember`]. One entry a
-    /// segment, or none at all.
-    pub memory: Vec<[f64; 2]>,
+    /// What the line remembers of its past.
+    pub memory: Memory,
+    /// What waves make of the water at every node, where there are waves and the line is on its way: see
+    /// [`System::take_water`]. One entry a node, or none at all.
+    #[serde(skip)]
+    pub water: Vec<Flow>,
     /// Tensions of the segments as the iteration before foretold them \[N\], for the stiffness across the line: see
     /// [`System::foretell`]. One entry a segment, or none at all: tensions are then those of the stretch.
     pub foretold: Vec<f64>,
@@ -30,7 +79,8 @@ impl State {
             x,
             v: vec![V3::zeros(); n],
             a: vec![V3::zeros(); n],
-            memory: Vec::new(),
+            memory: Memory::default(),
+            water: Vec::new(),
             foretold: Vec::new(),
         }
     }
@@ -40,7 +90,8 @@ impl State {
         self.x.copy_from_slice(&other.x);
         self.v.copy_from_slice(&other.v);
         self.a.copy_from_slice(&other.a);
-        self.memory.clone_from(&other.memory);
+        self.memory.copy_from(&other.memory);
+        self.water.clone_from(&other.water);
         self.foretold.clone_from(&other.foretold);
     }
 
@@ -79,6 +130,11 @@ pub trait System: Sync {
     /// Sets position, velocity and acceleration of the prescribed nodes at time t \[s\].
     fn prescribe(&self, t: f64, state: &mut State);
 
+    /// Writes into the state what moves the water at its nodes at time t \[s\], the same for all that is asked of the
+    /// line in that state and near it. A method calls it once for every state whose forces it wants, when the positions
+    /// are known or foretold; a line at rest, and statics, never. Allocates at the first call only.
+    fn take_water(&self, _t: f64, _state: &mut State) {}
+
     /// The residual of every node.
     fn residual(&self, t: f64, state: &State, r: &mut [V3]);
 
@@ -95,10 +151,20 @@ pub trait System: Sync {
         (0.0, 0)
     }
 
-    /// Writes into the state's memory what stays as it is until the next step is accepted: the normal drag
-    /// coefficients of both halves of every segment. A method that leaves inertia out needs it where the coefficient
+    /// The acceleration by which parts of the line jolt a node at `end` that do not pull yet at `between` \[m/s²\]: what a
+    /// method that balances forces between its steps has not seen. None unless a line tells one.
+    fn jolt(&self, _between: &State, _end: &State) -> f64 {
+        0.0
+    }
+
+    /// Writes what the line is to remember of an accepted state at time t \[s\], `dt` after the one before, into that
+    /// state's memory: once at the start with `dt` 0, then after every accepted step. Allocates at the start only.
+    fn commit(&self, _t: f64, _dt: f64, _state: &mut State) {}
+
+    /// Writes the normal drag coefficients of both halves of every segment into the state's memory, where they stay as
+    /// they are until the next step is accepted. A method that leaves inertia out needs it where the coefficient
     /// jumps: without inertia nothing carries a node across a force that falls while its speed rises.
-    fn remember(&self, state: &mut State);
+    fn hold_drag(&self, state: &mut State);
 
     /// Writes into the state the tensions to begin with, from its stretch or, where that is nothing a line at rest
     /// could have, from the first guess.

@@ -2,3 +2,4 @@
 
 pub mod catenary;
 pub mod equilibrium;
+pub mod reconfiguration;

@@ -6,6 +6,7 @@ use crate::case::{self, At, Case, Method};
 use crate::reference;
 use crate::report::chart::Glyphs;
 use crate::report::table::Table;
+use crate::ropeway::{self, Worked};
 use crate::run::Run;
 use crate::section::{self, Design};
 
@@ -61,17 +62,45 @@ pub fn section_rows(text: &str) -> Vec<FieldRow> {
 /// # Errors
 /// What cannot be with that value and what would be right, at the key that says so.
 pub fn set_section(text: &str, key: &str, value: &str) -> Result<String, String> {
-    section::edit::set(text, key, value).map_err(|all| {
-        let words = all.iter().map(|d| {
-            let at = if d.key == key {
-                key.rsplit('.').next().unwrap_or(key)
-            } else {
-                &d.key
-            };
-            format!("{at}: {}. {}", stopped(&d.problem), sentence(&d.remedy))
-        });
-        words.collect::<Vec<_>>().join(" ")
+    section::edit::set(text, key, value).map_err(|all| refusal(key, &all))
+}
+
+/// Works a ropeway out from its text.
+///
+/// # Errors
+/// The first thing wrong, as one line with file, line and column.
+pub fn worked(text: &str, file: &str) -> Result<Worked, String> {
+    ropeway::parse(text, file).map_err(|all| {
+        all.first()
+            .map_or_else(|| format!("{file} is no ropeway."), ToString::to_string)
     })
+}
+
+/// The fields of a ropeway.
+#[must_use]
+pub fn ropeway_rows(text: &str, worked: &Worked) -> Vec<FieldRow> {
+    ropeway::edit::rows(text, &worked.ropeway)
+}
+
+/// Sets a key of a ropeway's text.
+///
+/// # Errors
+/// What cannot be with that value and what would be right, at the key that says so.
+pub fn set_ropeway(text: &str, key: &str, value: &str) -> Result<String, String> {
+    ropeway::edit::set(text, key, value).map_err(|all| refusal(key, &all))
+}
+
+/// All that is wrong with a value, each at the key that says so.
+fn refusal(key: &str, all: &[case::Diagnostic]) -> String {
+    let words = all.iter().map(|d| {
+        let at = if d.key == key {
+            key.rsplit('.').next().unwrap_or(key)
+        } else {
+            &d.key
+        };
+        format!("{at}: {}. {}", stopped(&d.problem), sentence(&d.remedy))
+    });
+    words.collect::<Vec<_>>().join(" ")
 }
 
 fn stopped(text: &str) -> &str {
@@ -92,6 +121,7 @@ fn sentence(text: &str) -> String {
 #[must_use]
 pub fn method_word(method: Method) -> &'static str {
     match method {
+        Method::Auto => "auto",
         Method::Static => "static",
         Method::Quasi => "quasi",
         Method::Rk4 => "rk4",
@@ -106,7 +136,7 @@ pub fn at_label(case: &Case, at: &At) -> String {
     let key = study.map_or(at.study.as_str(), |s| s.key.as_str());
     let path: Vec<&str> = key.split('.').collect();
     match case::fields::field_at(&path) {
-        Some(field) if field.unit == "-" => format!("{} {}", field.label, at.value),
+        Some(field) if matches!(field.unit, "" | "-") => format!("{} {}", field.label, at.value),
         Some(field) => format!("{} {} {}", field.label, at.value, field.unit),
         None => format!("{key} {}", at.value),
     }
@@ -130,7 +160,7 @@ pub fn variant(
         .iter()
         .find(|s| s.name == at.study)
         .ok_or_else(|| format!("{file} has no study named `{}`.", at.study))?;
-    let text = case::edit::set_number(text, &study.key, at.value).map_err(|d| d.to_string())?;
+    let text = case::edit::set_value(text, &study.key, &at.value).map_err(|d| d.to_string())?;
     let case = parse(&text, file)?;
     Ok((text, case))
 }

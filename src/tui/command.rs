@@ -41,6 +41,14 @@ pub enum Id {
     PreviousTable,
     /// Write the material that a cross-section makes.
     Material,
+    /// Go to the next span of the ropeway.
+    NextSpan,
+    /// Go to the previous span of the ropeway.
+    PreviousSpan,
+    /// Keep the cargo's place in the file.
+    KeepPlace,
+    /// Write the ropeway as a line case.
+    LineCase,
     /// Show the next chart.
     NextChart,
     /// Show the previous chart.
@@ -160,11 +168,19 @@ pub enum Place {
     Drawing,
     /// A cross-section in tables.
     Tables,
+    /// The keys of a ropeway.
+    RopewayInputs,
+    /// A ropeway drawn, with its readings.
+    Ropeway,
+    /// A ropeway in tables and charts.
+    RopewayTables,
+    /// A ropeway held against what its source printed.
+    RopewayChecks,
 }
 
 impl Place {
     /// All of them.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 15] = [
         Self::Cases,
         Self::Inputs,
         Self::Charts,
@@ -176,6 +192,18 @@ impl Place {
         Self::Keys,
         Self::Drawing,
         Self::Tables,
+        Self::RopewayInputs,
+        Self::Ropeway,
+        Self::RopewayTables,
+        Self::RopewayChecks,
+    ];
+
+    /// The panes of an open ropeway, in the order of their numbers.
+    pub const OF_ROPEWAY: [Self; 4] = [
+        Self::RopewayInputs,
+        Self::Ropeway,
+        Self::RopewayTables,
+        Self::RopewayChecks,
     ];
 
     /// The panes of an open cross-section, in the order of their numbers.
@@ -197,15 +225,16 @@ impl Place {
     pub fn title(self) -> &'static str {
         match self {
             Self::Cases => "Cases",
-            Self::Inputs | Self::Keys => "Inputs",
+            Self::Inputs | Self::Keys | Self::RopewayInputs => "Inputs",
             Self::Charts => "Charts",
             Self::Runs => "Runs",
-            Self::Validation => "Validation",
+            Self::Validation | Self::RopewayChecks => "Validation",
             Self::Report => "Report",
             Self::Jobs => "Jobs",
             Self::Nodes => "Nodes",
             Self::Drawing => "Drawing",
-            Self::Tables => "Tables",
+            Self::Tables | Self::RopewayTables => "Tables",
+            Self::Ropeway => "Ropeway",
         }
     }
 }
@@ -237,10 +266,16 @@ const LISTS: &[Place] = &[
     Place::Nodes,
     Place::Keys,
     Place::Tables,
+    Place::RopewayInputs,
+    Place::RopewayTables,
+    Place::RopewayChecks,
 ];
+const IN_ROPEWAY: &[Place] = &Place::OF_ROPEWAY;
+const ROPEWAY: &[Place] = &[Place::Ropeway];
+const LEAVES: &[Place] = &[Place::RopewayTables];
 const IN_SECTION: &[Place] = &Place::OF_SECTION;
 const CASES: &[Place] = &[Place::Cases];
-const INPUTS: &[Place] = &[Place::Inputs, Place::Keys];
+const INPUTS: &[Place] = &[Place::Inputs, Place::Keys, Place::RopewayInputs];
 const DRAWING: &[Place] = &[Place::Drawing];
 const TABLES: &[Place] = &[Place::Tables];
 const IN_FILE: &[Place] = &[
@@ -254,6 +289,10 @@ const IN_FILE: &[Place] = &[
     Place::Keys,
     Place::Drawing,
     Place::Tables,
+    Place::RopewayInputs,
+    Place::Ropeway,
+    Place::RopewayTables,
+    Place::RopewayChecks,
 ];
 const CHARTS: &[Place] = &[Place::Charts];
 const RUNS: &[Place] = &[Place::Runs];
@@ -263,6 +302,8 @@ const WIDE: &[Place] = &[
     Place::Report,
     Place::Nodes,
     Place::Tables,
+    Place::RopewayTables,
+    Place::RopewayChecks,
 ];
 const WRITABLE: &[Place] = &[
     Place::Charts,
@@ -306,6 +347,13 @@ pub const COMMANDS: &[Command] = &[
     command(Id::PanUp, &["k", "up", "}"], "up", "Show what lies higher", DRAWING),
     command(Id::PanRight, &["l", "right", "L"], "right", "Show what lies further right", DRAWING),
     command(Id::Material, &["M"], "material", "Write the table [materials.<name>] that a line case takes to a file, and say where", IN_SECTION),
+    command(Id::CursorRight, &["l", "right"], "to ship", "Move the cargo towards the ship", ROPEWAY),
+    command(Id::CursorLeft, &["h", "left"], "to platform", "Move the cargo towards the platform", ROPEWAY),
+    command(Id::NextSpan, &["]", "n"], "span", "Go to the next span of 40, 60 and 80 m; an edit like any other", ROPEWAY),
+    command(Id::NextTable, &["]", "n"], "table", "Show the next table", LEAVES),
+    command(Id::Fit, &["0"], "file's place", "Put the cargo back where the file has it", ROPEWAY),
+    command(Id::KeepPlace, &["K"], "keep place", "Set cargo.position in the file to where the cargo is", ROPEWAY),
+    command(Id::LineCase, &["M"], "line case", "Write the rope with its cargo as a line case to a file, and say where", IN_ROPEWAY),
     command(Id::Run, &["R"], "run", "Run the case with the chosen solver and store the run", IN_CASE),
     command(Id::Validate, &["V"], "validate", "Run everything that the validation table needs", IN_CASE),
     command(Id::NextPane, &["tab"], "pane", "Go to the next pane", IN_FILE),
@@ -313,7 +361,7 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Save, &["s"], "save", "Save the case to its file, with your comments kept", IN_FILE),
     command(Id::Undo, &["u"], "undo", "Undo the last edit", IN_FILE),
     command(Id::Back, &["esc", "b"], "cases", "Back to the list of cases", IN_FILE),
-    command(Id::Filter, &["/"], "filter", "Type letters that the lines must contain; Enter keeps, Esc drops the filter", &[Place::Cases, Place::Inputs, Place::Keys]),
+    command(Id::Filter, &["/"], "filter", "Type letters that the lines must contain; Enter keeps, Esc drops the filter", &[Place::Cases, Place::Inputs, Place::Keys, Place::RopewayInputs]),
     command(Id::Method, &["M"], "solver", "Change to the next solver: static, quasi, rk4, alpha", IN_CASE),
     command(Id::Study, &["S"], "study", "Run all variants of a study and overlay them", IN_CASE),
     command(Id::Keep, &["K"], "keep", "Keep the live run on disk", IN_CASE),
@@ -328,6 +376,15 @@ pub const COMMANDS: &[Command] = &[
     command(Id::PreviousTable, &["[", "p"], "", "Show the previous table", TABLES),
     command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", TABLES),
     command(Id::Write, &["w"], "write", "Write the drawing to a text file; from other panes: the drawing and all tables", IN_SECTION),
+    command(Id::Write, &["w"], "write", "Write the report of the ropeway to a text file; from the validation pane: its table", IN_ROPEWAY),
+    command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", &[Place::RopewayTables, Place::RopewayChecks]),
+    command(Id::LeapRight, &["L", "pgdn"], "", "Move the cargo towards the ship by a tenth of the span", ROPEWAY),
+    command(Id::LeapLeft, &["H", "pgup"], "", "Move the cargo towards the platform by a tenth of the span", ROPEWAY),
+    command(Id::PreviousSpan, &["[", "p"], "", "Go to the previous span of 40, 60 and 80 m", ROPEWAY),
+    command(Id::PreviousTable, &["[", "p"], "", "Show the previous table", LEAVES),
+    command(Id::Pane(2), &["2"], "", "Go to the ropeway", IN_ROPEWAY),
+    command(Id::Pane(3), &["3"], "", "Go to the tables", IN_ROPEWAY),
+    command(Id::Pane(4), &["4"], "", "Go to the validation table", IN_ROPEWAY),
     command(Id::Copy, &["y"], "copy", "Copy the table [materials.<name>] to the clipboard of your terminal, and write it to a file", IN_SECTION),
     command(Id::Pane(2), &["2"], "", "Go to the drawing", IN_SECTION),
     command(Id::Pane(3), &["3"], "", "Go to the tables", IN_SECTION),

@@ -30,6 +30,8 @@ pub enum Msg {
     CaseRead(Box<CaseRead>),
     /// A cross-section was read.
     SectionRead(Box<SectionRead>),
+    /// A ropeway was read.
+    RopewayRead(Box<RopewayRead>),
     /// A case file cannot be opened: title, and all that is wrong.
     CaseRefused(String, String),
     /// A case was saved here.
@@ -76,6 +78,19 @@ pub struct SectionRead {
     pub recovered: Option<String>,
 }
 
+/// A ropeway as read.
+#[derive(Debug, Clone)]
+pub struct RopewayRead {
+    /// Where it is.
+    pub path: PathBuf,
+    /// Its text.
+    pub text: String,
+    /// What it comes to.
+    pub worked: crate::ropeway::Worked,
+    /// Unsaved text of an earlier session.
+    pub recovered: Option<String>,
+}
+
 /// Something to be done outside of the state.
 #[derive(Debug, Clone)]
 pub enum Effect {
@@ -114,8 +129,8 @@ pub enum Effect {
     },
     /// Cancel a job.
     Cancel(Ticket),
-    /// List the stored runs of a case file.
-    ListRuns(String),
+    /// List the stored runs of a case file, the first, and of those beside it.
+    ListRuns(Vec<String>),
     /// Read a stored run.
     ReadRun(PathBuf),
     /// Delete a stored run.

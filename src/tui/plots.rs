@@ -3,8 +3,9 @@
 use super::state::{ChartKind, Curves, OpenCase};
 use crate::report::chart::{Chart, Range};
 use crate::report::figures::{
-    Source, curvature_profile, line_from_above, line_from_ahead, line_shape, moment_profile,
-    payload_position, tension_profile, tensions, trajectory,
+    Source, along_studies, curvature_profile, deviation_in_time, line_from_above, line_from_ahead,
+    line_shape, mean_load_in_time, moment_profile, payload_position, speed, stiffness_in_time,
+    stiffness_profile, tension_profile, tensions, tilt, trajectory,
 };
 
 /// A run on the charts.
@@ -75,6 +76,9 @@ pub fn viewed(open: &OpenCase, kind: ChartKind) -> Chart {
 /// The chart of this kind as the case stands.
 #[must_use]
 pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
+    if kind == ChartKind::Study {
+        return study(open);
+    }
     let sources: Vec<Source> = shown(open).iter().map(Shown::source).collect();
     let newest = time_range(open).map_or(0.0, |(_, last)| last);
     let instant = open.instant.unwrap_or(newest);
@@ -88,6 +92,13 @@ pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
         ChartKind::Profile => tension_profile(&sources),
         ChartKind::Curvature => curvature_profile(&sources),
         ChartKind::Moment => moment_profile(&sources),
+        ChartKind::Speed => speed(&sources),
+        ChartKind::Tilt => tilt(&sources),
+        ChartKind::Study => Chart::default(),
+        ChartKind::MeanLoad => mean_load_in_time(&sources),
+        ChartKind::Deviation => deviation_in_time(&sources),
+        ChartKind::Stiffness => stiffness_in_time(&sources),
+        ChartKind::StiffnessAlong => stiffness_profile(&sources),
     };
     let names = series_names(open, kind);
     let only = match open.series {
@@ -100,6 +111,19 @@ pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
         keep_only(&mut chart, only);
     }
     chart
+}
+
+/// The chosen one of the charts along the studies, the first when none is.
+fn study(open: &OpenCase) -> Chart {
+    let mut charts = along_studies(&open.case, &open.checks);
+    let chosen = open.series.unwrap_or(0).min(charts.len().max(1) - 1);
+    if charts.is_empty() {
+        return Chart {
+            title: "Along the studies".to_owned(),
+            ..Chart::default()
+        };
+    }
+    charts.swap_remove(chosen)
 }
 
 /// Leaves one curve of each run on the chart, named after the run, each with a marker and colour of
@@ -125,27 +149,41 @@ fn keep_only(chart: &mut Chart, name: &str) {
 pub fn series_names(open: &OpenCase, kind: ChartKind) -> Vec<String> {
     let fixed = |names: &[&str]| names.iter().map(|n| (*n).to_owned()).collect();
     match kind {
-        ChartKind::Tensions => {
-            let mut names: Vec<String> = Vec::new();
-            for run in shown(open) {
-                for channel in &run.curves.history().channels {
-                    if let Some(rest) = channel.name.strip_prefix("tension_n[") {
-                        let name = rest.trim_end_matches(']');
-                        if !names.iter().any(|n| n == name) {
-                            names.push(name.to_owned());
-                        }
-                    }
-                }
-            }
-            names
+        ChartKind::Tensions => places(open, "tension_n["),
+        ChartKind::Speed => places(open, "speed_m_per_s["),
+        ChartKind::Tilt => places(open, "tilt_deg["),
+        ChartKind::Study => {
+            let charts = along_studies(&open.case, &open.checks);
+            charts.into_iter().map(|chart| chart.title).collect()
         }
+        ChartKind::MeanLoad => places(open, "mean_load_percent["),
+        ChartKind::Deviation => places(open, "load_deviation_percent["),
+        ChartKind::Stiffness => places(open, "stiffness_k["),
         ChartKind::Payload => fixed(&["x", "z"]),
         // Lines at rest have one curve each, whose legend names the run.
         _ if shown(open).iter().all(|run| run.source().at_rest()) => Vec::new(),
-        ChartKind::Profile => fixed(&["at the end", "smallest", "greatest"]),
+        ChartKind::Profile | ChartKind::StiffnessAlong => {
+            fixed(&["at the end", "smallest", "greatest"])
+        }
         ChartKind::Curvature | ChartKind::Moment => fixed(&["at the end", "greatest"]),
         ChartKind::Path | ChartKind::Shape | ChartKind::Plan | ChartKind::Front => Vec::new(),
     }
+}
+
+/// Where the runs shown recorded a quantity: what stands in the brackets of its channels.
+fn places(open: &OpenCase, quantity: &str) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for run in shown(open) {
+        for channel in &run.curves.history().channels {
+            if let Some(rest) = channel.name.strip_prefix(quantity) {
+                let name = rest.trim_end_matches(']');
+                if !names.iter().any(|n| n == name) {
+                    names.push(name.to_owned());
+                }
+            }
+        }
+    }
+    names
 }
 
 /// First and last instant of the runs shown.

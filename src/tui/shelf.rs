@@ -8,15 +8,23 @@ use etcetera::base_strategy::{BaseStrategy, Xdg};
 
 use super::state::CaseEntry;
 use crate::case::{self, render_all};
+use crate::ropeway::{self, is_ropeway};
 use crate::section::{self, is_section};
+use crate::ship::{self, is_ship};
 
-pub use crate::case::shipped::{SECTIONS, SHIPPED};
+pub use crate::case::shipped::{ROPEWAYS, SECTIONS, SHIPPED, SHIPS};
 
 /// The case on which the list opens.
 pub const FIRST: &str = "pendulous/manifold.toml";
 
 /// What marks a cross-section in the list.
 const CROSS_SECTION: &str = "cross-section";
+
+/// What marks a ship in the list.
+const SHIP: &str = "ship";
+
+/// What marks a ropeway in the list.
+const ROPEWAY: &str = "ropeway";
 
 /// Directories deeper than this below the listed one are not looked into.
 const DEPTH: usize = 4;
@@ -32,7 +40,8 @@ pub fn default_dir() -> io::Result<PathBuf> {
         return Ok(here);
     }
     let dir = data_dir()?.join("cases");
-    for (name, text) in SHIPPED.iter().chain(SECTIONS) {
+    let shipped = [SHIPPED, SECTIONS, SHIPS, ROPEWAYS].concat();
+    for (name, text) in shipped {
         let path = dir.join(name);
         if !path.exists() {
             if let Some(parent) = path.parent() {
@@ -77,6 +86,16 @@ fn entry(dir: &Path, path: PathBuf) -> CaseEntry {
         section::load(&path).map(|loaded| {
             let about = loaded.design.section.about;
             (format!("{CROSS_SECTION}: {}", about.title), about.source)
+        })
+    } else if is_ship(&path) {
+        ship::load(&path).map(|loaded| {
+            let about = loaded.rest.ship.about;
+            (format!("{SHIP}: {}", about.title), about.source)
+        })
+    } else if is_ropeway(&path) {
+        ropeway::load(&path).map(|loaded| {
+            let about = loaded.worked.ropeway.about;
+            (format!("{ROPEWAY}: {}", about.title), about.source)
         })
     } else {
         case::load(&path).map(|loaded| (loaded.case.case.title, loaded.case.case.source))

@@ -12,10 +12,11 @@ use crossbeam_channel::{Receiver, Sender, unbounded};
 use super::backend;
 use super::drafts;
 use super::files::{save_case, write_text};
-use super::msg::{CaseRead, Effect, Msg, SectionRead};
+use super::msg::{CaseRead, Effect, Msg, RopewayRead, SectionRead};
 use super::shelf;
 use super::state::{Curves, Level, RunSlot, SlotKind, SlotState, Ticket};
 use crate::case;
+use crate::ropeway;
 use crate::run::job::{self, Event, Job, JobId, Request};
 use crate::run::store::{self, Place, Writer, rfc3339};
 use crate::run::{Cost, Run, RunInfo, RunState, Settings, VERSION, Work};
@@ -103,7 +104,7 @@ impl World {
                 }
                 Vec::new()
             }
-            Effect::ListRuns(file) => vec![Msg::RunsListed(list_runs(&file))],
+            Effect::ListRuns(files) => vec![Msg::RunsListed(list_runs(&files))],
             Effect::ReadRun(dir) => {
                 let run = store::read(&dir).map(Arc::new).map_err(|e| e.to_string());
                 vec![Msg::RunRead(dir, run)]
@@ -216,13 +217,16 @@ fn begin(request: &Request) -> Result<Writer, store::StoreError> {
     Writer::begin(
         &Place::Below(PathBuf::from(store::DEFAULT_ROOT)),
         info,
-        &request.text,
+        &case::stand_alone(&request.text, &request.case),
     )
 }
 
 fn read_case(path: &Path) -> Msg {
     if section::is_section(path) {
         return read_section(path);
+    }
+    if ropeway::is_ropeway(path) {
+        return read_ropeway(path);
     }
     match case::load(path) {
         Ok(loaded) => Msg::CaseRead(Box::new(CaseRead {
@@ -247,13 +251,32 @@ fn read_section(path: &Path) -> Msg {
     }
 }
 
-fn list_runs(file: &str) -> Vec<RunSlot> {
+fn read_ropeway(path: &Path) -> Msg {
+    match ropeway::load(path) {
+        Ok(loaded) => Msg::RopewayRead(Box::new(RopewayRead {
+            recovered: drafts::left(path).filter(|text| *text != loaded.text),
+            path: loaded.path,
+            text: loaded.text,
+            worked: loaded.worked,
+        })),
+        Err(all) => Msg::CaseRefused(path.display().to_string(), shelf::story(path, &all)),
+    }
+}
+
+fn list_runs(files: &[String]) -> Vec<RunSlot> {
     let entries = store::list(Path::new(store::DEFAULT_ROOT)).unwrap_or_default();
     let mut slots: Vec<RunSlot> = entries
         .into_iter()
         .filter_map(|entry| {
             let info = entry.info.ok()?;
-            (info.case_file == file).then(|| slot(entry.dir, info))
+            let place = files.iter().position(|file| *file == info.case_file)?;
+            // A run of another case says which.
+            let stem = info.case_file.trim_end_matches(".toml").to_owned();
+            let mut slot = slot(entry.dir, info);
+            if place > 0 {
+                slot.label = format!("{stem} {}", slot.label).trim_end().to_owned();
+            }
+            Some(slot)
         })
         .collect();
     slots.reverse();

@@ -154,8 +154,8 @@ fn statistics_over_time_and_over_length_are_told_apart() {
             .collect::<Vec<String>>()
     };
     assert_eq!(
-        first("tension_n", "mean", ""),
-        ["`mean` goes over time, and `tension_n` over the length of the line"]
+        first("tension_n", "rate", ""),
+        ["`rate` goes over time, and `tension_n` over the length of the line"]
     );
     assert_eq!(
         first("x_m[load]", "turns", ""),
@@ -165,5 +165,14 @@ fn statistics_over_time_and_over_length_are_told_apart() {
         first("tension_n", "turns", "window_s = [0.0, 1.0]\n"),
         ["`tension_n` of the whole line is taken over the whole run"]
     );
+    assert_eq!(
+        first("tension_n", "max", "stretch_m = [9.0, 8.0]\n"),
+        ["the stretch runs backward: from 9 m to 8 m"]
+    );
+    assert_eq!(
+        first("x_m[load]", "max", "stretch_m = [1.0, 2.0]\n"),
+        ["`x_m[load]` is recorded against time, not along the line"]
+    );
+    assert!(first("tension_n", "mean", "stretch_m = [8.0, 8.0]\n").is_empty());
     assert!(first("curvature_per_m", "max", "").is_empty());
 }

@@ -120,6 +120,22 @@ fn payload_without_an_end_and_end_without_payload() {
         "both ends carry the payload",
         "leave it on one end",
     );
+    let turned = GOOD
+        .replace(
+            "kind = \"payload\"",
+            "kind = \"fixed\"\nposition_m = [0.0, 0.0, -95.0]",
+        )
+        .replace(
+            "kind = \"fixed\"\nposition_m = [0.0, 0.0, 0.0]",
+            "kind = \"payload\"",
+        );
+    tells(
+        &faults(&turned)[0],
+        (29, 8),
+        "ends.a.kind",
+        "the payload hangs at end B",
+        "swap the tables of the ends",
+    );
 }
 
 #[test]

@@ -39,6 +39,82 @@ fn current_table() {
 }
 
 #[test]
+fn friction_without_effect() {
+    let with = |bed: &str| {
+        spoilt(
+            "[materials.chain]",
+            &format!("[seabed]\ndepth_m = 900.0\n{bed}\n[materials.chain]"),
+        )
+    };
+    let fault = with("friction_law = \"zhu-2017\"");
+    tells(
+        &fault,
+        (10, 16),
+        "seabed.friction_law",
+        "has no effect: the bed has no friction",
+        "add `friction = ...`",
+    );
+    let fault = with("friction = 0.5\nslip_speed_m_per_s = 0.1");
+    tells(
+        &fault,
+        (11, 22),
+        "seabed.slip_speed_m_per_s",
+        "has no effect with the friction law `grip`",
+        "choose the other law",
+    );
+    let fault = with("friction = 0.5\nfriction_law = \"zhu-2017\"\nfriction_lateral = 0.7");
+    tells(
+        &fault,
+        (12, 20),
+        "seabed.friction_lateral",
+        "has no effect with the friction law `zhu-2017`",
+        "choose the other law",
+    );
+}
+
+#[test]
+fn a_payload_that_turns_without_an_axis() {
+    let turns = "\n[payload.rotation]\ncentre_of_gravity_m = 2.0\ninertia_kg_m2 = 10.0\n\n";
+    let case = |payload: &str| {
+        format!(
+            "case.title = \"c\"\nmaterials.m = {{ diameter_m = 0.1, mass_kg_per_m = 9.0, ea_n = 1e8 }}\n\
+             line = [{{ name = \"s\", material = \"m\", length_m = 9.0, segments = 2 }}]\n\
+             ends.a = {{ name = \"a\", kind = \"fixed\", position_m = [0, 0, 0] }}\n\
+             ends.b = {{ name = \"b\", kind = \"payload\" }}\n[payload]\ndry_mass_kg = 9.0\nvolume_m3 = 0.0\n{payload}\n{turns}"
+        )
+    };
+    let faults = |text: &str| {
+        seacable::case::parse(text, "t.toml")
+            .err()
+            .unwrap_or_default()
+    };
+    assert_eq!(
+        faults(&case("drag_area_m2 = 2.0\nadded_mass_kg = [3, 3, 1]")),
+        []
+    );
+    let told = faults(&case("drag_area_m2 = [2.0, 3.0, 1.0]\nadded_mass_kg = 1.0"));
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert_eq!(
+        (told[0].line, told[0].key.as_str()),
+        (9, "payload.drag_area_m2")
+    );
+    assert!(
+        told[0].problem.contains("symmetric about its axis"),
+        "{told:?}"
+    );
+    let shape = "shape = { kind = \"box\", length_m = 3.0, breadth_m = 2.0, height_m = 1.0 }";
+    let told = faults(&case(&format!("drag_area_m2 = 2.0\n{shape}")));
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert_eq!(told[0].key, "payload.shape");
+    assert_eq!(
+        faults(&case(&format!(
+            "drag_area_m2 = 2.0\nadded_mass_kg = 1.0\n{shape}"
+        ))),
+        []
+    );
+}
+
+#[test]
 fn damping_given_twice() {
     let fault = spoilt(
         "axial_damping_ratio = 0.02",

@@ -7,6 +7,8 @@ mod files;
 mod keys;
 mod line;
 mod loads;
+mod rope;
+mod sea;
 mod values;
 
 use seacable::case::{self, Diagnostic};

@@ -19,6 +19,9 @@ pub(crate) fn info() -> RunInfo {
         warnings: vec!["Segment 57 was slack for 12 s.".to_owned()],
         settings: Settings {
             step_tolerance: None,
+            numerical_damping: Some(1e-4 / 3.0),
+            numerical_damping_period_s: Some(10.0),
+            method_reason: Some("it costs less".to_owned()),
             method: "alpha".to_owned(),
             duration_s: 1200.0,
             time_step_s: 0.1 + 0.2,

@@ -46,6 +46,8 @@ pub(crate) fn merge(base: &mut Table, changes: Table) {
             (Some(Value::Array(list)), Value::Table(new)) => {
                 merge(list[0].as_table_mut().unwrap(), new);
             }
+            // A change to "" takes the key away.
+            (_, Value::String(word)) if word.is_empty() => drop(base.remove(&key)),
             (_, change) => drop(base.insert(key, change)),
         }
     }

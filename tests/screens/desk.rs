@@ -250,6 +250,9 @@ pub(crate) fn run(request: &Request, state: RunState) -> Run {
         channel("tension_n[rope|body]", "N", &tension),
         channel("x_m[body]", "m", &|t| 1000.0 * angle(t).sin()),
         channel("z_m[body]", "m", &|t| -1000.0 * angle(t).cos()),
+        channel("speed_m_per_s[body]", "m/s", &|t| {
+            (angle(t + 0.5) - angle(t - 0.5)).abs() * 1000.0
+        }),
     ];
     let shape = |t: f64| LineShape {
         time: t,

@@ -8,6 +8,7 @@
 
 mod desk;
 mod random;
+mod ropeway;
 mod section;
 mod umbilical;
 

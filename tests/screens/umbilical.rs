@@ -45,7 +45,7 @@ fn a_line_at_rest_at_80x24() {
     let mut desk = wave(SMALL);
     desk.keys("2");
     snapshot("tui_wave_side_80x24", &desk);
-    desk.keys("[");
+    desk.keys("[ [");
     snapshot("tui_wave_moment_80x24", &desk);
     desk.keys("7 G");
     snapshot("tui_wave_nodes_80x24", &desk);
@@ -64,13 +64,13 @@ fn the_charts_are_those_that_have_something_to_show() {
     let mut desk = wave(SMALL);
     let open = desk.state.open.as_ref().unwrap();
     assert_eq!(open.chart, ChartKind::Shape);
-    assert_eq!(ChartKind::of(&open.case).len(), 6);
+    assert_eq!(ChartKind::of(&open.case).len(), 7);
     // Without bending stiffness there is no curvature to show, and with time there is a history.
     desk.keys("2 [");
-    assert_eq!(desk.state.open.as_ref().unwrap().chart, ChartKind::Moment);
+    assert_eq!(desk.state.open.as_ref().unwrap().chart, ChartKind::Study);
     let text = case::edit::set(WAVE, "materials.umbilical.ei_n_m2", "0.0").unwrap();
     let bare = case::parse(&text, "bare").unwrap();
-    assert_eq!(ChartKind::of(&bare).len(), 4);
+    assert_eq!(ChartKind::of(&bare).len(), 5);
     let text = case::edit::set(WAVE, "solver.method", "alpha").unwrap();
     let moving = case::parse(&text, "moving").unwrap();
     assert_eq!(
@@ -80,7 +80,8 @@ fn the_charts_are_those_that_have_something_to_show() {
             ChartKind::Shape,
             ChartKind::Profile,
             ChartKind::Curvature,
-            ChartKind::Moment
+            ChartKind::Moment,
+            ChartKind::Study
         ]
     );
 }

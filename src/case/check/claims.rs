@@ -2,22 +2,27 @@
 //! channels that a run records, marks of inputs that stand in the file.
 
 use super::line::unknown_name;
+use super::spans::{stretch, suits, window};
 use super::value;
 use super::words::{join, nearest, split, unknown_key};
 use crate::case::along::AlongLine;
 use crate::case::channels::{
-    LineEnd, body_channels, force_channels, joint_channels, motion_channels,
+    LineEnd, body_channels, energy_channel, force_channels, joint_channels, motion_channels,
+    rope_channels, tilt_channel, traveller_channels,
 };
 use crate::case::diagnostic::Finding;
-use crate::case::fields::{Absent, CASE, FIELDS, Field, either, field_at, number, quantity};
-use crate::case::model::{EndKind, Statistic};
+use crate::case::fields::{Absent, CASE, FIELDS, Field, Kind, field_at, number};
+use crate::case::model::{EndKind, Modes};
 use crate::case::tree::{Data, Node, element_names};
 
 /// Checks of studies, published values, trends and marks.
 pub(crate) fn check(root: &Node) -> Vec<Finding> {
     let mut found = studies(root);
     found.extend(marks(root));
-    let channels = channel_names(root);
+    let mut channels = channel_names(root);
+    if let Some(known) = &mut channels {
+        known.extend(modal_names(root));
+    }
     for list in ["published", "trend"] {
         for (name, row) in named(root, list) {
             let key = |last: &str| join(&[list, name.as_str(), last]);
@@ -28,9 +33,13 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
             );
             found.extend(suits(row, &key("statistic")));
             found.extend(window(row, &key("window_s")));
+            found.extend(stretch(row, &key("stretch_m")));
             if list == "published" {
                 found.extend(tolerance(row, &key("tolerance_rel")));
-                found.extend(row.get("at").and_then(|at| point(root, at, &key("at"))));
+                found.extend(one_other(row, &key("ratio_to")));
+                for which in ["at", "change_from", "ratio_to"] {
+                    found.extend(row.get(which).and_then(|at| point(root, at, &key(which))));
+                }
             } else {
                 found.extend(study_of(root, row, key("study")).err());
             }
@@ -85,11 +94,14 @@ fn studies(root: &Node) -> Vec<Finding> {
 /// The field a study varies.
 fn varied(root: &Node, key: &str) -> Result<&'static Field, (String, String)> {
     let field = existing(root, key)?;
-    if field.takes_number() {
+    if field.takes_number() || matches!(field.kind, Kind::Choice(_)) {
         return Ok(field);
     }
     let problem = format!("`{key}` is not a number, so a study cannot vary it");
-    Err((problem, "name a key that takes one number".to_owned()))
+    Err((
+        problem,
+        "name a key that takes one number, or one of some words".to_owned(),
+    ))
 }
 
 /// The field of a key path whose table stands in the file.
@@ -109,7 +121,7 @@ fn existing(root: &Node, path: &str) -> Result<&'static Field, (String, String)>
     }
     // A required key that its table lacks is told as missing already.
     let remedy = match (root.find(&parts[..parts.len() - 1]), field.absent) {
-        (Some(_), Absent::Required) => return Ok(field),
+        (Some(_), Absent::Required | Absent::RequiredWithout(_)) => return Ok(field),
         (Some(_), Absent::Means(_)) => "give the key a value in this file first".to_owned(),
         _ => near_path(path, &here),
     };
@@ -213,7 +225,7 @@ fn study_values(study: &Node, field: &Field, name: &str) -> Vec<Finding> {
     let wrong = items.iter().filter_map(|item| {
         let fault = value::check(field, item)
             .err()
-            .filter(|_| item.number().is_some())?;
+            .filter(|_| item.number().is_some() || item.text().is_some())?;
         Some(Finding::new(
             &item.span,
             join(&["study", name, "values"]),
@@ -251,7 +263,11 @@ fn channel_names(root: &Node) -> Option<Vec<String>> {
             "free" => EndKind::Free,
             _ => return None,
         };
-        Some((end.get("name")?.text()?, kind))
+        Some((
+            end.get("name")?.text()?,
+            kind,
+            end.get("release_s").is_some(),
+        ))
     };
     let (a, b) = (end("a")?, end("b")?);
     let sections: Option<Vec<&str>> = root
@@ -264,14 +280,40 @@ fn channel_names(root: &Node) -> Option<Vec<String>> {
     names.insert(0, a.0);
     names.push(b.0);
     let mut channels = joint_channels(&names);
-    channels.extend(motion_channels(LineEnd::A, a.0, a.1));
-    channels.extend(motion_channels(LineEnd::B, b.0, b.1));
+    channels.extend(motion_channels(LineEnd::A, a.0, a.1, a.2));
+    channels.extend(motion_channels(LineEnd::B, b.0, b.1, b.2));
+    let turns = root.find(&["payload", "rotation"]).is_some();
+    channels.extend(tilt_channel(b.0, b.1, turns));
     for (index, (_, clump)) in named(root, "clumps").iter().enumerate() {
         channels.extend(body_channels(index, clump.get("name")?.text()?));
     }
+    if let Some(name) = root.find(&["traveller", "name"]) {
+        channels.extend(traveller_channels(name.text()?));
+    }
     channels.extend(force_channels(LineEnd::A, a.0, a.1));
     channels.extend(force_channels(LineEnd::B, b.0, b.1));
+    let energy = root.find(&["output", "energy"]).map(|node| &node.data);
+    channels.extend((energy == Some(&Data::Boolean(true))).then(energy_channel));
+    for (index, section) in root.get("line")?.items().iter().enumerate() {
+        let material = section.get("material").and_then(Node::text)?;
+        // A variant with static stiffness lacks them, but what is said of the other variants is no fault.
+        let reading = root.find(&["materials", material, "dynamic_stiffness"]);
+        if reading.is_some() {
+            channels.extend(rope_channels(index, section.get("name")?.text()?));
+        }
+    }
     Some(channels.into_iter().map(|channel| channel.name).collect())
+}
+
+/// Names of what a run tells of natural modes.
+fn modal_names(root: &Node) -> Vec<String> {
+    let wanted = root.get("modes").map(|modes| Modes {
+        count: modes.get("count").and_then(Node::number).unwrap_or(10.0) as usize,
+        near_hz: modes.get("near_hz").and_then(Node::number),
+    });
+    // Far beyond what anybody counts; the range of the field is told elsewhere.
+    let wanted = wanted.filter(|wanted| wanted.count <= 1000);
+    wanted.map_or_else(Vec::new, |wanted| wanted.names())
 }
 
 fn channel(row: &Node, known: &[String], key: String) -> Option<Finding> {
@@ -286,79 +328,25 @@ fn channel(row: &Node, known: &[String], key: String) -> Option<Finding> {
     Some(Finding::new(&node.span, key, problem, remedy))
 }
 
-/// Statistics over time are taken of channels, those over arc length of quantities of the whole line.
-fn suits(row: &Node, key: &str) -> Option<Finding> {
-    let node = row.get("statistic")?;
-    let word = node.text()?;
-    let statistic = Statistic::ALL.into_iter().find(|s| s.name() == word)?;
-    let channel = row.get("channel")?.text()?;
-    let along = AlongLine::named(channel).is_some();
-    let fits = if along {
-        Statistic::along_line
-    } else {
-        Statistic::over_time
-    };
-    if fits(statistic) {
-        return None;
-    }
-    let words: Vec<&str> = Statistic::ALL
-        .into_iter()
-        .filter(|s| fits(*s))
-        .map(Statistic::name)
-        .collect();
-    let (problem, remedy) = if along {
-        (
-            format!("`{word}` goes over time, and `{channel}` over the length of the line"),
-            format!("take {}", either(&words)),
-        )
-    } else {
-        (
-            format!("`{word}` goes over the length of the line, and a channel over time"),
-            format!(
-                "take {}, or name a quantity of the whole line: {}",
-                either(&words),
-                either(&AlongLine::ALL.map(AlongLine::name))
-            ),
-        )
-    };
-    Some(Finding::new(&node.span, key.to_owned(), problem, remedy))
-}
-
-/// A window runs forward. One that ends after the run is no fault: whoever shortens a run for a
-/// first look may do so, and the row is then not computed.
-fn window(row: &Node, key: &str) -> Option<Finding> {
-    let node = row.get("window_s")?;
-    if let Some(channel) = row.get("channel").and_then(Node::text)
-        && AlongLine::named(channel).is_some()
-    {
-        let problem = format!("`{channel}` of the whole line is taken over the whole run");
-        return Some(Finding::new(
-            &node.span,
-            key,
-            problem,
-            "leave the window out",
-        ));
-    }
-    let numbers = node.numbers()?;
-    let [from, to] = numbers[..] else {
-        return None;
-    };
-    (from >= to).then(|| {
-        let problem = format!(
-            "the window is empty: it begins at {} and ends at {}",
-            quantity(from, "s"),
-            quantity(to, "s")
-        );
-        Finding::new(&node.span, key, problem, "let it begin before it ends")
-    })
-}
-
 fn tolerance(row: &Node, key: &str) -> Option<Finding> {
     let given = row.get("tolerance_rel").is_some() || row.get("tolerance_abs").is_some();
     (!given && row.get("value").is_some()).then(|| {
         let remedy = "add `tolerance_rel = ...` (a fraction of the value) or `tolerance_abs = ...` (in the unit of the value)";
         Finding::new(&row.span, key, "the row has no tolerance", remedy)
     })
+}
+
+/// A row is a change or a ratio, not both.
+fn one_other(row: &Node, key: &str) -> Option<Finding> {
+    let ratio = row.entry("ratio_to")?;
+    row.entry("change_from")?;
+    let problem = "the row is both a change from one point and a ratio to another";
+    Some(Finding::new(
+        &ratio.key_span,
+        key,
+        problem,
+        "keep one of change_from and ratio_to",
+    ))
 }
 
 /// The study named by `table.study`.
@@ -385,15 +373,20 @@ fn point(root: &Node, at: &Node, key: &str) -> Option<Finding> {
         Err(finding) => return Some(finding),
     };
     let node = at.get("value")?;
-    let value = node.number()?;
-    let values = study.get("values")?.numbers()?;
-    let near =
-        |candidate: &f64| (candidate - value).abs() <= 1e-9 * value.abs().max(candidate.abs());
-    if values.iter().any(near) {
+    let values = study.get("values")?.items();
+    let same = |candidate: &Node| match (candidate.number(), node.number()) {
+        (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * a.abs().max(b.abs()),
+        _ => candidate.text().is_some() && candidate.text() == node.text(),
+    };
+    if values.iter().any(same) {
         return None;
     }
-    let list: Vec<String> = values.iter().map(|value| number(*value)).collect();
-    let problem = format!("{} is not a value of the study", number(value));
+    let shown = |node: &Node| match node.text() {
+        Some(word) => Some(format!("\"{}\"", word.escape_default())),
+        None => node.number().map(number),
+    };
+    let list: Vec<String> = values.iter().filter_map(shown).collect();
+    let problem = format!("{} is not a value of the study", shown(node)?);
     Some(Finding::new(
         &node.span,
         format!("{key}.value"),

@@ -39,8 +39,11 @@ impl Walk {
             path.pop();
         }
         for field in known {
-            let required =
-                field.absent == Absent::Required && exists(self.schema, field, node) == Some(true);
+            let required = match field.absent {
+                Absent::Required => exists(self.schema, field, node) == Some(true),
+                Absent::RequiredWithout(other) => node.get(other).is_none(),
+                Absent::Default(_) | Absent::Means(_) => false,
+            };
             if required && node.get(field.key()).is_none() && !meant.contains(&field.key()) {
                 self.missing_field(field, node, path);
             }

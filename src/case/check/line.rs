@@ -20,6 +20,7 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
         found.extend(on_stretches(root, table));
     }
     found.extend(nothing_holds(root));
+    found.extend(travels(root));
     found
 }
 
@@ -87,7 +88,10 @@ fn names(root: &Node) -> Vec<Finding> {
     let of_ends = ends(root).map(|(letter, end)| (format!("ends.{letter}.name"), end));
     let mut taken: Vec<&str> = Vec::new();
     let mut found = Vec::new();
-    for (key, table) in of_sections.chain(of_ends).chain(of_clumps) {
+    let traveller = root.get("traveller");
+    let of_traveller = traveller.map(|node| ("traveller.name".to_owned(), node));
+    let all = of_sections.chain(of_ends).chain(of_clumps);
+    for (key, table) in all.chain(of_traveller) {
         let Some((node, name)) = table
             .get("name")
             .and_then(|node| Some((node, node.text()?)))
@@ -103,6 +107,36 @@ fn names(root: &Node) -> Vec<Finding> {
         taken.push(name);
     }
     found
+}
+
+/// Whether a moving end moves in harmonics of one period.
+fn swings(end: &Node) -> bool {
+    let motion = end.get("motion").and_then(Node::text);
+    motion.is_none_or(|motion| motion == "harmonic")
+}
+
+/// A body that travels along the line stays on it.
+fn travels(root: &Node) -> Vec<Finding> {
+    let length = |section: &Node| section.get("length_m")?.number();
+    let lengths: Option<Vec<f64>> = sections(root).iter().map(|s| length(s.1)).collect();
+    let (Some(traveller), Some(lengths)) = (root.get("traveller"), lengths) else {
+        return Vec::new();
+    };
+    let whole: f64 = lengths.iter().sum();
+    let beyond = ["from_m", "to_m"].into_iter().filter_map(|key| {
+        let node = traveller.get(key)?;
+        let place = node.number().filter(|place| *place > whole)?;
+        let problem = format!("lies beyond the line: {place} m of {whole} m");
+        let remedy =
+            format!("give {whole} m or less, measured along the unstretched line from end A");
+        Some(Finding::new(
+            &node.span,
+            format!("traveller.{key}"),
+            problem,
+            remedy,
+        ))
+    });
+    beyond.collect()
 }
 
 fn kind(end: &Node) -> Option<&str> {
@@ -128,7 +162,7 @@ fn held_ends(root: &Node) -> Vec<Finding> {
                 remedy,
             ));
         }
-        if kind(end) == Some("moving") && end.get("period_s").is_none() {
+        if kind(end) == Some("moving") && swings(end) && end.get("period_s").is_none() {
             let remedy = "add `period_s = ...` in s: a moving end needs the period of its motion";
             found.push(Finding::new(
                 &end.span,
@@ -136,6 +170,15 @@ fn held_ends(root: &Node) -> Vec<Finding> {
                 "is missing",
                 remedy,
             ));
+        }
+        if let Some(node) = end
+            .get("release_s")
+            .filter(|_| !is_held(end) && kind(end).is_some())
+        {
+            let problem = "has no effect: nothing holds the end";
+            let remedy = "hold it (fixed, anchor or moving), or remove the key; a payload is cut off by payload.release_s";
+            let key = format!("ends.{letter}.release_s");
+            found.push(Finding::new(&node.span, key, problem, remedy));
         }
         let Some(node) = end.get("kind").filter(|_| kind(end) == Some("payload")) else {
             continue;
@@ -155,6 +198,15 @@ fn held_ends(root: &Node) -> Vec<Finding> {
                 key,
                 "the end carries a payload, and the case has none",
                 "add a table [payload] with its mass, or make the end `free`",
+            ));
+        } else if letter == "a"
+            && ends(root).all(|(l, end)| l == "a" || kind(end) != Some("payload"))
+        {
+            found.push(Finding::new(
+                &node.span,
+                key,
+                "is `payload`, and the payload hangs at end B",
+                "list the sections from the other end, and swap the tables of the ends",
             ));
         }
     }

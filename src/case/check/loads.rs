@@ -13,8 +13,56 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
     let mut found = current(root);
     found.extend(payload(root));
     found.extend(damping(root));
+    found.extend(friction(root));
     found.extend(output(root));
     found
+}
+
+/// Keys of the bed's friction that have no effect.
+fn friction(root: &Node) -> Vec<Finding> {
+    let Some(bed) = root.get("seabed") else {
+        return Vec::new();
+    };
+    let idle = |key: &str, problem: &str, remedy: &str| {
+        let node = bed.get(key)?;
+        Some(Finding::new(
+            &node.span,
+            format!("seabed.{key}"),
+            problem,
+            remedy,
+        ))
+    };
+    let keys = [
+        "friction_lateral",
+        "friction_law",
+        "grip_stiffness_n_per_m3",
+        "slip_speed_m_per_s",
+    ];
+    if bed.get("friction").is_none() {
+        let problem = "has no effect: the bed has no friction";
+        let remedy = "add `friction = ...`, its coefficient along the line, or remove this key";
+        return keys
+            .iter()
+            .filter_map(|key| idle(key, problem, remedy))
+            .collect();
+    }
+    let grip = bed.get("friction_law").and_then(Node::text) != Some("zhu-2017");
+    let (others, law) = if grip {
+        (&keys[3..], "grip")
+    } else {
+        (&keys[..], "zhu-2017")
+    };
+    others
+        .iter()
+        .filter(|key| grip || matches!(**key, "friction_lateral" | "grip_stiffness_n_per_m3"))
+        .filter_map(|key| {
+            idle(
+                key,
+                &format!("has no effect with the friction law `{law}`"),
+                "remove it, or choose the other law",
+            )
+        })
+        .collect()
 }
 
 /// Lists of the current go with a list of depths, as long, increasing.
@@ -130,10 +178,55 @@ fn payload(root: &Node) -> Vec<Finding> {
         ))
     });
     found.extend(heavier);
+    if let (Some(node), Some(_)) = (payload.get("release_s"), payload.get("rotation")) {
+        let remedy = "remove [payload.rotation]: a body that hangs as a point can be cut off";
+        found.push(Finding::new(
+            &node.span,
+            "payload.release_s",
+            "a payload that turns cannot be cut off",
+            remedy,
+        ));
+    }
     if payload.get("shape").is_none() {
         found.extend(left_open(payload));
     }
+    found.extend(uneven(payload));
     found
+}
+
+/// A payload that turns is symmetric about its axis, which is z where it hangs upright.
+fn uneven(payload: &Node) -> Vec<Finding> {
+    if payload.get("rotation").is_none() {
+        return Vec::new();
+    }
+    let lists = ["drag_area_m2", "added_mass_kg"].into_iter();
+    let given = lists.filter_map(|key| {
+        let node = payload.get(key)?;
+        let numbers = node.numbers()?;
+        let (x, y) = (numbers.first()?, numbers.get(1)?);
+        let problem = "differs along x and y, and a payload that turns is symmetric about its axis, which is z";
+        let remedy = "give the same number along x and y: that across the axis";
+        let key = format!("payload.{key}");
+        (x != y).then(|| Finding::new(&node.span, key, problem, remedy))
+    });
+    let mut found: Vec<Finding> = given.collect();
+    found.extend(oblong(payload));
+    found
+}
+
+/// A box that turns, with sides that its drag or added mass would follow from, and that are not the same.
+fn oblong(payload: &Node) -> Option<Finding> {
+    let open = ["drag_area_m2", "added_mass_kg"]
+        .iter()
+        .any(|key| payload.get(key).is_none());
+    let shape = payload.get("shape").filter(|_| open)?;
+    let side = |key: &str| shape.get(key).and_then(Node::number);
+    let (length, breadth) = (side("length_m")?, side("breadth_m")?);
+    (length != breadth).then(|| {
+        let problem = "is not symmetric about its axis, as a payload that turns must be";
+        let remedy = "give drag_area_m2 and added_mass_kg, each with the same number along x and y, or a square box";
+        Finding::new(&shape.span, "payload.shape", problem, remedy)
+    })
 }
 
 /// What neither the keys of a payload without shape tell nor a shape could.

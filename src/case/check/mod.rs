@@ -1,5 +1,6 @@
 //! Checks of a case file. [`keys`] holds every table and value against the table of fields;
-//! [`mod@line`], [`loads`] and [`claims`] hold values against each other. Every check works on the tree
+//! [`mod@line`], [`rope`], [`loads`], [`sea`], [`start`], [`claims`] and [`trials`] hold values against each other. Every
+//! check works on the tree
 //! of the file and passes over what is missing or malformed, so that all faults are told at once,
 //! each at its place.
 
@@ -7,6 +8,11 @@ mod claims;
 mod keys;
 mod line;
 mod loads;
+mod rope;
+mod sea;
+mod spans;
+mod start;
+mod trials;
 mod value;
 mod words;
 
@@ -23,8 +29,12 @@ pub(crate) use words::{join, nearest, split};
 pub(crate) fn check(root: &Node) -> Vec<Finding> {
     let mut found = keys::check(&CASE, root);
     found.extend(line::check(root));
+    found.extend(rope::check(root));
     found.extend(loads::check(root));
+    found.extend(sea::check(root));
+    found.extend(start::check(root));
     found.extend(claims::check(root));
+    found.extend(trials::check(root));
     found.sort_by_key(|finding| finding.span.start);
     found
 }

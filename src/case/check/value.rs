@@ -42,6 +42,19 @@ pub(crate) fn check(field: &Field, node: &Node) -> Result<(), Fault> {
         Kind::Pair => list(field, node, Some(2)),
         Kind::Triple => list(field, node, Some(3)),
         Kind::Words => words(field, node),
+        Kind::NumberOrText => match node.data {
+            Data::Text(_) => Ok(()),
+            _ => one_number(field, node),
+        },
+        Kind::NumbersOrWords
+            if node
+                .items()
+                .first()
+                .is_some_and(|first| first.text().is_some()) =>
+        {
+            words(field, node)
+        }
+        Kind::NumbersOrWords => list(field, node, None),
     }
 }
 

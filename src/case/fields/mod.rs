@@ -114,6 +114,10 @@ pub enum Kind {
     Triple,
     /// A list of words.
     Words,
+    /// A number, or text.
+    NumberOrText,
+    /// A list of numbers, or of words.
+    NumbersOrWords,
 }
 
 /// What holds when a key is absent.
@@ -121,6 +125,8 @@ pub enum Kind {
 pub enum Absent {
     /// The key must be there.
     Required,
+    /// The key must be there unless this other one of its table is, which says the same in another way.
+    RequiredWithout(&'static str),
     /// This value, written as in a case file.
     Default(&'static str),
     /// Something else, in words.
@@ -191,6 +197,10 @@ impl Field {
             Kind::Pair => format!("two numbers, each {numbers}"),
             Kind::Triple => format!("three numbers along x, y, z, each {numbers}"),
             Kind::Words => "a list of words in quotes".to_owned(),
+            Kind::NumberOrText => format!("{numbers}; or a word in quotes"),
+            Kind::NumbersOrWords => {
+                format!("a list, each {numbers}; or a list of words in quotes")
+            }
         }
     }
 
@@ -245,17 +255,22 @@ const UNITS: &[(&str, &str)] = &[
     ("kg", "kg"),
     ("deg", "deg"),
     ("m/s", "m_per_s"),
+    ("deg/s", "deg_per_s"),
+    ("deg/s²", "deg_per_s2"),
     ("m/s²", "m_per_s2"),
     ("m²", "m2"),
     ("m³", "m3"),
     ("m²/s", "m2_per_s"),
     ("kg/m", "kg_per_m"),
+    ("kg m²", "kg_m2"),
+    ("Hz", "hz"),
     ("kg/m³", "kg_per_m3"),
     ("N s", "n_s"),
     ("N m²", "n_m2"),
     ("N/m³", "n_per_m3"),
     ("N s/m³", "n_s_per_m3"),
     ("Pa", "pa"),
+    ("W", "w"),
 ];
 
 /// "a, b or c", each in backquotes.

@@ -35,7 +35,7 @@ pub struct FieldRow {
 }
 
 /// Every input the case can have, given or not, in reading order: environment, current, sea bed, each
-/// material, each section, ends, payload, floats, clumps, modules, start, solver, output.
+/// material, each section, ends, payload, floats, clumps, modules, traveller, start, solver, output.
 ///
 /// `text` is the text the case was parsed from; a text that is not TOML gives no rows.
 #[must_use]
@@ -70,6 +70,9 @@ impl Lister<'_> {
         for table in ["environment", "current"] {
             rows.extend(self.table(table, &[table], table));
         }
+        if case.waves.is_some() {
+            rows.extend(self.table("waves", &["waves"], "waves"));
+        }
         if case.seabed.is_some() {
             rows.extend(self.table("seabed", &["seabed"], "sea bed"));
         }
@@ -81,6 +84,10 @@ impl Lister<'_> {
         }
         if case.payload.is_some() {
             rows.extend(self.table("payload", &["payload"], "payload"));
+            if self.root.find(&["payload", "rotation"]).is_some() {
+                let path = ["payload", "rotation"];
+                rows.extend(self.table("payload.rotation", &path, "payload"));
+            }
             if self.root.find(&["payload", "shape"]).is_some() {
                 rows.extend(self.table("payload.shape", &["payload", "shape"], "payload"));
             }
@@ -88,6 +95,9 @@ impl Lister<'_> {
         rows.extend(self.named("floats", "floats on"));
         rows.extend(self.named("clumps", "body"));
         rows.extend(self.named("modules", "modules on"));
+        if case.traveller.is_some() {
+            rows.extend(self.table("traveller", &["traveller"], "traveller"));
+        }
         for table in ["start", "solver", "output"] {
             rows.extend(self.table(table, &[table], table));
         }
@@ -143,7 +153,7 @@ impl Lister<'_> {
             (Some(node), _) => (value_text(self.text, node), None),
             (None, Absent::Default(value)) => (value.trim_matches('"').to_owned(), None),
             (None, Absent::Means(meaning)) => (String::new(), Some(meaning)),
-            (None, Absent::Required) => (String::new(), None),
+            (None, Absent::Required | Absent::RequiredWithout(_)) => (String::new(), None),
         };
         FieldRow {
             standing: self.marks.get(&path).cloned(),

@@ -1,5 +1,7 @@
 //! What a case says about itself: where inputs come from, studies, published values, trends.
 
+use std::fmt;
+
 use serde::{Deserialize, Serialize};
 
 /// Where an input comes from when the source does not print it.
@@ -34,11 +36,41 @@ pub struct Study {
     pub name: String,
     /// The key path varied (`current.speed_m_per_s`).
     pub key: String,
-    /// Its values, in the unit of the key.
-    pub values: Vec<f64>,
+    /// Its values, in the unit of the key, or words.
+    pub values: Vec<StudyValue>,
     /// What the study shows, one line.
     #[serde(default)]
     pub title: String,
+}
+
+/// A value of a study: a number, or one of the words that the key takes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum StudyValue {
+    /// A number, in the unit of the key.
+    Number(f64),
+    /// A word.
+    Word(String),
+}
+
+impl StudyValue {
+    /// The number, if it is one.
+    #[must_use]
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number(value) => Some(*value),
+            Self::Word(_) => None,
+        }
+    }
+}
+
+impl fmt::Display for StudyValue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(value) => value.fmt(f),
+            Self::Word(word) => f.pad(word),
+        }
+    }
 }
 
 /// A published value and how a run is held against it.
@@ -53,6 +85,8 @@ pub struct Published {
     pub statistic: Statistic,
     /// Window of time \[s\] for the statistic; absent: the whole run.
     pub window_s: Option<[f64; 2]>,
+    /// Stretch of the line \[m\], arc length from end A, for a quantity of the whole line; absent: all of it.
+    pub stretch_m: Option<[f64; 2]>,
     /// The published value, in the unit of the channel (seconds for times).
     pub value: f64,
     /// Tolerance relative to the value \[-\]. One of the two tolerances is needed.
@@ -68,8 +102,28 @@ pub struct Published {
     pub fitted: bool,
     /// The study and the value of its key this row belongs to; absent: the case as it stands.
     pub at: Option<At>,
+    /// The value is the change from this point of a study to the point above.
+    pub change_from: Option<At>,
+    /// The value is that of the point above by that of this point of a study \[-\].
+    pub ratio_to: Option<At>,
     /// Why the number is out of reach; the row then reads DIFFERS instead of FAIL.
     pub out_of_reach: Option<String>,
+}
+
+impl Published {
+    /// Over what the statistic goes: a window of time \[s\] or, of a quantity of the whole line, a stretch of it \[m\].
+    #[must_use]
+    pub fn within(&self) -> Option<[f64; 2]> {
+        self.stretch_m.or(self.window_s)
+    }
+}
+
+impl Trend {
+    /// Over what the statistic goes: a window of time \[s\] or, of a quantity of the whole line, a stretch of it \[m\].
+    #[must_use]
+    pub fn within(&self) -> Option<[f64; 2]> {
+        self.stretch_m.or(self.window_s)
+    }
 }
 
 /// A point of a study.
@@ -79,14 +133,15 @@ pub struct At {
     /// Name of the study.
     pub study: String,
     /// Value of its key.
-    pub value: f64,
+    pub value: StudyValue,
 }
 
 /// A number taken of a channel over a window of time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Statistic {
-    /// Time average.
+    /// Average over time or, of a quantity of the whole line, over arc length; over a stretch without length: the value
+    /// there.
     Mean,
     /// Greatest value, over every step of the solver.
     Max,
@@ -107,6 +162,10 @@ pub enum Statistic {
     /// Magnitude of the mean rate of change: |final value less first value| over the window's length
     /// \[unit of the channel per second\].
     Rate,
+    /// Mean of the greatest values of whole cycles, counted from one rise through the mean to the next.
+    MeanPeak,
+    /// Mean of the smallest values of the same cycles.
+    MeanTrough,
     /// Along the line: arc length from end A of the greatest value \[m\].
     ArcOfMax,
     /// Along the line: arc length from end A of the smallest value \[m\].
@@ -117,11 +176,14 @@ pub enum Statistic {
     /// Along the line at the end of the run: how often the value turns from rising to falling or back, going from A to
     /// B \[-\]. A turn by less than 1 % of the whole range is not counted.
     Turns,
+    /// Along the line at the end of the run: how many times the value rises and falls again \[-\], ripples left out as
+    /// for turns.
+    Peaks,
 }
 
 impl Statistic {
     /// Every statistic, in the order in which they are explained to users.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 17] = [
         Self::Mean,
         Self::Max,
         Self::Min,
@@ -132,10 +194,13 @@ impl Statistic {
         Self::SettlingTime,
         Self::RiseTime,
         Self::Rate,
+        Self::MeanPeak,
+        Self::MeanTrough,
         Self::ArcOfMax,
         Self::ArcOfMin,
         Self::GreatestFall,
         Self::Turns,
+        Self::Peaks,
     ];
 
     /// The word for it, in case files and in names of quantities (`tension_n[wire|payload].mean`).
@@ -152,10 +217,13 @@ impl Statistic {
             Self::SettlingTime => "settling_time",
             Self::RiseTime => "rise_time",
             Self::Rate => "rate",
+            Self::MeanPeak => "mean_peak",
+            Self::MeanTrough => "mean_trough",
             Self::ArcOfMax => "arc_of_max",
             Self::ArcOfMin => "arc_of_min",
             Self::GreatestFall => "greatest_fall",
             Self::Turns => "turns",
+            Self::Peaks => "peaks",
         }
     }
 
@@ -164,14 +232,14 @@ impl Statistic {
     pub const fn over_time(self) -> bool {
         !matches!(
             self,
-            Self::ArcOfMax | Self::ArcOfMin | Self::GreatestFall | Self::Turns
+            Self::ArcOfMax | Self::ArcOfMin | Self::GreatestFall | Self::Turns | Self::Peaks
         )
     }
 
     /// True where it can be taken of a quantity of the whole line, over arc length.
     #[must_use]
     pub const fn along_line(self) -> bool {
-        matches!(self, Self::Max | Self::Min) || !self.over_time()
+        matches!(self, Self::Max | Self::Min | Self::Mean) || !self.over_time()
     }
 
     /// Unit of the statistic of a channel that has the unit `channel` ("N" gives "N", "s" or "N/s").
@@ -183,15 +251,35 @@ impl Statistic {
             | Self::Min
             | Self::Final
             | Self::Travel
+            | Self::MeanPeak
+            | Self::MeanTrough
             | Self::GreatestFall => channel.to_owned(),
             Self::TimeOfMax | Self::TimeOfMin | Self::SettlingTime | Self::RiseTime => {
                 "s".to_owned()
             }
             Self::Rate => format!("{channel}/s"),
             Self::ArcOfMax | Self::ArcOfMin => "m".to_owned(),
-            Self::Turns => "-".to_owned(),
+            Self::Turns | Self::Peaks => "-".to_owned(),
         }
     }
+}
+
+/// One way a hard case is computed, and what must come of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Trial {
+    /// Name, in words.
+    pub name: String,
+    /// Keys set on top of the case, as `key=value`; absent: the case as it stands.
+    pub set: Option<Vec<String>>,
+    /// Names of the published values it is held against; absent: all of them.
+    pub rows: Option<Vec<String>>,
+    /// Words of the reason for which it must be refused; absent: it must be computed.
+    pub refused: Option<String>,
+    /// Another trial, further up, whose numbers must come out again.
+    pub same_as: Option<String>,
+    /// How far they may be apart, relative to the number \[-\].
+    pub same_rel: Option<f64>,
 }
 
 /// A published statement of trend, checked along a study.
@@ -208,6 +296,8 @@ pub struct Trend {
     pub statistic: Statistic,
     /// Window of time \[s\].
     pub window_s: Option<[f64; 2]>,
+    /// Stretch of the line \[m\], arc length from end A, for a quantity of the whole line; absent: all of it.
+    pub stretch_m: Option<[f64; 2]>,
     /// What the statistic does as the study's values grow.
     pub expect: Direction,
     /// Where it is printed.

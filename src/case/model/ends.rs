@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::OneOrMany;
+use super::sea::{components, gamma, seed};
 
 /// The two ends of the line.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -36,11 +37,60 @@ pub struct End {
     /// The motion grows smoothly from nothing over this time \[s\].
     #[serde(default)]
     pub ramp_s: f64,
+    /// A held end is let go at this time \[s\]; absent: never.
+    pub release_s: Option<f64>,
+    /// How a moving end moves.
+    #[serde(default)]
+    pub motion: MotionName,
+    /// The file that the motion is read from, beside the case: places over time, or a vessel's responses.
+    pub motion_file: Option<String>,
+    /// Root mean square of an irregular motion along x, y, z \[m\].
+    pub rms_m: Option<[f64; 3]>,
+    /// Period of the peak of its spectrum \[s\].
+    pub peak_period_s: Option<f64>,
+    /// Peak enhancement of its JONSWAP spectrum \[-\].
+    #[serde(default = "gamma")]
+    pub gamma: f64,
+    /// Number of harmonics it is made of along each axis.
+    #[serde(default = "components")]
+    pub components: usize,
+    /// Seed of its random frequencies and phases.
+    #[serde(default = "seed")]
+    pub seed: u64,
+    /// Where the vessel points, from +x towards +y \[deg\].
+    #[serde(default)]
+    pub heading_deg: f64,
+    /// Where the line hangs from the vessel, from the point that its responses are about: forward, to port, up \[m\].
+    #[serde(default)]
+    pub hang_point_m: [f64; 3],
     /// Clamps the end: angle of the line there above the horizontal, going from A to B \[deg\]; absent: hinged.
     pub clamp_elevation_deg: Option<f64>,
     /// Direction of a clamped end in plan, from +x towards +y, going from A to B \[deg\].
     #[serde(default)]
     pub clamp_azimuth_deg: f64,
+}
+
+/// How a moving end moves about its place.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum MotionName {
+    /// In harmonics of one period.
+    #[default]
+    Harmonic,
+    /// Along a table of places over time.
+    Table,
+    /// Irregularly, to a root mean square along each axis.
+    Irregular,
+    /// As a vessel does in the waves of the case.
+    Vessel,
+}
+
+/// A file that goes with the case.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Carried {
+    /// Its text.
+    pub text: String,
 }
 
 /// What holds an end.
@@ -59,7 +109,7 @@ pub enum EndKind {
     Free,
 }
 
-/// A body at the end of the line, without rotation.
+/// A body at the end of the line; a point, unless it has a rotation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Payload {
@@ -73,8 +123,37 @@ pub struct Payload {
     pub drag_area_m2: Option<OneOrMany>,
     /// Added mass \[kg\]: one number, or along x, y, z. Absent: from the shape.
     pub added_mass_kg: Option<OneOrMany>,
+    /// It is cut off the line at this time \[s\]; absent: never.
+    pub release_s: Option<f64>,
     /// Its form, for what the keys above leave out.
     pub shape: Option<Shape>,
+    /// How it turns about its hang point; absent: it is a point, and does not.
+    pub rotation: Option<Rotation>,
+}
+
+/// A payload that turns about the end of the line: symmetric about an axis through its hang point, its spin left out.
+/// Drag area and added mass along z are then those along the axis, along x and y those across.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rotation {
+    /// From the hang point to the centre of gravity \[m\].
+    pub centre_of_gravity_m: f64,
+    /// Moment of inertia about an axis across, through the centre of gravity \[kg m²\].
+    pub inertia_kg_m2: f64,
+    /// From the hang point to the centre of buoyancy, where the added mass sits too \[m\]; absent: the centre of
+    /// gravity.
+    pub centre_of_buoyancy_m: Option<f64>,
+    /// From the hang point to where drag acts \[m\]; absent: the centre of buoyancy.
+    pub centre_of_drag_m: Option<f64>,
+    /// Added moment of inertia about an axis across, through the centre of buoyancy \[kg m²\].
+    #[serde(default)]
+    pub added_inertia_kg_m2: f64,
+    /// Angle of the axis from straight down at time zero \[deg\].
+    #[serde(default)]
+    pub start_tilt_deg: f64,
+    /// Which way it is tilted, from +x towards +y \[deg\].
+    #[serde(default)]
+    pub start_azimuth_deg: f64,
 }
 
 /// The form of a payload.

@@ -14,8 +14,25 @@ pub struct Material {
     pub mass_kg_per_m: f64,
     /// Weight in water as mass per unstretched length \[kg/m\]; absent: from mass, diameter and water density.
     pub wet_weight_kg_per_m: Option<f64>,
-    /// Axial stiffness EA \[N\].
-    pub ea_n: f64,
+    /// Axial stiffness EA \[N\]; absent: from the table below.
+    pub ea_n: Option<f64>,
+    /// Strains of a tension-strain table \[-\], rising from 0; absent: tension is EA times strain.
+    pub strain: Option<Vec<f64>>,
+    /// Tensions at those strains \[N\], rising from 0.
+    pub tension_n: Option<Vec<f64>>,
+    /// How the stiffness of a fibre rope depends on how it was loaded before.
+    #[serde(default)]
+    pub dynamic_stiffness: DynamicStiffness,
+    /// alpha of `EA / breaking load = alpha + beta Lm - gamma La` \[-\].
+    pub dynamic_alpha: Option<f64>,
+    /// beta, per percent of mean load \[-\].
+    #[serde(default)]
+    pub dynamic_beta: f64,
+    /// gamma, per percent of deviation from the mean load \[-\].
+    #[serde(default)]
+    pub dynamic_gamma: f64,
+    /// Time over which the past tension is averaged \[s\]; absent: all of the past.
+    pub mean_window_s: Option<f64>,
     /// Bending stiffness EI \[N m²\]; 0 for ropes and chains. A material that bends also bears compression.
     #[serde(default)]
     pub ei_n_m2: f64,
@@ -50,6 +67,19 @@ fn no_drag() -> DragLaw {
 
 fn one() -> f64 {
     1.0
+}
+
+/// How dynamic stiffness (Zhu, Yin and Shen 2017, eq. 1) makes a tension.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DynamicStiffness {
+    /// Not at all: the static stiffness holds in motion too.
+    #[default]
+    None,
+    /// As a secant through the origin of strain, as in the paper.
+    Secant,
+    /// About the mean state, up to which the static stiffness holds.
+    AboutTheMean,
 }
 
 /// A drag coefficient, constant or from a named law of the Reynolds number.
@@ -146,6 +176,31 @@ pub struct Clump {
 
 fn nothing() -> OneOrMany {
     OneOrMany::One(0.0)
+}
+
+/// A body that travels along the line, at a given speed: a cargo on a ropeway, a crawler.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Traveller {
+    /// Name, used in channel names (`x_m[cargo]`).
+    pub name: String,
+    /// Mass in air \[kg\].
+    pub mass_kg: f64,
+    /// Weight in water as mass \[kg\].
+    pub wet_mass_kg: f64,
+    /// Unstretched length from end A at which it begins \[m\].
+    #[serde(default)]
+    pub from_m: f64,
+    /// Unstretched length from end A at which it stays \[m\]; absent: end B.
+    pub to_m: Option<f64>,
+    /// Speed along the unstretched line \[m/s\].
+    pub speed_m_per_s: f64,
+    /// Time at which it sets out \[s\].
+    #[serde(default)]
+    pub start_s: f64,
+    /// Time in which it comes to its speed \[s\].
+    #[serde(default)]
+    pub ramp_s: f64,
 }
 
 /// Buoyancy modules clamped on a stretch of a section, one a pitch. Their volume, mass and drag are spread over the

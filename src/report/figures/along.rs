@@ -81,6 +81,11 @@ fn along(
             });
         }
     }
+    over_arc(sources, title, y, series)
+}
+
+/// These series over the arc length of the longest line.
+pub(super) fn over_arc(sources: &[Source], title: &str, y: Axis, series: Vec<Series>) -> Chart {
     let length = sources
         .iter()
         .filter_map(|s| s.profile?.arc.last().copied());

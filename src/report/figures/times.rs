@@ -28,6 +28,24 @@ pub fn payload_position(sources: &[Source]) -> Chart {
     chart(sources, &title, Axis::new("position", "m"), &things)
 }
 
+/// Speed of every end that nothing holds against time \[s, m/s\].
+#[must_use]
+pub fn speed(sources: &[Source]) -> Chart {
+    Chart {
+        title: "Speed".to_owned(),
+        ..against_time(sources, "speed_m_per_s", Axis::new("speed", "m/s"))
+    }
+}
+
+/// Tilt of a payload that turns against time \[s, deg\].
+#[must_use]
+pub fn tilt(sources: &[Source]) -> Chart {
+    Chart {
+        title: "Tilt of the payload".to_owned(),
+        ..against_time(sources, "tilt_deg", Axis::new("tilt", "deg"))
+    }
+}
+
 /// One quantity at all the places where it was recorded, against time: `against_time(.., "x_m",
 /// Axis::new("x", "m"))`.
 #[must_use]
@@ -39,7 +57,12 @@ pub fn against_time(sources: &[Source], quantity: &str, y: Axis) -> Chart {
 }
 
 /// A series for each run and thing: quantity, place, name in the legend.
-fn chart(sources: &[Source], title: &str, y: Axis, things: &[(&str, &str, &str)]) -> Chart {
+pub(super) fn chart(
+    sources: &[Source],
+    title: &str,
+    y: Axis,
+    things: &[(&str, &str, &str)],
+) -> Chart {
     let mut series = Vec::new();
     for (source, slot) in sources.iter().zip(slots(sources, things.len())) {
         for (number, (quantity, place, name)) in things.iter().enumerate() {

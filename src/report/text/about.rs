@@ -61,6 +61,7 @@ pub(super) fn settings(page: &mut Page, info: &RunInfo) {
     page.heading("Solver");
     page.pairs(&[
         ("Method", method(&s.method)),
+        ("Chosen", s.method_reason.clone().unwrap_or_default()),
         ("Simulated time", si(s.duration_s, "s")),
         ("Time step", step(s)),
         (
@@ -72,6 +73,7 @@ pub(super) fn settings(page: &mut Page, info: &RunInfo) {
             "Spectral radius",
             s.rho_inf.map(|r| r.to_string()).unwrap_or_default(),
         ),
+        ("Numerical damping", damping(s)),
         (
             "Newton tolerance",
             s.position_tolerance_m
@@ -95,6 +97,16 @@ fn step(settings: &Settings) -> String {
         (false, true) => format!("{step} (chosen by the solver)"),
         (false, false) => step,
     }
+}
+
+/// What the method damps by itself.
+fn damping(settings: &Settings) -> String {
+    let told = settings
+        .numerical_damping
+        .zip(settings.numerical_damping_period_s);
+    told.map_or_else(String::new, |(ratio, period)| {
+        format!("{ratio:.1e} of critical at a period of {}", si(period, "s"))
+    })
 }
 
 fn method(word: &str) -> String {

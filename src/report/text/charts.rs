@@ -5,8 +5,9 @@ use crate::{
     report::{
         chart::{Chart, Glyphs, draw, extent},
         figures::{
-            Source, curvature_profile, line_from_above, line_from_ahead, line_shape,
-            moment_profile, payload_position, tension_profile, tensions, trajectory,
+            Source, curvature_profile, deviation_in_time, line_from_above, line_from_ahead,
+            line_shape, mean_load_in_time, moment_profile, payload_position, speed,
+            stiffness_in_time, stiffness_profile, tension_profile, tensions, tilt, trajectory,
         },
     },
     run::Run,
@@ -23,7 +24,12 @@ pub(super) fn all(page: &mut Page, run: &Run, glyphs: Glyphs) {
         charts.extend([
             tensions(&sources),
             payload_position(&sources),
+            speed(&sources),
+            tilt(&sources),
             trajectory(&sources, None),
+            mean_load_in_time(&sources),
+            deviation_in_time(&sources),
+            stiffness_in_time(&sources),
         ]);
     }
     if let Some(last) = run.shapes.last() {
@@ -36,6 +42,7 @@ pub(super) fn all(page: &mut Page, run: &Run, glyphs: Glyphs) {
     charts.push(tension_profile(&sources));
     charts.push(curvature_profile(&sources));
     charts.push(moment_profile(&sources));
+    charts.push(stiffness_profile(&sources));
     charts.retain(shows_something);
     if charts.is_empty() {
         return;

@@ -14,12 +14,16 @@ use crate::{
 /// The inputs table, and below it the reason of every input that its source does not print.
 pub(super) fn table(page: &mut Page, run: &Run, case: &Case) {
     let all = fields::rows(&run.case_text, case);
+    list(page, &all, !case.case.source.trim().is_empty());
+}
+
+/// The same for the fields of any kind of file; `sourced` when what carries no mark is printed in its source.
+pub(crate) fn list(page: &mut Page, all: &[FieldRow], sourced: bool) {
     let rows: Vec<&FieldRow> = all.iter().filter(|row| shown(row)).collect();
     if rows.is_empty() {
         return;
     }
     page.heading("Inputs");
-    let sourced = !case.case.source.trim().is_empty();
     page.block(&lines(&rows, sourced).to_text(WIDTH));
 
     let marked = || {

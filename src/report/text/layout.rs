@@ -3,55 +3,55 @@
 use unicode_width::UnicodeWidthStr;
 
 /// Characters a line.
-pub(super) const WIDTH: usize = 80;
+pub(crate) const WIDTH: usize = 80;
 
 /// A page being written from top to bottom.
 #[derive(Debug, Default)]
-pub(super) struct Page {
+pub(crate) struct Page {
     text: String,
 }
 
 impl Page {
     /// The text.
-    pub(super) fn finish(self) -> String {
+    pub(crate) fn finish(self) -> String {
         self.text
     }
 
     /// The title of the whole, underlined over the full width.
-    pub(super) fn title(&mut self, words: &str) {
+    pub(crate) fn title(&mut self, words: &str) {
         self.paragraph(words);
         self.line(&"=".repeat(WIDTH));
     }
 
     /// The heading of a section, with space above.
-    pub(super) fn heading(&mut self, words: &str) {
+    pub(crate) fn heading(&mut self, words: &str) {
         self.line("");
         self.line(words);
         self.line(&"-".repeat(words.width()));
     }
 
     /// One line as it is.
-    pub(super) fn line(&mut self, words: &str) {
+    pub(crate) fn line(&mut self, words: &str) {
         self.text.push_str(words.trim_end());
         self.text.push('\n');
     }
 
     /// Lines as they are.
-    pub(super) fn block(&mut self, text: &str) {
+    pub(crate) fn block(&mut self, text: &str) {
         for line in text.lines() {
             self.line(line);
         }
     }
 
     /// Words broken into lines; line ends of the source that are not blank lines do not count.
-    pub(super) fn paragraph(&mut self, words: &str) {
+    pub(crate) fn paragraph(&mut self, words: &str) {
         for part in words.trim().split("\n\n") {
             self.hanging("", part);
         }
     }
 
     /// A first word, and words broken into lines that all begin behind it.
-    pub(super) fn hanging(&mut self, head: &str, words: &str) {
+    pub(crate) fn hanging(&mut self, head: &str, words: &str) {
         let indent = head.width();
         let lines = wrap(words, WIDTH.saturating_sub(indent));
         for (i, line) in lines.iter().enumerate() {
@@ -65,7 +65,7 @@ impl Page {
     }
 
     /// Labels and words, the words all beginning in one column; nothing for empty words.
-    pub(super) fn pairs(&mut self, pairs: &[(&str, String)]) {
+    pub(crate) fn pairs(&mut self, pairs: &[(&str, String)]) {
         let given = pairs.iter().filter(|(_, words)| !words.is_empty());
         let widest = given
             .clone()
@@ -80,7 +80,7 @@ impl Page {
 }
 
 /// Breaks words into lines of at most so many characters; a longer word stands alone.
-pub(super) fn wrap(words: &str, width: usize) -> Vec<String> {
+pub(crate) fn wrap(words: &str, width: usize) -> Vec<String> {
     let mut lines = Vec::new();
     let mut line = String::new();
     for word in words.split_whitespace() {

@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use super::{
-    CASE, CHANNELS, ERRORS, HISTORY, PROFILE, RUN, SHAPES, SUMMARY, StoreError,
+    CASE, CHANNELS, ERRORS, HISTORY, PROFILE, ROPES, RUN, SHAPES, SUMMARY, StoreError,
     begin::{info_text, replace, sync_dir},
     number::{text, text_or_empty},
+    ropes::ropes,
     shapes::{self, SHAPE_COLUMNS, write_shape},
     table::Csv,
 };
@@ -33,6 +34,9 @@ pub(super) fn all(dir: &Path, id: &str, run: &Run) -> Result<(), StoreError> {
     replace(dir, CHANNELS, &channels(&run.history.channels)?)?;
     replace(dir, HISTORY, &history(&run.history)?)?;
     replace(dir, PROFILE, &shapes::profile(&run.profile)?)?;
+    if !run.profile.ropes.is_empty() {
+        replace(dir, ROPES, &ropes(&run.profile.ropes)?)?;
+    }
     replace(dir, SHAPES, &all_shapes(&run.shapes)?)?;
     sync_dir(dir);
 

@@ -3,13 +3,16 @@
 use std::{fs, io, path::Path};
 
 use super::{
-    CASE, CHANNELS, ERRORS, HISTORY, PROFILE, RUN, SHAPES, SUMMARY, StoreError,
+    CASE, CHANNELS, CHECKPOINT, ERRORS, HISTORY, PROFILE, ROPES, RUN, SHAPES, SUMMARY, StoreError,
     finish::{CHANNEL_COLUMNS, ERROR_COLUMNS, SUMMARY_COLUMNS},
     number::parse,
-    shapes::{self, BENDING_COLUMNS, PROFILE_COLUMNS, SHAPE_COLUMNS},
+    ropes::{ROPE_COLUMNS, read_ropes},
+    shapes::{self, BENDING_COLUMNS, PROFILE_COLUMNS, RESPONSE_COLUMNS, SHAPE_COLUMNS},
     table::{self, Rows},
 };
-use crate::run::{Channel, History, LineShape, Profile, Quantity, Run, RunInfo, RunState};
+use crate::run::{
+    Channel, Checkpoint, History, LineShape, Profile, Quantity, Resume, Run, RunInfo, RunState,
+};
 
 /// Reads a run. What is damaged or missing is left out, and said in [`RunInfo::warnings`]; so is a
 /// run found in state partial.
@@ -44,6 +47,25 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
     }
     run.info.warnings.extend(warnings);
     Ok(run)
+}
+
+/// Reads where a run stands, to go on from there.
+///
+/// # Errors
+/// As [`read`]; and the run has no checkpoint, or one that cannot be understood.
+pub fn resume(dir: &Path) -> Result<(Run, Resume), StoreError> {
+    let run = read(dir)?;
+    let file = dir.join(CHECKPOINT);
+    let text = fs::read_to_string(&file).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => StoreError::NoCheckpoint(dir.to_owned()),
+        _ => StoreError::io("Reading", &file)(error),
+    })?;
+    let checkpoint: Checkpoint = toml::from_str(&text).map_err(|error| StoreError::Damaged {
+        file,
+        reason: error.to_string().trim_end().to_owned(),
+    })?;
+    let resume = Resume::new(checkpoint, run.history.clone(), run.shapes.clone());
+    Ok((run, resume))
 }
 
 /// Reads only `run.toml`.
@@ -171,12 +193,25 @@ impl Reader<'_> {
     }
 
     fn profile(&mut self) -> Profile {
-        let bending: Vec<&str> = [&PROFILE_COLUMNS[..], &BENDING_COLUMNS].concat();
         let mut table = self.table(PROFILE, None);
-        let bends = table.columns.len() == bending.len();
-        table.expect(PROFILE, if bends { &bending } else { &PROFILE_COLUMNS });
-        let profile = shapes::read_profile(&mut table, PROFILE);
+        let further = table.columns.len().saturating_sub(PROFILE_COLUMNS.len());
+        let mut columns = PROFILE_COLUMNS.to_vec();
+        // Bending has four columns and the response five.
+        if matches!(further, 4 | 9) {
+            columns.extend(BENDING_COLUMNS);
+        }
+        if matches!(further, 5 | 9) {
+            columns.extend(RESPONSE_COLUMNS);
+        }
+        table.expect(PROFILE, &columns);
+        let mut profile = shapes::read_profile(&mut table, PROFILE);
         self.told(table);
+        // Only a line with such ropes has the file.
+        if self.dir.join(ROPES).exists() {
+            let mut table = self.table(ROPES, Some(&ROPE_COLUMNS));
+            profile.ropes = read_ropes(&mut table, ROPES);
+            self.told(table);
+        }
         profile
     }
 

@@ -32,6 +32,15 @@ pub(super) const BENDING_COLUMNS: [&str; 4] = [
     "moment_max_nm",
 ];
 
+/// Further columns of `profile.csv`, for a run that recorded how far its nodes move.
+pub(super) const RESPONSE_COLUMNS: [&str; 5] = [
+    "rms_displacement_m",
+    "rms_displacement_d",
+    "wave_cos_m",
+    "wave_sin_m",
+    "wave_phase_deg",
+];
+
 /// Adds a shape to a table.
 pub(super) fn write_shape(csv: &mut Csv, shape: &LineShape) -> Result<(), StoreError> {
     for (node, ([x, y, z], tension)) in shape.nodes.iter().zip(&shape.tension).enumerate() {
@@ -49,7 +58,12 @@ pub(super) fn profile(profile: &Profile) -> Result<Vec<u8>, StoreError> {
     } else {
         &[]
     };
-    let mut csv = Csv::new(PROFILE_COLUMNS.iter().chain(further))?;
+    let moved: &[&str] = if profile.rms.is_empty() {
+        &[]
+    } else {
+        &RESPONSE_COLUMNS
+    };
+    let mut csv = Csv::new(PROFILE_COLUMNS.iter().chain(further).chain(moved))?;
     for (i, [x, y, z]) in profile.nodes.iter().enumerate() {
         let of = |column: &[f64]| column.get(i).copied().map(text).unwrap_or_default();
         let mut row = vec![
@@ -70,6 +84,17 @@ pub(super) fn profile(profile: &Profile) -> Result<Vec<u8>, StoreError> {
                 of(&profile.curvature_max),
                 of(&profile.moment),
                 of(&profile.moment_max),
+            ]);
+        }
+        if !moved.is_empty() {
+            let (cos, sin) = (profile.wave_cos.get(i), profile.wave_sin.get(i));
+            let phase = sin.zip(cos).map(|(s, c)| s.atan2(*c).to_degrees());
+            row.extend([
+                of(&profile.rms),
+                of(&profile.rms_diameters),
+                of(&profile.wave_cos),
+                of(&profile.wave_sin),
+                phase.map(text).unwrap_or_default(),
             ]);
         }
         csv.row(row)?;
@@ -120,7 +145,12 @@ pub(super) fn read_profile(table: &mut Rows, name: &str) -> Profile {
     for (line, fields) in &table.rows {
         let (line_fields, bending_fields) =
             fields.split_at(PROFILE_COLUMNS.len().min(fields.len()));
-        let bending = numbers(bending_fields);
+        // Bending has four columns and the response five, in this order.
+        let bends = matches!(bending_fields.len(), 4 | 9);
+        let (bending_fields, moved_fields) = bending_fields.split_at(if bends { 4 } else { 0 });
+        let (bending, moved) = (numbers(bending_fields), numbers(moved_fields));
+        let whole = (bending.is_some() || bending_fields.is_empty())
+            && (moved.is_some() || moved_fields.is_empty());
         let Some(
             [
                 _,
@@ -134,7 +164,7 @@ pub(super) fn read_profile(table: &mut Rows, name: &str) -> Profile {
                 z_min,
                 z_max,
             ],
-        ) = numbers(line_fields).filter(|_| bending.is_some() || bending_fields.is_empty())
+        ) = numbers(line_fields).filter(|_| whole)
         else {
             table.trouble = Some(format!(
                 "{name}, line {line} holds something that is no number; read up to there."
@@ -153,6 +183,12 @@ pub(super) fn read_profile(table: &mut Rows, name: &str) -> Profile {
             profile.curvature_max.push(curvature_max);
             profile.moment.push(moment);
             profile.moment_max.push(moment_max);
+        }
+        if let Some([rms, by_diameter, cos, sin, _]) = moved {
+            profile.rms.push(rms);
+            profile.rms_diameters.push(by_diameter);
+            profile.wave_cos.push(cos);
+            profile.wave_sin.push(sin);
         }
     }
     profile

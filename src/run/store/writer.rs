@@ -8,11 +8,11 @@ use std::{
 };
 
 use super::{
-    CHANNELS, HISTORY, Place, SHAPES, StoreError, begin, finish, number,
+    CHANNELS, CHECKPOINT, HISTORY, Place, SHAPES, StoreError, begin, finish, number,
     shapes::{SHAPE_COLUMNS, write_shape},
     table::Csv,
 };
-use crate::run::{Frame, LineShape, Run, RunInfo, job::Event};
+use crate::run::{Checkpoint, Frame, LineShape, Run, RunInfo, job::Event};
 
 /// How long rows may wait in memory.
 const FLUSH: Duration = Duration::from_secs(1);
@@ -72,6 +72,7 @@ impl Writer {
         match event {
             Event::Started { channels } => self.channels(channels),
             Event::Frame(frame) => self.frame(frame),
+            Event::Checkpoint(checkpoint) => self.checkpoint(checkpoint),
             Event::Estimating => self.flush(),
             Event::Finished(_) => Ok(()),
         }
@@ -117,6 +118,16 @@ impl Writer {
             self.flush()?;
         }
         Ok(())
+    }
+
+    /// Writes down how to go on from here, once all that was recorded before is on disk.
+    fn checkpoint(&mut self, checkpoint: &Checkpoint) -> Result<(), StoreError> {
+        self.flush()?;
+        let text = toml::to_string(checkpoint).map_err(|error| StoreError::Damaged {
+            file: self.dir.join(CHECKPOINT),
+            reason: error.to_string(),
+        })?;
+        begin::replace(&self.dir, CHECKPOINT, text.as_bytes())
     }
 
     /// Brings everything taken so far to disk.

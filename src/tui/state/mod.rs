@@ -5,6 +5,7 @@ pub mod curves;
 pub mod jobs;
 pub mod open_case;
 pub mod overlay;
+pub mod ropeway;
 pub mod section;
 pub mod sheet;
 
@@ -13,6 +14,7 @@ pub use curves::{Curves, RunSlot, SlotKind, SlotState};
 pub use jobs::{JobLine, JobState, Jobs, Purpose, Ticket};
 pub use open_case::{ChartKind, OpenCase};
 pub use overlay::{Choice, Overlay, Question};
+pub use ropeway::OpenRopeway;
 pub use section::OpenSection;
 pub use sheet::{Editing, Sheet};
 
@@ -32,6 +34,8 @@ pub struct State {
     pub open: Option<OpenCase>,
     /// The cross-section that is open; then no case is.
     pub section: Option<OpenSection>,
+    /// The ropeway that is open; then neither a case nor a cross-section is.
+    pub ropeway: Option<Box<OpenRopeway>>,
     /// Jobs that run, wait or have ended.
     pub jobs: Jobs,
     /// What lies over the screen and takes the keys.
@@ -42,6 +46,17 @@ pub struct State {
     pub log: Vec<Note>,
     /// True after a Ctrl-C: the next one quits.
     pub interrupted: bool,
+}
+
+/// The kinds of file that can be open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FileKind {
+    /// A line case.
+    Case,
+    /// A cross-section.
+    Section,
+    /// A ropeway.
+    Ropeway,
 }
 
 /// A message to the user.
@@ -74,6 +89,7 @@ impl State {
             cases: CaseList::default(),
             open: None,
             section: None,
+            ropeway: None,
             jobs: Jobs::default(),
             overlay: None,
             note: None,
@@ -85,29 +101,42 @@ impl State {
     /// Where the keys go.
     #[must_use]
     pub fn place(&self) -> Place {
-        match (&self.section, &self.open) {
-            (Some(section), _) => section.pane,
-            (None, Some(open)) => open.pane,
-            (None, None) => Place::Cases,
+        match (&self.ropeway, &self.section, &self.open) {
+            (Some(ropeway), ..) => ropeway.pane,
+            (None, Some(section), _) => section.pane,
+            (None, None, Some(open)) => open.pane,
+            (None, None, None) => Place::Cases,
         }
     }
 
-    /// The file in the parameter editor, be it a case or a cross-section.
+    /// What kind of file is open; a line case where none is.
+    #[must_use]
+    pub fn kind(&self) -> FileKind {
+        match (&self.ropeway, &self.section) {
+            (Some(_), _) => FileKind::Ropeway,
+            (None, Some(_)) => FileKind::Section,
+            (None, None) => FileKind::Case,
+        }
+    }
+
+    /// The file in the parameter editor, of whatever kind.
     #[must_use]
     pub fn sheet(&self) -> Option<&Sheet> {
-        match (&self.section, &self.open) {
-            (Some(section), _) => Some(&section.sheet),
-            (None, Some(open)) => Some(&open.sheet),
-            (None, None) => None,
+        match (&self.ropeway, &self.section, &self.open) {
+            (Some(ropeway), ..) => Some(&ropeway.sheet),
+            (None, Some(section), _) => Some(&section.sheet),
+            (None, None, Some(open)) => Some(&open.sheet),
+            (None, None, None) => None,
         }
     }
 
     /// The file in the parameter editor, to be changed.
     pub fn sheet_mut(&mut self) -> Option<&mut Sheet> {
-        match (&mut self.section, &mut self.open) {
-            (Some(section), _) => Some(&mut section.sheet),
-            (None, Some(open)) => Some(&mut open.sheet),
-            (None, None) => None,
+        match (&mut self.ropeway, &mut self.section, &mut self.open) {
+            (Some(ropeway), ..) => Some(&mut ropeway.sheet),
+            (None, Some(section), _) => Some(&mut section.sheet),
+            (None, None, Some(open)) => Some(&mut open.sheet),
+            (None, None, None) => None,
         }
     }
 

@@ -32,11 +32,25 @@ pub enum ChartKind {
     Curvature,
     /// Bending moment along the line.
     Moment,
+    /// Speed of the payload against time.
+    Speed,
+    /// Tilt of a payload that turns against time.
+    Tilt,
+    /// Published and computed numbers along the studies.
+    Study,
+    /// Mean load of fibre ropes against time.
+    MeanLoad,
+    /// Deviation from the mean load of fibre ropes against time.
+    Deviation,
+    /// Dynamic stiffness of fibre ropes against time.
+    Stiffness,
+    /// Dynamic stiffness of fibre ropes along the line.
+    StiffnessAlong,
 }
 
 impl ChartKind {
     /// All of them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 16] = [
         Self::Tensions,
         Self::Payload,
         Self::Path,
@@ -46,6 +60,13 @@ impl ChartKind {
         Self::Front,
         Self::Curvature,
         Self::Moment,
+        Self::Speed,
+        Self::Tilt,
+        Self::Study,
+        Self::MeanLoad,
+        Self::Deviation,
+        Self::Stiffness,
+        Self::StiffnessAlong,
     ];
 
     /// The charts that a run of this case has something for, in the order in which they are leafed through: those
@@ -56,17 +77,31 @@ impl ChartKind {
         let of_end = |s: &Source| matches!(s, Source::Coordinate(..));
         let moves = channels.iter().any(|c| of_end(&c.source));
         let bending = case::bends(case);
+        let of_rope = |s: &Source| matches!(s, Source::Rope(..));
+        let roped = channels.iter().any(|c| of_rope(&c.source));
         if case.solver.method == Method::Static {
             let mut list = vec![Self::Shape, Self::Plan, Self::Front, Self::Profile];
             list.extend([Self::Curvature, Self::Moment].iter().filter(|_| bending));
+            list.extend([Self::Study].iter().filter(|_| studied(case)));
+            list.extend(roped.then_some(Self::StiffnessAlong));
             return list;
         }
         let mut list = vec![Self::Tensions];
+        let has = |wanted: fn(&Source) -> bool| channels.iter().any(|c| wanted(&c.source));
+        let speed = has(|s| matches!(s, Source::Speed(_)));
+        let tilt = has(|s| matches!(s, Source::Tilt));
         list.extend([Self::Payload, Self::Path].iter().filter(|_| moves));
+        list.extend([Self::Speed].iter().filter(|_| speed));
+        list.extend([Self::Tilt].iter().filter(|_| tilt));
         list.push(Self::Shape);
         list.extend([Self::Plan, Self::Front].iter().filter(|_| spatial(case)));
         list.push(Self::Profile);
         list.extend([Self::Curvature, Self::Moment].iter().filter(|_| bending));
+        list.extend([Self::Study].iter().filter(|_| studied(case)));
+        if roped {
+            list.extend([Self::Stiffness, Self::StiffnessAlong]);
+            list.extend([Self::MeanLoad, Self::Deviation]);
+        }
         list
     }
 
@@ -83,6 +118,13 @@ impl ChartKind {
             Self::Front => "Front",
             Self::Curvature => "Curvature",
             Self::Moment => "Moment",
+            Self::Speed => "Speed",
+            Self::Tilt => "Tilt",
+            Self::Study => "Study",
+            Self::MeanLoad => "Mean load",
+            Self::Deviation => "Deviation",
+            Self::Stiffness => "Stiffness",
+            Self::StiffnessAlong => "Along rope",
         }
     }
 
@@ -107,6 +149,11 @@ impl ChartKind {
     pub fn in_space(self) -> bool {
         matches!(self, Self::Path | Self::Shape | Self::Plan | Self::Front)
     }
+}
+
+/// Whether the case states anything along a study.
+fn studied(case: &Case) -> bool {
+    !case.trend.is_empty() || case.published.iter().any(|p| p.at.is_some())
 }
 
 /// Whether anything in the case takes the line out of a plane along x.
@@ -158,7 +205,7 @@ pub struct OpenCase {
     /// The chart shown.
     pub chart: ChartKind,
     /// Zoom, cursor and marks of each chart.
-    pub views: [PlotPane; 9],
+    pub views: [PlotPane; ChartKind::ALL.len()],
     /// The joint or component shown alone; absent: all, or the last one when several runs are shown.
     pub series: Option<usize>,
     /// The instant that all charts show \[s\]; absent: the newest.

@@ -80,12 +80,14 @@ pub(super) fn opened(state: &mut State, read: CaseRead) -> Vec<Effect> {
         recovered,
     } = read;
     let sheet = Sheet::new(path, text);
-    let file = sheet.file.clone();
+    let mut files = vec![sheet.file.clone()];
+    files.extend(case.case.beside.iter().flatten().cloned());
     let chart = ChartKind::of(&case)
         .first()
         .copied()
         .unwrap_or(ChartKind::Shape);
     state.section = None;
+    state.ropeway = None;
     state.open = Some(OpenCase {
         sheet,
         case,
@@ -105,7 +107,7 @@ pub(super) fn opened(state: &mut State, read: CaseRead) -> Vec<Effect> {
     });
     edit::refresh(state);
     let mut effects = jobs::resolve(state);
-    effects.push(Effect::ListRuns(file));
+    effects.push(Effect::ListRuns(files));
     if let Some(text) = recovered {
         state.overlay = Some(Overlay::Ask(Question::Recover { text }));
     }

@@ -82,7 +82,16 @@ fn step(id: Id) -> Option<(f64, f64)> {
 
 /// True for charts against time, whose cursor is the instant that all charts share.
 fn against_time(kind: ChartKind) -> bool {
-    matches!(kind, ChartKind::Tensions | ChartKind::Payload)
+    matches!(
+        kind,
+        ChartKind::Tensions
+            | ChartKind::Payload
+            | ChartKind::Speed
+            | ChartKind::Tilt
+            | ChartKind::MeanLoad
+            | ChartKind::Deviation
+            | ChartKind::Stiffness
+    )
 }
 
 fn act(open: &mut OpenCase, verb: &PlotVerb, size: (usize, usize), glyphs: chart::Glyphs) {

@@ -8,7 +8,7 @@ use crate::tui::backend::{self, FieldRow};
 use crate::tui::command::Id;
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
-use crate::tui::state::{Editing, Level, State};
+use crate::tui::state::{Editing, FileKind, Level, State};
 
 const METHODS: [&str; 4] = ["static", "quasi", "rk4", "alpha"];
 
@@ -82,16 +82,26 @@ pub(super) fn typing_key(state: &mut State, key: Key) -> Option<Vec<Effect>> {
 }
 
 /// Sets a key in a file of this kind.
-fn setter(is_section: bool) -> fn(&str, &str, &str) -> Result<String, String> {
-    if is_section {
-        backend::set_section
-    } else {
-        backend::set
+fn setter(kind: FileKind) -> fn(&str, &str, &str) -> Result<String, String> {
+    match kind {
+        FileKind::Case => backend::set,
+        FileKind::Section => backend::set_section,
+        FileKind::Ropeway => backend::set_ropeway,
+    }
+}
+
+/// Sets a key as if it had been typed; what is refused is told.
+pub(super) fn set(state: &mut State, key: &str, value: &str) -> Vec<Effect> {
+    let set = setter(state.kind());
+    match state.sheet().map(|sheet| set(&sheet.text, key, value)) {
+        Some(Ok(text)) => change(state, text),
+        Some(Err(problem)) => super::overlay::warn(state, problem),
+        None => Vec::new(),
     }
 }
 
 fn accept(state: &mut State) -> Vec<Effect> {
-    let is_section = state.section.is_some();
+    let kind = state.kind();
     let Some(sheet) = state.sheet_mut() else {
         return Vec::new();
     };
@@ -99,7 +109,7 @@ fn accept(state: &mut State) -> Vec<Effect> {
         return Vec::new();
     };
     let value = editing.input.value().trim();
-    let set = setter(is_section);
+    let set = setter(kind);
     match set(&sheet.text, &editing.path, value) {
         Ok(text) => change(state, text),
         Err(problem) => {
@@ -173,12 +183,17 @@ pub(super) fn keep_draft(state: &State) -> Vec<Effect> {
         .collect()
 }
 
-/// Reads case or cross-section, and the fields, from the text again.
+/// Reads what is open, and the fields, from the text again.
 pub(super) fn refresh(state: &mut State) {
     // Edits are checked before they are taken; an old text that no longer passes is told, and
     // the fields stay as they were.
     let mut problem = None;
-    if let Some(section) = &mut state.section {
+    if let Some(ropeway) = &mut state.ropeway {
+        match backend::worked(&ropeway.sheet.text, &ropeway.sheet.file) {
+            Ok(worked) => super::ropeway::refreshed(ropeway, worked),
+            Err(why) => problem = Some(why),
+        }
+    } else if let Some(section) = &mut state.section {
         match backend::design(&section.sheet.text, &section.sheet.file) {
             Ok(design) => {
                 section.sheet.rows = backend::section_rows(&section.sheet.text);
@@ -207,23 +222,27 @@ pub(super) fn refresh(state: &mut State) {
 }
 
 /// The fields of a text, of the kind of file that is open; none when it does not pass.
-fn rows_of(is_section: bool, text: &str, file: &str) -> Vec<FieldRow> {
-    if is_section {
-        return backend::section_rows(text);
-    }
-    backend::parse(text, file).map_or_else(|_| Vec::new(), |case| backend::rows(text, &case))
+fn rows_of(kind: FileKind, text: &str, file: &str) -> Vec<FieldRow> {
+    let rows = match kind {
+        FileKind::Section => return backend::section_rows(text),
+        FileKind::Ropeway => {
+            backend::worked(text, file).map(|worked| backend::ropeway_rows(text, &worked))
+        }
+        FileKind::Case => backend::parse(text, file).map(|case| backend::rows(text, &case)),
+    };
+    rows.unwrap_or_default()
 }
 
 /// Puts the field back to what the file says.
 fn reset(state: &mut State) -> Vec<Effect> {
-    let is_section = state.section.is_some();
+    let kind = state.kind();
     let Some(sheet) = state.sheet() else {
         return Vec::new();
     };
     let Some(path) = sheet.current_field().map(|row| row.path.clone()) else {
         return Vec::new();
     };
-    let of_file = rows_of(is_section, &sheet.saved, &sheet.file)
+    let of_file = rows_of(kind, &sheet.saved, &sheet.file)
         .into_iter()
         .find(|row| row.path == path);
     let Some(row) = of_file.filter(|row| !row.value.is_empty()) else {
@@ -232,7 +251,7 @@ fn reset(state: &mut State) -> Vec<Effect> {
             "The file gives no value here; `u` undoes the edits one by one.",
         );
     };
-    match setter(is_section)(&sheet.text, &path, &row.value) {
+    match setter(kind)(&sheet.text, &path, &row.value) {
         Ok(text) => change(state, text),
         Err(problem) => super::overlay::warn(state, problem),
     }
@@ -277,10 +296,10 @@ pub(super) fn recover(state: &mut State, text: String) -> Vec<Effect> {
         return Vec::new();
     };
     let path = sheet.path.clone();
-    let passes = if state.section.is_some() {
-        backend::design(&text, &sheet.file).map(drop)
-    } else {
-        backend::parse(&text, &sheet.file).map(drop)
+    let passes = match state.kind() {
+        FileKind::Section => backend::design(&text, &sheet.file).map(drop),
+        FileKind::Ropeway => backend::worked(&text, &sheet.file).map(drop),
+        FileKind::Case => backend::parse(&text, &sheet.file).map(drop),
     };
     if let Err(problem) = passes {
         return super::overlay::warn(

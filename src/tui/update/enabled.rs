@@ -15,8 +15,7 @@ pub fn enabled(state: &State, id: Id) -> Result<(), String> {
             .is_none()
             .then_some("There is no case here. `ctrl+r` reads the directory again."),
         (Some(open), _) => in_case(state, open, id),
-        (None, _) if state.section.is_some() => state.sheet().and_then(|sheet| in_sheet(sheet, id)),
-        _ => None,
+        (None, _) => state.sheet().and_then(|sheet| in_sheet(sheet, id)),
     };
     reason.map_or(Ok(()), |r| Err(r.to_owned()))
 }

@@ -37,6 +37,7 @@ pub(super) fn event(state: &mut State, ticket: Ticket, event: Event) -> Vec<Effe
                 curves.push(*frame);
             }
         }
+        Event::Checkpoint(_) => {}
         Event::Estimating => {
             if let Some(line) = state.jobs.get_mut(ticket) {
                 line.progress.estimating = true;

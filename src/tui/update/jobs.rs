@@ -193,7 +193,7 @@ fn ask_study(state: &mut State) -> Vec<Effect> {
         .study
         .iter()
         .map(|s| {
-            let values: Vec<String> = s.values.iter().map(f64::to_string).collect();
+            let values: Vec<String> = s.values.iter().map(ToString::to_string).collect();
             format!("{}: {} = {}", s.name, s.key, values.join(", "))
         })
         .collect();
@@ -220,7 +220,7 @@ pub(super) fn study(state: &mut State, index: usize) -> Vec<Effect> {
     let points = study.values.iter().map(|value| {
         Some(At {
             study: study.name.clone(),
-            value: *value,
+            value: value.clone(),
         })
     });
     let effects = variants(state, points.collect(), true);

@@ -53,6 +53,7 @@ fn close(state: &mut State) -> Vec<Effect> {
     let mut effects = jobs::cancel_all(state);
     state.open = None;
     state.section = None;
+    state.ropeway = None;
     state.jobs.lines.clear();
     state.jobs.cursor = 0;
     effects.push(Effect::ReadCases);

@@ -9,6 +9,7 @@ mod jobs;
 mod keys;
 mod leave;
 mod overlay;
+mod ropeway;
 mod runs;
 mod section;
 mod typing;
@@ -49,6 +50,7 @@ fn on(state: &mut State, msg: Msg) -> Vec<Effect> {
         Msg::CasesRead(dir, entries) => cases::listed(state, dir, entries),
         Msg::CaseRead(read) => cases::opened(state, *read),
         Msg::SectionRead(read) => section::opened(state, *read),
+        Msg::RopewayRead(read) => ropeway::opened(state, *read),
         Msg::CaseRefused(title, text) => cases::refused(state, title, text),
         Msg::Saved(path, text) => leave::saved(state, path, text),
         Msg::NotSaved(why) => leave::not_saved(state, &why),

@@ -3,7 +3,7 @@
 use tui_input::Input;
 
 use super::typing::type_key;
-use super::{cases, charts, edit, enabled, jobs, keys, leave, moved, runs, section};
+use super::{cases, charts, edit, enabled, jobs, keys, leave, moved, ropeway, runs, section};
 use crate::report::chart::Glyphs;
 use crate::tui::backend;
 use crate::tui::command::{self, Command, Id, Place};
@@ -181,6 +181,11 @@ pub fn run_command(state: &mut State, id: Id) -> Vec<Effect> {
     {
         return effects;
     }
+    if state.ropeway.is_some()
+        && let Some(effects) = ropeway::command(state, id)
+    {
+        return effects;
+    }
     match id {
         Id::Help => open_overlay(state, Overlay::Help { scroll: 0 }),
         Id::Messages => open_overlay(state, Overlay::Messages { scroll: 0 }),
@@ -248,6 +253,9 @@ fn pane(state: &mut State, id: Id) -> Vec<Effect> {
     if state.section.is_some() {
         return section::pane(state, id);
     }
+    if state.ropeway.is_some() {
+        return ropeway::pane(state, id);
+    }
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
@@ -279,6 +287,9 @@ pub(super) fn by_rows(by: isize) -> TableVerb {
 fn move_by(state: &mut State, by: isize) -> Vec<Effect> {
     if state.section.is_some() {
         return section::move_by(state, by);
+    }
+    if state.ropeway.is_some() {
+        return ropeway::move_by(state, by);
     }
     let job_lines = state.jobs.lines.len();
     match (&mut state.open, state.cases.shown().count()) {

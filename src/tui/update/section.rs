@@ -17,6 +17,7 @@ const PAPER_WIDTH: usize = 100;
 
 pub(super) fn opened(state: &mut State, read: SectionRead) -> Vec<Effect> {
     state.open = None;
+    state.ropeway = None;
     state.section = Some(OpenSection {
         sheet: Sheet::new(read.path, read.text),
         design: read.design,

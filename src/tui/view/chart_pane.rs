@@ -28,7 +28,12 @@ impl Canvas<'_> {
             if all && *kind == open.chart && open.pane == Place::Charts {
                 chart.title = format!("> {} <", chart.title);
             }
-            if chart.series.iter().all(|s| s.points.is_empty()) {
+            let empty = chart.series.iter().all(|s| s.points.is_empty());
+            if empty && *kind == ChartKind::Study {
+                self.no_numbers_yet(*place, &chart.title);
+                continue;
+            }
+            if empty {
                 self.nothing_yet(*place, open, &chart.title);
                 continue;
             }
@@ -58,6 +63,16 @@ impl Canvas<'_> {
         if frozen {
             let rest = Rect::new(x, line.y, line.right().saturating_sub(x), 1);
             right(self.buf, rest, "frozen", self.theme.warning());
+        }
+    }
+
+    fn no_numbers_yet(&mut self, area: Rect, title: &str) {
+        let strong = self.theme.strong();
+        text(self.buf, (area.x, area.y), area.width, title, strong);
+        if area.height > 2 {
+            let words = "`V` computes what the case states along its studies.";
+            let plain = self.theme.plain();
+            text(self.buf, (area.x, area.y + 2), area.width, words, plain);
         }
     }
 

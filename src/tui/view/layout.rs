@@ -62,6 +62,9 @@ pub fn panes(screen: Rect, focus: Place) -> Vec<(Place, Rect)> {
     if Place::OF_SECTION.contains(&focus) {
         return section_panes(screen, body, focus);
     }
+    if Place::OF_ROPEWAY.contains(&focus) {
+        return ropeway_panes(screen, body, focus);
+    }
     if screen.width < WIDE {
         return vec![(focus, body)];
     }
@@ -129,6 +132,36 @@ fn section_panes(screen: Rect, body: Rect, focus: Place) -> Vec<(Place, Rect)> {
     ]
 }
 
+/// The panes of a ropeway that are seen.
+fn ropeway_panes(screen: Rect, body: Rect, focus: Place) -> Vec<(Place, Rect)> {
+    if screen.width < WIDE {
+        return vec![(focus, body)];
+    }
+    let full = screen.width >= FULL.0 && screen.height >= FULL.1;
+    let keys = if full { 66 } else { 58 };
+    let [left, right] =
+        Layout::horizontal([Constraint::Length(keys), Constraint::Min(0)]).areas(body);
+    if !full {
+        let other = if focus == Place::RopewayInputs {
+            Place::Ropeway
+        } else {
+            focus
+        };
+        return vec![(Place::RopewayInputs, left), (other, right)];
+    }
+    let [upper, lower] = Layout::vertical([Constraint::Fill(1), Constraint::Fill(1)]).areas(right);
+    let below = if focus == Place::RopewayChecks {
+        focus
+    } else {
+        Place::RopewayTables
+    };
+    vec![
+        (Place::RopewayInputs, left),
+        (Place::Ropeway, upper),
+        (below, lower),
+    ]
+}
+
 /// Where a cross-section is drawn.
 #[must_use]
 pub fn drawing_area(state: &State) -> Rect {
@@ -168,7 +201,10 @@ pub struct Charts {
 /// Cuts the inside of the chart pane.
 #[must_use]
 pub fn charts(inside: Rect, kinds: &[ChartKind], chosen: ChartKind) -> Charts {
-    let all = inside.width >= 110 && inside.height >= 24;
+    let page = kinds.chunks(TOGETHER).find(|page| page.contains(&chosen));
+    let page = page.unwrap_or_default();
+    // A chart that is alone on its page has the tabs of the others above it.
+    let all = inside.width >= 110 && inside.height >= 24 && page.len() > 1;
     // Four joints with their units need more than one line of 80 columns.
     let lines = if inside.height >= 12 { 2 } else { 1 };
     let [tabs, middle, readout] = Layout::vertical([
@@ -178,7 +214,7 @@ pub fn charts(inside: Rect, kinds: &[ChartKind], chosen: ChartKind) -> Charts {
     ])
     .areas(inside);
     let charts = if all {
-        together(middle, kinds, chosen)
+        together(middle, page)
     } else {
         vec![(chosen, middle)]
     };
@@ -192,10 +228,8 @@ pub fn charts(inside: Rect, kinds: &[ChartKind], chosen: ChartKind) -> Charts {
 /// The most charts that are seen at once.
 const TOGETHER: usize = 6;
 
-/// The page of charts with the chosen one on it, in two rows, the lower the longer.
-fn together(area: Rect, kinds: &[ChartKind], chosen: ChartKind) -> Vec<(ChartKind, Rect)> {
-    let page = kinds.chunks(TOGETHER).find(|page| page.contains(&chosen));
-    let page = page.unwrap_or_default();
+/// A page of charts in two rows, the lower the longer.
+fn together(area: Rect, page: &[ChartKind]) -> Vec<(ChartKind, Rect)> {
     let [upper, lower] = Layout::vertical([Constraint::Fill(1), Constraint::Fill(1)]).areas(area);
     let (above, below) = page.split_at(page.len() / 2);
     let row = |kinds: &[ChartKind], area: Rect| {

@@ -8,6 +8,7 @@ mod lists;
 mod overlay;
 mod paint;
 mod papers;
+mod ropeway;
 mod section;
 
 use ratatui::Frame;
@@ -16,7 +17,7 @@ use ratatui::layout::Rect;
 
 use self::paint::Theme;
 use super::command::{self, Command, Id, Place};
-use super::state::{JobState, Level, Purpose, State};
+use super::state::{FileKind, JobState, Level, Purpose, State};
 use super::update::enabled;
 use crate::report::chart::Glyphs;
 use crate::report::number;
@@ -104,6 +105,9 @@ impl Canvas<'_> {
         if let Some(section) = &state.section {
             self.section(place, inside, section);
         }
+        if let Some(ropeway) = &state.ropeway {
+            self.ropeway(place, inside, ropeway);
+        }
         let Some(open) = &state.open else {
             return;
         };
@@ -121,10 +125,10 @@ impl Canvas<'_> {
 
     /// The panes of what is open, in the order of their numbers.
     fn numbered(&self) -> &'static [Place] {
-        if self.state.section.is_some() {
-            &Place::OF_SECTION
-        } else {
-            &Place::PANES
+        match self.state.kind() {
+            FileKind::Ropeway => &Place::OF_ROPEWAY,
+            FileKind::Section => &Place::OF_SECTION,
+            FileKind::Case => &Place::PANES,
         }
     }
 
@@ -151,10 +155,13 @@ impl Canvas<'_> {
                 &words,
                 self.theme.strong(),
             );
-        } else if let Some(section) = &self.state.section {
-            let sheet = &section.sheet;
+        } else if let Some(sheet) = self.state.sheet() {
             let unsaved = if sheet.unsaved() { " *unsaved" } else { "" };
-            let words = format!("  {}{unsaved}  cross-section", sheet.file);
+            let kind = match self.state.kind() {
+                FileKind::Ropeway => "ropeway",
+                _ => "cross-section",
+            };
+            let words = format!("  {}{unsaved}  {kind}", sheet.file);
             let room = line.right() - x;
             x = paint::text(self.buf, (x, line.y), room, &words, self.theme.strong());
         } else {
@@ -228,10 +235,12 @@ impl Canvas<'_> {
         }
         let room = line.right().saturating_sub(x + 2);
         let rest = Rect::new(line.right() - room, line.y, room, 1);
-        let title = match (&self.state.section, &self.state.open) {
-            (Some(section), _) => &section.design.section.about.title,
-            (None, Some(open)) => &open.case.case.title,
-            (None, None) => return,
+        let state = self.state;
+        let title = match (&state.ropeway, &state.section, &state.open) {
+            (Some(ropeway), ..) => &ropeway.worked.ropeway.about.title,
+            (None, Some(section), _) => &section.design.section.about.title,
+            (None, None, Some(open)) => &open.case.case.title,
+            (None, None, None) => return,
         };
         if room > 20 {
             paint::text(self.buf, (rest.x, rest.y), room, title, self.theme.faint());

@@ -1,0 +1,224 @@
+//! Files that a case uses: tables of numbers beside the case file, which go with it from then on.
+//!
+//! A case read from disk takes the text of every file it names into its [`Case::files`]; a run stores the case with
+//! them ([`stand_alone`]), so that it needs nothing but itself. A case that holds `[files."NAME"]` never looks on disk.
+
+use std::borrow::Cow;
+use std::ops::Range;
+use std::path::Path;
+
+use super::diagnostic::{Diagnostic, Finding};
+use super::model::{Carried, Case, EndKind, MotionName};
+use super::tree::Node;
+use crate::physics::sea::DEGREES;
+
+/// Columns of a table of places over time.
+pub(crate) const PLACES: [&str; 4] = ["time_s", "x_m", "y_m", "z_m"];
+
+/// Columns of a table of responses: period, then amplitude and phase of the six degrees of freedom.
+pub(crate) fn response_columns() -> Vec<String> {
+    let of = |(i, name): (usize, &&str)| {
+        let unit = if i < 3 { "m_per_m" } else { "deg_per_m" };
+        [format!("{name}_{unit}"), format!("{name}_phase_deg")]
+    };
+    let columns = DEGREES.iter().enumerate().flat_map(of);
+    std::iter::once("period_s".to_owned())
+        .chain(columns)
+        .collect()
+}
+
+/// Takes in the files that the case uses, and reads them as what they are named for.
+pub(crate) fn gather(
+    case: &mut Case,
+    root: &Node,
+    text: &str,
+    file: &str,
+) -> Result<(), Diagnostic> {
+    for (letter, end) in [("a", case.ends.a.clone()), ("b", case.ends.b.clone())] {
+        let used = end.kind == EndKind::Moving
+            && matches!(end.motion, MotionName::Table | MotionName::Vessel);
+        let Some(name) = end.motion_file.as_ref().filter(|_| used) else {
+            continue;
+        };
+        let beside = Path::new(file).with_file_name(name);
+        if !case.files.contains_key(name) {
+            let read = std::fs::read_to_string(&beside).map_err(|error| {
+                let span = root
+                    .find(&["ends", letter, "motion_file"])
+                    .map_or(0..0, |node| node.span.clone());
+                let problem = format!("{} cannot be read: {error}", beside.display());
+                let remedy = "name a file beside the case file, or carry it in the case as [files.\"NAME\"] text = \"...\"";
+                Finding::new(&span, format!("ends.{letter}.motion_file"), problem, remedy)
+                    .at(file, text)
+            })?;
+            case.files.insert(name.clone(), Carried { text: read });
+        }
+        let carried = &case.files[name].text;
+        let shown = beside.display().to_string();
+        match end.motion {
+            MotionName::Vessel => numbers(carried, &shown, &response_columns()).map(|_| ())?,
+            _ => numbers(carried, &shown, &PLACES.map(str::to_owned)).map(|_| ())?,
+        }
+    }
+    Ok(())
+}
+
+/// The text of a case with the files it names, which it may read no more.
+#[must_use]
+pub fn stand_alone<'t>(text: &'t str, case: &Case) -> Cow<'t, str> {
+    let root = Node::parse(text).ok();
+    let held = |name: &str| {
+        let root = root.as_ref();
+        root.is_some_and(|root| root.find(&["files", name]).is_some())
+    };
+    let mut whole = Cow::Borrowed(text);
+    for (name, carried) in &case.files {
+        if !held(name) {
+            let value = toml::Value::String(carried.text.clone());
+            let key = toml::Value::String(name.clone());
+            whole
+                .to_mut()
+                .push_str(&format!("\n[files.{key}]\ntext = {value}\n"));
+        }
+    }
+    whole
+}
+
+/// A word of a line and where it stands in the text.
+type Word<'t> = (&'t str, Range<usize>);
+
+/// Reads a table of numbers: a first line with the names of the columns, in any order, then one line a row, words
+/// separated by commas; empty lines and lines that begin with `#` say nothing. Rows in the order of `columns`.
+///
+/// # Errors
+/// The first fault, with its line and column.
+pub(crate) fn numbers(
+    text: &str,
+    file: &str,
+    columns: &[String],
+) -> Result<Vec<Vec<f64>>, Diagnostic> {
+    let mut lines = lines(text);
+    let wanted = columns.join(",");
+    let Some(head) = lines.next() else {
+        return Err(Diagnostic::whole_file(
+            file,
+            "the table is empty",
+            format!("begin with a line of column names: {wanted}"),
+        ));
+    };
+    let stray = head
+        .iter()
+        .find(|(name, _)| !columns.iter().any(|c| c == name));
+    if let Some((name, span)) = stray {
+        let problem = format!("`{name}` is no column of this table");
+        let remedy = format!("the columns are {wanted}");
+        return Err(Finding::new(span, *name, problem, remedy).at(file, text));
+    }
+    let mut places = Vec::new();
+    for column in columns {
+        let Some(place) = head.iter().position(|(name, _)| name == column) else {
+            let span = &head[0].1;
+            let remedy = format!("the columns are {wanted}");
+            return Err(Finding::new(span, column, "the column is missing", remedy).at(file, text));
+        };
+        places.push(place);
+    }
+    let mut rows = Vec::new();
+    for line in lines {
+        rows.push(row(&line, &head, &places).map_err(|finding| finding.at(file, text))?);
+    }
+    Ok(rows)
+}
+
+/// The numbers of a line, in the order of the columns.
+fn row(line: &[Word<'_>], head: &[Word<'_>], places: &[usize]) -> Result<Vec<f64>, Finding> {
+    if line.len() != head.len() {
+        let problem = format!(
+            "the line has {} values for {} columns",
+            line.len(),
+            head.len()
+        );
+        let span = line[0].1.start..line[line.len() - 1].1.end;
+        return Err(Finding::new(
+            &span,
+            "",
+            problem,
+            "give one value for each column",
+        ));
+    }
+    let number = |place: &usize| {
+        let (word, span) = &line[*place];
+        let value = word.parse::<f64>().ok().filter(|v| v.is_finite());
+        value.ok_or_else(|| {
+            let problem = format!("`{word}` is not a number");
+            Finding::new(
+                span,
+                head[*place].0,
+                problem,
+                "write a number, such as 1.5 or -2e3",
+            )
+        })
+    };
+    places.iter().map(number).collect()
+}
+
+/// The lines that say something, as words.
+fn lines(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
+    let mut start = 0;
+    let placed = text.split_inclusive('\n').map(move |line| {
+        let from = start;
+        start += line.len();
+        (from, line)
+    });
+    placed
+        .filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'))
+        .map(|(from, line)| words(from, line.trim_end()))
+}
+
+fn words(from: usize, line: &str) -> Vec<Word<'_>> {
+    let mut start = from;
+    let mut list = Vec::new();
+    for part in line.split(',') {
+        let word = part.trim();
+        let at = start + part.find(word).unwrap_or(0);
+        list.push((word, at..at + word.len()));
+        start += part.len() + 1;
+    }
+    list
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn columns() -> Vec<String> {
+        PLACES.map(str::to_owned).to_vec()
+    }
+
+    #[test]
+    fn columns_in_any_order_and_lines_that_say_nothing() {
+        let text = "# a path\nx_m, time_s,y_m,z_m\n\n1, 0,0,0\n2,1.5 ,-3e1,4\n";
+        let rows = numbers(text, "p.csv", &columns()).unwrap();
+        assert_eq!(rows, [vec![0.0, 1.0, 0.0, 0.0], vec![1.5, 2.0, -30.0, 4.0]]);
+    }
+
+    #[test]
+    fn faults_stand_at_their_line_and_column() {
+        let fault = |text: &str| {
+            let fault = numbers(text, "p.csv", &columns()).unwrap_err();
+            (fault.line, fault.column, fault.problem)
+        };
+        let head = "time_s,x_m,y_m,z_m\n";
+        assert_eq!(
+            fault(&format!("{head}0,0,0,0\n1, two,0,0\n")),
+            (3, 4, "`two` is not a number".to_owned())
+        );
+        assert_eq!(
+            fault(&format!("{head}0,0,0\n")),
+            (2, 1, "the line has 3 values for 4 columns".to_owned())
+        );
+        assert_eq!(fault("time_s,x_m,w_m,z_m\n").1, 12);
+        assert_eq!(fault("time_s,x_m,z_m\n").2, "the column is missing");
+        assert_eq!(fault("").2, "the table is empty");
+    }
+}

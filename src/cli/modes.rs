@@ -1,0 +1,61 @@
+//! `seacable modes`: natural frequencies and mode shapes of a case's line.
+
+use std::{fs, process::ExitCode};
+
+use super::{Failure, NOT_GOOD, args::ModesWords, cases, output};
+use crate::{
+    modes,
+    report::{
+        chart::{self, Glyphs},
+        modes as views,
+    },
+};
+
+/// Columns and lines of the page.
+const WIDTH: usize = 100;
+const HEIGHT: usize = 22;
+
+pub(super) fn modes(words: &ModesWords) -> Result<ExitCode, Failure> {
+    let loaded = cases::load(&words.case)?;
+    let text = cases::set(&loaded.text, &words.set)?;
+    let case = cases::parse(&text, &loaded.file)?;
+    let found = match modes::of_case(&case, words.count) {
+        Ok(found) => found,
+        Err(why) => {
+            output::message(&format!("error: There are no modes to tell: {why}"));
+            return Ok(ExitCode::from(NOT_GOOD));
+        }
+    };
+    if let Some(path) = &words.output {
+        fs::write(path, views::csv(&found)).map_err(|source| Failure::Write {
+            path: path.clone(),
+            source,
+        })?;
+    }
+    let glyphs = if words.ascii {
+        Glyphs::Ascii
+    } else {
+        Glyphs::Braille
+    };
+    let shown: Vec<usize> = if words.shape.is_empty() {
+        (0..found.modes.len().min(3)).collect()
+    } else {
+        words.shape.iter().map(|number| number - 1).collect()
+    };
+    if let Some(beyond) = shown.iter().find(|number| **number >= found.modes.len()) {
+        return Err(Failure::Usage(format!(
+            "There is no mode {}: {} were found; ask for more with --count.",
+            beyond + 1,
+            found.modes.len()
+        )));
+    }
+    let picture = chart::draw(&views::chart(&found, &shown), WIDTH, HEIGHT, glyphs);
+    let page = format!(
+        "Natural modes of {}\n\n{}\n{}",
+        case.case.title,
+        views::table(&found).to_text(WIDTH),
+        picture.to_text()
+    );
+    output::results(&page, words.ascii)?;
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,111 @@
+//! The modes of a case: its line brought to rest, its modes found, their errors estimated from half the mesh.
+
+use super::{Kind, Mode, NotFound, Pencil, lowest, modes_of};
+use crate::case::Case;
+use crate::linalg::V3;
+use crate::scene::{self, Scene, SceneError};
+use crate::solve::State;
+use crate::statics::equilibrium;
+
+/// Modes found on the coarse mesh beyond those wanted: its order may differ.
+const MORE: usize = 4;
+
+/// Why there are no modes.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Failure {
+    /// The case is none of a line.
+    #[error("{0}")]
+    Scene(#[from] SceneError),
+    /// The line does not come to rest.
+    #[error("{0}")]
+    Rest(#[from] equilibrium::NotFound),
+    /// The modes were not found.
+    #[error("{0}")]
+    Modes(#[from] NotFound),
+    /// A payload turns.
+    #[error(
+        "the payload turns, and modes know only payloads that do not; leave out `payload.rotation`"
+    )]
+    Turning,
+}
+
+/// A mode with its name and its estimated error.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Named {
+    /// The mode.
+    pub mode: Mode,
+    /// Its number among the modes of its kind, from 1.
+    pub of_kind: usize,
+    /// Error of its frequency from the mesh \[Hz\]; absent where the coarse mesh has no such mode.
+    pub error_hz: Option<f64>,
+}
+
+/// The line at rest and its lowest modes.
+#[derive(Debug, Clone)]
+pub struct Found {
+    /// The line.
+    pub scene: Scene,
+    /// Its state at rest.
+    pub rest: State,
+    /// Its modes, from the lowest frequency up.
+    pub modes: Vec<Named>,
+}
+
+/// The `count` lowest modes of a case's line about its static shape, or all there are.
+///
+/// # Errors
+/// [`Failure`].
+pub fn of_case(case: &Case, count: usize) -> Result<Found, Failure> {
+    let (scene, rest, mut modes) = on_mesh(case, 1, count)?;
+    modes.truncate(count);
+    // The estimate needs a mesh that differs, and may fail without taking the modes along.
+    let coarse = on_mesh(case, 2, count + MORE).ok();
+    let coarse = coarse.filter(|(coarse, ..)| coarse.segments.len() < scene.segments.len());
+    let ratio = coarse.as_ref().map_or(1.0, |(coarse, ..)| {
+        scene.segments.len() as f64 / coarse.segments.len() as f64
+    });
+    let named = modes.iter().enumerate().map(|(i, mode)| {
+        let of_kind = 1 + of_kind(&modes[..i], mode.kind).count();
+        let other = coarse
+            .as_ref()
+            .and_then(|(_, _, modes)| of_kind_at(modes, mode.kind, of_kind));
+        Named {
+            of_kind,
+            // The lumped line is of second order (Richardson).
+            error_hz: other
+                .map(|o| (mode.frequency_hz() - o.frequency_hz()).abs() / (ratio * ratio - 1.0)),
+            mode: mode.clone(),
+        }
+    });
+    let modes = named.collect();
+    Ok(Found { scene, rest, modes })
+}
+
+fn of_kind(modes: &[Mode], kind: Kind) -> impl Iterator<Item = &Mode> {
+    modes.iter().filter(move |mode| mode.kind == kind)
+}
+
+fn of_kind_at(modes: &[Mode], kind: Kind, number: usize) -> Option<&Mode> {
+    of_kind(modes, kind).nth(number - 1)
+}
+
+/// The line at rest on a mesh coarsened by `coarsening`, and its modes.
+fn on_mesh(
+    case: &Case,
+    coarsening: usize,
+    count: usize,
+) -> Result<(Scene, State, Vec<Mode>), Failure> {
+    let scene = scene::build(case, coarsening)?;
+    if scene.turning.is_some() {
+        return Err(Failure::Turning);
+    }
+    let mut rest = scene.initial_state();
+    equilibrium::Search::default().run(&scene, 0.0, &mut rest)?;
+    // Fibre ropes swing at their stiffness in motion.
+    scene.remember_ropes(0.0, 0.0, &mut rest);
+    let mut pencil = Pencil::new(&scene, &rest);
+    let pairs = lowest(&mut pencil, count)?;
+    let points: Vec<V3> = rest.x.clone();
+    let modes = modes_of(&pencil, &points, pairs);
+    Ok((scene, rest, modes))
+}

@@ -1,0 +1,249 @@
+//! The lowest eigenpairs of a line's pencil.
+//!
+//! Shift-invert Lanczos with several start vectors (Ruhe 1979, band Lanczos): the basis of
+//! `A = (K - sigma M)^-1 M` grows by one vector a solve, made orthogonal against all earlier ones in the inner product of M,
+//! twice. Several start vectors find eigenvalues that occur several times (a hanging line moves alike along x and y). An
+//! eigenvalue of A is `1 / (lambda - sigma)`: with sigma below all of them, the lowest modes come first. That none
+//! is missing is counted: K - mu M has as many negative pivots as there are eigenvalues below mu.
+
+use nalgebra::{DMatrix, SymmetricEigen};
+
+use super::Pencil;
+use crate::linalg::V3;
+
+/// Start vectors: eigenvalues may occur as often.
+const BLOCK: usize = 4;
+/// Vectors found beyond those wanted, so that eigenvalues that belong together are found together.
+const BEYOND: usize = 2;
+/// What is left of an eigenpair's equation, relative, when it is accepted; its eigenvalue is good to the square of this.
+const ACCURACY: f64 = 1e-7;
+/// How close above the highest wanted eigenvalue it is counted that none is missing.
+const MARGIN: f64 = 1e-4;
+
+/// An eigenvalue and its vector.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Eigenpair {
+    /// omega² \[rad²/s²\]; negative where the line at rest is not stable.
+    pub value: f64,
+    /// Displacements of all nodes, `x' M x = 1` \[kg^-1/2\]; zero where the line is held.
+    pub vector: Vec<V3>,
+}
+
+/// The modes were not found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum NotFound {
+    /// Nothing moves.
+    #[error("nothing of the line moves: give it more segments")]
+    NothingMoves,
+    /// The matrix could not be factored at any shift.
+    #[error(
+        "the stiffness of the line at rest is not finite, or its range is too wide for 16 digits"
+    )]
+    Singular,
+    /// The iteration did not come to an end.
+    #[error("only {found} of {wanted} modes converged in {solves} solutions")]
+    Slow {
+        /// Converged pairs.
+        found: usize,
+        /// Wanted pairs.
+        wanted: usize,
+        /// Solutions made.
+        solves: usize,
+    },
+}
+
+/// The `count` lowest eigenpairs, or all there are, from the lowest up; a few more where they are at hand.
+///
+/// # Errors
+/// [`NotFound`].
+pub fn lowest(pencil: &mut Pencil, count: usize) -> Result<Vec<Eigenpair>, NotFound> {
+    let size = 3 * pencil.free().len();
+    if size == 0 {
+        return Err(NotFound::NothingMoves);
+    }
+    let wanted = (count.max(1) + BEYOND).min(size);
+    let shift = shift_below_all(pencil)?;
+    let mut band = Band::new(pencil, shift, size);
+    let most = size.min(8 * wanted + 80);
+    let mut found = 0;
+    while band.solved < most && band.grow(pencil)? {
+        let due = band.solved >= wanted + BLOCK && band.solved.is_multiple_of(BLOCK);
+        if due || band.solved == size {
+            let (pairs, good) = band.pairs(wanted);
+            found = good;
+            if good >= wanted && none_missing(pencil, &pairs, wanted) {
+                return Ok(band.vectors(&pairs[..wanted]));
+            }
+        }
+    }
+    // An exhausted space holds every pair, however they converged.
+    let (pairs, good) = band.pairs(wanted);
+    if good >= wanted.min(band.solved) && (band.solved == size || band.exhausted()) {
+        return Ok(band.vectors(&pairs[..good.min(wanted)]));
+    }
+    Err(NotFound::Slow {
+        found,
+        wanted: count,
+        solves: band.solved,
+    })
+}
+
+/// A shift below every eigenvalue: none where the line is stable and held.
+fn shift_below_all(pencil: &mut Pencil) -> Result<f64, NotFound> {
+    let mut shift = 0.0;
+    let step = 1e-12 * pencil.highest();
+    for power in 0..9 {
+        if pencil.count_below(shift) == Ok(0) {
+            return Ok(shift);
+        }
+        shift = -step * 100_f64.powi(power);
+    }
+    Err(NotFound::Singular)
+}
+
+/// Whether as many eigenvalues lie just above the highest wanted one as pairs were found there.
+fn none_missing(pencil: &mut Pencil, pairs: &[Ritz], wanted: usize) -> bool {
+    let highest = pairs[wanted - 1].value;
+    let above = highest + MARGIN * highest.abs();
+    let here = pairs.iter().filter(|pair| pair.value < above).count();
+    pencil.count_below(above).is_ok_and(|below| below == here)
+}
+
+/// An approximate eigenpair: its eigenvalue, its vector in the basis, and what is left of its equation.
+struct Ritz {
+    value: f64,
+    weights: Vec<f64>,
+    left: f64,
+}
+
+/// The growing basis, and the image of A in it.
+struct Band {
+    shift: f64,
+    basis: Vec<Vec<V3>>,
+    /// `columns[j][i]`: the part of A times vector j along vector i.
+    columns: Vec<Vec<f64>>,
+    solved: usize,
+}
+
+impl Band {
+    fn new(pencil: &Pencil, shift: f64, size: usize) -> Self {
+        let mut band = Self {
+            shift,
+            basis: Vec::new(),
+            columns: Vec::new(),
+            solved: 0,
+        };
+        let mut numbers = Numbers(0x9E37_79B9_7F4A_7C15);
+        for _ in 0..BLOCK.min(size) {
+            let mut start = vec![V3::zeros(); pencil.nodes()];
+            for i in pencil.free() {
+                start[i] = V3::from_fn(|_, _| numbers.next());
+            }
+            band.add(pencil, start);
+        }
+        band
+    }
+
+    /// True when every vector of the basis has its image in it.
+    fn exhausted(&self) -> bool {
+        self.solved == self.basis.len()
+    }
+
+    /// Takes the next vector of the basis through A; false when there is none.
+    fn grow(&mut self, pencil: &mut Pencil) -> Result<bool, NotFound> {
+        if self.exhausted() {
+            return Ok(false);
+        }
+        let mut image = vec![V3::zeros(); pencil.nodes()];
+        pencil.multiply_mass(&self.basis[self.solved], &mut image);
+        pencil
+            .solve(self.shift, &mut image)
+            .map_err(|_| NotFound::Singular)?;
+        let column = self.add(pencil, image);
+        self.columns.push(column);
+        self.solved += 1;
+        Ok(true)
+    }
+
+    /// Adds to the basis what a vector has beyond it, and gives the vector's parts along the basis.
+    fn add(&mut self, pencil: &Pencil, mut vector: Vec<V3>) -> Vec<f64> {
+        let before = pencil.mass_product(&vector, &vector).sqrt();
+        let mut parts = vec![0.0; self.basis.len()];
+        for _ in 0..2 {
+            for (part, other) in parts.iter_mut().zip(&self.basis) {
+                let along = pencil.mass_product(other, &vector);
+                *part += along;
+                for (x, o) in vector.iter_mut().zip(other) {
+                    *x -= o * along;
+                }
+            }
+        }
+        let beyond = pencil.mass_product(&vector, &vector).sqrt();
+        if beyond > 1e-12 * before {
+            for x in &mut vector {
+                *x /= beyond;
+            }
+            parts.push(beyond);
+            self.basis.push(vector);
+        }
+        parts
+    }
+
+    /// The approximate pairs, lowest first, and how many of the first `wanted` are good.
+    fn pairs(&self, wanted: usize) -> (Vec<Ritz>, usize) {
+        let n = self.solved;
+        let part = |j: usize, i: usize| self.columns[j].get(i).copied().unwrap_or(0.0);
+        let image = DMatrix::from_fn(n, n, |i, j| 0.5 * (part(j, i) + part(i, j)));
+        let eigen = SymmetricEigen::new(image);
+        let ritz = |k: usize| {
+            let weights: Vec<f64> = eigen.eigenvectors.column(k).iter().copied().collect();
+            let outside = n..self.basis.len();
+            let left = outside.map(|i| {
+                let along = weights.iter().enumerate().map(|(j, w)| w * part(j, i));
+                along.sum::<f64>().powi(2)
+            });
+            let theta = eigen.eigenvalues[k];
+            Ritz {
+                value: self.shift + 1.0 / theta,
+                left: left.sum::<f64>().sqrt() / theta.abs(),
+                weights,
+            }
+        };
+        let mut pairs: Vec<Ritz> = (0..n)
+            .filter(|k| eigen.eigenvalues[*k] > 0.0)
+            .map(ritz)
+            .collect();
+        pairs.sort_by(|a, b| a.value.total_cmp(&b.value));
+        let good = pairs.iter().take(wanted).take_while(|p| p.left < ACCURACY);
+        let good = good.count();
+        (pairs, good)
+    }
+
+    fn vectors(&self, pairs: &[Ritz]) -> Vec<Eigenpair> {
+        let combine = |pair: &Ritz| {
+            let mut vector = vec![V3::zeros(); self.basis[0].len()];
+            for (weight, basis) in pair.weights.iter().zip(&self.basis) {
+                for (x, b) in vector.iter_mut().zip(basis) {
+                    *x += b * *weight;
+                }
+            }
+            Eigenpair {
+                value: pair.value,
+                vector,
+            }
+        };
+        pairs.iter().map(combine).collect()
+    }
+}
+
+/// Numbers between -1 and 1 that look random and are the same every time (xorshift).
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}

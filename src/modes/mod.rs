@@ -1,0 +1,23 @@
+//! Natural frequencies and mode shapes of a line about its static shape.
+//!
+//! Small motions u about rest obey `M u'' + K u = 0` with K the exact tangent of the line's forces at rest and M its mass
+//! with added mass; `u = x cos(omega t)` gives the eigenproblem `K x = omega² M x` (Irvine 1981, ch. 3, for cables by
+//! hand). Drag is left out, of which the damping that goes with the speed squared has no linear part in still water
+//! anyway; in a current, what drag changes with the line's direction and speed is left out too, while the shape
+//! about which the line moves is the one in that current. What is left is symmetric: all modes are real.
+//!
+//! * [`Pencil`]: K and M of a scene at rest.
+//! * [`lowest`]: their lowest eigenpairs, by a shift-invert block Lanczos method with a count that none is missing.
+//! * [`Mode`]: an eigenpair with what tells it apart: share of motion out of the line's plane and along the line, half
+//!   waves.
+//! * [`of_case`]: all of it for a case, errors estimated from half the mesh.
+
+mod find;
+mod lanczos;
+mod pencil;
+mod shape;
+
+pub use find::{Failure, Found, Named, of_case};
+pub use lanczos::{Eigenpair, NotFound, lowest};
+pub use pencil::Pencil;
+pub use shape::{Kind, Mode, Plane, modes_of};

@@ -1,0 +1,359 @@
+//! Friction of the sea bed on a node, along the bed, no more than a coefficient times the bed's push N.
+//!
+//! Two laws. The **grip** holds at rest: a spring from the place where the bed has hold of the node, with a damper beside
+//! it; what they pull, `e = k (g - x) - c v` along the bed, is the force while it is no more than friction bears, and
+//! is cut back to that where it is more (an elastic-plastic return mapping, as usual in contact mechanics). The place g is dragged along then, but only once a step is accepted:
+//! within a step every trial starts from the same g. With different coefficients along and across the line the
+//! limit is an ellipse:
+//!
+//! ```text
+//! s = sqrt((e_a/mu_a)² + (e_l/mu_l)²)     F = e where s <= N, else e N/s
+//! ```
+//!
+//! The **regularised** law of Zhu, Yin and Shen (2017, Journal of Harbin Engineering University, eq. 9 as rebuilt from its
+//! symbols), `F = -mu N v/max(|v|, v_lim)`, remembers nothing and holds nothing: a node under load creeps.
+
+use super::seabed::Push;
+use serde::{Deserialize, Serialize};
+
+use crate::linalg::{M3, V3};
+
+/// Friction between bed and line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Friction {
+    /// Coefficient along the line \[-\].
+    pub axial: f64,
+    /// Coefficient across the line \[-\].
+    pub lateral: f64,
+    /// How it acts.
+    pub law: Law,
+}
+
+/// How friction acts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Law {
+    /// By a grip that holds and is dragged along; its stiffness per area \[N/m³\].
+    Grip(f64),
+    /// Against the velocity, in full above this speed \[m/s\] and in proportion below it.
+    Regularised(f64),
+}
+
+/// Where the bed has hold of a node.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Grip {
+    /// The place \[m\]; only its part along the bed counts.
+    pub at: V3,
+    /// Unit vector along the line there, in the bed.
+    pub along: V3,
+    /// Stiffness of the hold \[N/m\].
+    pub stiffness: f64,
+    /// Damping beside it \[N s/m\].
+    pub damping: f64,
+    /// Whether the line was laid here and has only been pulled since, along `along`: friction then resists that pull and
+    /// no other, and a push back is borne without limit. (A line at rest is found with this, since a limit on one side
+    /// leaves Newton no way to go back and forth.)
+    pub laid: bool,
+}
+
+/// Friction on a node and its derivatives.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Held {
+    /// Force \[N\].
+    pub force: V3,
+    /// Derivative by the node's position \[N/m\].
+    pub by_position: M3,
+    /// Derivative by the node's velocity \[N s/m\].
+    pub by_velocity: M3,
+    /// Whether the node slides.
+    pub slides: bool,
+}
+
+/// A coefficient below this is as good as none.
+const LEAST: f64 = 1e-9;
+
+/// What the bed and the node are like.
+#[derive(Debug, Clone, Copy)]
+pub struct Contact<'a> {
+    /// Normal of the bed.
+    pub normal: &'a V3,
+    /// Push of the bed.
+    pub push: &'a Push,
+    /// Position of the node \[m\].
+    pub x: &'a V3,
+    /// Velocity of the node \[m/s\].
+    pub v: &'a V3,
+}
+
+impl Contact<'_> {
+    /// The part of a vector along the bed.
+    #[inline]
+    fn along_bed(&self, vector: &V3) -> V3 {
+        vector - self.normal * self.normal.dot(vector)
+    }
+
+    fn projector(&self) -> M3 {
+        M3::identity() - self.normal * self.normal.transpose()
+    }
+}
+
+impl Friction {
+    /// Force by the grip, without derivatives \[N\], and whether the node slides.
+    #[inline]
+    #[must_use]
+    pub fn grip_force(&self, c: &Contact<'_>, grip: &Grip) -> (V3, bool) {
+        let limit = c.push.force;
+        if limit <= 0.0 {
+            return (V3::zeros(), true);
+        }
+        let pull = pull(c, grip);
+        let s = self.mobilised(&pull, grip);
+        if s <= limit {
+            (pull, false)
+        } else {
+            (pull * (limit / s), true)
+        }
+    }
+
+    /// Force by the grip, with its exact derivatives: where the node slides the limit moves with the push, which makes
+    /// them unsymmetric.
+    #[must_use]
+    pub fn grip(&self, c: &Contact<'_>, grip: &Grip) -> Held {
+        let (force, slides) = self.grip_force(c, grip);
+        let limit = c.push.force;
+        if limit <= 0.0 {
+            return Held {
+                force,
+                by_position: M3::zeros(),
+                by_velocity: M3::zeros(),
+                slides,
+            };
+        }
+        let mut by_pull = c.projector();
+        let mut by_limit = V3::zeros();
+        if slides {
+            let pull = pull(c, grip);
+            let s = self.mobilised(&pull, grip);
+            let (mut a, l) = (1.0 / self.axial.max(LEAST), 1.0 / self.lateral.max(LEAST));
+            if grip.laid && pull.dot(&grip.along) > 0.0 {
+                a = 0.0;
+            }
+            let turned = pull * (l * l) + grip.along * (pull.dot(&grip.along) * (a * a - l * l));
+            by_limit = pull / s;
+            by_pull = (by_pull - pull * (turned / (s * s)).transpose()) * (limit / s);
+        }
+        let by_push = by_limit * c.normal.transpose();
+        Held {
+            force,
+            by_position: by_push * c.push.by_height - by_pull * grip.stiffness,
+            by_velocity: by_push * c.push.by_speed - by_pull * grip.damping,
+            slides,
+        }
+    }
+
+    /// Where the bed has hold of the node once its force stands: where it was, or dragged along. `hold` and `damping` are
+    /// the stiffness \[N/m\] and damping \[N s/m\] of the grip from now on.
+    #[must_use]
+    pub fn drag_along(
+        &self,
+        c: &Contact<'_>,
+        grip: &Grip,
+        (hold, damping): (f64, f64),
+        along: &V3,
+    ) -> Grip {
+        let (force, slides) = self.grip_force(c, grip);
+        let at = if slides || grip.laid || grip.stiffness != hold {
+            c.x + force / hold
+        } else {
+            grip.at
+        };
+        Grip {
+            at,
+            along: self.axis(c.normal, along, &grip.along),
+            stiffness: hold,
+            damping,
+            laid: false,
+        }
+    }
+
+    /// Unit vector of the line's direction in the bed, or the one before where the line stands upright.
+    fn axis(&self, normal: &V3, along: &V3, before: &V3) -> V3 {
+        let flat = along - normal * normal.dot(along);
+        flat.try_normalize(1e-6).unwrap_or(*before)
+    }
+
+    /// The push that bears this force \[N\].
+    #[inline]
+    fn mobilised(&self, force: &V3, grip: &Grip) -> f64 {
+        if self.axial == self.lateral && !grip.laid {
+            return force.norm() / self.axial.max(LEAST);
+        }
+        let a = force.dot(&grip.along);
+        let l = (force.norm_squared() - a * a).max(0.0);
+        let a = if grip.laid { a.min(0.0) } else { a };
+        let (mu_a, mu_l) = (self.axial.max(LEAST), self.lateral.max(LEAST));
+        (a * a / (mu_a * mu_a) + l / (mu_l * mu_l)).sqrt()
+    }
+
+    /// Whether a grip bears more than friction does: only one that was laid may.
+    #[must_use]
+    pub fn is_overborne(&self, c: &Contact<'_>, grip: &Grip) -> bool {
+        let free = Grip {
+            laid: false,
+            ..*grip
+        };
+        let (force, _) = self.grip_force(c, grip);
+        self.mobilised(&force, &free) > c.push.force * (1.0 + 1e-6)
+    }
+
+    /// Force by the regularised law, with its derivatives.
+    #[must_use]
+    pub fn regularised(&self, c: &Contact<'_>, slip: f64) -> Held {
+        let v = c.along_bed(c.v);
+        let speed = v.norm();
+        let (slides, size) = (speed > slip, speed.max(slip));
+        let share = v * (-self.axial / size);
+        let mut by_v = c.projector();
+        if slides {
+            by_v -= v * v.transpose() / (speed * speed);
+        }
+        let by_push = share * c.normal.transpose();
+        Held {
+            force: share * c.push.force,
+            by_position: by_push * c.push.by_height,
+            by_velocity: by_push * c.push.by_speed - by_v * (self.axial * c.push.force / size),
+            slides,
+        }
+    }
+}
+
+/// What spring and damper of a grip would pull \[N\].
+#[inline]
+fn pull(c: &Contact<'_>, grip: &Grip) -> V3 {
+    c.along_bed(&((grip.at - c.x) * grip.stiffness - c.v * grip.damping))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::Seabed;
+
+    fn bed() -> Seabed {
+        Seabed {
+            z: -10.0,
+            slope: Seabed::sloping(0.2, 0.7),
+            stiffness: 1e4,
+            damping: 50.0,
+            friction: None,
+        }
+    }
+
+    /// The largest difference between the derivatives and central differences, by the largest derivative.
+    fn mismatch(force: impl Fn(&V3, &V3) -> Held, x: V3, v: V3) -> f64 {
+        let held = force(&x, &v);
+        let size = held.by_position.amax().max(held.by_velocity.amax());
+        let mut worst = 0.0_f64;
+        for axis in 0..3 {
+            let h = V3::ith(axis, 1e-6);
+            let by_x = (force(&(x + h), &v).force - force(&(x - h), &v).force) / 2e-6;
+            let by_v = (force(&x, &(v + h)).force - force(&x, &(v - h)).force) / 2e-6;
+            worst = worst.max((held.by_position.column(axis) - by_x).amax() / size);
+            worst = worst.max((held.by_velocity.column(axis) - by_v).amax() / size);
+        }
+        worst
+    }
+
+    #[test]
+    fn derivatives_are_differences_holding_and_sliding() {
+        let bed = bed();
+        let normal = bed.normal();
+        let along = (V3::x() - normal * normal.x).normalize();
+        for (axial, lateral) in [(0.4, 0.4), (0.3, 0.8)] {
+            let friction = Friction {
+                axial,
+                lateral,
+                law: Law::Grip(1e4),
+            };
+            for (off, slides, laid) in [
+                (1e-3, false, false),
+                (0.5, true, false),
+                (0.5, true, true),
+                (-0.5, true, true),
+            ] {
+                let sideways = if slides { 1.5 } else { 1e-3 };
+                let x =
+                    V3::new(1.0, 2.0, 0.0) - normal * (bed.height(&V3::new(1.0, 2.0, 0.0)) + 0.1);
+                let grip = Grip {
+                    at: x + V3::new(off, sideways, -0.2 * off),
+                    along,
+                    stiffness: 3e3,
+                    damping: 20.0,
+                    laid,
+                };
+                let v = V3::new(0.02, -0.05, 0.01);
+                let force = |x: &V3, v: &V3| {
+                    let push = bed.push(x, v, 0.7);
+                    let contact = Contact {
+                        normal: &normal,
+                        push: &push,
+                        x,
+                        v,
+                    };
+                    friction.grip(&contact, &grip)
+                };
+                assert_eq!(force(&x, &v).slides, slides);
+                assert!(mismatch(force, x, v) < 1e-6, "{}", mismatch(force, x, v));
+                let regularised = |x: &V3, v: &V3| {
+                    let push = bed.push(x, v, 0.7);
+                    let contact = Contact {
+                        normal: &normal,
+                        push: &push,
+                        x,
+                        v,
+                    };
+                    friction.regularised(&contact, if slides { 0.01 } else { 1.0 })
+                };
+                assert!(mismatch(regularised, x, v) < 1e-6);
+            }
+        }
+    }
+
+    #[test]
+    fn what_slides_is_dragged_along_and_what_holds_is_not() {
+        let bed = bed();
+        let normal = bed.normal();
+        let friction = Friction {
+            axial: 0.5,
+            lateral: 0.5,
+            law: Law::Grip(1e4),
+        };
+        let x = -normal * (bed.height(&V3::zeros()) + 0.1);
+        let v = V3::zeros();
+        let push = bed.push(&x, &v, 1.0);
+        let contact = Contact {
+            normal: &normal,
+            push: &push,
+            x: &x,
+            v: &v,
+        };
+        let along = (V3::x() - normal * normal.x).normalize();
+        for (off, slides) in [(0.01, false), (0.2, true)] {
+            let grip = Grip {
+                at: x + along * off,
+                along,
+                stiffness: 1e4,
+                damping: 0.0,
+                laid: false,
+            };
+            let (force, slid) = friction.grip_force(&contact, &grip);
+            assert_eq!(slid, slides);
+            assert!(force.norm() <= 0.5 * push.force * (1.0 + 1e-12));
+            let next = friction.drag_along(&contact, &grip, (1e4, 0.0), &along);
+            assert_eq!(next.at == grip.at, !slides);
+            let again = friction.grip_force(&contact, &next).0;
+            assert!(
+                (again - force).norm() < 1e-9 * push.force,
+                "the force stays as it was"
+            );
+        }
+    }
+}

@@ -1,0 +1,411 @@
+//! Stiffness of a synthetic fibre rope in motion: it grows with the mean tension and falls with the deviation from it.
+//!
+//! ```text
+//! k = EA / MBL = alpha + beta Lm - gamma La
+//! ```
+//!
+//! (Zhu, Yin and Shen 2017, Journal of Harbin Engineering University, eq. 1 as rebuilt from its symbols and numbers):
+//! MBL is the breaking load, Lm the mean of the past tension and La the deviation of the tension from that mean, signed
+//! and of the instant, both in percent of MBL. La depends on the tension that k gives; where the paper
+//! iterates for it, both readings below have a closed form, so that value and slope are exact.
+//!
+//! **Secant**: `T = k MBL e` with the same unstretched length as at rest under the static stiffness. It is what the
+//! paper computes (its tensions with the top held still are greater than the static ones). With `c = 100 gamma`
+//! and `A = alpha + (beta + gamma) Lm`: `T = MBL A e / (1 + c e)`. At rest Lm is the tension itself and La is none:
+//! `T = MBL alpha e / (1 - 100 beta e)`.
+//!
+//! **About the mean**: the static stiffness up to the mean tension Tm and its strain e_m, the dynamic one from there:
+//! `T = Tm + k MBL (e - e_m)`. With `B = alpha + beta Lm` and `D = e - e_m`: `T = Tm + MBL B D / (1 + c D)`. A line
+//! at rest has its static tensions.
+
+use super::{Elastic, Table};
+
+/// A fibre rope with dynamic stiffness.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Dynamic {
+    /// alpha \[-\].
+    pub alpha: f64,
+    /// beta, per percent of the breaking load \[-\].
+    pub beta: f64,
+    /// gamma, per percent of the breaking load \[-\].
+    pub gamma: f64,
+    /// Breaking load MBL \[N\].
+    pub strength: f64,
+    /// How the stiffness makes a tension.
+    pub reading: Reading,
+    /// Time over which the past tension is averaged \[s\]; infinity: all of the past.
+    pub window: f64,
+}
+
+/// How the dynamic stiffness makes a tension.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Reading {
+    /// Through the origin of strain.
+    Secant,
+    /// About the mean state, up to which this holds.
+    AboutTheMean(Static),
+}
+
+/// Elasticity of a rope that is loaded slowly.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Static {
+    /// This stiffness EA \[N\].
+    Linear(f64),
+    /// A table.
+    Table(Table),
+}
+
+/// The mean state that a segment swings about.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Mean {
+    /// Mean tension \[N\].
+    pub tension: f64,
+    /// Strain under that tension, loaded slowly \[-\].
+    pub strain: f64,
+}
+
+/// Tension in percent of the breaking load beyond which the curve at rest goes on straight: the rope has parted.
+const PARTED: f64 = 100.0;
+
+/// Mean tension in percent of the breaking load up to which [`Dynamic::steepest`] holds.
+const WORKING: f64 = 50.0;
+
+impl Dynamic {
+    /// A tension in percent of the breaking load.
+    #[must_use]
+    pub fn percent(&self, tension: f64) -> f64 {
+        100.0 * tension / self.strength
+    }
+
+    /// k = EA / MBL at a mean and a deviation in percent of the breaking load \[-\].
+    #[must_use]
+    pub fn stiffness(&self, mean: f64, deviation: f64) -> f64 {
+        self.alpha + self.beta * mean - self.gamma * deviation
+    }
+
+    /// Tension and slope at rest, the mean being the tension itself.
+    #[must_use]
+    pub fn at_rest(&self, strain: f64) -> Elastic {
+        match &self.reading {
+            Reading::AboutTheMean(curve) => curve.at(strain),
+            Reading::Secant => {
+                let strain_in = strain.clamp(0.0, self.strain_parted());
+                let left = 1.0 - 100.0 * self.beta * strain_in;
+                let by_strain = self.strength * self.alpha / (left * left);
+                Elastic {
+                    tension: self.strength * self.alpha * strain_in / left
+                        + by_strain * (strain - strain_in),
+                    by_strain,
+                }
+            }
+        }
+    }
+
+    /// Tension and slope about a mean. A strain at which the rope is slack has the straight continuation.
+    #[must_use]
+    pub fn in_motion(&self, strain: f64, mean: &Mean) -> Elastic {
+        let (from, stiffness, start) = self.branch(mean);
+        let c = 100.0 * self.gamma;
+        let slack = self.slack(mean);
+        let inside = (strain - from).max(slack);
+        let left = 1.0 / (1.0 + c * inside);
+        let by_strain = stiffness * left * left;
+        Elastic {
+            tension: start + stiffness * inside * left + by_strain * (strain - from - inside),
+            by_strain,
+        }
+    }
+
+    /// The strain at a tension \[N\] of a line at rest.
+    #[must_use]
+    pub fn strain_at(&self, tension: f64) -> f64 {
+        match &self.reading {
+            Reading::AboutTheMean(curve) => curve.strain_at(tension),
+            Reading::Secant => {
+                let percent = self.percent(tension);
+                let inside = percent.clamp(0.0, PARTED);
+                let strain = inside / (100.0 * (self.alpha + self.beta * inside));
+                let slope = self.at_rest(strain).by_strain;
+                strain + (percent - inside) * 0.01 * self.strength / slope
+            }
+        }
+    }
+
+    /// How the strain under a slowly grown tension grows with it \[1/N\], at a strain of the static curve.
+    #[must_use]
+    pub fn compliance(&self, strain: f64) -> f64 {
+        1.0 / self.at_rest(strain).by_strain
+    }
+
+    /// Energy stored per unstretched length at rest \[N\].
+    #[must_use]
+    pub fn stored_at_rest(&self, strain: f64) -> f64 {
+        match &self.reading {
+            Reading::AboutTheMean(Static::Linear(ea)) => 0.5 * ea * strain * strain,
+            Reading::AboutTheMean(Static::Table(table)) => table.stored(strain),
+            Reading::Secant => {
+                let inside = strain.clamp(0.0, self.strain_parted());
+                let (edge, beyond) = (self.at_rest(inside), strain - inside);
+                self.strength * self.alpha * bend(-100.0 * self.beta, inside)
+                    + beyond * (edge.tension + 0.5 * edge.by_strain * beyond)
+            }
+        }
+    }
+
+    /// Energy stored per unstretched length about a mean \[N\], and how it grows with the mean tension at the same
+    /// strain \[-\]: what the rope takes up or gives back as it forgets.
+    #[must_use]
+    pub fn stored_in_motion(&self, strain: f64, mean: &Mean) -> (f64, f64) {
+        let (from, stiffness, start) = self.branch(mean);
+        let (here, slack) = (strain - from, self.slack(mean));
+        if here <= slack {
+            return (0.0, 0.0);
+        }
+        let c = 100.0 * self.gamma;
+        let bent = bend(c, here) - bend(c, slack);
+        let stored = start * (here - slack) + stiffness * bent;
+        let by_mean = match self.reading {
+            Reading::Secant => 100.0 * (self.beta + self.gamma) * bent,
+            Reading::AboutTheMean(_) => {
+                here - slack + 100.0 * self.beta * bent
+                    - self.compliance(mean.strain) * self.in_motion(strain, mean).tension
+            }
+        };
+        (stored, by_mean)
+    }
+
+    /// A slope that tensions do not exceed while the mean stays below half the breaking load \[N\].
+    #[must_use]
+    pub fn steepest(&self) -> f64 {
+        let full = self.alpha + (self.beta + self.gamma) * WORKING;
+        let about = self.stiffness(WORKING, 0.0);
+        match &self.reading {
+            Reading::Secant => self.strength * full,
+            Reading::AboutTheMean(curve) => {
+                curve.steepest().max(self.strength * full * full / about)
+            }
+        }
+    }
+
+    /// A stiffness that stands for the rope at rest \[N\].
+    #[must_use]
+    pub fn overall(&self) -> f64 {
+        match &self.reading {
+            Reading::Secant => self.strength * self.stiffness(15.0, 0.0),
+            Reading::AboutTheMean(Static::Linear(ea)) => *ea,
+            Reading::AboutTheMean(Static::Table(table)) => table.overall(),
+        }
+    }
+
+    /// Where the branch of a mean begins, its stiffness there \[N\] and its tension there \[N\].
+    fn branch(&self, mean: &Mean) -> (f64, f64, f64) {
+        let percent = self.percent(mean.tension);
+        match self.reading {
+            Reading::Secant => {
+                let stiffness = self.alpha + (self.beta + self.gamma) * percent;
+                (0.0, self.strength * stiffness, 0.0)
+            }
+            Reading::AboutTheMean(_) => {
+                let stiffness = self.strength * self.stiffness(percent, 0.0);
+                (mean.strain, stiffness, mean.tension)
+            }
+        }
+    }
+
+    /// The strain, from where the branch begins, at which the rope goes slack.
+    fn slack(&self, mean: &Mean) -> f64 {
+        match self.reading {
+            Reading::Secant => 0.0,
+            Reading::AboutTheMean(_) => {
+                let percent = self.percent(mean.tension);
+                let full = self.alpha + (self.beta + self.gamma) * percent;
+                -0.01 * percent / full
+            }
+        }
+    }
+
+    /// The strain at rest under the breaking load.
+    fn strain_parted(&self) -> f64 {
+        0.01 * PARTED / (self.alpha + self.beta * PARTED)
+    }
+}
+
+impl Static {
+    /// Tension and slope at a strain.
+    #[must_use]
+    pub fn at(&self, strain: f64) -> Elastic {
+        match self {
+            Self::Linear(ea) => Elastic {
+                tension: ea * strain,
+                by_strain: *ea,
+            },
+            Self::Table(table) => table.at(strain),
+        }
+    }
+
+    /// The strain at a tension \[N\].
+    #[must_use]
+    pub fn strain_at(&self, tension: f64) -> f64 {
+        match self {
+            Self::Linear(ea) => tension / ea,
+            Self::Table(table) => table.strain_at(tension),
+        }
+    }
+
+    fn steepest(&self) -> f64 {
+        match self {
+            Self::Linear(ea) => *ea,
+            Self::Table(table) => table.steepest(),
+        }
+    }
+}
+
+/// The integral of `e / (1 + c e)` from nought: `(c e - ln(1 + c e)) / c²`, by its series where c e is small.
+fn bend(c: f64, e: f64) -> f64 {
+    let x = c * e;
+    if x.abs() < 1e-2 {
+        let series = 0.5 - x * (1.0 / 3.0 - x * (0.25 - x * (0.2 - x * (1.0 / 6.0 - x / 7.0))));
+        e * e * series
+    } else {
+        (x - x.ln_1p()) / (c * c)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn polyester(reading: Reading) -> Dynamic {
+        Dynamic {
+            alpha: 14.469,
+            beta: 0.2113,
+            gamma: 0.2697,
+            strength: 14.715e6,
+            reading,
+            window: f64::INFINITY,
+        }
+    }
+
+    fn readings() -> [Dynamic; 3] {
+        let curve = Table::new(&[0.0, 0.01, 0.05], &[0.0, 1.8e6, 12.0e6]).unwrap();
+        [
+            Reading::Secant,
+            Reading::AboutTheMean(Static::Linear(12.2 * 14.715e6)),
+            Reading::AboutTheMean(Static::Table(curve)),
+        ]
+        .map(polyester)
+    }
+
+    fn mean_of(rope: &Dynamic, tension: f64) -> Mean {
+        Mean {
+            tension,
+            strain: rope.strain_at(tension),
+        }
+    }
+
+    /// Zhu, Yin and Shen 2017, sec. 3: Lm from 13.47 to 14.06, stiffness about 17.315 and 17.44 at the two ends.
+    #[test]
+    fn stiffness_is_as_printed() {
+        let rope = polyester(Reading::Secant);
+        assert!((rope.stiffness(13.47, 0.0) - 17.315).abs() < 1e-3);
+        assert!((rope.stiffness(14.06, 0.0) - 17.440).abs() < 1e-3);
+    }
+
+    #[test]
+    fn tension_is_the_stiffness_times_the_strain() {
+        let mean = 2.0e6;
+        for strain in [0.004, 0.0078, 0.012] {
+            let secant = polyester(Reading::Secant);
+            let tension = secant.in_motion(strain, &mean_of(&secant, mean)).tension;
+            let deviation = secant.percent(tension - mean);
+            let k = secant.stiffness(secant.percent(mean), deviation);
+            assert!((k * secant.strength * strain / tension - 1.0).abs() < 1e-12);
+            for about in &readings()[1..] {
+                let from = mean_of(about, mean);
+                let tension = about.in_motion(strain, &from).tension;
+                let k = about.stiffness(about.percent(mean), about.percent(tension - mean));
+                let told = mean + k * about.strength * (strain - from.strain);
+                assert!(tension <= 0.0 || (told / tension - 1.0).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn at_rest_and_in_motion_agree_where_the_tension_is_its_mean() {
+        for rope in readings() {
+            for tension in [1e5, 2e6, 7e6, 14e6] {
+                let mean = mean_of(&rope, tension);
+                assert!((rope.at_rest(mean.strain).tension / tension - 1.0).abs() < 1e-9);
+                let moving = rope.in_motion(mean.strain, &mean);
+                assert!((moving.tension / tension - 1.0).abs() < 1e-9);
+                assert!(moving.by_strain > 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn slopes_and_energies_go_with_the_tension() {
+        let h = 1e-7;
+        for rope in readings() {
+            let mean = mean_of(&rope, 2.1e6);
+            for i in -3..60 {
+                let strain = f64::from(i) * 8e-4 + 1e-4;
+                let at = |e: f64| rope.in_motion(e, &mean);
+                let here = at(strain);
+                let slope = (at(strain + h).tension - at(strain - h).tension) / (2.0 * h);
+                assert!(
+                    (slope / here.by_strain - 1.0).abs() < 1e-5,
+                    "{rope:?} {strain}"
+                );
+                let stored = |e: f64| rope.stored_in_motion(e, &mean).0;
+                let force = (stored(strain + h) - stored(strain - h)) / (2.0 * h);
+                assert!(
+                    (force - here.tension.max(0.0)).abs() < 50.0,
+                    "{rope:?} {strain}"
+                );
+                let rest = |e: f64| rope.at_rest(e);
+                let slope = (rest(strain + h).tension - rest(strain - h).tension) / (2.0 * h);
+                assert!((slope / rest(strain).by_strain - 1.0).abs() < 1e-5);
+                let stored = |e: f64| rope.stored_at_rest(e);
+                let force = (stored(strain + h) - stored(strain - h)) / (2.0 * h);
+                if strain > h {
+                    assert!(
+                        (force - rest(strain).tension).abs() < 50.0,
+                        "{rope:?} {strain}"
+                    );
+                    let back = rope.strain_at(rest(strain).tension);
+                    assert!((back - strain).abs() < 1e-12, "{rope:?} {strain}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn energy_grows_with_the_mean_as_told() {
+        for rope in readings() {
+            for strain in [0.003, 0.008, 0.02] {
+                let stored = |tension: f64| rope.stored_in_motion(strain, &mean_of(&rope, tension));
+                let (m, h) = (2.1e6, 10.0);
+                let slope = (stored(m + h).0 - stored(m - h).0) / (2.0 * h);
+                let told = stored(m).1;
+                assert!(
+                    (slope - told).abs() < 1e-6 * (1.0 + told.abs()),
+                    "{rope:?} {strain}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn no_tension_exceeds_the_steepest_slope() {
+        for rope in readings() {
+            for percent in [0.0, 10.0, 25.0, 49.0] {
+                let mean = mean_of(&rope, 0.01 * percent * rope.strength);
+                for i in 0..100 {
+                    let here = rope.in_motion(f64::from(i) * 5e-4, &mean);
+                    assert!(here.by_strain <= rope.steepest() * (1.0 + 1e-12));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Ropes whose stiffness is not one number: a tension-strain table, or a stiffness that depends on how the rope was
+//! loaded before.
+
+pub mod dynamic;
+pub mod table;
+
+pub use dynamic::{Dynamic, Mean, Reading, Static};
+pub use table::Table;
+
+/// Elastic tension of a rope, and its slope.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Elastic {
+    /// Tension \[N\]; negative where the rope, were it a rod, would push.
+    pub tension: f64,
+    /// Derivative by strain \[N\].
+    pub by_strain: f64,
+}
+
+/// How the elastic tension of a material follows from its strain, where that is not in proportion.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Law {
+    /// By a table.
+    Table(Table),
+    /// With dynamic stiffness.
+    Dynamic(Dynamic),
+}
+
+impl Law {
+    /// Tension and slope at a strain \[-\]; about a mean, or at rest where there is none.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, strain: f64, mean: Option<&Mean>) -> Elastic {
+        match (self, mean) {
+            (Self::Table(table), _) => table.at(strain),
+            (Self::Dynamic(rope), None) => rope.at_rest(strain),
+            (Self::Dynamic(rope), Some(mean)) => rope.in_motion(strain, mean),
+        }
+    }
+
+    /// Energy stored per unstretched length at a strain \[N\], and how it grows with the mean tension \[-\].
+    #[must_use]
+    pub fn stored(&self, strain: f64, mean: Option<&Mean>) -> (f64, f64) {
+        match (self, mean) {
+            (Self::Table(table), _) => (table.stored(strain), 0.0),
+            (Self::Dynamic(rope), None) => (rope.stored_at_rest(strain), 0.0),
+            (Self::Dynamic(rope), Some(mean)) => rope.stored_in_motion(strain, mean),
+        }
+    }
+
+    /// The strain at a tension \[N\] of a line at rest.
+    #[must_use]
+    pub fn strain_at(&self, tension: f64) -> f64 {
+        match self {
+            Self::Table(table) => table.strain_at(tension),
+            Self::Dynamic(rope) => rope.strain_at(tension),
+        }
+    }
+
+    /// A stiffness that stands for the whole law \[N\].
+    #[must_use]
+    pub fn overall(&self) -> f64 {
+        match self {
+            Self::Table(table) => table.overall(),
+            Self::Dynamic(rope) => rope.overall(),
+        }
+    }
+
+    /// A slope that the tension does not exceed \[N\], with dynamic stiffness up to half the breaking load: what
+    /// explicit steps and tolerances must be small for.
+    #[must_use]
+    pub fn steepest(&self) -> f64 {
+        match self {
+            Self::Table(table) => table.steepest(),
+            Self::Dynamic(rope) => rope.steepest(),
+        }
+    }
+
+    /// The dynamic stiffness, if that is what it has.
+    #[must_use]
+    pub fn dynamic(&self) -> Option<&Dynamic> {
+        match self {
+            Self::Dynamic(rope) => Some(rope),
+            Self::Table(_) => None,
+        }
+    }
+}

@@ -1,0 +1,239 @@
+//! A tension-strain table: a monotone cubic through its points, straight beyond the last.
+//!
+//! Slopes at the points are harmonic means of those of the stretches at either side (Fritsch and Butland 1984,
+//! doi 10.1137/0905021, their simple formula), at both ends that of the stretch there. Tension then rises
+//! everywhere, without overshoot, and its slope has no jump, so that Newton and the time steps see none.
+
+use super::Elastic;
+
+/// Tension of a rope over its strain.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    strain: Vec<f64>,
+    tension: Vec<f64>,
+    /// Slope at the points \[N\].
+    slope: Vec<f64>,
+    /// Energy per unstretched length that is stored at the points \[N\].
+    stored: Vec<f64>,
+}
+
+impl Table {
+    /// From strains \[-\] and tensions \[N\], both rising from zero; nothing where they are not, or fewer than two.
+    #[must_use]
+    pub fn new(strain: &[f64], tension: &[f64]) -> Option<Self> {
+        let rises = |list: &[f64]| {
+            list.first() == Some(&0.0)
+                && list.windows(2).all(|pair| pair[1] > pair[0])
+                && list.iter().all(|v| v.is_finite())
+        };
+        if strain.len() != tension.len() || strain.len() < 2 || !rises(strain) || !rises(tension) {
+            return None;
+        }
+        let secants: Vec<f64> = strain
+            .windows(2)
+            .zip(tension.windows(2))
+            .map(|(e, t)| (t[1] - t[0]) / (e[1] - e[0]))
+            .collect();
+        let mut slope = vec![secants[0]];
+        slope.extend(
+            secants
+                .windows(2)
+                .map(|pair| 2.0 / (1.0 / pair[0] + 1.0 / pair[1])),
+        );
+        slope.push(secants[secants.len() - 1]);
+        let mut table = Self {
+            strain: strain.to_vec(),
+            tension: tension.to_vec(),
+            stored: vec![0.0; slope.len()],
+            slope,
+        };
+        for i in 1..strain.len() {
+            table.stored[i] = table.stored[i - 1] + table.stored_within(i - 1, 1.0);
+        }
+        Some(table)
+    }
+
+    /// Tension and slope at a strain. Below zero, where only a rod goes, the line through zero goes on straight.
+    #[must_use]
+    pub fn at(&self, strain: f64) -> Elastic {
+        let Some(i) = self.stretch(strain) else {
+            let i = if strain < 0.0 { 0 } else { self.last() };
+            return Elastic {
+                tension: self.tension[i] + self.slope[i] * (strain - self.strain[i]),
+                by_strain: self.slope[i],
+            };
+        };
+        let (h, rise, d) = self.shape(i);
+        let s = (strain - self.strain[i]) / h;
+        // Hermite: T0 + s (h d0 + s (3 rise - h (2 d0 + d1) + s (h (d0 + d1) - 2 rise))).
+        let (b, c) = (
+            3.0 * rise - h * (2.0 * d[0] + d[1]),
+            h * (d[0] + d[1]) - 2.0 * rise,
+        );
+        Elastic {
+            tension: self.tension[i] + s * (h * d[0] + s * (b + s * c)),
+            by_strain: d[0] + s * (2.0 * b + 3.0 * s * c) / h,
+        }
+    }
+
+    /// Energy stored per unstretched length at a strain \[N\].
+    #[must_use]
+    pub fn stored(&self, strain: f64) -> f64 {
+        let Some(i) = self.stretch(strain) else {
+            let i = if strain < 0.0 { 0 } else { self.last() };
+            let beyond = strain - self.strain[i];
+            return self.stored[i] + beyond * (self.tension[i] + 0.5 * self.slope[i] * beyond);
+        };
+        let s = (strain - self.strain[i]) / (self.strain[i + 1] - self.strain[i]);
+        self.stored[i] + self.stored_within(i, s)
+    }
+
+    /// The strain at a tension \[N\].
+    #[must_use]
+    pub fn strain_at(&self, tension: f64) -> f64 {
+        let last = self.last();
+        if tension <= 0.0 {
+            return tension / self.slope[0];
+        }
+        if tension >= self.tension[last] {
+            return self.strain[last] + (tension - self.tension[last]) / self.slope[last];
+        }
+        let i = self.tension.partition_point(|t| *t <= tension) - 1;
+        let (mut low, mut high) = (self.strain[i], self.strain[i + 1]);
+        let mut strain = 0.5 * (low + high);
+        // Newton held inside a bracket: the curve rises, so that one always shrinks it.
+        for _ in 0..60 {
+            let here = self.at(strain);
+            let miss = here.tension - tension;
+            if miss > 0.0 {
+                high = strain;
+            } else {
+                low = strain;
+            }
+            let next = strain - miss / here.by_strain;
+            let next = if next > low && next < high {
+                next
+            } else {
+                0.5 * (low + high)
+            };
+            if (next - strain).abs() <= 4.0 * f64::EPSILON * high {
+                return next;
+            }
+            strain = next;
+        }
+        strain
+    }
+
+    /// A slope that none of the curve exceeds \[N\]: between two points a cubic of this kind is nowhere steeper than its
+    /// ends and one and a half times its mean.
+    #[must_use]
+    pub fn steepest(&self) -> f64 {
+        let inside = (0..self.last()).map(|i| {
+            let (h, rise, d) = self.shape(i);
+            d[0].max(d[1]).max(1.5 * rise / h)
+        });
+        inside.fold(0.0, f64::max)
+    }
+
+    /// Tension by strain at the last point \[N\]: a stiffness that stands for the whole table.
+    #[must_use]
+    pub fn overall(&self) -> f64 {
+        self.tension[self.last()] / self.strain[self.last()]
+    }
+
+    fn last(&self) -> usize {
+        self.strain.len() - 1
+    }
+
+    /// The stretch between two points that a strain lies in; nothing beyond them.
+    fn stretch(&self, strain: f64) -> Option<usize> {
+        let i = self.strain.partition_point(|e| *e <= strain);
+        (1..=self.last()).contains(&i).then(|| i - 1)
+    }
+
+    /// Width \[-\], rise \[N\] and end slopes \[N\] of a stretch.
+    fn shape(&self, i: usize) -> (f64, f64, [f64; 2]) {
+        (
+            self.strain[i + 1] - self.strain[i],
+            self.tension[i + 1] - self.tension[i],
+            [self.slope[i], self.slope[i + 1]],
+        )
+    }
+
+    /// Energy per length between the point i and a share s of the stretch after it \[N\].
+    fn stored_within(&self, i: usize, s: f64) -> f64 {
+        let (h, rise, d) = self.shape(i);
+        let (b, c) = (
+            3.0 * rise - h * (2.0 * d[0] + d[1]),
+            h * (d[0] + d[1]) - 2.0 * rise,
+        );
+        h * s * (self.tension[i] + s * (0.5 * h * d[0] + s * (b / 3.0 + 0.25 * s * c)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn nylon() -> Table {
+        Table::new(&[0.0, 0.02, 0.05, 0.12], &[0.0, 1e4, 6e4, 4e5]).unwrap()
+    }
+
+    #[test]
+    fn the_points_are_on_the_curve_and_it_rises_between_them() {
+        let table = nylon();
+        for (strain, tension) in [(0.0, 0.0), (0.02, 1e4), (0.05, 6e4), (0.12, 4e5)] {
+            assert!((table.at(strain).tension - tension).abs() < 1e-9 * 4e5);
+        }
+        let mut before = table.at(-0.01);
+        for i in -99..2000 {
+            let here = table.at(f64::from(i) * 1e-4);
+            assert!(here.tension > before.tension && here.by_strain > 0.0);
+            assert!(here.by_strain <= table.steepest());
+            before = here;
+        }
+    }
+
+    #[test]
+    fn slope_energy_and_strain_go_with_the_tension() {
+        let table = nylon();
+        let h = 1e-7;
+        for i in -5..80 {
+            let strain = f64::from(i) * 2e-3 + 3e-4;
+            let here = table.at(strain);
+            let slope = (table.at(strain + h).tension - table.at(strain - h).tension) / (2.0 * h);
+            assert!((slope / here.by_strain - 1.0).abs() < 1e-5, "{strain}");
+            let force = (table.stored(strain + h) - table.stored(strain - h)) / (2.0 * h);
+            assert!((force - here.tension).abs() < 1e-5 * 4e5, "{strain}");
+            assert!(
+                (table.strain_at(here.tension) - strain).abs() < 1e-12,
+                "{strain}"
+            );
+        }
+    }
+
+    #[test]
+    fn two_points_are_a_straight_line() {
+        let table = Table::new(&[0.0, 0.1], &[0.0, 5e5]).unwrap();
+        for strain in [-0.02, 0.0, 0.03, 0.1, 0.2] {
+            let here = table.at(strain);
+            assert!((here.tension - 5e6 * strain).abs() < 1e-6);
+            assert!((here.by_strain - 5e6).abs() < 1e-6);
+        }
+        assert!((table.overall() - 5e6).abs() < 1e-6);
+    }
+
+    #[test]
+    fn what_does_not_rise_from_zero_is_no_table() {
+        for (strain, tension) in [
+            (vec![0.0], vec![0.0]),
+            (vec![0.0, 0.1], vec![1.0, 2.0]),
+            (vec![0.0, 0.1, 0.1], vec![0.0, 1.0, 2.0]),
+            (vec![0.0, 0.1, 0.2], vec![0.0, 2.0, 1.0]),
+            (vec![0.0, 0.1], vec![0.0, 1.0, 2.0]),
+            (vec![0.0, f64::NAN], vec![0.0, 1.0]),
+        ] {
+            assert!(Table::new(&strain, &tension).is_none());
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! The sea: spectra, irregular records made from them, waves at finite depth, and how a ship answers.
+//!
+//! * [`Spectrum`]: JONSWAP and Pierson-Moskowitz, by significant height or by root mean square.
+//! * [`synthesise`]: a spectrum into regular [`Component`]s, the same for the same seed.
+//! * [`wave_number`]: dispersion at any depth.
+//! * [`Waves`]: velocity and acceleration of the water, with how both change from place to place.
+//! * [`Rao`]: the answer of a ship to a regular wave in six degrees of freedom.
+//! * [`Harmonics`]: a motion in space as a sum of harmonics, which is what all of these become in the end.
+//!
+//! Conventions: angular frequencies omega \[rad/s\]; a component is `a cos(omega t + phase)`, so a phase is a
+//! lead; a wave that runs along the unit vector d is `a cos(omega t - k d.x + phase)` at the place x. Waves are
+//! long-crested: spreading over directions is left out.
+
+mod component;
+mod decay;
+mod dispersion;
+mod harmonics;
+mod random;
+mod rao;
+mod spectrum;
+mod stretching;
+mod synthesis;
+mod waves;
+
+pub use component::{Component, Moments};
+pub use decay::Decay;
+pub use dispersion::wave_number;
+pub use harmonics::{Harmonic, Harmonics};
+pub use random::Random;
+pub use rao::{DEGREES, Rao, RaoError, Response};
+pub use spectrum::Spectrum;
+pub use stretching::Stretching;
+pub use synthesis::synthesise;
+pub use waves::{Flow, Setting, Waves};

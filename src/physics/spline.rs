@@ -1,0 +1,155 @@
+//! Places over time from a table: a cubic spline along each axis.
+//!
+//! The natural spline (no curvature at its ends) through all points: position, velocity and acceleration are
+//! continuous, as the motion of something with mass is. Its moments solve a tridiagonal system (de Boor, "A practical guide to
+//! splines", chapter IV).
+
+use crate::linalg::V3;
+
+/// Why a table is none.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum SplineError {
+    /// Fewer than two points.
+    #[error("a table of places needs two points or more")]
+    Short,
+    /// Times that do not rise, at this point.
+    #[error("times must rise; point {0} does not come after the one before")]
+    Order(usize),
+}
+
+/// A smooth path through points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spline {
+    time: Vec<f64>,
+    place: Vec<V3>,
+    /// Acceleration at each point \[m/s²\].
+    bend: Vec<V3>,
+}
+
+impl Spline {
+    /// The path through these places \[m\] at rising times \[s\].
+    ///
+    /// # Errors
+    /// [`SplineError`] when there are too few points or times do not rise.
+    pub fn through(points: &[(f64, V3)]) -> Result<Self, SplineError> {
+        if points.len() < 2 {
+            return Err(SplineError::Short);
+        }
+        if let Some(i) = points.windows(2).position(|p| p[1].0 <= p[0].0) {
+            return Err(SplineError::Order(i + 1));
+        }
+        let (time, place): (Vec<f64>, Vec<V3>) = points.iter().copied().unzip();
+        let bend = bends(&time, &place);
+        Ok(Self { time, place, bend })
+    }
+
+    /// First and last time \[s\].
+    #[must_use]
+    pub fn span(&self) -> (f64, f64) {
+        (self.time[0], self.time[self.time.len() - 1])
+    }
+
+    /// Shortest time between two points \[s\].
+    #[must_use]
+    pub fn finest(&self) -> f64 {
+        let gaps = self.time.windows(2).map(|t| t[1] - t[0]);
+        gaps.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Position \[m\], velocity \[m/s\] and acceleration \[m/s²\] at time t \[s\]; beyond its ends the path goes on straight.
+    #[must_use]
+    pub fn at(&self, t: f64) -> (V3, V3, V3) {
+        let (first, last) = self.span();
+        let inside = t.clamp(first, last);
+        let next = self.time.partition_point(|known| *known <= inside);
+        let i = next.clamp(1, self.time.len() - 1);
+        let (x, v, a) = self.piece(i, inside);
+        if t == inside {
+            (x, v, a)
+        } else {
+            (x + v * (t - inside), v, V3::zeros())
+        }
+    }
+
+    /// On the piece that ends at point i.
+    fn piece(&self, i: usize, t: f64) -> (V3, V3, V3) {
+        let h = self.time[i] - self.time[i - 1];
+        let (p, q) = ((self.time[i] - t) / h, (t - self.time[i - 1]) / h);
+        let (x0, x1) = (&self.place[i - 1], &self.place[i]);
+        let (a0, a1) = (&self.bend[i - 1], &self.bend[i]);
+        let cubic = |s: f64| (s * s * s - s) * h * h / 6.0;
+        let slope = |s: f64| (3.0 * s * s - 1.0) * h / 6.0;
+        (
+            x0 * p + x1 * q + a0 * cubic(p) + a1 * cubic(q),
+            (x1 - x0) / h - a0 * slope(p) + a1 * slope(q),
+            a0 * p + a1 * q,
+        )
+    }
+}
+
+/// Accelerations at the points, none at both ends, by elimination from the first to the last and back.
+fn bends(time: &[f64], place: &[V3]) -> Vec<V3> {
+    let n = time.len();
+    let mut bend = vec![V3::zeros(); n];
+    let mut factor = vec![0.0; n];
+    let rate = |i: usize| (place[i + 1] - place[i]) / (time[i + 1] - time[i]);
+    for i in 1..n - 1 {
+        let (before, after) = (time[i] - time[i - 1], time[i + 1] - time[i]);
+        let pivot = 2.0 * (before + after) - before * factor[i - 1];
+        factor[i] = after / pivot;
+        bend[i] = ((rate(i) - rate(i - 1)) * 6.0 - bend[i - 1] * before) / pivot;
+    }
+    for i in (1..n - 1).rev() {
+        let next = bend[i + 1];
+        bend[i] -= next * factor[i];
+    }
+    bend
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn follows_a_smooth_path_with_its_velocity_and_acceleration() {
+        let path = |t: f64| V3::new((0.7 * t).sin(), 0.1 * t, (0.3 * t).cos());
+        let error = |step: f64| {
+            let count = (20.0 / step) as usize;
+            let points: Vec<_> = (0..=count)
+                .map(|i| (step * i as f64, path(step * i as f64)))
+                .collect();
+            let spline = Spline::through(&points).unwrap();
+            let t = 9.87;
+            (spline.at(t).0 - path(t)).norm()
+        };
+        // Fourth order.
+        assert!(error(0.25) < 1e-4);
+        assert!(error(0.125) < error(0.25) / 10.0);
+    }
+
+    #[test]
+    fn rates_are_derivatives_and_join_at_the_points() {
+        let places = [1.0, -2.0, 0.5, 4.0, 4.0, 3.0].map(|x| V3::new(x, -x, x * x));
+        let times = [0.0, 1.0, 1.5, 4.0, 6.0, 6.5];
+        let points: Vec<_> = times.into_iter().zip(places).collect();
+        let spline = Spline::through(&points).unwrap();
+        let h = 1e-6;
+        for t in [-1.0, 0.4, 1.2, 3.3, 6.1, 8.0] {
+            let (before, now, after) = (spline.at(t - h), spline.at(t), spline.at(t + h));
+            assert!(((after.0 - before.0) / (2.0 * h) - now.1).norm() < 1e-6);
+            assert!(((after.1 - before.1) / (2.0 * h) - now.2).norm() < 1e-5);
+        }
+        for (t, x) in points {
+            let (low, high) = (spline.at(t - 1e-9), spline.at(t + 1e-9));
+            assert!((spline.at(t).0 - x).norm() < 1e-12);
+            assert!((low.1 - high.1).norm() < 1e-7 && (low.2 - high.2).norm() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn no_table_of_one_point_or_with_times_that_stand_still() {
+        assert_eq!(Spline::through(&[(0.0, V3::x())]), Err(SplineError::Short));
+        let still = [(0.0, V3::x()), (1.0, V3::x()), (1.0, V3::y())];
+        assert_eq!(Spline::through(&still), Err(SplineError::Order(2)));
+    }
+}

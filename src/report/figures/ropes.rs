@@ -1,0 +1,90 @@
+//! The dynamic stiffness of fibre ropes: along the line, and against time at the ends of their sections.
+
+use super::along::over_arc;
+use super::{Source, named, places, slots, times};
+use crate::report::chart::{Axis, Chart, Series};
+
+/// Stiffness k = EA by breaking load along the ropes at the end, with its smallest and greatest values over time where
+/// they differ from it.
+#[must_use]
+pub fn stiffness_profile(sources: &[Source]) -> Chart {
+    let mut series = Vec::new();
+    for (source, slot) in sources.iter().zip(slots(sources, 3)) {
+        let Some(ropes) = source.profile.map(|p| &p.ropes) else {
+            continue;
+        };
+        let curves = [
+            ("at the end", &ropes.stiffness),
+            ("smallest", &ropes.stiffness_min),
+            ("greatest", &ropes.stiffness_max),
+        ];
+        let shown = if source.at_rest() { 1 } else { curves.len() };
+        for (number, (name, values)) in curves.into_iter().take(shown).enumerate() {
+            if values.is_empty() {
+                continue;
+            }
+            let name = match (source.at_rest(), sources.len()) {
+                (false, _) => name,
+                (true, 1) => "at rest",
+                (true, _) => "",
+            };
+            let points = ropes.arc.iter().copied().zip(values.iter().copied());
+            series.push(Series {
+                dimmed: source.dimmed,
+                ..Series::new(
+                    &named(sources, source, name),
+                    slot + number,
+                    points.collect(),
+                )
+            });
+        }
+    }
+    over_arc(
+        sources,
+        "Dynamic stiffness along the line",
+        Axis::new("EA by breaking load", ""),
+        series,
+    )
+}
+
+/// Stiffness k = EA by breaking load against time, at the ends of the sections of rope.
+#[must_use]
+pub fn stiffness_in_time(sources: &[Source]) -> Chart {
+    let things: Vec<_> = places(sources, "stiffness_k")
+        .into_iter()
+        .map(|place| ("stiffness_k", place, place))
+        .collect();
+    times::chart(
+        sources,
+        "Dynamic stiffness",
+        Axis::new("EA by breaking load", ""),
+        &things,
+    )
+}
+
+/// Mean of the past tension Lm against time, in percent of the breaking load, at the ends of the sections of rope.
+#[must_use]
+pub fn mean_load_in_time(sources: &[Source]) -> Chart {
+    loads(sources, "mean_load_percent", "Mean load (Lm)")
+}
+
+/// Deviation of the tension from its mean La against time, in percent of the breaking load, likewise.
+#[must_use]
+pub fn deviation_in_time(sources: &[Source]) -> Chart {
+    loads(
+        sources,
+        "load_deviation_percent",
+        "Deviation from the mean load (La)",
+    )
+}
+
+fn loads(sources: &[Source], quantity: &str, title: &str) -> Chart {
+    let all = places(sources, quantity);
+    let things: Vec<_> = all.iter().map(|place| (quantity, *place, *place)).collect();
+    times::chart(
+        sources,
+        title,
+        Axis::new("of the breaking load", "%"),
+        &things,
+    )
+}

@@ -1,0 +1,128 @@
+//! Natural modes as a table, as curves along the line, and as CSV.
+
+use std::fmt::Write as _;
+
+use super::chart::{Axis, Chart, Series, extent};
+use super::number::{digits, rounded};
+use super::table::{Cell, CellInk, Column, Table};
+use crate::modes::{Found, Named};
+
+/// The modes, from the lowest frequency up: frequency and its error from the mesh, period, what moves, which one of its
+/// kind it is, half waves.
+#[must_use]
+pub fn table(found: &Found) -> Table {
+    let rows = found.modes.iter().enumerate().map(|(i, m)| cells(i, m));
+    Table {
+        title: String::new(),
+        columns: vec![
+            Column::right("mode"),
+            Column::decimal("frequency [Hz]"),
+            Column::decimal("error [Hz]"),
+            Column::decimal("period [s]"),
+            Column::left("moves"),
+            Column::right("of kind"),
+            Column::right("half waves"),
+            Column::right("out of plane"),
+        ],
+        rows: rows.collect(),
+        notes: notes(found),
+    }
+}
+
+fn cells(index: usize, named: &Named) -> Vec<Cell> {
+    let mode = &named.mode;
+    let frequency = mode.frequency_hz();
+    let (shown, ink) = if mode.eigenvalue > 0.0 {
+        (digits(frequency, 6), CellInk::Plain)
+    } else if mode.eigenvalue < 0.0 {
+        ("grows".to_owned(), CellInk::Bad)
+    } else {
+        ("0".to_owned(), CellInk::Warn)
+    };
+    let error = named.error_hz.filter(|_| mode.eigenvalue > 0.0);
+    let period = (mode.eigenvalue > 0.0).then(|| digits(1.0 / frequency, 5));
+    let dash = || "-".to_owned();
+    vec![
+        Cell::plain((index + 1).to_string()),
+        Cell::new(shown, ink),
+        Cell::plain(error.map_or_else(|| "unknown".to_owned(), |e| digits(e, 2))),
+        Cell::plain(period.unwrap_or_else(dash)),
+        Cell::plain(mode.kind.words()),
+        Cell::plain(named.of_kind.to_string()),
+        Cell::plain(mode.half_waves.to_string()),
+        Cell::plain(format!("{} %", rounded(100.0 * mode.out_of_plane, 0))),
+    ]
+}
+
+fn notes(found: &Found) -> Vec<String> {
+    let mut notes = vec![
+        "Small motions about the line at rest, added mass included, drag left out. Errors are those of the mesh, from half \
+         the segments."
+            .to_owned(),
+    ];
+    let count = |some: fn(f64) -> bool| {
+        let values = found.modes.iter().map(|m| m.mode.eigenvalue);
+        values.filter(|v| some(*v)).count()
+    };
+    let (grows, free) = (count(|v| v < 0.0), count(|v| v.abs() <= 0.0));
+    if grows > 0 {
+        notes.push(format!(
+            "The line at rest is not stable: {grows} of these motions grow, and the line would leave this shape for another."
+        ));
+    }
+    if free > 0 {
+        notes.push(format!(
+            "Nothing drives {free} of these motions back: some of the line lies slack."
+        ));
+    }
+    notes
+}
+
+/// The shapes of some modes, by their numbers from 0, along the line: across it in its plane or out of it, whichever a
+/// mode does; the greatest displacement of a mode is 1.
+#[must_use]
+pub fn chart(found: &Found, numbers: &[usize]) -> Chart {
+    let series = numbers.iter().enumerate().filter_map(|(slot, number)| {
+        let named = found.modes.get(*number)?;
+        let label = format!("mode {} {}", number + 1, named.mode.kind.words());
+        let points = found.scene.arc.iter().copied();
+        let points = points.zip(named.mode.profile.iter().copied()).collect();
+        Some(Series::new(&label, slot, points))
+    });
+    Chart {
+        title: "Mode shapes along the line".to_owned(),
+        x: Axis {
+            range: extent(found.scene.arc.iter().copied()).filter(|range| range.1 > range.0),
+            ..Axis::new("arc length from end A", "m")
+        },
+        y: Axis {
+            range: Some((-1.0, 1.0)),
+            ..Axis::new("displacement", "-")
+        },
+        series: series.collect(),
+        legend: true,
+        ..Chart::default()
+    }
+}
+
+/// Arc length, place at rest, and displacements of every mode, a row a node.
+#[must_use]
+pub fn csv(found: &Found) -> String {
+    let mut text = String::from("arc_m,x_m,y_m,z_m");
+    for (i, named) in found.modes.iter().enumerate() {
+        let hz = named.mode.frequency_hz();
+        for axis in ["x", "y", "z"] {
+            let _ = write!(text, ",{axis}[mode {} at {hz:.6} Hz]", i + 1);
+        }
+    }
+    for (node, (arc, place)) in found.scene.arc.iter().zip(&found.rest.x).enumerate() {
+        let _ = write!(text, "\n{arc},{},{},{}", place.x, place.y, place.z);
+        for named in &found.modes {
+            for value in named.mode.shape[node].iter() {
+                let _ = write!(text, ",{value}");
+            }
+        }
+    }
+    text.push('\n');
+    text
+}

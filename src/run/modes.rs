@@ -1,0 +1,81 @@
+//! What a run tells of natural modes, where its case asks for them.
+
+use super::{Quantity, quantity_name};
+use crate::case::{Case, Statistic};
+use crate::modes::{Failure, Kind, Mode, Pencil, lowest, modes_of};
+use crate::scene::Scene;
+use crate::statics::equilibrium::Search;
+
+/// Modes found beyond those wanted, so that both planes have as many as are named.
+const BEYOND: usize = 4;
+
+/// Frequencies of the modes in and out of the plane of the line, and which one lies nearest to the frequency given;
+/// nothing unless the case asks for it. Values only, without errors.
+///
+/// # Errors
+/// Why there are none, in words.
+pub(super) fn numbers(case: &Case, scene: &Scene) -> Result<Vec<Quantity>, String> {
+    let Some(wanted) = &case.modes else {
+        return Ok(Vec::new());
+    };
+    if scene.turning.is_some() {
+        return Err(Failure::Turning.to_string());
+    }
+    let mut rest = scene.initial_state();
+    let search = Search::default().run(scene, 0.0, &mut rest);
+    search.map_err(|error| error.to_string())?;
+    let mut pencil = Pencil::new(scene, &rest);
+    let pairs =
+        lowest(&mut pencil, 2 * wanted.count + BEYOND).map_err(|error| error.to_string())?;
+    let modes = modes_of(&pencil, &rest.x, pairs);
+    let mut list = Vec::new();
+    for (kind, plane) in [
+        (Kind::InPlane, "in_plane"),
+        (Kind::OutOfPlane, "out_of_plane"),
+    ] {
+        let found = modes.iter().filter(|mode| mode.kind == kind);
+        let frequencies: Vec<f64> = found.map(Mode::frequency_hz).collect();
+        let named = frequencies.iter().take(wanted.count).enumerate();
+        list.extend(named.map(|(i, hz)| quantity(&format!("{plane}_hz[{}]", i + 1), *hz, "Hz")));
+        if let Some(near) = wanted.near_hz
+            && let Some(number) = nearest(&frequencies, near)
+        {
+            list.push(quantity(&format!("{plane}_mode_near"), number as f64, "-"));
+        }
+    }
+    Ok(list)
+}
+
+fn quantity(name: &str, value: f64, unit: &str) -> Quantity {
+    Quantity {
+        name: quantity_name(name, Statistic::Final, None),
+        value,
+        unit: unit.to_owned(),
+        ..Quantity::default()
+    }
+}
+
+/// The number, from 1, of the frequency nearest to this one; nothing where the list ends below it.
+fn nearest(frequencies: &[f64], near: f64) -> Option<usize> {
+    if frequencies.last().is_none_or(|last| *last < near) {
+        return None;
+    }
+    let off = |f: &f64| (f - near).abs();
+    let all = frequencies.iter().enumerate();
+    let best = all.min_by(|a, b| off(a.1).total_cmp(&off(b.1)));
+    best.map(|(i, _)| i + 1)
+}
+
+/// The numbers with their errors: by the difference from a mesh coarser by this ratio (second order).
+pub(super) fn with_errors(fine: &[Quantity], coarse: &[Quantity], ratio: f64) -> Vec<Quantity> {
+    let error = |q: &Quantity| {
+        let other = coarse.iter().find(|c| c.name == q.name)?;
+        Some((q.value - other.value).abs() / (ratio * ratio - 1.0))
+    };
+    fine.iter()
+        .map(|q| Quantity {
+            mesh_error: error(q),
+            ..q.clone()
+        })
+        .collect()
+}

@@ -1,0 +1,137 @@
+//! A line brought to rest before it is computed, and what is to be said of its equilibrium: that it is not stable, one of
+//! several, or none at all.
+
+use super::Work;
+use crate::case::{Case, Method};
+use crate::scene::Scene;
+use crate::solve::State;
+use crate::statics::equilibrium::{Search, instabilities};
+
+/// A turn between neighbouring segments \[rad\] from which the mesh error is not of second order any more.
+const SHARP: f64 = 0.8;
+
+/// Brings the line to its equilibrium, where the case asks for that; says so when it would not stay there.
+///
+/// # Errors
+/// Why there is none, in words.
+pub(super) fn come_to_rest(
+    case: &Case,
+    scene: &Scene,
+    state: &mut State,
+    work: &mut Work,
+    warnings: &mut Vec<String>,
+) -> Result<(), String> {
+    if !scene.start_in_equilibrium && case.solver.method != Method::Static {
+        return Ok(());
+    }
+    match Search::default().run(scene, 0.0, state) {
+        Ok(found) => work.iterations += found.iterations,
+        Err(error) => {
+            work.iterations += error.iterations;
+            let closed_form = scene.refusal();
+            let mut words = error.to_string();
+            if let Some(why) = closed_form {
+                words += &format!(". Without bending, in still water: {why}");
+            }
+            let slack = scene.heaped(state);
+            if slack > 0.0 {
+                words += &format!(
+                    ". {slack:.1} m of the line lie slack on the bed, where nothing gives them a shape; `seabed.friction` would"
+                );
+            }
+            return Err(words);
+        }
+    }
+    if let Some(node) = scene.sliding(state) {
+        return Err(format!(
+            "the line has no equilibrium: at node {node} it slides down the slope, which friction on the bed does not bear"
+        ));
+    }
+    // Friction makes the tangent unsymmetric: its pivots then tell nothing.
+    let rough = scene.bed.is_some_and(|bed| bed.friction.is_some());
+    let ways = instabilities(scene, 0.0, state);
+    if ways.is_none() {
+        let pulls = |i: usize| {
+            scene.segments[i]
+                .axial
+                .tension(&scene.chord(i, state))
+                .value
+                != 0.0
+        };
+        if !(0..scene.segments.len()).any(pulls) {
+            return Err(
+                "the line is slack all along and nothing holds it in a shape: any other would do as well; give it \
+                 weight or bending stiffness, or let a dynamic run begin with start.shape = \"given\""
+                    .to_owned(),
+            );
+        }
+        let slack = "the equilibrium found is one of many: part of the line lies slack, and nothing holds it in this shape";
+        warnings.push(many_shapes(scene, state).unwrap_or_else(|| slack.to_owned()));
+    }
+    if !rough && ways.is_some_and(|ways| ways > 0) {
+        let unstable = "the equilibrium found is not stable: forces balance, but a line pushed aside a little would leave \
+                        this shape for another one; start from another shape to find that";
+        warnings.push(unstable.to_owned());
+    }
+    let (turn, node) = scene.sharpest_turn(state);
+    if turn > SHARP {
+        warnings.push(format!(
+            "the line at rest turns by {:.0} degrees at node {node}: too sharply for segments of that length, and more \
+             than the estimated errors show; use more segments there",
+            turn.to_degrees()
+        ));
+    }
+    if ways.is_some() {
+        warnings.extend(many_shapes(scene, state));
+    }
+    warnings.extend(other_side(scene, state));
+    Ok(())
+}
+
+/// Says that slack line lies in one of many shapes.
+fn many_shapes(scene: &Scene, state: &State) -> Option<String> {
+    let length = scene.heaped(state);
+    (length > 0.0).then(|| {
+        format!(
+            "{length:.1} m of the line lie on the bed without tension, where nothing gives them a shape: the one shown is \
+             one of many, all with the same forces at the ends"
+        )
+    })
+}
+
+/// Says where a line that bends may rest as well: on the other side of its chord.
+fn other_side(scene: &Scene, state: &State) -> Option<String> {
+    scene.flexure.as_ref()?;
+    let (mut other, node) = scene.mirrored(state)?;
+    // What takes a long search is no neighbour of the mirror image.
+    let short = Search {
+        max_steps: 60,
+        ..Search::default()
+    };
+    short.run(scene, 0.0, &mut other).ok()?;
+    let apart = (other.x[node] - state.x[node]).norm();
+    let length = scene.arc.last().copied().unwrap_or(1.0);
+    if apart < 1e-3 * length {
+        return None;
+    }
+    let stays = instabilities(scene, 0.0, &other)? == 0;
+    let [here, there] = [state, &other].map(|s| s.x[node]);
+    let more = scene.energy(&other) - scene.energy(state);
+    Some(format!(
+        "the line has more than one equilibrium: found is the one with node {node} at ({:.3}, {:.3}, {:.3}) m; it may rest \
+         with that node at ({:.3}, {:.3}, {:.3}) m as well, with {:.3e} J {} energy{}",
+        here.x,
+        here.y,
+        here.z,
+        there.x,
+        there.y,
+        there.z,
+        more.abs(),
+        if more < 0.0 { "less" } else { "more" },
+        if stays {
+            ""
+        } else {
+            ", though it would not stay there"
+        },
+    ))
+}

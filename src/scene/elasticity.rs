@@ -1,0 +1,107 @@
+//! How a material stretches: in proportion, or by a law of its own.
+
+use super::build::SceneError;
+use crate::case::{DynamicStiffness, Material};
+use crate::physics::rope::{Dynamic, Law, Reading, Static, Table};
+
+/// The elasticity of the segments of one section.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Elasticity {
+    /// A slope of tension over strain that is not exceeded \[N\].
+    pub(super) steepest: f64,
+    /// Stiffness that axial damping, given as a ratio, refers to \[N\].
+    pub(super) ea: f64,
+    /// Number of its law among those of the line; absent: tension is `ea` times strain.
+    pub(super) law: Option<u16>,
+}
+
+/// The elasticity of a material; a law of its own is added to those of the line.
+///
+/// # Errors
+/// [`SceneError`] where the material has neither a stiffness nor a table.
+pub(super) fn elasticity(
+    name: &str,
+    material: &Material,
+    laws: &mut Vec<Law>,
+) -> Result<Elasticity, SceneError> {
+    let slow = match (table(name, material)?, material.ea_n) {
+        (Some(table), _) => Static::Table(table),
+        (None, Some(ea)) => Static::Linear(ea),
+        (None, None) => {
+            return Err(SceneError::Missing {
+                key: format!("materials.{name}.ea_n"),
+                why: "a material must have a stiffness, or a table of strains and tensions",
+            });
+        }
+    };
+    let ea = match &slow {
+        Static::Linear(ea) => *ea,
+        Static::Table(table) => table.overall(),
+    };
+    let reading = match (material.dynamic_stiffness, slow) {
+        (DynamicStiffness::None, Static::Linear(ea)) => {
+            return Ok(Elasticity {
+                steepest: ea,
+                ea,
+                law: None,
+            });
+        }
+        (DynamicStiffness::None, Static::Table(table)) => {
+            return Ok(by_law(Law::Table(table), ea, laws));
+        }
+        (DynamicStiffness::Secant, _) => Reading::Secant,
+        (DynamicStiffness::AboutTheMean, slow) => Reading::AboutTheMean(slow),
+    };
+    let law = Law::Dynamic(dynamic(name, material, reading)?);
+    Ok(by_law(law, ea, laws))
+}
+
+/// Elasticity by a law, which is added to those of the line.
+fn by_law(law: Law, ea: f64, laws: &mut Vec<Law>) -> Elasticity {
+    Elasticity {
+        steepest: law.steepest(),
+        ea,
+        law: Some(number(law, laws)),
+    }
+}
+
+/// The dynamic stiffness of a material.
+fn dynamic(name: &str, material: &Material, reading: Reading) -> Result<Dynamic, SceneError> {
+    let needed = |value: Option<f64>, key: &str| {
+        value.ok_or_else(|| SceneError::Missing {
+            key: format!("materials.{name}.{key}"),
+            why: "dynamic stiffness goes with it",
+        })
+    };
+    Ok(Dynamic {
+        alpha: needed(material.dynamic_alpha, "dynamic_alpha")?,
+        beta: material.dynamic_beta,
+        gamma: material.dynamic_gamma,
+        strength: needed(material.break_load_n, "break_load_n")?,
+        reading,
+        window: material.mean_window_s.unwrap_or(f64::INFINITY),
+    })
+}
+
+/// The tension-strain table of a material, if it has one.
+fn table(name: &str, material: &Material) -> Result<Option<Table>, SceneError> {
+    let Some(strain) = &material.strain else {
+        return Ok(None);
+    };
+    let tension = material.tension_n.as_deref().unwrap_or_default();
+    let table = Table::new(strain, tension).ok_or_else(|| SceneError::Impossible {
+        key: format!("materials.{name}.strain"),
+        why: "strains and tensions must be equally many, and rise from 0",
+    })?;
+    Ok(Some(table))
+}
+
+/// The number of a law among those of the line, to which it is added where no section had it before.
+fn number(law: Law, laws: &mut Vec<Law>) -> u16 {
+    let place = laws.iter().position(|known| *known == law);
+    let place = place.unwrap_or_else(|| {
+        laws.push(law);
+        laws.len() - 1
+    });
+    u16::try_from(place).unwrap_or(u16::MAX)
+}

@@ -1,0 +1,167 @@
+//! From the words of a case to what holds its ends.
+
+use nalgebra::Complex;
+
+use super::End;
+use super::build::SceneError;
+use crate::case::{self, Case, EndKind, MotionName};
+use crate::linalg::V3;
+use crate::physics::EndMotion;
+use crate::physics::motion::{self, Course, Swing};
+use crate::physics::sea::{Harmonics, Rao, Spectrum, Waves, synthesise};
+use crate::physics::spline::Spline;
+
+/// Share of a sea's energy beyond a table of responses from which that is told.
+const MUCH_BEYOND: f64 = 0.02;
+
+/// What holds an end, under the key of its table; the waves that a vessel answers to; what is to be said of it.
+pub(super) fn end(
+    case: &Case,
+    end: &case::End,
+    key: &str,
+    waves: Option<&Waves>,
+    remarks: &mut Vec<String>,
+) -> Result<End, SceneError> {
+    let position = || {
+        end.position_m
+            .map(V3::from)
+            .ok_or_else(|| missing(key, "position_m", "a held end must be somewhere"))
+    };
+    match end.kind {
+        EndKind::Payload | EndKind::Free => Ok(End::Free),
+        EndKind::Fixed | EndKind::Anchor => Ok(End::Held(EndMotion::still(position()?))),
+        EndKind::Moving => {
+            let place = position()?;
+            let course = match end.motion {
+                MotionName::Harmonic => swing(end, key)?,
+                MotionName::Table => table(case, end, key)?,
+                MotionName::Irregular => irregular(end, key)?,
+                MotionName::Vessel => vessel(case, end, key, &place, waves, remarks)?,
+            };
+            Ok(End::Held(EndMotion {
+                position: place,
+                course,
+                ramp: end.ramp_s,
+            }))
+        }
+    }
+}
+
+fn missing(table: &str, key: &str, why: &'static str) -> SceneError {
+    SceneError::Missing {
+        key: format!("{table}.{key}"),
+        why,
+    }
+}
+
+fn swing(end: &case::End, key: &str) -> Result<Course, SceneError> {
+    let why = "a moving end needs the period of its motion";
+    let period = end.period_s.filter(|p| *p > 0.0);
+    let period = period.ok_or_else(|| missing(key, "period_s", why))?;
+    let amplitude = V3::from(end.amplitude_m);
+    if amplitude == V3::zeros() {
+        return Ok(Course::Still);
+    }
+    Ok(Course::Swing(Swing {
+        amplitude,
+        omega: motion::omega(period),
+        phase: V3::from(end.phase_deg).map(f64::to_radians),
+    }))
+}
+
+/// The rows of the file that an end's motion is read from.
+fn rows(
+    case: &Case,
+    end: &case::End,
+    key: &str,
+    columns: &[String],
+) -> Result<Vec<Vec<f64>>, SceneError> {
+    let why = "the motion is read from a file";
+    let name = end.motion_file.as_ref();
+    let name = name.ok_or_else(|| missing(key, "motion_file", why))?;
+    let carried = case.files.get(name);
+    let carried = carried.ok_or_else(|| missing("files", name, why))?;
+    case::carried::numbers(&carried.text, name, columns)
+        .map_err(|fault| SceneError::File(fault.to_string()))
+}
+
+fn table(case: &Case, end: &case::End, key: &str) -> Result<Course, SceneError> {
+    let columns = case::carried::PLACES.map(str::to_owned);
+    let points: Vec<(f64, V3)> = rows(case, end, key, &columns)?
+        .iter()
+        .map(|row| (row[0], V3::new(row[1], row[2], row[3])))
+        .collect();
+    let spline = Spline::through(&points)
+        .map_err(|fault| SceneError::File(format!("{key}.motion_file: {fault}")))?;
+    let (first, last) = spline.span();
+    let dynamic = case.solver.method != case::Method::Static;
+    if first > 0.0 || (dynamic && last < case.solver.duration_s * (1.0 - 1e-9)) {
+        return Err(SceneError::File(format!(
+            "{key}.motion_file: its times go from {first} s to {last} s, and the run from 0 s to {} s",
+            case.solver.duration_s
+        )));
+    }
+    Ok(Course::Table(spline))
+}
+
+/// The axes take the streams of the seed after the one of the waves.
+fn irregular(end: &case::End, key: &str) -> Result<Course, SceneError> {
+    let why = "an irregular motion is made to its root mean square and peak period";
+    let rms = end.rms_m.ok_or_else(|| missing(key, "rms_m", why))?;
+    let period = end.peak_period_s;
+    let period = period.ok_or_else(|| missing(key, "peak_period_s", why))?;
+    let record = |axis: usize| {
+        if rms[axis] == 0.0 {
+            return Vec::new();
+        }
+        let spectrum = Spectrum::of_rms(rms[axis], period, end.gamma);
+        synthesise(&spectrum, end.components, end.seed, axis as u64 + 1)
+    };
+    let axes = [record(0), record(1), record(2)];
+    Ok(Course::Sum(Harmonics::along_axes(&axes)))
+}
+
+fn vessel(
+    case: &Case,
+    end: &case::End,
+    key: &str,
+    place: &V3,
+    waves: Option<&Waves>,
+    remarks: &mut Vec<String>,
+) -> Result<Course, SceneError> {
+    let why = "a vessel moves in the waves of the case";
+    let waves = waves.ok_or_else(|| missing("waves", "kind", why))?;
+    let columns = case::carried::response_columns();
+    let mut entries: Vec<_> = rows(case, end, key, &columns)?
+        .iter()
+        .map(|r| entry(r))
+        .collect();
+    entries.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let rao = Rao::new(entries)
+        .map_err(|fault| SceneError::File(format!("{key}.motion_file: {fault}")))?;
+    let heading = end.heading_deg.to_radians();
+    let arm = V3::from(end.hang_point_m);
+    // The reference point in plan: the line hangs at the arm from it, turned with the ship.
+    let (sin, cos) = heading.sin_cos();
+    let turned = V3::new(arm.x * cos - arm.y * sin, arm.x * sin + arm.y * cos, arm.z);
+    let sea = waves.passing(&(place - turned));
+    let beyond = rao.energy_beyond(&sea);
+    if beyond > MUCH_BEYOND {
+        remarks.push(format!(
+            "{:.0} % of the energy of the waves lies beyond the periods of `{}`; its last response holds there",
+            100.0 * beyond,
+            end.motion_file.as_deref().unwrap_or_default()
+        ));
+    }
+    Ok(Course::Sum(rao.motion_at(&sea, heading, &arm)))
+}
+
+/// A row of a table of responses: angular frequency and complex responses.
+fn entry(row: &[f64]) -> (f64, [Complex<f64>; 6]) {
+    let response = |i: usize| {
+        let (size, phase) = (row[1 + 2 * i], row[2 + 2 * i].to_radians());
+        let size = if i < 3 { size } else { size.to_radians() };
+        Complex::from_polar(size, phase)
+    };
+    (motion::omega(row[0]), std::array::from_fn(response))
+}

@@ -1,0 +1,78 @@
+//! What happens to a line at a time known beforehand: an end is let go, the payload is cut off. Between two events a
+//! line is what it is, so that nothing that is computed at every step asks for them.
+
+use super::{End, Scene};
+use crate::case::Case;
+use crate::linalg::V3;
+use crate::solve::{State, System};
+
+/// A change of the line at a time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event {
+    /// When \[s\].
+    pub time: f64,
+    /// What changes.
+    pub change: Change,
+}
+
+/// What changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Change {
+    /// Nothing holds end A (0) or B (1) any more.
+    LetGo(usize),
+    /// The payload is off the line.
+    CutOff,
+}
+
+/// The events of a case, the earliest first.
+pub(super) fn events(case: &Case) -> Vec<Event> {
+    let ends = [&case.ends.a, &case.ends.b].into_iter().enumerate();
+    let mut list: Vec<Event> = ends
+        .filter_map(|(end, of)| {
+            let change = Change::LetGo(end);
+            of.release_s.map(|time| Event { time, change })
+        })
+        .collect();
+    let cut = case.payload.as_ref().and_then(|p| p.release_s);
+    list.extend(cut.map(|time| Event {
+        time,
+        change: Change::CutOff,
+    }));
+    list.sort_by(|a, b| a.time.total_cmp(&b.time));
+    list
+}
+
+impl Scene {
+    /// The line after a change.
+    #[must_use]
+    pub fn after(&self, change: Change) -> Self {
+        let mut scene = self.clone();
+        match change {
+            Change::LetGo(end) => {
+                scene.ends[end] = End::Free;
+                if let Some(flexure) = &mut scene.flexure {
+                    flexure.clamps[end] = None;
+                }
+            }
+            Change::CutOff => {
+                // The payload is the last of the bodies, at the last node.
+                if let (Some(hung), Some(last)) = (scene.bodies.pop(), scene.segments.last()) {
+                    let left = || scene.bodies.iter().filter(|other| other.node == hung.node);
+                    let (mass, weight) =
+                        (left().map(|h| h.body.mass), left().map(|h| h.body.weight));
+                    scene.mass[hung.node] = last.half_mass + mass.sum::<f64>();
+                    scene.weight[hung.node] = last.half_weight + weight.sum::<f64>();
+                }
+            }
+        }
+        scene
+    }
+
+    /// Sets a line at rest going at the velocity with which it starts; held ends move as they are moved.
+    pub fn set_going(&self, state: &mut State) {
+        if self.start_velocity != V3::zeros() {
+            state.v.fill(self.start_velocity);
+            self.prescribe(0.0, state);
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! How a line was laid on a bed with friction: without that, friction has no one equilibrium.
+//!
+//! A line whose end lies on the bed is taken as laid from that end straight towards the other, without tension, and then
+//! pulled to where its other end is: friction has come to its full along all the line that was pulled, so that tension
+//! falls from the touchdown towards the end on the bed by the friction on every metre, until there is none left. This is the
+//! closed form's assumption too (J. M. Jonkman, NREL/TP-500-41958, 2007, sec. 2.6). Until the line is pulled the bed holds
+//! it where it was laid, far more stiffly than the line is itself.
+//!
+//! Where neither end lies on the bed, or line comes down a second time, laying says nothing about tension: friction is
+//! then left out of the equilibrium.
+
+use super::Scene;
+use crate::linalg::V3;
+use crate::physics::friction::{Friction, Grip, Law};
+
+/// Stiffness of the hold on a line just laid, in stiffnesses of its segments.
+const HOLD: f64 = 10.0;
+/// An end no higher above the bed than this, by the line's length, lies on it.
+const ON_BED: f64 = 1e-3;
+
+/// The grips of a line in equilibrium, and what is to be said of them.
+pub(super) struct Laid {
+    pub(super) grips: Vec<Grip>,
+    pub(super) remark: Option<String>,
+}
+
+impl Scene {
+    /// The grips that go with the first guess at an equilibrium.
+    pub(super) fn laid(&self, guess: &[V3], tension: &[f64]) -> Laid {
+        let mut grips = self.grips_at(guess);
+        let remark = match self.bed.as_ref().and_then(|bed| bed.friction) {
+            None => None,
+            Some(Friction {
+                law: Law::Regularised(_),
+                ..
+            }) => Some(
+                "friction by `zhu-2017` holds nothing at rest: it is left out of the equilibrium"
+                    .to_owned(),
+            ),
+            Some(_) => Some(self.lay(guess, tension, &mut grips)),
+        };
+        Laid { grips, remark }
+    }
+
+    /// Puts the grips where the line was laid; in words, how.
+    fn lay(&self, guess: &[V3], tension: &[f64], grips: &mut [Grip]) -> String {
+        let last = guess.len() - 1;
+        let end = [0, last].into_iter().find(|end| self.lies(&guess[*end]));
+        let Some(end) = end else {
+            return self.lay_between(guess, tension, grips);
+        };
+        let name = &self.end_names[usize::from(end > 0)];
+        let first = if end == 0 { 0 } else { last - 1 };
+        let chord = (guess[first + 1] - guess[first]).norm();
+        let heaped =
+            tension[first] <= 0.0 && chord < (1.0 - 1e-6) * self.segments[first].axial.length;
+        if !heaped {
+            self.stretch_out(end, guess[last - end], grips);
+        }
+        for (i, grip) in grips.iter_mut().enumerate() {
+            grip.stiffness = self.hold(i);
+            grip.laid = !heaped;
+        }
+        self.hold_weight(grips);
+        let again = self.let_go_beyond_first_run(end, guess, grips);
+        let mut words = if heaped {
+            format!(
+                "more line than needed lies on the bed at `{name}`, without tension; friction keeps it from sliding"
+            )
+        } else {
+            format!(
+                "the line is taken as laid straight from `{name}` and then pulled: along what was pulled, friction on the \
+                 bed is at its full"
+            )
+        };
+        if again {
+            words +=
+                "; where it comes down on the bed again, friction is left out of the equilibrium";
+        }
+        words
+    }
+
+    /// On a slope, moves the places uphill so that where the line was laid the bed already holds its weight, as far as
+    /// friction bears.
+    fn hold_weight(&self, grips: &mut [Grip]) {
+        let Some((bed, friction)) = self.bed.as_ref().and_then(|b| Some((b, b.friction?))) else {
+            return;
+        };
+        let normal = bed.normal();
+        let uphill = V3::z() - normal * normal.z;
+        let most =
+            friction.axial.min(friction.lateral) * normal.z / uphill.norm().max(f64::MIN_POSITIVE);
+        for (grip, weight) in grips.iter_mut().zip(&self.weight) {
+            grip.at += uphill * (weight.max(0.0) * most.min(1.0) / grip.stiffness);
+        }
+    }
+
+    /// Stiffness of the hold on node i of a line just laid \[N/m\].
+    fn hold(&self, i: usize) -> f64 {
+        let beside = self.segments[i.saturating_sub(1)..(i + 1).min(self.segments.len())].iter();
+        HOLD * beside
+            .map(|s| s.axial.ea / s.axial.length)
+            .fold(0.0, f64::max)
+    }
+
+    /// Grips on a line neither end of which lies on the bed: on what lies there without tension, and nowhere else; in words.
+    fn lay_between(&self, guess: &[V3], tension: &[f64], grips: &mut [Grip]) -> String {
+        let last = guess.len() - 1;
+        let tall = 1e-9 * self.arc[last];
+        let heap = |i: usize| {
+            let slack = tension[i.saturating_sub(1)] <= 0.0 && tension[i.min(last - 1)] <= 0.0;
+            slack && self.bed.is_some_and(|bed| bed.height(&guess[i]) <= tall)
+        };
+        let mut heaped = false;
+        for (i, grip) in grips.iter_mut().enumerate() {
+            grip.stiffness = if heap(i) { self.hold(i) } else { 0.0 };
+            heaped |= heap(i);
+        }
+        let words = if heaped {
+            "more line than needed lies on the bed, without tension; friction keeps it from sliding"
+        } else {
+            "neither end of the line lies on the bed: how friction acts on it depends on how it was laid, and it is left out \
+             of the equilibrium (from there on it holds)"
+        };
+        words.to_owned()
+    }
+
+    fn lies(&self, end: &V3) -> bool {
+        let whole = self.arc[self.arc.len() - 1];
+        self.bed
+            .is_some_and(|bed| bed.height(end) <= ON_BED * whole)
+    }
+
+    /// Places of a line laid from one of its ends straight towards the other, resting on the bed by its weight.
+    fn stretch_out(&self, end: usize, to: V3, grips: &mut [Grip]) {
+        let Some(bed) = &self.bed else { return };
+        let normal = bed.normal();
+        let from = grips[end].at;
+        let flat = (to - from) - normal * normal.dot(&(to - from));
+        let Some(direction) = flat.try_normalize(1e-9 * self.arc[self.arc.len() - 1]) else {
+            return;
+        };
+        let last = grips.len() - 1;
+        let mut at = from;
+        let mut height = bed.height(&from);
+        for k in 1..=last {
+            let (i, segment) = if end == 0 {
+                (k, k - 1)
+            } else {
+                (last - k, last - k)
+            };
+            let rest = -(self.weight[i] * normal.z).max(0.0) / (bed.stiffness * self.footprint[i]);
+            let length = self.segments[segment].axial.length;
+            let step = (length * length - (rest - height).powi(2)).max(0.0).sqrt();
+            at += direction * step;
+            height = rest;
+            grips[i].at = at;
+            grips[i].along = direction;
+        }
+    }
+
+    /// Takes the hold off what comes down on the bed a second time, seen from the end that lies on it; whether there is any.
+    fn let_go_beyond_first_run(&self, end: usize, guess: &[V3], grips: &mut [Grip]) -> bool {
+        let Some(bed) = &self.bed else { return false };
+        let last = guess.len() - 1;
+        let tall = 1e-9 * self.arc[last];
+        let order = |k: usize| if end == 0 { k } else { last - k };
+        let lies = |k: usize| bed.height(&guess[order(k)]) <= tall;
+        let lifted = (1..=last).find(|k| !lies(*k)).unwrap_or(last + 1);
+        let Some(again) = (lifted + 1..last).find(|k| lies(*k)) else {
+            return false;
+        };
+        for k in again..=last {
+            grips[order(k)].stiffness = 0.0;
+        }
+        true
+    }
+}

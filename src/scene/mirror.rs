@@ -1,0 +1,63 @@
+//! The shape on the other side of the chord: where a line that bends may rest as well.
+
+use std::f64::consts::PI;
+
+use super::{End, Scene};
+use crate::linalg::V3;
+use crate::solve::State;
+
+impl Scene {
+    /// The line mirrored to the other side of the straight line between its held ends, and the node that is farthest from
+    /// that line; nothing where an end is free, the line is straight, or its bending could not carry half its weight there: a
+    /// half wave of height a and length L carries `EI a (pi/L)⁴` a metre.
+    #[must_use]
+    pub fn mirrored(&self, state: &State) -> Option<(State, usize)> {
+        if self.ends.iter().any(|end| matches!(end, End::Free)) {
+            return None;
+        }
+        let last = state.x.len() - 1;
+        let from = state.x[0];
+        let chord = state.x[last] - from;
+        let along = chord.try_normalize(1e-9 * self.arc[last])?;
+        let aside = |x: &V3| {
+            let d = x - from;
+            d - along * along.dot(&d)
+        };
+        let offs = state.x.iter().map(|x| aside(x).norm());
+        let (node, off) = offs
+            .enumerate()
+            .fold((0, 0.0), |a, b| if b.1 > a.1 { b } else { a });
+        if off < 1e-3 * self.arc[last] {
+            return None;
+        }
+        let stiffest = self.segments.iter().map(|s| s.ei).fold(0.0, f64::max);
+        let carried = stiffest * off * (PI / self.arc[last]).powi(4);
+        if carried < 0.5 * self.weight.iter().sum::<f64>().abs() / self.arc[last] {
+            return None;
+        }
+        let side = aside(&state.x[node]) / off;
+        let mut other = state.clone();
+        for x in &mut other.x {
+            let d = side.dot(&(*x - from));
+            *x -= side * (2.0 * d);
+        }
+        Some((other, node))
+    }
+
+    /// Length of line that lies on a bed without friction and bears no tension \[m\]: it may lie in any shape.
+    #[must_use]
+    pub fn heaped(&self, state: &State) -> f64 {
+        let Some(bed) = self.bed.filter(|bed| bed.friction.is_none()) else {
+            return 0.0;
+        };
+        let slack = |i: usize| {
+            let lies = bed.height(&state.x[i]).max(bed.height(&state.x[i + 1])) <= 0.0;
+            lies && self.pull_now(i, &self.chord(i, state), state).value <= 1e-6 * self.force_scale
+        };
+        let lengths = self.segments.iter().enumerate();
+        lengths
+            .filter(|(i, _)| slack(*i))
+            .map(|(_, s)| s.axial.length)
+            .sum()
+    }
+}

@@ -1,0 +1,199 @@
+//! Tensions of segments, whichever law their material follows, and what ropes remember.
+
+use super::Scene;
+use crate::physics::rope::{Elastic, Law, Mean};
+use crate::physics::tension::{Axial, Chord, Tension};
+use crate::solve::{RopePast, State};
+
+/// What the dynamic stiffness of a segment stands at.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct RopeReading {
+    /// Lm: mean of the past tension, in percent of the breaking load.
+    pub mean_load: f64,
+    /// La: deviation of the tension from that mean, in percent of the breaking load.
+    pub deviation: f64,
+    /// k: stiffness EA by breaking load \[-\].
+    pub stiffness: f64,
+}
+
+impl Scene {
+    /// The tension of segment i at time t \[s\].
+    #[inline(always)]
+    #[must_use]
+    pub fn pull(&self, i: usize, chord: &Chord, t: f64, state: &State) -> Tension {
+        let axial = &self.segments[i].axial;
+        match axial.law {
+            None => axial.tension(chord),
+            Some(law) => axial.tension_by(chord, self.elastic_by(law, i, axial, chord, t, state)),
+        }
+    }
+
+    /// The tension of segment i as the state stands: at the time of its last accepted step.
+    #[must_use]
+    pub fn pull_now(&self, i: usize, chord: &Chord, state: &State) -> Tension {
+        self.pull(i, chord, state.memory.time, state)
+    }
+
+    /// The tension of segment i, were it to push when it is slack.
+    #[inline(always)]
+    pub(super) fn pull_or_push(&self, i: usize, chord: &Chord, t: f64, state: &State) -> Tension {
+        let axial = self.segments[i].axial.as_rod(true);
+        match axial.law {
+            None => axial.tension(chord),
+            Some(law) => axial.tension_by(chord, self.elastic_by(law, i, &axial, chord, t, state)),
+        }
+    }
+
+    /// The elastic part of the tension of segment i \[N\].
+    pub(super) fn elastic(&self, i: usize, chord: &Chord, state: &State) -> f64 {
+        let axial = &self.segments[i].axial;
+        let elastic = match axial.law {
+            None => axial.ea * (chord.length / axial.length - 1.0),
+            Some(law) => {
+                let now = state.memory.time;
+                self.elastic_by(law, i, axial, chord, now, state).tension
+            }
+        };
+        if axial.rod { elastic } else { elastic.max(0.0) }
+    }
+
+    /// Elastic energy of segment i \[J\]: with dynamic stiffness, what it would give back at once.
+    pub(super) fn stored(&self, i: usize, chord: &Chord, state: &State) -> f64 {
+        let axial = &self.segments[i].axial;
+        let stretch = chord.length - axial.length;
+        let stretch = if axial.rod { stretch } else { stretch.max(0.0) };
+        match axial.law {
+            None => 0.5 * axial.ea / axial.length * stretch * stretch,
+            Some(law) => {
+                let mean = mean(i, state.memory.time, state);
+                let strain = stretch / axial.length;
+                axial.length * self.laws[usize::from(law)].stored(strain, mean.as_ref()).0
+            }
+        }
+    }
+
+    /// Power by which segment i loses elastic energy while the mean it remembers moves on \[W\].
+    pub(super) fn forgotten(&self, i: usize, chord: &Chord, state: &State) -> f64 {
+        let axial = &self.segments[i].axial;
+        let (Some(law), Some(past)) = (axial.law, state.memory.ropes.get(i)) else {
+            return 0.0;
+        };
+        let mean = mean(i, state.memory.time, state);
+        let strain = axial.strain(chord.length).max(0.0);
+        let (_, by_mean) = self.laws[usize::from(law)].stored(strain, mean.as_ref());
+        -axial.length * by_mean * past.tension_rate
+    }
+
+    /// Strain of segment i at rest under a tension \[N\].
+    pub(super) fn strain_under(&self, i: usize, tension: f64) -> f64 {
+        let axial = &self.segments[i].axial;
+        match axial.law {
+            None => tension / axial.ea,
+            Some(law) => self.laws[usize::from(law)].strain_at(tension),
+        }
+    }
+
+    /// Tension by strain of segment i at rest under a tension \[N\].
+    pub(super) fn stiffness_under(&self, i: usize, tension: f64) -> f64 {
+        let axial = &self.segments[i].axial;
+        if axial.law.is_none() {
+            return axial.ea;
+        }
+        let small = 1e-9 * self.force_scale;
+        let tension = tension.max(small);
+        tension / self.strain_under(i, tension)
+    }
+
+    /// What the dynamic stiffness of segment i stands at; nothing where its material has none.
+    #[must_use]
+    pub fn rope_reading(&self, i: usize, state: &State) -> Option<RopeReading> {
+        let law = self.segments[i].axial.law?;
+        let rope = self.laws[usize::from(law)].dynamic()?;
+        let tension = self.elastic(i, &self.chord(i, state), state);
+        let mean = state.memory.ropes.get(i).map_or(tension, |past| past.mean);
+        let (mean_load, deviation) = (rope.percent(mean), rope.percent(tension - mean));
+        Some(RopeReading {
+            mean_load,
+            deviation,
+            stiffness: rope.stiffness(mean_load, deviation),
+        })
+    }
+
+    /// Takes an accepted state into what its ropes remember: the running mean of the tension, by trapezes, over all of
+    /// the past or with a window beyond which it is forgotten exponentially, and how fast that mean moves now. With `dt` 0
+    /// they begin to remember: the tensions they have. Times in s.
+    pub fn remember_ropes(&self, t: f64, dt: f64, state: &mut State) {
+        if self.laws.iter().all(|law| law.dynamic().is_none()) {
+            return;
+        }
+        if dt <= 0.0 || state.memory.ropes.len() != self.segments.len() {
+            state.memory.ropes.clear();
+            state.memory.time = t;
+            let first = (0..self.segments.len())
+                .map(|i| self.begin(i, state))
+                .collect();
+            state.memory.ropes = first;
+            return;
+        }
+        for i in 0..self.segments.len() {
+            let axial = &self.segments[i].axial;
+            let law = axial.law.map(|law| &self.laws[usize::from(law)]);
+            let Some(rope) = law.and_then(Law::dynamic) else {
+                continue;
+            };
+            let chord = self.chord(i, state);
+            let strain = axial.strain(chord.length);
+            let about = mean(i, t, state).unwrap_or_default();
+            let tension = rope.in_motion(strain, &about).tension.max(0.0);
+            let past = &mut state.memory.ropes[i];
+            let share = if t < rope.window {
+                dt / t
+            } else {
+                dt / (rope.window + 0.5 * dt)
+            };
+            past.mean += share * (0.5 * (past.tension + tension) - past.mean);
+            past.tension = tension;
+            past.strain = rope.strain_at(past.mean);
+            past.tension_rate = (tension - past.mean) / t.min(rope.window);
+            past.strain_rate = past.tension_rate * rope.compliance(past.strain);
+        }
+        state.memory.time = t;
+    }
+
+    /// What segment i remembers at the start: the tension it has.
+    fn begin(&self, i: usize, state: &State) -> RopePast {
+        let tension = self.elastic(i, &self.chord(i, state), state);
+        RopePast {
+            mean: tension,
+            strain: self.strain_under(i, tension),
+            tension,
+            ..RopePast::default()
+        }
+    }
+
+    #[inline(never)]
+    fn elastic_by(
+        &self,
+        law: u16,
+        i: usize,
+        axial: &Axial,
+        chord: &Chord,
+        t: f64,
+        state: &State,
+    ) -> Elastic {
+        let mean = mean(i, t, state);
+        self.laws[usize::from(law)].at(axial.strain(chord.length), mean.as_ref())
+    }
+}
+
+/// The mean that segment i swings about at time t, moved on from the last accepted step at the rate it had there, so
+/// that a step of second order stays one; nothing at rest.
+#[inline(always)]
+fn mean(i: usize, t: f64, state: &State) -> Option<Mean> {
+    let past = state.memory.ropes.get(i)?;
+    let since = t - state.memory.time;
+    Some(Mean {
+        tension: past.mean + past.tension_rate * since,
+        strain: past.strain + past.strain_rate * since,
+    })
+}

@@ -1,0 +1,133 @@
+//! From the words of a case to its waves.
+
+use super::build::SceneError;
+use super::{Hung, Segment, Water};
+use crate::case::{
+    self, Case, DecayName, Method, SpectrumName, StretchingName, WaterSurface, WaveKind,
+};
+use crate::physics::sea::{
+    Component, Decay, Setting, Spectrum, Stretching, Waves, synthesise, wave_number,
+};
+
+/// Waves of more than this share of the greatest steepness are far from what a linear theory describes.
+const STEEP: f64 = 0.6;
+
+/// The water of a case, where it has waves or the line crosses the surface, and what is to be said of it.
+pub(super) fn water(
+    case: &Case,
+    segments: &[Segment],
+    bodies: &[Hung],
+) -> Result<(Option<Water>, Vec<String>), SceneError> {
+    let crossed = case.environment.water_surface == WaterSurface::Crossed;
+    let mut remarks = Vec::new();
+    let waves = match &case.waves {
+        Some(said) => {
+            let waves = waves(case, said)?;
+            remarks.extend(remarks_on(case, said));
+            Some(waves)
+        }
+        None => None,
+    };
+    if waves.is_none() && !crossed {
+        return Ok((None, remarks));
+    }
+    let of_water = (
+        case.environment.water_density_kg_per_m3,
+        case.environment.gravity_m_per_s2,
+    );
+    if of_water.0 <= 0.0 || of_water.1 <= 0.0 {
+        return Err(SceneError::Impossible {
+            key: "environment".into(),
+            why: "waves and a surface need water with density, and gravity",
+        });
+    }
+    let water = Water::around(segments, bodies, of_water, waves, crossed);
+    Ok((Some(water), remarks))
+}
+
+/// Depth of the sea \[m\].
+fn depth(case: &Case, waves: &case::Waves) -> f64 {
+    let bed = case.seabed.as_ref().map(|bed| bed.depth_m);
+    waves.depth_m.or(bed).unwrap_or(f64::INFINITY)
+}
+
+/// The spectrum of irregular waves, or nothing.
+pub(crate) fn spectrum(waves: &case::Waves) -> Option<Spectrum> {
+    let (height, period) = (waves.significant_height_m?, waves.peak_period_s?);
+    Some(match waves.spectrum {
+        SpectrumName::Jonswap => Spectrum::jonswap(height, period, waves.gamma),
+        SpectrumName::PiersonMoskowitz => Spectrum::pierson_moskowitz(height, period),
+    })
+}
+
+/// The components as they pass the origin. The first stream of the seed is the waves'.
+fn components(waves: &case::Waves) -> Result<Vec<Component>, SceneError> {
+    let missing = |key: &str| SceneError::Missing {
+        key: format!("waves.{key}"),
+        why: "waves have a height and a period",
+    };
+    match waves.kind {
+        WaveKind::Regular => {
+            let height = waves.height_m.ok_or_else(|| missing("height_m"))?;
+            let period = waves.period_s.ok_or_else(|| missing("period_s"))?;
+            Ok(vec![Component {
+                omega: crate::physics::motion::omega(period),
+                amplitude: 0.5 * height,
+                phase: waves.phase_deg.to_radians(),
+            }])
+        }
+        WaveKind::Irregular => {
+            let spectrum = spectrum(waves).ok_or_else(|| missing("significant_height_m"))?;
+            Ok(synthesise(&spectrum, waves.components, waves.seed, 0))
+        }
+    }
+}
+
+fn waves(case: &Case, said: &case::Waves) -> Result<Waves, SceneError> {
+    let setting = Setting {
+        direction: said.direction_deg.to_radians(),
+        depth: depth(case, said),
+        gravity: case.environment.gravity_m_per_s2,
+        stretching: match said.stretching {
+            StretchingName::None => Stretching::None,
+            StretchingName::Vertical => Stretching::Vertical,
+            StretchingName::Wheeler => Stretching::Wheeler,
+            StretchingName::Linear => Stretching::Linear,
+        },
+        decay: match said.decay {
+            DecayName::Airy => Decay::Airy,
+            DecayName::AiryCut => Decay::AiryAbove(said.decay_depth_m),
+            DecayName::Logarithmic => Decay::Logarithmic(said.decay_depth_m),
+        },
+        ramp: said.ramp_s,
+    };
+    Ok(Waves::new(components(said)?, &setting))
+}
+
+/// What is to be known of these waves.
+fn remarks_on(case: &Case, said: &case::Waves) -> Vec<String> {
+    let mut remarks = Vec::new();
+    if case.solver.method == Method::Static {
+        remarks.push("statics take no account of the waves".to_owned());
+    }
+    let (height, period) = match said.kind {
+        WaveKind::Regular => (said.height_m, said.period_s),
+        WaveKind::Irregular => (said.significant_height_m, said.peak_period_s),
+    };
+    let Some((height, period)) = height.zip(period) else {
+        return remarks;
+    };
+    let depth = depth(case, said);
+    let omega = crate::physics::motion::omega(period);
+    let k = wave_number(omega, case.environment.gravity_m_per_s2, depth);
+    // Miche's limit: 0.142 L tanh(k h).
+    let limit = 0.142 * std::f64::consts::TAU / k * (k * depth).tanh();
+    if height > STEEP * limit {
+        remarks.push(format!(
+            "waves {height} m high at a period of {period} s are at {:.0} % of the height at which they break; linear \
+             theory gives them too little crest and too much trough",
+            100.0 * height / limit
+        ));
+    }
+    remarks
+}

@@ -1,0 +1,352 @@
+//! What waves and the surface of the water do to the line, where the case names them.
+//!
+//! Morison's equation for a line that moves in water that moves (DNV-RP-C205 section 6.2): drag by the relative
+//! velocity, added mass by the relative acceleration, and the displaced mass times the acceleration of the water. The
+//! last is the pressure of the undisturbed wave; it acts along the line as well as across, since tensions are effective
+//! ones here as they are in still water. The displaced mass is what separates the mass in air from the mass in water,
+//! floats and modules included.
+//!
+//! Where the line crosses the surface, all of these, and buoyancy, count by the share of each half segment that is
+//! wet: see `scene/wetting.rs`.
+
+use super::wetting::{self, Height, Wet};
+use super::{Hung, Scene, Segment};
+use crate::linalg::{BlockBand, M3, V3};
+use crate::physics::added_mass::AddedMass;
+use crate::physics::drag::Drag;
+use crate::physics::sea::{Flow, Waves};
+use crate::physics::tension::Chord;
+use crate::solve::{Factors, State};
+
+/// The water, where it does more than be there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Water {
+    /// The waves, if there are any.
+    pub waves: Option<Waves>,
+    /// Whether the line leaves the water and enters it; if not, all of it counts as under water.
+    pub crossed: bool,
+    /// Mass of the water displaced by half of each segment \[kg\].
+    pub displaced: Vec<f64>,
+    /// Radius of a line of each segment's volume \[m\].
+    pub radius: Vec<f64>,
+    /// Mass of the water displaced by each body on the line \[kg\].
+    pub by_bodies: Vec<f64>,
+    /// Acceleration of gravity \[m/s²\].
+    pub gravity: f64,
+    /// Density of the water \[kg/m³\].
+    pub density: f64,
+}
+
+impl Water {
+    /// The water around these segments and bodies.
+    #[must_use]
+    pub fn around(
+        segments: &[Segment],
+        bodies: &[Hung],
+        (density, gravity): (f64, f64),
+        waves: Option<Waves>,
+        crossed: bool,
+    ) -> Self {
+        let under = |mass: f64, weight: f64| (mass - weight / gravity).max(0.0);
+        let displaced: Vec<f64> = segments
+            .iter()
+            .map(|s| under(s.half_mass, s.half_weight))
+            .collect();
+        let radius = segments.iter().zip(&displaced).map(|(s, half)| {
+            let area = 2.0 * half / (density * s.axial.length);
+            (area / std::f64::consts::PI)
+                .sqrt()
+                .max(0.5 * s.diameter)
+                .max(LEAST_RADIUS)
+        });
+        let radius = radius.collect();
+        let bodies = bodies.iter().map(|h| under(h.body.mass, h.body.weight));
+        Self {
+            waves,
+            crossed,
+            displaced,
+            radius,
+            by_bodies: bodies.collect(),
+            gravity,
+            density,
+        }
+    }
+
+    /// Radius of a sphere of the volume of a body \[m\].
+    fn radius_of_body(&self, body: usize) -> f64 {
+        let volume = self.by_bodies[body] / self.density;
+        (0.75 * volume / std::f64::consts::PI)
+            .cbrt()
+            .max(LEAST_RADIUS)
+    }
+}
+
+/// A line is no thinner than this where it crosses the surface \[m\].
+const LEAST_RADIUS: f64 = 1e-6;
+
+/// A body in the water: what flows past it and how much of it is wet.
+pub(super) struct Bathed {
+    /// Velocity of the water relative to it \[m/s\].
+    pub(super) u: V3,
+    /// Its acceleration relative to the water's \[m/s²\].
+    pub(super) a: V3,
+    /// Acceleration of the water \[m/s²\].
+    pub(super) carried: V3,
+    /// The share of it that is wet, and its derivative by the body's place \[1/m\].
+    pub(super) share: f64,
+    by_place: V3,
+    /// Pressure of the wave and buoyancy lost \[N\].
+    pub(super) load: V3,
+}
+
+impl Scene {
+    /// Velocity of the water at a node \[m/s\].
+    #[inline(always)]
+    pub(super) fn water_at(&self, node: usize, state: &State) -> V3 {
+        let current = self.current.at(state.x[node].z).0;
+        match state.water.get(node) {
+            None => current,
+            Some(flow) => current + flow.velocity_at(&state.x[node]),
+        }
+    }
+
+    /// Acceleration of a node relative to the water \[m/s²\].
+    #[inline(always)]
+    pub(super) fn relative_acceleration(&self, node: usize, state: &State) -> V3 {
+        match state.water.get(node) {
+            None => state.a[node],
+            Some(flow) => state.a[node] - flow.acceleration_at(&state.x[node]),
+        }
+    }
+
+    /// How much of both halves of segment i is wet; nothing where all of the line counts as under water.
+    #[inline(always)]
+    pub(super) fn wet(&self, i: usize, state: &State) -> Option<[Wet; 2]> {
+        let water = self.water.as_ref().filter(|w| w.crossed)?;
+        Some(wetting::halves(
+            water.radius[i],
+            [&height(i, state), &height(i + 1, state)],
+        ))
+    }
+
+    /// Added mass of both halves of segment i, as far as they are wet.
+    #[inline(always)]
+    pub(super) fn added(&self, i: usize, wet: Option<&[Wet; 2]>) -> [AddedMass; 2] {
+        let added = self.segments[i].added;
+        match wet {
+            None => [added; 2],
+            Some(wet) => [0, 1].map(|half| added.scaled(wet[half].share)),
+        }
+    }
+
+    /// Pressure of the wave on half of segment i, less the buoyancy of what of it is dry \[N\].
+    #[inline(always)]
+    pub(super) fn pressure(
+        &self,
+        i: usize,
+        half: usize,
+        wet: Option<&[Wet; 2]>,
+        state: &State,
+    ) -> V3 {
+        let Some(water) = &self.water else {
+            return V3::zeros();
+        };
+        let share = wet.map_or(1.0, |wet| wet[half].share);
+        let mut load = V3::z() * ((share - 1.0) * water.displaced[i] * water.gravity);
+        if let Some(flow) = state.water.get(i + half) {
+            load += flow.acceleration_at(&state.x[i + half]) * (share * water.displaced[i]);
+        }
+        load
+    }
+
+    /// The same with what the water's acceleration does through the added mass: all that it does to a node whose own
+    /// acceleration is not known yet \[N\].
+    pub(super) fn dragged_along(
+        &self,
+        i: usize,
+        half: usize,
+        t: &V3,
+        wet: Option<&[Wet; 2]>,
+        state: &State,
+    ) -> V3 {
+        let node = i + half;
+        let with = |flow: &Flow| {
+            let a = flow.acceleration_at(&state.x[node]);
+            self.added(i, wet)[half].force(t, &a)
+        };
+        self.pressure(i, half, wet, state) + state.water.get(node).map_or_else(V3::zeros, with)
+    }
+
+    /// What the water does to the body of this number.
+    #[inline(always)]
+    pub(super) fn bathed(&self, number: usize, state: &State) -> Bathed {
+        let node = self.bodies[number].node;
+        let flow = state.water.get(node);
+        let carried = flow.map_or_else(V3::zeros, |flow| flow.acceleration_at(&state.x[node]));
+        let mut bathed = Bathed {
+            u: self.water_at(node, state) - state.v[node],
+            a: self.relative_acceleration(node, state),
+            carried,
+            share: 1.0,
+            by_place: V3::zeros(),
+            load: V3::zeros(),
+        };
+        let Some(water) = &self.water else {
+            return bathed;
+        };
+        if water.crossed {
+            let height = height(node, state);
+            let (share, slope) = wetting::sphere(water.radius_of_body(number), height.above);
+            bathed.share = share;
+            bathed.by_place = height.by_place * slope;
+        }
+        let mass = water.by_bodies[number];
+        bathed.load = carried * (bathed.share * mass)
+            - V3::z() * ((1.0 - bathed.share) * mass * water.gravity);
+        bathed
+    }
+
+    /// Takes the loads of waves and surface from the residual, where the case has any: those that are
+    /// neither drag nor added mass.
+    pub(super) fn add_water(&self, state: &State, r: &mut [V3]) {
+        if self.water.is_none() {
+            return;
+        }
+        for i in 0..self.segments.len() {
+            let wet = self.wet(i, state);
+            for half in [0, 1] {
+                r[i + half] -= self.pressure(i, half, wet.as_ref(), state);
+            }
+        }
+        for (number, hung) in self.bodies.iter().enumerate() {
+            r[hung.node] -= self.bathed(number, state).load;
+        }
+    }
+
+    /// Adds to the tangent what the residual of a line in waves or across the surface changes by from place to place
+    /// of the water: through the gradients of its motion, and through the share that is wet.
+    pub(super) fn add_water_tangent(&self, state: &State, c: Factors, tangent: &mut BlockBand) {
+        let Some(water) = &self.water else {
+            return;
+        };
+        for i in 0..self.segments.len() {
+            let chord = self.chord(i, state);
+            let drags = self.full_drag(i, &chord, state);
+            let wet = self.wet(i, state);
+            for half in [0, 1] {
+                let (own, other) =
+                    self.half_by_places(i, half, &chord, &drags, wet.as_ref(), state);
+                tangent.diag[i + half] += own * c.stiffness;
+                let coupling = if half == 0 {
+                    &mut tangent.upper[i]
+                } else {
+                    &mut tangent.lower[i + 1]
+                };
+                *coupling += other * c.stiffness;
+            }
+        }
+        for (number, hung) in self.bodies.iter().enumerate() {
+            let own = self.body_by_place(water, number, hung, state);
+            tangent.diag[hung.node] += own * c.stiffness;
+        }
+    }
+
+    /// Derivatives of the residual of half a segment by the place of its own node and of the other one, as far as they
+    /// come from the water: `f [ -(M_added + m) dA/dx - dF/du dU/dx ] + (what is wet of it, as if all were) (df/dx)'`.
+    fn half_by_places(
+        &self,
+        i: usize,
+        half: usize,
+        chord: &Chord,
+        drags: &[Drag; 2],
+        wet: Option<&[Wet; 2]>,
+        state: &State,
+    ) -> (M3, M3) {
+        let (node, other) = (i + half, i + 1 - half);
+        let (t, added) = (&chord.tangent, &self.segments[i].added);
+        let displaced = self.water.as_ref().map_or(0.0, |w| w.displaced[i]);
+        let (drag, beside) = (&drags[half], &drags[1 - half]);
+        let (mut by_own, mut by_other) = (M3::zeros(), M3::zeros());
+        let mut pressed = V3::zeros();
+        if let (Some(here), Some(there)) = (state.water.get(node), state.water.get(other)) {
+            by_own -= inertia(added, t, displaced) * here.acceleration_gradient
+                + drag.matrix(t) * here.gradient;
+            if let Some(block) = drag.by_other_velocity(beside) {
+                by_other -= block * there.gradient;
+            }
+            pressed = here.acceleration_at(&state.x[node]) * displaced;
+        }
+        if let (Some(wet), Some(water)) = (wet, &self.water) {
+            let Wet { share, by } = &wet[half];
+            let relative = self.relative_acceleration(node, state);
+            let all = added.force(t, &relative)
+                - drag.force
+                - pressed
+                - V3::z() * (displaced * water.gravity);
+            by_own = by_own * *share + all * by[half].transpose();
+            by_other = by_other * *share + all * by[1 - half].transpose();
+        }
+        (by_own, by_other)
+    }
+
+    /// The same for the body of this number.
+    fn body_by_place(&self, water: &Water, number: usize, hung: &Hung, state: &State) -> M3 {
+        let bathed = self.bathed(number, state);
+        let (body, mass) = (&hung.body, water.by_bodies[number]);
+        let mut by_place = M3::zeros();
+        let mut pressed = V3::zeros();
+        if let Some(flow) = state.water.get(hung.node) {
+            let moved = M3::from_diagonal(&body.added.add_scalar(mass));
+            by_place -= moved * flow.acceleration_gradient
+                + body.drag_by_velocity(&bathed.u) * flow.gradient;
+            pressed = flow.acceleration_at(&state.x[hung.node]) * mass;
+        }
+        let all = body.added.component_mul(&bathed.a)
+            - body.drag(&bathed.u)
+            - pressed
+            - V3::z() * (mass * water.gravity);
+        by_place * bathed.share + all * bathed.by_place.transpose()
+    }
+
+    /// Writes into the state what the waves make of the water at its nodes at time t \[s\]; nothing where there are none.
+    pub(super) fn take_in_waves(&self, t: f64, state: &mut State) {
+        let Some(Water {
+            waves: Some(waves),
+            crossed,
+            ..
+        }) = &self.water
+        else {
+            return;
+        };
+        state.water.resize(self.nodes_of_line(), Flow::default());
+        for (flow, x) in state.water.iter_mut().zip(&state.x) {
+            *flow = waves.flow(t, x, *crossed);
+        }
+    }
+
+    fn nodes_of_line(&self) -> usize {
+        self.mass.len()
+    }
+}
+
+/// Height of a node above the surface.
+#[inline(always)]
+fn height(node: usize, state: &State) -> Height {
+    let x = &state.x[node];
+    match state.water.get(node) {
+        None => Height {
+            above: x.z,
+            by_place: V3::z(),
+        },
+        Some(flow) => Height {
+            above: x.z - flow.elevation_at(x),
+            by_place: V3::z() - flow.slope,
+        },
+    }
+}
+
+/// Added mass and displaced mass as a matrix.
+fn inertia(added: &AddedMass, t: &V3, displaced: f64) -> M3 {
+    let along = t * ((added.tangential - added.normal) * t).transpose();
+    M3::from_diagonal_element(added.normal + displaced) + along
+}

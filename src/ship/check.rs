@@ -1,0 +1,214 @@
+//! What cannot be as a ship file says, beyond types and ranges: coefficients that contradict themselves, marks that point
+//! nowhere, nothing that acts.
+
+use std::f64::consts::PI;
+
+use super::model::{Coefficients, Ship};
+use super::motion::SixMotions;
+use super::quantities::parts;
+use crate::case::{Misfit, Node};
+use crate::physics::sea::DEGREES;
+use crate::report::number::digits;
+
+/// Everything that cannot be.
+pub(super) fn misfits(ship: &Ship, tree: &Node) -> Vec<Misfit> {
+    let mut wrong = Vec::new();
+    let loads = [
+        ("wind", ship.wind.as_ref().map(|l| &l.coefficients)),
+        ("current", ship.current.as_ref().map(|l| &l.coefficients)),
+        ("drift", ship.drift.as_ref().map(|l| &l.coefficients)),
+    ];
+    if loads.iter().all(|(_, words)| words.is_none()) {
+        wrong.push(Misfit::at(
+            "ship",
+            "nothing acts on the ship",
+            "add [wind], [current] or [drift]",
+        ));
+    }
+    for (table, words) in loads {
+        if let Some(words) = words {
+            wrong.extend(coefficients(table, words));
+        }
+    }
+    wrong.extend(motion(ship));
+    if ship.rope.is_some() && ship.motion.is_none() {
+        wrong.push(Misfit::at(
+            "rope",
+            "has no motion to follow",
+            "add [motion], or remove [rope]",
+        ));
+    }
+    wrong.extend(published(ship));
+    wrong.extend(marks(ship, tree));
+    wrong
+}
+
+/// A table or series, and a table that is one.
+fn coefficients(table: &str, words: &Coefficients) -> Vec<Misfit> {
+    let columns = [
+        ("surge", &words.surge),
+        ("sway", &words.sway),
+        ("yaw", &words.yaw),
+    ];
+    let series = [
+        ("surge_cosines", &words.surge_cosines),
+        ("sway_sines", &words.sway_sines),
+        ("yaw_sines", &words.yaw_sines),
+    ];
+    let given = |list: &[(&'static str, &Vec<f64>)]| {
+        let named = list.iter().find(|(_, values)| !values.is_empty());
+        named.map(|(name, _)| *name)
+    };
+    let of_table = if words.angle_deg.is_empty() {
+        given(&columns)
+    } else {
+        Some("angle_deg")
+    };
+    match (of_table, given(&series)) {
+        (None, None) => vec![Misfit::new(
+            &[table],
+            "has no coefficients",
+            "give angle_deg with surge, sway and yaw, or the series surge_cosines, sway_sines, yaw_sines",
+        )],
+        (Some(_), Some(extra)) => vec![Misfit::new(
+            &[table, extra],
+            "is a series, and there is a table too",
+            "give one of both",
+        )],
+        (None, Some(_)) => Vec::new(),
+        (Some(_), None) => whole_table(table, &words.angle_deg, &columns),
+    }
+}
+
+fn whole_table(table: &str, angles: &[f64], columns: &[(&str, &Vec<f64>)]) -> Vec<Misfit> {
+    let mut wrong = Vec::new();
+    if let Some(misfit) = rising(table, angles) {
+        return vec![misfit];
+    }
+    let half = angles
+        .last()
+        .is_some_and(|last| (last.to_radians() - PI).abs() < 1e-9);
+    for (name, values) in columns {
+        if values.len() != angles.len() {
+            wrong.push(Misfit::new(
+                &[table, name],
+                format!("holds {} numbers for {} angles", values.len(), angles.len()),
+                "give one number for each angle",
+            ));
+            continue;
+        }
+        let odd = *name != "surge" && half;
+        let ends = [values[0], values[values.len() - 1]];
+        if odd && ends.iter().any(|v| v.abs() > 1e-12) {
+            wrong.push(Misfit::new(
+                &[table, name],
+                "is not nought at 0 and at 180 degrees, though the other side is to follow by symmetry",
+                "begin and end with 0, or give the table around to below 360 degrees",
+            ));
+        }
+    }
+    wrong
+}
+
+fn rising(table: &str, angles: &[f64]) -> Option<Misfit> {
+    let path = [table, "angle_deg"];
+    let remedy = "give angles that rise from 0 to 180, or from 0 to below 360";
+    if angles.len() < 3 {
+        return Some(Misfit::new(&path, "holds fewer than 3 angles", remedy));
+    }
+    if angles[0].abs() > 1e-9 {
+        let problem = format!("begins at {} degrees", digits(angles[0], 6));
+        return Some(Misfit::new(&path, problem, remedy));
+    }
+    if let Some(pair) = angles.windows(2).find(|pair| pair[1] - pair[0] < 1e-6) {
+        let problem = format!(
+            "does not rise from {} to {} degrees",
+            digits(pair[0], 6),
+            digits(pair[1], 6)
+        );
+        return Some(Misfit::new(&path, problem, remedy));
+    }
+    let last = angles[angles.len() - 1];
+    let fine = (last - 180.0).abs() < 1e-9 || (last > 180.0 && last < 360.0 - 1e-6);
+    (!fine).then(|| {
+        let problem = format!("ends at {} degrees", digits(last, 6));
+        Misfit::new(&path, problem, remedy)
+    })
+}
+
+/// Statistics that a motion has, and a record that is none too long.
+fn motion(ship: &Ship) -> Vec<Misfit> {
+    const MOST: f64 = 1e6;
+    let Some(words) = &ship.motion else {
+        return Vec::new();
+    };
+    if words.duration_s / words.step_s > MOST {
+        return vec![Misfit::at(
+            "motion.step_s",
+            format!(
+                "makes more than {MOST} instants of {} s",
+                digits(words.duration_s, 6)
+            ),
+            "give a longer step or a shorter duration_s",
+        )];
+    }
+    let Err(error) = SixMotions::new(words, words.seed()) else {
+        return Vec::new();
+    };
+    let table = if error.degree < 3 {
+        "motion.translation_rms_m"
+    } else {
+        "motion.rotation_rms_deg"
+    };
+    let problem = format!("{}: {}", DEGREES[error.degree], error.why);
+    vec![Misfit::at(
+        table,
+        problem,
+        "give displacement, velocity and acceleration of one and the same record, and a longer slow_period_s where that is asked for",
+    )]
+}
+
+/// Published values name a number that the ship has, and how far it may be off.
+fn published(ship: &Ship) -> Vec<Misfit> {
+    let mut wrong = Vec::new();
+    for (i, published) in ship.published.iter().enumerate() {
+        // Tables of a list go by their name, or by their number where a name is taken.
+        let taken = ship.published[..i].iter().any(|p| p.name == published.name);
+        let name = if taken {
+            (i + 1).to_string()
+        } else {
+            published.name.clone()
+        };
+        if parts(&published.quantity).is_none() {
+            wrong.push(Misfit::new(
+                &["published", &name, "quantity"],
+                format!("is not known: \"{}\"", published.quantity.escape_default()),
+                "name a motion, a rate and a statistic, such as pitch.velocity.rms",
+            ));
+        }
+        if published.tolerance_rel.is_none() && published.tolerance_abs.is_none() {
+            wrong.push(Misfit::new(
+                &["published", &name],
+                "has no tolerance",
+                "give tolerance_rel or tolerance_abs",
+            ));
+        }
+    }
+    wrong
+}
+
+/// Marks point to inputs that the file has.
+fn marks(ship: &Ship, tree: &Node) -> Vec<Misfit> {
+    let lost = ship.marks.keys().filter(|key| {
+        let parts = crate::case::split(key).unwrap_or_default();
+        parts.is_empty() || tree.find(&parts).is_none()
+    });
+    lost.map(|key| {
+        Misfit::new(
+            &["marks", key],
+            "the file has no such key",
+            "name a key path of the file, such as \"ship.length_m\"",
+        )
+    })
+    .collect()
+}

@@ -1,0 +1,157 @@
+//! How far a ship lies from its anchor: the reach of an elastic line over a flat bed at a given pull.
+
+use crate::statics::catenary::{Bed, Ends, Line, Refusal, SectionProps};
+
+use super::model::{About, Mooring};
+
+/// The line at rest under a pull.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reach {
+    /// Horizontal distance from the anchor to the point on the ship \[m\].
+    pub distance: f64,
+    /// Stiffness of the line along itself, in the horizontal \[N/m\].
+    pub along: f64,
+    /// Stiffness across: pull over distance \[N/m\].
+    pub across: f64,
+    /// Tension at the ship \[N\].
+    pub tension: f64,
+    /// Angle of the line at the ship below the horizontal \[rad\].
+    pub angle: f64,
+    /// Length resting on the bed \[m\].
+    pub on_bed: f64,
+    /// Pull of the line up on the anchor \[N\]; an anchor that is lifted drags.
+    pub anchor_lift: f64,
+}
+
+/// Why there is no answer.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ReachError {
+    /// The line is too short to come up to the ship.
+    #[error("the line of {length} m does not reach from the bed to the ship, {height} m above it")]
+    Short {
+        /// Length \[m\].
+        length: f64,
+        /// Height of the ship's point above the bed \[m\].
+        height: f64,
+    },
+    /// The pull could not be met.
+    #[error("no distance from the anchor was found at which the line pulls with {pull:.4e} N")]
+    Unmet {
+        /// The pull \[N\].
+        pull: f64,
+    },
+    /// The catenary refused.
+    #[error(transparent)]
+    Catenary(#[from] Refusal),
+}
+
+/// The line's reach at a horizontal pull \[N\], which rises with the distance.
+///
+/// # Errors
+/// [`ReachError`].
+pub fn reach(about: &About, mooring: &Mooring, pull: f64) -> Result<Reach, ReachError> {
+    let height = mooring.depth_m + mooring.fairlead_z_m;
+    let length = mooring.length_m;
+    if length <= height {
+        return Err(ReachError::Short { length, height });
+    }
+    let weight = mooring.wet_weight_kg_per_m * about.gravity_m_per_s2;
+    let sections = [SectionProps::new(length, weight, mooring.ea_n)];
+    let at = |x_m: f64| {
+        Line {
+            ends: Ends { x_m, z_m: height },
+            sections: &sections,
+            bed: Some(Bed::default()),
+            surface_above_a_m: None,
+        }
+        .solve()
+    };
+    // Slack, the line hangs straight down and the rest lies on the bed; taut, it is straight and stretched.
+    let stretched = length * (1.0 + (pull + weight * length) / mooring.ea_n);
+    let (mut near, mut far) = (0.0, stretched.hypot(height));
+    let mut x = (length * length - height * height).sqrt();
+    for _ in 0..200 {
+        let rest = at(x)?;
+        let miss = rest.h_b_n - pull;
+        if miss > 0.0 {
+            far = x;
+        } else {
+            near = x;
+        }
+        let slope = rest.stiffness_n_per_m[0][0];
+        let newton = x - miss / slope;
+        let next = if newton > near && newton < far {
+            newton
+        } else {
+            0.5 * (near + far)
+        };
+        if miss.abs() <= 1e-9 * pull || (far - near) <= 1e-12 * far {
+            return Ok(Reach {
+                distance: x,
+                along: slope,
+                across: pull / x.max(f64::MIN_POSITIVE),
+                tension: rest.tension_b_n(),
+                angle: rest.v_b_n.atan2(rest.h_b_n),
+                on_bed: rest.on_bed_m,
+                anchor_lift: rest.v_a_n.max(0.0),
+            });
+        }
+        x = next;
+    }
+    Err(ReachError::Unmet { pull })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn about() -> About {
+        toml_edit::de::from_str("title = \"\"\nlength_m = 50.0\ndraft_m = 2.0\n").unwrap()
+    }
+
+    fn mooring() -> Mooring {
+        Mooring {
+            length_m: 100.0,
+            wet_weight_kg_per_m: 20.0,
+            ea_n: 1e12,
+            depth_m: 10.0,
+            fairlead_z_m: 0.0,
+        }
+    }
+
+    #[test]
+    fn the_reach_is_that_of_the_stiff_catenary_on_a_bed() {
+        let (about, mooring) = (about(), mooring());
+        for pull in [2e3, 8e3, 2e4] {
+            let found = reach(&about, &mooring, pull).unwrap();
+            let w = 20.0 * about.gravity_m_per_s2;
+            let a = pull / w;
+            // h = a (cosh(x/a) - 1), s = a sinh(x/a).
+            let up = a * (1.0 + 10.0 / a).acosh();
+            let hung = a * (up / a).sinh();
+            let expected = 100.0 - hung + up;
+            assert!(
+                (found.distance - expected).abs() < 1e-4,
+                "{found:?} {expected}"
+            );
+            assert!((found.tension - (pull + w * 10.0)).abs() < 1e-3 * pull);
+            assert!((found.on_bed - (100.0 - hung)).abs() < 1e-2);
+            assert_eq!(found.anchor_lift, 0.0);
+        }
+    }
+
+    #[test]
+    fn a_line_pulled_taut_lifts_its_anchor_and_a_short_one_is_refused() {
+        let (about, mut mooring) = (about(), mooring());
+        let taut = reach(&about, &mooring, 1e6).unwrap();
+        assert!(taut.anchor_lift > 0.0 && taut.on_bed == 0.0);
+        assert!(taut.along > 1e4);
+        let slack = reach(&about, &mooring, 0.0).unwrap();
+        assert!(slack.distance >= 0.0 && slack.tension > 0.0);
+        mooring.length_m = 9.0;
+        assert!(matches!(
+            reach(&about, &mooring, 1e3),
+            Err(ReachError::Short { .. })
+        ));
+    }
+}

@@ -1,0 +1,96 @@
+//! A ship at rest as charts: the moment about the mooring against the heading, with its zeros.
+
+use std::f64::consts::PI;
+
+use super::heading::Stands;
+use super::rest::Rest;
+use super::voyage::Voyage;
+use crate::report::chart::{Axis, Chart, Limit, LimitLine, Series};
+
+/// Time of a record that is drawn \[s\].
+const MINUTES: f64 = 300.0;
+
+/// Points of a curve over the full turn.
+const POINTS: u32 = 720;
+
+/// Moment about the mooring point against the heading, that of each load and together; every heading in balance marked.
+#[must_use]
+pub fn moments(rest: &Rest) -> Chart {
+    let arm = rest.loads.arm;
+    let over = |moment: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
+        let heading = |i: u32| -PI + 2.0 * PI * f64::from(i) / f64::from(POINTS);
+        (0..=POINTS)
+            .map(|i| (heading(i).to_degrees(), moment(heading(i))))
+            .collect()
+    };
+    let mut series = vec![Series::new(
+        "together",
+        0,
+        over(&|heading| rest.loads.moment(heading).0),
+    )];
+    for (i, load) in rest.loads.each.iter().enumerate() {
+        let of = |heading: f64| {
+            let (value, _) = load.at(heading);
+            value[2] - value[1] * arm
+        };
+        series.push(Series::new(load.name, i + 1, over(&of)));
+    }
+    Chart {
+        title: "Moment about the mooring point; the ship rests where it vanishes".to_owned(),
+        x: Axis {
+            range: Some((-180.0, 180.0)),
+            ..Axis::new("heading", "deg")
+        },
+        y: Axis::new("moment", "N m"),
+        series,
+        limits: limits(rest),
+        legend: true,
+        ..Chart::default()
+    }
+}
+
+/// The motions that matter most to a rope, over the first minutes of the record.
+#[must_use]
+pub fn motions(voyage: &Voyage) -> Chart {
+    let shown = voyage
+        .motions
+        .instants
+        .min((MINUTES / voyage.motions.step) as usize + 1);
+    let series = [
+        (0, "surge [m]", 1.0),
+        (2, "heave [m]", 1.0),
+        (4, "pitch [deg]", 1.0_f64.to_degrees()),
+    ];
+    let series = series
+        .iter()
+        .enumerate()
+        .map(|(slot, (degree, name, scale))| {
+            let values = &voyage.records[*degree].x;
+            let points = (0..shown).map(|i| (voyage.motions.time(i), scale * values[i]));
+            Series::new(name, slot, points.collect())
+        });
+    Chart {
+        title: "Motion of the ship, from its record".to_owned(),
+        x: Axis::new("time", "s"),
+        y: Axis::new("motion", ""),
+        series: series.collect(),
+        legend: true,
+        ..Chart::default()
+    }
+}
+
+fn limits(rest: &Rest) -> Vec<Limit> {
+    let stations = rest.stations.as_deref().unwrap_or_default();
+    let mut limits = vec![Limit {
+        label: String::new(),
+        line: LimitLine::Horizontal(0.0),
+    }];
+    limits.extend(stations.iter().map(|one| Limit {
+        label: match one.balance.stands {
+            Stands::Stable => "stable".to_owned(),
+            other => other.word().to_owned(),
+        },
+        line: LimitLine::Vertical(one.balance.heading.to_degrees()),
+    }));
+    limits
+}

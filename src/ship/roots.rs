@@ -1,0 +1,200 @@
+//! All zeros of a smooth function between two points, none missed: an interval is dropped only when a bound of the second
+//! derivative proves that the function has no zero on it, and holds one zero when the bound proves it monotone.
+
+/// A function with its derivative and a bound of its second derivative, smooth between the points it is cut at.
+pub trait Smooth {
+    /// Value and first derivative.
+    fn at(&self, x: f64) -> (f64, f64);
+
+    /// A bound of the second derivative's size between the cuts around x.
+    fn bend_at_most(&self, x: f64) -> f64;
+
+    /// What counts as nothing: rounding of the value.
+    fn rounding(&self) -> f64;
+}
+
+/// Where a function is zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Zero {
+    /// At a point.
+    Point(f64),
+    /// All the way from one point to another, to rounding: a stretch where it vanishes, or one too short to be told from
+    /// a point, where it touches zero.
+    Stretch(f64, f64),
+}
+
+/// Intervals looked at before a function is given up; it takes some hundred for any physical one.
+const MOST: usize = 200_000;
+
+/// All zeros between neighbouring `cuts`, which rise, in rising order; absent when the function is too wild to be
+/// bounded.
+#[must_use]
+pub fn zeros(f: &impl Smooth, cuts: &[f64]) -> Option<Vec<Zero>> {
+    let mut found = Vec::new();
+    let mut open: Vec<(f64, f64)> = cuts
+        .windows(2)
+        .rev()
+        .map(|pair| (pair[0], pair[1]))
+        .collect();
+    let mut seen = 0;
+    while let Some((a, b)) = open.pop() {
+        seen += 1;
+        if seen > MOST {
+            return None;
+        }
+        let middle = 0.5 * (a + b);
+        let half = 0.5 * (b - a);
+        if half <= 0.0 {
+            continue;
+        }
+        let (value, slope) = f.at(middle);
+        if !(value.is_finite() && slope.is_finite()) {
+            return None;
+        }
+        let bend = f.bend_at_most(middle);
+        // Taylor: everywhere on the interval, f differs from its middle by no more than this.
+        let reach = (slope.abs() + 0.5 * bend * half) * half;
+        if value.abs() > reach + f.rounding() {
+            continue;
+        }
+        if slope.abs() > bend * half && reach > f.rounding() {
+            found.extend(crossing(f, a, b).map(Zero::Point));
+        } else if reach + value.abs() <= 4.0 * f.rounding() || half <= 1e-12 * (1.0 + middle.abs())
+        {
+            found.push(Zero::Stretch(a, b));
+        } else {
+            open.push((middle, b));
+            open.push((a, middle));
+        }
+    }
+    Some(joined(found))
+}
+
+/// The zero of a function that is monotone from a to b, if it has one; at an end when it is nothing there.
+fn crossing(f: &impl Smooth, a: f64, b: f64) -> Option<f64> {
+    let (at_a, at_b) = (f.at(a).0, f.at(b).0);
+    if at_a.abs() <= f.rounding() {
+        return Some(a);
+    }
+    if at_b.abs() <= f.rounding() {
+        return Some(b);
+    }
+    if at_a.signum() == at_b.signum() {
+        return None;
+    }
+    Some(refined(f, (a, at_a), b))
+}
+
+/// Newton inside a bracket; a step that leaves it is a bisection.
+fn refined(f: &impl Smooth, (mut a, at_a): (f64, f64), mut b: f64) -> f64 {
+    let mut x = 0.5 * (a + b);
+    for _ in 0..200 {
+        let (value, slope) = f.at(x);
+        if value == 0.0 {
+            return x;
+        }
+        if value.signum() == at_a.signum() {
+            a = x;
+        } else {
+            b = x;
+        }
+        let newton = x - value / slope;
+        let next = if newton > a && newton < b {
+            newton
+        } else {
+            0.5 * (a + b)
+        };
+        if (next - x).abs() <= 4.0 * f64::EPSILON * (1.0 + x.abs()) {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
+/// Neighbours that are the same zero, made one.
+fn joined(found: Vec<Zero>) -> Vec<Zero> {
+    const SAME: f64 = 1e-9;
+    let mut out: Vec<Zero> = Vec::new();
+    for zero in found {
+        let (from, to) = match zero {
+            Zero::Point(x) => (x, x),
+            Zero::Stretch(a, b) => (a, b),
+        };
+        match out.last_mut() {
+            Some(Zero::Point(x)) if from - *x <= SAME => {
+                let start = *x;
+                if to > from {
+                    out.pop();
+                    out.push(Zero::Stretch(start, to));
+                }
+            }
+            Some(Zero::Stretch(_, end)) if from - *end <= SAME => *end = end.max(to),
+            _ => out.push(zero),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A polynomial, lowest power first.
+    struct Poly(Vec<f64>);
+
+    impl Smooth for Poly {
+        fn at(&self, x: f64) -> (f64, f64) {
+            let mut sum = (0.0, 0.0);
+            for c in self.0.iter().rev() {
+                sum = (sum.0 * x + c, sum.1 * x + sum.0);
+            }
+            sum
+        }
+        fn bend_at_most(&self, _: f64) -> f64 {
+            let terms = self.0.iter().enumerate();
+            terms
+                .skip(2)
+                .map(|(n, c)| (n * (n - 1)) as f64 * c.abs() * 3.0_f64.powi(n as i32 - 2))
+                .sum()
+        }
+        fn rounding(&self) -> f64 {
+            1e-12
+        }
+    }
+
+    fn points(zeros: &[Zero]) -> Vec<f64> {
+        let each = zeros.iter().map(|z| match z {
+            Zero::Point(x) => *x,
+            Zero::Stretch(a, b) => 0.5 * (a + b),
+        });
+        each.collect()
+    }
+
+    #[test]
+    fn simple_double_and_triple_roots_are_all_found() {
+        // (x - 1) (x + 1)² (x - 2)³, multiplied out.
+        let mut poly = vec![1.0];
+        for root in [1.0, -1.0, -1.0, 2.0, 2.0, 2.0] {
+            let mut next = vec![0.0; poly.len() + 1];
+            for (i, c) in poly.iter().enumerate() {
+                next[i + 1] += c;
+                next[i] -= root * c;
+            }
+            poly = next;
+        }
+        let found = zeros(&Poly(poly), &[-3.0, 0.3, 3.0]).unwrap();
+        let points = points(&found);
+        assert_eq!(points.len(), 3, "{found:?}");
+        for (x, root) in points.iter().zip([-1.0, 1.0, 2.0]) {
+            assert!((x - root).abs() < 1e-4, "{x} {root}");
+        }
+        assert!(matches!(found[1], Zero::Point(x) if (x - 1.0).abs() < 1e-12));
+    }
+
+    #[test]
+    fn a_function_that_is_nothing_is_one_stretch() {
+        let found = zeros(&Poly(vec![0.0]), &[0.0, 1.0, 2.0]).unwrap();
+        assert_eq!(found, vec![Zero::Stretch(0.0, 2.0)]);
+    }
+}

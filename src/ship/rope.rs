@@ -1,0 +1,299 @@
+//! The rope between the ship and a platform while the ship moves: the ropeway's hang point follows the ship's record, with
+//! the rope made fast and held by its winch, each instant an equilibrium; and the greatest tension to expect.
+//!
+//! With the rope made fast its tension is a smooth function of where the hang point is. For the records of many seeds it
+//! is therefore interpolated, in Chebyshev polynomials over all places that the record of the file reaches and some more,
+//! to find the instants of greatest tension; the exact rope then tells the tension at these.
+
+use std::f64::consts::PI;
+use std::path::Path;
+
+use rayon::prelude::*;
+
+use super::model::{Motion, Rope};
+use super::motion::{SixMotions, point};
+use super::statistics::{Gumbel, Statistics};
+use super::voyage::Voyage;
+use crate::linalg::V3;
+use crate::ropeway::winch::{HangPoint, Held, Moment};
+use crate::ropeway::{self, Followed, Trouble, Worked};
+
+/// The rope while the ship moves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RopeAtSea {
+    /// The ropeway.
+    pub worked: Worked,
+    /// Where its hang point is, as displaced.
+    pub series: Vec<HangPoint>,
+    /// Made fast, and held by the winch.
+    pub followed: Followed,
+    /// Greatest tensions of several records with the rope made fast; the file's own first. Empty where there is no answer.
+    pub greatest_n: Vec<f64>,
+    /// The same with the law fitted to them.
+    pub law: Option<Gumbel>,
+}
+
+/// How often the winch does not keep its tension.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Lapses {
+    /// Instants at its greatest speed.
+    pub at_speed: usize,
+    /// Instants at its greatest power.
+    pub at_power: usize,
+    /// Instants with all rope paid out.
+    pub rope_out: usize,
+}
+
+impl RopeAtSea {
+    /// Follows the ship. `folder` is that of the ship's file, from which the ropeway's is named.
+    ///
+    /// # Errors
+    /// In words: a ropeway that cannot be read or has no answer.
+    pub fn new(
+        rope: &Rope,
+        motion: &Motion,
+        voyage: &Voyage,
+        folder: &Path,
+    ) -> Result<Self, String> {
+        let loaded = ropeway::load(&folder.join(&rope.ropeway)).map_err(|all| {
+            all.first()
+                .map_or_else(|| "it cannot be read".to_owned(), ToString::to_string)
+        })?;
+        Self::of(rope, motion, voyage, loaded.worked)
+    }
+
+    /// Follows the ship with a ropeway that is worked out.
+    ///
+    /// # Errors
+    /// In words, as [`Self::new`].
+    pub fn of(
+        rope: &Rope,
+        motion: &Motion,
+        voyage: &Voyage,
+        worked: Worked,
+    ) -> Result<Self, String> {
+        let arm = V3::from(motion.hang_point_m);
+        let span = worked.ropeway.about.span_m;
+        let place = |shift: &V3| off(shift, rope.bearing_deg.to_radians(), span);
+        let series: Vec<HangPoint> = voyage
+            .of_point(&arm)
+            .iter()
+            .enumerate()
+            .map(|(i, shift)| {
+                let (x_m, z_m) = place(shift);
+                HangPoint {
+                    time_s: voyage.motions.time(i),
+                    x_m,
+                    z_m,
+                }
+            })
+            .collect();
+        let told = |trouble: Trouble| trouble.to_string();
+        let followed = worked.follow(&series).map_err(told)?;
+        let mut made = Self {
+            worked,
+            series,
+            followed,
+            greatest_n: Vec::new(),
+            law: None,
+        };
+        if let Ok(fast) = &made.followed.fast {
+            let own = fast.iter().fold(0.0_f64, |m, moment| m.max(moment.ship_n));
+            made.greatest_n = vec![own];
+            made.other_records(rope, motion, &place)?;
+        }
+        Ok(made)
+    }
+
+    /// Greatest tensions of the records of other seeds.
+    fn other_records(
+        &mut self,
+        rope: &Rope,
+        motion: &Motion,
+        place: &(dyn Fn(&V3) -> (f64, f64) + Sync),
+    ) -> Result<(), String> {
+        let Some(surface) = Surface::new(&self.worked, &self.series).map_err(|t| t.to_string())?
+        else {
+            return Ok(());
+        };
+        let arm = V3::from(motion.hang_point_m);
+        let worked = &self.worked;
+        let start = worked
+            .rest(worked.ropeway.cargo.position)
+            .map_err(|t| t.to_string())?;
+        let exact = |x: f64, z: f64| {
+            let there = worked.span.moved(x, z);
+            let rest = there.with_cargo_at(start.length_m, start.arc_m);
+            rest.ok().map(|rest| rest.ship_n())
+        };
+        let greatest = |record: usize| {
+            let motions = SixMotions::new(motion, motion.seed() + record as u64).ok()?;
+            let records = motions.records();
+            let places = (0..motions.instants).map(|i| place(&point(&records, &arm, i)));
+            let mut ranked: Vec<(f64, (f64, f64))> =
+                places.map(|(x, z)| (surface.at(x, z), (x, z))).collect();
+            ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
+            let top = ranked.iter().take(TOP).map(|(_, (x, z))| exact(*x, *z));
+            top.reduce(|a, b| Some(a?.max(b?)))?
+        };
+        let others: Option<Vec<f64>> = (1..rope.records).into_par_iter().map(greatest).collect();
+        let Some(others) = others else {
+            return Err("a record of another seed goes beyond the reach of the rope".to_owned());
+        };
+        self.greatest_n.extend(others);
+        self.law = Gumbel::fit(&self.greatest_n);
+        Ok(())
+    }
+
+    /// Statistics of the tension at the ship \[N\].
+    #[must_use]
+    pub fn tension(moments: &[Moment]) -> Statistics {
+        let values: Vec<f64> = moments.iter().map(|moment| moment.ship_n).collect();
+        Statistics::of(&values)
+    }
+
+    /// How often the winch does not keep its tension.
+    #[must_use]
+    pub fn lapses(moments: &[Moment]) -> Lapses {
+        let count = |held: Held| moments.iter().filter(|moment| moment.held == held).count();
+        Lapses {
+            at_speed: count(Held::AtSpeed),
+            at_power: count(Held::AtPower),
+            rope_out: count(Held::RopeOut),
+        }
+    }
+}
+
+/// Where the hang point is, away from the platform and upwards, for a shift in the axes of the ship. The platform lies at
+/// a bearing \[rad\] from the bow to port, a span \[m\] away; a shift across the rope lengthens it by its square.
+fn off(shift: &V3, bearing: f64, span: f64) -> (f64, f64) {
+    let (sin, cos) = bearing.sin_cos();
+    let away = -(shift.x * cos + shift.y * sin);
+    let across = shift.y * cos - shift.x * sin;
+    ((span + away).hypot(across) - span, shift.z)
+}
+
+/// Tension at the ship over the places of the hang point, interpolated.
+struct Surface {
+    /// Middle and half width along x and z \[m\].
+    frame: [(f64, f64); 2],
+    /// Coefficients of the products of Chebyshev polynomials, x first.
+    coefficients: Vec<[f64; NZ]>,
+}
+
+/// Polynomials along x and z.
+const NX: usize = 48;
+const NZ: usize = 8;
+
+/// Instants of a record that the exact rope is asked about.
+const TOP: usize = 100;
+
+/// How much further than the series the surface goes, for records that go further.
+const MORE: f64 = 1.6;
+
+impl Surface {
+    /// None where the rope does not reach over all the places.
+    fn new(worked: &Worked, series: &[HangPoint]) -> Result<Option<Self>, Trouble> {
+        let start = worked.rest(worked.ropeway.cargo.position)?;
+        let exact = |x: f64, z: f64| {
+            let there = worked.span.moved(x, z);
+            let rest = there.with_cargo_at(start.length_m, start.arc_m);
+            rest.map(|rest| rest.ship_n())
+        };
+        let frame = [frame(series, |p| p.x_m), frame(series, |p| p.z_m)];
+        let place = |(middle, half): (f64, f64), s: f64| middle + half * s;
+        let node = |i: usize, n: usize| (PI * (i as f64 + 0.5) / n as f64).cos();
+        let mut values = vec![[0.0; NZ]; NX];
+        for (i, row) in values.iter_mut().enumerate() {
+            for (j, value) in row.iter_mut().enumerate() {
+                match exact(place(frame[0], node(i, NX)), place(frame[1], node(j, NZ))) {
+                    Ok(tension) => *value = tension,
+                    Err(_) => return Ok(None),
+                }
+            }
+        }
+        Ok(Some(Self {
+            frame,
+            coefficients: coefficients(&values),
+        }))
+    }
+
+    fn at(&self, x: f64, z: f64) -> f64 {
+        let along = |v: f64, (middle, half): (f64, f64)| ((v - middle) / half).clamp(-1.0, 1.0);
+        let (s, t) = (along(x, self.frame[0]), along(z, self.frame[1]));
+        let column = |row: &[f64; NZ]| clenshaw(row, t);
+        let mut rows = [0.0; NX];
+        for (out, row) in rows.iter_mut().zip(&self.coefficients) {
+            *out = column(row);
+        }
+        clenshaw(&rows, s)
+    }
+}
+
+/// Middle and half width of what a series reaches, and some more.
+fn frame(series: &[HangPoint], of: impl Fn(&HangPoint) -> f64) -> (f64, f64) {
+    let low = series.iter().map(&of).fold(f64::INFINITY, f64::min);
+    let high = series.iter().map(&of).fold(f64::NEG_INFINITY, f64::max);
+    (0.5 * (low + high), (0.5 * MORE * (high - low)).max(1e-6))
+}
+
+/// Sum of Chebyshev polynomials by Clenshaw's recurrence.
+fn clenshaw(coefficients: &[f64], s: f64) -> f64 {
+    let (mut one, mut two) = (0.0, 0.0);
+    for c in coefficients.iter().skip(1).rev() {
+        (one, two) = (c + 2.0 * s * one - two, one);
+    }
+    coefficients.first().map_or(0.0, |c| c + s * one - two)
+}
+
+/// Coefficients from values at the polynomials' zeros.
+fn coefficients(values: &[[f64; NZ]]) -> Vec<[f64; NZ]> {
+    let basis = |k: usize, i: usize, n: usize| {
+        let weight = if k == 0 { 1.0 } else { 2.0 } / n as f64;
+        weight * (PI * k as f64 * (i as f64 + 0.5) / n as f64).cos()
+    };
+    let mut out = vec![[0.0; NZ]; NX];
+    for (k, row) in out.iter_mut().enumerate() {
+        for (l, c) in row.iter_mut().enumerate() {
+            for (i, line) in values.iter().enumerate() {
+                for (j, value) in line.iter().enumerate() {
+                    *c += basis(k, i, NX) * basis(l, j, NZ) * value;
+                }
+            }
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shift_away_lengthens_the_span_and_one_across_by_its_square() {
+        // The platform to port.
+        let port = 0.5 * PI;
+        let (x, z) = off(&V3::new(0.0, -1.0, 0.3), port, 80.0);
+        assert!((x - 1.0).abs() < 1e-12 && z == 0.3);
+        let (x, _) = off(&V3::new(4.0, 0.0, 0.0), port, 80.0);
+        assert!((x - (80.0_f64.hypot(4.0) - 80.0)).abs() < 1e-12);
+        let (x, _) = off(&V3::new(2.0, 0.0, 0.0), 0.0, 80.0);
+        assert!((x + 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn polynomials_are_found_again() {
+        let node = |i: usize, n: usize| (PI * (i as f64 + 0.5) / n as f64).cos();
+        let f = |s: f64, t: f64| 1.0 + s * s * s - 2.0 * s * t + t.powi(4);
+        let values: Vec<[f64; NZ]> = (0..NX)
+            .map(|i| std::array::from_fn(|j| f(node(i, NX), node(j, NZ))))
+            .collect();
+        let surface = Surface {
+            frame: [(0.0, 1.0); 2],
+            coefficients: coefficients(&values),
+        };
+        for (s, t) in [(0.3, -0.7), (-1.0, 1.0), (0.0, 0.2)] {
+            assert!((surface.at(s, t) - f(s, t)).abs() < 1e-12);
+        }
+    }
+}

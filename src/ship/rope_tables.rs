@@ -1,0 +1,134 @@
+//! The rope at sea in a chart and a table.
+
+use super::rope::RopeAtSea;
+use super::statistics::Statistics;
+use crate::report::chart::{Axis, Chart, Series};
+use crate::report::number::{digits, percent, si};
+use crate::report::table::{Cell, CellInk, Column, Table};
+use crate::ropeway::Trouble;
+use crate::ropeway::winch::Moment;
+
+/// Time that is drawn \[s\].
+const MINUTES: f64 = 300.0;
+
+/// Tension at the ship over the first minutes, made fast and held by the winch.
+#[must_use]
+pub fn chart(rope: &RopeAtSea) -> Chart {
+    let points = |moments: &[Moment]| -> Vec<(f64, f64)> {
+        moments
+            .iter()
+            .take_while(|moment| moment.ship.time_s <= MINUTES)
+            .map(|moment| (moment.ship.time_s, moment.ship_n))
+            .collect()
+    };
+    let mut series = Vec::new();
+    if let Ok(fast) = &rope.followed.fast {
+        series.push(Series::new("made fast", 0, points(fast)));
+    }
+    if let Some(Ok(kept)) = &rope.followed.kept {
+        series.push(Series::new("with the winch", 1, points(kept)));
+    }
+    Chart {
+        title: "Tension of the rope at the ship".to_owned(),
+        x: Axis::new("time", "s"),
+        y: Axis::new("tension", "N"),
+        series,
+        legend: true,
+        ..Chart::default()
+    }
+}
+
+/// Statistics of the tension, made fast and held by the winch, and the greatest to expect.
+#[must_use]
+pub fn table(rope: &RopeAtSea) -> Table {
+    let mut notes = Vec::new();
+    let mut rows = vec![row("made fast", &rope.followed.fast, &mut notes)];
+    if let Some(kept) = &rope.followed.kept {
+        rows.push(row("with the winch", kept, &mut notes));
+        if let Ok(moments) = kept {
+            notes.extend(winch(moments, rope.followed.tension_n));
+        }
+    }
+    if let Some(law) = &rope.law {
+        notes.push(format!(
+            "Greatest tension to expect with the rope made fast: {} ± {} from record to record, by Gumbel's law fitted by moments to the greatest of {} records of as many seeds; its mean is known to {}; one record in ten goes beyond {}.",
+            si(law.greatest.expected, "N"),
+            si(law.greatest.spread, "N"),
+            rope.greatest_n.len(),
+            si(law.error, "N"),
+            si(law.quantile(0.9), "N"),
+        ));
+    }
+    if rope.law.is_none() && rope.followed.fast.is_ok() {
+        notes.push("No greatest tension to expect is told: a little further than this record goes, the rope made fast no longer reaches.".to_owned());
+    }
+    notes.push("Each instant is an equilibrium of the exact rope with its cargo: the motion is slow beside the rope's own.".to_owned());
+    Table {
+        title: format!(
+            "The rope at the moving ship: {}",
+            rope.worked.ropeway.about.title
+        ),
+        columns: vec![
+            Column::left("rope"),
+            Column::decimal("mean"),
+            Column::decimal("rms"),
+            Column::decimal("deviation"),
+            Column::decimal("least"),
+            Column::decimal("greatest"),
+        ],
+        rows,
+        notes,
+    }
+}
+
+fn row(name: &str, moments: &Result<Vec<Moment>, Trouble>, notes: &mut Vec<String>) -> Vec<Cell> {
+    let mut cells = vec![Cell::plain(name)];
+    match moments {
+        Ok(moments) => {
+            let Statistics {
+                mean,
+                rms,
+                deviation,
+                min,
+                max,
+                ..
+            } = RopeAtSea::tension(moments);
+            let each = [mean, rms, deviation, min, max];
+            cells.extend(each.map(|value| Cell::plain(si(value, "N"))));
+        }
+        Err(trouble) => {
+            cells.push(Cell::new("no answer", CellInk::Bad));
+            notes.push(format!("WARNING: {name}, {trouble}."));
+        }
+    }
+    cells
+}
+
+/// What the winch must do, and where it cannot.
+fn winch(moments: &[Moment], tension: f64) -> Vec<String> {
+    let most = |of: &dyn Fn(&Moment) -> f64| moments.iter().map(of).fold(0.0, f64::max);
+    let length = |m: &Moment| m.length_m;
+    let least = moments.iter().map(length).fold(f64::INFINITY, f64::min);
+    let mut notes = vec![format!(
+        "The winch keeps {}: its rope runs at up to {} m/s and takes up to {}; {} m of rope go in and out.",
+        si(tension, "N"),
+        digits(most(&|m| m.speed_m_per_s.abs()), 3),
+        si(most(&|m| m.power_w.abs()), "W"),
+        digits(most(&length) - least, 3),
+    )];
+    let lapses = RopeAtSea::lapses(moments);
+    let all = moments.len() as f64;
+    for (count, why) in [
+        (lapses.at_speed, "at its greatest speed"),
+        (lapses.at_power, "at its greatest power"),
+        (lapses.rope_out, "out of rope"),
+    ] {
+        if count > 0 {
+            notes.push(format!(
+                "WARNING: the motion is beyond the winch for {} of the time: it is {why}.",
+                percent(count as f64 / all)
+            ));
+        }
+    }
+    notes
+}

@@ -1,0 +1,152 @@
+//! A ship at rest in tables.
+
+use super::heading::Stands;
+use super::loads::Planar;
+use super::mooring::Reach;
+use super::rest::{Rest, Station};
+use crate::report::number::{digits, si};
+use crate::report::table::{Cell, CellInk, Column, Table};
+
+/// The headings in balance.
+#[must_use]
+pub fn headings(rest: &Rest) -> Table {
+    let mut notes = vec![
+        "Headings are where the bow points, from +x towards +y. All zeros of the moment about the mooring point are here: between them the moment is proven to keep its sign, by a bound of its second derivative.".to_owned(),
+        "The eigenvalues of the stiffness at the mooring point are those of the line along and across, and -dM/dpsi in yaw; the ship stays where all are positive. Oscillations that grow, as of a ship that fishtails, are not told by stiffness.".to_owned(),
+    ];
+    let rows = match &rest.stations {
+        Ok(stations) => stations.iter().map(|one| heading_row(rest, one)).collect(),
+        Err(why) => {
+            notes.insert(0, format!("No heading in balance: {why}."));
+            Vec::new()
+        }
+    };
+    Table {
+        title: "Headings in balance (eqs. 1 and 2)".to_owned(),
+        columns: vec![
+            Column::decimal("heading"),
+            Column::left("balance"),
+            Column::decimal("yaw stiffness"),
+            Column::decimal("pull"),
+            Column::decimal("drifts towards"),
+            Column::decimal("bow from anchor"),
+            Column::decimal("line along"),
+            Column::decimal("line across"),
+        ],
+        rows,
+        notes,
+    }
+}
+
+fn heading_row(rest: &Rest, one: &Station) -> Vec<Cell> {
+    let balance = &one.balance;
+    let ink = match balance.stands {
+        Stands::Stable => CellInk::Good,
+        Stands::Unstable => CellInk::Dim,
+        Stands::OneSided | Stands::Indifferent => CellInk::Warn,
+    };
+    let mut cells = vec![
+        Cell::plain(degrees(balance.heading)),
+        Cell::new(balance.stands.word(), ink),
+        Cell::plain(si(balance.yaw_stiffness, "N m/rad")),
+        Cell::plain(si(balance.pull, "N")),
+        Cell::plain(degrees(balance.downstream)),
+    ];
+    match &one.reach {
+        Some(Ok(reach)) => cells.extend([
+            Cell::plain(si(reach.distance, "m")),
+            Cell::plain(si(reach.along, "N/m")),
+            Cell::plain(si(reach.across, "N/m")),
+        ]),
+        Some(Err(why)) => cells.push(Cell::new(why.to_string(), CellInk::Bad)),
+        None if rest.ship.mooring.is_none() => cells.push(Cell::plain("no mooring line given")),
+        None => {}
+    }
+    cells
+}
+
+/// What acts on the ship at its heading.
+#[must_use]
+pub fn loads(rest: &Rest) -> Option<Table> {
+    let station = rest.chosen()?;
+    let heading = station.balance.heading;
+    let arm = rest.loads.arm;
+    let row = |name: &str, load: Planar| {
+        vec![
+            Cell::plain(name),
+            Cell::plain(si(load[0], "N")),
+            Cell::plain(si(load[1], "N")),
+            Cell::plain(si(load[2], "N m")),
+            Cell::plain(si(load[2] - load[1] * arm, "N m")),
+        ]
+    };
+    let mut rows: Vec<Vec<Cell>> = rest
+        .loads
+        .each
+        .iter()
+        .map(|load| row(load.name, load.at(heading).0))
+        .collect();
+    let (total, _) = rest.loads.total(heading);
+    let mut last = row("together", total);
+    // The total vanishes but for rounding.
+    let nothing = 1e-6 * rest.loads.moment_at_most();
+    if let Some(cell) = last.last_mut()
+        && (total[2] - total[1] * arm).abs() < nothing
+    {
+        *cell = Cell::plain("0 N m");
+    }
+    rows.push(last);
+    Some(Table {
+        title: format!("What acts on the ship at {}", degrees(heading)),
+        columns: vec![
+            Column::left("load"),
+            Column::decimal("forward"),
+            Column::decimal("to port"),
+            Column::decimal("yaw, about the centre"),
+            Column::decimal("yaw, about the mooring"),
+        ],
+        rows,
+        notes: vec![format!(
+            "The mooring holds the ship {} forward of its centre.",
+            si(arm, "m")
+        )],
+    })
+}
+
+/// The mooring line at the ship's heading.
+#[must_use]
+pub fn mooring(rest: &Rest) -> Option<Table> {
+    let station = rest.chosen()?;
+    let reach = station.reach.as_ref()?.as_ref().ok()?;
+    let [bow, centre] = station.offset(rest.loads.arm)?;
+    let place = |(x, y): (f64, f64)| format!("x {} m, y {} m", digits(x, 4), digits(y, 4));
+    let fact = |name: &str, value: String| vec![Cell::plain(name), Cell::plain(value)];
+    Some(Table {
+        title: format!("The mooring line at {}", degrees(station.balance.heading)),
+        columns: vec![Column::left("quantity"), Column::left("value")],
+        rows: vec![
+            fact("horizontal pull", si(station.balance.pull, "N")),
+            fact("tension at the ship", si(reach.tension, "N")),
+            fact("angle below the horizontal", degrees(reach.angle)),
+            fact("length on the bed", si(reach.on_bed, "m")),
+            fact("mooring point from the anchor", place(bow)),
+            fact("ship's centre from the anchor", place(centre)),
+        ],
+        notes: lifted(reach),
+    })
+}
+
+fn lifted(reach: &Reach) -> Vec<String> {
+    if reach.anchor_lift > 0.0 {
+        return vec![format!(
+            "WARNING: the line lifts its anchor with {}; an anchor that is lifted may drag.",
+            si(reach.anchor_lift, "N")
+        )];
+    }
+    Vec::new()
+}
+
+/// An angle for people: `-12.3 deg`.
+pub(super) fn degrees(radians: f64) -> String {
+    format!("{} deg", digits(radians.to_degrees(), 5))
+}

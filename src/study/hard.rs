@@ -1,0 +1,118 @@
+//! Hard cases: case files with trials, each a way to compute the case, and what must come of it.
+//!
+//! Trials are computed side by side, each on one thread from its own text alone, so that the table does not depend on
+//! how many threads there are.
+
+use std::sync::atomic::AtomicBool;
+
+use super::judge::{Finding, finding};
+pub use super::table::table;
+use crate::case::{self, Case, Diagnostic, Trial, edit};
+use crate::run::Run;
+use crate::run::job::{self, Request};
+
+/// A case with trials.
+#[derive(Debug, Clone)]
+pub struct Hard {
+    /// File name of the case.
+    pub file: String,
+    /// Its text.
+    pub text: String,
+    /// What it says.
+    pub case: Case,
+}
+
+/// One trial of one case, to be computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Task {
+    /// The case, by its place in the list.
+    pub case: usize,
+    /// The trial, by its place in the case.
+    pub trial: usize,
+}
+
+/// A trial as computed: a run, or the reason why its case was refused.
+pub type Computed = Result<Run, String>;
+
+/// The hard cases that come with the program.
+///
+/// # Errors
+/// What is wrong with a case, which a test of the program excludes.
+pub fn shipped() -> Result<Vec<Hard>, Vec<Diagnostic>> {
+    let with_trials = case::shipped::SHIPPED.iter().map(|(path, text)| {
+        let case = case::parse(text, path)?;
+        Ok(Hard {
+            file: (*path).to_owned(),
+            text: (*text).to_owned(),
+            case,
+        })
+    });
+    let all: Result<Vec<Hard>, Vec<Diagnostic>> = with_trials.collect();
+    Ok(all?
+        .into_iter()
+        .filter(|hard| !hard.case.trial.is_empty())
+        .collect())
+}
+
+/// Everything to be computed, in the order of the table.
+#[must_use]
+pub fn tasks(cases: &[Hard]) -> Vec<Task> {
+    let numbered = cases.iter().enumerate();
+    numbered
+        .flat_map(|(case, hard)| (0..hard.case.trial.len()).map(move |trial| Task { case, trial }))
+        .collect()
+}
+
+/// Computes a trial.
+///
+/// # Errors
+/// The reason for which the case of the trial is refused before anything is computed.
+pub fn compute(hard: &Hard, trial: &Trial, cancel: &AtomicBool) -> Computed {
+    let request = request(hard, trial).map_err(|faults| {
+        let told = faults.iter().map(|d| format!("{}: {}", d.key, d.problem));
+        told.collect::<Vec<_>>().join("; ")
+    })?;
+    Ok(job::execute(&request, cancel, &mut |_| {}))
+}
+
+/// The case with the keys of a trial set, without companion runs: the error of a trial is its distance from what must
+/// come out.
+fn request(hard: &Hard, trial: &Trial) -> Result<Request, Vec<Diagnostic>> {
+    let mut overrides = vec!["solver.error_estimate=false".to_owned()];
+    overrides.extend(trial.set.iter().flatten().cloned());
+    let edits: Vec<(&str, &str)> = overrides
+        .iter()
+        .filter_map(|word| word.split_once('='))
+        .map(|(key, value)| (key.trim(), value.trim()))
+        .collect();
+    let text = edit::set_all(&hard.text, &edits)?;
+    let case = case::parse(&text, &hard.file)?;
+    Ok(Request {
+        case,
+        text,
+        file: hard.file.clone(),
+        overrides,
+        id: trial.name.clone(),
+    })
+}
+
+/// Judges what has been computed so far, in the order of [`tasks`]; what is missing is left out.
+#[must_use]
+pub fn findings(cases: &[Hard], computed: &[Option<Computed>]) -> Vec<Finding> {
+    let mut list = Vec::new();
+    let mut from = 0;
+    for hard in cases {
+        let trials = &hard.case.trial;
+        let of_case = computed.get(from..from + trials.len()).unwrap_or_default();
+        from += trials.len();
+        for (trial, result) in trials.iter().zip(of_case) {
+            let Some(result) = result else { continue };
+            let other = trial.same_as.as_ref().and_then(|name| {
+                let at = trials.iter().position(|t| t.name == *name)?;
+                of_case.get(at)?.as_ref()?.as_ref().ok()
+            });
+            list.push(finding(hard, trial, result, other));
+        }
+    }
+    list
+}

@@ -1,0 +1,133 @@
+//! Trials as the table that screen and command line show.
+
+use super::judge::{Finding, Number, Outcome};
+use crate::report::number::{digits, si};
+use crate::report::table::{Cell, CellInk, Column, Table};
+use crate::run::Settings;
+
+/// The table of hard cases: a row a number of every trial, the trial's own words on its first row. The notes give the
+/// reasons of what was refused or is wrong, by the number of the trial.
+#[must_use]
+pub fn table(findings: &[Finding]) -> Table {
+    let mut rows = Vec::new();
+    let mut notes = Vec::new();
+    for (index, finding) in findings.iter().enumerate() {
+        let number = index + 1;
+        rows.extend(rows_of(
+            finding,
+            number,
+            index.checked_sub(1).and_then(|i| findings.get(i)),
+        ));
+        if let Some(reason) = &finding.reason {
+            notes.push(format!("[{number}] {}: {reason}", finding.outcome.word()));
+        }
+    }
+    Table {
+        title: String::new(),
+        columns: vec![
+            Column::left("case"),
+            Column::left("trial"),
+            Column::left("solver"),
+            Column::left("outcome"),
+            Column::left("quantity"),
+            Column::right("expected"),
+            Column::right("computed"),
+            Column::right("error"),
+            Column::right("allowed"),
+            Column::right("steps"),
+            Column::right("iterations"),
+            Column::right("rejections"),
+        ],
+        rows,
+        notes,
+    }
+}
+
+fn rows_of(finding: &Finding, number: usize, before: Option<&Finding>) -> Vec<Vec<Cell>> {
+    let first_of_case = before.is_none_or(|other| other.file != finding.file);
+    let work = &finding.work;
+    let count = |n: u64| {
+        Cell::plain(if finding.settings.is_some() {
+            n.to_string()
+        } else {
+            "-".to_owned()
+        })
+    };
+    let head = vec![
+        Cell::plain(if first_of_case {
+            finding.case.as_str()
+        } else {
+            ""
+        }),
+        Cell::plain(format!("[{number}] {}", finding.trial)),
+        Cell::plain(finding.settings.as_ref().map_or_else(String::new, solver)),
+        outcome(finding),
+    ];
+    let tail = vec![
+        count(work.steps),
+        count(work.iterations + work.evaluations),
+        count(work.rejections),
+    ];
+    if finding.numbers.is_empty() {
+        let none = || Cell::new("-", CellInk::Dim);
+        return vec![[head, (0..5).map(|_| none()).collect(), tail].concat()];
+    }
+    let numbers = finding.numbers.iter().enumerate();
+    numbers
+        .map(|(i, number)| {
+            let blank = |n: usize| (0..n).map(|_| Cell::plain("")).collect::<Vec<_>>();
+            if i == 0 {
+                [head.clone(), cells(number), tail.clone()].concat()
+            } else {
+                [blank(4), cells(number), blank(3)].concat()
+            }
+        })
+        .collect()
+}
+
+/// The method with what sets its accuracy.
+fn solver(settings: &Settings) -> String {
+    let mut words = settings.method.clone();
+    if let Some(rho) = settings.rho_inf {
+        words.push_str(&format!(" rho {rho}"));
+    }
+    if settings.step_tolerance.is_some() {
+        words.push_str(", steps vary");
+    } else if settings.time_step_s > 0.0 {
+        words.push_str(&format!(", {} s", digits(settings.time_step_s, 3)));
+    }
+    words
+}
+
+fn outcome(finding: &Finding) -> Cell {
+    let ink = match finding.outcome {
+        Outcome::Wrong => CellInk::Bad,
+        _ if !finding.is_as_expected() => CellInk::Warn,
+        Outcome::Ok | Outcome::Refused => CellInk::Good,
+    };
+    Cell::new(finding.outcome.word(), ink)
+}
+
+fn cells(number: &Number) -> Vec<Cell> {
+    let unit = number.unit.as_str();
+    let shown = |value: f64| Cell::plain(si(value, unit));
+    let missing = || Cell::new("-", CellInk::Dim);
+    vec![
+        Cell::plain(number.name.as_str()),
+        shown(number.expected),
+        number.computed.map_or_else(missing, shown),
+        number.computed.map_or_else(missing, |value| {
+            Cell::plain(size(value - number.expected, number))
+        }),
+        Cell::plain(size(number.tolerance, number)),
+    ]
+}
+
+/// A difference: relative to the number where that is not nothing, else in its unit.
+fn size(difference: f64, number: &Number) -> String {
+    if number.expected == 0.0 {
+        si(difference.abs(), &number.unit)
+    } else {
+        format!("{:.1e}", (difference / number.expected).abs())
+    }
+}

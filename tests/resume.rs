@@ -1,0 +1,98 @@
+//! A run that goes on from a checkpoint is the run that never stopped, to the last bit.
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
+use std::sync::atomic::AtomicBool;
+
+use seacable::case;
+use seacable::run::job::{self, Event, Request};
+use seacable::run::store::{self, Place, Writer};
+use seacable::run::{Checkpoint, Resume, Run, RunState};
+
+/// A line that is dragged over a rough bed, snaps and is let go, so that every memory there is counts.
+fn request(method: &str, duration: f64) -> Request {
+    let text = format!(
+        r#"
+        case.title = "goes on"
+        current.speed_m_per_s = 0.3
+        seabed = {{ depth_m = 60.0, friction = 0.5, damping_n_s_per_m3 = 1e4 }}
+        materials.rope = {{ diameter_m = 0.1, mass_kg_per_m = 20.0, ea_n = 1e6, drag_normal = 1.2, drag_tangential = 0.1, axial_damping_ratio = 0.1 }}
+        line = [{{ name = "rope", material = "rope", length_m = 120.0, segments = 12 }}]
+        ends.a = {{ name = "anchor", kind = "anchor", position_m = [0.0, 0.0, -60.0], release_s = 4.3 }}
+        ends.b = {{ name = "ship", kind = "moving", position_m = [80.0, 0.0, 0.0], amplitude_m = [3.0, 0.0, 1.0], period_s = 3.0 }}
+        solver = {{ method = "{method}", duration_s = {duration:?}, error_estimate = false }}
+        output = {{ interval_s = 0.5, shape_interval_s = 1.0 }}
+        "#
+    );
+    Request {
+        case: case::parse(&text, "goes_on.toml").unwrap(),
+        text,
+        file: "goes_on.toml".to_owned(),
+        overrides: Vec::new(),
+        id: "goes on".to_owned(),
+    }
+}
+
+fn run(request: &Request, from: Option<&Resume>) -> (Run, Checkpoint) {
+    let mut last = None;
+    let run = job::execute_from(request, from, &AtomicBool::new(false), &mut |event| {
+        if let Event::Checkpoint(checkpoint) = event {
+            last = Some(*checkpoint);
+        }
+    });
+    assert_eq!(run.info.state, RunState::Done, "{:?}", run.info.failure);
+    (run, last.unwrap())
+}
+
+fn assert_same(whole: &Run, resumed: &Run) {
+    assert_eq!(resumed.history, whole.history);
+    assert_eq!(resumed.shapes, whole.shapes);
+    assert_eq!(resumed.profile, whole.profile);
+    assert_eq!(resumed.summary, whole.summary);
+    assert_eq!(resumed.info.work, whole.info.work);
+    assert_eq!(resumed.info.warnings, whole.info.warnings);
+}
+
+#[test]
+fn goes_on_to_the_same_bits_before_and_after_an_event() {
+    for method in ["alpha", "rk4", "quasi"] {
+        let (whole, _) = run(&request(method, 8.0), None);
+        for stop in [3.0, 6.0] {
+            let (first, checkpoint) = run(&request(method, stop), None);
+            let written = toml::to_string(&checkpoint).unwrap();
+            let read: Checkpoint = toml::from_str(&written).unwrap();
+            assert_eq!(read, checkpoint, "{method}");
+            let from = Resume::new(read, first.history, first.shapes);
+            let (resumed, _) = run(&request(method, 8.0), Some(&from));
+            assert_same(&whole, &resumed);
+        }
+    }
+}
+
+/// Killed after it had recorded more than its last checkpoint: what came after that is computed again.
+#[test]
+fn a_killed_run_goes_on_from_its_last_checkpoint() {
+    let place = tempfile::tempdir().unwrap();
+    let dir = place.path().join("killed");
+    let whole = request("alpha", 8.0);
+    let (run_whole, _) = run(&whole, None);
+    let (_, checkpoint) = run(&request("alpha", 3.0), None);
+    let info = run_whole.info.clone();
+    let mut writer = Writer::begin(&Place::Exactly(dir.clone()), info, &whole.text).unwrap();
+    job::execute(&whole, &AtomicBool::new(false), &mut |event| {
+        let late = matches!(&event, Event::Frame(frame) if frame.time > 5.0);
+        let checkpoint = matches!(event, Event::Checkpoint(_));
+        if !late && !checkpoint {
+            writer.event(&event).unwrap();
+        }
+    });
+    writer
+        .event(&Event::Checkpoint(Box::new(checkpoint)))
+        .unwrap();
+    drop(writer);
+    let (partial, from) = store::resume(&dir).unwrap();
+    assert_eq!(partial.info.state, RunState::Partial);
+    assert_eq!(partial.history.time.last(), Some(&5.0));
+    assert_eq!(from.history.time.last(), Some(&3.0));
+    let (resumed, _) = run(&whole, Some(&from));
+    assert_same(&run_whole, &resumed);
+}
