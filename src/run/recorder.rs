@@ -181,7 +181,10 @@ impl<'a> Recorder<'a> {
                 Source::Speed(LineEnd::A) => state.v[0].norm(),
                 Source::Speed(LineEnd::B) => self.scene.velocity_of_b(state).norm(),
                 Source::Tilt => self.scene.tilt(state).to_degrees(),
-                Source::Energy => self.scene.energy(state),
+                Source::Energy => {
+                    let travels = self.scene.traveller_energy(time, state);
+                    self.scene.energy(state) + travels.map_or(0.0, |(energy, _)| energy)
+                }
                 Source::Rope(section, end, quantity) => {
                     let joint = |index: usize| self.scene.joints[index].node;
                     let segment = match end {

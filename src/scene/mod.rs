@@ -7,6 +7,7 @@
 
 mod bed;
 mod bodies;
+mod books;
 pub mod build;
 mod buoyancy;
 pub mod division;

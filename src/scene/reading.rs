@@ -116,61 +116,6 @@ impl Scene {
             .fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a })
     }
 
-    /// Kinetic, potential (weight in water) and elastic energy \[J\]. Added mass counts as mass.
-    #[must_use]
-    pub fn energy(&self, state: &State) -> f64 {
-        let mut energy = 0.0;
-        for i in 0..self.nodes() {
-            energy +=
-                0.5 * self.mass[i] * state.v[i].norm_squared() + self.weight[i] * state.x[i].z;
-        }
-        for (i, segment) in self.segments.iter().enumerate() {
-            let chord = self.chord(i, state);
-            energy += self.stored(i, &chord, state);
-            for node in [i, i + 1] {
-                let v = &state.v[node];
-                energy += 0.5 * v.dot(&segment.added.force(&chord.tangent, v));
-            }
-        }
-        if let Some(flexure) = &self.flexure {
-            energy += flexure.energy(self, state);
-        }
-        energy += self.energy_in_bed(state);
-        for Hung { node, body } in &self.bodies {
-            let v = &state.v[*node];
-            energy += 0.5 * v.dot(&body.added.component_mul(v));
-        }
-        if let Some(turning) = &self.turning {
-            energy += turning.energy(self, state);
-        }
-        energy
-    }
-
-    /// Power that drag, axial damping and the fading memory of ropes take out of the line \[W\], positive when energy is
-    /// lost.
-    #[must_use]
-    pub fn dissipation(&self, state: &State) -> f64 {
-        let mut power = 0.0;
-        for i in 0..self.segments.len() {
-            let chord = self.chord(i, state);
-            let viscous = self.pull_now(i, &chord, state).value - self.elastic(i, &chord, state);
-            power += self.forgotten(i, &chord, state);
-            power += viscous * chord.tangent.dot(&chord.opening);
-            for (node, drag) in [i, i + 1].into_iter().zip(self.drag(i, &chord, state)) {
-                power -= drag.force.dot(&state.v[node]);
-            }
-        }
-        power += self.loss_to_bed(state);
-        for (number, Hung { node, body }) in self.bodies.iter().enumerate() {
-            let Bathed { u, share, .. } = self.bathed(number, state);
-            power -= body.drag(&u).dot(&state.v[*node]) * share;
-        }
-        if let Some(turning) = &self.turning {
-            power += turning.dissipation(self, state);
-        }
-        power
-    }
-
     /// Accelerations of the free nodes, `a = M(x)^-1 f(x, v)`: the mass of a node is a 3 x 3 block of its
     /// own, since added mass is lumped with the rest.
     pub(super) fn accelerations(&self, t: f64, state: &mut State) {

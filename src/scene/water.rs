@@ -6,8 +6,8 @@
 //! ones here as they are in still water. The displaced mass is what separates the mass in air from the mass in water,
 //! floats and modules included.
 //!
-//! Where the line crosses the surface, all of these, and buoyancy, count by the share of each half segment that is
-//! wet: see `scene/wetting.rs`.
+//! Where the line crosses the surface, all of these count by the share of each half segment that is wet, and buoyancy
+//! is lost to a potential: see `scene/wetting.rs`.
 
 use super::wetting::{self, Height, Wet};
 use super::{Hung, Scene, Segment};
@@ -152,11 +152,22 @@ impl Scene {
             return V3::zeros();
         };
         let share = wet.map_or(1.0, |wet| wet[half].share);
-        let mut load = V3::z() * ((share - 1.0) * water.displaced[i] * water.gravity);
+        let mut load = self.buoyancy_lost(i, half, state);
         if let Some(flow) = state.water.get(i + half) {
             load += flow.acceleration_at(&state.x[i + half]) * (share * water.displaced[i]);
         }
         load
+    }
+
+    /// Buoyancy that half of segment i lacks where it is dry, a load downwards \[N\].
+    #[inline(always)]
+    fn buoyancy_lost(&self, i: usize, half: usize, state: &State) -> V3 {
+        let Some(water) = self.water.as_ref().filter(|w| w.crossed) else {
+            return V3::zeros();
+        };
+        let heights = [i, i + 1].map(|node| height(node, state).above);
+        let lost = wetting::dry(water.radius[i], heights).lost[half];
+        V3::z() * (-2.0 * water.displaced[i] * water.gravity * lost)
     }
 
     /// The same with what the water's acceleration does through the added mass: all that it does to a node whose own
@@ -279,12 +290,15 @@ impl Scene {
         if let (Some(wet), Some(water)) = (wet, &self.water) {
             let Wet { share, by } = &wet[half];
             let relative = self.relative_acceleration(node, state);
-            let all = added.force(t, &relative)
-                - drag.force
-                - pressed
-                - V3::z() * (displaced * water.gravity);
+            let all = added.force(t, &relative) - drag.force - pressed;
             by_own = by_own * *share + all * by[half].transpose();
             by_other = by_other * *share + all * by[1 - half].transpose();
+            let heights = [i, i + 1].map(|node| height(node, state));
+            let dry = wetting::dry(water.radius[i], heights.map(|h| h.above));
+            let lift = V3::z() * (2.0 * displaced * water.gravity);
+            let by = |node: usize| lift * (heights[node].by_place * dry.by[half][node]).transpose();
+            by_own += by(half);
+            by_other += by(1 - half);
         }
         (by_own, by_other)
     }
@@ -306,6 +320,56 @@ impl Scene {
             - pressed
             - V3::z() * (mass * water.gravity);
         by_place * bathed.share + all * bathed.by_place.transpose()
+    }
+
+    /// Energy of the buoyancy that dry parts of the line lack in still water \[J\].
+    pub(super) fn energy_out_of_water(&self, state: &State) -> f64 {
+        let Some(water) = self.water.as_ref().filter(|w| w.crossed) else {
+            return 0.0;
+        };
+        let of_segment = |i: usize| {
+            let heights = [i, i + 1].map(|node| state.x[node].z);
+            2.0 * water.displaced[i] * wetting::dry(water.radius[i], heights).energy
+        };
+        let segments: f64 = (0..self.segments.len()).map(of_segment).sum();
+        let numbered = self.bodies.iter().enumerate();
+        let bodies = numbered.map(|(number, hung)| {
+            let radius = water.radius_of_body(number);
+            water.by_bodies[number] * wetting::sphere_lifted(radius, state.x[hung.node].z)
+        });
+        water.gravity * (segments + bodies.sum::<f64>())
+    }
+
+    /// Power that waves put into the line by their pressure, and by carrying along the water that goes with it \[W\]; what
+    /// they do by drag counts as drag, see [`Scene::dissipation`].
+    #[must_use]
+    pub fn power_of_waves(&self, state: &State) -> f64 {
+        if state.water.is_empty() {
+            return 0.0;
+        }
+        let mut power = 0.0;
+        // The potential of dry parts is that in still water: what the surface does beyond it is the waves'.
+        let mut still = State::at_rest(state.x.clone());
+        still.v.clone_from(&state.v);
+        for i in 0..self.segments.len() {
+            let (t, wet) = (self.chord(i, state).tangent, self.wet(i, state));
+            for half in [0, 1] {
+                let load = self.dragged_along(i, half, &t, wet.as_ref(), state);
+                let load = load - self.buoyancy_lost(i, half, &still);
+                power += load.dot(&state.v[i + half]);
+            }
+        }
+        for (number, hung) in self.bodies.iter().enumerate() {
+            let Bathed {
+                carried,
+                share,
+                load,
+                ..
+            } = self.bathed(number, state);
+            let load = load + hung.body.added.component_mul(&carried) * share;
+            power += (load - self.bathed(number, &still).load).dot(&state.v[hung.node]);
+        }
+        power
     }
 
     /// Writes into the state what the waves make of the water at its nodes at time t \[s\]; nothing where there are none.

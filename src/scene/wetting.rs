@@ -4,6 +4,10 @@
 //! line's radius, so that a line that floats flat sinks in by its own thickness. The height goes straight from node to
 //! node. The share of half a segment is the mean along it, in closed form: continuous, and smooth wherever the line
 //! is not level. So every force on it is continuous in the height of the surface.
+//!
+//! Buoyancy is lost as an energy is: what the dry parts of a segment lack is the derivative of one potential by the
+//! heights of its nodes, each getting what lies nearer to it in proportion. So no motion to and fro through the
+//! surface gains or loses energy, and a straight spar has the right lift and the right moment.
 
 use crate::linalg::V3;
 
@@ -20,6 +24,55 @@ pub(super) struct Wet {
 pub(super) struct Height {
     pub(super) above: f64,
     pub(super) by_place: V3,
+}
+
+/// Buoyancy that a segment has lost for being dry.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Dry {
+    /// Energy of that, per weight of water that the segment displaces \[m\].
+    pub(super) energy: f64,
+    /// Shares of the segment's buoyancy that its first and second node lack.
+    pub(super) lost: [f64; 2],
+    /// Their derivatives by the heights of first and second node \[1/m\].
+    pub(super) by: [[f64; 2]; 2],
+}
+
+/// Buoyancy lost by a segment of radius r \[m\] between nodes at these heights above the surface \[m\].
+pub(super) fn dry(r: f64, [p, q]: [f64; 2]) -> Dry {
+    if p.max(q) <= -r {
+        return Dry::default();
+    }
+    let half = Dry {
+        energy: 0.5 * (p + q),
+        lost: [0.5; 2],
+        by: [[0.0; 2]; 2],
+    };
+    if p.min(q) >= r {
+        return half;
+    }
+    let span = q - p;
+    if span.abs() < 1e-4 * r {
+        let (share, slope) = point(r, half.energy);
+        let turn = slope * span / 12.0;
+        return Dry {
+            energy: lifted(r, half.energy),
+            lost: [0.5 * (1.0 - share) + turn, 0.5 * (1.0 - share) - turn],
+            by: [[-slope / 3.0, -slope / 6.0], [-slope / 6.0, -slope / 3.0]],
+        };
+    }
+    let energy = (lifted_sum(r, q) - lifted_sum(r, p)) / span;
+    let first = (energy - lifted(r, p)) / span;
+    let second = (lifted(r, q) - energy) / span;
+    let [dry_p, dry_q] = [p, q].map(|d| 1.0 - point(r, d).0);
+    let across = (second - first) / span;
+    Dry {
+        energy,
+        lost: [first, second],
+        by: [
+            [(2.0 * first - dry_p) / span, across],
+            [across, (dry_q - 2.0 * second) / span],
+        ],
+    }
 }
 
 /// The share of each half of a segment of radius r \[m\] between nodes at these heights.
@@ -58,6 +111,19 @@ pub(super) fn sphere(r: f64, above: f64) -> (f64, f64) {
     }
 }
 
+/// Height that a dry sphere of radius r with its centre at this height has been lifted through, as its share that is
+/// dry has it \[m\].
+pub(super) fn sphere_lifted(r: f64, above: f64) -> f64 {
+    let x = (r + above) / (2.0 * r);
+    if x <= 0.0 {
+        0.0
+    } else if x >= 1.0 {
+        above
+    } else {
+        r * x * x * x * (2.0 - x)
+    }
+}
+
 /// Mean share between the heights p and q, and its derivatives by both.
 fn mean(r: f64, p: f64, q: f64) -> (f64, f64, f64) {
     if p.min(q) >= r {
@@ -87,6 +153,28 @@ fn point(r: f64, d: f64) -> (f64, f64) {
         (1.0, 0.0)
     } else {
         ((r - d) / (2.0 * r), -0.5 / r)
+    }
+}
+
+/// Integral of the share of a point that is dry, from far below up to the height d \[m\].
+fn lifted(r: f64, d: f64) -> f64 {
+    if d >= r {
+        d
+    } else if d <= -r {
+        0.0
+    } else {
+        (r + d) * (r + d) / (4.0 * r)
+    }
+}
+
+/// Integral of that \[m²\].
+fn lifted_sum(r: f64, d: f64) -> f64 {
+    if d >= r {
+        0.5 * d * d + r * r / 6.0
+    } else if d <= -r {
+        0.0
+    } else {
+        (r + d).powi(3) / (12.0 * r)
     }
 }
 
@@ -148,6 +236,63 @@ mod tests {
             before = all;
         }
         assert_eq!(before, 0.0);
+    }
+
+    /// What is lost is the derivative of the energy, in sum what is dry, and its lever that of the dry part.
+    #[test]
+    fn buoyancy_is_lost_as_an_energy_is() {
+        let r = 0.05;
+        for (p, q) in [
+            (0.1, -0.3),
+            (0.02, 0.02),
+            (-0.04, 0.5),
+            (0.3, -2.0),
+            (0.01, 0.010001),
+            (40.0, -60.0),
+            (0.2, 0.3),
+        ] {
+            let told = dry(r, [p, q]);
+            let h = 1e-6;
+            for node in 0..2 {
+                let at = |h: f64| {
+                    let mut heights = [p, q];
+                    heights[node] += h;
+                    dry(r, heights)
+                };
+                let (up, down) = (at(h), at(-h));
+                let slope = (up.energy - down.energy) / (2.0 * h);
+                assert!(
+                    (slope - told.lost[node]).abs() < 1e-6,
+                    "{p} {q} {slope} {told:?}"
+                );
+                for of in 0..2 {
+                    let slope = (up.lost[of] - down.lost[of]) / (2.0 * h);
+                    assert!(
+                        (slope - told.by[of][node]).abs() < 1e-4,
+                        "{p} {q} {slope} {told:?}"
+                    );
+                }
+            }
+            let wet = halves(r, [&at(p), &at(q)]);
+            let all = 1.0 - 0.5 * (wet[0].share + wet[1].share);
+            assert!((told.lost[0] + told.lost[1] - all).abs() < 1e-9, "{p} {q}");
+        }
+        // 40 % of a thin spar is out: its middle is at 20 %.
+        let told = dry(1e-6, [4.0, -6.0]);
+        assert!((told.lost[0] + told.lost[1] - 0.4).abs() < 1e-6);
+        assert!((told.lost[1] - 0.4 * 0.2).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_sphere_is_lifted_as_it_gets_dry() {
+        let h = 1e-6;
+        for above in [-2.5, -1.9, -0.3, 0.0, 1.2, 1.99, 2.5] {
+            let slope = (sphere_lifted(2.0, above + h) - sphere_lifted(2.0, above - h)) / (2.0 * h);
+            assert!(
+                (slope - (1.0 - sphere(2.0, above).0)).abs() < 1e-8,
+                "{above}"
+            );
+        }
     }
 
     #[test]
