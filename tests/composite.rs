@@ -192,6 +192,33 @@ fn a_body_heavier_than_its_buoy_stands_on_the_bed_between_two_rests() {
     no_deeper_than_the_bed(&rest, total(&mooring), 0.0);
 }
 
+#[test]
+fn a_slack_line_hangs_plumb_on_both_sides_however_its_weight_rounds() {
+    // The vertical force where the first leg touches down is the rounding of 98.2 N - 28.7 N - 69.5 N.
+    let sections = [
+        SectionProps::new(
+            32.529_601_634_673_76,
+            3.019_765_801_797_352_5,
+            49_988_126_491.875_07,
+        ),
+        SectionProps::new(28.835_618_092_323_86, 1.0, 1e6),
+    ];
+    let length = total(&sections);
+    let below = 0.154_951_762_500_636_41 * length;
+    let ends = Ends {
+        x_m: 0.01 * length,
+        z_m: 0.0,
+    };
+    let rest = line(ends, &sections, Some(flat(below))).solve().unwrap();
+    assert_eq!(rest.shape, Shape::SlackTroughOnBed);
+    assert!(rest.residual < 1e-14 && rest.h_b_n == 0.0);
+    // Each leg as long as the bed is deep, but for its stretch.
+    assert!(
+        (rest.v_b_n - below).abs() < 1e-4
+            && (rest.v_a_n / sections[0].weight_n_per_m + below).abs() < 1e-4
+    );
+}
+
 fn no_deeper_than_the_bed(rest: &Solution, length: f64, below: f64) {
     for i in 0..=500 {
         let point = rest.at(length * f64::from(i) / 500.0);

@@ -5,12 +5,14 @@
 //! down; again. A sunk run is bent upwards everywhere, so it rests in one piece. A pattern that does
 //! not settle is refused.
 
-use super::chain::{Bay, Chain, Element, Run};
+use super::chain::{Bay, Chain, Run};
 use super::descent::{State, lift, settle};
 use super::free;
-use super::line::{Bed, Line, SectionProps};
+use super::laid;
+use super::line::{Bed, Line};
+use super::place::place;
 use super::refusal::Refusal;
-use super::single::ends_above;
+use super::single::ON_BED;
 use super::solution::{Frame, Solution};
 use super::span::length;
 
@@ -35,16 +37,16 @@ pub(super) struct Pattern {
 
 /// Solves a line of any number of sections.
 pub(super) fn solve(line: &Line<'_>) -> Result<Solution, Refusal> {
-    let problem = problem(line)?;
+    let problem = place(line)?;
+    if let Some(bed) = line.bed.filter(|bed| bed.slope_rad != 0.0) {
+        return over_slope(&problem, bed);
+    }
     let pattern = problem.settle()?;
-    if let Some(bed) = line.bed
-        && (bed.slope_rad != 0.0 || bed.friction > 0.0)
-        && !pattern.resting.is_empty()
+    if let Some(bed) = line.bed.filter(|bed| bed.friction > 0.0)
+        && !pattern.slack
         && problem.lying(&pattern) > 0.0
     {
-        return Err(Refusal::Pattern(
-            "a line of several sections lies on the bed; that is solved for a flat bed without friction only",
-        ));
+        return over_rough(&problem, bed);
     }
     let solution = problem.finish(&pattern)?;
     if let (Some(_), Some(above)) = (line.bed, line.surface_above_a_m)
@@ -57,87 +59,40 @@ pub(super) fn solve(line: &Line<'_>) -> Result<Solution, Refusal> {
     Ok(solution)
 }
 
-fn problem(line: &Line<'_>) -> Result<Problem, Refusal> {
-    line.ends.check()?;
-    if line.sections.is_empty() {
-        return Err(Refusal::Input {
-            quantity: "the number of sections",
-            value: 0.0,
-            needs: "at least one",
-        });
+/// On a rough, level bed: as laid from A.
+fn over_rough(problem: &Problem, bed: Bed) -> Result<Solution, Refusal> {
+    if bed.below_a_m > ON_BED * problem.chain.length {
+        return Err(Refusal::FrictionUndetermined);
     }
-    for section in line.sections {
-        section.check()?;
-    }
-    let last = line.sections[line.sections.len() - 1].clump_n;
-    if last != 0.0 {
-        return Err(Refusal::Input {
-            quantity: "the weight of a body at end B [N]",
-            value: last,
-            needs: "zero: what holds B carries it",
-        });
-    }
-    let length: f64 = line.sections.iter().map(|s| s.length_m).sum();
-    if let Some(bed) = line.bed {
-        bed.check()?;
-        ends_above(&bed, line.ends.x_m, line.ends.z_m, length)?;
-        if bed.slope_rad != 0.0 {
-            return Err(Refusal::Pattern(
-                "a line of several sections is solved over a flat bed only",
-            ));
-        }
-    }
-    // With a surface above and no bed below, the line is solved upside down.
-    let (up, bed) = match (line.bed, line.surface_above_a_m) {
-        (None, Some(above)) => (-1.0, Some(above)),
-        (bed, _) => (1.0, bed.map(|bed| bed.below_a_m)),
-    };
-    if up < 0.0 {
-        let flipped = Bed {
-            below_a_m: bed.unwrap_or(0.0),
-            ..Bed::default()
-        };
-        ends_above(&flipped, line.ends.x_m, -line.ends.z_m, length).map_err(
-            |refusal| match refusal {
-                Refusal::EndBelowBed { end, below_m } => Refusal::EndAboveSurface {
-                    end,
-                    above_m: below_m,
-                },
-                other => other,
-            },
-        )?;
-    }
-    Ok(Problem {
-        chain: Chain::new(elements(line.sections, up)),
-        x: line.ends.x_m.abs(),
-        z: up * line.ends.z_m,
-        bed: bed.map(|depth| depth.max(0.0)),
-        frame: Frame {
-            along: if line.ends.x_m < 0.0 { -1.0 } else { 1.0 },
-            up,
-        },
-    })
+    laid::solve(problem, bed)?.ok_or(laid::SEVERAL)
 }
 
-fn elements(sections: &[SectionProps], up: f64) -> Vec<Element> {
-    let mut elements = Vec::with_capacity(2 * sections.len());
-    for section in sections {
-        elements.push(Element {
-            length: section.length_m,
-            weight: up * section.weight_n_per_m,
-            ea: section.ea_n,
-            load: 0.0,
-        });
-        if section.clump_n != 0.0 {
-            elements.push(Element {
-                length: 0.0,
-                weight: 0.0,
-                ea: section.ea_n,
-                load: up * section.clump_n,
-            });
-        }
+/// Over a sloping bed: lying from A, or clear of it.
+fn over_slope(problem: &Problem, bed: Bed) -> Result<Solution, Refusal> {
+    let slip = ON_BED * (problem.chain.length + problem.z.abs());
+    if bed.below_a_m <= slip
+        && let Some(lies) = laid::solve(problem, bed)?
+    {
+        return Ok(lies);
     }
-    elements
+    let pattern = problem.settle()?;
+    let clear = pattern
+        .bays
+        .iter()
+        .zip(&pattern.state.offsets)
+        .all(|(bay, offset)| {
+            let parts = problem.chain.parts(bay, *offset);
+            let tan = bed.slope_rad.tan();
+            !laid::sinks(problem, parts, pattern.state.h, bed.below_a_m, tan)
+        });
+    if clear {
+        return problem.finish(&pattern);
+    }
+    Err(if bed.below_a_m <= slip {
+        laid::SEVERAL
+    } else {
+        Refusal::SlopeBelowA
+    })
 }
 
 impl Problem {
@@ -182,7 +137,7 @@ impl Problem {
     }
 
     /// The maximal run of sunk elements around one, if that one is sunk.
-    fn run(&self, at: usize) -> Run {
+    pub(super) fn run(&self, at: usize) -> Run {
         let sunk = |i: &usize| self.chain.elements[*i].total() >= 0.0;
         let first = (0..=at).rev().take_while(sunk).last().unwrap_or(at);
         let last = (at..=self.last()).take_while(sunk).last().unwrap_or(at);
@@ -229,7 +184,7 @@ impl Problem {
     }
 
     /// A start: a uniform line of the same weight and give.
-    fn guess(&self) -> (f64, f64) {
+    pub(super) fn guess(&self) -> (f64, f64) {
         let chain = &self.chain;
         let all: f64 = chain.elements.iter().map(|e| e.total().abs()).sum();
         let w = (chain.weight.abs().max(0.05 * all) / chain.length).max(1e-200);

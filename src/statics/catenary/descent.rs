@@ -191,18 +191,29 @@ fn descend(
 
 /// The offset at which a bay has its rise for a given H, zero included; the rise grows with the offset.
 pub(super) fn lift(chain: &Chain, bay: &Bay, h: f64, guess: f64) -> Option<f64> {
+    climb(chain, guess, |at| {
+        let spread = chain.spread(bay, h, at);
+        (bay.rise - spread.z, spread.vv)
+    })
+}
+
+/// The offset at which a miss that falls with it is zero; `look` gives the miss and how fast it falls.
+pub(super) fn climb(
+    chain: &Chain,
+    guess: f64,
+    mut look: impl FnMut(f64) -> (f64, f64),
+) -> Option<f64> {
     let weight: f64 = chain.elements.iter().map(|e| e.total().abs()).sum();
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     let (mut at, mut reach) = (guess, weight);
     for _ in 0..2000 {
-        let spread = chain.spread(bay, h, at);
-        let miss = bay.rise - spread.z;
+        let (miss, slope) = look(at);
         if miss > 0.0 {
             low = at;
         } else {
             high = at;
         }
-        let step = miss / spread.vv;
+        let step = miss / slope;
         if miss == 0.0 || step.abs() <= f64::EPSILON * at.abs() {
             return Some(at + if step.is_finite() { step } else { 0.0 });
         }

@@ -26,7 +26,8 @@
 //!
 //! Signs: `h` is the horizontal part of the tension; `v_b` pulls B down and `v_a` pulls A up when
 //! positive. Where the equations come from stands beside them: hanging stretches in `span`, the free
-//! line in `free`, lines on the bed in `incline` and `trough`, several sections in `composite`.
+//! line in `free`, lines on the bed in `incline` and `trough`, several sections in `composite`, those on a slope or with
+//! friction in `laid`.
 //!
 //! Sources: H. M. Irvine, *Cable Structures*, MIT Press 1981, chapter 1 (elastic catenary); J. M. Jonkman,
 //! *Dynamics Modeling and Loads Analysis of an Offshore Floating Wind Turbine*, NREL/TP-500-41958,
@@ -41,7 +42,10 @@ mod descent;
 mod free;
 mod hyperbolic;
 mod incline;
+mod laid;
+mod laid_shown;
 mod line;
+mod place;
 mod refusal;
 mod root;
 mod single;

@@ -25,7 +25,7 @@ pub(super) struct Plane {
 }
 
 /// Ends closer to the bed than this part of the line's size count as on it.
-const ON_BED: f64 = 1e-12;
+pub(super) const ON_BED: f64 = 1e-12;
 
 /// Solves one section; `seed` comes from a neighbouring solution.
 pub(super) fn solve(

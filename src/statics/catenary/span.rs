@@ -63,7 +63,14 @@ impl Span {
     /// The forces along a sunk (w >= 0) stretch whose lower-numbered end carries (`h`, `va`).
     fn forces(&self, h: f64, va: f64) -> Forces {
         let load = self.weight * self.length;
-        let vb = va + load;
+        // Where a stretch ends level its force there is zero, not the rounding of the difference: without
+        // horizontal force the sign of that rounding would decide which way the line points.
+        let sum = va + load;
+        let vb = if sum.abs() > 4.0 * f64::EPSILON * load {
+            sum
+        } else {
+            0.0
+        };
         let (ta, tb) = (length(h, va), length(h, vb));
         // T_a + V_a and T_b - V_b add up to T_a + T_b - wL; neither may be a difference.
         let low = if va >= 0.0 {
