@@ -1,6 +1,7 @@
 //! A run that goes on from a checkpoint is the run that never stopped, to the last bit.
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
+use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use seacable::case;
@@ -20,7 +21,7 @@ fn request(method: &str, duration: f64) -> Request {
         ends.a = {{ name = "anchor", kind = "anchor", position_m = [0.0, 0.0, -60.0], release_s = 4.3 }}
         ends.b = {{ name = "ship", kind = "moving", position_m = [80.0, 0.0, 0.0], amplitude_m = [3.0, 0.0, 1.0], period_s = 3.0 }}
         solver = {{ method = "{method}", duration_s = {duration:?}, error_estimate = false }}
-        output = {{ interval_s = 0.5, shape_interval_s = 1.0 }}
+        output = {{ interval_s = 0.5, shape_interval_s = 1.0, response_from_s = 2.0 }}
         "#
     );
     Request {
@@ -43,6 +44,18 @@ fn run(request: &Request, from: Option<&Resume>) -> (Run, Checkpoint) {
     (run, last.unwrap())
 }
 
+/// Runs a request into a directory.
+fn stored(request: &Request, from: Option<&Resume>, dir: &Path) -> Run {
+    let place = Place::Exactly(dir.to_owned());
+    let mut writer = Writer::begin(&place, request.beginning(), &request.text).unwrap();
+    let run = job::execute_from(request, from, &AtomicBool::new(false), &mut |event| {
+        writer.event(&event).unwrap();
+    });
+    assert_eq!(run.info.state, RunState::Done, "{:?}", run.info.failure);
+    writer.finish(&run).unwrap();
+    run
+}
+
 fn assert_same(whole: &Run, resumed: &Run) {
     assert_eq!(resumed.history, whole.history);
     assert_eq!(resumed.shapes, whole.shapes);
@@ -57,13 +70,14 @@ fn goes_on_to_the_same_bits_before_and_after_an_event() {
     for method in ["alpha", "rk4", "quasi"] {
         let (whole, _) = run(&request(method, 8.0), None);
         for stop in [3.0, 6.0] {
-            let (first, checkpoint) = run(&request(method, stop), None);
-            let written = toml::to_string(&checkpoint).unwrap();
-            let read: Checkpoint = toml::from_str(&written).unwrap();
-            assert_eq!(read, checkpoint, "{method}");
-            let from = Resume::new(read, first.history, first.shapes);
-            let (resumed, _) = run(&request(method, 8.0), Some(&from));
+            let place = tempfile::tempdir().unwrap();
+            let [first, second] = ["first", "second"].map(|name| place.path().join(name));
+            stored(&request(method, stop), None, &first);
+            let (_, from) = store::resume(&first).unwrap();
+            assert_eq!(from.checkpoint.place.time, stop, "{method}");
+            let resumed = stored(&request(method, 8.0), Some(&from), &second);
             assert_same(&whole, &resumed);
+            assert_same(&whole, &store::read(&second).unwrap());
         }
     }
 }
@@ -92,7 +106,31 @@ fn a_killed_run_goes_on_from_its_last_checkpoint() {
     let (partial, from) = store::resume(&dir).unwrap();
     assert_eq!(partial.info.state, RunState::Partial);
     assert_eq!(partial.history.time.last(), Some(&5.0));
-    assert_eq!(from.history.time.last(), Some(&3.0));
+    assert_eq!(from.checkpoint.place.time, 3.0);
     let (resumed, _) = run(&whole, Some(&from));
     assert_same(&run_whole, &resumed);
+}
+
+/// A record that does not reach to where the run is to go on is no record of it.
+#[test]
+fn a_record_cut_short_is_told() {
+    let place = tempfile::tempdir().unwrap();
+    let dir = place.path().join("cut");
+    stored(&request("alpha", 3.0), None, &dir);
+    let history = dir.join("history.csv");
+    let text = std::fs::read_to_string(&history).unwrap();
+    std::fs::write(&history, &text[..text.len() / 2]).unwrap();
+    let (_, from) = store::resume(&dir).unwrap();
+    let run = job::execute_from(
+        &request("alpha", 8.0),
+        Some(&from),
+        &AtomicBool::new(false),
+        &mut |_| {},
+    );
+    assert_eq!(run.info.state, RunState::Failed);
+    let why = run.info.failure.unwrap();
+    assert!(
+        why.contains("history.csv") && why.contains("middle of a line"),
+        "{why}"
+    );
 }

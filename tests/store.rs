@@ -11,12 +11,20 @@ use std::{
 };
 
 use seacable::run::{
-    Frame, LineShape, Progress, RunState,
+    Frame, LineShape, Progress, Run, RunState,
     store::{Place, StoreError, Writer, list, read, save},
 };
 
 fn saved(root: &Path) -> PathBuf {
     save(&Place::Below(root.to_owned()), &common::run()).unwrap()
+}
+
+/// The shape at the time of a row.
+fn shape(run: &Run, row: usize) -> LineShape {
+    LineShape {
+        time: run.history.time[row],
+        ..run.shapes[0].clone()
+    }
 }
 
 /// A writer that has been given this many rows.
@@ -36,14 +44,10 @@ fn begun(root: &Path, rows: usize) -> Writer {
         .collect();
     writer.channels(&channels).unwrap();
     for i in 0..rows {
-        let shape = i % 10 == 0;
         let frame = Frame {
             time: run.history.time[i],
             values: run.history.channels.iter().map(|c| c.values[i]).collect(),
-            shape: shape.then(|| LineShape {
-                time: run.history.time[i],
-                ..run.shapes[0].clone()
-            }),
+            shape: (i % 10 == 0).then(|| shape(&run, i)),
             progress: Progress::default(),
         };
         writer.frame(&frame).unwrap();
@@ -94,6 +98,12 @@ fn a_run_streamed_and_finished_is_the_run() {
     let writer = begun(root.path(), 30);
     let mut expected = common::run();
     expected.info.id = writer.id().to_owned();
+    // The record is what was streamed, not what is kept of it in memory.
+    expected.history.time.truncate(30);
+    for channel in &mut expected.history.channels {
+        channel.values.truncate(30);
+    }
+    expected.shapes = [0, 10, 20].map(|i| shape(&expected, i)).to_vec();
     let dir = writer.finish(&common::run()).unwrap();
     assert_eq!(read(&dir).unwrap(), expected);
     // Nothing but the run is left behind.

@@ -1,6 +1,6 @@
 //! `seacable run`: a case computed and kept.
 
-use std::{path::Path, process::ExitCode, time::SystemTime};
+use std::{path::Path, process::ExitCode};
 
 use super::{Failure, NOT_GOOD, args::RunWords, cases, output, progress, signals::Stop};
 use crate::{
@@ -8,7 +8,7 @@ use crate::{
     dynamics::March,
     report::text,
     run::{
-        Cost, Resume, Run, RunInfo, RunState, Settings, VERSION, Work,
+        Resume, Run, RunState,
         job::{self, Event, Request},
         store::{self, Place, StoreError, Writer},
     },
@@ -30,7 +30,7 @@ pub(super) fn run(words: &RunWords) -> Result<ExitCode, Failure> {
     };
     let mut writer = Writer::begin(
         &place,
-        beginning(&request),
+        request.beginning(),
         &case::stand_alone(&request.text, &request.case),
     )?;
     writer.id().clone_into(&mut request.id);
@@ -105,24 +105,6 @@ fn resumed(dir: &Path, words: &RunWords) -> Result<(Request, Resume), Failure> {
         id: String::new(),
     };
     Ok((request, from))
-}
-
-/// What `run.toml` says while the run goes on.
-fn beginning(request: &Request) -> RunInfo {
-    RunInfo {
-        id: String::new(),
-        title: request.case.case.title.clone(),
-        case_file: request.file.clone(),
-        state: RunState::Partial,
-        version: VERSION.to_owned(),
-        started: store::rfc3339(SystemTime::now()),
-        overrides: request.overrides.clone(),
-        failure: None,
-        warnings: Vec::new(),
-        settings: Settings::default(),
-        work: Work::default(),
-        cost: Cost::default(),
-    }
 }
 
 /// Computes while everything that comes out goes to disk. When the disk refuses, the run is cancelled.

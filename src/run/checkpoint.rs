@@ -1,8 +1,12 @@
 //! A run on its way, complete enough to go on later as if it had never stopped: to the same bits.
 
+use std::path::PathBuf;
+
 use serde::{Deserialize, Serialize};
 
-use super::{History, LineShape, Profile};
+use super::response::Response;
+use super::store::{Rows, Shapes, StoreError};
+use super::{LineShape, Profile};
 use crate::dynamics::{Carried, Grid, Place};
 use crate::solve::State;
 
@@ -34,6 +38,9 @@ pub struct Checkpoint {
     pub carried: Carried,
     /// The line node by node, with its envelopes.
     pub profile: Profile,
+    /// How far the nodes moved, where the case asks for that.
+    #[serde(default)]
+    pub response: Option<Response>,
 }
 
 impl Checkpoint {
@@ -49,27 +56,39 @@ impl Checkpoint {
 pub struct Resume {
     /// Where it stands.
     pub checkpoint: Checkpoint,
-    /// What it has recorded up to there.
-    pub history: History,
-    /// Shapes stored up to there.
-    pub shapes: Vec<LineShape>,
+    /// The run directory with what it has recorded up to there, and perhaps beyond.
+    pub dir: PathBuf,
 }
 
+/// Takes a row of the record: time \[s\], values of the channels, and the shape at that time where there is one.
+type Take<'a> = dyn FnMut(f64, &[f64], Option<LineShape>) + 'a;
+
 impl Resume {
-    /// From the record of a run that may have gone beyond its last checkpoint.
-    #[must_use]
-    pub fn new(checkpoint: Checkpoint, mut history: History, mut shapes: Vec<LineShape>) -> Self {
-        let until = checkpoint.place.time + 1e-9 * checkpoint.whole_step_s;
-        let rows = history.time.partition_point(|t| *t <= until);
-        history.time.truncate(rows);
-        for channel in &mut history.channels {
-            channel.values.truncate(rows);
+    /// Reads the record up to where the run goes on.
+    ///
+    /// # Errors
+    /// The record does not reach so far.
+    pub(super) fn replay(&self, take: &mut Take<'_>) -> Result<(), StoreError> {
+        let slop = 1e-9 * self.checkpoint.whole_step_s;
+        let until = self.checkpoint.place.time + slop;
+        let mut rows = Rows::open(&self.dir);
+        let mut shapes = Shapes::open(&self.dir);
+        let mut shape = shapes.next();
+        let mut reached = f64::NEG_INFINITY;
+        while let Some((time, values)) = rows.next() {
+            if time > until {
+                break;
+            }
+            let here = shape.take_if(|shape| shape.time <= time);
+            take(time, values, here);
+            reached = time;
+            if shape.is_none() {
+                shape = shapes.next();
+            }
         }
-        shapes.retain(|shape| shape.time <= until);
-        Self {
-            checkpoint,
-            history,
-            shapes,
+        if reached < until - 2.0 * slop {
+            return Err(rows.short_of(&self.dir, until));
         }
+        Ok(())
     }
 }

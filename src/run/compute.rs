@@ -10,6 +10,7 @@ use super::modes;
 use super::recorder::Recorder;
 use super::rest::come_to_rest;
 use super::settings::{position_tolerance, settings, tell_damping};
+use super::statistic::Wanted;
 use super::{Cost, History, LineShape, Profile, Quantity, Resume, RunState, Settings, Work};
 use crate::case::{Case, Method, WaterSurface};
 use crate::dynamics::alpha::{Alpha, Control};
@@ -30,6 +31,9 @@ pub(super) struct Computed {
     pub(super) history: History,
     pub(super) shapes: Vec<LineShape>,
     pub(super) profile: Profile,
+    /// The single numbers wanted, and what they are; absent where they cannot be taken.
+    pub(super) wanted: Vec<Wanted>,
+    pub(super) numbers: Vec<Option<f64>>,
     /// What is told of natural modes, without errors.
     pub(super) modes: Vec<Quantity>,
 }
@@ -57,6 +61,8 @@ impl Computed {
             history: History::default(),
             shapes: Vec::new(),
             profile: Profile::default(),
+            wanted: Vec::new(),
+            numbers: Vec::new(),
             modes: Vec::new(),
         }
     }
@@ -125,11 +131,15 @@ fn compute_on(
         Vec::new()
     });
     let Recorder {
-        history,
-        shapes,
+        kept,
+        gather,
+        troubles,
         profile,
         ..
     } = recorder;
+    warnings.extend(troubles);
+    let (history, shapes) = kept.into_parts();
+    let (wanted, numbers) = gather.finish(&history.channels, &profile);
     Computed {
         state: ended.state,
         failure: ended.failure,
@@ -140,6 +150,8 @@ fn compute_on(
         history,
         shapes,
         profile,
+        wanted,
+        numbers,
         modes,
     }
 }

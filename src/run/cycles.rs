@@ -5,27 +5,49 @@
 const BAND: f64 = 0.1;
 
 /// Mean, over all whole cycles, of the extreme that `pick` takes of each. A cycle goes from one rise through the mean to the
-/// next; nothing where there is no whole one.
-pub(super) fn mean(values: &[f64], pick: fn(f64, f64) -> f64) -> Option<f64> {
-    let level = values.iter().sum::<f64>() / values.len().max(1) as f64;
-    let low = values.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let band = BAND * (high - low);
-    let mut below = false;
-    let mut extreme: Option<f64> = None;
-    let (mut sum, mut cycles) = (0.0, 0_u32);
-    for value in values {
-        if *value < level - band {
-            below = true;
-        } else if below && *value > level + band {
-            below = false;
-            if let Some(whole) = extreme {
-                sum += whole;
-                cycles += 1;
-            }
-            extreme = Some(*value);
+/// next.
+#[derive(Debug)]
+pub(super) struct Cycles {
+    level: f64,
+    band: f64,
+    pick: fn(f64, f64) -> f64,
+    below: bool,
+    extreme: Option<f64>,
+    sum: f64,
+    whole: u32,
+}
+
+impl Cycles {
+    /// For values with this mean and range.
+    pub(super) fn new(level: f64, range: f64, pick: fn(f64, f64) -> f64) -> Self {
+        Self {
+            level,
+            band: BAND * range,
+            pick,
+            below: false,
+            extreme: None,
+            sum: 0.0,
+            whole: 0,
         }
-        extreme = extreme.map(|e| pick(e, *value));
     }
-    (cycles > 0).then(|| sum / f64::from(cycles))
+
+    /// Takes in a value.
+    pub(super) fn add(&mut self, value: f64) {
+        if value < self.level - self.band {
+            self.below = true;
+        } else if self.below && value > self.level + self.band {
+            self.below = false;
+            if let Some(whole) = self.extreme {
+                self.sum += whole;
+                self.whole += 1;
+            }
+            self.extreme = Some(value);
+        }
+        self.extreme = self.extreme.map(|e| (self.pick)(e, value));
+    }
+
+    /// The mean; nothing where there was no whole cycle.
+    pub(super) fn mean(&self) -> Option<f64> {
+        (self.whole > 0).then(|| self.sum / f64::from(self.whole))
+    }
 }

@@ -7,7 +7,7 @@
 use std::sync::atomic::AtomicBool;
 
 use super::compute::{Computed, Step, compute};
-use super::statistic::{Of, Wanted, evaluate, wanted};
+use super::statistic::{Of, Wanted};
 use super::{Quantity, RunState, quantity_name};
 use super::{along, modes};
 use crate::case::{Case, DragLaw, DragLawName, Method};
@@ -27,11 +27,6 @@ pub(super) struct Estimates {
 
 /// Runs the companions, side by side where there are cores.
 pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Estimates {
-    let wanted = wanted_of(case, run);
-    let fine: Vec<Option<f64>> = wanted
-        .iter()
-        .map(|w| evaluate(&run.history, &run.profile, w))
-        .collect();
     let order = order(case.solver.method);
     let ratio = ratio_of_meshes(case);
     let companion = |coarsening, step| compute(case, coarsening, step, cancel, &mut |_| {});
@@ -50,12 +45,12 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
     let mut compare = |other: Option<Computed>, divisor: f64, what| {
         let divisor = if assured { divisor } else { 1.0 };
         other.map_or_else(Vec::new, |other| {
-            differences(&wanted, &fine, &other, divisor, what, &mut warnings)
+            differences(run, &other, divisor, what, &mut warnings)
         })
     };
     let time = compare(slow, 2f64.powi(order.unwrap_or(0)) - 1.0, "time");
     let mut mesh = compare(coarse, ratio * ratio - 1.0, "mesh");
-    for (error, w) in mesh.iter_mut().zip(&wanted) {
+    for (error, w) in mesh.iter_mut().zip(&run.wanted) {
         *error = error.map(|e| e.max(along::resolution(&run.profile, w.statistic)));
     }
     Estimates {
@@ -108,8 +103,7 @@ fn ratio_of_meshes(case: &Case) -> f64 {
 }
 
 fn differences(
-    wanted: &[Wanted],
-    fine: &[Option<f64>],
+    run: &Computed,
     companion: &Computed,
     divisor: f64,
     what: &str,
@@ -122,27 +116,15 @@ fn differences(
         ));
         return Vec::new();
     }
-    let coarse = wanted
-        .iter()
-        .map(|w| evaluate(&companion.history, &companion.profile, w));
-    fine.iter()
-        .zip(coarse)
-        .map(|(f, c)| Some((f.as_ref()? - c?).abs() / divisor))
+    // The same case wants the same numbers, in the same order.
+    let pairs = run.numbers.iter().zip(&companion.numbers);
+    pairs
+        .map(|(fine, coarse)| Some((fine.as_ref()? - coarse.as_ref()?).abs() / divisor))
         .collect()
 }
 
-fn wanted_of(case: &Case, run: &Computed) -> Vec<Wanted> {
-    let names: Vec<String> = run
-        .history
-        .channels
-        .iter()
-        .map(|c| c.name.clone())
-        .collect();
-    wanted(case, &names)
-}
-
 /// The single numbers of a run with their errors; those that cannot be taken are left out.
-pub(super) fn summary(case: &Case, run: &Computed, estimates: &Estimates) -> Vec<Quantity> {
+pub(super) fn summary(run: &Computed, estimates: &Estimates) -> Vec<Quantity> {
     let pick = |list: &[Option<f64>], i: usize| list.get(i).copied().flatten();
     // Without companions their errors are unknown.
     let modes = if estimates.modes.is_empty() {
@@ -150,25 +132,23 @@ pub(super) fn summary(case: &Case, run: &Computed, estimates: &Estimates) -> Vec
     } else {
         &estimates.modes
     };
-    wanted_of(case, run)
-        .iter()
-        .enumerate()
-        .filter_map(|(i, w)| {
-            let (name, unit) = match w.of {
-                Of::Channel(index) => {
-                    let channel = run.history.channels.get(index)?;
-                    (channel.name.as_str(), channel.unit.as_str())
-                }
-                Of::Line(quantity) => (quantity.name(), quantity.unit()),
-            };
-            Some(Quantity {
-                name: quantity_name(name, w.statistic, w.window),
-                value: evaluate(&run.history, &run.profile, w)?,
-                unit: w.statistic.unit(unit),
-                time_error: pick(&estimates.time, i),
-                mesh_error: pick(&estimates.mesh, i),
-            })
+    let all = run.wanted.iter().zip(&run.numbers).enumerate();
+    all.filter_map(|(i, (w, number)): (usize, (&Wanted, _))| {
+        let (name, unit) = match w.of {
+            Of::Channel(index) => {
+                let channel = run.history.channels.get(index)?;
+                (channel.name.as_str(), channel.unit.as_str())
+            }
+            Of::Line(quantity) => (quantity.name(), quantity.unit()),
+        };
+        Some(Quantity {
+            name: quantity_name(name, w.statistic, w.window),
+            value: (*number)?,
+            unit: w.statistic.unit(unit),
+            time_error: pick(&estimates.time, i),
+            mesh_error: pick(&estimates.mesh, i),
         })
-        .chain(modes.iter().cloned())
-        .collect()
+    })
+    .chain(modes.iter().cloned())
+    .collect()
 }

@@ -1,5 +1,6 @@
 //! A case computed: on the caller's thread by [`execute`], on its own by [`start`]. Events out, a
-//! cancel flag in; a receiver that is slow or gone never holds the solver up.
+//! cancel flag in. Whoever listens decides whether a solver may get ahead of it: a bounded channel makes it wait, a receiver
+//! that is gone never does.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -10,7 +11,8 @@ use crossbeam_channel::Sender;
 use super::compute::{self, Computed};
 use super::store::rfc3339;
 use super::{
-    Checkpoint, Cost, Frame, Resume, Run, RunInfo, RunState, VERSION, errors, limits, settings,
+    Checkpoint, Cost, Frame, Resume, Run, RunInfo, RunState, Settings, VERSION, Work, errors,
+    limits, settings,
 };
 use crate::case::{Case, Method};
 use crate::scene;
@@ -28,6 +30,31 @@ pub struct Request {
     pub overrides: Vec<String>,
     /// Name of the run.
     pub id: String,
+}
+
+impl Request {
+    /// What `run.toml` says while the run goes on.
+    #[must_use]
+    pub fn beginning(&self) -> RunInfo {
+        RunInfo {
+            id: self.id.clone(),
+            title: self.case.case.title.clone(),
+            case_file: self.file.clone(),
+            state: RunState::Partial,
+            version: VERSION.to_owned(),
+            started: rfc3339(SystemTime::now()),
+            overrides: self.overrides.clone(),
+            failure: None,
+            warnings: Vec::new(),
+            settings: Settings {
+                method: settings::method_name(self.case.solver.method).to_owned(),
+                duration_s: self.case.solver.duration_s,
+                ..Settings::default()
+            },
+            work: Work::default(),
+            cost: Cost::default(),
+        }
+    }
 }
 
 /// What a job says while it goes on.
@@ -83,7 +110,7 @@ pub fn start(request: Request, events: Sender<(JobId, Event)>) -> std::io::Resul
     std::thread::Builder::new()
         .name(format!("job-{}", id.0))
         .spawn(move || {
-            // The channel is unbounded, and one that nobody listens to any more is no reason to stop early.
+            // A channel that nobody listens to any more is no reason to stop early.
             let mut tell = |event| drop(events.send((id, event)));
             let run = execute(&request, &cancel, &mut tell);
             tell(Event::Finished(Box::new(run)));
@@ -124,7 +151,7 @@ pub fn execute_from(
         companions_wall_s: companions.elapsed().as_secs_f64(),
         ..computed.cost
     };
-    let summary = errors::summary(&request.case, &computed, &estimated);
+    let summary = errors::summary(&computed, &estimated);
     assemble(
         request,
         computed,

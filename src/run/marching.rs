@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use super::recorder::Recorder;
+use super::store::StoreError;
 use super::{Checkpoint, Resume, RunState, Settings, Work};
 use crate::dynamics::{March, MarchError, Place, Stepper, Tally};
 use crate::scene::Scene;
@@ -53,10 +54,16 @@ pub(super) fn march<'a, M: Stepper>(
         output: settings.output_interval_s,
     };
     let (mut place, first) = match from.resume {
-        Some(resume) => (
-            take_up(resume, &mut method, phases, state, sink),
-            resume.checkpoint.phase,
-        ),
+        Some(resume) => match take_up(resume, &mut method, phases, state, sink) {
+            Ok(place) => (place, resume.checkpoint.phase),
+            Err(error) => {
+                return Ended {
+                    state: RunState::Failed,
+                    failure: Some(error.to_string()),
+                    work,
+                };
+            }
+        },
         None => (Place::default(), 0),
     };
     let mut result = Ok(Progressing::Continue);
@@ -94,6 +101,7 @@ pub(super) fn march<'a, M: Stepper>(
                 state: state.clone(),
                 carried: method.carried(),
                 profile: sink.profile.clone(),
+                response: sink.response().cloned(),
             });
         };
         result = run_phase(
@@ -162,15 +170,15 @@ fn take_up<'a, M: Stepper>(
     phases: &'a [Scene],
     state: &mut State,
     sink: &mut Recorder<'a>,
-) -> Place {
+) -> Result<Place, StoreError> {
     let from = &resume.checkpoint;
-    sink.take_up(resume);
+    sink.take_up(resume)?;
     let scene = &phases[from.phase.min(phases.len() - 1)];
     sink.enter(scene);
     *state = from.state.clone();
     scene.take_water(from.place.time, state);
     method.take_up(&from.carried);
-    from.place
+    Ok(from.place)
 }
 
 fn ended(result: Result<Progressing, MarchError>, place: &Place, work: Work) -> Ended {

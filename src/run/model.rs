@@ -15,14 +15,27 @@ pub struct Run {
     pub info: RunInfo,
     /// The exact text of the case, with every override applied.
     pub case_text: String,
-    /// Channels against time.
+    /// Channels against time; of a long run some of the output times, see [`Thinned`](super::Thinned).
     pub history: History,
-    /// Shapes of the line at chosen instants, oldest first.
+    /// Shapes of the line at chosen instants, oldest first; thinned likewise.
     pub shapes: Vec<LineShape>,
     /// The line at the end of the run, node by node, with envelopes over time.
     pub profile: Profile,
     /// Single numbers with their estimated numerical errors.
     pub summary: Vec<Quantity>,
+}
+
+impl Run {
+    /// How many output times it came to, also those that the history leaves out.
+    #[must_use]
+    pub fn output_times(&self) -> usize {
+        let kept = self.history.time.len();
+        let interval = self.info.settings.output_interval_s;
+        match self.history.time.last() {
+            Some(last) if interval > 0.0 => kept.max((last / interval).round() as usize + 1),
+            _ => kept,
+        }
+    }
 }
 
 /// What was computed and how.

@@ -1,8 +1,11 @@
 //! Takes the accepted steps of a solver and makes of them channels, shapes and envelopes.
 
+use super::gather::Gather;
 use super::job::Event;
 use super::response::Response;
-use super::{Channel, Checkpoint, Frame, History, LineShape, Profile, Progress, Resume};
+use super::store::StoreError;
+use super::thin::{Thinned, widen};
+use super::{Channel, Checkpoint, Frame, LineShape, Profile, Progress, Resume, statistic};
 use crate::case::{self, Case, LineEnd, RopeQuantity, Source};
 use crate::scene::Scene;
 use crate::solve::{Instant, Progressing, Sink, State, System};
@@ -11,9 +14,12 @@ use crate::solve::{Instant, Progressing, Sink, State, System};
 pub(super) struct Recorder<'a> {
     scene: &'a Scene,
     sources: Vec<Source>,
-    /// What is recorded so far.
-    pub(super) history: History,
-    pub(super) shapes: Vec<LineShape>,
+    /// What is kept in memory of what was recorded so far.
+    pub(super) kept: Thinned,
+    /// The single numbers wanted, taken in row by row.
+    pub(super) gather: Gather,
+    /// What could not be recorded, in words.
+    pub(super) troubles: Vec<String>,
     pub(super) profile: Profile,
     response: Option<Response>,
     latest: Vec<f64>,
@@ -37,19 +43,8 @@ impl<'a> Recorder<'a> {
         stop: &'a dyn Fn() -> bool,
     ) -> Self {
         let channels = case::channels(case);
-        let history = History {
-            time: Vec::new(),
-            channels: channels
-                .iter()
-                .map(|c| Channel {
-                    name: c.name.clone(),
-                    unit: c.unit.to_owned(),
-                    values: Vec::new(),
-                    peak: (f64::NEG_INFINITY, 0.0),
-                    trough: (f64::INFINITY, 0.0),
-                })
-                .collect(),
-        };
+        let names: Vec<String> = channels.iter().map(|c| c.name.clone()).collect();
+        let kept = Thinned::new(channels.iter().map(|c| (c.name.clone(), c.unit.to_owned())));
         let nodes = scene.line_nodes();
         let bending = if scene.flexure.is_some() { nodes } else { 0 };
         let profile = Profile {
@@ -72,8 +67,9 @@ impl<'a> Recorder<'a> {
             latest: vec![0.0; channels.len()],
             longest: watched(case, scene),
             sources: channels.into_iter().map(|c| c.source).collect(),
-            history,
-            shapes: Vec::new(),
+            kept,
+            gather: Gather::new(statistic::wanted(case, &names)),
+            troubles: Vec::new(),
             profile,
             shape_interval: case.output.shape_interval_s,
             duration: if case.solver.method == case::Method::Static {
@@ -95,7 +91,7 @@ impl<'a> Recorder<'a> {
 
     /// One extreme of every channel so far, and its time \[s\].
     pub(super) fn extremes(&self, of: impl Fn(&Channel) -> (f64, f64)) -> Vec<(f64, f64)> {
-        self.history.channels.iter().map(of).collect()
+        self.kept.history().channels.iter().map(of).collect()
     }
 
     /// Squares of the longest that segments with a breaking load were so far \[m²\].
@@ -103,40 +99,42 @@ impl<'a> Recorder<'a> {
         self.longest.iter().map(|(_, longest)| *longest).collect()
     }
 
+    /// How far the nodes moved so far.
+    pub(super) fn response(&self) -> Option<&Response> {
+        self.response.as_ref()
+    }
+
     /// Takes up what was recorded before, and tells of it as if it were recorded now.
-    pub(super) fn take_up(&mut self, from: &Resume) {
-        // The sums of what was recorded before are not kept: half a window would be told as a whole one.
-        let taken_up = from.history.time.last().copied().unwrap_or(0.0);
-        self.response = self.response.take().filter(|r| r.begins_after(taken_up));
-        let mut shapes = from.shapes.iter().peekable();
-        for (row, time) in from.history.time.iter().enumerate() {
-            let values = from.history.channels.iter();
-            let shape = shapes.next_if(|shape| shape.time <= *time).cloned();
-            self.progress.time = *time;
-            let frame = Frame {
-                time: *time,
-                values: values.filter_map(|c| c.values.get(row).copied()).collect(),
-                shape,
-                progress: Progress {
-                    duration: self.duration,
-                    ..self.progress
-                },
+    ///
+    /// # Errors
+    /// The record before is not there as it should be.
+    pub(super) fn take_up(&mut self, from: &Resume) -> Result<(), StoreError> {
+        from.replay(&mut |time, values, shape| {
+            self.latest.copy_from_slice(values);
+            self.progress = Progress {
+                time,
+                duration: self.duration,
+                ..self.progress
             };
-            (self.events)(Event::Frame(Box::new(frame)));
+            self.record(time, shape);
+        })?;
+        let before = &from.checkpoint;
+        let known = before.peaks.iter().zip(&before.troughs);
+        for (channel, (peak, trough)) in self.kept.channels_mut().iter_mut().zip(known) {
+            (channel.peak, channel.trough) = (*peak, *trough);
         }
-        self.history.time.clone_from(&from.history.time);
-        let channels = self.history.channels.iter_mut().zip(&from.history.channels);
-        for (i, (channel, old)) in channels.enumerate() {
-            channel.values.clone_from(&old.values);
-            let known = (from.checkpoint.peaks.get(i), from.checkpoint.troughs.get(i));
-            if let (Some(peak), Some(trough)) = known {
-                (channel.peak, channel.trough) = (*peak, *trough);
-            }
-        }
-        self.shapes.clone_from(&from.shapes);
-        self.profile.clone_from(&from.checkpoint.profile);
-        let longest = self.longest.iter_mut().zip(&from.checkpoint.longest);
+        // Without the sums of what was recorded before, half a window would be told as a whole one.
+        self.response = match before.response.clone() {
+            None => self
+                .response
+                .take()
+                .filter(|r| r.begins_after(before.place.time)),
+            known => known,
+        };
+        self.profile.clone_from(&before.profile);
+        let longest = self.longest.iter_mut().zip(&before.longest);
         longest.for_each(|((_, longest), known)| *longest = *known);
+        Ok(())
     }
 
     /// Goes on with the line as it is after an event.
@@ -202,21 +200,16 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    /// Stores an output instant, and tells of it.
+    /// Takes in an output instant.
     fn store(&mut self, instant: &Instant<'_>) {
-        self.history.time.push(instant.time);
-        for (channel, value) in self.history.channels.iter_mut().zip(&self.latest) {
-            channel.values.push(*value);
-        }
         let tension = self.scene.tensions(instant.state);
         if let Some(response) = &mut self.response {
             response.take(instant.time, &instant.state.x[..tension.len()]);
         }
         self.widen_envelopes(instant.state, &tension);
-        let due = self
-            .shapes
-            .last()
-            .is_none_or(|s| instant.time >= s.time + self.shape_interval * (1.0 - 1e-9));
+        let newest = self.kept.shapes().last();
+        let due =
+            newest.is_none_or(|s| instant.time >= s.time + self.shape_interval * (1.0 - 1e-9));
         let shape = (due || instant.time >= self.duration * (1.0 - 1e-12)).then(|| {
             let nodes = instant.state.x.iter().map(|p| [p.x, p.y, p.z]);
             let nodes = nodes.take(tension.len()).collect();
@@ -226,7 +219,6 @@ impl<'a> Recorder<'a> {
                 tension,
             }
         });
-        self.shapes.extend(shape.clone());
         self.progress = Progress {
             time: instant.time,
             duration: self.duration,
@@ -234,8 +226,18 @@ impl<'a> Recorder<'a> {
             wall_s: self.clock.elapsed().as_secs_f64(),
             estimating: false,
         };
+        self.record(instant.time, shape);
+    }
+
+    /// Records the values read last, and tells of them.
+    fn record(&mut self, time: f64, shape: Option<LineShape>) {
+        self.kept.row(time, &self.latest);
+        self.troubles.extend(self.gather.add(time, &self.latest));
+        if let Some(shape) = &shape {
+            self.kept.shape(shape.clone());
+        }
         let frame = Frame {
-            time: instant.time,
+            time,
             values: self.latest.clone(),
             shape,
             progress: self.progress,
@@ -285,8 +287,8 @@ impl<'a> Recorder<'a> {
             let (mut curvature, mut moment) = flexure.bent(self.scene, state);
             curvature.truncate(tension.len());
             moment.truncate(tension.len());
-            widen(&mut p.curvature_max, &curvature);
-            widen(&mut p.moment_max, &moment);
+            raise(&mut p.curvature_max, &curvature);
+            raise(&mut p.moment_max, &moment);
             (p.curvature, p.moment) = (curvature, moment);
         }
     }
@@ -307,7 +309,7 @@ fn watched(case: &Case, scene: &Scene) -> Vec<(usize, f64)> {
 }
 
 /// Raises greatest values to the new ones.
-fn widen(greatest: &mut [f64], values: &[f64]) {
+fn raise(greatest: &mut [f64], values: &[f64]) {
     for (most, value) in greatest.iter_mut().zip(values) {
         *most = most.max(*value);
     }
@@ -316,13 +318,8 @@ fn widen(greatest: &mut [f64], values: &[f64]) {
 impl Sink for Recorder<'_> {
     fn accept(&mut self, instant: Instant<'_>) -> Progressing {
         self.read(instant.time, instant.state);
-        for (channel, value) in self.history.channels.iter_mut().zip(&self.latest) {
-            if *value > channel.peak.0 {
-                channel.peak = (*value, instant.time);
-            }
-            if *value < channel.trough.0 {
-                channel.trough = (*value, instant.time);
-            }
+        for (channel, value) in self.kept.channels_mut().iter_mut().zip(&self.latest) {
+            widen(channel, *value, instant.time);
         }
         self.widen_peaks(instant.state);
         if instant.output {

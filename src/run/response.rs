@@ -7,14 +7,16 @@
 
 use std::f64::consts::TAU;
 
+use serde::{Deserialize, Serialize};
+
 use super::Profile;
 use crate::case::{Case, EndKind};
 use crate::linalg::V3;
 use crate::modes::Plane;
 
 /// Sums over the output times from a given one on.
-#[derive(Debug, Clone)]
-pub(super) struct Response {
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Response {
     from: f64,
     omega: Option<f64>,
     count: f64,

@@ -25,6 +25,7 @@ mod finish;
 mod list;
 mod number;
 mod read;
+mod record;
 mod ropes;
 mod shapes;
 mod stamp;
@@ -36,6 +37,7 @@ use std::{io, path::PathBuf};
 pub use begin::Place;
 pub use list::{Entry, list};
 pub use read::{read, read_info, resume};
+pub(in crate::run) use record::{Rows, Shapes};
 pub use stamp::{rfc3339, stamp};
 pub use writer::{Writer, save};
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::key::Key;
-use super::state::{CaseEntry, Level, RunSlot, Ticket};
+use super::state::{CaseEntry, Curves, Level, RunSlot, Ticket};
 use crate::report::chart::Glyphs;
 use crate::run::Run;
 use crate::run::job::{Event, Request};
@@ -20,6 +20,8 @@ pub enum Msg {
     Resize(u16, u16),
     /// A job said something.
     Job(Ticket, Box<Event>),
+    /// What a job has recorded since it was last asked.
+    Recorded(Ticket, Box<Curves>),
     /// The run of a job has this directory.
     Stored(Ticket, PathBuf),
     /// A job could not be started or stored, for this reason.

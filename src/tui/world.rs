@@ -4,12 +4,11 @@ use std::collections::HashMap;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::time::SystemTime;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
-use crossbeam_channel::{Receiver, Sender, unbounded};
+use crossbeam_channel::{Receiver, Sender, bounded, unbounded};
 
-use super::backend;
 use super::drafts;
 use super::files::{save_case, write_text};
 use super::msg::{CaseRead, Effect, Msg, RopewayRead, SectionRead};
@@ -18,8 +17,8 @@ use super::state::{Curves, Level, RunSlot, SlotKind, SlotState, Ticket};
 use crate::case;
 use crate::ropeway;
 use crate::run::job::{self, Event, Job, JobId, Request};
-use crate::run::store::{self, Place, Writer, rfc3339};
-use crate::run::{Cost, Run, RunInfo, RunState, Settings, VERSION, Work};
+use crate::run::store::{self, Place, Writer};
+use crate::run::{Run, RunInfo, RunState};
 use crate::section;
 
 /// What is outside of the state.
@@ -28,8 +27,21 @@ pub struct World {
     dir: PathBuf,
     sender: Sender<Msg>,
     receiver: Receiver<Msg>,
-    jobs: HashMap<Ticket, Job>,
+    jobs: HashMap<Ticket, Going>,
+    /// Threads that read or work something out aside.
+    aside: Arc<AtomicUsize>,
 }
+
+/// A job going on, and what it has recorded since the screen last asked. However long the screen takes, that stays within
+/// bounds.
+#[derive(Debug)]
+struct Going {
+    job: Job,
+    fresh: Arc<Mutex<Curves>>,
+}
+
+/// How many of its events a job may be ahead of the thread that stores them.
+const AHEAD: usize = 256;
 
 impl World {
     /// A world that lists the cases of a directory.
@@ -41,6 +53,7 @@ impl World {
             sender,
             receiver,
             jobs: HashMap::new(),
+            aside: Arc::default(),
         }
     }
 
@@ -52,7 +65,13 @@ impl World {
 
     /// What jobs said since the last call.
     pub fn heard(&mut self) -> Vec<Msg> {
-        let heard: Vec<Msg> = self.receiver.try_iter().collect();
+        // Taken first: what a job said before it recorded anything is then in the channel.
+        let fresh = self.jobs.iter().filter_map(|(ticket, going)| {
+            let mut curves = going.fresh.lock().unwrap_or_else(PoisonError::into_inner);
+            Some(Msg::Recorded(*ticket, Box::new(curves.take()?)))
+        });
+        let fresh: Vec<Msg> = fresh.collect();
+        let mut heard: Vec<Msg> = self.receiver.try_iter().collect();
         for msg in &heard {
             let ended = match msg {
                 Msg::Job(ticket, event) if matches!(**event, Event::Finished(_)) => Some(ticket),
@@ -63,13 +82,32 @@ impl World {
                 self.jobs.remove(ticket);
             }
         }
+        heard.extend(fresh);
         heard
     }
 
-    /// True while a job may still say something.
+    /// True while another thread may still say something.
     #[must_use]
     pub fn busy(&self) -> bool {
-        !self.jobs.is_empty()
+        !self.jobs.is_empty() || self.aside.load(Ordering::SeqCst) > 0 || !self.receiver.is_empty()
+    }
+
+    /// Does something on a thread of its own, so that the screen does not wait for it.
+    fn aside(&self, work: impl FnOnce() -> Msg + Send + 'static) -> Vec<Msg> {
+        let (out, count) = (self.sender.clone(), Arc::clone(&self.aside));
+        count.fetch_add(1, Ordering::SeqCst);
+        let started = std::thread::Builder::new().spawn(move || {
+            drop(out.send(work()));
+            count.fetch_sub(1, Ordering::SeqCst);
+        });
+        match started {
+            Ok(_) => Vec::new(),
+            Err(error) => {
+                self.aside.fetch_sub(1, Ordering::SeqCst);
+                let words = format!("The system gives no thread: {error}.");
+                vec![Msg::Say(Level::Error, words)]
+            }
+        }
     }
 
     /// Does what the effect asks for. Effects of the terminal itself are not for here.
@@ -99,16 +137,16 @@ impl World {
                 store,
             } => self.start(ticket, *request, store),
             Effect::Cancel(ticket) => {
-                if let Some(job) = self.jobs.get(&ticket) {
-                    job.cancel();
+                if let Some(going) = self.jobs.get(&ticket) {
+                    going.job.cancel();
                 }
                 Vec::new()
             }
             Effect::ListRuns(files) => vec![Msg::RunsListed(list_runs(&files))],
-            Effect::ReadRun(dir) => {
+            Effect::ReadRun(dir) => self.aside(move || {
                 let run = store::read(&dir).map(Arc::new).map_err(|e| e.to_string());
-                vec![Msg::RunRead(dir, run)]
-            }
+                Msg::RunRead(dir, run)
+            }),
             Effect::DeleteRun(dir) => vec![delete_run(dir)],
             Effect::KeepRun(run) => vec![keep_run(run)],
             Effect::WriteText { path, text, what } => vec![write_text(&path, &text, what)],
@@ -131,17 +169,18 @@ impl World {
         if let Some(writer) = &writer {
             messages.push(Msg::Stored(ticket, writer.dir().to_owned()));
         }
-        let (events, said) = unbounded();
+        let (events, said) = bounded(AHEAD);
         let started = job::start(request, events).and_then(|job| {
-            let out = self.sender.clone();
+            let fresh = Arc::new(Mutex::new(Curves::default()));
+            let (out, record) = (self.sender.clone(), Arc::clone(&fresh));
             std::thread::Builder::new()
                 .name(format!("relay-{ticket}"))
-                .spawn(move || relay(ticket, &said, writer, &out))?;
-            Ok(job)
+                .spawn(move || relay(ticket, &said, writer, &record, &out))?;
+            Ok(Going { job, fresh })
         });
         match started {
-            Ok(job) => {
-                self.jobs.insert(ticket, job);
+            Ok(going) => {
+                self.jobs.insert(ticket, going);
             }
             Err(error) => messages.push(Msg::JobFailed(
                 ticket,
@@ -165,6 +204,7 @@ fn relay(
     ticket: Ticket,
     said: &Receiver<(JobId, Event)>,
     mut writer: Option<Writer>,
+    record: &Mutex<Curves>,
     out: &Sender<Msg>,
 ) {
     let mut complaint = None;
@@ -187,8 +227,18 @@ fn relay(
             let words = format!("The run cannot be stored: {error}");
             drop(out.send(Msg::Say(Level::Error, words)));
         }
-        if out.send(Msg::Job(ticket, Box::new(event))).is_err() || last {
-            return;
+        let recorded = || record.lock().unwrap_or_else(PoisonError::into_inner);
+        match event {
+            Event::Frame(frame) => recorded().push(*frame),
+            Event::Checkpoint(_) => {}
+            event => {
+                if let Event::Started { channels } = &event {
+                    recorded().begin(channels.clone());
+                }
+                if out.send(Msg::Job(ticket, Box::new(event))).is_err() || last {
+                    return;
+                }
+            }
         }
     }
     let words = "The run ended without a result; this is a fault of seacable.".to_owned();
@@ -196,27 +246,9 @@ fn relay(
 }
 
 fn begin(request: &Request) -> Result<Writer, store::StoreError> {
-    let info = RunInfo {
-        id: request.id.clone(),
-        title: request.case.case.title.clone(),
-        case_file: request.file.clone(),
-        state: RunState::Partial,
-        version: VERSION.to_owned(),
-        started: rfc3339(SystemTime::now()),
-        overrides: request.overrides.clone(),
-        failure: None,
-        warnings: Vec::new(),
-        settings: Settings {
-            method: backend::method_word(request.case.solver.method).to_owned(),
-            duration_s: request.case.solver.duration_s,
-            ..Settings::default()
-        },
-        work: Work::default(),
-        cost: Cost::default(),
-    };
     Writer::begin(
         &Place::Below(PathBuf::from(store::DEFAULT_ROOT)),
-        info,
+        request.beginning(),
         &case::stand_alone(&request.text, &request.case),
     )
 }

@@ -26,24 +26,32 @@ pub(super) const CHANNEL_COLUMNS: [&str; 6] = [
     "time_of_min_s",
 ];
 
-/// Writes everything, `run.toml` last.
-pub(super) fn all(dir: &Path, id: &str, run: &Run) -> Result<(), StoreError> {
+/// Writes everything, `run.toml` last; the record only where it was not `streamed` while the run went on.
+pub(super) fn all(dir: &Path, id: &str, run: &Run, streamed: bool) -> Result<(), StoreError> {
     replace(dir, CASE, run.case_text.as_bytes())?;
     replace(dir, SUMMARY, &summary(&run.summary)?)?;
     replace(dir, ERRORS, &errors(&run.summary)?)?;
     replace(dir, CHANNELS, &channels(&run.history.channels)?)?;
-    replace(dir, HISTORY, &history(&run.history)?)?;
+    if !streamed {
+        replace(dir, HISTORY, &history(&run.history)?)?;
+        replace(dir, SHAPES, &all_shapes(&run.shapes)?)?;
+    }
     replace(dir, PROFILE, &shapes::profile(&run.profile)?)?;
     if !run.profile.ropes.is_empty() {
         replace(dir, ROPES, &ropes(&run.profile.ropes)?)?;
     }
-    replace(dir, SHAPES, &all_shapes(&run.shapes)?)?;
     sync_dir(dir);
 
-    let info = RunInfo {
+    let mut info = RunInfo {
         id: id.to_owned(),
         ..run.info.clone()
     };
+    let (rows, recorded) = (run.history.time.len(), run.output_times());
+    if !streamed && recorded > rows {
+        info.warnings.push(format!(
+            "kept from memory: {HISTORY} holds {rows} of {recorded} output times, those of all extremes among them"
+        ));
+    }
     replace(dir, RUN, info_text(dir, &info)?.as_bytes())?;
     sync_dir(dir);
     Ok(())

@@ -3,15 +3,15 @@
 use std::{fs, io, path::Path};
 
 use super::{
-    CASE, CHANNELS, CHECKPOINT, ERRORS, HISTORY, PROFILE, ROPES, RUN, SHAPES, SUMMARY, StoreError,
+    CASE, CHANNELS, CHECKPOINT, ERRORS, PROFILE, ROPES, RUN, Rows, SUMMARY, Shapes, StoreError,
     finish::{CHANNEL_COLUMNS, ERROR_COLUMNS, SUMMARY_COLUMNS},
     number::parse,
     ropes::{ROPE_COLUMNS, read_ropes},
-    shapes::{self, BENDING_COLUMNS, PROFILE_COLUMNS, RESPONSE_COLUMNS, SHAPE_COLUMNS},
-    table::{self, Rows},
+    shapes::{self, BENDING_COLUMNS, PROFILE_COLUMNS, RESPONSE_COLUMNS},
+    table,
 };
 use crate::run::{
-    Channel, Checkpoint, History, LineShape, Profile, Quantity, Resume, Run, RunInfo, RunState,
+    Channel, Checkpoint, History, Profile, Quantity, Resume, Run, RunInfo, RunState, Thinned,
 };
 
 /// Reads a run. What is damaged or missing is left out, and said in [`RunInfo::warnings`]; so is a
@@ -30,7 +30,7 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
     };
 
     let case_text = reader.case_text();
-    let (history, shapes) = (reader.history(), reader.shapes());
+    let (history, shapes) = reader.record().into_parts();
     let (profile, summary) = (reader.profile(), reader.summary());
     let warnings = reader.warnings;
 
@@ -64,8 +64,8 @@ pub fn resume(dir: &Path) -> Result<(Run, Resume), StoreError> {
         file,
         reason: error.to_string().trim_end().to_owned(),
     })?;
-    let resume = Resume::new(checkpoint, run.history.clone(), run.shapes.clone());
-    Ok((run, resume))
+    let dir = dir.to_owned();
+    Ok((run, Resume { checkpoint, dir }))
 }
 
 /// Reads only `run.toml`.
@@ -116,7 +116,7 @@ impl Reader<'_> {
     }
 
     /// A table with these columns; trouble is told, unless a partial run simply has not got there.
-    fn table(&mut self, name: &str, columns: Option<&[&str]>) -> Rows {
+    fn table(&mut self, name: &str, columns: Option<&[&str]>) -> table::Rows {
         let mut table = table::read(self.dir, name);
         if let Some(columns) = columns {
             table.expect(name, columns);
@@ -124,44 +124,34 @@ impl Reader<'_> {
         table
     }
 
-    fn told(&mut self, table: Rows) {
-        if let (Some(trouble), true) = (table.trouble, self.whole) {
-            self.warnings.push(trouble);
-        }
+    fn told(&mut self, trouble: Option<String>) {
+        self.warnings.extend(trouble.filter(|_| self.whole));
     }
 
-    fn history(&mut self) -> History {
+    /// History and shapes, thinned where they are long.
+    fn record(&mut self) -> Thinned {
         let known = self.channels();
-        let mut table = self.table(HISTORY, None);
-        let names = table.columns.get(1..).unwrap_or_default();
-        let mut channels: Vec<Channel> = names.iter().map(|name| named(name, &known)).collect();
-        let mut time = Vec::new();
-        if table.columns.first().is_some_and(|c| c != "time_s") {
-            table.trouble = Some(format!(
-                "{HISTORY} does not begin with the column time_s; it was left out."
-            ));
-            table.rows.clear();
+        let of = |name: &String| known.iter().find(|c| c.name == *name);
+        let mut rows = Rows::open(self.dir);
+        let unit = |name| of(name).map_or_else(String::new, |c| c.unit.clone());
+        let named = rows.names().iter().map(|name| (name.clone(), unit(name)));
+        let mut kept = Thinned::new(named);
+        while let Some((time, values)) = rows.next() {
+            kept.row(time, values);
         }
-        for (line, fields) in &table.rows {
-            let numbers: Option<Vec<f64>> = fields.iter().map(|f| parse(f)).collect();
-            let Some((first, values)) = numbers.as_deref().and_then(<[f64]>::split_first) else {
-                table.trouble = Some(format!(
-                    "{HISTORY}, line {line} holds something that is no number; read up to there."
-                ));
-                break;
-            };
-            time.push(*first);
-            for (channel, value) in channels.iter_mut().zip(values) {
-                channel.values.push(*value);
+        let mut shapes = Shapes::open(self.dir);
+        while let Some(shape) = shapes.next() {
+            kept.shape(shape);
+        }
+        // Extremes over every step, where they are known; a run that was stopped has those of its rows.
+        for channel in kept.channels_mut() {
+            if let Some(known) = of(&channel.name).filter(|c| !c.peak.0.is_nan()) {
+                (channel.peak, channel.trough) = (known.peak, known.trough);
             }
         }
-        self.told(table);
-        for channel in &mut channels {
-            if channel.peak.0.is_nan() {
-                extremes_of_rows(channel, &time);
-            }
-        }
-        History { time, channels }
+        self.told(rows.trouble());
+        self.told(shapes.trouble());
+        kept
     }
 
     /// Channels by name with unit and extremes; extremes not known yet are NaN.
@@ -181,15 +171,8 @@ impl Reader<'_> {
                 trough: (at(2), at(3)),
             });
         }
-        self.told(table);
+        self.told(table.trouble);
         channels
-    }
-
-    fn shapes(&mut self) -> Vec<LineShape> {
-        let mut table = self.table(SHAPES, Some(&SHAPE_COLUMNS));
-        let shapes = shapes::read_shapes(&mut table, SHAPES);
-        self.told(table);
-        shapes
     }
 
     fn profile(&mut self) -> Profile {
@@ -205,12 +188,12 @@ impl Reader<'_> {
         }
         table.expect(PROFILE, &columns);
         let mut profile = shapes::read_profile(&mut table, PROFILE);
-        self.told(table);
+        self.told(table.trouble);
         // Only a line with such ropes has the file.
         if self.dir.join(ROPES).exists() {
             let mut table = self.table(ROPES, Some(&ROPE_COLUMNS));
             profile.ropes = read_ropes(&mut table, ROPES);
-            self.told(table);
+            self.told(table.trouble);
         }
         profile
     }
@@ -244,32 +227,8 @@ impl Reader<'_> {
                 mesh_error: error(3),
             });
         }
-        self.told(table);
-        self.told(parts);
+        self.told(table.trouble);
+        self.told(parts.trouble);
         summary
     }
-}
-
-fn named(name: &str, known: &[Channel]) -> Channel {
-    let found = known.iter().find(|c| c.name == name).cloned();
-    found.unwrap_or_else(|| Channel {
-        name: name.to_owned(),
-        peak: (f64::NAN, f64::NAN),
-        trough: (f64::NAN, f64::NAN),
-        ..Channel::default()
-    })
-}
-
-/// Extremes of a run that was stopped: those of the rows it left.
-fn extremes_of_rows(channel: &mut Channel, time: &[f64]) {
-    let (mut peak, mut trough) = ((f64::NAN, f64::NAN), (f64::NAN, f64::NAN));
-    for (&value, &at) in channel.values.iter().zip(time) {
-        if peak.0.is_nan() || value > peak.0 {
-            peak = (value, at);
-        }
-        if trough.0.is_nan() || value < trough.0 {
-            trough = (value, at);
-        }
-    }
-    (channel.peak, channel.trough) = (peak, trough);
 }

@@ -3,6 +3,7 @@
 use super::{
     StoreError,
     number::{self, text},
+    record::not_a_number,
     table::{Csv, Rows},
 };
 use crate::run::{LineShape, Profile};
@@ -103,40 +104,12 @@ pub(super) fn profile(profile: &Profile) -> Result<Vec<u8>, StoreError> {
 }
 
 /// All numbers of a row; absent when one of them is none.
-pub(super) fn numbers<const N: usize>(fields: &[String]) -> Option<[f64; N]> {
-    let all: Option<Vec<f64>> = fields.iter().map(|f| number::parse(f)).collect();
+pub(super) fn numbers<const N: usize>(
+    fields: impl IntoIterator<Item = impl AsRef<str>>,
+) -> Option<[f64; N]> {
+    let all = fields.into_iter().map(|f| number::parse(f.as_ref()));
+    let all: Option<Vec<f64>> = all.collect();
     all?.try_into().ok()
-}
-
-/// Shapes from their rows: a new one begins at node 0. A last shape with fewer nodes than the first
-/// is torn and left out.
-pub(super) fn read_shapes(table: &mut Rows, name: &str) -> Vec<LineShape> {
-    let mut shapes: Vec<LineShape> = Vec::new();
-    for (line, fields) in &table.rows {
-        let Some([time, node, x, y, z, tension]) = numbers(fields) else {
-            table.trouble = Some(format!(
-                "{name}, line {line} holds something that is no number; read up to there."
-            ));
-            break;
-        };
-        if node < 0.5 {
-            shapes.push(LineShape {
-                time,
-                ..LineShape::default()
-            });
-        }
-        if let Some(shape) = shapes.last_mut() {
-            shape.nodes.push([x, y, z]);
-            shape.tension.push(tension);
-        }
-    }
-    let full = shapes.first().map_or(0, |s| s.nodes.len());
-    if shapes.len() > 1 && shapes.last().is_some_and(|s| s.nodes.len() < full) {
-        shapes.pop();
-        let torn = || format!("{name} ends in the middle of a shape; that shape was left out.");
-        table.trouble.get_or_insert_with(torn);
-    }
-    shapes
 }
 
 /// The profile from its rows, with or without the columns of bending.
@@ -166,9 +139,7 @@ pub(super) fn read_profile(table: &mut Rows, name: &str) -> Profile {
             ],
         ) = numbers(line_fields).filter(|_| whole)
         else {
-            table.trouble = Some(format!(
-                "{name}, line {line} holds something that is no number; read up to there."
-            ));
+            table.trouble = Some(not_a_number(name, *line));
             break;
         };
         profile.arc.push(arc);

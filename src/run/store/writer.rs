@@ -155,8 +155,15 @@ impl Writer {
     /// The system refuses; the directory then still reads as a partial run.
     pub fn finish(mut self, run: &Run) -> Result<PathBuf, StoreError> {
         self.flush()?;
-        self.streams = None;
-        finish::all(&self.dir, &self.id, run)?;
+        let streamed = self.streams.take();
+        if let Some(streams) = &streamed {
+            for (name, stream) in [(HISTORY, &streams.history), (SHAPES, &streams.shapes)] {
+                let file = stream.get_ref();
+                file.sync_all()
+                    .map_err(StoreError::io("Writing", self.dir.join(name)))?;
+            }
+        }
+        finish::all(&self.dir, &self.id, run, streamed.is_some())?;
         Ok(self.dir)
     }
 

@@ -5,13 +5,12 @@ use std::sync::Arc;
 
 use super::jobs::Ticket;
 use crate::case::At;
-use crate::run::{Channel, Frame, History, LineShape, Progress, Run};
+use crate::run::{Frame, History, LineShape, Progress, Run, Thinned};
 
 /// What is known of a run so far.
 #[derive(Debug, Clone, Default)]
 pub struct Curves {
-    streamed: History,
-    shapes: Vec<LineShape>,
+    streamed: Thinned,
     /// The run, once it is complete.
     pub run: Option<Arc<Run>>,
     /// How far it is.
@@ -30,51 +29,59 @@ impl Curves {
 
     /// Names the channels that frames will fill.
     pub fn begin(&mut self, channels: Vec<(String, String)>) {
-        self.streamed.channels = channels
-            .into_iter()
-            .map(|(name, unit)| Channel {
-                name,
-                unit,
-                values: Vec::new(),
-                peak: (f64::NEG_INFINITY, 0.0),
-                trough: (f64::INFINITY, 0.0),
-            })
-            .collect();
+        self.streamed = Thinned::new(channels);
     }
 
     /// Adds an output instant.
     pub fn push(&mut self, frame: Frame) {
         self.progress = frame.progress;
-        self.streamed.time.push(frame.time);
-        for (channel, value) in self.streamed.channels.iter_mut().zip(frame.values) {
-            channel.values.push(value);
-            if value > channel.peak.0 {
-                channel.peak = (value, frame.time);
-            }
-            if value < channel.trough.0 {
-                channel.trough = (value, frame.time);
-            }
+        self.streamed.row(frame.time, &frame.values);
+        if let Some(shape) = frame.shape {
+            self.streamed.shape(shape);
         }
-        self.shapes.extend(frame.shape);
+    }
+
+    /// Adds what was streamed to other curves of the same run since.
+    pub fn append(&mut self, later: &Self) {
+        self.progress = later.progress;
+        self.streamed.append(&later.streamed);
+    }
+
+    /// Takes what was streamed so far, if anything, and leaves the channels.
+    pub fn take(&mut self) -> Option<Self> {
+        let channels = &self.streamed.history().channels;
+        if self.streamed.history().time.is_empty() {
+            return None;
+        }
+        let channels: Vec<_> = channels
+            .iter()
+            .map(|c| (c.name.clone(), c.unit.clone()))
+            .collect();
+        let empty = Self {
+            streamed: Thinned::new(channels),
+            ..Self::default()
+        };
+        Some(std::mem::replace(self, empty))
     }
 
     /// The complete run takes the place of what was streamed.
     pub fn finish(&mut self, run: Arc<Run>) {
-        self.streamed = History::default();
-        self.shapes = Vec::new();
+        self.streamed = Thinned::default();
         self.run = Some(run);
     }
 
     /// Channels against time.
     #[must_use]
     pub fn history(&self) -> &History {
-        self.run.as_ref().map_or(&self.streamed, |run| &run.history)
+        let streamed = self.streamed.history();
+        self.run.as_ref().map_or(streamed, |run| &run.history)
     }
 
     /// Shapes of the line, oldest first.
     #[must_use]
     pub fn shapes(&self) -> &[LineShape] {
-        self.run.as_ref().map_or(&self.shapes, |run| &run.shapes)
+        let streamed = self.streamed.shapes();
+        self.run.as_ref().map_or(streamed, |run| &run.shapes)
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::jobs::{set_state, slot, start_waiting};
 use super::runs;
 use crate::run::job::Event;
-use crate::run::{Run, RunState};
+use crate::run::{Progress, Run, RunState};
 use crate::tui::msg::Effect;
 use crate::tui::state::{Curves, JobState, Level, Overlay, Question, State, Ticket};
 
@@ -46,6 +46,27 @@ pub(super) fn event(state: &mut State, ticket: Ticket, event: Event) -> Vec<Effe
                 curves.progress.estimating = true;
             }
         }
+    }
+    Vec::new()
+}
+
+/// What a job has recorded since it was last asked; dropped where nobody waits for it any more.
+pub(super) fn recorded(state: &mut State, ticket: Ticket, later: &Curves) -> Vec<Effect> {
+    let Some(line) = state.jobs.get_mut(ticket).filter(|l| l.state.is_open()) else {
+        return Vec::new();
+    };
+    line.progress = Progress {
+        estimating: line.progress.estimating,
+        ..later.progress
+    };
+    let progress = line.progress;
+    let live = state
+        .open
+        .as_ref()
+        .is_some_and(|o| o.live.ticket == Some(ticket));
+    if let Some(curves) = curves(state, ticket, live) {
+        curves.append(later);
+        curves.progress = progress;
     }
     Vec::new()
 }

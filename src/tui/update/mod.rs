@@ -45,6 +45,7 @@ fn on(state: &mut State, msg: Msg) -> Vec<Effect> {
             vec![Effect::Repaint]
         }
         Msg::Job(ticket, event) => job_events::event(state, ticket, *event),
+        Msg::Recorded(ticket, curves) => job_events::recorded(state, ticket, &curves),
         Msg::Stored(ticket, dir) => runs::stored(state, ticket, dir),
         Msg::JobFailed(ticket, reason) => job_events::failed(state, ticket, reason),
         Msg::CasesRead(dir, entries) => cases::listed(state, dir, entries),

@@ -1,0 +1,314 @@
+//! Single numbers taken of channels while a run goes on, without its history: means, extremes, times. What needs the whole
+//! before it can be told (a last value, a mean level) reads its samples a second time, from a [`Tape`].
+
+use super::statistic::{Of, Wanted};
+use super::tape::Tape;
+use super::{Channel, Profile, along, cycles};
+use crate::case::Statistic;
+
+/// Takes in every output row, and gives the numbers wanted at the end.
+#[derive(Debug)]
+pub(super) struct Gather {
+    wanted: Vec<Wanted>,
+    /// One for each channel and window that any of them is of.
+    series: Vec<Series>,
+    /// The time of the last row \[s\].
+    end: f64,
+}
+
+/// A channel within a window of time.
+#[derive(Debug)]
+struct Series {
+    channel: usize,
+    window: Option<[f64; 2]>,
+    gist: Option<Gist>,
+    tape: Option<Tape>,
+}
+
+/// What is known of samples after reading them once; samples and extremes are (value, time).
+#[derive(Debug, Clone, Copy)]
+struct Gist {
+    first: (f64, f64),
+    last: (f64, f64),
+    low: (f64, f64),
+    high: (f64, f64),
+    /// Integral over time by trapezes.
+    area: f64,
+    sum: f64,
+    count: f64,
+}
+
+impl Gather {
+    /// For these numbers.
+    pub(super) fn new(wanted: Vec<Wanted>) -> Self {
+        let mut series: Vec<Series> = Vec::new();
+        for w in &wanted {
+            let Of::Channel(channel) = w.of else { continue };
+            let tape = reads_twice(w.statistic).then(Tape::default);
+            let same = |s: &&mut Series| s.channel == channel && s.window == w.window;
+            match series.iter_mut().find(same) {
+                Some(known) => known.tape = known.tape.take().or(tape),
+                None => series.push(Series {
+                    channel,
+                    window: w.window,
+                    gist: None,
+                    tape,
+                }),
+            }
+        }
+        Self {
+            wanted,
+            series,
+            end: f64::NEG_INFINITY,
+        }
+    }
+
+    /// Adds a row. Samples that find no room on disk are given up, with their numbers: why is returned, once.
+    pub(super) fn add(&mut self, time: f64, values: &[f64]) -> Option<String> {
+        let mut trouble = None;
+        self.end = time;
+        for series in &mut self.series {
+            let Some(value) = values.get(series.channel).copied() else {
+                continue;
+            };
+            if !within(series.window, time) {
+                continue;
+            }
+            match &mut series.gist {
+                Some(gist) => gist.add(time, value),
+                none => *none = Some(Gist::of(time, value)),
+            }
+            let kept = series.tape.as_mut().map(|tape| tape.push(time, value));
+            if let Some(Err(error)) = kept {
+                series.tape = None;
+                trouble = Some(format!(
+                    "settling times, rise times and mean peaks are not all told: their samples find no room on disk ({error})"
+                ));
+            }
+        }
+        trouble
+    }
+
+    /// What was wanted, and each number; `None` where the window holds no output time, the run ended before the window
+    /// does, or nothing of the kind was recorded. Extremes over a whole run are those of every step: of `channels`.
+    pub(super) fn finish(
+        self,
+        channels: &[Channel],
+        profile: &Profile,
+    ) -> (Vec<Wanted>, Vec<Option<f64>>) {
+        let number = |w: &Wanted| match w.of {
+            Of::Channel(index) => self.over_time(index, channels.get(index)?, w),
+            Of::Line(quantity) => along::evaluate(profile, quantity, w.statistic, w.window),
+        };
+        let numbers = self.wanted.iter().map(number).collect();
+        (self.wanted, numbers)
+    }
+
+    fn over_time(&self, index: usize, channel: &Channel, wanted: &Wanted) -> Option<f64> {
+        let same = |s: &&Series| s.channel == index && s.window == wanted.window;
+        let series = self.series.iter().find(same)?;
+        if wanted
+            .window
+            .is_some_and(|[_, to]| self.end < to - slop(to))
+        {
+            return None;
+        }
+        let gist = series.gist?;
+        let (greatest, smallest) = match wanted.window {
+            None => (channel.peak, channel.trough),
+            Some(_) => (gist.high, gist.low),
+        };
+        let span = gist.last.1 - gist.first.1;
+        match wanted.statistic {
+            Statistic::Mean if span <= 0.0 => Some(gist.first.0),
+            Statistic::Mean => Some(gist.area / span),
+            Statistic::Max => Some(greatest.0),
+            Statistic::Min => Some(smallest.0),
+            Statistic::Final => Some(gist.last.0),
+            Statistic::Travel => Some(gist.first.0 - smallest.0),
+            Statistic::TimeOfMax => Some(greatest.1),
+            Statistic::TimeOfMin => Some(smallest.1),
+            Statistic::Rate => (span > 0.0).then(|| (gist.last.0 - gist.first.0).abs() / span),
+            Statistic::SettlingTime => gist.settling_time(series.tape.as_ref()?),
+            Statistic::RiseTime => gist.rise_time(series.tape.as_ref()?),
+            Statistic::MeanPeak => gist.mean_extreme(series.tape.as_ref()?, f64::max),
+            Statistic::MeanTrough => gist.mean_extreme(series.tape.as_ref()?, f64::min),
+            Statistic::ArcOfMax
+            | Statistic::ArcOfMin
+            | Statistic::GreatestFall
+            | Statistic::Turns
+            | Statistic::Peaks => None,
+        }
+    }
+}
+
+/// Whether a number can be told only once the whole is known.
+fn reads_twice(statistic: Statistic) -> bool {
+    use Statistic::{MeanPeak, MeanTrough, RiseTime, SettlingTime};
+    matches!(statistic, SettlingTime | RiseTime | MeanPeak | MeanTrough)
+}
+
+/// Output times are products of roundings: a window's edge belongs to it.
+fn slop(to: f64) -> f64 {
+    1e-9 * to.abs().max(1.0)
+}
+
+fn within(window: Option<[f64; 2]>, time: f64) -> bool {
+    window.is_none_or(|[from, to]| time >= from - slop(to) && time <= to + slop(to))
+}
+
+impl Gist {
+    fn of(time: f64, value: f64) -> Self {
+        let sample = (value, time);
+        Self {
+            first: sample,
+            last: sample,
+            low: sample,
+            high: sample,
+            area: 0.0,
+            sum: value,
+            count: 1.0,
+        }
+    }
+
+    fn add(&mut self, time: f64, value: f64) {
+        self.area += 0.5 * (time - self.last.1) * (self.last.0 + value);
+        self.sum += value;
+        self.count += 1.0;
+        self.last = (value, time);
+        if value > self.high.0 {
+            self.high = self.last;
+        }
+        if value < self.low.0 {
+            self.low = self.last;
+        }
+    }
+
+    /// First time after which every value stays within 2 % of the whole range from the last one.
+    fn settling_time(&self, tape: &Tape) -> Option<f64> {
+        let band = 0.02 * (self.high.0 - self.low.0);
+        let outside = |value: f64| (value - self.last.0).abs() - band;
+        let mut settled = self.first.1;
+        let mut before = None;
+        let read = tape.each(|time, value| {
+            let here = (time, outside(value));
+            if let Some(before) = before.filter(|(_, y)| *y > 0.0) {
+                settled = crossing(before, here);
+            }
+            before = Some(here);
+        });
+        read.ok().map(|()| settled)
+    }
+
+    /// First time at which nine tenths of the way from the first to the last value are made.
+    fn rise_time(&self, tape: &Tape) -> Option<f64> {
+        let way = self.last.0 - self.first.0;
+        if way == 0.0 {
+            return Some(self.first.1);
+        }
+        let missing = |value: f64| 0.9 - (value - self.first.0) / way;
+        let mut risen = None;
+        let mut before = None;
+        let read = tape.each(|time, value| {
+            let here = (time, missing(value));
+            if risen.is_none() && here.1 <= 0.0 {
+                risen = Some(before.map_or(time, |before| crossing(before, here)));
+            }
+            before = Some(here);
+        });
+        read.ok().and(risen)
+    }
+
+    /// Mean of the extremes that `pick` takes of whole cycles.
+    fn mean_extreme(&self, tape: &Tape, pick: fn(f64, f64) -> f64) -> Option<f64> {
+        let range = self.high.0 - self.low.0;
+        let mut cycles = cycles::Cycles::new(self.sum / self.count, range, pick);
+        tape.each(|_, value| cycles.add(value)).ok()?;
+        cycles.mean()
+    }
+}
+
+/// Where the straight line between two points crosses zero.
+fn crossing((t0, y0): (f64, f64), (t1, y1): (f64, f64)) -> f64 {
+    if y0 == y1 {
+        t1
+    } else {
+        t0 + (t1 - t0) * y0 / (y0 - y1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn take(values: &[f64], statistic: Statistic, window: Option<[f64; 2]>) -> Option<f64> {
+        let wanted = Wanted {
+            of: Of::Channel(0),
+            statistic,
+            window,
+        };
+        let mut gather = Gather::new(vec![wanted]);
+        for (i, value) in values.iter().enumerate() {
+            assert_eq!(gather.add(i as f64, &[*value]), None);
+        }
+        let channel = Channel {
+            peak: (9.0, 2.25),
+            trough: (-9.0, 3.25),
+            ..Channel::default()
+        };
+        gather.finish(&[channel], &Profile::default()).1[0]
+    }
+
+    #[test]
+    fn mean_is_an_integral_and_windows_include_their_ends() {
+        assert_eq!(take(&[0.0, 2.0, 4.0], Statistic::Mean, None), Some(2.0));
+        assert_eq!(
+            take(&[0.0, 2.0, 4.0, 100.0], Statistic::Mean, Some([0.0, 2.0])),
+            Some(2.0)
+        );
+        assert_eq!(take(&[0.0, 2.0], Statistic::Mean, Some([0.0, 5.0])), None);
+    }
+
+    #[test]
+    fn extremes_of_a_whole_run_are_those_of_every_step() {
+        assert_eq!(take(&[1.0, 2.0, 0.0], Statistic::Max, None), Some(9.0));
+        assert_eq!(
+            take(&[1.0, 2.0, 0.0], Statistic::TimeOfMin, None),
+            Some(3.25)
+        );
+        assert_eq!(
+            take(&[1.0, 2.0, 0.0], Statistic::Max, Some([0.0, 2.0])),
+            Some(2.0)
+        );
+        assert_eq!(take(&[1.0, 2.0, 0.0], Statistic::Travel, None), Some(10.0));
+    }
+
+    #[test]
+    fn peaks_are_those_of_whole_cycles() {
+        // Amplitudes 1, 2, 3 and 4; the cycles begun before the record and not ended in it are not whole.
+        let swing: Vec<f64> = (0..=70)
+            .map(|i| {
+                let t = f64::from(i) / 20.0;
+                (std::f64::consts::TAU * t).sin() * (1.0 + t.floor())
+            })
+            .collect();
+        let mean = |s| take(&swing, s, None).unwrap();
+        assert!(
+            (mean(Statistic::MeanPeak) - 2.5).abs() < 1e-9,
+            "{}",
+            mean(Statistic::MeanPeak)
+        );
+        assert!((mean(Statistic::MeanTrough) + 2.5).abs() < 1e-9);
+        assert_eq!(take(&[0.0, 1.0, 0.0], Statistic::MeanPeak, None), None);
+    }
+
+    #[test]
+    fn settling_and_rising() {
+        let fall: Vec<f64> = (0..200).map(|i| (-f64::from(i) / 10.0).exp()).collect();
+        let settled = take(&fall, Statistic::SettlingTime, None).unwrap();
+        assert!((settled - 10.0 * 50f64.ln()).abs() < 0.1, "{settled}");
+        let risen = take(&fall, Statistic::RiseTime, None).unwrap();
+        assert!((risen - 10.0 * 10f64.ln()).abs() < 0.1, "{risen}");
+        assert_eq!(take(&[3.0, 0.0, 5.0], Statistic::Rate, None), Some(1.0));
+    }
+}
