@@ -1,8 +1,8 @@
 //! Setting a table into a width.
 //!
-//! Three ways, the first that fits: *flat*, a row a line, wide words wrapped; *two-storeyed*, the
-//! first column on a line of its own above the others; *records*, a line a cell, each with its head.
-//! Numbers are never cut or wrapped in any of them.
+//! Three ways: *flat*, a row a line, wide words wrapped; *two-storeyed*, the first column on a line of its own above
+//! the others; *records*, a line a cell, each with its head. Of the first two the shorter is taken, and the
+//! flat one of two that are alike; records only where neither fits. Numbers are never cut or wrapped in any of them.
 
 use unicode_width::UnicodeWidthStr;
 
@@ -11,6 +11,9 @@ use super::{Align, CellInk, Table};
 
 /// Blanks between columns.
 const GAP: usize = 2;
+
+/// Blanks between columns where the table does not fit otherwise.
+const NARROW_GAP: usize = 1;
 
 /// Words up to this width are not broken to make a table fit.
 const WORD: usize = 10;
@@ -91,23 +94,42 @@ impl Table {
 
     fn add_body(&self, lines: &mut Vec<Line>, width: usize) {
         let all: Vec<usize> = (0..self.columns.len()).collect();
-        if let Some(grid) = Grid::fit(self, &all, width) {
-            grid.head(self, lines);
-            for row in 0..self.rows.len() {
-                grid.row(self, row, 0, lines);
+        let flat = Grid::fit(self, &all, width, GAP).map(|grid| self.flat(&grid));
+        let inner = width.saturating_sub(GAP);
+        let storeyed = || {
+            let grid = Grid::fit(self, &all[1..], inner, GAP)
+                .or_else(|| Grid::fit(self, &all[1..], inner, NARROW_GAP))?;
+            Some(self.two_storeys(&grid, width))
+        };
+        let body = match flat {
+            // Nothing is shorter than a line a row.
+            Some(flat) if flat.iter().filter(|line| line.is_row()).count() == self.rows.len() => {
+                flat
             }
-        } else if let Some(grid) = Grid::fit(self, &all[1..], width.saturating_sub(GAP)) {
-            self.two_storeys(&grid, lines, width);
-        } else {
-            self.records(lines, width);
+            Some(flat) => storeyed()
+                .filter(|storeyed| storeyed.len() < flat.len())
+                .unwrap_or(flat),
+            None => storeyed().unwrap_or_else(|| self.records(width)),
+        };
+        lines.extend(body);
+    }
+
+    /// A row a line.
+    fn flat(&self, grid: &Grid) -> Vec<Line> {
+        let mut lines = Vec::new();
+        grid.head(self, &mut lines);
+        for row in 0..self.rows.len() {
+            grid.row(self, row, 0, &mut lines);
         }
+        lines
     }
 
     /// The first column above the others, which stand a little to the right.
-    fn two_storeys(&self, grid: &Grid, lines: &mut Vec<Line>, width: usize) {
-        self.add_text(lines, LineKind::Head, &self.columns[0].head, width);
+    fn two_storeys(&self, grid: &Grid, width: usize) -> Vec<Line> {
+        let mut lines = Vec::new();
+        self.add_text(&mut lines, LineKind::Head, &self.columns[0].head, width);
         let start = lines.len();
-        grid.head(self, lines);
+        grid.head(self, &mut lines);
         for line in &mut lines[start..] {
             line.pieces.insert(0, plain(" ".repeat(GAP)));
         }
@@ -120,12 +142,14 @@ impl Table {
                     pieces: vec![Piece { text, ink }],
                 });
             }
-            grid.row(self, row, GAP, lines);
+            grid.row(self, row, GAP, &mut lines);
         }
+        lines
     }
 
     /// A line a cell, `head: text`, a blank line between rows.
-    fn records(&self, lines: &mut Vec<Line>, width: usize) {
+    fn records(&self, width: usize) -> Vec<Line> {
+        let mut lines = Vec::new();
         for row in 0..self.rows.len() {
             if row > 0 {
                 lines.push(blank());
@@ -141,11 +165,20 @@ impl Table {
                 }
             }
         }
+        lines
+    }
+}
+
+impl Line {
+    fn is_row(&self) -> bool {
+        matches!(self.kind, LineKind::Row(_))
     }
 }
 
 /// Columns side by side.
 struct Grid {
+    /// Blanks between them.
+    gap: usize,
     columns: Vec<GridColumn>,
 }
 
@@ -160,10 +193,10 @@ struct GridColumn {
 
 impl Grid {
     /// The columns made to fit; absent when they cannot.
-    fn fit(table: &Table, numbers: &[usize], width: usize) -> Option<Self> {
+    fn fit(table: &Table, numbers: &[usize], width: usize, gap: usize) -> Option<Self> {
         let mut columns: Vec<GridColumn> = numbers.iter().map(|n| measure(table, *n)).collect();
         let least: Vec<usize> = columns.iter().map(|c| least(table, c)).collect();
-        let gaps = GAP * columns.len().saturating_sub(1);
+        let gaps = gap * columns.len().saturating_sub(1);
         let total = |columns: &[GridColumn]| columns.iter().map(|c| c.width).sum::<usize>() + gaps;
         while total(&columns) > width {
             // The widest of those that can still shrink gives way.
@@ -172,7 +205,7 @@ impl Grid {
             let (column, _) = shrinking.max_by_key(|(column, _)| column.width)?;
             column.width -= 1;
         }
-        Some(Self { columns })
+        Some(Self { gap, columns })
     }
 
     /// The heads, bottom-aligned, and a rule.
@@ -196,13 +229,13 @@ impl Grid {
             });
             lines.push(Line {
                 kind: LineKind::Head,
-                pieces: gapped(pieces),
+                pieces: self.gapped(pieces),
             });
         }
         let rules = self.columns.iter().map(|c| plain("-".repeat(c.width)));
         lines.push(Line {
             kind: LineKind::Rule,
-            pieces: gapped(rules),
+            pieces: self.gapped(rules),
         });
     }
 
@@ -225,7 +258,7 @@ impl Grid {
                     ink: *ink,
                 }
             });
-            let mut pieces = gapped(pieces);
+            let mut pieces = self.gapped(pieces);
             if indent > 0 {
                 pieces.insert(0, plain(" ".repeat(indent)));
             }
@@ -234,6 +267,17 @@ impl Grid {
                 pieces,
             });
         }
+    }
+
+    fn gapped(&self, pieces: impl Iterator<Item = Piece>) -> Vec<Piece> {
+        let mut row = Vec::new();
+        for piece in pieces {
+            if !row.is_empty() {
+                row.push(plain(" ".repeat(self.gap)));
+            }
+            row.push(piece);
+        }
+        row
     }
 }
 
@@ -330,17 +374,6 @@ fn point(text: &str) -> Option<usize> {
     let digits = text[first..].find(|c: char| !c.is_ascii_digit());
     let end = digits.map_or(text.len(), |digits| first + digits);
     Some(text[..end].width())
-}
-
-fn gapped(pieces: impl Iterator<Item = Piece>) -> Vec<Piece> {
-    let mut row = Vec::new();
-    for piece in pieces {
-        if !row.is_empty() {
-            row.push(plain(" ".repeat(GAP)));
-        }
-        row.push(piece);
-    }
-    row
 }
 
 fn plain(text: String) -> Piece {
