@@ -1,8 +1,10 @@
 //! Charts as people see them, and what must hold at any size and for any data.
 
+use std::f64::consts::TAU;
+
 use proptest::prelude::*;
 use seacable::report::chart::{
-    Axis, Chart, Glyphs, Ink, Limit, LimitLine, PictureCell, Series, draw, marker, readout,
+    Axis, Chart, Glyphs, Ink, Limit, LimitLine, Map, PictureCell, Series, draw, marker, readout,
 };
 
 /// Accepted pictures live in the top-level `snapshots/`, named by what they show.
@@ -96,6 +98,64 @@ fn a_trajectory_to_equal_scale() {
         "chart_trajectory_60x24_ascii",
         &draw(&chart, 60, 24, Glyphs::Ascii).to_text(),
     );
+}
+
+/// A wave of period 10 s and length 60 m on a line of 120 m that comes back with this share of its amplitude.
+fn waves(back: f64) -> Chart {
+    let x: Vec<f64> = (0..=60).map(f64::from).collect();
+    let y: Vec<f64> = (0..=40).map(|i| 3.0 * f64::from(i)).collect();
+    let height = |t: f64, s: f64| {
+        let (time, place) = (TAU * t / 10.0, TAU * s / 60.0);
+        (time + place).cos() + back * (time - place).cos()
+    };
+    let values = x.iter().flat_map(|t| y.iter().map(|s| height(*t, *s)));
+    let values = values.collect();
+    Chart {
+        title: format!("A wave and {back} of it coming back"),
+        x: Axis {
+            range: Some((0.0, 60.0)),
+            ..Axis::new("time", "s")
+        },
+        y: Axis {
+            range: Some((0.0, 120.0)),
+            ..Axis::new("arc length", "m")
+        },
+        map: Some(Map {
+            x,
+            y,
+            values,
+            of: Axis::new("displacement", "D"),
+        }),
+        ..Chart::default()
+    }
+}
+
+#[test]
+fn stripes_lean_where_waves_travel_and_stand_upright_where_they_stand() {
+    let mut all = String::new();
+    for (back, glyphs) in [
+        (0.0, Glyphs::Braille),
+        (0.0, Glyphs::Ascii),
+        (1.0, Glyphs::Ascii),
+    ] {
+        all.push_str(&draw(&waves(back), 80, 24, glyphs).to_text());
+        all.push('\n');
+    }
+    accept("chart_map_80x24", &all);
+}
+
+#[test]
+fn a_map_is_read_at_both_cursors() {
+    let chart = Chart {
+        cursor: Some(20.0),
+        cursor_y: Some(60.0),
+        ..waves(0.5)
+    };
+    let read = readout(&chart, 20.0).remove(0);
+    assert_eq!(read.words("s"), "displacement at 60 m 1.5 D");
+    let inks = draw(&chart, 80, 24, Glyphs::Braille);
+    assert!(inks.cells.iter().any(|cell| cell.ink == Ink::Shade(2)));
+    assert!(inks.cells.iter().any(|cell| cell.ink == Ink::Shade(-2)));
 }
 
 #[test]
@@ -233,6 +293,7 @@ prop_compose! {
         cursor in prop::option::of(value()),
         equal_scale in any::<bool>(),
         title in "(|Title|ein längerer Titel 漢字)",
+        field in prop::option::of((prop::collection::vec(value(), 6), value(), value())),
     ) -> Chart {
         let series = series.into_iter().map(|(points, slot, dimmed, visible)| {
             Series { dimmed, visible, ..Series::new("a series", slot, points) }
@@ -245,6 +306,13 @@ prop_compose! {
                 Limit { label: "limit".to_owned(), line: LimitLine::Vertical(limit) },
             ],
             legend: true,
+            cursor_y: field.as_ref().map(|(_, first, _)| *first),
+            map: field.map(|(values, first, step)| Map {
+                x: vec![first, first + step.abs()],
+                y: vec![0.0, 1.0, 2.0],
+                values,
+                of: Axis::new("height", "m"),
+            }),
         }
     }
 }

@@ -9,7 +9,7 @@ use nalgebra::DMatrix;
 use proptest::prelude::*;
 use seacable::case::Case;
 use seacable::linalg::{BlockBand, V3};
-use seacable::modes::{Found, Kind, Pencil, lowest, of_case};
+use seacable::modes::{Found, Kind, Medium, Pencil, lowest, of_case};
 use seacable::solve::{Factors, System};
 
 use lines::line;
@@ -413,4 +413,104 @@ proptest! {
             }
         }
     }
+}
+
+#[test]
+fn an_inclined_cable() {
+    // Irvine 1981, sec. 2.6 and 3.2: a shallow cable between points at different heights rings as a level one along its chord,
+    // under the weight across the chord and the tension at the middle.
+    let (slope, chord) = (30.0_f64.to_radians(), 100.0);
+    for ea in [1.0e8, 1.0e10] {
+        let pull = 1.0e5;
+        let across = 2.0 * 9.81 * slope.cos();
+        let sag = across * chord / (8.0 * pull);
+        let length = chord * (1.0 + 8.0 / 3.0 * sag * sag) / (1.0 + pull / ea);
+        let case = line(&format!(
+            "environment.gravity_m_per_s2 = 9.81
+             materials.rope.ea_n = {ea:.1}
+             line.length_m = {length}
+             line.segments = 200
+             ends.b.kind = \"fixed\"
+             ends.b.position_m = [{}, 0.0, {}]",
+            chord * slope.cos(),
+            chord * slope.sin()
+        ));
+        let found = of_case(&case, 6).unwrap();
+        let tension = found.scene.tensions(&found.rest)[100];
+        let mass = 2.0 * length / chord;
+        let load = mass * 9.81 * slope.cos() * chord / tension;
+        let lambda2 = load * load * ea / tension / (1.0 + load * load / 8.0);
+        let string = (tension / mass).sqrt() / chord / TAU;
+        let within = of_kind(&found, Kind::InPlane);
+        for exact in [symmetric_root(lambda2) * string, TAU * string] {
+            let off = within.iter().map(|f| (f / exact - 1.0).abs());
+            let nearest = off.fold(1.0, f64::min);
+            assert!(nearest < 1e-3, "{ea}: {within:?} {exact} lambda² {lambda2}");
+        }
+    }
+}
+
+#[test]
+fn a_beam_under_tension() {
+    // Hinged at both ends: m omega² = EI k⁴ + T k², k = n pi / L, exactly.
+    let on = |segments: usize| {
+        of_case(
+            &line(&format!(
+                "materials.rope.wet_weight_kg_per_m = 0.0
+                 materials.rope.ei_n_m2 = 2.0e4
+                 materials.rope.ea_n = 1.0e7
+                 line.segments = {segments}
+                 ends.b.kind = \"fixed\"
+                 ends.b.position_m = [100.1, 0.0, 0.0]"
+            )),
+            8,
+        )
+        .unwrap()
+    };
+    let exact = |n: usize| {
+        let (k, mass) = (n as f64 * PI / 100.1, 2.0 * 100.0 / 100.1);
+        ((2.0e4 * k.powi(4) + 1.0e4 * k * k) / mass).sqrt() / TAU
+    };
+    let found = on(200);
+    for kind in [Kind::InPlane, Kind::OutOfPlane] {
+        for (n, frequency) in of_kind(&found, kind).iter().enumerate() {
+            // The bend is felt over unstretched lengths, a thousandth shorter.
+            assert!(
+                (frequency / exact(n + 1) - 1.0).abs() < 2e-3,
+                "{n}: {frequency}"
+            );
+        }
+    }
+    let errors = [25, 50, 100].map(|n| frequencies(&on(n))[6] / frequencies(&on(400))[6] - 1.0);
+    second_order("beam under tension", &errors.map(f64::abs));
+    let medium = Medium::of(&found.scene, &found.rest).unwrap();
+    for n in 1..5 {
+        assert!((medium.frequency_hz(n).unwrap() / exact(n) - 1.0).abs() < 1e-3);
+    }
+}
+
+#[test]
+fn wkb_theory_nears_the_modes_of_an_upright_line_as_they_rise() {
+    // 100 m upright under 500 N at its foot and 2462 N at its head.
+    let case = line(
+        "environment.gravity_m_per_s2 = 9.81
+         materials.rope.ea_n = 1.0e9
+         line.segments = 800
+         ends.a.position_m = [0.0, 0.0, 100.000148]
+         ends.b.kind = \"fixed\"
+         ends.b.position_m = [0.0, 0.0, 0.0]",
+    );
+    let found = of_case(&case, 16).unwrap();
+    let medium = Medium::of(&found.scene, &found.rest).unwrap();
+    assert!((medium.tension[800] - 500.0).abs() < 10.0);
+    let all = of_kind(&found, Kind::InPlane);
+    let off: Vec<f64> = all
+        .iter()
+        .enumerate()
+        .map(|(n, f)| (medium.frequency_hz(n + 1).unwrap() / f - 1.0).abs())
+        .collect();
+    assert!(
+        off[0] < 2e-2 && off[3] < 2e-3 && off[3] < 0.2 * off[0],
+        "{off:?}"
+    );
 }

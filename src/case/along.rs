@@ -26,11 +26,20 @@ pub enum AlongLine {
     RmsDiameters,
     /// Share of the motion at the driving period that travels, 1 towards end A, -1 towards end B, 0 standing \[-\].
     Travelling,
+    /// Standing wave ratio of the motion at the driving period, 1 where all of it travels \[-\].
+    StandingWaveRatio,
+    /// Local wavelength of the motion at the driving period \[m\].
+    Wavelength,
+    /// The same by WKB theory of the line at rest \[m\].
+    WkbWavelength,
 }
+
+/// The name under which a run tells from when on its response is steady, where a channel would stand.
+pub const STEADY: &str = "response_steady_s";
 
 impl AlongLine {
     /// All of them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 13] = [
         Self::Tension,
         Self::Height,
         Self::Curvature,
@@ -41,6 +50,9 @@ impl AlongLine {
         Self::RmsDisplacement,
         Self::RmsDiameters,
         Self::Travelling,
+        Self::StandingWaveRatio,
+        Self::Wavelength,
+        Self::WkbWavelength,
     ];
 
     /// Its name, where a channel would stand: `tension_n` in `tension_n.max`.
@@ -57,6 +69,9 @@ impl AlongLine {
             Self::RmsDisplacement => "rms_displacement_m",
             Self::RmsDiameters => "rms_displacement_d",
             Self::Travelling => "travelling",
+            Self::StandingWaveRatio => "standing_wave_ratio",
+            Self::Wavelength => "wavelength_m",
+            Self::WkbWavelength => "wkb_wavelength_m",
         }
     }
 
@@ -65,8 +80,12 @@ impl AlongLine {
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Tension => "N",
-            Self::Height | Self::BendRadius | Self::RmsDisplacement => "m",
-            Self::RmsDiameters | Self::Travelling => "-",
+            Self::Height
+            | Self::BendRadius
+            | Self::RmsDisplacement
+            | Self::Wavelength
+            | Self::WkbWavelength => "m",
+            Self::RmsDiameters | Self::Travelling | Self::StandingWaveRatio => "-",
             Self::Curvature => "1/m",
             Self::Moment => "N m",
             Self::MeanLoad => "%",

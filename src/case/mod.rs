@@ -19,7 +19,7 @@ mod read;
 pub mod shipped;
 mod tree;
 
-pub use along::{AlongLine, bends};
+pub use along::{AlongLine, STEADY, bends};
 pub use carried::stand_alone;
 pub use channels::{Channel, LineEnd, RopeQuantity, Source, channels};
 pub use diagnostic::{Diagnostic, render_all};

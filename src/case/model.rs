@@ -22,7 +22,9 @@ pub use line::{
     Clump, DragLaw, DragLawName, DragWidth, DynamicStiffness, Floats, Material, Modules, Section,
     Traveller,
 };
-pub use sea::{DecayName, SpectrumName, StretchingName, WaterSurface, WaveKind, Waves};
+pub use sea::{
+    DecayName, SpectrumName, StretchingName, WaterSurface, WaveKind, WaveLoadName, Waves,
+};
 pub use settings::{FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartShape};
 
 /// Everything a case file says.

@@ -10,14 +10,17 @@
 //! * [`lowest`]: their lowest eigenpairs, by a shift-invert block Lanczos method with a count that none is missing.
 //! * [`Mode`]: an eigenpair with what tells it apart: share of motion out of the line's plane and along the line, half
 //!   waves.
+//! * [`Medium`]: local wave numbers, amplitudes and frequencies by WKB theory.
 //! * [`of_case`]: all of it for a case, errors estimated from half the mesh.
 
 mod find;
 mod lanczos;
 mod pencil;
 mod shape;
+mod wkb;
 
 pub use find::{Failure, Found, Named, of_case};
 pub use lanczos::{Eigenpair, NotFound, lowest};
 pub use pencil::Pencil;
 pub use shape::{Kind, Mode, Plane, modes_of};
+pub use wkb::{Medium, Wave, wave_number};

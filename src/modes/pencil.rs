@@ -68,6 +68,12 @@ impl Pencil {
         self.mass.len()
     }
 
+    /// The mass of a node, added mass included \[kg\].
+    #[must_use]
+    pub fn mass(&self, node: usize) -> &M3 {
+        &self.mass[node]
+    }
+
     /// `y = M x` on the free nodes; the others are left as they are.
     pub fn multiply_mass(&self, x: &[V3], y: &mut [V3]) {
         for i in self.free() {

@@ -49,6 +49,15 @@ impl Plane {
     }
 }
 
+impl Plane {
+    /// Unit vectors across a line through these points, in the plane.
+    #[must_use]
+    pub fn across(&self, points: &[V3]) -> Vec<V3> {
+        let across = |t: V3| self.normal.cross(&t).try_normalize(0.0).unwrap_or_default();
+        tangents(points).into_iter().map(across).collect()
+    }
+}
+
 /// What a mode does mostly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {

@@ -7,5 +7,6 @@ pub mod modes;
 pub mod nodes;
 pub mod number;
 pub mod plain;
+pub mod response;
 pub mod table;
 pub mod text;

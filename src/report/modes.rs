@@ -5,13 +5,22 @@ use std::fmt::Write as _;
 use super::chart::{Axis, Chart, Series, extent};
 use super::number::{digits, rounded};
 use super::table::{Cell, CellInk, Column, Table};
-use crate::modes::{Found, Named};
+use crate::modes::{Found, Kind, Medium, Named};
 
 /// The modes, from the lowest frequency up: frequency and its error from the mesh, period, what moves, which one of its
 /// kind it is, half waves.
 #[must_use]
 pub fn table(found: &Found) -> Table {
-    let rows = found.modes.iter().enumerate().map(|(i, m)| cells(i, m));
+    let medium = Medium::of(&found.scene, &found.rest);
+    let wkb = |mode: &Named| {
+        let across = matches!(mode.mode.kind, Kind::InPlane | Kind::OutOfPlane);
+        medium
+            .as_ref()
+            .filter(|_| across)?
+            .frequency_hz(mode.of_kind)
+    };
+    let rows = found.modes.iter().enumerate();
+    let rows = rows.map(|(i, mode)| cells(i, mode, wkb(mode)));
     Table {
         title: String::new(),
         columns: vec![
@@ -19,6 +28,7 @@ pub fn table(found: &Found) -> Table {
             Column::decimal("frequency [Hz]"),
             Column::decimal("error [Hz]"),
             Column::decimal("period [s]"),
+            Column::decimal("WKB [Hz]"),
             Column::left("moves"),
             Column::right("of kind"),
             Column::right("half waves"),
@@ -29,7 +39,7 @@ pub fn table(found: &Found) -> Table {
     }
 }
 
-fn cells(index: usize, named: &Named) -> Vec<Cell> {
+fn cells(index: usize, named: &Named, wkb: Option<f64>) -> Vec<Cell> {
     let mode = &named.mode;
     let frequency = mode.frequency_hz();
     let (shown, ink) = if mode.eigenvalue > 0.0 {
@@ -47,6 +57,7 @@ fn cells(index: usize, named: &Named) -> Vec<Cell> {
         Cell::new(shown, ink),
         Cell::plain(error.map_or_else(|| "unknown".to_owned(), |e| digits(e, 2))),
         Cell::plain(period.unwrap_or_else(dash)),
+        Cell::plain(wkb.map_or_else(dash, |hz| digits(hz, 4))),
         Cell::plain(mode.kind.words()),
         Cell::plain(named.of_kind.to_string()),
         Cell::plain(mode.half_waves.to_string()),
@@ -58,6 +69,9 @@ fn notes(found: &Found) -> Vec<String> {
     let mut notes = vec![
         "Small motions about the line at rest, added mass included, drag left out. Errors are those of the mesh, from half \
          the segments."
+            .to_owned(),
+        "WKB: where the phase of a wave along the line, hinged at its ends, turns by n pi; leaves out its bow and its stretch, \
+         which raise or lower the first modes in the plane."
             .to_owned(),
     ];
     let count = |some: fn(f64) -> bool| {

@@ -1,11 +1,12 @@
 //! Single numbers taken of the whole line: extremes and where they lie, falls, turns.
 
 use super::Profile;
+use super::opposed::standing_wave_ratio;
 use super::response::travelling;
 use crate::case::{AlongLine, Statistic};
 
 /// What every run summarises of its line.
-pub(super) const ALWAYS: [(AlongLine, Statistic); 17] = [
+pub(super) const ALWAYS: [(AlongLine, Statistic); 18] = [
     (AlongLine::Tension, Statistic::Max),
     (AlongLine::Tension, Statistic::ArcOfMax),
     (AlongLine::Tension, Statistic::Min),
@@ -23,6 +24,7 @@ pub(super) const ALWAYS: [(AlongLine, Statistic); 17] = [
     (AlongLine::RmsDiameters, Statistic::Max),
     (AlongLine::RmsDiameters, Statistic::ArcOfMax),
     (AlongLine::Travelling, Statistic::Mean),
+    (AlongLine::StandingWaveRatio, Statistic::Mean),
 ];
 
 /// A turn by less than this share of the whole range is not counted.
@@ -30,7 +32,8 @@ const SMALL_TURN: f64 = 0.01;
 
 /// A statistic of a quantity along the line, or along a stretch of it \[m\]; nothing where it was not recorded, is not
 /// finite, or the line has no such stretch.
-pub(super) fn evaluate(
+#[must_use]
+pub fn evaluate(
     profile: &Profile,
     quantity: AlongLine,
     statistic: Statistic,
@@ -60,6 +63,12 @@ pub(super) fn evaluate(
         let (_, sin) = cut(profile.wave_sin.clone())?;
         let share = || travelling(&arc, &cos, &sin);
         return (statistic == Statistic::Mean).then(share).flatten();
+    }
+    if quantity == AlongLine::StandingWaveRatio {
+        let mean = |values: &Vec<f64>| cut(values.clone()).and_then(|(arc, v)| mean(&arc, &v));
+        let both = || mean(&profile.towards_a).zip(mean(&profile.towards_b));
+        let both = (statistic == Statistic::Mean).then(both).flatten();
+        return both.and_then(|(a, b)| standing_wave_ratio(a, b));
     }
     let at_end = || cut(at_end(profile, quantity));
     let value = match statistic {
@@ -99,8 +108,10 @@ fn at_end(profile: &Profile, quantity: AlongLine) -> Vec<f64> {
         AlongLine::Stiffness => profile.ropes.stiffness.clone(),
         AlongLine::RmsDisplacement => profile.rms.clone(),
         AlongLine::RmsDiameters => profile.rms_diameters.clone(),
+        AlongLine::Wavelength => wavelengths(&profile.wave_number),
+        AlongLine::WkbWavelength => wavelengths(&profile.wkb_number),
         // Not of a node, but of a stretch.
-        AlongLine::Travelling => Vec::new(),
+        AlongLine::Travelling | AlongLine::StandingWaveRatio => Vec::new(),
     }
 }
 
@@ -116,6 +127,9 @@ fn most(profile: &Profile, quantity: AlongLine) -> Vec<f64> {
         | AlongLine::MeanLoad
         | AlongLine::RmsDisplacement
         | AlongLine::RmsDiameters
+        | AlongLine::Wavelength
+        | AlongLine::WkbWavelength
+        | AlongLine::StandingWaveRatio
         | AlongLine::Travelling => at_end(profile, quantity),
     }
 }
@@ -131,6 +145,10 @@ fn least(profile: &Profile, quantity: AlongLine) -> Vec<f64> {
     }
 }
 
+fn wavelengths(numbers: &[f64]) -> Vec<f64> {
+    numbers.iter().map(|k| std::f64::consts::TAU / k).collect()
+}
+
 fn radii(curvatures: &[f64]) -> Vec<f64> {
     curvatures.iter().map(|c| 1.0 / c).collect()
 }
@@ -143,11 +161,7 @@ fn cut(arc: &[f64], values: &[f64], [from, to]: [f64; 2]) -> Option<(Vec<f64>, V
     if values.len() != arc.len() || from < first - slop || to > last + slop || from > to {
         return None;
     }
-    let at = |s: f64| {
-        let after = arc.partition_point(|a| *a < s).clamp(1, arc.len() - 1);
-        let share = (s - arc[after - 1]) / (arc[after] - arc[after - 1]);
-        values[after - 1] + share.clamp(0.0, 1.0) * (values[after] - values[after - 1])
-    };
+    let at = |s: f64| value_at(arc, values, s);
     let inner = arc
         .iter()
         .zip(values)
@@ -156,6 +170,13 @@ fn cut(arc: &[f64], values: &[f64], [from, to]: [f64; 2]) -> Option<(Vec<f64>, V
     points.extend(inner.map(|(a, v)| (*a, *v)));
     points.push((to, at(to)));
     Some(points.into_iter().unzip())
+}
+
+/// The value at an arc length, straight between the nodes; there are at least two.
+pub(super) fn value_at(arc: &[f64], values: &[f64], s: f64) -> f64 {
+    let after = arc.partition_point(|a| *a < s).clamp(1, arc.len() - 1);
+    let share = (s - arc[after - 1]) / (arc[after] - arc[after - 1]);
+    values[after - 1] + share.clamp(0.0, 1.0) * (values[after] - values[after - 1])
 }
 
 /// Average over arc length by trapezes; over no length: the value there.

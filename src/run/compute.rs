@@ -7,10 +7,12 @@ use rustix::time::{ClockId, clock_gettime};
 use super::job::Event;
 use super::marching::{Ended, From, march, phases};
 use super::modes;
+use super::opposed;
 use super::recorder::Recorder;
 use super::rest::come_to_rest;
 use super::settings::{position_tolerance, settings, tell_damping};
 use super::statistic::Wanted;
+use super::steady;
 use super::{Cost, History, LineShape, Profile, Quantity, Resume, RunState, Settings, Work};
 use crate::case::{Case, Method, WaterSurface};
 use crate::dynamics::alpha::{Alpha, Control};
@@ -34,7 +36,7 @@ pub(super) struct Computed {
     /// The single numbers wanted, and what they are; absent where they cannot be taken.
     pub(super) wanted: Vec<Wanted>,
     pub(super) numbers: Vec<Option<f64>>,
-    /// What is told of natural modes, without errors.
+    /// What is told of natural modes and of when the motion is steady, without errors.
     pub(super) modes: Vec<Quantity>,
 }
 
@@ -119,6 +121,7 @@ fn compute_on(
     let mut recorder = Recorder::new(case, &phases[0], events, &stop);
     let ended = solve(case, &phases, &settings, &mut recorder, &mut warnings, from);
     recorder.finish();
+    opposed::tell(case, &phases[0], &mut recorder.profile);
     let cost = Cost {
         cpu_s: cpu_time() - cpu,
         wall_s: wall.elapsed().as_secs_f64(),
@@ -126,10 +129,11 @@ fn compute_on(
     };
     tell_damping(&mut settings, &phases[0], ended.work.steps);
     warnings.extend(out_of_water(case, &recorder.profile));
-    let modes = modes::numbers(case, &phases[0]).unwrap_or_else(|why| {
+    let mut modes = modes::numbers(case, &phases[0]).unwrap_or_else(|why| {
         warnings.push(format!("natural modes are not told: {why}"));
         Vec::new()
     });
+    modes.extend(steady::number(case, recorder.kept.shapes()));
     let Recorder {
         kept,
         gather,

@@ -19,6 +19,8 @@ pub(super) struct Estimates {
     mesh: Vec<Option<f64>>,
     /// What is told of natural modes.
     modes: Vec<Quantity>,
+    /// Error of the root mean square displacements, node by node \[m\], time and mesh together.
+    pub(super) rms: Vec<f64>,
     /// How they were made, in words.
     pub(super) method: String,
     /// What went wrong, in words.
@@ -36,6 +38,9 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
     );
     let coarse_modes = coarse.as_ref().map_or(&[][..], |c| &c.modes);
     let modes = modes::with_errors(&run.modes, coarse_modes, ratio);
+    let by_step = 2f64.powi(order.unwrap_or(0)) - 1.0;
+    let others = [(&slow, by_step), (&coarse, ratio * ratio - 1.0)];
+    let rms = rms_error(run, others.map(|(other, by)| (other.as_ref(), by)));
     let mut warnings = Vec::new();
     if coarse.is_none() {
         warnings
@@ -48,7 +53,7 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
             differences(run, &other, divisor, what, &mut warnings)
         })
     };
-    let time = compare(slow, 2f64.powi(order.unwrap_or(0)) - 1.0, "time");
+    let time = compare(slow, by_step, "time");
     let mut mesh = compare(coarse, ratio * ratio - 1.0, "mesh");
     for (error, w) in mesh.iter_mut().zip(&run.wanted) {
         *error = error.map(|e| e.max(along::resolution(&run.profile, w.statistic)));
@@ -57,9 +62,29 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
         time,
         mesh,
         modes,
+        rms,
         method: describe(case, order, ratio),
         warnings,
     }
+}
+
+/// Errors of the root mean square displacements: sums of the differences from the companions, each by its divisor.
+fn rms_error(run: &Computed, others: [(Option<&Computed>, f64); 2]) -> Vec<f64> {
+    let arc = &run.profile.arc;
+    let told = |other: &Computed| other.profile.rms.len() == other.profile.arc.len();
+    let others = others
+        .into_iter()
+        .filter_map(|(other, by)| Some((&other.filter(|o| told(o))?.profile, by)));
+    let others: Vec<_> = others.filter(|(other, _)| other.arc.len() > 1).collect();
+    if others.is_empty() {
+        return Vec::new();
+    }
+    let error = |(s, rms): (&f64, &f64)| {
+        let each = others.iter();
+        each.map(|(other, by)| (along::value_at(&other.arc, &other.rms, *s) - rms).abs() / by)
+            .sum()
+    };
+    arc.iter().zip(&run.profile.rms).map(error).collect()
 }
 
 /// How the errors are estimated, in words.

@@ -144,6 +144,7 @@ pub fn execute_from(
         estimated = errors::estimate(&request.case, &computed, cancel);
     }
     computed.settings.error_method = estimated.method.clone();
+    computed.profile.rms_error = std::mem::take(&mut estimated.rms);
     let checks = limits::check(&request.case, &computed.profile);
     let exceeded = checks.iter().flat_map(limits::Check::warnings);
     computed.warnings.extend(exceeded);

@@ -223,6 +223,24 @@ pub struct Profile {
     pub wave_cos: Vec<f64>,
     /// Its imaginary part \[m\]; likewise.
     pub wave_sin: Vec<f64>,
+    /// Numerical error of the root mean squares \[m\]; empty where it was not estimated.
+    #[serde(default)]
+    pub rms_error: Vec<f64>,
+    /// Local wave number of the motion at the driving period \[1/m\]; empty where nothing drives the line at one.
+    #[serde(default)]
+    pub wave_number: Vec<f64>,
+    /// The same by WKB theory of the line at rest \[1/m\]; likewise.
+    #[serde(default)]
+    pub wkb_number: Vec<f64>,
+    /// Amplitude of a wave by WKB theory, without drag, the greatest 1 \[-\]; likewise.
+    #[serde(default)]
+    pub wkb_amplitude: Vec<f64>,
+    /// Amplitude of what runs towards end A at the driving period \[m\]; likewise.
+    #[serde(default)]
+    pub towards_a: Vec<f64>,
+    /// Amplitude of what runs towards end B \[m\]; likewise.
+    #[serde(default)]
+    pub towards_b: Vec<f64>,
 }
 
 impl Profile {
@@ -230,6 +248,21 @@ impl Profile {
     #[must_use]
     pub fn bends(&self) -> bool {
         !self.moment.is_empty()
+    }
+
+    /// Diameters of the nodes \[m\], where root mean squares tell them: of a node at rest, that of its neighbour.
+    #[must_use]
+    pub fn diameters(&self) -> Option<Vec<f64>> {
+        let pairs = self.rms.iter().zip(&self.rms_diameters);
+        let told: Vec<Option<f64>> = pairs
+            .map(|(rms, by)| (*by > 0.0).then(|| rms / by))
+            .collect();
+        let mut last = told.iter().copied().flatten().next()?;
+        let of = |here: Option<f64>| {
+            last = here.unwrap_or(last);
+            last
+        };
+        Some(told.into_iter().map(of).collect())
     }
 }
 

@@ -91,16 +91,11 @@ impl Response {
         let by_diameter = profile.rms.iter().zip(diameters);
         profile.rms_diameters = by_diameter.map(|(rms, d)| rms / d).collect();
         let places: Vec<V3> = mean.iter().zip(&self.origin).map(|(m, o)| m + o).collect();
-        let normal = Plane::of(&places).normal;
-        let across = |i: usize| {
-            let last = places.len() - 1;
-            let chord = places[(i + 1).min(last)] - places[i.saturating_sub(1)];
-            normal.cross(&chord).try_normalize(0.0).unwrap_or_default()
-        };
+        let across = Plane::of(&places).across(&places);
         let share = 2.0 / self.count;
         let demodulated = |sums: &[V3], turn: f64| -> Vec<f64> {
             let all = sums.iter().zip(&mean).enumerate();
-            all.map(|(i, (sum, m))| (sum - m * turn).dot(&across(i)) * share)
+            all.map(|(i, (sum, m))| (sum - m * turn).dot(&across[i]) * share)
                 .collect()
         };
         if self.omega.is_some() {

@@ -4,9 +4,10 @@ use super::build::SceneError;
 use super::{Hung, Segment, Water};
 use crate::case::{
     self, Case, DecayName, Method, SpectrumName, StretchingName, WaterSurface, WaveKind,
+    WaveLoadName,
 };
 use crate::physics::sea::{
-    Component, Decay, Setting, Spectrum, Stretching, Waves, synthesise, wave_number,
+    Component, Decay, Setting, Spectrum, Stretching, WaveLoad, Waves, synthesise, wave_number,
 };
 
 /// Waves of more than this share of the greatest steepness are far from what a linear theory describes.
@@ -100,6 +101,10 @@ fn waves(case: &Case, said: &case::Waves) -> Result<Waves, SceneError> {
             DecayName::Logarithmic => Decay::Logarithmic(said.decay_depth_m),
         },
         ramp: said.ramp_s,
+        load: match said.load {
+            WaveLoadName::Morison => WaveLoad::Morison,
+            WaveLoadName::Inertia => WaveLoad::Inertia,
+        },
     };
     Ok(Waves::new(components(said)?, &setting))
 }

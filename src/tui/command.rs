@@ -278,6 +278,7 @@ const CASES: &[Place] = &[Place::Cases];
 const INPUTS: &[Place] = &[Place::Inputs, Place::Keys, Place::RopewayInputs];
 const DRAWING: &[Place] = &[Place::Drawing];
 const TABLES: &[Place] = &[Place::Tables];
+const NODES: &[Place] = &[Place::Nodes];
 const IN_FILE: &[Place] = &[
     Place::Inputs,
     Place::Charts,
@@ -341,6 +342,7 @@ pub const COMMANDS: &[Command] = &[
     command(Id::CursorRight, &["l", "right"], "cursor", "Move the cursor right; on the line's shape: a later instant", CHARTS),
     command(Id::ZoomIn, &["+", "="], "zoom", "Zoom in about the cursor", CHARTS),
     command(Id::NextTable, &["]", "n"], "table", "Show the next table", TABLES),
+    command(Id::NextTable, &["]", "n"], "table", "Show the next table of the line", NODES),
     command(Id::ZoomIn, &["+", "="], "zoom", "Zoom in about the middle", DRAWING),
     command(Id::PanLeft, &["h", "left", "H"], "left", "Show what lies further left", DRAWING),
     command(Id::PanDown, &["j", "down", "{"], "down", "Show what lies lower", DRAWING),
@@ -374,6 +376,7 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Fit, &["0"], "fit", "Show the whole cross-section again", DRAWING),
     command(Id::ZoomOut, &["-"], "", "Zoom out about the middle", DRAWING),
     command(Id::PreviousTable, &["[", "p"], "", "Show the previous table", TABLES),
+    command(Id::PreviousTable, &["[", "p"], "", "Show the previous table of the line", NODES),
     command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", TABLES),
     command(Id::Write, &["w"], "write", "Write the drawing to a text file; from other panes: the drawing and all tables", IN_SECTION),
     command(Id::Write, &["w"], "write", "Write the report of the ropeway to a text file; from the validation pane: its table", IN_ROPEWAY),
@@ -397,8 +400,8 @@ pub const COMMANDS: &[Command] = &[
     command(Id::ZoomOut, &["-"], "", "Zoom out about the cursor", CHARTS),
     command(Id::PanRight, &["L"], "", "Pan right", CHARTS),
     command(Id::PanLeft, &["H"], "", "Pan left", CHARTS),
-    command(Id::PanUp, &["}"], "", "Pan up", CHARTS),
-    command(Id::PanDown, &["{"], "", "Pan down", CHARTS),
+    command(Id::PanUp, &["}"], "", "Pan up; on the map: read the place above", CHARTS),
+    command(Id::PanDown, &["{"], "", "Pan down; on the map: read the place below", CHARTS),
     command(Id::FitUp, &["z"], "", "Fit the height to what is seen", CHARTS),
     command(Id::Mark, &["m"], "", "Set a mark at the cursor, or remove the mark there", CHARTS),
     command(Id::Copy, &["y"], "", "Copy the values at the cursor to the clipboard of your terminal, and write them to a file", CHARTS),

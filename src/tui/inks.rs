@@ -53,6 +53,12 @@ impl Inks {
             Ink::Title => plain.add_modifier(Modifier::BOLD),
             Ink::Series(slot) => self.slot(slot),
             Ink::Dimmed(slot) => self.slot(slot).add_modifier(Modifier::DIM),
+            Ink::Shade(-2) => self.coloured(Color::Blue),
+            Ink::Shade(-1) => self.coloured(Color::Cyan),
+            Ink::Shade(1) => self.coloured(Color::Yellow),
+            Ink::Shade(2) => self.coloured(Color::Red),
+            // Without colour the shades are told apart by their characters alone, all at one weight.
+            Ink::Shade(_) => plain,
             Ink::Cursor => plain.add_modifier(Modifier::BOLD),
             Ink::Limit => self.coloured(Color::Red),
         }

@@ -17,6 +17,7 @@ pub mod drafts;
 mod files;
 pub mod inks;
 pub mod key;
+pub mod line_tables;
 pub mod msg;
 pub mod plot_pane;
 pub mod plots;

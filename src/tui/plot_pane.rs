@@ -81,6 +81,8 @@ pub struct PlotPane {
     /// What is shown along y; absent: everything.
     y: Option<Range>,
     cursor: Option<f64>,
+    /// Where the cursor stands on the y axis of a map.
+    cursor_y: Option<f64>,
     /// Marked places on the x axis, in the order in which they were set.
     marks: Vec<f64>,
     /// Labels of hidden series; labels outlast a new solve, numbers may not.
@@ -127,6 +129,11 @@ impl PlotPane {
         chart.x.range = self.x.or(chart.x.range);
         chart.y.range = self.y.or(chart.y.range);
         chart.cursor = self.cursor.or(chart.cursor);
+        if chart.map.is_some() {
+            // Whoever has not chosen a place reads the middle of the line.
+            let middle = || chart.y.range.map(middle);
+            chart.cursor_y = chart.cursor.and(self.cursor_y.or_else(middle));
+        }
         for series in &mut chart.series {
             series.visible &= !self.hidden.contains(&series.label);
         }
@@ -159,6 +166,8 @@ impl PlotPane {
             PlotVerb::CursorOff => self.cursor = None,
             PlotVerb::PanLeft => self.pan(-0.25, 0.0, base, frame),
             PlotVerb::PanRight => self.pan(0.25, 0.0, base, frame),
+            PlotVerb::PanUp if base.map.is_some() => self.move_place(1.0, base, frame),
+            PlotVerb::PanDown if base.map.is_some() => self.move_place(-1.0, base, frame),
             PlotVerb::PanUp => self.pan(0.0, 0.25, base, frame),
             PlotVerb::PanDown => self.pan(0.0, -0.25, base, frame),
             PlotVerb::ZoomIn => self.zoom(0.5, base, frame),
@@ -212,6 +221,15 @@ impl PlotPane {
             self.x = Some((frame.x.0 + shift, frame.x.1 + shift));
         }
         self.cursor = Some(cursor);
+    }
+
+    /// The place read on a map goes up or down by a fortieth of what is shown; the first time the cursor appears.
+    fn move_place(&mut self, way: f64, base: &Chart, frame: Frame) {
+        let (low, high) = self.whole(base).1;
+        let from = self.cursor_y.unwrap_or_else(|| middle(frame.y));
+        let step = (frame.y.1 - frame.y.0) / 40.0;
+        self.cursor_y = Some((from + way * step).clamp(low, high));
+        self.cursor = self.cursor.or_else(|| Some(middle(frame.x)));
     }
 
     /// Moves the view by parts of itself; never so far that it leaves the data.

@@ -3,9 +3,10 @@
 use super::state::{ChartKind, Curves, OpenCase};
 use crate::report::chart::{Chart, Range};
 use crate::report::figures::{
-    Source, along_studies, curvature_profile, deviation_in_time, line_from_above, line_from_ahead,
-    line_shape, mean_load_in_time, moment_profile, payload_position, speed, stiffness_in_time,
-    stiffness_profile, tension_profile, tensions, tilt, trajectory,
+    MapOf, Source, along_studies, curvature_profile, deviation_in_time, line_from_above,
+    line_from_ahead, line_shape, mean_load_in_time, moment_profile, payload_position, response_map,
+    rms_profile, speed, stiffness_in_time, stiffness_profile, tension_profile, tensions, tilt,
+    trajectory, wave_amplitudes, wavelengths,
 };
 
 /// A run on the charts.
@@ -99,6 +100,14 @@ pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
         ChartKind::Deviation => deviation_in_time(&sources),
         ChartKind::Stiffness => stiffness_in_time(&sources),
         ChartKind::StiffnessAlong => stiffness_profile(&sources),
+        ChartKind::Rms => rms_profile(&sources),
+        ChartKind::Amplitudes => wave_amplitudes(&sources),
+        ChartKind::Wavelengths => wavelengths(&sources),
+        ChartKind::Map => {
+            let of = open.series.and_then(|i| MapOf::ALL.get(i + 1));
+            let from = open.case.output.response_from_s;
+            return response_map(&sources, from, of.copied().unwrap_or(MapOf::Steady));
+        }
     };
     let names = series_names(open, kind);
     let only = match open.series {
@@ -160,13 +169,23 @@ pub fn series_names(open: &OpenCase, kind: ChartKind) -> Vec<String> {
         ChartKind::Deviation => places(open, "load_deviation_percent["),
         ChartKind::Stiffness => places(open, "stiffness_k["),
         ChartKind::Payload => fixed(&["x", "z"]),
+        ChartKind::Amplitudes => fixed(&["motion", "towards A", "towards B", "WKB, no drag"]),
+        ChartKind::Wavelengths => fixed(&["computed", "WKB"]),
+        ChartKind::Map => MapOf::ALL[1..]
+            .iter()
+            .map(|of| of.name().to_owned())
+            .collect(),
         // Lines at rest have one curve each, whose legend names the run.
         _ if shown(open).iter().all(|run| run.source().at_rest()) => Vec::new(),
         ChartKind::Profile | ChartKind::StiffnessAlong => {
             fixed(&["at the end", "smallest", "greatest"])
         }
         ChartKind::Curvature | ChartKind::Moment => fixed(&["at the end", "greatest"]),
-        ChartKind::Path | ChartKind::Shape | ChartKind::Plan | ChartKind::Front => Vec::new(),
+        ChartKind::Path
+        | ChartKind::Shape
+        | ChartKind::Plan
+        | ChartKind::Front
+        | ChartKind::Rms => Vec::new(),
     }
 }
 

@@ -8,6 +8,7 @@
 
 mod desk;
 mod random;
+mod response;
 mod ropeway;
 mod section;
 mod umbilical;

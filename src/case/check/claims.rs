@@ -5,7 +5,7 @@ use super::line::unknown_name;
 use super::spans::{stretch, suits, window};
 use super::value;
 use super::words::{join, nearest, split, unknown_key};
-use crate::case::along::AlongLine;
+use crate::case::along::{AlongLine, STEADY};
 use crate::case::channels::{
     LineEnd, body_channels, energy_channel, force_channels, joint_channels, motion_channels,
     rope_channels, tilt_channel, traveller_channels,
@@ -22,6 +22,8 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
     let mut channels = channel_names(root);
     if let Some(known) = &mut channels {
         known.extend(modal_names(root));
+        let answers = root.find(&["output", "response_from_s"]).is_some();
+        known.extend(answers.then(|| STEADY.to_owned()));
     }
     for list in ["published", "trend"] {
         for (name, row) in named(root, list) {

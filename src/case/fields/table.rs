@@ -222,6 +222,7 @@ pub static FIELDS: &[Field] = &[
     field("waves.stretching",      Choice(&["none", "vertical", "wheeler", "linear"]), "", ANY, Default("\"vertical\""), "stretching", "Above still water: the formula as it stands, as at still water, still water moved to the surface (Wheeler), or a straight line."),
     field("waves.decay",           Choice(&["airy", "airy-cut", "logarithmic"]), "", ANY, Default("\"airy\""), "decay with depth", "Airy's theory, the same ending at decay_depth_m, or 1 - ln(1 + (e - 1) d / decay_depth_m)."),
     field("waves.decay_depth_m",   Number, "m",   Range::positive(2e4),     Default("200.0"), "decay depth", "Depth below which nothing moves, where the decay is not airy."),
+    field("waves.load",            Choice(&["morison", "inertia"]), "", ANY, Default("\"morison\""), "load", "Of the water's motion: velocity and acceleration, or the acceleration alone, with drag as in water that the waves leave still."),
 
     field("seabed.depth_m",               Number, "m",      Range::of(0.0, 2e4),   Required,       "depth", "Depth of the bed below still water, at depth_at_m where it slopes."),
     field("seabed.depth_at_m",            Pair,   "m",      Range::of(-1e6, 1e6),  Default("[0.0, 0.0]"), "place of the depth", "Where the bed has that depth, x and y; matters on a slope."),

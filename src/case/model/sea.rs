@@ -48,6 +48,9 @@ pub struct Waves {
     /// Depth below which nothing moves, for the decays that end \[m\].
     #[serde(default = "decay_depth")]
     pub decay_depth_m: f64,
+    /// What of the water's motion reaches the line.
+    #[serde(default)]
+    pub load: WaveLoadName,
 }
 
 pub(super) fn gamma() -> f64 {
@@ -113,6 +116,17 @@ pub enum DecayName {
     AiryCut,
     /// The logarithm that ends at a depth.
     Logarithmic,
+}
+
+/// What of the water's motion reaches the line.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum WaveLoadName {
+    /// Velocity and acceleration.
+    #[default]
+    Morison,
+    /// The acceleration alone.
+    Inertia,
 }
 
 /// Whether the line leaves the water.

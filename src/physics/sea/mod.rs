@@ -31,4 +31,4 @@ pub use rao::{DEGREES, Rao, RaoError, Response};
 pub use spectrum::Spectrum;
 pub use stretching::Stretching;
 pub use synthesis::synthesise;
-pub use waves::{Flow, Setting, Waves};
+pub use waves::{Flow, Load as WaveLoad, Setting, Waves};

@@ -34,6 +34,18 @@ pub struct Waves {
     decay: Decay,
     /// They grow from nothing over this time \[s\].
     ramp: f64,
+    load: Load,
+}
+
+/// What of the water's motion reaches the line.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Load {
+    /// Velocity and acceleration: Morison's load, drag by the speed relative to the moving water.
+    #[default]
+    Morison,
+    /// The acceleration alone; drag as if the waves left the water still. No law of nature, but how models that prescribe
+    /// the load of the waves by its inertia treat it.
+    Inertia,
 }
 
 /// How waves are carried up to the surface and down to the bed, and how they begin.
@@ -51,6 +63,8 @@ pub struct Setting {
     pub decay: Decay,
     /// They grow from nothing over this time \[s\].
     pub ramp: f64,
+    /// What of the water's motion reaches the line.
+    pub load: Load,
 }
 
 /// What waves make of the water around a place, to first order in the distance from it.
@@ -123,6 +137,7 @@ impl Waves {
             stretching: setting.stretching,
             decay: setting.decay,
             ramp: setting.ramp,
+            load: setting.load,
         }
     }
 
@@ -194,8 +209,10 @@ impl Waves {
         let sums = self.sums(t, along, &reading);
         let (velocity, gradient) = self.turned(&sums, &reading, slope, 0);
         let (acceleration, its_gradient) = self.turned(&sums, &reading, slope, 1);
-        flow.velocity = velocity * r;
-        flow.gradient = gradient * r;
+        if self.load == Load::Morison {
+            flow.velocity = velocity * r;
+            flow.gradient = gradient * r;
+        }
         // The growing of the waves is an acceleration as well.
         flow.acceleration = acceleration * r + velocity * r1;
         flow.acceleration_gradient = its_gradient * r + gradient * r1;
@@ -284,6 +301,7 @@ mod tests {
             stretching: Stretching::Vertical,
             decay: Decay::Airy,
             ramp: 0.0,
+            load: Load::Morison,
         }
     }
 
@@ -313,6 +331,24 @@ mod tests {
             assert!((acceleration - at.acceleration_gradient.column(axis)).norm() < 1e-7);
             assert!((slope - at.slope[axis]).abs() < 1e-7);
         }
+    }
+
+    #[test]
+    fn the_load_of_inertia_leaves_out_the_speed_alone() {
+        let whole = irregular(&setting(300.0));
+        let part = irregular(&Setting {
+            load: Load::Inertia,
+            ..setting(300.0)
+        });
+        let place = V3::new(13.0, 0.0, -7.0);
+        let (whole, part) = (whole.flow(5.0, &place, true), part.flow(5.0, &place, true));
+        assert!(whole.velocity.norm() > 0.1);
+        let expected = Flow {
+            velocity: V3::zeros(),
+            gradient: M3::zeros(),
+            ..whole
+        };
+        assert_eq!(part, expected);
     }
 
     #[test]

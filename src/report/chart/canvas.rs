@@ -202,7 +202,7 @@ fn distance(a: (usize, usize), b: (usize, usize)) -> usize {
 }
 
 /// The bit of a braille character for the dot at this column (0, 1) and row (0 at the top).
-fn braille_bit(column: usize, row: usize) -> u8 {
+pub(super) fn braille_bit(column: usize, row: usize) -> u8 {
     const BITS: [[u8; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
     BITS[row % 4][column % 2]
 }

@@ -222,7 +222,9 @@ fn draw_head(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
         return;
     }
     on.write(0, top, &plan.name, Ink::Label);
-    if chart.legend {
+    if let Some(map) = &chart.map {
+        map.scale(head_indent(&plan.name), top, glyphs, on);
+    } else if chart.legend {
         let flow = legend::flow(chart, width, head_indent(&plan.name), rows);
         legend::draw(chart, &flow, top, glyphs, on);
     }
@@ -309,6 +311,9 @@ fn draw_axes(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
 fn draw_plot(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
     let frame = plan.frame;
     let canvas = draw_series(chart, frame, glyphs);
+    if let Some(map) = &chart.map {
+        map.draw(frame, glyphs, on);
+    }
     marks::limits(chart, frame, glyphs, on);
     marks::cursor(chart, frame, plan.rows.axis, glyphs, on);
     for row in 0..frame.height {

@@ -30,7 +30,7 @@ pub(super) fn limits(chart: &Chart, frame: Frame, glyphs: Glyphs, on: &mut Pictu
     }
 }
 
-/// The cursor: a line from bottom to top, and a mark on the axis that no series can hide.
+/// The cursor: a line from bottom to top, and a mark on the axis that no series can hide; on a map a line across as well.
 pub(super) fn cursor(
     chart: &Chart,
     frame: Frame,
@@ -47,6 +47,13 @@ pub(super) fn cursor(
     };
     for row in 0..frame.height {
         on.put(frame.left + column, frame.top + row, line, Ink::Cursor);
+    }
+    if let Some(row) = chart.cursor_y.and_then(|y| frame.row_of(y)) {
+        let across = if glyphs == Glyphs::Ascii { '-' } else { '━' };
+        for column in 0..frame.width {
+            on.put(frame.left + column, frame.top + row, across, Ink::Cursor);
+        }
+        on.put(frame.left + column, frame.top + row, mark, Ink::Cursor);
     }
     if let Some(row) = axis {
         on.put(frame.left + column, row, mark, Ink::Cursor);

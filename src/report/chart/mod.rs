@@ -25,6 +25,7 @@ mod decimate;
 mod draw;
 mod layout;
 mod legend;
+mod map;
 mod marks;
 mod picture;
 mod range;
@@ -32,6 +33,7 @@ mod readout;
 mod ticks;
 
 pub use draw::{draw, frame};
+pub use map::Map;
 pub use picture::{CONTINUATION, Frame, Ink, Picture, PictureCell};
 pub use range::{Range, Sticky, extent, fit};
 pub use readout::{Found, Readout, readout};
@@ -49,12 +51,25 @@ pub struct Chart {
     pub series: Vec<Series>,
     /// Reference lines.
     pub limits: Vec<Limit>,
+    /// A field over both axes, below everything else.
+    pub map: Option<Map>,
     /// Where the cursor stands on the x axis.
     pub cursor: Option<f64>,
+    /// Where it stands on the y axis, on a chart with a map.
+    pub cursor_y: Option<f64>,
     /// One metre is as long upwards as sideways; ranges are widened for it, never narrowed.
     pub equal_scale: bool,
     /// Whether the series are named above the plot.
     pub legend: bool,
+}
+
+impl Chart {
+    /// Whether there is nothing on it.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        let empty = |map: &Map| map.values.is_empty();
+        self.series.iter().all(|s| s.points.is_empty()) && self.map.as_ref().is_none_or(empty)
+    }
 }
 
 /// An axis: what it measures, and how much of it is shown.

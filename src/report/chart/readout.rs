@@ -49,8 +49,19 @@ pub enum Found {
 
 /// What every visible series says at an x. A series whose x grows from sample to sample is
 /// interpolated, any other is read at the sample whose x is nearest.
+/// A map is read at the cursor's place on both axes.
 #[must_use]
 pub fn readout(chart: &Chart, x: f64) -> Vec<Readout> {
+    if let Some((map, y)) = chart.map.as_ref().zip(chart.cursor_y) {
+        let value = map.at(x, y);
+        return vec![Readout {
+            label: format!("{} at {}", map.of.label, number::si(y, &chart.y.unit)),
+            x,
+            y: value,
+            unit: map.of.unit.clone(),
+            found: value.map_or(Found::Outside, |_| Found::Interpolated),
+        }];
+    }
     let shown = chart.series.iter().filter(|series| series.visible);
     shown
         .map(|series| {

@@ -2,12 +2,14 @@
 
 use super::layout::{Page, WIDTH};
 use crate::{
+    case::Case,
     report::{
         chart::{Chart, Glyphs, draw, extent},
         figures::{
-            Source, curvature_profile, deviation_in_time, line_from_above, line_from_ahead,
-            line_shape, mean_load_in_time, moment_profile, payload_position, speed,
-            stiffness_in_time, stiffness_profile, tension_profile, tensions, tilt, trajectory,
+            MapOf, Source, curvature_profile, deviation_in_time, line_from_above, line_from_ahead,
+            line_shape, mean_load_in_time, moment_profile, payload_position, response_map,
+            rms_profile, speed, stiffness_in_time, stiffness_profile, tension_profile, tensions,
+            tilt, trajectory, wave_amplitudes, wavelengths,
         },
     },
     run::Run,
@@ -15,9 +17,11 @@ use crate::{
 
 /// Rows of a chart.
 const HEIGHT: usize = 20;
+/// Rows of a map, whose stripes need them.
+const MAP_HEIGHT: usize = 30;
 
 /// Every chart that has something to show.
-pub(super) fn all(page: &mut Page, run: &Run, glyphs: Glyphs) {
+pub(super) fn all(page: &mut Page, run: &Run, case: &Case, glyphs: Glyphs) {
     let sources = [Source::whole(run, "")];
     let mut charts = Vec::new();
     if run.history.time.len() > 1 {
@@ -43,6 +47,13 @@ pub(super) fn all(page: &mut Page, run: &Run, glyphs: Glyphs) {
     charts.push(curvature_profile(&sources));
     charts.push(moment_profile(&sources));
     charts.push(stiffness_profile(&sources));
+    if let Some(from) = case.output.response_from_s {
+        charts.push(rms_profile(&sources));
+        charts.push(wave_amplitudes(&sources));
+        charts.push(wavelengths(&sources));
+        let maps = [MapOf::Steady, MapOf::Evened, MapOf::Start];
+        charts.extend(maps.map(|of| response_map(&sources, Some(from), of)));
+    }
     charts.retain(shows_something);
     if charts.is_empty() {
         return;
@@ -52,7 +63,8 @@ pub(super) fn all(page: &mut Page, run: &Run, glyphs: Glyphs) {
         if i > 0 {
             page.line("");
         }
-        page.block(&draw(chart, WIDTH, HEIGHT, glyphs).to_text());
+        let height = chart.map.as_ref().map_or(HEIGHT, |_| MAP_HEIGHT);
+        page.block(&draw(chart, WIDTH, height, glyphs).to_text());
     }
 }
 
@@ -67,6 +79,9 @@ fn out_of_plane(run: &Run) -> bool {
 }
 
 fn shows_something(chart: &Chart) -> bool {
+    if chart.map.is_some() {
+        return true;
+    }
     let finite = |(x, y): &&(f64, f64)| x.is_finite() && y.is_finite();
     chart
         .series

@@ -6,6 +6,7 @@ use crate::{
     report::{
         limits as limits_table, nodes as nodes_table,
         number::{order, si, with_error},
+        response,
         table::{Cell, CellInk, Column, Table},
     },
     run::{Quantity, Run, limits::check},
@@ -35,6 +36,20 @@ pub fn summary(run: &Run) -> String {
 pub fn limits(run: &Run, case: &Case) -> Option<String> {
     let table = limits_table::table(&check(case, &run.profile))?;
     Some(table.to_text(WIDTH))
+}
+
+/// Peaks and valleys of the response, and the waves on the sections.
+pub(super) fn answer(page: &mut Page, run: &Run, case: &Case) {
+    if run.profile.rms.is_empty() {
+        return;
+    }
+    page.heading("Peaks and valleys of the response");
+    page.block(&response::peaks(&run.profile).to_text(WIDTH));
+    let waves = response::waves(case, &run.profile);
+    if !waves.rows.is_empty() {
+        page.heading("Waves on the line");
+        page.block(&waves.to_text(WIDTH));
+    }
 }
 
 /// The line node by node at the end of the run.

@@ -179,11 +179,11 @@ impl Reader<'_> {
         let mut table = self.table(PROFILE, None);
         let further = table.columns.len().saturating_sub(PROFILE_COLUMNS.len());
         let mut columns = PROFILE_COLUMNS.to_vec();
-        // Bending has four columns and the response five.
-        if matches!(further, 4 | 9) {
+        // Bending has four columns and the response eleven.
+        if matches!(further, 4 | 15) {
             columns.extend(BENDING_COLUMNS);
         }
-        if matches!(further, 5 | 9) {
+        if matches!(further, 11 | 15) {
             columns.extend(RESPONSE_COLUMNS);
         }
         table.expect(PROFILE, &columns);

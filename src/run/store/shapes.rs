@@ -34,13 +34,22 @@ pub(super) const BENDING_COLUMNS: [&str; 4] = [
 ];
 
 /// Further columns of `profile.csv`, for a run that recorded how far its nodes move.
-pub(super) const RESPONSE_COLUMNS: [&str; 5] = [
+pub(super) const RESPONSE_COLUMNS: [&str; 11] = [
     "rms_displacement_m",
     "rms_displacement_d",
     "wave_cos_m",
     "wave_sin_m",
     "wave_phase_deg",
+    "rms_error_m",
+    "wave_number_per_m",
+    "wkb_number_per_m",
+    "wkb_amplitude",
+    "towards_a_m",
+    "towards_b_m",
 ];
+
+/// The last of these columns, which a run may lack.
+const WAVES: usize = 6;
 
 /// Adds a shape to a table.
 pub(super) fn write_shape(csv: &mut Csv, shape: &LineShape) -> Result<(), StoreError> {
@@ -50,6 +59,18 @@ pub(super) fn write_shape(csv: &mut Csv, shape: &LineShape) -> Result<(), StoreE
         csv.row([text(shape.time), node.to_string(), x, y, z, tension])?;
     }
     Ok(())
+}
+
+/// The columns that a run may lack, in their order.
+fn waves(profile: &Profile) -> [&[f64]; WAVES] {
+    [
+        &profile.rms_error,
+        &profile.wave_number,
+        &profile.wkb_number,
+        &profile.wkb_amplitude,
+        &profile.towards_a,
+        &profile.towards_b,
+    ]
 }
 
 /// The profile as a table.
@@ -97,6 +118,7 @@ pub(super) fn profile(profile: &Profile) -> Result<Vec<u8>, StoreError> {
                 of(&profile.wave_sin),
                 phase.map(text).unwrap_or_default(),
             ]);
+            row.extend(waves(profile).map(of));
         }
         csv.row(row)?;
     }
@@ -112,15 +134,28 @@ pub(super) fn numbers<const N: usize>(
     all?.try_into().ok()
 }
 
+fn waves_mut(profile: &mut Profile) -> [&mut Vec<f64>; WAVES] {
+    [
+        &mut profile.rms_error,
+        &mut profile.wave_number,
+        &mut profile.wkb_number,
+        &mut profile.wkb_amplitude,
+        &mut profile.towards_a,
+        &mut profile.towards_b,
+    ]
+}
+
 /// The profile from its rows, with or without the columns of bending.
 pub(super) fn read_profile(table: &mut Rows, name: &str) -> Profile {
     let mut profile = Profile::default();
     for (line, fields) in &table.rows {
         let (line_fields, bending_fields) =
             fields.split_at(PROFILE_COLUMNS.len().min(fields.len()));
-        // Bending has four columns and the response five, in this order.
-        let bends = matches!(bending_fields.len(), 4 | 9);
+        // Bending has four columns and the response eleven, in this order.
+        let bends = matches!(bending_fields.len(), 4 | 15);
         let (bending_fields, moved_fields) = bending_fields.split_at(if bends { 4 } else { 0 });
+        let told = moved_fields.len().saturating_sub(WAVES);
+        let (moved_fields, wave_fields) = moved_fields.split_at(told);
         let (bending, moved) = (numbers(bending_fields), numbers(moved_fields));
         let whole = (bending.is_some() || bending_fields.is_empty())
             && (moved.is_some() || moved_fields.is_empty());
@@ -160,6 +195,9 @@ pub(super) fn read_profile(table: &mut Rows, name: &str) -> Profile {
             profile.rms_diameters.push(by_diameter);
             profile.wave_cos.push(cos);
             profile.wave_sin.push(sin);
+        }
+        for (column, field) in waves_mut(&mut profile).into_iter().zip(wave_fields) {
+            column.extend(number::parse(field));
         }
     }
     profile

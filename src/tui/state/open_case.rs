@@ -6,8 +6,10 @@ use super::curves::{Curves, RunSlot};
 use super::jobs::Ticket;
 use super::sheet::Sheet;
 use crate::case::{self, Case, End, Method, OneOrMany, Source};
+use crate::run::response;
 use crate::tui::backend::Row;
 use crate::tui::command::Place;
+use crate::tui::line_tables::LineTable;
 use crate::tui::plot_pane::PlotPane;
 use crate::tui::table_pane::TablePane;
 
@@ -46,11 +48,19 @@ pub enum ChartKind {
     Stiffness,
     /// Dynamic stiffness of fibre ropes along the line.
     StiffnessAlong,
+    /// Displacement of the line over time and place.
+    Map,
+    /// Root mean square displacement along the line.
+    Rms,
+    /// Amplitudes of the waves at the driving period.
+    Amplitudes,
+    /// Their lengths.
+    Wavelengths,
 }
 
 impl ChartKind {
     /// All of them.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 20] = [
         Self::Tensions,
         Self::Payload,
         Self::Path,
@@ -67,6 +77,10 @@ impl ChartKind {
         Self::Deviation,
         Self::Stiffness,
         Self::StiffnessAlong,
+        Self::Map,
+        Self::Rms,
+        Self::Amplitudes,
+        Self::Wavelengths,
     ];
 
     /// The charts that a run of this case has something for, in the order in which they are leafed through: those
@@ -97,6 +111,11 @@ impl ChartKind {
         list.extend([Self::Plan, Self::Front].iter().filter(|_| spatial(case)));
         list.push(Self::Profile);
         list.extend([Self::Curvature, Self::Moment].iter().filter(|_| bending));
+        let answers = case.output.response_from_s.is_some();
+        let driven = answers && response::period(case).is_some();
+        list.extend([Self::Map, Self::Rms].iter().filter(|_| answers));
+        let waves = [Self::Amplitudes, Self::Wavelengths];
+        list.extend(waves.iter().filter(|_| driven));
         list.extend([Self::Study].iter().filter(|_| studied(case)));
         if roped {
             list.extend([Self::Stiffness, Self::StiffnessAlong]);
@@ -125,6 +144,10 @@ impl ChartKind {
             Self::Deviation => "Deviation",
             Self::Stiffness => "Stiffness",
             Self::StiffnessAlong => "Along rope",
+            Self::Map => "Map",
+            Self::Rms => "Rms",
+            Self::Amplitudes => "Waves",
+            Self::Wavelengths => "Wavelength",
         }
     }
 
@@ -220,7 +243,9 @@ pub struct OpenCase {
     pub checks: Vec<Row>,
     /// Selection, sorting and scrolling of the validation table.
     pub checks_pane: TablePane,
-    /// Selection, sorting and scrolling of the table of nodes.
+    /// The table of the line that is shown.
+    pub line_table: LineTable,
+    /// Selection, sorting and scrolling of that table.
     pub nodes_pane: TablePane,
     /// The report shown: name of the run and text.
     pub report: Option<(String, String)>,

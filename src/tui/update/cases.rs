@@ -6,6 +6,7 @@ use super::typing::type_key;
 use super::{edit, jobs, moved};
 use crate::tui::command::{Id, Place};
 use crate::tui::key::Key;
+use crate::tui::line_tables::LineTable;
 use crate::tui::msg::{CaseRead, Effect};
 use crate::tui::shelf::FIRST;
 use crate::tui::state::open_case::Live;
@@ -101,6 +102,7 @@ pub(super) fn opened(state: &mut State, read: CaseRead) -> Vec<Effect> {
         run: 0,
         checks: Vec::new(),
         checks_pane: TablePane::default(),
+        line_table: LineTable::default(),
         nodes_pane: TablePane::default(),
         report: None,
         report_scroll: (0, 0),

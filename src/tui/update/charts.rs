@@ -91,6 +91,7 @@ fn against_time(kind: ChartKind) -> bool {
             | ChartKind::MeanLoad
             | ChartKind::Deviation
             | ChartKind::Stiffness
+            | ChartKind::Map
     )
 }
 

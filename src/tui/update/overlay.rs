@@ -235,6 +235,8 @@ pub fn run_command(state: &mut State, id: Id) -> Vec<Effect> {
         Id::Keep | Id::ShowAlone | Id::Select | Id::SelectNone | Id::Delete => {
             runs::command(state, id)
         }
+        Id::NextTable => runs::leaf_tables(state, true),
+        Id::PreviousTable => runs::leaf_tables(state, false),
         Id::Write | Id::ScrollLeft | Id::ScrollRight | Id::Sort => runs::paper(state, id),
         _ => charts::command(state, id),
     }
@@ -305,7 +307,7 @@ fn move_by(state: &mut State, by: isize) -> Vec<Effect> {
             }
             Place::Nodes => {
                 let verb = by_rows(by);
-                if let Some(table) = runs::nodes(open) {
+                if let Some(table) = runs::line_table(open) {
                     open.nodes_pane.act(verb, &table);
                 }
             }

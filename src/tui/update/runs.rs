@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::{info, moved};
-use crate::report::nodes;
+use crate::report::chart::Map;
 use crate::report::table::Table;
 use crate::run::{Run, RunState};
 use crate::tui::backend;
@@ -14,7 +14,7 @@ use crate::tui::plots;
 use crate::tui::state::{
     Curves, Level, OpenCase, Overlay, Question, RunSlot, SlotKind, SlotState, State, Ticket,
 };
-use crate::tui::table_pane::TableVerb;
+use crate::tui::table_pane::{TablePane, TableVerb};
 
 /// Width of texts that are written to files.
 const PAPER_WIDTH: usize = 100;
@@ -262,10 +262,21 @@ pub(in crate::tui) fn reported(open: &OpenCase) -> Option<(String, Arc<Run>, Opt
     Some(("live".to_owned(), run, open.live.kept.clone()))
 }
 
-/// The table of nodes of the chosen run.
-pub(super) fn nodes(open: &OpenCase) -> Option<Table> {
+/// The table of the line that is shown of the chosen run.
+pub(super) fn line_table(open: &OpenCase) -> Option<Table> {
     let (_, run, _) = reported(open).filter(|(_, run, _)| !run.profile.nodes.is_empty())?;
-    Some(nodes::table(&run.profile))
+    Some(open.line_table.or_nodes(&run).table(&run))
+}
+
+/// Leafs through the tables of the line.
+pub(super) fn leaf_tables(state: &mut State, forward: bool) -> Vec<Effect> {
+    if let Some(open) = &mut state.open
+        && let Some((_, run, _)) = reported(open)
+    {
+        open.line_table = open.line_table.or_nodes(&run).beside(&run, forward);
+        open.nodes_pane = TablePane::default();
+    }
+    Vec::new()
 }
 
 /// Words the report of the chosen run.
@@ -322,22 +333,24 @@ pub(super) fn paper(state: &mut State, id: Id) -> Vec<Effect> {
             )
         }
         (Id::Write, Place::Nodes) => {
-            let text = reported(open).map(|(_, run, _)| nodes::csv(&run.profile));
-            write(
-                PathBuf::from(format!("{stem}-nodes.csv")),
-                text,
-                "The table of nodes",
-            )
+            let shown = reported(open).map(|(_, run, _)| {
+                let table = open.line_table.or_nodes(&run);
+                (table.name(), table.csv(&run))
+            });
+            let name = shown.as_ref().map_or("nodes", |(name, _)| name);
+            let path = PathBuf::from(format!("{stem}-{name}.csv"));
+            write(path, shown.map(|(_, text)| text), "The table")
         }
         (Id::Write, _) => {
             let chart = open.views[open.chart.index()].chart(&plots::chart(open, open.chart));
             let text = crate::report::chart::draw(&chart, PAPER_WIDTH, 30, glyphs).to_text();
             let name = open.chart.title().to_lowercase();
-            write(
-                PathBuf::from(format!("{stem}-{name}.txt")),
-                Some(text),
-                "The chart",
-            )
+            let path = |end: &str| PathBuf::from(format!("{stem}-{name}.{end}"));
+            let mut effects = write(path("txt"), Some(text), "The chart");
+            // A map is worth more as numbers.
+            let csv = chart.map.as_ref().map(Map::csv);
+            effects.extend(write(path("csv"), csv, "The map"));
+            effects
         }
         (_, Place::Validation) => {
             let table = backend::checks_table(&open.checks);
@@ -345,7 +358,7 @@ pub(super) fn paper(state: &mut State, id: Id) -> Vec<Effect> {
             Vec::new()
         }
         (_, Place::Nodes) => {
-            if let Some(table) = nodes(open) {
+            if let Some(table) = line_table(open) {
                 open.nodes_pane.act(table_verb(id), &table);
             }
             Vec::new()

@@ -28,7 +28,7 @@ impl Canvas<'_> {
             if all && *kind == open.chart && open.pane == Place::Charts {
                 chart.title = format!("> {} <", chart.title);
             }
-            let empty = chart.series.iter().all(|s| s.points.is_empty());
+            let empty = chart.is_empty();
             if empty && *kind == ChartKind::Study {
                 self.no_numbers_yet(*place, &chart.title);
                 continue;

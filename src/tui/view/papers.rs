@@ -4,10 +4,11 @@ use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::Canvas;
 use super::paint::{row, text, wrap};
-use crate::report::{limits as limits_table, nodes};
+use crate::report::limits as limits_table;
 use crate::run::limits;
 use crate::tui::backend;
 use crate::tui::inks::Inks;
+use crate::tui::line_tables::LineTable;
 use crate::tui::state::OpenCase;
 use crate::tui::update::reported;
 
@@ -72,8 +73,16 @@ impl Canvas<'_> {
                 rest = below;
             }
         }
-        let mut table = nodes::table(&run.profile);
-        table.title = format!("Nodes of {name}; `w` writes them as CSV.");
+        let which = open.line_table.or_nodes(&run);
+        let mut table = which.table(&run);
+        table.title = match (which, LineTable::of(&run).len()) {
+            (LineTable::Nodes, 1) => format!("Nodes of {name}; `w` writes them as CSV."),
+            (which, count) => {
+                let number = 1 + which as usize;
+                let what = which.title();
+                format!("{what} of {name}, table {number} of {count}; `]` leafs, `w` writes it.")
+            }
+        };
         open.nodes_pane.draw(&table, rest, self.buf, glyphs, inks);
     }
 

@@ -1,0 +1,84 @@
+//! From when on a response is steady.
+
+use super::response::period;
+use super::{LineShape, Quantity, quantity_name};
+use crate::case::{Case, STEADY, Statistic};
+use crate::linalg::V3;
+
+/// A period counts as steady when its root mean square is this near to that of the last one.
+const BAND: f64 = 0.1;
+
+/// Time \[s\] from which on every period of the driving moves the line as far as the last one does, to a tenth: root mean
+/// squares over all nodes, about the mean places of the recorded window. Nothing where nothing drives the line at one
+/// period, or fewer than four shapes a period are stored.
+pub(super) fn number(case: &Case, shapes: &[LineShape]) -> Option<Quantity> {
+    let (period, from) = (period(case)?, case.output.response_from_s?);
+    let value = steady_from(shapes, period, from)?;
+    Some(Quantity {
+        name: quantity_name(STEADY, Statistic::Final, None),
+        value,
+        unit: "s".to_owned(),
+        ..Quantity::default()
+    })
+}
+
+fn steady_from(shapes: &[LineShape], period: f64, from: f64) -> Option<f64> {
+    let first = shapes.first()?;
+    let nodes = first.nodes.len();
+    let whole: Vec<&LineShape> = shapes.iter().filter(|s| s.nodes.len() == nodes).collect();
+    let recorded: Vec<&&LineShape> = whole.iter().filter(|s| s.time >= from).collect();
+    let count = recorded.len() as f64;
+    let mean: Vec<V3> = (0..nodes)
+        .map(|i| recorded.iter().map(|s| V3::from(s.nodes[i])).sum::<V3>() / count)
+        .collect();
+    let square = |shape: &LineShape| -> f64 {
+        let off = shape.nodes.iter().zip(&mean);
+        off.map(|(x, mean)| (V3::from(*x) - mean).norm_squared())
+            .sum()
+    };
+    let squares: Vec<(f64, f64)> = whole.iter().map(|s| (s.time, square(s))).collect();
+    // Root mean square over the period that ends at each shape.
+    let periods = squares
+        .iter()
+        .enumerate()
+        .filter(|(_, s)| s.0 >= first.time + period);
+    let sizes: Option<Vec<(f64, f64)>> = periods
+        .map(|(i, (time, _))| {
+            let since = squares.partition_point(|s| s.0 <= time - period * (1.0 + 1e-9));
+            let inside = &squares[since..=i];
+            let sum: f64 = inside.iter().map(|s| s.1).sum();
+            (inside.len() >= 4).then(|| (time - period, (sum / inside.len() as f64).sqrt()))
+        })
+        .collect();
+    let sizes = sizes?;
+    let last = sizes.last()?.1;
+    let off = sizes.iter().rposition(|s| (s.1 - last).abs() > BAND * last);
+    match off {
+        None => Some(first.time),
+        Some(at) => sizes.get(at + 1).map(|s| s.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_motion_that_grows_is_steady_once_it_is_within_a_tenth() {
+        let shape = |n: i32| {
+            let time = 0.5 * f64::from(n);
+            let size = (time / 40.0).min(1.0);
+            let z = size * (std::f64::consts::TAU * time / 10.0).sin();
+            LineShape {
+                time,
+                nodes: vec![[0.0; 3], [1.0, 0.0, z]],
+                tension: vec![0.0; 2],
+            }
+        };
+        let shapes: Vec<LineShape> = (0..=400).map(shape).collect();
+        let from = steady_from(&shapes, 10.0, 100.0).unwrap();
+        assert!((28.0..=38.0).contains(&from), "{from}");
+        assert!(steady_from(&shapes, 1.0, 100.0).is_none());
+        assert!(steady_from(&[], 1.0, 100.0).is_none());
+    }
+}
