@@ -5,7 +5,7 @@ use seacable::case;
 use seacable::linalg::V3;
 use seacable::scene::{self, Scene};
 use seacable::solve::State;
-use seacable::statics::equilibrium::Search;
+use seacable::statics::equilibrium::{Search, instabilities};
 
 /// A rod of length 10 m along x from a clamp at the origin, in no water, with a load at its tip. EI = 100 N m².
 fn cantilever(segments: usize, tip_load_n: f64, weight_n_per_m: f64) -> (Scene, State) {
@@ -160,4 +160,141 @@ fn a_strut_buckles_at_eulers_load() {
         (sag - (4.0 * 10.0 * 0.01_f64).sqrt() / std::f64::consts::PI).abs() < 1e-3,
         "{sag}"
     );
+}
+
+/// A rod of 10 m, EI = 100 N m², no weight to speak of, between two clamps `apart` metres apart along x; elevations in
+/// degrees, those above 90 turned back.
+fn between_clamps(segments: usize, apart: f64, elevations: [f64; 2]) -> Scene {
+    let clamp = |turn: f64| {
+        let back = turn.abs() > 90.0;
+        let (elevation, azimuth) = if back {
+            (turn.signum() * 180.0 - turn, 180.0)
+        } else {
+            (turn, 0.0)
+        };
+        format!("clamp_elevation_deg = {elevation:?}\nclamp_azimuth_deg = {azimuth:?}")
+    };
+    let text = format!(
+        r#"
+[case]
+title = "rod"
+[environment]
+water_density_kg_per_m3 = 0.0
+[materials.rod]
+diameter_m = 0.05
+mass_kg_per_m = 1.0
+wet_weight_kg_per_m = 1.0e-6
+ea_n = 1.0e6
+ei_n_m2 = 100.0
+[[line]]
+name = "rod"
+material = "rod"
+length_m = 10.0
+segments = {segments}
+[ends.a]
+name = "a"
+kind = "fixed"
+position_m = [0, 0, 0]
+{}
+[ends.b]
+name = "b"
+kind = "fixed"
+position_m = [{apart}, 0, 0]
+{}
+"#,
+        clamp(elevations[0]),
+        clamp(elevations[1])
+    );
+    scene::build(&case::parse(&text, "rod.toml").unwrap(), 1).unwrap()
+}
+
+/// Where the elastica ends that leaves the origin at this angle with this force and moment: x, z and its angle there.
+/// `θ' = M/EI`, `M' = H sin θ - V cos θ` with the pull (H, V) on it at the origin turned round; Runge and Kutta's method.
+fn elastica(angle: f64, force: (f64, f64), moment: f64) -> [f64; 4] {
+    let slope = |s: [f64; 4]| {
+        let (sin, cos) = s[2].sin_cos();
+        let stretch = 1.0 + (force.0 * cos + force.1 * sin) / 1e6;
+        [
+            cos * stretch,
+            sin * stretch,
+            s[3] / 100.0,
+            (force.0 * sin - force.1 * cos) * stretch,
+        ]
+    };
+    let add = |s: [f64; 4], d: [f64; 4], h: f64| std::array::from_fn(|i| s[i] + h * d[i]);
+    let (steps, mut s) = (2000, [0.0, 0.0, angle, moment]);
+    let h = 10.0 / f64::from(steps);
+    for _ in 0..steps {
+        let a = slope(s);
+        let b = slope(add(s, a, 0.5 * h));
+        let c = slope(add(s, b, 0.5 * h));
+        let d = slope(add(s, c, h));
+        s = std::array::from_fn(|i| s[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]));
+    }
+    s
+}
+
+/// What the rod's own end force and moment miss the other clamp by.
+fn missed(segments: usize, apart: f64, elevations: [f64; 2]) -> [f64; 3] {
+    let scene = between_clamps(segments, apart, elevations);
+    let mut state = scene.initial_state();
+    Search::default()
+        .run(&scene, 0.0, &mut state)
+        .unwrap_or_else(|why| panic!("{apart} {elevations:?}: {why}"));
+    let pull = scene.end_force(0, &state);
+    assert_eq!(instabilities(&scene, 0.0, &state), Some(0));
+    let flexure = scene.flexure.as_ref().unwrap();
+    let first = scene.chord(0, &state).tangent;
+    let angle = elevations[0].to_radians();
+    // At a clamp the moment has the sign of the turn from it to the first segment.
+    let turn = angle.cos() * first.z - angle.sin() * first.x;
+    let moment = flexure.moments(&scene, &state)[0] * turn.signum();
+    let end = elastica(angle, (pull.x, pull.z), moment);
+    let off = (end[2] - elevations[1].to_radians()) / std::f64::consts::TAU;
+    [
+        end[0] - apart,
+        end[1],
+        (off - off.round()) * std::f64::consts::TAU,
+    ]
+}
+
+#[test]
+fn a_rod_clamped_at_odds_with_its_way_is_an_elastica() {
+    for (apart, elevations) in [
+        (8.0, [80.0, -80.0]),
+        (8.0, [80.0, 80.0]),
+        (5.0, [180.0, 0.0]),
+        (5.0, [0.0, 180.0]),
+        (3.0, [-160.0, 160.0]),
+    ] {
+        let [coarse, fine] = [80, 160].map(|n| missed(n, apart, elevations));
+        for (fine, coarse) in fine.iter().zip(coarse) {
+            // Order 2 in the segment.
+            let order = (coarse / fine).abs().log2();
+            assert!(fine.abs() < 0.01, "{apart} {elevations:?}: {fine}");
+            assert!(
+                (order - 2.0).abs() < 0.15,
+                "{apart} {elevations:?}: {order}"
+            );
+        }
+    }
+}
+
+#[test]
+fn rods_clamped_at_random_come_to_rest() {
+    // Multiples of the golden ratio, of its square and of its cube: evenly spread, and no two in step.
+    let spread = |i: i32, by: f64| (f64::from(i) * by).fract();
+    let count = 40;
+    let mut found = 0;
+    for i in 0..count {
+        let turn = |by: f64| 360.0 * spread(i, by) - 180.0;
+        let apart = 1.0 + 8.9 * spread(i, 0.618_034);
+        let scene = between_clamps(80, apart, [turn(0.381_966), turn(0.236_068)]);
+        let mut state = scene.initial_state();
+        match Search::default().run(&scene, 0.0, &mut state) {
+            Ok(_) => found += 1,
+            Err(why) => eprintln!("{apart} {:?}: {why}", [turn(0.381_966), turn(0.236_068)]),
+        }
+    }
+    assert!(found >= 38, "{found} of {count}");
 }

@@ -53,14 +53,28 @@ pub(super) enum Command {
     Validate(ValidateWords),
     /// Print the text report of a stored run.
     Report(ReportWords),
-    /// Solve a table of single lines at rest in still water.
+    /// Solve a table of lines at rest, in still water or in a current.
     ///
-    /// Every row is a line hanging between end A and end B, seen from A: columns x_m, z_m, length_m,
+    /// CSV, a single line a row, hanging between end A and end B, seen from A: columns x_m, z_m, length_m,
     /// ea_n, weight_n_per_m and, where wanted, friction, bed_below_a_m (empty: no bed),
     /// bed_slope_deg (positive uphill from A to B), surface_above_a_m (holds floating lines down).
     /// Written are the same columns and h_b_n, v_b_n, h_a_n, v_a_n, on_bed_m, status and shape: h the
-    /// horizontal part of the tension, v_b pulling B down and v_a pulling A up when positive. A row
-    /// without an answer says why in its status; the exit status is 1 when there is one.
+    /// horizontal part of the tension, v_b pulling B down and v_a pulling A up when positive.
+    ///
+    /// CSV of single lines in a uniform current: a_x_m, a_y_m, a_z_m, b_x_m, b_y_m, b_z_m, length_m,
+    /// weight_n_per_m, ea_n, diameter_m, drag_normal, drag_tangential, water_density_kg_per_m3,
+    /// current_x_m_per_s, current_y_m_per_s (or, in short, Ax ... Bz, L, w_Npm, EA_N, d_m, Cd, CdAx, rho, Ux, Uy).
+    /// Written are the line's pull on its ends (pull_a_x_n ... pull_b_z_n), tension_a_n, tension_b_n,
+    /// error_n estimated from two meshes, segments and status.
+    ///
+    /// JSON lines, an object a line, for several sections: "sections" (or "segs") lists from A to B
+    /// [length_m, weight_n_per_m, ea_n] or, with the weight of a body at its end, [..., body_n]; with "x_m", "z_m",
+    /// "bed_below_a_m", "friction", "bed_slope_deg", "surface_above_a_m" as above ("radius" and "depth" in the
+    /// place of x_m and z_m lay a level bed through A), or in a current with "a_m", "b_m", "diameter_m",
+    /// "drag_normal", "drag_tangential", "water_density_kg_per_m3" and "current", a list of
+    /// [depth_m, x_m_per_s, y_m_per_s]. Answers are added as keys of the same names.
+    ///
+    /// A row without an answer says why in its status; the exit status is 1 when there is one.
     Catenary(CatenaryWords),
     /// Work out a cable's cross-section: layout, stiffness, weight, strength.
     ///
@@ -277,12 +291,12 @@ pub(super) enum GlyphWord {
 
 #[derive(Debug, clap::Args)]
 pub(super) struct CatenaryWords {
-    /// The table of lines, as CSV.
-    #[arg(value_name = "IN.csv")]
+    /// The table of lines, as CSV or JSON lines.
+    #[arg(value_name = "IN")]
     pub(super) input: PathBuf,
 
     /// Write the table to this file instead of standard output.
-    #[arg(short, long = "output", value_name = "OUT.csv")]
+    #[arg(short, long = "output", value_name = "OUT")]
     pub(super) output: Option<PathBuf>,
 }
 

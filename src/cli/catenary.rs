@@ -1,15 +1,15 @@
-//! `seacable catenary`: a table of lines at rest in still water.
+//! `seacable catenary`: a table of lines at rest.
 
 use std::{fs, process::ExitCode};
 
 use super::{Failure, NOT_GOOD, args::CatenaryWords, output};
-use crate::statics::catenary::solve_table;
+use crate::study::lines;
 
 pub(super) fn catenary(words: &CatenaryWords) -> Result<ExitCode, Failure> {
     let input = words.input.display();
     let bytes = fs::read(&words.input)
         .map_err(|e| Failure::Usage(format!("Reading {input} failed: {e}")))?;
-    let table = solve_table(&bytes).map_err(|e| Failure::Usage(format!("{input}: {e}")))?;
+    let table = lines::solve(&bytes).map_err(|e| Failure::Usage(format!("{input}: {e}")))?;
     match &words.output {
         None => output::bytes(&table.text)?,
         Some(path) => fs::write(path, &table.text).map_err(|source| Failure::Write {

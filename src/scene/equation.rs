@@ -26,6 +26,13 @@ impl System for Scene {
         self.flexure.as_ref()?.folded(self, state)
     }
 
+    fn eased(&self, start: &State, share: f64) -> Option<Box<dyn System + '_>> {
+        let flexure = self.flexure.as_ref()?.eased(self, start, share)?;
+        let mut scene = self.clone();
+        scene.flexure = Some(flexure);
+        Some(Box::new(scene))
+    }
+
     fn prescribe(&self, t: f64, state: &mut State) {
         let last = self.nodes() - 1;
         for (end, node) in [(0, 0), (1, last)] {

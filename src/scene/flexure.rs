@@ -172,6 +172,19 @@ impl Flexure {
         inner.or_else(|| at_end(1, last - 1).then_some(last))
     }
 
+    /// The same with every clamp turned only a share of the way from the direction of the line in `start` to its own, in
+    /// the plane of both; nothing without clamps.
+    pub(super) fn eased(&self, scene: &Scene, start: &State, share: f64) -> Option<Self> {
+        self.clamps.iter().flatten().next()?;
+        let mut eased = self.clone();
+        for (end, i) in [(0, 0), (1, scene.segments.len() - 1)] {
+            if let Some((direction, _)) = &mut eased.clamps[end] {
+                *direction = between(&scene.chord(i, start).tangent, direction, share);
+            }
+        }
+        Some(eased)
+    }
+
     /// Energy of bending \[J\].
     #[must_use]
     pub fn energy(&self, scene: &Scene, state: &State) -> f64 {
@@ -186,6 +199,20 @@ impl Flexure {
                 .filter_map(|(i, c)| c.map(|(d, k)| k * (1.0 - d.dot(&tangent(i)))))
                 .sum::<f64>()
     }
+}
+
+/// The unit vector a share of the angle from one to another; over the top where they are opposite.
+fn between(from: &V3, to: &V3, share: f64) -> V3 {
+    let cos = from.dot(to);
+    let beside = |v: &V3| (v - from * from.dot(v)).try_normalize(1e-6);
+    let Some(side) = beside(to)
+        .or_else(|| beside(&V3::z()))
+        .or_else(|| beside(&V3::x()))
+    else {
+        return *to;
+    };
+    let angle = share * cos.clamp(-1.0, 1.0).acos();
+    from * angle.cos() + side * angle.sin()
 }
 
 /// What bends and what clamps; nothing where no material has a bending stiffness.

@@ -183,6 +183,12 @@ pub trait System: Sync {
         None
     }
 
+    /// The same with its clamps turned only a `share` of the way from where the line goes in `start` to where they
+    /// are; nothing where nothing is clamped.
+    fn eased(&self, _start: &State, _share: f64) -> Option<Box<dyn System + '_>> {
+        None
+    }
+
     /// A force typical of this line \[N\]: residuals are measured against it.
     fn force_scale(&self) -> f64;
 

@@ -3,7 +3,8 @@
 //! Newton first, from the guess given, with foretold tensions (see [`System::foretell`]), and then without, which
 //! suits a line that is slack somewhere. Where neither converges, the line creeps: one iteration a step of pseudo-time,
 //! backward Euler from rest (`M (x - x_k) / h² = f(x)`), which takes all kinetic energy out and so cannot swing; h
-//! grows while steps are short and shrinks where they are long, and Newton finishes. Last, the same with every step
+//! grows while steps are short and shrinks where they are long, and Newton finishes. A rod clamped at odds with the way it
+//! goes is clamped the way it goes first, and its clamps turned by and by (see `eased`). Last, pseudo-time with every step
 //! converged. The state is accepted on the displacement and then on the residual force, and never with
 //! a fold in a line that bends: Newton finds such shapes, in which forces balance, and no line stays in them.
 
@@ -102,8 +103,7 @@ impl Search {
         let mut trial = state.clone();
         system.guess_tensions(&mut trial);
         if let Ok(found) = self.finish(system, t, &mut newton, &mut trial, 0) {
-            *state = trial;
-            return Ok(found);
+            return Ok(self.settled(system, t, &mut newton, (state, trial), found));
         }
         trial.copy_from(state);
         newton.max_iterations = FINISHING;
@@ -118,12 +118,39 @@ impl Search {
             *state = trial;
             return Ok(found);
         }
+        if let Some(found) = self.ease(system, t, &mut newton, state) {
+            return Ok(found);
+        }
         newton.longest = f64::INFINITY;
         self.let_go(system, t, &mut newton, state)
     }
 
+    /// What Newton found from a guess, moved into the state; for a clamped rod that would not stay there, the shape that it
+    /// comes to as its clamps turn, if it would stay in that.
+    fn settled<S: System + ?Sized>(
+        &self,
+        system: &S,
+        t: f64,
+        newton: &mut Newton,
+        (state, there): (&mut State, State),
+        found: Found,
+    ) -> Found {
+        let stays = |state: &State| instabilities(system, t, state) == Some(0);
+        if system.eased(state, 1.0).is_some() && !stays(&there) {
+            let mut other = state.clone();
+            if let Some(eased) = self.ease(system, t, newton, &mut other)
+                && stays(&other)
+            {
+                *state = other;
+                return eased;
+            }
+        }
+        *state = there;
+        found
+    }
+
     /// Newton to the end, accepted on the residual.
-    fn finish<S: System + ?Sized>(
+    pub(super) fn finish<S: System + ?Sized>(
         &self,
         system: &S,
         t: f64,
@@ -160,7 +187,7 @@ impl Search {
     }
 
     /// One iteration a step of pseudo-time, tensions foretold, until Newton finishes.
-    fn creep<S: System + ?Sized>(
+    pub(super) fn creep<S: System + ?Sized>(
         &self,
         system: &S,
         t: f64,

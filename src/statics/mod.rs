@@ -1,5 +1,6 @@
 //! Lines at rest.
 
 pub mod catenary;
+mod eased;
 pub mod equilibrium;
 pub mod reconfiguration;

@@ -1,7 +1,9 @@
-//! Studies over many runs: hard cases, each computed by every method that applies and held against what must come out.
+//! Studies over many lines: hard cases, each computed by every method that applies and held against what must come out;
+//! tables of lines at rest.
 
 pub mod hard;
 mod judge;
+pub mod lines;
 mod table;
 
 pub use judge::{Finding, Outcome, Tally, tally};
