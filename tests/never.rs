@@ -108,6 +108,60 @@ prop_compose! {
     }
 }
 
+prop_compose! {
+    /// A line in motion with all that may happen to it at once: waves, a bed with friction, bending, a surface to cross, a
+    /// moving end, a body on the line and one that travels along it, an end let go.
+    fn any_scene()(log_length in 1.0f64..2.6)(
+        length in Just(10f64.powf(log_length)),
+        segments in 2usize..14,
+        (log_ea, density, diameter, damping) in (5.0f64..9.0, 600.0f64..4000.0, 0.02f64..0.4, 0.0f64..0.3),
+        (drag, added, log_ei) in (0.0f64..2.0, 0.0f64..1.5, prop_oneof![2 => Just(None), 1 => (0.0f64..5.0).prop_map(Some)]),
+        surface in prop_oneof![Just("crossed"), Just("ignored")],
+        waves in prop_oneof![
+            1 => Just(String::new()),
+            1 => (0.1f64..6.0, 3.0f64..15.0).prop_map(|(h, t)| format!("waves = {{ kind = \"regular\", height_m = {h:?}, period_s = {t:?}, direction_deg = 30.0 }}\n")),
+            1 => (0.1f64..4.0, 4.0f64..12.0, 0u64..99).prop_map(|(h, t, seed)| format!("waves = {{ kind = \"irregular\", significant_height_m = {h:?}, peak_period_s = {t:?}, components = 20, seed = {seed}, stretching = \"wheeler\" }}\n")),
+        ],
+        (bedded, share, friction, slope, bed_damping) in (any::<bool>(), 0.1f64..0.9, prop_oneof![Just(0.0), 0.0f64..1.2], -10.0f64..10.0, 0.0f64..1e4),
+        (top, amplitude, period) in (-0.2f64..0.2, 0.0f64..3.0, 2.0f64..15.0),
+        (foot, hung, travels, released) in (0usize..4, any::<bool>(), any::<bool>(), any::<bool>()),
+        start in prop_oneof![
+            Just(String::new()),
+            (-80.0f64..60.0).prop_map(|e| format!("start = {{ shape = \"straight\", elevation_deg = {e:?} }}\n")),
+        ],
+        speed in prop_oneof![Just(0.0), 0.0f64..1.5],
+    ) -> String {
+        let mass = density * 0.785 * diameter * diameter;
+        let ei = log_ei.map_or_else(String::new, |log| format!(", ei_n_m2 = {:?}", 10f64.powf(log)));
+        let depth = share * length;
+        let mut text = format!(
+            "environment = {{ water_density_kg_per_m3 = 1025.0, water_surface = \"{surface}\" }}\ncurrent.speed_m_per_s = {speed:?}\n{waves}{start}\
+             materials.rope = {{ ea_n = {:?}, diameter_m = {diameter:?}, mass_kg_per_m = {mass:?}, axial_damping_ratio = {damping:?}, \
+             drag_normal = {drag:?}, drag_tangential = 0.05, added_mass_normal = {added:?}{ei} }}\n\
+             line = {{ length_m = {length:?}, segments = {segments} }}\n\
+             ends.a = {{ kind = \"moving\", position_m = [0.0, 0.0, {:?}], amplitude_m = [{amplitude:?}, 0.2, {amplitude:?}], period_s = {period:?}, ramp_s = 2.0{} }}\n",
+            10f64.powf(log_ea), top * length,
+            if released && foot > 1 { ", release_s = 1.5" } else { "" },
+        );
+        if bedded {
+            text += &format!("seabed = {{ depth_m = {depth:?}, stiffness_n_per_m3 = 1e5, damping_n_s_per_m3 = {bed_damping:?}, friction = {friction:?}, slope_deg = {slope:?} }}\n");
+        }
+        if hung {
+            text += &format!("clumps = [{{ name = \"c\", section = \"rope\", at_m = {:?}, mass_kg = {:?}, wet_mass_kg = {:?}, drag_area_m2 = 0.5, added_mass_kg = 100.0 }}]\n", 0.4 * length, 0.2 * mass * length, -0.05 * mass * length);
+        }
+        if travels {
+            text += &format!("traveller = {{ name = \"t\", mass_kg = {:?}, wet_mass_kg = {:?}, speed_m_per_s = 2.0, ramp_s = 1.0 }}\n", 0.1 * mass * length, 0.05 * mass * length);
+        }
+        text += &match foot {
+            0 => String::new(),
+            1 => format!("ends.b = {{ name = \"b\", kind = \"payload\" }}\npayload = {{ dry_mass_kg = {:?}, wet_mass_kg = {:?}, drag_area_m2 = 1.0, added_mass_kg = 50.0 }}\n", 0.5 * mass * length, 0.2 * mass * length),
+            2 => format!("ends.b = {{ name = \"b\", kind = \"anchor\", position_m = [{:?}, 3.0, {:?}] }}\n", 0.6 * length, -depth),
+            _ => format!("ends.b = {{ name = \"b\", kind = \"fixed\", position_m = [{:?}, 0.0, {:?}] }}\n", 0.9 * length, 0.1 * length),
+        };
+        text
+    }
+}
+
 /// Runs a case for some seconds, or as many steps as its stiffest segment lets one compute in a moment.
 fn run(text: &str, method: Method, time_step_s: Option<f64>, rho: f64) -> Run {
     let mut case = lines::line(text);
@@ -207,6 +261,29 @@ proptest! {
                 let placed = why.contains("node ") && (why.contains("t = ") || why.contains("equilibrium"));
                 prop_assert!(placed, "{why}\n{text}");
                 prop_assert!(run.history.channels.iter().flat_map(|c| &c.values).all(|v| v.is_finite()));
+            }
+            state => prop_assert!(false, "{state:?}"),
+        }
+    }
+
+    #[test]
+    fn no_line_in_motion_panics_or_hides_a_number_that_is_not_finite(
+        text in any_scene(),
+        method in prop_oneof![3 => Just(Method::Alpha), 1 => Just(Method::Quasi), 1 => Just(Method::Rk4)],
+        rho in 0.0f64..1.0,
+    ) {
+        let run = run(&text, method, None, rho);
+        match run.info.state {
+            RunState::Done => {
+                prop_assert!(finite(&run), "{text}");
+                let far = run.profile.nodes.iter().flatten().fold(0.0, |far: f64, x| far.max(x.abs()));
+                prop_assert!(far < 1e4, "{far} m {:?}\n{text}", run.info.settings);
+            }
+            RunState::Failed => {
+                let why = run.info.failure.clone().unwrap_or_default();
+                let placed = why.contains("node ") && (why.contains("t = ") || why.contains("equilibrium"));
+                let advised = why.contains("try ") || why.contains("give ") || why.contains("use ") || why.contains("start");
+                prop_assert!(placed || advised, "{why}\n{text}");
             }
             state => prop_assert!(false, "{state:?}"),
         }

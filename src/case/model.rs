@@ -25,7 +25,9 @@ pub use line::{
 pub use sea::{
     DecayName, SpectrumName, StretchingName, WaterSurface, WaveKind, WaveLoadName, Waves,
 };
-pub use settings::{FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartShape};
+pub use settings::{
+    EnvelopeOf, FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartShape,
+};
 
 /// Everything a case file says.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

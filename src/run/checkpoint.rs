@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
+use super::front::Front;
 use super::response::Response;
 use super::store::{Rows, Shapes, StoreError};
 use super::{LineShape, Profile};
@@ -28,6 +29,9 @@ pub struct Checkpoint {
     /// Squares of the longest that segments with a breaking load were \[m²\].
     #[serde(default)]
     pub longest: Vec<f64>,
+    /// How the line lay down on the bed so far.
+    #[serde(default)]
+    pub front: Option<Front>,
     /// What the start gave to be said.
     pub warnings: Vec<String>,
     /// Where the march is.

@@ -129,6 +129,7 @@ fn compute_on(
     };
     tell_damping(&mut settings, &phases[0], ended.work.steps);
     warnings.extend(out_of_water(case, &recorder.profile));
+    warnings.extend(recorder.front.warning());
     let mut modes = modes::numbers(case, &phases[0]).unwrap_or_else(|why| {
         warnings.push(format!("natural modes are not told: {why}"));
         Vec::new()

@@ -96,6 +96,7 @@ pub(super) fn march<'a, M: Stepper>(
                 peaks: sink.extremes(|c| c.peak),
                 troughs: sink.extremes(|c| c.trough),
                 longest: sink.longest(),
+                front: Some(sink.front.clone()),
                 warnings: from.warnings.to_vec(),
                 place: *place,
                 state: state.clone(),

@@ -1,5 +1,7 @@
 //! Takes the accepted steps of a solver and makes of them channels, shapes and envelopes.
 
+use super::envelope::Envelope;
+use super::front::Front;
 use super::gather::Gather;
 use super::job::Event;
 use super::response::Response;
@@ -21,6 +23,9 @@ pub(super) struct Recorder<'a> {
     /// What could not be recorded, in words.
     pub(super) troubles: Vec<String>,
     pub(super) profile: Profile,
+    envelope: Envelope,
+    /// How fast the line lies down on the bed.
+    pub(super) front: Front,
     response: Option<Response>,
     latest: Vec<f64>,
     /// Segments whose section states a breaking load, with the square of the longest that each was \[m²\].
@@ -71,6 +76,8 @@ impl<'a> Recorder<'a> {
             gather: Gather::new(statistic::wanted(case, &names)),
             troubles: Vec::new(),
             profile,
+            envelope: Envelope::of(case, scene),
+            front: Front::of(scene),
             shape_interval: case.output.shape_interval_s,
             duration: if case.solver.method == case::Method::Static {
                 0.0
@@ -132,6 +139,9 @@ impl<'a> Recorder<'a> {
             known => known,
         };
         self.profile.clone_from(&before.profile);
+        if let Some(front) = &before.front {
+            self.front.clone_from(front);
+        }
         let longest = self.longest.iter_mut().zip(&before.longest);
         longest.for_each(|((_, longest), known)| *longest = *known);
         Ok(())
@@ -322,6 +332,9 @@ impl Sink for Recorder<'_> {
             widen(channel, *value, instant.time);
         }
         self.widen_peaks(instant.state);
+        self.envelope
+            .widen(self.scene, instant.state, &mut self.profile);
+        self.front.watch(self.scene, instant.time, instant.state);
         if instant.output {
             self.store(&instant);
         }

@@ -116,20 +116,24 @@ impl Flexure {
     /// Curvature \[1/m\] at every node.
     #[must_use]
     pub fn curvatures(&self, scene: &Scene, state: &State) -> Vec<f64> {
+        let nodes = 0..=scene.segments.len();
+        nodes.map(|i| self.curvature_at(i, scene, state)).collect()
+    }
+
+    /// Curvature \[1/m\] at node i.
+    fn curvature_at(&self, i: usize, scene: &Scene, state: &State) -> f64 {
         let last = scene.segments.len();
-        let tangents: Vec<V3> = (0..last).map(|i| scene.chord(i, state).tangent).collect();
-        let at_clamp = |end: usize, t: &V3, node: usize| {
-            self.clamps[end].map_or(0.0, |(direction, _)| {
-                curvature(&direction, t, self.spans[node])
+        let tangent = |i: usize| scene.chord(i, state).tangent;
+        let at_clamp = |end: usize, i: usize| {
+            self.clamps[end].map_or(0.0, |(d, _)| {
+                curvature(&d, &tangent(i), self.spans[i + end])
             })
         };
-        (0..=last)
-            .map(|i| match i {
-                0 => at_clamp(0, &tangents[0], 0),
-                i if i == last => at_clamp(1, &tangents[last - 1], last),
-                i => curvature(&tangents[i - 1], &tangents[i], self.spans[i]),
-            })
-            .collect()
+        match i {
+            0 => at_clamp(0, 0),
+            i if i == last => at_clamp(1, last - 1),
+            i => curvature(&tangent(i - 1), &tangent(i), self.spans[i]),
+        }
     }
 
     /// Bending moment \[N m\] at every node.
@@ -142,19 +146,23 @@ impl Flexure {
     /// has no curvature.
     #[must_use]
     pub fn bent(&self, scene: &Scene, state: &State) -> (Vec<f64>, Vec<f64>) {
-        let last = scene.segments.len();
-        let stiffness = |i: usize| match i {
+        let nodes = 0..=scene.segments.len();
+        nodes.map(|i| self.bent_at(i, scene, state)).unzip()
+    }
+
+    /// The same at node i.
+    #[must_use]
+    pub fn bent_at(&self, i: usize, scene: &Scene, state: &State) -> (f64, f64) {
+        let k = match i {
             0 => self.clamps[0].map_or(0.0, |c| c.1),
-            i if i == last => self.clamps[1].map_or(0.0, |c| c.1),
+            i if i == scene.segments.len() => self.clamps[1].map_or(0.0, |c| c.1),
             i => self.joints[i],
         };
-        let turned = self.curvatures(scene, state).into_iter().enumerate();
-        turned
-            .map(|(i, c)| match stiffness(i) {
-                k if k > 0.0 => (c, c * self.spans[i] * k),
-                _ => (0.0, 0.0),
-            })
-            .unzip()
+        if k <= 0.0 {
+            return (0.0, 0.0);
+        }
+        let c = self.curvature_at(i, scene, state);
+        (c, c * self.spans[i] * k)
     }
 
     /// The first node at which the line bends by a right angle or more: no mesh can carry such a bend, and past it

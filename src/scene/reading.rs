@@ -183,7 +183,8 @@ impl Scene {
     }
 
     /// Inverse of the mass of a free node, added mass and bodies included, a traveller left out \[1/kg\].
-    pub(super) fn lightness(&self, node: usize, state: &State) -> M3 {
+    #[must_use]
+    pub fn lightness(&self, node: usize, state: &State) -> M3 {
         let mut m = Symmetric::default();
         m.add_diagonal(self.mass[node]);
         let halves = [(node.checked_sub(1), 1), (Some(node), 0)];

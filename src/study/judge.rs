@@ -101,7 +101,17 @@ pub(super) fn finding(
         Ok(run) => run.info.failure.clone(),
     };
     let numbers = done.map_or_else(Vec::new, |run| numbers(hard, trial, run, other));
-    let (outcome, reason) = judge(trial, refusal, done.is_some(), &numbers);
+    let untold = trial.told.as_ref().filter(|words| {
+        let warned = |run: &Run| run.info.warnings.iter().any(|w| w.contains(words.as_str()));
+        done.is_some_and(|run| !warned(run))
+    });
+    let (outcome, reason) = match untold {
+        Some(words) => {
+            let why = format!("It must be told of (`{words}`), and was not.");
+            (Outcome::Wrong, Some(why))
+        }
+        None => judge(trial, refusal, done.is_some(), &numbers),
+    };
     Finding {
         case: hard.case.case.title.clone(),
         file: hard.file.clone(),

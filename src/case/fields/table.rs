@@ -382,6 +382,7 @@ pub static FIELDS: &[Field] = &[
     field("output.interval_s",       Number, "s", Range::positive(1e5), Default("0.5"), "history interval", "Interval of the time history."),
     field("output.shape_interval_s", Number, "s", Range::positive(1e6), Default("5.0"), "shape interval", "Interval of the stored line shapes."),
     field("output.energy",           Boolean, "", ANY, Default("false"), "energy", "Whether the energy of the line is recorded: kinetic, of position and of stretch, bending and bed."),
+    field("output.envelope",         Choice(&["outputs", "steps"]), "", ANY, Default("\"outputs\""), "envelope", "Envelopes along the line at output times or at every step; limits and published extremes ask for every step."),
     field("output.response_from_s",  Number, "s", Range::of(0.0, 1e6), NOT_USED, "response from", "From this time on root mean square displacements along the line are taken, about the mean."),
 
     field("modes.count",   Integer, "-",  Range::of(1.0, 1000.0), Default("10"), "modes", "How many natural modes, the lowest first."),
@@ -428,6 +429,7 @@ pub static FIELDS: &[Field] = &[
     field("trial.*.set",      Words,  "",  ANY, Means("the case as it stands"), "set", "Keys set on top of the case, each as key=value."),
     field("trial.*.rows",     Words,  "",  ANY, Means("all published values"), "rows", "Names of the published values the trial is held against."),
     field("trial.*.refused",  Text,   "",  ANY, Means("it must be computed"), "refused", "Words of the reason for which the trial must be refused."),
+    field("trial.*.told",     Text,   "",  ANY, NOT_USED, "told", "Words of a warning that the trial must give."),
     field("trial.*.same_as",  Text,   "",  ANY, NOT_USED, "same as", "A trial further up whose numbers must come out again."),
     field("trial.*.same_rel", Number, "-", Range::positive(1.0), NOT_USED, "same within", "How far they may be apart, relative to the number."),
 ];

@@ -276,6 +276,8 @@ pub struct Trial {
     pub rows: Option<Vec<String>>,
     /// Words of the reason for which it must be refused; absent: it must be computed.
     pub refused: Option<String>,
+    /// Words of a warning that it must give; absent: none is asked for.
+    pub told: Option<String>,
     /// Another trial, further up, whose numbers must come out again.
     pub same_as: Option<String>,
     /// How far they may be apart, relative to the number \[-\].

@@ -117,8 +117,21 @@ pub struct Output {
     pub shape_interval_s: f64,
     /// Whether the energy of the line is recorded.
     pub energy: bool,
+    /// When greatest and smallest values along the line are taken.
+    pub envelope: EnvelopeOf,
     /// From which time on root mean square displacements along the line are taken \[s\]; absent: none are.
     pub response_from_s: Option<f64>,
+}
+
+/// What the envelopes along the line are of.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum EnvelopeOf {
+    /// The output times, unless a limit, a published extreme or a trend of the line asks for more.
+    #[default]
+    Outputs,
+    /// Every step.
+    Steps,
 }
 
 impl Default for Output {
@@ -127,6 +140,7 @@ impl Default for Output {
             interval_s: 0.5,
             shape_interval_s: 5.0,
             energy: false,
+            envelope: EnvelopeOf::Outputs,
             response_from_s: None,
         }
     }

@@ -1,0 +1,136 @@
+//! How fast the line lies down on the bed, against the waves along it.
+//!
+//! The place where the line touches the bed moves as the line is lowered. Where it runs faster than the waves across the
+//! line, `sqrt(T/m)` with the added mass, the line cannot lie down smoothly: it slams down (the shock of Triantafyllou,
+//! Bliek and Shin 1985), and tensions near there depend on the mesh and on what the bed is said to be like. A run tells of it.
+
+use serde::{Deserialize, Serialize};
+
+use crate::linalg::V3;
+use crate::scene::Scene;
+use crate::solve::State;
+
+/// A node has been off the bed once it was higher than this share of its segments.
+const CLEAR: f64 = 0.01;
+/// Segments that a front is timed over.
+const SPAN: usize = 3;
+
+/// Watches the line lie down.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Front {
+    /// Time of the last step \[s\].
+    time: f64,
+    /// Heights of the nodes above the bed then \[m\].
+    height: Vec<f64>,
+    /// Whether they have been off the bed since they last lay down.
+    clear: Vec<bool>,
+    /// When they lay down \[s\]; infinite while they have not.
+    landed: Vec<f64>,
+    /// The fastest front against the waves there.
+    fastest: Option<Landing>,
+}
+
+/// A front of line that lies down.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct Landing {
+    time: f64,
+    arc: f64,
+    front: f64,
+    wave: f64,
+}
+
+impl Front {
+    /// For a line; watches nothing where there is no bed.
+    pub(super) fn of(scene: &Scene) -> Self {
+        let nodes = if scene.bed.is_some() {
+            scene.line_nodes()
+        } else {
+            0
+        };
+        Self {
+            height: vec![f64::NEG_INFINITY; nodes],
+            clear: vec![false; nodes],
+            landed: vec![f64::INFINITY; nodes],
+            ..Self::default()
+        }
+    }
+
+    /// Takes a step in; allocates nothing.
+    pub(super) fn watch(&mut self, scene: &Scene, t: f64, state: &State) {
+        let Some(bed) = &scene.bed else { return };
+        for i in 0..self.height.len() {
+            let (before, now) = (self.height[i], bed.height(&state.x[i]));
+            self.height[i] = now;
+            if now > CLEAR * length_at(scene, i) {
+                (self.clear[i], self.landed[i]) = (true, f64::INFINITY);
+            } else if now < 0.0 && before >= 0.0 && self.clear[i] {
+                let share = before / (before - now);
+                self.landed[i] = self.time + share * (t - self.time);
+                self.clear[i] = false;
+                for way in [-1, 1] {
+                    self.compare(scene, i, way, state);
+                }
+            }
+        }
+        self.time = t;
+    }
+
+    /// Holds the front that has come to node i by this way against the waves there.
+    fn compare(&mut self, scene: &Scene, i: usize, way: isize, state: &State) {
+        let back = |k: usize| i.checked_add_signed(-way * k as isize);
+        let times = (0..=SPAN).map(|k| Some(*self.landed.get(back(k)?)?));
+        let in_turn = |pair: (Option<f64>, Option<f64>)| match pair {
+            (Some(later), Some(earlier)) => later.is_finite() && earlier <= later,
+            _ => false,
+        };
+        if !times.clone().zip(times.clone().skip(1)).all(in_turn) {
+            return;
+        }
+        let (Some(from), Some(wave)) = (back(SPAN), wave_at(scene, i, state)) else {
+            return;
+        };
+        let passed = self.landed[i] - self.landed[from];
+        let front = (scene.arc[i] - scene.arc[from]).abs() / passed.max(f64::MIN_POSITIVE);
+        if front > wave && self.fastest.is_none_or(|f| front * f.wave > f.front * wave) {
+            self.fastest = Some(Landing {
+                time: self.landed[i],
+                arc: scene.arc[i],
+                front,
+                wave,
+            });
+        }
+    }
+
+    /// What a run must tell of it.
+    pub(super) fn warning(&self) -> Option<String> {
+        let Landing {
+            time,
+            arc,
+            front,
+            wave,
+        } = self.fastest?;
+        let speed = if front > 1e4 {
+            "all at once".to_owned()
+        } else {
+            format!("at {front:.1} m/s")
+        };
+        Some(format!(
+            "the line lay down on the bed faster than waves run along it: {speed} near {arc:.1} m at t = {time:.2} s, waves \
+             there at {wave:.1} m/s; it slams down there, and the tension goes with the mesh and the bed's stiffness and damping"
+        ))
+    }
+}
+
+/// Mean length of the segments at a node \[m\].
+fn length_at(scene: &Scene, i: usize) -> f64 {
+    let (first, last) = (i.saturating_sub(1), (i + 1).min(scene.line_nodes() - 1));
+    (scene.arc[last] - scene.arc[first]) / (last - first) as f64
+}
+
+/// Speed of waves across the line at a node \[m/s\]; none where it is slack.
+fn wave_at(scene: &Scene, i: usize, state: &State) -> Option<f64> {
+    let tension = scene.tension_at(i, state);
+    let mass = 1.0 / (V3::z().dot(&(scene.lightness(i, state) * V3::z())) * length_at(scene, i));
+    let speed = (tension / mass).sqrt();
+    (speed > 0.0 && speed.is_finite()).then_some(speed)
+}
