@@ -219,6 +219,42 @@ fn a_slack_line_hangs_plumb_on_both_sides_however_its_weight_rounds() {
     );
 }
 
+#[test]
+fn a_line_lies_exactly_as_long_as_its_bed_either_way_round() {
+    let sections = [
+        SectionProps::new(258.502_978_499_591_6, 3819.0, 1.16e10),
+        SectionProps::new(209.352_315_955_867_6, 8.05, 8.28e9),
+        SectionProps::new(413.129_640_213_824_9, 821.2, 1.43e6),
+    ];
+    let round = [sections[2], sections[1], sections[0]];
+    let ends = Ends {
+        x_m: total(&sections),
+        z_m: 0.0,
+    };
+    for sections in [sections, round] {
+        let rest = line(ends, &sections, Some(flat(0.0))).solve().unwrap();
+        assert!(rest.h_b_n < 1e-6 && rest.on_bed_m == total(&sections));
+    }
+}
+
+#[test]
+fn sections_that_cannot_stretch_are_the_limit_of_stiff_ones() {
+    let of = |ea: f64| {
+        [
+            SectionProps::new(500.0, 1200.0, ea),
+            SectionProps::new(400.0, 600.0, ea),
+        ]
+    };
+    let ends = Ends {
+        x_m: 840.0,
+        z_m: 120.0,
+    };
+    for bed in [None, Some(flat(0.0))] {
+        let h = |ea: f64| line(ends, &of(ea), bed).solve().unwrap().h_b_n;
+        assert!((h(1e15) / h(f64::INFINITY) - 1.0).abs() < 1e-7);
+    }
+}
+
 fn no_deeper_than_the_bed(rest: &Solution, length: f64, below: f64) {
     for i in 0..=500 {
         let point = rest.at(length * f64::from(i) / 500.0);

@@ -101,6 +101,39 @@ fn slack_line_on_a_smooth_bed_lies_in_any_shape() {
     );
 }
 
+/// A buoyant line longer than the way between its ends, both on the surface: what floats there slack may lie anyhow, and a
+/// current that stretches it gives it one shape.
+#[test]
+fn slack_line_afloat_lies_in_one_of_many_shapes() {
+    let afloat = |current: &str| {
+        computed(&format!(
+            r#"
+            environment = {{ water_density_kg_per_m3 = 1025.0, water_surface = "crossed" }}
+            line = {{ length_m = 100.0, segments = 20 }}
+            materials.rope = {{ diameter_m = 0.1, mass_kg_per_m = 4.0, drag_normal = 1.2 }}
+            ends.b = {{ name = "post", kind = "fixed", position_m = [40.0, 0.0, -20.0] }}
+            {current}
+            "#
+        ))
+    };
+    let told = |run: &Run| {
+        let warned = run.info.warnings.iter();
+        warned
+            .chain(&run.info.failure)
+            .any(|w| w.contains("float on the surface"))
+    };
+    let calm = afloat("");
+    assert!(told(&calm), "{:?}", calm.info);
+    let streaming = afloat("current = { speed_m_per_s = 0.5, direction_deg = 90.0 }");
+    assert_eq!(
+        streaming.info.state,
+        RunState::Done,
+        "{:?}",
+        streaming.info.failure
+    );
+    assert!(!told(&streaming), "{:?}", streaming.info.warnings);
+}
+
 /// On a slope slack line is held by friction, as much as the slope asks for; without any it hangs downhill from the anchor.
 #[test]
 fn slack_line_on_a_slope_needs_friction() {

@@ -88,15 +88,17 @@ pub(super) fn come_to_rest(
     Ok(())
 }
 
-/// Says that slack line lies in one of many shapes.
+/// Says that slack line lies in one of many shapes, on the bed or on the surface of the water.
 fn many_shapes(scene: &Scene, state: &State) -> Option<String> {
-    let length = scene.heaped(state);
-    (length > 0.0).then(|| {
-        format!(
-            "{length:.1} m of the line lie on the bed without tension, where nothing gives them a shape: the one shown is \
-             one of many, all with the same forces at the ends"
-        )
-    })
+    let places = [
+        (scene.heaped(state), "lie on the bed"),
+        (scene.adrift(state), "float on the surface of the water"),
+    ];
+    let (length, how) = places.into_iter().find(|(length, _)| *length > 0.0)?;
+    Some(format!(
+        "{length:.1} m of the line {how} without tension, where nothing gives them a shape: the one shown is \
+         one of many, all with the same forces at the ends"
+    ))
 }
 
 /// Says where a line that bends may rest as well: on the other side of its chord.

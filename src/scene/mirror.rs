@@ -50,13 +50,31 @@ impl Scene {
         let Some(bed) = self.bed.filter(|bed| bed.friction.is_none()) else {
             return 0.0;
         };
+        self.untensioned(state, |i| {
+            bed.height(&state.x[i]).max(bed.height(&state.x[i + 1])) <= 0.0
+        })
+    }
+
+    /// Length of line that floats on the surface of the water and bears no tension \[m\]: it may lie in any shape.
+    #[must_use]
+    pub fn adrift(&self, state: &State) -> f64 {
+        let Some(water) = self.water.as_ref().filter(|water| water.crossed) else {
+            return 0.0;
+        };
+        self.untensioned(state, |i| {
+            let [one, other] = [i, i + 1].map(|node| state.x[node].z.abs());
+            one.max(other) <= 2.0 * water.radius[i]
+        })
+    }
+
+    /// Length of the segments without tension among these \[m\].
+    fn untensioned(&self, state: &State, among: impl Fn(usize) -> bool) -> f64 {
         let slack = |i: usize| {
-            let lies = bed.height(&state.x[i]).max(bed.height(&state.x[i + 1])) <= 0.0;
-            lies && self.pull_now(i, &self.chord(i, state), state).value <= 1e-6 * self.force_scale
+            self.pull_now(i, &self.chord(i, state), state).value <= 1e-6 * self.force_scale
         };
         let lengths = self.segments.iter().enumerate();
         lengths
-            .filter(|(i, _)| slack(*i))
+            .filter(|(i, _)| among(*i) && slack(*i))
             .map(|(_, s)| s.axial.length)
             .sum()
     }

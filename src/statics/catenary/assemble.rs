@@ -17,7 +17,9 @@ impl Problem {
         for _ in 0..3 {
             let here = misses(chain, bays, &state, self.x);
             let (mut x, z) = chain.misses(bays, state.h, &state.offsets, self.x);
-            if pattern.slack {
+            // Lying all the way, exactly as long as its bed: the rounding of the length is no stretch.
+            let rounding = 4.0 * f64::EPSILON * chain.length;
+            if pattern.slack || (bays.is_empty() && x.abs() <= rounding) {
                 x = 0.0;
             }
             let step = here.step(x, &z);

@@ -111,6 +111,9 @@ impl Div for Twofold {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
+        if other.hi.is_infinite() {
+            return Self::from(first);
+        }
         let rest = self - other * Self::from(first);
         let second = rest.hi / other.hi;
         quick_sum(first, second)

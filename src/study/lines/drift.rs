@@ -62,7 +62,7 @@ impl InCurrent {
             segments *= 2;
             let fine = self.on_mesh(segments)?;
             let part = [0, 1].map(|end| (fine[end] - coarse[end]) / 3.0);
-            let error_n = part.iter().map(|p| p.amax()).fold(0.0, f64::max);
+            let error_n = part.iter().map(V3::amax).fold(0.0, f64::max);
             let size = fine[0].norm().max(fine[1].norm());
             if error_n <= AIM * size || segments >= MOST {
                 if error_n > BELIEVED * size {

@@ -12,10 +12,9 @@ pub(super) struct Answered {
     pub refused: bool,
 }
 
-/// What is wrong: with which key, at which byte of the text.
+/// What is wrong; with which key's value, at which byte of the text, where it is one.
 struct Trouble {
-    key: String,
-    at: usize,
+    place: Option<(String, usize)>,
     problem: String,
 }
 
@@ -85,12 +84,12 @@ pub(super) fn answer(text: &str, number: usize) -> Answered {
     };
     let (numbers, status) = match solved {
         Ok(numbers) => (numbers, "ok".to_owned()),
-        Err(Trouble { key, at, problem }) if key.is_empty() => (Vec::new(), {
-            let _ = at;
-            format!("line {number}: {problem}")
-        }),
-        Err(Trouble { key, at, problem }) => {
-            (Vec::new(), format!("{}, {key}: {problem}", place(at)))
+        Err(Trouble { place: at, problem }) => {
+            let told = at.map_or_else(
+                || format!("line {number}: {problem}"),
+                |(key, at)| format!("{}, {key}: {problem}", place(at)),
+            );
+            (Vec::new(), told)
         }
     };
     Answered {
@@ -141,8 +140,7 @@ fn find<'a>(entries: &'a Entries, keys: &[&str]) -> Result<Option<&'a (String, V
     let first = found.next();
     match found.next() {
         Some((key, value)) => Err(Trouble {
-            key: key.clone(),
-            at: value.at.start,
+            place: Some((key.clone(), value.at.start)),
             problem: "given twice".into(),
         }),
         None => Ok(first),
@@ -150,17 +148,12 @@ fn find<'a>(entries: &'a Entries, keys: &[&str]) -> Result<Option<&'a (String, V
 }
 
 fn wanted(key: &str) -> Trouble {
-    Trouble {
-        key: String::new(),
-        at: 0,
-        problem: format!("the key {key} is missing"),
-    }
+    refused(format!("the key {key} is missing"))
 }
 
 fn wrong(key: &str, value: &Value, needs: &str) -> Trouble {
     Trouble {
-        key: key.to_owned(),
-        at: value.at.start,
+        place: Some((key.to_owned(), value.at.start)),
         problem: format!("{needs} is needed"),
     }
 }
@@ -238,11 +231,10 @@ fn sections(entries: &Entries) -> Result<Vec<SectionProps>, Trouble> {
     Ok(lists.into_iter().map(section).collect())
 }
 
-fn refused(problem: impl ToString) -> Trouble {
+fn refused(problem: impl Into<String>) -> Trouble {
     Trouble {
-        key: String::new(),
-        at: 0,
-        problem: problem.to_string(),
+        place: None,
+        problem: problem.into(),
     }
 }
 
@@ -272,7 +264,7 @@ fn at_rest(entries: &Entries) -> Result<Numbers, Trouble> {
         }),
         surface_above_a_m: number(entries, &["surface_above_a_m"])?,
     };
-    let rest = line.solve().map_err(refused)?;
+    let rest = line.solve().map_err(|why| refused(why.to_string()))?;
     let found = [
         rest.h_b_n,
         rest.v_b_n,
@@ -290,11 +282,11 @@ fn in_current(entries: &Entries) -> Result<Numbers, Trouble> {
         .iter()
         .find(|(key, _)| STILL[2..].contains(&key.as_str()))
     {
-        return Err(wrong(
-            key,
-            value,
-            "a line in a current goes from a_m to b_m, without a bed; none of this key",
-        ));
+        return Err(Trouble {
+            place: Some((key.clone(), value.at.start)),
+            problem: "a line in a current goes from a_m to b_m and has no bed; leave this key out"
+                .into(),
+        });
     }
     let point = |key: &'static str| -> Result<[f64; 3], Trouble> {
         let (_, value) = find(entries, &[key])?.ok_or_else(|| wanted(key))?;
