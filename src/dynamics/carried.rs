@@ -19,6 +19,9 @@ pub struct Carried {
     pub x_before: Vec<V3>,
     /// Quasi-static march: whether drag coefficients are held.
     pub remembers: bool,
+    /// RK4: the fastest decay at the end of the step before \[1/s\] and its node.
+    #[serde(default)]
+    pub decay: Option<(f64, usize)>,
     /// Newton's measured rate \[1/m\].
     pub rate: Option<f64>,
     /// Work so far.

@@ -15,6 +15,8 @@ const REAL_AXIS: f64 = 2.785;
 pub struct Rk4 {
     stage: State,
     next: State,
+    /// The fastest decay at the end of the last step \[1/s\] and its node, once it is known.
+    decay: Option<(f64, usize)>,
     tally: Tally,
 }
 
@@ -26,6 +28,7 @@ impl Rk4 {
         Self {
             stage: state.clone(),
             next: state,
+            decay: None,
             tally: Tally::default(),
         }
     }
@@ -52,9 +55,9 @@ impl Rk4 {
 
     /// Refuses a step in which a number is not finite (accelerations too: what goes astray shows in them first), and
     /// one that is too long for the decay by drag at either end of it. Returns a share of error that leaves room for a
-    /// step twice as long where the decay bears that.
+    /// step twice as long where the decay bears that. The end of one step is the beginning of the next.
     fn check<S: System + ?Sized>(
-        &self,
+        &mut self,
         system: &S,
         h: f64,
         state: &State,
@@ -66,13 +69,16 @@ impl Rk4 {
             return Err(NewtonError::NotFinite { node });
         }
         let mut share = 0.0_f64;
-        for end in [next, state] {
-            let (rate, node) = system.fastest_decay(end);
+        let begin = self.decay.unwrap_or_else(|| system.fastest_decay(state));
+        self.decay = Some(begin);
+        let end = system.fastest_decay(next);
+        for (rate, node) in [end, begin] {
             if h * rate > REAL_AXIS {
                 return Err(NewtonError::Unstable { node });
             }
             share = share.max(2.0 * ROOM_TO_DOUBLE * h * rate / REAL_AXIS);
         }
+        self.decay = Some(end);
         Ok(share)
     }
 }
@@ -106,18 +112,21 @@ impl Stepper for Rk4 {
 
     fn carried(&self) -> Carried {
         Carried {
+            decay: self.decay,
             tally: self.tally,
             ..Carried::default()
         }
     }
 
     fn take_up(&mut self, carried: &Carried) {
+        self.decay = carried.decay;
         self.tally = carried.tally;
     }
 
     fn restart<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &mut State) {
         system.take_water(t, state);
         system.accelerate(t, state);
+        self.decay = None;
     }
 
     fn tally(&self) -> Tally {

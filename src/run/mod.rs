@@ -17,6 +17,7 @@ pub mod model;
 mod modes;
 mod names;
 mod opposed;
+mod peaks;
 mod recorder;
 pub mod response;
 mod rest;

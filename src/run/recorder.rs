@@ -4,6 +4,7 @@ use super::envelope::Envelope;
 use super::front::Front;
 use super::gather::Gather;
 use super::job::Event;
+use super::peaks::Peaks;
 use super::response::Response;
 use super::store::StoreError;
 use super::thin::{Thinned, widen};
@@ -28,8 +29,7 @@ pub(super) struct Recorder<'a> {
     pub(super) front: Front,
     response: Option<Response>,
     latest: Vec<f64>,
-    /// Segments whose section states a breaking load, with the square of the longest that each was \[m²\].
-    longest: Vec<(usize, f64)>,
+    peaks: Peaks,
     shape_interval: f64,
     duration: f64,
     clock: std::time::Instant,
@@ -70,7 +70,7 @@ impl<'a> Recorder<'a> {
             scene,
             response: Response::of(case),
             latest: vec![0.0; channels.len()],
-            longest: watched(case, scene),
+            peaks: Peaks::of(case, scene),
             sources: channels.into_iter().map(|c| c.source).collect(),
             kept,
             gather: Gather::new(statistic::wanted(case, &names)),
@@ -103,7 +103,7 @@ impl<'a> Recorder<'a> {
 
     /// Squares of the longest that segments with a breaking load were so far \[m²\].
     pub(super) fn longest(&self) -> Vec<f64> {
-        self.longest.iter().map(|(_, longest)| *longest).collect()
+        self.peaks.longest()
     }
 
     /// How far the nodes moved so far.
@@ -142,13 +142,14 @@ impl<'a> Recorder<'a> {
         if let Some(front) = &before.front {
             self.front.clone_from(front);
         }
-        let longest = self.longest.iter_mut().zip(&before.longest);
-        longest.for_each(|((_, longest), known)| *longest = *known);
+        self.peaks.take_up(&before.longest, &before.state);
         Ok(())
     }
 
     /// Goes on with the line as it is after an event.
     pub(super) fn enter(&mut self, scene: &'a Scene) {
+        self.peaks
+            .settle(self.scene, &mut self.profile.tension_max);
         self.scene = scene;
     }
 
@@ -255,24 +256,10 @@ impl<'a> Recorder<'a> {
         (self.events)(Event::Frame(Box::new(frame)));
     }
 
-    /// Takes the tensions of what is stretched more than ever before into the envelope: greatest tensions, which the
-    /// breaking load is held against, are those of every step and not of the output times alone.
-    fn widen_peaks(&mut self, state: &State) {
-        for (i, longest) in &mut self.longest {
-            let length = (state.x[*i + 1] - state.x[*i]).norm_squared();
-            if length > *longest {
-                *longest = length;
-                for node in [*i, *i + 1] {
-                    let tension = self.scene.tension_at(node, state);
-                    let most = &mut self.profile.tension_max[node];
-                    *most = most.max(tension);
-                }
-            }
-        }
-    }
-
     /// Completes the profile once the run is over.
     pub(super) fn finish(&mut self) {
+        self.peaks
+            .settle(self.scene, &mut self.profile.tension_max);
         let Some(response) = self.response.take() else {
             return;
         };
@@ -304,20 +291,6 @@ impl<'a> Recorder<'a> {
     }
 }
 
-/// Segments of the sections whose material states a breaking load.
-fn watched(case: &Case, scene: &Scene) -> Vec<(usize, f64)> {
-    let limited = |section: &case::Section| {
-        let material = case.materials.get(&section.material);
-        material.is_some_and(|m| m.break_load_n.is_some())
-    };
-    let reaches = scene.joints.windows(2).zip(&case.line);
-    reaches
-        .filter(|(_, section)| limited(section))
-        .flat_map(|(joints, _)| joints[0].node..joints[1].node)
-        .map(|segment| (segment, 0.0))
-        .collect()
-}
-
 /// Raises greatest values to the new ones.
 fn raise(greatest: &mut [f64], values: &[f64]) {
     for (most, value) in greatest.iter_mut().zip(values) {
@@ -331,7 +304,11 @@ impl Sink for Recorder<'_> {
         for (channel, value) in self.kept.channels_mut().iter_mut().zip(&self.latest) {
             widen(channel, *value, instant.time);
         }
-        self.widen_peaks(instant.state);
+        self.peaks.widen(
+            self.scene,
+            instant.state,
+            &mut self.profile.tension_max,
+        );
         self.envelope
             .widen(self.scene, instant.state, &mut self.profile);
         self.front.watch(self.scene, instant.time, instant.state);

@@ -21,7 +21,10 @@ impl Scene {
         let chord = self.chord(i, state);
         let pull = chord.tangent * self.pull_now(i, &chord, state).value;
         let load = self.half_load(i, node, &chord, state);
-        let load = load + self.bed_on_half(i, node, (&(pull * sign), &load), state);
+        let load = match &self.bed {
+            None => load,
+            Some(_) => load + self.bed_on_half(i, node, (&(pull * sign), &load), state),
+        };
         // A slack segment has no direction to speak of: its half's load is then no tension.
         if pull == V3::zeros() {
             return 0.0;
@@ -36,15 +39,18 @@ impl Scene {
     }
 
     /// Weight, drag and (negative) inertia of the half of segment i at one of its nodes \[N\].
+    #[inline(always)]
     fn half_load(&self, i: usize, node: usize, chord: &Chord, state: &State) -> V3 {
         let segment = &self.segments[i];
         let half = node - i;
-        let drag = self.drag(i, chord, state)[half];
         let wet = self.wet(i, state);
+        let drag = self.wet_drag(i, chord, state, wet.as_ref());
+        // Forces alone: what their tangents need is then never worked out.
+        let drag = [drag[0].force, drag[1].force][half];
         let relative = self.relative_acceleration(node, state);
         let added = self.added(i, wet.as_ref())[half].force(&chord.tangent, &relative);
         let inertia = state.a[node] * segment.half_mass + added;
-        let load = drag.force - inertia - V3::z() * segment.half_weight;
+        let load = drag - inertia - V3::z() * segment.half_weight;
         if self.water.is_some() {
             load + self.pressure(i, half, wet.as_ref(), state)
         } else {
@@ -72,7 +78,8 @@ impl Scene {
         let (t, a) = (&chord.tangent, &state.a[node]);
         let wet = self.wet(i, state);
         let pull = t * (self.pull_now(i, &chord, state).value * sign);
-        let mut force = pull + self.drag(i, &chord, state)[node - i].force
+        let drag = self.wet_drag(i, &chord, state, wet.as_ref());
+        let mut force = pull + [drag[0].force, drag[1].force][node - i]
             - V3::z() * self.weight[node]
             - a * self.mass[node]
             - self.added(i, wet.as_ref())[node - i]

@@ -29,6 +29,7 @@ impl Scene {
     }
 
     /// The tension of segment i as the state stands: at the time of its last accepted step.
+    #[inline(always)]
     #[must_use]
     pub fn pull_now(&self, i: usize, chord: &Chord, state: &State) -> Tension {
         self.pull(i, chord, state.memory.time, state)
