@@ -175,7 +175,8 @@ impl Alpha {
         }
         self.trust = 1.0;
         system.take_water(t + h, &mut self.end);
-        state.copy_from(&self.end);
+        // The state before has served: it is scratch from here on.
+        std::mem::swap(state, &mut self.end);
     }
 }
 

@@ -7,7 +7,7 @@
 //! nodes two apart, hence the five bands of the tangent. Where stiffness changes at the node, l / EI is the mean of both
 //! segments' (their halves bend in series); a segment with EI = 0 makes it a hinge.
 
-use crate::linalg::{M3, V3};
+use crate::linalg::{BlockBand, M3, V3};
 
 /// Forces and tangent of the bend between two segments.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,7 +46,7 @@ pub fn clamp_stiffness(ei: f64, length: f64) -> f64 {
 }
 
 /// Gradient of `k (1 - t1.t2)`; each chord by its unit tangent and 1 / length \[1/m\].
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn bend(k: f64, first: (&V3, f64), second: (&V3, f64)) -> Bend {
     let ((t1, i1), (t2, i2)) = (first, second);
@@ -57,22 +57,67 @@ pub fn bend(k: f64, first: (&V3, f64), second: (&V3, f64)) -> Bend {
     }
 }
 
-/// Second derivatives of `k (1 - t1.t2)`.
-#[inline]
+/// Second derivatives of `k (1 - t1.t2)`. With `c = t1.t2`, `P = I - tt'` and `w = t2 - c t1`, the first is
+/// `k / l1² (t1 w' + w t1' + c P1)` and the mixed one `-k / (l1 l2) P1 P2`; both multiplied out.
+#[inline(always)]
 #[must_use]
 pub fn bend_tangent(k: f64, first: (&V3, f64), second: (&V3, f64)) -> BendTangent {
     let ((t1, i1), (t2, i2)) = (first, second);
-    let cos = t1.dot(t2);
-    let across = |t: &V3| M3::identity() - t * t.transpose();
-    let (p1, p2) = (across(t1), across(t2));
-    let own = |t: &V3, other: &V3, p: &M3, i: f64| {
-        let w = other - t * cos;
-        (t * w.transpose() + w * t.transpose() + p * cos) * (k * i * i)
+    let c = t1.dot(t2);
+    let cross = M3::from_columns(&[t1 * t2.x, t1 * t2.y, t1 * t2.z]);
+    let square = |t: &V3| M3::from_columns(&[t * t.x, t * t.y, t * t.z]);
+    let (s1, s2) = (square(t1), square(t2));
+    let both = cross + cross.transpose();
+    let own = |s: &M3, i: f64| {
+        let k = k * i * i;
+        with_diagonal((both - s * (3.0 * c)) * k, c * k)
     };
+    let m = -k * i1 * i2;
     BendTangent {
-        first: own(t1, t2, &p1, i1),
-        mixed: p1 * p2 * (-k * i1 * i2),
-        second: own(t2, t1, &p2, i2),
+        first: own(&s1, i1),
+        mixed: with_diagonal((cross * c - s1 - s2) * m, m),
+        second: own(&s2, i2),
+    }
+}
+
+#[inline(always)]
+fn with_diagonal(mut m: M3, s: f64) -> M3 {
+    m[(0, 0)] += s;
+    m[(1, 1)] += s;
+    m[(2, 2)] += s;
+    m
+}
+
+impl Bend {
+    /// Adds the forces of the bend at node i to the residual.
+    #[inline(always)]
+    pub fn add(&self, i: usize, r: &mut [V3]) {
+        r[i - 1] -= self.by_first;
+        r[i] += self.by_first - self.by_second;
+        r[i + 1] += self.by_second;
+    }
+}
+
+impl BendTangent {
+    /// Adds their derivatives to the tangent; sets its far blocks.
+    #[inline(always)]
+    pub fn add(&self, i: usize, tangent: &mut BlockBand) {
+        let Self {
+            first,
+            mixed,
+            second,
+        } = self;
+        let back = mixed.transpose();
+        let (near, far) = (mixed - first, mixed - second);
+        tangent.diag[i - 1] += first;
+        tangent.diag[i] -= near + far.transpose();
+        tangent.diag[i + 1] += second;
+        tangent.upper[i - 1] += near;
+        tangent.lower[i] += back - first;
+        tangent.upper[i] += far;
+        tangent.lower[i + 1] += back - second;
+        tangent.far_upper[i - 1] = -mixed;
+        tangent.far_lower[i + 1] = -back;
     }
 }
 

@@ -148,8 +148,7 @@ impl<'a> Recorder<'a> {
 
     /// Goes on with the line as it is after an event.
     pub(super) fn enter(&mut self, scene: &'a Scene) {
-        self.peaks
-            .settle(self.scene, &mut self.profile.tension_max);
+        self.peaks.settle(self.scene, &mut self.profile.tension_max);
         self.scene = scene;
     }
 
@@ -258,8 +257,7 @@ impl<'a> Recorder<'a> {
 
     /// Completes the profile once the run is over.
     pub(super) fn finish(&mut self) {
-        self.peaks
-            .settle(self.scene, &mut self.profile.tension_max);
+        self.peaks.settle(self.scene, &mut self.profile.tension_max);
         let Some(response) = self.response.take() else {
             return;
         };
@@ -304,11 +302,8 @@ impl Sink for Recorder<'_> {
         for (channel, value) in self.kept.channels_mut().iter_mut().zip(&self.latest) {
             widen(channel, *value, instant.time);
         }
-        self.peaks.widen(
-            self.scene,
-            instant.state,
-            &mut self.profile.tension_max,
-        );
+        self.peaks
+            .widen(self.scene, instant.state, &mut self.profile.tension_max);
         self.envelope
             .widen(self.scene, instant.state, &mut self.profile);
         self.front.watch(self.scene, instant.time, instant.state);

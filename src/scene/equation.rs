@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-use super::half::{Half, pull_by_chord};
 use super::water::Bathed;
 use super::{End, Hung, Scene};
 use crate::linalg::{BlockBand, M3, V3};
@@ -47,19 +46,7 @@ impl System for Scene {
             *out = state.a[i] * self.mass[i];
             out.z += self.weight[i];
         }
-        for i in 0..self.segments.len() {
-            let chord = self.chord(i, state);
-            let along = &chord.tangent;
-            let pull = along * self.tension(i, &chord, t, state).0.value;
-            r[i] -= pull;
-            r[i + 1] += pull;
-            let wet = self.wet(i, state);
-            let drag = self.wet_drag(i, &chord, state, wet.as_ref());
-            for (half, added) in self.added(i, wet.as_ref()).into_iter().enumerate() {
-                let a = self.relative_acceleration(i + half, state);
-                r[i + half] += added.force(along, &a) - drag[half].force;
-            }
-        }
+        self.add_segments(t, state, r);
         self.add_bed(state, r);
         self.add_water(state, r);
         self.add_traveller(t, state, r);
@@ -81,39 +68,7 @@ impl System for Scene {
             out.z += self.weight[i];
             *diag = M3::from_diagonal_element(c.mass * self.mass[i]);
         }
-        for i in 0..self.segments.len() {
-            let chord = self.chord(i, state);
-            let (tension, foretold) = self.tension(i, &chord, t, state);
-            let pull = chord.tangent * tension.value;
-            r[i] -= pull;
-            r[i + 1] += pull;
-            let by_chord = pull_by_chord(&chord, &foretold, c);
-            let wet = self.wet(i, state);
-            let drag = self.wet_drag(i, &chord, state, wet.as_ref());
-            let sheared = self.shear(i, state);
-            let (shear, back) = match &sheared {
-                Some([first, second]) => (Some([first, second]), Some([second, first])),
-                None => (None, None),
-            };
-            let stretch = self.wetted(i, &chord).1;
-            let [near, far] = self.added(i, wet.as_ref());
-            let half = |added, drag, other, a, shear, sign| Half {
-                added,
-                chord: &chord,
-                pull: by_chord,
-                drag,
-                other,
-                a,
-                shear,
-                stretch,
-                sign,
-            };
-            let a = [i, i + 1].map(|node| self.relative_acceleration(node, state));
-            let first = half(&near, &drag[0], &drag[1], &a[0], shear, -1.0);
-            tangent.upper[i] = first.add(c, &mut r[i], &mut tangent.diag[i]);
-            let second = half(&far, &drag[1], &drag[0], &a[1], back, 1.0);
-            tangent.lower[i + 1] = second.add(c, &mut r[i + 1], &mut tangent.diag[i + 1]);
-        }
+        self.linearise_segments(t, state, c, r, tangent);
         self.add_bed(state, r);
         self.add_bed_tangent(state, c, tangent);
         self.add_water(state, r);
@@ -121,8 +76,7 @@ impl System for Scene {
         self.add_traveller(t, state, r);
         self.add_traveller_tangent(t, c, tangent);
         if let Some(flexure) = &self.flexure {
-            flexure.add_forces(self, state, r);
-            flexure.add_tangent(self, state, c.stiffness, tangent);
+            flexure.linearise(self, state, c.stiffness, r, tangent);
         }
         for (number, Hung { node: i, body }) in self.bodies.iter().enumerate() {
             let Bathed { u, a, share, .. } = self.bathed(number, state);

@@ -23,24 +23,75 @@ impl Flexure {
     /// Adds the moments' forces to the residual.
     pub(super) fn add_forces(&self, scene: &Scene, state: &State, r: &mut [V3]) {
         let last = scene.segments.len();
+        let mut a = scene.chord(0, state);
         for i in 1..last {
+            let b = scene.chord(i, state);
             let k = self.joints[i];
             if k > 0.0 {
-                let (a, b) = (scene.chord(i - 1, state), scene.chord(i, state));
-                let g = bend(k, (&a.tangent, a.inverse), (&b.tangent, b.inverse));
-                r[i - 1] -= g.by_first;
-                r[i] += g.by_first - g.by_second;
-                r[i + 1] += g.by_second;
+                bend(k, (&a.tangent, a.inverse), (&b.tangent, b.inverse)).add(i, r);
             }
+            a = b;
         }
-        for end in 0..2 {
-            if let Some((direction, k)) = &self.clamps[end] {
-                let i = if end == 0 { 0 } else { last - 1 };
-                let g = clamped(*k, direction, &scene.chord(i, state));
-                r[i] -= g;
-                r[i + 1] += g;
+        for (i, chord, direction, k) in self.clamped_ends(scene, state) {
+            let g = clamped(k, &direction, &chord);
+            r[i] -= g;
+            r[i + 1] += g;
+        }
+    }
+
+    /// Adds the moments' forces to the residual and their derivatives, times `share`, to the tangent, whose far blocks
+    /// are theirs alone.
+    pub(super) fn linearise(
+        &self,
+        scene: &Scene,
+        state: &State,
+        share: f64,
+        r: &mut [V3],
+        tangent: &mut BlockBand,
+    ) {
+        let last = scene.segments.len();
+        let mut a = scene.chord(0, state);
+        for i in 1..last {
+            let b = scene.chord(i, state);
+            let k = self.joints[i];
+            if k > 0.0 {
+                let (first, second) = ((&a.tangent, a.inverse), (&b.tangent, b.inverse));
+                bend(k, first, second).add(i, r);
+                bend_tangent(k * share, first, second).add(i, tangent);
+            } else {
+                tangent.far_upper[i - 1] = M3::zeros();
+                tangent.far_lower[i + 1] = M3::zeros();
             }
+            a = b;
         }
+        // Nothing lies two nodes beyond the ends.
+        tangent.far_upper[last - 1..].fill(M3::zeros());
+        for (i, chord, direction, k) in self.clamped_ends(scene, state) {
+            let g = clamped(k, &direction, &chord);
+            r[i] -= g;
+            r[i + 1] += g;
+            let along = (&chord.tangent, chord.inverse);
+            let own = bend_tangent(k * share, along, (&direction, 0.0)).first;
+            tangent.diag[i] += own;
+            tangent.diag[i + 1] += own;
+            tangent.upper[i] -= own;
+            tangent.lower[i + 1] -= own;
+        }
+    }
+
+    /// The segments at clamped ends: their numbers, chords, and directions and stiffnesses of the clamps.
+    fn clamped_ends(
+        &self,
+        scene: &Scene,
+        state: &State,
+    ) -> impl Iterator<Item = (usize, Chord, V3, f64)> {
+        let last = scene.segments.len();
+        let ends = [(0, 0), (1, last - 1)];
+        ends.map(|(end, i)| {
+            self.clamps[end].map(|(direction, k)| (i, scene.chord(i, state), direction, k))
+        })
+        .into_iter()
+        .flatten()
     }
 
     /// Force of bending on the first or last node \[N\].
@@ -68,49 +119,6 @@ impl Flexure {
             force += bend(self.joints[joint], outer, inner).by_first * sign;
         }
         force
-    }
-
-    /// Adds the derivatives of those forces, times `share`.
-    pub(super) fn add_tangent(
-        &self,
-        scene: &Scene,
-        state: &State,
-        share: f64,
-        tangent: &mut BlockBand,
-    ) {
-        tangent.far_upper.fill(M3::zeros());
-        tangent.far_lower.fill(M3::zeros());
-        let last = scene.segments.len();
-        for i in 1..last {
-            let k = self.joints[i] * share;
-            if k > 0.0 {
-                let (a, b) = (scene.chord(i - 1, state), scene.chord(i, state));
-                let h = bend_tangent(k, (&a.tangent, a.inverse), (&b.tangent, b.inverse));
-                let mixed = h.mixed.transpose();
-                tangent.diag[i - 1] += h.first;
-                tangent.diag[i] += h.first + h.second - h.mixed - mixed;
-                tangent.diag[i + 1] += h.second;
-                tangent.upper[i - 1] += h.mixed - h.first;
-                tangent.lower[i] += mixed - h.first;
-                tangent.upper[i] += h.mixed - h.second;
-                tangent.lower[i + 1] += mixed - h.second;
-                tangent.far_upper[i - 1] -= h.mixed;
-                tangent.far_lower[i + 1] -= mixed;
-            }
-        }
-        for end in 0..2 {
-            if let Some((direction, k)) = &self.clamps[end] {
-                let i = if end == 0 { 0 } else { last - 1 };
-                let chord = scene.chord(i, state);
-                let own =
-                    bend_tangent(k * share, (&chord.tangent, chord.inverse), (direction, 0.0))
-                        .first;
-                tangent.diag[i] += own;
-                tangent.diag[i + 1] += own;
-                tangent.upper[i] -= own;
-                tangent.lower[i + 1] -= own;
-            }
-        }
     }
 
     /// Curvature \[1/m\] at every node.

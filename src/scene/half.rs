@@ -7,63 +7,56 @@ use crate::physics::tension::{Chord, Tension};
 use crate::solve::Factors;
 
 /// Half a segment: where it is, and what acts on it.
-pub(super) struct Half<'a> {
+pub(super) struct Half {
     /// Its added mass, as far as it is wet.
-    pub(super) added: &'a AddedMass,
-    pub(super) chord: &'a Chord,
+    pub(super) added: AddedMass,
+    pub(super) chord: Chord,
     /// Derivative of the pull, see [`pull_by_chord`].
     pub(super) pull: (f64, V3),
-    pub(super) drag: &'a Drag,
+    pub(super) drag: Drag,
     /// Drag of the other half.
-    pub(super) other: &'a Drag,
+    pub(super) other: Drag,
     /// Acceleration of its node relative to the water.
-    pub(super) a: &'a V3,
+    pub(super) a: V3,
     /// Shear of the current at its own node and at the other \[1/s\], where there is any.
-    pub(super) shear: Option<[&'a V3; 2]>,
+    pub(super) shear: Option<[V3; 2]>,
     /// 1 / chord length where the wetted length grows with the chord.
     pub(super) stretch: f64,
     /// Derivative of the chord by the node's position: -1 at the first node, 1 at the second.
     pub(super) sign: f64,
 }
 
-impl Half<'_> {
+impl Half {
     /// Adds what half a segment contributes to its node, pull, drag and added mass, and returns the block that couples the
     /// node to the segment's other one.
     #[inline(always)]
     pub(super) fn add(&self, c: Factors, r: &mut V3, diag: &mut M3) -> M3 {
-        let Half {
-            added,
-            chord,
-            pull,
-            drag,
-            other,
-            a,
-            shear,
-            stretch,
-            sign,
-        } = *self;
+        let (added, chord, drag, other) = (&self.added, &self.chord, &self.drag, &self.other);
         let (t, n) = (&chord.tangent, drag.direction());
-        *r += added.force(t, a) - drag.force;
+        *r += added.force(t, &self.a) - drag.force;
         // R depends on the chord through the pull, the added mass and, with a minus, the drag: s I + t p' + n q'.
-        let (s_m, p_m) = added.by_chord(t, a, chord.inverse);
-        let (s_d, p_d, q_d) = drag.by_chord(other, t, chord.inverse, stretch);
-        let k = sign * c.stiffness;
-        let (s, p, q) = ((s_m - s_d) * k + pull.0, (p_m - p_d) * k + pull.1, q_d * -k);
+        let (s_m, p_m) = added.by_chord(t, &self.a, chord.inverse);
+        let (s_d, p_d, q_d) = drag.by_chord(other, t, chord.inverse, self.stretch);
+        let k = self.sign * c.stiffness;
+        let (s, p, q) = (
+            (s_m - s_d) * k + self.pull.0,
+            (p_m - p_d) * k + self.pull.1,
+            q_d * -k,
+        );
         // Of its own node: the same, its acceleration, and its velocity, with which drag falls.
         let (v_i, v_t, v_n) = drag.by_velocity();
         let tt = c.damping * v_t + c.mass * (added.tangential - added.normal);
         add_outer(diag, t, &(p + t * tt));
         add_outer(diag, n, &(q + n * (c.damping * v_n)));
         add_diagonal(diag, s + c.damping * v_i + c.mass * added.normal);
-        let mut coupling = M3::zeros();
-        add_outer(&mut coupling, t, &-p);
+        let mut coupling = outer(t, &-p);
         add_outer(&mut coupling, n, &-q);
         add_diagonal(&mut coupling, -s);
         let by_other = drag.by_other_velocity(other);
         if let Some(block) = by_other {
             coupling += block * c.damping;
         }
-        if let Some([own_shear, other_shear]) = shear {
+        if let Some([own_shear, other_shear]) = &self.shear {
             let change =
                 own_shear * v_i + t * (v_t * t.dot(own_shear)) + n * (v_n * n.dot(own_shear));
             add_to_last_column(diag, &(change * -c.stiffness));
@@ -79,6 +72,12 @@ fn add_to_last_column(m: &mut M3, v: &V3) {
     for i in 0..3 {
         m[(i, 2)] += v[i];
     }
+}
+
+/// `a b'`.
+#[inline(always)]
+fn outer(a: &V3, b: &V3) -> M3 {
+    M3::from_columns(&[a * b.x, a * b.y, a * b.z])
 }
 
 /// `m += a b'`.

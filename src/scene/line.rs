@@ -144,17 +144,6 @@ impl Scene {
         }
     }
 
-    /// Shear of the current at both nodes of segment i \[1/s\]; nothing where the current is uniform.
-    #[inline(always)]
-    pub(super) fn shear(&self, i: usize, state: &State) -> Option<[V3; 2]> {
-        match &self.current {
-            Current::Uniform(_) => None,
-            Current::Table { .. } => {
-                Some([i, i + 1].map(|node| self.current.at(state.x[node].z).1))
-            }
-        }
-    }
-
     /// Drag on both halves of segment i.
     #[inline(always)]
     pub(super) fn drag(&self, i: usize, chord: &Chord, state: &State) -> [Drag; 2] {

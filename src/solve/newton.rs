@@ -6,7 +6,8 @@
 //!
 //! Stopping: the largest displacement of an iteration falls below the tolerance; or, because
 //! convergence is quadratic, the next one is foretold to do so (`|d1| = c |d0|²` with c measured on
-//! the iterations before, and a factor of safety), which saves an assembly a step.
+//! the iterations before, and a factor of safety), which saves an assembly a step. An iteration that goes in a circle, as
+//! between two sides of a kink, is given up early: a march halves its step sooner and loses less.
 
 use super::{Factors, State, System};
 use crate::linalg::{BlockBand, V3};
@@ -32,7 +33,7 @@ pub struct Newton {
 /// Why Newton gave up.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum NewtonError {
-    /// The iterations were used up.
+    /// The iterations were used up, or went in a circle.
     #[error(
         "Newton did not converge in {iterations} iterations: node {node} still moves by {moved:.3e} m"
     )]
@@ -89,6 +90,9 @@ impl NewtonError {
     }
 }
 
+/// So many iterations in a row that do not halve the least displacement so far are a circle.
+const IDLE: usize = 6;
+
 /// Factor of safety on the foretold displacement.
 const SAFETY: f64 = 4.0;
 
@@ -138,9 +142,13 @@ impl Newton {
     ) -> Result<usize, NewtonError> {
         let mut before: Option<f64> = None;
         let mut worst = (0, f64::INFINITY);
-        for iteration in 1..=self.max_iterations {
+        let (mut least, mut idle, mut made) = (f64::INFINITY, 0, 0);
+        while made < self.max_iterations && idle < IDLE {
+            made += 1;
             worst = self.iterate(system, t, state, c)?;
             let moved = worst.1;
+            idle = if moved < 0.5 * least { 0 } else { idle + 1 };
+            least = least.min(moved);
             if let Some(last) = before {
                 let rate = moved / (last * last);
                 // Only the tail of the iteration tells the rate; rounding is no rate.
@@ -152,14 +160,14 @@ impl Newton {
                 .curvature
                 .map_or(f64::INFINITY, |k| SAFETY * k * moved * moved);
             if moved <= self.tolerance || foretold <= self.tolerance {
-                return Ok(iteration);
+                return Ok(made);
             }
             before = Some(moved);
         }
         self.forget();
         let (node, moved) = worst;
         Err(NewtonError::Diverged {
-            iterations: self.max_iterations,
+            iterations: made,
             node,
             moved,
         })

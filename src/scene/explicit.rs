@@ -1,0 +1,266 @@
+//! What an explicit method asks of the line: accelerations, and how long a step it bears.
+
+use super::water::Bathed;
+use super::{End, Hung, Scene};
+use crate::linalg::{M3, V3};
+use crate::solve::{State, System};
+
+impl Scene {
+    /// Accelerations of the free nodes, `a = M(x)^-1 f(x, v)`: the mass of a node is a 3 x 3 block of its
+    /// own, since added mass is lumped with the rest.
+    pub(super) fn accelerations(&self, t: f64, state: &mut State) {
+        let last = self.nodes() - 1;
+        let held = [state.a[0], state.a[last]];
+        if self.is_plain(state) {
+            self.accelerations_as::<true>(t, state);
+        } else {
+            self.accelerations_as::<false>(t, state);
+        }
+        let free = self.free();
+        for (end, node) in [0, last].into_iter().enumerate() {
+            if !free.contains(&node) {
+                state.a[node] = held[end];
+            }
+        }
+    }
+
+    /// The same for all nodes; see [`Scene::is_plain`].
+    #[inline(always)]
+    fn accelerations_as<const PLAIN: bool>(&self, t: f64, state: &mut State) {
+        let bending = self.preload_bending(state);
+        let mut bodies = self.bodies.iter().enumerate().peekable();
+        let (mut f, mut m) = (V3::zeros(), Symmetric::default());
+        let mut near = self.around::<PLAIN>(0, state);
+        for i in 0..self.nodes() {
+            // Force and mass of node i: what the segment before left here, then the segment after.
+            let (mut beyond, mut next) = (V3::zeros(), Symmetric::default());
+            f.z -= self.weight[i];
+            m.add_diagonal(self.mass[i]);
+            if bending {
+                f -= state.a[i];
+            }
+            if let Some(bed) = &self.bed {
+                f += self.bed_force(bed, i, state);
+            }
+            if i < self.segments.len() {
+                let chord = self.chord(i, state);
+                let along = &chord.tangent;
+                let pull = along * self.tension_as::<PLAIN>(i, &chord, t, state).0.value;
+                let far = self.around::<PLAIN>(i + 1, state);
+                let (wet, [here, there]) = self.drag_as::<PLAIN>(i, &chord, [&near, &far], state);
+                let added = self.added(i, wet.as_ref());
+                m.add_directed(along, added[0].normal, added[0].tangential);
+                next.add_directed(along, added[1].normal, added[1].tangential);
+                f += pull + here.force;
+                beyond = there.force - pull;
+                if !PLAIN && self.water.is_some() {
+                    f += self.dragged_along(i, 0, along, wet.as_ref(), state);
+                    beyond += self.dragged_along(i, 1, along, wet.as_ref(), state);
+                }
+                near = far;
+            }
+            while let Some((number, Hung { body, .. })) = bodies.next_if(|(_, h)| h.node == i) {
+                let Bathed {
+                    u,
+                    carried,
+                    share,
+                    load,
+                    ..
+                } = self.bathed(number, state);
+                f += (body.drag(&u) + body.added.component_mul(&carried)) * share + load;
+                m.add_axes(&(body.added * share));
+            }
+            if let Some((push, axis, more)) =
+                self.turning.as_ref().and_then(|t| t.load(self, i, state))
+            {
+                f += push;
+                m.add_directed(&axis, 0.0, more);
+            }
+            state.a[i] = m.solve(&f);
+            (f, m) = (beyond, next);
+        }
+    }
+
+    /// Inverse of the mass of a free node, added mass and bodies included, a traveller left out \[1/kg\].
+    #[must_use]
+    pub fn lightness(&self, node: usize, state: &State) -> M3 {
+        let mut m = Symmetric::default();
+        m.add_diagonal(self.mass[node]);
+        let halves = [(node.checked_sub(1), 1), (Some(node), 0)];
+        for (i, half) in halves.into_iter().filter_map(|(i, half)| Some((i?, half))) {
+            if i < self.segments.len() {
+                let along = self.chord(i, state).tangent;
+                let added = self.added(i, self.wet(i, state).as_ref())[half];
+                m.add_directed(&along, added.normal, added.tangential);
+            }
+        }
+        for (number, hung) in self
+            .bodies
+            .iter()
+            .enumerate()
+            .filter(|(_, h)| h.node == node)
+        {
+            m.add_axes(&(hung.body.added * self.bathed(number, state).share));
+        }
+        if let Some((_, axis, more)) = self
+            .turning
+            .as_ref()
+            .and_then(|t| t.load(self, node, state))
+        {
+            m.add_directed(&axis, 0.0, more);
+        }
+        M3::from_columns(&[V3::x(), V3::y(), V3::z()].map(|axis| m.solve(&axis)))
+    }
+
+    /// Puts the residual forces of bending where the accelerations will stand: they couple nodes two apart, and so
+    /// must be complete before the first node is solved for. Whether there are any.
+    fn preload_bending(&self, state: &mut State) -> bool {
+        let Some(flexure) = &self.flexure else {
+            return false;
+        };
+        let mut forces = std::mem::take(&mut state.a);
+        forces.fill(V3::zeros());
+        flexure.add_forces(self, state, &mut forces);
+        state.a = forces;
+        true
+    }
+
+    /// The fastest rate at which drag slows a node \[1/s\], and the node: `dF/du / m` with all the relative velocity
+    /// counted as normal or as tangential, whichever gives more, and without added mass; so no less than it is.
+    pub(super) fn decay_by_drag(&self, state: &State) -> (f64, usize) {
+        let last = self.nodes() - 1;
+        let mut fastest = (0.0, 0);
+        for node in self.free() {
+            let speed = (self.water_at(node, state) - state.v[node]).norm();
+            let halves = self.segments[node.saturating_sub(1)..(node + 1).min(last)].iter();
+            let mut drag: f64 = halves
+                .map(|s| 0.5 * s.axial.length * s.drag.greatest(speed))
+                .sum();
+            let here = self.bodies.iter().filter(|hung| hung.node == node);
+            drag += here.map(|hung| hung.body.drag.amax()).sum::<f64>();
+            let mut rate = 2.0 * drag * speed / self.mass[node] + self.decay_by_bed(node, state);
+            if !self.laws.is_empty() {
+                rate = rate.max(self.ring_of_ropes(node, state));
+            }
+            if rate > fastest.0 {
+                fastest = (rate, node);
+            }
+        }
+        if let Some(turning) = &self.turning {
+            let rate = turning.decay(self, state);
+            if rate > fastest.0 {
+                fastest = (rate, turning.node);
+            }
+        }
+        fastest
+    }
+
+    /// Fastest axial frequency of the ropes at a node, as stiff as they are now \[rad/s\]: [`Scene::explicit_limit`]
+    /// knows them up to half their breaking load only.
+    fn ring_of_ropes(&self, node: usize, state: &State) -> f64 {
+        let last = self.segments.len();
+        let stiffest = (node.saturating_sub(1)..(node + 1).min(last))
+            .filter(|i| self.segments[*i].axial.law.is_some())
+            .map(|i| self.pull_now(i, &self.chord(i, state), state).by_length)
+            .fold(0.0, f64::max);
+        2.0 * (stiffest / self.mass[node]).sqrt()
+    }
+
+    /// What bending and the bed add to the stiffness of segment i in its highest mode \[N/m\]: `8 EI / l³` as two
+    /// neighbouring bends resist a zigzag, and the springs under its nodes.
+    fn other_stiffness(&self, i: usize) -> f64 {
+        let length = self.segments[i].axial.length;
+        let bending = self.flexure.as_ref().map_or(0.0, |f| {
+            8.0 * f.joints[i].max(f.joints[i + 1]) / (length * length)
+        });
+        bending + self.bed_stiffness(i).max(self.bed_stiffness(i + 1))
+    }
+
+    /// The largest explicit time step \[s\] that classical Runge-Kutta of order 4 bears, and the segment that
+    /// sets it. Highest axial frequency of a segment between nodes of masses m1, m2:
+    /// `omega² = 2 (EA/l) (1/m1 + 1/m2)` (Gershgorin, exact for a uniform line; added mass does not count along
+    /// the line), damping ratio `zeta = C omega / (2 EA)`. The limit is 2.785 / omega, less with damping:
+    /// both roots of `s² + 2 zeta omega s + omega²` must lie in the stability region, whose real axis
+    /// ends at -2.785 too.
+    #[must_use]
+    pub fn explicit_limit(&self) -> (f64, usize) {
+        let mut limit = (f64::INFINITY, 0);
+        for (i, segment) in self.segments.iter().enumerate() {
+            let lightness = |node: usize, held: bool| {
+                if held {
+                    0.0
+                } else {
+                    1.0 / self.least_mass(node)
+                }
+            };
+            let held = |end: usize| matches!(self.ends[end], End::Held(_));
+            let last = self.segments.len();
+            let sum = lightness(i, i == 0 && held(0)) + lightness(i + 1, i + 1 == last && held(1));
+            let axial = 2.0 * segment.axial.ea / segment.axial.length;
+            let omega = ((axial + self.other_stiffness(i)) * sum).sqrt();
+            let zeta = 0.5 * segment.axial.damping * omega / segment.axial.ea;
+            let fastest = omega * (zeta + (zeta * zeta + 1.0).sqrt()).max(1.0);
+            let step = 2.785 / fastest;
+            if step < limit.0 {
+                limit = (step, i);
+            }
+        }
+        limit
+    }
+}
+
+/// A symmetric positive definite 3 x 3 block.
+#[derive(Debug, Clone, Copy, Default)]
+struct Symmetric {
+    xx: f64,
+    xy: f64,
+    xz: f64,
+    yy: f64,
+    yz: f64,
+    zz: f64,
+}
+
+impl Symmetric {
+    #[inline(always)]
+    fn add_diagonal(&mut self, m: f64) {
+        self.xx += m;
+        self.yy += m;
+        self.zz += m;
+    }
+
+    #[inline(always)]
+    fn add_axes(&mut self, m: &V3) {
+        self.xx += m.x;
+        self.yy += m.y;
+        self.zz += m.z;
+    }
+
+    /// `normal (I - tt') + tangential tt'`.
+    #[inline(always)]
+    fn add_directed(&mut self, t: &V3, normal: f64, tangential: f64) {
+        let k = tangential - normal;
+        self.xx += normal + k * t.x * t.x;
+        self.yy += normal + k * t.y * t.y;
+        self.zz += normal + k * t.z * t.z;
+        self.xy += k * t.x * t.y;
+        self.xz += k * t.x * t.z;
+        self.yz += k * t.y * t.z;
+    }
+
+    /// By LDL', which no positive definite block needs pivoting for.
+    #[inline(always)]
+    fn solve(&self, f: &V3) -> V3 {
+        let d0 = 1.0 / self.xx;
+        let l10 = self.xy * d0;
+        let l20 = self.xz * d0;
+        let d1 = 1.0 / (self.yy - l10 * self.xy);
+        let l21 = (self.yz - l20 * self.xy) * d1;
+        let d2 = 1.0 / (self.zz - l20 * self.xz - l21 * (self.yz - l20 * self.xy));
+        let y1 = f.y - l10 * f.x;
+        let y2 = f.z - l20 * f.x - l21 * y1;
+        let z = y2 * d2;
+        let y = y1 * d1 - l21 * z;
+        let x = f.x * d0 - l10 * y - l20 * z;
+        V3::new(x, y, z)
+    }
+}
