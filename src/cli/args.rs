@@ -109,6 +109,34 @@ pub(super) enum StudyWords {
     /// Every trial reads OK, REFUSED (with the reason) or WRONG. The exit status is 1 when one came
     /// out other than it must.
     HardCases(HardWords),
+    /// Measure every method at several settings on one case: what it costs and how wrong it is.
+    ///
+    /// Errors are those of the time step, against a reference of another method in much finer steps, whose
+    /// own error is told; the mesh has a table of its own. Takes as long as the reference: up to some minutes.
+    Speed(SpeedWords),
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct SpeedWords {
+    /// The case file.
+    #[arg(value_name = "CASE")]
+    pub(super) case: PathBuf,
+
+    /// Set a key on top of the file, for example solver.duration_s=60; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub(super) set: Vec<String>,
+
+    /// Runs of every point, of which the cheapest counts.
+    #[arg(long, value_name = "N", default_value = "3", value_parser = count)]
+    pub(super) repeats: usize,
+
+    /// Write the table as CSV to this file as well.
+    #[arg(short, long = "output", value_name = "TABLE.csv")]
+    pub(super) output: Option<PathBuf>,
+
+    /// Print with ASCII characters only.
+    #[arg(long)]
+    pub(super) ascii: bool,
 }
 
 #[derive(Debug, clap::Args)]

@@ -1,7 +1,8 @@
-//! `seacable study`: hard cases held against what must come out.
+//! `seacable study`: hard cases held against what must come out; speed against error.
 
 use std::{
     fs, io,
+    path::Path,
     process::ExitCode,
     sync::{
         Mutex,
@@ -13,22 +14,29 @@ use rayon::prelude::*;
 
 use super::{
     Failure, NOT_GOOD,
-    args::{HardWords, StudyWords},
+    args::{HardWords, SpeedWords, StudyWords},
     cases::{self, Loaded},
     output, progress,
     signals::Stop,
 };
+use crate::report::chart::{Glyphs, draw};
+use crate::report::table::Table;
 use crate::study::{
     hard::{self, Computed, Hard},
+    speed::{self, SpeedError},
     tally,
 };
 
 /// Columns of the page.
 const WIDTH: usize = 160;
 
+/// Columns and rows of the chart.
+const PLOT: (usize, usize) = (80, 24);
+
 pub(super) fn study(words: &StudyWords) -> Result<ExitCode, Failure> {
     match words {
         StudyWords::HardCases(words) => hard_cases(words),
+        StudyWords::Speed(words) => speed_of(words),
     }
 }
 
@@ -44,14 +52,7 @@ fn hard_cases(words: &HardWords) -> Result<ExitCode, Failure> {
     }
     let findings = hard::findings(&cases, &computed);
     let table = hard::table(&findings);
-    if let Some(path) = &words.output {
-        let file = fs::File::create(path).map_err(io::Error::other);
-        let written = file.and_then(|file| table.write_csv(file).map_err(io::Error::other));
-        written.map_err(|source| Failure::Write {
-            path: path.clone(),
-            source,
-        })?;
-    }
+    write_csv(&table, words.output.as_deref())?;
     let tally = tally(&findings);
     output::results(&format!("{}\n{tally}\n", table.to_text(WIDTH)), words.ascii)?;
     Ok(if tally.holds() {
@@ -59,6 +60,58 @@ fn hard_cases(words: &HardWords) -> Result<ExitCode, Failure> {
     } else {
         ExitCode::from(NOT_GOOD)
     })
+}
+
+/// Writes a table to a file, where one is asked for.
+fn write_csv(table: &Table, path: Option<&Path>) -> Result<(), Failure> {
+    let Some(path) = path else { return Ok(()) };
+    let file = fs::File::create(path).map_err(io::Error::other);
+    let written = file.and_then(|file| table.write_csv(file).map_err(io::Error::other));
+    written.map_err(|source| Failure::Write {
+        path: path.to_owned(),
+        source,
+    })
+}
+
+fn speed_of(words: &SpeedWords) -> Result<ExitCode, Failure> {
+    let loaded = cases::load(&words.case)?;
+    let text = cases::set(&loaded.text, &words.set)?;
+    let case = cases::parse(&text, &loaded.file)?;
+    let stop =
+        Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
+    let usage = |why: SpeedError| Failure::Usage(format!("{}: {why}.", loaded.name));
+    let plan = speed::plan(&case).map_err(usage)?;
+    let mut line = progress::Line::new();
+    let mut tell = |begun: usize, of: usize, what: &str| {
+        line.words(&format!("{begun} of {of}: {what}"));
+    };
+    let study = match speed::compute(&case, plan, words.repeats, stop.cancel(), &mut tell) {
+        Ok(study) => study,
+        Err(why) => {
+            return match stop.status() {
+                Some(status) => {
+                    output::message("Stopped before all points were computed.");
+                    Ok(status)
+                }
+                None => Err(usage(why)),
+            };
+        }
+    };
+    drop(line);
+    let table = speed::table(&study);
+    write_csv(&table, words.output.as_deref())?;
+    let glyphs = if words.ascii {
+        Glyphs::Ascii
+    } else {
+        Glyphs::Braille
+    };
+    let chart = draw(&speed::chart(&study), PLOT.0, PLOT.1, glyphs).to_text();
+    let mesh = speed::mesh_table(&study).to_text(WIDTH);
+    output::results(
+        &format!("{}\n{chart}\n{mesh}", table.to_text(WIDTH)),
+        words.ascii,
+    )?;
+    Ok(ExitCode::SUCCESS)
 }
 
 fn hard_case(loaded: Loaded) -> Hard {
