@@ -17,6 +17,9 @@
 //! `t + (alpha_m - alpha_f) h`, before the end of its step. So at the end it is moved on to t, for what is read off the
 //! state, and at the next step back to the place that belongs to that step's length: left where it was, the method, or
 //! each change of step, would be of first order.
+//!
+//! Forces are in balance at a mix of positions, and the chord of a segment that turns is shorter there than before and
+//! after: [`System::tell_excess`] accounts for that where tensions are read.
 
 use super::{Carried, Step, StepError, Stepper, Tally};
 use crate::linalg::V3;
@@ -175,8 +178,10 @@ impl Alpha {
         }
         self.trust = 1.0;
         system.take_water(t + h, &mut self.end);
-        // The state before has served: it is scratch from here on.
-        std::mem::swap(state, &mut self.end);
+        if self.alpha_f > 0.0 {
+            system.tell_excess(self.alpha_f, state, &mut self.end);
+        }
+        state.copy_from(&self.end);
     }
 }
 

@@ -103,6 +103,10 @@ impl System for Scene {
         self.decay_by_drag(state)
     }
 
+    fn tell_excess(&self, share: f64, before: &State, end: &mut State) {
+        self.excess_of_mixing(share, before, end);
+    }
+
     fn jolt(&self, between: &State, end: &State) -> f64 {
         self.jolt_of_snaps(between, end)
     }

@@ -15,6 +15,7 @@ mod elasticity;
 mod ends;
 mod equation;
 mod event;
+mod excess;
 mod explicit;
 pub mod flexure;
 mod foretold;

@@ -32,7 +32,14 @@ impl Scene {
     #[inline(always)]
     #[must_use]
     pub fn pull_now(&self, i: usize, chord: &Chord, state: &State) -> Tension {
-        self.pull(i, chord, state.memory.time, state)
+        match state.excess.get(i) {
+            None => self.pull(i, chord, state.memory.time, state),
+            Some(excess) => {
+                let mut told = *chord;
+                told.length -= excess;
+                self.pull(i, &told, state.memory.time, state)
+            }
+        }
     }
 
     /// The tension of segment i, were it to push when it is slack.

@@ -68,6 +68,10 @@ pub struct State {
     /// Tensions of the segments as the iteration before foretold them \[N\], for the stiffness across the line: see
     /// [`System::foretell`]. One entry a segment, or none at all: tensions are then those of the stretch.
     pub foretold: Vec<f64>,
+    /// How much longer the segments are than their tensions tell \[m\], where a method takes forces between two states: see
+    /// [`System::tell_excess`]. One entry a segment, or none at all.
+    #[serde(default)]
+    pub excess: Vec<f64>,
 }
 
 impl State {
@@ -82,6 +86,7 @@ impl State {
             memory: Memory::default(),
             water: Vec::new(),
             foretold: Vec::new(),
+            excess: Vec::new(),
         }
     }
 
@@ -93,6 +98,7 @@ impl State {
         self.memory.copy_from(&other.memory);
         self.water.clone_from(&other.water);
         self.foretold.clone_from(&other.foretold);
+        self.excess.clone_from(&other.excess);
     }
 
     /// Whether every number is finite.
@@ -156,6 +162,12 @@ pub trait System: Sync {
     fn jolt(&self, _between: &State, _end: &State) -> f64 {
         0.0
     }
+
+    /// Writes into the state at the end of a step how much longer its segments are than their tensions tell. A method that
+    /// balances forces at a mix of two states, `share` of the one before, mixes chords: of a segment that turns the mix is
+    /// shorter than both, so that the balance makes both longer, and the tension read at the end of the step too high by
+    /// `EA share (1 - share) (omega h)² / 2`. Allocates at the first call only.
+    fn tell_excess(&self, _share: f64, _before: &State, _end: &mut State) {}
 
     /// Writes what the line is to remember of an accepted state at time t \[s\], `dt` after the one before, into that
     /// state's memory: once at the start with `dt` 0, then after every accepted step. Allocates at the start only.
