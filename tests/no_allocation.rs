@@ -100,7 +100,8 @@ fn check_changed(change: impl Fn(&mut Case), mut method: impl Stepper, spoilt: u
     };
     let first = Step {
         t: 0.0,
-        dt: step,
+        // Short: the line begins straight and without tension.
+        dt: 0.1 * step,
         refuse: false,
     };
     method.step(&system, first, &mut state).unwrap();

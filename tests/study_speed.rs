@@ -71,13 +71,14 @@ fn a_point_that_fails_is_marked_with_its_reason() {
     let case = pendulum();
     let mut plan = speed::plan(&case).unwrap();
     plan.points.truncate(2);
-    plan.points[0].case.solver.max_iterations = 1;
+    plan.points[0].case.solver.method = Method::Rk4;
+    plan.points[0].case.solver.time_step_s = Some(1.0);
     let study = computed(&case, plan);
     assert!(study.points[0].errors.is_none() && study.points[1].errors.is_some());
     let table = speed::table(&study);
     assert_eq!(table.rows[0].last().unwrap().text, "FAILED [1]");
     assert!(
-        table.notes[0].starts_with("[1] ") && table.notes[0].contains("Newton"),
+        table.notes[0].starts_with("[1] ") && table.notes[0].contains("stability limit"),
         "{:?}",
         table.notes
     );

@@ -46,6 +46,9 @@ pub struct Alpha {
     control: Option<Control>,
 }
 
+/// Iterations without gain after which a step is halved: the half converges where the whole goes in a circle.
+const IDLE: usize = 6;
+
 /// Errors allowed in one step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Control {
@@ -62,12 +65,14 @@ impl Alpha {
         let alpha_m = (2.0 * rho - 1.0) / (rho + 1.0);
         let alpha_f = rho / (rho + 1.0);
         let state = State::at_rest(vec![V3::zeros(); nodes]);
+        let mut newton = Newton::new(nodes, tolerance, max_iterations);
+        newton.idle = IDLE;
         Self {
             alpha_m,
             alpha_f,
             beta: 0.25 * (1.0 - alpha_m + alpha_f).powi(2),
             gamma: 0.5 - alpha_m + alpha_f,
-            newton: Newton::new(nodes, tolerance, max_iterations),
+            newton,
             end: state.clone(),
             between: state,
             jerk: vec![V3::zeros(); nodes],

@@ -7,7 +7,7 @@
 //! Stopping: the largest displacement of an iteration falls below the tolerance; or, because
 //! convergence is quadratic, the next one is foretold to do so (`|d1| = c |d0|²` with c measured on
 //! the iterations before, and a factor of safety), which saves an assembly a step. An iteration that goes in a circle, as
-//! between two sides of a kink, is given up early: a march halves its step sooner and loses less.
+//! between two sides of a kink, may be given up early: a march halves its step sooner and loses less.
 
 use super::{Factors, State, System};
 use crate::linalg::{BlockBand, V3};
@@ -22,6 +22,8 @@ pub struct Newton {
     pub max_iterations: usize,
     /// No node moves farther in an iteration: all displacements are scaled down together \[m\].
     pub longest: f64,
+    /// So many iterations in a row that do not halve the least displacement so far are a circle; at first no number is.
+    pub idle: usize,
     /// Iterations so far, over all calls.
     pub iterations: u64,
     residual: Vec<V3>,
@@ -90,9 +92,6 @@ impl NewtonError {
     }
 }
 
-/// So many iterations in a row that do not halve the least displacement so far are a circle.
-const IDLE: usize = 6;
-
 /// Factor of safety on the foretold displacement.
 const SAFETY: f64 = 4.0;
 
@@ -104,6 +103,7 @@ impl Newton {
             tolerance,
             max_iterations,
             longest: f64::INFINITY,
+            idle: usize::MAX,
             iterations: 0,
             residual: vec![V3::zeros(); nodes],
             tangent: BlockBand::new(nodes),
@@ -143,7 +143,7 @@ impl Newton {
         let mut before: Option<f64> = None;
         let mut worst = (0, f64::INFINITY);
         let (mut least, mut idle, mut made) = (f64::INFINITY, 0, 0);
-        while made < self.max_iterations && idle < IDLE {
+        while made < self.max_iterations && idle < self.idle {
             made += 1;
             worst = self.iterate(system, t, state, c)?;
             let moved = worst.1;
