@@ -109,7 +109,9 @@ fn allowed(path: &str, row: &Row) -> f64 {
         // The mesh is the paper's own, 158 segments.
         ("mooring/hybrid_fixed.toml", _) => 0.12,
         // Whole numbers: one wave more or less on the companion's mesh.
-        ("double_stepped/regular_wave.toml", name) if name.starts_with("waves") => 0.34,
+        (path, name) if path.starts_with("double_stepped/regular") && name.starts_with("waves") => {
+            0.34
+        }
         // Impacts: no method keeps its order there.
         ("hard/stop.toml", "energy") => 0.2,
         ("hard/whip.toml", "time of the fall") => 0.9,
@@ -123,7 +125,10 @@ fn numerical_errors_are_ten_times_smaller_than_the_tolerances() {
     for (path, rows) in ROWS.iter() {
         for row in rows
             .iter()
-            .filter(|r| r.trend.is_none() && r.outcome == Outcome::Pass)
+            // Curves have no numerical error of their own.
+            .filter(|r| {
+                r.trend.is_none() && r.outcome == Outcome::Pass && !r.unit.starts_with("% of")
+            })
         {
             let share = row.error.unwrap_or(f64::INFINITY) / row.tolerance.unwrap();
             if share > allowed(path, row) {

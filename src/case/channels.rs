@@ -39,6 +39,8 @@ pub enum Source {
     Tilt,
     /// Energy of the whole line and what hangs on it \[J\].
     Energy,
+    /// Height of the waves above still water over the gauge \[m\].
+    Elevation,
     /// What the dynamic stiffness of a section, by its number, stands at in its first or last segment.
     Rope(usize, LineEnd, RopeQuantity),
 }
@@ -66,7 +68,7 @@ pub enum LineEnd {
 /// The channels a run of this case records, in their order: tensions at the joints from A to B,
 /// then position of every end that moves and speed of every end that nothing holds (of a payload that turns, of its centre
 /// of gravity, and its tilt), then position of every body hung on the line, place of the body that
-/// travels along it and the tension there, then the line's pull on every held end, then
+/// travels along it and the tension there, then the line's pull on every held end, then the height of the waves, then
 /// its energy where that is asked for, then the dynamic stiffness at both ends of every section that has it: `polyester.a`
 /// is its first segment, `polyester.b` its last. An end that is let go at some time counts as one that nothing holds, too.
 #[must_use]
@@ -93,6 +95,7 @@ pub fn channels(case: &Case) -> Vec<Channel> {
     for (which, end) in [(LineEnd::A, &case.ends.a), (LineEnd::B, &case.ends.b)] {
         list.extend(force_channels(which, &end.name, end.kind));
     }
+    list.extend(case.waves.as_ref().map(|_| elevation_channel()));
     list.extend(case.output.energy.then(energy_channel));
     for (index, section) in case.line.iter().enumerate() {
         let material = case.materials.get(&section.material);
@@ -101,6 +104,15 @@ pub fn channels(case: &Case) -> Vec<Channel> {
         }
     }
     list
+}
+
+/// Height of the waves.
+pub(crate) fn elevation_channel() -> Channel {
+    Channel {
+        name: "wave_elevation_m[gauge]".to_owned(),
+        unit: "m",
+        source: Source::Elevation,
+    }
 }
 
 /// Energy of the whole line.

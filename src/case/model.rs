@@ -15,7 +15,8 @@ mod sea;
 mod settings;
 
 pub use claims::{
-    At, Direction, Mark, Published, Standing, Statistic, Study, StudyValue, Trend, Trial,
+    At, Direction, Mark, Published, PublishedCurve, Standing, Statistic, Study, StudyValue, Trend,
+    Trial,
 };
 pub use ends::{Carried, End, EndKind, Ends, MotionName, Payload, Rotation, Shape};
 pub use line::{
@@ -86,6 +87,9 @@ pub struct Case {
     /// Published values the case is held against.
     #[serde(default)]
     pub published: Vec<Published>,
+    /// Published curves over time that channels are held against.
+    #[serde(default)]
+    pub published_curve: Vec<PublishedCurve>,
     /// Published statements of trend, checked along a study.
     #[serde(default)]
     pub trend: Vec<Trend>,

@@ -11,6 +11,7 @@
 //! Rows of line cases come from runs ([`rows()`]). A kind of file that is worked out without a run holds its
 //! numbers against what its source printed by [`hold()`] and [`hold_trend()`]; tables, tallies and words are the same.
 
+mod curve;
 mod note;
 mod plan;
 mod row;
@@ -34,8 +35,8 @@ use crate::{
     run::Run,
 };
 
-/// Holds runs against everything the case states: first the values, then the trends, in the order
-/// of the file.
+/// Holds runs against everything the case states: first the values, then the trends, then the curves, in
+/// the order of the file.
 ///
 /// `lookup` gives the run of a variant ([`plan()`]), `None` being the case as it stands; a row whose run
 /// it does not give reads NOT RUN.
@@ -49,7 +50,9 @@ pub fn rows<'r>(case: &Case, lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>) ->
         .trend
         .iter()
         .map(|trend| trend::row(case, trend, lookup));
-    values.chain(trends).collect()
+    let curves = case.published_curve.iter();
+    let curves = curves.map(|curve| curve::row(curve, lookup));
+    values.chain(trends).chain(curves).collect()
 }
 
 #[cfg(test)]

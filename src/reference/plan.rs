@@ -20,6 +20,9 @@ pub fn plan(case: &Case) -> Vec<Option<At>> {
             }
         }
     }
+    for curve in &case.published_curve {
+        need(curve.at.clone());
+    }
     for trend in &case.trend {
         let study = case.study.iter().find(|s| s.name == trend.study);
         for value in study.map_or(&[][..], |s| &s.values) {

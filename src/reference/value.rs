@@ -17,7 +17,9 @@ pub(super) fn row<'r>(
     let found = found(published, lookup);
     let unit = match &found {
         Ok(quantity) => quantity.unit.clone(),
-        Err(_) if published.ratio_to.is_some() => "-".to_owned(),
+        Err(_) if published.ratio_to.is_some() || published.by_stretch_m.is_some() => {
+            "-".to_owned()
+        }
         Err(_) => published.statistic.unit(unit_of(&published.channel)),
     };
     let claim = Claim {
@@ -117,6 +119,12 @@ fn found<'r>(
         )
     };
     let quantity = number(published.at.as_ref())?.clone();
+    if let Some(stretch) = published.by_stretch_m {
+        let run = lookup(published.at.as_ref());
+        let run = run.ok_or_else(|| "This variant of the case has not been run.".to_owned())?;
+        let other = find(run, &published.channel, published.statistic, Some(stretch))?;
+        return Ok(ratio(&quantity, other));
+    }
     if let Some(other) = &published.ratio_to {
         return Ok(ratio(&quantity, number(Some(other))?));
     }
@@ -158,6 +166,7 @@ fn basis(published: &Published, all: &[Published]) -> Option<Basis> {
             && other.within() == published.within()
             && other.change_from == published.change_from
             && other.ratio_to == published.ratio_to
+            && other.by_stretch_m == published.by_stretch_m
             && other.at == published.at
     };
     if published.fitted {

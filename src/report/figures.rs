@@ -21,7 +21,7 @@ pub use response::{MapOf, response_map, rms_profile, wave_amplitudes, wavelength
 pub use ropes::{deviation_in_time, mean_load_in_time, stiffness_in_time, stiffness_profile};
 pub use shapes::{line_from_above, line_from_ahead, line_shape, trajectory};
 pub use study::along_studies;
-pub use times::{against_time, payload_position, speed, tensions, tilt};
+pub use times::{against_time, elevation, payload_position, speed, tensions, tilt};
 
 use crate::run::{History, LineShape, Profile, Run};
 

@@ -8,5 +8,6 @@ pub mod nodes;
 pub mod number;
 pub mod plain;
 pub mod response;
+pub mod sea;
 pub mod table;
 pub mod text;

@@ -13,6 +13,7 @@ pub use results::{limits, summary};
 pub use validation::validation;
 
 use super::chart::Glyphs;
+use super::sea;
 use crate::{case::Case, reference::Row, run::Run};
 
 /// The report of a run: what was computed and with which settings, inputs with their standing,
@@ -28,6 +29,11 @@ pub fn report(run: &Run, case: &Case, rows: &[Row], glyphs: Glyphs) -> String {
     about::warnings(&mut page, &run.info);
     about::settings(&mut page, &run.info);
     inputs::table(&mut page, run, case);
+    let sea = sea::table(case);
+    if !sea.rows.is_empty() {
+        page.heading("Irregular records");
+        page.block(&sea.to_text(WIDTH));
+    }
     page.heading("Results");
     page.block(&summary(run));
     if let Some(limits) = limits(run, case) {

@@ -189,6 +189,7 @@ impl<'a> Recorder<'a> {
                 Source::Speed(LineEnd::A) => state.v[0].norm(),
                 Source::Speed(LineEnd::B) => self.scene.velocity_of_b(state).norm(),
                 Source::Tilt => self.scene.tilt(state).to_degrees(),
+                Source::Elevation => self.scene.elevation(time),
                 Source::Energy => {
                     let travels = self.scene.traveller_energy(time, state);
                     self.scene.energy(state) + travels.map_or(0.0, |(energy, _)| energy)

@@ -45,7 +45,9 @@ pub fn wanted(case: &Case, channels: &[String]) -> Vec<Wanted> {
         .trend
         .iter()
         .map(|t| (&t.channel, t.statistic, t.within()));
-    for (name, statistic, window) in published.chain(trends) {
+    let others = case.published.iter();
+    let others = others.filter_map(|p| Some((&p.channel, p.statistic, Some(p.by_stretch_m?))));
+    for (name, statistic, window) in published.chain(others).chain(trends) {
         let channel = channels.iter().position(|c| c == name).map(Of::Channel);
         let Some(of) = channel.or_else(|| AlongLine::named(name).map(Of::Line)) else {
             continue;

@@ -6,10 +6,13 @@ use crate::case::{Case, STEADY, Statistic};
 use crate::linalg::V3;
 
 /// A period counts as steady when its root mean square is this near to that of the last one.
-const BAND: f64 = 0.1;
+const BAND: f64 = 0.05;
+/// Of places that move less than this part of the farthest nothing is told.
+const STILL: f64 = 1e-6;
 
-/// Time \[s\] from which on every period of the driving moves the line as far as the last one does, to a tenth: root mean
-/// squares over all nodes, about the mean places of the recorded window. Nothing where nothing drives the line at one
+/// Time \[s\] from which on every period of the driving moves the line as far as the last one does, to a twentieth:
+/// root mean squares over all nodes about their mean places, each by its own root mean square of the recorded window, so
+/// that a place counts however little it moves. Nothing where nothing drives the line at one
 /// period, or fewer than four shapes a period are stored.
 pub(super) fn number(case: &Case, shapes: &[LineShape]) -> Option<Quantity> {
     let (period, from) = (period(case)?, case.output.response_from_s?);
@@ -31,10 +34,15 @@ fn steady_from(shapes: &[LineShape], period: f64, from: f64) -> Option<f64> {
     let mean: Vec<V3> = (0..nodes)
         .map(|i| recorded.iter().map(|s| V3::from(s.nodes[i])).sum::<V3>() / count)
         .collect();
+    let off = |shape: &LineShape, i: usize| (V3::from(shape.nodes[i]) - mean[i]).norm_squared();
+    let own: Vec<f64> = (0..nodes)
+        .map(|i| recorded.iter().map(|s| off(s, i)).sum::<f64>() / count)
+        .collect();
+    let still = STILL * STILL * own.iter().copied().fold(0.0, f64::max);
+    let moving: Vec<usize> = (0..nodes).filter(|i| own[*i] > still).collect();
     let square = |shape: &LineShape| -> f64 {
-        let off = shape.nodes.iter().zip(&mean);
-        off.map(|(x, mean)| (V3::from(*x) - mean).norm_squared())
-            .sum()
+        let each = moving.iter().map(|i| off(shape, *i) / own[*i]);
+        each.sum::<f64>() / moving.len().max(1) as f64
     };
     let squares: Vec<(f64, f64)> = whole.iter().map(|s| (s.time, square(s))).collect();
     // Root mean square over the period that ends at each shape.
@@ -64,7 +72,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_motion_that_grows_is_steady_once_it_is_within_a_tenth() {
+    fn a_motion_that_grows_is_steady_once_it_is_within_a_twentieth() {
         let shape = |n: i32| {
             let time = 0.5 * f64::from(n);
             let size = (time / 40.0).min(1.0);
@@ -77,7 +85,7 @@ mod tests {
         };
         let shapes: Vec<LineShape> = (0..=400).map(shape).collect();
         let from = steady_from(&shapes, 10.0, 100.0).unwrap();
-        assert!((28.0..=38.0).contains(&from), "{from}");
+        assert!((32.0..=40.0).contains(&from), "{from}");
         assert!(steady_from(&shapes, 1.0, 100.0).is_none());
         assert!(steady_from(&[], 1.0, 100.0).is_none());
     }

@@ -4,11 +4,12 @@ use nalgebra::Complex;
 
 use super::End;
 use super::build::SceneError;
+use super::sea::Record;
 use crate::case::{self, Case, EndKind, MotionName};
 use crate::linalg::V3;
 use crate::physics::EndMotion;
 use crate::physics::motion::{self, Course, Swing};
-use crate::physics::sea::{Harmonics, Rao, Spectrum, Waves, synthesise};
+use crate::physics::sea::{Component, Harmonics, Rao, Spectrum, Waves, synthesise};
 use crate::physics::spline::Spline;
 
 /// Share of a sea's energy beyond a table of responses from which that is told.
@@ -110,15 +111,43 @@ fn irregular(end: &case::End, key: &str) -> Result<Course, SceneError> {
     let rms = end.rms_m.ok_or_else(|| missing(key, "rms_m", why))?;
     let period = end.peak_period_s;
     let period = period.ok_or_else(|| missing(key, "peak_period_s", why))?;
-    let record = |axis: usize| {
-        if rms[axis] == 0.0 {
-            return Vec::new();
-        }
-        let spectrum = Spectrum::of_rms(rms[axis], period, end.gamma);
-        synthesise(&spectrum, end.components, end.seed, axis as u64 + 1)
-    };
-    let axes = [record(0), record(1), record(2)];
+    let axes = [0, 1, 2].map(|axis| {
+        let record = record(end, axis, rms[axis], period);
+        record.map_or_else(Vec::new, |(_, components)| components)
+    });
     Ok(Course::Sum(Harmonics::along_axes(&axes)))
+}
+
+/// The record of one axis; nothing where it does not move.
+fn record(
+    end: &case::End,
+    axis: usize,
+    rms: f64,
+    period: f64,
+) -> Option<(Spectrum, Vec<Component>)> {
+    let spectrum = (rms != 0.0).then(|| Spectrum::of_rms(rms, period, end.gamma))?;
+    let components = synthesise(&spectrum, end.components, end.seed, axis as u64 + 1);
+    Some((spectrum, components))
+}
+
+/// The records of an end that moves irregularly.
+pub(super) fn records(end: &case::End) -> Vec<Record> {
+    let moves = end.kind == EndKind::Moving && end.motion == MotionName::Irregular;
+    let Some((rms, period)) = end.rms_m.zip(end.peak_period_s).filter(|_| moves) else {
+        return Vec::new();
+    };
+    let named = ["x", "y", "z"].into_iter().enumerate();
+    let one = |(axis, letter): (usize, &str)| {
+        let (spectrum, components) = record(end, axis, rms[axis], period)?;
+        Some(Record {
+            name: format!("{} {letter}", end.name),
+            of_waves: false,
+            seed: end.seed,
+            spectrum,
+            components,
+        })
+    };
+    named.filter_map(one).collect()
 }
 
 fn vessel(

@@ -39,6 +39,7 @@ pub use event::{Change, Event};
 pub use flexure::Flexure;
 pub use line::{End, Hung, Joint, Scene, Segment};
 pub use rope::RopeReading;
+pub use sea::{Record, records};
 pub use traveller::Traveller;
 pub use turning::Turning;
 pub use water::Water;

@@ -6,6 +6,7 @@ use crate::case::{
     self, Case, DecayName, Method, SpectrumName, StretchingName, WaterSurface, WaveKind,
     WaveLoadName,
 };
+use crate::linalg::V3;
 use crate::physics::sea::{
     Component, Decay, Setting, Spectrum, Stretching, WaveLoad, Waves, synthesise, wave_number,
 };
@@ -42,8 +43,57 @@ pub(super) fn water(
             why: "waves and a surface need water with density, and gravity",
         });
     }
-    let water = Water::around(segments, bodies, of_water, waves, crossed);
+    let mut water = Water::around(segments, bodies, of_water, waves, crossed);
+    water.gauge = gauge(case);
     Ok((Some(water), remarks))
+}
+
+/// Where the height of the waves is read.
+fn gauge(case: &Case) -> V3 {
+    let given = case.waves.as_ref().and_then(|waves| waves.gauge_m);
+    let ends = [&case.ends.b, &case.ends.a];
+    let end = || ends.into_iter().find_map(|end| end.position_m);
+    let [x, y] = given
+        .or_else(|| end().map(|[x, y, _]| [x, y]))
+        .unwrap_or_default();
+    V3::new(x, y, 0.0)
+}
+
+/// An irregular record that a case asks for, and what it is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record {
+    /// What it is: `waves`, or an end with its axis.
+    pub name: String,
+    /// Of waves, whose height is told; else of a motion, whose root mean square is.
+    pub of_waves: bool,
+    /// Seed of its frequencies and phases.
+    pub seed: u64,
+    /// What is asked for.
+    pub spectrum: Spectrum,
+    /// What it is made of.
+    pub components: Vec<Component>,
+}
+
+/// The irregular records of a case: its waves, and the axes of ends that move irregularly.
+#[must_use]
+pub fn records(case: &Case) -> Vec<Record> {
+    let mut list = Vec::new();
+    if let Some(waves) = &case.waves
+        && waves.kind == WaveKind::Irregular
+        && let (Some(spectrum), Ok(components)) = (spectrum(waves), components(waves))
+    {
+        list.push(Record {
+            name: "waves".to_owned(),
+            of_waves: true,
+            seed: waves.seed,
+            spectrum,
+            components,
+        });
+    }
+    for end in [&case.ends.a, &case.ends.b] {
+        list.extend(super::ends::records(end));
+    }
+    list
 }
 
 /// Depth of the sea \[m\].

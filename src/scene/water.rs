@@ -35,6 +35,8 @@ pub struct Water {
     pub gravity: f64,
     /// Density of the water \[kg/m³\].
     pub density: f64,
+    /// Where the height of the waves is read \[m\].
+    pub gauge: V3,
 }
 
 impl Water {
@@ -69,6 +71,7 @@ impl Water {
             by_bodies: bodies.collect(),
             gravity,
             density,
+            gauge: V3::zeros(),
         }
     }
 
@@ -100,6 +103,14 @@ pub(super) struct Bathed {
 }
 
 impl Scene {
+    /// Height of the waves above still water over the gauge at a time \[s\], in metres; 0 without waves.
+    #[must_use]
+    pub fn elevation(&self, time: f64) -> f64 {
+        let water = self.water.as_ref();
+        let waves = water.and_then(|water| Some((water.waves.as_ref()?, &water.gauge)));
+        waves.map_or(0.0, |(waves, gauge)| waves.elevation(time, gauge))
+    }
+
     /// Velocity of the water at a node \[m/s\].
     #[inline(always)]
     pub(super) fn water_at(&self, node: usize, state: &State) -> V3 {

@@ -3,7 +3,7 @@
 use super::state::{ChartKind, Curves, OpenCase};
 use crate::report::chart::{Chart, Range};
 use crate::report::figures::{
-    MapOf, Source, along_studies, curvature_profile, deviation_in_time, line_from_above,
+    MapOf, Source, along_studies, curvature_profile, deviation_in_time, elevation, line_from_above,
     line_from_ahead, line_shape, mean_load_in_time, moment_profile, payload_position, response_map,
     rms_profile, speed, stiffness_in_time, stiffness_profile, tension_profile, tensions, tilt,
     trajectory, wave_amplitudes, wavelengths,
@@ -101,6 +101,7 @@ pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
         ChartKind::Stiffness => stiffness_in_time(&sources),
         ChartKind::StiffnessAlong => stiffness_profile(&sources),
         ChartKind::Rms => rms_profile(&sources),
+        ChartKind::Elevation => elevation(&sources),
         ChartKind::Amplitudes => wave_amplitudes(&sources),
         ChartKind::Wavelengths => wavelengths(&sources),
         ChartKind::Map => {
@@ -185,6 +186,7 @@ pub fn series_names(open: &OpenCase, kind: ChartKind) -> Vec<String> {
         | ChartKind::Shape
         | ChartKind::Plan
         | ChartKind::Front
+        | ChartKind::Elevation
         | ChartKind::Rms => Vec::new(),
     }
 }

@@ -7,8 +7,8 @@ use super::value;
 use super::words::{join, nearest, split, unknown_key};
 use crate::case::along::{AlongLine, STEADY};
 use crate::case::channels::{
-    LineEnd, body_channels, energy_channel, force_channels, joint_channels, motion_channels,
-    rope_channels, tilt_channel, traveller_channels,
+    LineEnd, body_channels, elevation_channel, energy_channel, force_channels, joint_channels,
+    motion_channels, rope_channels, tilt_channel, traveller_channels,
 };
 use crate::case::diagnostic::Finding;
 use crate::case::fields::{Absent, CASE, FIELDS, Field, Kind, field_at, number};
@@ -25,6 +25,14 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
         let answers = root.find(&["output", "response_from_s"]).is_some();
         known.extend(answers.then(|| STEADY.to_owned()));
     }
+    for (name, row) in named(root, "published_curve") {
+        let key = |last: &str| join(&["published_curve", name.as_str(), last]);
+        let known = channels.as_ref();
+        found.extend(known.and_then(|known| over_time(row, known, key("channel"))));
+        found.extend(window(row, &key("window_s")));
+        found.extend(points(row, &key("time_s")));
+        found.extend(row.get("at").and_then(|at| point(root, at, &key("at"))));
+    }
     for list in ["published", "trend"] {
         for (name, row) in named(root, list) {
             let key = |last: &str| join(&[list, name.as_str(), last]);
@@ -35,7 +43,9 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
             );
             found.extend(suits(row, &key("statistic")));
             found.extend(window(row, &key("window_s")));
-            found.extend(stretch(row, &key("stretch_m")));
+            for which in ["stretch_m", "by_stretch_m"] {
+                found.extend(stretch(row, which, &key(which)));
+            }
             if list == "published" {
                 found.extend(tolerance(row, &key("tolerance_rel")));
                 found.extend(one_other(row, &key("ratio_to")));
@@ -294,6 +304,7 @@ fn channel_names(root: &Node) -> Option<Vec<String>> {
     }
     channels.extend(force_channels(LineEnd::A, a.0, a.1));
     channels.extend(force_channels(LineEnd::B, b.0, b.1));
+    channels.extend(root.get("waves").map(|_| elevation_channel()));
     let energy = root.find(&["output", "energy"]).map(|node| &node.data);
     channels.extend((energy == Some(&Data::Boolean(true))).then(energy_channel));
     for (index, section) in root.get("line")?.items().iter().enumerate() {
@@ -330,6 +341,35 @@ fn channel(row: &Node, known: &[String], key: String) -> Option<Finding> {
     Some(Finding::new(&node.span, key, problem, remedy))
 }
 
+/// A channel against time, which a curve is held against.
+fn over_time(row: &Node, known: &[String], key: String) -> Option<Finding> {
+    let node = row.get("channel")?;
+    let word = node.text()?;
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    if known.contains(&word) {
+        return None;
+    }
+    let (problem, remedy) = unknown_name(word, &known, "channel");
+    Some(Finding::new(&node.span, key, problem, remedy))
+}
+
+/// A curve has as many values as times, at least two, and its times increase.
+fn points(row: &Node, key: &str) -> Option<Finding> {
+    let node = row.get("time_s")?;
+    let (times, values) = (node.numbers()?, row.get("value")?.numbers()?);
+    let problem = if times.len() != values.len() {
+        format!("{} times stand beside {} values", times.len(), values.len())
+    } else if times.len() < 2 {
+        "a curve needs at least two points".to_owned()
+    } else if !times.is_sorted_by(|a, b| a < b) {
+        "the times do not increase".to_owned()
+    } else {
+        return None;
+    };
+    let remedy = "give as many values as times, the times increasing";
+    Some(Finding::new(&node.span, key, problem, remedy))
+}
+
 fn tolerance(row: &Node, key: &str) -> Option<Finding> {
     let given = row.get("tolerance_rel").is_some() || row.get("tolerance_abs").is_some();
     (!given && row.get("value").is_some()).then(|| {
@@ -338,16 +378,17 @@ fn tolerance(row: &Node, key: &str) -> Option<Finding> {
     })
 }
 
-/// A row is a change or a ratio, not both.
+/// A row is a change, a ratio to another point, or a ratio to another stretch; no two of them.
 fn one_other(row: &Node, key: &str) -> Option<Finding> {
-    let ratio = row.entry("ratio_to")?;
-    row.entry("change_from")?;
-    let problem = "the row is both a change from one point and a ratio to another";
+    let given = ["by_stretch_m", "ratio_to", "change_from"].map(|which| row.entry(which));
+    let mut given = given.into_iter().flatten();
+    let (first, _) = (given.next()?, given.next()?);
+    let problem = "the row is held against two other numbers at once";
     Some(Finding::new(
-        &ratio.key_span,
+        &first.key_span,
         key,
         problem,
-        "keep one of change_from and ratio_to",
+        "keep one of change_from, ratio_to and by_stretch_m",
     ))
 }
 

@@ -74,8 +74,8 @@ pub(super) fn window(row: &Node, key: &str) -> Option<Finding> {
 }
 
 /// A stretch runs from A towards B, and is one of a quantity of the whole line.
-pub(super) fn stretch(row: &Node, key: &str) -> Option<Finding> {
-    let node = row.get("stretch_m")?;
+pub(super) fn stretch(row: &Node, which: &str, key: &str) -> Option<Finding> {
+    let node = row.get(which)?;
     if let Some(channel) = row.get("channel").and_then(Node::text)
         && AlongLine::named(channel).is_none()
     {

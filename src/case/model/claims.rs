@@ -106,7 +106,38 @@ pub struct Published {
     pub change_from: Option<At>,
     /// The value is that of the point above by that of this point of a study \[-\].
     pub ratio_to: Option<At>,
+    /// The value is that of the stretch above by that of this stretch of the same line \[m\].
+    pub by_stretch_m: Option<[f64; 2]>,
     /// Why the number is out of reach; the row then reads DIFFERS instead of FAIL.
+    pub out_of_reach: Option<String>,
+}
+
+/// A published curve over time and how a channel of a run is held against it: by the root mean square of their differences
+/// at the output times, the curve straight between its points.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PublishedCurve {
+    /// What it is, in words.
+    pub name: String,
+    /// Channel of the history (`tension_n[wire|payload]`).
+    pub channel: String,
+    /// Times of the curve's points, increasing \[s\].
+    pub time_s: Vec<f64>,
+    /// Values there, in the unit of the channel.
+    pub value: Vec<f64>,
+    /// The curve repeats itself after this time \[s\], and where in it a run begins is free: the shift that fits best counts.
+    pub period_s: Option<f64>,
+    /// Window of time of the run \[s\]; absent: all of it.
+    pub window_s: Option<[f64; 2]>,
+    /// Greatest root mean square of the differences \[% of the curve's greatest size\].
+    pub tolerance_percent: f64,
+    /// Where it is printed.
+    pub source: String,
+    /// Standing of the inputs behind the computed curve, at worst.
+    pub inputs: Standing,
+    /// The point of a study it belongs to; absent: the case as it stands.
+    pub at: Option<At>,
+    /// Why it is out of reach; the row then reads DIFFERS instead of FAIL.
     pub out_of_reach: Option<String>,
 }
 

@@ -51,6 +51,9 @@ pub struct Waves {
     /// What of the water's motion reaches the line.
     #[serde(default)]
     pub load: WaveLoadName,
+    /// Where the height of the waves is recorded, x and y \[m\]; absent: over end B where it has a position, else over
+    /// end A.
+    pub gauge_m: Option<[f64; 2]>,
 }
 
 pub(super) fn gamma() -> f64 {

@@ -14,7 +14,7 @@ type Subject<'c> = (&'c str, &'c str, Statistic, Option<[f64; 2]>);
 pub fn along_studies(case: &Case, rows: &[Row]) -> Vec<Chart> {
     let mut all: Vec<(Subject<'_>, Chart)> = Vec::new();
     for (published, row) in case.published.iter().zip(rows) {
-        let plain = row.from.is_none() && row.by.is_none();
+        let plain = row.from.is_none() && row.by.is_none() && published.by_stretch_m.is_none();
         let Some(at) = published.at.as_ref().filter(|_| plain) else {
             continue;
         };

@@ -46,6 +46,15 @@ pub fn tilt(sources: &[Source]) -> Chart {
     }
 }
 
+/// Height of the waves against time \[s, m\].
+#[must_use]
+pub fn elevation(sources: &[Source]) -> Chart {
+    Chart {
+        title: "Height of the waves".to_owned(),
+        ..against_time(sources, "wave_elevation_m", Axis::new("elevation", "m"))
+    }
+}
+
 /// One quantity at all the places where it was recorded, against time: `against_time(.., "x_m",
 /// Axis::new("x", "m"))`.
 #[must_use]

@@ -6,10 +6,10 @@ use crate::{
     report::{
         chart::{Chart, Glyphs, draw, extent},
         figures::{
-            MapOf, Source, curvature_profile, deviation_in_time, line_from_above, line_from_ahead,
-            line_shape, mean_load_in_time, moment_profile, payload_position, response_map,
-            rms_profile, speed, stiffness_in_time, stiffness_profile, tension_profile, tensions,
-            tilt, trajectory, wave_amplitudes, wavelengths,
+            MapOf, Source, curvature_profile, deviation_in_time, elevation, line_from_above,
+            line_from_ahead, line_shape, mean_load_in_time, moment_profile, payload_position,
+            response_map, rms_profile, speed, stiffness_in_time, stiffness_profile,
+            tension_profile, tensions, tilt, trajectory, wave_amplitudes, wavelengths,
         },
     },
     run::Run,
@@ -30,6 +30,7 @@ pub(super) fn all(page: &mut Page, run: &Run, case: &Case, glyphs: Glyphs) {
             payload_position(&sources),
             speed(&sources),
             tilt(&sources),
+            elevation(&sources),
             trajectory(&sources, None),
             mean_load_in_time(&sources),
             deviation_in_time(&sources),

@@ -56,11 +56,13 @@ pub enum ChartKind {
     Amplitudes,
     /// Their lengths.
     Wavelengths,
+    /// Height of the waves against time.
+    Elevation,
 }
 
 impl ChartKind {
     /// All of them.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 21] = [
         Self::Tensions,
         Self::Payload,
         Self::Path,
@@ -81,6 +83,7 @@ impl ChartKind {
         Self::Rms,
         Self::Amplitudes,
         Self::Wavelengths,
+        Self::Elevation,
     ];
 
     /// The charts that a run of this case has something for, in the order in which they are leafed through: those
@@ -107,6 +110,7 @@ impl ChartKind {
         list.extend([Self::Payload, Self::Path].iter().filter(|_| moves));
         list.extend([Self::Speed].iter().filter(|_| speed));
         list.extend([Self::Tilt].iter().filter(|_| tilt));
+        list.extend(case.waves.as_ref().map(|_| Self::Elevation));
         list.push(Self::Shape);
         list.extend([Self::Plan, Self::Front].iter().filter(|_| spatial(case)));
         list.push(Self::Profile);
@@ -148,6 +152,7 @@ impl ChartKind {
             Self::Rms => "Rms",
             Self::Amplitudes => "Waves",
             Self::Wavelengths => "Wavelength",
+            Self::Elevation => "Sea",
         }
     }
 

@@ -92,6 +92,7 @@ fn against_time(kind: ChartKind) -> bool {
             | ChartKind::Deviation
             | ChartKind::Stiffness
             | ChartKind::Map
+            | ChartKind::Elevation
     )
 }
 

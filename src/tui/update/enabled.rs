@@ -45,7 +45,9 @@ fn in_case(state: &State, open: &OpenCase, id: Id) -> Option<&'static str> {
             "This case has no study. A `[[study]]` table in its file makes one.",
         ),
         Id::Validate => when(
-            open.case.published.is_empty() && open.case.trend.is_empty(),
+            open.case.published.is_empty()
+                && open.case.trend.is_empty()
+                && open.case.published_curve.is_empty(),
             "This case states no published values to be held against.",
         ),
         Id::Keep => keep(open),
