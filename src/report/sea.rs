@@ -123,6 +123,7 @@ mod tests {
         let text = include_str!("../../cases/double_stepped/regular_wave.toml")
             .replace("kind = \"regular\"", "kind = \"irregular\"")
             .replace("height_m = 3.0", "significant_height_m = 5.0")
+            .replace("\"waves.height_m\"", "\"waves.significant_height_m\"")
             .replace("period_s = 10.0", "peak_period_s = 11.0");
         let mut case = crate::case::parse(&text, "irregular.toml").unwrap();
         case.solver.duration_s = 20_000.0;

@@ -435,7 +435,7 @@ pub static FIELDS: &[Field] = &[
     field("published_curve.*.value",        List,       "",  ANY,     Required, "values", "Values there, in the unit of the channel."),
     field("published_curve.*.period_s",     Number,     "s", Range::positive(1e6), NOT_USED, "period", "The curve repeats after this time, and the shift that fits best counts."),
     field("published_curve.*.window_s",     Pair,       "s", ZERO_UP, WHOLE_RUN, "window", "Window of time of the run."),
-    field("published_curve.*.tolerance_percent", Number, "%", Range::positive(100.0), Required, "tolerance", "Greatest root mean square of the differences, in percent of the curve's greatest size."),
+    field("published_curve.*.tolerance_percent", Number, "", Range::positive(100.0), Required, "tolerance", "Greatest root mean square of the differences, in percent of the curve's greatest size."),
     field("published_curve.*.source",       Text,       "",  ANY,     Required, "source", "Where it is printed."),
     field("published_curve.*.inputs",       STANDINGS,  "",  ANY,     Required, "inputs", "Standing of the inputs behind the computed curve, at worst."),
     field("published_curve.*.out_of_reach", Text,       "",  ANY,     NOT_USED, "out of reach", "Why the curve cannot be reached; the row then reads DIFFERS instead of FAIL."),

@@ -110,7 +110,10 @@ impl ChartKind {
         list.extend([Self::Payload, Self::Path].iter().filter(|_| moves));
         list.extend([Self::Speed].iter().filter(|_| speed));
         list.extend([Self::Tilt].iter().filter(|_| tilt));
-        list.extend(case.waves.as_ref().map(|_| Self::Elevation));
+        // A regular wave is a sine, which nobody needs to see.
+        let irregular = |waves: &&case::Waves| waves.kind == case::WaveKind::Irregular;
+        let sea = case.waves.as_ref().filter(irregular);
+        list.extend(sea.map(|_| Self::Elevation));
         list.push(Self::Shape);
         list.extend([Self::Plan, Self::Front].iter().filter(|_| spatial(case)));
         list.push(Self::Profile);
