@@ -9,6 +9,7 @@ use seacable::dynamics::March;
 use seacable::dynamics::alpha::Alpha;
 use seacable::linalg::{BlockBand, V3};
 use seacable::scene::{self, Scene};
+use seacable::ship::forcing::Forcing;
 use seacable::ship::moored::{Moored, RigidBody};
 use seacable::solve::{Factors, Instant, Progressing, State, System};
 use seacable::statics::equilibrium::Search;
@@ -60,6 +61,7 @@ fn ship(line: &Scene, state: &State, mass: f64, arm: V3) -> RigidBody {
             0.01 * inertia,
         )),
         load: -Vector6::new(pull.x, pull.y, pull.z, turn.x, turn.y, turn.z),
+        forcing: Forcing::default(),
         place: state.x[last] - arm,
         arm,
         length: 25.0,

@@ -36,7 +36,7 @@ fn umbilical() -> Design {
 
 fn load(name: &str) -> Design {
     match section::load(&shipped(name)) {
-        Ok(loaded) => loaded.design,
+        Ok(loaded) => loaded.worked,
         Err(faults) => panic!("{}", told(&faults)),
     }
 }

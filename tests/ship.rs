@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use assert_cmd::Command;
 use predicates::{prelude::*, str::contains};
@@ -13,7 +14,7 @@ use seacable::report::chart::Glyphs;
 use seacable::ship::heading::Stands;
 use seacable::ship::quantities::quantity;
 use seacable::ship::rope::RopeAtSea;
-use seacable::ship::{self, Rest, Voyage, edit, held};
+use seacable::ship::{self, AtSea, Rest, Voyage, edit, held};
 
 const TEXT: &str = include_str!("../cases/ship/anchored.toml");
 
@@ -172,7 +173,7 @@ fn no_heading_in_balance_is_said() {
     let text = "[ship]\ntitle = \"wheel\"\nlength_m = 50.0\ndraft_m = 2.0\n[current]\nspeed_m_per_s = 1.0\ntowards_deg = 0.0\nangle_deg = [0.0, 120.0, 240.0]\nsurge = [0.1, 0.1, 0.1]\nsway = [0.0, 0.0, 0.0]\nyaw = [0.2, 0.1, 0.3]\n";
     let rest = rest(text);
     assert!(rest.stations.is_err());
-    let page = ship::text::text(&rest, None, 100, Glyphs::Ascii);
+    let page = ship::text::text(&rest, None, text, Glyphs::Ascii);
     assert!(page.contains("never vanishes"), "{page}");
 }
 
@@ -200,7 +201,12 @@ fn the_command_prints_the_page_and_refuses_what_is_wrong() {
 }
 
 fn voyage(text: &str) -> Voyage {
-    rest(text).voyage.unwrap().unwrap()
+    Voyage::of(&rest(text), Path::new("")).unwrap().unwrap()
+}
+
+/// A ship at sea, its file standing in this folder.
+fn at_sea(text: &str, folder: &Path) -> AtSea {
+    AtSea::of(&rest(text), folder, &AtomicBool::new(false)).unwrap()
 }
 
 #[test]
@@ -274,7 +280,7 @@ fn the_record_is_gaussian_in_its_waves_and_its_rates_belong_together() {
 
 #[test]
 fn every_printed_statistic_has_a_row_and_none_fails() {
-    let rows = held::rows(&rest(TEXT));
+    let rows = held::rows(&rest(TEXT).ship, Some(&Ok(voyage(TEXT))));
     assert_eq!(rows.len(), 39);
     for row in &rows {
         let fine = matches!(row.outcome, Outcome::Pass | Outcome::Differs);
@@ -290,7 +296,8 @@ fn every_printed_statistic_has_a_row_and_none_fails() {
 
 #[test]
 fn the_rope_follows_the_ship_and_the_winch_keeps_its_tension_while_it_can() {
-    let at = |text: String| ship::read(text, &shipped()).unwrap().rope.unwrap().unwrap();
+    let folder = shipped().parent().unwrap().to_owned();
+    let at = |text: String| at_sea(&text, &folder).rope.unwrap().unwrap();
     let short = set(
         &set(TEXT, "motion.duration_s", "1200.0"),
         "rope.records",
@@ -318,7 +325,7 @@ fn the_rope_follows_the_ship_and_the_winch_keeps_its_tension_while_it_can() {
     );
     // A ropeway that is not there is said, and does not stop the rest.
     let lost = set(&short, "rope.ropeway", "\"nowhere.toml\"");
-    let lost = ship::read(lost, &shipped()).unwrap().rope.unwrap();
+    let lost = at_sea(&lost, &folder).rope.unwrap();
     assert!(lost.unwrap_err().contains("no such file"));
 }
 
@@ -335,11 +342,12 @@ fn a_winch_out_of_its_depth_is_said() {
         "rope.ropeway",
         "\"slow.toml\"",
     );
-    let loaded = ship::read(text, &dir.path().join("ship.toml")).unwrap();
-    let rope = loaded.rope.as_ref().unwrap().as_ref().unwrap();
+    let sea = at_sea(&text, dir.path());
+    let rope = sea.rope.as_ref().unwrap().as_ref().unwrap();
     let kept = rope.followed.kept.as_ref().unwrap().as_ref().unwrap();
     assert!(RopeAtSea::lapses(kept).at_speed > 0);
-    let page = ship::text::text(&loaded.rest, loaded.rope.as_ref(), 100, Glyphs::Ascii);
+    let page = ship::text::text(&rest(&text), Some(&sea), &text, Glyphs::Ascii);
+    let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         page.contains("WARNING: the motion is beyond the winch"),
         "{page}"
@@ -386,7 +394,7 @@ proptest! {
             }
             prop_assert_eq!(turns, 0, "{:?}", stations);
         }
-        let page = ship::text::text(&rest, None, 80, Glyphs::Braille);
+        let page = ship::text::text(&rest, None, &text, Glyphs::Braille);
         prop_assert!(!page.contains("NaN"));
     }
 }

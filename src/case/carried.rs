@@ -87,6 +87,15 @@ pub fn stand_alone<'t>(text: &'t str, case: &Case) -> Cow<'t, str> {
 /// A word of a line and where it stands in the text.
 type Word<'t> = (&'t str, Range<usize>);
 
+/// A number and where it stands in the text.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Placed {
+    /// The number.
+    pub(crate) value: f64,
+    /// Its place.
+    pub(crate) span: Range<usize>,
+}
+
 /// Reads a table of numbers: a first line with the names of the columns, in any order, then one line a row, words
 /// separated by commas; empty lines and lines that begin with `#` say nothing. Rows in the order of `columns`.
 ///
@@ -97,6 +106,21 @@ pub(crate) fn numbers(
     file: &str,
     columns: &[String],
 ) -> Result<Vec<Vec<f64>>, Diagnostic> {
+    let rows = placed(text, file, columns)?.into_iter();
+    Ok(rows
+        .map(|row| row.into_iter().map(|placed| placed.value).collect())
+        .collect())
+}
+
+/// The same, each number with its place, for those who have more to say of it.
+///
+/// # Errors
+/// As [`numbers`].
+pub(crate) fn placed(
+    text: &str,
+    file: &str,
+    columns: &[String],
+) -> Result<Vec<Vec<Placed>>, Diagnostic> {
     let mut lines = lines(text);
     let wanted = columns.join(",");
     let Some(head) = lines.next() else {
@@ -131,7 +155,7 @@ pub(crate) fn numbers(
 }
 
 /// The numbers of a line, in the order of the columns.
-fn row(line: &[Word<'_>], head: &[Word<'_>], places: &[usize]) -> Result<Vec<f64>, Finding> {
+fn row(line: &[Word<'_>], head: &[Word<'_>], places: &[usize]) -> Result<Vec<Placed>, Finding> {
     if line.len() != head.len() {
         let problem = format!(
             "the line has {} values for {} columns",
@@ -149,7 +173,11 @@ fn row(line: &[Word<'_>], head: &[Word<'_>], places: &[usize]) -> Result<Vec<f64
     let number = |place: &usize| {
         let (word, span) = &line[*place];
         let value = word.parse::<f64>().ok().filter(|v| v.is_finite());
-        value.ok_or_else(|| {
+        let placed = value.map(|value| Placed {
+            value,
+            span: span.clone(),
+        });
+        placed.ok_or_else(|| {
             let problem = format!("`{word}` is not a number");
             Finding::new(
                 span,

@@ -13,6 +13,7 @@ mod check;
 mod diagnostic;
 pub mod edit;
 pub mod fields;
+pub(crate) mod kind;
 mod misfit;
 pub mod model;
 mod read;
@@ -23,13 +24,13 @@ pub use along::{AlongLine, STEADY, bends};
 pub use carried::stand_alone;
 pub use channels::{Channel, LineEnd, RopeQuantity, Source, channels};
 pub use diagnostic::{Diagnostic, render_all};
+pub use kind::Opened;
 pub use misfit::Misfit;
 pub use model::*;
 pub use read::{Loaded, load, parse};
 
 // What another kind of file needs to be read, checked and complained about in the same way.
-pub(crate) use check::{check_keys, join, nearest, split};
+pub(crate) use check::{join, nearest, split};
 pub(crate) use diagnostic::Finding;
-pub(crate) use edit::put;
-pub(crate) use read::{diagnose, said, text_of, words_of};
+
 pub(crate) use tree::Node;

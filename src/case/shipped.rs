@@ -78,7 +78,13 @@ pub const SECTIONS: &[Shipped] = &[
 ];
 
 /// The ships that come with the program, in the order of their paths.
-pub const SHIPS: &[Shipped] = &[shipped!("ship/anchored.toml")];
+pub const SHIPS: &[Shipped] = &[
+    shipped!("ship/anchored.toml"),
+    shipped!("ship/coupled.toml"),
+];
+
+/// Tables that these files name, in the order of their paths.
+pub const BESIDE: &[Shipped] = &[shipped!("ship/landing_craft.csv")];
 
 /// The ropeways that come with the program, in the order of their paths.
 pub const ROPEWAYS: &[Shipped] = &[

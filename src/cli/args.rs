@@ -82,7 +82,8 @@ pub(super) enum Command {
     /// core side by side; writes the material for a line case where wanted. A layout that is
     /// impossible is refused with the reason.
     Section(SectionWords),
-    /// Work out a ship at single-point mooring: every heading at which it rests, and its offset.
+    /// Work out a ship at single-point mooring: headings at which it rests, motion in its sea, its anchor line in time, the rope
+    /// that follows it.
     ///
     /// Prints the moment about the mooring against the heading, all headings in balance with their
     /// stability, the loads there and the reach of the mooring line.

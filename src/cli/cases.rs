@@ -220,9 +220,11 @@ pub(super) fn load_ropeway(path: &Path) -> Result<ropeway::Loaded, Failure> {
 
 /// Loads a ship file, without the rope that it may name.
 fn load_ship(path: &Path) -> Result<ship::Rest, Failure> {
-    let text = fs::read_to_string(path).unwrap_or_default();
-    let read = ship::text_of(path).and_then(|text| ship::parse(&text, &path.display().to_string()));
-    read.map_err(|diagnostics| Failure::Case { text, diagnostics })
+    let loaded = ship::load(path).map_err(|diagnostics| Failure::Case {
+        text: fs::read_to_string(path).unwrap_or_default(),
+        diagnostics,
+    })?;
+    Ok(loaded.worked)
 }
 
 fn collect(dir: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {

@@ -22,7 +22,7 @@ pub(super) fn section(words: &SectionWords) -> Result<ExitCode, Failure> {
         Glyphs::Braille
     };
     if let Some(path) = &words.output {
-        let text = section::fragment(&loaded.design);
+        let text = section::fragment(&loaded.worked);
         let text = if words.ascii {
             plain::ascii(&text).into_owned()
         } else {
@@ -30,7 +30,7 @@ pub(super) fn section(words: &SectionWords) -> Result<ExitCode, Failure> {
         };
         write(path, &text)?;
     }
-    let text = section::text::text(&loaded.design, WIDTH, glyphs, words.tension_n);
+    let text = section::text::text(&loaded.worked, WIDTH, glyphs, words.tension_n);
     output::results(&text, words.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

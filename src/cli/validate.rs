@@ -1,6 +1,7 @@
 //! `seacable validate`: cases held against the published values they state.
 
 use std::{
+    path::Path,
     process::ExitCode,
     sync::atomic::{AtomicUsize, Ordering},
 };
@@ -55,10 +56,11 @@ pub(super) fn validate(words: &ValidateWords) -> Result<ExitCode, Failure> {
         tables.push(Held::new(title, name, rows));
     }
     for (name, rest) in &named.ships {
+        let folder = Path::new(name).parent().unwrap_or(Path::new(""));
         tables.push(Held::new(
             &rest.ship.about.title,
             name,
-            ship::held::rows(rest),
+            ship::held::rows(&rest.ship, ship::Voyage::of(rest, folder).as_ref()),
         ));
     }
     output::results(&text(&tables), words.ascii)?;

@@ -14,6 +14,7 @@
 mod curve;
 mod note;
 mod plan;
+pub(crate) mod printed;
 mod row;
 mod table;
 mod tally;
@@ -22,6 +23,7 @@ mod value;
 mod variant;
 
 pub use plan::plan;
+pub use printed::Printed;
 pub use row::{Basis, Outcome, Point, Row, TrendLine};
 pub use table::{standing_word, table};
 pub use tally::{Tally, tally};

@@ -2,7 +2,7 @@
 
 use crate::case::fields::Absent::{self, Default, Means, Required};
 use crate::case::fields::Kind::{self, Boolean, Choice, Integer, List, Name, Number, Text};
-use crate::case::fields::{Field, Range, Schema, Table, TableShape};
+use crate::case::fields::{Field, Range, Schema, Table, TableShape, field};
 
 /// The ropeway file.
 pub static ROPEWAY: Schema = Schema {
@@ -116,40 +116,3 @@ static FIELDS: &[Field] = &[
     field("trend.*.source", Text, "", ANY, Required, "source", "Where it is printed."),
     field("trend.*.out_of_reach", Text, "", ANY, NOT_USED, "out of reach", "Why the statement cannot be reached; the row then reads DIFFERS instead of FAIL."),
 ];
-
-const fn field(
-    path: &'static str,
-    kind: Kind,
-    unit: &'static str,
-    range: Range,
-    absent: Absent,
-    label: &'static str,
-    help: &'static str,
-) -> Field {
-    Field {
-        path,
-        label,
-        kind,
-        unit,
-        range,
-        absent,
-        help,
-        only_if: None,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::case::fields::unit_suffix;
-
-    #[test]
-    fn every_unit_stands_in_its_key() {
-        for field in FIELDS {
-            match unit_suffix(field.unit) {
-                Some(suffix) => assert!(field.key().ends_with(suffix), "{}", field.path),
-                None => assert!(matches!(field.unit, "" | "-"), "{}", field.path),
-            }
-        }
-    }
-}

@@ -1,51 +1,29 @@
 //! A ropeway held against what its source printed: rows of the validation table.
 
 use super::edit;
-use super::model::{Published, Trend};
+use super::model::Trend;
 use super::quantities::{quantity, unit};
 use super::work::Worked;
 use crate::case::StudyValue;
-use crate::reference::{Claim, Point, Row, Statement, hold, hold_trend, tolerance};
+use crate::reference::{Point, Printed, Row, Statement, hold_trend};
 
 /// Rows for every published value and every statement of trend of a ropeway, in the order of its file. `text` is the file's:
 /// trends are computed on variants of it.
 #[must_use]
 pub fn rows(worked: &Worked, text: &str) -> Vec<Row> {
     let readings = worked.readings(worked.ropeway.cargo.position);
-    let value = |published: &Published| {
+    let value = |printed: &Printed| {
         let found = match &readings {
-            Ok(readings) => quantity(worked, readings, &published.quantity),
+            Ok(readings) => quantity(worked, readings, &printed.quantity),
             Err(trouble) => Err(format!("The ropeway has no answer: {trouble}.")),
         };
-        row(published, found)
+        // Closed forms are found to rounding; of the discretised line no error is estimated.
+        let error = (!printed.quantity.starts_with("line.")).then_some(0.0);
+        printed.held(unit(&printed.quantity), found.map(|value| (value, error)))
     };
     let values = worked.ropeway.published.iter().map(value);
     let trends = worked.ropeway.trend.iter().map(|t| trend_row(t, text));
     values.chain(trends).collect()
-}
-
-fn row(published: &Published, found: Result<f64, String>) -> Row {
-    let claim = Claim {
-        name: &published.name,
-        source: &published.source,
-        value: published.value,
-        tolerance: tolerance(
-            published.value,
-            published.tolerance_rel,
-            published.tolerance_abs,
-        ),
-        unit: unit(&published.quantity).to_owned(),
-        inputs: published.inputs,
-        fitted: published.fitted,
-        basis: None,
-        at: None,
-        from: None,
-        by: None,
-        out_of_reach: published.out_of_reach.as_deref(),
-    };
-    // Closed forms are found to rounding; of the discretised line no error is estimated.
-    let error = (!published.quantity.starts_with("line.")).then_some(0.0);
-    hold(claim, found.map(|value| (value, error)))
 }
 
 fn trend_row(trend: &Trend, text: &str) -> Row {

@@ -43,6 +43,40 @@ pub fn crossing_text(ropeway: &Ropeway, length_m: f64, way: (f64, f64), duration
     text
 }
 
+/// The text of the case in which the ship's end moves along a table of displacements, `time_s,x_m,y_m,z_m`, the rope made fast
+/// and the cargo at its place along it; the motion grows from nothing over `ramp_s`.
+#[must_use]
+pub fn moving_text(
+    ropeway: &Ropeway,
+    (length_m, arc_m): (f64, f64),
+    table: &str,
+    (duration_s, ramp_s, interval_s): (f64, f64, f64),
+) -> String {
+    let mass = ropeway.cargo.mass_kg;
+    let mut text = head(ropeway);
+    text.push_str("axial_damping_ratio = 0.02\n");
+    let [a, b] = sections(ropeway, length_m, arc_m);
+    for (name, part) in [("platform-side", a), ("ship-side", b)] {
+        text.push_str(&section(name, part.0, part.1));
+    }
+    let moving = format!(
+        "kind = \"moving\"\nmotion = \"table\"\nmotion_file = \"ship.csv\"\nramp_s = {ramp_s:?}\n"
+    );
+    let still = ends(ropeway);
+    let last = still.rfind("kind = \"fixed\"\n").unwrap_or(still.len());
+    text.push_str(&still[..last]);
+    text.push_str(&moving);
+    text.push_str(still[last..].trim_start_matches("kind = \"fixed\"\n"));
+    text.push_str(&format!(
+        "\n[[clumps]]\nname = \"cargo\"\nsection = \"platform-side\"\nat_m = {:?}\nmass_kg = {mass:?}\nwet_mass_kg = {mass:?}\n\
+         \n[solver]\nmethod = \"alpha\"\nduration_s = {duration_s:?}\ntime_step_s = 0.05\nerror_estimate = true\n\
+         \n[output]\ninterval_s = {interval_s:?}\n\
+         \n[files.\"ship.csv\"]\ntext = \"\"\"\n{table}\"\"\"\n",
+        a.0
+    ));
+    text
+}
+
 /// The text of the line case: the rope of this unstretched length between its ends, with the cargo as a body at `arc_m`
 /// from the platform, nowhere near a support.
 #[must_use]

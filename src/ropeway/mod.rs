@@ -35,6 +35,7 @@ pub mod winch;
 mod work;
 
 pub use model::Ropeway;
+pub(crate) use read::RopewayFile;
 pub use read::{Loaded, is_ropeway, load, parse};
 pub use service::{Followed, MARGIN};
 pub use trouble::Trouble;

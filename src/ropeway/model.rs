@@ -5,7 +5,8 @@ use std::fmt;
 
 use serde::Deserialize;
 
-use crate::case::{Direction, Mark, Standing};
+use crate::case::{Direction, Mark};
+use crate::reference::Printed;
 
 /// Everything a ropeway file says. The platform stands at x = 0 and holds end A, the ship holds end B
 /// at the span; z = 0 is still water.
@@ -43,7 +44,7 @@ pub struct Ropeway {
     pub marks: BTreeMap<String, Mark>,
     /// Published values the ropeway is held against.
     #[serde(default)]
-    pub published: Vec<Published>,
+    pub published: Vec<Printed>,
     /// Published statements of trend.
     #[serde(default)]
     pub trend: Vec<Trend>,
@@ -222,31 +223,6 @@ pub struct FiniteElement {
     pub density_kg_per_m3: f64,
     /// End tension that the check gave \[N\].
     pub tension_n: f64,
-}
-
-/// A published value and how the ropeway is held against it.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Published {
-    /// What it is, in words.
-    pub name: String,
-    /// The quantity: `model.max_tension_n`.
-    pub quantity: String,
-    /// The published value, in the unit of the quantity.
-    pub value: f64,
-    /// Tolerance relative to the value \[-\]. One of the two tolerances is needed; the wider one counts.
-    pub tolerance_rel: Option<f64>,
-    /// Tolerance in the unit of the value.
-    pub tolerance_abs: Option<f64>,
-    /// Where it is printed.
-    pub source: String,
-    /// Standing of the inputs behind the computed value, at worst.
-    pub inputs: Standing,
-    /// True when an input was fitted to this very number: agreement is then no evidence.
-    #[serde(default)]
-    pub fitted: bool,
-    /// Why the number is out of reach; the row then reads DIFFERS instead of FAIL.
-    pub out_of_reach: Option<String>,
 }
 
 /// A published statement of trend, checked along values of a key.

@@ -1,32 +1,55 @@
 //! From a ropeway file to a ropeway worked out.
 
-use std::path::{Path, PathBuf};
+use std::collections::BTreeMap;
+use std::path::Path;
 
 use super::exact::Span;
 use super::fields::ROPEWAY;
 use super::model::Ropeway;
 use super::quantities::NAMES;
 use super::work::{Worked, work};
-use crate::case::fields::either;
-use crate::case::{self, Diagnostic, Finding, Misfit};
+use crate::case::fields::{FieldRow, Lister, Schema, either};
+use crate::case::kind::{self, FileKind};
+use crate::case::{self, Diagnostic, Mark, Misfit, Node};
+use crate::reference::printed;
 
 /// A ropeway with the text and the file it came from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Loaded {
-    /// The text of the file.
-    pub text: String,
-    /// The ropeway.
-    pub worked: Worked,
-    /// The file.
-    pub path: PathBuf,
+pub type Loaded = case::Opened<Worked>;
+
+/// The ropeway file as a kind.
+pub(crate) enum RopewayFile {}
+
+impl FileKind for RopewayFile {
+    type Words = Ropeway;
+    type Worked = Worked;
+
+    fn schema() -> &'static Schema {
+        &ROPEWAY
+    }
+
+    fn work(words: Ropeway, _tree: &Node) -> Result<Worked, Vec<Misfit>> {
+        let mut wrong = check(&words);
+        wrong.extend(lost_marks(&words));
+        if wrong.is_empty() {
+            work(&words).map_err(|misfit| vec![misfit])
+        } else {
+            Err(wrong)
+        }
+    }
+
+    fn marks(words: &Ropeway) -> BTreeMap<String, Mark> {
+        words.marks.clone()
+    }
+
+    fn list(lister: &Lister<'_>) -> Vec<FieldRow> {
+        super::edit::list(lister)
+    }
 }
 
 /// Whether a file is a ropeway rather than a line case; the two may share a folder.
 #[must_use]
 pub fn is_ropeway(path: &Path) -> bool {
-    let text = std::fs::read_to_string(path).unwrap_or_default();
-    text.lines()
-        .any(|line| line.trim_start().starts_with("[ropeway]"))
+    kind::begins::<RopewayFile>(path, &[])
 }
 
 /// Reads, checks and works out a ropeway file.
@@ -35,13 +58,7 @@ pub fn is_ropeway(path: &Path) -> bool {
 /// Everything that is wrong, at once: that there is no such file, that it is a directory, binary
 /// or empty, faults of the TOML syntax, every fault of keys and values, or what cannot be as the file says.
 pub fn load(path: &Path) -> Result<Loaded, Vec<Diagnostic>> {
-    let text = case::text_of(path, &ROPEWAY).map_err(|diagnostic| vec![diagnostic])?;
-    let worked = parse(&text, &path.display().to_string())?;
-    Ok(Loaded {
-        text,
-        worked,
-        path: path.to_owned(),
-    })
+    kind::load::<RopewayFile>(path)
 }
 
 /// Checks the text of a ropeway and works it out. `file` is the name the diagnostics carry.
@@ -49,21 +66,7 @@ pub fn load(path: &Path) -> Result<Loaded, Vec<Diagnostic>> {
 /// # Errors
 /// Everything that is wrong, at once, in the order of the lines.
 pub fn parse(text: &str, file: &str) -> Result<Worked, Vec<Diagnostic>> {
-    let tree = case::said(text, file, &ROPEWAY)?;
-    let mut found = case::check_keys(&ROPEWAY, &tree);
-    if found.is_empty() {
-        let ropeway: Ropeway =
-            case::words_of(text).map_err(|finding| case::diagnose(vec![finding], text, file))?;
-        let misfits = check(&ropeway);
-        found = misfits.iter().map(|misfit| misfit.found(&tree)).collect();
-        found.extend(marks(&ropeway, &tree));
-        if found.is_empty() {
-            return work(&ropeway)
-                .map_err(|misfit| case::diagnose(vec![misfit.found(&tree)], text, file));
-        }
-    }
-    found.sort_by_key(|finding| finding.span.start);
-    Err(case::diagnose(found, text, file))
+    kind::parse::<RopewayFile>(text, file)
 }
 
 /// What its words say against each other.
@@ -77,38 +80,23 @@ fn check(ropeway: &Ropeway) -> Vec<Misfit> {
             "give the ends less difference of height, or a longer span",
         ));
     }
-    for (i, published) in ropeway.published.iter().enumerate() {
-        let row = element("published", &published.name, i, ropeway);
-        wrong.extend(known_quantity(&published.quantity, &row, "published"));
-        if published.tolerance_rel.is_none() && published.tolerance_abs.is_none() {
-            wrong.push(Misfit::new(
-                &["published", &row],
-                "has no tolerance",
-                "add `tolerance_rel` or `tolerance_abs`",
-            ));
-        }
-    }
+    wrong.extend(printed::misfits(&ropeway.published, unknown_quantity));
     for (i, trend) in ropeway.trend.iter().enumerate() {
-        let row = element("trend", &trend.name, i, ropeway);
-        wrong.extend(known_quantity(&trend.quantity, &row, "trend"));
+        let taken = ropeway.trend.iter().take(i).any(|t| t.name == trend.name);
+        let name = if taken {
+            (i + 1).to_string()
+        } else {
+            trend.name.clone()
+        };
+        if let Some((problem, remedy)) = unknown_quantity(&trend.quantity) {
+            wrong.push(Misfit::new(&["trend", &name, "quantity"], problem, remedy));
+        }
     }
     wrong
 }
 
-/// The name by which an element of a list is known in key paths.
-fn element(list: &str, name: &str, index: usize, ropeway: &Ropeway) -> String {
-    let earlier = match list {
-        "published" => ropeway.published.iter().take(index).any(|p| p.name == name),
-        _ => ropeway.trend.iter().take(index).any(|t| t.name == name),
-    };
-    if earlier {
-        (index + 1).to_string()
-    } else {
-        name.to_owned()
-    }
-}
-
-fn known_quantity(quantity: &str, row: &str, list: &str) -> Option<Misfit> {
+/// Problem and remedy of a quantity that there is not.
+fn unknown_quantity(quantity: &str) -> Option<(String, String)> {
     if NAMES.iter().any(|known| known.0 == quantity) {
         return None;
     }
@@ -118,23 +106,22 @@ fn known_quantity(quantity: &str, row: &str, list: &str) -> Option<Misfit> {
         None => format!("give {}", either(&names)),
     };
     let problem = format!("there is no quantity \"{}\"", quantity.escape_default());
-    Some(Misfit::new(&[list, row, "quantity"], problem, remedy))
+    Some((problem, remedy))
 }
 
-/// Marks of keys that the file does not have.
-fn marks(ropeway: &Ropeway, tree: &case::Node) -> Vec<Finding> {
+/// Marks of keys that no ropeway has.
+fn lost_marks(ropeway: &Ropeway) -> Vec<Misfit> {
     let lost = ropeway.marks.keys().filter(|key| {
         let parts = case::split(key);
         let known = parts.is_some_and(|parts| ROPEWAY.fields_at(&parts).next().is_some());
         !known
     });
     let told = lost.map(|key| {
-        let misfit = Misfit::new(
+        Misfit::new(
             &["marks", key],
             format!("there is no key `{key}` in a ropeway"),
             "name a key as the file groups them: table, name, key",
-        );
-        misfit.found(tree)
+        )
     });
     told.collect()
 }

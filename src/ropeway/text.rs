@@ -52,7 +52,7 @@ pub fn text(worked: &Worked, readings: &Readings, text: &str, glyphs: Glyphs) ->
     table(&mut page, &beside);
     inputs(
         &mut page,
-        &edit::rows(text, &worked.ropeway),
+        &edit::rows(text),
         !about.source.trim().is_empty(),
     );
     page.finish()

@@ -186,7 +186,7 @@ fn vessel(
 }
 
 /// A row of a table of responses: angular frequency and complex responses.
-fn entry(row: &[f64]) -> (f64, [Complex<f64>; 6]) {
+pub(crate) fn entry(row: &[f64]) -> (f64, [Complex<f64>; 6]) {
     let response = |i: usize| {
         let (size, phase) = (row[1 + 2 * i], row[2 + 2 * i].to_radians());
         let size = if i < 3 { size } else { size.to_radians() };

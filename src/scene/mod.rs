@@ -35,6 +35,7 @@ pub mod water;
 mod wetting;
 
 pub use build::{SceneError, build};
+pub(crate) use ends::entry as response_entry;
 pub use event::{Change, Event};
 pub use flexure::Flexure;
 pub use line::{End, Hung, Joint, Scene, Segment};

@@ -1,11 +1,8 @@
 //! The keys of a section file as an editor lists and sets them.
 
-use std::collections::BTreeMap;
-
-use super::fields::SECTION;
-use super::parse;
+use super::read::SectionFile;
 use crate::case::fields::{FieldRow, Lister};
-use crate::case::{self, Diagnostic, Mark, Node, Standing};
+use crate::case::{self, Diagnostic, Mark, Standing, kind};
 
 /// Every key the file can have, given or not, from the section as a whole to the outermost layer. Where a value comes from
 /// is read from the comment behind it, when that begins with `printed`, `published`, `derived`,
@@ -14,16 +11,11 @@ use crate::case::{self, Diagnostic, Mark, Node, Standing};
 /// A text that is not TOML gives no rows.
 #[must_use]
 pub fn rows(text: &str) -> Vec<FieldRow> {
-    let Ok(root) = Node::parse(text) else {
-        return Vec::new();
-    };
-    let marks = BTreeMap::new();
-    let lister = Lister {
-        schema: &SECTION,
-        text,
-        root: &root,
-        marks: &marks,
-    };
+    kind::rows::<SectionFile>(text)
+}
+
+pub(super) fn list(lister: &Lister<'_>) -> Vec<FieldRow> {
+    let root = lister.root;
     let mut rows = lister.table("section", &["section"], "section");
     rows.extend(lister.named("units", "unit"));
     if root.get("centre").is_some() {
@@ -32,7 +24,7 @@ pub fn rows(text: &str) -> Vec<FieldRow> {
     rows.extend(lister.named("layer", "layer"));
     for row in rows.iter_mut().filter(|row| row.given) {
         let node = case::split(&row.path).and_then(|parts| root.find(&parts));
-        row.standing = node.and_then(|node| standing(text.get(node.span.end..)?));
+        row.standing = node.and_then(|node| standing(lister.text.get(node.span.end..)?));
     }
     rows
 }
@@ -64,9 +56,7 @@ fn standing(behind: &str) -> Option<Mark> {
 /// The key is not known, the value is of the wrong type or out of range, or all faults of the
 /// section with it: an edited section is one that can be laid out.
 pub fn set(text: &str, key_path: &str, value: &str) -> Result<String, Vec<Diagnostic>> {
-    let edited =
-        case::put(&SECTION, text, key_path, value).map_err(|diagnostic| vec![diagnostic])?;
-    parse(&edited, &format!("{key_path} = {value}")).map(|_| edited)
+    kind::set_all::<SectionFile>(text, &[(key_path, value)])
 }
 
 #[cfg(test)]

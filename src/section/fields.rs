@@ -2,7 +2,7 @@
 
 use crate::case::fields::Absent::{self, Default, Means, Required};
 use crate::case::fields::Kind::{self, Choice, Integer, Name, Number, Text, Words};
-use crate::case::fields::{Field, Range, Schema, Table, TableShape};
+use crate::case::fields::{Field, Range, Schema, Table, TableShape, field};
 
 /// The section file.
 pub static SECTION: Schema = Schema {
@@ -136,45 +136,8 @@ static FIELDS: &[Field] = &[
     only(SHEATH, field("layer.*.poisson_ratio", Number, "-", POISSON, Default("0.4"), "Poisson's ratio", "Poisson's ratio of the sheath.")),
 ];
 
-const fn field(
-    path: &'static str,
-    kind: Kind,
-    unit: &'static str,
-    range: Range,
-    absent: Absent,
-    label: &'static str,
-    help: &'static str,
-) -> Field {
-    Field {
-        path,
-        label,
-        kind,
-        unit,
-        range,
-        absent,
-        help,
-        only_if: None,
-    }
-}
-
 /// A field of tables of one kind only. Kinds that share a key each have a field of their own.
 const fn only(kind: Option<(&'static str, &'static str)>, mut field: Field) -> Field {
     field.only_if = kind;
     field
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::case::fields::unit_suffix;
-
-    #[test]
-    fn every_unit_stands_in_its_key() {
-        for field in FIELDS {
-            match unit_suffix(field.unit) {
-                Some(suffix) => assert!(field.key().ends_with(suffix), "{}", field.path),
-                None => assert!(matches!(field.unit, "" | "-"), "{}", field.path),
-            }
-        }
-    }
 }

@@ -35,4 +35,5 @@ pub use lay::{LAY_ANGLES, MOST_ARMOUR, MOST_UNITS, lay_out};
 pub use layout::{Helix, Layout, Middle, SheathTube, Shell};
 pub use misfit::Misfit;
 pub use model::Section;
+pub(crate) use read::SectionFile;
 pub use read::{Loaded, is_section, load, parse};

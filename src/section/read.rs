@@ -1,29 +1,41 @@
 //! From a section file to a design.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::design::{Design, design};
 use super::fields::SECTION;
 use super::model::Section;
-use crate::case::{self, Diagnostic, Finding};
+use crate::case::fields::{FieldRow, Lister, Schema};
+use crate::case::kind::{self, FileKind};
+use crate::case::{Diagnostic, Misfit, Node};
 
 /// A design with the text and the file it came from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Loaded {
-    /// The text of the file.
-    pub text: String,
-    /// The design.
-    pub design: Design,
-    /// The file.
-    pub path: PathBuf,
+pub type Loaded = crate::case::Opened<Design>;
+
+/// The section file as a kind.
+pub(crate) enum SectionFile {}
+
+impl FileKind for SectionFile {
+    type Words = Section;
+    type Worked = Design;
+
+    fn schema() -> &'static Schema {
+        &SECTION
+    }
+
+    fn work(words: Section, _tree: &Node) -> Result<Design, Vec<Misfit>> {
+        design(&words)
+    }
+
+    fn list(lister: &Lister<'_>) -> Vec<FieldRow> {
+        super::edit::list(lister)
+    }
 }
 
 /// Whether a file is a section rather than a line case; the two may share a folder.
 #[must_use]
 pub fn is_section(path: &Path) -> bool {
-    let text = std::fs::read_to_string(path).unwrap_or_default();
-    text.lines()
-        .any(|line| line.trim_start().starts_with("[section]"))
+    kind::begins::<SectionFile>(path, &[])
 }
 
 /// Reads, checks and works out a section file.
@@ -34,13 +46,7 @@ pub fn is_section(path: &Path) -> bool {
 /// or empty, faults of the TOML syntax, every fault of keys and values, or everything that cannot
 /// lie as the section says.
 pub fn load(path: &Path) -> Result<Loaded, Vec<Diagnostic>> {
-    let text = case::text_of(path, &SECTION).map_err(|diagnostic| vec![diagnostic])?;
-    let design = parse(&text, &path.display().to_string())?;
-    Ok(Loaded {
-        text,
-        design,
-        path: path.to_owned(),
-    })
+    kind::load::<SectionFile>(path)
 }
 
 /// Checks the text of a section and works it out. `file` is the name the diagnostics carry.
@@ -49,18 +55,5 @@ pub fn load(path: &Path) -> Result<Loaded, Vec<Diagnostic>> {
 ///
 /// Everything that is wrong, at once, in the order of the lines.
 pub fn parse(text: &str, file: &str) -> Result<Design, Vec<Diagnostic>> {
-    let tree = case::said(text, file, &SECTION)?;
-    let mut found = case::check_keys(&SECTION, &tree);
-    if !found.is_empty() {
-        found.sort_by_key(|finding| finding.span.start);
-        return Err(case::diagnose(found, text, file));
-    }
-    let section: Section =
-        case::words_of(text).map_err(|finding| case::diagnose(vec![finding], text, file))?;
-    design(&section).map_err(|misfits| {
-        let placed = misfits.iter().map(|misfit| misfit.found(&tree));
-        let mut found: Vec<Finding> = placed.collect();
-        found.sort_by_key(|finding| finding.span.start);
-        case::diagnose(found, text, file)
-    })
+    kind::parse::<SectionFile>(text, file)
 }

@@ -3,11 +3,13 @@
 
 use std::f64::consts::PI;
 
-use super::model::{Coefficients, Ship};
+use super::hull;
+use super::model::{Coefficients, Follows, MotionBy, Ship};
 use super::motion::SixMotions;
 use super::quantities::parts;
 use crate::case::{Misfit, Node};
 use crate::physics::sea::DEGREES;
+use crate::reference::printed::misfits as misfits_of;
 use crate::report::number::digits;
 
 /// Everything that cannot be.
@@ -31,14 +33,19 @@ pub(super) fn misfits(ship: &Ship, tree: &Node) -> Vec<Misfit> {
         }
     }
     wrong.extend(motion(ship));
-    if ship.rope.is_some() && ship.motion.is_none() {
-        wrong.push(Misfit::at(
-            "rope",
-            "has no motion to follow",
-            "add [motion], or remove [rope]",
-        ));
+    if let Some(hull) = &ship.hull {
+        wrong.extend(hull::misfits(hull, ship.coupled.as_ref()));
     }
-    wrong.extend(published(ship));
+    wrong.extend(coupled(ship));
+    wrong.extend(rope(ship));
+    wrong.extend(misfits_of(&ship.published, |quantity| {
+        parts(quantity).is_none().then(|| {
+            (
+                format!("is not known: \"{}\"", quantity.escape_default()),
+                "name a motion, a rate and a statistic, such as pitch.velocity.rms".to_owned(),
+            )
+        })
+    }));
     wrong.extend(marks(ship, tree));
     wrong
 }
@@ -152,7 +159,10 @@ fn motion(ship: &Ship) -> Vec<Misfit> {
             "give a longer step or a shorter duration_s",
         )];
     }
-    let Err(error) = SixMotions::new(words, words.seed()) else {
+    if words.by == MotionBy::Responses {
+        return Vec::new();
+    }
+    let Err(error) = SixMotions::new(words, None, words.seed()) else {
         return Vec::new();
     };
     let table = if error.degree < 3 {
@@ -168,33 +178,73 @@ fn motion(ship: &Ship) -> Vec<Misfit> {
     )]
 }
 
-/// Published values name a number that the ship has, and how far it may be off.
-fn published(ship: &Ship) -> Vec<Misfit> {
+/// What ship and line in time need.
+fn coupled(ship: &Ship) -> Vec<Misfit> {
+    const MOST: f64 = 2e6;
+    let Some(words) = &ship.coupled else {
+        return Vec::new();
+    };
     let mut wrong = Vec::new();
-    for (i, published) in ship.published.iter().enumerate() {
-        // Tables of a list go by their name, or by their number where a name is taken.
-        let taken = ship.published[..i].iter().any(|p| p.name == published.name);
-        let name = if taken {
-            (i + 1).to_string()
-        } else {
-            published.name.clone()
-        };
-        if parts(&published.quantity).is_none() {
-            wrong.push(Misfit::new(
-                &["published", &name, "quantity"],
-                format!("is not known: \"{}\"", published.quantity.escape_default()),
-                "name a motion, a rate and a statistic, such as pitch.velocity.rms",
-            ));
-        }
-        if published.tolerance_rel.is_none() && published.tolerance_abs.is_none() {
-            wrong.push(Misfit::new(
-                &["published", &name],
-                "has no tolerance",
-                "give tolerance_rel or tolerance_abs",
+    let needs = [
+        ("[hull]", ship.hull.is_none()),
+        ("[mooring]", ship.mooring.is_none()),
+    ];
+    for (table, missing) in needs {
+        if missing {
+            wrong.push(Misfit::at(
+                "coupled",
+                format!("has no {table} to work with"),
+                format!("add {table}, or remove [coupled]"),
             ));
         }
     }
+    if words.from_s >= words.duration_s {
+        wrong.push(Misfit::at(
+            "coupled.from_s",
+            format!(
+                "leaves nothing of {} s to count",
+                digits(words.duration_s, 6)
+            ),
+            "give a time before duration_s, or a longer duration_s",
+        ));
+    }
+    if words.segments % 2 == 1 {
+        wrong.push(Misfit::at(
+            "coupled.segments",
+            format!("is odd: {}", words.segments),
+            "give an even number, as half the segments tell the error of the mesh",
+        ));
+    }
+    if words.duration_s / words.step_s > MOST {
+        wrong.push(Misfit::at(
+            "coupled.step_s",
+            format!(
+                "makes more than {MOST:e} steps of {} s",
+                digits(words.duration_s, 6)
+            ),
+            "give a longer step or a shorter duration_s",
+        ));
+    }
     wrong
+}
+
+/// What the rope follows.
+fn rope(ship: &Ship) -> Option<Misfit> {
+    let rope = ship.rope.as_ref()?;
+    if ship.motion.is_none() {
+        return Some(Misfit::at(
+            "rope",
+            "has no motion to follow",
+            "add [motion], or remove [rope]",
+        ));
+    }
+    (rope.follows == Follows::Coupled && ship.coupled.is_none()).then(|| {
+        Misfit::at(
+            "rope.follows",
+            "is to follow ship and anchor line in time, and there is no [coupled]",
+            "add [coupled], or follow \"motion\"",
+        )
+    })
 }
 
 /// Marks point to inputs that the file has.

@@ -1,29 +1,23 @@
 //! The keys of a ship file as an editor lists and sets them.
 
-use super::fields::SHIP;
-use super::model::Ship;
-use super::parse;
+use super::read::ShipFile;
 use crate::case::fields::{FieldRow, Lister};
-use crate::case::{self, Diagnostic, Node};
+use crate::case::{Diagnostic, kind};
 
 /// Every key the file can have, given or not, table by table. A text that is not TOML gives no rows.
 #[must_use]
 pub fn rows(text: &str) -> Vec<FieldRow> {
-    let Ok(root) = Node::parse(text) else {
-        return Vec::new();
-    };
-    let marks = case::words_of::<Ship>(text).map_or_else(|_| Default::default(), |ship| ship.marks);
-    let lister = Lister {
-        schema: &SHIP,
-        text,
-        root: &root,
-        marks: &marks,
-    };
+    kind::rows::<ShipFile>(text)
+}
+
+pub(super) fn list(lister: &Lister<'_>) -> Vec<FieldRow> {
     let mut rows = lister.table("ship", &["ship"], "ship");
-    for table in SHIP.tables.iter().filter(|table| table.path != "ship") {
-        if root.get(table.path).is_some() && table.path != "marks" {
-            rows.extend(lister.table(table.path, &[table.path], table.path));
-        }
+    let others = lister.schema.tables.iter().filter(|table| {
+        !matches!(table.path, "ship" | "marks" | "published")
+            && lister.root.get(table.path).is_some()
+    });
+    for table in others {
+        rows.extend(lister.table(table.path, &[table.path], table.path));
     }
     rows
 }
@@ -35,6 +29,13 @@ pub fn rows(text: &str) -> Vec<FieldRow> {
 ///
 /// The key is not known, the value is of the wrong type or out of range, or all faults of the file with it.
 pub fn set(text: &str, key_path: &str, value: &str) -> Result<String, Vec<Diagnostic>> {
-    let edited = case::put(&SHIP, text, key_path, value).map_err(|diagnostic| vec![diagnostic])?;
-    parse(&edited, &format!("{key_path} = {value}")).map(|_| edited)
+    set_all(text, &[(key_path, value)])
+}
+
+/// The text with several keys set one after the other; the ship is worked out once all are set.
+///
+/// # Errors
+/// As [`set`].
+pub fn set_all(text: &str, edits: &[(&str, &str)]) -> Result<String, Vec<Diagnostic>> {
+    kind::set_all::<ShipFile>(text, edits)
 }

@@ -2,7 +2,7 @@
 
 use crate::case::fields::Absent::{self, Default, Means, Required};
 use crate::case::fields::Kind::{self, Boolean, Choice, Integer, List, Number, Text, Triple};
-use crate::case::fields::{Field, Range, Schema, Table, TableShape};
+use crate::case::fields::{Field, Range, Schema, Table, TableShape, field};
 
 /// The ship file.
 pub static SHIP: Schema = Schema {
@@ -56,9 +56,19 @@ static TABLES: &[Table] = &[
         "The line that holds the ship at its bow, from an anchor on a flat bed.",
     ),
     one(
+        "hull",
+        false,
+        "The ship's mass and what the water adds to it; matrices in SI units, six numbers for a diagonal or thirty-six by rows.",
+    ),
+    one(
         "motion",
         false,
-        "The ship's motion in its sea, by the statistics of each degree of freedom.",
+        "The ship's motion in its sea, by the statistics of each degree of freedom or by its responses to waves.",
+    ),
+    one(
+        "coupled",
+        false,
+        "The ship as a rigid body and its anchor line in time, solved together.",
     ),
     one(
         "rope",
@@ -132,23 +142,51 @@ static FIELDS: &[Field] = &[
     field("mooring.depth_m", Number, "m", Range::positive(1e4), Required, "depth", "Depth of the flat bed below still water."),
     field("mooring.fairlead_z_m", Number, "m", Range::of(-100.0, 100.0), Default("0.0"), "fairlead height", "Height above still water of the point that the ship holds the line by."),
 
+    field("hull.mass_kg", Number, "kg", Range::positive(1e10), Required, "mass", "Mass of the ship."),
+    field("hull.gyration_m", Triple, "m", Range::positive(1000.0), Required, "radii of gyration", "Radii of gyration in roll, pitch and yaw about the centre of gravity."),
+    field("hull.centre_m", Triple, "m", Range::of(-1000.0, 1000.0), Default("[0.0, 0.0, 0.0]"), "centre of gravity", "Centre of gravity from the reference point: forward, to port, up."),
+    list("hull.added_mass_si", "", ANY, Means("none"), "added mass", "Added mass in SI units, surge to yaw: six numbers for the diagonal, or thirty-six by rows."),
+    list("hull.damping_si", "", ANY, Means("none"), "damping", "Damping in SI units, beside that of wind and current on the moving ship: six numbers, or thirty-six by rows."),
+    list("hull.restoring_si", "", ANY, Means("none"), "restoring", "Restoring by water and weight in SI units, without the mooring: six numbers, or thirty-six by rows."),
+
+    field("motion.by", Choice(&["statistics", "responses"]), "", ANY, Default("\"statistics\""), "made from", "Whether the motion is made to published statistics, or is the ship's response to a sea."),
     field("motion.seed", Integer, "-", Range::of(0.0, 4_294_967_295.0), Default("1"), "seed", "Seed of the records: the same seed gives the same record."),
     field("motion.duration_s", Number, "s", Range::positive(1e5), Default("10800.0"), "duration", "Length of a record."),
     field("motion.step_s", Number, "s", Range::of(0.01, 100.0), Default("0.25"), "step", "Step of a record."),
-    field("motion.components", Integer, "-", Range::of(10.0, 2000.0), Default("100"), "components", "Regular components of each band of frequencies."),
-    field("motion.slow_period_s", Number, "s", Range::positive(1e4), Default("100.0"), "slow period", "Period of the slow motion at the mooring, where the statistics need one."),
+    field("motion.components", Integer, "-", Range::of(10.0, 2000.0), Default("100"), "components", "Regular components: of each band of frequencies, or of the sea."),
     field("motion.hang_point_m", Triple, "m", Range::of(-1000.0, 1000.0), Default("[0.0, 0.0, 0.0]"), "hang point", "The point that the rope hangs from: forward, to port, up of the ship's reference point."),
-    field("motion.translation_mean_m", Triple, "m", SHIFT, Default("[0.0, 0.0, 0.0]"), "mean shift", "Mean of surge, sway, heave."),
-    field("motion.rotation_mean_deg", Triple, "deg", TURN, Default("[0.0, 0.0, 0.0]"), "mean turn", "Mean of roll, pitch, yaw."),
-    field("motion.translation_rms_m", Triple, "m", SIZE, Required, "shift, rms", "Root mean square of surge, sway, heave about nothing, the mean counted in."),
-    field("motion.rotation_rms_deg", Triple, "deg", SIZE, Required, "turn, rms", "Root mean square of roll, pitch, yaw about nothing, the mean counted in."),
-    field("motion.translation_velocity_rms_m_per_s", Triple, "m/s", SIZE, Required, "velocity, rms", "Root mean square velocity of surge, sway, heave."),
-    field("motion.rotation_velocity_rms_deg_per_s", Triple, "deg/s", SIZE, Required, "turning velocity, rms", "Root mean square velocity of roll, pitch, yaw."),
-    field("motion.translation_acceleration_rms_m_per_s2", Triple, "m/s²", SIZE, Required, "acceleration, rms", "Root mean square acceleration of surge, sway, heave."),
-    field("motion.rotation_acceleration_rms_deg_per_s2", Triple, "deg/s²", SIZE, Required, "turning acceleration, rms", "Root mean square acceleration of roll, pitch, yaw."),
+    by("statistics", field("motion.slow_period_s", Number, "s", Range::positive(1e4), Default("100.0"), "slow period", "Period of the slow motion at the mooring, where the statistics need one.")),
+    by("statistics", field("motion.translation_mean_m", Triple, "m", SHIFT, Default("[0.0, 0.0, 0.0]"), "mean shift", "Mean of surge, sway, heave.")),
+    by("statistics", field("motion.rotation_mean_deg", Triple, "deg", TURN, Default("[0.0, 0.0, 0.0]"), "mean turn", "Mean of roll, pitch, yaw.")),
+    by("statistics", field("motion.translation_rms_m", Triple, "m", SIZE, Required, "shift, rms", "Root mean square of surge, sway, heave about nothing, the mean counted in.")),
+    by("statistics", field("motion.rotation_rms_deg", Triple, "deg", SIZE, Required, "turn, rms", "Root mean square of roll, pitch, yaw about nothing, the mean counted in.")),
+    by("statistics", field("motion.translation_velocity_rms_m_per_s", Triple, "m/s", SIZE, Required, "velocity, rms", "Root mean square velocity of surge, sway, heave.")),
+    by("statistics", field("motion.rotation_velocity_rms_deg_per_s", Triple, "deg/s", SIZE, Required, "turning velocity, rms", "Root mean square velocity of roll, pitch, yaw.")),
+    by("statistics", field("motion.translation_acceleration_rms_m_per_s2", Triple, "m/s²", SIZE, Required, "acceleration, rms", "Root mean square acceleration of surge, sway, heave.")),
+    by("statistics", field("motion.rotation_acceleration_rms_deg_per_s2", Triple, "deg/s²", SIZE, Required, "turning acceleration, rms", "Root mean square acceleration of roll, pitch, yaw.")),
+    by("responses", field("motion.responses", Text, "", ANY, Required, "responses", "CSV file of responses, from the folder of this one: heading_deg (may be left out), period_s, surge_m_per_m, surge_phase_deg and so on.")),
+    by("responses", field("motion.spectrum", Choice(&["jonswap", "pierson-moskowitz"]), "", ANY, Default("\"jonswap\""), "spectrum", "Spectrum of the waves.")),
+    by("responses", field("motion.significant_height_m", Number, "m", Range::of(0.0, 30.0), Required, "significant height", "Significant height of the waves.")),
+    by("responses", field("motion.peak_period_s", Number, "s", Range::of(0.5, 60.0), Required, "peak period", "Peak period of the waves.")),
+    by("responses", field("motion.gamma", Number, "-", Range::of(1.0, 20.0), Default("3.3"), "peak enhancement", "Peak enhancement of a JONSWAP spectrum; a Pierson-Moskowitz spectrum has 1.")),
+    by("responses", field("motion.waves_towards_deg", Number, "deg", ANGLE, Required, "waves towards", "Where the waves run to, from +x towards +y.")),
+    by("responses", field("motion.heading_deg", Number, "deg", ANGLE, Means("the heading at which the ship rests"), "heading", "Where the bow points, from +x towards +y.")),
+
+    field("coupled.duration_s", Number, "s", Range::positive(1e5), Default("1800.0"), "duration", "Time that is followed."),
+    field("coupled.step_s", Number, "s", Range::of(0.001, 10.0), Default("0.1"), "step", "Step of the march."),
+    field("coupled.segments", Integer, "-", Range::of(8.0, 1000.0), Default("40"), "segments", "Segments of the anchor line; an even number, as half of them tell the error of the mesh."),
+    field("coupled.ramp_s", Number, "s", Range::of(0.0, 1e5), Default("60.0"), "ramp", "The waves grow smoothly from nothing over this time."),
+    field("coupled.from_s", Number, "s", Range::of(0.0, 1e5), Default("300.0"), "statistics from", "Statistics count from here on."),
+    field("coupled.start_yaw_deg", Number, "deg", Range::of(-30.0, 30.0), Default("0.0"), "start turned", "The ship is let go turned by this about its fairlead, bow to port."),
+    field("coupled.line_mass_kg_per_m", Number, "kg/m", Range::positive(1e5), Required, "line mass", "Mass of the anchor line in air."),
+    field("coupled.line_diameter_m", Number, "m", Range::positive(10.0), Required, "line diameter", "Diameter of the anchor line, for drag and added mass."),
+    field("coupled.drag_normal", Number, "-", Range::of(0.0, 100.0), Default("0.0"), "normal drag", "Drag coefficient across the line."),
+    field("coupled.drag_tangential", Number, "-", Range::of(0.0, 100.0), Default("0.0"), "tangential drag", "Drag coefficient along the line."),
+    field("coupled.added_mass_normal", Number, "-", Range::of(0.0, 100.0), Default("1.0"), "normal added mass", "Added mass coefficient across the line."),
 
     field("rope.ropeway", Text, "", ANY, Required, "ropeway", "The ropeway's file, from the folder of this one."),
     field("rope.bearing_deg", Number, "deg", ANGLE, Required, "bearing", "Where the platform lies from the hang point, from the bow to port: 0 ahead, 90 abeam to port."),
+    field("rope.follows", Choice(&["motion", "coupled"]), "", ANY, Default("\"motion\""), "follows", "Which motion the rope's end follows: that of [motion], or that of the ship coupled with its anchor line."),
     field("rope.records", Integer, "-", Range::of(2.0, 1000.0), Default("10"), "records", "Records, of as many seeds, for the greatest tension to expect."),
 
     field("published.*.name", Text, "", ANY, Required, "name", "What it is, in words."),
@@ -165,25 +203,10 @@ static FIELDS: &[Field] = &[
     field("marks.*.reason", Text, "", ANY, Required, "reason", "Why this value."),
 ];
 
-const fn field(
-    path: &'static str,
-    kind: Kind,
-    unit: &'static str,
-    range: Range,
-    absent: Absent,
-    label: &'static str,
-    help: &'static str,
-) -> Field {
-    Field {
-        path,
-        label,
-        kind,
-        unit,
-        range,
-        absent,
-        help,
-        only_if: None,
-    }
+/// A field of motions made from one source only.
+const fn by(source: &'static str, mut field: Field) -> Field {
+    field.only_if = Some(("by", source));
+    field
 }
 
 const fn list(
@@ -207,20 +230,4 @@ const fn between(path: &'static str) -> Field {
         "interpolation",
         "What lies between the points of the table: straight lines, or the periodic cubic spline.",
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::case::fields::unit_suffix;
-
-    #[test]
-    fn every_unit_stands_in_its_key() {
-        for field in FIELDS {
-            match unit_suffix(field.unit) {
-                Some(suffix) => assert!(field.key().ends_with(suffix), "{}", field.path),
-                None => assert!(matches!(field.unit, "" | "-"), "{}", field.path),
-            }
-        }
-    }
 }

@@ -5,8 +5,8 @@
 //! that pull. With the line drawn away from the anchor, the stiffness of the moored ship against small motions of the
 //! mooring point along the line, across it, and of the heading is triangular: loads depend on the heading alone. Its
 //! eigenvalues are the stiffness of the line along itself, pull over reach across it, and `-dM/dψ` in yaw: the ship
-//! stays where all three are positive. (Oscillations that grow with speed, as of a ship that fishtails, are not told by
-//! stiffness: they need inertia and damping.)
+//! stays where all three are positive. Oscillations that grow, as of a ship that fishtails, are not told by
+//! stiffness: [`fishtail`](super::fishtail) tells them.
 
 use std::f64::consts::{PI, TAU};
 
@@ -201,6 +201,7 @@ mod tests {
                     sin: vec![],
                 },
             ],
+            speed: None,
         }
     }
 

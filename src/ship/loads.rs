@@ -29,6 +29,19 @@ pub struct Load {
     pub scale: [f64; 3],
     /// Coefficients forward, to port, in yaw against the angle from the bow to the flow.
     pub curves: [Curve; 3],
+    /// Speed of the flow, where the load goes with its square and so with the ship's own velocity \[m/s\].
+    pub speed: Option<f64>,
+}
+
+/// Loads on a moving ship, in axes along a heading that does not turn with it.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Moving {
+    /// Force forward \[N\], to port \[N\], moment in yaw \[N m\].
+    pub load: Planar,
+    /// Their derivatives by the turn from that heading.
+    pub by_turn: Planar,
+    /// Their derivatives by the ship's velocity along and across that heading.
+    pub by_velocity: [Planar; 2],
 }
 
 /// Force forward \[N\], force to port \[N\], moment in yaw about the ship's centre \[N m\].
@@ -39,12 +52,69 @@ impl Load {
     #[must_use]
     pub fn at(&self, heading: f64) -> (Planar, Planar) {
         let angle = self.towards - heading;
-        let each: [(f64, f64); 3] = std::array::from_fn(|i| self.curves[i].at(angle));
+        let each = self.coefficients(angle);
         (
             std::array::from_fn(|i| self.scale[i] * each[i].0),
             std::array::from_fn(|i| -self.scale[i] * each[i].1),
         )
     }
+}
+
+impl Load {
+    /// The load on a ship turned by a small or great angle \[rad\] from a heading \[rad\], that moves with a velocity along and
+    /// across that heading \[m/s\]: wind and current by the flow that the ship meets, drift as at rest.
+    fn moving(&self, heading: f64, turn: f64, velocity: [f64; 2]) -> Moving {
+        let toward = self.towards - heading;
+        let Some(speed) = self.speed.filter(|speed| *speed > 0.0) else {
+            return self.turned(toward, 1.0, turn);
+        };
+        let flow = [
+            speed * toward.cos() - velocity[0],
+            speed * toward.sin() - velocity[1],
+        ];
+        let square = flow[0] * flow[0] + flow[1] * flow[1];
+        let share = square / (speed * speed);
+        let met = flow[1].atan2(flow[0]);
+        let mut moving = self.turned(met, share, turn);
+        // By the flow's size and by its direction, both over the square of the speed that the scale holds.
+        let each = self.coefficients(met - turn);
+        let by = |along: f64, across: f64| -> Planar {
+            let body: Planar = std::array::from_fn(|i| {
+                let (value, slope) = each[i];
+                self.scale[i] / (speed * speed) * (-2.0 * along * value + across * slope)
+            });
+            rotated(&body, turn)
+        };
+        moving.by_velocity = [by(flow[0], flow[1]), by(flow[1], -flow[0])];
+        moving
+    }
+
+    /// A share of the load by a flow that goes `toward` \[rad\], on a ship turned by `turn`, both from the same heading.
+    fn turned(&self, toward: f64, share: f64, turn: f64) -> Moving {
+        let each = self.coefficients(toward - turn);
+        let body: Planar = std::array::from_fn(|i| share * self.scale[i] * each[i].0);
+        // The force turns with the ship, and the angle of the flow falls as the ship turns.
+        let slope: Planar = std::array::from_fn(|i| -share * self.scale[i] * each[i].1);
+        let by_turn = [slope[0] - body[1], slope[1] + body[0], slope[2]];
+        Moving {
+            load: rotated(&body, turn),
+            by_turn: rotated(&by_turn, turn),
+            by_velocity: [[0.0; 3]; 2],
+        }
+    }
+
+    fn coefficients(&self, angle: f64) -> [(f64, f64); 3] {
+        std::array::from_fn(|i| self.curves[i].at(angle))
+    }
+}
+
+fn rotated(load: &Planar, turn: f64) -> Planar {
+    let (sin, cos) = turn.sin_cos();
+    [
+        load[0] * cos - load[1] * sin,
+        load[0] * sin + load[1] * cos,
+        load[2],
+    ]
 }
 
 /// All loads on a ship.
@@ -67,13 +137,15 @@ impl Loads {
             let q = 0.5 * about.air_density_kg_per_m3 * wind.speed_m_per_s.powi(2);
             let side = q * wind.lateral_area_m2;
             let scale = [q * wind.frontal_area_m2, side, side * l];
-            each.push(load("wind", wind.towards_deg, scale, &wind.coefficients));
+            let load = load("wind", wind.towards_deg, scale, &wind.coefficients);
+            each.push(load.by_flow(wind.speed_m_per_s));
         }
         if let Some(current) = &ship.current {
             let q = 0.5 * about.water_density_kg_per_m3 * current.speed_m_per_s.powi(2);
             let scale = [q * l * t, q * l * t, q * l * l * t];
             let words = &current.coefficients;
-            each.push(load("current", current.towards_deg, scale, words));
+            let load = load("current", current.towards_deg, scale, words);
+            each.push(load.by_flow(current.speed_m_per_s));
         }
         if let Some(drift) = &ship.drift {
             let q = weight_density(about) * drift.significant_height_m.powi(2) / 16.0;
@@ -95,6 +167,23 @@ impl Loads {
             for i in 0..3 {
                 sum.0[i] += value[i];
                 sum.1[i] += slope[i];
+            }
+        }
+        sum
+    }
+
+    /// Eq. (1) on a moving ship, in axes along a heading \[rad\] that does not turn with it: turned from there by `turn`
+    /// \[rad\], with a velocity along and across that heading \[m/s\]. What turning alone makes of the flow is left out.
+    #[must_use]
+    pub fn moving(&self, heading: f64, turn: f64, velocity: [f64; 2]) -> Moving {
+        let mut sum = Moving::default();
+        for load in &self.each {
+            let one = load.moving(heading, turn, velocity);
+            for i in 0..3 {
+                sum.load[i] += one.load[i];
+                sum.by_turn[i] += one.by_turn[i];
+                sum.by_velocity[0][i] += one.by_velocity[0][i];
+                sum.by_velocity[1][i] += one.by_velocity[1][i];
             }
         }
         sum
@@ -160,6 +249,17 @@ fn load(name: &'static str, towards_deg: f64, scale: Planar, words: &Coefficient
         towards: towards_deg.to_radians(),
         scale,
         curves: curves(words),
+        speed: None,
+    }
+}
+
+impl Load {
+    /// The same, going with the square of the speed of a flow.
+    fn by_flow(self, speed: f64) -> Self {
+        Self {
+            speed: Some(speed),
+            ..self
+        }
     }
 }
 
@@ -187,4 +287,63 @@ fn curves(words: &Coefficients) -> [Curve; 3] {
         through(&words.sway, Parity::Odd),
         through(&words.yaw, Parity::Odd),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every load of the ship that comes with the program.
+    fn loads() -> Loads {
+        let text = include_str!("../../cases/ship/anchored.toml");
+        crate::ship::parse(text, "ship.toml").unwrap().loads
+    }
+
+    #[test]
+    fn at_rest_it_is_the_load_of_the_heading() {
+        let loads = loads();
+        for heading in [-2.0, 0.3, 1.4] {
+            let (rest, _) = loads.total(heading);
+            let moving = loads.moving(heading, 0.0, [0.0; 2]);
+            // Turned to the heading from another one it is the same load in other axes.
+            let turned = loads.moving(heading - 0.7, 0.7, [0.0; 2]);
+            let back = rotated(&turned.load, -0.7);
+            for i in 0..3 {
+                assert!((moving.load[i] - rest[i]).abs() < 1e-9 * (1.0 + rest[i].abs()));
+                assert!((back[i] - rest[i]).abs() < 1e-9 * (1.0 + rest[i].abs()));
+            }
+        }
+    }
+
+    #[test]
+    fn derivatives_on_a_moving_ship_are_the_differences() {
+        let loads = loads();
+        let h = 1e-6;
+        for (heading, turn, v) in [
+            (0.5, 0.0, [0.0; 2]),
+            (-1.0, 0.4, [0.3, -0.8]),
+            (2.0, -0.2, [-1.0, 0.1]),
+        ] {
+            let at = loads.moving(heading, turn, v);
+            let load =
+                |t: f64, a: f64, b: f64| loads.moving(heading, turn + t, [v[0] + a, v[1] + b]).load;
+            let slope = |plus: Planar, minus: Planar, i: usize| (plus[i] - minus[i]) / (2.0 * h);
+            for i in 0..3 {
+                let scale = 1.0 + at.by_turn[i].abs() + at.load[i].abs();
+                let near = |a: f64, b: f64| (a - b).abs() < 1e-6 * scale;
+                assert!(near(
+                    at.by_turn[i],
+                    slope(load(h, 0.0, 0.0), load(-h, 0.0, 0.0), i)
+                ));
+                assert!(near(
+                    at.by_velocity[0][i],
+                    slope(load(0.0, h, 0.0), load(0.0, -h, 0.0), i)
+                ));
+                assert!(near(
+                    at.by_velocity[1][i],
+                    slope(load(0.0, 0.0, h), load(0.0, 0.0, -h), i)
+                ));
+            }
+        }
+    }
 }

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::motion::band::Scatter;
-use crate::case::{Mark, Standing};
+use crate::case::Mark;
+use crate::reference::Printed;
 
 /// Everything a ship file says.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -22,13 +23,17 @@ pub struct Ship {
     pub drift: Option<Drift>,
     /// The line that holds the ship at its bow.
     pub mooring: Option<Mooring>,
+    /// The ship's mass, and what the water adds to it.
+    pub hull: Option<Hull>,
     /// The ship's motion in its sea.
     pub motion: Option<Motion>,
+    /// The ship and its anchor line in time.
+    pub coupled: Option<CoupledWords>,
     /// The rope to a platform that follows the motion.
     pub rope: Option<Rope>,
     /// What the source printed of the motion.
     #[serde(default)]
-    pub published: Vec<Published>,
+    pub published: Vec<Printed>,
     /// Where the inputs come from that the source does not print.
     #[serde(default)]
     pub marks: BTreeMap<String, Mark>,
@@ -170,10 +175,13 @@ pub struct Mooring {
     pub fairlead_z_m: f64,
 }
 
-/// The ship's motion in its sea, by the statistics of each degree of freedom.
+/// The ship's motion in its sea: made to statistics, or its answer to the waves.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Motion {
+    /// What the motion is made from.
+    #[serde(default)]
+    pub by: MotionBy,
     /// Seed of the records.
     #[serde(default = "seed")]
     pub seed: u32,
@@ -183,15 +191,15 @@ pub struct Motion {
     /// Step of a record \[s\].
     #[serde(default = "quarter")]
     pub step_s: f64,
-    /// Regular components of each band.
+    /// Regular components: of each band of a statistic, or of the sea.
     #[serde(default = "hundred")]
     pub components: usize,
-    /// Period of the slow motion at the mooring, where the statistics need one \[s\].
-    #[serde(default = "slow")]
-    pub slow_period_s: f64,
     /// The point that the rope hangs from, from the ship's reference point forward, to port, up \[m\].
     #[serde(default)]
     pub hang_point_m: [f64; 3],
+    /// Period of the slow motion at the mooring, where the statistics need one \[s\].
+    #[serde(default = "slow")]
+    pub slow_period_s: f64,
     /// Mean of surge, sway, heave \[m\].
     #[serde(default)]
     pub translation_mean_m: [f64; 3],
@@ -199,17 +207,66 @@ pub struct Motion {
     #[serde(default)]
     pub rotation_mean_deg: [f64; 3],
     /// Root mean square of surge, sway, heave about nothing, the mean counted in \[m\].
+    #[serde(default)]
     pub translation_rms_m: [f64; 3],
     /// Root mean square of roll, pitch, yaw \[deg\].
+    #[serde(default)]
     pub rotation_rms_deg: [f64; 3],
     /// Root mean square of their velocities \[m/s\].
+    #[serde(default)]
     pub translation_velocity_rms_m_per_s: [f64; 3],
     /// Root mean square of their velocities \[deg/s\].
+    #[serde(default)]
     pub rotation_velocity_rms_deg_per_s: [f64; 3],
     /// Root mean square of their accelerations \[m/s²\].
+    #[serde(default)]
     pub translation_acceleration_rms_m_per_s2: [f64; 3],
     /// Root mean square of their accelerations \[deg/s²\].
+    #[serde(default)]
     pub rotation_acceleration_rms_deg_per_s2: [f64; 3],
+    /// The file of the ship's responses, from the folder of the ship's.
+    #[serde(default)]
+    pub responses: String,
+    /// Spectrum of the waves.
+    #[serde(default)]
+    pub spectrum: SpectrumWord,
+    /// Significant wave height \[m\].
+    #[serde(default)]
+    pub significant_height_m: f64,
+    /// Peak period of the waves \[s\].
+    #[serde(default)]
+    pub peak_period_s: f64,
+    /// Peak enhancement of a JONSWAP spectrum \[-\].
+    #[serde(default = "gamma")]
+    pub gamma: f64,
+    /// Where the waves run to, from +x towards +y \[deg\].
+    #[serde(default)]
+    pub waves_towards_deg: f64,
+    /// Where the bow points, from +x towards +y; absent: the heading at which the ship rests \[deg\].
+    pub heading_deg: Option<f64>,
+}
+
+/// What a motion is made from.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum MotionBy {
+    /// Root mean squares of each degree of freedom.
+    #[default]
+    Statistics,
+    /// Responses to a sea.
+    Responses,
+}
+
+/// The spectra there are.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum SpectrumWord {
+    /// JONSWAP.
+    #[default]
+    Jonswap,
+    /// Pierson-Moskowitz.
+    #[serde(rename = "pierson-moskowitz")]
+    PiersonMoskowitz,
 }
 
 impl Motion {
@@ -217,6 +274,12 @@ impl Motion {
     #[must_use]
     pub fn seed(&self) -> u64 {
         u64::from(self.seed)
+    }
+
+    /// Instants of a record, one a step; the next would be the first again.
+    #[must_use]
+    pub fn instants(&self) -> usize {
+        (self.duration_s / self.step_s).round().max(1.0) as usize
     }
 
     /// Mean and root mean squares of a degree of freedom, 0 to 5 \[m or rad\].
@@ -240,6 +303,67 @@ impl Motion {
     }
 }
 
+/// The ship's mass and what the water adds to it, about the ship's reference point: amidships, on the centre line, in the still
+/// water line. Matrices are in SI units, in the order surge, sway, heave, roll, pitch, yaw: six numbers are the diagonal,
+/// thirty-six the rows.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Hull {
+    /// Mass \[kg\].
+    pub mass_kg: f64,
+    /// Radii of gyration in roll, pitch and yaw, about the centre of gravity \[m\].
+    pub gyration_m: [f64; 3],
+    /// Centre of gravity from the reference point, forward, to port, up \[m\].
+    #[serde(default)]
+    pub centre_m: [f64; 3],
+    /// Added mass.
+    #[serde(default)]
+    pub added_mass_si: Vec<f64>,
+    /// Damping, beside that of wind and current on the moving ship.
+    #[serde(default)]
+    pub damping_si: Vec<f64>,
+    /// Restoring by water and weight, without the mooring.
+    #[serde(default)]
+    pub restoring_si: Vec<f64>,
+}
+
+/// The ship and its anchor line in time, both in one system of equations.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CoupledWords {
+    /// Time that is followed \[s\].
+    #[serde(default = "half_hour")]
+    pub duration_s: f64,
+    /// Step \[s\].
+    #[serde(default = "tenth")]
+    pub step_s: f64,
+    /// Segments of the line.
+    #[serde(default = "forty")]
+    pub segments: usize,
+    /// The waves grow smoothly from nothing over this time \[s\].
+    #[serde(default = "minute")]
+    pub ramp_s: f64,
+    /// Statistics count from here on \[s\].
+    #[serde(default = "five_minutes")]
+    pub from_s: f64,
+    /// The ship is let go turned by this about its fairlead \[deg\].
+    #[serde(default)]
+    pub start_yaw_deg: f64,
+    /// Mass of the anchor line in air \[kg/m\].
+    pub line_mass_kg_per_m: f64,
+    /// Diameter of the anchor line, for drag and added mass \[m\].
+    pub line_diameter_m: f64,
+    /// Drag coefficient across the line \[-\].
+    #[serde(default)]
+    pub drag_normal: f64,
+    /// Drag coefficient along the line \[-\].
+    #[serde(default)]
+    pub drag_tangential: f64,
+    /// Added mass coefficient across the line \[-\].
+    #[serde(default = "one")]
+    pub added_mass_normal: f64,
+}
+
 /// The rope to a platform that follows the motion.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -248,34 +372,23 @@ pub struct Rope {
     pub ropeway: String,
     /// Where the platform lies from the hang point, from the bow to port \[deg\].
     pub bearing_deg: f64,
+    /// Which motion the rope's end follows.
+    #[serde(default)]
+    pub follows: Follows,
     /// Records, of as many seeds, for the greatest tension to expect.
     #[serde(default = "ten")]
     pub records: usize,
 }
 
-/// A published value and how the ship is held against it.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Published {
-    /// What it is, in words.
-    pub name: String,
-    /// The quantity: `pitch.velocity.rms`.
-    pub quantity: String,
-    /// The published value, in the unit of the quantity.
-    pub value: f64,
-    /// Tolerance relative to the value \[-\]. One of the two tolerances is needed; the wider one counts.
-    pub tolerance_rel: Option<f64>,
-    /// Tolerance in the unit of the value.
-    pub tolerance_abs: Option<f64>,
-    /// Where it is printed.
-    pub source: String,
-    /// Standing of the inputs behind the computed value, at worst.
-    pub inputs: Standing,
-    /// True when an input was fitted to this very number: agreement is then no evidence.
-    #[serde(default)]
-    pub fitted: bool,
-    /// Why the number is out of reach; the row then reads DIFFERS instead of FAIL.
-    pub out_of_reach: Option<String>,
+/// Which motion of the ship its rope follows.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Follows {
+    /// That of `[motion]`.
+    #[default]
+    Motion,
+    /// That of the ship coupled with its anchor line.
+    Coupled,
 }
 
 fn arm() -> f64 {
@@ -316,4 +429,32 @@ fn slow() -> f64 {
 
 fn ten() -> usize {
     10
+}
+
+fn gamma() -> f64 {
+    3.3
+}
+
+fn half_hour() -> f64 {
+    1800.0
+}
+
+fn tenth() -> f64 {
+    0.1
+}
+
+fn forty() -> usize {
+    40
+}
+
+fn minute() -> f64 {
+    60.0
+}
+
+fn five_minutes() -> f64 {
+    300.0
+}
+
+fn one() -> f64 {
+    1.0
 }

@@ -4,7 +4,8 @@
 //! # Unknowns
 //! The nodes of the line, the last of them the fairlead; then one for the ship's translation, the place of its reference
 //! point, and one for its rotation from the heading it lies at, times a length. Rotations are of first order, as in the
-//! paper's equation (4): constant mass, damping and restoring, constant loads.
+//! paper's equation (4): constant mass, damping and restoring. Loads are constant, or a [`Forcing`]: wind, current and drift
+//! on the ship as it turns and moves, and waves.
 //!
 //! # Equations
 //! The rows of the line are its own. That of the fairlead ties it to the ship, `x_f = X + r + θ × r`, which is linear, so
@@ -17,6 +18,7 @@ use std::ops::Range;
 
 use nalgebra::{Matrix6, Vector6};
 
+use super::forcing::Forcing;
 use crate::linalg::{BlockBand, M3, V3};
 use crate::scene::Scene;
 use crate::solve::{Factors, State, System};
@@ -33,6 +35,8 @@ pub struct RigidBody {
     pub restoring: Matrix6<f64>,
     /// Constant load: force \[N\] and moment about the reference point \[N m\].
     pub load: Vector6<f64>,
+    /// What acts beside it: flows on the ship as it turns and moves, and waves.
+    pub forcing: Forcing,
     /// Where the reference point is when nothing restores \[m\].
     pub place: V3,
     /// From the reference point to the fairlead \[m\].
@@ -80,9 +84,16 @@ impl Moored {
     /// The line's state with the ship at rest where its fairlead holds the line's end.
     #[must_use]
     pub fn at_rest(&self, line: &State) -> State {
+        self.turned(line, V3::zeros())
+    }
+
+    /// The same, the ship turned \[rad\] about its fairlead.
+    #[must_use]
+    pub fn turned(&self, line: &State, turn: V3) -> State {
         let mut state = line.clone();
         let fairlead = state.x[self.fairlead()];
-        state.x.extend([fairlead - self.ship.arm, V3::zeros()]);
+        let centre = fairlead - self.ship.arm - turn.cross(&self.ship.arm);
+        state.x.extend([centre, turn * self.ship.length]);
         state.v.resize(state.x.len(), V3::zeros());
         state.a.resize(state.x.len(), V3::zeros());
         state
@@ -104,7 +115,26 @@ impl Moored {
         self.line.tension_at(self.fairlead(), state)
     }
 
-    /// Energy of line and ship, its constant load counted as potential \[J\].
+    /// Tension of the line at its anchor \[N\].
+    #[must_use]
+    pub fn anchor_tension(&self, state: &State) -> f64 {
+        self.line.tension_at(0, state)
+    }
+
+    /// Sets the ship going with these velocities \[m/s, rad/s\], and the line with it as a straight stretch would go.
+    pub fn set_going(&self, velocity: &Vector6<f64>, state: &mut State) {
+        let f = self.fairlead();
+        let parts = velocity.fixed_rows::<3>(0).into_owned();
+        let turn: V3 = velocity.fixed_rows::<3>(3).into_owned();
+        let fairlead = parts + turn.cross(&self.ship.arm);
+        for (i, v) in state.v.iter_mut().enumerate().take(f + 1) {
+            *v = fairlead * (i as f64 / f as f64);
+        }
+        state.v[f + 1] = parts;
+        state.v[f + 2] = turn * self.ship.length;
+    }
+
+    /// Energy of line and ship, its constant load counted as potential and any other forcing left out \[J\].
     #[must_use]
     pub fn energy(&self, state: &State) -> f64 {
         let (q, v) = (self.motion(state), self.velocity(state));
@@ -119,7 +149,9 @@ impl Moored {
         v.dot(&(self.ship.damping * v))
     }
 
-    fn velocity(&self, state: &State) -> Vector6<f64> {
+    /// The rates of its six motions \[m/s, rad/s\].
+    #[must_use]
+    pub fn velocity(&self, state: &State) -> Vector6<f64> {
         let t = self.fairlead() + 1;
         stacked(state.v[t], state.v[t + 1] / self.ship.length)
     }
@@ -129,13 +161,13 @@ impl Moored {
     }
 
     /// Force and moment that the ship's own equation leaves, `M a + C v + K q - F`.
-    fn own(&self, state: &State) -> (V3, V3) {
+    fn own(&self, time: f64, state: &State) -> (V3, V3) {
         let t = self.fairlead() + 1;
         let a = stacked(state.a[t], state.a[t + 1] / self.ship.length);
-        let r = self.ship.mass * a
-            + self.ship.damping * self.velocity(state)
-            + self.ship.restoring * self.motion(state)
-            - self.ship.load;
+        let (q, v) = (self.motion(state), self.velocity(state));
+        let r = self.ship.mass * a + self.ship.damping * v + self.ship.restoring * q
+            - self.ship.load
+            - self.ship.forcing.at(time, &q, &v);
         (
             r.fixed_rows::<3>(0).into_owned(),
             r.fixed_rows::<3>(3).into_owned(),
@@ -143,10 +175,10 @@ impl Moored {
     }
 
     /// The rows of fairlead and ship, from that of the line's end.
-    fn tie(&self, state: &State, r: &mut [V3]) {
+    fn tie(&self, time: f64, state: &State, r: &mut [V3]) {
         let (f, arm) = (self.fairlead(), &self.ship.arm);
         let pull = r[f];
-        let (force, moment) = self.own(state);
+        let (force, moment) = self.own(time, state);
         let turn = state.x[f + 2] / self.ship.length;
         let hangs = state.x[f + 1] + arm + turn.cross(arm);
         r[f] = (state.x[f] - hangs) * self.tie;
@@ -154,11 +186,15 @@ impl Moored {
         r[f + 2] = (moment - arm.cross(&force)) / self.ship.length;
     }
 
-    fn tie_tangent(&self, c: Factors, tangent: &mut BlockBand) {
+    fn tie_tangent(&self, state: &State, c: Factors, tangent: &mut BlockBand) {
         let (f, length) = (self.fairlead(), self.ship.length);
         let own = self.ship.mass * c.mass
             + self.ship.damping * c.damping
-            + self.ship.restoring * c.stiffness;
+            + self.ship.restoring * c.stiffness
+            - self
+                .ship
+                .forcing
+                .tangent(&self.motion(state), &self.velocity(state), c);
         let block =
             |i: usize, j: usize| -> M3 { own.fixed_view::<3, 3>(3 * i, 3 * j).into_owned() };
         let arm = self.ship.arm.cross_matrix();
@@ -209,7 +245,7 @@ impl System for Moored {
 
     fn residual(&self, t: f64, state: &State, r: &mut [V3]) {
         self.line.residual(t, state, &mut r[..=self.fairlead()]);
-        self.tie(state, r);
+        self.tie(t, state, r);
     }
 
     fn linearise(&self, t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
@@ -217,8 +253,8 @@ impl System for Moored {
         tangent.far_lower.fill(M3::zeros());
         tangent.far_upper.fill(M3::zeros());
         self.line.linearise(t, state, c, &mut r[..=f], tangent);
-        self.tie(state, r);
-        self.tie_tangent(c, tangent);
+        self.tie(t, state, r);
+        self.tie_tangent(state, c, tangent);
     }
 
     /// The added mass of the last half segment counts as that of the line's mass there, in all directions alike; no
@@ -230,7 +266,7 @@ impl System for Moored {
         let (arm, length) = (self.ship.arm, self.ship.length);
         state.a[f + 1] = V3::zeros();
         state.a[f + 2] = V3::zeros();
-        let (force, moment) = self.own(state);
+        let (force, moment) = self.own(t, state);
         let pull = self.line.end_force(f, state);
         let right = stacked(pull - force, arm.cross(&pull) - moment);
         let mut mass = self.ship.mass;

@@ -1,10 +1,11 @@
-//! A ship at rest as charts: the moment about the mooring against the heading, with its zeros.
+//! A ship as charts: the moment about the mooring against the heading, with its zeros, and its motions in time.
 
 use std::f64::consts::PI;
 
 use super::heading::Stands;
 use super::rest::Rest;
 use super::voyage::Voyage;
+use crate::physics::sea::DEGREES;
 use crate::report::chart::{Axis, Chart, Limit, LimitLine, Series};
 
 /// Time of a record that is drawn \[s\].
@@ -49,26 +50,26 @@ pub fn moments(rest: &Rest) -> Chart {
     }
 }
 
-/// The motions that matter most to a rope, over the first minutes of the record.
+/// The ship's motions over the first minutes of the record: all six, or one alone.
 #[must_use]
-pub fn motions(voyage: &Voyage) -> Chart {
+pub fn motions(voyage: &Voyage, alone: Option<usize>) -> Chart {
     let shown = voyage
         .motions
         .instants
         .min((MINUTES / voyage.motions.step) as usize + 1);
-    let series = [
-        (0, "surge [m]", 1.0),
-        (2, "heave [m]", 1.0),
-        (4, "pitch [deg]", 1.0_f64.to_degrees()),
-    ];
-    let series = series
-        .iter()
-        .enumerate()
-        .map(|(slot, (degree, name, scale))| {
-            let values = &voyage.records[*degree].x;
-            let points = (0..shown).map(|i| (voyage.motions.time(i), scale * values[i]));
-            Series::new(name, slot, points.collect())
-        });
+    let series = DEGREES.iter().enumerate().map(|(degree, name)| {
+        let (unit, scale) = if degree < 3 {
+            ("m", 1.0)
+        } else {
+            ("deg", 1.0_f64.to_degrees())
+        };
+        let values = &voyage.records[degree].x;
+        let points = (0..shown).map(|i| (voyage.motions.time(i), scale * values[i]));
+        Series {
+            visible: alone.is_none_or(|one| one == degree),
+            ..Series::new(&format!("{name} [{unit}]"), degree, points.collect())
+        }
+    });
     Chart {
         title: "Motion of the ship, from its record".to_owned(),
         x: Axis::new("time", "s"),

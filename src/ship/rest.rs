@@ -1,11 +1,11 @@
 //! A ship at rest: its loads, every heading in balance, and how far it then lies from its anchor.
 
-use super::heading::{Balance, HeadingError, balances};
+use super::fishtail::{Fate, Planar};
+use super::heading::{Balance, HeadingError, Stands, balances};
+use super::hull::Matrices;
 use super::loads::Loads;
 use super::model::Ship;
 use super::mooring::{Reach, ReachError, reach};
-use super::motion::MotionError;
-use super::voyage::Voyage;
 
 /// A ship at rest.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,11 +14,11 @@ pub struct Rest {
     pub ship: Ship,
     /// What acts on it.
     pub loads: Loads,
+    /// Its matrices; absent where the file gives no hull.
+    pub hull: Option<Matrices>,
     /// Every heading in balance, from -180 to 180 degrees, with the reach of the mooring there; absent where the file
     /// names no mooring.
     pub stations: Result<Vec<Station>, HeadingError>,
-    /// The ship in its sea; absent where the file gives no motion.
-    pub voyage: Option<Result<Voyage, MotionError>>,
 }
 
 /// A heading in balance, and where the ship then lies.
@@ -28,9 +28,17 @@ pub struct Station {
     pub balance: Balance,
     /// The mooring line, where the file names one.
     pub reach: Option<Result<Reach, ReachError>>,
+    /// The ship's small motions there, linearised; absent without hull or a mooring that reaches.
+    pub planar: Option<Planar>,
 }
 
 impl Station {
+    /// What becomes of a small disturbance there; absent without hull or a mooring that reaches.
+    #[must_use]
+    pub fn fate(&self) -> Option<Fate> {
+        self.planar.as_ref()?.fate()
+    }
+
     /// Where the mooring point and the ship's centre lie from the anchor, in the axes of the case \[m\]; absent without a
     /// mooring line that reaches.
     #[must_use]
@@ -48,29 +56,30 @@ impl Rest {
     #[must_use]
     pub fn new(ship: Ship) -> Self {
         let loads = Loads::new(&ship);
-        let stations = balances(&loads).map(|all| {
-            let each = all.into_iter().map(|balance| Station {
-                reach: ship
-                    .mooring
-                    .as_ref()
-                    .map(|mooring| reach(&ship.about, mooring, balance.pull)),
+        let hull = ship.hull.as_ref().map(Matrices::of);
+        let station = |balance: Balance| {
+            let mooring = ship.mooring.as_ref();
+            let reach = mooring.map(|mooring| reach(&ship.about, mooring, balance.pull));
+            let held = reach.as_ref().and_then(|reach| reach.as_ref().ok());
+            let planar = hull.as_ref().zip(held);
+            Station {
+                planar: planar.map(|(hull, reach)| Planar::new(hull, &loads, &balance, reach)),
+                reach,
                 balance,
-            });
-            each.collect()
-        });
-        let voyage = ship.motion.as_ref().map(Voyage::new);
+            }
+        };
+        let stations = balances(&loads).map(|all| all.into_iter().map(station).collect());
         Self {
             ship,
             loads,
+            hull,
             stations,
-            voyage,
         }
     }
 
     /// The stable heading under the greatest stiffness in yaw: where the ship is most likely found.
     #[must_use]
     pub fn chosen(&self) -> Option<&Station> {
-        use super::heading::Stands;
         let stations = self.stations.as_ref().ok()?;
         let stable = stations
             .iter()

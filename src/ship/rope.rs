@@ -11,7 +11,9 @@ use std::path::Path;
 use rayon::prelude::*;
 
 use super::model::{Motion, Rope};
+use super::motion::responses::Answer;
 use super::motion::{SixMotions, point};
+use super::rope_dynamic::{Beside, beside};
 use super::statistics::{Gumbel, Statistics};
 use super::voyage::Voyage;
 use crate::linalg::V3;
@@ -31,6 +33,11 @@ pub struct RopeAtSea {
     pub greatest_n: Vec<f64>,
     /// The same with the law fitted to them.
     pub law: Option<Gumbel>,
+    /// Whether records of other seeds can be made.
+    pub others: bool,
+    /// The rope made fast on the dynamic solver around its greatest tension, beside the equilibria; absent where the rope
+    /// has none.
+    pub dynamic: Option<Result<Beside, Trouble>>,
 }
 
 /// How often the winch does not keep its tension.
@@ -44,50 +51,64 @@ pub struct Lapses {
     pub rope_out: usize,
 }
 
-impl RopeAtSea {
-    /// Follows the ship. `folder` is that of the ship's file, from which the ropeway's is named.
+/// Where the hang point of a rope goes.
+#[derive(Debug, Clone)]
+pub struct Course<'a> {
+    /// The words of the rope.
+    pub rope: &'a Rope,
+    /// Displacements of the hang point in the axes of the ship, at equal steps from t = 0 \[m\].
+    pub places: Vec<V3>,
+    /// The step \[s\].
+    pub step: f64,
+    /// The words of the motion and how the ship answers its sea, where other records of it can be made.
+    pub others: Option<(&'a Motion, Option<&'a Answer>)>,
+}
+
+impl<'a> Course<'a> {
+    /// That of the ship in its sea.
+    #[must_use]
+    pub fn of_voyage(rope: &'a Rope, motion: &'a Motion, voyage: &'a Voyage) -> Self {
+        Self {
+            rope,
+            places: voyage.of_point(&V3::from(motion.hang_point_m)),
+            step: voyage.motions.step,
+            others: Some((motion, voyage.answer())),
+        }
+    }
+
+    /// The ropeway that the rope's words name. `folder` is that of the ship's file.
     ///
     /// # Errors
     /// In words: a ropeway that cannot be read or has no answer.
-    pub fn new(
-        rope: &Rope,
-        motion: &Motion,
-        voyage: &Voyage,
-        folder: &Path,
-    ) -> Result<Self, String> {
-        let loaded = ropeway::load(&folder.join(&rope.ropeway)).map_err(|all| {
+    pub fn followed(&self, folder: &Path) -> Result<RopeAtSea, String> {
+        let loaded = ropeway::load(&folder.join(&self.rope.ropeway)).map_err(|all| {
             all.first()
                 .map_or_else(|| "it cannot be read".to_owned(), ToString::to_string)
         })?;
-        Self::of(rope, motion, voyage, loaded.worked)
+        RopeAtSea::of(self, loaded.worked)
     }
 
-    /// Follows the ship with a ropeway that is worked out.
+    fn place(&self, shift: &V3, span: f64) -> (f64, f64) {
+        off(shift, self.rope.bearing_deg.to_radians(), span)
+    }
+}
+
+impl RopeAtSea {
+    /// Follows the hang point with a ropeway that is worked out.
     ///
     /// # Errors
-    /// In words, as [`Self::new`].
-    pub fn of(
-        rope: &Rope,
-        motion: &Motion,
-        voyage: &Voyage,
-        worked: Worked,
-    ) -> Result<Self, String> {
-        let arm = V3::from(motion.hang_point_m);
+    /// In words, where the ropeway has no answer.
+    pub fn of(course: &Course<'_>, worked: Worked) -> Result<Self, String> {
         let span = worked.ropeway.about.span_m;
-        let place = |shift: &V3| off(shift, rope.bearing_deg.to_radians(), span);
-        let series: Vec<HangPoint> = voyage
-            .of_point(&arm)
-            .iter()
-            .enumerate()
-            .map(|(i, shift)| {
-                let (x_m, z_m) = place(shift);
-                HangPoint {
-                    time_s: voyage.motions.time(i),
-                    x_m,
-                    z_m,
-                }
-            })
-            .collect();
+        let at = |(i, shift): (usize, &V3)| {
+            let (x_m, z_m) = course.place(shift, span);
+            HangPoint {
+                time_s: course.step * i as f64,
+                x_m,
+                z_m,
+            }
+        };
+        let series: Vec<HangPoint> = course.places.iter().enumerate().map(at).collect();
         let told = |trouble: Trouble| trouble.to_string();
         let followed = worked.follow(&series).map_err(told)?;
         let mut made = Self {
@@ -96,11 +117,16 @@ impl RopeAtSea {
             followed,
             greatest_n: Vec::new(),
             law: None,
+            others: course.others.is_some(),
+            dynamic: None,
         };
         if let Ok(fast) = &made.followed.fast {
             let own = fast.iter().fold(0.0_f64, |m, moment| m.max(moment.ship_n));
             made.greatest_n = vec![own];
-            made.other_records(rope, motion, &place)?;
+            made.dynamic = Some(beside(&made.worked, fast, course.step));
+            if let Some((motion, answer)) = course.others {
+                made.other_records(course, motion, answer)?;
+            }
         }
         Ok(made)
     }
@@ -108,9 +134,9 @@ impl RopeAtSea {
     /// Greatest tensions of the records of other seeds.
     fn other_records(
         &mut self,
-        rope: &Rope,
+        course: &Course<'_>,
         motion: &Motion,
-        place: &(dyn Fn(&V3) -> (f64, f64) + Sync),
+        answer: Option<&Answer>,
     ) -> Result<(), String> {
         let Some(surface) = Surface::new(&self.worked, &self.series).map_err(|t| t.to_string())?
         else {
@@ -118,6 +144,7 @@ impl RopeAtSea {
         };
         let arm = V3::from(motion.hang_point_m);
         let worked = &self.worked;
+        let span = worked.ropeway.about.span_m;
         let start = worked
             .rest(worked.ropeway.cargo.position)
             .map_err(|t| t.to_string())?;
@@ -127,16 +154,20 @@ impl RopeAtSea {
             rest.ok().map(|rest| rest.ship_n())
         };
         let greatest = |record: usize| {
-            let motions = SixMotions::new(motion, motion.seed() + record as u64).ok()?;
+            let motions = SixMotions::new(motion, answer, motion.seed() + record as u64).ok()?;
             let records = motions.records();
-            let places = (0..motions.instants).map(|i| place(&point(&records, &arm, i)));
+            let places =
+                (0..motions.instants).map(|i| course.place(&point(&records, &arm, i), span));
             let mut ranked: Vec<(f64, (f64, f64))> =
                 places.map(|(x, z)| (surface.at(x, z), (x, z))).collect();
             ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
             let top = ranked.iter().take(TOP).map(|(_, (x, z))| exact(*x, *z));
             top.reduce(|a, b| Some(a?.max(b?)))?
         };
-        let others: Option<Vec<f64>> = (1..rope.records).into_par_iter().map(greatest).collect();
+        let others: Option<Vec<f64>> = (1..course.rope.records)
+            .into_par_iter()
+            .map(greatest)
+            .collect();
         let Some(others) = others else {
             return Err("a record of another seed goes beyond the reach of the rope".to_owned());
         };

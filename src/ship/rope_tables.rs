@@ -59,10 +59,12 @@ pub fn table(rope: &RopeAtSea) -> Table {
             si(law.quantile(0.9), "N"),
         ));
     }
-    if rope.law.is_none() && rope.followed.fast.is_ok() {
+    if !rope.others {
+        notes.push("No greatest tension to expect is told: there is one record of ship and anchor line in time, and it is that of its seed.".to_owned());
+    } else if rope.law.is_none() && rope.followed.fast.is_ok() {
         notes.push("No greatest tension to expect is told: a little further than this record goes, the rope made fast no longer reaches.".to_owned());
     }
-    notes.push("Each instant is an equilibrium of the exact rope with its cargo: the motion is slow beside the rope's own.".to_owned());
+    notes.push("Each instant is an equilibrium of the exact rope with its cargo; what its inertia adds stands in the table of the rope on the dynamic solver.".to_owned());
     Table {
         title: format!(
             "The rope at the moving ship: {}",
@@ -79,6 +81,87 @@ pub fn table(rope: &RopeAtSea) -> Table {
         rows,
         notes,
     }
+}
+
+/// Both readings of the rope made fast over the stretch that the dynamic solver follows; absent where there is none.
+#[must_use]
+pub fn dynamic_chart(rope: &RopeAtSea) -> Option<Chart> {
+    let beside = rope.dynamic.as_ref()?.as_ref().ok()?;
+    let points = |values: &[f64]| -> Vec<(f64, f64)> {
+        let pairs = beside.times.iter().zip(values).skip(beside.counted);
+        pairs.map(|(t, value)| (*t, *value)).collect()
+    };
+    Some(Chart {
+        title: "Rope made fast, around its greatest tension".to_owned(),
+        x: Axis::new("time", "s"),
+        y: Axis::new("tension at the ship", "N"),
+        series: vec![
+            Series::new("equilibria", 0, points(&beside.still)),
+            Series::new("dynamic solver", 1, points(&beside.dynamic)),
+        ],
+        legend: true,
+        ..Chart::default()
+    })
+}
+
+/// The rope made fast on the dynamic solver beside the equilibria; absent where the rope has no answer at all.
+#[must_use]
+pub fn dynamic_table(rope: &RopeAtSea) -> Option<Table> {
+    let title = "The rope made fast on the dynamic solver".to_owned();
+    let beside = match rope.dynamic.as_ref()? {
+        Ok(beside) => beside,
+        Err(trouble) => {
+            return Some(Table {
+                title,
+                notes: vec![format!("WARNING: no answer: {trouble}.")],
+                ..Table::default()
+            });
+        }
+    };
+    let [still, dynamic] = beside.statistics();
+    let row = |name: &str, of: [f64; 5]| {
+        let mut cells = vec![Cell::plain(name)];
+        cells.extend(of.map(|value| Cell::plain(si(value, "N"))));
+        cells
+    };
+    let five = |s: &Statistics| [s.mean, s.rms, s.deviation, s.min, s.max];
+    let (a, b) = (five(&still), five(&dynamic));
+    let differ = std::array::from_fn(|i| b[i] - a[i]);
+    let first = beside.times.get(beside.counted).copied().unwrap_or(0.0);
+    let last = beside.times.last().copied().unwrap_or(0.0);
+    let told = |error: Option<f64>| error.map_or_else(|| "-".to_owned(), |e| si(e, "N"));
+    Some(Table {
+        title,
+        columns: vec![
+            Column::left("tension at the ship"),
+            Column::decimal("mean"),
+            Column::decimal("rms"),
+            Column::decimal("deviation"),
+            Column::decimal("least"),
+            Column::decimal("greatest"),
+        ],
+        rows: vec![
+            row("from equilibrium to equilibrium", a),
+            row("dynamic solver", b),
+            row("difference", differ),
+        ],
+        notes: vec![
+            format!(
+                "From {} s to {} s of the record, around its greatest tension; the two are {} apart (root mean square), {} of the deviation. The winch pays out rope, which the line of the dynamic solver does not: it is made fast here.",
+                digits(first, 6),
+                digits(last, 6),
+                si(beside.apart(), "N"),
+                percent(beside.apart() / still.deviation.max(f64::MIN_POSITIVE))
+            ),
+            format!(
+                "Error of the greatest tension by the step {}, by the mesh {}; {} steps, {} Newton iterations.",
+                told(beside.errors.0),
+                told(beside.errors.1),
+                beside.work.0,
+                beside.work.1
+            ),
+        ],
+    })
 }
 
 fn row(name: &str, moments: &Result<Vec<Moment>, Trouble>, notes: &mut Vec<String>) -> Vec<Cell> {

@@ -1,5 +1,8 @@
 //! A ship at rest in tables.
 
+use nalgebra::Complex;
+
+use super::fishtail::{self, Fate};
 use super::heading::Stands;
 use super::loads::Planar;
 use super::mooring::Reach;
@@ -12,7 +15,7 @@ use crate::report::table::{Cell, CellInk, Column, Table};
 pub fn headings(rest: &Rest) -> Table {
     let mut notes = vec![
         "Headings are where the bow points, from +x towards +y. All zeros of the moment about the mooring point are here: between them the moment is proven to keep its sign, by a bound of its second derivative.".to_owned(),
-        "The eigenvalues of the stiffness at the mooring point are those of the line along and across, and -dM/dpsi in yaw; the ship stays where all are positive. Oscillations that grow, as of a ship that fishtails, are not told by stiffness.".to_owned(),
+        "The eigenvalues of the stiffness at the mooring point are those of the line along and across, and -dM/dpsi in yaw; at rest the ship stays where all are positive. Whether it also stays once it moves is told by the small motions, which need [hull] and [mooring]: a ship that fishtails swings further and further.".to_owned(),
     ];
     let rows = match &rest.stations {
         Ok(stations) => stations.iter().map(|one| heading_row(rest, one)).collect(),
@@ -25,7 +28,8 @@ pub fn headings(rest: &Rest) -> Table {
         title: "Headings in balance (eqs. 1 and 2)".to_owned(),
         columns: vec![
             Column::decimal("heading"),
-            Column::left("balance"),
+            Column::left("at rest"),
+            Column::left("small motions"),
             Column::decimal("yaw stiffness"),
             Column::decimal("pull"),
             Column::decimal("drifts towards"),
@@ -48,6 +52,7 @@ fn heading_row(rest: &Rest, one: &Station) -> Vec<Cell> {
     let mut cells = vec![
         Cell::plain(degrees(balance.heading)),
         Cell::new(balance.stands.word(), ink),
+        fate_cell(one.fate()),
         Cell::plain(si(balance.yaw_stiffness, "N m/rad")),
         Cell::plain(si(balance.pull, "N")),
         Cell::plain(degrees(balance.downstream)),
@@ -63,6 +68,66 @@ fn heading_row(rest: &Rest, one: &Station) -> Vec<Cell> {
         None => {}
     }
     cells
+}
+
+fn fate_cell(fate: Option<Fate>) -> Cell {
+    let ink = match fate {
+        None => CellInk::Dim,
+        Some(Fate::Stable { .. }) => CellInk::Good,
+        Some(Fate::Neutral) => CellInk::Warn,
+        Some(Fate::Diverges { .. } | Fate::Fishtails { .. }) => CellInk::Bad,
+    };
+    Cell::new(fate.map_or("-", Fate::word), ink)
+}
+
+/// What becomes of small motions about every heading; absent without hull and mooring.
+#[must_use]
+pub fn small_motions(rest: &Rest) -> Option<Table> {
+    let stations = rest.stations.as_ref().ok()?;
+    if !stations.iter().any(|one| one.planar.is_some()) {
+        return None;
+    }
+    let row = |one: &Station| {
+        let fate = one.fate();
+        let (period, time) = fate.map_or((None, None), Fate::times);
+        let seconds =
+            |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| si(value, "s"));
+        let roots = one.planar.as_ref().and_then(fishtail::Planar::eigenvalues);
+        vec![
+            Cell::plain(degrees(one.balance.heading)),
+            fate_cell(fate),
+            Cell::plain(seconds(period)),
+            Cell::plain(seconds(time)),
+            Cell::plain(roots.map_or_else(|| "-".to_owned(), |list| words_of(&list))),
+        ]
+    };
+    Some(Table {
+        title: "Small motions about each heading (eq. 4 in the plane)".to_owned(),
+        columns: vec![
+            Column::decimal("heading"),
+            Column::left("small motions"),
+            Column::decimal("period"),
+            Column::decimal("half or double"),
+            Column::left("eigenvalues [1/s]"),
+        ],
+        rows: stations.iter().map(row).collect(),
+        notes: vec![
+            "Surge, sway and yaw linearised: mass and added mass, damping of the hull and of wind and current on the moving ship, stiffness of the line and of loads that turn with the ship. The period is that of the motion that grows fastest or dies last, beside its time to half or to double the amplitude; no period: it creeps.".to_owned(),
+            "Fishtails: swings that grow until what is not linear holds them. What turning alone makes of the current is not in the coefficients; hull.damping_si has it.".to_owned(),
+        ],
+    })
+}
+
+/// Eigenvalues in words, a pair once.
+fn words_of(list: &[Complex<f64>]) -> String {
+    let told = list.iter().filter(|l| l.im >= 0.0).map(|l| {
+        if l.im > 1e-9 * l.norm() {
+            format!("{} ± {}i", digits(l.re, 3), digits(l.im, 3))
+        } else {
+            digits(l.re, 3)
+        }
+    });
+    told.collect::<Vec<_>>().join(", ")
 }
 
 /// What acts on the ship at its heading.

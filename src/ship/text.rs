@@ -1,103 +1,129 @@
-//! A ship as text: its charts and tables.
+//! A ship as a text report on 80 columns.
 
-use super::motion::{self, MotionError};
 use super::rest::Rest;
 use super::rope::RopeAtSea;
+use super::sea::AtSea;
 use super::voyage::Voyage;
-use super::{picture, rope_tables, tables};
-use crate::reference::standing_word;
-use crate::report::chart::{Glyphs, draw};
-use crate::report::table::{Cell, Column, Table};
+use super::{coupled_tables, edit, held, motion, picture, plan, rope_tables, tables};
+use crate::report::chart::{Chart, Glyphs, draw};
+use crate::report::table::Table;
+use crate::report::text::{Page, WIDTH, inputs, validation};
 
-/// Rows of a chart.
-const HEIGHT: usize = 22;
+/// Lines of a chart, and of the ship from above.
+const LINES: usize = 18;
+const PLAN: usize = 34;
 
-/// The whole ship as text of this width.
+/// The report of a ship: from above, headings in balance with what becomes of small motions, loads, mooring; its motions and
+/// spectra; ship and anchor line in time; the rope; validation; inputs with their standing. `text` is that of the file; what
+/// is still to be worked out at sea is said to be.
 #[must_use]
-pub fn text(
-    rest: &Rest,
-    rope: Option<&Result<RopeAtSea, String>>,
-    width: usize,
-    glyphs: Glyphs,
-) -> String {
+pub fn text(rest: &Rest, sea: Option<&AtSea>, text: &str, glyphs: Glyphs) -> String {
     let about = &rest.ship.about;
-    let mut parts = vec![paragraph(&about.title, width)];
-    let words = [&about.source, &about.notes];
-    parts.extend(
-        words
-            .iter()
-            .filter(|w| !w.is_empty())
-            .map(|w| paragraph(w, width)),
+    let mut page = Page::default();
+    page.title(&about.title);
+    for words in [&about.source, &about.notes] {
+        if !words.trim().is_empty() {
+            page.line("");
+            page.paragraph(words);
+        }
+    }
+    page.heading("At rest");
+    page.line("");
+    page.block(&draw(&plan::chart(rest, chosen(rest)), WIDTH, PLAN, glyphs).to_text());
+    chart(&mut page, &picture::moments(rest), glyphs);
+    table(&mut page, &tables::headings(rest));
+    for one in [
+        tables::small_motions(rest),
+        tables::loads(rest),
+        tables::mooring(rest),
+    ]
+    .into_iter()
+    .flatten()
+    {
+        table(&mut page, &one);
+    }
+    match sea {
+        Some(sea) => at_sea(&mut page, rest, sea, glyphs),
+        None => page.paragraph("The ship at sea is still being worked out."),
+    }
+    let voyage = sea.and_then(|sea| sea.voyage.as_ref());
+    if !rest.ship.published.is_empty() {
+        page.heading("Validation");
+        page.line("");
+        page.block(&validation(&held::rows(&rest.ship, voyage)));
+    }
+    inputs(
+        &mut page,
+        &edit::rows(text),
+        !about.source.trim().is_empty(),
     );
-    parts.push(draw(&picture::moments(rest), width, HEIGHT, glyphs).to_text());
-    parts.push(tables::headings(rest).to_text(width));
-    parts.extend(tables::loads(rest).map(|table| table.to_text(width)));
-    parts.extend(tables::mooring(rest).map(|table| table.to_text(width)));
-    if let (Some(words), Some(voyage)) = (&rest.ship.motion, &rest.voyage) {
-        parts.extend(motion(words.seed(), voyage.as_ref(), width, glyphs));
-    }
-    match rope {
-        Some(Ok(rope)) => parts.extend([
-            rope_tables::table(rope).to_text(width),
-            draw(&rope_tables::chart(rope), width, HEIGHT, glyphs).to_text(),
-        ]),
-        Some(Err(why)) => parts.push(paragraph(
-            &format!("WARNING: the rope does not follow the ship: {why}."),
-            width,
-        )),
-        None => {}
-    }
-    if !rest.ship.marks.is_empty() {
-        parts.push(marks(rest).to_text(width));
-    }
-    parts.join("\n")
+    page.finish()
 }
 
-fn paragraph(words: &str, width: usize) -> String {
-    let table = Table {
-        title: words.split_whitespace().collect::<Vec<_>>().join(" "),
-        ..Table::default()
-    };
-    table.to_text(width)
+/// The place of the heading at which the ship is most likely found, among all.
+#[must_use]
+pub fn chosen(rest: &Rest) -> usize {
+    let stations = rest.stations.as_deref().unwrap_or_default();
+    let found = rest.chosen();
+    let same = |one: &super::rest::Station| found.is_some_and(|found| std::ptr::eq(one, found));
+    stations.iter().position(same).unwrap_or(0)
 }
 
-/// The motion: statistics, spectra, and the first minutes drawn.
-fn motion(
-    seed: u64,
-    voyage: Result<&Voyage, &MotionError>,
-    width: usize,
-    glyphs: Glyphs,
-) -> Vec<String> {
-    match voyage {
-        Err(why) => vec![paragraph(
-            &format!("The ship has no such motion: {why}."),
-            width,
-        )],
-        Ok(voyage) => vec![
-            motion::tables::statistics(voyage, seed).to_text(width),
-            motion::tables::spectra(voyage).to_text(width),
-            draw(&picture::motions(voyage), width, HEIGHT, glyphs).to_text(),
-        ],
+fn at_sea(page: &mut Page, rest: &Rest, sea: &AtSea, glyphs: Glyphs) {
+    match (&sea.voyage, &rest.ship.motion) {
+        (Some(Ok(voyage)), Some(words)) => sails(page, voyage, words.seed(), glyphs),
+        (Some(Err(why)), _) => {
+            page.heading("Motion");
+            page.hanging("! ", &format!("The ship has no such motion: {why}."));
+        }
+        _ => {}
+    }
+    if let Some(coupled) = &sea.coupled {
+        page.heading("Ship and anchor line in time");
+        match coupled {
+            Ok(coupled) => {
+                chart(page, &coupled_tables::motions(coupled), glyphs);
+                chart(page, &coupled_tables::tension(coupled), glyphs);
+                table(page, &coupled_tables::statistics(coupled));
+                table(page, &coupled_tables::decay(coupled));
+            }
+            Err(why) => page.hanging("! ", &format!("No answer: {why}.")),
+        }
+    }
+    if let Some(rope) = &sea.rope {
+        page.heading("The rope at the moving ship");
+        match rope {
+            Ok(rope) => follows(page, rope, glyphs),
+            Err(why) => page.hanging("! ", &format!("The rope does not follow the ship: {why}.")),
+        }
     }
 }
 
-/// Where the inputs come from that the source does not print.
-fn marks(rest: &Rest) -> Table {
-    let rows = rest.ship.marks.iter().map(|(key, mark)| {
-        vec![
-            Cell::plain(key),
-            Cell::plain(standing_word(mark.status)),
-            Cell::plain(&mark.reason),
-        ]
-    });
-    Table {
-        title: "Inputs that the source does not print".to_owned(),
-        columns: vec![
-            Column::left("key"),
-            Column::left("standing"),
-            Column::left("why"),
-        ],
-        rows: rows.collect(),
-        notes: Vec::new(),
+/// The motion: first minutes drawn, statistics, spectra.
+fn sails(page: &mut Page, voyage: &Voyage, seed: u64, glyphs: Glyphs) {
+    page.heading("Motion");
+    chart(page, &picture::motions(voyage, None), glyphs);
+    table(page, &motion::tables::statistics(voyage, seed));
+    table(page, &motion::tables::spectra(voyage));
+}
+
+fn follows(page: &mut Page, rope: &RopeAtSea, glyphs: Glyphs) {
+    chart(page, &rope_tables::chart(rope), glyphs);
+    table(page, &rope_tables::table(rope));
+    if let Some(over) = rope_tables::dynamic_chart(rope) {
+        chart(page, &over, glyphs);
     }
+    if let Some(beside) = rope_tables::dynamic_table(rope) {
+        table(page, &beside);
+    }
+}
+
+fn table(page: &mut Page, table: &Table) {
+    page.line("");
+    page.block(&table.to_text(WIDTH));
+}
+
+fn chart(page: &mut Page, chart: &Chart, glyphs: Glyphs) {
+    page.line("");
+    page.block(&draw(chart, WIDTH, LINES, glyphs).to_text());
 }

@@ -6,9 +6,7 @@ use crate::case::{self, At, Case, Method};
 use crate::reference;
 use crate::report::chart::Glyphs;
 use crate::report::table::Table;
-use crate::ropeway::{self, Worked};
 use crate::run::Run;
-use crate::section::{self, Design};
 
 pub use crate::case::fields::FieldRow;
 pub use crate::reference::Row;
@@ -40,58 +38,18 @@ pub fn set(text: &str, key: &str, value: &str) -> Result<String, String> {
         .map_err(|d| format!("{last} {}. {}", stopped(&d.problem), sentence(&d.remedy)))
 }
 
-/// Works a cross-section out from its text.
-///
-/// # Errors
-/// The first thing wrong, as one line with file, line and column.
-pub fn design(text: &str, file: &str) -> Result<Design, String> {
-    section::parse(text, file).map_err(|all| {
-        all.first()
-            .map_or_else(|| format!("{file} is no section."), ToString::to_string)
-    })
-}
-
-/// The fields of a cross-section.
+/// The first thing wrong with a text, as one line with file, line and column.
 #[must_use]
-pub fn section_rows(text: &str) -> Vec<FieldRow> {
-    section::edit::rows(text)
-}
-
-/// Sets a key of a cross-section's text.
-///
-/// # Errors
-/// What cannot be with that value and what would be right, at the key that says so.
-pub fn set_section(text: &str, key: &str, value: &str) -> Result<String, String> {
-    section::edit::set(text, key, value).map_err(|all| refusal(key, &all))
-}
-
-/// Works a ropeway out from its text.
-///
-/// # Errors
-/// The first thing wrong, as one line with file, line and column.
-pub fn worked(text: &str, file: &str) -> Result<Worked, String> {
-    ropeway::parse(text, file).map_err(|all| {
-        all.first()
-            .map_or_else(|| format!("{file} is no ropeway."), ToString::to_string)
-    })
-}
-
-/// The fields of a ropeway.
-#[must_use]
-pub fn ropeway_rows(text: &str, worked: &Worked) -> Vec<FieldRow> {
-    ropeway::edit::rows(text, &worked.ropeway)
-}
-
-/// Sets a key of a ropeway's text.
-///
-/// # Errors
-/// What cannot be with that value and what would be right, at the key that says so.
-pub fn set_ropeway(text: &str, key: &str, value: &str) -> Result<String, String> {
-    ropeway::edit::set(text, key, value).map_err(|all| refusal(key, &all))
+pub fn first(all: &[case::Diagnostic], file: &str) -> String {
+    all.first().map_or_else(
+        || format!("{file} is not what it was."),
+        ToString::to_string,
+    )
 }
 
 /// All that is wrong with a value, each at the key that says so.
-fn refusal(key: &str, all: &[case::Diagnostic]) -> String {
+#[must_use]
+pub fn refusal(key: &str, all: &[case::Diagnostic]) -> String {
     let words = all.iter().map(|d| {
         let at = if d.key == key {
             key.rsplit('.').next().unwrap_or(key)

@@ -35,20 +35,20 @@ pub enum Id {
     Validate,
     /// Keep the live run on disk.
     Keep,
-    /// Show the next table of a cross-section.
+    /// Show the next leaf of the tables.
     NextTable,
-    /// Show the previous table of a cross-section.
+    /// Show the previous leaf of the tables.
     PreviousTable,
-    /// Write the material that a cross-section makes.
-    Material,
+    /// Write what a line case takes over.
+    HandOver,
+    /// Draw the next motion of the ship alone.
+    NextTrace,
     /// Go to the next span of the ropeway.
     NextSpan,
     /// Go to the previous span of the ropeway.
     PreviousSpan,
     /// Keep the cargo's place in the file.
     KeepPlace,
-    /// Write the ropeway as a line case.
-    LineCase,
     /// Show the next chart.
     NextChart,
     /// Show the previous chart.
@@ -162,25 +162,23 @@ pub enum Place {
     Jobs,
     /// The line node by node.
     Nodes,
-    /// The keys of a cross-section.
+    /// The keys of a file that is no line case.
     Keys,
+    /// Its tables and charts.
+    Tables,
+    /// What it is held against.
+    Checks,
     /// A cross-section drawn.
     Drawing,
-    /// A cross-section in tables.
-    Tables,
-    /// The keys of a ropeway.
-    RopewayInputs,
     /// A ropeway drawn, with its readings.
     Ropeway,
-    /// A ropeway in tables and charts.
-    RopewayTables,
-    /// A ropeway held against what its source printed.
-    RopewayChecks,
+    /// A ship from above, with its headings.
+    Ship,
 }
 
 impl Place {
     /// All of them.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 14] = [
         Self::Cases,
         Self::Inputs,
         Self::Charts,
@@ -190,24 +188,12 @@ impl Place {
         Self::Jobs,
         Self::Nodes,
         Self::Keys,
-        Self::Drawing,
         Self::Tables,
-        Self::RopewayInputs,
+        Self::Checks,
+        Self::Drawing,
         Self::Ropeway,
-        Self::RopewayTables,
-        Self::RopewayChecks,
+        Self::Ship,
     ];
-
-    /// The panes of an open ropeway, in the order of their numbers.
-    pub const OF_ROPEWAY: [Self; 4] = [
-        Self::RopewayInputs,
-        Self::Ropeway,
-        Self::RopewayTables,
-        Self::RopewayChecks,
-    ];
-
-    /// The panes of an open cross-section, in the order of their numbers.
-    pub const OF_SECTION: [Self; 3] = [Self::Keys, Self::Drawing, Self::Tables];
 
     /// The panes of an open case, in the order of their numbers.
     pub const PANES: [Self; 7] = [
@@ -225,16 +211,17 @@ impl Place {
     pub fn title(self) -> &'static str {
         match self {
             Self::Cases => "Cases",
-            Self::Inputs | Self::Keys | Self::RopewayInputs => "Inputs",
+            Self::Inputs | Self::Keys => "Inputs",
             Self::Charts => "Charts",
             Self::Runs => "Runs",
-            Self::Validation | Self::RopewayChecks => "Validation",
+            Self::Validation | Self::Checks => "Validation",
             Self::Report => "Report",
             Self::Jobs => "Jobs",
             Self::Nodes => "Nodes",
             Self::Drawing => "Drawing",
-            Self::Tables | Self::RopewayTables => "Tables",
+            Self::Tables => "Tables",
             Self::Ropeway => "Ropeway",
+            Self::Ship => "Ship",
         }
     }
 }
@@ -266,16 +253,21 @@ const LISTS: &[Place] = &[
     Place::Nodes,
     Place::Keys,
     Place::Tables,
-    Place::RopewayInputs,
-    Place::RopewayTables,
-    Place::RopewayChecks,
+    Place::Checks,
+    Place::Ship,
 ];
-const IN_ROPEWAY: &[Place] = &Place::OF_ROPEWAY;
+/// Panes of a file that is no line case.
+const IN_SHEET: &[Place] = &[
+    Place::Keys,
+    Place::Tables,
+    Place::Checks,
+    Place::Drawing,
+    Place::Ropeway,
+    Place::Ship,
+];
 const ROPEWAY: &[Place] = &[Place::Ropeway];
-const LEAVES: &[Place] = &[Place::RopewayTables];
-const IN_SECTION: &[Place] = &Place::OF_SECTION;
 const CASES: &[Place] = &[Place::Cases];
-const INPUTS: &[Place] = &[Place::Inputs, Place::Keys, Place::RopewayInputs];
+const INPUTS: &[Place] = &[Place::Inputs, Place::Keys];
 const DRAWING: &[Place] = &[Place::Drawing];
 const TABLES: &[Place] = &[Place::Tables];
 const NODES: &[Place] = &[Place::Nodes];
@@ -288,12 +280,11 @@ const IN_FILE: &[Place] = &[
     Place::Jobs,
     Place::Nodes,
     Place::Keys,
-    Place::Drawing,
     Place::Tables,
-    Place::RopewayInputs,
+    Place::Checks,
+    Place::Drawing,
     Place::Ropeway,
-    Place::RopewayTables,
-    Place::RopewayChecks,
+    Place::Ship,
 ];
 const CHARTS: &[Place] = &[Place::Charts];
 const RUNS: &[Place] = &[Place::Runs];
@@ -303,8 +294,7 @@ const WIDE: &[Place] = &[
     Place::Report,
     Place::Nodes,
     Place::Tables,
-    Place::RopewayTables,
-    Place::RopewayChecks,
+    Place::Checks,
 ];
 const WRITABLE: &[Place] = &[
     Place::Charts,
@@ -343,19 +333,18 @@ pub const COMMANDS: &[Command] = &[
     command(Id::ZoomIn, &["+", "="], "zoom", "Zoom in about the cursor", CHARTS),
     command(Id::NextTable, &["]", "n"], "table", "Show the next table", TABLES),
     command(Id::NextTable, &["]", "n"], "table", "Show the next table of the line", NODES),
+    command(Id::NextTrace, &["c"], "motion", "Draw the next of a ship's six motions alone; after the last: all of them", TABLES),
     command(Id::ZoomIn, &["+", "="], "zoom", "Zoom in about the middle", DRAWING),
     command(Id::PanLeft, &["h", "left", "H"], "left", "Show what lies further left", DRAWING),
     command(Id::PanDown, &["j", "down", "{"], "down", "Show what lies lower", DRAWING),
     command(Id::PanUp, &["k", "up", "}"], "up", "Show what lies higher", DRAWING),
     command(Id::PanRight, &["l", "right", "L"], "right", "Show what lies further right", DRAWING),
-    command(Id::Material, &["M"], "material", "Write the table [materials.<name>] that a line case takes to a file, and say where", IN_SECTION),
     command(Id::CursorRight, &["l", "right"], "to ship", "Move the cargo towards the ship", ROPEWAY),
     command(Id::CursorLeft, &["h", "left"], "to platform", "Move the cargo towards the platform", ROPEWAY),
     command(Id::NextSpan, &["]", "n"], "span", "Go to the next span of 40, 60 and 80 m; an edit like any other", ROPEWAY),
-    command(Id::NextTable, &["]", "n"], "table", "Show the next table", LEAVES),
     command(Id::Fit, &["0"], "file's place", "Put the cargo back where the file has it", ROPEWAY),
     command(Id::KeepPlace, &["K"], "keep place", "Set cargo.position in the file to where the cargo is", ROPEWAY),
-    command(Id::LineCase, &["M"], "line case", "Write the rope with its cargo as a line case to a file, and say where", IN_ROPEWAY),
+    command(Id::HandOver, &["M"], "for line", "Write what a line case takes over to a file: a section's material, a ropeway's rope, the motion of a ship's hang point", IN_SHEET),
     command(Id::Run, &["R"], "run", "Run the case with the chosen solver and store the run", IN_CASE),
     command(Id::Validate, &["V"], "validate", "Run everything that the validation table needs", IN_CASE),
     command(Id::NextPane, &["tab"], "pane", "Go to the next pane", IN_FILE),
@@ -363,7 +352,7 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Save, &["s"], "save", "Save the case to its file, with your comments kept", IN_FILE),
     command(Id::Undo, &["u"], "undo", "Undo the last edit", IN_FILE),
     command(Id::Back, &["esc", "b"], "cases", "Back to the list of cases", IN_FILE),
-    command(Id::Filter, &["/"], "filter", "Type letters that the lines must contain; Enter keeps, Esc drops the filter", &[Place::Cases, Place::Inputs, Place::Keys, Place::RopewayInputs]),
+    command(Id::Filter, &["/"], "filter", "Type letters that the lines must contain; Enter keeps, Esc drops the filter", &[Place::Cases, Place::Inputs, Place::Keys]),
     command(Id::Method, &["M"], "solver", "Change to the next solver: static, quasi, rk4, alpha", IN_CASE),
     command(Id::Study, &["S"], "study", "Run all variants of a study and overlay them", IN_CASE),
     command(Id::Keep, &["K"], "keep", "Keep the live run on disk", IN_CASE),
@@ -377,20 +366,15 @@ pub const COMMANDS: &[Command] = &[
     command(Id::ZoomOut, &["-"], "", "Zoom out about the middle", DRAWING),
     command(Id::PreviousTable, &["[", "p"], "", "Show the previous table", TABLES),
     command(Id::PreviousTable, &["[", "p"], "", "Show the previous table of the line", NODES),
-    command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", TABLES),
-    command(Id::Write, &["w"], "write", "Write the drawing to a text file; from other panes: the drawing and all tables", IN_SECTION),
-    command(Id::Write, &["w"], "write", "Write the report of the ropeway to a text file; from the validation pane: its table", IN_ROPEWAY),
-    command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", &[Place::RopewayTables, Place::RopewayChecks]),
+    command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", &[Place::Tables, Place::Checks]),
+    command(Id::Write, &["w"], "write", "Write the report to a text file; from the validation pane: its table; from a section's drawing: the drawing", IN_SHEET),
     command(Id::LeapRight, &["L", "pgdn"], "", "Move the cargo towards the ship by a tenth of the span", ROPEWAY),
     command(Id::LeapLeft, &["H", "pgup"], "", "Move the cargo towards the platform by a tenth of the span", ROPEWAY),
     command(Id::PreviousSpan, &["[", "p"], "", "Go to the previous span of 40, 60 and 80 m", ROPEWAY),
-    command(Id::PreviousTable, &["[", "p"], "", "Show the previous table", LEAVES),
-    command(Id::Pane(2), &["2"], "", "Go to the ropeway", IN_ROPEWAY),
-    command(Id::Pane(3), &["3"], "", "Go to the tables", IN_ROPEWAY),
-    command(Id::Pane(4), &["4"], "", "Go to the validation table", IN_ROPEWAY),
-    command(Id::Copy, &["y"], "copy", "Copy the table [materials.<name>] to the clipboard of your terminal, and write it to a file", IN_SECTION),
-    command(Id::Pane(2), &["2"], "", "Go to the drawing", IN_SECTION),
-    command(Id::Pane(3), &["3"], "", "Go to the tables", IN_SECTION),
+    command(Id::Pane(4), &["4"], "", "Go to the validation table", IN_SHEET),
+    command(Id::Copy, &["y"], "copy", "Copy the table [materials.<name>] to the clipboard of your terminal, and write it to a file", IN_SHEET),
+    command(Id::Pane(2), &["2"], "", "Go to the drawing", IN_SHEET),
+    command(Id::Pane(3), &["3"], "", "Go to the tables", IN_SHEET),
     command(Id::Reload, &["ctrl+r"], "", "Read the list of cases again", CASES),
     command(Id::PreviousChart, &["[", "p"], "", "Show the previous chart", CHARTS),
     command(Id::PreviousSeries, &["k", "up"], "", "Show the previous joint or component alone", CHARTS),

@@ -2,12 +2,14 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use super::key::Key;
-use super::state::{CaseEntry, Curves, Level, RunSlot, Ticket};
+use super::state::{CaseEntry, Content, Curves, Level, RunSlot, Ticket};
 use crate::report::chart::Glyphs;
 use crate::run::Run;
 use crate::run::job::{Event, Request};
+use crate::ship::{AtSea, Rest};
 
 /// Something happened.
 #[derive(Debug, Clone)]
@@ -30,10 +32,10 @@ pub enum Msg {
     CasesRead(PathBuf, Vec<CaseEntry>),
     /// A case file was read; with edits that an earlier session left behind.
     CaseRead(Box<CaseRead>),
-    /// A cross-section was read.
-    SectionRead(Box<SectionRead>),
-    /// A ropeway was read.
-    RopewayRead(Box<RopewayRead>),
+    /// A file of another kind was read.
+    FileRead(Box<FileRead>),
+    /// A ship at sea was worked out, by the thread that this stops; nothing where it was stopped or failed.
+    ShipWorked(Arc<AtomicBool>, Option<Arc<AtSea>>),
     /// A case file cannot be opened: title, and all that is wrong.
     CaseRefused(String, String),
     /// A case was saved here.
@@ -67,28 +69,15 @@ pub struct CaseRead {
     pub recovered: Option<String>,
 }
 
-/// A cross-section as read.
+/// A file of another kind as read.
 #[derive(Debug, Clone)]
-pub struct SectionRead {
+pub struct FileRead {
     /// Where it is.
     pub path: PathBuf,
     /// Its text.
     pub text: String,
     /// What it comes to.
-    pub design: crate::section::Design,
-    /// Unsaved text of an earlier session.
-    pub recovered: Option<String>,
-}
-
-/// A ropeway as read.
-#[derive(Debug, Clone)]
-pub struct RopewayRead {
-    /// Where it is.
-    pub path: PathBuf,
-    /// Its text.
-    pub text: String,
-    /// What it comes to.
-    pub worked: crate::ropeway::Worked,
+    pub content: Content,
     /// Unsaved text of an earlier session.
     pub recovered: Option<String>,
 }
@@ -98,7 +87,7 @@ pub struct RopewayRead {
 pub enum Effect {
     /// List the cases.
     ReadCases,
-    /// Read a case file, or the file of a cross-section.
+    /// Read a case file, or a file of another kind.
     ReadCase(PathBuf),
     /// Write the text of a case, unless the file no longer holds `expected`.
     SaveCase {
@@ -131,6 +120,8 @@ pub enum Effect {
     },
     /// Cancel a job.
     Cancel(Ticket),
+    /// Work a ship at sea out, from the folder of its file, on a thread of its own that the last stops.
+    WorkShip(Box<Rest>, PathBuf, Arc<AtomicBool>),
     /// List the stored runs of a case file, the first, and of those beside it.
     ListRuns(Vec<String>),
     /// Read a stored run.

@@ -12,7 +12,7 @@ use crate::ropeway::{self, is_ropeway};
 use crate::section::{self, is_section};
 use crate::ship::{self, is_ship};
 
-pub use crate::case::shipped::{ROPEWAYS, SECTIONS, SHIPPED, SHIPS};
+pub use crate::case::shipped::{BESIDE, ROPEWAYS, SECTIONS, SHIPPED, SHIPS};
 
 /// The case on which the list opens.
 pub const FIRST: &str = "pendulous/manifold.toml";
@@ -40,7 +40,7 @@ pub fn default_dir() -> io::Result<PathBuf> {
         return Ok(here);
     }
     let dir = data_dir()?.join("cases");
-    let shipped = [SHIPPED, SECTIONS, SHIPS, ROPEWAYS].concat();
+    let shipped = [SHIPPED, SECTIONS, SHIPS, ROPEWAYS, BESIDE].concat();
     for (name, text) in shipped {
         let path = dir.join(name);
         if !path.exists() {
@@ -84,12 +84,12 @@ fn entry(dir: &Path, path: PathBuf) -> CaseEntry {
         .to_string();
     let read = if is_section(&path) {
         section::load(&path).map(|loaded| {
-            let about = loaded.design.section.about;
+            let about = loaded.worked.section.about;
             (format!("{CROSS_SECTION}: {}", about.title), about.source)
         })
     } else if is_ship(&path) {
         ship::load(&path).map(|loaded| {
-            let about = loaded.rest.ship.about;
+            let about = loaded.worked.ship.about;
             (format!("{SHIP}: {}", about.title), about.source)
         })
     } else if is_ropeway(&path) {

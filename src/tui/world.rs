@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::fs;
 use std::io;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -11,15 +12,19 @@ use crossbeam_channel::{Receiver, Sender, bounded, unbounded};
 
 use super::drafts;
 use super::files::{save_case, write_text};
-use super::msg::{CaseRead, Effect, Msg, RopewayRead, SectionRead};
+use super::msg::{CaseRead, Effect, FileRead, Msg};
 use super::shelf;
-use super::state::{Curves, Level, RunSlot, SlotKind, SlotState, Ticket};
-use crate::case;
+use super::state::{
+    Content, Curves, Level, RopewayView, RunSlot, SectionView, ShipView, SlotKind, SlotState,
+    Ticket,
+};
+use crate::case::{self, Diagnostic, Opened};
 use crate::ropeway;
 use crate::run::job::{self, Event, Job, JobId, Request};
 use crate::run::store::{self, Place, Writer};
 use crate::run::{Run, RunInfo, RunState};
 use crate::section;
+use crate::ship::{self, AtSea};
 
 /// What is outside of the state.
 #[derive(Debug)]
@@ -142,6 +147,12 @@ impl World {
                 }
                 Vec::new()
             }
+            Effect::WorkShip(rest, folder, stop) => self.aside(move || {
+                // It always answers: a fault of it is told by the panic hook.
+                let work = AssertUnwindSafe(|| AtSea::of(&rest, &folder, &stop));
+                let sea = catch_unwind(work).ok().flatten().map(Arc::new);
+                Msg::ShipWorked(stop, sea)
+            }),
             Effect::ListRuns(files) => vec![Msg::RunsListed(list_runs(&files))],
             Effect::ReadRun(dir) => self.aside(move || {
                 let run = store::read(&dir).map(Arc::new).map_err(|e| e.to_string());
@@ -255,10 +266,19 @@ fn begin(request: &Request) -> Result<Writer, store::StoreError> {
 
 fn read_case(path: &Path) -> Msg {
     if section::is_section(path) {
-        return read_section(path);
+        return file_read(section::load(path), path, |design| {
+            Content::Section(Box::new(SectionView::new(design)))
+        });
     }
     if ropeway::is_ropeway(path) {
-        return read_ropeway(path);
+        return file_read(ropeway::load(path), path, |worked| {
+            Content::Ropeway(Box::new(RopewayView::new(worked)))
+        });
+    }
+    if ship::is_ship(path) {
+        return file_read(ship::load(path), path, |rest| {
+            Content::Ship(Box::new(ShipView::new(rest)))
+        });
     }
     match case::load(path) {
         Ok(loaded) => Msg::CaseRead(Box::new(CaseRead {
@@ -271,25 +291,18 @@ fn read_case(path: &Path) -> Msg {
     }
 }
 
-fn read_section(path: &Path) -> Msg {
-    match section::load(path) {
-        Ok(loaded) => Msg::SectionRead(Box::new(SectionRead {
+/// A file of another kind, with what an earlier session left of it.
+fn file_read<W>(
+    read: Result<Opened<W>, Vec<Diagnostic>>,
+    path: &Path,
+    content: impl FnOnce(W) -> Content,
+) -> Msg {
+    match read {
+        Ok(loaded) => Msg::FileRead(Box::new(FileRead {
             recovered: drafts::left(path).filter(|text| *text != loaded.text),
             path: loaded.path,
             text: loaded.text,
-            design: loaded.design,
-        })),
-        Err(all) => Msg::CaseRefused(path.display().to_string(), shelf::story(path, &all)),
-    }
-}
-
-fn read_ropeway(path: &Path) -> Msg {
-    match ropeway::load(path) {
-        Ok(loaded) => Msg::RopewayRead(Box::new(RopewayRead {
-            recovered: drafts::left(path).filter(|text| *text != loaded.text),
-            path: loaded.path,
-            text: loaded.text,
-            worked: loaded.worked,
+            content: content(loaded.worked),
         })),
         Err(all) => Msg::CaseRefused(path.display().to_string(), shelf::story(path, &all)),
     }

@@ -11,6 +11,7 @@ mod random;
 mod response;
 mod ropeway;
 mod section;
+mod ship;
 mod umbilical;
 
 use std::path::PathBuf;

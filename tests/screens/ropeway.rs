@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use seacable::report::chart::Glyphs;
-use seacable::ropeway;
+use seacable::ropeway as core;
 use seacable::tui::command::Place;
-use seacable::tui::msg::RopewayRead;
-use seacable::tui::state::OpenRopeway;
+use seacable::tui::msg::FileRead;
+use seacable::tui::state::{Content, OpenFile, RopewayView};
 use seacable::tui::{Effect, Msg};
 
 use crate::desk::{Desk, looks};
@@ -18,22 +18,31 @@ impl Desk {
     /// The ropeway of 80 m, open.
     pub(crate) fn with_ropeway(size: (u16, u16)) -> Self {
         let mut desk = Self::new(size);
-        desk.tell(Msg::RopewayRead(Box::new(RopewayRead {
+        desk.tell(Msg::FileRead(Box::new(FileRead {
             path: PathBuf::from("cases/span_80.toml"),
             text: TEXT.to_owned(),
-            worked: ropeway::parse(TEXT, "span_80.toml").unwrap(),
+            content: Content::Ropeway(Box::new(RopewayView::new(
+                core::parse(TEXT, "span_80.toml").unwrap(),
+            ))),
             recovered: None,
         })));
         desk
     }
 }
 
-fn open(desk: &Desk) -> &OpenRopeway {
-    desk.state.ropeway.as_ref().unwrap()
+fn open(desk: &Desk) -> &OpenFile {
+    desk.state.file.as_ref().unwrap()
+}
+
+fn ropeway(desk: &Desk) -> &RopewayView {
+    let Content::Ropeway(ropeway) = &open(desk).content else {
+        panic!("no ropeway");
+    };
+    ropeway
 }
 
 fn sag(desk: &Desk) -> f64 {
-    open(desk).readings.as_ref().unwrap().exact.sag_m
+    ropeway(desk).readings.as_ref().unwrap().exact.sag_m
 }
 
 #[test]
@@ -65,11 +74,11 @@ fn the_cargo_slides_and_everything_follows_without_an_edit() {
     let mut desk = Desk::with_ropeway(SMALL);
     let (middle, before) = (sag(&desk), desk.screen());
     desk.keys("l l right");
-    assert!((open(&desk).position - 0.53).abs() < 1e-9);
+    assert!((ropeway(&desk).position - 0.53).abs() < 1e-9);
     assert!(sag(&desk) < middle);
     assert_ne!(desk.screen(), before);
     desk.keys("H H h left");
-    assert!((open(&desk).position - 0.31).abs() < 1e-9);
+    assert!((ropeway(&desk).position - 0.31).abs() < 1e-9);
     assert!(!open(&desk).sheet.unsaved());
     desk.keys("L L L L L L L L");
     assert!(desk.screen().contains("on the ship"), "{}", desk.screen());
@@ -85,14 +94,14 @@ fn the_cargo_slides_and_everything_follows_without_an_edit() {
 fn the_spans_of_the_paper_are_a_key_away_and_can_be_undone() {
     let mut desk = Desk::with_ropeway(SMALL);
     desk.keys("]");
-    assert!((open(&desk).worked.span.gap.span_m - 40.0).abs() < 1e-12);
+    assert!((ropeway(&desk).worked.span.gap.span_m - 40.0).abs() < 1e-12);
     assert!(desk.screen().contains("40.0 m"));
     desk.keys("] ]");
     assert!(!open(&desk).sheet.unsaved());
     desk.keys("[");
-    assert!((open(&desk).worked.span.gap.span_m - 60.0).abs() < 1e-12);
+    assert!((ropeway(&desk).worked.span.gap.span_m - 60.0).abs() < 1e-12);
     desk.keys("u");
-    assert!((open(&desk).worked.span.gap.span_m - 80.0).abs() < 1e-12);
+    assert!((ropeway(&desk).worked.span.gap.span_m - 80.0).abs() < 1e-12);
 }
 
 #[test]

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use seacable::section;
 use seacable::tui::command::Place;
-use seacable::tui::msg::SectionRead;
-use seacable::tui::state::{Overlay, Question};
+use seacable::tui::msg::FileRead;
+use seacable::tui::state::{Content, OpenFile, Overlay, Question, SectionView};
 use seacable::tui::{Effect, Msg};
 
 use crate::desk::Desk;
@@ -17,18 +17,27 @@ impl Desk {
     /// The cross-section of the umbilical, open.
     pub(crate) fn with_section(size: (u16, u16)) -> Self {
         let mut desk = Self::new(size);
-        desk.tell(Msg::SectionRead(Box::new(SectionRead {
+        desk.tell(Msg::FileRead(Box::new(FileRead {
             path: PathBuf::from("cases/section.toml"),
             text: TEXT.to_owned(),
-            design: section::parse(TEXT, "section.toml").unwrap(),
+            content: Content::Section(Box::new(SectionView::new(
+                section::parse(TEXT, "section.toml").unwrap(),
+            ))),
             recovered: None,
         })));
         desk
     }
 }
 
-fn section(desk: &Desk) -> &seacable::tui::state::OpenSection {
-    desk.state.section.as_ref().unwrap()
+fn open(desk: &Desk) -> &OpenFile {
+    desk.state.file.as_ref().unwrap()
+}
+
+fn section(desk: &Desk) -> &SectionView {
+    let Content::Section(section) = &open(desk).content else {
+        panic!("no section");
+    };
+    section
 }
 
 /// Goes to a field by its name and types a value.
@@ -57,12 +66,12 @@ fn an_edit_redraws_at_once_keeps_every_comment_and_can_be_undone() {
     let mut desk = Desk::with_section(SMALL);
     let before = section(&desk).design.clone();
     edit(&mut desk, "tube.wall_m", "0.002");
-    let open = section(&desk);
+    let (now, design) = (open(&desk), &section(&desk).design);
     assert_eq!(
-        open.sheet.text,
+        now.sheet.text,
         TEXT.replace("wall_m = 0.00165", "wall_m = 0.002")
     );
-    assert!(open.design.ea() > before.ea());
+    assert!(design.ea() > before.ea());
     assert!(has(
         &desk,
         |e| matches!(e, Effect::KeepDraft { text: Some(t), .. } if t.contains("wall_m = 0.002"))
@@ -75,7 +84,7 @@ fn an_edit_redraws_at_once_keeps_every_comment_and_can_be_undone() {
         |e| matches!(e, Effect::SaveCase { text, expected: Some(old), .. } if text.contains("0.002") && old == TEXT)
     ));
     desk.keys("r");
-    assert!(!section(&desk).sheet.unsaved());
+    assert!(!open(&desk).sheet.unsaved());
 }
 
 #[test]
@@ -83,7 +92,7 @@ fn what_cannot_be_laid_out_is_refused_with_the_reason() {
     let mut desk = Desk::with_section(SMALL);
     edit(&mut desk, "inner-armour.count", "500");
     snapshot("tui_section_refused_80x24", &desk);
-    assert!(!section(&desk).sheet.unsaved());
+    assert!(!open(&desk).sheet.unsaved());
 }
 
 #[test]

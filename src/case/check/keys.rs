@@ -190,7 +190,8 @@ pub(crate) fn fields_here(schema: &Schema, node: &Node, pattern: &str) -> Vec<&'
         .collect()
 }
 
-/// Whether this table has the field at all; nothing when the key that decides it is itself wrong.
+/// Whether this table has the field at all; nothing when the key that decides it is itself wrong or missing. A key that is
+/// left out decides by its default.
 fn exists(schema: &Schema, field: &Field, node: &Node) -> Option<bool> {
     let Some((key, wanted)) = field.only_if else {
         return Some(true);
@@ -198,9 +199,14 @@ fn exists(schema: &Schema, field: &Field, node: &Node) -> Option<bool> {
     let decides = schema
         .fields_of(field.table())
         .find(|other| other.key() == key)?;
-    let deciding = node.get(key)?;
-    value::check(decides, deciding).ok()?;
-    Some(deciding.text() == Some(wanted))
+    match (node.get(key), decides.absent) {
+        (Some(deciding), _) => {
+            value::check(decides, deciding).ok()?;
+            Some(deciding.text() == Some(wanted))
+        }
+        (None, Absent::Default(value)) => Some(value.trim_matches('"') == wanted),
+        (None, _) => None,
+    }
 }
 
 fn subtables_of(schema: &Schema, pattern: &str) -> impl Iterator<Item = &'static Table> {

@@ -85,6 +85,28 @@ pub struct Field {
     pub only_if: Option<(&'static str, &'static str)>,
 }
 
+/// A field known to every table of its pattern.
+pub(crate) const fn field(
+    path: &'static str,
+    kind: Kind,
+    unit: &'static str,
+    range: Range,
+    absent: Absent,
+    label: &'static str,
+    help: &'static str,
+) -> Field {
+    Field {
+        path,
+        label,
+        kind,
+        unit,
+        range,
+        absent,
+        help,
+        only_if: None,
+    }
+}
+
 /// What may be written for a field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
@@ -305,26 +327,34 @@ mod tests {
         assert!(field_at(&["ends", "b", "position_m", "w"]).is_none());
     }
 
+    /// The schemas of all kinds of file.
+    fn all() -> [&'static Schema; 4] {
+        use crate::{ropeway, section, ship};
+        [
+            &CASE,
+            &section::fields::SECTION,
+            &ropeway::fields::ROPEWAY,
+            &ship::fields::SHIP,
+        ]
+    }
+
     #[test]
     fn every_unit_stands_in_its_key() {
-        for field in FIELDS {
-            if let Some(suffix) = unit_suffix(field.unit) {
-                assert!(field.key().ends_with(suffix), "{}", field.path);
-            } else {
-                assert!(
-                    matches!(field.unit, "" | "-"),
-                    "{}: {}",
-                    field.path,
-                    field.unit
-                );
+        for field in all().iter().flat_map(|schema| schema.fields) {
+            match unit_suffix(field.unit) {
+                Some(suffix) => assert!(field.key().ends_with(suffix), "{}", field.path),
+                None => assert!(matches!(field.unit, "" | "-"), "{}", field.path),
             }
         }
     }
 
     #[test]
     fn every_field_stands_in_a_known_table() {
-        for field in FIELDS {
-            let known = TABLES.iter().any(|table| match table.shape {
+        for (schema, field) in all()
+            .iter()
+            .flat_map(|s| s.fields.iter().map(move |f| (s, f)))
+        {
+            let known = schema.tables.iter().any(|table| match table.shape {
                 TableShape::One => field.table() == table.path,
                 _ => field.table() == format!("{}.*", table.path),
             });

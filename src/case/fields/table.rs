@@ -7,7 +7,7 @@ use super::Kind::{
     NumberOrTriple, NumbersOrWords, Pair, Text, Triple, Words,
 };
 use super::TableShape::{ByName, List as ListOf, One};
-use super::{Absent, Field, Kind, Range, Table};
+use super::{Absent, Field, Kind, Range, Table, field};
 
 const ANY: Range = Range::ANY;
 const ZERO_UP: Range = Range::of(0.0, f64::INFINITY);
@@ -472,27 +472,6 @@ const fn table(
         shape,
         required,
         help,
-    }
-}
-
-const fn field(
-    path: &'static str,
-    kind: Kind,
-    unit: &'static str,
-    range: Range,
-    absent: Absent,
-    label: &'static str,
-    help: &'static str,
-) -> Field {
-    Field {
-        path,
-        label,
-        kind,
-        unit,
-        range,
-        absent,
-        help,
-        only_if: None,
     }
 }
 

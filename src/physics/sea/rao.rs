@@ -72,6 +72,41 @@ impl Rao {
         std::array::from_fn(|i| from[i] + (to[i] - from[i]) * share)
     }
 
+    /// The lowest and the highest angular frequency of the table \[rad/s\].
+    #[must_use]
+    pub fn span(&self) -> (f64, f64) {
+        let last = self.omega.len().saturating_sub(1);
+        (self.omega[0], self.omega[last])
+    }
+
+    /// The table a share of the way to another one, at the frequencies of both.
+    #[must_use]
+    pub fn between(&self, other: &Self, share: f64) -> Self {
+        let mut omega = [self.omega.as_slice(), other.omega.as_slice()].concat();
+        omega.sort_by(f64::total_cmp);
+        omega.dedup();
+        let at = |w: &f64| -> Response {
+            let (from, to) = (self.response(*w), other.response(*w));
+            std::array::from_fn(|i| from[i] + (to[i] - from[i]) * share)
+        };
+        Self {
+            response: omega.iter().map(at).collect(),
+            omega,
+        }
+    }
+
+    /// The table for waves from the other side: sway, roll and yaw go the other way.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let turned = |r: &Response| -> Response {
+            std::array::from_fn(|i| if matches!(i, 1 | 3 | 5) { -r[i] } else { r[i] })
+        };
+        Self {
+            omega: self.omega.clone(),
+            response: self.response.iter().map(turned).collect(),
+        }
+    }
+
     /// The share of a sea's energy at frequencies beyond the ends of the table, 0 to 1.
     #[must_use]
     pub fn energy_beyond(&self, sea: &[Component]) -> f64 {

@@ -68,18 +68,28 @@ impl Spectrum {
     /// Variance and variance of the rate of change.
     #[must_use]
     pub fn moments(&self) -> Moments {
+        let [square] = self.integrals(|omega| [omega * omega]);
+        Moments {
+            m0: self.variance,
+            m2: square,
+        }
+    }
+
+    /// Integrals of the density times functions of angular frequency \[rad/s\], such as the square of a response.
+    #[must_use]
+    pub fn integrals<const N: usize>(&self, of: impl Fn(f64) -> [f64; N]) -> [f64; N] {
         let energy = self.cumulated();
         let whole = energy[INTERVALS];
         let width = 1.0 / INTERVALS as f64;
-        let rate = |i: usize| {
+        let mut sums = [0.0; N];
+        for (i, pair) in energy.windows(2).enumerate() {
             let omega = self.frequency((i as f64 + 0.5) * width * limit());
-            (energy[i + 1] - energy[i]) / whole * omega * omega
-        };
-        let square: f64 = (0..INTERVALS).map(rate).sum();
-        Moments {
-            m0: self.variance,
-            m2: self.variance * square,
+            let share = (pair[1] - pair[0]) / whole * self.variance;
+            for (sum, value) in sums.iter_mut().zip(of(omega)) {
+                *sum += share * value;
+            }
         }
+        sums
     }
 
     /// The frequencies \[rad/s\] below which these shares of the energy lie, each from 0 to 1 and in rising order.

@@ -1,16 +1,19 @@
-//! The six motions of a ship in a sea, made to have given statistics, and the motion of a point fixed to it.
+//! The six motions of a ship in a sea, and the motion of a point fixed to it.
 //!
-//! Axes of the ship: x forward, y to port, z up; rotations by the right hand, of first order. Motions in different degrees
-//! of freedom are independent of each other: their phases are not known from statistics of each alone.
+//! Made to have given statistics, motions in different degrees of freedom are independent of each other: their phases are
+//! not known from statistics of each alone. Made from [`responses`], they belong to one sea. Axes of the ship: x forward,
+//! y to port, z up; rotations by the right hand, of first order.
 
 pub mod band;
 pub mod record;
+pub mod responses;
 pub mod tables;
 
 use rayon::prelude::*;
 
 use self::band::{Band, BandError, Scatter, bands};
 use self::record::Record;
+use self::responses::Answer;
 use super::model::Motion;
 use crate::linalg::V3;
 use crate::physics::sea::Component;
@@ -33,6 +36,8 @@ pub struct Degree {
 pub struct SixMotions {
     /// Each degree of freedom.
     pub degrees: [Degree; 6],
+    /// The waves at the ship's reference point; none where the motions are made to statistics.
+    pub sea: Vec<Component>,
     /// Step of a record \[s\].
     pub step: f64,
     /// Instants of a record.
@@ -50,23 +55,28 @@ pub struct MotionError {
 }
 
 impl SixMotions {
-    /// The motions of a seed. Their statistics are the same for every seed, the records differ.
+    /// The motions of a seed: the ship's answer to the sea of that seed where there is one, else made to statistics, which are
+    /// the same for every seed while the records differ.
     ///
     /// # Errors
     /// [`MotionError`] for statistics that no motion has.
-    pub fn new(words: &Motion, seed: u64) -> Result<Self, MotionError> {
-        let mut degrees = Vec::with_capacity(6);
-        for degree in 0..6 {
-            degrees.push(Self::degree(words, degree, seed)?);
-        }
+    pub fn new(words: &Motion, answer: Option<&Answer>, seed: u64) -> Result<Self, MotionError> {
+        let sea = answer.map_or_else(Vec::new, |answer| answer.sea(words.components, seed));
+        let degrees = match answer {
+            Some(answer) => answer.degrees(&sea),
+            None => (0..6)
+                .map(|degree| Self::degree(words, degree, seed))
+                .collect::<Result<_, _>>()?,
+        };
         let degrees = <[Degree; 6]>::try_from(degrees).map_err(|_| MotionError {
             degree: 0,
             why: "not six degrees of freedom".to_owned(),
         })?;
         Ok(Self {
             degrees,
+            sea,
             step: words.step_s,
-            instants: instants(words),
+            instants: words.instants(),
         })
     }
 
@@ -88,7 +98,7 @@ impl SixMotions {
             why: why.to_string(),
         })?;
         let streams = bands.iter().zip(2 * degree as u64..);
-        let duration = words.step_s * instants(words) as f64;
+        let duration = words.step_s * words.instants() as f64;
         let components = streams
             .flat_map(|(band, stream)| band.components(words.components, duration, seed, stream))
             .collect();
@@ -115,15 +125,16 @@ impl SixMotions {
     }
 }
 
-/// Instants of a record, one a step; the next would be the first again.
-fn instants(words: &Motion) -> usize {
-    (words.duration_s / words.step_s).round().max(1.0) as usize
-}
-
 /// Displacement of a point at `arm` \[m\] in the axes of the ship, at an instant of the six records.
 #[must_use]
 pub fn point(records: &[Record], arm: &V3, instant: usize) -> V3 {
-    let q = |degree: usize| records[degree].x[instant];
+    displaced(std::array::from_fn(|i| records[i].x[instant]), arm)
+}
+
+/// Displacement of a point at `arm` \[m\] by six motions: the shift, and the turn times the arm.
+#[must_use]
+pub fn displaced(motions: [f64; 6], arm: &V3) -> V3 {
+    let q = |degree: usize| motions[degree];
     let (shift, turn) = (V3::new(q(0), q(1), q(2)), V3::new(q(3), q(4), q(5)));
     shift + turn.cross(arm)
 }

@@ -4,19 +4,23 @@ pub mod case_list;
 pub mod curves;
 pub mod jobs;
 pub mod open_case;
+pub mod open_file;
 pub mod overlay;
 pub mod ropeway;
 pub mod section;
 pub mod sheet;
+pub mod ship;
 
 pub use case_list::{CaseEntry, CaseList};
 pub use curves::{Curves, RunSlot, SlotKind, SlotState};
 pub use jobs::{JobLine, JobState, Jobs, Purpose, Ticket};
 pub use open_case::{ChartKind, OpenCase};
+pub use open_file::{Content, FileView, OpenFile};
 pub use overlay::{Choice, Overlay, Question};
-pub use ropeway::OpenRopeway;
-pub use section::OpenSection;
+pub use ropeway::RopewayView;
+pub use section::SectionView;
 pub use sheet::{Editing, Sheet};
+pub use ship::ShipView;
 
 use super::command::Place;
 use super::terminal::looks::Looks;
@@ -32,10 +36,8 @@ pub struct State {
     pub cases: CaseList,
     /// The case that is open.
     pub open: Option<OpenCase>,
-    /// The cross-section that is open; then no case is.
-    pub section: Option<OpenSection>,
-    /// The ropeway that is open; then neither a case nor a cross-section is.
-    pub ropeway: Option<Box<OpenRopeway>>,
+    /// The file of another kind that is open; then no case is.
+    pub file: Option<OpenFile>,
     /// Jobs that run, wait or have ended.
     pub jobs: Jobs,
     /// What lies over the screen and takes the keys.
@@ -46,17 +48,6 @@ pub struct State {
     pub log: Vec<Note>,
     /// True after a Ctrl-C: the next one quits.
     pub interrupted: bool,
-}
-
-/// The kinds of file that can be open.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FileKind {
-    /// A line case.
-    Case,
-    /// A cross-section.
-    Section,
-    /// A ropeway.
-    Ropeway,
 }
 
 /// A message to the user.
@@ -88,8 +79,7 @@ impl State {
             looks,
             cases: CaseList::default(),
             open: None,
-            section: None,
-            ropeway: None,
+            file: None,
             jobs: Jobs::default(),
             overlay: None,
             note: None,
@@ -101,43 +91,52 @@ impl State {
     /// Where the keys go.
     #[must_use]
     pub fn place(&self) -> Place {
-        match (&self.ropeway, &self.section, &self.open) {
-            (Some(ropeway), ..) => ropeway.pane,
-            (None, Some(section), _) => section.pane,
-            (None, None, Some(open)) => open.pane,
-            (None, None, None) => Place::Cases,
+        match (&self.file, &self.open) {
+            (Some(file), _) => file.pane,
+            (None, Some(open)) => open.pane,
+            (None, None) => Place::Cases,
         }
     }
 
-    /// What kind of file is open; a line case where none is.
+    /// The panes of what is open, in the order of their numbers; those of a line case where nothing is.
     #[must_use]
-    pub fn kind(&self) -> FileKind {
-        match (&self.ropeway, &self.section) {
-            (Some(_), _) => FileKind::Ropeway,
-            (None, Some(_)) => FileKind::Section,
-            (None, None) => FileKind::Case,
+    pub fn panes(&self) -> &'static [Place] {
+        match &self.file {
+            Some(file) => file.content.view().panes(),
+            None => &Place::PANES,
         }
     }
 
     /// The file in the parameter editor, of whatever kind.
     #[must_use]
     pub fn sheet(&self) -> Option<&Sheet> {
-        match (&self.ropeway, &self.section, &self.open) {
-            (Some(ropeway), ..) => Some(&ropeway.sheet),
-            (None, Some(section), _) => Some(&section.sheet),
-            (None, None, Some(open)) => Some(&open.sheet),
-            (None, None, None) => None,
+        match (&self.file, &self.open) {
+            (Some(file), _) => Some(&file.sheet),
+            (None, Some(open)) => Some(&open.sheet),
+            (None, None) => None,
         }
     }
 
     /// The file in the parameter editor, to be changed.
     pub fn sheet_mut(&mut self) -> Option<&mut Sheet> {
-        match (&mut self.ropeway, &mut self.section, &mut self.open) {
-            (Some(ropeway), ..) => Some(&mut ropeway.sheet),
-            (None, Some(section), _) => Some(&mut section.sheet),
-            (None, None, Some(open)) => Some(&mut open.sheet),
-            (None, None, None) => None,
+        match (&mut self.file, &mut self.open) {
+            (Some(file), _) => Some(&mut file.sheet),
+            (None, Some(open)) => Some(&mut open.sheet),
+            (None, None) => None,
         }
+    }
+
+    /// Leaves what is open, and stops what it does in the background.
+    pub fn close(&mut self) {
+        self.open = None;
+        if let Some(OpenFile {
+            content: Content::Ship(ship),
+            ..
+        }) = &mut self.file
+        {
+            ship.stop();
+        }
+        self.file = None;
     }
 
     /// Says something and keeps it in the log.

@@ -1,57 +1,40 @@
-//! A ropeway that is open: its text and edits, what it comes to, where the cargo is, and what the panes show.
+//! A ropeway on the screen: what it comes to, and where the cargo is.
 
-use super::sheet::Sheet;
-use crate::report::chart::Chart;
+use std::path::PathBuf;
+
+use super::open_file::{FileView, said};
+use crate::case::{Diagnostic, kind};
+use crate::reference::Row;
+use crate::report::chart::{Chart, Glyphs};
 use crate::report::table::Table;
-use crate::ropeway::{Readings, Trouble, Worked, motions, tables};
-use crate::tui::backend::Row;
+use crate::ropeway::exact::Carrier;
+use crate::ropeway::{self, Readings, RopewayFile, Trouble, Worked, held, line, motions, tables};
+use crate::tui::backend::FieldRow;
 use crate::tui::command::Place;
-use crate::tui::table_pane::TablePane;
-
-/// The leaves of the tables pane, in the order in which they are leafed through.
-pub const LEAVES: [&str; 6] = ["Crossing", "Hauling", "Winch", "Cargo", "Ropes", "Check"];
 
 /// Spans that the workbench steps through \[m\]: those of the paper.
 pub const SPANS: [f64; 3] = [40.0, 60.0, 80.0];
 
-/// A ropeway that is open.
+/// A ropeway.
 #[derive(Debug, Clone)]
-pub struct OpenRopeway {
-    /// Its text and fields.
-    pub sheet: Sheet,
+pub struct RopewayView {
     /// What the text comes to.
     pub worked: Worked,
     /// Where the cargo is, from 0 at the platform to 1 at the ship; the file's own place stays in the file.
     pub position: f64,
     /// The readings there.
     pub readings: Result<Readings, Trouble>,
-    /// Where the keys go.
-    pub pane: Place,
-    /// The leaf shown, among [`LEAVES`].
-    pub leaf: usize,
-    /// Selection, sorting and scrolling of each leaf.
-    pub panes: [TablePane; 6],
-    /// The validation table.
-    pub checks: Vec<Row>,
-    /// Selection, sorting and scrolling of it.
-    pub checks_pane: TablePane,
 }
 
-impl OpenRopeway {
-    /// A ropeway as read, with its fields still to be listed.
+impl RopewayView {
+    /// A ropeway as read.
     #[must_use]
-    pub fn new(sheet: Sheet, worked: Worked) -> Self {
+    pub fn new(worked: Worked) -> Self {
         let position = worked.ropeway.cargo.position;
         Self {
             readings: worked.readings(position),
-            checks: Vec::new(),
-            sheet,
             worked,
             position,
-            pane: Place::Ropeway,
-            leaf: 0,
-            panes: Default::default(),
-            checks_pane: TablePane::default(),
         }
     }
 
@@ -59,30 +42,6 @@ impl OpenRopeway {
     pub fn put(&mut self, position: f64) {
         self.position = position.clamp(0.0, 1.0);
         self.readings = self.worked.readings(self.position);
-    }
-
-    /// The leaf shown: its chart, where it has one, and its table.
-    #[must_use]
-    pub fn shown(&self) -> (Option<Chart>, Table) {
-        let worked = &self.worked;
-        match (self.leaf, &self.readings) {
-            (0, _) => (None, tables::crossing(worked, 20)),
-            (1, _) => (
-                Some(motions::hauling_chart(worked)),
-                motions::hauling(worked),
-            ),
-            (2, _) => self.winch(),
-            (3, _) => (
-                Some(motions::crossing_chart(worked)),
-                motions::cargo(worked),
-            ),
-            (4, Ok(readings)) => (None, tables::ropes(worked, readings)),
-            (_, Ok(readings)) => {
-                let none = || said("The file has no finite-element check.");
-                (None, tables::check(worked, readings).unwrap_or_else(none))
-            }
-            (_, Err(trouble)) => (None, said(&format!("No answer: {trouble}."))),
-        }
     }
 
     fn winch(&self) -> (Option<Chart>, Table) {
@@ -102,10 +61,94 @@ impl OpenRopeway {
     }
 }
 
-/// A table that only says something.
-fn said(words: &str) -> Table {
-    Table {
-        title: words.to_owned(),
-        ..Table::default()
+impl FileView for RopewayView {
+    fn word(&self) -> &'static str {
+        "ropeway"
+    }
+
+    fn title(&self) -> &str {
+        &self.worked.ropeway.about.title
+    }
+
+    fn panes(&self) -> &'static [Place] {
+        &[Place::Keys, Place::Ropeway, Place::Tables, Place::Checks]
+    }
+
+    fn leaves(&self) -> &'static [&'static str] {
+        &["Crossing", "Hauling", "Winch", "Cargo", "Ropes", "Check"]
+    }
+
+    fn leaf(&self, leaf: usize) -> (Option<Chart>, Table) {
+        let worked = &self.worked;
+        match (leaf, &self.readings) {
+            (0, _) => (None, tables::crossing(worked, 20)),
+            (1, _) => (
+                Some(motions::hauling_chart(worked)),
+                motions::hauling(worked),
+            ),
+            (2, _) => self.winch(),
+            (3, _) => (
+                Some(motions::crossing_chart(worked)),
+                motions::cargo(worked),
+            ),
+            (4, Ok(readings)) => (None, tables::ropes(worked, readings)),
+            (_, Ok(readings)) => {
+                let none = || said("The file has no finite-element check.");
+                (None, tables::check(worked, readings).unwrap_or_else(none))
+            }
+            (_, Err(trouble)) => (None, said(&format!("No answer: {trouble}."))),
+        }
+    }
+
+    fn rows(&self, text: &str) -> Vec<FieldRow> {
+        kind::rows::<RopewayFile>(text)
+    }
+
+    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, Vec<Diagnostic>> {
+        ropeway::edit::set(text, key, value)
+    }
+
+    fn passes(&self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>> {
+        ropeway::parse(text, file).map(drop)
+    }
+
+    fn take(&mut self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>> {
+        let worked = ropeway::parse(text, file)?;
+        // Where the file's own place changes, the cargo goes there.
+        let moved = self.worked.ropeway.cargo.position != worked.ropeway.cargo.position;
+        let position = if moved {
+            worked.ropeway.cargo.position
+        } else {
+            self.position
+        };
+        self.worked = worked;
+        self.put(position);
+        Ok(())
+    }
+
+    fn checks(&self, text: &str) -> Vec<Row> {
+        held::rows(&self.worked, text)
+    }
+
+    fn report(&self, text: &str, glyphs: Glyphs) -> Option<String> {
+        let readings = self.readings.as_ref().ok()?;
+        Some(ropeway::text::text(&self.worked, readings, text, glyphs))
+    }
+
+    fn hand_over(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {
+        let readings = self.readings.as_ref().ok();
+        let on_rope = readings.filter(|readings| readings.exact.carrier == Carrier::Rope);
+        let text = on_rope.map(|readings| {
+            line::case_text(
+                &self.worked.ropeway,
+                readings.length_m,
+                readings.exact.arc_m,
+            )
+        });
+        (
+            PathBuf::from(format!("{stem}-line.toml")),
+            text,
+            "The rope with its cargo as a line case",
+        )
     }
 }

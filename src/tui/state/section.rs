@@ -1,39 +1,60 @@
-//! A cross-section that is open: its text and edits, the design, and what the panes show.
+//! A cross-section on the screen: the design and the zoom of its drawing.
 
-use super::sheet::Sheet;
+use std::path::PathBuf;
+
+use super::open_file::FileView;
+use crate::case::{Diagnostic, kind};
+use crate::report::chart::{Chart, Glyphs};
 use crate::report::table::Table;
 use crate::section::stiffness::Twist;
-use crate::section::{Design, tables, text};
+use crate::section::{self, Design, SectionFile, tables, text};
+use crate::tui::backend::FieldRow;
 use crate::tui::command::Place;
 use crate::tui::plot_pane::PlotPane;
-use crate::tui::table_pane::TablePane;
 
-/// The tables of a design, in the order in which they are leafed through.
-pub const TABLES: [&str; 4] = ["Layers", "Whole", "Stiffness", "Carried"];
+/// Columns of what is written to a file.
+pub const PAPER_WIDTH: usize = 100;
 
-/// A cross-section that is open.
+/// A cross-section.
 #[derive(Debug, Clone)]
-pub struct OpenSection {
-    /// Its text and fields.
-    pub sheet: Sheet,
+pub struct SectionView {
     /// What the text comes to.
     pub design: Design,
-    /// Where the keys go.
-    pub pane: Place,
     /// Zoom and pan of the drawing.
     pub view: PlotPane,
-    /// The table shown, among [`TABLES`].
-    pub table: usize,
-    /// Selection, sorting and scrolling of each table.
-    pub panes: [TablePane; 4],
 }
 
-impl OpenSection {
-    /// The table shown.
+impl SectionView {
+    /// A design as read.
     #[must_use]
-    pub fn shown(&self) -> Table {
+    pub fn new(design: Design) -> Self {
+        Self {
+            design,
+            view: PlotPane::default(),
+        }
+    }
+}
+
+impl FileView for SectionView {
+    fn word(&self) -> &'static str {
+        "cross-section"
+    }
+
+    fn title(&self) -> &str {
+        &self.design.section.about.title
+    }
+
+    fn panes(&self) -> &'static [Place] {
+        &[Place::Keys, Place::Drawing, Place::Tables]
+    }
+
+    fn leaves(&self) -> &'static [&'static str] {
+        &["Layers", "Whole", "Stiffness", "Carried"]
+    }
+
+    fn leaf(&self, leaf: usize) -> (Option<Chart>, Table) {
         let design = &self.design;
-        match self.table {
+        let table = match leaf {
             0 => tables::layers(design),
             1 => tables::whole(design),
             2 => tables::stiffness(design),
@@ -41,6 +62,41 @@ impl OpenSection {
                 let core = design.section.about.core;
                 tables::carried(design, core, Twist::Held, text::tension(design))
             }
-        }
+        };
+        (None, table)
+    }
+
+    fn rows(&self, text: &str) -> Vec<FieldRow> {
+        kind::rows::<SectionFile>(text)
+    }
+
+    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, Vec<Diagnostic>> {
+        section::edit::set(text, key, value)
+    }
+
+    fn passes(&self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>> {
+        section::parse(text, file).map(drop)
+    }
+
+    fn take(&mut self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>> {
+        self.design = section::parse(text, file)?;
+        Ok(())
+    }
+
+    fn paper(&self) -> (&'static str, &'static str) {
+        ("tables", "The cross-section with its tables")
+    }
+
+    fn report(&self, _text: &str, glyphs: Glyphs) -> Option<String> {
+        Some(text::text(&self.design, PAPER_WIDTH, glyphs, None))
+    }
+
+    fn hand_over(&self, _stem: &str) -> (PathBuf, Option<String>, &'static str) {
+        let name = &self.design.section.about.name;
+        (
+            PathBuf::from(format!("{name}-material.txt")),
+            Some(section::fragment(&self.design)),
+            "The table [materials] for a line case",
+        )
     }
 }

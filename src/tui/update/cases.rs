@@ -87,8 +87,7 @@ pub(super) fn opened(state: &mut State, read: CaseRead) -> Vec<Effect> {
         .first()
         .copied()
         .unwrap_or(ChartKind::Shape);
-    state.section = None;
-    state.ropeway = None;
+    state.close();
     state.open = Some(OpenCase {
         sheet,
         case,

@@ -8,7 +8,7 @@ use crate::tui::backend::{self, FieldRow};
 use crate::tui::command::Id;
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
-use crate::tui::state::{Editing, FileKind, Level, State};
+use crate::tui::state::{Editing, Level, State};
 
 const METHODS: [&str; 4] = ["static", "quasi", "rk4", "alpha"];
 
@@ -81,19 +81,23 @@ pub(super) fn typing_key(state: &mut State, key: Key) -> Option<Vec<Effect>> {
     Some(Vec::new())
 }
 
-/// Sets a key in a file of this kind.
-fn setter(kind: FileKind) -> fn(&str, &str, &str) -> Result<String, String> {
-    match kind {
-        FileKind::Case => backend::set,
-        FileKind::Section => backend::set_section,
-        FileKind::Ropeway => backend::set_ropeway,
+/// A text of the kind that is open, with a key set.
+fn with(state: &State, text: &str, key: &str, value: &str) -> Result<String, String> {
+    match &state.file {
+        Some(file) => {
+            let set = file.content.view().set(text, key, value);
+            set.map_err(|all| backend::refusal(key, &all))
+        }
+        None => backend::set(text, key, value),
     }
 }
 
 /// Sets a key as if it had been typed; what is refused is told.
 pub(super) fn set(state: &mut State, key: &str, value: &str) -> Vec<Effect> {
-    let set = setter(state.kind());
-    match state.sheet().map(|sheet| set(&sheet.text, key, value)) {
+    match state
+        .sheet()
+        .map(|sheet| with(state, &sheet.text, key, value))
+    {
         Some(Ok(text)) => change(state, text),
         Some(Err(problem)) => super::overlay::warn(state, problem),
         None => Vec::new(),
@@ -101,22 +105,20 @@ pub(super) fn set(state: &mut State, key: &str, value: &str) -> Vec<Effect> {
 }
 
 fn accept(state: &mut State) -> Vec<Effect> {
-    let kind = state.kind();
-    let Some(sheet) = state.sheet_mut() else {
-        return Vec::new();
-    };
-    let Some(editing) = sheet.editing.take() else {
+    let Some(editing) = state.sheet_mut().and_then(|sheet| sheet.editing.take()) else {
         return Vec::new();
     };
     let value = editing.input.value().trim();
-    let set = setter(kind);
-    match set(&sheet.text, &editing.path, value) {
+    let text = state.sheet().map(|sheet| sheet.text.clone());
+    match with(state, &text.unwrap_or_default(), &editing.path, value) {
         Ok(text) => change(state, text),
         Err(problem) => {
-            sheet.editing = Some(Editing {
-                problem: Some(problem),
-                ..editing
-            });
+            if let Some(sheet) = state.sheet_mut() {
+                sheet.editing = Some(Editing {
+                    problem: Some(problem),
+                    ..editing
+                });
+            }
             Vec::new()
         }
     }
@@ -168,6 +170,7 @@ fn changed(state: &mut State) -> Vec<Effect> {
     if state.open.is_some() {
         effects.extend(jobs::resolve(state));
     }
+    effects.extend(super::ship::resolve(state));
     effects
 }
 
@@ -188,18 +191,9 @@ pub(super) fn refresh(state: &mut State) {
     // Edits are checked before they are taken; an old text that no longer passes is told, and
     // the fields stay as they were.
     let mut problem = None;
-    if let Some(ropeway) = &mut state.ropeway {
-        match backend::worked(&ropeway.sheet.text, &ropeway.sheet.file) {
-            Ok(worked) => super::ropeway::refreshed(ropeway, worked),
-            Err(why) => problem = Some(why),
-        }
-    } else if let Some(section) = &mut state.section {
-        match backend::design(&section.sheet.text, &section.sheet.file) {
-            Ok(design) => {
-                section.sheet.rows = backend::section_rows(&section.sheet.text);
-                section.design = design;
-            }
-            Err(why) => problem = Some(why),
+    if let Some(file) = &mut state.file {
+        if let Err(all) = file.refresh() {
+            problem = Some(backend::first(&all, &file.sheet.file));
         }
     } else if let Some(open) = &mut state.open {
         match backend::parse(&open.sheet.text, &open.sheet.file) {
@@ -222,27 +216,23 @@ pub(super) fn refresh(state: &mut State) {
 }
 
 /// The fields of a text, of the kind of file that is open; none when it does not pass.
-fn rows_of(kind: FileKind, text: &str, file: &str) -> Vec<FieldRow> {
-    let rows = match kind {
-        FileKind::Section => return backend::section_rows(text),
-        FileKind::Ropeway => {
-            backend::worked(text, file).map(|worked| backend::ropeway_rows(text, &worked))
-        }
-        FileKind::Case => backend::parse(text, file).map(|case| backend::rows(text, &case)),
-    };
-    rows.unwrap_or_default()
+fn rows_of(state: &State, text: &str, file: &str) -> Vec<FieldRow> {
+    match &state.file {
+        Some(file) => file.content.view().rows(text),
+        None => backend::parse(text, file)
+            .map_or_else(|_| Vec::new(), |case| backend::rows(text, &case)),
+    }
 }
 
 /// Puts the field back to what the file says.
 fn reset(state: &mut State) -> Vec<Effect> {
-    let kind = state.kind();
     let Some(sheet) = state.sheet() else {
         return Vec::new();
     };
     let Some(path) = sheet.current_field().map(|row| row.path.clone()) else {
         return Vec::new();
     };
-    let of_file = rows_of(kind, &sheet.saved, &sheet.file)
+    let of_file = rows_of(state, &sheet.saved, &sheet.file)
         .into_iter()
         .find(|row| row.path == path);
     let Some(row) = of_file.filter(|row| !row.value.is_empty()) else {
@@ -251,7 +241,7 @@ fn reset(state: &mut State) -> Vec<Effect> {
             "The file gives no value here; `u` undoes the edits one by one.",
         );
     };
-    match setter(kind)(&sheet.text, &path, &row.value) {
+    match with(state, &sheet.text, &path, &row.value) {
         Ok(text) => change(state, text),
         Err(problem) => super::overlay::warn(state, problem),
     }
@@ -296,10 +286,12 @@ pub(super) fn recover(state: &mut State, text: String) -> Vec<Effect> {
         return Vec::new();
     };
     let path = sheet.path.clone();
-    let passes = match state.kind() {
-        FileKind::Section => backend::design(&text, &sheet.file).map(drop),
-        FileKind::Ropeway => backend::worked(&text, &sheet.file).map(drop),
-        FileKind::Case => backend::parse(&text, &sheet.file).map(drop),
+    let passes = match &state.file {
+        Some(file) => {
+            let passes = file.content.view().passes(&text, &sheet.file);
+            passes.map_err(|all| backend::first(&all, &sheet.file))
+        }
+        None => backend::parse(&text, &sheet.file).map(drop),
     };
     if let Err(problem) = passes {
         return super::overlay::warn(

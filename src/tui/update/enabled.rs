@@ -1,7 +1,7 @@
 //! Which commands can be done now, and why the others cannot.
 
 use crate::tui::command::{Id, Place};
-use crate::tui::state::{OpenCase, Sheet, SlotKind, SlotState, State};
+use crate::tui::state::{Content, OpenCase, Sheet, SlotKind, SlotState, State};
 
 /// Nothing, or the reason why the command cannot be done now.
 ///
@@ -15,7 +15,10 @@ pub fn enabled(state: &State, id: Id) -> Result<(), String> {
             .is_none()
             .then_some("There is no case here. `ctrl+r` reads the directory again."),
         (Some(open), _) => in_case(state, open, id),
-        (None, _) => state.sheet().and_then(|sheet| in_sheet(sheet, id)),
+        (None, _) => state
+            .sheet()
+            .and_then(|sheet| in_sheet(sheet, id))
+            .or_else(|| in_file(state, id)),
     };
     reason.map_or(Ok(()), |r| Err(r.to_owned()))
 }
@@ -30,6 +33,20 @@ fn in_sheet(sheet: &Sheet, id: Id) -> Option<&'static str> {
             sheet.current_field().is_none(),
             "No field passes the filter. `/` and Esc drop it.",
         ),
+        _ => None,
+    }
+}
+
+/// What only some kinds of file can do.
+fn in_file(state: &State, id: Id) -> Option<&'static str> {
+    let file = state.file.as_ref()?;
+    match (id, &file.content) {
+        (Id::Copy, Content::Ropeway(_) | Content::Ship(_)) => {
+            Some("Only the material of a cross-section is copied; `M` writes it to a file.")
+        }
+        (Id::NextTrace, Content::Section(_) | Content::Ropeway(_)) => {
+            Some("Only a ship has six motions.")
+        }
         _ => None,
     }
 }

@@ -51,9 +51,7 @@ pub(super) fn back(state: &mut State) -> Vec<Effect> {
 
 fn close(state: &mut State) -> Vec<Effect> {
     let mut effects = jobs::cancel_all(state);
-    state.open = None;
-    state.section = None;
-    state.ropeway = None;
+    state.close();
     state.jobs.lines.clear();
     state.jobs.cursor = 0;
     effects.push(Effect::ReadCases);

@@ -4,6 +4,7 @@ mod cases;
 mod charts;
 mod edit;
 mod enabled;
+mod file;
 mod job_events;
 mod jobs;
 mod keys;
@@ -12,6 +13,7 @@ mod overlay;
 mod ropeway;
 mod runs;
 mod section;
+mod ship;
 mod typing;
 
 pub(in crate::tui) use charts::readout_words;
@@ -50,8 +52,8 @@ fn on(state: &mut State, msg: Msg) -> Vec<Effect> {
         Msg::JobFailed(ticket, reason) => job_events::failed(state, ticket, reason),
         Msg::CasesRead(dir, entries) => cases::listed(state, dir, entries),
         Msg::CaseRead(read) => cases::opened(state, *read),
-        Msg::SectionRead(read) => section::opened(state, *read),
-        Msg::RopewayRead(read) => ropeway::opened(state, *read),
+        Msg::FileRead(read) => file::opened(state, *read),
+        Msg::ShipWorked(by, sea) => ship::worked(state, &by, sea),
         Msg::CaseRefused(title, text) => cases::refused(state, title, text),
         Msg::Saved(path, text) => leave::saved(state, path, text),
         Msg::NotSaved(why) => leave::not_saved(state, &why),

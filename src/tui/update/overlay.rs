@@ -3,7 +3,7 @@
 use tui_input::Input;
 
 use super::typing::type_key;
-use super::{cases, charts, edit, enabled, jobs, keys, leave, moved, ropeway, runs, section};
+use super::{cases, charts, edit, enabled, file, jobs, keys, leave, moved, runs};
 use crate::report::chart::Glyphs;
 use crate::tui::backend;
 use crate::tui::command::{self, Command, Id, Place};
@@ -176,13 +176,8 @@ pub fn run_command(state: &mut State, id: Id) -> Vec<Effect> {
     if let Err(reason) = enabled(state, id) {
         return super::info(state, reason);
     }
-    if state.section.is_some()
-        && let Some(effects) = section::command(state, id)
-    {
-        return effects;
-    }
-    if state.ropeway.is_some()
-        && let Some(effects) = ropeway::command(state, id)
+    if state.file.is_some()
+        && let Some(effects) = file::command(state, id)
     {
         return effects;
     }
@@ -252,11 +247,8 @@ fn page(state: &State) -> isize {
 }
 
 fn pane(state: &mut State, id: Id) -> Vec<Effect> {
-    if state.section.is_some() {
-        return section::pane(state, id);
-    }
-    if state.ropeway.is_some() {
-        return ropeway::pane(state, id);
+    if state.file.is_some() {
+        return file::pane(state, id);
     }
     let Some(open) = &mut state.open else {
         return Vec::new();
@@ -287,11 +279,8 @@ pub(super) fn by_rows(by: isize) -> TableVerb {
 }
 
 fn move_by(state: &mut State, by: isize) -> Vec<Effect> {
-    if state.section.is_some() {
-        return section::move_by(state, by);
-    }
-    if state.ropeway.is_some() {
-        return ropeway::move_by(state, by);
+    if state.file.is_some() {
+        return file::move_by(state, by);
     }
     let job_lines = state.jobs.lines.len();
     match (&mut state.open, state.cases.shown().count()) {

@@ -55,15 +55,13 @@ pub fn framed(screen: Rect) -> bool {
     screen.width >= WIDE
 }
 
-/// The panes seen, with their outer areas, when the keys go to `focus`.
+/// The panes seen, with their outer areas.
 #[must_use]
-pub fn panes(screen: Rect, focus: Place) -> Vec<(Place, Rect)> {
+pub fn panes(screen: Rect, state: &State) -> Vec<(Place, Rect)> {
     let body = areas(screen).body;
-    if Place::OF_SECTION.contains(&focus) {
-        return section_panes(screen, body, focus);
-    }
-    if Place::OF_ROPEWAY.contains(&focus) {
-        return ropeway_panes(screen, body, focus);
+    let focus = state.place();
+    if state.file.is_some() {
+        return file_panes(screen, body, focus, state.panes());
     }
     if screen.width < WIDE {
         return vec![(focus, body)];
@@ -107,66 +105,46 @@ pub fn panes(screen: Rect, focus: Place) -> Vec<(Place, Rect)> {
     panes
 }
 
-/// The panes of a cross-section that are seen.
-fn section_panes(screen: Rect, body: Rect, focus: Place) -> Vec<(Place, Rect)> {
+/// The panes of a file that is no line case, as far as they are seen: its inputs, its drawing, and its tables or checks.
+fn file_panes(
+    screen: Rect,
+    body: Rect,
+    focus: Place,
+    panes: &'static [Place],
+) -> Vec<(Place, Rect)> {
     if screen.width < WIDE {
         return vec![(focus, body)];
     }
+    let drawing = panes.get(1).copied().unwrap_or(Place::Keys);
     let full = screen.width >= FULL.0 && screen.height >= FULL.1;
     let keys = if full { 66 } else { 58 };
     let [left, right] =
         Layout::horizontal([Constraint::Length(keys), Constraint::Min(0)]).areas(body);
     if !full {
-        let other = if focus == Place::Tables {
-            focus
-        } else {
-            Place::Drawing
-        };
+        let other = if focus == Place::Keys { drawing } else { focus };
         return vec![(Place::Keys, left), (other, right)];
     }
-    let [upper, lower] = Layout::vertical([Constraint::Fill(3), Constraint::Fill(2)]).areas(right);
-    vec![
-        (Place::Keys, left),
-        (Place::Drawing, upper),
-        (Place::Tables, lower),
-    ]
-}
-
-/// The panes of a ropeway that are seen.
-fn ropeway_panes(screen: Rect, body: Rect, focus: Place) -> Vec<(Place, Rect)> {
-    if screen.width < WIDE {
-        return vec![(focus, body)];
-    }
-    let full = screen.width >= FULL.0 && screen.height >= FULL.1;
-    let keys = if full { 66 } else { 58 };
-    let [left, right] =
-        Layout::horizontal([Constraint::Length(keys), Constraint::Min(0)]).areas(body);
-    if !full {
-        let other = if focus == Place::RopewayInputs {
-            Place::Ropeway
-        } else {
-            focus
-        };
-        return vec![(Place::RopewayInputs, left), (other, right)];
-    }
-    let [upper, lower] = Layout::vertical([Constraint::Fill(1), Constraint::Fill(1)]).areas(right);
-    let below = if focus == Place::RopewayChecks {
+    // A cross-section is round, and needs the height more than its tables do.
+    let shares = if drawing == Place::Drawing {
+        (3, 2)
+    } else {
+        (1, 1)
+    };
+    let [upper, lower] =
+        Layout::vertical([Constraint::Fill(shares.0), Constraint::Fill(shares.1)]).areas(right);
+    let below = if focus == Place::Checks {
         focus
     } else {
-        Place::RopewayTables
+        Place::Tables
     };
-    vec![
-        (Place::RopewayInputs, left),
-        (Place::Ropeway, upper),
-        (below, lower),
-    ]
+    vec![(Place::Keys, left), (drawing, upper), (below, lower)]
 }
 
 /// Where a cross-section is drawn.
 #[must_use]
 pub fn drawing_area(state: &State) -> Rect {
     let screen = Rect::new(0, 0, state.size.0, state.size.1);
-    panes(screen, state.place())
+    panes(screen, state)
         .into_iter()
         .find(|(place, _)| *place == Place::Drawing)
         .map_or_else(Rect::default, |(_, pane)| inside(screen, pane))
@@ -249,7 +227,7 @@ pub fn chart_area(state: &State) -> Rect {
     let Some(open) = &state.open else {
         return Rect::default();
     };
-    panes(screen, open.pane)
+    panes(screen, state)
         .into_iter()
         .find(|(place, _)| *place == Place::Charts)
         .and_then(|(_, pane)| {

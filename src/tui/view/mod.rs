@@ -2,6 +2,7 @@
 
 mod cases;
 mod chart_pane;
+mod file;
 mod inputs;
 pub mod layout;
 mod lists;
@@ -9,7 +10,7 @@ mod overlay;
 mod paint;
 mod papers;
 mod ropeway;
-mod section;
+mod ship;
 
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
@@ -17,7 +18,7 @@ use ratatui::layout::Rect;
 
 use self::paint::Theme;
 use super::command::{self, Command, Id, Place};
-use super::state::{FileKind, JobState, Level, Purpose, State};
+use super::state::{JobState, Level, Purpose, State};
 use super::update::enabled;
 use crate::report::chart::Glyphs;
 use crate::report::number;
@@ -71,7 +72,7 @@ impl Canvas<'_> {
             self.cases(areas.tabs.union(areas.body));
         } else {
             self.tabs(areas.tabs);
-            for (place, area) in layout::panes(screen, focus) {
+            for (place, area) in layout::panes(screen, self.state) {
                 self.pane(screen, place, area);
             }
         }
@@ -91,7 +92,8 @@ impl Canvas<'_> {
                 self.theme.faint()
             };
             let number = self
-                .numbered()
+                .state
+                .panes()
                 .iter()
                 .position(|p| *p == place)
                 .map_or(0, |i| i + 1);
@@ -102,11 +104,8 @@ impl Canvas<'_> {
             area
         };
         let state = self.state;
-        if let Some(section) = &state.section {
-            self.section(place, inside, section);
-        }
-        if let Some(ropeway) = &state.ropeway {
-            self.ropeway(place, inside, ropeway);
+        if let Some(file) = &state.file {
+            self.file(place, inside, file);
         }
         let Some(open) = &state.open else {
             return;
@@ -120,15 +119,6 @@ impl Canvas<'_> {
             Place::Jobs => self.jobs(inside),
             Place::Nodes => self.nodes(inside, open),
             _ => {}
-        }
-    }
-
-    /// The panes of what is open, in the order of their numbers.
-    fn numbered(&self) -> &'static [Place] {
-        match self.state.kind() {
-            FileKind::Ropeway => &Place::OF_ROPEWAY,
-            FileKind::Section => &Place::OF_SECTION,
-            FileKind::Case => &Place::PANES,
         }
     }
 
@@ -155,12 +145,10 @@ impl Canvas<'_> {
                 &words,
                 self.theme.strong(),
             );
-        } else if let Some(sheet) = self.state.sheet() {
+        } else if let Some(file) = &self.state.file {
+            let sheet = &file.sheet;
             let unsaved = if sheet.unsaved() { " *unsaved" } else { "" };
-            let kind = match self.state.kind() {
-                FileKind::Ropeway => "ropeway",
-                _ => "cross-section",
-            };
+            let kind = file.content.view().word();
             let words = format!("  {}{unsaved}  {kind}", sheet.file);
             let room = line.right() - x;
             x = paint::text(self.buf, (x, line.y), room, &words, self.theme.strong());
@@ -175,7 +163,15 @@ impl Canvas<'_> {
             );
         }
         let room = line.right().saturating_sub(x + 2);
-        let words = self.progress(room.into());
+        let busy = self
+            .state
+            .file
+            .as_ref()
+            .and_then(|f| f.content.view().busy());
+        let words = match busy {
+            Some(words) => fitting(room.into(), &[words.to_owned()]),
+            None => self.progress(room.into()),
+        };
         let rest = Rect::new(line.right() - room, line.y, room, 1);
         paint::right(self.buf, rest, &words, self.theme.good());
     }
@@ -218,7 +214,7 @@ impl Canvas<'_> {
 
     fn tabs(&mut self, line: Rect) {
         let mut x = line.x;
-        for (i, place) in self.numbered().iter().enumerate() {
+        for (i, place) in self.state.panes().iter().enumerate() {
             let style = if *place == self.state.place() {
                 self.theme.selected()
             } else {
@@ -236,11 +232,10 @@ impl Canvas<'_> {
         let room = line.right().saturating_sub(x + 2);
         let rest = Rect::new(line.right() - room, line.y, room, 1);
         let state = self.state;
-        let title = match (&state.ropeway, &state.section, &state.open) {
-            (Some(ropeway), ..) => &ropeway.worked.ropeway.about.title,
-            (None, Some(section), _) => &section.design.section.about.title,
-            (None, None, Some(open)) => &open.case.case.title,
-            (None, None, None) => return,
+        let title = match (&state.file, &state.open) {
+            (Some(file), _) => file.content.view().title(),
+            (None, Some(open)) => &open.case.case.title,
+            (None, None) => return,
         };
         if room > 20 {
             paint::text(self.buf, (rest.x, rest.y), room, title, self.theme.faint());

@@ -1,42 +1,23 @@
-//! A ropeway: the slider, its picture, the readings, tables with their charts.
+//! A ropeway: the slider, its picture, the readings.
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::Canvas;
 use super::paint::{row, text};
-use crate::reference;
 use crate::report::chart::Glyphs;
 use crate::report::number::{percent, rounded};
 use crate::report::table::Table;
 use crate::ropeway::exact::Carrier;
 use crate::ropeway::{Readings, picture, tables};
-use crate::tui::command::Place;
 use crate::tui::inks::Inks;
 use crate::tui::plot_pane::draw_chart;
-use crate::tui::state::OpenRopeway;
-use crate::tui::state::ropeway::LEAVES;
+use crate::tui::state::RopewayView;
 
 /// Lines that the readings take: head, rule, and a line each.
 const READINGS: u16 = 9;
 
 impl Canvas<'_> {
-    pub(super) fn ropeway(&mut self, place: Place, area: Rect, ropeway: &OpenRopeway) {
-        match place {
-            Place::Ropeway => self.ropeway_picture(area, ropeway),
-            Place::RopewayTables => self.ropeway_leaf(area, ropeway),
-            Place::RopewayChecks => {
-                let table = reference::table(&ropeway.checks);
-                let inks = Inks::new(self.state.looks.colour);
-                let glyphs = self.state.looks.glyphs;
-                ropeway
-                    .checks_pane
-                    .draw(&table, area, self.buf, glyphs, inks);
-            }
-            _ => self.inputs(area, &ropeway.sheet),
-        }
-    }
-
-    fn ropeway_picture(&mut self, area: Rect, ropeway: &OpenRopeway) {
+    pub(super) fn ropeway_picture(&mut self, area: Rect, ropeway: &RopewayView) {
         let readings = match &ropeway.readings {
             Ok(readings) => readings,
             Err(trouble) => {
@@ -81,7 +62,7 @@ impl Canvas<'_> {
     }
 
     /// Where the cargo is between platform and ship.
-    fn slider(&mut self, line: Rect, ropeway: &OpenRopeway) {
+    fn slider(&mut self, line: Rect, ropeway: &RopewayView) {
         let span = ropeway.worked.span.gap.span_m;
         let words = format!(
             " ship  cargo {} m of {} m, {}",
@@ -122,7 +103,7 @@ impl Canvas<'_> {
     }
 
     /// The exact rope in a line, and whether the cargo is dry.
-    fn rope_readout(&mut self, line: Rect, ropeway: &OpenRopeway, readings: &Readings) {
+    fn rope_readout(&mut self, line: Rect, ropeway: &RopewayView, readings: &Readings) {
         let exact = &readings.exact;
         let clear = ropeway.worked.clearance_m(exact);
         let words = format!(
@@ -157,33 +138,5 @@ impl Canvas<'_> {
             &told,
             style,
         );
-    }
-
-    fn ropeway_leaf(&mut self, area: Rect, ropeway: &OpenRopeway) {
-        let [tabs, rest] =
-            Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
-        let mut x = tabs.x;
-        for (i, name) in LEAVES.iter().enumerate() {
-            let style = if i == ropeway.leaf {
-                self.theme.selected()
-            } else {
-                self.theme.plain()
-            };
-            let room = tabs.right().saturating_sub(x);
-            x = text(self.buf, (x, tabs.y), room, &format!(" {name} "), style);
-        }
-        let (chart, table) = ropeway.shown();
-        let inks = Inks::new(self.state.looks.colour);
-        let glyphs = self.state.looks.glyphs;
-        let below = match chart {
-            None => rest,
-            Some(chart) => {
-                let [upper, lower] =
-                    Layout::vertical([Constraint::Fill(1), Constraint::Fill(1)]).areas(rest);
-                draw_chart(&chart, upper, self.buf, glyphs, inks);
-                lower
-            }
-        };
-        ropeway.panes[ropeway.leaf].draw(&table, below, self.buf, glyphs, inks);
     }
 }

@@ -1,0 +1,86 @@
+//! A number that the source of a file printed, and the file held against it: the same for every kind of file that is worked
+//! out without a run.
+
+use serde::Deserialize;
+
+use super::{Claim, Row, hold, tolerance};
+use crate::case::{Misfit, Standing};
+
+/// A published value and how what was worked out is held against it.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Printed {
+    /// What it is, in words.
+    pub name: String,
+    /// The quantity: `model.max_tension_n`, `pitch.velocity.rms`.
+    pub quantity: String,
+    /// The published value, in the unit of the quantity.
+    pub value: f64,
+    /// Tolerance relative to the value \[-\]. One of the two tolerances is needed; the wider one counts.
+    pub tolerance_rel: Option<f64>,
+    /// Tolerance in the unit of the value.
+    pub tolerance_abs: Option<f64>,
+    /// Where it is printed.
+    pub source: String,
+    /// Standing of the inputs behind the computed value, at worst.
+    pub inputs: Standing,
+    /// True when an input was fitted to this very number: agreement is then no evidence.
+    #[serde(default)]
+    pub fitted: bool,
+    /// Why the number is out of reach; the row then reads DIFFERS instead of FAIL.
+    pub out_of_reach: Option<String>,
+}
+
+impl Printed {
+    /// The row of the validation table for what was found, with its numerical error where that is known, in this unit.
+    #[must_use]
+    pub fn held(&self, unit: &str, found: Result<(f64, Option<f64>), String>) -> Row {
+        let claim = Claim {
+            name: &self.name,
+            source: &self.source,
+            value: self.value,
+            tolerance: tolerance(self.value, self.tolerance_rel, self.tolerance_abs),
+            unit: unit.to_owned(),
+            inputs: self.inputs,
+            fitted: self.fitted,
+            basis: None,
+            at: None,
+            from: None,
+            by: None,
+            out_of_reach: self.out_of_reach.as_deref(),
+        };
+        hold(claim, found)
+    }
+}
+
+/// What is wrong with such a list: values without tolerance, and what `unknown` says of their quantities (problem and
+/// remedy). Tables of a list go by their name, or by their number where a name is taken.
+pub(crate) fn misfits(
+    list: &[Printed],
+    unknown: impl Fn(&str) -> Option<(String, String)>,
+) -> Vec<Misfit> {
+    let mut wrong = Vec::new();
+    for (i, printed) in list.iter().enumerate() {
+        let taken = list.iter().take(i).any(|p| p.name == printed.name);
+        let name = if taken {
+            (i + 1).to_string()
+        } else {
+            printed.name.clone()
+        };
+        if let Some((problem, remedy)) = unknown(&printed.quantity) {
+            wrong.push(Misfit::new(
+                &["published", &name, "quantity"],
+                problem,
+                remedy,
+            ));
+        }
+        if printed.tolerance_rel.is_none() && printed.tolerance_abs.is_none() {
+            wrong.push(Misfit::new(
+                &["published", &name],
+                "has no tolerance",
+                "add `tolerance_rel` or `tolerance_abs`",
+            ));
+        }
+    }
+    wrong
+}

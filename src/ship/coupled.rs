@@ -1,0 +1,434 @@
+//! The ship of a file and its anchor line in time, eqs (4) and (5) of the ropeway paper: a rigid body at the end of a line of
+//! the dynamic solver, both in one Newton ([`moored`](super::moored)), in axes along the heading at which the ship rests.
+//!
+//! Time error and mesh error are told apart by companions, one with half the step and one with half the segments, after
+//! Richardson for a method of order two: of the record with the whole step 4/3 of the difference, of that with all
+//! segments 1/3.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use nalgebra::Vector6;
+
+use super::decay::{Decay, decay};
+use super::forcing::{Forcing, wave_loads};
+use super::model::{CoupledWords, Mooring};
+use super::moored::{Moored, MooredError, RigidBody};
+use super::mooring::Reach;
+use super::motion::displaced;
+use super::rest::{Rest, Station};
+use super::statistics::Statistics;
+use super::voyage::Voyage;
+use crate::case;
+use crate::dynamics::alpha::Alpha;
+use crate::dynamics::{March, MarchError, Stepper};
+use crate::linalg::V3;
+use crate::scene::{self, Scene};
+use crate::solve::{Instant, Progressing, State, System};
+use crate::statics::equilibrium::Search;
+
+/// Damping of the method at the highest frequencies: enough for a line that snaps taut.
+const RHO: f64 = 0.4;
+
+/// How far the line sinks into the bed under its own weight \[m\].
+const SUNK: f64 = 1e-3;
+
+/// Tolerance of positions \[-\] and iterations of a step.
+const NEWTON: (f64, usize) = (1e-10, 30);
+
+/// What is recorded, with its unit.
+pub const CHANNELS: [(&str, &str); 11] = [
+    ("surge", "m"),
+    ("sway", "m"),
+    ("heave", "m"),
+    ("roll", "deg"),
+    ("pitch", "deg"),
+    ("yaw", "deg"),
+    ("hang point ahead", "m"),
+    ("hang point to port", "m"),
+    ("hang point up", "m"),
+    ("line at the ship", "N"),
+    ("line at the anchor", "N"),
+];
+
+/// A ship and its anchor line in time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Coupled {
+    /// The words that it was computed by.
+    pub words: CoupledWords,
+    /// Each channel at every step, from t = 0.
+    pub records: Vec<Vec<f64>>,
+    /// Time between two of a record \[s\].
+    pub step: f64,
+    /// Statistics of each channel, from `from_s` on.
+    pub statistics: Vec<Statistics>,
+    /// Root mean square error of each record by the step, from `from_s` on; absent where the companion gave up.
+    pub time_errors: Option<Vec<f64>>,
+    /// The same by the mesh.
+    pub mesh_errors: Option<Vec<f64>>,
+    /// Work of the run itself.
+    pub work: Work,
+    /// The ship let go from a displacement, against the linearised equations.
+    pub decay: Result<Decay, String>,
+    /// Whether waves act.
+    pub waves: bool,
+}
+
+/// Machine-independent work of a march.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Steps taken.
+    pub steps: u64,
+    /// Steps halved.
+    pub halved: u64,
+    /// Newton iterations.
+    pub iterations: u64,
+}
+
+/// Why there is no such run.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum CoupledError {
+    /// The file lacks what it needs.
+    #[error("{0}")]
+    Missing(&'static str),
+    /// The line is none.
+    #[error("the anchor line cannot be built: {0}")]
+    Line(String),
+    /// The line does not hold a ship.
+    #[error(transparent)]
+    Moored(#[from] MooredError),
+    /// The march gave up.
+    #[error("the march gave up {0}")]
+    March(#[from] MarchError),
+    /// Somebody asked for it to stop.
+    #[error("it was stopped")]
+    Stopped,
+}
+
+/// What the equations of ship and line are made from.
+#[derive(Debug, Clone, Copy)]
+pub struct Setting<'a> {
+    /// The ship at rest.
+    pub rest: &'a Rest,
+    /// Its words on the run.
+    pub words: &'a CoupledWords,
+    /// The heading at which it lies.
+    pub station: &'a Station,
+    /// The line that holds it.
+    pub mooring: &'a Mooring,
+    /// The line's reach there.
+    pub reach: &'a Reach,
+}
+
+impl<'a> Setting<'a> {
+    /// Of a file that says everything needed.
+    ///
+    /// # Errors
+    /// [`CoupledError::Missing`].
+    pub fn of(rest: &'a Rest) -> Result<Self, CoupledError> {
+        let missing = CoupledError::Missing;
+        let words = rest.ship.coupled.as_ref();
+        let station = rest.chosen();
+        let station = station.ok_or(missing("there is no stable heading to begin from"))?;
+        let reach = station.reach.as_ref().and_then(|reach| reach.as_ref().ok());
+        Ok(Self {
+            rest,
+            words: words.ok_or(missing("the file has no [coupled]"))?,
+            station,
+            mooring: rest
+                .ship
+                .mooring
+                .as_ref()
+                .ok_or(missing("the file has no [mooring]"))?,
+            reach: reach.ok_or(missing("the mooring line does not reach the ship"))?,
+        })
+    }
+
+    /// From the ship's reference point to its fairlead \[m\].
+    #[must_use]
+    pub fn arm(&self) -> V3 {
+        let height = self.mooring.fairlead_z_m;
+        V3::new(self.rest.loads.arm, 0.0, height)
+    }
+
+    /// The line, of so many segments, at rest with its fairlead shifted \[m\].
+    ///
+    /// # Errors
+    /// [`CoupledError::Line`].
+    pub fn line(&self, segments: usize, shift: &V3) -> Result<(Scene, State), CoupledError> {
+        let failed = |why: String| CoupledError::Line(why);
+        let case = case::parse(&self.line_text(segments, shift), "anchor line")
+            .map_err(|all| failed(all.first().map_or_else(String::new, ToString::to_string)))?;
+        let scene = scene::build(&case, 1).map_err(|error| failed(error.to_string()))?;
+        let mut state = scene.initial_state();
+        Search::default()
+            .run(&scene, 0.0, &mut state)
+            .map_err(|error| failed(error.to_string()))?;
+        Ok((scene, state))
+    }
+
+    fn line_text(&self, segments: usize, shift: &V3) -> String {
+        let (about, mooring, words) = (&self.rest.ship.about, self.mooring, self.words);
+        let balance = &self.station.balance;
+        let (sin, cos) = (balance.downstream - balance.heading).sin_cos();
+        let arm = self.arm();
+        let (x, y) = (
+            arm.x - self.reach.distance * cos,
+            arm.y - self.reach.distance * sin,
+        );
+        let ship = arm + shift;
+        format!(
+            "[case]\ntitle = \"anchor line\"\n\
+             [environment]\ngravity_m_per_s2 = {:?}\nwater_density_kg_per_m3 = {:?}\n\
+             [seabed]\ndepth_m = {:?}\nstiffness_n_per_m3 = {:?}\n\
+             [materials.line]\ndiameter_m = {:?}\nmass_kg_per_m = {:?}\nwet_weight_kg_per_m = {:?}\nea_n = {:?}\n\
+             drag_normal = {:?}\ndrag_tangential = {:?}\nadded_mass_normal = {:?}\n\
+             [[line]]\nname = \"line\"\nmaterial = \"line\"\nlength_m = {:?}\nsegments = {segments}\n\
+             [ends.a]\nname = \"anchor\"\nkind = \"anchor\"\nposition_m = [{x:?}, {y:?}, {:?}]\n\
+             [ends.b]\nname = \"ship\"\nkind = \"fixed\"\nposition_m = [{:?}, {:?}, {:?}]\n",
+            about.gravity_m_per_s2,
+            about.water_density_kg_per_m3,
+            mooring.depth_m,
+            // As hard as the flat bed of the closed form, nearly: the line sinks in by a millimetre.
+            mooring.wet_weight_kg_per_m * about.gravity_m_per_s2 / (words.line_diameter_m * SUNK),
+            words.line_diameter_m,
+            words.line_mass_kg_per_m,
+            mooring.wet_weight_kg_per_m,
+            mooring.ea_n,
+            words.drag_normal,
+            words.drag_tangential,
+            words.added_mass_normal,
+            mooring.length_m,
+            -mooring.depth_m,
+            ship.x,
+            ship.y,
+            ship.z,
+        )
+    }
+
+    /// Ship and line as one system, with the line at rest where the ship lies.
+    ///
+    /// # Errors
+    /// [`CoupledError`].
+    pub fn system(
+        &self,
+        segments: usize,
+        forcing: Forcing,
+    ) -> Result<(Moored, State), CoupledError> {
+        let (scene, state) = self.line(segments, &V3::zeros())?;
+        let moored = self.moored(scene, &state, forcing)?;
+        Ok((moored, state))
+    }
+
+    /// The ship on a line, its weight and trim balanced with the line at rest as given.
+    ///
+    /// # Errors
+    /// [`CoupledError`].
+    pub fn moored(
+        &self,
+        scene: Scene,
+        rest: &State,
+        forcing: Forcing,
+    ) -> Result<Moored, CoupledError> {
+        let missing = CoupledError::Missing("the file has no [hull]");
+        let hull = self.rest.hull.as_ref().ok_or(missing)?;
+        let arm = self.arm();
+        let pull = scene.end_force(scene.nodes() - 1, rest);
+        let turn = arm.cross(&pull);
+        // What holds the ship in the plane are wind, current and drift; the water holds up what the line pulls down.
+        let load = -Vector6::new(0.0, 0.0, pull.z, turn.x, turn.y, 0.0);
+        let body = RigidBody {
+            mass: hull.mass,
+            damping: hull.damping,
+            restoring: hull.restoring,
+            load,
+            forcing,
+            place: V3::zeros(),
+            arm,
+            length: 0.5 * self.rest.ship.about.length_m,
+        };
+        Ok(Moored::new(scene, body)?)
+    }
+
+    /// Wind, current and drift in time, along the heading at rest.
+    #[must_use]
+    pub fn flows(&self) -> Forcing {
+        Forcing {
+            flows: Some((self.rest.loads.clone(), self.station.balance.heading)),
+            ..Forcing::default()
+        }
+    }
+}
+
+/// A march's records with its work.
+struct Marched {
+    records: Vec<Vec<f64>>,
+    work: Work,
+}
+
+impl Coupled {
+    /// Follows ship and line, with the companions that tell the errors, and the free decay.
+    ///
+    /// # Errors
+    /// [`CoupledError`].
+    pub fn new(
+        rest: &Rest,
+        voyage: Option<&Voyage>,
+        stop: &AtomicBool,
+    ) -> Result<Self, CoupledError> {
+        let setting = Setting::of(rest)?;
+        let words = setting.words;
+        let hull = rest.hull.as_ref();
+        let hull = hull.ok_or(CoupledError::Missing("the file has no [hull]"))?;
+        let waves = voyage.and_then(|voyage| {
+            let loads = |answer| wave_loads(hull, answer, &voyage.motions.sea);
+            voyage.answer().map(loads)
+        });
+        let forcing = Forcing {
+            waves: waves.unwrap_or_default(),
+            ramp: words.ramp_s,
+            ..setting.flows()
+        };
+        let run = |segments: usize, halvings: u32| {
+            let hang = rest
+                .ship
+                .motion
+                .as_ref()
+                .map_or([0.0; 3], |m| m.hang_point_m);
+            march(
+                &setting,
+                &forcing,
+                segments,
+                halvings,
+                &V3::from(hang),
+                stop,
+            )
+        };
+        let whole = run(words.segments, 0)?;
+        let (fine, coarse) = rayon::join(|| run(words.segments, 1), || run(words.segments / 2, 0));
+        let from = (words.from_s / words.step_s).round() as usize;
+        let counted = |record: &Vec<f64>| record.get(from..).unwrap_or(&[]).to_vec();
+        let errors = |other: Result<Marched, CoupledError>, share: f64| {
+            let other = other.ok()?;
+            let pairs = whole.records.iter().zip(&other.records);
+            Some(
+                pairs
+                    .map(|(a, b)| share * apart(&counted(a), &counted(b)))
+                    .collect(),
+            )
+        };
+        let decay = decay(&setting).map_err(|error| error.to_string());
+        if stop.load(Ordering::Relaxed) {
+            return Err(CoupledError::Stopped);
+        }
+        Ok(Self {
+            words: words.clone(),
+            step: words.step_s,
+            statistics: whole
+                .records
+                .iter()
+                .map(|record| Statistics::of(&counted(record)))
+                .collect(),
+            time_errors: errors(fine, 4.0 / 3.0),
+            mesh_errors: errors(coarse, 1.0 / 3.0),
+            work: whole.work,
+            waves: !forcing.waves.is_empty(),
+            records: whole.records,
+            decay,
+        })
+    }
+
+    /// Displacements of a point at `arm` \[m\] in the axes of the ship, from where statistics begin.
+    #[must_use]
+    pub fn of_point(&self, arm: &V3) -> Vec<V3> {
+        let from = (self.words.from_s / self.step).round() as usize;
+        let count = self.records.first().map_or(0, Vec::len);
+        let at = |i: usize| {
+            let q = std::array::from_fn(|degree| {
+                let value = self.records[degree][i];
+                if degree < 3 {
+                    value
+                } else {
+                    value.to_radians()
+                }
+            });
+            displaced(q, arm)
+        };
+        (from.min(count)..count).map(at).collect()
+    }
+}
+
+/// Root mean square difference.
+fn apart(a: &[f64], b: &[f64]) -> f64 {
+    let squares: f64 = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum();
+    (squares / a.len().max(1) as f64).sqrt()
+}
+
+fn march(
+    setting: &Setting<'_>,
+    forcing: &Forcing,
+    segments: usize,
+    halvings: u32,
+    hang: &V3,
+    stop: &AtomicBool,
+) -> Result<Marched, CoupledError> {
+    let words = setting.words;
+    let (moored, line) = setting.system(segments, forcing.clone())?;
+    let yaw = words.start_yaw_deg.to_radians();
+    let mut state = moored.turned(&line, V3::z() * yaw);
+    moored.accelerate(0.0, &mut state);
+    let mut method = Alpha::new(moored.nodes(), RHO, NEWTON.0, NEWTON.1);
+    let march = March {
+        duration: words.duration_s,
+        step: words.step_s / f64::from(1_u32 << halvings),
+        output: words.step_s,
+    };
+    let instants = (words.duration_s / words.step_s).round() as usize + 1;
+    let mut records = vec![Vec::with_capacity(instants); CHANNELS.len()];
+    let outcome = march.run(&mut method, &moored, &mut state, &mut |instant: Instant<
+        '_,
+    >| {
+        if instant.output {
+            for (record, value) in records
+                .iter_mut()
+                .zip(channels(&moored, instant.state, hang))
+            {
+                record.push(value);
+            }
+        }
+        if stop.load(Ordering::Relaxed) {
+            Progressing::Stop
+        } else {
+            Progressing::Continue
+        }
+    })?;
+    if outcome.stopped {
+        return Err(CoupledError::Stopped);
+    }
+    Ok(Marched {
+        records,
+        work: Work {
+            steps: outcome.steps,
+            halved: outcome.rejections,
+            iterations: method.tally().iterations,
+        },
+    })
+}
+
+/// The values of [`CHANNELS`] in a state.
+fn channels(moored: &Moored, state: &State, hang: &V3) -> [f64; CHANNELS.len()] {
+    let q = moored.motion(state);
+    let point = displaced(std::array::from_fn(|i| q[i]), hang);
+    [
+        q[0],
+        q[1],
+        q[2],
+        q[3].to_degrees(),
+        q[4].to_degrees(),
+        q[5].to_degrees(),
+        point.x,
+        point.y,
+        point.z,
+        moored.tension(state),
+        moored.anchor_tension(state),
+    ]
+}

@@ -1,0 +1,268 @@
+//! Whether a moored ship stays at its heading once it moves: surge, sway and yaw linearised about an equilibrium,
+//! `M q̈ + D q̇ + K q = 0` (eq. 4 of the ropeway paper with the mooring's stiffness in K, in the plane), and the eigenvalues
+//! of it. A real one that is positive diverges, a pair with positive real part is a ship that fishtails. Stiffness alone
+//! does not tell the latter: it needs inertia and the damping by wind and current on the moving ship.
+//!
+//! All in axes along the ship as it lies, about its reference point. The line is taken as quasi-static: `along` along
+//! itself, pull over reach across; the moment that its pull has about the reference point turns with the ship.
+
+use std::f64::consts::{LN_2, TAU};
+
+use nalgebra::{Complex, Matrix2, Matrix3, Matrix6, Vector2, Vector3};
+
+use super::heading::Balance;
+use super::hull::Matrices;
+use super::loads::Loads;
+use super::mooring::Reach;
+
+/// What becomes of a small disturbance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Fate {
+    /// It dies away; the mode that takes longest, its period where it swings, and the time to half.
+    Stable {
+        /// Period \[s\]; absent where it creeps back.
+        period: Option<f64>,
+        /// Time to half the amplitude \[s\].
+        halves: f64,
+    },
+    /// It neither grows nor dies away.
+    Neutral,
+    /// It grows without swinging.
+    Diverges {
+        /// Time to twice the amplitude \[s\].
+        doubles: f64,
+    },
+    /// It swings and grows.
+    Fishtails {
+        /// Period \[s\].
+        period: f64,
+        /// Time to twice the amplitude \[s\].
+        doubles: f64,
+    },
+}
+
+impl Fate {
+    /// In a word.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Stable { .. } => "stable",
+            Self::Neutral => "neutral",
+            Self::Diverges { .. } => "diverges",
+            Self::Fishtails { .. } => "fishtails",
+        }
+    }
+
+    /// Its period where it swings, and the time to half or double the amplitude \[s\].
+    #[must_use]
+    pub fn times(self) -> (Option<f64>, Option<f64>) {
+        match self {
+            Self::Stable { period, halves } => (period, Some(halves)),
+            Self::Neutral => (None, None),
+            Self::Diverges { doubles } => (None, Some(doubles)),
+            Self::Fishtails { period, doubles } => (Some(period), Some(doubles)),
+        }
+    }
+}
+
+/// Surge, sway and yaw about an equilibrium, linearised.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Planar {
+    /// Mass and added mass.
+    pub mass: Matrix3<f64>,
+    /// Damping: the ship's own, and that of wind and current on the moving ship.
+    pub damping: Matrix3<f64>,
+    /// Stiffness: mooring, and loads that turn with the ship.
+    pub stiffness: Matrix3<f64>,
+}
+
+/// Real parts below this share of the fastest rate are rounding.
+const NOTHING: f64 = 1e-9;
+
+impl Planar {
+    /// About a heading in balance, on a line that reaches.
+    #[must_use]
+    pub fn new(hull: &Matrices, loads: &Loads, balance: &Balance, reach: &Reach) -> Self {
+        let moving = loads.moving(balance.heading, 0.0, [0.0; 2]);
+        let slope = moving.by_turn;
+        let by_load = Matrix3::from_columns(&[Vector3::zeros(), Vector3::zeros(), slope.into()]);
+        let by_velocity = Matrix3::from_columns(&[
+            moving.by_velocity[0].into(),
+            moving.by_velocity[1].into(),
+            Vector3::zeros(),
+        ]);
+        Self {
+            mass: Matrices::planar(&hull.mass),
+            damping: Matrices::planar(&hull.damping) - by_velocity,
+            stiffness: Matrices::planar(&hull.restoring) - by_load
+                + held(loads.arm, balance, reach),
+        }
+    }
+
+    /// Eigenvalues \[1/s\], by falling real part: roots of `det(M λ² + D λ + K)`. Absent where the mass is singular or they
+    /// are not found.
+    #[must_use]
+    pub fn eigenvalues(&self) -> Option<Vec<Complex<f64>>> {
+        let inverse = self.mass.try_inverse()?;
+        let mut companion = Matrix6::zeros();
+        let mut put = |i: usize, j: usize, block: Matrix3<f64>| {
+            companion
+                .fixed_view_mut::<3, 3>(3 * i, 3 * j)
+                .copy_from(&block);
+        };
+        put(0, 1, Matrix3::identity());
+        put(1, 0, -inverse * self.stiffness);
+        put(1, 1, -inverse * self.damping);
+        let found = companion.complex_eigenvalues();
+        let mut list: Vec<Complex<f64>> = found.iter().copied().collect();
+        list.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
+        let sane = list.iter().all(|l| l.re.is_finite() && l.im.is_finite());
+        sane.then_some(list)
+    }
+
+    /// What becomes of a small disturbance: the fate of the mode that grows fastest or dies last.
+    #[must_use]
+    pub fn fate(&self) -> Option<Fate> {
+        let list = self.eigenvalues()?;
+        let fastest = list.iter().map(|l| l.norm()).fold(0.0, f64::max);
+        let last = list.first()?;
+        let nothing = NOTHING * fastest;
+        let swings = last.im.abs() > nothing.max(1e-6 * last.re.abs());
+        let period = swings.then(|| TAU / last.im.abs());
+        Some(if last.re.abs() <= nothing {
+            Fate::Neutral
+        } else if last.re < 0.0 {
+            Fate::Stable {
+                period,
+                halves: -LN_2 / last.re,
+            }
+        } else {
+            let doubles = LN_2 / last.re;
+            match period {
+                Some(period) => Fate::Fishtails { period, doubles },
+                None => Fate::Diverges { doubles },
+            }
+        })
+    }
+}
+
+/// Stiffness of the mooring at the bow, about the reference point.
+fn held(arm: f64, balance: &Balance, reach: &Reach) -> Matrix3<f64> {
+    let (sin, cos) = (balance.downstream - balance.heading).sin_cos();
+    let away = Vector2::new(cos, sin);
+    let line = away * away.transpose() * reach.along
+        + (Matrix2::identity() - away * away.transpose()) * reach.across;
+    // Shift of the bow by surge, sway and yaw.
+    let bow = nalgebra::Matrix2x3::new(1.0, 0.0, 0.0, 0.0, 1.0, arm);
+    let force = line * bow;
+    let ahead = -balance.pull * cos;
+    let mut stiffness = Matrix3::zeros();
+    for j in 0..3 {
+        stiffness[(0, j)] = force[(0, j)];
+        stiffness[(1, j)] = force[(1, j)];
+        stiffness[(2, j)] = arm * force[(1, j)];
+    }
+    stiffness[(2, 2)] += arm * ahead;
+    stiffness
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn planar(mass: [f64; 3], damping: Matrix3<f64>, stiffness: Matrix3<f64>) -> Planar {
+        Planar {
+            mass: Matrix3::from_diagonal(&Vector3::from(mass)),
+            damping,
+            stiffness,
+        }
+    }
+
+    #[test]
+    fn separate_motions_have_the_roots_of_their_own_quadratics() {
+        let diagonal = |a: f64, b: f64, c: f64| Matrix3::from_diagonal(&Vector3::new(a, b, c));
+        let one = planar(
+            [2.0, 3.0, 5.0],
+            diagonal(0.4, 30.0, 1.0),
+            diagonal(8.0, 3.0, 20.0),
+        );
+        let found = one.eigenvalues().unwrap();
+        // λ = (-d ± √(d² - 4 m k)) / 2m.
+        for (m, d, k) in [(2.0, 0.4, 8.0), (3.0, 30.0, 3.0), (5.0, 1.0, 20.0)] {
+            let root = Complex::new(d * d - 4.0 * m * k, 0.0).sqrt();
+            for sign in [1.0, -1.0] {
+                let expected = (root * sign - d) / (2.0 * m);
+                assert!(
+                    found.iter().any(|l| (l - expected).norm() < 1e-9),
+                    "{found:?}"
+                );
+            }
+        }
+        let Some(Fate::Stable {
+            period: Some(p),
+            halves,
+        }) = one.fate()
+        else {
+            panic!("{:?}", one.fate());
+        };
+        assert!((halves - LN_2 / 0.1).abs() < 1e-9, "{halves}");
+        let expected = [(4.0 - 0.01_f64).sqrt()];
+        assert!(expected.iter().any(|w| (p - TAU / w).abs() < 1e-9), "{p}");
+    }
+
+    #[test]
+    fn a_stiffness_that_turns_is_flutter_and_a_negative_one_diverges() {
+        // Two motions of unit mass with k ± c coupled skew: λ² = -k ± i c.
+        let mut stiffness = Matrix3::identity() * 4.0;
+        stiffness[(1, 2)] = 0.5;
+        stiffness[(2, 1)] = -0.5;
+        let fate = planar([1.0; 3], Matrix3::zeros(), stiffness)
+            .fate()
+            .unwrap();
+        let root = Complex::new(-4.0, 0.5).sqrt();
+        let Fate::Fishtails { period, doubles } = fate else {
+            panic!("{fate:?}");
+        };
+        assert!((period - TAU / f64::abs(root.im)).abs() < 1e-9);
+        assert!((doubles - LN_2 / f64::abs(root.re)).abs() < 1e-9);
+        let down = planar([1.0; 3], Matrix3::zeros(), Matrix3::identity() * -4.0);
+        assert_eq!(
+            down.fate(),
+            Some(Fate::Diverges {
+                doubles: LN_2 / 2.0
+            })
+        );
+        let still = planar([1.0; 3], Matrix3::zeros(), Matrix3::identity());
+        assert_eq!(still.fate(), Some(Fate::Neutral));
+        assert_eq!(
+            planar([1.0, 0.0, 1.0], Matrix3::zeros(), stiffness).fate(),
+            None
+        );
+    }
+
+    proptest! {
+        /// Sway and yaw against the criterion of Routh and Hurwitz on their quartic.
+        #[test]
+        fn the_fate_is_that_of_routh_and_hurwitz(
+            d in prop::array::uniform4(-1.0..3.0f64), k in prop::array::uniform4(-2.0..4.0f64),
+        ) {
+            let mut damping = Matrix3::identity();
+            let mut stiffness = Matrix3::identity();
+            for (at, (i, j)) in [(1, 1), (1, 2), (2, 1), (2, 2)].into_iter().enumerate() {
+                damping[(i, j)] = d[at];
+                stiffness[(i, j)] = k[at];
+            }
+            let fate = planar([1.0; 3], damping, stiffness).fate().unwrap();
+            // det(λ² + Dλ + K) = λ⁴ + a1 λ³ + a2 λ² + a3 λ + a4.
+            let a1 = d[0] + d[3];
+            let a2 = d[0] * d[3] - d[1] * d[2] + k[0] + k[3];
+            let a3 = d[0] * k[3] + d[3] * k[0] - d[1] * k[2] - d[2] * k[1];
+            let a4 = k[0] * k[3] - k[1] * k[2];
+            let hurwitz = [a1, a4, a1 * a2 - a3, a3 * (a1 * a2 - a3) - a1 * a1 * a4];
+            prop_assume!(hurwitz.iter().all(|h| h.abs() > 1e-6));
+            let stable = hurwitz.iter().all(|h| *h > 0.0);
+            prop_assert_eq!(matches!(fate, Fate::Stable { .. }), stable, "{:?}", fate);
+        }
+    }
+}

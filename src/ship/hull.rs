@@ -1,0 +1,137 @@
+//! The ship as a rigid body: its matrices of mass, added mass, damping and restoring, eq. (4) of the ropeway paper, and what
+//! of them no ship can have.
+
+use nalgebra::{Matrix3, Matrix6, SymmetricEigen};
+
+use super::model::{CoupledWords, Hull};
+use crate::case::Misfit;
+use crate::linalg::{M3, V3};
+
+/// A ship's matrices about its reference point, in its own axes: surge, sway, heave, roll, pitch, yaw.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Matrices {
+    /// Mass and added mass \[kg, kg m, kg m²\].
+    pub mass: Matrix6<f64>,
+    /// Damping per velocity, beside that of wind and current.
+    pub damping: Matrix6<f64>,
+    /// Restoring per displacement, without the mooring.
+    pub restoring: Matrix6<f64>,
+}
+
+impl Matrices {
+    /// Those of a hull that has been checked.
+    #[must_use]
+    pub fn of(hull: &Hull) -> Self {
+        let matrix = |list: &[f64]| matrix(list).unwrap_or_else(Matrix6::zeros);
+        Self {
+            mass: own(hull) + matrix(&hull.added_mass_si),
+            damping: matrix(&hull.damping_si),
+            restoring: matrix(&hull.restoring_si),
+        }
+    }
+
+    /// Rows and columns of surge, sway and yaw.
+    #[must_use]
+    pub fn planar(matrix: &Matrix6<f64>) -> Matrix3<f64> {
+        const PLANAR: [usize; 3] = [0, 1, 5];
+        Matrix3::from_fn(|i, j| matrix[(PLANAR[i], PLANAR[j])])
+    }
+}
+
+/// The ship's own mass about its reference point: `[m, -m S(g); m S(g), I - m S(g)²]`, I about the centre of gravity g.
+fn own(hull: &Hull) -> Matrix6<f64> {
+    let m = hull.mass_kg;
+    let centre: M3 = V3::from(hull.centre_m).cross_matrix();
+    let inertia = M3::from_diagonal(&V3::from(hull.gyration_m).map(|k| m * k * k));
+    let mut mass = Matrix6::zeros();
+    let mut put = |i: usize, j: usize, block: M3| {
+        mass.fixed_view_mut::<3, 3>(3 * i, 3 * j).copy_from(&block);
+    };
+    put(0, 0, M3::identity() * m);
+    put(0, 1, centre * -m);
+    put(1, 0, centre * m);
+    put(1, 1, inertia - centre * centre * m);
+    mass
+}
+
+/// A matrix from nothing, its diagonal, or its rows.
+fn matrix(list: &[f64]) -> Option<Matrix6<f64>> {
+    match list.len() {
+        0 => Some(Matrix6::zeros()),
+        6 => Some(Matrix6::from_diagonal(&nalgebra::Vector6::from_row_slice(
+            list,
+        ))),
+        36 => Some(Matrix6::from_row_slice(list)),
+        _ => None,
+    }
+}
+
+/// What of a hull cannot be.
+pub(super) fn misfits(hull: &Hull, coupled: Option<&CoupledWords>) -> Vec<Misfit> {
+    let mut wrong = Vec::new();
+    for (key, list) in [
+        ("hull.added_mass_si", &hull.added_mass_si),
+        ("hull.damping_si", &hull.damping_si),
+        ("hull.restoring_si", &hull.restoring_si),
+    ] {
+        if matrix(list).is_none() {
+            wrong.push(Misfit::at(
+                key,
+                format!("holds {} numbers", list.len()),
+                "give six for the diagonal (surge, sway, heave, roll, pitch, yaw), or thirty-six by rows",
+            ));
+        }
+    }
+    if !wrong.is_empty() {
+        return wrong;
+    }
+    let all = Matrices::of(hull);
+    if skew(&all.mass) > 1e-9 {
+        wrong.push(Misfit::at(
+            "hull.added_mass_si",
+            "is not symmetric",
+            "give a matrix that is the same when its rows are read as columns",
+        ));
+    } else if all.mass.cholesky().is_none() {
+        wrong.push(Misfit::at(
+            "hull.added_mass_si",
+            "leaves some motion of the ship without inertia: mass and added mass together are singular or negative",
+            "give added mass that is not less than none",
+        ));
+    }
+    if least(&all.damping) < -1e-9 * all.damping.abs().max() {
+        wrong.push(Misfit::at(
+            "hull.damping_si",
+            "gives the ship energy in some motion instead of taking it",
+            "give damping that is not negative in any motion",
+        ));
+    }
+    if coupled.is_some() {
+        let upright = all.restoring.fixed_view::<3, 3>(2, 2).into_owned();
+        let symmetric = (upright + upright.transpose()) * 0.5;
+        if symmetric.cholesky().is_none() {
+            wrong.push(Misfit::at(
+                "hull.restoring_si",
+                "does not hold the ship up in heave, roll and pitch",
+                "give restoring in heave, roll and pitch that is positive: the ship would sink or capsize",
+            ));
+        }
+    }
+    wrong
+}
+
+/// How far a matrix is from symmetric, as a share of its diagonal.
+fn skew(matrix: &Matrix6<f64>) -> f64 {
+    let scale = |i: usize, j: usize| (matrix[(i, i)] * matrix[(j, j)]).abs().sqrt();
+    let off = |i: usize, j: usize| {
+        (matrix[(i, j)] - matrix[(j, i)]).abs() / scale(i, j).max(f64::MIN_POSITIVE)
+    };
+    let pairs = (0..6).flat_map(|i| (0..i).map(move |j| (i, j)));
+    pairs.map(|(i, j)| off(i, j)).fold(0.0, f64::max)
+}
+
+/// The least eigenvalue of the symmetric part.
+fn least(matrix: &Matrix6<f64>) -> f64 {
+    let symmetric = (matrix + matrix.transpose()) * 0.5;
+    SymmetricEigen::new(symmetric).eigenvalues.min()
+}

@@ -1,0 +1,163 @@
+//! The ship from above: its anchor, every heading at which it rests, and where wind, current and waves go.
+
+use super::heading::Stands;
+use super::loads::Load;
+use super::rest::{Rest, Station};
+use crate::report::chart::{Axis, Chart, Series, extent};
+
+/// Breadth of the outline, as a share of the length: that of a small ship, drawn only.
+const BREADTH: f64 = 0.18;
+
+/// Where the arrows of the flows lie, as shares of the picture's reach: their tails and their heads.
+const TAIL: f64 = 1.35;
+const HEAD: f64 = 1.02;
+
+/// Points of an outline; what is not a number ends one.
+type Points = Vec<(f64, f64)>;
+
+/// The ship at every heading in balance, in metres from the anchor, +x to the right; the station chosen in full ink.
+#[must_use]
+pub fn chart(rest: &Rest, chosen: usize) -> Chart {
+    let stations = rest.stations.as_deref().unwrap_or_default();
+    let mut series = Vec::new();
+    for (i, station) in stations.iter().enumerate() {
+        let label = format!(
+            "{} {:.1} deg {}",
+            i + 1,
+            station.balance.heading.to_degrees(),
+            word(station)
+        );
+        series.push(Series {
+            dimmed: i != chosen,
+            ..Series::new(&label, i, ship(rest, station))
+        });
+    }
+    let round = Round::of(&series, rest.ship.about.length_m);
+    let anchor = cross(0.04 * round.reach);
+    series.push(Series::new("anchor", stations.len(), anchor));
+    for (i, load) in rest.loads.each.iter().enumerate() {
+        let aside = (i as f64 - 1.0) * 0.14 * round.reach;
+        let points = round.arrow(load.towards, aside);
+        series.push(Series::new(name(load), stations.len() + 1 + i, points));
+    }
+    let room = 1.42 * round.reach;
+    let axis = |name: &str, middle: f64| Axis {
+        range: Some((middle - room, middle + room)),
+        ..Axis::new(name, "m")
+    };
+    Chart {
+        title: "From above; the anchor at the origin".to_owned(),
+        x: axis("x", round.middle.0),
+        y: axis("y", round.middle.1),
+        series,
+        equal_scale: true,
+        legend: true,
+        ..Chart::default()
+    }
+}
+
+/// What a load is called on the picture.
+#[must_use]
+pub fn name(load: &Load) -> &'static str {
+    if load.name == "drift" {
+        "waves"
+    } else {
+        load.name
+    }
+}
+
+/// How a heading stands, at rest and once the ship moves.
+#[must_use]
+pub fn word(station: &Station) -> &'static str {
+    match (station.balance.stands, station.fate()) {
+        (Stands::Stable, Some(fate)) => fate.word(),
+        (stands, _) => stands.word(),
+    }
+}
+
+/// A circle around everything drawn.
+struct Round {
+    middle: (f64, f64),
+    reach: f64,
+}
+
+impl Round {
+    fn of(ships: &[Series], length: f64) -> Self {
+        let points = || ships.iter().flat_map(|one| &one.points);
+        let (x, y) = (
+            extent(points().map(|p| p.0)).unwrap_or((0.0, 0.0)),
+            extent(points().map(|p| p.1)).unwrap_or((0.0, 0.0)),
+        );
+        Self {
+            middle: (0.5 * (x.0 + x.1), 0.5 * (y.0 + y.1)),
+            reach: (0.5 * (x.1 - x.0).hypot(y.1 - y.0)).max(length),
+        }
+    }
+
+    /// An arrow on the side that a flow comes from, pointing where it goes.
+    fn arrow(&self, towards: f64, aside: f64) -> Points {
+        let (sin, cos) = towards.sin_cos();
+        let place = |along: f64, across: f64| {
+            let across = across + aside;
+            (
+                self.middle.0 + along * cos - across * sin,
+                self.middle.1 + along * sin + across * cos,
+            )
+        };
+        let (tail, head) = (-TAIL * self.reach, -HEAD * self.reach);
+        let barb = 0.3 * (head - tail);
+        vec![
+            place(tail, 0.0),
+            place(head, 0.0),
+            (f64::NAN, f64::NAN),
+            place(head - barb, 0.5 * barb),
+            place(head, 0.0),
+            place(head - barb, -0.5 * barb),
+        ]
+    }
+}
+
+/// Where the mooring point lies; a ship's length downstream of the anchor where no line tells.
+fn bow(rest: &Rest, station: &Station) -> (f64, f64) {
+    let told = station.offset(rest.loads.arm).map(|[bow, _]| bow);
+    told.unwrap_or_else(|| {
+        let (sin, cos) = station.balance.downstream.sin_cos();
+        let length = rest.ship.about.length_m;
+        (length * cos, length * sin)
+    })
+}
+
+/// The mooring line and the outline of the ship.
+fn ship(rest: &Rest, station: &Station) -> Points {
+    let length = rest.ship.about.length_m;
+    let held = bow(rest, station);
+    let (sin, cos) = station.balance.heading.sin_cos();
+    let place = |(forward, port): (f64, f64)| {
+        // Forward of the point that the mooring holds.
+        let x = forward * length - rest.loads.arm;
+        let y = port * length;
+        (held.0 + x * cos - y * sin, held.1 + x * sin + y * cos)
+    };
+    let half = 0.5 * BREADTH;
+    let outline = [
+        (0.5, 0.0),
+        (0.3, half),
+        (-0.5, half),
+        (-0.5, -half),
+        (0.3, -half),
+        (0.5, 0.0),
+    ];
+    let mut points = vec![(0.0, 0.0), held, (f64::NAN, f64::NAN)];
+    points.extend(outline.map(place));
+    points
+}
+
+fn cross(size: f64) -> Points {
+    vec![
+        (-size, 0.0),
+        (size, 0.0),
+        (f64::NAN, f64::NAN),
+        (0.0, -size),
+        (0.0, size),
+    ]
+}

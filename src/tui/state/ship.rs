@@ -1,0 +1,213 @@
+//! A ship on the screen: at rest at once, and at sea from a thread of its own.
+
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::open_file::{FileView, said};
+use crate::case::{Diagnostic, kind};
+use crate::linalg::V3;
+use crate::reference::Row;
+use crate::report::chart::{Chart, Glyphs};
+use crate::report::table::Table;
+use crate::ship::rope::RopeAtSea;
+use crate::ship::{
+    self, AtSea, Rest, ShipFile, Voyage, coupled_tables, held, motion, picture, rope_tables,
+    tables, text,
+};
+use crate::tui::backend::FieldRow;
+use crate::tui::command::Place;
+
+/// A ship.
+#[derive(Debug, Clone)]
+pub struct ShipView {
+    /// The ship at rest.
+    pub rest: Rest,
+    /// The ship at sea, of the newest text that was worked out.
+    pub sea: Option<Arc<AtSea>>,
+    /// What stops the thread that works the newest text out; nothing once it has answered.
+    pub working: Option<Arc<AtomicBool>>,
+    /// The heading shown in full, among all in balance.
+    pub station: usize,
+    /// The motion that is drawn alone; none: all six.
+    pub trace: Option<usize>,
+}
+
+impl ShipView {
+    /// A ship as read, at rest.
+    #[must_use]
+    pub fn new(rest: Rest) -> Self {
+        Self {
+            station: text::chosen(&rest),
+            rest,
+            sea: None,
+            working: None,
+            trace: None,
+        }
+    }
+
+    /// Stops what is worked out in the background.
+    pub fn stop(&mut self) {
+        if let Some(working) = self.working.take() {
+            working.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// Something of the ship at sea, or why there is none yet.
+    fn at_sea<'a, T>(
+        &'a self,
+        of: impl Fn(&'a AtSea) -> Option<T>,
+        none: &str,
+    ) -> Result<T, Table> {
+        let wait = || said("The ship at sea is still being worked out.");
+        let sea = self.sea.as_ref().ok_or_else(wait)?;
+        of(sea).ok_or_else(|| said(none))
+    }
+
+    fn voyage(&self) -> Result<&Voyage, Table> {
+        let none = "The file gives the ship no motion; [motion] does.";
+        match self.at_sea(|sea| sea.voyage.as_ref(), none)? {
+            Ok(voyage) => Ok(voyage),
+            Err(why) => Err(said(&format!("No such motion: {why}."))),
+        }
+    }
+
+    fn rope(&self) -> Result<&RopeAtSea, Table> {
+        let none = "The file names no rope; [rope] does.";
+        match self.at_sea(|sea| sea.rope.as_ref(), none)? {
+            Ok(rope) => Ok(rope),
+            Err(why) => Err(said(&format!("The rope does not follow the ship: {why}."))),
+        }
+    }
+
+    /// Charts and table of the ship at sea, or why there are none.
+    fn sailing(&self, leaf: usize) -> Result<(Option<Chart>, Table), Table> {
+        let seed = self.rest.ship.motion.as_ref().map_or(0, |m| m.seed());
+        Ok(match leaf {
+            1 => {
+                let voyage = self.voyage()?;
+                let table = motion::tables::statistics(voyage, seed);
+                (Some(picture::motions(voyage, self.trace)), table)
+            }
+            2 => (None, motion::tables::spectra(self.voyage()?)),
+            3 => {
+                let rope = self.rope()?;
+                (Some(rope_tables::chart(rope)), rope_tables::table(rope))
+            }
+            4 => {
+                let rope = self.rope()?;
+                let none = || said("The rope made fast has no answer.");
+                let table = rope_tables::dynamic_table(rope).unwrap_or_else(none);
+                (rope_tables::dynamic_chart(rope), table)
+            }
+            _ => {
+                let none =
+                    "The file does not ask for ship and anchor line in time; [coupled] does.";
+                match self.at_sea(|sea| sea.coupled.as_ref(), none)? {
+                    Ok(coupled) if leaf == 5 => (
+                        Some(coupled_tables::motions(coupled)),
+                        coupled_tables::statistics(coupled),
+                    ),
+                    Ok(coupled) => (
+                        Some(coupled_tables::tension(coupled)),
+                        coupled_tables::decay(coupled),
+                    ),
+                    Err(why) => return Err(said(&format!("No answer: {why}."))),
+                }
+            }
+        })
+    }
+}
+
+impl FileView for ShipView {
+    fn word(&self) -> &'static str {
+        "ship"
+    }
+
+    fn title(&self) -> &str {
+        &self.rest.ship.about.title
+    }
+
+    fn panes(&self) -> &'static [Place] {
+        &[Place::Keys, Place::Ship, Place::Tables, Place::Checks]
+    }
+
+    fn leaves(&self) -> &'static [&'static str] {
+        &[
+            "Headings", "Motion", "Spectra", "Rope", "Inertia", "Time", "Decay", "Swings", "Loads",
+            "Mooring",
+        ]
+    }
+
+    fn leaf(&self, leaf: usize) -> (Option<Chart>, Table) {
+        let rest = &self.rest;
+        let or = |table: Option<Table>, words: &str| table.unwrap_or_else(|| said(words));
+        match leaf {
+            0 => (Some(picture::moments(rest)), tables::headings(rest)),
+            1..=6 => self.sailing(leaf).unwrap_or_else(|table| (None, table)),
+            7 => {
+                let words = "Small motions need [hull], and a [mooring] that reaches.";
+                (None, or(tables::small_motions(rest), words))
+            }
+            8 => (None, or(tables::loads(rest), "There is no stable heading.")),
+            _ => {
+                let words = "There is no stable heading, or no [mooring] that reaches.";
+                (None, or(tables::mooring(rest), words))
+            }
+        }
+    }
+
+    fn rows(&self, text: &str) -> Vec<FieldRow> {
+        kind::rows::<ShipFile>(text)
+    }
+
+    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, Vec<Diagnostic>> {
+        ship::edit::set(text, key, value)
+    }
+
+    fn passes(&self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>> {
+        ship::parse(text, file).map(drop)
+    }
+
+    fn take(&mut self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>> {
+        let rest = ship::parse(text, file)?;
+        let count = |rest: &Rest| rest.stations.as_ref().map_or(0, Vec::len);
+        if count(&rest) != count(&self.rest) {
+            self.station = text::chosen(&rest);
+        }
+        self.rest = rest;
+        Ok(())
+    }
+
+    fn checks(&self, _text: &str) -> Vec<Row> {
+        let voyage = self.sea.as_ref().and_then(|sea| sea.voyage.as_ref());
+        held::rows(&self.rest.ship, voyage)
+    }
+
+    fn busy(&self) -> Option<&'static str> {
+        self.working.as_ref().map(|_| "at sea: working")
+    }
+
+    fn report(&self, words: &str, glyphs: Glyphs) -> Option<String> {
+        Some(text::text(&self.rest, self.sea.as_deref(), words, glyphs))
+    }
+
+    fn hand_over(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {
+        let arm = self.rest.ship.motion.as_ref().map(|m| m.hang_point_m);
+        let table = self.voyage().ok().zip(arm).map(|(voyage, arm)| {
+            let mut table = String::from("time_s,x_m,y_m,z_m\n");
+            for (i, at) in voyage.of_point(&V3::from(arm)).iter().enumerate() {
+                let t = voyage.motions.time(i);
+                // Writing to a text does not fail.
+                let _ = writeln!(table, "{t:?},{:?},{:?},{:?}", at.x, at.y, at.z);
+            }
+            table
+        });
+        (
+            PathBuf::from(format!("{stem}-hang-point.csv")),
+            table,
+            "The motion of the hang point, a table for the moving end of a line case,",
+        )
+    }
+}

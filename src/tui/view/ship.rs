@@ -1,0 +1,119 @@
+//! A ship from above, with every heading at which it rests beside it.
+
+use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::style::Style;
+
+use super::Canvas;
+use super::paint::{row, text};
+use crate::report::chart::marker;
+use crate::report::number::{digits, si};
+use crate::ship::fishtail::Fate;
+use crate::ship::heading::Stands;
+use crate::ship::{Station, plan};
+use crate::tui::inks::Inks;
+use crate::tui::plot_pane::draw_chart;
+use crate::tui::state::ShipView;
+
+/// Columns of the list of headings.
+const LIST: u16 = 34;
+
+impl Canvas<'_> {
+    pub(super) fn ship_from_above(&mut self, area: Rect, ship: &ShipView) {
+        let [drawing, list] =
+            Layout::horizontal([Constraint::Min(0), Constraint::Length(LIST)]).areas(area);
+        let mut chart = plan::chart(&ship.rest, ship.station);
+        // The list beside it names the ships; every line counts here.
+        chart.title.clear();
+        chart.legend = false;
+        let inks = Inks::new(self.state.looks.colour);
+        draw_chart(&chart, drawing, self.buf, self.state.looks.glyphs, inks);
+        let mut lines: Vec<(String, Style)> = Vec::new();
+        let plain = self.theme.plain();
+        match &ship.rest.stations {
+            Ok(stations) => {
+                for (i, station) in stations.iter().enumerate() {
+                    lines.extend(self.station(i, station, i == ship.station));
+                }
+            }
+            Err(why) => {
+                let words =
+                    super::paint::wrap(&format!("No heading in balance: {why}."), LIST.into());
+                lines.extend(words.into_iter().map(|line| (line, self.theme.error())));
+            }
+        }
+        lines.push((String::new(), plain));
+        let count = ship.rest.stations.as_ref().map_or(0, Vec::len);
+        let names = ["anchor"].into_iter().map(str::to_owned);
+        let flows = ship.rest.loads.each.iter().map(|load| {
+            let name = plan::name(load);
+            format!(
+                "{name} towards {} deg",
+                digits(load.towards.to_degrees(), 4)
+            )
+        });
+        for (i, name) in names.chain(flows).enumerate() {
+            lines.push((format!("{} {name}", marker(count + i)), plain));
+        }
+        for (i, (line, style)) in lines.iter().enumerate() {
+            let at = u16::try_from(i).unwrap_or(u16::MAX);
+            if at < list.height {
+                let place = row(list, at);
+                text(self.buf, (place.x, place.y), place.width, line, *style);
+            }
+        }
+    }
+
+    /// What is said of a heading: itself and how it stands, and of the one chosen, what holds the ship there.
+    fn station(&self, i: usize, station: &Station, chosen: bool) -> Vec<(String, Style)> {
+        let balance = &station.balance;
+        let style = match (balance.stands, station.fate()) {
+            (Stands::Stable, None | Some(Fate::Stable { .. })) => self.theme.good(),
+            (Stands::Stable, Some(Fate::Diverges { .. } | Fate::Fishtails { .. })) => {
+                self.theme.error()
+            }
+            _ => self.theme.plain(),
+        };
+        let head = if chosen { ">" } else { " " };
+        let mut lines = vec![(
+            format!(
+                "{head}{} {} {} deg {}",
+                i + 1,
+                marker(i),
+                digits(balance.heading.to_degrees(), 5),
+                plan::word(station)
+            ),
+            style,
+        )];
+        if !chosen {
+            return lines;
+        }
+        let mut say = |words: String| lines.push((format!("    {words}"), self.theme.plain()));
+        say(format!("at rest {}", balance.stands.word()));
+        say(format!("pull {}", si(balance.pull, "N")));
+        match &station.reach {
+            Some(Ok(reach)) => {
+                say(format!("bow {} from anchor", si(reach.distance, "m")));
+                if reach.anchor_lift > 0.0 {
+                    say(format!("LIFTS ANCHOR by {}", si(reach.anchor_lift, "N")));
+                }
+            }
+            Some(Err(_)) => say("the line does not reach".to_owned()),
+            None => say("no mooring line given".to_owned()),
+        }
+        match station.fate().map(Fate::times) {
+            Some((period, time)) => {
+                let seconds =
+                    |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |v| si(v, "s"));
+                let grows = matches!(
+                    station.fate(),
+                    Some(Fate::Diverges { .. } | Fate::Fishtails { .. })
+                );
+                let verb = if grows { "doubles" } else { "halves" };
+                say(format!("swings in {}", seconds(period)));
+                say(format!("{verb} in {}", seconds(time)));
+            }
+            None => say("small motions: give [hull]".to_owned()),
+        }
+        lines
+    }
+}
