@@ -25,7 +25,16 @@ pub(super) fn come_to_rest(
         return Ok(());
     }
     match Search::default().run(scene, 0.0, state) {
-        Ok(found) => work.iterations += found.iterations,
+        Ok(found) => {
+            work.iterations += found.iterations;
+            if found.smooth {
+                warnings.push(
+                    "the equilibrium found is one of many: no rest was found for the line as it is taken to be laid; it lies where it \
+                     would on a smooth bed, and friction bears nothing yet"
+                        .to_owned(),
+                );
+            }
+        }
         Err(error) => {
             work.iterations += error.iterations;
             let closed_form = scene.refusal();

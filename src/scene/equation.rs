@@ -5,6 +5,7 @@ use std::ops::Range;
 use super::water::Bathed;
 use super::{End, Hung, Scene};
 use crate::linalg::{BlockBand, M3, V3};
+use crate::physics::seabed::Seabed;
 use crate::solve::{Factors, State, System};
 
 impl System for Scene {
@@ -30,6 +31,21 @@ impl System for Scene {
         let mut scene = self.clone();
         scene.flexure = Some(flexure);
         Some(Box::new(scene))
+    }
+
+    fn smooth(&self) -> Option<Box<dyn System + '_>> {
+        let rough = self.bed.filter(|bed| bed.friction.is_some())?;
+        let mut scene = self.clone();
+        scene.bed = Some(Seabed {
+            friction: None,
+            ..rough
+        });
+        scene.start_grips.clear();
+        Some(Box::new(scene))
+    }
+
+    fn hold_as_it_lies(&self, state: &mut State) {
+        state.memory.grips = self.grips_at(&state.x);
     }
 
     fn prescribe(&self, t: f64, state: &mut State) {

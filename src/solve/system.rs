@@ -201,6 +201,14 @@ pub trait System: Sync {
         None
     }
 
+    /// The same on a bed without friction; nothing where there is none anyway.
+    fn smooth(&self) -> Option<Box<dyn System + '_>> {
+        None
+    }
+
+    /// Has a rough bed hold the line as it lies, with no force yet.
+    fn hold_as_it_lies(&self, _state: &mut State) {}
+
     /// A force typical of this line \[N\]: residuals are measured against it.
     fn force_scale(&self) -> f64;
 

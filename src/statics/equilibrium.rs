@@ -41,6 +41,8 @@ pub struct Found {
     pub steps: u64,
     /// Largest residual force left \[N\].
     pub residual: f64,
+    /// Whether friction on the bed bears nothing in it: it lies as on a smooth bed.
+    pub smooth: bool,
 }
 
 /// No equilibrium was found.
@@ -122,7 +124,39 @@ impl Search {
             return Ok(found);
         }
         newton.longest = f64::INFINITY;
+        let start = state.clone();
         self.let_go(system, t, &mut newton, state)
+            .or_else(|failed| {
+                let lying = self.as_on_smooth_bed(system, t, &mut newton, start);
+                let (there, found) = lying.ok_or(failed)?;
+                *state = there;
+                Ok(found)
+            })
+    }
+
+    /// Slack line on a rough bed may rest in many shapes, and where it has none as it was laid, it has the one of a smooth bed,
+    /// which friction then holds.
+    fn as_on_smooth_bed<S: System + ?Sized>(
+        &self,
+        system: &S,
+        t: f64,
+        newton: &mut Newton,
+        mut start: State,
+    ) -> Option<(State, Found)> {
+        let smooth = system.smooth()?;
+        start.memory.grips.clear();
+        let there = self.run(&*smooth, t, &mut start).ok()?;
+        system.hold_as_it_lies(&mut start);
+        let found = self.accept(system, t, newton, &start, there.steps)?;
+        let iterations = found.iterations + there.iterations;
+        Some((
+            start,
+            Found {
+                iterations,
+                smooth: true,
+                ..found
+            },
+        ))
     }
 
     /// What Newton found from a guess, moved into the state; for a clamped rod that would not stay there, the shape that it
@@ -183,6 +217,7 @@ impl Search {
             iterations: newton.iterations,
             steps,
             residual,
+            smooth: false,
         })
     }
 
