@@ -216,6 +216,53 @@ fn a_taut_string_has_its_first_frequency() {
     );
 }
 
+/// What generalized-alpha makes of a string's first mode is what it is told to make of it: period and decay over some
+/// ten cycles.
+#[test]
+fn a_taut_string_swings_as_the_method_is_told_to_make_it() {
+    let n = 20;
+    let scene = build(
+        r#"
+        environment.gravity_m_per_s2 = 0.0
+        line.segments = 20
+        ends.b = { name = "post", kind = "fixed", position_m = [101.0, 0.0, 0.0] }
+        start.shape = "straight"
+        "#,
+    );
+    let wave = (1e4_f64 / (2.0 / 1.01)).sqrt();
+    let omega = 2.0 * n as f64 / 101.0 * wave * (0.5 * PI / n as f64).sin();
+    for (rho, share) in [(0.4, 0.05), (0.0, 0.05), (0.4, 0.1), (1.0, 0.1)] {
+        let h = share * 2.0 * PI / omega;
+        let made = seacable::dynamics::damping::Numerical::of(rho, omega, h);
+        let mut state = scene.initial_state();
+        for i in 1..n {
+            state.v[i].y = 1e-3 * omega * (PI * i as f64 / n as f64).sin();
+        }
+        let (mut period, mut energy) = (Period::default(), Vec::new());
+        march(
+            alpha(&scene, rho),
+            &scene,
+            &mut state,
+            (200.5 * h, h),
+            |t, s| {
+                period.see(t, s.x[n / 2].y);
+                energy.push(s.x[n / 2].y.powi(2) * omega * omega + s.v[n / 2].y.powi(2));
+            },
+        );
+        let longer = period.mean() * omega / (2.0 * PI) - 1.0;
+        assert!(
+            (longer / made.lengthening - 1.0).abs() < 0.05,
+            "{rho} {share}: {longer} {made:?}"
+        );
+        let (early, late) = (energy[20], energy[180]);
+        let decay = -0.5 * (late / early).ln() / (160.0 * h * omega) * (1.0 + made.lengthening);
+        assert!(
+            (decay - made.damping).abs() < 0.05 * made.damping + 1e-5,
+            "{rho} {share}: {decay} {made:?}"
+        );
+    }
+}
+
 const LOADED: &str = r#"
     line.segments = 10
     ends.b = { name = "bob", kind = "payload" }

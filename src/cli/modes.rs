@@ -18,7 +18,7 @@ const HEIGHT: usize = 22;
 pub(super) fn modes(words: &ModesWords) -> Result<ExitCode, Failure> {
     let loaded = cases::load(&words.case)?;
     let text = cases::set(&loaded.text, &words.set)?;
-    let case = cases::parse(&text, &loaded.file)?;
+    let case = cases::parse(&text, &loaded.name)?;
     let found = match modes::of_case(&case, words.count) {
         Ok(found) => found,
         Err(why) => {

@@ -54,7 +54,7 @@ fn request(words: &RunWords) -> Result<Request, Failure> {
     let mut overrides = words.set.clone();
     overrides.extend(words.solver.map(|s| format!("solver.method={}", s.word())));
     let text = cases::set(&loaded.text, &overrides)?;
-    let case = cases::parse(&text, &loaded.file)?;
+    let case = cases::parse(&text, &loaded.name)?;
     Ok(Request {
         case,
         text,

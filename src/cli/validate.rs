@@ -106,7 +106,7 @@ fn request(loaded: &Loaded, at: Option<&At>) -> Result<Request, Failure> {
             (variant.text, variant.overrides)
         }
     };
-    let case = cases::parse(&text, &loaded.file)?;
+    let case = cases::parse(&text, &loaded.name)?;
     Ok(Request {
         case,
         text,

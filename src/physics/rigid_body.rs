@@ -62,6 +62,12 @@ pub struct RigidBody {
     pub drag_at: f64,
     /// `1/2 rho C_D A` across and along the axis \[kg/m\].
     pub drag: [f64; 2],
+    /// Place of the centre of buoyancy and of the added mass.
+    pub buoyancy_at: f64,
+    /// Buoyancy \[N\], of the weights already.
+    pub buoyancy: f64,
+    /// Added mass across and along the axis \[kg\], of the masses already.
+    pub added: [f64; 2],
 }
 
 impl RigidBody {
@@ -96,6 +102,9 @@ impl RigidBody {
             centre: of.gravity_at / reach,
             drag_at: of.drag_at / reach,
             drag: of.drag,
+            buoyancy_at: of.buoyancy_at / reach,
+            buoyancy: of.buoyancy,
+            added: of.added,
         })
     }
 

@@ -10,7 +10,7 @@ use super::modes;
 use super::opposed;
 use super::recorder::Recorder;
 use super::rest::come_to_rest;
-use super::settings::{position_tolerance, settings, tell_damping};
+use super::settings::{position_tolerance, settings, tell_damping, tell_of_modes};
 use super::statistic::Wanted;
 use super::steady;
 use super::{Cost, History, LineShape, Profile, Quantity, Resume, RunState, Settings, Work};
@@ -134,6 +134,12 @@ fn compute_on(
         warnings.push(format!("natural modes are not told: {why}"));
         Vec::new()
     });
+    let hz: Vec<f64> = modes
+        .iter()
+        .filter(|q| q.unit == "Hz")
+        .map(|q| q.value)
+        .collect();
+    warnings.extend(tell_of_modes(&settings, ended.work.steps, &hz));
     modes.extend(steady::number(case, recorder.kept.shapes()));
     let Recorder {
         kept,

@@ -2,7 +2,7 @@
 
 use super::Settings;
 use crate::case::{Case, Method};
-use crate::dynamics::damping::numerical_damping;
+use crate::dynamics::damping::Numerical;
 use crate::scene::{End, Scene};
 use crate::solve::System;
 
@@ -101,9 +101,45 @@ pub(super) fn tell_damping(settings: &mut Settings, scene: &Scene, steps: u64) {
         let period = forced_period(scene);
         let omega = std::f64::consts::TAU / period;
         let h = settings.duration_s / steps as f64;
-        settings.numerical_damping = Some(numerical_damping(rho, omega, h));
+        settings.numerical_damping = Some(Numerical::of(rho, omega, h).damping);
         settings.numerical_damping_period_s = Some(period);
     }
+}
+
+/// A mode that loses more than this share of its amplitude in a cycle, or whose period is longer by more than a tenth of it, is
+/// told of.
+const NOTABLE: f64 = 0.01;
+
+/// What generalized-alpha makes of the natural modes of these frequencies \[Hz\] in steps of the mean length, where that
+/// is worth telling.
+pub(super) fn tell_of_modes(settings: &Settings, steps: u64, hz: &[f64]) -> Option<String> {
+    let rho = settings.rho_inf.filter(|_| steps > 0)?;
+    let h = settings.duration_s / steps as f64;
+    let of = |hz: f64| Numerical::of(rho, std::f64::consts::TAU * hz, h);
+    let notable = |hz: &&f64| {
+        let made = of(**hz);
+        made.lost_a_cycle() > NOTABLE || made.lengthening > 0.1 * NOTABLE
+    };
+    let lowest = hz.iter().filter(notable).copied().reduce(f64::min)?;
+    let highest = hz.iter().copied().reduce(f64::max)?;
+    let words = |hz: f64| {
+        let made = of(hz);
+        format!(
+            "that of {:.3} s loses {:.2} % of its amplitude a cycle and has its period longer by {:.2} %",
+            1.0 / hz,
+            100.0 * made.lost_a_cycle(),
+            100.0 * made.lengthening
+        )
+    };
+    let mut text = format!(
+        "steps of {h:.3e} s change natural modes by themselves: {}",
+        words(lowest)
+    );
+    if highest > lowest {
+        text.push_str("; ");
+        text.push_str(&words(highest));
+    }
+    Some(text)
 }
 
 /// The cost of a Newton iteration in evaluations of the force alone, measured on lines without bending.

@@ -1,9 +1,14 @@
-//! A payload that turns: the last two nodes of the scene and the rod between them, with the drag on it.
+//! A payload that turns: the last two nodes of the scene and the rod between them, with what the water does to it.
+//!
+//! Waves act by drag at the centre of drag and, at the centre of buoyancy, by their pressure and by the water that goes with
+//! the body. Across the surface, drag and waves count by the share that is wet, and buoyancy is lost to a potential,
+//! as if the body were a sphere of its volume about the centre of buoyancy; its added mass stays whole.
 
-use super::Scene;
+use super::{Scene, Water, wetting};
 use crate::linalg::{BlockBand, M3, V3};
 use crate::physics::RigidBody;
 use crate::physics::added_mass::AddedMass;
+use crate::physics::sea::Flow;
 use crate::physics::tension::Chord;
 use crate::solve::{Factors, State};
 
@@ -16,15 +21,21 @@ pub struct Turning {
     pub body: RigidBody,
 }
 
-/// A point of the body: where it is and how it moves.
-struct Point {
+/// The body in the water: what flows past its centre of drag, and what else the water does to it.
+struct Afloat {
     axis: Chord,
-    /// Velocity of the water relative to it \[m/s\].
+    /// Velocity of the water relative to the centre of drag \[m/s\].
     u: V3,
-    /// Its own velocity \[m/s\].
+    /// Velocity of the centre of drag \[m/s\].
     v: V3,
-    /// Shear of the current there \[1/s\].
-    shear: V3,
+    /// How the water's velocity changes with the place there \[1/s\].
+    gradient: M3,
+    /// Acceleration of the water at the centre of buoyancy \[m/s²\], and how it changes with the place \[1/s²\].
+    carried: (V3, M3),
+    /// The share that is wet, and its derivative by the place of the centre of buoyancy \[1/m\].
+    wet: (f64, V3),
+    /// Mass of the water displaced \[kg\]; nothing where neither waves nor a surface are named.
+    displaced: f64,
 }
 
 impl Turning {
@@ -33,17 +44,57 @@ impl Turning {
         near * (1.0 - place) + far * place
     }
 
-    /// The centre of drag.
-    fn drag_centre(&self, scene: &Scene, state: &State) -> Point {
-        let place = self.body.drag_at;
-        let (x, v) = (self.at(&state.x, place), self.at(&state.v, place));
-        let (water, shear) = scene.current.at(x.z);
-        Point {
+    /// What waves make of the water at its two nodes, and how much of each counts at a place on the rod.
+    fn flows<'s>(&self, place: f64, state: &'s State) -> impl Iterator<Item = (f64, &'s Flow)> {
+        let nodes = (self.node..).zip(RigidBody::shares(place));
+        nodes.filter_map(|(node, share)| Some((share, state.water.get(node)?)))
+    }
+
+    fn afloat(&self, scene: &Scene, state: &State) -> Afloat {
+        let (drag_at, lift_at) = (self.body.drag_at, self.body.buoyancy_at);
+        let (x, v) = (self.at(&state.x, drag_at), self.at(&state.v, drag_at));
+        let (mut water, shear) = scene.current.at(x.z);
+        let mut gradient = shear * V3::z().transpose();
+        for (share, flow) in self.flows(drag_at, state) {
+            water += flow.velocity_at(&x) * share;
+            gradient += flow.gradient * share;
+        }
+        let centre = self.at(&state.x, lift_at);
+        let mut carried = (V3::zeros(), M3::zeros());
+        for (share, flow) in self.flows(lift_at, state) {
+            carried.0 += flow.acceleration_at(&centre) * share;
+            carried.1 += flow.acceleration_gradient * share;
+        }
+        Afloat {
             axis: scene.chord(self.node, state),
             u: water - v,
             v,
-            shear,
+            gradient,
+            carried,
+            wet: self.wet(scene, state),
+            displaced: scene.water.as_ref().map_or(0.0, |w| self.displaced(w)),
         }
+    }
+
+    /// Mass of the water it displaces \[kg\].
+    fn displaced(&self, water: &Water) -> f64 {
+        (self.body.buoyancy / water.gravity).max(0.0)
+    }
+
+    /// The share of it that is wet, as a sphere of its volume about the centre of buoyancy, and its derivative by the place of
+    /// that \[1/m\].
+    fn wet(&self, scene: &Scene, state: &State) -> (f64, V3) {
+        let Some(water) = scene.water.as_ref().filter(|w| w.crossed) else {
+            return (1.0, V3::zeros());
+        };
+        let centre = self.at(&state.x, self.body.buoyancy_at);
+        let (mut above, mut by_place) = (centre.z, V3::z());
+        for (share, flow) in self.flows(self.body.buoyancy_at, state) {
+            above -= flow.elevation_at(&centre) * share;
+            by_place -= flow.slope * share;
+        }
+        let (share, slope) = wetting::sphere(water.radius_of(self.displaced(water)), above);
+        (share, by_place * slope)
     }
 
     /// What the masses at the two nodes are more along the axis than across.
@@ -54,13 +105,38 @@ impl Turning {
         })
     }
 
-    /// Takes drag from the residual, and adds what is heavier along the axis.
+    /// Its added mass about the centre of buoyancy.
+    fn added(&self) -> AddedMass {
+        let [normal, tangential] = self.body.added;
+        AddedMass { normal, tangential }
+    }
+
+    /// What the water's acceleration does to it where it is wet, less the buoyancy of what is dry: a load at the centre
+    /// of buoyancy \[N\].
+    fn pressure(&self, there: &Afloat) -> V3 {
+        let (share, a) = (there.wet.0, &there.carried.0);
+        let moved = self.added().force(&there.axis.tangent, a) + a * there.displaced;
+        moved * share - V3::z() * ((1.0 - share) * self.body.buoyancy)
+    }
+
+    /// Loads of the water on both nodes \[N\], and the axis.
+    fn loads(&self, scene: &Scene, state: &State) -> ([V3; 2], V3) {
+        let there = self.afloat(scene, state);
+        let drag = self.body.drag(&there.axis.tangent, &there.u) * there.wet.0;
+        let pressure = self.pressure(&there);
+        let (by_drag, by_pressure) = (
+            RigidBody::shares(self.body.drag_at),
+            RigidBody::shares(self.body.buoyancy_at),
+        );
+        let load = [0, 1].map(|i| drag * by_drag[i] + pressure * by_pressure[i]);
+        (load, there.axis.tangent)
+    }
+
+    /// Takes the water's loads from the residual, and adds what is heavier along the axis.
     pub(super) fn add_forces(&self, scene: &Scene, state: &State, r: &mut [V3]) {
-        let Point { axis, u, .. } = self.drag_centre(scene, state);
-        let drag = self.body.drag(&axis.tangent, &u);
-        let shares = RigidBody::shares(self.body.drag_at);
-        for ((i, share), mass) in (self.node..).zip(shares).zip(self.along()) {
-            r[i] += mass.force(&axis.tangent, &state.a[i]) - drag * share;
+        let (loads, axis) = self.loads(scene, state);
+        for ((i, load), mass) in (self.node..).zip(loads).zip(self.along()) {
+            r[i] += mass.force(&axis, &state.a[i]) - load;
         }
     }
 
@@ -72,23 +148,33 @@ impl Turning {
         c: Factors,
         tangent: &mut BlockBand,
     ) {
-        let Point { axis, u, shear, .. } = self.drag_centre(scene, state);
+        let there = self.afloat(scene, state);
+        let (axis, share) = (&there.axis, there.wet.0);
         let t = &axis.tangent;
-        let (by_velocity, by_axis) = self.body.drag_slopes(t, &u);
-        let across = M3::identity() - t * t.transpose();
-        let by_far_end = by_axis * across * axis.inverse;
-        let sheared = by_velocity * shear * V3::z().transpose();
-        let shares = RigidBody::shares(self.body.drag_at);
+        let (by_velocity, by_axis) = self.body.drag_slopes(t, &there.u);
+        let turn = (M3::identity() - t * t.transpose()) * axis.inverse;
+        // Drag by velocity and place of its centre; pressure by place of its own; both by the axis and by what is wet.
+        let drag_by_place = by_velocity * there.gradient * share;
+        let drag_by_axis = by_axis * turn * share;
+        let (pressure_by_place, pressure_by_axis) = self.pressure_slopes(&there);
+        let pressure_by_axis = pressure_by_axis * turn;
+        let drag_by_wet = self.body.drag(t, &there.u) * there.wet.1.transpose();
+        let (d, p) = (
+            RigidBody::shares(self.body.drag_at),
+            RigidBody::shares(self.body.buoyancy_at),
+        );
         let along = self.along();
         for i in 0..2 {
             let a = &state.a[self.node + i];
-            let (s, p) = along[i].by_chord(t, a, axis.inverse);
-            let turned = M3::from_diagonal_element(s) + t * p.transpose();
+            let (s, q) = along[i].by_chord(t, a, axis.inverse);
+            let turned = M3::from_diagonal_element(s) + t * q.transpose();
             for j in 0..2 {
                 let sign = if j == 0 { -1.0 } else { 1.0 };
-                let slope = by_velocity * (c.damping * shares[j])
-                    - (sheared * shares[j] + by_far_end * sign) * c.stiffness;
-                let mut block = slope * shares[i] + turned * (sign * c.stiffness);
+                let drag = by_velocity * (share * c.damping * d[j])
+                    - (drag_by_place * d[j] + drag_by_axis * sign + drag_by_wet * p[j])
+                        * c.stiffness;
+                let pressure = (pressure_by_place * p[j] + pressure_by_axis * sign) * -c.stiffness;
+                let mut block = drag * d[i] + pressure * p[i] + turned * (sign * c.stiffness);
                 if i == j {
                     block += t * t.transpose() * (c.mass * along[i].tangential);
                 }
@@ -101,20 +187,48 @@ impl Turning {
         }
     }
 
-    /// What drag pushes a node with \[N\], the axis, and what the node is heavier along it \[kg\]; nothing for nodes of
+    /// Derivatives of the pressure by the place of the centre of buoyancy \[N/m\] and by the axis \[N\].
+    fn pressure_slopes(&self, there: &Afloat) -> (M3, M3) {
+        let (t, (share, by_place)) = (&there.axis.tangent, there.wet);
+        let (a, gradient) = (&there.carried.0, &there.carried.1);
+        let added = self.added();
+        let more = added.tangential - added.normal;
+        let mass =
+            M3::from_diagonal_element(added.normal + there.displaced) + t * t.transpose() * more;
+        let gained = mass * a + V3::z() * self.body.buoyancy;
+        (
+            mass * gradient * share + gained * by_place.transpose(),
+            (M3::from_diagonal_element(t.dot(a)) + t * a.transpose()) * (more * share),
+        )
+    }
+
+    /// What the water loads a node with \[N\], the axis, and what the node is heavier along it \[kg\]; nothing for nodes of
     /// the line.
     pub(super) fn load(&self, scene: &Scene, node: usize, state: &State) -> Option<(V3, V3, f64)> {
         let i = node.checked_sub(self.node).filter(|i| *i < 2)?;
-        let Point { axis, u, .. } = self.drag_centre(scene, state);
-        let share = RigidBody::shares(self.body.drag_at)[i];
-        let push = self.body.drag(&axis.tangent, &u) * share;
-        Some((push, axis.tangent, self.body.along[i]))
+        let (loads, axis) = self.loads(scene, state);
+        Some((loads[i], axis, self.body.along[i]))
     }
 
     /// Power that drag takes out of the body \[W\].
     pub(super) fn dissipation(&self, scene: &Scene, state: &State) -> f64 {
-        let Point { axis, u, v, .. } = self.drag_centre(scene, state);
-        -self.body.drag(&axis.tangent, &u).dot(&v)
+        let there = self.afloat(scene, state);
+        let drag = self.body.drag(&there.axis.tangent, &there.u) * there.wet.0;
+        -drag.dot(&there.v)
+    }
+
+    /// Power that waves put into it by their pressure \[W\], its potential that in still water.
+    pub(super) fn power_of_waves(&self, scene: &Scene, state: &State, still: &State) -> f64 {
+        let load = self.pressure(&self.afloat(scene, state));
+        let lost = self.pressure(&self.afloat(scene, still));
+        (load - lost).dot(&self.at(&state.v, self.body.buoyancy_at))
+    }
+
+    /// Energy of the buoyancy it lacks in still water \[J\].
+    pub(super) fn lifted(&self, water: &Water, state: &State) -> f64 {
+        let z = self.at(&state.x, self.body.buoyancy_at).z;
+        let radius = water.radius_of(self.displaced(water));
+        self.body.buoyancy.max(0.0) * wetting::sphere_lifted(radius, z)
     }
 
     /// Kinetic energy of what the nodes are heavier along the axis \[J\].
@@ -126,9 +240,9 @@ impl Turning {
 
     /// Fastest rate at which drag slows the body \[1/s\].
     pub(super) fn decay(&self, scene: &Scene, state: &State) -> f64 {
-        let Point { u, .. } = self.drag_centre(scene, state);
+        let speed = self.afloat(scene, state).u.norm();
         let mass = [scene.mass[self.node], scene.mass[self.node + 1]];
-        self.body.decay(u.norm(), mass)
+        self.body.decay(speed, mass)
     }
 }
 
@@ -211,6 +325,22 @@ mod tests {
         scene::build(&toml::from_str::<Case>(BODY).unwrap(), 1).unwrap()
     }
 
+    /// The same in waves, hung so that it is partly out of the water.
+    fn at_sea(surface: &str) -> Scene {
+        let height = if surface == "crossed" { 17.4 } else { 0.0 };
+        let text = BODY.replace("[0, 0, 0]", &format!("[0, 0, {height:?}]"));
+        let more = format!(
+            "\nwaves = {{ kind = \"regular\", height_m = 1.5, period_s = 5.0, direction_deg = 25.0 }}\n\
+             environment.water_surface = \"{surface}\"\n"
+        );
+        let text = text.replace("case.title", &format!("{more}case.title"));
+        scene::build(&toml::from_str::<Case>(&text).unwrap(), 1).unwrap()
+    }
+
+    fn scenes() -> [Scene; 3] {
+        [scene(), at_sea("ignored"), at_sea("crossed")]
+    }
+
     /// A state in which everything moves.
     fn moving(scene: &Scene) -> State {
         let mut state = scene.initial_state();
@@ -220,18 +350,29 @@ mod tests {
             state.v[i] = V3::new((2.0 * k).cos(), (4.0 * k).sin(), (6.0 * k).cos());
             state.a[i] = V3::new((9.0 * k).sin(), (8.0 * k).sin(), (5.0 * k).cos()) * 3.0;
         }
+        scene.take_water(1.3, &mut state);
         state
+    }
+
+    #[test]
+    fn it_is_partly_wet_in_the_tests() {
+        let scene = at_sea("crossed");
+        let (share, slope) = scene.turning.unwrap().wet(&scene, &moving(&scene));
+        assert!((0.1..0.9).contains(&share) && slope.norm() > 0.1, "{share}");
     }
 
     /// Without the rod, whose stiffness would hide everything else in a share of the whole.
     #[test]
     fn the_tangent_of_the_body_is_the_finite_difference() {
-        let scene = scene();
+        scenes().iter().for_each(has_its_tangent);
+    }
+
+    fn has_its_tangent(scene: &Scene) {
         let turning = scene.turning.unwrap();
-        let state = moving(&scene);
+        let state = moving(scene);
         let forces = |state: &State| {
             let mut r = vec![V3::zeros(); scene.nodes()];
-            turning.add_forces(&scene, state, &mut r);
+            turning.add_forces(scene, state, &mut r);
             r
         };
         let size = forces(&state).iter().map(V3::amax).fold(0.0, f64::max);
@@ -242,7 +383,7 @@ mod tests {
                 stiffness: factors.2,
             };
             let mut tangent = BlockBand::new(scene.nodes());
-            turning.add_tangent(&scene, &state, c, &mut tangent);
+            turning.add_tangent(scene, &state, c, &mut tangent);
             for (j, axis) in (0..2).flat_map(|j| (0..3).map(move |axis| (j, axis))) {
                 let shifted = |h: f64| {
                     let (mut moved, node) = (state.clone(), turning.node + j);
@@ -268,13 +409,14 @@ mod tests {
 
     #[test]
     fn the_explicit_acceleration_leaves_no_residual() {
-        let scene = scene();
-        let mut state = moving(&scene);
-        scene.accelerate(0.0, &mut state);
-        let mut r = vec![V3::zeros(); scene.nodes()];
-        scene.residual(0.0, &state, &mut r);
-        let size = scene.stiffest() * 0.01;
-        assert!(r[1..].iter().all(|r| r.norm() < 1e-12 * size), "{r:?}");
+        for scene in scenes() {
+            let mut state = moving(&scene);
+            scene.accelerate(0.0, &mut state);
+            let mut r = vec![V3::zeros(); scene.nodes()];
+            scene.residual(0.0, &state, &mut r);
+            let size = scene.stiffest() * 0.01;
+            assert!(r[1..].iter().all(|r| r.norm() < 1e-12 * size), "{r:?}");
+        }
     }
 
     /// The body is hung as tilted; where it is and how fast, by its centre of gravity.

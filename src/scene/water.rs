@@ -77,7 +77,12 @@ impl Water {
 
     /// Radius of a sphere of the volume of a body \[m\].
     fn radius_of_body(&self, body: usize) -> f64 {
-        let volume = self.by_bodies[body] / self.density;
+        self.radius_of(self.by_bodies[body])
+    }
+
+    /// Radius of a sphere of water of this mass \[m\].
+    pub(super) fn radius_of(&self, mass: f64) -> f64 {
+        let volume = mass / self.density;
         (0.75 * volume / std::f64::consts::PI)
             .cbrt()
             .max(LEAST_RADIUS)
@@ -348,7 +353,11 @@ impl Scene {
             let radius = water.radius_of_body(number);
             water.by_bodies[number] * wetting::sphere_lifted(radius, state.x[hung.node].z)
         });
-        water.gravity * (segments + bodies.sum::<f64>())
+        let turning = self
+            .turning
+            .as_ref()
+            .map_or(0.0, |t| t.lifted(water, state));
+        water.gravity * (segments + bodies.sum::<f64>()) + turning
     }
 
     /// Power that waves put into the line by their pressure, and by carrying along the water that goes with it \[W\]; what
@@ -381,6 +390,10 @@ impl Scene {
             power += (load - self.bathed(number, &still).load).dot(&state.v[hung.node]);
         }
         power
+            + self
+                .turning
+                .as_ref()
+                .map_or(0.0, |t| t.power_of_waves(self, state, &still))
     }
 
     /// Writes into the state what the waves make of the water at its nodes at time t \[s\]; nothing where there are none.
