@@ -86,7 +86,8 @@ impl BlockBand {
                 up -= 1;
             }
         }
-        r[middle] = self.pivot(middle)?.solve(&r[middle]);
+        let lu = Lu::new(&self.diag[middle]).ok_or(SingularBlock { node: middle })?;
+        r[middle] = lu.solve(&r[middle]);
         let steps = (middle - first).max(last - middle);
         for k in 1..=steps {
             if middle >= first + k {
@@ -111,62 +112,53 @@ impl BlockBand {
         self.diag[range].iter().map(count).sum()
     }
 
-    /// Elimination of five bands, from both ends to the two nodes in the middle, and back.
+    /// Elimination of five bands, from the first node to the last and back.
     fn solve_wide(&mut self, range: Range<usize>, r: &mut [V3]) -> Result<(), SingularBlock> {
-        let (first, end) = (range.start, range.end);
-        // Nodes before it are eliminated downwards, and it last; those beyond the next one upwards.
-        let middle = first + (end - first - 1) / 2;
-        let inner = (middle + 1).min(end - 1);
-        let (mut down, mut up) = (first, end - 1);
-        while down < middle || up > inner {
-            if down < middle {
-                self.eliminate_wide_down(down, r)?;
-                down += 1;
+        let end = range.end;
+        for i in range.clone() {
+            let lu = Lu::new(&self.diag[i]).ok_or(SingularBlock { node: i })?;
+            let y = lu.solve(&r[i]);
+            r[i] = y;
+            if i + 1 >= end {
+                continue;
             }
-            if up > inner {
-                self.eliminate_wide_up(up, r)?;
-                up -= 1;
+            let near = lu.solve_block(&self.upper[i]);
+            let far = lu.solve_block(&self.far_upper[i]);
+            let below = self.lower[i + 1];
+            subtract_product(&mut self.diag[i + 1], &below, &near);
+            subtract_product(&mut self.upper[i + 1], &below, &far);
+            r[i + 1] -= below * y;
+            if i + 2 < end {
+                let below = self.far_lower[i + 2];
+                subtract_product(&mut self.lower[i + 2], &below, &near);
+                subtract_product(&mut self.diag[i + 2], &below, &far);
+                r[i + 2] -= below * y;
             }
+            (self.upper[i], self.far_upper[i]) = (near, far);
         }
-        if inner > middle {
-            self.eliminate_down(middle, r)?;
-        }
-        r[inner] = self.pivot(inner)?.solve(&r[inner]);
-        if inner > middle {
-            let x = self.upper[middle] * r[inner];
-            r[middle] -= x;
-        }
-        for k in 1..=(middle - first).max(end - 1 - inner) {
-            if middle >= first + k {
-                let i = middle - k;
-                let x = self.upper[i] * r[i + 1] + self.far_upper[i] * r[i + 2];
+        for i in range.rev() {
+            if i + 1 < end {
+                let x = self.upper[i] * r[i + 1];
                 r[i] -= x;
             }
-            let i = inner + k;
-            if i < end {
-                let x = self.lower[i] * r[i - 1] + self.far_lower[i] * r[i - 2];
+            if i + 2 < end {
+                let x = self.far_upper[i] * r[i + 2];
                 r[i] -= x;
             }
         }
         Ok(())
     }
 
-    /// The factors of the block on the diagonal of node i.
-    #[inline(always)]
-    fn pivot(&self, i: usize) -> Result<Lu, SingularBlock> {
-        Lu::new(&self.diag[i]).ok_or(SingularBlock { node: i })
-    }
-
     /// Takes node i out of row i + 1; `upper[i]` becomes `diag[i]^-1 upper[i]`.
     #[inline(always)]
     fn eliminate_down(&mut self, i: usize, r: &mut [V3]) -> Result<(), SingularBlock> {
-        let lu = self.pivot(i)?;
-        let coupling = self.lower[i + 1];
-        let near = lu.solve_block(&self.upper[i]);
-        subtract_product(&mut self.diag[i + 1], &coupling, &near);
-        self.upper[i] = near;
+        let lu = Lu::new(&self.diag[i]).ok_or(SingularBlock { node: i })?;
+        let w = lu.solve_block(&self.upper[i]);
         let y = lu.solve(&r[i]);
+        let coupling = self.lower[i + 1];
+        subtract_product(&mut self.diag[i + 1], &coupling, &w);
         r[i + 1] -= coupling * y;
+        self.upper[i] = w;
         r[i] = y;
         Ok(())
     }
@@ -174,53 +166,13 @@ impl BlockBand {
     /// Takes node i out of row i - 1; `lower[i]` becomes `diag[i]^-1 lower[i]`.
     #[inline(always)]
     fn eliminate_up(&mut self, i: usize, r: &mut [V3]) -> Result<(), SingularBlock> {
-        let lu = self.pivot(i)?;
+        let lu = Lu::new(&self.diag[i]).ok_or(SingularBlock { node: i })?;
+        let w = lu.solve_block(&self.lower[i]);
+        let y = lu.solve(&r[i]);
         let coupling = self.upper[i - 1];
-        let near = lu.solve_block(&self.lower[i]);
-        subtract_product(&mut self.diag[i - 1], &coupling, &near);
-        self.lower[i] = near;
-        let y = lu.solve(&r[i]);
+        subtract_product(&mut self.diag[i - 1], &coupling, &w);
         r[i - 1] -= coupling * y;
-        r[i] = y;
-        Ok(())
-    }
-
-    /// Takes node i, which two more follow, out of rows i + 1 and i + 2; `upper[i]` and `far_upper[i]` become
-    /// `diag[i]^-1` times themselves.
-    #[inline(always)]
-    fn eliminate_wide_down(&mut self, i: usize, r: &mut [V3]) -> Result<(), SingularBlock> {
-        let lu = self.pivot(i)?;
-        let (one, two) = (self.lower[i + 1], self.far_lower[i + 2]);
-        let near = lu.solve_block(&self.upper[i]);
-        let far = lu.solve_block(&self.far_upper[i]);
-        subtract_product(&mut self.diag[i + 1], &one, &near);
-        subtract_product(&mut self.upper[i + 1], &one, &far);
-        subtract_product(&mut self.lower[i + 2], &two, &near);
-        subtract_product(&mut self.diag[i + 2], &two, &far);
-        (self.upper[i], self.far_upper[i]) = (near, far);
-        let y = lu.solve(&r[i]);
-        r[i + 1] -= one * y;
-        r[i + 2] -= two * y;
-        r[i] = y;
-        Ok(())
-    }
-
-    /// Takes node i, before which two more stand, out of rows i - 1 and i - 2; `lower[i]` and `far_lower[i]` become
-    /// `diag[i]^-1` times themselves.
-    #[inline(always)]
-    fn eliminate_wide_up(&mut self, i: usize, r: &mut [V3]) -> Result<(), SingularBlock> {
-        let lu = self.pivot(i)?;
-        let (one, two) = (self.upper[i - 1], self.far_upper[i - 2]);
-        let near = lu.solve_block(&self.lower[i]);
-        let far = lu.solve_block(&self.far_lower[i]);
-        subtract_product(&mut self.diag[i - 1], &one, &near);
-        subtract_product(&mut self.lower[i - 1], &one, &far);
-        subtract_product(&mut self.upper[i - 2], &two, &near);
-        subtract_product(&mut self.diag[i - 2], &two, &far);
-        (self.lower[i], self.far_lower[i]) = (near, far);
-        let y = lu.solve(&r[i]);
-        r[i - 1] -= one * y;
-        r[i - 2] -= two * y;
+        self.lower[i] = w;
         r[i] = y;
         Ok(())
     }
