@@ -211,3 +211,44 @@ fn a_coordinate_of_an_end_is_set_alone() {
     let without = text.replace("position_m = [100.0, 0.0, 0.0]\n", "");
     assert!(edit::set(&without, "ends.b.position_m.x", "1.0").is_err());
 }
+
+/// An optional key left out: its line goes, a comment behind it stays, and the rest of the file is as it was.
+#[test]
+fn an_optional_key_is_left_out_and_comments_stay() {
+    let text = "[case]\ntitle = \"t\"\n[materials.r]\ndiameter_m = 0.1\nmass_kg_per_m = 1.0\nea_n = 1e6\n  drag_normal = 1.2   # of a rope\nbreak_load_n = 1e5\n\n[[line]]\nname = \"l\"\nmaterial = \"r\"\nlength_m = 10.0\nsegments = 2\n\n[ends]\na = { name = \"a\", kind = \"moving\", position_m = [0, 0, 0], period_s = 5.0, ramp_s = 1.0 }\nb = { name = \"b\", kind = \"free\" }\n";
+    case::parse(text, "t.toml").unwrap();
+    let without = |key: &str| edit::unset(text, key);
+    let changed = |from: &str, to: &str| {
+        assert!(text.contains(from));
+        text.replace(from, to)
+    };
+    assert_eq!(
+        without("materials.r.drag_normal").unwrap(),
+        changed("  drag_normal = 1.2   # of a rope\n", "# of a rope\n")
+    );
+    assert_eq!(
+        without("materials.r.break_load_n").unwrap(),
+        changed("break_load_n = 1e5\n", "")
+    );
+    assert_eq!(
+        without("ends.a.ramp_s").unwrap(),
+        changed(", ramp_s = 1.0", "")
+    );
+    let refused = |key: &str| without(key).unwrap_err().problem;
+    assert!(refused("line.l.length_m").contains("is needed"));
+    assert!(refused("solver.rho_inf").contains("is not given"));
+    assert!(refused("solver.rho").contains("is not given"));
+    // What contradicts without it is told as a fault of the file.
+    let fault = without("ends.a.period_s").unwrap_err();
+    assert!(fault.key.starts_with("ends.a"), "{fault}");
+    // Left out and given again, the case says the same.
+    let again = edit::set(
+        &without("materials.r.drag_normal").unwrap(),
+        "materials.r.drag_normal",
+        "1.2",
+    );
+    assert_eq!(
+        case::parse(&again.unwrap(), "t.toml"),
+        case::parse(text, "t.toml")
+    );
+}

@@ -73,7 +73,7 @@ fn goes_on_to_the_same_bits_before_and_after_an_event() {
             let place = tempfile::tempdir().unwrap();
             let [first, second] = ["first", "second"].map(|name| place.path().join(name));
             stored(&request(method, stop), None, &first);
-            let (_, from) = store::resume(&first).unwrap();
+            let from = store::resume(&first).unwrap();
             assert_eq!(from.checkpoint.place.time, stop, "{method}");
             let resumed = stored(&request(method, 8.0), Some(&from), &second);
             assert_same(&whole, &resumed);
@@ -102,8 +102,24 @@ fn a_killed_run_goes_on_from_its_last_checkpoint() {
     writer
         .event(&Event::Checkpoint(Box::new(checkpoint)))
         .unwrap();
+    assert!(store::is_held(&dir));
+    let refused = seacable::run::onward(&dir, None).unwrap_err();
+    assert!(refused.contains("still being computed"), "{refused}");
+    let told = store::read(&dir).unwrap().info.warnings;
+    assert!(
+        told.iter().any(|w| w.contains("still computing it")),
+        "{told:?}"
+    );
+    // A writer that is gone holds nothing, however it went.
     drop(writer);
-    let (partial, from) = store::resume(&dir).unwrap();
+    assert!(!store::is_held(&dir));
+    let told = store::read(&dir).unwrap().info.warnings;
+    assert!(
+        told.iter()
+            .any(|w| w.contains("was stopped while it computed")),
+        "{told:?}"
+    );
+    let (partial, from) = (store::read(&dir).unwrap(), store::resume(&dir).unwrap());
     assert_eq!(partial.info.state, RunState::Partial);
     assert_eq!(partial.history.time.last(), Some(&5.0));
     assert_eq!(from.checkpoint.place.time, 3.0);
@@ -120,7 +136,7 @@ fn a_record_cut_short_is_told() {
     let history = dir.join("history.csv");
     let text = std::fs::read_to_string(&history).unwrap();
     std::fs::write(&history, &text[..text.len() / 2]).unwrap();
-    let (_, from) = store::resume(&dir).unwrap();
+    let from = store::resume(&dir).unwrap();
     let run = job::execute_from(
         &request("alpha", 8.0),
         Some(&from),

@@ -347,3 +347,39 @@ fn nothing_is_written_while_nothing_happens() {
     pty.send("q");
     pty.ended(0);
 }
+
+/// The user's editor has the terminal as the shell has it, and what it leaves is read: as an edit, or as faults.
+#[test]
+fn the_users_editor_gets_the_terminal_and_gives_it_back() {
+    let dir = pty::place();
+    let editor = dir.path().join("ed.sh");
+    let script =
+        "test -t 0 && stty -a | grep -q ' icanon' && sed -i \"s/$(cat was)/$(cat is)/\" \"$1\"\n";
+    std::fs::write(&editor, script).unwrap();
+    let say = |dir: &std::path::Path, was: &str, is: &str| {
+        std::fs::write(dir.join("was"), was).unwrap();
+        std::fs::write(dir.join("is"), is).unwrap();
+    };
+    say(dir.path(), "duration_s = 1200.0", "duration_s = 300.0");
+    let words = format!("sh {}", editor.display());
+    let vars = [("LANG", "C.UTF-8"), ("EDITOR", words.as_str())];
+    let mut pty = Start {
+        vars: &vars,
+        ..Start::default()
+    }
+    .go_in(dir);
+    pty.wait_for(LIST);
+    pty.send("\r");
+    pty.wait_for("solver alpha");
+    pty.send("E");
+    pty.wait_for("Read from the file again");
+    assert!(!pty.cooked());
+    pty.send("/duration\r");
+    pty.wait_for("300");
+    say(pty.dir.path(), "duration_s = 300.0", "duration_s = -3.0");
+    pty.send("E");
+    pty.wait_for("out of range");
+    pty.send("q");
+    pty.send("q");
+    pty.ended(0);
+}

@@ -6,9 +6,9 @@ use std::ops::Range;
 use super::StudyValue;
 use super::check::{check, check_value, fields_here, join, split, unknown_path, value_text};
 use super::diagnostic::{Diagnostic, Finding, count};
-use super::fields::{CASE, Field, Kind, Schema, TableShape, field_at};
+use super::fields::{Absent, CASE, Field, Kind, Schema, TableShape, field_at};
 use super::read::tree_of;
-use super::tree::{Data, Form, Node};
+use super::tree::{Data, Entry, Form, Node};
 
 /// The text of the case with one key set to a value, given as a user types it: a TOML value, or a
 /// bare word where the field takes words.
@@ -91,6 +91,63 @@ pub fn set_value(text: &str, key_path: &str, value: &StudyValue) -> Result<Strin
         StudyValue::Number(number) => set_number(text, key_path, *number),
         StudyValue::Word(word) => set(text, key_path, word),
     }
+}
+
+/// The text of the case with one optional key left out, so that its default holds again. A comment behind its value stays,
+/// on a line of its own.
+///
+/// # Errors
+///
+/// The key is needed, or the case without it would contradict itself in a way it did not before.
+pub fn unset(text: &str, key_path: &str) -> Result<String, Diagnostic> {
+    let refuse = |problem: &str, remedy: &str| {
+        Err(refusal(key_path, "", problem.to_owned(), remedy.to_owned()))
+    };
+    let Ok(root) = tree_of(text) else {
+        return refuse(
+            "stands in a file that is not TOML",
+            "mend the file in an editor first",
+        );
+    };
+    let parts = split(key_path).unwrap_or_default();
+    let field = field_of(&CASE, &root, &parts);
+    if field.is_some_and(|f| f.absent == Absent::Required) {
+        return refuse("is needed", "give another value");
+    }
+    let found = parts
+        .split_last()
+        .and_then(|(key, table)| Some((root.find(table)?, key)))
+        .and_then(|(table, key)| Some((table, table.entry(key)?)));
+    let (Some((table, entry)), true) = (found, field.is_some()) else {
+        return refuse("is not given in this file", "there is nothing to leave out");
+    };
+    let edited = match table.data {
+        Data::Table(Form::Inline, _) => out_of_braces(text, entry),
+        _ => out_of_lines(text, entry),
+    };
+    let fresh = new_faults(text, &edited, &format!("without {key_path}"));
+    fresh.into_iter().next().map_or(Ok(edited), Err)
+}
+
+/// Takes a key with its comma out of a table in braces.
+fn out_of_braces(text: &str, entry: &Entry) -> String {
+    let (mut from, mut to) = (entry.key_span.start, entry.node.span.end);
+    let after = &text[to..];
+    if let Some(rest) = after.trim_start().strip_prefix(',') {
+        to += after.len() - rest.trim_start().len();
+    } else if let Some(before) = text[..from].trim_end().strip_suffix(',') {
+        from = before.len();
+    }
+    spliced(text, &(from..to), "")
+}
+
+/// Takes the lines of a key out of a table; a comment at their end stays.
+fn out_of_lines(text: &str, entry: &Entry) -> String {
+    let from = line_start(text, entry.key_span.start);
+    let end = entry.node.span.end;
+    let rest = text[end..].find('\n').map_or(text.len(), |n| end + n + 1);
+    let comment = text[end..rest].trim_start();
+    spliced(text, &(from..rest), comment)
 }
 
 /// The value of a key as the file gives it, text without its quotes; nothing when the file leaves

@@ -7,6 +7,7 @@
 //! case records, [`AlongLine`] the quantities of the whole line.
 
 mod along;
+mod began;
 pub(crate) mod carried;
 pub mod channels;
 mod check;

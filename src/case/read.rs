@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::de::DeserializeOwned;
 use toml::de::DeTable;
 
+use super::began;
 use super::carried::gather;
 use super::check::check;
 use super::diagnostic::{Diagnostic, Finding};
@@ -52,7 +53,9 @@ pub fn parse(text: &str, file: &str) -> Result<Case, Vec<Diagnostic>> {
         return Err(diagnose(found, text, file));
     }
     let mut case: Case = words_of(text).map_err(|finding| diagnose(vec![finding], text, file))?;
-    gather(&mut case, &tree, text, file).map_err(|diagnostic| vec![diagnostic])?;
+    gather(&mut case, &tree, text, file)
+        .and_then(|()| began::gather(&mut case, &tree, text, file))
+        .map_err(|diagnostic| vec![diagnostic])?;
     Ok(case)
 }
 

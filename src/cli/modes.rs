@@ -12,7 +12,7 @@ use crate::{
 };
 
 /// Columns and lines of the page.
-const WIDTH: usize = 100;
+const WIDTH: usize = 108;
 const HEIGHT: usize = 22;
 
 pub(super) fn modes(words: &ModesWords) -> Result<ExitCode, Failure> {

@@ -5,11 +5,11 @@ use std::{path::Path, process::ExitCode};
 use super::{Failure, NOT_GOOD, args::RunWords, cases, output, progress, signals::Stop};
 use crate::{
     case,
-    dynamics::March,
     report::text,
     run::{
         Resume, Run, RunState,
         job::{self, Event, Request},
+        onward,
         store::{self, Place, StoreError, Writer},
     },
 };
@@ -17,7 +17,7 @@ use crate::{
 pub(super) fn run(words: &RunWords) -> Result<ExitCode, Failure> {
     let (mut request, from) = match &words.resume {
         Some(dir) => {
-            let (request, from) = resumed(dir, words)?;
+            let (request, from) = onward(dir, words.until).map_err(Failure::Usage)?;
             (request, Some(from))
         }
         None => (request(words)?, None),
@@ -62,49 +62,6 @@ fn request(words: &RunWords) -> Result<Request, Failure> {
         overrides,
         id: String::new(),
     })
-}
-
-/// The request of a stored run, and where it stands.
-fn resumed(dir: &Path, words: &RunWords) -> Result<(Request, Resume), Failure> {
-    let (run, from) = store::resume(dir)?;
-    let mut overrides = run.info.overrides.clone();
-    let mut text = run.case_text;
-    if let Some(until) = words.until {
-        let word = format!("solver.duration_s={until:?}");
-        text = cases::set(&text, std::slice::from_ref(&word))?;
-        overrides.push(word);
-    }
-    let case = cases::parse(&text, &run.info.case_file)?;
-    // The march of the resumed run must be the one that the checkpoint is of.
-    let march = March {
-        duration: case.solver.duration_s,
-        step: run
-            .info
-            .settings
-            .time_step_s
-            .max(from.checkpoint.whole_step_s),
-        output: case.output.interval_s,
-    };
-    if !from.checkpoint.fits(&march.grid()) {
-        return Err(Failure::Usage(format!(
-            "The run cannot go on to {} s: that is no whole number of its output intervals of {} s.",
-            case.solver.duration_s, case.output.interval_s
-        )));
-    }
-    if march.is_over(&from.checkpoint.place) {
-        return Err(Failure::Usage(format!(
-            "The run is at {} s already; name a later time with --until.",
-            from.checkpoint.place.time
-        )));
-    }
-    let request = Request {
-        case,
-        text,
-        file: run.info.case_file,
-        overrides,
-        id: String::new(),
-    };
-    Ok((request, from))
 }
 
 /// Computes while everything that comes out goes to disk. When the disk refuses, the run is cancelled.

@@ -1,16 +1,6 @@
 //! `seacable study`: hard cases held against what must come out; speed against error.
 
-use std::{
-    fs, io,
-    path::Path,
-    process::ExitCode,
-    sync::{
-        Mutex,
-        atomic::{AtomicUsize, Ordering},
-    },
-};
-
-use rayon::prelude::*;
+use std::{fs, io, path::Path, process::ExitCode, sync::Mutex};
 
 use super::{
     Failure, NOT_GOOD,
@@ -124,17 +114,10 @@ fn hard_case(loaded: Loaded) -> Hard {
 
 /// Every trial on its own core.
 fn compute(cases: &[Hard], stop: &Stop) -> Vec<Option<Computed>> {
-    let tasks = hard::tasks(cases);
     let line = Mutex::new(progress::Line::new());
-    let done = AtomicUsize::new(0);
-    let one = |task: &hard::Task| {
-        let case = &cases[task.case];
-        let computed = hard::compute(case, &case.case.trial[task.trial], stop.cancel());
+    hard::compute_all(cases, stop.cancel(), &|all, done| {
         if let Ok(mut line) = line.lock() {
-            let count = done.fetch_add(1, Ordering::Relaxed) + 1;
-            line.words(&format!("{count} of {} trials computed", tasks.len()));
+            line.words(&format!("{done} of {} trials computed", all.len()));
         }
-        Some(computed)
-    };
-    tasks.par_iter().map(one).collect()
+    })
 }

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::chart::{Axis, Chart, Series, extent};
 use super::number::{digits, rounded};
 use super::table::{Cell, CellInk, Column, Table};
+use crate::linalg::V3;
 use crate::modes::{Found, Kind, Medium, Named};
 
 /// The modes, from the lowest frequency up: frequency and its error from the mesh, period, what moves, which one of its
@@ -37,6 +38,20 @@ pub fn table(found: &Found) -> Table {
         rows: rows.collect(),
         notes: notes(found),
     }
+}
+
+/// The same on 80 columns: without what the order of the rows and the words tell as well.
+#[must_use]
+pub fn narrow(found: &Found) -> Table {
+    let mut table = table(found);
+    for column in [8, 7, 6] {
+        table.columns.remove(column);
+        table
+            .rows
+            .iter_mut()
+            .for_each(|row| drop(row.remove(column)));
+    }
+    table
 }
 
 fn cells(index: usize, named: &Named, wkb: Option<f64>) -> Vec<Cell> {
@@ -74,6 +89,14 @@ fn notes(found: &Found) -> Vec<String> {
          which raise or lower the first modes in the plane."
             .to_owned(),
     ];
+    notes.extend(troubles(found));
+    notes
+}
+
+/// What is wrong with the line at rest, where its motions say so.
+#[must_use]
+pub fn troubles(found: &Found) -> Vec<String> {
+    let mut notes = Vec::new();
     let count = |some: fn(f64) -> bool| {
         let values = found.modes.iter().map(|m| m.mode.eigenvalue);
         values.filter(|v| some(*v)).count()
@@ -139,4 +162,60 @@ pub fn csv(found: &Found) -> String {
     }
     text.push('\n');
     text
+}
+
+/// Greatest displacement in the picture of a mode, by the greatest extent of the line.
+const DRAWN: f64 = 0.08;
+
+/// A mode, by its number from 0, over the line at rest, the line swung out to both sides, seen from where its motion
+/// shows most. How far it is swung out means nothing, so the scales need not be equal.
+#[must_use]
+pub fn over_line(found: &Found, number: usize) -> Chart {
+    let rest = &found.rest.x;
+    let Some(named) = found.modes.get(number) else {
+        return Chart::default();
+    };
+    let shape = &named.mode.shape;
+    let reach = |axis: usize| {
+        let range = extent(rest.iter().map(|p| p[axis]));
+        range.map_or(0.0, |(low, high)| high - low)
+    };
+    // From the side, along x, or from above: where most of the motion meets most of the line.
+    let seen = |(right, up): (usize, usize)| {
+        let motion: f64 = shape.iter().map(|u| u[right].powi(2) + u[up].powi(2)).sum();
+        motion * reach(right).max(reach(up)).powi(2)
+    };
+    let views = [(0, 2), (1, 2), (0, 1)];
+    let best = views.into_iter().reduce(|best, view| {
+        if seen(view) > 1.01 * seen(best) {
+            view
+        } else {
+            best
+        }
+    });
+    let (right, up) = best.unwrap_or((0, 2));
+    let scale = DRAWN * reach(right).max(reach(up));
+    let swung = |factor: f64| {
+        let places = rest.iter().zip(shape);
+        let at = |axis: usize, (p, u): (&V3, &V3)| p[axis] + factor * u[axis];
+        places.map(|pair| (at(right, pair), at(up, pair))).collect()
+    };
+    let label = format!("mode {} {}", number + 1, named.mode.kind.words());
+    let back = Series {
+        dimmed: true,
+        ..Series::new("half a period later", 0, swung(-scale))
+    };
+    let letters = ["x", "y", "z"];
+    Chart {
+        title: format!("Mode {} over the line at rest", number + 1),
+        x: Axis::new(letters[right], "m"),
+        y: Axis::new(letters[up], "m"),
+        series: vec![
+            Series::new(&label, 0, swung(scale)),
+            back,
+            Series::new("at rest", 1, swung(0.0)),
+        ],
+        legend: true,
+        ..Chart::default()
+    }
 }

@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rustix::time::{ClockId, clock_gettime};
 
+use super::began::began;
 use super::job::Event;
 use super::marching::{Ended, From, march, phases};
 use super::modes;
@@ -186,20 +187,35 @@ fn solve<'a>(
     let mut state = scene.initial_state();
     let mut work = Work::default();
     let said = warnings.len();
+    let refused = |failure: String, work| Ended {
+        state: RunState::Failed,
+        failure: Some(failure),
+        work,
+    };
+    let began = match began(case, scene) {
+        Ok(began) => began.filter(|_| from.is_none()),
+        Err(failure) => return refused(failure, work),
+    };
+    let began = began.map(|began| {
+        state = began.state;
+        began.carried
+    });
+    let in_motion = began.is_some() && case.solver.method != Method::Static;
     if let Some(resume) = from {
         work.iterations = resume.checkpoint.start_iterations;
         warnings.extend(resume.checkpoint.warnings.iter().cloned());
-    } else if let Err(failure) = come_to_rest(case, scene, &mut state, &mut work, warnings) {
+    } else if !in_motion
+        && let Err(failure) = come_to_rest(case, scene, &mut state, &mut work, warnings)
+    {
         give(sink, &state);
-        return Ended {
-            state: RunState::Failed,
-            failure: Some(failure),
-            work,
-        };
+        return refused(failure, work);
     }
     scene.set_going(&mut state);
+    let carried = began.flatten();
     let from = &From {
         resume: from,
+        began: in_motion,
+        carried: carried.as_ref(),
         warnings: &warnings[said..],
     };
     let nodes = scene.nodes();
@@ -223,14 +239,12 @@ fn solve<'a>(
                 .stability_limit_s
                 .is_some_and(|limit| settings.time_step_s > limit)
             {
-                return Ended {
-                    state: RunState::Failed,
-                    failure: Some(unstable(settings)),
-                    work,
-                };
+                return refused(unstable(settings), work);
             }
             scene.take_water(0.0, &mut state);
-            scene.accelerate(0.0, &mut state);
+            if from.carried.is_none() {
+                scene.accelerate(0.0, &mut state);
+            }
             march(
                 Rk4::new(nodes),
                 settings,
@@ -243,7 +257,10 @@ fn solve<'a>(
         }
         Method::Alpha | Method::Auto => {
             scene.take_water(0.0, &mut state);
-            scene.accelerate(0.0, &mut state);
+            // Its acceleration is its own: derived anew it would lose an order.
+            if from.carried.is_none() {
+                scene.accelerate(0.0, &mut state);
+            }
             let method = Alpha::new(nodes, case.solver.rho_inf, tolerance, newton);
             let method = match settings.step_tolerance {
                 Some(tolerance) => method.controlled(control(case, scene, tolerance)),

@@ -14,7 +14,7 @@ use super::{
     Checkpoint, Cost, Frame, Resume, Run, RunInfo, RunState, Settings, VERSION, Work, errors,
     limits, settings,
 };
-use crate::case::{Case, Method};
+use crate::case::{Case, Method, stand_alone};
 use crate::scene;
 
 /// What to compute.
@@ -94,12 +94,17 @@ impl Job {
     }
 }
 
-/// Starts a thread that computes the request and sends its events, named with the job. The last one is always
+/// Starts a thread that computes the request, going on from where an earlier run stands if there is one, and sends its
+/// events, named with the job. The last one is always
 /// [`Event::Finished`].
 ///
 /// # Errors
 /// When the system gives no thread.
-pub fn start(request: Request, events: Sender<(JobId, Event)>) -> std::io::Result<Job> {
+pub fn start(
+    request: Request,
+    from: Option<Resume>,
+    events: Sender<(JobId, Event)>,
+) -> std::io::Result<Job> {
     static NEXT: AtomicU64 = AtomicU64::new(1);
     let id = JobId(NEXT.fetch_add(1, Ordering::Relaxed));
     let cancel = Arc::new(AtomicBool::new(false));
@@ -112,7 +117,7 @@ pub fn start(request: Request, events: Sender<(JobId, Event)>) -> std::io::Resul
         .spawn(move || {
             // A channel that nobody listens to any more is no reason to stop early.
             let mut tell = |event| drop(events.send((id, event)));
-            let run = execute(&request, &cancel, &mut tell);
+            let run = execute_from(&request, from.as_ref(), &cancel, &mut tell);
             tell(Event::Finished(Box::new(run)));
         })?;
     Ok(job)
@@ -203,7 +208,7 @@ fn assemble(
     };
     Run {
         info,
-        case_text: request.text.clone(),
+        case_text: stand_alone(&request.text, &request.case).into_owned(),
         history: computed.history,
         shapes: computed.shapes,
         profile: computed.profile,

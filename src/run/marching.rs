@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::recorder::Recorder;
 use super::store::StoreError;
 use super::{Checkpoint, Resume, RunState, Settings, Work};
-use crate::dynamics::{March, MarchError, Place, Stepper, Tally};
+use crate::dynamics::{Carried, March, MarchError, Place, Stepper, Tally};
 use crate::scene::Scene;
 use crate::solve::{Instant, Progressing, Sink, State, System};
 
@@ -34,6 +34,10 @@ const BETWEEN_CHECKPOINTS: Duration = Duration::from_secs(2);
 pub(super) struct From<'a> {
     /// An earlier run.
     pub(super) resume: Option<&'a Resume>,
+    /// Whether it begins where another run stands.
+    pub(super) began: bool,
+    /// What the method carries on from there.
+    pub(super) carried: Option<&'a Carried>,
     /// What the start gave to be said, for those who go on later.
     pub(super) warnings: &'a [String],
 }
@@ -69,7 +73,13 @@ pub(super) fn march<'a, M: Stepper>(
     let mut result = Ok(Progressing::Continue);
     if from.resume.is_none() {
         phases[0].take_water(0.0, state);
-        phases[0].commit(0.0, 0.0, state);
+        // What another run remembers it has committed already.
+        if !from.began {
+            phases[0].commit(0.0, 0.0, state);
+        }
+        if let Some(carried) = from.carried {
+            method.take_up(carried);
+        }
         result = Ok(sink.accept(Instant {
             time: 0.0,
             state,

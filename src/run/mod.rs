@@ -3,6 +3,7 @@
 //! [`model`] holds a [`Run`] as plain data; [`store`] keeps it on disk.
 
 mod along;
+mod began;
 mod checkpoint;
 mod compute;
 mod cycles;
@@ -16,6 +17,7 @@ mod marching;
 pub mod model;
 mod modes;
 mod names;
+mod onward;
 mod opposed;
 mod peaks;
 mod recorder;
@@ -33,5 +35,6 @@ pub use along::evaluate as along_line;
 pub use checkpoint::{Checkpoint, Resume};
 pub use model::*;
 pub use names::quantity_name;
+pub use onward::onward;
 pub use ropes::RopeProfile;
 pub use thin::Thinned;

@@ -13,7 +13,7 @@ pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 pub struct Run {
     /// What was computed and how: everything of `run.toml`.
     pub info: RunInfo,
-    /// The exact text of the case, with every override applied.
+    /// The exact text of the case, with every override applied, and with the files it names.
     pub case_text: String,
     /// Channels against time; of a long run some of the output times, see [`Thinned`](super::Thinned).
     pub history: History,
@@ -71,7 +71,8 @@ pub struct RunInfo {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum RunState {
-    /// Written while the run goes on; found on disk it means the program was killed.
+    /// Written while the run goes on; found on disk it means that, or that the program was killed: see
+    /// [`is_held`](super::store::is_held).
     Partial,
     /// Complete.
     Done,

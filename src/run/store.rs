@@ -16,12 +16,14 @@
 //! **A kill at any moment leaves either the complete run or one marked `partial`.** The directory
 //! appears under its name with `case.toml` and `run.toml` (state `partial`) already in it; history and
 //! shapes grow while the run goes on; at the end every file is written beside its name, synced and
-//! renamed, and `run.toml` with the final state goes last.
+//! renamed, and `run.toml` with the final state goes last. While a program computes a run it holds a lock on the
+//! directory ([`is_held`]), so that a partial run that goes on is told from one that was killed.
 //!
 //! Numbers are written with the fewest digits that read back to the same bits.
 
 mod begin;
 mod finish;
+mod hold;
 mod list;
 mod number;
 mod read;
@@ -35,8 +37,9 @@ mod writer;
 use std::{io, path::PathBuf};
 
 pub use begin::Place;
+pub use hold::is_held;
 pub use list::{Entry, list};
-pub use read::{read, read_info, resume};
+pub use read::{case_text, read, read_info, resume};
 pub(in crate::run) use record::{Rows, Shapes};
 pub use stamp::{rfc3339, stamp};
 pub use writer::{Writer, save};

@@ -3,10 +3,13 @@
 //! Trials are computed side by side, each on one thread from its own text alone, so that the table does not depend on
 //! how many threads there are.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use rayon::prelude::*;
 
 use super::judge::{Finding, finding};
-pub use super::table::table;
+pub use super::table::{compact, story, table};
 use crate::case::{self, Case, Diagnostic, Trial, edit};
 use crate::run::Run;
 use crate::run::job::{self, Request};
@@ -94,6 +97,38 @@ fn request(hard: &Hard, trial: &Trial) -> Result<Request, Vec<Diagnostic>> {
         overrides,
         id: trial.name.clone(),
     })
+}
+
+/// Computes all trials side by side, on the threads of the caller's pool. After each one `told` is given what has been
+/// computed so far, in the order of [`tasks`], and how many that is. Once `cancel` is set no further one begins, and one
+/// that was stopped is left out.
+pub fn compute_all(
+    cases: &[Hard],
+    cancel: &AtomicBool,
+    told: &(dyn Fn(&[Option<Computed>], usize) + Sync),
+) -> Vec<Option<Computed>> {
+    let tasks = tasks(cases);
+    let all: Vec<Option<Computed>> = tasks.iter().map(|_| None).collect();
+    let so_far = Mutex::new((all, 0));
+    let stopped = || cancel.load(Ordering::Relaxed);
+    tasks.par_iter().enumerate().for_each(|(place, task)| {
+        let Some(hard) = cases.get(task.case).filter(|_| !stopped()) else {
+            return;
+        };
+        let Some(trial) = hard.case.trial.get(task.trial) else {
+            return;
+        };
+        let computed = compute(hard, trial, cancel);
+        let mut so_far = so_far.lock().unwrap_or_else(PoisonError::into_inner);
+        let (all, done) = &mut *so_far;
+        if let Some(one) = all.get_mut(place).filter(|_| !stopped()) {
+            *one = Some(computed);
+            *done += 1;
+            told(all, *done);
+        }
+    });
+    let (all, _) = so_far.into_inner().unwrap_or_else(PoisonError::into_inner);
+    all
 }
 
 /// Judges what has been computed so far, in the order of [`tasks`]; what is missing is left out.

@@ -46,6 +46,14 @@ pub struct Number {
 }
 
 impl Number {
+    /// How far off it is, as a share of what it may be.
+    pub(super) fn share(&self) -> f64 {
+        let off = self
+            .computed
+            .map_or(f64::INFINITY, |value| value - self.expected);
+        off.abs() / self.tolerance
+    }
+
     fn is_right(&self) -> bool {
         self.computed
             .is_some_and(|value| (value - self.expected).abs() <= self.tolerance)

@@ -1,5 +1,7 @@
 //! Trials as the table that screen and command line show.
 
+use std::path::Path;
+
 use super::judge::{Finding, Number, Outcome};
 use crate::report::number::{digits, si};
 use crate::report::table::{Cell, CellInk, Column, Table};
@@ -25,10 +27,10 @@ pub fn table(findings: &[Finding]) -> Table {
     Table {
         title: String::new(),
         columns: vec![
+            Column::left("outcome"),
             Column::left("case"),
             Column::left("trial"),
             Column::left("solver"),
-            Column::left("outcome"),
             Column::left("quantity"),
             Column::right("expected"),
             Column::right("computed"),
@@ -43,6 +45,78 @@ pub fn table(findings: &[Finding]) -> Table {
     }
 }
 
+/// The same with a row a trial, on 80 columns: its number that is nearest to the limit or beyond, and its work.
+#[must_use]
+pub fn compact(findings: &[Finding]) -> Table {
+    let rows = findings.iter().enumerate().map(|(i, finding)| {
+        let stem = Path::new(&finding.file).file_stem().unwrap_or_default();
+        let worst = finding
+            .numbers
+            .iter()
+            .max_by(|a, b| a.share().total_cmp(&b.share()));
+        let error = worst.and_then(|n| Some(size(n.computed? - n.expected, n)));
+        let none = || Cell::new("-", CellInk::Dim);
+        let (work, ran) = (finding.work, finding.settings.is_some());
+        let count = |n: u64| {
+            if ran {
+                Cell::plain(n.to_string())
+            } else {
+                none()
+            }
+        };
+        vec![
+            outcome(finding),
+            Cell::plain(stem.to_string_lossy()),
+            Cell::plain(format!("[{}] {}", i + 1, finding.trial)),
+            error.map_or_else(none, Cell::plain),
+            count(work.steps),
+            count(work.iterations + work.evaluations),
+            count(work.rejections),
+        ]
+    });
+    Table {
+        columns: vec![
+            Column::left("outcome"),
+            Column::left("case"),
+            Column::left("trial"),
+            Column::right("error"),
+            Column::right("steps"),
+            Column::right("work"),
+            Column::right("rej."),
+        ],
+        rows: rows.collect(),
+        ..Table::default()
+    }
+}
+
+/// All that a trial says, in sentences.
+#[must_use]
+pub fn story(finding: &Finding) -> Vec<String> {
+    let how = finding.settings.as_ref().map_or_else(String::new, solver);
+    let title = finding.case.trim_end_matches('.');
+    let mut lines = vec![format!("{title}: {}; {how}", finding.trial)];
+    lines.extend(finding.reason.clone());
+    lines.extend(finding.numbers.iter().map(|n| {
+        let computed = n
+            .computed
+            .map_or_else(|| "nothing".to_owned(), |v| si(v, &n.unit));
+        let off = n.computed.map_or_else(String::new, |v| {
+            format!(
+                ", off by {} of {} allowed",
+                size(v - n.expected, n),
+                size(n.tolerance, n)
+            )
+        });
+        format!(
+            "{}: {computed}, must be {}{off}. After {}",
+            n.name,
+            si(n.expected, &n.unit),
+            n.source
+        )
+    }));
+    lines
+}
+
 fn rows_of(finding: &Finding, number: usize, before: Option<&Finding>) -> Vec<Vec<Cell>> {
     let first_of_case = before.is_none_or(|other| other.file != finding.file);
     let work = &finding.work;
@@ -54,6 +128,7 @@ fn rows_of(finding: &Finding, number: usize, before: Option<&Finding>) -> Vec<Ve
         })
     };
     let head = vec![
+        outcome(finding),
         Cell::plain(if first_of_case {
             finding.case.as_str()
         } else {
@@ -61,7 +136,6 @@ fn rows_of(finding: &Finding, number: usize, before: Option<&Finding>) -> Vec<Ve
         }),
         Cell::plain(format!("[{number}] {}", finding.trial)),
         Cell::plain(finding.settings.as_ref().map_or_else(String::new, solver)),
-        outcome(finding),
     ];
     let tail = vec![
         count(work.steps),

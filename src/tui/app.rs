@@ -4,7 +4,7 @@ use std::any::Any;
 use std::io;
 use std::os::fd::AsFd;
 use std::panic::{self, AssertUnwindSafe};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use crossbeam_channel::Sender;
@@ -24,7 +24,7 @@ use super::terminal::screen::{Screen, restore};
 use super::terminal::signals::{Signal, Signals};
 use super::terminal::wait::{read, wait};
 use super::world::World;
-use super::{drafts, draw, shelf, update};
+use super::{drafts, draw, editor, shelf, update};
 use crate::report::chart::Glyphs;
 
 /// How the workbench is opened.
@@ -316,6 +316,12 @@ impl App<'_> {
                 Effect::Repaint => self.screen.repaint()?,
                 Effect::Suspend => self.suspend(),
                 Effect::Copy(text) => self.copy(&text)?,
+                Effect::EditFile(path) => {
+                    let answer = self.edit(&path)?;
+                    if let Some(end) = self.take(answer)? {
+                        return Ok(Some(end));
+                    }
+                }
                 other => {
                     for answer in self.world.perform(other) {
                         if let Some(end) = self.take(answer)? {
@@ -350,6 +356,17 @@ impl App<'_> {
         restore();
         kill_process(getpid(), Sig::STOP)?;
         self.screen.reenter()
+    }
+
+    /// Gives the terminal to the user's editor, takes it back, and reads what the editor left. Jobs go on meanwhile.
+    fn edit(&mut self, path: &Path) -> io::Result<Msg> {
+        restore();
+        let ended = editor::run(path);
+        self.screen.reenter()?;
+        Ok(match ended {
+            Ok(()) => Msg::Edited(editor::read(path)),
+            Err(why) => Msg::Say(Level::Error, why),
+        })
     }
 
     fn copy(&mut self, text: &str) -> io::Result<()> {

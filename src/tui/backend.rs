@@ -38,6 +38,15 @@ pub fn set(text: &str, key: &str, value: &str) -> Result<String, String> {
         .map_err(|d| format!("{last} {}. {}", stopped(&d.problem), sentence(&d.remedy)))
 }
 
+/// Leaves an optional key out of the text.
+///
+/// # Errors
+/// Why it cannot be left out.
+pub fn unset(text: &str, key: &str) -> Result<String, String> {
+    case::edit::unset(text, key)
+        .map_err(|d| format!("{} {}. {}", d.key, stopped(&d.problem), sentence(&d.remedy)))
+}
+
 /// The first thing wrong with a text, as one line with file, line and column.
 #[must_use]
 pub fn first(all: &[case::Diagnostic], file: &str) -> String {

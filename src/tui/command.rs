@@ -15,6 +15,8 @@ pub enum Id {
     Edit,
     /// Put the field back to the value of the file.
     Reset,
+    /// Open the file in the user's editor.
+    Editor,
     /// Undo the last edit.
     Undo,
     /// Redo the edit undone last.
@@ -93,6 +95,10 @@ pub enum Id {
     Select,
     /// Show only the live run.
     SelectNone,
+    /// Compute the trials of the case, or of all hard cases.
+    Trials,
+    /// Go on with a stored run up to a later end.
+    GoOn,
     /// Delete a stored run.
     Delete,
     /// Cancel the job under the cursor.
@@ -160,8 +166,12 @@ pub enum Place {
     Report,
     /// The jobs.
     Jobs,
+    /// Trials of hard cases.
+    Trials,
     /// The line node by node.
     Nodes,
+    /// Natural modes of the line.
+    Modes,
     /// The keys of a file that is no line case.
     Keys,
     /// Its tables and charts.
@@ -178,7 +188,9 @@ pub enum Place {
 
 impl Place {
     /// All of them.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 16] = [
+        Self::Trials,
+        Self::Modes,
         Self::Cases,
         Self::Inputs,
         Self::Charts,
@@ -196,7 +208,7 @@ impl Place {
     ];
 
     /// The panes of an open case, in the order of their numbers.
-    pub const PANES: [Self; 7] = [
+    pub const PANES: [Self; 8] = [
         Self::Inputs,
         Self::Charts,
         Self::Runs,
@@ -204,6 +216,7 @@ impl Place {
         Self::Report,
         Self::Jobs,
         Self::Nodes,
+        Self::Modes,
     ];
 
     /// The name shown on its frame and tab.
@@ -217,7 +230,9 @@ impl Place {
             Self::Validation | Self::Checks => "Validation",
             Self::Report => "Report",
             Self::Jobs => "Jobs",
+            Self::Trials => "Trials",
             Self::Nodes => "Nodes",
+            Self::Modes => "Modes",
             Self::Drawing => "Drawing",
             Self::Tables => "Tables",
             Self::Ropeway => "Ropeway",
@@ -243,7 +258,25 @@ pub struct Command {
 
 const EVERYWHERE: &[Place] = &Place::ALL;
 const IN_CASE: &[Place] = &Place::PANES;
+const TRIALS: &[Place] = &[Place::Trials];
 const LISTS: &[Place] = &[
+    Place::Trials,
+    Place::Modes,
+    Place::Cases,
+    Place::Inputs,
+    Place::Runs,
+    Place::Validation,
+    Place::Report,
+    Place::Jobs,
+    Place::Nodes,
+    Place::Keys,
+    Place::Tables,
+    Place::Checks,
+    Place::Ship,
+];
+/// As [`LISTS`], without the pane that has a word of its own for it.
+const DOWN: &[Place] = &[
+    Place::Trials,
     Place::Cases,
     Place::Inputs,
     Place::Runs,
@@ -270,8 +303,10 @@ const CASES: &[Place] = &[Place::Cases];
 const INPUTS: &[Place] = &[Place::Inputs, Place::Keys];
 const DRAWING: &[Place] = &[Place::Drawing];
 const TABLES: &[Place] = &[Place::Tables];
+const MODES: &[Place] = &[Place::Modes];
 const NODES: &[Place] = &[Place::Nodes];
 const IN_FILE: &[Place] = &[
+    Place::Modes,
     Place::Inputs,
     Place::Charts,
     Place::Runs,
@@ -290,6 +325,8 @@ const CHARTS: &[Place] = &[Place::Charts];
 const RUNS: &[Place] = &[Place::Runs];
 const JOBS: &[Place] = &[Place::Jobs];
 const WIDE: &[Place] = &[
+    Place::Trials,
+    Place::Modes,
     Place::Validation,
     Place::Report,
     Place::Nodes,
@@ -326,11 +363,20 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Edit, &["enter", "e"], "edit", "Edit the value under the cursor", INPUTS),
     command(Id::ShowAlone, &["enter"], "show", "Show this run alone on the charts, in the table and in the report", RUNS),
     command(Id::Select, &["space"], "overlay", "Add this run to the charts or take it off", RUNS),
+    command(Id::GoOn, &["c"], "go on", "Go on with this stored run, from where it stands, up to a time that is asked for", RUNS),
     command(Id::CancelJob, &["x", "d"], "cancel", "Cancel the job under the cursor", JOBS),
+    command(Id::CancelJob, &["x"], "stop", "Stop computing the trials", TRIALS),
+    command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", TRIALS),
+    command(Id::Write, &["w"], "write", "Write the table to a text file", TRIALS),
+    command(Id::Trials, &["T"], "anew", "Compute the trials anew", TRIALS),
+    command(Id::Back, &["esc", "b"], "back", "Back to where you were; the trials go on", TRIALS),
     command(Id::NextChart, &["]", "n"], "chart", "Show the next chart", CHARTS),
     command(Id::NextSeries, &["j", "down"], "curve", "Show the next joint or component alone; after the last: all of them", CHARTS),
     command(Id::CursorRight, &["l", "right"], "cursor", "Move the cursor right; on the line's shape: a later instant", CHARTS),
     command(Id::ZoomIn, &["+", "="], "zoom", "Zoom in about the cursor", CHARTS),
+    command(Id::Down, &["j", "down"], "mode", "Select the next mode", MODES),
+    command(Id::NextChart, &["]", "n"], "picture", "Show the mode along the line, or over the line at rest", MODES),
+    command(Id::Write, &["w"], "write", "Write the modes with their shapes as CSV", MODES),
     command(Id::NextTable, &["]", "n"], "table", "Show the next table", TABLES),
     command(Id::NextTable, &["]", "n"], "table", "Show the next table of the line", NODES),
     command(Id::NextTrace, &["c"], "motion", "Draw the next of a ship's six motions alone; after the last: all of them", TABLES),
@@ -361,6 +407,7 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", &[Place::Validation, Place::Nodes]),
     command(Id::Fit, &["0"], "fit", "Show everything again, at the newest instant", CHARTS),
     command(Id::Freeze, &["f"], "freeze", "Hold the curves still while the job goes on, or let them go on", CHARTS),
+    command(Id::Editor, &["E"], "editor", "Open the file in $VISUAL or $EDITOR, and read it again afterwards", INPUTS),
     command(Id::Reset, &["r"], "reset", "Put the field back to the value of the file", INPUTS),
     command(Id::Fit, &["0"], "fit", "Show the whole cross-section again", DRAWING),
     command(Id::ZoomOut, &["-"], "", "Zoom out about the middle", DRAWING),
@@ -375,8 +422,11 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Copy, &["y"], "copy", "Copy the table [materials.<name>] to the clipboard of your terminal, and write it to a file", IN_SHEET),
     command(Id::Pane(2), &["2"], "", "Go to the drawing", IN_SHEET),
     command(Id::Pane(3), &["3"], "", "Go to the tables", IN_SHEET),
+    command(Id::Trials, &["T"], "trials", "Compute the trials of all hard cases listed, and hold them against what must come out", CASES),
+    command(Id::Trials, &["T"], "trials", "Compute the trials of this hard case, and hold them against what must come out", IN_CASE),
     command(Id::Reload, &["ctrl+r"], "", "Read the list of cases again", CASES),
     command(Id::PreviousChart, &["[", "p"], "", "Show the previous chart", CHARTS),
+    command(Id::PreviousChart, &["[", "p"], "", "Show the mode along the line, or over the line at rest", MODES),
     command(Id::PreviousSeries, &["k", "up"], "", "Show the previous joint or component alone", CHARTS),
     command(Id::CursorLeft, &["h", "left"], "", "Move the cursor left; on the line's shape: an earlier instant", CHARTS),
     command(Id::LeapRight, &["pgdn", "ctrl+d"], "", "Move the cursor right by a tenth of the chart", CHARTS),
@@ -392,7 +442,7 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Redo, &["U", "ctrl+r"], "", "Redo the edit undone last", IN_FILE),
     command(Id::NextGroup, &["]"], "", "Go to the next group of fields", INPUTS),
     command(Id::PreviousGroup, &["["], "", "Go to the previous group of fields", INPUTS),
-    command(Id::Down, &["j", "down"], "", "Down", LISTS),
+    command(Id::Down, &["j", "down"], "", "Down", DOWN),
     command(Id::Up, &["k", "up"], "", "Up", LISTS),
     command(Id::PageDown, &["pgdn", "ctrl+d"], "", "A page down", LISTS),
     command(Id::PageUp, &["pgup", "ctrl+u"], "", "A page up", LISTS),
@@ -408,6 +458,7 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Pane(5), &["5"], "", "Go to the report", IN_CASE),
     command(Id::Pane(6), &["6"], "", "Go to the jobs", IN_CASE),
     command(Id::Pane(7), &["7"], "", "Go to the line node by node", IN_CASE),
+    command(Id::Pane(8), &["8"], "", "Go to the natural modes", IN_CASE),
     command(Id::Help, &["?", "f1"], "help", "Show every key that works here", EVERYWHERE),
     command(Id::Palette, &[":"], "", "Find a command by its name", EVERYWHERE),
     command(Id::Glyphs, &[], "", "Change between braille and ASCII characters, and remember it", EVERYWHERE),

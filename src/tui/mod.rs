@@ -14,6 +14,7 @@ pub mod app;
 pub mod backend;
 pub mod command;
 pub mod drafts;
+mod editor;
 mod files;
 pub mod inks;
 pub mod key;

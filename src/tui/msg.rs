@@ -5,10 +5,13 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use super::key::Key;
+use super::state::trials::{Trialled, TrialsOf};
 use super::state::{CaseEntry, Content, Curves, Level, RunSlot, Ticket};
+use crate::case::Case;
+use crate::modes::Found;
 use crate::report::chart::Glyphs;
-use crate::run::Run;
 use crate::run::job::{Event, Request};
+use crate::run::{Resume, Run};
 use crate::ship::{AtSea, Rest};
 
 /// Something happened.
@@ -22,6 +25,14 @@ pub enum Msg {
     Resize(u16, u16),
     /// A job said something.
     Job(Ticket, Box<Event>),
+    /// The text of the open file as an editor left it, or all that is wrong with it.
+    Edited(Result<String, String>),
+    /// The natural modes of the case with this text, or why there are none.
+    Modes(String, Result<Arc<Found>, String>),
+    /// How far trials are.
+    Trialled(Ticket, Box<Trialled>),
+    /// How a stored run goes on up to a later end \[s\], or why it does not.
+    Onward(PathBuf, f64, Result<Box<(Request, Resume)>, String>),
     /// What a job has recorded since it was last asked.
     Recorded(Ticket, Box<Curves>),
     /// The run of a job has this directory.
@@ -64,7 +75,7 @@ pub struct CaseRead {
     /// Its text.
     pub text: String,
     /// Its meaning.
-    pub case: crate::case::Case,
+    pub case: Case,
     /// Unsaved text of an earlier session.
     pub recovered: Option<String>,
 }
@@ -115,6 +126,8 @@ pub enum Effect {
         ticket: Ticket,
         /// What to compute.
         request: Box<Request>,
+        /// Where it goes on from.
+        from: Option<Box<Resume>>,
         /// Whether its run is stored.
         store: bool,
     },
@@ -122,6 +135,24 @@ pub enum Effect {
     Cancel(Ticket),
     /// Work a ship at sea out, from the folder of its file, on a thread of its own that the last stops.
     WorkShip(Box<Rest>, PathBuf, Arc<AtomicBool>),
+    /// Give the terminal to the user's editor with this file, and take it back.
+    EditFile(PathBuf),
+    /// Find the natural modes of a case.
+    FindModes {
+        /// The case.
+        case: Box<Case>,
+        /// Its text, by which the answer is known.
+        text: String,
+    },
+    /// Compute trials of hard cases.
+    StartTrials {
+        /// Number of the job.
+        ticket: Ticket,
+        /// Whose trials.
+        of: TrialsOf,
+    },
+    /// Find out how a stored run goes on up to a later end \[s\].
+    GoOn(PathBuf, f64),
     /// List the stored runs of a case file, the first, and of those beside it.
     ListRuns(Vec<String>),
     /// Read a stored run.

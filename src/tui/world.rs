@@ -1,30 +1,33 @@
 //! Files and threads: does what the effects ask for, and answers with messages.
 
+mod reading;
+mod trying;
+
 use std::collections::HashMap;
 use std::fs;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crossbeam_channel::{Receiver, Sender, bounded, unbounded};
 
+use self::reading::read_case;
+use self::trying::try_all;
 use super::drafts;
 use super::files::{save_case, write_text};
-use super::msg::{CaseRead, Effect, FileRead, Msg};
+use super::msg::{Effect, Msg};
 use super::shelf;
-use super::state::{
-    Content, Curves, Level, RopewayView, RunSlot, SectionView, ShipView, SlotKind, SlotState,
-    Ticket,
-};
-use crate::case::{self, Diagnostic, Opened};
-use crate::ropeway;
+use super::state::modes::COUNT;
+use super::state::trials::TrialsOf;
+use super::state::{Curves, Level, RunSlot, SlotKind, SlotState, Ticket};
+use crate::case;
+use crate::modes;
 use crate::run::job::{self, Event, Job, JobId, Request};
 use crate::run::store::{self, Place, Writer};
-use crate::run::{Run, RunInfo, RunState};
-use crate::section;
-use crate::ship::{self, AtSea};
+use crate::run::{Resume, Run, RunInfo, RunState, onward};
+use crate::ship::AtSea;
 
 /// What is outside of the state.
 #[derive(Debug)]
@@ -33,6 +36,8 @@ pub struct World {
     sender: Sender<Msg>,
     receiver: Receiver<Msg>,
     jobs: HashMap<Ticket, Going>,
+    /// The trials that compute, and the flag that stops them.
+    trials: Option<(Ticket, Arc<AtomicBool>)>,
     /// Threads that read or work something out aside.
     aside: Arc<AtomicUsize>,
 }
@@ -58,6 +63,7 @@ impl World {
             sender,
             receiver,
             jobs: HashMap::new(),
+            trials: None,
             aside: Arc::default(),
         }
     }
@@ -139,9 +145,22 @@ impl World {
             Effect::Start {
                 ticket,
                 request,
+                from,
                 store,
-            } => self.start(ticket, *request, store),
+            } => self.start(ticket, *request, from.map(|from| *from), store),
+            Effect::FindModes { case, text } => self.aside(move || {
+                let found = modes::of_case(&case, COUNT);
+                Msg::Modes(text, found.map(Arc::new).map_err(|why| why.to_string()))
+            }),
+            Effect::StartTrials { ticket, of } => self.start_trials(ticket, of),
+            Effect::GoOn(dir, until) => {
+                let found = onward(&dir, Some(until)).map(Box::new);
+                vec![Msg::Onward(dir, until, found)]
+            }
             Effect::Cancel(ticket) => {
+                if let Some((_, cancel)) = self.trials.as_ref().filter(|(t, _)| *t == ticket) {
+                    cancel.store(true, Ordering::Relaxed);
+                }
                 if let Some(going) = self.jobs.get(&ticket) {
                     going.job.cancel();
                 }
@@ -165,13 +184,30 @@ impl World {
                 drafts::remember_glyphs(glyphs),
                 "The choice cannot be remembered",
             ),
-            Effect::Copy(_) | Effect::Repaint | Effect::Suspend | Effect::Quit => Vec::new(),
+            Effect::Copy(_)
+            | Effect::EditFile(_)
+            | Effect::Repaint
+            | Effect::Suspend
+            | Effect::Quit => Vec::new(),
         }
+    }
+
+    fn start_trials(&mut self, ticket: Ticket, of: TrialsOf) -> Vec<Msg> {
+        let cancel = Arc::new(AtomicBool::new(false));
+        self.trials = Some((ticket, Arc::clone(&cancel)));
+        let out = self.sender.clone();
+        self.aside(move || try_all(ticket, of, &cancel, &out))
     }
 
     /// Starts a job, and a thread that passes on what it says; the same thread stores the run, so
     /// that a slow disk never holds the screen up.
-    fn start(&mut self, ticket: Ticket, request: Request, store: bool) -> Vec<Msg> {
+    fn start(
+        &mut self,
+        ticket: Ticket,
+        request: Request,
+        from: Option<Resume>,
+        store: bool,
+    ) -> Vec<Msg> {
         let writer = match store.then(|| begin(&request)).transpose() {
             Ok(writer) => writer,
             Err(error) => return vec![Msg::JobFailed(ticket, error.to_string())],
@@ -181,7 +217,7 @@ impl World {
             messages.push(Msg::Stored(ticket, writer.dir().to_owned()));
         }
         let (events, said) = bounded(AHEAD);
-        let started = job::start(request, events).and_then(|job| {
+        let started = job::start(request, from, events).and_then(|job| {
             let fresh = Arc::new(Mutex::new(Curves::default()));
             let (out, record) = (self.sender.clone(), Arc::clone(&fresh));
             std::thread::Builder::new()
@@ -264,50 +300,6 @@ fn begin(request: &Request) -> Result<Writer, store::StoreError> {
     )
 }
 
-fn read_case(path: &Path) -> Msg {
-    if section::is_section(path) {
-        return file_read(section::load(path), path, |design| {
-            Content::Section(Box::new(SectionView::new(design)))
-        });
-    }
-    if ropeway::is_ropeway(path) {
-        return file_read(ropeway::load(path), path, |worked| {
-            Content::Ropeway(Box::new(RopewayView::new(worked)))
-        });
-    }
-    if ship::is_ship(path) {
-        return file_read(ship::load(path), path, |rest| {
-            Content::Ship(Box::new(ShipView::new(rest)))
-        });
-    }
-    match case::load(path) {
-        Ok(loaded) => Msg::CaseRead(Box::new(CaseRead {
-            recovered: drafts::left(path).filter(|text| *text != loaded.text),
-            path: loaded.path,
-            text: loaded.text,
-            case: loaded.case,
-        })),
-        Err(all) => Msg::CaseRefused(path.display().to_string(), shelf::story(path, &all)),
-    }
-}
-
-/// A file of another kind, with what an earlier session left of it.
-fn file_read<W>(
-    read: Result<Opened<W>, Vec<Diagnostic>>,
-    path: &Path,
-    content: impl FnOnce(W) -> Content,
-) -> Msg {
-    match read {
-        Ok(loaded) => Msg::FileRead(Box::new(FileRead {
-            recovered: drafts::left(path).filter(|text| *text != loaded.text),
-            path: loaded.path,
-            text: loaded.text,
-            content: content(loaded.worked),
-        })),
-        Err(all) => Msg::CaseRefused(path.display().to_string(), shelf::story(path, &all)),
-    }
-}
-
 fn list_runs(files: &[String]) -> Vec<RunSlot> {
     let entries = store::list(Path::new(store::DEFAULT_ROOT)).unwrap_or_default();
     let mut slots: Vec<RunSlot> = entries
@@ -317,7 +309,7 @@ fn list_runs(files: &[String]) -> Vec<RunSlot> {
             let place = files.iter().position(|file| *file == info.case_file)?;
             // A run of another case says which.
             let stem = info.case_file.trim_end_matches(".toml").to_owned();
-            let mut slot = slot(entry.dir, info);
+            let mut slot = slot(entry.dir, info, entry.held);
             if place > 0 {
                 slot.label = format!("{stem} {}", slot.label).trim_end().to_owned();
             }
@@ -328,7 +320,7 @@ fn list_runs(files: &[String]) -> Vec<RunSlot> {
     slots
 }
 
-fn slot(dir: PathBuf, info: RunInfo) -> RunSlot {
+fn slot(dir: PathBuf, info: RunInfo, held: bool) -> RunSlot {
     RunSlot {
         ticket: None,
         label: info.overrides.join(", "),
@@ -337,6 +329,7 @@ fn slot(dir: PathBuf, info: RunInfo) -> RunSlot {
         kind: SlotKind::Stored,
         state: match info.state {
             RunState::Done => SlotState::Done,
+            RunState::Partial if held => SlotState::Elsewhere,
             RunState::Partial => SlotState::Partial,
             RunState::Cancelled => SlotState::Cancelled,
             RunState::Failed => SlotState::Failed(info.failure.unwrap_or_default()),

@@ -7,6 +7,8 @@
 )]
 
 mod desk;
+mod modes;
+mod onward;
 mod random;
 mod response;
 mod ropeway;

@@ -14,6 +14,9 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
     let Some(start) = root.get("start") else {
         return Vec::new();
     };
+    if start.get("from_run").is_some() {
+        return beside_a_run(start);
+    }
     let given = start.get("shape").and_then(Node::text) == Some("given");
     let Some(arc) = start.get("arc_m") else {
         let lost = LISTS
@@ -51,6 +54,21 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
         found.extend(coincide(start, &lengths));
     }
     found
+}
+
+/// A run says all about the start.
+fn beside_a_run(start: &Node) -> Vec<Finding> {
+    let others = LISTS
+        .into_iter()
+        .chain(["shape", "arc_m", "velocity_m_per_s"]);
+    let given = others.filter_map(|key| Some((key, start.get(key)?)));
+    given
+        .map(|(key, node)| {
+            let problem = "has no effect: the line starts from a run";
+            let remedy = "leave it out, or leave out start.from_run";
+            Finding::new(&node.span, format!("start.{key}"), problem, remedy)
+        })
+        .collect()
 }
 
 /// x and z are needed, and every list is as long as that of the arc lengths.

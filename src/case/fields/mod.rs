@@ -5,6 +5,7 @@
 //! `materials.*.ea_n`, `line.*.length_m` (sections by their `name`), `floats.*.lift_kg` (by their
 //! `section`), `ends.b.kind`. A coordinate of a position goes by its letter: `ends.b.position_m.x`.
 
+mod applies;
 mod components;
 mod range;
 mod rows;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::applies::applies;
 use super::{Absent, CASE, Field, Schema};
 use crate::case::check::{fields_here, join, value_text};
 use crate::case::model::{Case, Mark};
@@ -30,8 +31,19 @@ pub struct FieldRow {
     pub standing: Option<Mark>,
     /// True when the file gives it, false when the default holds.
     pub given: bool,
+    /// Whether it matters beside the other keys of its table; editor and report leave it out where it neither matters nor is
+    /// given.
+    pub applies: bool,
     /// The field itself.
     pub field: &'static Field,
+}
+
+impl FieldRow {
+    /// Whether editor and report show it.
+    #[must_use]
+    pub fn is_shown(&self) -> bool {
+        self.applies || self.given
+    }
 }
 
 /// Every input the case can have, given or not, in reading order: environment, current, sea bed, each
@@ -136,7 +148,10 @@ impl Lister<'_> {
         };
         let rows = fields.into_iter().map(|field| {
             let given = node.and_then(|node| node.get(field.key()));
-            self.row(field, given, path, group)
+            FieldRow {
+                applies: applies(self.schema, field, node),
+                ..self.row(field, given, path, group)
+            }
         });
         rows.collect()
     }
@@ -166,6 +181,7 @@ impl Lister<'_> {
             range: field.range_text(),
             help: field.help,
             given: given.is_some(),
+            applies: true,
             field,
         }
     }

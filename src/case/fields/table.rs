@@ -381,6 +381,7 @@ pub static FIELDS: &[Field] = &[
     field("start.x_m",           List,   "m",   Range::of(-1e6, 1e6),              NOT_USED,       "start x", "x of the line at the arc lengths given; straight in between."),
     field("start.y_m",           List,   "m",   Range::of(-1e6, 1e6),              Means("0 everywhere"), "start y", "y of the line at the arc lengths given."),
     field("start.z_m",           List,   "m",   Range::of(-1e6, 1e6),              NOT_USED,       "start z", "z of the line at the arc lengths given."),
+    field("start.from_run",      Text,   "",    ANY,                               NOT_USED,       "start from run", "Directory of a stored run of the same line: its shape, its motion and what it remembers are the start."),
     field("start.velocity_m_per_s", Triple, "m/s", Range::of(-1e3, 1e3),           Default("[0.0, 0.0, 0.0]"), "start velocity", "Velocity of the whole line at time zero, but for ends that are held."),
 
     field("solver.method",               Choice(&["static", "quasi", "rk4", "alpha", "auto"]), "", ANY, Default("\"alpha\""), "method", "Static equilibrium, quasi-static march, explicit Runge-Kutta, implicit generalized-alpha, or the cheaper of the last two."),

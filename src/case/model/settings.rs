@@ -20,6 +20,8 @@ pub struct Start {
     pub y_m: Option<Vec<f64>>,
     /// z there \[m\].
     pub z_m: Option<Vec<f64>>,
+    /// Directory of a stored run of the same line, from where that stands; its state is one of the files of the case.
+    pub from_run: Option<String>,
     /// Velocity of the whole line at time zero, of what is not held \[m/s\].
     pub velocity_m_per_s: [f64; 3],
 }
@@ -34,6 +36,7 @@ impl Default for Start {
             x_m: None,
             y_m: None,
             z_m: None,
+            from_run: None,
             velocity_m_per_s: [0.0; 3],
         }
     }

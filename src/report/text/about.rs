@@ -29,7 +29,7 @@ pub(super) fn head(page: &mut Page, run: &Run, case: &Case) {
 fn state(info: &RunInfo) -> String {
     match info.state {
         RunState::Done => "complete".to_owned(),
-        RunState::Partial => "PARTIAL: the program was stopped while it computed".to_owned(),
+        RunState::Partial => "PARTIAL: it has not come to its end, see the warnings".to_owned(),
         RunState::Cancelled => "CANCELLED before its end; what it had is shown".to_owned(),
         RunState::Failed => {
             let why = info.failure.as_deref().unwrap_or("no reason was given");

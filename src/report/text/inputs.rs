@@ -40,12 +40,9 @@ pub(crate) fn list(page: &mut Page, all: &[FieldRow], sourced: bool) {
     }
 }
 
-/// Names stand in the headings, and an end at rest needs no words on its motion.
+/// Names stand in the headings, and what does not matter here needs no words.
 fn shown(row: &FieldRow) -> bool {
-    let motion = ["amplitude_m", "period_s", "phase_deg", "ramp_s"]
-        .iter()
-        .any(|key| row.path.ends_with(key));
-    !row.value.is_empty() && row.field.kind != Kind::Name && (row.given || !motion)
+    !row.value.is_empty() && row.field.kind != Kind::Name && row.is_shown()
 }
 
 fn lines(rows: &[&FieldRow], sourced: bool) -> Table {

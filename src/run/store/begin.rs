@@ -9,7 +9,11 @@ use std::{
     time::SystemTime,
 };
 
-use super::{CASE, RUN, StoreError, stamp::stamp};
+use super::{
+    CASE, RUN, StoreError,
+    hold::{Hold, hold},
+    stamp::stamp,
+};
 use crate::run::{RunInfo, RunState};
 
 /// Where a run directory goes.
@@ -22,26 +26,30 @@ pub enum Place {
 }
 
 /// Makes the directory with `case.toml` and `run.toml` (state partial) in it, and sets the run's name
-/// to that of the directory. It appears in one step: nobody ever sees it without these two files.
+/// to that of the directory. It appears in one step, and held: nobody ever sees it without these two files.
 pub(super) fn create(
     place: &Place,
     info: &mut RunInfo,
     case_text: &str,
-) -> Result<PathBuf, StoreError> {
+) -> Result<(PathBuf, Option<Hold>), StoreError> {
     info.state = RunState::Partial;
     match place {
         Place::Exactly(dir) => {
             info.id = name_of(dir);
             refuse_if_taken(dir)?;
-            appear(dir, info, case_text)?;
-            Ok(dir.clone())
+            let held = appear(dir, info, case_text)?;
+            Ok((dir.clone(), held))
         }
         Place::Below(root) => below(root, info, case_text),
     }
 }
 
 /// Tries `stem-20261121-061126`, then `…-2`, `…-3` until a name is free.
-fn below(root: &Path, info: &mut RunInfo, case_text: &str) -> Result<PathBuf, StoreError> {
+fn below(
+    root: &Path,
+    info: &mut RunInfo,
+    case_text: &str,
+) -> Result<(PathBuf, Option<Hold>), StoreError> {
     let base = format!("{}-{}", stem(&info.case_file), stamp(SystemTime::now()));
     let mut count = 1_u64;
     loop {
@@ -57,7 +65,7 @@ fn below(root: &Path, info: &mut RunInfo, case_text: &str) -> Result<PathBuf, St
         } else {
             appear(&dir, info, case_text)
         } {
-            Ok(()) => return Ok(dir),
+            Ok(held) => return Ok((dir, held)),
             // Another run took the name between the look and the step.
             Err(StoreError::Taken(_)) => count += 1,
             Err(other) => return Err(other),
@@ -109,7 +117,7 @@ fn refuse_if_taken(dir: &Path) -> Result<(), StoreError> {
 }
 
 /// Fills a hidden directory beside the final one, then renames it.
-fn appear(dir: &Path, info: &RunInfo, case_text: &str) -> Result<(), StoreError> {
+fn appear(dir: &Path, info: &RunInfo, case_text: &str) -> Result<Option<Hold>, StoreError> {
     static COUNTER: AtomicU64 = AtomicU64::new(0);
     let parent = parent_of(dir);
     fs::create_dir_all(&parent).map_err(StoreError::io("Making the directory", &parent))?;
@@ -117,7 +125,9 @@ fn appear(dir: &Path, info: &RunInfo, case_text: &str) -> Result<(), StoreError>
     let hidden = parent.join(format!(".{}.{}-{number}.new", name_of(dir), process::id()));
 
     let filled = fill(&hidden, info, case_text).and_then(|()| {
-        fs::rename(&hidden, dir).map_err(|error| match error.kind() {
+        let held = hold(&hidden);
+        let renamed = fs::rename(&hidden, dir);
+        renamed.map(|()| held).map_err(|error| match error.kind() {
             io::ErrorKind::DirectoryNotEmpty | io::ErrorKind::AlreadyExists => {
                 StoreError::Taken(dir.to_owned())
             }
@@ -128,9 +138,9 @@ fn appear(dir: &Path, info: &RunInfo, case_text: &str) -> Result<(), StoreError>
         // Best effort: the error that matters is the one already in hand.
         let _ = fs::remove_dir_all(&hidden);
     }
-    filled?;
+    let held = filled?;
     sync_dir(&parent);
-    Ok(())
+    Ok(held)
 }
 
 fn fill(hidden: &Path, info: &RunInfo, case_text: &str) -> Result<(), StoreError> {

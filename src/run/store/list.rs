@@ -5,8 +5,8 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{StoreError, read_info};
-use crate::run::RunInfo;
+use super::{StoreError, is_held, read_info};
+use crate::run::{RunInfo, RunState};
 
 /// One run directory.
 #[derive(Debug)]
@@ -15,6 +15,8 @@ pub struct Entry {
     pub dir: PathBuf,
     /// What its `run.toml` says, or why it cannot be read.
     pub info: Result<RunInfo, StoreError>,
+    /// Whether a program is computing it at this moment.
+    pub held: bool,
 }
 
 /// The runs right below a directory, newest first, damaged ones last; none when it does not exist.
@@ -40,7 +42,11 @@ pub fn list(root: &Path) -> Result<Vec<Entry>, StoreError> {
         }
         match read_info(&dir) {
             Err(StoreError::NotARun(_)) => {}
-            info => entries.push(Entry { dir, info }),
+            info => {
+                let partial = |i: &RunInfo| i.state == RunState::Partial;
+                let held = info.as_ref().is_ok_and(partial) && is_held(&dir);
+                entries.push(Entry { dir, info, held });
+            }
         }
     }
     entries.sort_by_key(|e| std::cmp::Reverse(age(e)));

@@ -5,6 +5,7 @@ use std::{fs, io, path::Path};
 use super::{
     CASE, CHANNELS, CHECKPOINT, ERRORS, PROFILE, ROPES, RUN, Rows, SUMMARY, Shapes, StoreError,
     finish::{CHANNEL_COLUMNS, ERROR_COLUMNS, SUMMARY_COLUMNS},
+    is_held,
     number::parse,
     ropes::{ROPE_COLUMNS, read_ropes},
     shapes::{self, BENDING_COLUMNS, PROFILE_COLUMNS, RESPONSE_COLUMNS},
@@ -43,7 +44,7 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
         summary,
     };
     if !whole {
-        run.info.warnings.push(partial(&run.history));
+        run.info.warnings.push(partial(is_held(dir), &run.history));
     }
     run.info.warnings.extend(warnings);
     Ok(run)
@@ -52,9 +53,8 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
 /// Reads where a run stands, to go on from there.
 ///
 /// # Errors
-/// As [`read`]; and the run has no checkpoint, or one that cannot be understood.
-pub fn resume(dir: &Path) -> Result<(Run, Resume), StoreError> {
-    let run = read(dir)?;
+/// The run has no checkpoint, or one that cannot be understood.
+pub fn resume(dir: &Path) -> Result<Resume, StoreError> {
     let file = dir.join(CHECKPOINT);
     let text = fs::read_to_string(&file).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => StoreError::NoCheckpoint(dir.to_owned()),
@@ -65,7 +65,16 @@ pub fn resume(dir: &Path) -> Result<(Run, Resume), StoreError> {
         reason: error.to_string().trim_end().to_owned(),
     })?;
     let dir = dir.to_owned();
-    Ok((run, Resume { checkpoint, dir }))
+    Ok(Resume { checkpoint, dir })
+}
+
+/// Reads only the text of its case.
+///
+/// # Errors
+/// It cannot be read.
+pub fn case_text(dir: &Path) -> Result<String, StoreError> {
+    let file = dir.join(CASE);
+    fs::read_to_string(&file).map_err(StoreError::io("Reading", file))
 }
 
 /// Reads only `run.toml`.
@@ -91,12 +100,16 @@ pub fn read_info(dir: &Path) -> Result<RunInfo, StoreError> {
     })
 }
 
-fn partial(history: &History) -> String {
+/// Why a run is partial, and how far it is.
+fn partial(held: bool, history: &History) -> String {
+    let why = if held {
+        "a program is still computing it"
+    } else {
+        "the program was stopped while it computed"
+    };
     match history.time.last() {
-        Some(last) => format!(
-            "The run is partial: the program is still computing it or was stopped while it did. Its history ends at {last} s."
-        ),
-        None => "The run is partial: the program is still computing it or was stopped before the first result.".to_owned(),
+        Some(last) => format!("The run is partial: {why}. Its history ends at {last} s."),
+        None => format!("The run is partial: {why}, before the first result."),
     }
 }
 

@@ -8,7 +8,9 @@ use std::{
 };
 
 use super::{
-    CHANNELS, CHECKPOINT, HISTORY, Place, SHAPES, StoreError, begin, finish, number,
+    CHANNELS, CHECKPOINT, HISTORY, Place, SHAPES, StoreError, begin, finish,
+    hold::Hold,
+    number,
     shapes::{SHAPE_COLUMNS, write_shape},
     table::Csv,
 };
@@ -27,6 +29,8 @@ pub struct Writer {
     id: String,
     streams: Option<Streams>,
     flushed: Instant,
+    /// Says that the run goes on, for as long as it is written.
+    _held: Option<Hold>,
 }
 
 #[derive(Debug)]
@@ -43,12 +47,13 @@ impl Writer {
     /// # Errors
     /// The directory holds files already, or the system refuses.
     pub fn begin(place: &Place, mut info: RunInfo, case_text: &str) -> Result<Self, StoreError> {
-        let dir = begin::create(place, &mut info, case_text)?;
+        let (dir, held) = begin::create(place, &mut info, case_text)?;
         Ok(Self {
             dir,
             id: info.id,
             streams: None,
             flushed: Instant::now(),
+            _held: held,
         })
     }
 

@@ -107,6 +107,8 @@ pub enum SlotState {
     Failed(String),
     /// Stopped by the user.
     Cancelled,
+    /// Another program computes it.
+    Elsewhere,
     /// Found incomplete: the program that wrote it was killed.
     Partial,
     /// Cannot be read, for this reason.
@@ -123,7 +125,8 @@ impl SlotState {
             Self::Done => "done",
             Self::Failed(_) => "failed",
             Self::Cancelled => "cancelled",
-            Self::Partial => "partial",
+            Self::Elsewhere => "elsewhere",
+            Self::Partial => "killed",
             Self::Unreadable(_) => "unreadable",
         }
     }

@@ -2,8 +2,8 @@
 
 use std::collections::VecDeque;
 
-use crate::run::Progress;
 use crate::run::job::Request;
+use crate::run::{Progress, Resume};
 
 /// Number of a job in this session; a message with a number we no longer wait for is dropped.
 pub type Ticket = u64;
@@ -15,6 +15,8 @@ pub enum Purpose {
     Live,
     /// Asked for by the user, and stored.
     Run,
+    /// Trials of hard cases.
+    Trials,
 }
 
 /// How a job stands.
@@ -67,13 +69,24 @@ pub struct JobLine {
     pub progress: Progress,
 }
 
+/// A request that waits for its turn.
+#[derive(Debug, Clone)]
+pub struct Waiting {
+    /// Number of its job.
+    pub ticket: Ticket,
+    /// What to compute.
+    pub request: Box<Request>,
+    /// Where it goes on from.
+    pub from: Option<Box<Resume>>,
+}
+
 /// All jobs of the session, oldest first.
 #[derive(Debug, Clone)]
 pub struct Jobs {
     /// The jobs.
     pub lines: Vec<JobLine>,
     /// Requests that wait for their turn.
-    pub waiting: VecDeque<(Ticket, Box<Request>)>,
+    pub waiting: VecDeque<Waiting>,
     /// How many stored runs may compute at a time.
     pub limit: usize,
     /// Cursor in the list.

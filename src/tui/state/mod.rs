@@ -3,6 +3,7 @@
 pub mod case_list;
 pub mod curves;
 pub mod jobs;
+pub mod modes;
 pub mod open_case;
 pub mod open_file;
 pub mod overlay;
@@ -10,10 +11,11 @@ pub mod ropeway;
 pub mod section;
 pub mod sheet;
 pub mod ship;
+pub mod trials;
 
 pub use case_list::{CaseEntry, CaseList};
 pub use curves::{Curves, RunSlot, SlotKind, SlotState};
-pub use jobs::{JobLine, JobState, Jobs, Purpose, Ticket};
+pub use jobs::{JobLine, JobState, Jobs, Purpose, Ticket, Waiting};
 pub use open_case::{ChartKind, OpenCase};
 pub use open_file::{Content, FileView, OpenFile};
 pub use overlay::{Choice, Overlay, Question};
@@ -38,6 +40,8 @@ pub struct State {
     pub open: Option<OpenCase>,
     /// The file of another kind that is open; then no case is.
     pub file: Option<OpenFile>,
+    /// Trials of hard cases, over whatever else is open.
+    pub trials: Option<trials::Trials>,
     /// Jobs that run, wait or have ended.
     pub jobs: Jobs,
     /// What lies over the screen and takes the keys.
@@ -80,6 +84,7 @@ impl State {
             cases: CaseList::default(),
             open: None,
             file: None,
+            trials: None,
             jobs: Jobs::default(),
             overlay: None,
             note: None,
@@ -91,11 +96,20 @@ impl State {
     /// Where the keys go.
     #[must_use]
     pub fn place(&self) -> Place {
+        if self.trials.as_ref().is_some_and(|t| t.shown) {
+            return Place::Trials;
+        }
         match (&self.file, &self.open) {
             (Some(file), _) => file.pane,
             (None, Some(open)) => open.pane,
             (None, None) => Place::Cases,
         }
+    }
+
+    /// Whether the natural modes are seen beside the inputs.
+    #[must_use]
+    pub fn modes_beside(&self) -> bool {
+        self.open.as_ref().is_some_and(|open| open.modes.beside)
     }
 
     /// The panes of what is open, in the order of their numbers; those of a line case where nothing is.

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use super::curves::{Curves, RunSlot};
 use super::jobs::Ticket;
+use super::modes::ModesView;
 use super::sheet::Sheet;
 use crate::case::{self, Case, End, Method, OneOrMany, Source};
 use crate::run::response;
@@ -255,6 +256,8 @@ pub struct OpenCase {
     pub line_table: LineTable,
     /// Selection, sorting and scrolling of that table.
     pub nodes_pane: TablePane,
+    /// Natural modes.
+    pub modes: ModesView,
     /// The report shown: name of the run and text.
     pub report: Option<(String, String)>,
     /// First line and column shown of the report.

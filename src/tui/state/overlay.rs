@@ -44,6 +44,15 @@ pub enum Overlay {
         /// Cursor.
         cursor: usize,
     },
+    /// The time \[s\] up to which a stored run is to go on.
+    Until {
+        /// Its directory.
+        dir: PathBuf,
+        /// What is typed.
+        input: Input,
+        /// What to know about it, or why the last answer would not do.
+        words: String,
+    },
     /// A file name to type, for a case whose own file cannot be written.
     SaveAs {
         /// What is typed.

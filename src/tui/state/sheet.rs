@@ -91,7 +91,8 @@ impl Sheet {
     /// The fields that pass the filter.
     pub fn fields(&self) -> impl Iterator<Item = &FieldRow> {
         let filter = self.filter.value().to_lowercase();
-        self.rows.iter().filter(move |row| {
+        let shown = self.rows.iter().filter(|row| row.is_shown());
+        shown.filter(move |row| {
             super::case_list::passes(
                 &format!("{} {} {}", row.path, row.group, row.label),
                 &filter,

@@ -3,12 +3,13 @@
 use std::path::PathBuf;
 
 use super::typing::type_key;
-use super::{edit, jobs, moved};
+use super::{edit, jobs, moved, runs};
 use crate::tui::command::{Id, Place};
 use crate::tui::key::Key;
 use crate::tui::line_tables::LineTable;
 use crate::tui::msg::{CaseRead, Effect};
 use crate::tui::shelf::FIRST;
+use crate::tui::state::modes::ModesView;
 use crate::tui::state::open_case::Live;
 use crate::tui::state::{CaseEntry, ChartKind, Level, OpenCase, Overlay, Question, Sheet, State};
 use crate::tui::table_pane::TablePane;
@@ -81,8 +82,6 @@ pub(super) fn opened(state: &mut State, read: CaseRead) -> Vec<Effect> {
         recovered,
     } = read;
     let sheet = Sheet::new(path, text);
-    let mut files = vec![sheet.file.clone()];
-    files.extend(case.case.beside.iter().flatten().cloned());
     let chart = ChartKind::of(&case)
         .first()
         .copied()
@@ -103,12 +102,13 @@ pub(super) fn opened(state: &mut State, read: CaseRead) -> Vec<Effect> {
         checks_pane: TablePane::default(),
         line_table: LineTable::default(),
         nodes_pane: TablePane::default(),
+        modes: ModesView::default(),
         report: None,
         report_scroll: (0, 0),
     });
     edit::refresh(state);
     let mut effects = jobs::resolve(state);
-    effects.push(Effect::ListRuns(files));
+    effects.extend(state.open.as_ref().map(runs::list));
     if let Some(text) = recovered {
         state.overlay = Some(Overlay::Ask(Question::Recover { text }));
     }

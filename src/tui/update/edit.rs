@@ -4,6 +4,7 @@ use tui_input::Input;
 
 use super::typing::type_key;
 use super::{info, jobs, moved, runs};
+use crate::case::fields::Absent;
 use crate::tui::backend::{self, FieldRow};
 use crate::tui::command::Id;
 use crate::tui::key::Key;
@@ -24,6 +25,9 @@ pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
         Id::NextGroup => group(state, true),
         Id::PreviousGroup => group(state, false),
         Id::Method => next_method(state),
+        Id::Editor => state
+            .sheet()
+            .map_or_else(Vec::new, |sheet| vec![Effect::EditFile(sheet.path.clone())]),
         _ => Vec::new(),
     }
 }
@@ -109,8 +113,16 @@ fn accept(state: &mut State) -> Vec<Effect> {
         return Vec::new();
     };
     let value = editing.input.value().trim();
-    let text = state.sheet().map(|sheet| sheet.text.clone());
-    match with(state, &text.unwrap_or_default(), &editing.path, value) {
+    let sheet = state.sheet();
+    let text = sheet.map(|sheet| sheet.text.clone()).unwrap_or_default();
+    let row = sheet.and_then(|s| s.rows.iter().find(|row| row.path == editing.path));
+    let goes = value.is_empty() && state.open.is_some() && row.is_some_and(can_go);
+    let taken = if goes {
+        backend::unset(&text, &editing.path)
+    } else {
+        with(state, &text, &editing.path, value)
+    };
+    match taken {
         Ok(text) => change(state, text),
         Err(problem) => {
             if let Some(sheet) = state.sheet_mut() {
@@ -122,6 +134,11 @@ fn accept(state: &mut State) -> Vec<Effect> {
             Vec::new()
         }
     }
+}
+
+/// Whether a field is one that the file gives and may leave out.
+pub(in crate::tui) fn can_go(row: &FieldRow) -> bool {
+    row.given && row.field.absent != Absent::Required
 }
 
 /// Takes a new text as an edit that can be undone.
@@ -161,6 +178,28 @@ fn redo(state: &mut State) -> Vec<Effect> {
         return changed(state);
     }
     Vec::new()
+}
+
+/// The file as an editor left it: taken as an edit that can be undone, or refused with all that is wrong with it.
+pub(super) fn edited(state: &mut State, read: Result<String, String>) -> Vec<Effect> {
+    let Some(sheet) = state.sheet_mut() else {
+        return Vec::new();
+    };
+    match read {
+        Ok(text) if text == sheet.saved => info(state, "The file is as it was."),
+        Ok(text) => {
+            sheet.saved.clone_from(&text);
+            let effects = change(state, text);
+            info(
+                state,
+                "Read from the file again. `u` takes the change back.",
+            );
+            effects
+        }
+        Err(story) => {
+            super::cases::refused(state, "The file as the editor left it".to_owned(), story)
+        }
+    }
 }
 
 /// What every change of the text entails: fields and table anew, the draft kept, a re-solve.
@@ -235,6 +274,14 @@ fn reset(state: &mut State) -> Vec<Effect> {
     let of_file = rows_of(state, &sheet.saved, &sheet.file)
         .into_iter()
         .find(|row| row.path == path);
+    let left_out = of_file.as_ref().is_some_and(|row| !row.given);
+    let given_now = sheet.current_field().is_some_and(can_go);
+    if left_out && given_now && state.open.is_some() {
+        return match backend::unset(&sheet.text, &path) {
+            Ok(text) => change(state, text),
+            Err(problem) => super::overlay::warn(state, problem),
+        };
+    }
     let Some(row) = of_file.filter(|row| !row.value.is_empty()) else {
         return info(
             state,

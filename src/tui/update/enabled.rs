@@ -1,6 +1,7 @@
 //! Which commands can be done now, and why the others cannot.
 
 use crate::tui::command::{Id, Place};
+use crate::tui::state::trials::Trials;
 use crate::tui::state::{Content, OpenCase, Sheet, SlotKind, SlotState, State};
 
 /// Nothing, or the reason why the command cannot be done now.
@@ -8,6 +9,10 @@ use crate::tui::state::{Content, OpenCase, Sheet, SlotKind, SlotState, State};
 /// # Errors
 /// The reason, as a full sentence.
 pub fn enabled(state: &State, id: Id) -> Result<(), String> {
+    if let Some(trials) = state.trials.as_ref().filter(|t| t.shown) {
+        let reason = in_trials(trials, id);
+        return reason.map_or(Ok(()), |r| Err(r.to_owned()));
+    }
     let reason = match (&state.open, id) {
         (None, Id::Open) => state
             .cases
@@ -23,11 +28,27 @@ pub fn enabled(state: &State, id: Id) -> Result<(), String> {
     reason.map_or(Ok(()), |r| Err(r.to_owned()))
 }
 
+fn in_trials(trials: &Trials, id: Id) -> Option<&'static str> {
+    let when = |condition: bool, reason: &'static str| condition.then_some(reason);
+    match id {
+        Id::CancelJob => when(!trials.running(), "All trials are computed already."),
+        Id::Write => when(
+            trials.so_far.findings.is_empty(),
+            "No trial is computed yet.",
+        ),
+        _ => None,
+    }
+}
+
 fn in_sheet(sheet: &Sheet, id: Id) -> Option<&'static str> {
     let when = |condition: bool, reason: &'static str| condition.then_some(reason);
     match id {
         Id::Undo => when(sheet.undo.is_empty(), "There is nothing to undo."),
         Id::Redo => when(sheet.redo.is_empty(), "There is nothing to redo."),
+        Id::Editor => when(
+            sheet.unsaved(),
+            "There are changes that the file does not hold; `s` saves them first.",
+        ),
         Id::Save => when(!sheet.unsaved(), "The file already holds everything."),
         Id::Edit | Id::Reset => when(
             sheet.current_field().is_none(),
@@ -69,6 +90,11 @@ fn in_case(state: &State, open: &OpenCase, id: Id) -> Option<&'static str> {
         ),
         Id::Keep => keep(open),
         Id::Delete => delete(open),
+        Id::GoOn => go_on(open),
+        Id::Trials => when(
+            open.case.trial.is_empty(),
+            "This case has no trials. A `[[trial]]` table in its file makes one; in the list of cases `T` computes all.",
+        ),
         Id::ShowAlone | Id::Select => None,
         Id::CancelJob => {
             let open = state.jobs.lines.get(state.jobs.cursor);
@@ -78,6 +104,10 @@ fn in_case(state: &State, open: &OpenCase, id: Id) -> Option<&'static str> {
             )
         }
         Id::Write => match open.pane {
+            Place::Modes => when(
+                !matches!(open.modes.found, Some(Ok(_))),
+                "There are no modes to write.",
+            ),
             Place::Report => when(
                 open.report.is_none(),
                 "There is no finished run to report on. `R` runs the case.",
@@ -108,11 +138,29 @@ fn keep(open: &OpenCase) -> Option<&'static str> {
     }
 }
 
+fn go_on(open: &OpenCase) -> Option<&'static str> {
+    match open.current_run() {
+        None => Some("The live run is in memory only; `R` makes one that can go on."),
+        Some(run) => match run.state {
+            SlotState::Queued | SlotState::Running => {
+                Some("This run is still going on; `ctrl+c` stops it.")
+            }
+            SlotState::Elsewhere => Some("Another program is still computing this run."),
+            SlotState::Unreadable(_) => Some("This run cannot be read."),
+            _ if run.dir.is_none() => Some("This run has no directory to go on from."),
+            _ => None,
+        },
+    }
+}
+
 fn delete(open: &OpenCase) -> Option<&'static str> {
     match open.current_run() {
         None => Some("The live run is in memory only; there is nothing to delete."),
         Some(run) if matches!(run.state, SlotState::Queued | SlotState::Running) => {
             Some("This run is still going on; `ctrl+c` cancels it.")
+        }
+        Some(run) if run.state == SlotState::Elsewhere => {
+            Some("Another program is still computing this run.")
         }
         Some(run) if run.kind == SlotKind::Session && run.dir.is_none() => {
             Some("This run has no directory to delete.")

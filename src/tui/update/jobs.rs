@@ -1,14 +1,15 @@
 //! Jobs: the live re-solve, runs asked for, studies, validation; starting and cancelling them.
 
-use super::{info, runs};
+use super::{info, runs, trials};
 use crate::case::{At, Case};
+use crate::run::Resume;
 use crate::run::job::Request;
 use crate::tui::backend;
 use crate::tui::command::{Id, Place};
 use crate::tui::msg::Effect;
 use crate::tui::state::{
     Choice, Curves, JobLine, JobState, Level, OpenCase, Overlay, Purpose, RunSlot, SlotKind,
-    SlotState, State, Ticket,
+    SlotState, State, Ticket, Waiting,
 };
 
 pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
@@ -54,12 +55,13 @@ pub(super) fn resolve(state: &mut State) -> Vec<Effect> {
     effects.push(Effect::Start {
         ticket,
         request: Box::new(request),
+        from: None,
         store: false,
     });
     effects
 }
 
-fn line(ticket: Ticket, name: String, purpose: Purpose, state: JobState) -> JobLine {
+pub(super) fn line(ticket: Ticket, name: String, purpose: Purpose, state: JobState) -> JobLine {
     JobLine {
         ticket,
         name,
@@ -111,11 +113,8 @@ fn run(state: &mut State) -> Vec<Effect> {
     for slot in &mut open.runs {
         slot.shown = false;
     }
-    enqueue(state, text, case, None, true);
-    if let Some(open) = &mut state.open {
-        open.run = open.runs.len();
-    }
-    let effects = start_waiting(state);
+    enqueue(state, &text, case, None, true);
+    let effects = start_newest(state);
     info(
         state,
         "The run has begun; it is stored under runs/. `2` shows its curves, `6` the jobs.",
@@ -123,19 +122,44 @@ fn run(state: &mut State) -> Vec<Effect> {
     effects
 }
 
-/// Puts a run at the end of the queue.
-fn enqueue(state: &mut State, text: String, case: Case, at: Option<At>, shown: bool) {
-    let ticket = state.jobs.ticket();
-    let Some(open) = &mut state.open else {
+/// Puts the cursor on the newest run, and starts what waits.
+pub(super) fn start_newest(state: &mut State) -> Vec<Effect> {
+    if let Some(open) = &mut state.open {
+        open.run = open.runs.len();
+    }
+    start_waiting(state)
+}
+
+/// Puts a run of the open case at the end of the queue.
+fn enqueue(state: &mut State, text: &str, case: Case, at: Option<At>, shown: bool) {
+    let Some(open) = &state.open else {
         return;
     };
-    let method = backend::method_word(case.solver.method).to_owned();
     let label = at
         .as_ref()
         .map_or_else(String::new, |at| backend::at_label(&open.case, at));
     let stem = open.sheet.file.trim_end_matches(".toml");
+    let request = request(open, text, case, stem);
+    queue(state, request, None, label, at, shown);
+}
+
+/// Puts a run at the end of the queue, and in the list of runs.
+pub(super) fn queue(
+    state: &mut State,
+    request: Request,
+    from: Option<Resume>,
+    label: String,
+    at: Option<At>,
+    shown: bool,
+) {
+    let ticket = state.jobs.ticket();
+    let Some(open) = &mut state.open else {
+        return;
+    };
+    let method = backend::method_word(request.case.solver.method).to_owned();
+    let stem = request.file.trim_end_matches(".toml");
     let name = joined_label(&[stem, &label, &method]);
-    let request = request(open, &text, case, stem);
+    let text = request.text.clone();
     open.runs.push(RunSlot {
         ticket: Some(ticket),
         id: name.clone(),
@@ -154,7 +178,11 @@ fn enqueue(state: &mut State, text: String, case: Case, at: Option<At>, shown: b
         .jobs
         .lines
         .push(line(ticket, name, Purpose::Run, JobState::Queued));
-    state.jobs.waiting.push_back((ticket, Box::new(request)));
+    state.jobs.waiting.push_back(Waiting {
+        ticket,
+        request: Box::new(request),
+        from: from.map(Box::new),
+    });
 }
 
 /// The parts that say something, joined.
@@ -168,13 +196,19 @@ pub fn joined_label(parts: &[&str]) -> String {
 pub(super) fn start_waiting(state: &mut State) -> Vec<Effect> {
     let mut effects = Vec::new();
     while state.jobs.computing() < state.jobs.limit {
-        let Some((ticket, request)) = state.jobs.waiting.pop_front() else {
+        let Some(next) = state.jobs.waiting.pop_front() else {
             break;
         };
+        let Waiting {
+            ticket,
+            request,
+            from,
+        } = next;
         set_state(state, ticket, JobState::Running);
         effects.push(Effect::Start {
             ticket,
             request,
+            from,
             store: true,
         });
     }
@@ -275,7 +309,7 @@ fn variants(state: &mut State, points: Vec<Option<At>>, shown: bool) -> Vec<Effe
             continue;
         }
         begun += 1;
-        enqueue(state, text, case, at, shown);
+        enqueue(state, &text, case, at, shown);
     }
     effects.extend(start_waiting(state));
     runs::check(state);
@@ -317,6 +351,7 @@ pub(super) fn cancel_focused(state: &mut State) -> Vec<Effect> {
     let found = in_jobs
         .or(in_runs)
         .or_else(|| newest(Purpose::Run))
+        .or_else(|| newest(Purpose::Trials))
         .or_else(|| newest(Purpose::Live));
     match found.map(|l| (l.ticket, l.name.clone())) {
         Some((ticket, name)) => {
@@ -332,8 +367,11 @@ pub(super) fn cancel_focused(state: &mut State) -> Vec<Effect> {
 }
 
 fn cancel(state: &mut State, ticket: Ticket) -> Vec<Effect> {
+    if state.trials.as_ref().is_some_and(|t| t.ticket == ticket) {
+        return trials::stop(state);
+    }
     let was_waiting = state.jobs.waiting.len();
-    state.jobs.waiting.retain(|(t, _)| *t != ticket);
+    state.jobs.waiting.retain(|w| w.ticket != ticket);
     if state.jobs.waiting.len() < was_waiting {
         set_state(state, ticket, JobState::Cancelled);
         return Vec::new();
@@ -364,14 +402,14 @@ pub(super) fn slot(state: &mut State, ticket: Ticket) -> Option<&mut RunSlot> {
     runs.iter_mut().find(|s| s.ticket == Some(ticket))
 }
 
-/// Jobs of the open case end with it.
+/// Jobs of the open case end with it; trials go on.
 pub(super) fn cancel_all(state: &mut State) -> Vec<Effect> {
     state.jobs.waiting.clear();
     let open: Vec<Ticket> = state
         .jobs
         .lines
         .iter_mut()
-        .filter(|l| l.state.is_open())
+        .filter(|l| l.state.is_open() && l.purpose != Purpose::Trials)
         .map(|l| {
             l.state = JobState::Cancelled;
             l.ticket

@@ -40,7 +40,7 @@ pub(super) fn paste(state: &mut State, text: &str) -> Vec<Effect> {
             *cursor = 0;
             return Vec::new();
         }
-        Some(Overlay::SaveAs { input, .. }) => {
+        Some(Overlay::SaveAs { input, .. } | Overlay::Until { input, .. }) => {
             type_text(input, text);
             return Vec::new();
         }

@@ -9,7 +9,7 @@ use super::{edit, info, jobs};
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
 use crate::tui::state::sheet::After;
-use crate::tui::state::{Level, Overlay, Question, Sheet, State};
+use crate::tui::state::{JobLine, Level, Overlay, Purpose, Question, Sheet, State};
 
 pub(super) fn quit(state: &mut State) -> Vec<Effect> {
     if state.sheet().is_some_and(Sheet::unsaved) {
@@ -52,7 +52,8 @@ pub(super) fn back(state: &mut State) -> Vec<Effect> {
 fn close(state: &mut State) -> Vec<Effect> {
     let mut effects = jobs::cancel_all(state);
     state.close();
-    state.jobs.lines.clear();
+    let goes_on = |l: &JobLine| l.purpose == Purpose::Trials && l.state.is_open();
+    state.jobs.lines.retain(goes_on);
     state.jobs.cursor = 0;
     effects.push(Effect::ReadCases);
     effects

@@ -9,14 +9,18 @@ mod job_events;
 mod jobs;
 mod keys;
 mod leave;
+mod modes;
+mod onward;
 mod overlay;
 mod ropeway;
 mod runs;
 mod section;
 mod ship;
+mod trials;
 mod typing;
 
 pub(in crate::tui) use charts::readout_words;
+pub(in crate::tui) use edit::can_go;
 pub use enabled::enabled;
 pub use jobs::joined_label;
 pub use overlay::{palette_matches, run_command};
@@ -27,7 +31,7 @@ use super::state::{ChartKind, Level, State};
 
 /// Changes the state as the message says, and returns what is to be done outside of it.
 pub fn update(state: &mut State, msg: Msg) -> Vec<Effect> {
-    let effects = on(state, msg);
+    let mut effects = on(state, msg);
     if let Some(open) = &mut state.open {
         // An edit may take away the chart that was shown.
         let kinds = ChartKind::of(&open.case);
@@ -35,6 +39,7 @@ pub fn update(state: &mut State, msg: Msg) -> Vec<Effect> {
             open.chart = kinds.first().copied().unwrap_or(open.chart);
         }
     }
+    effects.extend(modes::follow(state));
     effects
 }
 
@@ -47,6 +52,10 @@ fn on(state: &mut State, msg: Msg) -> Vec<Effect> {
             vec![Effect::Repaint]
         }
         Msg::Job(ticket, event) => job_events::event(state, ticket, *event),
+        Msg::Edited(read) => edit::edited(state, read),
+        Msg::Modes(text, found) => modes::found(state, text, found),
+        Msg::Trialled(ticket, so_far) => trials::told(state, ticket, *so_far),
+        Msg::Onward(dir, until, found) => onward::found(state, dir, until, found),
         Msg::Recorded(ticket, curves) => job_events::recorded(state, ticket, &curves),
         Msg::Stored(ticket, dir) => runs::stored(state, ticket, dir),
         Msg::JobFailed(ticket, reason) => job_events::failed(state, ticket, reason),

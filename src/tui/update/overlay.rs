@@ -3,7 +3,8 @@
 use tui_input::Input;
 
 use super::typing::type_key;
-use super::{cases, charts, edit, enabled, file, jobs, keys, leave, moved, runs};
+use super::{cases, charts, edit, enabled, file, jobs, keys, leave, moved, onward, runs};
+use super::{modes, trials};
 use crate::report::chart::Glyphs;
 use crate::tui::backend;
 use crate::tui::command::{self, Command, Id, Place};
@@ -53,6 +54,7 @@ pub(super) fn key(state: &mut State, key: Key) -> Vec<Effect> {
             cursor,
         } => choose(state, choice, items, cursor, key),
         Overlay::SaveAs { input, why } => leave::save_as_key(state, input, why, key),
+        Overlay::Until { dir, input, words } => onward::key(state, dir, input, words, key),
         Overlay::Ask(question) => answer(state, question, key),
     }
 }
@@ -176,6 +178,12 @@ pub fn run_command(state: &mut State, id: Id) -> Vec<Effect> {
     if let Err(reason) = enabled(state, id) {
         return super::info(state, reason);
     }
+    if let Some(effects) = trials::command(state, id) {
+        return effects;
+    }
+    if let Some(effects) = modes::command(state, id) {
+        return effects;
+    }
     if state.file.is_some()
         && let Some(effects) = file::command(state, id)
     {
@@ -211,12 +219,10 @@ pub fn run_command(state: &mut State, id: Id) -> Vec<Effect> {
             }
             Vec::new()
         }
-        Id::Down => move_by(state, 1),
-        Id::Up => move_by(state, -1),
-        Id::PageDown => move_by(state, page(state)),
-        Id::PageUp => move_by(state, -page(state)),
-        Id::Top => move_by(state, isize::MIN / 2),
-        Id::Bottom => move_by(state, isize::MAX / 2),
+        Id::Down | Id::Up | Id::PageDown | Id::PageUp | Id::Top | Id::Bottom => {
+            let by = step(state, id);
+            by.map_or_else(Vec::new, |by| move_by(state, by))
+        }
         Id::NextPane | Id::PreviousPane | Id::Pane(_) => pane(state, id),
         Id::Edit
         | Id::Reset
@@ -224,9 +230,12 @@ pub fn run_command(state: &mut State, id: Id) -> Vec<Effect> {
         | Id::Redo
         | Id::NextGroup
         | Id::PreviousGroup
-        | Id::Method => edit::command(state, id),
+        | Id::Method
+        | Id::Editor => edit::command(state, id),
         Id::Save => leave::save(state),
         Id::Run | Id::Study | Id::Validate | Id::CancelJob => jobs::command(state, id),
+        Id::GoOn => onward::ask(state),
+        Id::Trials => trials::show(state),
         Id::Keep | Id::ShowAlone | Id::Select | Id::SelectNone | Id::Delete => {
             runs::command(state, id)
         }
@@ -240,6 +249,19 @@ pub fn run_command(state: &mut State, id: Id) -> Vec<Effect> {
 fn open_overlay(state: &mut State, overlay: Overlay) -> Vec<Effect> {
     state.overlay = Some(overlay);
     Vec::new()
+}
+
+/// By how many lines a command moves a cursor.
+pub(super) fn step(state: &State, id: Id) -> Option<isize> {
+    match id {
+        Id::Down => Some(1),
+        Id::Up => Some(-1),
+        Id::PageDown => Some(page(state)),
+        Id::PageUp => Some(-page(state)),
+        Id::Top => Some(isize::MIN / 2),
+        Id::Bottom => Some(isize::MAX / 2),
+        _ => None,
+    }
 }
 
 fn page(state: &State) -> isize {
@@ -262,8 +284,11 @@ fn pane(state: &mut State, id: Id) -> Vec<Effect> {
         _ => now,
     };
     open.pane = panes[next];
-    if open.pane == Place::Report {
-        runs::write_report(state);
+    match open.pane {
+        Place::Report => runs::write_report(state),
+        // Runs that other programs computed may have come to their end.
+        Place::Runs => return vec![runs::list(open)],
+        _ => {}
     }
     Vec::new()
 }

@@ -143,6 +143,13 @@ fn slot_of(run: &Run) -> RunSlot {
     }
 }
 
+/// Asks for the stored runs of a case, and of those beside it.
+pub(super) fn list(open: &OpenCase) -> Effect {
+    let mut files = vec![open.sheet.file.clone()];
+    files.extend(open.case.case.beside.iter().flatten().cloned());
+    Effect::ListRuns(files)
+}
+
 /// Stored runs join the list; those that the validation table needs are read.
 pub(super) fn listed(state: &mut State, slots: Vec<RunSlot>) -> Vec<Effect> {
     let Some(open) = &mut state.open else {
@@ -158,11 +165,20 @@ pub(super) fn listed(state: &mut State, slots: Vec<RunSlot>) -> Vec<Effect> {
         .collect();
     let mut effects = Vec::new();
     for mut slot in slots {
-        if open
-            .runs
-            .iter()
-            .any(|s| s.dir.is_some() && s.dir == slot.dir)
-        {
+        let same = |s: &&mut RunSlot| s.dir.is_some() && s.dir == slot.dir;
+        if let Some(known) = open.runs.iter_mut().find(same) {
+            if known.state != slot.state && known.kind == SlotKind::Stored {
+                slot.shown = known.shown;
+                slot.at = known.at.take();
+                slot.label = std::mem::take(&mut known.label);
+                *known = slot;
+                effects.extend(
+                    Some(&*known)
+                        .filter(|s| s.shown)
+                        .map(load)
+                        .unwrap_or_default(),
+                );
+            }
             continue;
         }
         if let Some((at, _)) = needed.iter().find(|(_, text)| *text == slot.text)

@@ -7,6 +7,7 @@ use super::paint::{first_line, row, text, wrap};
 use crate::case::Standing;
 use crate::tui::backend::FieldRow;
 use crate::tui::state::Sheet;
+use crate::tui::update::can_go;
 
 /// A line of the list.
 enum Line<'a> {
@@ -106,6 +107,7 @@ impl Canvas<'_> {
         self.buf.set_style(line, base);
         let note = match &field.standing {
             Some(mark) => standing_word(mark.status),
+            None if !field.applies => "no effect",
             None if !field.given => "default",
             None => "",
         };
@@ -125,6 +127,7 @@ impl Canvas<'_> {
         x += label_width;
         let (value, style) = match field.absent {
             Some(words) if field.value.is_empty() => (words, base.patch(self.theme.faint())),
+            _ if !field.applies => (field.value.as_str(), base.patch(self.theme.faint())),
             _ if field.given => (field.value.as_str(), base.patch(self.theme.strong())),
             _ => (field.value.as_str(), base),
         };
@@ -200,8 +203,13 @@ impl Canvas<'_> {
             Some(problem) => (format!("Refused: {problem}"), self.theme.error()),
             None => (
                 format!(
-                    "{}\nEnter takes it, Esc leaves it as it was.",
-                    range_words(field)
+                    "{}\nEnter takes it, Esc leaves it as it was{}.",
+                    range_words(field),
+                    if self.state.open.is_some() && can_go(field) {
+                        "; nothing typed: not given"
+                    } else {
+                        ""
+                    }
                 ),
                 self.theme.faint(),
             ),

@@ -59,7 +59,7 @@ pub fn framed(screen: Rect) -> bool {
 #[must_use]
 pub fn panes(screen: Rect, state: &State) -> Vec<(Place, Rect)> {
     let body = areas(screen).body;
-    let focus = state.place();
+    let (focus, modes) = (state.place(), state.modes_beside());
     if state.file.is_some() {
         return file_panes(screen, body, focus, state.panes());
     }
@@ -69,10 +69,10 @@ pub fn panes(screen: Rect, state: &State) -> Vec<(Place, Rect)> {
     if screen.width < FULL.0 || screen.height < FULL.1 {
         let [left, right] =
             Layout::horizontal([Constraint::Length(58), Constraint::Min(0)]).areas(body);
-        let other = if focus == Place::Inputs {
-            Place::Charts
-        } else {
-            focus
+        let other = match focus {
+            Place::Inputs if modes => Place::Modes,
+            Place::Inputs => Place::Charts,
+            focus => focus,
         };
         return vec![(Place::Inputs, left), (other, right)];
     }
@@ -91,6 +91,8 @@ pub fn panes(screen: Rect, state: &State) -> Vec<(Place, Rect)> {
     ];
     if focus == Place::Report {
         panes.push((Place::Report, right));
+    } else if modes {
+        panes.push((Place::Modes, right));
     } else {
         let [charts, table] =
             Layout::vertical([Constraint::Fill(2), Constraint::Fill(1)]).areas(right);

@@ -6,7 +6,7 @@ use super::Canvas;
 use super::paint::{first_line, row, text};
 use crate::report::number;
 use crate::tui::command::Place;
-use crate::tui::state::{JobLine, JobState, OpenCase, RunSlot, SlotState};
+use crate::tui::state::{JobLine, JobState, OpenCase, Purpose, RunSlot, SlotState};
 
 impl Canvas<'_> {
     pub(super) fn runs(&mut self, area: Rect, open: &OpenCase) {
@@ -158,6 +158,9 @@ fn cost_words(cost: Option<(u64, f64)>) -> (String, String) {
 fn job_words(line: &JobLine) -> String {
     let p = line.progress;
     match &line.state {
+        JobState::Running if line.purpose == Purpose::Trials => {
+            format!("{:.0} of {:.0} trials", p.time, p.duration)
+        }
         JobState::Running if p.estimating => "estimating errors".to_owned(),
         JobState::Running if p.steps == 0 => "starting".to_owned(),
         JobState::Running => {

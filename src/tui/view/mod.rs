@@ -6,11 +6,13 @@ mod file;
 mod inputs;
 pub mod layout;
 mod lists;
+mod modes;
 mod overlay;
 mod paint;
 mod papers;
 mod ropeway;
 mod ship;
+mod trials;
 
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
@@ -68,7 +70,10 @@ impl Canvas<'_> {
         let areas = layout::areas(screen);
         self.head(areas.head);
         let focus = self.state.place();
-        if focus == Place::Cases {
+        let trials = self.state.trials.as_ref().filter(|t| t.shown);
+        if let Some(trials) = trials {
+            self.trials(areas.tabs.union(areas.body), trials);
+        } else if focus == Place::Cases {
             self.cases(areas.tabs.union(areas.body));
         } else {
             self.tabs(areas.tabs);
@@ -118,6 +123,7 @@ impl Canvas<'_> {
             Place::Report => self.report(inside, open),
             Place::Jobs => self.jobs(inside),
             Place::Nodes => self.nodes(inside, open),
+            Place::Modes => self.modes(inside, open),
             _ => {}
         }
     }
@@ -187,6 +193,10 @@ impl Canvas<'_> {
         let what = match line.purpose {
             Purpose::Live => "live".to_owned(),
             Purpose::Run => format!("{} to go", jobs.open()),
+            Purpose::Trials => {
+                let words = format!("{:.0} of {:.0} trials", p.time, p.duration);
+                return fitting(room, &[words]);
+            }
         };
         if p.estimating {
             return fitting(room, &[format!("{what}: estimating errors"), what]);

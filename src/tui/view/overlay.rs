@@ -23,7 +23,15 @@ impl Canvas<'_> {
             } => self.long_text(screen, title, text, *scroll),
             Overlay::Ask(question) => self.ask(screen, question),
             Overlay::Choose { items, cursor, .. } => self.choose(screen, items, *cursor),
-            Overlay::SaveAs { input, why } => self.save_as(screen, input, why),
+            Overlay::SaveAs { input, why } => {
+                let why = format!("Not saved to the file itself: {why}");
+                self.one_line(screen, "Save under another name", &why, "File: ", input);
+            }
+            Overlay::Until { dir, input, words } => {
+                let name = dir.file_name().unwrap_or_default().to_string_lossy();
+                let title = format!("Go on with {name}");
+                self.one_line(screen, &title, words, "Until [s]: ", input);
+            }
         }
     }
 
@@ -227,16 +235,14 @@ impl Canvas<'_> {
         }
     }
 
-    fn save_as(&mut self, screen: Rect, input: &Input, why: &str) {
-        let area = self.boxed(screen, (76, 8), "Save under another name");
-        let lines = wrap(
-            &format!("Not saved to the file itself: {why}"),
-            area.width.into(),
-        );
+    /// Words, and a line to type.
+    fn one_line(&mut self, screen: Rect, title: &str, words: &str, prompt: &str, input: &Input) {
+        let area = self.boxed(screen, (76, 8), title);
+        let lines = wrap(words, area.width.into());
         self.lines(area, &lines, 0);
         let used = u16::try_from(lines.len())
             .unwrap_or(0)
             .min(area.height.saturating_sub(1));
-        self.prompt(row(area, used), "File: ", input);
+        self.prompt(row(area, used), prompt, input);
     }
 }

@@ -1,0 +1,108 @@
+//! A case that starts where a stored run stands: what of that run must agree with the case.
+
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+
+use super::diagnostic::{Diagnostic, Finding};
+use super::fields::quantity;
+use super::model::{Carried, Case};
+use super::tree::Node;
+
+/// What a run directory holds to go on from.
+const CHECKPOINT: &str = "checkpoint.toml";
+
+/// The key that names the run.
+const KEY: &str = "start.from_run";
+
+/// Arc lengths that differ by less than this share of the line are the same.
+const SLOP: f64 = 1e-9;
+
+/// What is looked at here of where a run stands; the rest is for those who compute.
+#[derive(Deserialize)]
+struct Stands {
+    profile: Profile,
+}
+
+#[derive(Deserialize)]
+struct Profile {
+    arc: Vec<f64>,
+}
+
+/// Takes in where the run stands that the case starts from, and holds its line against that of the case.
+pub(super) fn gather(
+    case: &mut Case,
+    root: &Node,
+    text: &str,
+    file: &str,
+) -> Result<(), Diagnostic> {
+    let Some(name) = case.start.from_run.clone() else {
+        return Ok(());
+    };
+    let span = root
+        .find(&["start", "from_run"])
+        .map_or(0..0, |node| node.span.clone());
+    let fault = |problem: String, remedy: &str| {
+        Finding::new(&span, KEY.to_owned(), problem, remedy).at(file, text)
+    };
+    if !case.files.contains_key(&name) {
+        let path = directory(file, &name).join(CHECKPOINT);
+        let read = std::fs::read_to_string(&path).map_err(|error| {
+            let problem = format!("{} cannot be read: {error}", path.display());
+            let remedy = "name the directory of a run in motion that came to an output time, beside the case file or from here";
+            fault(problem, remedy)
+        })?;
+        case.files.insert(name.clone(), Carried { text: read });
+    }
+    let carried = case.files.get(&name).map_or("", |c| c.text.as_str());
+    let stands: Stands = toml::from_str(carried).map_err(|error| {
+        let problem = format!(
+            "where {name} stands cannot be understood: {}",
+            error.message()
+        );
+        fault(problem, "name another run, or compute that one anew")
+    })?;
+    mismatch(case, &stands.profile.arc).map_or(Ok(()), |problem| {
+        let remedy = "start from a run of the same line: sections, lengths and segments";
+        Err(fault(problem, remedy))
+    })
+}
+
+/// The directory of a run: beside the case file, or as named.
+fn directory(file: &str, name: &str) -> PathBuf {
+    let beside = Path::new(file).with_file_name(name);
+    if beside.is_dir() {
+        beside
+    } else {
+        PathBuf::from(name)
+    }
+}
+
+/// Why the line of the run is not that of the case; nothing where it is.
+fn mismatch(case: &Case, there: &[f64]) -> Option<String> {
+    let mut here = vec![0.0];
+    let mut from = 0.0;
+    for section in &case.line {
+        let n = section.segments;
+        here.extend((1..=n).map(|i| from + section.length_m * i as f64 / n as f64));
+        from += section.length_m;
+    }
+    let words = |arc: &[f64]| {
+        let length = arc.last().copied().unwrap_or(0.0);
+        format!("{} nodes over {}", arc.len(), quantity(length, "m"))
+    };
+    if there.len() != here.len() || (there.last()? - from).abs() > SLOP * from {
+        return Some(format!(
+            "the run's line has {}, this one {}",
+            words(there),
+            words(&here)
+        ));
+    }
+    let apart = |(a, b): &(&f64, &f64)| (*a - *b).abs() > SLOP * from;
+    let at = there.iter().zip(&here).position(|pair| apart(&pair))?;
+    Some(format!(
+        "node {at} of the run's line lies at {}, of this one at {}",
+        quantity(there[at], "m"),
+        quantity(here[at], "m")
+    ))
+}

@@ -1,0 +1,116 @@
+//! A run that starts where a stored one stands: its shape, how it moves, and what it remembers.
+
+use super::Checkpoint;
+use crate::case::{Case, Method};
+use crate::dynamics::{Carried, Tally};
+use crate::linalg::V3;
+use crate::scene::Scene;
+use crate::solve::{State, System};
+
+/// How far an end may be from where the run left it, as a share of the line's length: what more is would be a jerk.
+const APART: f64 = 1e-6;
+
+/// Where a run begins.
+pub(super) struct Began {
+    /// The line, at time zero.
+    pub(super) state: State,
+    /// What the method carries on, where it is the same one.
+    pub(super) carried: Option<Carried>,
+}
+
+/// Where the run stands that the case starts from, if it does, on the mesh of the scene.
+///
+/// # Errors
+/// Why it cannot start there, in words.
+pub(super) fn began(case: &Case, scene: &Scene) -> Result<Option<Began>, String> {
+    let Some(name) = &case.start.from_run else {
+        return Ok(None);
+    };
+    let text = case.files.get(name).map_or("", |carried| &carried.text);
+    let stands: Checkpoint = toml::from_str(text)
+        .map_err(|error| format!("where {name} stands cannot be read: {}", error.message()))?;
+    let there = &stands.profile.arc;
+    let here = &scene.arc[..scene.line_nodes()];
+    let beyond = scene.nodes() - here.len();
+    if stands.state.x.len() != there.len() + beyond {
+        return Err(format!(
+            "{name} is a run with another payload: only one of the two turns about the end of the line"
+        ));
+    }
+    let same = there.len() == here.len();
+    let mut state = if same {
+        stands.state
+    } else {
+        resampled(&stands.state, there, here)
+    };
+    // Its time begins anew, and with it that of what it remembers.
+    state.memory.time = 0.0;
+    let ends = [0, here.len() - 1];
+    let mut held = state.clone();
+    scene.prescribe(0.0, &mut held);
+    let length = here.last().copied().unwrap_or(1.0);
+    for (node, letter) in ends.into_iter().zip(["a", "b"]) {
+        let place = state.x[node];
+        let apart = (held.x[node] - place).norm();
+        if apart > APART * length {
+            return Err(format!(
+                "end {letter} begins {apart:.3} m from where {name} left it, which would be a jerk; let ends.{letter} begin \
+                 at ({:.6}, {:.6}, {:.6}) m",
+                place.x, place.y, place.z
+            ));
+        }
+    }
+    let carried = Some(stands.carried).filter(|c| same && is_of(c, case.solver.method, scene));
+    let carried = carried.map(|carried| Carried {
+        tally: Tally::default(),
+        ..carried
+    });
+    Ok(Some(Began { state, carried }))
+}
+
+/// Whether it is this method that carried this.
+fn is_of(carried: &Carried, method: Method, scene: &Scene) -> bool {
+    let nodes = scene.nodes();
+    match method {
+        Method::Alpha | Method::Auto => carried.jerk.len() == nodes,
+        Method::Quasi => carried.x_before.len() == nodes,
+        Method::Rk4 => carried.jerk.is_empty() && carried.x_before.is_empty(),
+        Method::Static => false,
+    }
+}
+
+/// A state on another mesh of the same line: places and velocities in between, memories of the nearest.
+fn resampled(state: &State, there: &[f64], here: &[f64]) -> State {
+    let beyond = state.x.get(there.len()..).unwrap_or_default();
+    let of = |values: &[V3]| -> Vec<V3> {
+        let line = here.iter().map(|s| {
+            let after = there.partition_point(|a| a < s).clamp(1, there.len() - 1);
+            let (from, to) = (there[after - 1], there[after]);
+            let share = ((s - from) / (to - from)).clamp(0.0, 1.0);
+            values[after - 1].lerp(&values[after], share)
+        });
+        let rest = values[values.len() - beyond.len()..].iter().copied();
+        line.chain(rest).collect()
+    };
+    let mut new = State::at_rest(of(&state.x));
+    (new.v, new.a) = (of(&state.v), of(&state.a));
+    let nearest = |s: f64| {
+        let after = there.partition_point(|a| *a < s).clamp(1, there.len() - 1);
+        if s - there[after - 1] < there[after] - s {
+            after - 1
+        } else {
+            after
+        }
+    };
+    let grips = here
+        .iter()
+        .filter_map(|s| state.memory.grips.get(nearest(*s)));
+    new.memory.grips = grips.cloned().collect();
+    let ropes = here.windows(2).filter_map(|pair| {
+        let middle = 0.5 * (pair[0] + pair[1]);
+        let segment = there.partition_point(|a| *a <= middle).saturating_sub(1);
+        state.memory.ropes.get(segment)
+    });
+    new.memory.ropes = ropes.copied().collect();
+    new
+}

@@ -1,0 +1,48 @@
+//! The user's own editor on a file.
+
+use std::path::Path;
+use std::process::Command;
+
+use super::shelf;
+use crate::case;
+use crate::ropeway;
+use crate::section;
+
+/// Runs the editor that `VISUAL` or `EDITOR` names, with its words, else `vi`, until it ends.
+///
+/// # Errors
+/// Why it did not run to a good end, as a sentence.
+pub(super) fn run(path: &Path) -> Result<(), String> {
+    let named = ["VISUAL", "EDITOR"].into_iter().find_map(|name| {
+        let words = std::env::var(name).ok()?;
+        (!words.trim().is_empty()).then_some(words)
+    });
+    let words = named.unwrap_or_else(|| "vi".to_owned());
+    let mut parts = words.split_whitespace();
+    let program = parts.next().unwrap_or("vi");
+    let ended = Command::new(program).args(parts).arg(path).status();
+    match ended {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!(
+            "The editor `{words}` ended with {status}; the file was not read again."
+        )),
+        Err(error) => Err(format!(
+            "The editor `{words}` cannot be run: {error}. The variable EDITOR names another one."
+        )),
+    }
+}
+
+/// The text of a file of any kind that can be open.
+///
+/// # Errors
+/// All that is wrong with it, with the lines meant.
+pub(super) fn read(path: &Path) -> Result<String, String> {
+    let read = if section::is_section(path) {
+        section::load(path).map(|loaded| loaded.text)
+    } else if ropeway::is_ropeway(path) {
+        ropeway::load(path).map(|loaded| loaded.text)
+    } else {
+        case::load(path).map(|loaded| loaded.text)
+    };
+    read.map_err(|all| shelf::story(path, &all))
+}

@@ -1,0 +1,79 @@
+//! Trials of hard cases: what is computed, and what came out so far.
+
+use std::path::PathBuf;
+
+use super::Ticket;
+use crate::report::table::Table;
+use crate::study::{Finding, hard};
+use crate::tui::table_pane::TablePane;
+
+/// Whose trials.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum TrialsOf {
+    /// Of one case, as it stands in the editor.
+    Case {
+        /// File name.
+        file: String,
+        /// Text.
+        text: String,
+    },
+    /// Of all cases among these files that have any.
+    Files(Vec<PathBuf>),
+}
+
+/// How far the trials are, as the thread that computes them tells.
+#[derive(Debug, Clone, Default)]
+pub struct Trialled {
+    /// What came out so far, in the order of the cases.
+    pub findings: Vec<Finding>,
+    /// Trials computed.
+    pub done: usize,
+    /// Trials in all.
+    pub all: usize,
+    /// Whether this is the last word.
+    pub over: bool,
+}
+
+/// From this many columns on the whole table fits.
+pub const WIDE: u16 = 160;
+
+/// Trials on the screen, or behind it.
+#[derive(Debug, Clone)]
+pub struct Trials {
+    /// Whose they are.
+    pub of: TrialsOf,
+    /// Number of the job.
+    pub ticket: Ticket,
+    /// How far they are.
+    pub so_far: Trialled,
+    /// Whether they were stopped.
+    pub stopped: bool,
+    /// Whether they are seen; else they go on behind the screen.
+    pub shown: bool,
+    /// Selection, sorting and scrolling.
+    pub pane: TablePane,
+}
+
+impl Trials {
+    /// The table of what came out so far, for a screen of so many columns: every number, or a row a trial.
+    #[must_use]
+    pub fn table(&self, columns: u16) -> Table {
+        if columns < WIDE {
+            hard::compact(&self.so_far.findings)
+        } else {
+            hard::table(&self.so_far.findings)
+        }
+    }
+
+    /// The trial selected in the table of a row a trial.
+    #[must_use]
+    pub fn selected(&self, table: &Table) -> Option<&Finding> {
+        self.so_far.findings.get(self.pane.selected(table)?)
+    }
+
+    /// Whether they still compute.
+    #[must_use]
+    pub fn running(&self) -> bool {
+        !self.so_far.over
+    }
+}

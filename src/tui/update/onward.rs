@@ -1,0 +1,101 @@
+//! A stored run gone on with: until when is asked for, and it joins the queue as a run of its own.
+
+use std::path::PathBuf;
+
+use tui_input::Input;
+
+use super::info;
+use super::jobs::{queue, start_newest};
+use super::typing::type_key;
+use crate::run::Resume;
+use crate::run::job::Request;
+use crate::tui::backend;
+use crate::tui::key::Key;
+use crate::tui::msg::Effect;
+use crate::tui::state::{Overlay, SlotState, State};
+
+/// Asks for the time up to which the run under the cursor is to go on.
+pub(super) fn ask(state: &mut State) -> Vec<Effect> {
+    let Some(open) = &state.open else {
+        return Vec::new();
+    };
+    let Some((slot, dir)) = open.current_run().and_then(|s| Some((s, s.dir.clone()?))) else {
+        return Vec::new();
+    };
+    let end = backend::parse(&slot.text, &open.sheet.file).map(|case| case.solver.duration_s);
+    let whole = slot.state == SlotState::Done;
+    // A run that was stopped goes on to its own end, a whole one as far again.
+    let offer = end.map_or_else(
+        |_| String::new(),
+        |end| format!("{}", if whole { 2.0 * end } else { end }),
+    );
+    let words = if whole {
+        "The run is complete. It goes on as a run of its own, to the same bits as if it had never stopped."
+    } else {
+        "The run was stopped. It goes on from its last checkpoint, as a run of its own, to the same bits as \
+         if it had never stopped."
+    };
+    state.overlay = Some(Overlay::Until {
+        dir,
+        input: Input::new(offer),
+        words: words.to_owned(),
+    });
+    Vec::new()
+}
+
+/// Keys while the time is typed.
+pub(super) fn key(
+    state: &mut State,
+    dir: PathBuf,
+    mut input: Input,
+    mut words: String,
+    key: Key,
+) -> Vec<Effect> {
+    match key {
+        Key::Esc => return Vec::new(),
+        Key::Enter => match input.value().trim().parse::<f64>() {
+            Ok(until) if until.is_finite() => return vec![Effect::GoOn(dir, until)],
+            _ => "That is no time. Type seconds of simulated time, such as 1800."
+                .clone_into(&mut words),
+        },
+        _ => {
+            type_key(&mut input, key);
+        }
+    }
+    state.overlay = Some(Overlay::Until { dir, input, words });
+    Vec::new()
+}
+
+/// The run goes on, or the question is asked again with the reason why not.
+pub(super) fn found(
+    state: &mut State,
+    dir: PathBuf,
+    until: f64,
+    found: Result<Box<(Request, Resume)>, String>,
+) -> Vec<Effect> {
+    let (mut request, from) = match found {
+        Ok(found) => *found,
+        Err(words) => {
+            let input = Input::new(format!("{until}"));
+            state.overlay = Some(Overlay::Until { dir, input, words });
+            return Vec::new();
+        }
+    };
+    let Some(open) = &mut state.open else {
+        return Vec::new();
+    };
+    open.live.hidden = true;
+    for slot in &mut open.runs {
+        slot.shown = false;
+    }
+    request.id = request.file.trim_end_matches(".toml").to_owned();
+    let label = format!("to {until} s");
+    let stands = from.checkpoint.place.time;
+    queue(state, request, Some(from), label, None, true);
+    let effects = start_newest(state);
+    info(
+        state,
+        format!("The run goes on from {stands} s. `2` shows its curves, `6` the jobs."),
+    );
+    effects
+}

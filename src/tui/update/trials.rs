@@ -1,0 +1,119 @@
+//! Trials of hard cases: computed in the background, their table filled row by row.
+
+use std::path::PathBuf;
+
+use super::{info, jobs, overlay, runs};
+use crate::study::tally;
+use crate::tui::command::Id;
+use crate::tui::msg::Effect;
+use crate::tui::state::trials::{Trialled, Trials, TrialsOf};
+use crate::tui::state::{JobState, Purpose, State, Ticket};
+use crate::tui::table_pane::TablePane;
+
+/// Columns of the table in a file.
+const PAPER_WIDTH: usize = 160;
+
+/// Shows the trials of the open case, or those of all cases listed; computes them unless that is done or on its way.
+pub(super) fn show(state: &mut State) -> Vec<Effect> {
+    let of = match &state.open {
+        Some(open) => TrialsOf::Case {
+            file: open.sheet.file.clone(),
+            text: open.sheet.text.clone(),
+        },
+        None => TrialsOf::Files(state.cases.entries.iter().map(|e| e.path.clone()).collect()),
+    };
+    match &mut state.trials {
+        Some(known) if known.of == of && !known.stopped => {
+            known.shown = true;
+            Vec::new()
+        }
+        _ => begin(state, of),
+    }
+}
+
+fn begin(state: &mut State, of: TrialsOf) -> Vec<Effect> {
+    let mut effects: Vec<Effect> = stop(state);
+    let ticket = state.jobs.ticket();
+    let name = match &of {
+        TrialsOf::Case { file, .. } => format!("trials of {file}"),
+        TrialsOf::Files(_) => "trials of all hard cases".to_owned(),
+    };
+    let line = jobs::line(ticket, name, Purpose::Trials, JobState::Running);
+    state.jobs.lines.push(line);
+    state.trials = Some(Trials {
+        of: of.clone(),
+        ticket,
+        so_far: Trialled::default(),
+        stopped: false,
+        shown: true,
+        pane: TablePane::default(),
+    });
+    effects.push(Effect::StartTrials { ticket, of });
+    effects
+}
+
+/// Stops trials that are on their way.
+pub(super) fn stop(state: &mut State) -> Vec<Effect> {
+    let Some(trials) = state.trials.as_mut().filter(|t| t.running()) else {
+        return Vec::new();
+    };
+    trials.stopped = true;
+    trials.so_far.over = true;
+    let ticket = trials.ticket;
+    jobs::set_state(state, ticket, JobState::Cancelled);
+    vec![Effect::Cancel(ticket)]
+}
+
+/// What a command does while trials are seen; absent: the same as everywhere.
+pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
+    let (by, columns) = (overlay::step(state, id), state.size.0);
+    let trials = state.trials.as_mut().filter(|t| t.shown)?;
+    let table = trials.table(columns);
+    match id {
+        Id::Trials => {
+            let of = trials.of.clone();
+            return Some(begin(state, of));
+        }
+        Id::Back => trials.shown = false,
+        Id::CancelJob | Id::Interrupt if trials.running() => {
+            let effects = stop(state);
+            info(state, "Stopped; `T` computes the trials anew.");
+            return Some(effects);
+        }
+        Id::ScrollLeft | Id::ScrollRight | Id::Sort => {
+            trials.pane.act(runs::table_verb(id), &table);
+        }
+        Id::Write => {
+            let tally = tally(&trials.so_far.findings);
+            let table = trials.table(u16::MAX).to_text(PAPER_WIDTH);
+            let text = format!("{table}\n{tally}\n");
+            let path = PathBuf::from("hard-cases.txt");
+            return Some(runs::write(path, Some(text), "The table of trials"));
+        }
+        _ => trials.pane.act(overlay::by_rows(by?), &table),
+    }
+    Some(Vec::new())
+}
+
+/// How far the trials are; dropped where nobody waits for them any more.
+pub(super) fn told(state: &mut State, ticket: Ticket, so_far: Trialled) -> Vec<Effect> {
+    let Some(trials) = &mut state.trials else {
+        return Vec::new();
+    };
+    if trials.ticket != ticket || !trials.running() {
+        return Vec::new();
+    }
+    let over = so_far.over;
+    let words = tally(&so_far.findings).to_string();
+    if let Some(line) = state.jobs.get_mut(ticket) {
+        line.progress.time = so_far.done as f64;
+        line.progress.duration = so_far.all as f64;
+        line.progress.steps = so_far.done as u64;
+    }
+    trials.so_far = so_far;
+    if over {
+        jobs::set_state(state, ticket, JobState::Done);
+        info(state, format!("{words}."));
+    }
+    Vec::new()
+}

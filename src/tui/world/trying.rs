@@ -1,0 +1,65 @@
+//! Trials of hard cases, on threads of their own.
+
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+use crossbeam_channel::Sender;
+
+use crate::case;
+use crate::ropeway;
+use crate::section;
+use crate::ship;
+use crate::study::hard::{self, Computed, Hard};
+use crate::tui::msg::Msg;
+use crate::tui::state::Ticket;
+use crate::tui::state::trials::{Trialled, TrialsOf};
+
+/// Computes trials, on all cores but the one of the screen; tells of each, and at the end.
+pub(super) fn try_all(ticket: Ticket, of: TrialsOf, cancel: &AtomicBool, out: &Sender<Msg>) -> Msg {
+    let cases: Vec<Hard> = match of {
+        TrialsOf::Case { file, text } => {
+            let case = case::parse(&text, &file).ok();
+            let hard = case.map(|case| Hard { file, text, case });
+            hard.into_iter().collect()
+        }
+        TrialsOf::Files(paths) => paths.iter().filter_map(|path| hard_case(path)).collect(),
+    };
+    let tell = |all: &[Option<Computed>], done: usize, over: bool| {
+        let so_far = Trialled {
+            findings: hard::findings(&cases, all),
+            done,
+            all: all.len(),
+            over,
+        };
+        Msg::Trialled(ticket, Box::new(so_far))
+    };
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(cores.saturating_sub(1).max(1))
+        .build();
+    let compute = || {
+        hard::compute_all(&cases, cancel, &|all, done| {
+            drop(out.send(tell(all, done, false)));
+        })
+    };
+    let computed = match pool {
+        Ok(pool) => pool.install(compute),
+        Err(_) => compute(),
+    };
+    let done = computed.iter().flatten().count();
+    tell(&computed, done, true)
+}
+
+/// A case file with trials.
+fn hard_case(path: &Path) -> Option<Hard> {
+    if section::is_section(path) || ropeway::is_ropeway(path) || ship::is_ship(path) {
+        return None;
+    }
+    let loaded = case::load(path).ok()?;
+    let file = path.file_name()?.to_string_lossy().into_owned();
+    (!loaded.case.trial.is_empty()).then_some(Hard {
+        file,
+        text: loaded.text,
+        case: loaded.case,
+    })
+}
