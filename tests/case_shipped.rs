@@ -123,6 +123,10 @@ fn benchmarks_meet_what_is_published() {
         for row in rows {
             let off = (row.computed.unwrap_or(f64::NAN) - row.published.unwrap()).abs();
             assert_eq!(row.outcome, Outcome::Pass, "{}: {off}", row.name);
+            // Curves have no numerical error of their own.
+            if row.unit.starts_with("% of") {
+                continue;
+            }
             // The tolerance is not met by chance: the mesh error is a small part of it.
             assert!(
                 row.error.unwrap() < 0.1 * row.tolerance.unwrap(),

@@ -108,9 +108,9 @@ fn end_stiffness_is_the_derivative_of_the_end_force() {
             (1e-5 * rest.tension_b_n() / stiff).min(1e-4 * rest.h_b_n / k[0][0].max(k[0][1].abs()));
         for (column, (x, z)) in [(step, 0.0), (0.0, step)].into_iter().enumerate() {
             let (up, down) = (at(x, z), at(-x, -z));
-            for i in 0..2 {
+            for (i, row_of_k) in k.iter().enumerate() {
                 let found = (forces(&up)[i] - forces(&down)[i]) / (2.0 * step);
-                let error = (found - k[i][column]).abs() / stiff;
+                let error = (found - row_of_k[column]).abs() / stiff;
                 assert!(error < 1e-4, "{} [{i}][{column}] {error:e}", row.kind);
             }
         }

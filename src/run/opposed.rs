@@ -2,7 +2,7 @@
 //!
 //! Around every place, the complex amplitude `a = cos + i sin` of [`response`](super::response) is fitted by least squares
 //! over half a local wave by `A (D e^(i phase) + U e^(-i phase))`, with the phase and the amplitude A that WKB theory gives
-//! the line at rest ([`wkb`](crate::modes::wkb)): D runs towards end A, U towards end B. With the greatest size D + U and the
+//! the line at rest ([`wave_number`](crate::modes::wave_number)): D runs towards end A, U towards end B. With the greatest size D + U and the
 //! least |D - U| of what both make together, their standing wave ratio is `(D + U) / |D - U|` (Pozar 2012, section 2.3, for
 //! lines of any kind): 1 where all travels, infinite where all stands. Where loads act on the line or it
 //! bends sharply, a fit says what the motion is most like.

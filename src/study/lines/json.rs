@@ -205,7 +205,7 @@ mod tests {
             panic!("{read:?}");
         };
         assert_eq!(list[0].kind, Kind::Number(1.0));
-        assert_eq!(read[0].1.at, 7..19);
+        assert_eq!(read[0].1.at, 7..20);
     }
 
     #[test]

@@ -83,7 +83,12 @@ impl ShipView {
 
     /// Charts and table of the ship at sea, or why there are none.
     fn sailing(&self, leaf: usize) -> Result<(Option<Chart>, Table), Table> {
-        let seed = self.rest.ship.motion.as_ref().map_or(0, |m| m.seed());
+        let seed = self
+            .rest
+            .ship
+            .motion
+            .as_ref()
+            .map_or(0, ship::model::Motion::seed);
         Ok(match leaf {
             1 => {
                 let voyage = self.voyage()?;
