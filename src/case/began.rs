@@ -34,7 +34,7 @@ pub(super) fn gather(
     case: &mut Case,
     root: &Node,
     text: &str,
-    file: &str,
+    (file, folder): (&str, &Path),
 ) -> Result<(), Diagnostic> {
     let Some(name) = case.start.from_run.clone() else {
         return Ok(());
@@ -46,7 +46,7 @@ pub(super) fn gather(
         Finding::new(&span, KEY.to_owned(), problem, remedy).at(file, text)
     };
     if !case.files.contains_key(&name) {
-        let path = directory(file, &name).join(CHECKPOINT);
+        let path = directory(folder, &name).join(CHECKPOINT);
         let read = std::fs::read_to_string(&path).map_err(|error| {
             let problem = format!("{} cannot be read: {error}", path.display());
             let remedy = "name the directory of a run in motion that came to an output time, beside the case file or from here";
@@ -69,8 +69,8 @@ pub(super) fn gather(
 }
 
 /// The directory of a run: beside the case file, or as named.
-fn directory(file: &str, name: &str) -> PathBuf {
-    let beside = Path::new(file).with_file_name(name);
+fn directory(folder: &Path, name: &str) -> PathBuf {
+    let beside = folder.join(name);
     if beside.is_dir() {
         beside
     } else {

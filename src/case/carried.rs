@@ -32,7 +32,7 @@ pub(crate) fn gather(
     case: &mut Case,
     root: &Node,
     text: &str,
-    file: &str,
+    (file, folder): (&str, &Path),
 ) -> Result<(), Diagnostic> {
     for (letter, end) in [("a", case.ends.a.clone()), ("b", case.ends.b.clone())] {
         let used = end.kind == EndKind::Moving
@@ -40,7 +40,7 @@ pub(crate) fn gather(
         let Some(name) = end.motion_file.as_ref().filter(|_| used) else {
             continue;
         };
-        let beside = Path::new(file).with_file_name(name);
+        let beside = folder.join(name);
         if !case.files.contains_key(name) {
             let read = std::fs::read_to_string(&beside).map_err(|error| {
                 let span = root

@@ -28,7 +28,7 @@ pub use diagnostic::{Diagnostic, render_all};
 pub use kind::Opened;
 pub use misfit::Misfit;
 pub use model::*;
-pub use read::{Loaded, load, parse};
+pub use read::{Loaded, load, parse, parse_beside};
 
 // What another kind of file needs to be read, checked and complained about in the same way.
 pub(crate) use check::{join, nearest, split};

@@ -41,20 +41,31 @@ pub fn load(path: &Path) -> Result<Loaded, Vec<Diagnostic>> {
     })
 }
 
-/// Checks the text of a case. `file` is the name the diagnostics carry.
+/// Checks the text of a case. `file` is the name the diagnostics carry; the files it names are looked for beside it.
 ///
 /// # Errors
 ///
 /// Everything that is wrong, at once, in the order of the lines.
 pub fn parse(text: &str, file: &str) -> Result<Case, Vec<Diagnostic>> {
+    let folder = Path::new(file).parent().unwrap_or(Path::new(""));
+    parse_beside(text, file, folder)
+}
+
+/// Checks the text of a case that stands in a folder: where the files it names are looked for. `file` is the name the
+/// diagnostics carry.
+///
+/// # Errors
+///
+/// Everything that is wrong, at once, in the order of the lines.
+pub fn parse_beside(text: &str, file: &str, folder: &Path) -> Result<Case, Vec<Diagnostic>> {
     let tree = said(text, file, &CASE)?;
     let found = check(&tree);
     if !found.is_empty() {
         return Err(diagnose(found, text, file));
     }
     let mut case: Case = words_of(text).map_err(|finding| diagnose(vec![finding], text, file))?;
-    gather(&mut case, &tree, text, file)
-        .and_then(|()| began::gather(&mut case, &tree, text, file))
+    gather(&mut case, &tree, text, (file, folder))
+        .and_then(|()| began::gather(&mut case, &tree, text, (file, folder)))
         .map_err(|diagnostic| vec![diagnostic])?;
     Ok(case)
 }

@@ -1,5 +1,6 @@
 //! The core as the screen needs it: one thin layer over case, reference and report.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use crate::case::{self, At, Case, Method};
@@ -16,10 +17,16 @@ pub use crate::reference::Row;
 /// # Errors
 /// The first thing wrong, as one line with file, line and column.
 pub fn parse(text: &str, file: &str) -> Result<Case, String> {
-    case::parse(text, file).map_err(|all| {
-        all.first()
-            .map_or_else(|| format!("{file} is no case."), ToString::to_string)
-    })
+    case::parse(text, file).map_err(|all| first(&all, file))
+}
+
+/// Reads a text as the case of a file, which may name others beside it.
+///
+/// # Errors
+/// As [`parse`].
+pub fn parse_at(text: &str, path: &Path, file: &str) -> Result<Case, String> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    case::parse_beside(text, file, folder).map_err(|all| first(&all, file))
 }
 
 /// The fields of the editor.
@@ -127,7 +134,9 @@ pub fn variant(
         .iter()
         .find(|s| s.name == at.study)
         .ok_or_else(|| format!("{file} has no study named `{}`.", at.study))?;
-    let text = case::edit::set_value(text, &study.key, &at.value).map_err(|d| d.to_string())?;
+    // With the files that it names: the name alone does not tell where they are.
+    let whole = case::stand_alone(text, case);
+    let text = case::edit::set_value(&whole, &study.key, &at.value).map_err(|d| d.to_string())?;
     let case = parse(&text, file)?;
     Ok((text, case))
 }

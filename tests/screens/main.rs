@@ -6,6 +6,7 @@
     reason = "a test may panic, and compares numbers that are the same bits"
 )]
 
+mod beside;
 mod desk;
 mod modes;
 mod onward;

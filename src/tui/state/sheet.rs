@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use tui_input::Input;
 
-use crate::tui::backend::FieldRow;
+use crate::case::Case;
+use crate::tui::backend::{self, FieldRow};
 
 /// What follows a save that was asked for on the way out.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -59,6 +60,14 @@ pub struct Sheet {
 }
 
 impl Sheet {
+    /// What a text of this file says as a case.
+    ///
+    /// # Errors
+    /// The first thing wrong, as one line with file, line and column.
+    pub fn case_of(&self, text: &str) -> Result<Case, String> {
+        backend::parse_at(text, &self.path, &self.file)
+    }
+
     /// A file as read, with its fields still to be listed.
     #[must_use]
     pub fn new(path: PathBuf, text: String) -> Self {

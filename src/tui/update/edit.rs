@@ -9,7 +9,7 @@ use crate::tui::backend::{self, FieldRow};
 use crate::tui::command::Id;
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
-use crate::tui::state::{Editing, Level, State};
+use crate::tui::state::{Editing, Level, Sheet, State};
 
 const METHODS: [&str; 4] = ["static", "quasi", "rk4", "alpha"];
 
@@ -235,7 +235,7 @@ pub(super) fn refresh(state: &mut State) {
             problem = Some(backend::first(&all, &file.sheet.file));
         }
     } else if let Some(open) = &mut state.open {
-        match backend::parse(&open.sheet.text, &open.sheet.file) {
+        match open.sheet.case_of(&open.sheet.text) {
             Ok(case) => {
                 open.sheet.rows = backend::rows(&open.sheet.text, &case);
                 open.case = case;
@@ -255,11 +255,12 @@ pub(super) fn refresh(state: &mut State) {
 }
 
 /// The fields of a text, of the kind of file that is open; none when it does not pass.
-fn rows_of(state: &State, text: &str, file: &str) -> Vec<FieldRow> {
+fn rows_of(state: &State, text: &str, sheet: &Sheet) -> Vec<FieldRow> {
     match &state.file {
         Some(file) => file.content.view().rows(text),
-        None => backend::parse(text, file)
-            .map_or_else(|_| Vec::new(), |case| backend::rows(text, &case)),
+        None => {
+            (sheet.case_of(text)).map_or_else(|_| Vec::new(), |case| backend::rows(text, &case))
+        }
     }
 }
 
@@ -271,7 +272,7 @@ fn reset(state: &mut State) -> Vec<Effect> {
     let Some(path) = sheet.current_field().map(|row| row.path.clone()) else {
         return Vec::new();
     };
-    let of_file = rows_of(state, &sheet.saved, &sheet.file)
+    let of_file = rows_of(state, &sheet.saved, sheet)
         .into_iter()
         .find(|row| row.path == path);
     let left_out = of_file.as_ref().is_some_and(|row| !row.given);
@@ -338,7 +339,7 @@ pub(super) fn recover(state: &mut State, text: String) -> Vec<Effect> {
             let passes = file.content.view().passes(&text, &sheet.file);
             passes.map_err(|all| backend::first(&all, &sheet.file))
         }
-        None => backend::parse(&text, &sheet.file).map(drop),
+        None => sheet.case_of(&text).map(drop),
     };
     if let Err(problem) = passes {
         return super::overlay::warn(

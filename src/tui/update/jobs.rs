@@ -87,8 +87,7 @@ fn overrides(open: &OpenCase, text: &str) -> Vec<String> {
         return Vec::new();
     }
     let rows = |text: &str| {
-        backend::parse(text, &open.sheet.file)
-            .map_or_else(|_| Vec::new(), |case| backend::rows(text, &case))
+        (open.sheet.case_of(text)).map_or_else(|_| Vec::new(), |case| backend::rows(text, &case))
     };
     let of_file = rows(&open.sheet.saved);
     rows(text)

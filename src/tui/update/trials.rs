@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::{info, jobs, overlay, runs};
+use crate::case;
 use crate::study::tally;
 use crate::tui::command::Id;
 use crate::tui::msg::Effect;
@@ -18,7 +19,7 @@ pub(super) fn show(state: &mut State) -> Vec<Effect> {
     let of = match &state.open {
         Some(open) => TrialsOf::Case {
             file: open.sheet.file.clone(),
-            text: open.sheet.text.clone(),
+            text: case::stand_alone(&open.sheet.text, &open.case).into_owned(),
         },
         None => TrialsOf::Files(state.cases.entries.iter().map(|e| e.path.clone()).collect()),
     };

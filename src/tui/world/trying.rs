@@ -59,7 +59,7 @@ fn hard_case(path: &Path) -> Option<Hard> {
     let file = path.file_name()?.to_string_lossy().into_owned();
     (!loaded.case.trial.is_empty()).then_some(Hard {
         file,
-        text: loaded.text,
+        text: case::stand_alone(&loaded.text, &loaded.case).into_owned(),
         case: loaded.case,
     })
 }
