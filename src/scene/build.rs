@@ -87,10 +87,6 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
     let (mass, weight) = lump(&segments, &bodies, turning.as_ref())?;
     let (water, of_water) = sea::water(case, &segments, &bodies)?;
     remarks.extend(of_water);
-    if water.is_some() && turning.is_some() {
-        let said = "waves and the surface act on the line, not on the payload that turns";
-        remarks.push(said.to_owned());
-    }
     let waves = water.as_ref().and_then(|water| water.waves.as_ref());
     let ends = [
         ends::end(case, &case.ends.a, "ends.a", waves, &mut remarks)?,
