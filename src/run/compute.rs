@@ -131,16 +131,12 @@ fn compute_on(
     tell_damping(&mut settings, &phases[0], ended.work.steps);
     warnings.extend(out_of_water(case, &recorder.profile));
     warnings.extend(recorder.front.warning());
-    let mut modes = modes::numbers(case, &phases[0]).unwrap_or_else(|why| {
-        warnings.push(format!("natural modes are not told: {why}"));
-        Vec::new()
-    });
-    let hz: Vec<f64> = modes
-        .iter()
-        .filter(|q| q.unit == "Hz")
-        .map(|q| q.value)
-        .collect();
-    warnings.extend(tell_of_modes(&settings, ended.work.steps, &hz));
+    let mut modes = told_modes(case, &phases[0], &mut warnings);
+    warnings.extend(tell_of_modes(
+        &settings,
+        ended.work.steps,
+        &frequencies(&modes),
+    ));
     modes.extend(steady::number(case, recorder.kept.shapes()));
     let Recorder {
         kept,
@@ -168,10 +164,33 @@ fn compute_on(
     }
 }
 
+/// Natural modes where the case asks for them, or a warning why there are none.
+fn told_modes(case: &Case, scene: &Scene, warnings: &mut Vec<String>) -> Vec<Quantity> {
+    modes::numbers(case, scene).unwrap_or_else(|why| {
+        warnings.push(format!("natural modes are not told: {why}"));
+        Vec::new()
+    })
+}
+
+/// The frequencies among numbers \[Hz\].
+fn frequencies(numbers: &[Quantity]) -> Vec<f64> {
+    let hz = numbers.iter().filter(|q| q.unit == "Hz");
+    hz.map(|q| q.value).collect()
+}
+
 /// CPU time of this thread \[s\].
 fn cpu_time() -> f64 {
     let t = clock_gettime(ClockId::ThreadCPUTime);
     t.tv_sec as f64 + 1e-9 * t.tv_nsec as f64
+}
+
+/// A run that gave up before its first step.
+pub(super) fn refused(failure: String, work: Work) -> Ended {
+    Ended {
+        state: RunState::Failed,
+        failure: Some(failure),
+        work,
+    }
 }
 
 /// Brings the line to its start and runs the method of the case.
@@ -187,11 +206,6 @@ fn solve<'a>(
     let mut state = scene.initial_state();
     let mut work = Work::default();
     let said = warnings.len();
-    let refused = |failure: String, work| Ended {
-        state: RunState::Failed,
-        failure: Some(failure),
-        work,
-    };
     let began = match began(case, scene) {
         Ok(began) => began.filter(|_| from.is_none()),
         Err(failure) => return refused(failure, work),
@@ -218,12 +232,26 @@ fn solve<'a>(
         carried: carried.as_ref(),
         warnings: &warnings[said..],
     };
+    run_method(case, settings, phases, &mut state, sink, work, from)
+}
+
+/// Runs the method of the case from where the line is now.
+fn run_method<'a>(
+    case: &Case,
+    settings: &Settings,
+    phases: &'a [Scene],
+    state: &mut State,
+    sink: &mut Recorder<'a>,
+    work: Work,
+    from: &From<'_>,
+) -> Ended {
+    let scene = &phases[0];
     let nodes = scene.nodes();
     let tolerance = position_tolerance(case, scene);
     let newton = case.solver.max_iterations;
     match case.solver.method {
         Method::Static => {
-            give(sink, &state);
+            give(sink, state);
             Ended {
                 state: RunState::Done,
                 failure: None,
@@ -232,7 +260,7 @@ fn solve<'a>(
         }
         Method::Quasi => {
             let method = Quasi::new(nodes, tolerance, newton);
-            march(method, settings, phases, &mut state, sink, work, from)
+            march(method, settings, phases, state, sink, work, from)
         }
         Method::Rk4 => {
             if settings
@@ -241,32 +269,24 @@ fn solve<'a>(
             {
                 return refused(unstable(settings), work);
             }
-            scene.take_water(0.0, &mut state);
+            scene.take_water(0.0, state);
             if from.carried.is_none() {
-                scene.accelerate(0.0, &mut state);
+                scene.accelerate(0.0, state);
             }
-            march(
-                Rk4::new(nodes),
-                settings,
-                phases,
-                &mut state,
-                sink,
-                work,
-                from,
-            )
+            march(Rk4::new(nodes), settings, phases, state, sink, work, from)
         }
         Method::Alpha | Method::Auto => {
-            scene.take_water(0.0, &mut state);
+            scene.take_water(0.0, state);
             // Its acceleration is its own: derived anew it would lose an order.
             if from.carried.is_none() {
-                scene.accelerate(0.0, &mut state);
+                scene.accelerate(0.0, state);
             }
             let method = Alpha::new(nodes, case.solver.rho_inf, tolerance, newton);
             let method = match settings.step_tolerance {
                 Some(tolerance) => method.controlled(control(case, scene, tolerance)),
                 None => method,
             };
-            march(method, settings, phases, &mut state, sink, work, from)
+            march(method, settings, phases, state, sink, work, from)
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::compute::refused;
 use super::recorder::Recorder;
 use super::store::StoreError;
 use super::{Checkpoint, Resume, RunState, Settings, Work};
@@ -60,33 +61,14 @@ pub(super) fn march<'a, M: Stepper>(
     let (mut place, first) = match from.resume {
         Some(resume) => match take_up(resume, &mut method, phases, state, sink) {
             Ok(place) => (place, resume.checkpoint.phase),
-            Err(error) => {
-                return Ended {
-                    state: RunState::Failed,
-                    failure: Some(error.to_string()),
-                    work,
-                };
-            }
+            Err(error) => return refused(error.to_string(), work),
         },
         None => (Place::default(), 0),
     };
-    let mut result = Ok(Progressing::Continue);
-    if from.resume.is_none() {
-        phases[0].take_water(0.0, state);
-        // What another run remembers it has committed already.
-        if !from.began {
-            phases[0].commit(0.0, 0.0, state);
-        }
-        if let Some(carried) = from.carried {
-            method.take_up(carried);
-        }
-        result = Ok(sink.accept(Instant {
-            time: 0.0,
-            state,
-            steps: 0,
-            output: true,
-        }));
-    }
+    let mut result = Ok(match from.resume {
+        Some(_) => Progressing::Continue,
+        None => set_out(&mut method, &phases[0], state, sink, from),
+    });
     for (phase, scene) in phases.iter().enumerate().skip(first) {
         if !matches!(result, Ok(Progressing::Continue)) {
             break;
@@ -172,6 +154,30 @@ fn run_phase<'a, M: Stepper>(
         }
     }
     Ok(Progressing::Continue)
+}
+
+/// Begins at time zero: what the line remembers of its start, and the first row.
+fn set_out<'a, M: Stepper>(
+    method: &mut M,
+    scene: &'a Scene,
+    state: &mut State,
+    sink: &mut Recorder<'a>,
+    from: &From<'_>,
+) -> Progressing {
+    scene.take_water(0.0, state);
+    // What another run remembers it has committed already.
+    if !from.began {
+        scene.commit(0.0, 0.0, state);
+    }
+    if let Some(carried) = from.carried {
+        method.take_up(carried);
+    }
+    sink.accept(Instant {
+        time: 0.0,
+        state,
+        steps: 0,
+        output: true,
+    })
 }
 
 /// Sets everything as it stood at a checkpoint.

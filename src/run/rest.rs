@@ -24,6 +24,22 @@ pub(super) fn come_to_rest(
     if !scene.start_in_equilibrium && case.solver.method != Method::Static {
         return Ok(());
     }
+    find_rest(scene, state, work, warnings)?;
+    if let Some(node) = scene.sliding(state) {
+        return Err(format!(
+            "the line has no equilibrium: at node {node} it slides down the slope, which friction on the bed does not bear"
+        ));
+    }
+    tell_of_rest(scene, state, warnings)
+}
+
+/// Finds the equilibrium.
+fn find_rest(
+    scene: &Scene,
+    state: &mut State,
+    work: &mut Work,
+    warnings: &mut Vec<String>,
+) -> Result<(), String> {
     match Search::default().run(scene, 0.0, state) {
         Ok(found) => {
             work.iterations += found.iterations;
@@ -51,11 +67,15 @@ pub(super) fn come_to_rest(
             return Err(words);
         }
     }
-    if let Some(node) = scene.sliding(state) {
-        return Err(format!(
-            "the line has no equilibrium: at node {node} it slides down the slope, which friction on the bed does not bear"
-        ));
-    }
+    Ok(())
+}
+
+/// Says what is to be known of the equilibrium found: that others are as good, that the line would leave it, that it turns too
+/// sharply for its mesh.
+///
+/// # Errors
+/// That nothing at all holds the line in its shape.
+fn tell_of_rest(scene: &Scene, state: &State, warnings: &mut Vec<String>) -> Result<(), String> {
     // Friction makes the tangent unsymmetric: its pivots then tell nothing.
     let rough = scene.bed.is_some_and(|bed| bed.friction.is_some());
     let ways = instabilities(scene, 0.0, state);

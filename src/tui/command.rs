@@ -1,6 +1,10 @@
 //! The one table of commands. Keys, footer, `?` help and `:` palette are views of it.
 
 use super::key::Key;
+use super::place::{
+    CASES, CHARTS, DOWN, DRAWING, EVERYWHERE, IN_CASE, IN_FILE, IN_SHEET, INPUTS, JOBS, LISTS,
+    MODES, NODES, Place, ROPEWAY, RUNS, TABLES, TRIALS, WIDE, WRITABLE,
+};
 
 /// What a command does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -149,98 +153,6 @@ pub enum Id {
     Quit,
 }
 
-/// Where the keys go.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Place {
-    /// The list of cases.
-    Cases,
-    /// The parameter editor.
-    Inputs,
-    /// The charts.
-    Charts,
-    /// The runs of the case.
-    Runs,
-    /// The validation table.
-    Validation,
-    /// The text report.
-    Report,
-    /// The jobs.
-    Jobs,
-    /// Trials of hard cases.
-    Trials,
-    /// The line node by node.
-    Nodes,
-    /// Natural modes of the line.
-    Modes,
-    /// The keys of a file that is no line case.
-    Keys,
-    /// Its tables and charts.
-    Tables,
-    /// What it is held against.
-    Checks,
-    /// A cross-section drawn.
-    Drawing,
-    /// A ropeway drawn, with its readings.
-    Ropeway,
-    /// A ship from above, with its headings.
-    Ship,
-}
-
-impl Place {
-    /// All of them.
-    pub const ALL: [Self; 16] = [
-        Self::Trials,
-        Self::Modes,
-        Self::Cases,
-        Self::Inputs,
-        Self::Charts,
-        Self::Runs,
-        Self::Validation,
-        Self::Report,
-        Self::Jobs,
-        Self::Nodes,
-        Self::Keys,
-        Self::Tables,
-        Self::Checks,
-        Self::Drawing,
-        Self::Ropeway,
-        Self::Ship,
-    ];
-
-    /// The panes of an open case, in the order of their numbers.
-    pub const PANES: [Self; 8] = [
-        Self::Inputs,
-        Self::Charts,
-        Self::Runs,
-        Self::Validation,
-        Self::Report,
-        Self::Jobs,
-        Self::Nodes,
-        Self::Modes,
-    ];
-
-    /// The name shown on its frame and tab.
-    #[must_use]
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Cases => "Cases",
-            Self::Inputs | Self::Keys => "Inputs",
-            Self::Charts => "Charts",
-            Self::Runs => "Runs",
-            Self::Validation | Self::Checks => "Validation",
-            Self::Report => "Report",
-            Self::Jobs => "Jobs",
-            Self::Trials => "Trials",
-            Self::Nodes => "Nodes",
-            Self::Modes => "Modes",
-            Self::Drawing => "Drawing",
-            Self::Tables => "Tables",
-            Self::Ropeway => "Ropeway",
-            Self::Ship => "Ship",
-        }
-    }
-}
-
 /// A line of the table.
 #[derive(Debug, Clone, Copy)]
 pub struct Command {
@@ -255,90 +167,6 @@ pub struct Command {
     /// Where it applies.
     pub places: &'static [Place],
 }
-
-const EVERYWHERE: &[Place] = &Place::ALL;
-const IN_CASE: &[Place] = &Place::PANES;
-const TRIALS: &[Place] = &[Place::Trials];
-const LISTS: &[Place] = &[
-    Place::Trials,
-    Place::Modes,
-    Place::Cases,
-    Place::Inputs,
-    Place::Runs,
-    Place::Validation,
-    Place::Report,
-    Place::Jobs,
-    Place::Nodes,
-    Place::Keys,
-    Place::Tables,
-    Place::Checks,
-    Place::Ship,
-];
-/// As [`LISTS`], without the pane that has a word of its own for it.
-const DOWN: &[Place] = &[
-    Place::Trials,
-    Place::Cases,
-    Place::Inputs,
-    Place::Runs,
-    Place::Validation,
-    Place::Report,
-    Place::Jobs,
-    Place::Nodes,
-    Place::Keys,
-    Place::Tables,
-    Place::Checks,
-    Place::Ship,
-];
-/// Panes of a file that is no line case.
-const IN_SHEET: &[Place] = &[
-    Place::Keys,
-    Place::Tables,
-    Place::Checks,
-    Place::Drawing,
-    Place::Ropeway,
-    Place::Ship,
-];
-const ROPEWAY: &[Place] = &[Place::Ropeway];
-const CASES: &[Place] = &[Place::Cases];
-const INPUTS: &[Place] = &[Place::Inputs, Place::Keys];
-const DRAWING: &[Place] = &[Place::Drawing];
-const TABLES: &[Place] = &[Place::Tables];
-const MODES: &[Place] = &[Place::Modes];
-const NODES: &[Place] = &[Place::Nodes];
-const IN_FILE: &[Place] = &[
-    Place::Modes,
-    Place::Inputs,
-    Place::Charts,
-    Place::Runs,
-    Place::Validation,
-    Place::Report,
-    Place::Jobs,
-    Place::Nodes,
-    Place::Keys,
-    Place::Tables,
-    Place::Checks,
-    Place::Drawing,
-    Place::Ropeway,
-    Place::Ship,
-];
-const CHARTS: &[Place] = &[Place::Charts];
-const RUNS: &[Place] = &[Place::Runs];
-const JOBS: &[Place] = &[Place::Jobs];
-const WIDE: &[Place] = &[
-    Place::Trials,
-    Place::Modes,
-    Place::Validation,
-    Place::Report,
-    Place::Nodes,
-    Place::Tables,
-    Place::Checks,
-];
-const WRITABLE: &[Place] = &[
-    Place::Charts,
-    Place::Validation,
-    Place::Report,
-    Place::Nodes,
-];
 
 const fn command(
     id: Id,

@@ -20,6 +20,7 @@ pub mod inks;
 pub mod key;
 pub mod line_tables;
 pub mod msg;
+pub mod place;
 pub mod plot_pane;
 pub mod plots;
 pub mod shelf;

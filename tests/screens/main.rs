@@ -23,7 +23,8 @@ use desk::{Desk, looks, run, shared};
 use seacable::report::chart::Glyphs;
 use seacable::run::RunState;
 use seacable::run::job::Event;
-use seacable::tui::command::{COMMANDS, Place};
+use seacable::tui::command::COMMANDS;
+use seacable::tui::place::Place;
 use seacable::tui::state::{JobState, Level, Overlay, Question};
 use seacable::tui::{Effect, Msg};
 

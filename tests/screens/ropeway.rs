@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use seacable::report::chart::Glyphs;
 use seacable::ropeway as core;
-use seacable::tui::command::Place;
 use seacable::tui::msg::FileRead;
+use seacable::tui::place::Place;
 use seacable::tui::state::{Content, OpenFile, RopewayView};
 use seacable::tui::{Effect, Msg};
 

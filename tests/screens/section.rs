@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use seacable::section;
-use seacable::tui::command::Place;
 use seacable::tui::msg::FileRead;
+use seacable::tui::place::Place;
 use seacable::tui::state::{Content, OpenFile, Overlay, Question, SectionView};
 use seacable::tui::{Effect, Msg};
 

@@ -6,8 +6,8 @@ use std::sync::atomic::Ordering;
 
 use seacable::report::chart::Glyphs;
 use seacable::ship::{self, AtSea};
-use seacable::tui::command::Place;
 use seacable::tui::msg::FileRead;
+use seacable::tui::place::Place;
 use seacable::tui::state::{Content, OpenFile, ShipView};
 use seacable::tui::{Effect, Msg};
 

@@ -24,7 +24,7 @@ pub use section::SectionView;
 pub use sheet::{Editing, Sheet};
 pub use ship::ShipView;
 
-use super::command::Place;
+use super::place::Place;
 use super::terminal::looks::Looks;
 
 /// The whole state of the workbench.

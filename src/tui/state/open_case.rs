@@ -9,8 +9,8 @@ use super::sheet::Sheet;
 use crate::case::{self, Case, End, Method, OneOrMany, Source};
 use crate::run::response;
 use crate::tui::backend::Row;
-use crate::tui::command::Place;
 use crate::tui::line_tables::LineTable;
+use crate::tui::place::Place;
 use crate::tui::plot_pane::PlotPane;
 use crate::tui::table_pane::TablePane;
 

@@ -12,7 +12,7 @@ use crate::reference::Row;
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::table::Table;
 use crate::tui::backend::FieldRow;
-use crate::tui::command::Place;
+use crate::tui::place::Place;
 use crate::tui::table_pane::TablePane;
 
 /// What the screen asks of a kind of file.

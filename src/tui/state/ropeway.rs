@@ -10,7 +10,7 @@ use crate::report::table::Table;
 use crate::ropeway::exact::Carrier;
 use crate::ropeway::{self, Readings, RopewayFile, Trouble, Worked, held, line, motions, tables};
 use crate::tui::backend::FieldRow;
-use crate::tui::command::Place;
+use crate::tui::place::Place;
 
 /// Spans that the workbench steps through \[m\]: those of the paper.
 pub const SPANS: [f64; 3] = [40.0, 60.0, 80.0];

@@ -9,7 +9,7 @@ use crate::report::table::Table;
 use crate::section::stiffness::Twist;
 use crate::section::{self, Design, SectionFile, tables, text};
 use crate::tui::backend::FieldRow;
-use crate::tui::command::Place;
+use crate::tui::place::Place;
 use crate::tui::plot_pane::PlotPane;
 
 /// Columns of what is written to a file.

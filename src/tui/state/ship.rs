@@ -17,7 +17,7 @@ use crate::ship::{
     tables, text,
 };
 use crate::tui::backend::FieldRow;
-use crate::tui::command::Place;
+use crate::tui::place::Place;
 
 /// A ship.
 #[derive(Debug, Clone)]

@@ -4,10 +4,11 @@ use std::path::PathBuf;
 
 use super::typing::type_key;
 use super::{edit, jobs, moved, runs};
-use crate::tui::command::{Id, Place};
+use crate::tui::command::Id;
 use crate::tui::key::Key;
 use crate::tui::line_tables::LineTable;
 use crate::tui::msg::{CaseRead, Effect};
+use crate::tui::place::Place;
 use crate::tui::shelf::FIRST;
 use crate::tui::state::modes::ModesView;
 use crate::tui::state::open_case::Live;

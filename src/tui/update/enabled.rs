@@ -1,6 +1,7 @@
 //! Which commands can be done now, and why the others cannot.
 
-use crate::tui::command::{Id, Place};
+use crate::tui::command::Id;
+use crate::tui::place::Place;
 use crate::tui::state::trials::Trials;
 use crate::tui::state::{Content, OpenCase, Sheet, SlotKind, SlotState, State};
 

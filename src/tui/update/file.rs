@@ -6,8 +6,9 @@ use std::path::PathBuf;
 use super::{edit, info, overlay, ropeway, runs, section, ship};
 use crate::reference;
 use crate::report::chart::Glyphs;
-use crate::tui::command::{Id, Place};
+use crate::tui::command::Id;
 use crate::tui::msg::{Effect, FileRead};
+use crate::tui::place::Place;
 use crate::tui::state::{Content, OpenFile, Overlay, Question, Sheet, State};
 use crate::tui::table_pane::TableVerb;
 

@@ -5,8 +5,9 @@ use crate::case::{At, Case};
 use crate::run::Resume;
 use crate::run::job::Request;
 use crate::tui::backend;
-use crate::tui::command::{Id, Place};
+use crate::tui::command::Id;
 use crate::tui::msg::Effect;
+use crate::tui::place::Place;
 use crate::tui::state::{
     Choice, Curves, JobLine, JobState, Level, OpenCase, Overlay, Purpose, RunSlot, SlotKind,
     SlotState, State, Ticket, Waiting,

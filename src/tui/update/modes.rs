@@ -6,8 +6,9 @@ use std::sync::Arc;
 use super::{overlay, runs};
 use crate::modes::Found;
 use crate::report::modes as views;
-use crate::tui::command::{Id, Place};
+use crate::tui::command::Id;
 use crate::tui::msg::Effect;
+use crate::tui::place::Place;
 use crate::tui::state::State;
 
 /// Asks for the modes of the case as it stands, where they are seen and not known.

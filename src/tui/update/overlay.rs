@@ -7,9 +7,10 @@ use super::{cases, charts, edit, enabled, file, jobs, keys, leave, moved, onward
 use super::{modes, trials};
 use crate::report::chart::Glyphs;
 use crate::tui::backend;
-use crate::tui::command::{self, Command, Id, Place};
+use crate::tui::command::{self, Command, Id};
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
+use crate::tui::place::Place;
 use crate::tui::state::{Choice, Level, Overlay, Question, State};
 use crate::tui::table_pane::TableVerb;
 

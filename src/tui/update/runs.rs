@@ -8,8 +8,9 @@ use crate::report::chart::Map;
 use crate::report::table::Table;
 use crate::run::{Run, RunState};
 use crate::tui::backend;
-use crate::tui::command::{Id, Place};
+use crate::tui::command::Id;
 use crate::tui::msg::Effect;
+use crate::tui::place::Place;
 use crate::tui::plots;
 use crate::tui::state::{
     Curves, Level, OpenCase, Overlay, Question, RunSlot, SlotKind, SlotState, State, Ticket,

@@ -6,8 +6,8 @@ use super::Canvas;
 use super::paint::text;
 use crate::reference;
 use crate::section::picture;
-use crate::tui::command::Place;
 use crate::tui::inks::Inks;
+use crate::tui::place::Place;
 use crate::tui::plot_pane::draw_chart;
 use crate::tui::state::{Content, OpenFile};
 

@@ -5,7 +5,7 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use crate::tui::command::Place;
+use crate::tui::place::Place;
 use crate::tui::state::{ChartKind, State};
 
 /// The smallest screen that is drawn.

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use super::Canvas;
 use super::paint::{first_line, row, text};
 use crate::report::number;
-use crate::tui::command::Place;
+use crate::tui::place::Place;
 use crate::tui::state::{JobLine, JobState, OpenCase, Purpose, RunSlot, SlotState};
 
 impl Canvas<'_> {

@@ -19,7 +19,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use self::paint::Theme;
-use super::command::{self, Command, Id, Place};
+use super::command::{self, Command, Id};
+use super::place::Place;
 use super::state::{JobState, Level, Purpose, State};
 use super::update::enabled;
 use crate::report::chart::Glyphs;
