@@ -18,6 +18,7 @@
 //! * [`run`]: a case computed: history, shapes, summary with errors, cost; jobs on threads; the store.
 //! * [`section`]: the cross-section designer: from units, layers and armour to the material of a line.
 //! * [`ship`]: a ship at single-point mooring: what acts on it, and where it rests.
+//! * [`kinds`]: which of these a file is.
 //! * [`reference`](mod@reference): published data and how a run is held against it.
 //! * [`study`]: hard cases, computed by every method that applies and judged.
 //! * [`report`]: tables and charts as text, shared by every view.
@@ -29,6 +30,7 @@
 pub mod case;
 pub mod cli;
 pub mod dynamics;
+pub mod kinds;
 pub mod linalg;
 pub mod modes;
 pub mod physics;

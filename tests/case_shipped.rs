@@ -7,12 +7,10 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use seacable::case::{self, At, Loaded, edit};
+use seacable::kinds::Kind;
 use seacable::reference::{self, Outcome};
-use seacable::ropeway::is_ropeway;
 use seacable::run::job::{self, Request};
 use seacable::run::{Run, RunState};
-use seacable::section::is_section;
-use seacable::ship::is_ship;
 
 fn case_files(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
@@ -21,9 +19,7 @@ fn case_files(folder: &Path) -> Vec<PathBuf> {
         if path.is_dir() {
             files.extend(case_files(&path));
         } else if path.extension().is_some_and(|ending| ending == "toml")
-            && !is_section(&path)
-            && !is_ropeway(&path)
-            && !is_ship(&path)
+            && Kind::of(&path) == Kind::Line
         {
             files.push(path);
         }

@@ -348,6 +348,28 @@ fn nothing_is_written_while_nothing_happens() {
     pty.ended(0);
 }
 
+/// ^C typed in the editor reaches the whole foreground group; the workbench does not leave for it.
+#[test]
+fn what_interrupts_the_editor_leaves_the_workbench() {
+    let dir = pty::place();
+    let editor = dir.path().join("ed.sh");
+    std::fs::write(&editor, "kill -INT $PPID\nsleep 0.2\n").unwrap();
+    let words = format!("sh {}", editor.display());
+    let vars = [("LANG", "C.UTF-8"), ("EDITOR", words.as_str())];
+    let mut pty = Start {
+        vars: &vars,
+        ..Start::default()
+    }
+    .go_in(dir);
+    pty.wait_for(LIST);
+    pty.send("\r");
+    pty.wait_for("solver alpha");
+    pty.send("E");
+    pty.wait_for("The file is as it was");
+    pty.send("q");
+    pty.ended(0);
+}
+
 /// The user's editor has the terminal as the shell has it, and what it leaves is read: as an edit, or as faults.
 #[test]
 fn the_users_editor_gets_the_terminal_and_gives_it_back() {

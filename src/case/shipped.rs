@@ -103,20 +103,17 @@ mod tests {
     };
 
     use super::{ROPEWAYS, SECTIONS, SHIPPED, SHIPS, Shipped};
-    use crate::ropeway::is_ropeway;
-    use crate::section::is_section;
-    use crate::ship::is_ship;
+    use crate::kinds::Kind;
 
     #[test]
     fn the_lists_are_the_folder() {
-        let other = |path: &Path| is_section(path) || is_ship(path) || is_ropeway(path);
-        same(SHIPPED, |path| !other(path));
-        same(SECTIONS, is_section);
-        same(SHIPS, is_ship);
-        same(ROPEWAYS, is_ropeway);
+        same(SHIPPED, Kind::Line);
+        same(SECTIONS, Kind::Section);
+        same(SHIPS, Kind::Ship);
+        same(ROPEWAYS, Kind::Ropeway);
     }
 
-    fn same(list: &[Shipped], belongs: impl Fn(&Path) -> bool) {
+    fn same(list: &[Shipped], kind: Kind) {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases");
         let mut found = BTreeMap::new();
         let mut folders: Vec<PathBuf> = vec![root.clone()];
@@ -125,7 +122,7 @@ mod tests {
                 let path = item.unwrap().path();
                 if path.is_dir() {
                     folders.push(path);
-                } else if path.extension().is_some_and(|e| e == "toml") && belongs(&path) {
+                } else if path.extension().is_some_and(|e| e == "toml") && Kind::of(&path) == kind {
                     let name = path
                         .strip_prefix(&root)
                         .unwrap()

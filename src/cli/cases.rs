@@ -8,9 +8,8 @@ use std::{
 use super::Failure;
 use crate::{
     case::{self, Case, edit, shipped},
-    ropeway::{self, is_ropeway},
-    section::is_section,
-    ship::{self, is_ship},
+    kinds::Kind,
+    ropeway, ship,
 };
 
 /// Where the cases that come with the program lie in its source.
@@ -197,14 +196,11 @@ fn below(paths: &[PathBuf]) -> Result<Named, Failure> {
     }
     let mut named = Named::default();
     for file in &files {
-        if is_ropeway(file) {
-            let loaded = load_ropeway(file)?;
-            named.ropeways.push((file.display().to_string(), loaded));
-        } else if is_ship(file) {
-            let name = file.display().to_string();
-            named.ships.push((name, load_ship(file)?));
-        } else {
-            named.lines.push(load(file)?);
+        let name = file.display().to_string();
+        match Kind::of(file) {
+            Kind::Ropeway => named.ropeways.push((name, load_ropeway(file)?)),
+            Kind::Ship => named.ships.push((name, load_ship(file)?)),
+            Kind::Line | Kind::Section => named.lines.push(load(file)?),
         }
     }
     Ok(named)
@@ -235,7 +231,8 @@ fn collect(dir: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
     for path in inside {
         if path.is_dir() {
             collect(&path, files)?;
-        } else if path.extension().is_some_and(|e| e == "toml") && !is_section(&path) {
+        } else if path.extension().is_some_and(|e| e == "toml") && Kind::of(&path) != Kind::Section
+        {
             files.push(path);
         }
     }

@@ -36,7 +36,8 @@ mod work;
 
 pub use model::Ropeway;
 pub(crate) use read::RopewayFile;
-pub use read::{Loaded, is_ropeway, load, parse};
+pub(crate) use read::is_ropeway;
+pub use read::{Loaded, load, parse};
 pub use service::{Followed, MARGIN};
 pub use trouble::Trouble;
 pub use work::{Readings, Worked, work};

@@ -48,7 +48,7 @@ impl FileKind for RopewayFile {
 
 /// Whether a file is a ropeway rather than a line case; the two may share a folder.
 #[must_use]
-pub fn is_ropeway(path: &Path) -> bool {
+pub(crate) fn is_ropeway(path: &Path) -> bool {
     kind::begins::<RopewayFile>(path, &[])
 }
 

@@ -36,4 +36,5 @@ pub use layout::{Helix, Layout, Middle, SheathTube, Shell};
 pub use misfit::Misfit;
 pub use model::Section;
 pub(crate) use read::SectionFile;
-pub use read::{Loaded, is_section, load, parse};
+pub(crate) use read::is_section;
+pub use read::{Loaded, load, parse};

@@ -34,7 +34,7 @@ impl FileKind for SectionFile {
 
 /// Whether a file is a section rather than a line case; the two may share a folder.
 #[must_use]
-pub fn is_section(path: &Path) -> bool {
+pub(crate) fn is_section(path: &Path) -> bool {
     kind::begins::<SectionFile>(path, &[])
 }
 

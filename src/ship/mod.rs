@@ -43,7 +43,8 @@ mod voyage;
 
 pub use model::Ship;
 pub(crate) use read::ShipFile;
-pub use read::{Loaded, is_ship, load, parse};
+pub(crate) use read::is_ship;
+pub use read::{Loaded, load, parse};
 pub use rest::{Rest, Station};
 pub use sea::AtSea;
 pub use voyage::{SeaTest, Voyage, VoyageError};

@@ -45,7 +45,7 @@ impl FileKind for ShipFile {
 
 /// Whether a file is a ship rather than a line case; the two may share a folder. A ropeway has a ship too, and is none.
 #[must_use]
-pub fn is_ship(path: &Path) -> bool {
+pub(crate) fn is_ship(path: &Path) -> bool {
     kind::begins::<ShipFile>(path, &["ropeway"])
 }
 

@@ -362,6 +362,7 @@ impl App<'_> {
     fn edit(&mut self, path: &Path) -> io::Result<Msg> {
         restore();
         let ended = editor::run(path);
+        self.signals.forget_interrupt();
         self.screen.reenter()?;
         Ok(match ended {
             Ok(()) => Msg::Edited(editor::read(path)),

@@ -5,8 +5,10 @@ use std::process::Command;
 
 use super::shelf;
 use crate::case;
+use crate::kinds::Kind;
 use crate::ropeway;
 use crate::section;
+use crate::ship;
 
 /// Runs the editor that `VISUAL` or `EDITOR` names, with its words, else `vi`, until it ends.
 ///
@@ -37,12 +39,31 @@ pub(super) fn run(path: &Path) -> Result<(), String> {
 /// # Errors
 /// All that is wrong with it, with the lines meant.
 pub(super) fn read(path: &Path) -> Result<String, String> {
-    let read = if section::is_section(path) {
-        section::load(path).map(|loaded| loaded.text)
-    } else if ropeway::is_ropeway(path) {
-        ropeway::load(path).map(|loaded| loaded.text)
-    } else {
-        case::load(path).map(|loaded| loaded.text)
+    let read = match Kind::of(path) {
+        Kind::Line => case::load(path).map(|loaded| loaded.text),
+        Kind::Section => section::load(path).map(|loaded| loaded.text),
+        Kind::Ropeway => ropeway::load(path).map(|loaded| loaded.text),
+        Kind::Ship => ship::load(path).map(|loaded| loaded.text),
     };
     read.map_err(|all| shelf::story(path, &all))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_of_every_kind_are_read() {
+        let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases");
+        for (file, kind) in [
+            ("pendulous/manifold.toml", Kind::Line),
+            ("umbilical/section.toml", Kind::Section),
+            ("ropeway/span_40.toml", Kind::Ropeway),
+            ("ship/coupled.toml", Kind::Ship),
+        ] {
+            let path = cases.join(file);
+            assert_eq!(Kind::of(&path), kind, "{file}");
+            assert_eq!(read(&path), Ok(std::fs::read_to_string(&path).unwrap()));
+        }
+    }
 }

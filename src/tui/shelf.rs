@@ -8,9 +8,10 @@ use etcetera::base_strategy::{BaseStrategy, Xdg};
 
 use super::state::CaseEntry;
 use crate::case::{self, render_all};
-use crate::ropeway::{self, is_ropeway};
-use crate::section::{self, is_section};
-use crate::ship::{self, is_ship};
+use crate::kinds::Kind;
+use crate::ropeway;
+use crate::section;
+use crate::ship;
 
 pub use crate::case::shipped::{BESIDE, ROPEWAYS, SECTIONS, SHIPPED, SHIPS};
 
@@ -82,23 +83,22 @@ fn entry(dir: &Path, path: PathBuf) -> CaseEntry {
         .unwrap_or(&path)
         .display()
         .to_string();
-    let read = if is_section(&path) {
-        section::load(&path).map(|loaded| {
+    let read = match Kind::of(&path) {
+        Kind::Line => {
+            case::load(&path).map(|loaded| (loaded.case.case.title, loaded.case.case.source))
+        }
+        Kind::Section => section::load(&path).map(|loaded| {
             let about = loaded.worked.section.about;
             (format!("{CROSS_SECTION}: {}", about.title), about.source)
-        })
-    } else if is_ship(&path) {
-        ship::load(&path).map(|loaded| {
-            let about = loaded.worked.ship.about;
-            (format!("{SHIP}: {}", about.title), about.source)
-        })
-    } else if is_ropeway(&path) {
-        ropeway::load(&path).map(|loaded| {
+        }),
+        Kind::Ropeway => ropeway::load(&path).map(|loaded| {
             let about = loaded.worked.ropeway.about;
             (format!("{ROPEWAY}: {}", about.title), about.source)
-        })
-    } else {
-        case::load(&path).map(|loaded| (loaded.case.case.title, loaded.case.case.source))
+        }),
+        Kind::Ship => ship::load(&path).map(|loaded| {
+            let about = loaded.worked.ship.about;
+            (format!("{SHIP}: {}", about.title), about.source)
+        }),
     };
     let about = match read {
         Ok(about) => Ok(about),

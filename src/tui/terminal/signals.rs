@@ -69,6 +69,15 @@ impl Signals {
         self.wake.as_fd()
     }
 
+    /// Forgets a SIGINT: one that came while another program had the terminal was meant for that program.
+    pub fn forget_interrupt(&self) {
+        for (signal, flag) in &self.flags {
+            if *signal == Signal::Terminate(SIGINT) {
+                flag.store(false, Ordering::SeqCst);
+            }
+        }
+    }
+
     /// The signals that came since the last call, the pressing ones first.
     pub fn take(&mut self) -> Vec<Signal> {
         // The socket is emptied before the flags are read, so that no signal is lost in between.

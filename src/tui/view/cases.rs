@@ -61,24 +61,7 @@ impl Canvas<'_> {
     fn cases_head(&mut self, line: Rect) {
         let cases = &self.state.cases;
         if cases.typing || !cases.filter.value().is_empty() {
-            let x = text(
-                self.buf,
-                (line.x, line.y),
-                line.width,
-                "filter: ",
-                self.theme.strong(),
-            );
-            text(
-                self.buf,
-                (x, line.y),
-                line.right().saturating_sub(x),
-                cases.filter.value(),
-                self.theme.plain(),
-            );
-            if cases.typing {
-                let at = u16::try_from(cases.filter.visual_cursor()).unwrap_or(0);
-                self.cursor = Some((x.saturating_add(at), line.y));
-            }
+            self.prompt(line, "filter: ", &cases.filter, cases.typing);
         } else {
             let words = format!("Cases ({})", cases.entries.len());
             text(
@@ -97,10 +80,7 @@ impl Canvas<'_> {
         } else {
             "No case passes the filter. `/` and Esc drop it."
         };
-        for (i, line) in wrap(words, list.width.into()).iter().enumerate() {
-            let at = row(list, u16::try_from(i).unwrap_or(u16::MAX));
-            text(self.buf, (at.x, at.y), at.width, line, self.theme.plain());
-        }
+        self.paragraph(list, words);
     }
 
     fn case_line(&mut self, line: Rect, entry: &CaseEntry, selected: bool, name_width: u16) {

@@ -30,7 +30,11 @@ impl Canvas<'_> {
             }
             let empty = chart.is_empty();
             if empty && *kind == ChartKind::Study {
-                self.no_numbers_yet(*place, &chart.title);
+                self.titled(
+                    *place,
+                    &chart.title,
+                    "`V` computes what the case states along its studies.",
+                );
                 continue;
             }
             if empty {
@@ -66,38 +70,13 @@ impl Canvas<'_> {
         }
     }
 
-    fn no_numbers_yet(&mut self, area: Rect, title: &str) {
-        let strong = self.theme.strong();
-        text(self.buf, (area.x, area.y), area.width, title, strong);
-        if area.height > 2 {
-            let words = "`V` computes what the case states along its studies.";
-            let plain = self.theme.plain();
-            text(self.buf, (area.x, area.y + 2), area.width, words, plain);
-        }
-    }
-
     fn nothing_yet(&mut self, area: Rect, open: &OpenCase, title: &str) {
-        text(
-            self.buf,
-            (area.x, area.y),
-            area.width,
-            title,
-            self.theme.strong(),
-        );
         let words = match (&open.live.failure, plots::runs_shown(open)) {
             (Some(why), _) => format!("The last solve gave nothing: {why}"),
             (None, 0) => "No run is shown. `3` goes to the runs, space shows one.".to_owned(),
             (None, _) => "Nothing to draw yet.".to_owned(),
         };
-        if area.height > 2 {
-            text(
-                self.buf,
-                (area.x, area.y + 2),
-                area.width,
-                &words,
-                self.theme.plain(),
-            );
-        }
+        self.titled(area, title, &words);
     }
 
     /// Where the cursor is and every value there, as many lines as the area has.

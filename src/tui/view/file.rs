@@ -4,6 +4,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::Canvas;
 use super::paint::text;
+use super::papers::NO_PUBLISHED_VALUES;
 use crate::reference;
 use crate::section::picture;
 use crate::tui::inks::Inks;
@@ -17,6 +18,9 @@ impl Canvas<'_> {
         let glyphs = self.state.looks.glyphs;
         match (place, &file.content) {
             (Place::Tables, _) => self.leaf(area, file),
+            (Place::Checks, _) if file.checks.is_empty() => {
+                self.paragraph(area, NO_PUBLISHED_VALUES);
+            }
             (Place::Checks, _) => {
                 let table = reference::table(&file.checks);
                 file.checks_pane.draw(&table, area, self.buf, glyphs, inks);

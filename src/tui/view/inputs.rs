@@ -76,24 +76,7 @@ impl Canvas<'_> {
         }
         let [line, rest] =
             Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(list);
-        let x = text(
-            self.buf,
-            (line.x, line.y),
-            line.width,
-            "filter: ",
-            self.theme.strong(),
-        );
-        text(
-            self.buf,
-            (x, line.y),
-            line.right().saturating_sub(x),
-            sheet.filter.value(),
-            self.theme.plain(),
-        );
-        if sheet.filtering {
-            let at = u16::try_from(sheet.filter.visual_cursor()).unwrap_or(0);
-            self.cursor = Some((x.saturating_add(at), line.y));
-        }
+        self.prompt(line, "filter: ", &sheet.filter, sheet.filtering);
         rest
     }
 

@@ -13,6 +13,7 @@ mod papers;
 mod ropeway;
 mod ship;
 mod trials;
+mod words;
 
 use ratatui::Frame;
 use ratatui::buffer::Buffer;

@@ -3,7 +3,7 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::Canvas;
-use super::paint::{row, text, wrap};
+use super::paint::text;
 use crate::modes::Found;
 use crate::report::modes as views;
 use crate::report::table::Table;
@@ -84,14 +84,6 @@ impl Canvas<'_> {
         } else {
             let chart = if over { shape } else { along };
             draw_chart(&chart, area, self.buf, glyphs, inks);
-        }
-    }
-
-    fn paragraph(&mut self, area: Rect, words: &str) {
-        let lines = wrap(words, area.width.into());
-        for (i, line) in lines.iter().take(area.height.into()).enumerate() {
-            let at = row(area, u16::try_from(i).unwrap_or(u16::MAX));
-            text(self.buf, (at.x, at.y), at.width, line, self.theme.plain());
         }
     }
 }

@@ -126,7 +126,7 @@ impl Canvas<'_> {
             (90, 18),
             "Commands (type a word, Enter does it, Esc closes)",
         );
-        self.prompt(row(area, 0), ":", input);
+        self.prompt(row(area, 0), ":", input, true);
         let list = Rect::new(
             area.x,
             area.y + 1,
@@ -145,22 +145,6 @@ impl Canvas<'_> {
             let at = row(list, u16::try_from(i).unwrap_or(u16::MAX));
             self.command_line(at, command, n == cursor);
         }
-    }
-
-    fn prompt(&mut self, line: Rect, prompt: &str, input: &Input) {
-        let x = text(
-            self.buf,
-            (line.x, line.y),
-            line.width,
-            prompt,
-            self.theme.strong(),
-        );
-        let room = line.right().saturating_sub(x + 1);
-        let scroll = input.visual_scroll(room.into());
-        let value: String = input.value().chars().skip(scroll).collect();
-        text(self.buf, (x, line.y), room, &value, self.theme.plain());
-        let at = u16::try_from(input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
-        self.cursor = Some((x.saturating_add(at), line.y));
     }
 
     fn messages(&mut self, screen: Rect, scroll: usize) {
@@ -243,6 +227,6 @@ impl Canvas<'_> {
         let used = u16::try_from(lines.len())
             .unwrap_or(0)
             .min(area.height.saturating_sub(1));
-        self.prompt(row(area, used), prompt, input);
+        self.prompt(row(area, used), prompt, input, true);
     }
 }

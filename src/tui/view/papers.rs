@@ -3,7 +3,7 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::Canvas;
-use super::paint::{row, text, wrap};
+use super::paint::{row, text};
 use crate::report::limits as limits_table;
 use crate::run::limits;
 use crate::tui::backend;
@@ -12,18 +12,14 @@ use crate::tui::line_tables::LineTable;
 use crate::tui::state::OpenCase;
 use crate::tui::update::reported;
 
+/// What stands in place of a validation table that would be empty.
+pub(super) const NO_PUBLISHED_VALUES: &str =
+    "This file states no published values to be held against.";
+
 impl Canvas<'_> {
     pub(super) fn validation(&mut self, area: Rect, open: &OpenCase) {
         if open.checks.is_empty() {
-            let words = "This case states no published values to be held against.";
-            text(
-                self.buf,
-                (area.x, area.y),
-                area.width,
-                words,
-                self.theme.plain(),
-            );
-            return;
+            return self.paragraph(area, NO_PUBLISHED_VALUES);
         }
         let inks = Inks::new(self.state.looks.colour);
         let table = backend::checks_table(&open.checks);
@@ -34,15 +30,7 @@ impl Canvas<'_> {
     /// What the sections bear, where the case states limits, and the nodes below.
     pub(super) fn nodes(&mut self, area: Rect, open: &OpenCase) {
         let Some((name, run, _)) = reported(open) else {
-            let words = "There is no finished run yet. `R` runs the case.";
-            text(
-                self.buf,
-                (area.x, area.y),
-                area.width,
-                words,
-                self.theme.plain(),
-            );
-            return;
+            return self.paragraph(area, "There is no finished run yet. `R` runs the case.");
         };
         let inks = Inks::new(self.state.looks.colour);
         let glyphs = self.state.looks.glyphs;
@@ -89,11 +77,7 @@ impl Canvas<'_> {
     pub(super) fn report(&mut self, area: Rect, open: &OpenCase) {
         let Some((name, report)) = &open.report else {
             let words = "There is no finished run to report on yet. `R` runs the case.";
-            for (i, line) in wrap(words, area.width.into()).iter().enumerate() {
-                let at = row(area, u16::try_from(i).unwrap_or(u16::MAX));
-                text(self.buf, (at.x, at.y), at.width, line, self.theme.plain());
-            }
-            return;
+            return self.paragraph(area, words);
         };
         let words = format!("Report on {name}; `w` saves it.");
         text(

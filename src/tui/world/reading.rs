@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::case::{self, Diagnostic, Opened};
+use crate::kinds::Kind;
 use crate::ropeway;
 use crate::section;
 use crate::ship;
@@ -11,21 +12,22 @@ use crate::tui::state::{Content, RopewayView, SectionView, ShipView};
 use crate::tui::{drafts, shelf};
 
 pub(super) fn read_case(path: &Path) -> Msg {
-    if section::is_section(path) {
-        return file_read(section::load(path), path, |design| {
+    match Kind::of(path) {
+        Kind::Line => line_read(path),
+        Kind::Section => file_read(section::load(path), path, |design| {
             Content::Section(Box::new(SectionView::new(design)))
-        });
-    }
-    if ropeway::is_ropeway(path) {
-        return file_read(ropeway::load(path), path, |worked| {
+        }),
+        Kind::Ropeway => file_read(ropeway::load(path), path, |worked| {
             Content::Ropeway(Box::new(RopewayView::new(worked)))
-        });
-    }
-    if ship::is_ship(path) {
-        return file_read(ship::load(path), path, |rest| {
+        }),
+        Kind::Ship => file_read(ship::load(path), path, |rest| {
             Content::Ship(Box::new(ShipView::new(rest)))
-        });
+        }),
     }
+}
+
+/// A line case, with what an earlier session left of it.
+fn line_read(path: &Path) -> Msg {
     match case::load(path) {
         Ok(loaded) => Msg::CaseRead(Box::new(CaseRead {
             recovered: drafts::left(path).filter(|text| *text != loaded.text),

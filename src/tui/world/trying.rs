@@ -6,9 +6,7 @@ use std::sync::atomic::AtomicBool;
 use crossbeam_channel::Sender;
 
 use crate::case;
-use crate::ropeway;
-use crate::section;
-use crate::ship;
+use crate::kinds::Kind;
 use crate::study::hard::{self, Computed, Hard};
 use crate::tui::msg::Msg;
 use crate::tui::state::Ticket;
@@ -52,7 +50,7 @@ pub(super) fn try_all(ticket: Ticket, of: TrialsOf, cancel: &AtomicBool, out: &S
 
 /// A case file with trials.
 fn hard_case(path: &Path) -> Option<Hard> {
-    if section::is_section(path) || ropeway::is_ropeway(path) || ship::is_ship(path) {
+    if Kind::of(path) != Kind::Line {
         return None;
     }
     let loaded = case::load(path).ok()?;
