@@ -1,8 +1,8 @@
 //! Every table and field of a ropeway file: unit, range, default, help.
 
 use crate::case::fields::Absent::{self, Default, Means, Required};
-use crate::case::fields::Kind::{self, Boolean, Choice, Integer, List, Name, Number, Text};
-use crate::case::fields::{Field, Range, Schema, Table, TableShape, field};
+use crate::case::fields::Kind::{Boolean, Choice, Integer, List, Name, Number, Text};
+use crate::case::fields::{Field, Range, STANDINGS, Schema, Table, TableShape, field, table};
 
 /// The ropeway file.
 pub static ROPEWAY: Schema = Schema {
@@ -16,20 +16,10 @@ pub static ROPEWAY: Schema = Schema {
 const ANY: Range = Range::ANY;
 const LENGTH: Range = Range::positive(1e4);
 const FORCE: Range = Range::positive(1e9);
-const STANDINGS: Kind = Choice(&["published", "derived", "calibrated", "assumed"]);
 const NOT_USED: Absent = Means("not used");
 const NO_LIMIT: Absent = Means("no limit");
 
-const fn table(path: &'static str, shape: TableShape, required: bool, help: &'static str) -> Table {
-    Table {
-        path,
-        shape,
-        required,
-        help,
-    }
-}
-
-#[rustfmt::skip]
+#[rustfmt::skip] // one table a line
 static TABLES: &[Table] = &[
     table("ropeway", TableShape::One, true, "What the ropeway is, and what holds for it as a whole."),
     table("rope", TableShape::List, true, "The ropes, side by side; they hang as one."),

@@ -2,7 +2,7 @@
 
 use crate::case::fields::Absent::{self, Default, Means, Required};
 use crate::case::fields::Kind::{self, Choice, Integer, Name, Number, Text, Words};
-use crate::case::fields::{Field, Range, Schema, Table, TableShape, field};
+use crate::case::fields::{Field, Range, Schema, Table, TableShape, field, only, table};
 
 /// The section file.
 pub static SECTION: Schema = Schema {
@@ -28,40 +28,21 @@ const METAL_POISSON: Absent = Default("0.3");
 const SENSE: Kind = Choice(&["right", "left"]);
 const UNIT_KINDS: Kind = Choice(&["electric", "fibre", "tube", "rod", "filler"]);
 
-const TUBE: Option<(&str, &str)> = Some(("kind", "tube"));
-const ROD: Option<(&str, &str)> = Some(("kind", "rod"));
-const ELECTRIC: Option<(&str, &str)> = Some(("kind", "electric"));
-const FIBRE: Option<(&str, &str)> = Some(("kind", "fibre"));
-const FILLER: Option<(&str, &str)> = Some(("kind", "filler"));
-const UNITS: Option<(&str, &str)> = Some(("kind", "units"));
-const ARMOUR: Option<(&str, &str)> = Some(("kind", "armour"));
-const SHEATH: Option<(&str, &str)> = Some(("kind", "sheath"));
+const TUBE: (&str, &str) = ("kind", "tube");
+const ROD: (&str, &str) = ("kind", "rod");
+const ELECTRIC: (&str, &str) = ("kind", "electric");
+const FIBRE: (&str, &str) = ("kind", "fibre");
+const FILLER: (&str, &str) = ("kind", "filler");
+const UNITS: (&str, &str) = ("kind", "units");
+const ARMOUR: (&str, &str) = ("kind", "armour");
+const SHEATH: (&str, &str) = ("kind", "sheath");
 
+#[rustfmt::skip] // one table a line
 static TABLES: &[Table] = &[
-    Table {
-        path: "section",
-        shape: TableShape::One,
-        required: true,
-        help: "What the section is, and what holds for it as a whole.",
-    },
-    Table {
-        path: "units",
-        shape: TableShape::ByName,
-        required: false,
-        help: "The units it is made of, by name.",
-    },
-    Table {
-        path: "centre",
-        shape: TableShape::One,
-        required: false,
-        help: "What runs straight in the middle.",
-    },
-    Table {
-        path: "layer",
-        shape: TableShape::List,
-        required: false,
-        help: "The layers around it, from the inside out.",
-    },
+    table("section", TableShape::One, true, "What the section is, and what holds for it as a whole."),
+    table("units", TableShape::ByName, false, "The units it is made of, by name."),
+    table("centre", TableShape::One, false, "What runs straight in the middle."),
+    table("layer", TableShape::List, false, "The layers around it, from the inside out."),
 ];
 
 #[rustfmt::skip]
@@ -135,9 +116,3 @@ static FIELDS: &[Field] = &[
     only(SHEATH, field("layer.*.youngs_modulus_pa", Number, "Pa", MODULUS, Default("0.0"), "Young's modulus", "Young's modulus of the sheath; it counts in bending.")),
     only(SHEATH, field("layer.*.poisson_ratio", Number, "-", POISSON, Default("0.4"), "Poisson's ratio", "Poisson's ratio of the sheath.")),
 ];
-
-/// A field of tables of one kind only. Kinds that share a key each have a field of their own.
-const fn only(kind: Option<(&'static str, &'static str)>, mut field: Field) -> Field {
-    field.only_if = kind;
-    field
-}

@@ -1,8 +1,8 @@
 //! Every table and field of a ship file: unit, range, default, help.
 
 use crate::case::fields::Absent::{self, Default, Means, Required};
-use crate::case::fields::Kind::{self, Boolean, Choice, Integer, List, Number, Text, Triple};
-use crate::case::fields::{Field, Range, Schema, Table, TableShape, field};
+use crate::case::fields::Kind::{Boolean, Choice, Integer, List, Number, Text, Triple};
+use crate::case::fields::{Field, Range, STANDINGS, Schema, Table, TableShape, field, table};
 
 /// The ship file.
 pub static SHIP: Schema = Schema {
@@ -20,73 +20,22 @@ const COEFFICIENT: Range = Range::of(-100.0, 100.0);
 const SHIFT: Range = Range::of(-1000.0, 1000.0);
 const TURN: Range = Range::of(-90.0, 90.0);
 const SIZE: Range = Range::of(0.0, 1000.0);
-const STANDINGS: Kind = Choice(&["published", "derived", "calibrated", "assumed"]);
 const TABLE: Absent = Means("Fourier series are given instead");
 const SERIES: Absent = Means("a table is given instead");
 
-const fn one(path: &'static str, required: bool, help: &'static str) -> Table {
-    Table {
-        path,
-        shape: TableShape::One,
-        required,
-        help,
-    }
-}
-
+#[rustfmt::skip] // one table a line
 static TABLES: &[Table] = &[
-    one("ship", true, "The ship, and what holds for it as a whole."),
-    one(
-        "wind",
-        false,
-        "The wind, and the ship's coefficients in it.",
-    ),
-    one(
-        "current",
-        false,
-        "The current, and the ship's coefficients in it.",
-    ),
-    one(
-        "drift",
-        false,
-        "The waves' mean drift, and the ship's coefficients for it.",
-    ),
-    one(
-        "mooring",
-        false,
-        "The line that holds the ship at its bow, from an anchor on a flat bed.",
-    ),
-    one(
-        "hull",
-        false,
-        "The ship's mass and what the water adds to it; matrices in SI units, six numbers for a diagonal or thirty-six by rows.",
-    ),
-    one(
-        "motion",
-        false,
-        "The ship's motion in its sea, by the statistics of each degree of freedom or by its responses to waves.",
-    ),
-    one(
-        "coupled",
-        false,
-        "The ship as a rigid body and its anchor line in time, solved together.",
-    ),
-    one(
-        "rope",
-        false,
-        "The rope to a platform that follows the motion.",
-    ),
-    Table {
-        path: "published",
-        shape: TableShape::List,
-        required: false,
-        help: "What the source printed of the motion.",
-    },
-    Table {
-        path: "marks",
-        shape: TableShape::ByName,
-        required: false,
-        help: "Where an input comes from when the source does not print it, by key path.",
-    },
+    table("ship", TableShape::One, true, "The ship, and what holds for it as a whole."),
+    table("wind", TableShape::One, false, "The wind, and the ship's coefficients in it."),
+    table("current", TableShape::One, false, "The current, and the ship's coefficients in it."),
+    table("drift", TableShape::One, false, "The waves' mean drift, and the ship's coefficients for it."),
+    table("mooring", TableShape::One, false, "The line that holds the ship at its bow, from an anchor on a flat bed."),
+    table("hull", TableShape::One, false, "The ship's mass and what the water adds to it; matrices in SI units, six numbers for a diagonal or thirty-six by rows."),
+    table("motion", TableShape::One, false, "The ship's motion in its sea, by the statistics of each degree of freedom or by its responses to waves."),
+    table("coupled", TableShape::One, false, "The ship as a rigid body and its anchor line in time, solved together."),
+    table("rope", TableShape::One, false, "The rope to a platform that follows the motion."),
+    table("published", TableShape::List, false, "What the source printed of the motion."),
+    table("marks", TableShape::ByName, false, "Where an input comes from when the source does not print it, by key path."),
 ];
 
 #[rustfmt::skip]

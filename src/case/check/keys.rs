@@ -59,10 +59,10 @@ impl Walk {
     }
 
     fn subtables(&mut self, table: &'static Table, entry: &Entry, path: &mut Vec<String>) {
-        let inner = format!("{}.*", table.path);
+        let inner = table.pattern();
         match table.shape {
             TableShape::One if entry.node.is_table() => {
-                self.table(&entry.node, table.path, path);
+                self.table(&entry.node, &inner, path);
             }
             TableShape::ByName if entry.node.is_table() => {
                 self.empty(table, &entry.node, path);

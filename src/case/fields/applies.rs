@@ -19,7 +19,7 @@ const STRAIGHT: Needs = &[("shape", &["straight"])];
 
 fn needs(field: &Field) -> Needs {
     match (field.table(), field.key()) {
-        ("ends.a" | "ends.b", key) => match key {
+        ("ends.*", key) => match key {
             "motion" | "ramp_s" => MOVING,
             "amplitude_m" | "period_s" | "phase_deg" => HARMONIC,
             "rms_m" | "peak_period_s" | "gamma" | "components" | "seed" => IRREGULAR,

@@ -19,10 +19,7 @@ const fn coordinate(path: &'static str, label: &'static str) -> Field {
 
 /// The coordinates of the ends.
 pub(super) static COMPONENTS: &[Field] = &[
-    coordinate("ends.a.position_m.x", "position x"),
-    coordinate("ends.a.position_m.y", "position y"),
-    coordinate("ends.a.position_m.z", "position z"),
-    coordinate("ends.b.position_m.x", "position x"),
-    coordinate("ends.b.position_m.y", "position y"),
-    coordinate("ends.b.position_m.z", "position z"),
+    coordinate("ends.*.position_m.x", "position x"),
+    coordinate("ends.*.position_m.y", "position y"),
+    coordinate("ends.*.position_m.z", "position z"),
 ];

@@ -3,20 +3,23 @@
 //!
 //! A field is known by a path pattern in which `*` stands for a name the user chose:
 //! `materials.*.ea_n`, `line.*.length_m` (sections by their `name`), `floats.*.lift_kg` (by their
-//! `section`), `ends.b.kind`. A coordinate of a position goes by its letter: `ends.b.position_m.x`.
+//! `section`), `ends.*.kind`. A coordinate of a position goes by its letter: `ends.b.position_m.x`.
 
 mod applies;
 mod components;
 mod range;
 mod rows;
 mod table;
+mod tables;
 
 use components::COMPONENTS;
 pub use range::Range;
 pub(crate) use range::{number, quantity};
 pub(crate) use rows::Lister;
 pub use rows::{FieldRow, rows};
-pub use table::{FIELDS, TABLES};
+pub use table::FIELDS;
+pub(crate) use tables::table;
+pub use tables::{TABLES, Table, TableShape};
 
 /// A kind of file: what it is called, and every table and field it can have.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -108,6 +111,15 @@ pub(crate) const fn field(
     }
 }
 
+/// The same field, known only to tables in which a key has a value.
+pub(crate) const fn only(when: (&'static str, &'static str), mut field: Field) -> Field {
+    field.only_if = Some(when);
+    field
+}
+
+/// Where a number stands, from best to worst.
+pub(crate) const STANDINGS: Kind = Kind::Choice(&["published", "derived", "calibrated", "assumed"]);
+
 /// What may be written for a field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
@@ -154,30 +166,6 @@ pub enum Absent {
     Default(&'static str),
     /// Something else, in words.
     Means(&'static str),
-}
-
-/// A table of a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Table {
-    /// Path pattern: `materials`, `ends.a`.
-    pub path: &'static str,
-    /// How many there are.
-    pub shape: TableShape,
-    /// Whether it must be there.
-    pub required: bool,
-    /// One line of help.
-    pub help: &'static str,
-}
-
-/// How many tables stand under a path.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum TableShape {
-    /// One: `[solver]`.
-    One,
-    /// Any number, by name: `[materials.chain]`.
-    ByName,
-    /// A list: `[[line]]`.
-    List,
 }
 
 impl Field {
@@ -355,10 +343,10 @@ mod tests {
             .iter()
             .flat_map(|s| s.fields.iter().map(move |f| (s, f)))
         {
-            let known = schema.tables.iter().any(|table| match table.shape {
-                TableShape::One => field.table() == table.path,
-                _ => field.table() == format!("{}.*", table.path),
-            });
+            let known = schema
+                .tables
+                .iter()
+                .any(|table| field.table() == table.pattern());
             assert!(known, "{}", field.path);
         }
     }

@@ -92,7 +92,7 @@ impl Lister<'_> {
         rows.extend(self.named("line", "section"));
         for (letter, end) in [("a", &case.ends.a), ("b", &case.ends.b)] {
             let group = format!("end {} ({})", letter.to_uppercase(), end.name);
-            rows.extend(self.table(&format!("ends.{letter}"), &["ends", letter], &group));
+            rows.extend(self.table("ends.*", &["ends", letter], &group));
         }
         if case.payload.is_some() {
             rows.extend(self.table("payload", &["payload"], "payload"));

@@ -1,4 +1,4 @@
-//! The table of fields and the table of tables. Ranges are wide: they catch slips (millimetres
+//! The fields of a case file. Ranges are wide: they catch slips (millimetres
 //! typed as metres, a lost minus sign), not unusual cables.
 
 use super::Absent::{Default, Means, Required, RequiredWithout};
@@ -6,15 +6,13 @@ use super::Kind::{
     Boolean, Choice, Integer, List, Name, Number, NumberOrChoice, NumberOrList, NumberOrText,
     NumberOrTriple, NumbersOrWords, Pair, Text, Triple, Words,
 };
-use super::TableShape::{ByName, List as ListOf, One};
-use super::{Absent, Field, Kind, Range, Table, field};
+use super::{Absent, Field, Kind, Range, STANDINGS, field, only};
 
 const ANY: Range = Range::ANY;
 const ZERO_UP: Range = Range::of(0.0, f64::INFINITY);
 
 const NORMAL_DRAG: Kind = NumberOrChoice(&["jia-2019-normal"]);
 const TANGENTIAL_DRAG: Kind = NumberOrChoice(&["jia-2019-tangential"]);
-const STANDINGS: Kind = Choice(&["published", "derived", "calibrated", "assumed"]);
 const STATISTICS: Kind = Choice(&[
     "mean",
     "max",
@@ -39,167 +37,6 @@ const END_KINDS: Kind = Choice(&["fixed", "anchor", "payload", "moving", "free"]
 const WHOLE_RUN: Absent = Means("the whole run");
 const NOT_USED: Absent = Means("not used");
 
-/// Every table of the case file.
-pub static TABLES: &[Table] = &[
-    table("case", One, true, "What the case is, for people."),
-    table("environment", One, false, "Water and gravity."),
-    table(
-        "current",
-        One,
-        false,
-        "The current; absent means still water.",
-    ),
-    table("waves", One, false, "Waves; absent means a calm sea."),
-    table(
-        "seabed",
-        One,
-        false,
-        "The sea bed under the line, level or sloping.",
-    ),
-    table(
-        "materials",
-        ByName,
-        true,
-        "What the sections of the line are made of, by name.",
-    ),
-    table(
-        "line",
-        ListOf,
-        true,
-        "The sections of the line, from end A to end B.",
-    ),
-    table("ends", One, true, "The two ends of the line."),
-    table(
-        "ends.a",
-        One,
-        true,
-        "The end where the first section begins.",
-    ),
-    table("ends.b", One, true, "The end where the last section stops."),
-    table(
-        "payload",
-        One,
-        false,
-        "The body hung on an end of kind payload.",
-    ),
-    table(
-        "payload.shape",
-        One,
-        false,
-        "The form of the payload, for what its other keys leave out.",
-    ),
-    table(
-        "payload.rotation",
-        One,
-        false,
-        "How the payload turns about the end of the line; absent means that it is a point.",
-    ),
-    table(
-        "floats",
-        ListOf,
-        false,
-        "Floats spread evenly over a stretch of a section.",
-    ),
-    table(
-        "clumps",
-        ListOf,
-        false,
-        "A body hung on the line at one place: a clump weight, or a buoy.",
-    ),
-    table(
-        "modules",
-        ListOf,
-        false,
-        "Buoyancy modules clamped on a stretch of a section, one a pitch.",
-    ),
-    table(
-        "files",
-        ByName,
-        false,
-        "Files that the case names, carried with it, by their names.",
-    ),
-    table(
-        "traveller",
-        One,
-        false,
-        "A body that travels along the line at a given speed.",
-    ),
-    table(
-        "start",
-        One,
-        false,
-        "Where the line is at time zero, at rest.",
-    ),
-    table("solver", One, false, "Which solver, and its settings."),
-    table("output", One, false, "What is recorded and how often."),
-    table(
-        "modes",
-        One,
-        false,
-        "Natural modes about the static shape, told beside the results of a run.",
-    ),
-    table(
-        "marks",
-        ByName,
-        false,
-        "Where an input comes from when the source does not print it, by key path.",
-    ),
-    table(
-        "study",
-        ListOf,
-        false,
-        "One key varied over a list of values.",
-    ),
-    table(
-        "published",
-        ListOf,
-        false,
-        "A published value the case is held against.",
-    ),
-    table(
-        "published.*.at",
-        One,
-        false,
-        "The point of a study this row belongs to.",
-    ),
-    table(
-        "published.*.change_from",
-        One,
-        false,
-        "The point of a study from which this row's value is the change.",
-    ),
-    table(
-        "published.*.ratio_to",
-        One,
-        false,
-        "The point of a study by which this row's value is divided.",
-    ),
-    table(
-        "published_curve",
-        ListOf,
-        false,
-        "A published curve over time that a channel is held against.",
-    ),
-    table(
-        "published_curve.*.at",
-        One,
-        false,
-        "The point of a study this curve belongs to.",
-    ),
-    table(
-        "trend",
-        ListOf,
-        false,
-        "A published statement of trend, checked along a study.",
-    ),
-    table(
-        "trial",
-        ListOf,
-        false,
-        "One way in which a hard case is computed, and what must come of it.",
-    ),
-];
-
 /// Every field of the case file, in the order in which people read it.
 #[rustfmt::skip] // one field a line: this is a table to be read down its columns
 pub static FIELDS: &[Field] = &[
@@ -219,15 +56,15 @@ pub static FIELDS: &[Field] = &[
     field("current.depth_m",       List,         "m",   Range::of(0.0, 2e4),       Means("the same at every depth"), "current depths", "Depths below still water, increasing; linear in between, constant beyond."),
 
     field("waves.kind",            Choice(&["regular", "irregular"]), "", ANY, Required, "waves", "Regular waves, or irregular ones from a spectrum."),
-    only("kind", "regular",   field("waves.height_m",             Number,  "m",   Range::of(0.0, 100.0),    Required,       "wave height", "Height of regular waves from trough to crest.")),
-    only("kind", "regular",   field("waves.period_s",             Number,  "s",   Range::of(0.1, 1e3),      Required,       "wave period", "Period of regular waves.")),
-    only("kind", "regular",   field("waves.phase_deg",            Number,  "deg", Range::of(-360.0, 360.0), Default("0.0"), "wave phase", "Lead of the crest over x = y = 0 at time zero.")),
-    only("kind", "irregular", field("waves.significant_height_m", Number,  "m",   Range::of(0.0, 50.0),     Required,       "significant height", "Four times the root mean square elevation.")),
-    only("kind", "irregular", field("waves.peak_period_s",        Number,  "s",   Range::of(0.1, 1e3),      Required,       "peak period", "Period of the spectrum's peak.")),
-    only("kind", "irregular", field("waves.spectrum", Choice(&["jonswap", "pierson-moskowitz"]), "", ANY,   Default("\"jonswap\""), "spectrum", "How the energy of irregular waves is spread over frequency.")),
-    only("kind", "irregular", field("waves.gamma",                Number,  "-",   Range::of(1.0, 20.0),     Default("3.3"), "peak enhancement", "Gamma of a JONSWAP spectrum; 1 is Pierson-Moskowitz.")),
-    only("kind", "irregular", field("waves.components",           Integer, "-",   Range::of(1.0, 1e4),      Default("100"), "components", "Regular components that irregular waves are made of, of equal energy.")),
-    only("kind", "irregular", field("waves.seed",                 Integer, "-",   Range::of(0.0, 9e15),     Default("1"),   "seed", "Of the random frequencies and phases: the same seed, the same waves.")),
+    only(("kind", "regular"),   field("waves.height_m",             Number,  "m",   Range::of(0.0, 100.0),    Required,       "wave height", "Height of regular waves from trough to crest.")),
+    only(("kind", "regular"),   field("waves.period_s",             Number,  "s",   Range::of(0.1, 1e3),      Required,       "wave period", "Period of regular waves.")),
+    only(("kind", "regular"),   field("waves.phase_deg",            Number,  "deg", Range::of(-360.0, 360.0), Default("0.0"), "wave phase", "Lead of the crest over x = y = 0 at time zero.")),
+    only(("kind", "irregular"), field("waves.significant_height_m", Number,  "m",   Range::of(0.0, 50.0),     Required,       "significant height", "Four times the root mean square elevation.")),
+    only(("kind", "irregular"), field("waves.peak_period_s",        Number,  "s",   Range::of(0.1, 1e3),      Required,       "peak period", "Period of the spectrum's peak.")),
+    only(("kind", "irregular"), field("waves.spectrum", Choice(&["jonswap", "pierson-moskowitz"]), "", ANY,   Default("\"jonswap\""), "spectrum", "How the energy of irregular waves is spread over frequency.")),
+    only(("kind", "irregular"), field("waves.gamma",                Number,  "-",   Range::of(1.0, 20.0),     Default("3.3"), "peak enhancement", "Gamma of a JONSWAP spectrum; 1 is Pierson-Moskowitz.")),
+    only(("kind", "irregular"), field("waves.components",           Integer, "-",   Range::of(1.0, 1e4),      Default("100"), "components", "Regular components that irregular waves are made of, of equal energy.")),
+    only(("kind", "irregular"), field("waves.seed",                 Integer, "-",   Range::of(0.0, 9e15),     Default("1"),   "seed", "Of the random frequencies and phases: the same seed, the same waves.")),
     field("waves.direction_deg",   Number, "deg", Range::of(-360.0, 360.0), Default("0.0"), "wave direction", "Where the waves run to, from +x towards +y."),
     field("waves.depth_m",         Number, "m",   Range::positive(2e4),     Means("that of the sea bed, or deep water"), "sea depth", "Depth that the waves feel, where there is no [seabed]."),
     field("waves.ramp_s",          Number, "s",   Range::of(0.0, 1e6),      Default("0.0"), "wave ramp", "The waves grow smoothly from nothing over this time."),
@@ -276,44 +113,25 @@ pub static FIELDS: &[Field] = &[
     field("line.*.length_m", Number,  "m", Range::positive(1e5),  Required, "length", "Unstretched length."),
     field("line.*.segments", Integer, "-", Range::of(1.0, 1e4),   Required, "segments", "Number of segments the section is divided into."),
 
-    field("ends.a.name",        Name,      "",    ANY,                       Required, "name", "Name of the end, used in channel names."),
-    field("ends.a.kind",        END_KINDS, "",    ANY,                       Required, "kind", "What holds the end."),
-    field("ends.a.position_m",  Triple,    "m",   Range::of(-1e6, 1e6),      Means("given by the start shape"), "position", "Position, z up from still water; held ends need it."),
-    field("ends.a.amplitude_m", Triple,    "m",   Range::of(-1e4, 1e4),      Default("[0.0, 0.0, 0.0]"), "motion amplitude", "Amplitude of the prescribed motion of a moving end."),
-    field("ends.a.period_s",    Number,    "s",   Range::positive(1e5),      Means("no motion"), "motion period", "Period of the prescribed motion; a moving end needs it."),
-    field("ends.a.phase_deg",   Triple,    "deg", Range::of(-360.0, 360.0),  Default("[0.0, 0.0, 0.0]"), "motion phase", "Phase of the prescribed motion."),
-    field("ends.a.ramp_s",      Number,    "s",   Range::of(0.0, 1e6),       Default("0.0"), "motion ramp", "The prescribed motion grows smoothly from nothing over this time."),
-    field("ends.a.release_s",   Number,    "s",   Range::of(0.0, 1e6),       Means("never"), "release", "A held end is let go at this time."),
-    field("ends.a.motion", Choice(&["harmonic", "table", "irregular", "vessel"]), "", ANY, Default("\"harmonic\""), "motion", "How a moving end moves: in harmonics, along a table, irregularly, or as a vessel in the waves."),
-    field("ends.a.motion_file", Text, "", ANY,                                     NOT_USED, "motion file", "CSV file beside the case: time_s,x_m,y_m,z_m from the position, or a vessel's responses over period_s."),
-    field("ends.a.rms_m",         Triple, "m", Range::of(0.0, 1e3),     NOT_USED, "motion rms", "Root mean square of an irregular motion along x, y, z."),
-    field("ends.a.peak_period_s", Number, "s", Range::positive(1e5),    NOT_USED, "motion peak period", "Period of the peak of an irregular motion's spectrum."),
-    field("ends.a.gamma",         Number, "-", Range::of(1.0, 20.0),    Default("3.3"), "motion peak enhancement", "Gamma of an irregular motion's JONSWAP spectrum."),
-    field("ends.a.components",    Integer, "-", Range::of(1.0, 1e4),    Default("100"), "motion components", "Harmonics an irregular motion is made of along each axis."),
-    field("ends.a.seed",          Integer, "-", Range::of(0.0, 9e15),   Default("1"),   "motion seed", "Of an irregular motion: the same seed, the same motion."),
-    field("ends.a.heading_deg",   Number, "deg", Range::of(-360.0, 360.0), Default("0.0"), "vessel heading", "Where the vessel points, from +x towards +y."),
-    field("ends.a.hang_point_m",  Triple, "m", Range::of(-1e3, 1e3),    Default("[0.0, 0.0, 0.0]"), "hang point", "Where the line hangs from the vessel's reference point: forward, to port, up."),
-    field("ends.a.clamp_elevation_deg", Number, "deg", Range::of(-90.0, 90.0),   Means("hinged"), "clamp elevation", "Clamps the end: angle of the line there above the horizontal, going from A to B."),
-    field("ends.a.clamp_azimuth_deg",   Number, "deg", Range::of(-360.0, 360.0), Default("0.0"),  "clamp azimuth", "Direction of a clamped end in plan, from +x towards +y, going from A to B."),
-    field("ends.b.name",        Name,      "",    ANY,                       Required, "name", "Name of the end, used in channel names."),
-    field("ends.b.kind",        END_KINDS, "",    ANY,                       Required, "kind", "What holds the end."),
-    field("ends.b.position_m",  Triple,    "m",   Range::of(-1e6, 1e6),      Means("given by the start shape"), "position", "Position, z up from still water; held ends need it."),
-    field("ends.b.amplitude_m", Triple,    "m",   Range::of(-1e4, 1e4),      Default("[0.0, 0.0, 0.0]"), "motion amplitude", "Amplitude of the prescribed motion of a moving end."),
-    field("ends.b.period_s",    Number,    "s",   Range::positive(1e5),      Means("no motion"), "motion period", "Period of the prescribed motion; a moving end needs it."),
-    field("ends.b.phase_deg",   Triple,    "deg", Range::of(-360.0, 360.0),  Default("[0.0, 0.0, 0.0]"), "motion phase", "Phase of the prescribed motion."),
-    field("ends.b.ramp_s",      Number,    "s",   Range::of(0.0, 1e6),       Default("0.0"), "motion ramp", "The prescribed motion grows smoothly from nothing over this time."),
-    field("ends.b.release_s",   Number,    "s",   Range::of(0.0, 1e6),       Means("never"), "release", "A held end is let go at this time."),
-    field("ends.b.motion", Choice(&["harmonic", "table", "irregular", "vessel"]), "", ANY, Default("\"harmonic\""), "motion", "How a moving end moves: in harmonics, along a table, irregularly, or as a vessel in the waves."),
-    field("ends.b.motion_file", Text, "", ANY,                                     NOT_USED, "motion file", "CSV file beside the case: time_s,x_m,y_m,z_m from the position, or a vessel's responses over period_s."),
-    field("ends.b.rms_m",         Triple, "m", Range::of(0.0, 1e3),     NOT_USED, "motion rms", "Root mean square of an irregular motion along x, y, z."),
-    field("ends.b.peak_period_s", Number, "s", Range::positive(1e5),    NOT_USED, "motion peak period", "Period of the peak of an irregular motion's spectrum."),
-    field("ends.b.gamma",         Number, "-", Range::of(1.0, 20.0),    Default("3.3"), "motion peak enhancement", "Gamma of an irregular motion's JONSWAP spectrum."),
-    field("ends.b.components",    Integer, "-", Range::of(1.0, 1e4),    Default("100"), "motion components", "Harmonics an irregular motion is made of along each axis."),
-    field("ends.b.seed",          Integer, "-", Range::of(0.0, 9e15),   Default("1"),   "motion seed", "Of an irregular motion: the same seed, the same motion."),
-    field("ends.b.heading_deg",   Number, "deg", Range::of(-360.0, 360.0), Default("0.0"), "vessel heading", "Where the vessel points, from +x towards +y."),
-    field("ends.b.hang_point_m",  Triple, "m", Range::of(-1e3, 1e3),    Default("[0.0, 0.0, 0.0]"), "hang point", "Where the line hangs from the vessel's reference point: forward, to port, up."),
-    field("ends.b.clamp_elevation_deg", Number, "deg", Range::of(-90.0, 90.0),   Means("hinged"), "clamp elevation", "Clamps the end: angle of the line there above the horizontal, going from A to B."),
-    field("ends.b.clamp_azimuth_deg",   Number, "deg", Range::of(-360.0, 360.0), Default("0.0"),  "clamp azimuth", "Direction of a clamped end in plan, from +x towards +y, going from A to B."),
+    field("ends.*.name",        Name,      "",    ANY,                       Required, "name", "Name of the end, used in channel names."),
+    field("ends.*.kind",        END_KINDS, "",    ANY,                       Required, "kind", "What holds the end."),
+    field("ends.*.position_m",  Triple,    "m",   Range::of(-1e6, 1e6),      Means("given by the start shape"), "position", "Position, z up from still water; held ends need it."),
+    field("ends.*.amplitude_m", Triple,    "m",   Range::of(-1e4, 1e4),      Default("[0.0, 0.0, 0.0]"), "motion amplitude", "Amplitude of the prescribed motion of a moving end."),
+    field("ends.*.period_s",    Number,    "s",   Range::positive(1e5),      Means("no motion"), "motion period", "Period of the prescribed motion; a moving end needs it."),
+    field("ends.*.phase_deg",   Triple,    "deg", Range::of(-360.0, 360.0),  Default("[0.0, 0.0, 0.0]"), "motion phase", "Phase of the prescribed motion."),
+    field("ends.*.ramp_s",      Number,    "s",   Range::of(0.0, 1e6),       Default("0.0"), "motion ramp", "The prescribed motion grows smoothly from nothing over this time."),
+    field("ends.*.release_s",   Number,    "s",   Range::of(0.0, 1e6),       Means("never"), "release", "A held end is let go at this time."),
+    field("ends.*.motion", Choice(&["harmonic", "table", "irregular", "vessel"]), "", ANY, Default("\"harmonic\""), "motion", "How a moving end moves: in harmonics, along a table, irregularly, or as a vessel in the waves."),
+    field("ends.*.motion_file", Text, "", ANY,                                     NOT_USED, "motion file", "CSV file beside the case: time_s,x_m,y_m,z_m from the position, or a vessel's responses over period_s."),
+    field("ends.*.rms_m",         Triple, "m", Range::of(0.0, 1e3),     NOT_USED, "motion rms", "Root mean square of an irregular motion along x, y, z."),
+    field("ends.*.peak_period_s", Number, "s", Range::positive(1e5),    NOT_USED, "motion peak period", "Period of the peak of an irregular motion's spectrum."),
+    field("ends.*.gamma",         Number, "-", Range::of(1.0, 20.0),    Default("3.3"), "motion peak enhancement", "Gamma of an irregular motion's JONSWAP spectrum."),
+    field("ends.*.components",    Integer, "-", Range::of(1.0, 1e4),    Default("100"), "motion components", "Harmonics an irregular motion is made of along each axis."),
+    field("ends.*.seed",          Integer, "-", Range::of(0.0, 9e15),   Default("1"),   "motion seed", "Of an irregular motion: the same seed, the same motion."),
+    field("ends.*.heading_deg",   Number, "deg", Range::of(-360.0, 360.0), Default("0.0"), "vessel heading", "Where the vessel points, from +x towards +y."),
+    field("ends.*.hang_point_m",  Triple, "m", Range::of(-1e3, 1e3),    Default("[0.0, 0.0, 0.0]"), "hang point", "Where the line hangs from the vessel's reference point: forward, to port, up."),
+    field("ends.*.clamp_elevation_deg", Number, "deg", Range::of(-90.0, 90.0),   Means("hinged"), "clamp elevation", "Clamps the end: angle of the line there above the horizontal, going from A to B."),
+    field("ends.*.clamp_azimuth_deg",   Number, "deg", Range::of(-360.0, 360.0), Default("0.0"),  "clamp azimuth", "Direction of a clamped end in plan, from +x towards +y, going from A to B."),
 
     field("payload.dry_mass_kg",   Number,         "kg", Range::positive(1e10),   Required, "dry mass", "Mass in air."),
     field("payload.wet_mass_kg",   Number,         "kg", Range::of(-1e10, 1e10),  Means("from the volume"), "wet mass", "Weight in water, as mass. Give this or volume_m3."),
@@ -461,26 +279,6 @@ pub static FIELDS: &[Field] = &[
     field("trial.*.same_as",  Text,   "",  ANY, NOT_USED, "same as", "A trial further up whose numbers must come out again."),
     field("trial.*.same_rel", Number, "-", Range::positive(1.0), NOT_USED, "same within", "How far they may be apart, relative to the number."),
 ];
-
-const fn table(
-    path: &'static str,
-    shape: super::TableShape,
-    required: bool,
-    help: &'static str,
-) -> Table {
-    Table {
-        path,
-        shape,
-        required,
-        help,
-    }
-}
-
-/// The same field, known only to tables whose key has this value.
-const fn only(key: &'static str, value: &'static str, mut field: Field) -> Field {
-    field.only_if = Some((key, value));
-    field
-}
 
 /// A dimension of a payload's shape, needed by shapes of one kind and unknown to the others.
 const fn shape(
