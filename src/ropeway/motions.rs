@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::full::Hauled;
 use super::hauling::haul;
 use super::service::Followed;
 use super::swing::{Swung, string_rad_per_s};
@@ -299,40 +300,7 @@ pub fn full(worked: &Worked) -> (Chart, Table) {
             chart
                 .series
                 .push(Series::new("full line, hauled in", 2, path.collect()));
-            let rest: Vec<(f64, f64)> = hauled
-                .iter()
-                .filter_map(|h| {
-                    let rest = worked.rest(h.x_m / worked.span.gap.span_m).ok()?;
-                    let most = rest.platform_n().max(rest.ship_n());
-                    Some((worked.ropeway.platform.height_m + rest.cargo_m.1, most))
-                })
-                .collect();
-            let low = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min);
-            let lowest = low(&mut hauled.iter().map(|h| h.z_m));
-            let still = low(&mut rest.iter().map(|r| r.0));
-            let most = hauled
-                .iter()
-                .map(|h| h.platform_n.max(h.ship_n))
-                .fold(0.0, f64::max);
-            let held = rest.iter().map(|r| r.1).fold(0.0, f64::max);
-            let own = worked.crossing(400).ok();
-            let height = worked.ropeway.platform.height_m;
-            let depth = own.as_ref().map(|own| range(own, |s| s.depth_m).1);
-            let pull = own
-                .as_ref()
-                .map(|own| range(own, |s| s.platform_n.max(s.ship_n)).1);
-            table.rows.push(cells(
-                "lowest on the way, above still water",
-                [
-                    depth.map(|d| metres(height - d)),
-                    Some(metres(lowest)),
-                    Some(metres(still)),
-                ],
-            ));
-            table.rows.push(cells(
-                "greatest tension on the way",
-                [pull.map(newtons), Some(newtons(most)), Some(newtons(held))],
-            ));
+            table.rows.extend(on_the_way(worked, &hauled));
         }
         Err(trouble) => table
             .notes
@@ -343,6 +311,44 @@ pub fn full(worked: &Worked) -> (Chart, Table) {
             .to_owned(),
     );
     (chart, table)
+}
+
+/// How low the cargo comes and how much the rope bears, by each reading of the crossing.
+fn on_the_way(worked: &Worked, hauled: &[Hauled]) -> [Vec<Cell>; 2] {
+    let height = worked.ropeway.platform.height_m;
+    let rest: Vec<(f64, f64)> = hauled
+        .iter()
+        .filter_map(|h| {
+            let rest = worked.rest(h.x_m / worked.span.gap.span_m).ok()?;
+            let most = rest.platform_n().max(rest.ship_n());
+            Some((height + rest.cargo_m.1, most))
+        })
+        .collect();
+    let low = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min);
+    let high = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+    let own = worked.crossing(400).ok();
+    let deepest = own.as_ref().map(|own| range(own, |s| s.depth_m).1);
+    let pull = |s: &Swung| s.platform_n.max(s.ship_n);
+    let lowest = [
+        deepest.map(|depth| height - depth),
+        Some(low(&mut hauled.iter().map(|h| h.z_m))),
+        Some(low(&mut rest.iter().map(|r| r.0))),
+    ];
+    let greatest = [
+        own.as_ref().map(|own| range(own, pull).1),
+        Some(high(&mut hauled.iter().map(|h| h.platform_n.max(h.ship_n)))),
+        Some(high(&mut rest.iter().map(|r| r.1))),
+    ];
+    [
+        cells(
+            "lowest on the way, above still water",
+            lowest.map(|z| z.map(metres)),
+        ),
+        cells(
+            "greatest tension on the way",
+            greatest.map(|n| n.map(newtons)),
+        ),
+    ]
 }
 
 fn cells(name: &str, values: [Option<String>; 3]) -> Vec<Cell> {

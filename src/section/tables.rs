@@ -102,6 +102,23 @@ fn made_of(helix: &Helix) -> String {
 /// Stiffness, with both kinds of middle side by side.
 #[must_use]
 pub fn stiffness(design: &Design) -> Table {
+    let mut rows = tension_and_torsion(design);
+    rows.extend(bending(design));
+    Table {
+        title: "Stiffness".to_owned(),
+        columns: vec![
+            Column::left("quantity"),
+            Column::decimal("rigid core, Theta = 0"),
+            Column::decimal("incompressible core, Theta = 1"),
+            Column::decimal("model error"),
+            Column::left("theory"),
+        ],
+        rows,
+        notes: stiffness_notes(design),
+    }
+}
+
+fn tension_and_torsion(design: &Design) -> Vec<Vec<Cell>> {
     const TENSION: &str = "Knapp, eqs. (16)-(17)";
     let (rigid, soft) = (&design.rigid, &design.incompressible);
     let both = |name: &str, rigid: f64, soft: f64, unit: &str, theory: &str| {
@@ -113,7 +130,7 @@ pub fn stiffness(design: &Design) -> Table {
         };
         both(name, rigid, soft, unit, &spread, theory)
     };
-    let mut rows = vec![
+    vec![
         both(
             "EA, ends held from turning",
             rigid.ea(Twist::Held),
@@ -156,9 +173,12 @@ pub fn stiffness(design: &Design) -> Table {
             "N m",
             TENSION,
         ),
-    ];
+    ]
+}
+
+fn bending(design: &Design) -> [Vec<Cell>; 4] {
     let bending = &design.bending;
-    let ei = [
+    let rows = [
         (
             "EI, all slips",
             bending.total(),
@@ -176,19 +196,7 @@ pub fn stiffness(design: &Design) -> Table {
             "plane sections stay plane",
         ),
     ];
-    rows.extend(ei.map(|(name, value, theory)| alone(name, value, theory)));
-    Table {
-        title: "Stiffness".to_owned(),
-        columns: vec![
-            Column::left("quantity"),
-            Column::decimal("rigid core, Theta = 0"),
-            Column::decimal("incompressible core, Theta = 1"),
-            Column::decimal("model error"),
-            Column::left("theory"),
-        ],
-        rows,
-        notes: stiffness_notes(design),
-    }
+    rows.map(|(name, value, theory)| alone(name, value, theory))
 }
 
 /// How far the two kinds of middle are apart.
@@ -257,8 +265,7 @@ fn stiffness_notes(design: &Design) -> Vec<String> {
 #[must_use]
 pub fn whole(design: &Design) -> Table {
     let weight = &design.weight;
-    let about = &design.section.about;
-    let gaps = match about.voids {
+    let gaps = match design.section.about.voids {
         Voids::Dry => "gaps dry",
         Voids::Flooded => "gaps flooded",
     };
@@ -286,33 +293,7 @@ pub fn whole(design: &Design) -> Table {
             "what no unit, filler or sheath takes",
         ),
     ];
-    match &design.strength {
-        Some(strength) => {
-            let (layer, unit) = &strength.weakest;
-            let weakest = if layer == unit {
-                layer.clone()
-            } else {
-                format!("{unit} in {layer}")
-            };
-            let (core, twist) = strength.when;
-            let ends = ends(twist);
-            rows.push(fact(
-                "breaking load",
-                si(strength.break_load, "N"),
-                &format!("first to reach its strength: {weakest}, {core} core, ends {ends}"),
-            ));
-            rows.push(fact(
-                "allowable tension",
-                si(strength.allowable, "N"),
-                &format!("{} of it may be used", percent(about.usage_factor)),
-            ));
-        }
-        None => rows.push(fact(
-            "breaking load",
-            "not known".to_owned(),
-            "no unit that carries has a strength or breaking load",
-        )),
-    }
+    rows.extend(strength(design));
     Table {
         title: "The cable as a whole".to_owned(),
         columns: vec![
@@ -323,6 +304,37 @@ pub fn whole(design: &Design) -> Table {
         rows,
         notes: Vec::new(),
     }
+}
+
+fn strength(design: &Design) -> Vec<Vec<Cell>> {
+    let Some(strength) = &design.strength else {
+        return vec![fact(
+            "breaking load",
+            "not known".to_owned(),
+            "no unit that carries has a strength or breaking load",
+        )];
+    };
+    let (layer, unit) = &strength.weakest;
+    let weakest = if layer == unit {
+        layer.clone()
+    } else {
+        format!("{unit} in {layer}")
+    };
+    let (core, twist) = strength.when;
+    let ends = ends(twist);
+    let used = percent(design.section.about.usage_factor);
+    vec![
+        fact(
+            "breaking load",
+            si(strength.break_load, "N"),
+            &format!("first to reach its strength: {weakest}, {core} core, ends {ends}"),
+        ),
+        fact(
+            "allowable tension",
+            si(strength.allowable, "N"),
+            &format!("{used} of it may be used"),
+        ),
+    ]
 }
 
 fn fact(name: &str, value: String, how: &str) -> Vec<Cell> {
