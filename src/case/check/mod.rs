@@ -8,6 +8,7 @@ mod claims;
 mod keys;
 mod line;
 mod loads;
+mod paths;
 mod rope;
 mod sea;
 mod spans;
@@ -20,8 +21,8 @@ use super::diagnostic::Finding;
 use super::fields::CASE;
 use super::tree::Node;
 
-pub(crate) use claims::unknown_path;
 pub(crate) use keys::{check as check_keys, fields_here};
+pub(crate) use paths::unknown_path;
 pub(crate) use value::{check as check_value, text as value_text};
 pub(crate) use words::{join, nearest, split};
 

@@ -1,7 +1,7 @@
 //! Trials of a hard case: what they set, which published values they name, which trial they repeat.
 
-use super::claims::unknown_path;
 use super::line::unknown_name;
+use super::paths::unknown_path;
 use super::words::{join, split};
 use crate::case::diagnostic::Finding;
 use crate::case::fields::field_at;

@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 
-use super::{edit, info, overlay, ropeway, runs, section, ship};
+use super::{edit, info, overlay, papers, ropeway, section, ship};
 use crate::reference;
 use crate::report::chart::Glyphs;
 use crate::tui::command::Id;
@@ -39,11 +39,11 @@ pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
     match id {
         Id::NextTable => file.leaf = (file.leaf + 1) % leaves,
         Id::PreviousTable => file.leaf = (file.leaf + leaves - 1) % leaves,
-        Id::ScrollLeft | Id::ScrollRight | Id::Sort => act(file, runs::table_verb(id)),
+        Id::ScrollLeft | Id::ScrollRight | Id::Sort => act(file, papers::table_verb(id)),
         Id::HandOver => {
             let (path, text, what) = file.content.view().hand_over(stem(file));
             return Some(match text {
-                Some(text) => runs::write(path, Some(text), what),
+                Some(text) => papers::write(path, Some(text), what),
                 None => info(state, "There is nothing to write as it stands."),
             });
         }
@@ -76,12 +76,12 @@ fn write(file: &OpenFile, glyphs: Glyphs) -> Vec<Effect> {
     if file.pane == Place::Checks {
         let words = crate::report::text::validation(&file.checks);
         let path = PathBuf::from(format!("{stem}-validation.txt"));
-        return runs::write(path, Some(words), "The validation table");
+        return papers::write(path, Some(words), "The validation table");
     }
     let words = file.content.view().report(&file.sheet.text, glyphs);
     let (name, what) = file.content.view().paper();
     let path = PathBuf::from(format!("{stem}-{name}.txt"));
-    runs::write(path, words, what)
+    papers::write(path, words, what)
 }
 
 /// Goes to another pane.

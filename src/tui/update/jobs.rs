@@ -1,6 +1,6 @@
-//! Jobs: the live re-solve, runs asked for, studies, validation; starting and cancelling them.
+//! Jobs: the live re-solve, runs asked for; starting and cancelling them.
 
-use super::{info, runs, trials};
+use super::{info, studies, trials};
 use crate::case::{At, Case};
 use crate::run::Resume;
 use crate::run::job::Request;
@@ -9,15 +9,15 @@ use crate::tui::command::Id;
 use crate::tui::msg::Effect;
 use crate::tui::place::Place;
 use crate::tui::state::{
-    Choice, Curves, JobLine, JobState, Level, OpenCase, Overlay, Purpose, RunSlot, SlotKind,
-    SlotState, State, Ticket, Waiting,
+    Curves, JobLine, JobState, OpenCase, Purpose, RunSlot, SlotKind, SlotState, State, Ticket,
+    Waiting,
 };
 
 pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
     match id {
         Id::Run => run(state),
-        Id::Study => ask_study(state),
-        Id::Validate => validate(state),
+        Id::Study => studies::ask(state),
+        Id::Validate => studies::validate(state),
         Id::CancelJob => {
             let ticket = state.jobs.lines.get(state.jobs.cursor).map(|l| l.ticket);
             ticket.map_or_else(Vec::new, |t| cancel(state, t))
@@ -131,7 +131,7 @@ pub(super) fn start_newest(state: &mut State) -> Vec<Effect> {
 }
 
 /// Puts a run of the open case at the end of the queue.
-fn enqueue(state: &mut State, text: &str, case: Case, at: Option<At>, shown: bool) {
+pub(super) fn enqueue(state: &mut State, text: &str, case: Case, at: Option<At>, shown: bool) {
     let Some(open) = &state.open else {
         return;
     };
@@ -213,122 +213,6 @@ pub(super) fn start_waiting(state: &mut State) -> Vec<Effect> {
         });
     }
     effects
-}
-
-fn ask_study(state: &mut State) -> Vec<Effect> {
-    let Some(open) = &state.open else {
-        return Vec::new();
-    };
-    if open.case.study.len() == 1 {
-        return study(state, 0);
-    }
-    let items = open
-        .case
-        .study
-        .iter()
-        .map(|s| {
-            let values: Vec<String> = s.values.iter().map(ToString::to_string).collect();
-            format!("{}: {} = {}", s.name, s.key, values.join(", "))
-        })
-        .collect();
-    state.overlay = Some(Overlay::Choose {
-        choice: Choice::Study,
-        items,
-        cursor: 0,
-    });
-    Vec::new()
-}
-
-/// Runs all variants of a study and overlays them.
-pub(super) fn study(state: &mut State, index: usize) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
-        return Vec::new();
-    };
-    let Some(study) = open.case.study.get(index).cloned() else {
-        return Vec::new();
-    };
-    open.live.hidden = true;
-    for slot in &mut open.runs {
-        slot.shown = false;
-    }
-    let points = study.values.iter().map(|value| {
-        Some(At {
-            study: study.name.clone(),
-            value: value.clone(),
-        })
-    });
-    let effects = variants(state, points.collect(), true);
-    if let Some(open) = &mut state.open {
-        open.pane = Place::Charts;
-    }
-    effects
-}
-
-fn validate(state: &mut State) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
-        return Vec::new();
-    };
-    open.pane = Place::Validation;
-    let plan = backend::plan(&open.case);
-    variants(state, plan, false)
-}
-
-/// Queues the variants that are not there yet, and shows those that are.
-fn variants(state: &mut State, points: Vec<Option<At>>, shown: bool) -> Vec<Effect> {
-    let mut effects = Vec::new();
-    let mut begun = 0;
-    for at in points {
-        let Some(open) = &mut state.open else {
-            break;
-        };
-        let (text, case) =
-            match backend::variant(&open.sheet.text, &open.case, at.as_ref(), &open.sheet.file) {
-                Ok(found) => found,
-                Err(problem) => {
-                    state.say(Level::Error, problem);
-                    continue;
-                }
-            };
-        if let Some(slot) = open
-            .runs
-            .iter_mut()
-            .rev()
-            .find(|s| s.text == text && usable(s))
-        {
-            slot.at.clone_from(&at);
-            slot.label = at
-                .as_ref()
-                .map_or_else(String::new, |at| backend::at_label(&open.case, at));
-            slot.shown |= shown;
-            effects.extend(runs::load(slot));
-            continue;
-        }
-        let live = &open.live;
-        if at.is_none() && !shown && (live.done_text == text || live.going_text == text) {
-            // The live run answers for the case as it stands.
-            continue;
-        }
-        begun += 1;
-        enqueue(state, &text, case, at, shown);
-    }
-    effects.extend(start_waiting(state));
-    runs::check(state);
-    info(
-        state,
-        if begun == 0 {
-            "Everything needed has been run already.".to_owned()
-        } else {
-            format!("{begun} runs begun. `6` shows the jobs, `ctrl+c` cancels.")
-        },
-    );
-    effects
-}
-
-fn usable(slot: &RunSlot) -> bool {
-    matches!(
-        slot.state,
-        SlotState::Queued | SlotState::Running | SlotState::Done
-    )
 }
 
 /// Cancels the job that the user looks at.

@@ -12,10 +12,12 @@ mod leave;
 mod modes;
 mod onward;
 mod overlay;
+mod papers;
 mod ropeway;
 mod runs;
 mod section;
 mod ship;
+mod studies;
 mod trials;
 mod typing;
 

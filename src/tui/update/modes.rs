@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::{overlay, runs};
+use super::{overlay, papers};
 use crate::modes::Found;
 use crate::report::modes as views;
 use crate::tui::command::Id;
@@ -64,11 +64,11 @@ pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
             let stem = open.sheet.file.trim_end_matches(".toml");
             let path = PathBuf::from(format!("{stem}-modes.csv"));
             let text = found.map(|found| views::csv(&found));
-            return Some(runs::write(path, text, "The table of modes"));
+            return Some(papers::write(path, text, "The table of modes"));
         }
         Id::ScrollLeft | Id::ScrollRight => {
             let table = found.map(|found| views::table(&found))?;
-            open.modes.pane.act(runs::table_verb(id), &table);
+            open.modes.pane.act(papers::table_verb(id), &table);
         }
         _ => {
             let verb = overlay::by_rows(by?);

@@ -3,7 +3,9 @@
 use tui_input::Input;
 
 use super::typing::type_key;
-use super::{cases, charts, edit, enabled, file, jobs, keys, leave, moved, onward, runs};
+use super::{
+    cases, charts, edit, enabled, file, jobs, keys, leave, moved, onward, papers, runs, studies,
+};
 use super::{modes, trials};
 use crate::report::chart::Glyphs;
 use crate::tui::backend;
@@ -117,7 +119,7 @@ fn choose(
         Key::Esc | Key::Char('q') => return Vec::new(),
         Key::Enter => {
             return match choice {
-                Choice::Study => jobs::study(state, cursor),
+                Choice::Study => studies::study(state, cursor),
             };
         }
         Key::Down | Key::Char('j') => cursor = moved(cursor, 1, items.len()),
@@ -240,9 +242,9 @@ pub fn run_command(state: &mut State, id: Id) -> Vec<Effect> {
         Id::Keep | Id::ShowAlone | Id::Select | Id::SelectNone | Id::Delete => {
             runs::command(state, id)
         }
-        Id::NextTable => runs::leaf_tables(state, true),
-        Id::PreviousTable => runs::leaf_tables(state, false),
-        Id::Write | Id::ScrollLeft | Id::ScrollRight | Id::Sort => runs::paper(state, id),
+        Id::NextTable => papers::leaf_tables(state, true),
+        Id::PreviousTable => papers::leaf_tables(state, false),
+        Id::Write | Id::ScrollLeft | Id::ScrollRight | Id::Sort => papers::paper(state, id),
         _ => charts::command(state, id),
     }
 }
@@ -286,7 +288,7 @@ fn pane(state: &mut State, id: Id) -> Vec<Effect> {
     };
     open.pane = panes[next];
     match open.pane {
-        Place::Report => runs::write_report(state),
+        Place::Report => papers::write_report(state),
         // Runs that other programs computed may have come to their end.
         Place::Runs => return vec![runs::list(open)],
         _ => {}
@@ -322,7 +324,7 @@ fn move_by(state: &mut State, by: isize) -> Vec<Effect> {
             }
             Place::Nodes => {
                 let verb = by_rows(by);
-                if let Some(table) = runs::line_table(open) {
+                if let Some(table) = papers::line_table(open) {
                     open.nodes_pane.act(verb, &table);
                 }
             }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::{charts, file, runs};
+use super::{charts, file, papers};
 use crate::report::chart;
 use crate::section::{self, picture};
 use crate::tui::command::Id;
@@ -27,7 +27,7 @@ pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
         Id::Write if drawn => {
             let base = section.view.chart(&picture::chart(&section.design));
             let text = chart::draw(&base, PAPER_WIDTH, PAPER_WIDTH / 2, glyphs).to_text();
-            Some(runs::write(path, Some(text), "The drawing"))
+            Some(papers::write(path, Some(text), "The drawing"))
         }
         _ if drawn => {
             let verb = charts::verb(id)?;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::{info, jobs, overlay, runs};
+use super::{info, jobs, overlay, papers};
 use crate::case;
 use crate::study::tally;
 use crate::tui::command::Id;
@@ -82,14 +82,14 @@ pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
             return Some(effects);
         }
         Id::ScrollLeft | Id::ScrollRight | Id::Sort => {
-            trials.pane.act(runs::table_verb(id), &table);
+            trials.pane.act(papers::table_verb(id), &table);
         }
         Id::Write => {
             let tally = tally(&trials.so_far.findings);
             let table = trials.table(u16::MAX).to_text(PAPER_WIDTH);
             let text = format!("{table}\n{tally}\n");
             let path = PathBuf::from("hard-cases.txt");
-            return Some(runs::write(path, Some(text), "The table of trials"));
+            return Some(papers::write(path, Some(text), "The table of trials"));
         }
         _ => trials.pane.act(overlay::by_rows(by?), &table),
     }
