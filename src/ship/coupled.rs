@@ -7,30 +7,22 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use nalgebra::Vector6;
-
 use super::decay::{Decay, decay};
 use super::forcing::{Forcing, wave_loads};
-use super::model::{CoupledWords, Mooring};
-use super::moored::{Moored, MooredError, RigidBody};
-use super::mooring::Reach;
+use super::model::CoupledWords;
+use super::moored::{Moored, MooredError};
 use super::motion::displaced;
-use super::rest::{Rest, Station};
+use super::rest::Rest;
+use super::setting::Setting;
 use super::statistics::Statistics;
 use super::voyage::Voyage;
-use crate::case;
 use crate::dynamics::alpha::Alpha;
 use crate::dynamics::{March, MarchError, Stepper};
 use crate::linalg::V3;
-use crate::scene::{self, Scene};
 use crate::solve::{Instant, Progressing, State, System};
-use crate::statics::equilibrium::Search;
 
 /// Damping of the method at the highest frequencies: enough for a line that snaps taut.
 const RHO: f64 = 0.4;
-
-/// How far the line sinks into the bed under its own weight \[m\].
-const SUNK: f64 = 1e-3;
 
 /// Tolerance of positions \[-\] and iterations of a step.
 const NEWTON: (f64, usize) = (1e-10, 30);
@@ -102,161 +94,6 @@ pub enum CoupledError {
     /// Somebody asked for it to stop.
     #[error("it was stopped")]
     Stopped,
-}
-
-/// What the equations of ship and line are made from.
-#[derive(Debug, Clone, Copy)]
-pub struct Setting<'a> {
-    /// The ship at rest.
-    pub rest: &'a Rest,
-    /// Its words on the run.
-    pub words: &'a CoupledWords,
-    /// The heading at which it lies.
-    pub station: &'a Station,
-    /// The line that holds it.
-    pub mooring: &'a Mooring,
-    /// The line's reach there.
-    pub reach: &'a Reach,
-}
-
-impl<'a> Setting<'a> {
-    /// Of a file that says everything needed.
-    ///
-    /// # Errors
-    /// [`CoupledError::Missing`].
-    pub fn of(rest: &'a Rest) -> Result<Self, CoupledError> {
-        let missing = CoupledError::Missing;
-        let words = rest.ship.coupled.as_ref();
-        let station = rest.chosen();
-        let station = station.ok_or(missing("there is no stable heading to begin from"))?;
-        let reach = station.reach.as_ref().and_then(|reach| reach.as_ref().ok());
-        Ok(Self {
-            rest,
-            words: words.ok_or(missing("the file has no [coupled]"))?,
-            station,
-            mooring: rest
-                .ship
-                .mooring
-                .as_ref()
-                .ok_or(missing("the file has no [mooring]"))?,
-            reach: reach.ok_or(missing("the mooring line does not reach the ship"))?,
-        })
-    }
-
-    /// From the ship's reference point to its fairlead \[m\].
-    #[must_use]
-    pub fn arm(&self) -> V3 {
-        let height = self.mooring.fairlead_z_m;
-        V3::new(self.rest.loads.arm, 0.0, height)
-    }
-
-    /// The line, of so many segments, at rest with its fairlead shifted \[m\].
-    ///
-    /// # Errors
-    /// [`CoupledError::Line`].
-    pub fn line(&self, segments: usize, shift: &V3) -> Result<(Scene, State), CoupledError> {
-        let failed = |why: String| CoupledError::Line(why);
-        let case = case::parse(&self.line_text(segments, shift), "anchor line")
-            .map_err(|all| failed(all.first().map_or_else(String::new, ToString::to_string)))?;
-        let scene = scene::build(&case, 1).map_err(|error| failed(error.to_string()))?;
-        let mut state = scene.initial_state();
-        Search::default()
-            .run(&scene, 0.0, &mut state)
-            .map_err(|error| failed(error.to_string()))?;
-        Ok((scene, state))
-    }
-
-    fn line_text(&self, segments: usize, shift: &V3) -> String {
-        let (about, mooring, words) = (&self.rest.ship.about, self.mooring, self.words);
-        let balance = &self.station.balance;
-        let (sin, cos) = (balance.downstream - balance.heading).sin_cos();
-        let arm = self.arm();
-        let (x, y) = (
-            arm.x - self.reach.distance * cos,
-            arm.y - self.reach.distance * sin,
-        );
-        let ship = arm + shift;
-        format!(
-            "[case]\ntitle = \"anchor line\"\n\
-             [environment]\ngravity_m_per_s2 = {:?}\nwater_density_kg_per_m3 = {:?}\n\
-             [seabed]\ndepth_m = {:?}\nstiffness_n_per_m3 = {:?}\n\
-             [materials.line]\ndiameter_m = {:?}\nmass_kg_per_m = {:?}\nwet_weight_kg_per_m = {:?}\nea_n = {:?}\n\
-             drag_normal = {:?}\ndrag_tangential = {:?}\nadded_mass_normal = {:?}\n\
-             [[line]]\nname = \"line\"\nmaterial = \"line\"\nlength_m = {:?}\nsegments = {segments}\n\
-             [ends.a]\nname = \"anchor\"\nkind = \"anchor\"\nposition_m = [{x:?}, {y:?}, {:?}]\n\
-             [ends.b]\nname = \"ship\"\nkind = \"fixed\"\nposition_m = [{:?}, {:?}, {:?}]\n",
-            about.gravity_m_per_s2,
-            about.water_density_kg_per_m3,
-            mooring.depth_m,
-            // As hard as the flat bed of the closed form, nearly: the line sinks in by a millimetre.
-            mooring.wet_weight_kg_per_m * about.gravity_m_per_s2 / (words.line_diameter_m * SUNK),
-            words.line_diameter_m,
-            words.line_mass_kg_per_m,
-            mooring.wet_weight_kg_per_m,
-            mooring.ea_n,
-            words.drag_normal,
-            words.drag_tangential,
-            words.added_mass_normal,
-            mooring.length_m,
-            -mooring.depth_m,
-            ship.x,
-            ship.y,
-            ship.z,
-        )
-    }
-
-    /// Ship and line as one system, with the line at rest where the ship lies.
-    ///
-    /// # Errors
-    /// [`CoupledError`].
-    pub fn system(
-        &self,
-        segments: usize,
-        forcing: Forcing,
-    ) -> Result<(Moored, State), CoupledError> {
-        let (scene, state) = self.line(segments, &V3::zeros())?;
-        let moored = self.moored(scene, &state, forcing)?;
-        Ok((moored, state))
-    }
-
-    /// The ship on a line, its weight and trim balanced with the line at rest as given.
-    ///
-    /// # Errors
-    /// [`CoupledError`].
-    pub fn moored(
-        &self,
-        scene: Scene,
-        rest: &State,
-        forcing: Forcing,
-    ) -> Result<Moored, CoupledError> {
-        let missing = CoupledError::Missing("the file has no [hull]");
-        let hull = self.rest.hull.as_ref().ok_or(missing)?;
-        let arm = self.arm();
-        let pull = scene.end_force(scene.nodes() - 1, rest);
-        let turn = arm.cross(&pull);
-        // What holds the ship in the plane are wind, current and drift; the water holds up what the line pulls down.
-        let load = -Vector6::new(0.0, 0.0, pull.z, turn.x, turn.y, 0.0);
-        let body = RigidBody {
-            mass: hull.mass,
-            damping: hull.damping,
-            restoring: hull.restoring,
-            load,
-            forcing,
-            place: V3::zeros(),
-            arm,
-            length: 0.5 * self.rest.ship.about.length_m,
-        };
-        Ok(Moored::new(scene, body)?)
-    }
-
-    /// Wind, current and drift in time, along the heading at rest.
-    #[must_use]
-    pub fn flows(&self) -> Forcing {
-        Forcing {
-            flows: Some((self.rest.loads.clone(), self.station.balance.heading)),
-            ..Forcing::default()
-        }
-    }
 }
 
 /// A march's records with its work.

@@ -5,8 +5,9 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Complex, Matrix3, Vector3, Vector6};
 
-use super::coupled::{CoupledError, Setting};
+use super::coupled::CoupledError;
 use super::fishtail::Planar;
+use super::setting::Setting;
 use crate::dynamics::March;
 use crate::dynamics::alpha::Alpha;
 use crate::linalg::V3;

@@ -36,6 +36,7 @@ pub mod rope;
 pub mod rope_dynamic;
 pub mod rope_tables;
 mod sea;
+pub mod setting;
 pub mod statistics;
 pub mod tables;
 pub mod text;
