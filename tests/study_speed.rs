@@ -128,3 +128,32 @@ fn the_command_prints_and_writes_the_table() {
     assert!(heads.contains("tension rms [% of peak]"), "{heads}");
     assert!(lines.count() > 10);
 }
+
+#[test]
+fn varying_steps_stand_beside_constant_ones_of_the_same_error() {
+    let mut case = pendulum();
+    case.solver.duration_s = 2.0;
+    let cancel = AtomicBool::new(false);
+    let rows = speed::compare(&case, 3, &cancel, &mut |_, _, _| {}).unwrap();
+    assert_eq!(rows.len(), 15);
+    for of_radius in rows.chunks(5) {
+        // A finer tolerance costs more and is nearer.
+        assert!(of_radius[4].median.work > of_radius[0].median.work);
+        assert!(of_radius[4].median.errors[0] < of_radius[0].median.errors[0]);
+    }
+    assert!(
+        rows.iter()
+            .flat_map(speed::Beside::ratios)
+            .flatten()
+            .count()
+            > 0
+    );
+    let text = speed::comparison_table(&rows, 3).to_text(160);
+    assert!(
+        text.contains("Median of the ratios at rho") && text.contains("3 variants"),
+        "{text}"
+    );
+    case.solver.method = Method::Static;
+    let refused = speed::compare(&case, 1, &cancel, &mut |_, _, _| {});
+    assert_eq!(refused.err(), Some(SpeedError::Static));
+}

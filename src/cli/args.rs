@@ -115,6 +115,34 @@ pub(super) enum StudyWords {
     /// Errors are those of the time step, against a reference of another method in much finer steps, whose
     /// own error is told; the mesh has a table of its own. Takes as long as the reference: up to some minutes.
     Speed(SpeedWords),
+    /// Hold steps of varying length against the best constant step that is as accurate.
+    ///
+    /// At every tolerance and spectral radius: the work, the errors, and what constant steps need for the same error.
+    /// Takes as long as the references, one a variant: up to some minutes.
+    Steps(StepsWords),
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct StepsWords {
+    /// The case file.
+    #[arg(value_name = "CASE")]
+    pub(super) case: PathBuf,
+
+    /// Set a key on top of the file, for example solver.duration_s=60; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub(super) set: Vec<String>,
+
+    /// Variants of the case, gravity a little different in each, of which the medians count.
+    #[arg(long, value_name = "N", default_value = "5", value_parser = count)]
+    pub(super) variants: usize,
+
+    /// Write the table as CSV to this file as well.
+    #[arg(short, long = "output", value_name = "TABLE.csv")]
+    pub(super) output: Option<PathBuf>,
+
+    /// Print with ASCII characters only.
+    #[arg(long)]
+    pub(super) ascii: bool,
 }
 
 #[derive(Debug, clap::Args)]

@@ -44,6 +44,9 @@ pub(super) fn run(words: &RunWords) -> Result<ExitCode, Failure> {
     if let Some(limits) = text::limits(&run, &request.case) {
         text.push_str(&format!("\n{limits}"));
     }
+    if let Some(damping) = text::numerical_damping(&run.info.settings) {
+        text.push_str(&format!("\nNumerical damping: {damping}\n"));
+    }
     output::results(&text, words.ascii)?;
     Ok(status(&run, &stop))
 }

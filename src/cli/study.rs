@@ -1,14 +1,15 @@
-//! `seacable study`: hard cases held against what must come out; speed against error.
+//! `seacable study`: hard cases held against what must come out; speed against error; varying steps beside constant ones.
 
 use std::{fs, io, path::Path, process::ExitCode, sync::Mutex};
 
 use super::{
     Failure, NOT_GOOD,
-    args::{HardWords, SpeedWords, StudyWords},
+    args::{HardWords, SpeedWords, StepsWords, StudyWords},
     cases::{self, Loaded},
     output, progress,
     signals::Stop,
 };
+use crate::case::Case;
 use crate::report::chart::{Glyphs, draw};
 use crate::report::table::Table;
 use crate::study::{
@@ -27,6 +28,7 @@ pub(super) fn study(words: &StudyWords) -> Result<ExitCode, Failure> {
     match words {
         StudyWords::HardCases(words) => hard_cases(words),
         StudyWords::Speed(words) => speed_of(words),
+        StudyWords::Steps(words) => steps_of(words),
     }
 }
 
@@ -64,12 +66,10 @@ fn write_csv(table: &Table, path: Option<&Path>) -> Result<(), Failure> {
 }
 
 fn speed_of(words: &SpeedWords) -> Result<ExitCode, Failure> {
-    let loaded = cases::load(&words.case)?;
-    let text = cases::set(&loaded.text, &words.set)?;
-    let case = cases::parse(&text, &loaded.file)?;
+    let (name, case) = case_of(&words.case, &words.set)?;
     let stop =
         Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
-    let usage = |why: SpeedError| Failure::Usage(format!("{}: {why}.", loaded.name));
+    let usage = |why: SpeedError| Failure::Usage(format!("{name}: {why}."));
     let plan = speed::plan(&case).map_err(usage)?;
     let mut line = progress::Line::new();
     let mut tell = |begun: usize, of: usize, what: &str| {
@@ -77,15 +77,7 @@ fn speed_of(words: &SpeedWords) -> Result<ExitCode, Failure> {
     };
     let study = match speed::compute(&case, plan, words.repeats, stop.cancel(), &mut tell) {
         Ok(study) => study,
-        Err(why) => {
-            return match stop.status() {
-                Some(status) => {
-                    output::message("Stopped before all points were computed.");
-                    Ok(status)
-                }
-                None => Err(usage(why)),
-            };
-        }
+        Err(why) => return stopped(&stop, usage(why)),
     };
     drop(line);
     let table = speed::table(&study);
@@ -101,6 +93,40 @@ fn speed_of(words: &SpeedWords) -> Result<ExitCode, Failure> {
         &format!("{}\n{chart}\n{mesh}", table.to_text(WIDTH)),
         words.ascii,
     )?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The case of a file with what is set on top of it, and its name.
+fn case_of(file: &Path, set: &[String]) -> Result<(String, Case), Failure> {
+    let loaded = cases::load(file)?;
+    let text = cases::set(&loaded.text, set)?;
+    let case = cases::parse(&text, &loaded.file)?;
+    Ok((loaded.name, case))
+}
+
+/// How a study ends that did not come to its end: stopped by a signal, or in failure.
+fn stopped(stop: &Stop, failure: Failure) -> Result<ExitCode, Failure> {
+    let status = stop.status().ok_or(failure)?;
+    output::message("Stopped before all points were computed.");
+    Ok(status)
+}
+
+fn steps_of(words: &StepsWords) -> Result<ExitCode, Failure> {
+    let (name, case) = case_of(&words.case, &words.set)?;
+    let stop =
+        Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
+    let mut line = progress::Line::new();
+    let mut tell = |begun: usize, of: usize, what: &str| {
+        line.words(&format!("{begun} of {of}: {what}"));
+    };
+    let rows = match speed::compare(&case, words.variants, stop.cancel(), &mut tell) {
+        Ok(rows) => rows,
+        Err(why) => return stopped(&stop, Failure::Usage(format!("{name}: {why}."))),
+    };
+    drop(line);
+    let table = speed::comparison_table(&rows, words.variants);
+    write_csv(&table, words.output.as_deref())?;
+    output::results(&table.to_text(WIDTH), words.ascii)?;
     Ok(ExitCode::SUCCESS)
 }
 

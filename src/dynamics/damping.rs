@@ -54,6 +54,24 @@ impl Numerical {
         })
     }
 
+    /// The same over a run in steps of these lengths \[s\], so many of each: means over time, by which the oscillation has
+    /// lost at the end what it lost in the steps one by one. (In steps of the mean length it would lose less: damping
+    /// grows with the cube of the step.)
+    #[must_use]
+    pub fn over(rho: f64, omega: f64, steps: &[(f64, u64)]) -> Self {
+        let total: f64 = steps.iter().map(|(h, count)| h * *count as f64).sum();
+        let mut mean = Self {
+            damping: 0.0,
+            lengthening: 0.0,
+        };
+        for (h, count) in steps {
+            let (of, share) = (Self::of(rho, omega, *h), h * *count as f64 / total);
+            mean.damping += share * of.damping;
+            mean.lengthening += share * of.lengthening;
+        }
+        mean
+    }
+
     /// Share of the amplitude that is gone after a cycle \[-\].
     #[must_use]
     pub fn lost_a_cycle(&self) -> f64 {
@@ -95,6 +113,26 @@ mod tests {
         }
         let at = |rho| numerical_damping(rho, 1.0, 0.3);
         assert!(at(0.0) > at(0.4) && at(0.4) > at(0.8) && at(0.8) > at(1.0));
+    }
+
+    /// An oscillation of which nine tenths of the time are marched in steps ten times as long: nearly all it loses it
+    /// loses there, and steps of the mean length would tell less.
+    #[test]
+    fn steps_of_several_lengths_damp_as_they_do_one_by_one() {
+        let (rho, omega) = (0.4, 1.0);
+        let steps = [(0.05, 200), (0.5, 180)];
+        let decay = |h: f64, count: f64| Numerical::of(rho, omega, h).damping * omega * h * count;
+        let time = 0.05 * 200.0 + 0.5 * 180.0;
+        let told = Numerical::over(rho, omega, &steps);
+        let one_by_one = decay(0.05, 200.0) + decay(0.5, 180.0);
+        assert!((told.damping * omega * time / one_by_one - 1.0).abs() < 1e-12);
+        let of_mean = Numerical::of(rho, omega, time / 380.0);
+        assert!(told.damping > 3.0 * of_mean.damping, "{told:?} {of_mean:?}");
+        assert!(told.lengthening > of_mean.lengthening);
+        assert_eq!(
+            Numerical::over(rho, omega, &[(0.3, 7)]),
+            Numerical::of(rho, omega, 0.3)
+        );
     }
 
     /// Against a swing marched through by the formulas themselves.

@@ -108,6 +108,9 @@ pub struct MarchError {
 /// How often a step that cannot be solved is halved before the march gives up.
 const HALVINGS: u32 = 14;
 
+/// How many lengths steps may have: whole, and halved up to so many times.
+const LENGTHS: usize = HALVINGS as usize + 1;
+
 /// How often a step is halved for accuracy: a jump of a force is no more accurate in smaller steps than these,
 /// since the estimate falls with the step and not with its square.
 const HALVINGS_FOR_ACCURACY: u32 = 7;
@@ -129,6 +132,9 @@ pub struct Place {
     pub steps: u64,
     /// Steps rejected so far.
     pub rejections: u64,
+    /// Steps accepted so far of each length, halved 0, 1, 2 ... times.
+    #[serde(default)]
+    pub halved: [u64; LENGTHS],
 }
 
 /// The times of a march. Output intervals divide the duration, whole steps divide the output interval: no time is ever
@@ -163,6 +169,14 @@ impl March {
             per_output,
             outputs,
         }
+    }
+
+    /// The lengths of the steps taken so far \[s\], and how many of each; one cut short by an event counts as uncut.
+    pub fn lengths(&self, place: &Place) -> impl Iterator<Item = (f64, u64)> {
+        let dt = self.grid().dt;
+        let taken = place.halved.into_iter().enumerate();
+        let lengths = taken.map(move |(k, steps)| (dt / (1_u64 << k) as f64, steps));
+        lengths.filter(|(_, steps)| *steps > 0)
     }
 
     /// Whether a march has come to its end.
@@ -271,6 +285,7 @@ fn whole_step<M: Stepper, S: System + ?Sized>(
             Ok(share) => {
                 done += 1;
                 place.steps += 1;
+                place.halved[place.level as usize] += 1;
                 let last = done == 1 << place.level;
                 let time = if last {
                     whole.end

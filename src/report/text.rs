@@ -7,6 +7,7 @@ mod layout;
 mod results;
 mod validation;
 
+pub use about::numerical_damping;
 pub(crate) use inputs::list as inputs;
 pub(crate) use layout::{Page, WIDTH};
 pub use results::{limits, summary};

@@ -128,13 +128,13 @@ fn compute_on(
         wall_s: wall.elapsed().as_secs_f64(),
         companions_wall_s: 0.0,
     };
-    tell_damping(&mut settings, &phases[0], ended.work.steps);
+    tell_damping(&mut settings, &phases[0], &ended.lengths);
     warnings.extend(out_of_water(case, &recorder.profile));
     warnings.extend(recorder.front.warning());
     let mut modes = told_modes(case, &phases[0], &mut warnings);
     warnings.extend(tell_of_modes(
         &settings,
-        ended.work.steps,
+        &ended.lengths,
         &frequencies(&modes),
     ));
     modes.extend(steady::number(case, recorder.kept.shapes()));
@@ -190,6 +190,7 @@ pub(super) fn refused(failure: String, work: Work) -> Ended {
         state: RunState::Failed,
         failure: Some(failure),
         work,
+        lengths: Vec::new(),
     }
 }
 
@@ -256,6 +257,7 @@ fn run_method<'a>(
                 state: RunState::Done,
                 failure: None,
                 work,
+                lengths: Vec::new(),
             }
         }
         Method::Quasi => {

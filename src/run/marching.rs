@@ -15,6 +15,8 @@ pub(super) struct Ended {
     pub(super) state: RunState,
     pub(super) failure: Option<String>,
     pub(super) work: Work,
+    /// Lengths of the steps \[s\], and how many of each.
+    pub(super) lengths: Vec<(f64, u64)>,
 }
 
 /// The line as it is at first, and after each of its events.
@@ -117,7 +119,10 @@ pub(super) fn march<'a, M: Stepper>(
     } = method.tally();
     work.iterations += iterations;
     work.evaluations += evaluations;
-    ended(result, &place, work)
+    Ended {
+        lengths: march.lengths(&place).collect(),
+        ..ended(result, &place, work)
+    }
 }
 
 /// Marches to the end of a phase, from output to output, and tells of the run as it stands now and then and at its end.
@@ -215,6 +220,7 @@ fn ended(result: Result<Progressing, MarchError>, place: &Place, work: Work) -> 
             rejections: place.rejections,
             ..work
         },
+        lengths: Vec::new(),
     }
 }
 

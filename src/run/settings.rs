@@ -95,13 +95,12 @@ fn forced_period(scene: &Scene) -> f64 {
     period
 }
 
-/// Tells what generalized-alpha damped by itself, in steps of the mean length.
-pub(super) fn tell_damping(settings: &mut Settings, scene: &Scene, steps: u64) {
-    if let (Some(rho), true) = (settings.rho_inf, steps > 0) {
+/// Tells what generalized-alpha damped by itself, in steps of these lengths \[s\], so many of each.
+pub(super) fn tell_damping(settings: &mut Settings, scene: &Scene, steps: &[(f64, u64)]) {
+    if let (Some(rho), false) = (settings.rho_inf, steps.is_empty()) {
         let period = forced_period(scene);
         let omega = std::f64::consts::TAU / period;
-        let h = settings.duration_s / steps as f64;
-        settings.numerical_damping = Some(Numerical::of(rho, omega, h).damping);
+        settings.numerical_damping = Some(Numerical::over(rho, omega, steps).damping);
         settings.numerical_damping_period_s = Some(period);
     }
 }
@@ -110,12 +109,15 @@ pub(super) fn tell_damping(settings: &mut Settings, scene: &Scene, steps: u64) {
 /// told of.
 const NOTABLE: f64 = 0.01;
 
-/// What generalized-alpha makes of the natural modes of these frequencies \[Hz\] in steps of the mean length, where that
-/// is worth telling.
-pub(super) fn tell_of_modes(settings: &Settings, steps: u64, hz: &[f64]) -> Option<String> {
-    let rho = settings.rho_inf.filter(|_| steps > 0)?;
-    let h = settings.duration_s / steps as f64;
-    let of = |hz: f64| Numerical::of(rho, std::f64::consts::TAU * hz, h);
+/// What generalized-alpha makes of the natural modes of these frequencies \[Hz\] in steps of these lengths \[s\], so many
+/// of each, where that is worth telling.
+pub(super) fn tell_of_modes(
+    settings: &Settings,
+    steps: &[(f64, u64)],
+    hz: &[f64],
+) -> Option<String> {
+    let rho = settings.rho_inf.filter(|_| !steps.is_empty())?;
+    let of = |hz: f64| Numerical::over(rho, std::f64::consts::TAU * hz, steps);
     let notable = |hz: &&f64| {
         let made = of(**hz);
         made.lost_a_cycle() > NOTABLE || made.lengthening > 0.1 * NOTABLE
@@ -132,7 +134,8 @@ pub(super) fn tell_of_modes(settings: &Settings, steps: u64, hz: &[f64]) -> Opti
         )
     };
     let mut text = format!(
-        "steps of {h:.3e} s change natural modes by themselves: {}",
+        "steps of {} change natural modes by themselves: {}",
+        words_for(steps),
         words(lowest)
     );
     if highest > lowest {
@@ -140,6 +143,20 @@ pub(super) fn tell_of_modes(settings: &Settings, steps: u64, hz: &[f64]) -> Opti
         text.push_str(&words(highest));
     }
     Some(text)
+}
+
+/// Lengths of steps in words, of one length or from the shortest to the longest.
+fn words_for(steps: &[(f64, u64)]) -> String {
+    let lengths = || steps.iter().map(|(h, _)| *h);
+    let (shortest, longest) = (
+        lengths().fold(f64::INFINITY, f64::min),
+        lengths().fold(0.0, f64::max),
+    );
+    if shortest < longest {
+        format!("{shortest:.3e} to {longest:.3e} s")
+    } else {
+        format!("{longest:.3e} s")
+    }
 }
 
 /// The cost of a Newton iteration in evaluations of the force alone, measured on lines without bending.

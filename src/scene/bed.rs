@@ -77,7 +77,7 @@ impl Scene {
 
     /// Push of the bed on node i.
     #[inline]
-    fn push(&self, bed: &Seabed, i: usize, state: &State) -> Push {
+    pub(super) fn push(&self, bed: &Seabed, i: usize, state: &State) -> Push {
         bed.push(&state.x[i], &state.v[i], self.footprint[i])
     }
 

@@ -157,6 +157,10 @@ impl System for Scene {
         self.accelerate_traveller(t, state);
     }
 
+    fn felt(&self, d: &[V3], state: &State) -> f64 {
+        self.felt_displacement(d, state)
+    }
+
     fn force_scale(&self) -> f64 {
         self.force_scale
     }

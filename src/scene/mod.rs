@@ -17,6 +17,7 @@ mod equation;
 mod event;
 mod excess;
 mod explicit;
+mod felt;
 pub mod flexure;
 mod foretold;
 mod guess;

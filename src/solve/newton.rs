@@ -6,7 +6,8 @@
 //!
 //! Stopping: the largest displacement of an iteration falls below the tolerance; or, because
 //! convergence is quadratic, the next one is foretold to do so (`|d1| = c |d0|²` with c measured on
-//! the iterations before, and a factor of safety), which saves an assembly a step. An iteration that goes in a circle, as
+//! the iterations before, and a factor of safety), which saves an assembly a step. Across the line, where a displacement
+//! makes hardly any force, a step whose error is controlled may bear more than along it. An iteration that goes in a circle, as
 //! between two sides of a kink, may be given up early: a march halves its step sooner and loses less.
 
 use super::{Factors, State, System};
@@ -18,6 +19,8 @@ use crate::linalg::{BlockBand, V3};
 pub struct Newton {
     /// Largest displacement of a node at which an iteration counts as converged \[m\].
     pub tolerance: f64,
+    /// The same across the line, where that may be more: the tolerance then holds for what stretches the line \[m\].
+    pub across: f64,
     /// Greatest number of iterations.
     pub max_iterations: usize,
     /// No node moves farther in an iteration: all displacements are scaled down together \[m\].
@@ -101,6 +104,7 @@ impl Newton {
     pub fn new(nodes: usize, tolerance: f64, max_iterations: usize) -> Self {
         Self {
             tolerance,
+            across: tolerance,
             max_iterations,
             longest: f64::INFINITY,
             idle: usize::MAX,
@@ -146,7 +150,7 @@ impl Newton {
         while made < self.max_iterations && idle < self.idle {
             made += 1;
             worst = self.iterate(system, t, state, c)?;
-            let moved = worst.1;
+            let moved = self.measured(system, state, worst.1);
             idle = if moved < 0.5 * least { 0 } else { idle + 1 };
             least = least.min(moved);
             if let Some(last) = before {
@@ -171,6 +175,15 @@ impl Newton {
             node,
             moved,
         })
+    }
+
+    /// The displacement just made, no node's more than `moved`, as the stopping rule counts it \[m\].
+    fn measured<S: System + ?Sized>(&self, system: &S, state: &State, moved: f64) -> f64 {
+        if self.across <= self.tolerance {
+            return moved;
+        }
+        let along = system.felt(&self.residual, state);
+        along.max(moved * self.tolerance / self.across)
     }
 
     /// One iteration; the node that moves most and by how much \[m\], before all is scaled down to
@@ -204,9 +217,10 @@ impl Newton {
                 worst = (i, moved);
             }
         }
+        // Prescribed nodes do not move.
+        self.residual[..free.start].fill(V3::zeros());
+        self.residual[free.end..].fill(V3::zeros());
         if !state.foretold.is_empty() {
-            self.residual[..free.start].fill(V3::zeros());
-            self.residual[free.end..].fill(V3::zeros());
             system.foretell(&self.residual, state);
         }
         let share = if worst.1 > self.longest {

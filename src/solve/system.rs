@@ -189,6 +189,13 @@ pub trait System: Sync {
     /// 2017).
     fn foretell(&self, _d: &[V3], _state: &mut State) {}
 
+    /// The displacement \[m\] of a node, along the stiffest part of the line, that would change a force as much as these
+    /// displacements do at most, inertia and drag left out: across a line they are felt far less than along it. A line
+    /// that does not tell counts every direction alike.
+    fn felt(&self, d: &[V3], _state: &State) -> f64 {
+        d.iter().map(V3::amax).fold(0.0, f64::max)
+    }
+
     /// A node at which the line is folded back on itself, if there is one. Bending forces vanish at such a fold, so
     /// that forces may balance there, but no line stays so: an equilibrium with a fold is none to be told.
     fn folded(&self, _state: &State) -> Option<usize> {

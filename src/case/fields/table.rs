@@ -208,7 +208,7 @@ pub static FIELDS: &[Field] = &[
     field("solver.step_tolerance",       Number,  "-", Range::positive(1.0),   Default("2e-5"), "step tolerance", "Error alpha allows in a step of varying length: in positions by the line's length L, in velocities by 2 sqrt(g L)."),
     field("solver.rho_inf",              Number,  "-", Range::of(0.0, 1.0),    Default("0.4"),  "rho infinity", "Spectral radius of generalized-alpha at infinite frequency: 0 damps most, 1 not at all."),
     field("solver.max_iterations",       Integer, "-", Range::of(1.0, 1e4),    Default("30"),   "greatest iterations", "Newton iterations a step may take before it is halved."),
-    field("solver.position_tolerance_m", Number,  "m", Range::positive(1.0),   Default("1e-5"), "position tolerance", "Newton stops when no node moves by more than this."),
+    field("solver.position_tolerance_m", Number,  "m", Range::positive(1.0),   Default("1e-5"), "position tolerance", "Newton stops when no node moves by more than this; across the line by a tenth of what a step may err, where steps vary."),
     field("solver.error_estimate",       Boolean, "",  ANY,                    Default("true"), "error estimate", "Whether companion runs estimate the time and mesh error of every result."),
 
     field("output.interval_s",       Number, "s", Range::positive(1e5), Default("0.5"), "history interval", "Interval of the time history."),

@@ -73,7 +73,10 @@ pub(super) fn settings(page: &mut Page, info: &RunInfo) {
             "Spectral radius",
             s.rho_inf.map(|r| r.to_string()).unwrap_or_default(),
         ),
-        ("Numerical damping", damping(s)),
+        (
+            "Numerical damping",
+            numerical_damping(s).unwrap_or_default(),
+        ),
         (
             "Newton tolerance",
             s.position_tolerance_m
@@ -99,14 +102,12 @@ fn step(settings: &Settings) -> String {
     }
 }
 
-/// What the method damps by itself.
-fn damping(settings: &Settings) -> String {
-    let told = settings
-        .numerical_damping
-        .zip(settings.numerical_damping_period_s);
-    told.map_or_else(String::new, |(ratio, period)| {
-        format!("{ratio:.1e} of critical at a period of {}", si(period, "s"))
-    })
+/// What the method damps by itself, in words, where it tells.
+#[must_use]
+pub fn numerical_damping(settings: &Settings) -> Option<String> {
+    let ratio = settings.numerical_damping?;
+    let period = si(settings.numerical_damping_period_s?, "s");
+    Some(format!("{ratio:.1e} of critical at a period of {period}"))
 }
 
 fn method(word: &str) -> String {

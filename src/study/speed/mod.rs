@@ -5,11 +5,13 @@
 //! CPU time, the least of several repeats on one thread, and counts of work that no machine changes (Hairer and Wanner
 //! 1996 call the picture of both a work-precision diagram).
 
+mod equal;
 mod error;
 mod view;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+pub use equal::{Beside, Median, compare, comparison_table};
 pub use error::Errors;
 pub use view::{chart, mesh_table, table};
 

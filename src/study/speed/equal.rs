@@ -1,0 +1,292 @@
+//! Work at equal error: what steps of varying length cost beside the best constant step that is as accurate.
+//!
+//! The error of a single run is partly chance: where a force jumps, a line may come to rest at either of two speeds. So
+//! every setting is computed for several variants of the case, gravity a thousandth or two different in each, and its point is
+//! the median of their work and errors. Constant steps are interpolated between by the logarithms of work and error, at
+//! every spectral radius, and the cheapest counts.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::{
+    STEPS, Setting, SpeedError, TOLERANCES, cheapest, error, longest_step, plan, rounded, with,
+};
+use crate::case::{Case, Method};
+use crate::report::number::digits;
+use crate::report::table::{Cell, Column, Table};
+use crate::run::RunState;
+use crate::scene;
+
+/// Spectral radii at which steps are measured.
+const RADII: [f64; 3] = [0.0, 0.4, 0.8];
+
+/// What gravity differs by from variant to variant.
+const APART: f64 = 1e-3;
+
+/// Work and errors of one setting: medians over the variants.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Median {
+    /// Newton iterations.
+    pub work: f64,
+    /// Errors of the tension as in [`super::Errors`], root mean square and greatest \[-\].
+    pub errors: [f64; 2],
+}
+
+/// Steps of varying length at one setting, beside constant ones.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Beside {
+    /// Spectral radius.
+    pub rho: f64,
+    /// Error allowed in a step.
+    pub tolerance: f64,
+    /// What it came to.
+    pub median: Median,
+    /// Iterations that the best constant step needs for the same error, root mean square and greatest; absent where
+    /// none of those measured is as good, or as bad.
+    pub constant: [Option<f64>; 2],
+}
+
+impl Beside {
+    /// Iterations by those of the best constant step at the same error.
+    #[must_use]
+    pub fn ratios(&self) -> [Option<f64>; 2] {
+        self.constant
+            .map(|constant| constant.map(|work| self.median.work / work))
+    }
+}
+
+/// Constant steps at one spectral radius, the longest first.
+type Curve = Vec<Median>;
+
+/// Computes `variants` variants of the case at every setting, telling before each what it is about to compute.
+///
+/// # Errors
+/// As [`super::compute`].
+pub fn compare(
+    case: &Case,
+    variants: usize,
+    cancel: &AtomicBool,
+    tell: &mut dyn FnMut(usize, usize, &str),
+) -> Result<Vec<Beside>, SpeedError> {
+    let settings = settings(case)?;
+    let exact = plan(case)?.reference;
+    let total = variants * (settings.len() + 1);
+    let mut begun = 0;
+    let mut run = |setting: &Setting| {
+        begun += 1;
+        tell(
+            begun,
+            total,
+            &format!("{}, {}", setting.solver, setting.setting),
+        );
+        let run = cheapest(&setting.case, 1, cancel);
+        if cancel.load(Ordering::Relaxed) {
+            return Err(SpeedError::Stopped);
+        }
+        Ok(run)
+    };
+    let mut points = vec![Vec::new(); settings.len()];
+    for number in 0..variants {
+        let reference = run(&varied(exact.clone(), number))?;
+        if reference.info.state != RunState::Done {
+            return Err(SpeedError::Reference {
+                setting: format!("variant {number}"),
+                why: reference.info.failure.unwrap_or_default(),
+            });
+        }
+        for (setting, points) in settings.iter().zip(&mut points) {
+            let run = run(&varied(setting.clone(), number))?;
+            // What failed is no point of its median.
+            if let Some(errors) = error::errors(&run, &reference) {
+                points.push((run.info.work.iterations as f64, errors));
+            }
+        }
+    }
+    let medians: Vec<Option<Median>> = points.iter().map(|points| median_of(points)).collect();
+    Ok(beside(&settings, &medians))
+}
+
+/// Varying and constant steps at every radius, the coarsest setting first.
+fn settings(case: &Case) -> Result<Vec<Setting>, SpeedError> {
+    if case.solver.method == Method::Static {
+        return Err(SpeedError::Static);
+    }
+    let scene = scene::build(case, 1).map_err(|e| SpeedError::Scene(e.to_string()))?;
+    let longest = longest_step(case, &scene);
+    let mut settings = Vec::new();
+    for rho in RADII {
+        let mut push = |step: Option<f64>, tolerance: f64, setting: String| {
+            let mut case = with(case, Method::Alpha, step);
+            case.solver.rho_inf = rho;
+            case.solver.step_tolerance = tolerance;
+            settings.push(Setting {
+                solver: format!("rho {rho}"),
+                setting,
+                case,
+            });
+        };
+        for share in TOLERANCES {
+            let tolerance = rounded(case.solver.step_tolerance * share);
+            push(None, tolerance, format!("tolerance {tolerance:.1e}"));
+        }
+        for share in STEPS {
+            let step = rounded(longest * share);
+            push(
+                Some(step),
+                case.solver.step_tolerance,
+                format!("step {step:.2e} s"),
+            );
+        }
+    }
+    Ok(settings)
+}
+
+/// A setting for the variant of this number: gravity as it is, a little more, a little less, a little more than that ...
+fn varied(mut setting: Setting, number: usize) -> Setting {
+    let away = number.div_ceil(2) as f64 * APART;
+    let away = if number % 2 == 0 { -away } else { away };
+    setting.case.environment.gravity_m_per_s2 *= 1.0 + away;
+    setting
+}
+
+fn median_of(points: &[(f64, error::Errors)]) -> Option<Median> {
+    let of =
+        |pick: &dyn Fn(&(f64, error::Errors)) -> f64| median(points.iter().map(pick).collect());
+    Some(Median {
+        work: of(&|p| p.0)?,
+        errors: [of(&|p| p.1.tension_rms)?, of(&|p| p.1.tension_max)?],
+    })
+}
+
+/// The middle one, or the mean of both; nothing of nothing.
+fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let upper = *values.get(values.len() / 2)?;
+    let lower = *values.get(values.len().saturating_sub(1) / 2)?;
+    Some(0.5 * (lower + upper))
+}
+
+/// Every point of varying steps, beside the cheapest constant ones.
+fn beside(settings: &[Setting], medians: &[Option<Median>]) -> Vec<Beside> {
+    let constant = |rho: f64| -> Curve {
+        let all = settings.iter().zip(medians);
+        let of = all
+            .filter(|(s, _)| s.case.solver.rho_inf == rho && s.case.solver.time_step_s.is_some());
+        of.filter_map(|(_, median)| *median).collect()
+    };
+    let curves = RADII.map(constant);
+    let vary = settings.iter().zip(medians);
+    let vary = vary.filter(|(s, _)| s.case.solver.time_step_s.is_none());
+    vary.filter_map(|(setting, median)| {
+        let median = (*median)?;
+        let cheapest = |which: usize| {
+            let works = curves.iter();
+            let works = works.filter_map(|c| work_at(c, which, median.errors[which]));
+            works.reduce(f64::min)
+        };
+        Some(Beside {
+            rho: setting.case.solver.rho_inf,
+            tolerance: setting.case.solver.step_tolerance,
+            median,
+            constant: [cheapest(0), cheapest(1)],
+        })
+    })
+    .collect()
+}
+
+/// Work along a curve where its error is this, between neighbours by their logarithms; the least where there are several.
+fn work_at(curve: &[Median], which: usize, error: f64) -> Option<f64> {
+    let between = |pair: &[Median]| {
+        let ((a, w), (b, v)) = (
+            (pair[0].errors[which].ln(), pair[0].work.ln()),
+            (pair[1].errors[which].ln(), pair[1].work.ln()),
+        );
+        let share = (error.ln() - a) / (b - a);
+        (0.0..=1.0)
+            .contains(&share)
+            .then(|| (w + share * (v - w)).exp())
+    };
+    curve.windows(2).filter_map(between).reduce(f64::min)
+}
+
+/// The middle ratio over all settings of a radius, of root mean square and greatest error together.
+fn middle(rows: &[Beside], rho: f64) -> Option<f64> {
+    let of = rows.iter().filter(|row| row.rho == rho);
+    median(of.flat_map(Beside::ratios).flatten().collect())
+}
+
+/// The table: a row a setting, bare numbers with their units in the heads.
+#[must_use]
+pub fn comparison_table(rows: &[Beside], variants: usize) -> Table {
+    let of = |value: Option<f64>, count: i32| {
+        Cell::plain(value.map_or_else(|| "-".to_owned(), |v| digits(v, count)))
+    };
+    let row = |row: &Beside| {
+        let mut cells = vec![
+            Cell::plain(row.rho.to_string()),
+            Cell::plain(format!("{:.1e}", row.tolerance)),
+            Cell::plain(format!("{:.0}", row.median.work)),
+        ];
+        for (which, ratio) in row.ratios().into_iter().enumerate() {
+            cells.push(of(Some(100.0 * row.median.errors[which]), 3));
+            cells.push(of(row.constant[which].map(f64::round), 5));
+            cells.push(of(ratio, 2));
+        }
+        cells
+    };
+    let medians = RADII.iter().filter_map(|rho| {
+        let middle = middle(rows, *rho)?;
+        Some(format!(
+            "Median of the ratios at rho {rho}: {}.",
+            digits(middle, 2)
+        ))
+    });
+    let mut notes: Vec<String> = medians.collect();
+    notes.push(format!(
+        "Iterations and errors are medians over {variants} variants of the case, gravity a thousandth different in each: the \
+         error of a single run is partly chance. The best constant step is the cheapest at any rho of {RADII:?} that has the \
+         same error, interpolated by logarithms; a dash where none measured has."
+    ));
+    Table {
+        title: "Steps of varying length beside the best constant step of the same error".to_owned(),
+        columns: vec![
+            Column::right("rho"),
+            Column::right("tolerance"),
+            Column::right("iterations"),
+            Column::right("tension rms [% of peak]"),
+            Column::right("best constant [iterations]"),
+            Column::right("ratio"),
+            Column::right("tension max [% of peak]"),
+            Column::right("best constant [iterations]"),
+            Column::right("ratio"),
+        ],
+        rows: rows.iter().map(row).collect(),
+        notes,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(work: f64, error: f64) -> Median {
+        Median {
+            work,
+            errors: [error, error],
+        }
+    }
+
+    #[test]
+    fn work_at_an_error_is_found_between_two_points() {
+        let curve = [point(100.0, 1e-2), point(400.0, 1e-4), point(800.0, 1e-3)];
+        assert!((work_at(&curve, 0, 1e-3).unwrap_or_default() - 200.0).abs() < 1e-9);
+        assert_eq!(work_at(&curve, 1, 1e-5), None);
+        assert_eq!(work_at(&curve, 1, 1.0), None);
+    }
+
+    #[test]
+    fn medians() {
+        assert_eq!(median(vec![3.0, 1.0, 2.0]), Some(2.0));
+        assert_eq!(median(vec![4.0, 1.0, 2.0, 3.0]), Some(2.5));
+        assert_eq!(median(Vec::new()), None);
+    }
+}
