@@ -339,3 +339,38 @@ fn modes_prints_frequencies_and_shapes_and_writes_them() {
         command.assert().code(2);
     }
 }
+
+/// Everything but the times and the name of the run: errors from companions, and the table of a case with a study.
+#[test]
+fn the_number_of_threads_changes_no_bit_of_what_is_written() {
+    let dir = tempfile::tempdir().unwrap();
+    let shipped = |name: &str| {
+        Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("cases")
+            .join(name)
+    };
+    let on = |threads: &str, words: &[&str], case: &Path| {
+        let mut command = seacable(dir.path());
+        command.env("RAYON_NUM_THREADS", threads);
+        let out = command.args(words).arg(case).assert().success();
+        out.get_output().stdout.clone()
+    };
+    let run = |threads: &str| {
+        let words = ["run", "--set", "solver.duration_s=20", "--out", threads];
+        on(threads, &words, &shipped("pendulous/manifold.toml"));
+        [
+            "history.csv",
+            "shapes.csv",
+            "profile.csv",
+            "summary.csv",
+            "errors.csv",
+        ]
+        .map(|file| fs::read(dir.path().join(threads).join(file)).unwrap())
+    };
+    assert!(run("1") == run("2"));
+    let study = shipped("benchmarks/current_across.toml");
+    assert_eq!(
+        on("1", &["validate"], &study),
+        on("2", &["validate"], &study)
+    );
+}

@@ -143,7 +143,11 @@ fn settings(case: &Case) -> Result<Vec<Setting>, SpeedError> {
 /// A setting for the variant of this number: gravity as it is, a little more, a little less, a little more than that ...
 fn varied(mut setting: Setting, number: usize) -> Setting {
     let away = number.div_ceil(2) as f64 * APART;
-    let away = if number.is_multiple_of(2) { -away } else { away };
+    let away = if number.is_multiple_of(2) {
+        -away
+    } else {
+        away
+    };
     setting.case.environment.gravity_m_per_s2 *= 1.0 + away;
     setting
 }
