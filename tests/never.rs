@@ -68,8 +68,11 @@ fn foot(length: f64) -> impl Strategy<Value = String> {
             let centre = 10f64.powf(log);
             let inertia = mass * (gyration * centre).powi(2);
             format!(
-                ", rotation = {{ centre_of_gravity_m = {centre:?}, inertia_kg_m2 = {inertia:?}, centre_of_drag_m = {:?}, start_tilt_deg = {tilt:?} }}",
-                drag * centre
+                ", rotation = {{ centre_of_gravity_m = {centre:?}, inertia_kg_m2 = {inertia:?}, centre_of_drag_m = {:?}, start_tilt_deg = {tilt:?}, \
+                 drag_length_m = {:?}, added_inertia_kg_m2 = {:?}, spin_deg_per_s = {tilt:?}, spin_inertia_kg_m2 = {inertia:?} }}",
+                drag * centre,
+                gyration * centre,
+                0.3 * drag * inertia,
             )
         });
         format!(

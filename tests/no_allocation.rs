@@ -171,9 +171,12 @@ fn a_step_with_a_payload_that_turns_allocates_nothing() {
                 inertia_kg_m2: 5e6,
                 centre_of_buoyancy_m: None,
                 centre_of_drag_m: None,
-                added_inertia_kg_m2: 0.0,
+                drag_length_m: 6.0,
+                added_inertia_kg_m2: 1e5,
                 start_tilt_deg: 0.0,
                 start_azimuth_deg: 0.0,
+                spin_deg_per_s: 10.0,
+                spin_inertia_kg_m2: Some(4e6),
             });
         }
     };

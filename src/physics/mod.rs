@@ -8,6 +8,7 @@ pub mod drag;
 pub mod drag_law;
 pub mod friction;
 pub mod growth;
+pub mod kirchhoff;
 pub mod motion;
 pub mod payload;
 pub mod rigid_body;

@@ -4,6 +4,7 @@ use super::line::{Hung, Joint};
 use super::{SceneError, Turning};
 use crate::case::{self, Case, EndKind, OneOrMany};
 use crate::linalg::V3;
+use crate::physics::kirchhoff::Entrained;
 use crate::physics::payload::{Form, box_form, sphere_and_cylinder};
 use crate::physics::rigid_body::Measures;
 use crate::physics::{Body, RigidBody};
@@ -151,10 +152,15 @@ pub(super) fn turning(case: &Case, node: usize) -> Result<Option<Turning>, Scene
         gravity_at,
         buoyancy_at,
         drag_at: rotation.centre_of_drag_m.unwrap_or(buoyancy_at),
+        drag_length: rotation.drag_length_m,
         inertia: rotation.inertia_kg_m2,
-        added: [body.added.x, body.added.z],
-        added_inertia: rotation.added_inertia_kg_m2,
+        added: Entrained {
+            normal: body.added.x,
+            tangential: body.added.z,
+            inertia: rotation.added_inertia_kg_m2,
+        },
         drag: [body.drag.x, body.drag.z],
+        spin: rotation.spin_inertia_kg_m2.unwrap_or(0.0) * rotation.spin_deg_per_s.to_radians(),
     };
     let body = RigidBody::new(&measures)
         .ok_or_else(|| impossible("its centre of gravity must lie below the hang point"))?;

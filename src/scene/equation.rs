@@ -154,6 +154,7 @@ impl System for Scene {
 
     fn accelerate(&self, t: f64, state: &mut State) {
         self.accelerations(t, state);
+        self.accelerate_turning(state);
         self.accelerate_traveller(t, state);
     }
 

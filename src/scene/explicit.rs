@@ -7,7 +7,7 @@ use crate::solve::{State, System};
 
 impl Scene {
     /// Accelerations of the free nodes, `a = M(x)^-1 f(x, v)`: the mass of a node is a 3 x 3 block of its
-    /// own, since added mass is lumped with the rest.
+    /// own, since added mass is lumped with the rest. What couples nodes comes after: a body that turns, a traveller.
     pub(super) fn accelerations(&self, t: f64, state: &mut State) {
         let last = self.nodes() - 1;
         let held = [state.a[0], state.a[last]];
@@ -70,20 +70,27 @@ impl Scene {
                 f += (body.drag(&u) + body.added.component_mul(&carried)) * share + load;
                 m.add_axes(&(body.added * share));
             }
-            if let Some((push, axis, more)) =
-                self.turning.as_ref().and_then(|t| t.load(self, i, state))
-            {
-                f += push;
-                m.add_directed(&axis, 0.0, more);
-            }
             state.a[i] = m.solve(&f);
             (f, m) = (beyond, next);
         }
     }
 
-    /// Inverse of the mass of a free node, added mass and bodies included, a traveller left out \[1/kg\].
+    /// Acceleration of a free node by a force on it, added mass and bodies included, a traveller left out \[1/kg\].
     #[must_use]
     pub fn lightness(&self, node: usize, state: &State) -> M3 {
+        if let Some(turning) = self.turning.as_ref().filter(|t| t.node == node) {
+            return turning.lightness(self, state)[0];
+        }
+        let m = self.mass_of(node, state);
+        M3::from_columns(&[V3::x(), V3::y(), V3::z()].map(|axis| m.solve(&axis)))
+    }
+
+    /// Mass of a node, added mass and bodies included but for those that couple it to others \[kg\].
+    pub(super) fn own_mass(&self, node: usize, state: &State) -> M3 {
+        self.mass_of(node, state).matrix()
+    }
+
+    fn mass_of(&self, node: usize, state: &State) -> Symmetric {
         let mut m = Symmetric::default();
         m.add_diagonal(self.mass[node]);
         let halves = [(node.checked_sub(1), 1), (Some(node), 0)];
@@ -102,14 +109,7 @@ impl Scene {
         {
             m.add_axes(&(hung.body.added * self.bathed(number, state).share));
         }
-        if let Some((_, axis, more)) = self
-            .turning
-            .as_ref()
-            .and_then(|t| t.load(self, node, state))
-        {
-            m.add_directed(&axis, 0.0, more);
-        }
-        M3::from_columns(&[V3::x(), V3::y(), V3::z()].map(|axis| m.solve(&axis)))
+        m
     }
 
     /// Puts the residual forces of bending where the accelerations will stand: they couple nodes two apart, and so
@@ -187,11 +187,7 @@ impl Scene {
         let mut limit = (f64::INFINITY, 0);
         for (i, segment) in self.segments.iter().enumerate() {
             let lightness = |node: usize, held: bool| {
-                if held {
-                    0.0
-                } else {
-                    1.0 / self.least_mass(node)
-                }
+                if held { 0.0 } else { 1.0 / self.mass[node] }
             };
             let held = |end: usize| matches!(self.ends[end], End::Held(_));
             let last = self.segments.len();
@@ -245,6 +241,12 @@ impl Symmetric {
         self.xy += k * t.x * t.y;
         self.xz += k * t.x * t.z;
         self.yz += k * t.y * t.z;
+    }
+
+    fn matrix(&self) -> M3 {
+        M3::new(
+            self.xx, self.xy, self.xz, self.xy, self.yy, self.yz, self.xz, self.yz, self.zz,
+        )
     }
 
     /// By LDL', which no positive definite block needs pivoting for.

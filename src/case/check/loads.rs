@@ -178,55 +178,10 @@ fn payload(root: &Node) -> Vec<Finding> {
         ))
     });
     found.extend(heavier);
-    if let (Some(node), Some(_)) = (payload.get("release_s"), payload.get("rotation")) {
-        let remedy = "remove [payload.rotation]: a body that hangs as a point can be cut off";
-        found.push(Finding::new(
-            &node.span,
-            "payload.release_s",
-            "a payload that turns cannot be cut off",
-            remedy,
-        ));
-    }
     if payload.get("shape").is_none() {
         found.extend(left_open(payload));
     }
-    found.extend(uneven(payload));
     found
-}
-
-/// A payload that turns is symmetric about its axis, which is z where it hangs upright.
-fn uneven(payload: &Node) -> Vec<Finding> {
-    if payload.get("rotation").is_none() {
-        return Vec::new();
-    }
-    let lists = ["drag_area_m2", "added_mass_kg"].into_iter();
-    let given = lists.filter_map(|key| {
-        let node = payload.get(key)?;
-        let numbers = node.numbers()?;
-        let (x, y) = (numbers.first()?, numbers.get(1)?);
-        let problem = "differs along x and y, and a payload that turns is symmetric about its axis, which is z";
-        let remedy = "give the same number along x and y: that across the axis";
-        let key = format!("payload.{key}");
-        (x != y).then(|| Finding::new(&node.span, key, problem, remedy))
-    });
-    let mut found: Vec<Finding> = given.collect();
-    found.extend(oblong(payload));
-    found
-}
-
-/// A box that turns, with sides that its drag or added mass would follow from, and that are not the same.
-fn oblong(payload: &Node) -> Option<Finding> {
-    let open = ["drag_area_m2", "added_mass_kg"]
-        .iter()
-        .any(|key| payload.get(key).is_none());
-    let shape = payload.get("shape").filter(|_| open)?;
-    let side = |key: &str| shape.get(key).and_then(Node::number);
-    let (length, breadth) = (side("length_m")?, side("breadth_m")?);
-    (length != breadth).then(|| {
-        let problem = "is not symmetric about its axis, as a payload that turns must be";
-        let remedy = "give drag_area_m2 and added_mass_kg, each with the same number along x and y, or a square box";
-        Finding::new(&shape.span, "payload.shape", problem, remedy)
-    })
 }
 
 /// What neither the keys of a payload without shape tell nor a shape could.

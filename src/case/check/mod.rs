@@ -1,7 +1,6 @@
 //! Checks of a case file. [`keys`] holds every table and value against the table of fields;
-//! [`mod@line`], [`rope`], [`loads`], [`sea`], [`start`], [`claims`] and [`trials`] hold values against each other. Every
-//! check works on the tree
-//! of the file and passes over what is missing or malformed, so that all faults are told at once,
+//! [`mod@line`], [`rope`], [`loads`], [`turning`], [`sea`], [`start`], [`claims`] and [`trials`] hold values against each
+//! other. Every check works on the tree of the file and passes over what is missing or malformed, so that all faults are told at once,
 //! each at its place.
 
 mod claims;
@@ -14,6 +13,7 @@ mod sea;
 mod spans;
 mod start;
 mod trials;
+mod turning;
 mod value;
 mod words;
 
@@ -32,6 +32,7 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
     found.extend(line::check(root));
     found.extend(rope::check(root));
     found.extend(loads::check(root));
+    found.extend(turning::check(root));
     found.extend(sea::check(root));
     found.extend(start::check(root));
     found.extend(claims::check(root));

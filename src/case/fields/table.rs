@@ -151,9 +151,12 @@ pub static FIELDS: &[Field] = &[
     field("payload.rotation.inertia_kg_m2",        Number, "kg m²", Range::of(0.0, 1e14), Required, "moment of inertia", "About an axis across, through the centre of gravity."),
     field("payload.rotation.centre_of_buoyancy_m", Number, "m", Range::of(0.0, 1e3), Means("at the centre of gravity"), "centre of buoyancy", "From the hang point down the axis; the added mass sits there too."),
     field("payload.rotation.centre_of_drag_m",     Number, "m", Range::of(0.0, 1e3), Means("at the centre of buoyancy"), "centre of drag", "From the hang point down the axis."),
+    field("payload.rotation.drag_length_m",        Number, "m", Range::of(0.0, 1e3), Default("0.0"), "length of drag", "Stretch of the axis, about the centre of drag, that drag is spread over: it then resists turning too."),
     field("payload.rotation.added_inertia_kg_m2",  Number, "kg m²", Range::of(0.0, 1e14), Default("0.0"), "added moment of inertia", "Of the water, about an axis across, through the centre of buoyancy."),
     field("payload.rotation.start_tilt_deg",       Number, "deg", Range::of(-180.0, 180.0), Default("0.0"), "start tilt", "Angle of the axis from straight down at time zero, unless the start is an equilibrium."),
     field("payload.rotation.start_azimuth_deg",    Number, "deg", Range::of(-360.0, 360.0), Default("0.0"), "start azimuth", "Which way it is tilted, from +x towards +y."),
+    field("payload.rotation.spin_deg_per_s",       Number, "deg/s", Range::of(-36e3, 36e3), Default("0.0"), "spin", "How fast it spins about its axis, for good: the line transmits no torque."),
+    field("payload.rotation.spin_inertia_kg_m2",   Number, "kg m²", Range::of(0.0, 1e14), Means("needed where it spins"), "spin inertia", "Moment of inertia about its own axis; needed where it spins."),
 
     field("floats.*.section",       Text,   "",   ANY,                    Required,       "section", "The section they sit on."),
     field("floats.*.from_m",        Number, "m",  Range::of(0.0, 1e5),    Default("0.0"), "from", "Where the stretch begins, from the section's end nearer to A."),

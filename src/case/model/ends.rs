@@ -131,7 +131,7 @@ pub struct Payload {
     pub rotation: Option<Rotation>,
 }
 
-/// A payload that turns about the end of the line: symmetric about an axis through its hang point, its spin left out.
+/// A payload that turns about the end of the line: symmetric about an axis through its hang point.
 /// Drag area and added mass along z are then those along the axis, along x and y those across.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -145,6 +145,9 @@ pub struct Rotation {
     pub centre_of_buoyancy_m: Option<f64>,
     /// From the hang point to where drag acts \[m\]; absent: the centre of buoyancy.
     pub centre_of_drag_m: Option<f64>,
+    /// Length of the axis, about the centre of drag, over which drag is spread evenly \[m\]; 0: it acts there.
+    #[serde(default)]
+    pub drag_length_m: f64,
     /// Added moment of inertia about an axis across, through the centre of buoyancy \[kg m²\].
     #[serde(default)]
     pub added_inertia_kg_m2: f64,
@@ -154,6 +157,12 @@ pub struct Rotation {
     /// Which way it is tilted, from +x towards +y \[deg\].
     #[serde(default)]
     pub start_azimuth_deg: f64,
+    /// How fast it spins about its axis \[deg/s\], positive by the right hand with the thumb away from the hang point: for
+    /// good, as a line without torsion transmits no torque.
+    #[serde(default)]
+    pub spin_deg_per_s: f64,
+    /// Moment of inertia about its axis \[kg m²\]; needed where it spins.
+    pub spin_inertia_kg_m2: Option<f64>,
 }
 
 /// The form of a payload.

@@ -1,0 +1,121 @@
+//! A body that turns, in the water: what flows past it, how much of it is wet, its pressure and its buoyancy.
+//!
+//! Waves act by drag on every strip and, at the centre of buoyancy, by their pressure and by the water that goes with
+//! the body. Across the surface all of these, and the added mass, count by the share that is wet, and buoyancy is lost to a
+//! potential, as if the body were a sphere of its volume about the centre of buoyancy.
+
+use super::Turning;
+use crate::linalg::{M3, V3};
+use crate::physics::RigidBody;
+use crate::physics::sea::Flow;
+use crate::physics::tension::Chord;
+use crate::scene::{Scene, Water, wetting};
+use crate::solve::State;
+
+/// The body in the water.
+pub(super) struct Afloat {
+    pub(super) axis: Chord,
+    /// Velocity of the water at the centre of buoyancy \[m/s\], and how it changes with the place \[1/s\].
+    pub(super) flow: (V3, M3),
+    /// Acceleration of the water there \[m/s²\], and how it changes with the place \[1/s²\].
+    pub(super) carried: (V3, M3),
+    /// The share that is wet, and its derivative by the place of the centre of buoyancy \[1/m\].
+    pub(super) wet: (f64, V3),
+    /// Mass of the water displaced \[kg\]; nothing where neither waves nor a surface are named.
+    pub(super) displaced: f64,
+}
+
+/// A strip of the body that drag acts on.
+pub(super) struct Strip {
+    /// Its place on the rod, and its part of all drag.
+    pub(super) place: f64,
+    pub(super) part: f64,
+    /// Its velocity \[m/s\].
+    pub(super) v: V3,
+    /// Velocity of the water relative to it \[m/s\], and how the water's changes with the place \[1/s\].
+    pub(super) u: V3,
+    pub(super) gradient: M3,
+}
+
+impl Turning {
+    /// What waves make of the water at its two nodes, and how much of each counts at a place on the rod.
+    fn waves<'s>(&self, place: f64, state: &'s State) -> impl Iterator<Item = (f64, &'s Flow)> {
+        let nodes = (self.node..).zip(RigidBody::shares(place));
+        nodes.filter_map(|(node, share)| Some((share, state.water.get(node)?)))
+    }
+
+    /// Velocity of the water at a place on the rod \[m/s\], and how it changes with the place \[1/s\].
+    fn flow(&self, scene: &Scene, place: f64, state: &State) -> (V3, M3) {
+        let x = self.at(&state.x, place);
+        let (mut velocity, shear) = scene.current.at(x.z);
+        let mut gradient = shear * V3::z().transpose();
+        for (share, flow) in self.waves(place, state) {
+            velocity += flow.velocity_at(&x) * share;
+            gradient += flow.gradient * share;
+        }
+        (velocity, gradient)
+    }
+
+    pub(super) fn afloat(&self, scene: &Scene, state: &State) -> Afloat {
+        let lift_at = self.body.buoyancy_at;
+        let centre = self.at(&state.x, lift_at);
+        let mut carried = (V3::zeros(), M3::zeros());
+        for (share, flow) in self.waves(lift_at, state) {
+            carried.0 += flow.acceleration_at(&centre) * share;
+            carried.1 += flow.acceleration_gradient * share;
+        }
+        Afloat {
+            axis: scene.chord(self.node, state),
+            flow: self.flow(scene, lift_at, state),
+            carried,
+            wet: self.wet(scene, state),
+            displaced: scene.water.as_ref().map_or(0.0, |w| self.displaced(w)),
+        }
+    }
+
+    /// The strips that drag acts on.
+    pub(super) fn strips(&self, scene: &Scene, state: &State) -> impl Iterator<Item = Strip> {
+        self.body.strips().map(move |(place, part)| {
+            let (water, gradient) = self.flow(scene, place, state);
+            let v = self.at(&state.v, place);
+            Strip {
+                place,
+                part,
+                v,
+                u: water - v,
+                gradient,
+            }
+        })
+    }
+
+    /// Mass of the water it displaces \[kg\].
+    pub(super) fn displaced(&self, water: &Water) -> f64 {
+        (self.body.buoyancy / water.gravity).max(0.0)
+    }
+
+    /// The share of it that is wet, as a sphere of its volume about the centre of buoyancy, and its derivative by the place of
+    /// that \[1/m\].
+    pub(super) fn wet(&self, scene: &Scene, state: &State) -> (f64, V3) {
+        let Some(water) = scene.water.as_ref().filter(|w| w.crossed) else {
+            return (1.0, V3::zeros());
+        };
+        let centre = self.at(&state.x, self.body.buoyancy_at);
+        let (mut above, mut by_place) = (centre.z, V3::z());
+        for (share, flow) in self.waves(self.body.buoyancy_at, state) {
+            above -= flow.elevation_at(&centre) * share;
+            by_place -= flow.slope * share;
+        }
+        let (share, slope) = wetting::sphere(water.radius_of(self.displaced(water)), above);
+        (share, by_place * slope)
+    }
+
+    /// Pressure of the waves where it is wet, less the buoyancy of what is dry: a load at the centre of buoyancy \[N\].
+    pub(super) fn lift(&self, there: &Afloat) -> V3 {
+        self.lift_if_wet(there) * there.wet.0 - V3::z() * self.body.buoyancy
+    }
+
+    /// Pressure of the waves and buoyancy of the whole body \[N\].
+    pub(super) fn lift_if_wet(&self, there: &Afloat) -> V3 {
+        there.carried.0 * there.displaced + V3::z() * self.body.buoyancy
+    }
+}

@@ -1,0 +1,63 @@
+//! Energy of a body that turns, and the powers that change it.
+
+use super::Turning;
+use crate::linalg::V3;
+use crate::physics::kirchhoff::Moving;
+use crate::scene::{Scene, Water, wetting};
+use crate::solve::State;
+
+impl Turning {
+    /// Power that drag takes out of the body \[W\], and that a current takes out of it through the water that goes with it.
+    pub(in crate::scene) fn dissipation(&self, scene: &Scene, state: &State) -> f64 {
+        let there = self.afloat(scene, state);
+        let strips = self.strips(scene, state);
+        let drag = strips.map(|strip| {
+            let drag = self.body.drag(&there.axis.tangent, &strip.u);
+            drag.dot(&strip.v) * strip.part
+        });
+        let relative = self.moving(&there, state, [V3::zeros(); 2]);
+        let own = self.in_still_water(scene, state);
+        let [streaming, still] = [relative, own].map(|m| self.body.added.by_speed(&m));
+        let by_current =
+            (streaming.0 - still.0).dot(&own.v) + (streaming.1 - still.1).dot(&own.turn);
+        (by_current - drag.sum::<f64>()) * there.wet.0
+    }
+
+    /// How it moves, as if the water were still.
+    fn in_still_water(&self, scene: &Scene, state: &State) -> Moving {
+        Moving {
+            t: scene.chord(self.node, state).tangent,
+            v: self.at(&state.v, self.body.buoyancy_at),
+            a: V3::zeros(),
+            turn: self.opening(&state.v) / self.body.reach,
+            gain: V3::zeros(),
+        }
+    }
+
+    /// Power that waves put into it by their pressure and by the water that goes with it \[W\], its potential that in still
+    /// water.
+    pub(in crate::scene) fn power_of_waves(
+        &self,
+        scene: &Scene,
+        state: &State,
+        still: &State,
+    ) -> f64 {
+        let there = self.afloat(scene, state);
+        let dragged = self.body.added.matrix(&there.axis.tangent) * there.carried.0 * there.wet.0;
+        let lost = self.lift(&self.afloat(scene, still));
+        (self.lift(&there) + dragged - lost).dot(&self.at(&state.v, self.body.buoyancy_at))
+    }
+
+    /// Energy of the buoyancy it lacks in still water \[J\].
+    pub(in crate::scene) fn lifted(&self, water: &Water, state: &State) -> f64 {
+        let z = self.at(&state.x, self.body.buoyancy_at).z;
+        let radius = water.radius_of(self.displaced(water));
+        self.body.buoyancy.max(0.0) * wetting::sphere_lifted(radius, z)
+    }
+
+    /// Kinetic energy of the water that goes with it, as far as it is wet \[J\].
+    pub(in crate::scene) fn energy(&self, scene: &Scene, state: &State) -> f64 {
+        let moving = self.in_still_water(scene, state);
+        self.body.added.energy(&moving) * self.wet(scene, state).0
+    }
+}
