@@ -112,8 +112,9 @@ prop_compose! {
 }
 
 prop_compose! {
-    /// A line in motion with all that may happen to it at once: waves, a bed with friction, bending, a surface to cross, a
-    /// moving end, a body on the line and one that travels along it, an end let go.
+    /// A line in motion with all that may happen to it at once: waves, a bed with friction, bending or a fibre rope, a surface
+    /// to cross, an end that moves in a harmonic or irregularly, a body on the line, one that travels along it and one that
+    /// turns at its end, an end let go.
     fn any_scene()(log_length in 1.0f64..2.6)(
         length in Just(10f64.powf(log_length)),
         segments in 2usize..14,
@@ -127,7 +128,8 @@ prop_compose! {
         ],
         (bedded, share, friction, slope, bed_damping) in (any::<bool>(), 0.1f64..0.9, prop_oneof![Just(0.0), 0.0f64..1.2], -10.0f64..10.0, 0.0f64..1e4),
         (top, amplitude, period) in (-0.2f64..0.2, 0.0f64..3.0, 2.0f64..15.0),
-        (foot, hung, travels, released) in (0usize..4, any::<bool>(), any::<bool>(), any::<bool>()),
+        (foot, hung, travels, released) in (0usize..5, any::<bool>(), any::<bool>(), any::<bool>()),
+        (fibre, irregular) in (prop_oneof![2 => Just(None), 1 => Just(Some("secant")), 1 => Just(Some("about-the-mean"))], any::<bool>()),
         start in prop_oneof![
             Just(String::new()),
             (-80.0f64..60.0).prop_map(|e| format!("start = {{ shape = \"straight\", elevation_deg = {e:?} }}\n")),
@@ -135,16 +137,28 @@ prop_compose! {
         speed in prop_oneof![Just(0.0), 0.0f64..1.5],
     ) -> String {
         let mass = density * 0.785 * diameter * diameter;
-        let ei = log_ei.map_or_else(String::new, |log| format!(", ei_n_m2 = {:?}", 10f64.powf(log)));
+        let more = match (log_ei, fibre) {
+            (Some(log), _) => format!(", ei_n_m2 = {:?}", 10f64.powf(log)),
+            (None, Some(law)) => format!(
+                ", dynamic_stiffness = \"{law}\", dynamic_alpha = 25.0, dynamic_beta = 0.3, dynamic_gamma = 0.2, break_load_n = {:?}",
+                10f64.powf(log_ea) / 18.0
+            ),
+            (None, None) => String::new(),
+        };
+        let motion = if irregular {
+            format!("motion = \"irregular\", rms_m = [{:?}, 0.1, {:?}], peak_period_s = {period:?}, components = 20", 0.5 * amplitude, 0.5 * amplitude)
+        } else {
+            format!("amplitude_m = [{amplitude:?}, 0.2, {amplitude:?}], period_s = {period:?}")
+        };
         let depth = share * length;
         let mut text = format!(
             "environment = {{ water_density_kg_per_m3 = 1025.0, water_surface = \"{surface}\" }}\ncurrent.speed_m_per_s = {speed:?}\n{waves}{start}\
              materials.rope = {{ ea_n = {:?}, diameter_m = {diameter:?}, mass_kg_per_m = {mass:?}, axial_damping_ratio = {damping:?}, \
-             drag_normal = {drag:?}, drag_tangential = 0.05, added_mass_normal = {added:?}{ei} }}\n\
+             drag_normal = {drag:?}, drag_tangential = 0.05, added_mass_normal = {added:?}{more} }}\n\
              line = {{ length_m = {length:?}, segments = {segments} }}\n\
-             ends.a = {{ kind = \"moving\", position_m = [0.0, 0.0, {:?}], amplitude_m = [{amplitude:?}, 0.2, {amplitude:?}], period_s = {period:?}, ramp_s = 2.0{} }}\n",
+             ends.a = {{ kind = \"moving\", position_m = [0.0, 0.0, {:?}], {motion}, ramp_s = 2.0{} }}\n",
             10f64.powf(log_ea), top * length,
-            if released && foot > 1 { ", release_s = 1.5" } else { "" },
+            if released && (2..4).contains(&foot) { ", release_s = 1.5" } else { "" },
         );
         if bedded {
             text += &format!("seabed = {{ depth_m = {depth:?}, stiffness_n_per_m3 = 1e5, damping_n_s_per_m3 = {bed_damping:?}, friction = {friction:?}, slope_deg = {slope:?} }}\n");
@@ -153,11 +167,17 @@ prop_compose! {
             text += &format!("clumps = [{{ name = \"c\", section = \"rope\", at_m = {:?}, mass_kg = {:?}, wet_mass_kg = {:?}, drag_area_m2 = 0.5, added_mass_kg = 100.0 }}]\n", 0.4 * length, 0.2 * mass * length, -0.05 * mass * length);
         }
         if travels {
-            text += &format!("traveller = {{ name = \"t\", mass_kg = {:?}, wet_mass_kg = {:?}, speed_m_per_s = 2.0, ramp_s = 1.0 }}\n", 0.1 * mass * length, 0.05 * mass * length);
+            text += &format!("traveller = {{ name = \"t\", mass_kg = {:?}, wet_mass_kg = {:?}, speed_m_per_s = 2.0, ramp_s = 1.0, drag_area_m2 = 0.3 }}\n", 0.1 * mass * length, 0.05 * mass * length);
         }
         text += &match foot {
             0 => String::new(),
             1 => format!("ends.b = {{ name = \"b\", kind = \"payload\" }}\npayload = {{ dry_mass_kg = {:?}, wet_mass_kg = {:?}, drag_area_m2 = 1.0, added_mass_kg = 50.0 }}\n", 0.5 * mass * length, 0.2 * mass * length),
+            4 => format!(
+                "ends.b = {{ name = \"b\", kind = \"payload\" }}\npayload = {{ dry_mass_kg = {:?}, wet_mass_kg = {:?}, drag_area_m2 = [2.0, 2.0, 1.0], \
+                 added_mass_kg = [{:?}, {:?}, 10.0], rotation = {{ centre_of_gravity_m = 1.5, inertia_kg_m2 = {:?}, added_inertia_kg_m2 = {:?}, drag_length_m = 2.0, \
+                 start_tilt_deg = 60.0, spin_deg_per_s = 200.0, spin_inertia_kg_m2 = {:?} }} }}\n",
+                0.5 * mass * length, 0.2 * mass * length, 0.3 * mass * length, 0.3 * mass * length, 0.4 * mass * length, 0.2 * mass * length, 0.3 * mass * length
+            ),
             2 => format!("ends.b = {{ name = \"b\", kind = \"anchor\", position_m = [{:?}, 3.0, {:?}] }}\n", 0.6 * length, -depth),
             _ => format!("ends.b = {{ name = \"b\", kind = \"fixed\", position_m = [{:?}, 0.0, {:?}] }}\n", 0.9 * length, 0.1 * length),
         };

@@ -1,5 +1,6 @@
-//! A body that travels along the line: its tangent, its books of energy, the static influence line that a slow crossing
-//! comes to, and the two solvers against each other.
+//! A body that travels along the line: its tangent, its drag, its books of energy, the static influence line that a slow
+//! crossing comes to, a fast one against d'Alembert's waves and against the equation of a mass on a string without mass, and
+//! the two solvers against each other.
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use seacable::case;
@@ -15,6 +16,11 @@ mod rest;
 
 /// 80 m of rope between level ends, stretched to about 20 kN, with a cargo on its way.
 fn taut(segments: usize, traveller: &str) -> Scene {
+    taut_in(segments, traveller, "")
+}
+
+/// The same with a current and what else is said.
+fn taut_in(segments: usize, traveller: &str, more: &str) -> Scene {
     rest::build(&format!(
         r#"
         materials.rope = {{ mass_kg_per_m = 2.2, ea_n = 2.0e7, diameter_m = 0.02, axial_damping_ratio = 0.05 }}
@@ -22,13 +28,19 @@ fn taut(segments: usize, traveller: &str) -> Scene {
         ends.b = {{ name = "ship", kind = "fixed", position_m = [80.0, 0.0, 0.0] }}
         ends.a.position_m = [0.0, 0.0, 0.0]
         traveller = {{ name = "cargo", mass_kg = 50.0, wet_mass_kg = 50.0, {traveller} }}
+        {more}
         "#
     ))
 }
 
+const DRAGGED: &str =
+    "from_m = 10.0, speed_m_per_s = 3.0, ramp_s = 4.0, drag_area_m2 = [0.5, 0.7, 0.3]";
+const CURRENT: &str = "environment.water_density_kg_per_m3 = 1025.0\n\
+    current = { speed_m_per_s = [0.3, 2.0], direction_deg = [20.0, 70.0], depth_m = [0.0, 9.0] }";
+
 #[test]
 fn its_tangent_is_the_finite_difference() {
-    let scene = taut(6, "from_m = 10.0, speed_m_per_s = 3.0, ramp_s = 4.0");
+    let scene = taut_in(6, DRAGGED, CURRENT);
     let mut state = rest::at_rest(&scene);
     // Somewhere, in motion, while it gathers speed.
     for i in 0..state.x.len() {
@@ -44,6 +56,7 @@ fn its_tangent_is_the_finite_difference() {
         stiffness: 1.0,
     };
     let (mut r, mut tangent) = (vec![V3::zeros(); n], BlockBand::new(n));
+    tangent.widen();
     scene.linearise(t, &state, factors, &mut r, &mut tangent);
     let mut plain = vec![V3::zeros(); n];
     scene.residual(t, &state, &mut plain);
@@ -63,12 +76,14 @@ fn its_tangent_is_the_finite_difference() {
                 r
             };
             let (up, down) = (shifted(1.0), shifted(-1.0));
-            for row in node.saturating_sub(1)..(node + 2).min(n) {
+            for row in node.saturating_sub(2)..(node + 3).min(n) {
                 let slope = (up[row] - down[row]) / (2.0 * h);
                 let block = match row as isize - node as isize {
                     0 => tangent.diag[row],
                     1 => tangent.lower[row],
-                    _ => tangent.upper[row],
+                    -1 => tangent.upper[row],
+                    2 => tangent.far_lower[row],
+                    _ => tangent.far_upper[row],
                 };
                 let off = (slope - block.column(axis)).norm();
                 assert!(
@@ -82,7 +97,7 @@ fn its_tangent_is_the_finite_difference() {
 
 #[test]
 fn explicit_accelerations_leave_no_residual() {
-    let scene = taut(6, "from_m = 10.0, speed_m_per_s = 3.0, ramp_s = 4.0");
+    let scene = taut_in(6, DRAGGED, CURRENT);
     let mut state = rest::at_rest(&scene);
     for (i, v) in state.v.iter_mut().enumerate().skip(1).take(5) {
         *v = V3::new(0.3, 0.1, (i as f64).sin());
@@ -116,9 +131,11 @@ fn a_slow_crossing_is_the_static_influence_line() {
         deepest = deepest.max(-place.z);
         let pull = scene.end_force(0, s).x.abs();
         let string = (0.5 * weight + load / 80.0) / pull * place.x * (80.0 - place.x);
-        // Between two nodes the straight segment hangs less by Q l s (1 - s) / H: halved with the segments.
-        let share = (0.5 * place.x).fract();
-        let string = string - load / pull * 2.0 * share * (1.0 - share);
+        // Shared by three nodes 2 m apart it hangs less by Q/2H sum n_i n_j |x_i - x_j|: halved with the segments.
+        let off = 0.5 * place.x - (0.5 * place.x).round();
+        let (before, after) = (0.5 * (0.5 - off).powi(2), 0.5 * (0.5 + off).powi(2));
+        let spread = (before + after) * (0.75 - off * off) + 2.0 * before * after;
+        let string = string - load / pull * 2.0 * spread;
         if place.x > 8.0 && place.x < 72.0 {
             worst = worst.max((-place.z / string - 1.0).abs());
         }
@@ -149,11 +166,15 @@ fn a_slow_crossing_goes_through_equilibria() {
     assert!((moving - resting).norm() < 5e-3, "{moving} {resting}");
 }
 
-/// Within a segment nothing is left out: energy grows by what the drive does and falls by what damping takes.
+/// Over the nodes too nothing is left out: energy grows by what the drive does and falls by what damping and drag take.
 #[test]
 fn its_books_balance() {
-    // Four segments of 20 m; 3 m/s for 5 s within the second of them.
-    let scene = taut(4, "from_m = 21.0, speed_m_per_s = 3.0, ramp_s = 2.0");
+    // Four segments of 20 m, two nodes passed; in a current, with a line that it does not drag.
+    let scene = taut_in(
+        4,
+        "from_m = 12.0, speed_m_per_s = 8.0, ramp_s = 2.0, drag_area_m2 = [0.05, 0.05, 0.1]",
+        CURRENT,
+    );
     let out = [0.002, 0.001].map(|h| {
         let mut state = rest::at_rest(&scene);
         for v in &mut state.v {
@@ -178,6 +199,123 @@ fn its_books_balance() {
     // Of some 50 J that swing; the trapezoidal rule is what is left.
     assert!(out[1] < 0.02, "{out:?}");
     assert!(out[0] / out[1] > 3.0 || out[1] < 1e-3, "{out:?}");
+}
+
+/// `1/2 rho C_D A |u| u` with the velocity along the line in u.
+#[test]
+fn its_drag_is_that_of_the_water_past_it() {
+    let scene = |area: &str| {
+        taut_in(
+            8,
+            &format!("speed_m_per_s = 3.0, drag_area_m2 = {area}"),
+            CURRENT,
+        )
+    };
+    let (plain, dragged) = (scene("0.0"), scene("[0.5, 0.7, 0.3]"));
+    let mut state = rest::at_rest(&plain);
+    for (i, v) in state.v.iter_mut().enumerate() {
+        *v = V3::new(0.1, 0.4, (i as f64).sin());
+    }
+    let t = 7.3;
+    let asks = |scene: &Scene| -> V3 {
+        let mut r = vec![V3::zeros(); scene.nodes()];
+        scene.residual(t, &state, &mut r);
+        r.iter().sum()
+    };
+    let (place, velocity) = dragged.traveller_at(t, &state).unwrap();
+    let u = dragged.current.at(place.z).0 - velocity;
+    let drag = V3::new(0.5, 0.7, 0.3).component_mul(&u) * (0.5 * 1025.0 * u.norm());
+    assert!((asks(&plain) - asks(&dragged) - drag).norm() < 1e-9 * drag.norm());
+    assert!(velocity.x > 3.0 && drag.norm() > 1e3, "{velocity} {drag}");
+}
+
+/// A rope stretched by a tenth to 20 kN, without weight, that a load of 49 N hardly stretches further, and the load's way on it
+/// up to a time: place and sag.
+fn crossing(
+    segments: usize,
+    per_metre: f64,
+    mass: f64,
+    speed: f64,
+    end: f64,
+    step: f64,
+) -> Vec<(f64, f64)> {
+    let scene = rest::build(&format!(
+        r#"
+        materials.rope = {{ mass_kg_per_m = {per_metre:?}, wet_weight_kg_per_m = 0.0, ea_n = 2.0e5, diameter_m = 0.02, added_mass_normal = 0.0, axial_damping_ratio = 0.05 }}
+        line = {{ length_m = {:?}, segments = {segments} }}
+        ends.b = {{ name = "far", kind = "fixed", position_m = [80.0, 0.0, 0.0] }}
+        ends.a.position_m = [0.0, 0.0, 0.0]
+        traveller = {{ name = "cargo", mass_kg = {mass:?}, wet_mass_kg = 5.0, speed_m_per_s = {:?} }}
+        "#,
+        80.0 / 1.1,
+        speed / 1.1
+    ));
+    let mut state = rest::at_rest(&scene);
+    let mut way = Vec::new();
+    let alpha = march::alpha(&scene, 0.6);
+    march::march(alpha, &scene, &mut state, (end, step), |t, s| {
+        let (place, _) = scene.traveller_at(t, s).unwrap();
+        way.push((place.x, -place.z));
+    });
+    way
+}
+
+/// A load that enters a string at the speed v stands between a wave that runs ahead at c and the end it came from: until the
+/// wave is back its sag is `Q x / T (1 + v/c)`, d'Alembert's, where at rest it would be `Q x (L - x) / T L`.
+#[test]
+fn a_fast_load_sags_by_the_waves_it_sends_ahead() {
+    let (c, v) = (100.0, 40.0);
+    let off = |segments: usize| {
+        let way = crossing(segments, 2.2, 1e-3, v, 1.0, 0.1 / segments as f64);
+        let apart = way
+            .iter()
+            .filter(|(x, _)| (20.0..40.0).contains(x))
+            .map(|(x, sag)| {
+                let exact = 5.0 * 9.80665 * x / (2e4 * (1.0 + v / c));
+                (sag / exact - 1.0).abs()
+            });
+        apart.fold(0.0, f64::max)
+    };
+    let (coarse, fine) = (off(40), off(160));
+    assert!(fine < 0.02 && fine < 0.5 * coarse, "{coarse} {fine}");
+}
+
+/// On a string without mass a load of 50 kg moves by `m y'' = Q - T L y / x (L - x)`, `x = v t` (Stokes 1849; Frýba 1972).
+#[test]
+fn a_heavy_load_on_a_light_string_moves_by_stokes_equation() {
+    let (v, length, pull) = (22.0, 80.0, 2e4);
+    let gain = |t: f64, y: f64| {
+        let x = v * t;
+        let stiffness = if x > 0.0 {
+            pull * length / (x * (length - x))
+        } else {
+            0.0
+        };
+        (5.0 * 9.80665 - stiffness * y) / 50.0
+    };
+    let exact = |end: f64| {
+        let (mut y, mut rate, steps) = (0.0, 0.0, 20_000);
+        let h = end / f64::from(steps);
+        for step in 0..steps {
+            let t = f64::from(step) * h;
+            let k1 = (rate, gain(t, y));
+            let k2 = (rate + 0.5 * h * k1.1, gain(t + 0.5 * h, y + 0.5 * h * k1.0));
+            let k3 = (rate + 0.5 * h * k2.1, gain(t + 0.5 * h, y + 0.5 * h * k2.0));
+            let k4 = (rate + h * k3.1, gain(t + h, y + h * k3.0));
+            y += h / 6.0 * (k1.0 + 2.0 * (k2.0 + k3.0) + k4.0);
+            rate += h / 6.0 * (k1.1 + 2.0 * (k2.1 + k3.1) + k4.1);
+        }
+        y
+    };
+    let off = |segments: usize| {
+        let way = crossing(segments, 1e-3, 50.0, v, 3.2, 0.1 / segments as f64);
+        let some = way.iter().filter(|(x, _)| *x > 8.0).step_by(way.len() / 12);
+        let apart = some.map(|(x, sag)| (sag - exact(x / v)).abs());
+        apart.fold(0.0, f64::max)
+    };
+    // Of sags of some 0.06 m.
+    let (coarse, fine) = (off(40), off(160));
+    assert!(fine < 6e-4 && fine < 0.35 * coarse, "{coarse} {fine}");
 }
 
 #[test]

@@ -61,6 +61,12 @@ impl BlockBand {
         !self.far_upper.is_empty()
     }
 
+    /// Sets the couplings of nodes two apart to zero, where there is room for them.
+    pub fn clear_far(&mut self) {
+        self.far_upper.fill(M3::zeros());
+        self.far_lower.fill(M3::zeros());
+    }
+
     /// Solves for the rows and nodes of `range`, couplings that leave it left out. `r` holds the
     /// right-hand side on entry and the solution on return; the matrix is used up.
     ///

@@ -183,7 +183,7 @@ fn form(shape: &case::Shape) -> Form {
 }
 
 /// One number for all axes, or one an axis; a list of another length counts by its first numbers.
-fn axes(value: &OneOrMany) -> V3 {
+pub(super) fn axes(value: &OneOrMany) -> V3 {
     match value {
         OneOrMany::One(all) => V3::repeat(*all),
         OneOrMany::Many(list) => V3::from_fn(|i, _| list.get(i).copied().unwrap_or(0.0)),

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 use super::elasticity::{Elasticity, elasticity};
 use super::line::{Hung, Joint, Scene, Segment};
 use super::{
-    Traveller, Turning, bed, bodies, buoyancy, division, ends, event, flexure, sea, shape,
+    Traveller, Turning, bed, bodies, buoyancy, division, ends, event, flexure, idle, sea, shape,
 };
 use crate::case::{self, Case, DragWidth, OneOrMany, StartShape};
 use crate::linalg::V3;
@@ -94,6 +94,7 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
     ];
     let flexure = flexure::flexure(case, &segments);
     remarks.extend(flexure::clamps_in_vain(case, &segments));
+    remarks.extend(idle::remarks(case));
     let bed = case.seabed.as_ref().map(bed::seabed);
     let gross: f64 = weight.iter().map(|w| w.abs()).sum();
     let line_length = case.line.iter().map(|section| section.length_m).sum();
@@ -275,6 +276,8 @@ fn traveller(words: &case::Traveller, water: &case::Environment, length: f64) ->
     Traveller {
         mass: words.mass_kg,
         weight: words.wet_mass_kg * water.gravity_m_per_s2,
+        drag: bodies::axes(&words.drag_area_m2) * (0.5 * water.water_density_kg_per_m3),
+        displaced: (words.mass_kg - words.wet_mass_kg).max(0.0),
         from: words.from_m.min(length),
         to: words.to_m.unwrap_or(length).min(length),
         speed: words.speed_m_per_s,

@@ -19,7 +19,7 @@ impl System for Scene {
     }
 
     fn bends(&self) -> bool {
-        self.flexure.is_some()
+        self.flexure.is_some() || self.traveller.is_some()
     }
 
     fn folded(&self, state: &State) -> Option<usize> {
@@ -90,10 +90,11 @@ impl System for Scene {
         self.add_water(state, r);
         self.add_water_tangent(state, c, tangent);
         self.add_traveller(t, state, r);
-        self.add_traveller_tangent(t, c, tangent);
-        if let Some(flexure) = &self.flexure {
-            flexure.linearise(self, state, c.stiffness, r, tangent);
+        match &self.flexure {
+            Some(flexure) => flexure.linearise(self, state, c.stiffness, r, tangent),
+            None => tangent.clear_far(),
         }
+        self.add_traveller_tangent(t, state, c, tangent);
         for (number, Hung { node: i, body }) in self.bodies.iter().enumerate() {
             let Bathed { u, a, share, .. } = self.bathed(number, state);
             let (_, shear) = self.current.at(state.x[*i].z);

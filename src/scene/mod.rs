@@ -22,6 +22,7 @@ pub mod flexure;
 mod foretold;
 mod guess;
 mod half;
+mod idle;
 mod laid;
 pub mod line;
 mod mirror;

@@ -1,14 +1,20 @@
 //! A body that travels along the line: a cargo hauled over a ropeway, a trolley, a crawler.
 //!
-//! Its place along the line is prescribed; it lies on the straight segment between two nodes, `X = (1 - s) x_i + s x_j`,
-//! and its mass, weight and inertia go to them by these shares. What a moving mass adds to the acceleration of a fixed one,
-//! `A = (1 - s) a_i + s a_j + 2 s' (v_j - v_i) + s'' (x_j - x_i)`, is counted: these are Lagrange's equations within a
-//! segment. Left out is the turn of its own path from one segment to the next, m v² / R where the line bends to a radius R:
-//! v²/gR of its weight, one part in a thousand at 1 m/s on 100 m.
+//! Its place along the line s(t) is prescribed, and its path X(s, t) is that of the nodes (see [`seat`]): it lies at
+//! `X = sum n_k(s) x_k`, and what acts on it goes to them by the same shares. Its acceleration is that of a moving mass (Frýba
+//! 1972),
+//!
+//! `A = sum [ n_k a_k + 2 s' n_k' v_k + (s'' n_k' + s'² n_k'') x_k ]`: that of the line under it, Coriolis's, what it gains along
+//! the line, and v²/R where the line bends. These are Lagrange's equations for a mass on the line, so that energy is
+//! kept. Drag acts by its own velocity, that along the line included; where it comes and goes all at once, at a start without
+//! ramp and at the end of its way, what holds it takes the blow and not the line.
 
-use super::{End, Scene};
+mod seat;
+
+use super::{Scene, wetting};
 use crate::linalg::{BlockBand, M3, V3};
-use crate::solve::{Factors, State};
+use crate::solve::{Factors, State, System};
+use seat::Seat;
 
 /// A body that travels along the line.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,6 +23,10 @@ pub struct Traveller {
     pub mass: f64,
     /// Weight \[N\], positive down.
     pub weight: f64,
+    /// `1/2 rho C_D A` along x, y, z \[kg/m\].
+    pub drag: V3,
+    /// Mass of the water displaced \[kg\].
+    pub displaced: f64,
     /// Unstretched arc length at which it begins \[m\].
     pub from: f64,
     /// Unstretched arc length at which it stays \[m\].
@@ -29,13 +39,13 @@ pub struct Traveller {
     pub ramp: f64,
 }
 
-/// Where a traveller sits: segment, share of the segment behind it, and the share's first two derivatives by time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Seat {
-    segment: usize,
-    share: f64,
-    rate: f64,
-    gain: f64,
+/// The water past the traveller.
+struct Past {
+    /// Its drag \[N\], as far as it is wet, and that by the velocity of the water past it \[N s/m\].
+    drag: V3,
+    by_velocity: M3,
+    /// How drag changes with its place, the velocity past it aside from its own \[N/m\].
+    by_place: M3,
 }
 
 impl Traveller {
@@ -69,16 +79,7 @@ impl Traveller {
 impl Scene {
     /// Where the traveller sits at time t.
     fn seat(&self, traveller: &Traveller, t: f64) -> Seat {
-        let (arc, rate, gain) = traveller.at(t);
-        let last = self.segments.len() - 1;
-        let segment = self.arc[1..last + 1].partition_point(|end| *end <= arc);
-        let length = self.arc[segment + 1] - self.arc[segment];
-        Seat {
-            segment,
-            share: ((arc - self.arc[segment]) / length).clamp(0.0, 1.0),
-            rate: rate / length,
-            gain: gain / length,
-        }
+        Seat::new(&self.arc[..self.line_nodes()], traveller.at(t))
     }
 
     /// Unstretched arc length of the traveller at time t \[m\]; absent: there is none.
@@ -91,10 +92,7 @@ impl Scene {
     #[must_use]
     pub fn traveller_at(&self, t: f64, state: &State) -> Option<(V3, V3)> {
         let seat = self.seat(self.traveller.as_ref()?, t);
-        let (i, j, s) = (seat.segment, seat.segment + 1, seat.share);
-        let place = state.x[i] * (1.0 - s) + state.x[j] * s;
-        let drift = (state.x[j] - state.x[i]) * seat.rate;
-        Some((place, state.v[i] * (1.0 - s) + state.v[j] * s + drift))
+        Some((seat.place(state), seat.velocity(state)))
     }
 
     /// Tension of the segment that the traveller is on \[N\]; absent: there is none.
@@ -105,14 +103,16 @@ impl Scene {
         Some(self.pull(seat.segment, &chord, t, state).value)
     }
 
-    /// Kinetic and potential energy of the traveller \[J\], and the power that its drive puts into the line \[W\].
+    /// Kinetic and potential energy of the traveller \[J\], and the power that its drive and the water past it put into line
+    /// and traveller \[W\].
     #[must_use]
     pub fn traveller_energy(&self, t: f64, state: &State) -> Option<(f64, f64)> {
         let traveller = self.traveller.as_ref()?;
-        let (place, velocity) = self.traveller_at(t, state)?;
         let seat = self.seat(traveller, t);
-        let along = (state.x[seat.segment + 1] - state.x[seat.segment]) * seat.rate;
-        let power = traveller.force(&seat, state).dot(&along);
+        let (place, velocity) = (seat.place(state), seat.velocity(state));
+        let drag = self.past(traveller, &seat, state).drag;
+        let power =
+            self.burden(traveller, &seat, state).dot(&seat.drift(state)) + drag.dot(&velocity);
         let energy = 0.5 * traveller.mass * velocity.norm_squared() + traveller.weight * place.z;
         Some((energy, power))
     }
@@ -124,80 +124,125 @@ impl Scene {
             return V3::zeros();
         };
         let seat = self.seat(traveller, t);
-        let share = match node.checked_sub(seat.segment) {
-            Some(0) => 1.0 - seat.share,
-            Some(1) => seat.share,
-            _ => return V3::zeros(),
-        };
-        -traveller.force(&seat, state) * share
+        let share: f64 = seat
+            .nodes()
+            .filter(|(near, _)| *near == node)
+            .map(|(_, by)| by.share)
+            .sum();
+        if share == 0.0 {
+            return V3::zeros();
+        }
+        self.burden(traveller, &seat, state) * -share
     }
 
-    /// Adds the traveller's weight and inertia to the residual.
+    /// Drag on the traveller, by current, waves and its own velocity.
+    fn past(&self, traveller: &Traveller, seat: &Seat, state: &State) -> Past {
+        let place = seat.place(state);
+        let (mut water, shear) = self.current.at(place.z);
+        let mut gradient = shear * V3::z().transpose();
+        let (mut above, mut slope) = (place.z, V3::z());
+        for (node, by) in seat.nodes() {
+            if let Some(flow) = state.water.get(node) {
+                water += flow.velocity_at(&place) * by.share;
+                gradient += flow.gradient * by.share;
+                above -= flow.elevation_at(&place) * by.share;
+                slope -= flow.slope * by.share;
+            }
+        }
+        let (share, steep) = match self.water.as_ref().filter(|water| water.crossed) {
+            Some(water) => wetting::sphere(water.radius_of(traveller.displaced), above),
+            None => (1.0, 0.0),
+        };
+        let u = water - seat.velocity(state);
+        let speed = u.norm();
+        let direction = if speed > 0.0 { u / speed } else { V3::zeros() };
+        let drag = traveller.drag.component_mul(&u) * speed;
+        let by_velocity = (M3::from_diagonal(&(traveller.drag * speed))
+            + traveller.drag.component_mul(&u) * direction.transpose())
+            * share;
+        Past {
+            drag: drag * share,
+            by_velocity,
+            by_place: by_velocity * gradient + drag * (slope * steep).transpose(),
+        }
+    }
+
+    /// What the traveller asks of the line at a seat, as a residual: m A and the weight, which pulls down, less drag \[N\].
+    fn burden(&self, traveller: &Traveller, seat: &Seat, state: &State) -> V3 {
+        let drag = self.past(traveller, seat, state).drag;
+        seat.acceleration(state) * traveller.mass + V3::z() * traveller.weight - drag
+    }
+
+    /// Adds what the traveller asks of the line to the residual.
     pub(super) fn add_traveller(&self, t: f64, state: &State, r: &mut [V3]) {
         if let Some(traveller) = &self.traveller {
             let seat = self.seat(traveller, t);
-            let force = traveller.force(&seat, state);
-            r[seat.segment] += force * (1.0 - seat.share);
-            r[seat.segment + 1] += force * seat.share;
+            let burden = self.burden(traveller, &seat, state);
+            for (node, by) in seat.nodes() {
+                r[node] += burden * by.share;
+            }
         }
     }
 
-    /// Adds the derivatives of that.
-    pub(super) fn add_traveller_tangent(&self, t: f64, c: Factors, tangent: &mut BlockBand) {
-        if let Some(traveller) = &self.traveller {
-            let seat = self.seat(traveller, t);
-            let (i, s) = (seat.segment, seat.share);
-            let turn = 2.0 * seat.rate * c.damping + seat.gain * c.stiffness;
-            let by_first = traveller.mass * ((1.0 - s) * c.mass - turn);
-            let by_second = traveller.mass * (s * c.mass + turn);
-            tangent.diag[i] += M3::from_diagonal_element((1.0 - s) * by_first);
-            tangent.upper[i] += M3::from_diagonal_element((1.0 - s) * by_second);
-            tangent.lower[i + 1] += M3::from_diagonal_element(s * by_first);
-            tangent.diag[i + 1] += M3::from_diagonal_element(s * by_second);
+    /// Adds the derivatives of that; those of nodes two apart go to the far blocks.
+    pub(super) fn add_traveller_tangent(
+        &self,
+        t: f64,
+        state: &State,
+        c: Factors,
+        tangent: &mut BlockBand,
+    ) {
+        let Some(traveller) = &self.traveller else {
+            return;
+        };
+        let seat = self.seat(traveller, t);
+        let past = self.past(traveller, &seat, state);
+        for (j, by) in seat.nodes() {
+            let carried = c.mass * by.share
+                + c.damping * 2.0 * seat.rate * by.slope
+                + c.stiffness * (seat.gain * by.slope + seat.rate * seat.rate * by.bend);
+            let drift = c.damping * by.share + c.stiffness * seat.rate * by.slope;
+            let column = M3::from_diagonal_element(traveller.mass * carried)
+                + past.by_velocity * drift
+                - past.by_place * (c.stiffness * by.share);
+            for (i, on) in seat.nodes() {
+                let block = column * on.share;
+                match j as isize - i as isize {
+                    0 => tangent.diag[i] += block,
+                    1 => tangent.upper[i] += block,
+                    -1 => tangent.lower[i] += block,
+                    2 => tangent.far_upper[i] += block,
+                    _ => tangent.far_lower[i] += block,
+                }
+            }
         }
     }
 
-    /// Corrects the accelerations that the line would have without the traveller: its mass couples two nodes.
+    /// Corrects the accelerations that the line would have without the traveller: its mass couples the nodes beside it.
     pub(super) fn accelerate_traveller(&self, t: f64, state: &mut State) {
         let Some(traveller) = &self.traveller else {
             return;
         };
         let seat = self.seat(traveller, t);
-        let (first, second) = (seat.segment, seat.segment + 1);
-        let held = |node: usize| {
-            (node == 0 && matches!(self.ends[0], End::Held(_)))
-                || (node == self.segments.len() && matches!(self.ends[1], End::Held(_)))
-        };
-        let lightness = |node: usize| {
-            if held(node) {
-                M3::zeros()
-            } else {
-                self.lightness(node, state)
-            }
-        };
-        let shares = [(first, 1.0 - seat.share), (second, seat.share)];
-        let light = shares.map(|(node, _)| lightness(node));
-        let [a, b] = shares;
-        let give = light[0] * (a.1 * a.1) + light[1] * (b.1 * b.1);
+        let held = |node: usize| !self.free().contains(&node);
+        let mut give = M3::zeros();
+        for (node, by) in seat.nodes().filter(|(node, _)| !held(*node)) {
+            give += self.lightness(node, state) * (by.share * by.share);
+        }
         let system = M3::identity() + give * traveller.mass;
-        let Some(force) = system.lu().solve(&traveller.force(&seat, state)) else {
+        let Some(burden) = system.lu().solve(&self.burden(traveller, &seat, state)) else {
             return;
         };
-        for ((node, share), light) in shares.into_iter().zip(light) {
-            state.a[node] -= light * force * share;
+        for (node, by) in seat.nodes().filter(|(node, _)| !held(*node)) {
+            let push = burden * by.share;
+            // What hangs there and turns is pushed as well.
+            if let Some(turning) = self.turning.as_ref().filter(|body| body.node == node) {
+                let far = turning.lightness(self, state)[1];
+                state.a[node + 1] -= far * push;
+            }
+            let near = self.lightness(node, state);
+            state.a[node] -= near * push;
         }
-    }
-}
-
-impl Traveller {
-    /// Its weight and inertia at a seat, as a residual: m A and the weight, which pulls down \[N\].
-    fn force(&self, seat: &Seat, state: &State) -> V3 {
-        let (i, j, s) = (seat.segment, seat.segment + 1, seat.share);
-        let acceleration = state.a[i] * (1.0 - s)
-            + state.a[j] * s
-            + (state.v[j] - state.v[i]) * (2.0 * seat.rate)
-            + (state.x[j] - state.x[i]) * seat.gain;
-        acceleration * self.mass + V3::z() * self.weight
     }
 }
 
@@ -211,6 +256,8 @@ mod tests {
             let traveller = Traveller {
                 mass: 1.0,
                 weight: 1.0,
+                drag: V3::zeros(),
+                displaced: 0.0,
                 from,
                 to,
                 speed: 1.5,

@@ -136,7 +136,30 @@ fn travels(root: &Node) -> Vec<Finding> {
             remedy,
         ))
     });
-    beyond.collect()
+    beyond.chain(goes_nowhere(traveller, whole)).collect()
+}
+
+/// A way that ends where it begins, with a speed.
+fn goes_nowhere(traveller: &Node, whole: f64) -> Option<Finding> {
+    let number = |key: &str| traveller.get(key).map(Node::number);
+    let (from, to) = (
+        number("from_m").unwrap_or(Some(0.0))?,
+        number("to_m").unwrap_or(Some(whole))?,
+    );
+    let speed = number("speed_m_per_s")??;
+    (from == to && speed > 0.0).then(|| {
+        let key = if traveller.get("to_m").is_some() {
+            "to_m"
+        } else {
+            "from_m"
+        };
+        let span = traveller
+            .get(key)
+            .map_or(&traveller.span, |node| &node.span);
+        let problem = format!("its way ends where it begins, at {}", quantity(from, "m"));
+        let remedy = "let it end elsewhere, or give a speed of 0 to a body that stays";
+        Finding::new(span, format!("traveller.{key}"), problem, remedy)
+    })
 }
 
 fn kind(end: &Node) -> Option<&str> {

@@ -14,6 +14,7 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
     found.extend(payload(root));
     found.extend(damping(root));
     found.extend(friction(root));
+    found.extend(level(root));
     found.extend(output(root));
     found
 }
@@ -63,6 +64,31 @@ fn friction(root: &Node) -> Vec<Finding> {
             )
         })
         .collect()
+}
+
+/// Where a level bed is how deep, and which way it does not rise.
+fn level(root: &Node) -> Vec<Finding> {
+    let Some(bed) = root
+        .get("seabed")
+        .filter(|bed| bed.get("slope_deg").is_none())
+    else {
+        return Vec::new();
+    };
+    // Zero says no more than nothing.
+    let said = |node: &&Node| {
+        let list = node.numbers().or(node.number().map(|one| vec![one]));
+        list.is_none_or(|list| list.iter().any(|value| *value != 0.0))
+    };
+    let keys = ["slope_azimuth_deg", "depth_at_m"].into_iter();
+    keys.filter_map(|key| {
+        Some(Finding::new(
+            &bed.get(key).filter(said)?.span,
+            format!("seabed.{key}"),
+            "has no effect: the bed is level",
+            "add `slope_deg = ...`, how steeply it rises, or remove this key",
+        ))
+    })
+    .collect()
 }
 
 /// Lists of the current go with a list of depths, as long, increasing.

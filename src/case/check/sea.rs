@@ -8,8 +8,24 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
     let mut found = waves(root);
     for letter in ["a", "b"] {
         found.extend(motion(root, letter));
+        found.extend(idle(root, letter));
     }
     found
+}
+
+/// A direction of a clamp that is none.
+fn idle(root: &Node, letter: &str) -> Option<Finding> {
+    let end = root.find(&["ends", letter])?;
+    let node = end.get("clamp_azimuth_deg")?;
+    let said = end.get("clamp_elevation_deg").is_none() && node.number() != Some(0.0);
+    said.then(|| {
+        Finding::new(
+            &node.span,
+            format!("ends.{letter}.clamp_azimuth_deg"),
+            "has no effect: the end is hinged",
+            "add `clamp_elevation_deg = ...`, the angle above the horizontal, or remove it",
+        )
+    })
 }
 
 /// What the motion of an end needs, by its kind.

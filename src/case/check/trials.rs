@@ -32,7 +32,27 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
                 ));
             }
         }
+        found.extend(idle(trial, key));
         earlier.extend(trial.get("name").and_then(Node::text));
+    }
+    found
+}
+
+/// Keys that say nothing: how far numbers may be from those of no other trial, and what a trial without numbers is held
+/// against.
+fn idle(trial: &Node, name: impl Fn(&str) -> String) -> Vec<Finding> {
+    let one = |key: &str, problem: &str, remedy: &str| {
+        let span = &trial.get(key)?.span;
+        Some(Finding::new(span, name(key), problem, remedy))
+    };
+    let mut found = Vec::new();
+    if trial.get("refused").is_some() {
+        let problem = "has no effect: the trial must be refused, and then has no numbers";
+        let keys = ["rows", "told", "same_as"].into_iter();
+        found.extend(keys.filter_map(|key| one(key, problem, "remove it, or `refused`")));
+    } else if trial.get("same_as").is_none() {
+        let remedy = "add `same_as = ...`, the trial further up, or remove it";
+        found.extend(one("same_rel", "has no effect without same_as", remedy));
     }
     found
 }

@@ -28,45 +28,26 @@ fn cut_off(payload: &Node) -> Option<Finding> {
     ))
 }
 
-/// A spin needs its moment of inertia, and the other way round; no body has more about one axis than about two others
-/// together.
+/// A spin needs its moment of inertia, and no body has more about one axis than about two others together.
 fn spins(rotation: &Node) -> Option<Finding> {
-    let key = |last: &str| format!("payload.rotation.{last}");
     let number = |key: &str| rotation.get(key).and_then(Node::number);
-    let (spin, inertia) = (
-        rotation.get("spin_deg_per_s"),
-        rotation.get("spin_inertia_kg_m2"),
-    );
-    match (spin, inertia) {
-        (None, Some(inertia)) => {
-            let remedy = "add `spin_deg_per_s = ...`, how fast it spins, or remove it";
-            let problem = "has no effect: the body does not spin";
-            Some(Finding::new(
-                &inertia.span,
-                key("spin_inertia_kg_m2"),
-                problem,
-                remedy,
-            ))
-        }
-        (Some(spin), None) => spin.number().filter(|spin| *spin != 0.0).map(|_| {
-            let remedy =
-                "add `spin_inertia_kg_m2 = ...`, the moment of inertia about its own axis in kg m²";
-            Finding::new(&spin.span, key("spin_inertia_kg_m2"), "is missing", remedy)
-        }),
-        (Some(_), Some(node)) => {
-            let (own, across) = (node.number()?, number("inertia_kg_m2")?);
-            (own > 2.0 * across).then(|| {
-                let problem = format!(
-                    "no body has {} about its axis and only {} across it",
-                    quantity(own, "kg m²"),
-                    quantity(across, "kg m²")
-                );
-                let remedy = format!("give at most {}", quantity(2.0 * across, "kg m²"));
-                Finding::new(&node.span, key("spin_inertia_kg_m2"), problem, remedy)
-            })
-        }
-        (None, None) => None,
+    let finding = |node: &Node, problem: String, remedy: String| {
+        let key = "payload.rotation.spin_inertia_kg_m2";
+        Some(Finding::new(&node.span, key, problem, remedy))
+    };
+    let Some(node) = rotation.get("spin_inertia_kg_m2") else {
+        let spin = rotation.get("spin_deg_per_s")?;
+        spin.number().filter(|spin| *spin != 0.0)?;
+        let remedy = "add `spin_inertia_kg_m2 = ...`, the moment of inertia about its own axis";
+        return finding(spin, "is missing".to_owned(), remedy.to_owned());
+    };
+    let (own, across) = (node.number()?, number("inertia_kg_m2")?);
+    if own <= 2.0 * across {
+        return None;
     }
+    let [own, across, most] = [own, across, 2.0 * across].map(|size| quantity(size, "kg m²"));
+    let problem = format!("no body has {own} about its axis and only {across} across it");
+    finding(node, problem, format!("give at most {most}"))
 }
 
 /// A payload that turns is symmetric about its axis, which is z where it hangs upright.

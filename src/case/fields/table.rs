@@ -177,6 +177,7 @@ pub static FIELDS: &[Field] = &[
     field("traveller.name",          Name,   "",    ANY,                     Required, "name", "Name of the body, used in channel names."),
     field("traveller.mass_kg",       Number, "kg",  Range::of(0.0, 1e10),    Required, "mass", "Mass in air."),
     field("traveller.wet_mass_kg",   Number, "kg",  Range::of(-1e10, 1e10),  Required, "wet mass", "Weight in water, as mass."),
+    field("traveller.drag_area_m2",  NumberOrTriple, "m²", Range::of(0.0, 1e6), Default("0.0"), "drag area", "Drag coefficient times area: one number, or along x, y, z."),
     field("traveller.from_m",        Number, "m",   Range::of(0.0, 1e5),     Default("0.0"), "from", "Unstretched length from end A at which it begins."),
     field("traveller.to_m",          Number, "m",   Range::of(0.0, 1e5),     Means("end B"), "to", "Unstretched length from end A at which it stays."),
     field("traveller.speed_m_per_s", Number, "m/s", Range::of(0.0, 1e3),     Required, "speed", "Speed along the unstretched line."),

@@ -188,6 +188,9 @@ pub struct Traveller {
     pub mass_kg: f64,
     /// Weight in water as mass \[kg\].
     pub wet_mass_kg: f64,
+    /// Drag coefficient times area \[m²\]: one number, or along x, y, z.
+    #[serde(default = "nothing")]
+    pub drag_area_m2: OneOrMany,
     /// Unstretched length from end A at which it begins \[m\].
     #[serde(default)]
     pub from_m: f64,

@@ -1,0 +1,174 @@
+//! Where a traveller sits: its path through the nodes, with two continuous derivatives by arc length but for steps of the
+//! second.
+//!
+//! On straight segments it would be thrown from one direction into another at every node. Its path so rounds each corner, over
+//! half of the shorter segment to either side: with e the direction of a segment by its unstretched length and r the arc length
+//! from the node, `X = polygon + (e_after - e_before) (h - |r|)² / 4h` for `|r| < h`, an arc of parabola tangent to both
+//! segments. On even segments it is the quadratic B-spline of the nodes. It keeps to the line as the segments get shorter,
+//! with their square, and its second derivative is the curvature there.
+
+use crate::linalg::V3;
+use crate::solve::State;
+
+/// What a node counts for at a seat.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Weight {
+    /// Its share \[-\].
+    pub(super) share: f64,
+    /// The share's derivative by arc length \[1/m\].
+    pub(super) slope: f64,
+    /// And the second \[1/m²\].
+    pub(super) bend: f64,
+}
+
+/// Where a traveller sits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Seat {
+    /// The segment it is on.
+    pub(super) segment: usize,
+    /// Speed along the unstretched line \[m/s\].
+    pub(super) rate: f64,
+    /// Rate of that \[m/s²\].
+    pub(super) gain: f64,
+    first: usize,
+    count: usize,
+    weights: [Weight; 3],
+}
+
+impl Seat {
+    /// The seat at an arc length \[m\], at a speed \[m/s\] and its rate \[m/s²\], on a line whose nodes lie at `arc`.
+    pub(super) fn new(arc: &[f64], (at, rate, gain): (f64, f64, f64)) -> Self {
+        let last = arc.len() - 1;
+        let segment = arc[1..last].partition_point(|end| *end <= at);
+        let length = |i: usize| arc[i + 1] - arc[i];
+        let here = length(segment);
+        let along = ((at - arc[segment]) / here).clamp(0.0, 1.0);
+        let straight = |share: f64, sign: f64| Weight {
+            share,
+            slope: sign / here,
+            bend: 0.0,
+        };
+        let pair = [straight(1.0 - along, -1.0), straight(along, 1.0)];
+        let rounded = |node: usize| {
+            let reach = 0.5 * length(node - 1).min(length(node));
+            let from = arc[segment] + along * here - arc[node];
+            (from.abs() < reach).then_some((node, reach, from))
+        };
+        let before = (segment > 0).then(|| rounded(segment)).flatten();
+        let after = || (segment + 1 < last).then(|| rounded(segment + 1)).flatten();
+        let mut seat = Self {
+            segment,
+            rate,
+            gain,
+            first: segment,
+            count: 2,
+            weights: [pair[0], pair[1], Weight::default()],
+        };
+        if let Some((node, reach, from)) = before.or_else(after) {
+            seat.count = 3;
+            seat.first = node - 1;
+            if node == segment {
+                seat.weights = [Weight::default(), pair[0], pair[1]];
+            }
+            let left = reach - from.abs();
+            let corner = Weight {
+                share: left * left / (4.0 * reach),
+                slope: -0.5 * left / reach * from.signum(),
+                bend: 0.5 / reach,
+            };
+            let (b, a) = (1.0 / length(node - 1), 1.0 / length(node));
+            for (weight, by) in seat.weights.iter_mut().zip([b, -a - b, a]) {
+                weight.share += by * corner.share;
+                weight.slope += by * corner.slope;
+                weight.bend += by * corner.bend;
+            }
+        }
+        seat
+    }
+
+    /// The nodes that count, with their weights.
+    pub(super) fn nodes(&self) -> impl Iterator<Item = (usize, &Weight)> {
+        (self.first..).zip(&self.weights[..self.count])
+    }
+
+    fn sum(&self, values: &[V3], of: impl Fn(&Weight) -> f64) -> V3 {
+        self.nodes()
+            .map(|(node, weight)| values[node] * of(weight))
+            .sum()
+    }
+
+    /// Place \[m\].
+    pub(super) fn place(&self, state: &State) -> V3 {
+        self.sum(&state.x, |by| by.share)
+    }
+
+    /// Velocity along the path \[m/s\].
+    pub(super) fn drift(&self, state: &State) -> V3 {
+        self.sum(&state.x, |by| by.slope) * self.rate
+    }
+
+    /// Velocity \[m/s\].
+    pub(super) fn velocity(&self, state: &State) -> V3 {
+        self.sum(&state.v, |by| by.share) + self.drift(state)
+    }
+
+    /// Acceleration \[m/s²\].
+    pub(super) fn acceleration(&self, state: &State) -> V3 {
+        let along = |by: &Weight| self.gain * by.slope + self.rate * self.rate * by.bend;
+        self.sum(&state.a, |by| by.share)
+            + self.sum(&state.v, |by| by.slope) * (2.0 * self.rate)
+            + self.sum(&state.x, along)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ARC: [f64; 5] = [0.0, 2.0, 5.0, 6.0, 10.0];
+
+    fn weights(at: f64) -> [Weight; 5] {
+        let mut all = [Weight::default(); 5];
+        for (node, weight) in Seat::new(&ARC, (at, 1.0, 0.0)).nodes() {
+            all[node] = *weight;
+        }
+        all
+    }
+
+    /// Shares make one, follow a straight line, and change without a jump; so do their slopes.
+    #[test]
+    fn the_path_is_smooth_and_keeps_to_a_straight_line() {
+        let h = 1e-6;
+        for step in 0..=1000 {
+            let at = 0.01 * f64::from(step);
+            let now = weights(at);
+            let sum: f64 = now.iter().map(|w| w.share).sum();
+            let place: f64 = now.iter().zip(ARC).map(|(w, arc)| w.share * arc).sum();
+            assert!(
+                (sum - 1.0).abs() < 1e-14 && (place - at).abs() < 1e-13,
+                "{at}"
+            );
+            if (h..10.0 - h).contains(&at) {
+                for ((a, b), w) in weights(at - h).iter().zip(weights(at + h)).zip(now) {
+                    assert!(
+                        ((b.share - a.share) / (2.0 * h) - w.slope).abs() < 1e-5,
+                        "{at}"
+                    );
+                    assert!((b.slope - a.slope).abs() < 4.0 * h, "{at}");
+                }
+            }
+        }
+    }
+
+    /// Where the nodes lie on a parabola with even segments, the second derivative is its own everywhere.
+    #[test]
+    fn its_second_derivative_is_the_curvature() {
+        let arc: Vec<f64> = (0..9).map(f64::from).collect();
+        let mut state = State::at_rest(arc.iter().map(|s| V3::new(*s, 0.0, 0.3 * s * s)).collect());
+        state.v.fill(V3::zeros());
+        for at in [0.7, 2.0, 3.3, 4.5, 7.2] {
+            let bent = Seat::new(&arc, (at, 2.0, 0.0)).acceleration(&state);
+            assert!((bent - V3::z() * (4.0 * 0.6)).norm() < 1e-12, "{at} {bent}");
+        }
+    }
+}
