@@ -3,7 +3,7 @@
 //!
 //! On straight segments it would be thrown from one direction into another at every node. Its path so rounds each corner, over
 //! half of the shorter segment to either side: with e the direction of a segment by its unstretched length and r the arc length
-//! from the node, `X = polygon + (e_after - e_before) (h - |r|)² / 4h` for `|r| < h`, an arc of parabola tangent to both
+//! from the node, `X = polygon + (e_after - e_before) (h - |r|)² / 4h` for `|r| <= h`, an arc of parabola tangent to both
 //! segments. On even segments it is the quadratic B-spline of the nodes. It keeps to the line as the segments get shorter,
 //! with their square, and its second derivative is the curvature there.
 
@@ -52,7 +52,7 @@ impl Seat {
         let rounded = |node: usize| {
             let reach = 0.5 * length(node - 1).min(length(node));
             let from = arc[segment] + along * here - arc[node];
-            (from.abs() < reach).then_some((node, reach, from))
+            (from.abs() <= reach).then_some((node, reach, from))
         };
         let before = (segment > 0).then(|| rounded(segment)).flatten();
         let after = || (segment + 1 < last).then(|| rounded(segment + 1)).flatten();
