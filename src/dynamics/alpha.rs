@@ -104,6 +104,13 @@ impl Alpha {
         })
     }
 
+    /// The same with Newton going on until velocities are known to this as well \[m/s\].
+    #[must_use]
+    pub fn resolving(mut self, speed: f64) -> Self {
+        self.newton.speed = speed;
+        self
+    }
+
     /// Shares of position, velocity and acceleration in the tangent for a step of h seconds.
     fn factors(&self, h: f64) -> Factors {
         let (k_f, k_m) = (1.0 - self.alpha_f, 1.0 - self.alpha_m);

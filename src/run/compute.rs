@@ -288,10 +288,18 @@ fn run_method<'a>(
                 Some(tolerance) => method.controlled(control(case, scene, tolerance)),
                 None => method,
             };
+            let method = match scene.slip_speed() {
+                Some(slip) => method.resolving(SHARE_OF_SLIP * slip),
+                None => method,
+            };
             march(method, settings, phases, state, sink, work, from)
         }
     }
 }
+
+/// Friction that goes with the velocity is known to this share of its greatest once velocities are known to this share of
+/// its slip speed.
+const SHARE_OF_SLIP: f64 = 1e-3;
 
 /// Errors allowed in a step, from the dimensionless tolerance of the case.
 fn control(case: &Case, scene: &Scene, tolerance: f64) -> Control {

@@ -38,6 +38,15 @@ pub(super) fn seabed(bed: &case::Seabed) -> Seabed {
 }
 
 impl Scene {
+    /// The speed \[m/s\] within which friction of the bed turns round, where it goes with the velocity.
+    #[must_use]
+    pub fn slip_speed(&self) -> Option<f64> {
+        match self.bed?.friction?.law {
+            Law::Regularised(slip) => Some(slip),
+            Law::Grip(_) => None,
+        }
+    }
+
     /// Takes the forces of the bed from the residual.
     pub(super) fn add_bed(&self, state: &State, r: &mut [V3]) {
         let Some(bed) = &self.bed else { return };

@@ -21,6 +21,9 @@ pub struct Newton {
     pub tolerance: f64,
     /// The same across the line, where that may be more: the tolerance then holds for what stretches the line \[m\].
     pub across: f64,
+    /// Largest change of a node's velocity at which an iteration counts as converged \[m/s\]: it matters where a force
+    /// goes steeply with velocity, and ever more the shorter the step.
+    pub speed: f64,
     /// Greatest number of iterations.
     pub max_iterations: usize,
     /// No node moves farther in an iteration: all displacements are scaled down together \[m\].
@@ -105,6 +108,7 @@ impl Newton {
         Self {
             tolerance,
             across: tolerance,
+            speed: f64::INFINITY,
             max_iterations,
             longest: f64::INFINITY,
             idle: usize::MAX,
@@ -144,6 +148,12 @@ impl Newton {
         state: &mut State,
         c: Factors,
     ) -> Result<usize, NewtonError> {
+        // Velocities follow the displacement by the factor of damping, which is nought in statics.
+        let tolerance = if c.damping > 0.0 {
+            self.tolerance.min(self.speed / c.damping)
+        } else {
+            self.tolerance
+        };
         let mut before: Option<f64> = None;
         let mut worst = (0, f64::INFINITY);
         let (mut least, mut idle, mut made) = (f64::INFINITY, 0, 0);
@@ -156,14 +166,14 @@ impl Newton {
             if let Some(last) = before {
                 let rate = moved / (last * last);
                 // Only the tail of the iteration tells the rate; rounding is no rate.
-                if moved < 0.1 * last && moved > 1e-3 * self.tolerance {
+                if moved < 0.1 * last && moved > 1e-3 * tolerance {
                     self.curvature = Some(self.curvature.map_or(rate, |c| rate.max(0.7 * c)));
                 }
             }
             let foretold = self
                 .curvature
                 .map_or(f64::INFINITY, |k| SAFETY * k * moved * moved);
-            if moved <= self.tolerance || foretold <= self.tolerance {
+            if moved <= tolerance || foretold <= tolerance {
                 return Ok(made);
             }
             before = Some(moved);
@@ -179,7 +189,8 @@ impl Newton {
 
     /// The displacement just made, no node's more than `moved`, as the stopping rule counts it \[m\].
     fn measured<S: System + ?Sized>(&self, system: &S, state: &State, moved: f64) -> f64 {
-        if self.across <= self.tolerance {
+        // A force that goes steeply with velocity does so in every direction.
+        if self.across <= self.tolerance || self.speed.is_finite() {
             return moved;
         }
         let along = system.felt(&self.residual, state);
