@@ -295,3 +295,45 @@ fn a_real_step_that_fails_is_halved_and_the_run_goes_on() {
         assert!((a - b).abs() < 1e-12);
     }
 }
+
+/// A weight that bounces on its rope once in 0.4 s, its top moved once in a second; the tension there at last, and its error.
+fn bounce(solver: &str) -> (f64, f64) {
+    let run = run(&format!(
+        r#"
+        materials.rope.ea_n = 5.0e6
+        materials.rope.wet_weight_kg_per_m = 2.0
+        ends.a = {{ name = "top", kind = "moving", position_m = [0.0, 0.0, 0.0], amplitude_m = [0.0, 0.0, 0.02], period_s = 1.0, ramp_s = 2.0 }}
+        ends.b = {{ name = "bob", kind = "payload" }}
+        payload = {{ dry_mass_kg = 200.0, volume_m3 = 0.0, drag_area_m2 = 0.0, added_mass_kg = 0.0 }}
+        solver = {{ duration_s = 6.0, error_estimate = true, {solver} }}
+        output.interval_s = 0.05
+        "#
+    ));
+    let told = run.summary.iter();
+    let told = told
+        .filter(|q| q.name == "tension_n[top|rope].final")
+        .next_back()
+        .unwrap();
+    (told.value, told.time_error.unwrap())
+}
+
+/// Whole steps divide the output interval: a companion of twice the step would be the run itself where one step spans
+/// the interval, and not twice as long where three do. Told is at least half of what the steps are off by.
+#[test]
+fn the_time_error_is_told_where_the_output_interval_sets_the_steps() {
+    let (true_value, rest) = bounce("time_step_s = 0.0005");
+    assert!(rest < 0.1, "{rest}");
+    for solver in [
+        "time_step_s = 0.05",
+        "time_step_s = 0.025",
+        "time_step_s = 0.017",
+        "step_tolerance = 1e-3",
+    ] {
+        let (value, error) = bounce(solver);
+        let off = (value - true_value).abs();
+        assert!(
+            error > 0.5 * off && error < 4.0 * off,
+            "{solver}: {error} N told, {off} N off"
+        );
+    }
+}

@@ -64,21 +64,56 @@ pub fn of_case(case: &Case, count: usize) -> Result<Found, Failure> {
     let ratio = coarse.as_ref().map_or(1.0, |(coarse, ..)| {
         scene.segments.len() as f64 / coarse.segments.len() as f64
     });
+    let touchdown = touchdown_share(&scene, &rest);
     let named = modes.iter().enumerate().map(|(i, mode)| {
         let of_kind = 1 + of_kind(&modes[..i], mode.kind).count();
         let other = coarse
             .as_ref()
             .and_then(|(_, _, modes)| of_kind_at(modes, mode.kind, of_kind));
+        // The lumped line is of second order (Richardson), but not where it comes down on the bed.
+        let unknown = match mode.kind {
+            Kind::OutOfPlane => 0.0,
+            _ => touchdown * mode.frequency_hz(),
+        };
+        let by_mesh = |o: &Mode| {
+            (mode.frequency_hz() - o.frequency_hz()).abs() / (ratio * ratio - 1.0) + unknown
+        };
         Named {
             of_kind,
-            // The lumped line is of second order (Richardson).
-            error_hz: other
-                .map(|o| (mode.frequency_hz() - o.frequency_hz()).abs() / (ratio * ratio - 1.0)),
+            error_hz: other.map(by_mesh),
             mode: mode.clone(),
         }
     });
     let modes = named.collect();
     Ok(Found { scene, rest, modes })
+}
+
+/// The mesh knows the place of a touchdown to half a segment. What the line hangs from there, up to the next touchdown or its
+/// end, is as much longer or shorter, and frequencies in its plane go about as the inverse of that: their relative error, at the
+/// worst of all touchdowns.
+fn touchdown_share(scene: &Scene, rest: &State) -> f64 {
+    let Some(bed) = &scene.bed else { return 0.0 };
+    let lies: Vec<bool> = (0..=scene.segments.len())
+        .map(|i| bed.height(&rest.x[i]) <= 0.0)
+        .collect();
+    let mut worst = 0.0_f64;
+    let mut from = 0;
+    // A run of hanging nodes with the lying ones, or the ends, that bound it.
+    for run in lies.chunk_by(|a, b| a == b) {
+        let to = from + run.len();
+        if !run[0] {
+            let (first, last) = (from.saturating_sub(1), to.min(lies.len() - 1));
+            let length = scene.arc[last] - scene.arc[first];
+            let half = |beside: bool, i: usize| {
+                f64::from(u8::from(beside)) * 0.5 * scene.segments[i].axial.length
+            };
+            // The end of the line is no touchdown, even where it lies on the bed.
+            let down = half(from > 1, first) + half(to + 1 < lies.len(), last.max(1) - 1);
+            worst = worst.max(down / length);
+        }
+        from = to;
+    }
+    worst
 }
 
 fn of_kind(modes: &[Mode], kind: Kind) -> impl Iterator<Item = &Mode> {

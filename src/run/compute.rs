@@ -42,13 +42,13 @@ pub(super) struct Computed {
 }
 
 /// The time step of a computation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Step {
     /// As the case sets it, or as chosen for it.
     AsSet,
-    /// Such that the time error is `2^p` times as large, p the order of the method: twice the step or, where the steps
-    /// vary, `2^(p + 1)` times the error in each (which grows with one power more) and twice the longest.
-    Doubled,
+    /// Such that the time error is `r^p` times as large, p the order of the method: r times the step or, where the steps
+    /// vary, `r^(p + 1)` times the error in each (which grows with one power more) and r times the longest.
+    Times(f64),
 }
 
 impl Computed {
@@ -105,9 +105,9 @@ fn compute_on(
         Err(error) => return Computed::failed(error.to_string()),
     };
     let mut settings = settings(case, &scene);
-    if step == Step::Doubled {
-        settings.time_step_s *= 2.0;
-        settings.step_tolerance = settings.step_tolerance.map(|t| 8.0 * t);
+    if let Step::Times(ratio) = step {
+        settings.time_step_s *= ratio;
+        settings.step_tolerance = settings.step_tolerance.map(|t| ratio.powi(3) * t);
     }
     let named = crate::case::channels(case)
         .into_iter()

@@ -1,4 +1,5 @@
-//! Numerical errors of a run, estimated by companions: one with another time step, one with another mesh. Time error and mesh error are kept apart; model error is what a validation table shows.
+//! Numerical errors of a run, estimated by companions: one with another time step, one with another mesh. Time error and mesh error are
+//! kept apart; model error is what a validation table shows.
 //!
 //! With a method of order p and a ratio r between the steps, the error of the finer result is about
 //! `|fine - coarse| / (r^p - 1)` (Richardson). A force that jumps (a drag crisis) leaves no method its order: the whole
@@ -11,6 +12,7 @@ use super::statistic::{Of, Wanted};
 use super::{Quantity, RunState, quantity_name};
 use super::{along, modes};
 use crate::case::{Case, DragLaw, DragLawName, Method};
+use crate::dynamics::march::March;
 
 /// Estimated errors, one a wanted number; absent where not estimated.
 #[derive(Debug, Clone, Default)]
@@ -31,15 +33,16 @@ pub(super) struct Estimates {
 pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Estimates {
     let order = order(case.solver.method);
     let ratio = ratio_of_meshes(case);
+    let times = ratio_of_steps(run);
     let companion = |coarsening, step| compute(case, coarsening, step, cancel, &mut |_| {});
-    let (slow, coarse) = rayon::join(
-        || order.map(|_| companion(1, Step::Doubled)),
+    let (other, coarse) = rayon::join(
+        || order.map(|_| companion(1, Step::Times(times))),
         || (ratio > 1.0).then(|| companion(2, Step::AsSet)),
     );
     let coarse_modes = coarse.as_ref().map_or(&[][..], |c| &c.modes);
     let modes = modes::with_errors(&run.modes, coarse_modes, ratio);
-    let by_step = 2f64.powi(order.unwrap_or(0)) - 1.0;
-    let others = [(&slow, by_step), (&coarse, ratio * ratio - 1.0)];
+    let by_step = (times.powi(order.unwrap_or(0)) - 1.0).abs();
+    let others = [(&other, by_step), (&coarse, ratio * ratio - 1.0)];
     let rms = rms_error(run, others.map(|(other, by)| (other.as_ref(), by)));
     let mut warnings = Vec::new();
     if coarse.is_none() {
@@ -53,7 +56,7 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
             differences(run, &other, divisor, what, &mut warnings)
         })
     };
-    let time = compare(slow, by_step, "time");
+    let time = compare(other, by_step, "time");
     let mut mesh = compare(coarse, ratio * ratio - 1.0, "mesh");
     for (error, w) in mesh.iter_mut().zip(&run.wanted) {
         *error = error.map(|e| e.max(along::resolution(&run.profile, w.statistic)));
@@ -63,7 +66,7 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
         mesh,
         modes,
         rms,
-        method: describe(case, order, ratio),
+        method: describe(case, order, times, ratio),
         warnings,
     }
 }
@@ -88,12 +91,16 @@ fn rms_error(run: &Computed, others: [(Option<&Computed>, f64); 2]) -> Vec<f64> 
 }
 
 /// How the errors are estimated, in words.
-fn describe(case: &Case, order: Option<i32>, ratio: f64) -> String {
+fn describe(case: &Case, order: Option<i32>, times: f64, ratio: f64) -> String {
     let varies = case.solver.time_step_s.is_none() && case.solver.method == Method::Alpha;
-    let step = if varies {
-        "eight times the error allowed in a step"
-    } else {
-        "twice the step"
+    let step = match (varies, times) {
+        (true, 2.0) => "eight times the error allowed in a step".to_owned(),
+        (true, _) => format!(
+            "{:.3} times the error allowed in a step, the longest {times:.2} times as long",
+            times.powi(3)
+        ),
+        (false, 2.0) => "twice the step".to_owned(),
+        (false, _) => format!("{times:.2} times the step"),
     };
     let time = order.map_or_else(String::new, |_| format!("time: {step}; "));
     let how = match order {
@@ -118,6 +125,27 @@ fn order(method: Method) -> Option<i32> {
         Method::Static => None,
         Method::Quasi | Method::Alpha | Method::Auto => Some(2),
         Method::Rk4 => Some(4),
+    }
+}
+
+/// Length of the companion's steps by that of the run's: twice, where that is to be had. Whole steps divide the output
+/// interval, so that of an odd number of them the companion has more than half, and of one it has two. Steps that
+/// vary are as a rule so much shorter than the longest that their error sets them, whatever the interval.
+fn ratio_of_steps(run: &Computed) -> f64 {
+    let settings = &run.settings;
+    let march = March {
+        duration: settings.duration_s,
+        step: settings.time_step_s,
+        output: settings.output_interval_s,
+    };
+    let grid = march.grid();
+    let varies = settings.step_tolerance.is_some();
+    if varies && run.work.steps >= 2 * grid.outputs * grid.per_output {
+        return 2.0;
+    }
+    match grid.per_output {
+        1 => 0.5,
+        whole => whole as f64 / whole.div_ceil(2) as f64,
     }
 }
 
