@@ -15,6 +15,9 @@ use crate::physics::sea::DEGREES;
 /// Columns of a table of places over time.
 pub(crate) const PLACES: [&str; 4] = ["time_s", "x_m", "y_m", "z_m"];
 
+/// Columns of a table of a curve's points.
+const POINTS: [&str; 2] = ["time_s", "value"];
+
 /// Columns of a table of responses: period, then amplitude and phase of the six degrees of freedom.
 pub(crate) fn response_columns() -> Vec<String> {
     let of = |(i, name): (usize, &&str)| {
@@ -27,6 +30,15 @@ pub(crate) fn response_columns() -> Vec<String> {
         .collect()
 }
 
+/// A case that is being read: its tree, its text, what it is called and the folder it stands in.
+#[derive(Clone, Copy)]
+struct Reading<'a> {
+    root: &'a Node,
+    text: &'a str,
+    file: &'a str,
+    folder: &'a Path,
+}
+
 /// Takes in the files that the case uses, and reads them as what they are named for.
 pub(crate) fn gather(
     case: &mut Case,
@@ -34,33 +46,77 @@ pub(crate) fn gather(
     text: &str,
     (file, folder): (&str, &Path),
 ) -> Result<(), Diagnostic> {
+    let reading = Reading {
+        root,
+        text,
+        file,
+        folder,
+    };
     for (letter, end) in [("a", case.ends.a.clone()), ("b", case.ends.b.clone())] {
         let used = end.kind == EndKind::Moving
             && matches!(end.motion, MotionName::Table | MotionName::Vessel);
         let Some(name) = end.motion_file.as_ref().filter(|_| used) else {
             continue;
         };
-        let beside = folder.join(name);
-        if !case.files.contains_key(name) {
-            let read = std::fs::read_to_string(&beside).map_err(|error| {
-                let span = root
-                    .find(&["ends", letter, "motion_file"])
-                    .map_or(0..0, |node| node.span.clone());
-                let problem = format!("{} cannot be read: {error}", beside.display());
-                let remedy = "name a file beside the case file, or carry it in the case as [files.\"NAME\"] text = \"...\"";
-                Finding::new(&span, format!("ends.{letter}.motion_file"), problem, remedy)
-                    .at(file, text)
-            })?;
-            case.files.insert(name.clone(), Carried { text: read });
-        }
+        let shown = reading.take(case, name, &["ends", letter, "motion_file"])?;
         let carried = &case.files[name].text;
-        let shown = beside.display().to_string();
         match end.motion {
             MotionName::Vessel => numbers(carried, &shown, &response_columns()).map(|_| ())?,
             _ => numbers(carried, &shown, &PLACES.map(str::to_owned)).map(|_| ())?,
         }
     }
+    for number in 0..case.published_curve.len() {
+        let curve = &case.published_curve[number];
+        let Some(name) = curve.points_file.clone() else {
+            continue;
+        };
+        let words = curve.name.clone();
+        let shown = reading.take(case, &name, &["published_curve", &words, "points_file"])?;
+        let (time_s, value) = curve_points(&case.files[&name].text, &shown)?;
+        let curve = &mut case.published_curve[number];
+        (curve.time_s, curve.value) = (time_s, value);
+    }
     Ok(())
+}
+
+impl Reading<'_> {
+    /// Sees to it that the case carries a file that it names at a key; what the file is called in words.
+    fn take(&self, case: &mut Case, name: &str, key: &[&str]) -> Result<String, Diagnostic> {
+        let beside = self.folder.join(name);
+        if !case.files.contains_key(name) {
+            let read = std::fs::read_to_string(&beside).map_err(|error| {
+                let span = self.root.find(key).map_or(0..0, |node| node.span.clone());
+                let problem = format!("{} cannot be read: {error}", beside.display());
+                let remedy = "name a file beside the case file, or carry it in the case as [files.\"NAME\"] text = \"...\"";
+                Finding::new(&span, key.join("."), problem, remedy).at(self.file, self.text)
+            })?;
+            case.files.insert(name.to_owned(), Carried { text: read });
+        }
+        Ok(beside.display().to_string())
+    }
+}
+
+/// Times and values of a published curve, the times increasing.
+fn curve_points(text: &str, file: &str) -> Result<(Vec<f64>, Vec<f64>), Diagnostic> {
+    let rows = placed(text, file, &POINTS.map(str::to_owned))?;
+    let back = rows.windows(2).find(|w| w[1][0].value <= w[0][0].value);
+    if let Some(pair) = back {
+        let problem = format!(
+            "the time {} s does not come after {} s",
+            pair[1][0].value, pair[0][0].value
+        );
+        let remedy = "give the points in the order of their times, each time once";
+        return Err(Finding::new(&pair[1][0].span, POINTS[0], problem, remedy).at(file, text));
+    }
+    if rows.len() < 2 {
+        let problem = "a curve needs at least two points";
+        return Err(Diagnostic::whole_file(
+            file,
+            problem,
+            "give a line for each point: time, value",
+        ));
+    }
+    Ok(rows.iter().map(|row| (row[0].value, row[1].value)).unzip())
 }
 
 /// The text of a case with the files it names, which it may read no more.
@@ -228,6 +284,19 @@ mod tests {
         let text = "# a path\nx_m, time_s,y_m,z_m\n\n1, 0,0,0\n2,1.5 ,-3e1,4\n";
         let rows = numbers(text, "p.csv", &columns()).unwrap();
         assert_eq!(rows, [vec![0.0, 1.0, 0.0, 0.0], vec![1.5, 2.0, -30.0, 4.0]]);
+    }
+
+    #[test]
+    fn points_of_a_curve_come_one_after_the_other() {
+        let points = |text: &str| curve_points(text, "c.csv").map_err(|f| (f.line, f.problem));
+        let read = points("value,time_s\n5.0,0.0\n6.0,0.5\n").unwrap();
+        assert_eq!(read, (vec![0.0, 0.5], vec![5.0, 6.0]));
+        assert_eq!(
+            points("time_s,value\n0,1\n2,1\n2,3\n"),
+            Err((4, "the time 2 s does not come after 2 s".to_owned()))
+        );
+        let short = points("time_s,value\n0,1\n").unwrap_err();
+        assert_eq!(short.1, "a curve needs at least two points");
     }
 
     #[test]

@@ -52,8 +52,8 @@ pub fn rows<'r>(case: &Case, lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>) ->
         .trend
         .iter()
         .map(|trend| trend::row(case, trend, lookup));
-    let curves = case.published_curve.iter();
-    let curves = curves.map(|curve| curve::row(curve, lookup));
+    let curves = case.published_curve.iter().enumerate();
+    let curves = curves.map(|(number, curve)| curve::row(number, curve, lookup));
     values.chain(trends).chain(curves).collect()
 }
 

@@ -41,6 +41,21 @@ pub struct Row {
     pub reason: Option<String>,
     /// For a trend: what is expected and the numbers along the study.
     pub trend: Option<TrendLine>,
+    /// For a curve: its points beside what the run gives.
+    pub overlay: Option<Overlay>,
+}
+
+/// A published curve beside a run, over the times of the run; without a run, as it is published.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Overlay {
+    /// The channel it is of.
+    pub channel: String,
+    /// Unit of the values; empty without a run.
+    pub unit: String,
+    /// Times \[s\] and values that are published.
+    pub published: Vec<(f64, f64)>,
+    /// Times \[s\] and values of the run.
+    pub computed: Vec<(f64, f64)>,
 }
 
 /// What an agreement is worth when inputs were calibrated.

@@ -111,6 +111,7 @@ pub fn hold_trend(
             key: statement.key.to_owned(),
             points,
         }),
+        overlay: None,
     }
 }
 

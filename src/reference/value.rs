@@ -95,6 +95,7 @@ pub fn hold(claim: Claim<'_>, computed: Result<(f64, Option<f64>), String>) -> R
         basis: claim.basis,
         reason: None,
         trend: None,
+        overlay: None,
     };
     match computed {
         Err(reason) => row.reason = Some(reason),

@@ -10,6 +10,7 @@
 //! ```
 
 mod along;
+mod overlay;
 mod response;
 mod ropes;
 mod shapes;
@@ -17,6 +18,7 @@ mod study;
 mod times;
 
 pub use along::{curvature_profile, moment_profile, tension_profile};
+pub use overlay::published_curves;
 pub use response::{MapOf, response_map, rms_profile, wave_amplitudes, wavelengths};
 pub use ropes::{deviation_in_time, mean_load_in_time, stiffness_in_time, stiffness_profile};
 pub use shapes::{line_from_above, line_from_ahead, line_shape, trajectory};

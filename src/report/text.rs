@@ -41,7 +41,7 @@ pub fn report(run: &Run, case: &Case, rows: &[Row], glyphs: Glyphs) -> String {
         page.heading("What the sections bear");
         page.block(&limits);
     }
-    charts::all(&mut page, run, case, glyphs);
+    charts::all(&mut page, run, case, rows, glyphs);
     results::answer(&mut page, run, case);
     results::nodes(&mut page, run);
     if !rows.is_empty() {

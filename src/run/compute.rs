@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use rustix::time::{ClockId, clock_gettime};
 
 use super::began::began;
+use super::curves;
 use super::job::Event;
 use super::marching::{Ended, From, march, phases};
 use super::modes;
@@ -39,6 +40,8 @@ pub(super) struct Computed {
     pub(super) numbers: Vec<Option<f64>>,
     /// What is told of natural modes and of when the motion is steady, without errors.
     pub(super) modes: Vec<Quantity>,
+    /// Differences from the published curves of the case, without errors.
+    pub(super) curves: Vec<Quantity>,
 }
 
 /// The time step of a computation.
@@ -67,6 +70,7 @@ impl Computed {
             wanted: Vec::new(),
             numbers: Vec::new(),
             modes: Vec::new(),
+            curves: Vec::new(),
         }
     }
 }
@@ -148,6 +152,7 @@ fn compute_on(
     warnings.extend(troubles);
     let (history, shapes) = kept.into_parts();
     let (wanted, numbers) = gather.finish(&history.channels, &profile);
+    let curves = curves::numbers(case, &history);
     Computed {
         state: ended.state,
         failure: ended.failure,
@@ -161,6 +166,7 @@ fn compute_on(
         wanted,
         numbers,
         modes,
+        curves,
     }
 }
 

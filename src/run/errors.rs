@@ -10,7 +10,7 @@ use std::sync::atomic::AtomicBool;
 use super::compute::{Computed, Step, compute};
 use super::statistic::{Of, Wanted};
 use super::{Quantity, RunState, quantity_name};
-use super::{along, modes};
+use super::{along, curves, modes};
 use crate::case::{Case, DragLaw, DragLawName, Method};
 use crate::dynamics::march::March;
 
@@ -21,6 +21,8 @@ pub(super) struct Estimates {
     mesh: Vec<Option<f64>>,
     /// What is told of natural modes.
     modes: Vec<Quantity>,
+    /// Differences from published curves.
+    curves: Vec<Quantity>,
     /// Error of the root mean square displacements, node by node \[m\], time and mesh together.
     pub(super) rms: Vec<f64>,
     /// How they were made, in words.
@@ -43,13 +45,16 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
     let modes = modes::with_errors(&run.modes, coarse_modes, ratio);
     let by_step = (times.powi(order.unwrap_or(0)) - 1.0).abs();
     let others = [(&other, by_step), (&coarse, ratio * ratio - 1.0)];
-    let rms = rms_error(run, others.map(|(other, by)| (other.as_ref(), by)));
+    let others = others.map(|(other, by)| (other.as_ref(), by));
+    let rms = rms_error(run, others);
+    let assured = !has_crisis(case);
+    let curves = others.map(|(other, by)| (other, if assured { by } else { 1.0 }));
+    let curves = curves::with_errors(&run.curves, curves);
     let mut warnings = Vec::new();
     if coarse.is_none() {
         warnings
             .push("every section is one segment: the mesh error cannot be estimated".to_owned());
     }
-    let assured = !has_crisis(case);
     let mut compare = |other: Option<Computed>, divisor: f64, what| {
         let divisor = if assured { divisor } else { 1.0 };
         other.map_or_else(Vec::new, |other| {
@@ -65,6 +70,7 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
         time,
         mesh,
         modes,
+        curves,
         rms,
         method: describe(case, order, times, ratio),
         warnings,
@@ -180,11 +186,12 @@ fn differences(
 pub(super) fn summary(run: &Computed, estimates: &Estimates) -> Vec<Quantity> {
     let pick = |list: &[Option<f64>], i: usize| list.get(i).copied().flatten();
     // Without companions their errors are unknown.
-    let modes = if estimates.modes.is_empty() {
-        &run.modes
-    } else {
-        &estimates.modes
+    let or_bare = |told: &[Quantity], bare: &[Quantity]| {
+        let list = if told.is_empty() { bare } else { told };
+        list.to_vec()
     };
+    let modes = or_bare(&estimates.modes, &run.modes);
+    let curves = or_bare(&estimates.curves, &run.curves);
     let all = run.wanted.iter().zip(&run.numbers).enumerate();
     all.filter_map(|(i, (w, number)): (usize, (&Wanted, _))| {
         let (name, unit) = match w.of {
@@ -202,6 +209,7 @@ pub(super) fn summary(run: &Computed, estimates: &Estimates) -> Vec<Quantity> {
             mesh_error: pick(&estimates.mesh, i),
         })
     })
-    .chain(modes.iter().cloned())
+    .chain(curves)
+    .chain(modes)
     .collect()
 }

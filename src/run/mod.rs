@@ -6,6 +6,7 @@ mod along;
 mod began;
 mod checkpoint;
 mod compute;
+pub mod curves;
 mod cycles;
 mod envelope;
 mod errors;

@@ -4,9 +4,9 @@ use super::state::{ChartKind, Curves, OpenCase};
 use crate::report::chart::{Chart, Range};
 use crate::report::figures::{
     MapOf, Source, along_studies, curvature_profile, deviation_in_time, elevation, line_from_above,
-    line_from_ahead, line_shape, mean_load_in_time, moment_profile, payload_position, response_map,
-    rms_profile, speed, stiffness_in_time, stiffness_profile, tension_profile, tensions, tilt,
-    trajectory, wave_amplitudes, wavelengths,
+    line_from_ahead, line_shape, mean_load_in_time, moment_profile, payload_position,
+    published_curves, response_map, rms_profile, speed, stiffness_in_time, stiffness_profile,
+    tension_profile, tensions, tilt, trajectory, wave_amplitudes, wavelengths,
 };
 
 /// A run on the charts.
@@ -123,9 +123,16 @@ pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
     chart
 }
 
-/// The chosen one of the charts along the studies, the first when none is.
-fn study(open: &OpenCase) -> Chart {
+/// The charts of what the case states: along its studies, then its published curves.
+fn stated(open: &OpenCase) -> Vec<Chart> {
     let mut charts = along_studies(&open.case, &open.checks);
+    charts.extend(published_curves(&open.checks));
+    charts
+}
+
+/// The chosen one of the charts of what the case states, the first when none is.
+fn study(open: &OpenCase) -> Chart {
+    let mut charts = stated(open);
     let chosen = open.series.unwrap_or(0).min(charts.len().max(1) - 1);
     if charts.is_empty() {
         return Chart {
@@ -163,7 +170,7 @@ pub fn series_names(open: &OpenCase, kind: ChartKind) -> Vec<String> {
         ChartKind::Speed => places(open, "speed_m_per_s["),
         ChartKind::Tilt => places(open, "tilt_deg["),
         ChartKind::Study => {
-            let charts = along_studies(&open.case, &open.checks);
+            let charts = stated(open);
             charts.into_iter().map(|chart| chart.title).collect()
         }
         ChartKind::MeanLoad => places(open, "mean_load_percent["),

@@ -235,8 +235,12 @@ fn over_time(row: &Node, known: &[String], key: String) -> Option<Finding> {
 
 /// A curve has as many values as times, at least two, and its times increase.
 fn points(row: &Node, key: &str) -> Option<Finding> {
-    let node = row.get("time_s")?;
-    let (times, values) = (node.numbers()?, row.get("value")?.numbers()?);
+    let node = row.get("time_s").or_else(|| row.get("value"))?;
+    if row.get("points_file").is_some() {
+        let problem = "the curve has its points twice: here and in `points_file`";
+        return Some(Finding::new(&node.span, key, problem, "keep one of them"));
+    }
+    let (times, values) = (row.get("time_s")?.numbers()?, row.get("value")?.numbers()?);
     let problem = if times.len() != values.len() {
         format!("{} times stand beside {} values", times.len(), values.len())
     } else if times.len() < 2 {

@@ -254,8 +254,9 @@ pub static FIELDS: &[Field] = &[
 
     field("published_curve.*.name",         Text,       "",  ANY,     Required, "name", "What the curve is, in words."),
     field("published_curve.*.channel",      Text,       "",  ANY,     Required, "channel", "Channel of the history, such as tension_n[wire|payload]."),
-    field("published_curve.*.time_s",       List,       "s", ANY,     Required, "times", "Times of the curve's points, increasing."),
-    field("published_curve.*.value",        List,       "",  ANY,     Required, "values", "Values there, in the unit of the channel."),
+    field("published_curve.*.points_file",  Text,       "",  ANY,     NOT_USED, "points file", "CSV file beside the case with the curve's points: time_s,value. In the place of time_s and value."),
+    field("published_curve.*.time_s",       List,       "s", ANY,     RequiredWithout("points_file"), "times", "Times of the curve's points, increasing."),
+    field("published_curve.*.value",        List,       "",  ANY,     RequiredWithout("points_file"), "values", "Values there, in the unit of the channel."),
     field("published_curve.*.period_s",     Number,     "s", Range::positive(1e6), NOT_USED, "period", "The curve repeats after this time, and the shift that fits best counts."),
     field("published_curve.*.window_s",     Pair,       "s", ZERO_UP, WHOLE_RUN, "window", "Window of time of the run."),
     field("published_curve.*.tolerance_percent", Number, "", Range::positive(100.0), Required, "tolerance", "Greatest root mean square of the differences, in percent of the curve's greatest size."),

@@ -121,9 +121,13 @@ pub struct PublishedCurve {
     pub name: String,
     /// Channel of the history (`tension_n[wire|payload]`).
     pub channel: String,
+    /// CSV file beside the case with the points, in the place of the two lists below, which then are those of the file.
+    pub points_file: Option<String>,
     /// Times of the curve's points, increasing \[s\].
+    #[serde(default)]
     pub time_s: Vec<f64>,
     /// Values there, in the unit of the channel.
+    #[serde(default)]
     pub value: Vec<f64>,
     /// The curve repeats itself after this time \[s\], and where in it a run begins is free: the shift that fits best counts.
     pub period_s: Option<f64>,
@@ -165,6 +169,37 @@ pub struct At {
     pub study: String,
     /// Value of its key.
     pub value: StudyValue,
+}
+
+impl super::Case {
+    /// Whether the case as it stands is at this point of a study: its key has that value here.
+    #[must_use]
+    pub fn stands_at(&self, at: &At) -> bool {
+        let study = self.study.iter().find(|study| study.name == at.study);
+        let whole = toml::Value::try_from(self).ok();
+        let Some((study, mut here)) = study.zip(whole) else {
+            return false;
+        };
+        for part in study.key.split('.') {
+            // Elements of a list go by their names.
+            let named =
+                |item: &toml::Value| item.get("name").and_then(toml::Value::as_str) == Some(part);
+            let next = match &here {
+                toml::Value::Array(items) => items.iter().find(|item| named(item)),
+                table => table.get(part),
+            };
+            let Some(next) = next.cloned() else {
+                return false;
+            };
+            here = next;
+        }
+        match (&here, &at.value) {
+            (toml::Value::String(word), StudyValue::Word(wanted)) => word == wanted,
+            (toml::Value::Float(number), StudyValue::Number(wanted)) => number == wanted,
+            (toml::Value::Integer(number), StudyValue::Number(wanted)) => *number as f64 == *wanted,
+            _ => false,
+        }
+    }
 }
 
 /// A number taken of a channel over a window of time.

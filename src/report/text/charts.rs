@@ -3,13 +3,15 @@
 use super::layout::{Page, WIDTH};
 use crate::{
     case::Case,
+    reference::Row,
     report::{
         chart::{Chart, Glyphs, draw, extent},
         figures::{
             MapOf, Source, curvature_profile, deviation_in_time, elevation, line_from_above,
             line_from_ahead, line_shape, mean_load_in_time, moment_profile, payload_position,
-            response_map, rms_profile, speed, stiffness_in_time, stiffness_profile,
-            tension_profile, tensions, tilt, trajectory, wave_amplitudes, wavelengths,
+            published_curves, response_map, rms_profile, speed, stiffness_in_time,
+            stiffness_profile, tension_profile, tensions, tilt, trajectory, wave_amplitudes,
+            wavelengths,
         },
     },
     run::Run,
@@ -20,8 +22,8 @@ const HEIGHT: usize = 20;
 /// Rows of a map, whose stripes need them.
 const MAP_HEIGHT: usize = 30;
 
-/// Every chart that has something to show.
-pub(super) fn all(page: &mut Page, run: &Run, case: &Case, glyphs: Glyphs) {
+/// Every chart that has something to show; of the rows of its case, the curves that the run was held against.
+pub(super) fn all(page: &mut Page, run: &Run, case: &Case, rows: &[Row], glyphs: Glyphs) {
     let sources = [Source::whole(run, "")];
     let mut charts = Vec::new();
     if run.history.time.len() > 1 {
@@ -55,6 +57,8 @@ pub(super) fn all(page: &mut Page, run: &Run, case: &Case, glyphs: Glyphs) {
         let maps = [MapOf::Steady, MapOf::Evened, MapOf::Start];
         charts.extend(maps.map(|of| response_map(&sources, Some(from), of)));
     }
+    let curves = published_curves(rows);
+    charts.extend(curves.into_iter().filter(|chart| chart.series.len() > 1));
     charts.retain(shows_something);
     if charts.is_empty() {
         return;

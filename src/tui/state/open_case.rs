@@ -185,7 +185,8 @@ impl ChartKind {
 
 /// Whether the case states anything along a study.
 fn studied(case: &Case) -> bool {
-    !case.trend.is_empty() || case.published.iter().any(|p| p.at.is_some())
+    let mut rows = case.published.iter();
+    !case.trend.is_empty() || !case.published_curve.is_empty() || rows.any(|p| p.at.is_some())
 }
 
 /// Whether anything in the case takes the line out of a plane along x.

@@ -1,0 +1,26 @@
+//! Published curves laid over what a run gives.
+
+use crate::reference::Row;
+use crate::report::chart::{Axis, Chart, Series};
+
+/// A chart for every published curve among the rows of a validation table: the curve at the times of the run, over the run.
+#[must_use]
+pub fn published_curves(rows: &[Row]) -> Vec<Chart> {
+    rows.iter().filter_map(chart).collect()
+}
+
+fn chart(row: &Row) -> Option<Chart> {
+    let overlay = row.overlay.as_ref()?;
+    let mut series = vec![Series::new("published", 0, overlay.published.clone())];
+    if !overlay.computed.is_empty() {
+        series.insert(0, Series::new("computed", 1, overlay.computed.clone()));
+    }
+    Some(Chart {
+        title: row.name.clone(),
+        x: Axis::new("time", "s"),
+        y: Axis::new(&overlay.channel, &overlay.unit),
+        series,
+        legend: true,
+        ..Chart::default()
+    })
+}
