@@ -309,10 +309,9 @@ fn bounce(solver: &str) -> (f64, f64) {
         output.interval_s = 0.05
         "#
     ));
-    let told = run.summary.iter();
+    let mut told = run.summary.iter();
     let told = told
-        .filter(|q| q.name == "tension_n[top|rope].final")
-        .next_back()
+        .find(|q| q.name == "tension_n[top|rope].final")
         .unwrap();
     (told.value, told.time_error.unwrap())
 }
