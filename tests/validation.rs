@@ -117,6 +117,9 @@ fn allowed(path: &str, row: &Row) -> f64 {
         // Nodes that touch down one by one: the coarse meshes are there to show how their noise falls, and halving
         // such a mesh for the estimate doubles it.
         ("hard/touchdown.toml", name) if name.ends_with(" segments") => 6.0,
+        // Rounding decides how the folded chain throws its free end: the stiffness changed in its last digits scatters the
+        // estimate between 0.6 and 1.4 times the tolerance.
+        ("hard/whip.toml", "time of the fall") => 1.5,
         // Against a closed form the difference is the numerical error, and the tolerance its bound.
         (path, _) if path.starts_with("hard/") => 1.0,
         _ => 0.1,

@@ -1,6 +1,9 @@
 //! Small dense blocks and the block-banded solver. Knows no cable.
 
 pub mod block_band;
+mod both_ends;
+pub mod lanes;
+mod lu;
 
 pub use block_band::{BlockBand, SingularBlock};
 

@@ -3,22 +3,24 @@
 //! Jia et al. 2019, eqs (2) and (3), their second terms, for a body accelerating in water that does
 //! not: `M a = m_n (a - t (t.a)) + m_t t (t.a)`.
 
-use crate::linalg::V3;
+use nalgebra::Vector3;
 
-/// Added mass of half a segment.
+use crate::linalg::lanes::{Number, Two, dot};
+
+/// Added mass of half a segment, or of both halves side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AddedMass {
+pub struct AddedMass<T = f64> {
     /// Across \[kg\].
-    pub normal: f64,
+    pub normal: T,
     /// Along \[kg\].
-    pub tangential: f64,
+    pub tangential: T,
 }
 
-impl AddedMass {
+impl<T: Number> AddedMass<T> {
     /// A share of it.
     #[inline(always)]
     #[must_use]
-    pub fn scaled(&self, share: f64) -> Self {
+    pub fn scaled(&self, share: T) -> Self {
         Self {
             normal: self.normal * share,
             tangential: self.tangential * share,
@@ -28,18 +30,29 @@ impl AddedMass {
     /// Force that the acceleration a \[m/s²\] needs \[N\], at tangent t.
     #[inline(always)]
     #[must_use]
-    pub fn force(&self, t: &V3, a: &V3) -> V3 {
-        a * self.normal + t * ((self.tangential - self.normal) * t.dot(a))
+    pub fn force(&self, t: &Vector3<T>, a: &Vector3<T>) -> Vector3<T> {
+        a * self.normal + t * ((self.tangential - self.normal) * dot(t, a))
     }
 
     /// Derivative of that force by the chord, in the form `s I + t p'`, the numbers (s, p):
     /// `(m_t - m_n) [ (t.a) (I - tt') + t ((I - tt') a)' ] / l`.
     #[inline(always)]
     #[must_use]
-    pub fn by_chord(&self, t: &V3, a: &V3, inverse_chord: f64) -> (f64, V3) {
+    pub fn by_chord(&self, t: &Vector3<T>, a: &Vector3<T>, inverse_chord: T) -> (T, Vector3<T>) {
         let k = (self.tangential - self.normal) * inverse_chord;
-        let along = t.dot(a);
-        let s = k * along;
-        (s, (a - t * along) * k - t * s)
+        let s = k * dot(t, a);
+        (s, a * k - t * (s + s))
+    }
+}
+
+impl AddedMass<Two> {
+    /// Both halves.
+    #[inline(always)]
+    #[must_use]
+    pub fn of([first, second]: [AddedMass; 2]) -> Self {
+        Self {
+            normal: Two::new([first.normal, second.normal]),
+            tangential: Two::new([first.tangential, second.tangential]),
+        }
     }
 }

@@ -7,27 +7,8 @@
 //! nodes two apart, hence the five bands of the tangent. Where stiffness changes at the node, l / EI is the mean of both
 //! segments' (their halves bend in series); a segment with EI = 0 makes it a hinge.
 
-use crate::linalg::{BlockBand, M3, V3};
-
-/// Forces and tangent of the bend between two segments.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bend {
-    /// Gradient of the energy by the first chord \[N\].
-    pub by_first: V3,
-    /// Gradient of the energy by the second chord \[N\].
-    pub by_second: V3,
-}
-
-/// Second derivatives of the energy by the chords \[N/m\].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BendTangent {
-    /// By the first chord twice.
-    pub first: M3,
-    /// By the first, then the second.
-    pub mixed: M3,
-    /// By the second chord twice.
-    pub second: M3,
-}
+use crate::linalg::lanes::{self, Two, TwoM3, TwoV3, dot};
+use crate::linalg::{M3, V3};
 
 /// Stiffness of the bend between two segments, EI / l \[N m\], from each one's EI \[N m²\] and unstretched
 /// length \[m\].
@@ -45,79 +26,78 @@ pub fn clamp_stiffness(ei: f64, length: f64) -> f64 {
     2.0 * ei / length
 }
 
-/// Gradient of `k (1 - t1.t2)`; each chord by its unit tangent and 1 / length \[1/m\].
-#[inline(always)]
-#[must_use]
-pub fn bend(k: f64, first: (&V3, f64), second: (&V3, f64)) -> Bend {
-    let ((t1, i1), (t2, i2)) = (first, second);
-    let cos = t1.dot(t2);
-    Bend {
-        by_first: (t2 - t1 * cos) * (-k * i1),
-        by_second: (t1 - t2 * cos) * (-k * i2),
-    }
+/// The angle between two chords, both side by side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bend {
+    /// Unit tangents.
+    t: TwoV3,
+    /// 1 / length \[1/m\].
+    inverse: Two,
+    /// `t1.t2`.
+    cos: Two,
+    /// Of each tangent what the other has across it: `t2 - c t1` and `t1 - c t2`.
+    across: TwoV3,
 }
 
-/// Second derivatives of `k (1 - t1.t2)`. With `c = t1.t2`, `P = I - tt'` and `w = t2 - c t1`, the first is
-/// `k / l1² (t1 w' + w t1' + c P1)` and the mixed one `-k / (l1 l2) P1 P2`; both multiplied out.
-#[inline(always)]
-#[must_use]
-pub fn bend_tangent(k: f64, first: (&V3, f64), second: (&V3, f64)) -> BendTangent {
-    let ((t1, i1), (t2, i2)) = (first, second);
-    let c = t1.dot(t2);
-    let cross = M3::from_columns(&[t1 * t2.x, t1 * t2.y, t1 * t2.z]);
-    let square = |t: &V3| M3::from_columns(&[t * t.x, t * t.y, t * t.z]);
-    let (s1, s2) = (square(t1), square(t2));
-    let both = cross + cross.transpose();
-    let own = |s: &M3, i: f64| {
-        let k = k * i * i;
-        with_diagonal((both - s * (3.0 * c)) * k, c * k)
-    };
-    let m = -k * i1 * i2;
-    BendTangent {
-        first: own(&s1, i1),
-        mixed: with_diagonal((cross * c - s1 - s2) * m, m),
-        second: own(&s2, i2),
-    }
-}
-
-#[inline(always)]
-fn with_diagonal(mut m: M3, s: f64) -> M3 {
-    m[(0, 0)] += s;
-    m[(1, 1)] += s;
-    m[(2, 2)] += s;
-    m
+/// Second derivatives of the energy by the chords \[N/m\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BendTangent {
+    /// By each chord twice.
+    pub own: TwoM3,
+    /// By the first, then the second.
+    pub mixed: M3,
 }
 
 impl Bend {
-    /// Adds the forces of the bend at node i to the residual.
+    /// Between two chords, each by its unit tangent and 1 / length \[1/m\].
     #[inline(always)]
-    pub fn add(&self, i: usize, r: &mut [V3]) {
-        r[i - 1] -= self.by_first;
-        r[i] += self.by_first - self.by_second;
-        r[i + 1] += self.by_second;
+    #[must_use]
+    pub fn new(first: (&V3, f64), second: (&V3, f64)) -> Self {
+        let t = lanes::vectors(first.0, second.0);
+        let other = lanes::vectors(second.0, first.0);
+        let cos = dot(&t, &other);
+        Self {
+            t,
+            inverse: Two::new([first.1, second.1]),
+            cos,
+            across: other - t * cos,
+        }
     }
-}
 
-impl BendTangent {
-    /// Adds their derivatives to the tangent; sets its far blocks.
+    /// Gradient of `k (1 - t1.t2)` by each chord \[N\].
     #[inline(always)]
-    pub fn add(&self, i: usize, tangent: &mut BlockBand) {
-        let Self {
-            first,
-            mixed,
-            second,
-        } = self;
-        let back = mixed.transpose();
-        let (near, far) = (mixed - first, mixed - second);
-        tangent.diag[i - 1] += first;
-        tangent.diag[i] -= near + far.transpose();
-        tangent.diag[i + 1] += second;
-        tangent.upper[i - 1] += near;
-        tangent.lower[i] += back - first;
-        tangent.upper[i] += far;
-        tangent.lower[i + 1] += back - second;
-        tangent.far_upper[i - 1] = -mixed;
-        tangent.far_lower[i + 1] = -back;
+    #[must_use]
+    pub fn forces(&self, k: f64) -> [V3; 2] {
+        let both = self.across * (self.inverse * -k);
+        [0, 1].map(|chord| lanes::vector(&both, chord))
+    }
+
+    /// Second derivatives of `k (1 - t1.t2)`. With `c = t1.t2`, `P = I - tt'` and `w = t2 - c t1`, the first is
+    /// `k / l1² (t1 w' + w t1' + c P1)` and the mixed one
+    /// `-k / (l1 l2) P1 P2 = k / (l1 l2) (t1 (t1 - c t2)' + t2 t2' - I)`.
+    #[inline(always)]
+    #[must_use]
+    pub fn tangent(&self, k: f64) -> BendTangent {
+        let (t, stiffness) = (&self.t, self.inverse * self.inverse * k);
+        let z = (self.across - t * (self.cos * 0.5)) * stiffness;
+        let own = |i: usize, j: usize| t[i] * z[j] + z[i] * t[j];
+        let on_diagonal = |i: usize| own(i, i) + self.cos * stiffness;
+        let (xy, xz, yz) = (own(0, 1), own(0, 2), own(1, 2));
+        #[rustfmt::skip]
+        let own = TwoM3::new(
+            on_diagonal(0), xy, xz,
+            xy, on_diagonal(1), yz,
+            xz, yz, on_diagonal(2),
+        );
+        let [first, second] = self.inverse.to_array();
+        let m = k * first * second;
+        let [t1, t2] = [0, 1].map(|chord| lanes::vector(t, chord));
+        let across = lanes::vector(&self.across, 1);
+        let mixed = lanes::outer(&(t1 * m), &across) + lanes::outer(&(t2 * m), &t2);
+        BendTangent {
+            own,
+            mixed: lanes::plus_diagonal(mixed, -m),
+        }
     }
 }
 
@@ -146,29 +126,22 @@ mod tests {
             let parts = |d: &V3| (d.normalize(), 1.0 / d.norm());
             let both = |d1: &V3, d2: &V3| {
                 let (a, b) = (parts(d1), parts(d2));
-                (
-                    bend(k, (&a.0, a.1), (&b.0, b.1)),
-                    bend_tangent(k, (&a.0, a.1), (&b.0, b.1)),
-                )
+                let bend = Bend::new((&a.0, a.1), (&b.0, b.1));
+                (bend.forces(k), bend.tangent(k))
             };
             let (force, tangent) = both(&d1, &d2);
+            let [first, second] = [0, 1].map(|chord| lanes::block(&tangent.own, chord));
             for axis in 0..3 {
                 let mut h = V3::zeros();
                 h[axis] = 1e-6;
                 let slope = (energy(k, &(d1 + h), &d2) - energy(k, &(d1 - h), &d2)) / 2e-6;
-                assert!((slope - force.by_first[axis]).abs() < 1e-8);
+                assert!((slope - force[0][axis]).abs() < 1e-8);
                 let (up, down) = (both(&(d1 + h), &d2).0, both(&(d1 - h), &d2).0);
-                assert!(
-                    ((up.by_first - down.by_first) / 2e-6 - tangent.first.column(axis)).norm()
-                        < 1e-8
-                );
-                let mixed = (up.by_second - down.by_second) / 2e-6;
+                assert!(((up[0] - down[0]) / 2e-6 - first.column(axis)).norm() < 1e-8);
+                let mixed = (up[1] - down[1]) / 2e-6;
                 assert!((mixed - tangent.mixed.transpose().column(axis)).norm() < 1e-8);
                 let (up, down) = (both(&d1, &(d2 + h)).0, both(&d1, &(d2 - h)).0);
-                assert!(
-                    ((up.by_second - down.by_second) / 2e-6 - tangent.second.column(axis)).norm()
-                        < 1e-8
-                );
+                assert!(((up[1] - down[1]) / 2e-6 - second.column(axis)).norm() < 1e-8);
             }
         }
     }

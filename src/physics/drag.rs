@@ -12,8 +12,11 @@
 //! and each half counts the two coefficients by the lengths that lie on either side. The printed law is
 //! not smoothed: only the place where it jumps is found within the segment instead of at its nodes.
 
+use nalgebra::{Matrix3, Vector3};
+
 use super::DragLaw;
-use crate::linalg::{M3, V3};
+use crate::linalg::V3;
+use crate::linalg::lanes::{self, Number, Two, TwoM3, TwoV3, dot, outer, plus_diagonal};
 
 /// Drag of a material.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,79 +37,77 @@ pub struct Profile {
     pub floats: f64,
 }
 
-/// Drag of half a segment, with what its tangents are built from.
+/// Drag of half a segment, or of both halves side by side, with what its tangents are built from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drag {
+pub struct Drag<T = f64> {
     /// The force \[N\].
-    pub force: V3,
+    pub force: Vector3<T>,
     /// Normal part of the relative velocity \[m/s\].
-    un: V3,
+    un: Vector3<T>,
     /// Its direction, zero at rest.
-    direction: V3,
+    direction: Vector3<T>,
     /// Its size \[m/s\].
-    speed: f64,
+    speed: T,
     /// Tangential part of the relative velocity \[m/s\].
-    ut: f64,
+    ut: T,
     /// F_n = a u_n \[N s/m\].
-    a: f64,
+    a: T,
     /// F_t = b u_t \[N s/m\].
-    b: f64,
+    b: T,
     /// d|F_n| / d|u_n|.
-    by_un: f64,
+    by_un: T,
     /// d F_t / d u_t.
-    by_ut: f64,
+    by_ut: T,
     /// d|F_n| / d|u_n| of the other half, through the place of the crisis between them.
-    by_other: f64,
+    by_other: T,
 }
 
-/// A coefficient and its slopes by the speeds \[s/m\] at the own and at the other node.
+/// The coefficients of both halves and their slopes by the speeds \[s/m\] at the own and at the other node.
 #[derive(Debug, Clone, Copy)]
-struct Coefficient {
-    value: f64,
-    by_own: f64,
-    by_other: f64,
+struct Coefficients {
+    value: Two,
+    by_own: Two,
+    by_other: Two,
 }
 
-/// Normal and tangential part of a relative velocity.
+/// Normal and tangential parts of two relative velocities.
 #[derive(Debug, Clone, Copy)]
 struct Split {
-    un: V3,
-    speed: f64,
-    ut: f64,
+    un: TwoV3,
+    speed: Two,
+    ut: Two,
 }
 
 impl Split {
     #[inline(always)]
-    fn new(t: &V3, u: &V3) -> Self {
-        let ut = t.dot(u);
+    fn new(t: &TwoV3, u: &TwoV3) -> Self {
+        let ut = dot(t, u);
         let un = u - t * ut;
         Self {
             un,
-            speed: un.norm(),
+            speed: dot(&un, &un).sqrt(),
             ut,
         }
     }
 }
 
 impl Profile {
-    /// Drag of both halves of a segment, each of this length \[m\], with tangent t, at the relative velocities of
+    /// Drag of both halves of a segment side by side, each of this length \[m\], with tangent t, at the relative velocities of
     /// the water at its two nodes \[m/s\]; with the normal coefficients `held`, where they are.
     #[inline(always)]
     #[must_use]
-    pub fn drag(&self, t: &V3, u: [&V3; 2], length: f64, held: Option<&[f64; 2]>) -> [Drag; 2] {
-        let split = [Split::new(t, u[0]), Split::new(t, u[1])];
+    pub fn drag(&self, t: &V3, u: [&V3; 2], length: f64, held: Option<&[f64; 2]>) -> Drag<Two> {
+        let t = lanes::twice(t);
+        let split = Split::new(&t, &lanes::vectors(u[0], u[1]));
         let normal = match held {
-            Some(held) => held.map(|value| Coefficient {
-                value,
-                by_own: 0.0,
-                by_other: 0.0,
-            }),
-            None => self.normal([split[0].speed, split[1].speed]),
+            Some(held) => Coefficients {
+                value: Two::new(*held),
+                by_own: Two::ZERO,
+                by_other: Two::ZERO,
+            },
+            None => self.normal(split.speed),
         };
-        [
-            self.half(t, &split[0], normal[0], length),
-            self.half(t, &split[1], normal[1], length),
-        ]
+        self.both_halves(&t, &split, &normal, length)
     }
 
     /// Drag per length and speed squared \[kg/m²\], no less than it is whichever way the water passes at this
@@ -121,71 +122,78 @@ impl Profile {
     /// The normal coefficients of both halves at the relative velocities of the water at its nodes \[m/s\].
     #[must_use]
     pub fn normal_coefficients(&self, t: &V3, u: [&V3; 2]) -> [f64; 2] {
-        self.normal([Split::new(t, u[0]).speed, Split::new(t, u[1]).speed])
-            .map(|c| c.value)
+        let split = Split::new(&lanes::twice(t), &lanes::vectors(u[0], u[1]));
+        self.normal(split.speed).value.to_array()
     }
 
     #[inline(always)]
-    fn normal(&self, speeds: [f64; 2]) -> [Coefficient; 2] {
-        let astride = (speeds[0] > self.crisis) != (speeds[1] > self.crisis);
-        if astride {
-            self.astride(speeds)
+    fn normal(&self, speeds: Two) -> Coefficients {
+        let each = self.each(speeds);
+        let beyond = speeds.simd_gt(Two::splat(self.crisis));
+        if beyond.any() && !beyond.all() {
+            self.astride(speeds.to_array(), each)
         } else {
-            self.each(speeds)
+            each
         }
     }
 
+    /// The coefficients where the whole segment is on one side of the crisis.
     #[inline(always)]
-    fn each(&self, speeds: [f64; 2]) -> [Coefficient; 2] {
-        [self.one_sided(speeds[0]), self.one_sided(speeds[1])]
-    }
-
-    /// The coefficient where the whole segment is on one side of the crisis.
-    #[inline(always)]
-    fn one_sided(&self, speed: f64) -> Coefficient {
-        let (value, by_re) = self.normal_law.coefficient(self.reynolds * speed);
-        Coefficient {
+    fn each(&self, speeds: Two) -> Coefficients {
+        let (value, by_re) = coefficients(self.normal_law, speeds * self.reynolds);
+        Coefficients {
             value,
             by_own: by_re * self.reynolds,
-            by_other: 0.0,
+            by_other: Two::ZERO,
         }
     }
 
     /// The coefficients of both halves where the crisis lies at a share x of the segment: the half that holds it
-    /// mixes both sides, the other half is wholly on its own side.
+    /// mixes both sides, the other half is wholly on its own side, as `each` has them.
     #[cold]
-    fn astride(&self, speeds: [f64; 2]) -> [Coefficient; 2] {
+    fn astride(&self, speeds: [f64; 2], each: Coefficients) -> Coefficients {
         let span = speeds[1] - speeds[0];
         let x = (self.crisis - speeds[0]) / span;
         let x_by = [-(1.0 - x) / span, -x / span];
-        let mut own = self.each(speeds);
-        let difference = own[0].value - own[1].value;
+        let sides = each.value.to_array();
+        let difference = sides[0] - sides[1];
         // The share of the mixed half that lies on the first node's side is 2x, or 2x - 1.
         let (mixed, share) = if x < 0.5 {
             (0, 2.0 * x)
         } else {
             (1, 2.0 * x - 1.0)
         };
-        let other = 1 - mixed;
-        own[mixed] = Coefficient {
-            value: own[1].value + difference * share,
-            // The branches are flat on both sides of the crisis, so only its place has slopes.
-            by_own: 2.0 * difference * x_by[mixed],
-            by_other: 2.0 * difference * x_by[other],
+        let set = |all: Two, value: f64| {
+            let mut all = all.to_array();
+            all[mixed] = value;
+            Two::new(all)
         };
-        own
+        // The branches are flat on both sides of the crisis, so only its place has slopes.
+        Coefficients {
+            value: set(each.value, sides[1] + difference * share),
+            by_own: set(each.by_own, 2.0 * difference * x_by[mixed]),
+            by_other: set(each.by_other, 2.0 * difference * x_by[1 - mixed]),
+        }
     }
 
     #[inline(always)]
-    fn half(&self, t: &V3, split: &Split, normal: Coefficient, length: f64) -> Drag {
+    fn both_halves(
+        &self,
+        t: &TwoV3,
+        split: &Split,
+        normal: &Coefficients,
+        length: f64,
+    ) -> Drag<Two> {
         let Split { un, speed, ut } = *split;
-        let re_t = self.reynolds * ut.abs();
-        let (ct, ct_re) = self.tangential_law.coefficient(re_t);
-        let kn = length * self.normal;
-        let kt = length * self.tangential;
-        let a = (kn * normal.value + length * self.floats) * speed;
-        let b = kt * ct * ut.abs();
-        let inverse_speed = if speed > 0.0 { 1.0 / speed } else { 0.0 };
+        let sliding = ut.abs();
+        let re_t = sliding * self.reynolds;
+        let (ct, ct_re) = coefficients(self.tangential_law, re_t);
+        let (kn, kt) = (length * self.normal, length * self.tangential);
+        let a = (normal.value * kn + length * self.floats) * speed;
+        let b = ct * sliding * kt;
+        let faster = speed * speed * kn;
+        let moving = speed.simd_gt(Two::ZERO);
+        let inverse_speed = moving.select(Two::ONE / speed, Two::ZERO);
         Drag {
             force: un * a + t * (b * ut),
             un,
@@ -194,18 +202,57 @@ impl Profile {
             ut,
             a,
             b,
-            by_un: 2.0 * a + kn * normal.by_own * speed * speed,
-            by_ut: 2.0 * b + kt * ct_re * re_t * ut.abs(),
-            by_other: kn * normal.by_other * speed * speed,
+            by_un: a * 2.0 + faster * normal.by_own,
+            by_ut: b * 2.0 + ct_re * re_t * sliding * kt,
+            by_other: faster * normal.by_other,
         }
     }
 }
 
-impl Drag {
+/// The coefficients of a law and their derivatives at two Reynolds numbers.
+#[inline(always)]
+fn coefficients(law: DragLaw, re: Two) -> (Two, Two) {
+    let [first, second] = re.to_array().map(|re| law.coefficient(re));
+    (Two::new([first.0, second.0]), Two::new([first.1, second.1]))
+}
+
+impl<T: Number> Drag<T> {
+    /// Derivative of the force by the relative velocity at its own node \[N s/m\], as a matrix.
+    #[must_use]
+    pub fn matrix(&self, t: &Vector3<T>) -> Matrix3<T> {
+        let (i, along, across) = self.by_velocity();
+        let n = &self.direction;
+        plus_diagonal(outer(t, &(t * along)) + outer(n, &(n * across)), i)
+    }
+
+    /// Derivative of the force by the relative velocity at its own node \[N s/m\], in the form
+    /// `i I + t_t tt' + n_n nn'`, the numbers (i, t_t, n_n).
+    #[inline(always)]
+    #[must_use]
+    pub fn by_velocity(&self) -> (T, T, T) {
+        (self.a, self.by_ut - self.a, self.by_un - self.a)
+    }
+
+    /// Direction of the normal part of the relative velocity, q's partner in [`Drag::by_chord`]; zero at rest.
+    #[inline(always)]
+    #[must_use]
+    pub fn direction(&self) -> &Vector3<T> {
+        &self.direction
+    }
+}
+
+impl Drag<Two> {
+    /// The forces on both halves \[N\].
+    #[inline(always)]
+    #[must_use]
+    pub fn forces(&self) -> [V3; 2] {
+        [0, 1].map(|half| lanes::vector(&self.force, half))
+    }
+
     /// A share of it.
     #[inline(always)]
     #[must_use]
-    pub fn scaled(&self, share: f64) -> Self {
+    pub fn scaled(&self, share: Two) -> Self {
         Self {
             force: self.force * share,
             a: self.a * share,
@@ -217,56 +264,39 @@ impl Drag {
         }
     }
 
-    /// Derivative of the force by the relative velocity at its own node \[N s/m\], as a matrix.
-    #[must_use]
-    pub fn matrix(&self, t: &V3) -> M3 {
-        let (i, along, across) = self.by_velocity();
-        M3::from_diagonal_element(i)
-            + t * (t * along).transpose()
-            + self.direction * (self.direction * across).transpose()
-    }
-
-    /// Derivative of the force by the relative velocity at its own node \[N s/m\], in the form
-    /// `i I + t_t tt' + n_n nn'`, the numbers (i, t_t, n_n).
-    #[inline(always)]
-    #[must_use]
-    pub fn by_velocity(&self) -> (f64, f64, f64) {
-        (self.a, self.by_ut - self.a, self.by_un - self.a)
-    }
-
     /// Derivative of the force by the relative velocity at the segment's other node \[N s/m\]; nothing unless
     /// the crisis lies between.
     #[inline(always)]
     #[must_use]
-    pub fn by_other_velocity(&self, other: &Self) -> Option<M3> {
-        (self.by_other != 0.0)
-            .then(|| self.direction * (other.direction * self.by_other).transpose())
+    pub fn by_other_velocity(&self) -> Option<TwoM3> {
+        let astride = self.by_other != Two::ZERO;
+        let other = || self.direction.map(lanes::swapped);
+        astride.then(|| outer(&self.direction, &(other() * self.by_other)))
     }
 
     /// Derivative of the force by the chord d (the second node's position less the first's) \[N/m\],
     /// in the form `s I + t p' + n q'`, n the direction of u_n, with the numbers (s, p, q). `inverse` is
     /// 1 / chord length; `stretch` is the same where the wetted length grows with the chord (taut) and 0 where it does not (slack).
     ///
-    /// From u_n = u - t u_t and dt = (I - tt') dd / l, and likewise at the other node:
-    /// `dF = [ (by_ut - a) t u_n' - (a - b) u_t (I - tt') - (by_un - a) u_t n n' - by_other u_t,other n n_other' ] dd / l
-    ///  + F t' dd stretch`.
+    /// From u_n = u - t u_t and dt = (I - tt') dd / l:
+    /// `dF = [ (by_ut - a) t u_n' - (a - b) u_t (I - tt') - (by_un - a) u_t n n' ] dd / l + F t' dd stretch`.
+    /// Where the crisis lies between the nodes, [`Drag::by_other_velocity`] times [`Drag::turning_of_other`] is to be
+    /// taken off.
     #[inline(always)]
     #[must_use]
-    pub fn by_chord(&self, other: &Self, t: &V3, inverse: f64, stretch: f64) -> (f64, V3, V3) {
-        let s = -(self.a - self.b) * self.ut * inverse;
+    pub fn by_chord(&self, t: &TwoV3, inverse: f64, stretch: f64) -> (Two, TwoV3, TwoV3) {
+        let turning = self.ut * inverse;
+        let s = (self.b - self.a) * turning;
         let p = self.un * ((self.by_ut - self.a) * inverse) + t * (self.b * self.ut * stretch - s);
-        let mut q = self.direction * (-(self.by_un - self.a) * self.ut * inverse)
+        let q = self.direction * ((self.a - self.by_un) * turning)
             + t * (self.a * self.speed * stretch);
-        if self.by_other != 0.0 {
-            q -= other.direction * (self.by_other * other.ut * inverse);
-        }
         (s, p, q)
     }
 
-    /// Direction of the normal part of the relative velocity, q's partner in [`Drag::by_chord`]; zero at rest.
-    #[inline(always)]
+    /// How fast the normal part of the relative velocity at the segment's other node falls as the chord turns its way,
+    /// u_t / l \[1/s\].
     #[must_use]
-    pub fn direction(&self) -> &V3 {
-        &self.direction
+    pub fn turning_of_other(&self, inverse: f64) -> Two {
+        lanes::swapped(self.ut) * inverse
     }
 }

@@ -52,8 +52,9 @@ impl Scene {
             let viscous = self.pull_now(i, &chord, state).value - self.elastic(i, &chord, state);
             power += self.forgotten(i, &chord, state);
             power += viscous * chord.tangent.dot(&chord.opening);
-            for (node, drag) in [i, i + 1].into_iter().zip(self.drag(i, &chord, state)) {
-                power -= drag.force.dot(&state.v[node]);
+            let drag = self.drag(i, &chord, state).forces();
+            for (node, drag) in [i, i + 1].into_iter().zip(drag) {
+                power -= drag.dot(&state.v[node]);
             }
         }
         power += self.loss_to_bed(state);

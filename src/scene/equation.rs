@@ -58,11 +58,7 @@ impl System for Scene {
     }
 
     fn residual(&self, t: f64, state: &State, r: &mut [V3]) {
-        for (i, out) in r.iter_mut().enumerate() {
-            *out = state.a[i] * self.mass[i];
-            out.z += self.weight[i];
-        }
-        self.add_segments(t, state, r);
+        self.begin_residual(t, state, r);
         self.add_bed(state, r);
         self.add_water(state, r);
         self.add_traveller(t, state, r);
@@ -79,12 +75,7 @@ impl System for Scene {
     }
 
     fn linearise(&self, t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
-        for (i, (out, diag)) in r.iter_mut().zip(&mut tangent.diag).enumerate() {
-            *out = state.a[i] * self.mass[i];
-            out.z += self.weight[i];
-            *diag = M3::from_diagonal_element(c.mass * self.mass[i]);
-        }
-        self.linearise_segments(t, state, c, r, tangent);
+        self.begin_tangent(t, state, c, r, tangent);
         self.add_bed(state, r);
         self.add_bed_tangent(state, c, tangent);
         self.add_water(state, r);

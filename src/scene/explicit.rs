@@ -43,16 +43,17 @@ impl Scene {
                 f += self.bed_force(bed, i, state);
             }
             if i < self.segments.len() {
-                let chord = self.chord(i, state);
+                let far = self.around::<PLAIN>(i + 1, state);
+                let chord = self.chord_between(i, &near, &far);
                 let along = &chord.tangent;
                 let pull = along * self.tension_as::<PLAIN>(i, &chord, t, state).0.value;
-                let far = self.around::<PLAIN>(i + 1, state);
-                let (wet, [here, there]) = self.drag_as::<PLAIN>(i, &chord, [&near, &far], state);
+                let (wet, drag) = self.drag_as::<PLAIN>(i, &chord, [&near, &far], state);
+                let [here, there] = drag.forces();
                 let added = self.added(i, wet.as_ref());
                 m.add_directed(along, added[0].normal, added[0].tangential);
                 next.add_directed(along, added[1].normal, added[1].tangential);
-                f += pull + here.force;
-                beyond = there.force - pull;
+                f += pull + here;
+                beyond = there - pull;
                 if !PLAIN && self.water.is_some() {
                     f += self.dragged_along(i, 0, along, wet.as_ref(), state);
                     beyond += self.dragged_along(i, 1, along, wet.as_ref(), state);

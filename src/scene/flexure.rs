@@ -1,7 +1,8 @@
 //! Bending of the whole line: at its inner nodes and at clamped ends.
 
+use crate::linalg::lanes;
 use crate::linalg::{BlockBand, M3, V3};
-use crate::physics::bending::{self, bend, bend_tangent, curvature};
+use crate::physics::bending::{self, Bend, curvature};
 use crate::physics::tension::Chord;
 use crate::solve::State;
 
@@ -28,7 +29,10 @@ impl Flexure {
             let b = scene.chord(i, state);
             let k = self.joints[i];
             if k > 0.0 {
-                bend(k, (&a.tangent, a.inverse), (&b.tangent, b.inverse)).add(i, r);
+                let [by_first, by_second] = between(&a, &b).forces(k);
+                r[i - 1] -= by_first;
+                r[i] += by_first - by_second;
+                r[i + 1] += by_second;
             }
             a = b;
         }
@@ -49,34 +53,63 @@ impl Flexure {
         r: &mut [V3],
         tangent: &mut BlockBand,
     ) {
-        let last = scene.segments.len();
-        let mut a = scene.chord(0, state);
-        for i in 1..last {
-            let b = scene.chord(i, state);
-            let k = self.joints[i];
-            if k > 0.0 {
-                let (first, second) = ((&a.tangent, a.inverse), (&b.tangent, b.inverse));
-                bend(k, first, second).add(i, r);
-                bend_tangent(k * share, first, second).add(i, tangent);
-            } else {
-                tangent.far_upper[i - 1] = M3::zeros();
-                tangent.far_lower[i + 1] = M3::zeros();
-            }
-            a = b;
-        }
-        // Nothing lies two nodes beyond the ends.
-        tangent.far_upper[last - 1..].fill(M3::zeros());
+        self.linearise_joints(scene, state, share, r, tangent);
         for (i, chord, direction, k) in self.clamped_ends(scene, state) {
             let g = clamped(k, &direction, &chord);
             r[i] -= g;
             r[i + 1] += g;
-            let along = (&chord.tangent, chord.inverse);
-            let own = bend_tangent(k * share, along, (&direction, 0.0)).first;
+            let bend = Bend::new((&chord.tangent, chord.inverse), (&direction, 0.0));
+            let own = lanes::block(&bend.tangent(k * share).own, 0);
             tangent.diag[i] += own;
             tangent.diag[i + 1] += own;
             tangent.upper[i] -= own;
             tangent.lower[i + 1] -= own;
         }
+    }
+
+    /// The bends at the inner nodes. Each reaches over three nodes; what it leaves at the later two is carried on to the
+    /// next bend, so that every block is touched once.
+    fn linearise_joints(
+        &self,
+        scene: &Scene,
+        state: &State,
+        share: f64,
+        r: &mut [V3],
+        tangent: &mut BlockBand,
+    ) {
+        let last = scene.segments.len();
+        let mut a = scene.chord(0, state);
+        let mut force = [V3::zeros(); 2];
+        let mut diag = [M3::zeros(); 2];
+        let mut upper = M3::zeros();
+        for i in 1..last {
+            let b = scene.chord(i, state);
+            let bend = between(&a, &b);
+            let k = self.joints[i];
+            let [by_first, by_second] = bend.forces(k);
+            r[i - 1] += force[0] - by_first;
+            force = [force[1] + by_first - by_second, by_second];
+            let bent = bend.tangent(k * share);
+            let (mixed, back) = (bent.mixed, bent.mixed.transpose());
+            let [first, second] = [0, 1].map(|chord| lanes::block(&bent.own, chord));
+            tangent.diag[i - 1] += diag[0] + first;
+            diag = [diag[1] + first + second - mixed - back, second];
+            upper += mixed - first;
+            tangent.upper[i - 1] += upper;
+            tangent.lower[i] += upper.transpose();
+            upper = mixed - second;
+            tangent.far_upper[i - 1] = -mixed;
+            tangent.far_lower[i + 1] = -back;
+            a = b;
+        }
+        for (node, (force, diag)) in (last - 1..).zip(force.into_iter().zip(diag)) {
+            r[node] += force;
+            tangent.diag[node] += diag;
+        }
+        tangent.upper[last - 1] += upper;
+        tangent.lower[last] += upper.transpose();
+        // Nothing lies two nodes beyond the ends.
+        tangent.far_upper[last - 1..].fill(M3::zeros());
     }
 
     /// The segments at clamped ends: their numbers, chords, and directions and stiffnesses of the clamps.
@@ -113,10 +146,9 @@ impl Flexure {
                 (last - 1, last - 2)
             };
             let beside = scene.chord(other, state);
-            let outer = (&chord.tangent, chord.inverse);
-            let inner = (&beside.tangent, beside.inverse);
             // The bend is symmetric in its two segments.
-            force += bend(self.joints[joint], outer, inner).by_first * sign;
+            let [by_outer, _] = between(&chord, &beside).forces(self.joints[joint]);
+            force += by_outer * sign;
         }
         force
     }
@@ -195,7 +227,7 @@ impl Flexure {
         let mut eased = self.clone();
         for (end, i) in [(0, 0), (1, scene.segments.len() - 1)] {
             if let Some((direction, _)) = &mut eased.clamps[end] {
-                *direction = between(&scene.chord(i, start).tangent, direction, share);
+                *direction = part_way(&scene.chord(i, start).tangent, direction, share);
             }
         }
         Some(eased)
@@ -217,8 +249,17 @@ impl Flexure {
     }
 }
 
+/// The bend between two segments.
+#[inline(always)]
+fn between(first: &Chord, second: &Chord) -> Bend {
+    Bend::new(
+        (&first.tangent, first.inverse),
+        (&second.tangent, second.inverse),
+    )
+}
+
 /// The unit vector a share of the angle from one to another; over the top where they are opposite.
-fn between(from: &V3, to: &V3, share: f64) -> V3 {
+fn part_way(from: &V3, to: &V3, share: f64) -> V3 {
     let cos = from.dot(to);
     let beside = |v: &V3| (v - from * from.dot(v)).try_normalize(1e-6);
     let Some(side) = beside(to)
@@ -290,5 +331,5 @@ pub(super) fn clamps_in_vain(case: &Case, segments: &[Segment]) -> Vec<String> {
 /// Gradient of a clamp's energy by its segment's chord. The bend is symmetric in its two directions, so that end B
 /// needs no case of its own.
 fn clamped(k: f64, direction: &V3, chord: &Chord) -> V3 {
-    bend(k, (&chord.tangent, chord.inverse), (direction, 0.0)).by_first
+    Bend::new((&chord.tangent, chord.inverse), (direction, 0.0)).forces(k)[0]
 }

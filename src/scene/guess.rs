@@ -71,8 +71,8 @@ impl Scene {
     fn drag_on(&self, nodes: &[V3]) -> Vec<V3> {
         let state = State::at_rest(nodes.to_vec());
         let on = |i| {
-            let [first, second] = self.drag(i, &self.chord(i, &state), &state);
-            first.force + second.force
+            let [first, second] = self.drag(i, &self.chord(i, &state), &state).forces();
+            first + second
         };
         (0..self.segments.len()).map(on).collect()
     }

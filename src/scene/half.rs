@@ -1,100 +1,127 @@
-//! What half a segment contributes to its node: pull, drag and added mass, and their tangents.
+//! What both halves of a segment contribute to their nodes, side by side: pull, drag and added mass, and their tangents.
 
-use crate::linalg::{M3, V3};
+use crate::linalg::V3;
+use crate::linalg::lanes::{self, Two, TwoM3, TwoV3, apply, dot, outer, plus_diagonal};
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Drag;
 use crate::physics::tension::{Chord, Tension};
 use crate::solve::Factors;
 
-/// Half a segment: where it is, and what acts on it.
-pub(super) struct Half {
-    /// Its added mass, as far as it is wet.
-    pub(super) added: AddedMass,
-    pub(super) chord: Chord,
+/// Both halves of a segment: where they are, and what acts on them.
+pub(super) struct Halves<'a> {
+    /// Their added mass, as far as they are wet.
+    pub(super) added: AddedMass<Two>,
+    pub(super) chord: &'a Chord,
     /// Derivative of the pull, see [`pull_by_chord`].
     pub(super) pull: (f64, V3),
-    pub(super) drag: Drag,
-    /// Drag of the other half.
-    pub(super) other: Drag,
-    /// Acceleration of its node relative to the water.
-    pub(super) a: V3,
-    /// Shear of the current at its own node and at the other \[1/s\], where there is any.
-    pub(super) shear: Option<[V3; 2]>,
+    pub(super) drag: &'a Drag<Two>,
+    /// Accelerations of their nodes relative to the water.
+    pub(super) a: TwoV3,
+    /// Shear of the current at their nodes \[1/s\], where there is any.
+    pub(super) shear: Option<TwoV3>,
     /// 1 / chord length where the wetted length grows with the chord.
     pub(super) stretch: f64,
-    /// Derivative of the chord by the node's position: -1 at the first node, 1 at the second.
-    pub(super) sign: f64,
 }
 
-impl Half {
-    /// Adds what half a segment contributes to its node, pull, drag and added mass, and returns the block that couples the
-    /// node to the segment's other one.
+/// What the residuals of both nodes of a segment change by.
+#[derive(Clone, Copy)]
+pub(super) struct Slopes {
+    /// By each node itself.
+    pub(super) own: TwoM3,
+    /// By the segment's other node.
+    pub(super) coupling: TwoM3,
+}
+
+/// Derivative of the chord by the places of the segment's nodes.
+const SIGNS: [f64; 2] = [-1.0, 1.0];
+
+impl Halves<'_> {
+    /// Inertia of the added mass less drag \[N\].
     #[inline(always)]
-    pub(super) fn add(&self, c: Factors, r: &mut V3, diag: &mut M3) -> M3 {
-        let (added, chord, drag, other) = (&self.added, &self.chord, &self.drag, &self.other);
-        let (t, n) = (&chord.tangent, drag.direction());
-        *r += added.force(t, &self.a) - drag.force;
-        // R depends on the chord through the pull, the added mass and, with a minus, the drag: s I + t p' + n q'.
-        let (s_m, p_m) = added.by_chord(t, &self.a, chord.inverse);
-        let (s_d, p_d, q_d) = drag.by_chord(other, t, chord.inverse, self.stretch);
-        let k = self.sign * c.stiffness;
-        let (s, p, q) = (
-            (s_m - s_d) * k + self.pull.0,
-            (p_m - p_d) * k + self.pull.1,
-            q_d * -k,
-        );
+    pub(super) fn load(&self) -> TwoV3 {
+        let t = lanes::twice(&self.chord.tangent);
+        self.added.force(&t, &self.a) - self.drag.force
+    }
+
+    /// The slopes of both nodes' residuals, pull, drag and added mass together.
+    #[inline(always)]
+    pub(super) fn slopes(&self, c: Factors) -> Slopes {
+        let (added, chord, drag) = (&self.added, self.chord, self.drag);
+        let (t, n) = (lanes::twice(&chord.tangent), drag.direction());
+        // R depends on the chord through the pull, the added mass and, with a minus, the drag: s I + t p' + n q'. By the
+        // other node it does the opposite way round.
+        let (s_m, p_m) = added.by_chord(&t, &self.a, chord.inverse.into());
+        let (s_d, p_d, q_d) = drag.by_chord(&t, chord.inverse, self.stretch);
+        let k = Two::new(SIGNS) * c.stiffness;
+        let s = (s_d - s_m) * k - self.pull.0;
+        let p = (p_d - p_m) * k - lanes::twice(&self.pull.1);
+        let q = q_d * k;
+        let coupling = plus_diagonal(outer(&t, &p) + outer(n, &q), s);
         // Of its own node: the same, its acceleration, and its velocity, with which drag falls.
         let (v_i, v_t, v_n) = drag.by_velocity();
-        let tt = c.damping * v_t + c.mass * (added.tangential - added.normal);
-        add_outer(diag, t, &(p + t * tt));
-        add_outer(diag, n, &(q + n * (c.damping * v_n)));
-        add_diagonal(diag, s + c.damping * v_i + c.mass * added.normal);
-        let mut coupling = outer(t, &-p);
-        add_outer(&mut coupling, n, &-q);
-        add_diagonal(&mut coupling, -s);
-        let by_other = drag.by_other_velocity(other);
-        if let Some(block) = by_other {
-            coupling += block * c.damping;
+        let v_t = v_t * c.damping + (added.tangential - added.normal) * c.mass;
+        let moving = symmetric(&t, v_t, n, v_n * c.damping);
+        let moving = plus_diagonal(moving, v_i * c.damping + added.normal * c.mass);
+        let mut slopes = Slopes {
+            own: moving - coupling,
+            coupling,
+        };
+        if let Some(block) = drag.by_other_velocity() {
+            slopes = self.astride(slopes, &block, c);
         }
-        if let Some([own_shear, other_shear]) = &self.shear {
-            let change =
-                own_shear * v_i + t * (v_t * t.dot(own_shear)) + n * (v_n * n.dot(own_shear));
-            add_to_last_column(diag, &(change * -c.stiffness));
-            if let Some(block) = by_other {
-                add_to_last_column(&mut coupling, &(block * other_shear * -c.stiffness));
-            }
+        if let Some(shear) = &self.shear {
+            self.add_shear(shear, c, &mut slopes);
         }
-        coupling
+        slopes
+    }
+
+    /// Slopes with those of the drag by the velocity of the water at the other node, which `block` is, added: its normal part
+    /// turns with the chord, too.
+    #[cold]
+    fn astride(&self, slopes: Slopes, block: &TwoM3, c: Factors) -> Slopes {
+        let turning =
+            self.drag.turning_of_other(self.chord.inverse) * Two::new(SIGNS) * c.stiffness;
+        let by_chord = block * turning;
+        Slopes {
+            own: slopes.own + by_chord,
+            coupling: slopes.coupling + block * Two::splat(c.damping) - by_chord,
+        }
+    }
+
+    /// Adds what drag changes by where the current is another at another height.
+    #[inline(always)]
+    fn add_shear(&self, shear: &TwoV3, c: Factors, slopes: &mut Slopes) {
+        let (v_i, v_t, v_n) = self.drag.by_velocity();
+        let (t, n) = (lanes::twice(&self.chord.tangent), self.drag.direction());
+        let change = shear * v_i + t * (v_t * dot(&t, shear)) + n * (v_n * dot(n, shear));
+        add_to_last_column(&mut slopes.own, &(change * Two::splat(-c.stiffness)));
+        if let Some(block) = self.drag.by_other_velocity() {
+            let change = apply(&block, &shear.map(lanes::swapped));
+            add_to_last_column(&mut slopes.coupling, &(change * Two::splat(-c.stiffness)));
+        }
     }
 }
 
-fn add_to_last_column(m: &mut M3, v: &V3) {
+#[inline(always)]
+fn add_to_last_column(m: &mut TwoM3, v: &TwoV3) {
     for i in 0..3 {
         m[(i, 2)] += v[i];
     }
 }
 
-/// `a b'`.
+/// `a tt' + b nn'`.
 #[inline(always)]
-fn outer(a: &V3, b: &V3) -> M3 {
-    M3::from_columns(&[a * b.x, a * b.y, a * b.z])
-}
-
-/// `m += a b'`.
-#[inline(always)]
-fn add_outer(m: &mut M3, a: &V3, b: &V3) {
-    for j in 0..3 {
-        for i in 0..3 {
-            m[(i, j)] += a[i] * b[j];
-        }
-    }
-}
-
-#[inline(always)]
-fn add_diagonal(m: &mut M3, s: f64) {
-    m[(0, 0)] += s;
-    m[(1, 1)] += s;
-    m[(2, 2)] += s;
+fn symmetric(t: &TwoV3, a: Two, n: &TwoV3, b: Two) -> TwoM3 {
+    let (ta, nb) = (t * a, n * b);
+    let entry = |i: usize, j: usize| ta[i] * t[j] + nb[i] * n[j];
+    let (xy, xz, yz) = (entry(0, 1), entry(0, 2), entry(1, 2));
+    #[rustfmt::skip]
+    let matrix = TwoM3::new(
+        entry(0, 0), xy, xz,
+        xy, entry(1, 1), yz,
+        xz, yz, entry(2, 2),
+    );
+    matrix
 }
 
 /// Derivative of the pull of a segment by its chord, stiffness and damping in their shares, in the form

@@ -1,6 +1,7 @@
 //! The discretised line: its parts, and where they are.
 
 use crate::linalg::V3;
+use crate::linalg::lanes::Two;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::{Drag, Profile};
 use crate::physics::rope::Law;
@@ -146,7 +147,7 @@ impl Scene {
 
     /// Drag on both halves of segment i.
     #[inline(always)]
-    pub(super) fn drag(&self, i: usize, chord: &Chord, state: &State) -> [Drag; 2] {
+    pub(super) fn drag(&self, i: usize, chord: &Chord, state: &State) -> Drag<Two> {
         self.wet_drag(i, chord, state, self.wet(i, state).as_ref())
     }
 
@@ -158,17 +159,17 @@ impl Scene {
         chord: &Chord,
         state: &State,
         wet: Option<&[Wet; 2]>,
-    ) -> [Drag; 2] {
+    ) -> Drag<Two> {
         let full = self.full_drag(i, chord, state);
         match wet {
             None => full,
-            Some(wet) => [0, 1].map(|half| full[half].scaled(wet[half].share)),
+            Some([first, second]) => full.scaled(Two::new([first.share, second.share])),
         }
     }
 
     /// Drag on both halves of segment i as if all of it were under water.
     #[inline(always)]
-    pub(super) fn full_drag(&self, i: usize, chord: &Chord, state: &State) -> [Drag; 2] {
+    pub(super) fn full_drag(&self, i: usize, chord: &Chord, state: &State) -> Drag<Two> {
         let u = self.relative_velocities(i, state);
         let length = self.wetted(i, chord).0;
         self.segments[i].drag.drag(

@@ -46,7 +46,7 @@ impl Scene {
         let wet = self.wet(i, state);
         let drag = self.wet_drag(i, chord, state, wet.as_ref());
         // Forces alone: what their tangents need is then never worked out.
-        let drag = [drag[0].force, drag[1].force][half];
+        let drag = drag.forces()[half];
         let relative = self.relative_acceleration(node, state);
         let added = self.added(i, wet.as_ref())[half].force(&chord.tangent, &relative);
         let inertia = state.a[node] * segment.half_mass + added;
@@ -79,7 +79,7 @@ impl Scene {
         let wet = self.wet(i, state);
         let pull = t * (self.pull_now(i, &chord, state).value * sign);
         let drag = self.wet_drag(i, &chord, state, wet.as_ref());
-        let mut force = pull + [drag[0].force, drag[1].force][node - i]
+        let mut force = pull + drag.forces()[node - i]
             - V3::z() * self.weight[node]
             - a * self.mass[node]
             - self.added(i, wet.as_ref())[node - i]

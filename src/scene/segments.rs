@@ -1,21 +1,28 @@
-//! The segments in the residual and in the tangent: pull, drag and added mass of both halves of every one.
+//! Nodes and segments in the residual and in the tangent: mass and weight; pull, drag and added mass of both halves of every
+//! segment.
 //!
 //! A line in a uniform current, of materials that stretch in proportion, pays for nothing else: whether there are waves, a
 //! surface, shear, laws of ropes or tensions foretold is asked once a call, and the loop over the segments is compiled
 //! for either answer. What surrounds a node is worked out once and serves the segments on both its sides.
 
 use super::Scene;
-use super::half::{Half, pull_by_chord};
+use super::half::{Halves, Slopes, pull_by_chord};
 use super::wetting::Wet;
-use crate::linalg::{BlockBand, V3};
+use crate::linalg::lanes::{self, Two};
+use crate::linalg::{BlockBand, M3, V3};
 use crate::physics::Current;
+use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Drag;
 use crate::physics::tension::{Chord, Tension};
 use crate::solve::{Factors, State};
 
-/// What surrounds a node.
+/// A node and what surrounds it.
 #[derive(Clone, Copy)]
 pub(super) struct Around {
+    /// Its position \[m\].
+    x: V3,
+    /// Its velocity \[m/s\].
+    v: V3,
     /// Velocity of the water relative to it \[m/s\].
     u: V3,
     /// Its acceleration relative to the water's \[m/s²\].
@@ -25,17 +32,17 @@ pub(super) struct Around {
 }
 
 impl Scene {
-    /// Adds the segments to the residual.
-    pub(super) fn add_segments(&self, t: f64, state: &State, r: &mut [V3]) {
+    /// Sets the residual to what nodes have of their own, mass and weight, and of the segments.
+    pub(super) fn begin_residual(&self, t: f64, state: &State, r: &mut [V3]) {
         if self.is_plain(state) {
-            self.add_segments_as::<true>(t, state, r);
+            self.residual_as::<true>(t, state, r);
         } else {
-            self.add_segments_as::<false>(t, state, r);
+            self.residual_as::<false>(t, state, r);
         }
     }
 
-    /// Adds the segments to the residual and to the tangent, whose blocks beside the diagonal they set.
-    pub(super) fn linearise_segments(
+    /// Sets the residual in the same way, and the tangent but for its far blocks.
+    pub(super) fn begin_tangent(
         &self,
         t: f64,
         state: &State,
@@ -44,9 +51,9 @@ impl Scene {
         tangent: &mut BlockBand,
     ) {
         if self.is_plain(state) {
-            self.linearise_segments_as::<true>(t, state, c, r, tangent);
+            self.linearise_as::<true>(t, state, c, r, tangent);
         } else {
-            self.linearise_segments_as::<false>(t, state, c, r, tangent);
+            self.linearise_as::<false>(t, state, c, r, tangent);
         }
     }
 
@@ -63,22 +70,36 @@ impl Scene {
     #[inline(always)]
     pub(super) fn around<const PLAIN: bool>(&self, node: usize, state: &State) -> Around {
         if PLAIN {
-            let u = self.current.at(0.0).0 - state.v[node];
+            let v = state.v[node];
             return Around {
-                u,
+                x: state.x[node],
+                v,
+                u: self.current.at(0.0).0 - v,
                 a: state.a[node],
                 shear: V3::zeros(),
             };
         }
-        let x = &state.x[node];
+        let (x, v) = (&state.x[node], state.v[node]);
         let (mut u, shear) = self.current.at(x.z);
         let mut a = state.a[node];
         if let Some(flow) = state.water.get(node) {
             u += flow.velocity_at(x);
             a -= flow.acceleration_at(x);
         }
-        u -= state.v[node];
-        Around { u, a, shear }
+        Around {
+            x: *x,
+            v,
+            u: u - v,
+            a,
+            shear,
+        }
+    }
+
+    /// The chord of segment i between its nodes.
+    #[inline(always)]
+    pub(super) fn chord_between(&self, i: usize, near: &Around, far: &Around) -> Chord {
+        let length = self.segments[i].axial.length;
+        Chord::new((&near.x, &far.x), (&near.v, &far.v), length)
     }
 
     #[inline(always)]
@@ -105,7 +126,7 @@ impl Scene {
         chord: &Chord,
         [near, far]: [&Around; 2],
         state: &State,
-    ) -> (Option<[Wet; 2]>, [Drag; 2]) {
+    ) -> (Option<[Wet; 2]>, Drag<Two>) {
         let length = 0.5 * self.wetted(i, chord).0;
         let u = [&near.u, &far.u];
         let profile = &self.segments[i].drag;
@@ -117,30 +138,34 @@ impl Scene {
         match self.wet(i, state) {
             None => (None, full),
             Some(wet) => {
-                let drag = [0, 1].map(|half| full[half].scaled(wet[half].share));
+                let drag = full.scaled(Two::new([wet[0].share, wet[1].share]));
                 (Some(wet), drag)
             }
         }
     }
 
     #[inline(always)]
-    fn add_segments_as<const PLAIN: bool>(&self, t: f64, state: &State, r: &mut [V3]) {
+    fn residual_as<const PLAIN: bool>(&self, t: f64, state: &State, r: &mut [V3]) {
+        let segments = self.segments.len();
         let mut near = self.around::<PLAIN>(0, state);
-        for i in 0..self.segments.len() {
-            let chord = self.chord(i, state);
-            let along = &chord.tangent;
-            let pull = along * self.tension_as::<PLAIN>(i, &chord, t, state).0.value;
+        let mut here = self.lumped_load(0, state);
+        for (i, out) in r[..segments].iter_mut().enumerate() {
             let far = self.around::<PLAIN>(i + 1, state);
+            let chord = self.chord_between(i, &near, &far);
+            let pull = chord.tangent * self.tension_as::<PLAIN>(i, &chord, t, state).0.value;
             let (wet, drag) = self.drag_as::<PLAIN>(i, &chord, [&near, &far], state);
-            let added = self.added(i, wet.as_ref());
-            r[i] += added[0].force(along, &near.a) - drag[0].force - pull;
-            r[i + 1] += added[1].force(along, &far.a) - drag[1].force + pull;
+            let added = AddedMass::of(self.added(i, wet.as_ref()));
+            let a = lanes::vectors(&near.a, &far.a);
+            let load = added.force(&lanes::twice(&chord.tangent), &a) - drag.force;
+            *out = here + lanes::vector(&load, 0) - pull;
+            here = self.lumped_load(i + 1, state) + lanes::vector(&load, 1) + pull;
             near = far;
         }
+        r[segments] = here;
     }
 
     #[inline(always)]
-    fn linearise_segments_as<const PLAIN: bool>(
+    fn linearise_as<const PLAIN: bool>(
         &self,
         t: f64,
         state: &State,
@@ -148,35 +173,57 @@ impl Scene {
         r: &mut [V3],
         tangent: &mut BlockBand,
     ) {
+        let segments = self.segments.len();
+        let (r, diag) = (&mut r[..=segments], &mut tangent.diag[..=segments]);
+        let (upper, lower) = (
+            &mut tangent.upper[..=segments],
+            &mut tangent.lower[..=segments],
+        );
         let sheared = !PLAIN && matches!(self.current, Current::Table { .. });
         let mut near = self.around::<PLAIN>(0, state);
-        for i in 0..self.segments.len() {
-            let chord = self.chord(i, state);
+        // What a node has of its own and of the segment before it.
+        let mut here = (self.lumped_load(0, state), self.lumped_mass(0, c));
+        for i in 0..segments {
+            let far = self.around::<PLAIN>(i + 1, state);
+            let chord = self.chord_between(i, &near, &far);
             let (tension, foretold) = self.tension_as::<PLAIN>(i, &chord, t, state);
             let pull = chord.tangent * tension.value;
-            r[i] -= pull;
-            r[i + 1] += pull;
-            let far = self.around::<PLAIN>(i + 1, state);
             let (wet, drag) = self.drag_as::<PLAIN>(i, &chord, [&near, &far], state);
-            let added = self.added(i, wet.as_ref());
-            let by_chord = pull_by_chord(&chord, &foretold, c);
-            let stretch = self.wetted(i, &chord).1;
-            let half = |k: usize, own: &Around, other: &Around, sign| Half {
-                added: added[k],
-                chord,
-                pull: by_chord,
-                drag: drag[k],
-                other: drag[1 - k],
-                a: own.a,
-                shear: sheared.then_some([own.shear, other.shear]),
-                stretch,
-                sign,
+            let halves = Halves {
+                added: AddedMass::of(self.added(i, wet.as_ref())),
+                chord: &chord,
+                pull: pull_by_chord(&chord, &foretold, c),
+                drag: &drag,
+                a: lanes::vectors(&near.a, &far.a),
+                shear: sheared.then(|| lanes::vectors(&near.shear, &far.shear)),
+                stretch: self.wetted(i, &chord).1,
             };
-            let first = half(0, &near, &far, -1.0);
-            tangent.upper[i] = first.add(c, &mut r[i], &mut tangent.diag[i]);
-            let second = half(1, &far, &near, 1.0);
-            tangent.lower[i + 1] = second.add(c, &mut r[i + 1], &mut tangent.diag[i + 1]);
+            let load = halves.load();
+            let Slopes { own, coupling } = halves.slopes(c);
+            r[i] = here.0 + lanes::vector(&load, 0) - pull;
+            diag[i] = here.1 + lanes::block(&own, 0);
+            upper[i] = lanes::block(&coupling, 0);
+            lower[i + 1] = lanes::block(&coupling, 1);
+            here = (
+                self.lumped_load(i + 1, state) + lanes::vector(&load, 1) + pull,
+                self.lumped_mass(i + 1, c) + lanes::block(&own, 1),
+            );
             near = far;
         }
+        (r[segments], diag[segments]) = here;
+    }
+
+    /// Inertia of a node less its weight.
+    #[inline(always)]
+    fn lumped_load(&self, node: usize, state: &State) -> V3 {
+        let mut load = state.a[node] * self.mass[node];
+        load.z += self.weight[node];
+        load
+    }
+
+    /// Its derivative.
+    #[inline(always)]
+    fn lumped_mass(&self, node: usize, c: Factors) -> M3 {
+        M3::from_diagonal_element(c.mass * self.mass[node])
     }
 }

@@ -11,6 +11,7 @@
 
 use super::wetting::{self, Height, Wet};
 use super::{Hung, Scene, Segment};
+use crate::linalg::lanes::{self, Two, TwoM3};
 use crate::linalg::{BlockBand, M3, V3};
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Drag;
@@ -285,28 +286,28 @@ impl Scene {
         i: usize,
         half: usize,
         chord: &Chord,
-        drags: &[Drag; 2],
+        drags: &Drag<Two>,
         wet: Option<&[Wet; 2]>,
         state: &State,
     ) -> (M3, M3) {
         let (node, other) = (i + half, i + 1 - half);
         let (t, added) = (&chord.tangent, &self.segments[i].added);
         let displaced = self.water.as_ref().map_or(0.0, |w| w.displaced[i]);
-        let (drag, beside) = (&drags[half], &drags[1 - half]);
+        let one = |blocks: &TwoM3| lanes::block(blocks, half);
         let (mut by_own, mut by_other) = (M3::zeros(), M3::zeros());
         let mut pressed = V3::zeros();
         if let (Some(here), Some(there)) = (state.water.get(node), state.water.get(other)) {
             by_own -= inertia(added, t, displaced) * here.acceleration_gradient
-                + drag.matrix(t) * here.gradient;
-            if let Some(block) = drag.by_other_velocity(beside) {
-                by_other -= block * there.gradient;
+                + one(&drags.matrix(&lanes::twice(t))) * here.gradient;
+            if let Some(blocks) = drags.by_other_velocity() {
+                by_other -= one(&blocks) * there.gradient;
             }
             pressed = here.acceleration_at(&state.x[node]) * displaced;
         }
         if let (Some(wet), Some(water)) = (wet, &self.water) {
             let Wet { share, by } = &wet[half];
             let relative = self.relative_acceleration(node, state);
-            let all = added.force(t, &relative) - drag.force - pressed;
+            let all = added.force(t, &relative) - drags.forces()[half] - pressed;
             by_own = by_own * *share + all * by[half].transpose();
             by_other = by_other * *share + all * by[1 - half].transpose();
             let heights = [i, i + 1].map(|node| height(node, state));
