@@ -100,9 +100,10 @@ pub(super) fn named_or_shipped(paths: &[PathBuf]) -> Result<Named, Failure> {
     } else {
         shipped()?
     };
-    named
-        .lines
-        .retain(|loaded| !(loaded.case.published.is_empty() && loaded.case.trend.is_empty()));
+    named.lines.retain(|loaded| {
+        let case = &loaded.case;
+        !(case.published.is_empty() && case.published_curve.is_empty() && case.trend.is_empty())
+    });
     named.ropeways.retain(|(_, loaded)| {
         let ropeway = &loaded.worked.ropeway;
         !(ropeway.published.is_empty() && ropeway.trend.is_empty())
