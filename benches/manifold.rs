@@ -15,7 +15,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use seacable::case::{self, Case, Method};
-use seacable::linalg::{BlockBand, V3};
+use seacable::numerics::{BlockBand, V3};
 use seacable::run::{History, Run, job};
 use seacable::scene::{self, Scene};
 use seacable::solve::{Factors, State, System};

@@ -11,7 +11,7 @@
 //! * [`case`]: the file format: fields with units, ranges, defaults and help; checks; edits that keep comments.
 //! * [`physics`]: one file a force; knows no solver.
 //! * [`scene`]: a case made ready to compute: nodes, segments, ends, loads, in SI.
-//! * [`linalg`]: the block-banded solver; knows no cable.
+//! * [`numerics`]: block bands, roots, interpolation, statistics; knows no cable.
 //! * [`solve`]: the trait between physics and numerics, and the one Newton loop.
 //! * [`statics`], [`dynamics`]: equilibrium, quasi-static march, RK4, generalized-alpha.
 //! * [`modes`]: natural frequencies and mode shapes about the static shape.
@@ -31,8 +31,8 @@ pub mod case;
 pub mod cli;
 pub mod dynamics;
 pub mod kinds;
-pub mod linalg;
 pub mod modes;
+pub mod numerics;
 pub mod physics;
 pub mod reference;
 pub mod report;

@@ -10,7 +10,7 @@ use march::{alpha, march, rk4};
 use period::Period;
 use rest::{at_rest, build};
 use seacable::dynamics::Stepper;
-use seacable::linalg::V3;
+use seacable::numerics::V3;
 use seacable::scene::Scene;
 use seacable::solve::State;
 

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use seacable::case;
 use seacable::dynamics::Stepper;
-use seacable::linalg::V3;
+use seacable::numerics::V3;
 use seacable::scene::{self, Scene};
 use seacable::solve::{State, System};
 

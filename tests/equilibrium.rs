@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use lines::line;
-use seacable::linalg::V3;
+use seacable::numerics::V3;
 use seacable::scene::{self, Scene};
 use seacable::solve::{State, System};
 use seacable::statics::equilibrium::{Search, instabilities};

@@ -4,7 +4,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use seacable::linalg::V3;
+use seacable::numerics::V3;
 use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
 use seacable::scene::Scene;

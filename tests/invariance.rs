@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 
 use seacable::case;
 use seacable::dynamics::Stepper;
-use seacable::linalg::V3;
+use seacable::numerics::V3;
 use seacable::physics::Current;
 use seacable::physics::motion::Course;
 use seacable::run::job::{Request, execute};

@@ -8,8 +8,8 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 use seacable::case::Case;
-use seacable::linalg::{BlockBand, V3};
 use seacable::modes::{Found, Kind, Medium, Pencil, lowest, of_case};
+use seacable::numerics::{BlockBand, V3};
 use seacable::solve::{Factors, System};
 
 use lines::line;

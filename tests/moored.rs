@@ -7,7 +7,7 @@ use nalgebra::{Matrix6, Vector6};
 use seacable::case;
 use seacable::dynamics::March;
 use seacable::dynamics::alpha::Alpha;
-use seacable::linalg::{BlockBand, V3};
+use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
 use seacable::ship::forcing::Forcing;
 use seacable::ship::moored::{Moored, RigidBody};

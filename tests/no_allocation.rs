@@ -12,7 +12,7 @@ use seacable::dynamics::alpha::{Alpha, Control};
 use seacable::dynamics::quasi::Quasi;
 use seacable::dynamics::rk4::Rk4;
 use seacable::dynamics::{March, Step, Stepper};
-use seacable::linalg::{BlockBand, V3};
+use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
 use seacable::solve::{Factors, Instant, Progressing, State, System};
 

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 use march::{alpha, march, rk4};
 use seacable::case::Case;
-use seacable::linalg::V3;
+use seacable::numerics::V3;
 use seacable::scene::{self, Scene};
 use seacable::solve::{State, System};
 use seacable::statics::equilibrium::Search;

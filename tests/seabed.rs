@@ -4,7 +4,7 @@
 
 use seacable::dynamics::quasi::Quasi;
 use seacable::dynamics::{March, Stepper};
-use seacable::linalg::V3;
+use seacable::numerics::V3;
 use seacable::scene::Scene;
 use seacable::solve::{Instant, Progressing, State, System};
 use seacable::statics::catenary::{Bed, Ends, Line, SectionProps, Solution};

@@ -8,7 +8,7 @@
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use catenary::Catenary;
-use seacable::linalg::V3;
+use seacable::numerics::V3;
 use seacable::scene::Scene;
 use seacable::solve::{State, System};
 use seacable::statics::equilibrium::Search;

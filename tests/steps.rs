@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use march::{alpha, march, rk4};
 use rest::{at_rest, build};
 use seacable::dynamics::{March, Step, StepError, Stepper, Tally};
-use seacable::linalg::V3;
+use seacable::numerics::V3;
 use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
 use seacable::solve::{Instant, NewtonError, Progressing, State, System};

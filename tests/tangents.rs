@@ -4,7 +4,7 @@
 
 use proptest::prelude::*;
 use seacable::case::Case;
-use seacable::linalg::{BlockBand, V3};
+use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
 use seacable::solve::{Factors, State, System};
 

@@ -4,7 +4,7 @@
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use seacable::case;
-use seacable::linalg::{BlockBand, V3};
+use seacable::numerics::{BlockBand, V3};
 use seacable::scene::Scene;
 use seacable::solve::{Factors, State, System};
 

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use march::{alpha, march, rk4};
 use period::Period;
 use rest::{at_rest, build};
-use seacable::linalg::V3;
+use seacable::numerics::V3;
 use seacable::scene::Scene;
 use seacable::solve::State;
 

@@ -22,7 +22,7 @@
 //! after: [`System::tell_excess`] accounts for that where tensions are read.
 
 use super::{Carried, Step, StepError, Stepper, Tally};
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::solve::{Factors, Newton, State, System};
 
 /// The method and its scratch for one line; allocates only when made.

@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Tally;
-use crate::linalg::V3;
+use crate::numerics::V3;
 
 /// What a method carries; every method has its own part of it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]

@@ -7,7 +7,7 @@
 //! move at either of two speeds, and so keeps to the one it has until that is gone.
 
 use super::{Carried, Step, StepError, Stepper, Tally};
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::solve::{Factors, Newton, NewtonError, State, System};
 
 /// The method and its scratch for one line; allocates only when made.

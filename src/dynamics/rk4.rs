@@ -4,7 +4,7 @@
 
 use super::march::ROOM_TO_DOUBLE;
 use super::{Carried, Step, StepError, Stepper, Tally};
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::solve::{NewtonError, State, System};
 
 /// Where the stability region ends on the negative real axis.

@@ -2,7 +2,7 @@
 
 use super::{Kind, Mode, NotFound, Pencil, lowest, modes_of};
 use crate::case::Case;
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::scene::{self, Scene, SceneError};
 use crate::solve::State;
 use crate::statics::equilibrium;

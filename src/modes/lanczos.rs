@@ -9,7 +9,7 @@
 use nalgebra::{DMatrix, SymmetricEigen};
 
 use super::Pencil;
-use crate::linalg::V3;
+use crate::numerics::V3;
 
 /// Start vectors: eigenvalues may occur as often.
 const BLOCK: usize = 4;

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::linalg::{BlockBand, M3, SingularBlock, V3};
+use crate::numerics::{BlockBand, M3, SingularBlock, V3};
 use crate::scene::Scene;
 use crate::solve::{Factors, State, System};
 

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, SymmetricEigen};
 
 use super::{Eigenpair, Pencil};
-use crate::linalg::{M3, V3};
+use crate::numerics::{M3, V3};
 
 /// Eigenvalues nearer to each other than this, relatively, share their vectors, which may be mixed at will.
 const SAME: f64 = 1e-6;

@@ -12,7 +12,7 @@
 use std::f64::consts::PI;
 
 use super::Pencil;
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::scene::Scene;
 use crate::solve::State;
 

@@ -5,7 +5,7 @@
 
 use nalgebra::Vector3;
 
-use crate::linalg::lanes::{Number, Two, dot};
+use crate::numerics::lanes::{Number, Two, dot};
 
 /// Added mass of half a segment, or of both halves side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -7,8 +7,8 @@
 //! nodes two apart, hence the five bands of the tangent. Where stiffness changes at the node, l / EI is the mean of both
 //! segments' (their halves bend in series); a segment with EI = 0 makes it a hinge.
 
-use crate::linalg::lanes::{self, Two, TwoM3, TwoV3, dot};
-use crate::linalg::{M3, V3};
+use crate::numerics::lanes::{self, Two, TwoM3, TwoV3, dot};
+use crate::numerics::{M3, V3};
 
 /// Stiffness of the bend between two segments, EI / l \[N m\], from each one's EI \[N m²\] and unstretched
 /// length \[m\].

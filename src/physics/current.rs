@@ -1,6 +1,6 @@
 //! The current: uniform, or a table over depth with straight lines in between.
 
-use crate::linalg::V3;
+use crate::numerics::V3;
 
 /// Velocity of the water.
 #[derive(Debug, Clone, PartialEq)]

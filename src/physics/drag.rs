@@ -15,8 +15,8 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::DragLaw;
-use crate::linalg::V3;
-use crate::linalg::lanes::{self, Number, Two, TwoM3, TwoV3, dot, outer, plus_diagonal};
+use crate::numerics::V3;
+use crate::numerics::lanes::{self, Number, Two, TwoM3, TwoV3, dot, outer, plus_diagonal};
 
 /// Drag of a material.
 #[derive(Debug, Clone, Copy, PartialEq)]

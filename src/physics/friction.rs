@@ -16,7 +16,7 @@
 use super::seabed::Push;
 use serde::{Deserialize, Serialize};
 
-use crate::linalg::{M3, V3};
+use crate::numerics::{M3, V3};
 
 /// Friction between bed and line.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -10,7 +10,7 @@
 //! rod of length d.
 
 use super::added_mass::AddedMass;
-use crate::linalg::{M3, V3};
+use crate::numerics::{M3, V3};
 
 /// Added mass and added moment of inertia.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::growth::growth;
 use super::sea::Harmonics;
 use super::spline::Spline;
-use crate::linalg::V3;
+use crate::numerics::V3;
 
 /// Motion of a held end.
 #[derive(Debug, Clone, PartialEq)]

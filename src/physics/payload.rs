@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use crate::linalg::{M3, V3};
+use crate::numerics::{M3, V3};
 
 /// A body, in SI.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -17,7 +17,7 @@
 
 use super::kirchhoff::Entrained;
 use super::tension::Axial;
-use crate::linalg::{M3, V3};
+use crate::numerics::{M3, V3};
 
 /// What the rod stretches by under the body's weight, as a share of its length. A rod that were rigid to the last digit
 /// would hide all other forces in the rounding of its own.

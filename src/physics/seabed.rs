@@ -6,7 +6,7 @@
 //! the bed acts [`Friction`], where there is any.
 
 use super::friction::Friction;
-use crate::linalg::V3;
+use crate::numerics::V3;
 
 /// The bed under the whole line.
 #[derive(Debug, Clone, Copy, PartialEq)]

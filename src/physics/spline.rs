@@ -4,7 +4,7 @@
 //! continuous, as the motion of something with mass is. Its moments solve a tridiagonal system (de Boor, "A practical guide to
 //! splines", chapter IV).
 
-use crate::linalg::V3;
+use crate::numerics::V3;
 
 /// Why a table is none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]

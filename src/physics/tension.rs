@@ -6,7 +6,7 @@
 //! another elastic part than `EA e`: see [`super::rope`].
 
 use super::rope::Elastic;
-use crate::linalg::V3;
+use crate::numerics::V3;
 
 /// Axial constants of a segment.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 use super::chart::{Axis, Chart, Series, extent};
 use super::number::{digits, rounded};
 use super::table::{Cell, CellInk, Column, Table};
-use crate::linalg::V3;
 use crate::modes::{Found, Kind, Medium, Named};
+use crate::numerics::V3;
 
 /// The modes, from the lowest frequency up: frequency and its error from the mesh, period, what moves, which one of its
 /// kind it is, half waves.

@@ -8,8 +8,8 @@ use super::line;
 use super::service::MARGIN;
 use super::work::Worked;
 use crate::case::{self, Case};
-use crate::linalg::V3;
 use crate::modes::{self, Kind};
+use crate::numerics::V3;
 use crate::run::job::{self, Request};
 use crate::run::{History, RunState};
 

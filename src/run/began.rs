@@ -3,7 +3,7 @@
 use super::Checkpoint;
 use crate::case::{Case, Method};
 use crate::dynamics::{Carried, Tally};
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::scene::Scene;
 use crate::solve::{State, System};
 

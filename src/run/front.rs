@@ -6,7 +6,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::scene::Scene;
 use crate::solve::State;
 

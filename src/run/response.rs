@@ -11,8 +11,8 @@ use serde::{Deserialize, Serialize};
 
 use super::Profile;
 use crate::case::{Case, EndKind};
-use crate::linalg::V3;
 use crate::modes::Plane;
+use crate::numerics::V3;
 
 /// Sums over the output times from a given one on.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -3,7 +3,7 @@
 use super::response::period;
 use super::{LineShape, Quantity, quantity_name};
 use crate::case::{Case, STEADY, Statistic};
-use crate::linalg::V3;
+use crate::numerics::V3;
 
 /// A period counts as steady when its root mean square is this near to that of the last one.
 const BAND: f64 = 0.05;

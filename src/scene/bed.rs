@@ -2,7 +2,7 @@
 
 use super::{End, Scene};
 use crate::case::{self, FrictionLaw};
-use crate::linalg::{BlockBand, V3};
+use crate::numerics::{BlockBand, V3};
 use crate::physics::Seabed;
 use crate::physics::friction::{Contact, Friction, Grip, Held, Law};
 use crate::physics::seabed::Push;

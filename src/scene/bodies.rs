@@ -3,7 +3,7 @@
 use super::line::{Hung, Joint};
 use super::{SceneError, Turning};
 use crate::case::{self, Case, EndKind, OneOrMany};
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::physics::kirchhoff::Entrained;
 use crate::physics::payload::{Form, box_form, sphere_and_cylinder};
 use crate::physics::rigid_body::Measures;

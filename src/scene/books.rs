@@ -7,7 +7,7 @@
 
 use super::water::Bathed;
 use super::{End, Hung, Scene};
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::solve::{State, System};
 
 impl Scene {

@@ -8,7 +8,7 @@ use super::{
     Traveller, Turning, bed, bodies, buoyancy, division, ends, event, flexure, idle, sea, shape,
 };
 use crate::case::{self, Case, DragWidth, OneOrMany, StartShape};
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Profile;
 use crate::physics::rope::Law;

@@ -6,7 +6,7 @@ use super::End;
 use super::build::SceneError;
 use super::sea::Record;
 use crate::case::{self, Case, EndKind, MotionName};
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::physics::EndMotion;
 use crate::physics::motion::{self, Course, Swing};
 use crate::physics::sea::{Component, Harmonics, Rao, Spectrum, Waves, synthesise};

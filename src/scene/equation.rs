@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::water::Bathed;
 use super::{End, Hung, Scene};
-use crate::linalg::{BlockBand, M3, V3};
+use crate::numerics::{BlockBand, M3, V3};
 use crate::physics::seabed::Seabed;
 use crate::solve::{Factors, State, System};
 

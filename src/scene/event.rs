@@ -3,7 +3,7 @@
 
 use super::{End, Scene};
 use crate::case::Case;
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::solve::{State, System};
 
 /// A change of the line at a time.

@@ -2,7 +2,7 @@
 
 use super::water::Bathed;
 use super::{End, Hung, Scene};
-use crate::linalg::{M3, V3};
+use crate::numerics::{M3, V3};
 use crate::solve::{State, System};
 
 impl Scene {

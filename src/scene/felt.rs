@@ -1,7 +1,7 @@
 //! How much of a displacement the forces of a line feel: along a segment all of its stiffness, across it next to none.
 
 use super::Scene;
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::solve::State;
 
 impl Scene {

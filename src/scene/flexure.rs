@@ -1,7 +1,7 @@
 //! Bending of the whole line: at its inner nodes and at clamped ends.
 
-use crate::linalg::lanes;
-use crate::linalg::{BlockBand, M3, V3};
+use crate::numerics::lanes;
+use crate::numerics::{BlockBand, M3, V3};
 use crate::physics::bending::{self, Bend, curvature};
 use crate::physics::tension::Chord;
 use crate::solve::State;

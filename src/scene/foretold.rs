@@ -1,7 +1,7 @@
 //! Tensions foretold from one iteration of statics to the next: see [`crate::solve::System::foretell`].
 
 use super::Scene;
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::physics::tension::{Chord, Tension};
 use crate::solve::State;
 

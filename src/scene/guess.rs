@@ -2,7 +2,7 @@
 //! hangs from one end.
 
 use super::{End, Scene};
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::physics::friction::{Friction, Law};
 use crate::solve::State;
 use crate::statics::catenary::{Bed, Ends, Line, Refusal, SectionProps, Solution};

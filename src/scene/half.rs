@@ -1,7 +1,7 @@
 //! What both halves of a segment contribute to their nodes, side by side: pull, drag and added mass, and their tangents.
 
-use crate::linalg::V3;
-use crate::linalg::lanes::{self, Two, TwoM3, TwoV3, apply, dot, outer, plus_diagonal};
+use crate::numerics::V3;
+use crate::numerics::lanes::{self, Two, TwoM3, TwoV3, apply, dot, outer, plus_diagonal};
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Drag;
 use crate::physics::tension::{Chord, Tension};

@@ -10,7 +10,7 @@
 //! then left out of the equilibrium.
 
 use super::Scene;
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::physics::friction::{Friction, Grip, Law};
 
 /// Stiffness of the hold on a line just laid, in stiffnesses of its segments.

@@ -1,7 +1,7 @@
 //! The discretised line: its parts, and where they are.
 
-use crate::linalg::V3;
-use crate::linalg::lanes::Two;
+use crate::numerics::V3;
+use crate::numerics::lanes::Two;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::{Drag, Profile};
 use crate::physics::rope::Law;

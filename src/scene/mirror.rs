@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{End, Scene};
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::solve::State;
 
 impl Scene {

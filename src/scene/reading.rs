@@ -2,7 +2,7 @@
 
 use super::water::Bathed;
 use super::{Hung, Scene};
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::physics::tension::Chord;
 use crate::solve::State;
 

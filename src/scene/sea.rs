@@ -6,7 +6,7 @@ use crate::case::{
     self, Case, DecayName, Method, SpectrumName, StretchingName, WaterSurface, WaveKind,
     WaveLoadName,
 };
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::physics::sea::{
     Component, Decay, Setting, Spectrum, Stretching, WaveLoad, Waves, synthesise, wave_number,
 };

@@ -8,8 +8,8 @@
 use super::Scene;
 use super::half::{Halves, Slopes, pull_by_chord};
 use super::wetting::Wet;
-use crate::linalg::lanes::{self, Two};
-use crate::linalg::{BlockBand, M3, V3};
+use crate::numerics::lanes::{self, Two};
+use crate::numerics::{BlockBand, M3, V3};
 use crate::physics::Current;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Drag;

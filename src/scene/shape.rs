@@ -6,7 +6,7 @@ use super::Scene;
 use super::build::SceneError;
 use super::guess::{Guess, between};
 use crate::case::{Case, EndKind, Payload, Start, StartShape};
-use crate::linalg::V3;
+use crate::numerics::V3;
 
 /// Positions of the nodes \[m\] and tensions of the segments \[N\]; where the line starts in equilibrium, a guess.
 pub(super) fn start(case: &Case, scene: &Scene) -> Result<Guess, SceneError> {

@@ -12,7 +12,7 @@
 mod seat;
 
 use super::{Scene, wetting};
-use crate::linalg::{BlockBand, M3, V3};
+use crate::numerics::{BlockBand, M3, V3};
 use crate::solve::{Factors, State, System};
 use seat::Seat;
 

@@ -13,7 +13,7 @@ mod tests;
 use nalgebra::{Matrix6, Vector6};
 
 use super::Scene;
-use crate::linalg::{BlockBand, M3, V3};
+use crate::numerics::{BlockBand, M3, V3};
 use crate::physics::RigidBody;
 use crate::physics::kirchhoff::Moving;
 use crate::solve::{Factors, State};

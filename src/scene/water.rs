@@ -11,8 +11,8 @@
 
 use super::wetting::{self, Height, Wet};
 use super::{Hung, Scene, Segment};
-use crate::linalg::lanes::{self, Two, TwoM3};
-use crate::linalg::{BlockBand, M3, V3};
+use crate::numerics::lanes::{self, Two, TwoM3};
+use crate::numerics::{BlockBand, M3, V3};
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Drag;
 use crate::physics::sea::{Flow, Waves};

@@ -9,7 +9,7 @@
 //! heights of its nodes, each getting what lies nearer to it in proportion. So no motion to and fro through the
 //! surface gains or loses energy, and a straight spar has the right lift and the right moment.
 
-use crate::linalg::V3;
+use crate::numerics::V3;
 
 /// A share that is wet, and its derivatives by the places of the nodes \[1/m\].
 #[derive(Debug, Clone, Copy, PartialEq)]

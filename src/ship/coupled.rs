@@ -18,7 +18,7 @@ use super::statistics::Statistics;
 use super::voyage::Voyage;
 use crate::dynamics::alpha::Alpha;
 use crate::dynamics::{March, MarchError, Stepper};
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::solve::{Instant, Progressing, State, System};
 
 /// Damping of the method at the highest frequencies: enough for a line that snaps taut.

@@ -10,7 +10,7 @@ use super::fishtail::Planar;
 use super::setting::Setting;
 use crate::dynamics::March;
 use crate::dynamics::alpha::Alpha;
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::solve::{Instant, Progressing, System};
 
 /// The ship let go.

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Matrix6, SymmetricEigen};
 
 use super::model::{CoupledWords, Hull};
 use crate::case::Misfit;
-use crate::linalg::{M3, V3};
+use crate::numerics::{M3, V3};
 
 /// A ship's matrices about its reference point, in its own axes: surge, sway, heave, roll, pitch, yaw.
 #[derive(Debug, Clone, PartialEq)]

@@ -19,7 +19,7 @@ use std::ops::Range;
 use nalgebra::{Matrix6, Vector6};
 
 use super::forcing::Forcing;
-use crate::linalg::{BlockBand, M3, V3};
+use crate::numerics::{BlockBand, M3, V3};
 use crate::scene::Scene;
 use crate::solve::{Factors, State, System};
 

@@ -16,7 +16,7 @@ use super::motion::{SixMotions, point};
 use super::rope_dynamic::{Beside, beside};
 use super::statistics::{Gumbel, Statistics};
 use super::voyage::Voyage;
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::ropeway::winch::{HangPoint, Held, Moment};
 use crate::ropeway::{self, Followed, Trouble, Worked};
 

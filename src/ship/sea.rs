@@ -9,7 +9,7 @@ use super::model::Follows;
 use super::rest::Rest;
 use super::rope::{Course, RopeAtSea};
 use super::voyage::{Voyage, VoyageError};
-use crate::linalg::V3;
+use crate::numerics::V3;
 
 /// A ship in its sea.
 #[derive(Debug, Clone, PartialEq)]

@@ -9,7 +9,7 @@ use super::moored::{Moored, RigidBody};
 use super::mooring::Reach;
 use super::rest::{Rest, Station};
 use crate::case;
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::scene::{self, Scene};
 use crate::solve::{State, System};
 use crate::statics::equilibrium::Search;

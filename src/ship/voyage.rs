@@ -11,7 +11,7 @@ use super::motion::{MotionError, SixMotions, point};
 use super::rest::Rest;
 use super::statistics::Statistics;
 use crate::case::Diagnostic;
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::physics::sea::Moments;
 
 /// The ship in its sea.

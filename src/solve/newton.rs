@@ -11,7 +11,7 @@
 //! between two sides of a kink, may be given up early: a march halves its step sooner and loses less.
 
 use super::{Factors, State, System};
-use crate::linalg::{BlockBand, V3};
+use crate::numerics::{BlockBand, V3};
 
 /// Newton's memory for one line: scratch and the measured rate. Allocates only when made, and
 /// at the first iteration of a line that bends.

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
-use crate::linalg::{BlockBand, V3};
+use crate::numerics::{BlockBand, V3};
 use crate::physics::Grip;
 use crate::physics::sea::Flow;
 

@@ -8,7 +8,7 @@
 //! converged. The state is accepted on the displacement and then on the residual force, and never with
 //! a fold in a line that bends: Newton finds such shapes, in which forces balance, and no line stays in them.
 
-use crate::linalg::{BlockBand, V3};
+use crate::numerics::{BlockBand, V3};
 use crate::solve::{Factors, Newton, NewtonError, State, System};
 
 /// Settings of the search.

@@ -252,7 +252,7 @@ fn trials_leave_no_trace() {
     state.v[4].z = 0.3;
     scene.commit(0.0, 0.0, &mut state);
     let memory = state.memory.clone();
-    let mut r = vec![seacable::linalg::V3::zeros(); scene.nodes()];
+    let mut r = vec![seacable::numerics::V3::zeros(); scene.nodes()];
     for step in 1..50 {
         let mut trial = state.clone();
         trial.x[4].z -= 0.01 * f64::from(step);

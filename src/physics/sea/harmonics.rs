@@ -3,7 +3,7 @@
 use nalgebra::Complex;
 
 use super::Component;
-use crate::linalg::V3;
+use crate::numerics::V3;
 
 /// One harmonic along three axes: `cosine cos(omega t) + sine sin(omega t)`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -13,7 +13,7 @@
 use nalgebra::Complex;
 
 use super::{Component, Harmonics};
-use crate::linalg::V3;
+use crate::numerics::V3;
 
 /// Names of the six degrees of freedom, in their order.
 pub const DEGREES: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];

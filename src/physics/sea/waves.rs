@@ -13,7 +13,7 @@
 use super::decay::{Decay, Share};
 use super::stretching::{Reading, Stretching};
 use super::{Component, wave_number};
-use crate::linalg::{M3, V3};
+use crate::numerics::{M3, V3};
 use crate::physics::growth::growth;
 
 /// A component that is weaker than this at a node has no part in it; `exp(-25)`, below what any solver resolves.

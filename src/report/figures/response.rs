@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use super::along::over_arc;
 use super::{Source, named, slots};
-use crate::linalg::V3;
 use crate::modes::Plane;
+use crate::numerics::V3;
 use crate::report::chart::{Axis, Chart, Map, Range, Series, extent};
 use crate::run::{LineShape, Profile};
 

@@ -7,7 +7,7 @@
 //! segments. On even segments it is the quadratic B-spline of the nodes. It keeps to the line as the segments get shorter,
 //! with their square, and its second derivative is the curvature there.
 
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::solve::State;
 
 /// What a node counts for at a seat.

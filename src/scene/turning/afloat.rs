@@ -5,7 +5,7 @@
 //! potential, as if the body were a sphere of its volume about the centre of buoyancy.
 
 use super::Turning;
-use crate::linalg::{M3, V3};
+use crate::numerics::{M3, V3};
 use crate::physics::RigidBody;
 use crate::physics::sea::Flow;
 use crate::physics::tension::Chord;

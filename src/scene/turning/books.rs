@@ -1,7 +1,7 @@
 //! Energy of a body that turns, and the powers that change it.
 
 use super::Turning;
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::physics::kirchhoff::Moving;
 use crate::scene::{Scene, Water, wetting};
 use crate::solve::State;

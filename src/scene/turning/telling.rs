@@ -1,6 +1,6 @@
 //! Where the end of a line with a body that turns is, and how the body is tilted.
 
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::scene::Scene;
 use crate::solve::State;
 

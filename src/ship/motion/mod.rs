@@ -15,7 +15,7 @@ use self::band::{Band, BandError, Scatter, bands};
 use self::record::Record;
 use self::responses::Answer;
 use super::model::Motion;
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::physics::sea::Component;
 
 /// What is known of one degree of freedom.

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::case;
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::scene;
 use crate::statics::catenary::SectionProps;
 use crate::statics::equilibrium::{Search, instabilities};

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::open_file::{FileView, said};
 use crate::case::{Diagnostic, kind};
-use crate::linalg::V3;
+use crate::numerics::V3;
 use crate::reference::Row;
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::table::Table;

@@ -1,4 +1,4 @@
-//! Small dense blocks and the block-banded solver. Knows no cable.
+//! Numerical methods that know no cable: 3 x 3 blocks and the block-banded solver.
 
 pub mod block_band;
 mod both_ends;
