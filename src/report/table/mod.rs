@@ -1,25 +1,13 @@
 //! Tables as data, drawn the same on screen, in the report and on the command line.
 //!
-//! ```
-//! use seacable::report::table::{Cell, Column, Table};
-//!
-//! let table = Table {
-//!     title: "Joints".into(),
-//!     columns: vec![Column::left("joint"), Column::decimal("tension")],
-//!     rows: vec![
-//!         vec![Cell::plain("vessel|chain"), Cell::plain("3.94 MN")],
-//!         vec![Cell::plain("wire|payload"), Cell::plain("1.9 MN")],
-//!     ],
-//!     notes: vec![],
-//! };
-//! assert!(table.to_text(80).contains("wire|payload  1.9  MN") == false);
-//! assert!(table.to_text(80).contains("wire|payload  1.9 MN"));
-//! ```
+//! A table is described by its columns with [`Table::of`], or by its rows with [`Table::compare`].
 
+mod columns;
 mod export;
 mod layout;
 mod wrap;
 
+pub use columns::{Columns, Comparison, Format};
 pub use layout::{Layout, Line, LineKind, Piece};
 
 /// A table: named columns, rows of cells, and what is to be said below.
