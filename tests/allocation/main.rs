@@ -1,0 +1,7 @@
+//! Memory, counted by an allocator of this binary: it must not run beside other tests.
+
+#[path = "../common/small.rs"]
+mod small;
+
+mod memory_bound;
+mod steps;

@@ -1,0 +1,19 @@
+//! Case files of every kind: reading, checking, editing, and what the shipped ones compute.
+
+#[path = "../common/lines.rs"]
+mod lines;
+
+mod bad_cases;
+mod curves;
+mod edit;
+mod fields;
+mod hard_cases;
+mod line_tables;
+mod random_text;
+mod ropeway;
+mod section;
+mod ship;
+mod ship_at_sea;
+mod shipped;
+mod validation;
+mod work_counts;

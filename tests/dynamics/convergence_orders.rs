@@ -1,0 +1,236 @@
+//! Orders of convergence, in time and in the length of segments: by least squares over at least four steps, and
+//! every slope between neighbours besides. Constant drag coefficients, taut throughout, nothing that sets in with
+//! a kink: what is measured is the method.
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
+
+use crate::elastic_catenary::Catenary;
+use crate::{march, rest};
+use seacable::dynamics::quasi::Quasi;
+use seacable::dynamics::{Step, StepError, Stepper, Tally};
+use seacable::scene::Scene;
+use seacable::solve::{State, System};
+
+/// Slopes of log error over log step: over all by least squares, then between neighbours.
+fn slopes(points: &[(f64, f64)]) -> (f64, Vec<f64>) {
+    assert!(points.len() >= 4);
+    let logs: Vec<(f64, f64)> = points.iter().map(|(h, e)| (h.ln(), e.ln())).collect();
+    let n = logs.len() as f64;
+    let (mx, my) = logs
+        .iter()
+        .fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
+    let (above, below) = logs.iter().fold((0.0, 0.0), |s, (x, y)| {
+        (s.0 + (x - mx) * (y - my), s.1 + (x - mx) * (x - mx))
+    });
+    let pairs = logs
+        .windows(2)
+        .map(|p| (p[1].1 - p[0].1) / (p[1].0 - p[0].0));
+    (above / below, pairs.collect())
+}
+
+/// Asserts an order over all points, and between each two neighbours.
+fn assert_order(what: &str, points: &[(f64, f64)], order: f64, (fit, pair): (f64, f64)) {
+    let (slope, pairs) = slopes(points);
+    assert!(
+        (slope - order).abs() < fit,
+        "{what}: order {slope:.3}, {pairs:.3?}, {points:?}"
+    );
+    for p in &pairs {
+        assert!(
+            (p - order).abs() < pair,
+            "{what}: order {slope:.3}, {pairs:.3?}, {points:?}"
+        );
+    }
+}
+
+/// A payload in a current, swung by its upper end from rest. The motion grows over the whole run, without a kink
+/// in its acceleration; the current is faster than anything that moves, so that no drag passes through zero.
+const SWUNG: &str = r#"
+    environment.water_density_kg_per_m3 = 1025.0
+    current.speed_m_per_s = 2.0
+    materials.rope = { mass_kg_per_m = 12.0, drag_normal = 1.2, drag_tangential = 0.02, added_mass_normal = 1.0, axial_damping_n_s = 2e4, ea_n = 2e5 }
+    line.segments = 5
+    ends.a = { kind = "moving", amplitude_m = [1.0, 2.0, 0.5], period_s = 10.0, ramp_s = 20.0 }
+    ends.b = { name = "bob", kind = "payload" }
+    payload = { dry_mass_kg = 1000.0, wet_mass_kg = 700.0, drag_area_m2 = 1.0, added_mass_kg = 500.0 }
+"#;
+
+const DURATION: f64 = 16.0;
+
+/// The state of the swung line at the end.
+fn swung(scene: &Scene, method: impl Stepper, step: f64) -> State {
+    let mut state = rest::at_rest(scene);
+    march::march(method, scene, &mut state, (DURATION, step), |_, s| {
+        for i in 0..scene.segments.len() {
+            assert!(scene.segments[i].axial.tension(&scene.chord(i, s)).value > 0.0);
+        }
+    });
+    state
+}
+
+/// Greatest difference of two states in position [m] and velocity [m/s].
+fn apart(a: &State, b: &State) -> f64 {
+    let pairs = a.x.iter().chain(&a.v).zip(b.x.iter().chain(&b.v));
+    pairs.map(|(p, q)| (p - q).norm()).fold(0.0, f64::max)
+}
+
+/// Steps of `longest`, halved so many times, against the error of each.
+fn points(longest: f64, count: u32, error: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+    (0..count)
+        .map(|k| longest * 0.5_f64.powi(k as i32))
+        .map(|h| (h, error(h)))
+        .collect()
+}
+
+#[test]
+fn runge_kutta_is_of_order_four() {
+    let scene = rest::build(SWUNG);
+    let exact = swung(&scene, march::rk4(&scene), 0.001);
+    let error = |h| apart(&swung(&scene, march::rk4(&scene), h), &exact);
+    assert_order("rk4", &points(0.064, 4, error), 4.0, (0.1, 0.2));
+}
+
+#[test]
+fn generalized_alpha_is_of_order_two_at_every_rho() {
+    let scene = rest::build(SWUNG);
+    let exact = swung(&scene, march::rk4(&scene), 0.004);
+    for rho in [0.0, 0.4, 0.8, 1.0] {
+        let error = |h| apart(&swung(&scene, march::alpha(&scene, rho), h), &exact);
+        assert_order(
+            &format!("rho = {rho}"),
+            &points(0.064, 5, error),
+            2.0,
+            (0.1, 0.2),
+        );
+    }
+}
+
+/// Tensions at nodes take the inertia of half segments into account: the acceleration of the state too is of order two.
+#[test]
+fn tensions_at_nodes_are_of_order_two() {
+    let scene = rest::build(SWUNG);
+    let exact = scene.tensions(&swung(&scene, march::rk4(&scene), 0.004));
+    for rho in [0.0, 0.4, 0.8] {
+        let error = |h| {
+            let found = scene.tensions(&swung(&scene, march::alpha(&scene, rho), h));
+            let apart = found.iter().zip(&exact).map(|(a, b)| (a - b).abs());
+            apart.fold(0.0, f64::max)
+        };
+        assert_order("tension", &points(0.064, 5, error), 2.0, (0.1, 0.2));
+    }
+}
+
+/// Every step in two parts, one twice as long as the other.
+struct Uneven<M>(M);
+
+impl<M: Stepper> Stepper for Uneven<M> {
+    fn step<S: System + ?Sized>(
+        &mut self,
+        system: &S,
+        at: Step,
+        state: &mut State,
+    ) -> Result<f64, StepError> {
+        let third = at.dt / 3.0;
+        self.0.step(system, Step { dt: third, ..at }, state)?;
+        let rest = Step {
+            t: at.t + third,
+            dt: 2.0 * third,
+            ..at
+        };
+        self.0.step(system, rest, state)
+    }
+    fn restart<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &mut State) {
+        self.0.restart(system, t, state);
+    }
+    fn tally(&self) -> Tally {
+        self.0.tally()
+    }
+}
+
+/// The carried acceleration stands for the true one at another place in a step of another length.
+#[test]
+fn steps_of_changing_length_keep_the_order() {
+    let scene = rest::build(SWUNG);
+    let exact = swung(&scene, march::rk4(&scene), 0.004);
+    for rho in [0.0, 0.4, 0.8] {
+        let error = |h| apart(&swung(&scene, Uneven(march::alpha(&scene, rho)), h), &exact);
+        assert_order(
+            &format!("uneven, rho = {rho}"),
+            &points(0.064, 5, error),
+            2.0,
+            (0.1, 0.2),
+        );
+    }
+    let quasi = || Uneven(Quasi::new(scene.nodes(), 1e-12, 40));
+    let exact = swung(&scene, quasi(), 0.002);
+    let error = |h| apart(&swung(&scene, quasi(), h), &exact);
+    assert_order("uneven, quasi", &points(0.5, 5, error), 2.0, (0.1, 0.25));
+}
+
+#[test]
+fn the_quasi_static_march_is_of_order_two() {
+    let scene = rest::build(SWUNG);
+    let quasi = || Quasi::new(scene.nodes(), 1e-12, 40);
+    let exact = swung(&scene, quasi(), 0.002);
+    let error = |h| apart(&swung(&scene, quasi(), h), &exact);
+    assert_order("quasi", &points(0.5, 5, error), 2.0, (0.1, 0.25));
+}
+
+/// Node positions and tensions against the closed form; the greatest error of all nodes.
+#[test]
+fn a_hanging_line_meets_the_catenary_to_order_two_in_segment_length() {
+    let exact = Catenary::between(100.0, 2.0 * 9.80665, 1e6, 70.0, -30.0);
+    let mut shape = Vec::new();
+    let mut tension = Vec::new();
+    for n in [8, 16, 32, 64, 128] {
+        let scene = rest::build(&format!(
+            r#"
+            line.segments = {n}
+            ends.b = {{ name = "post", kind = "fixed", position_m = [70.0, 0.0, -30.0] }}
+            "#
+        ));
+        let state = rest::at_rest(&scene);
+        let off = |i: usize| {
+            let (x, z) = exact.at(scene.arc[i]);
+            (state.x[i].x - x).hypot(state.x[i].z - z)
+        };
+        let pull = |i: usize| (scene.tension_at(i, &state) - exact.tension(scene.arc[i])).abs();
+        shape.push((100.0 / n as f64, (0..=n).map(off).fold(0.0, f64::max)));
+        tension.push((100.0 / n as f64, (0..=n).map(pull).fold(0.0, f64::max)));
+    }
+    assert_order("shape", &shape, 2.0, (0.05, 0.1));
+    assert_order("tension", &tension, 2.0, (0.05, 0.1));
+}
+
+/// No closed form here: the change from one mesh to the next finer one falls with the same order.
+#[test]
+fn a_line_in_a_current_converges_to_order_two_in_segment_length() {
+    let solve = |n: usize| {
+        let scene = rest::build(&format!(
+            r#"
+            environment.water_density_kg_per_m3 = 1025.0
+            current = {{ speed_m_per_s = [1.5, 0.3], direction_deg = [0.0, 90.0], depth_m = [0.0, 120.0] }}
+            materials.rope = {{ mass_kg_per_m = 12.0, drag_normal = 1.2, drag_tangential = 0.02 }}
+            line.segments = {n}
+            ends.b = {{ name = "bob", kind = "payload" }}
+            payload = {{ dry_mass_kg = 200.0, wet_mass_kg = 100.0, drag_area_m2 = 1.0, added_mass_kg = 0.0 }}
+            "#
+        ));
+        let state = rest::at_rest(&scene);
+        let nodes: Vec<_> = (0..=8)
+            .map(|k| (state.x[k * n / 8], scene.tension_at(k * n / 8, &state)))
+            .collect();
+        nodes
+    };
+    let meshes = [8, 16, 32, 64, 128, 256];
+    let solved: Vec<_> = meshes.iter().map(|n| solve(*n)).collect();
+    let change = |of: &dyn Fn(usize, usize) -> f64| -> Vec<(f64, f64)> {
+        let worst = |k: usize| (0..=8).map(|i| of(k, i)).fold(0.0, f64::max);
+        (0..meshes.len() - 1)
+            .map(|k| (100.0 / meshes[k] as f64, worst(k)))
+            .collect()
+    };
+    let shape = change(&|k, i| (solved[k][i].0 - solved[k + 1][i].0).norm());
+    let tension = change(&|k, i| (solved[k][i].1 - solved[k + 1][i].1).abs());
+    assert_order("shape", &shape, 2.0, (0.05, 0.1));
+    assert_order("tension", &tension, 2.0, (0.05, 0.1));
+}

@@ -1,0 +1,26 @@
+//! Lines in motion: time integration, convergence, natural modes.
+
+#[path = "../common/elastic_catenary.rs"]
+mod elastic_catenary;
+#[path = "../common/lines.rs"]
+mod lines;
+#[path = "../common/march.rs"]
+mod march;
+#[path = "../common/period.rs"]
+mod period;
+#[path = "../common/rest.rs"]
+mod rest;
+
+mod agreement;
+mod closed_forms;
+mod convergence_orders;
+mod envelopes;
+mod independent_program;
+mod invariance;
+mod modes;
+mod modes_continuous;
+mod random_lines;
+mod resume;
+mod step_limits;
+mod swinging_tension;
+mod waves;

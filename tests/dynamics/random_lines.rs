@@ -1,0 +1,327 @@
+//! What must never happen, on lines drawn at random from all that a case may say: a panic, a number that is not
+//! finite in a run that calls itself done, a failure that does not say where and when, an equilibrium with a force
+//! left over.
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
+
+use crate::lines;
+use std::sync::atomic::AtomicBool;
+
+use proptest::prelude::*;
+use seacable::case::Method;
+use seacable::run::job::{Request, execute};
+use seacable::run::{Run, RunState};
+use seacable::scene;
+use seacable::solve::{Newton, System};
+use seacable::statics::equilibrium::Search;
+
+prop_compose! {
+    /// Materials from ropes lighter than water to chains, EA over eight decades.
+    fn material()(
+        log_ea in 4.0f64..12.0,
+        log_diameter in -2.0f64..0.0,
+        density in prop_oneof![100.0f64..1000.0, 1000.0f64..1100.0, 1100.0f64..8000.0],
+        damping in prop_oneof![Just(0.0), 0.0f64..0.5],
+        normal in prop_oneof![Just("0.0"), Just("1.2"), Just("\"jia-2019-normal\"")],
+        tangential in prop_oneof![Just("0.0"), Just("0.05"), Just("\"jia-2019-tangential\"")],
+        added in 0.0f64..2.0,
+    ) -> String {
+        let (ea, diameter) = (10f64.powf(log_ea), 10f64.powf(log_diameter));
+        let mass = density * 0.785 * diameter * diameter;
+        format!(
+            "materials.rope = {{ ea_n = {ea:?}, diameter_m = {diameter:?}, mass_kg_per_m = {mass:?}, \
+             axial_damping_ratio = {damping:?}, drag_normal = {normal}, drag_tangential = {tangential}, \
+             added_mass_normal = {added:?} }}\n"
+        )
+    }
+}
+
+/// A lower end: free, a payload heavy or buoyant, held near or far, taut or slack, or moving.
+fn foot(length: f64) -> impl Strategy<Value = String> {
+    let held = (0.0f64..1.1, -180.0f64..180.0, -90.0f64..90.0).prop_map(
+        move |(share, azimuth, elevation)| {
+            let (a, e) = (azimuth.to_radians(), elevation.to_radians());
+            let d = share * length;
+            format!(
+                "[{:?}, {:?}, {:?}]",
+                d * e.cos() * a.cos(),
+                d * e.cos() * a.sin(),
+                d * e.sin()
+            )
+        },
+    );
+    let fixed = held
+        .clone()
+        .prop_map(|p| format!("ends.b = {{ name = \"b\", kind = \"fixed\", position_m = {p} }}\n"));
+    let moving = (held, -5.0f64..5.0, 2.0f64..20.0).prop_map(|(p, a, period)| {
+        format!(
+            "ends.b = {{ name = \"b\", kind = \"moving\", position_m = {p}, amplitude_m = [{a:?}, 0.3, {a:?}], period_s = {period:?} }}\n"
+        )
+    });
+    let turning = prop_oneof![
+        2 => Just(None),
+        1 => (-1.0f64..1.5, 0.0f64..4.0, 0.0f64..2.0, -180.0f64..180.0).prop_map(Some),
+    ];
+    let payload = (0.0f64..6.0, -0.9f64..0.9, 0.0f64..100.0, 0.0f64..2.0, turning).prop_map(|(log, wet, area, added, turning)| {
+        let mass = 10f64.powf(log);
+        let rotation = turning.map_or_else(String::new, |(log, gyration, drag, tilt)| {
+            let centre = 10f64.powf(log);
+            let inertia = mass * (gyration * centre).powi(2);
+            format!(
+                ", rotation = {{ centre_of_gravity_m = {centre:?}, inertia_kg_m2 = {inertia:?}, centre_of_drag_m = {:?}, start_tilt_deg = {tilt:?}, \
+                 drag_length_m = {:?}, added_inertia_kg_m2 = {:?}, spin_deg_per_s = {tilt:?}, spin_inertia_kg_m2 = {inertia:?} }}",
+                drag * centre,
+                gyration * centre,
+                0.3 * drag * inertia,
+            )
+        });
+        format!(
+            "ends.b = {{ name = \"b\", kind = \"payload\" }}\npayload = {{ dry_mass_kg = {mass:?}, wet_mass_kg = {:?}, drag_area_m2 = {area:?}, added_mass_kg = {:?}{rotation} }}\n",
+            wet * mass,
+            added * mass
+        )
+    });
+    prop_oneof![1 => Just(String::new()), 3 => payload, 2 => fixed, 1 => moving]
+}
+
+prop_compose! {
+    /// A case without its solver.
+    fn any_line()(log_length in 0.5f64..3.5)(
+        length in Just(10f64.powf(log_length)),
+        segments in 1usize..12,
+        material in material(),
+        foot in foot(10f64.powf(log_length)),
+        speed in prop_oneof![Just(0.0), 0.0f64..3.0],
+        sheared in any::<bool>(),
+        shape in prop_oneof![
+            Just("shape = \"equilibrium\"".to_owned()),
+            (-180.0f64..180.0, -90.0f64..90.0).prop_map(|(a, e)| format!(
+                "shape = \"straight\", azimuth_deg = {a:?}, elevation_deg = {e:?}"
+            )),
+        ],
+    ) -> String {
+        let current = if sheared {
+            format!("current = {{ speed_m_per_s = [{speed:?}, 0.1], direction_deg = [0.0, 120.0], depth_m = [0.0, {length:?}] }}\n")
+        } else {
+            format!("current.speed_m_per_s = {speed:?}\n")
+        };
+        format!(
+            "environment.water_density_kg_per_m3 = 1025.0\nline = {{ length_m = {length:?}, segments = {segments} }}\n{material}{foot}{current}start = {{ {shape} }}\n"
+        )
+    }
+}
+
+prop_compose! {
+    /// A line in motion with all that may happen to it at once: waves, a bed with friction, bending or a fibre rope, a surface
+    /// to cross, an end that moves in a harmonic or irregularly, a body on the line, one that travels along it and one that
+    /// turns at its end, an end let go.
+    fn any_scene()(log_length in 1.0f64..2.6)(
+        length in Just(10f64.powf(log_length)),
+        segments in 2usize..14,
+        (log_ea, density, diameter, damping) in (5.0f64..9.0, 600.0f64..4000.0, 0.02f64..0.4, 0.0f64..0.3),
+        (drag, added, log_ei) in (0.0f64..2.0, 0.0f64..1.5, prop_oneof![2 => Just(None), 1 => (0.0f64..5.0).prop_map(Some)]),
+        surface in prop_oneof![Just("crossed"), Just("ignored")],
+        waves in prop_oneof![
+            1 => Just(String::new()),
+            1 => (0.1f64..6.0, 3.0f64..15.0).prop_map(|(h, t)| format!("waves = {{ kind = \"regular\", height_m = {h:?}, period_s = {t:?}, direction_deg = 30.0 }}\n")),
+            1 => (0.1f64..4.0, 4.0f64..12.0, 0u64..99).prop_map(|(h, t, seed)| format!("waves = {{ kind = \"irregular\", significant_height_m = {h:?}, peak_period_s = {t:?}, components = 20, seed = {seed}, stretching = \"wheeler\" }}\n")),
+        ],
+        (bedded, share, friction, slope, bed_damping) in (any::<bool>(), 0.1f64..0.9, prop_oneof![Just(0.0), 0.0f64..1.2], -10.0f64..10.0, 0.0f64..1e4),
+        (top, amplitude, period) in (-0.2f64..0.2, 0.0f64..3.0, 2.0f64..15.0),
+        (foot, hung, travels, released) in (0usize..5, any::<bool>(), any::<bool>(), any::<bool>()),
+        (fibre, irregular) in (prop_oneof![2 => Just(None), 1 => Just(Some("secant")), 1 => Just(Some("about-the-mean"))], any::<bool>()),
+        start in prop_oneof![
+            Just(String::new()),
+            (-80.0f64..60.0).prop_map(|e| format!("start = {{ shape = \"straight\", elevation_deg = {e:?} }}\n")),
+        ],
+        speed in prop_oneof![Just(0.0), 0.0f64..1.5],
+    ) -> String {
+        let mass = density * 0.785 * diameter * diameter;
+        let more = match (log_ei, fibre) {
+            (Some(log), _) => format!(", ei_n_m2 = {:?}", 10f64.powf(log)),
+            (None, Some(law)) => format!(
+                ", dynamic_stiffness = \"{law}\", dynamic_alpha = 25.0, dynamic_beta = 0.3, dynamic_gamma = 0.2, break_load_n = {:?}",
+                10f64.powf(log_ea) / 18.0
+            ),
+            (None, None) => String::new(),
+        };
+        let motion = if irregular {
+            format!("motion = \"irregular\", rms_m = [{:?}, 0.1, {:?}], peak_period_s = {period:?}, components = 20", 0.5 * amplitude, 0.5 * amplitude)
+        } else {
+            format!("amplitude_m = [{amplitude:?}, 0.2, {amplitude:?}], period_s = {period:?}")
+        };
+        let depth = share * length;
+        let mut text = format!(
+            "environment = {{ water_density_kg_per_m3 = 1025.0, water_surface = \"{surface}\" }}\ncurrent.speed_m_per_s = {speed:?}\n{waves}{start}\
+             materials.rope = {{ ea_n = {:?}, diameter_m = {diameter:?}, mass_kg_per_m = {mass:?}, axial_damping_ratio = {damping:?}, \
+             drag_normal = {drag:?}, drag_tangential = 0.05, added_mass_normal = {added:?}{more} }}\n\
+             line = {{ length_m = {length:?}, segments = {segments} }}\n\
+             ends.a = {{ kind = \"moving\", position_m = [0.0, 0.0, {:?}], {motion}, ramp_s = 2.0{} }}\n",
+            10f64.powf(log_ea), top * length,
+            if released && (2..4).contains(&foot) { ", release_s = 1.5" } else { "" },
+        );
+        if bedded {
+            text += &format!("seabed = {{ depth_m = {depth:?}, stiffness_n_per_m3 = 1e5, damping_n_s_per_m3 = {bed_damping:?}, friction = {friction:?}, slope_deg = {slope:?} }}\n");
+        }
+        if hung {
+            text += &format!("clumps = [{{ name = \"c\", section = \"rope\", at_m = {:?}, mass_kg = {:?}, wet_mass_kg = {:?}, drag_area_m2 = 0.5, added_mass_kg = 100.0 }}]\n", 0.4 * length, 0.2 * mass * length, -0.05 * mass * length);
+        }
+        if travels {
+            text += &format!("traveller = {{ name = \"t\", mass_kg = {:?}, wet_mass_kg = {:?}, speed_m_per_s = 2.0, ramp_s = 1.0, drag_area_m2 = 0.3 }}\n", 0.1 * mass * length, 0.05 * mass * length);
+        }
+        text += &match foot {
+            0 => String::new(),
+            1 => format!("ends.b = {{ name = \"b\", kind = \"payload\" }}\npayload = {{ dry_mass_kg = {:?}, wet_mass_kg = {:?}, drag_area_m2 = 1.0, added_mass_kg = 50.0 }}\n", 0.5 * mass * length, 0.2 * mass * length),
+            4 => format!(
+                "ends.b = {{ name = \"b\", kind = \"payload\" }}\npayload = {{ dry_mass_kg = {:?}, wet_mass_kg = {:?}, drag_area_m2 = [2.0, 2.0, 1.0], \
+                 added_mass_kg = [{:?}, {:?}, 10.0], rotation = {{ centre_of_gravity_m = 1.5, inertia_kg_m2 = {:?}, added_inertia_kg_m2 = {:?}, drag_length_m = 2.0, \
+                 start_tilt_deg = 60.0, spin_deg_per_s = 200.0, spin_inertia_kg_m2 = {:?} }} }}\n",
+                0.5 * mass * length, 0.2 * mass * length, 0.3 * mass * length, 0.3 * mass * length, 0.4 * mass * length, 0.2 * mass * length, 0.3 * mass * length
+            ),
+            2 => format!("ends.b = {{ name = \"b\", kind = \"anchor\", position_m = [{:?}, 3.0, {:?}] }}\n", 0.6 * length, -depth),
+            _ => format!("ends.b = {{ name = \"b\", kind = \"fixed\", position_m = [{:?}, 0.0, {:?}] }}\n", 0.9 * length, 0.1 * length),
+        };
+        text
+    }
+}
+
+/// Runs a case for some seconds, or as many steps as its stiffest segment lets one compute in a moment.
+fn run(text: &str, method: Method, time_step_s: Option<f64>, rho: f64) -> Run {
+    let mut case = lines::line(text);
+    let limit = scene::build(&case, 1).unwrap().explicit_limit().0;
+    case.solver.method = method;
+    case.solver.time_step_s = time_step_s.filter(|_| method != Method::Rk4);
+    case.solver.rho_inf = rho;
+    case.solver.duration_s = (1000.0 * limit).min(5.0);
+    case.output.interval_s = case.solver.duration_s / 10.0;
+    let request = Request {
+        case,
+        text: String::new(),
+        file: "test.toml".to_owned(),
+        overrides: Vec::new(),
+        id: "test".to_owned(),
+    };
+    execute(&request, &AtomicBool::new(false), &mut |_| {})
+}
+
+fn finite(run: &Run) -> bool {
+    let channels = run.history.channels.iter();
+    let mut values = channels.flat_map(|c| c.values.iter().chain([&c.peak.0, &c.trough.0]));
+    let p = &run.profile;
+    let profile = [
+        &p.tension,
+        &p.tension_min,
+        &p.tension_max,
+        &p.z_min,
+        &p.z_max,
+    ];
+    values.all(|v| v.is_finite())
+        && profile.into_iter().flatten().all(|v| v.is_finite())
+        && run.shapes.iter().all(|s| {
+            s.nodes
+                .iter()
+                .flatten()
+                .chain(&s.tension)
+                .all(|v| v.is_finite())
+        })
+        && run.summary.iter().all(|q| q.value.is_finite())
+}
+
+/// Whether loads may stretch the line to many times its length: its weight, and drag at 3 m/s.
+fn stretches_far(text: &str) -> bool {
+    let scene = scene::build(&lines::line(text), 1).unwrap();
+    let drag = |area: f64| 0.5 * 1025.0 * area * 9.0;
+    let sides: f64 = scene
+        .segments
+        .iter()
+        .map(|s| s.diameter * s.axial.length)
+        .sum();
+    let payload = scene
+        .bodies
+        .iter()
+        .map(|h| 9.0 * h.body.drag.max())
+        .sum::<f64>();
+    let turning = scene.turning.map_or(0.0, |t| 9.0 * t.body.drag[0]);
+    let load = scene.force_scale + drag(2.0 * sides) + payload + turning;
+    scene.segments[0].axial.ea < 10.0 * load
+}
+
+/// Cases drawn; few enough for a quick test. `PROPTEST_CASES` draws more.
+fn cases(n: u32) -> ProptestConfig {
+    let cases = std::env::var("PROPTEST_CASES")
+        .ok()
+        .and_then(|n| n.parse().ok());
+    ProptestConfig {
+        cases: cases.unwrap_or(n),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(400))]
+
+    #[test]
+    fn no_run_panics_or_hides_a_number_that_is_not_finite(
+        text in any_line(),
+        method in prop_oneof![
+            Just(Method::Alpha), Just(Method::Quasi), Just(Method::Rk4), Just(Method::Static)
+        ],
+        step in prop_oneof![Just(None), (-3.0f64..0.0).prop_map(|log| Some(10f64.powf(log)))],
+        rho in 0.0f64..1.0,
+    ) {
+        let run = run(&text, method, step, rho);
+        match run.info.state {
+            RunState::Done => {
+                prop_assert!(finite(&run), "{text}");
+                // Nothing drawn here goes farther, unless it stretches without limit.
+                let far = run.profile.nodes.iter().flatten().fold(0.0, |far: f64, x| far.max(x.abs()));
+                let soft = stretches_far(&text);
+                prop_assert!(soft || far < 1e4, "{far} m {:?}\n{text}", run.info.settings);
+            }
+            RunState::Failed => {
+                let why = run.info.failure.clone().unwrap_or_default();
+                let placed = why.contains("node ") && (why.contains("t = ") || why.contains("equilibrium"));
+                prop_assert!(placed, "{why}\n{text}");
+                prop_assert!(run.history.channels.iter().flat_map(|c| &c.values).all(|v| v.is_finite()));
+            }
+            state => prop_assert!(false, "{state:?}"),
+        }
+    }
+
+    #[test]
+    fn no_line_in_motion_panics_or_hides_a_number_that_is_not_finite(
+        text in any_scene(),
+        method in prop_oneof![3 => Just(Method::Alpha), 1 => Just(Method::Quasi), 1 => Just(Method::Rk4)],
+        rho in 0.0f64..1.0,
+    ) {
+        let run = run(&text, method, None, rho);
+        match run.info.state {
+            RunState::Done => {
+                prop_assert!(finite(&run), "{text}");
+                let far = run.profile.nodes.iter().flatten().fold(0.0, |far: f64, x| far.max(x.abs()));
+                prop_assert!(far < 1e4, "{far} m {:?}\n{text}", run.info.settings);
+            }
+            RunState::Failed => {
+                let why = run.info.failure.clone().unwrap_or_default();
+                let placed = why.contains("node ") && (why.contains("t = ") || why.contains("equilibrium"));
+                let advised = why.contains("try ") || why.contains("give ") || why.contains("use ") || why.contains("start");
+                prop_assert!(placed || advised, "{why}\n{text}");
+            }
+            state => prop_assert!(false, "{state:?}"),
+        }
+    }
+
+    #[test]
+    fn an_equilibrium_leaves_no_force_or_is_refused(text in any_line()) {
+        let scene = scene::build(&lines::line(&text), 1).unwrap();
+        let mut state = scene.initial_state();
+        match Search::default().run(&scene, 0.0, &mut state) {
+            Ok(found) => {
+                let (_, left) = Newton::new(scene.nodes(), 1.0, 1).largest_residual(&scene, 0.0, &state);
+                prop_assert!(left <= (1e-8 * scene.force_scale).max(scene.rounding_force()), "{left} N\n{text}");
+                prop_assert_eq!(left, found.residual);
+            }
+            Err(why) => prop_assert!(why.to_string().contains("at node"), "{why}"),
+        }
+    }
+}

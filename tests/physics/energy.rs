@@ -1,0 +1,197 @@
+//! Energy: what a line has, gains and loses adds up, and a swing without drag keeps what it has.
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
+
+use crate::{march, rest};
+use std::path::Path;
+
+use seacable::case;
+use seacable::dynamics::Stepper;
+use seacable::numerics::V3;
+use seacable::scene::{self, Scene};
+use seacable::solve::{State, System};
+
+/// Kinetic energy that the line would have at velocities `v` with the added mass it has in this state \[J\].
+fn kinetic(scene: &Scene, state: &State, v: &[V3]) -> f64 {
+    let mut moving = state.clone();
+    moving.v.copy_from_slice(v);
+    let mut still = state.clone();
+    still.v.fill(V3::zeros());
+    scene.energy(&moving) - scene.energy(&still)
+}
+
+/// What the books are out by at most, as a share of all that goes through them: energy gained, less the work of ends and
+/// waves and of what takes energy out, summed over the steps by the trapezoidal rule, and less `v' dM v / 2`, the
+/// growth of the added mass as it turns and gets wet, which is no force's work. The other number is the same without that.
+fn out_by(scene: &Scene, method: impl Stepper, state: &mut State, time: (f64, f64)) -> (f64, f64) {
+    let mut last: Option<(f64, f64, f64, State)> = None;
+    let (mut given, mut grown, mut through) = (0.0, 0.0, 0.0);
+    let (mut worst, mut worst_without): (f64, f64) = (0.0, 0.0);
+    let mut before = f64::NAN;
+    march::march(method, scene, state, time, |t, s| {
+        let travels = scene.traveller_energy(t, s).unwrap_or_default();
+        let power = scene.power_of_ends(t, s) + scene.power_of_waves(s) + travels.1;
+        let (power, lost) = (power, scene.dissipation(s));
+        let energy = scene.energy(s) + travels.0;
+        if let Some((then, gain, loss, old)) = last.take() {
+            let h = 0.5 * (t - then);
+            given += h * (power - lost + gain - loss);
+            through += h * (power.abs() + lost.abs() + gain.abs() + loss.abs());
+            let mean: Vec<V3> = s.v.iter().zip(&old.v).map(|(a, b)| (a + b) * 0.5).collect();
+            grown += kinetic(scene, s, &mean) - kinetic(scene, &old, &mean);
+        } else {
+            before = energy;
+        }
+        let gained = energy - before;
+        worst = worst.max((gained - given - grown).abs());
+        worst_without = worst_without.max((gained - given).abs());
+        last = Some((t, power, lost, s.clone()));
+    });
+    (worst / through, worst_without / through)
+}
+
+/// The trapezoidal rule is what is left: a quarter of it at half the step.
+#[test]
+fn the_books_of_a_falling_payload_balance() {
+    let scene = rest::build(
+        r#"
+        environment.water_density_kg_per_m3 = 1025.0
+        materials.rope = { mass_kg_per_m = 12.0, drag_normal = 1.2, drag_tangential = 0.02, added_mass_normal = 1.0, axial_damping_ratio = 0.1 }
+        ends.b = { name = "bob", kind = "payload" }
+        payload = { dry_mass_kg = 1000.0, wet_mass_kg = 700.0, drag_area_m2 = 2.0, added_mass_kg = 500.0 }
+        start = { shape = "straight", elevation_deg = -30.0 }
+        "#,
+    );
+    let out = [0.004, 0.002, 0.001].map(|h| {
+        let mut state = scene.initial_state();
+        let (out, without) = out_by(&scene, march::rk4(&scene), &mut state, (30.0, h));
+        assert!((1e-4..2e-4).contains(&without), "{without}");
+        out
+    });
+    assert!(out[0] < 1e-6, "{out:?}");
+    for pair in out.windows(2) {
+        assert!((pair[0] / pair[1] - 4.0).abs() < 0.4, "{out:?}");
+    }
+}
+
+/// 57 segments, some of them slack at first, drag coefficients that jump: 100 s of it.
+#[test]
+fn the_books_of_the_manifold_balance() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/pendulous/manifold.toml");
+    let scene = scene::build(&case::load(&path).unwrap().case, 1).unwrap();
+    let mut state = scene.initial_state();
+    let (out, without) = out_by(&scene, march::rk4(&scene), &mut state, (100.0, 0.0035));
+    assert!((1e-5..3e-5).contains(&without), "{without}");
+    assert!(out < 1e-6, "{out}");
+}
+
+/// Whatever takes energy and gives it, all of it is booked: a quarter of what is left is left at half the step, a little
+/// more where segments snap and friction turns round.
+#[test]
+fn the_books_of_every_scene_balance() {
+    const DRIVEN: &str = "ends.a = { kind = \"moving\", position_m = [0.0, 0.0, 2.0], amplitude_m = [1.0, 0.5, 1.5], period_s = 5.0 }\n";
+    const SEA: &str =
+        "environment = { water_density_kg_per_m3 = 1025.0, water_surface = \"crossed\" }\n";
+    const WAVES: &str =
+        "waves = { kind = \"regular\", height_m = 3.0, period_s = 6.0, direction_deg = 20.0 }\n";
+    const ROPE: &str = "materials.rope = { mass_kg_per_m = 9.0, drag_normal = 1.2, drag_tangential = 0.05, added_mass_normal = 1.0, axial_damping_ratio = 0.1 }\n";
+    const BODY: &str = "ends.b = { name = \"bob\", kind = \"payload\" }\npayload = { dry_mass_kg = 900.0, wet_mass_kg = 500.0, drag_area_m2 = 1.0, added_mass_kg = 300.0 }\n";
+    let scenes = [
+        // A rope thrown out of the water, which comes down on it.
+        (
+            "thrown",
+            format!("{SEA}{ROPE}start = {{ shape = \"straight\", elevation_deg = 30.0 }}\n"),
+            1e-3,
+        ),
+        // A body that is let fall through the surface.
+        (
+            "splash",
+            format!(
+                "{SEA}{ROPE}{BODY}line = {{ length_m = 30.0, segments = 6 }}\nends.a.position_m = [0.0, 0.0, 25.0]\nstart = {{ shape = \"straight\", elevation_deg = -20.0 }}\n"
+            ),
+            1e-4,
+        ),
+        // The same in waves, its upper end moved through the crests.
+        (
+            "crests",
+            format!(
+                "{SEA}{ROPE}{BODY}{WAVES}{DRIVEN}line = {{ length_m = 30.0, segments = 6 }}\nstart = {{ shape = \"straight\", elevation_deg = -40.0 }}\n"
+            ),
+            1e-6,
+        ),
+        // Waves without a surface, bending, a current.
+        (
+            "bending",
+            format!(
+                "{}{BODY}{WAVES}{DRIVEN}environment.water_density_kg_per_m3 = 1025.0\ncurrent.speed_m_per_s = 0.8\nline = {{ length_m = 30.0, segments = 6 }}\nstart = {{ shape = \"straight\", elevation_deg = -60.0 }}\n",
+                ROPE.replace("{ mass", "{ ei_n_m2 = 2e4, mass")
+            ),
+            1e-5,
+        ),
+        // A bed with friction, an end dragged over it.
+        (
+            "dragged",
+            format!(
+                "{ROPE}environment.water_density_kg_per_m3 = 1025.0\nseabed = {{ depth_m = 10.0, stiffness_n_per_m3 = 1e5, friction = 0.4, damping_n_s_per_m3 = 1e4 }}\nline = {{ length_m = 60.0, segments = 12 }}\nends.a = {{ kind = \"moving\", position_m = [0.0, 0.0, 0.0], amplitude_m = [2.0, 1.0, 1.0], period_s = 5.0 }}\nends.b = {{ name = \"anchor\", kind = \"anchor\", position_m = [57.0, 0.0, -10.0] }}\n"
+            ),
+            2e-5,
+        ),
+    ];
+    for (name, text, bound) in scenes {
+        let scene = rest::build(&text);
+        let limit = scene.explicit_limit().0;
+        let out = [0.2, 0.1].map(|share| {
+            let mut state = scene.initial_state();
+            if !text.contains("start") {
+                state = rest::at_rest(&scene);
+                scene.prescribe(0.0, &mut state);
+            }
+            out_by(
+                &scene,
+                march::rk4(&scene),
+                &mut state,
+                (20.0, share * limit),
+            )
+            .0
+        });
+        assert!(out[1] < bound && out[0] > 2.8 * out[1], "{name}: {out:?}");
+    }
+}
+
+/// Energy that a swing of 1000 s without drag loses, as a share of its kinetic energy at first: a bob on five
+/// segments, pushed to 10 m/s from rest, which swings it to 18 degrees and pulls the line taut and less taut.
+fn lost_in_a_long_swing(scene: &Scene, method: impl Stepper, step: f64) -> f64 {
+    let mut state = rest::at_rest(scene);
+    for (v, s) in state.v.iter_mut().zip(&scene.arc) {
+        v.x = 0.1 * s;
+    }
+    let kinetic = 0.5 * 1000.0 * 10.0 * 10.0;
+    let before = scene.energy(&state);
+    march::march(method, scene, &mut state, (1000.0, step), |_, _| ());
+    (before - scene.energy(&state)) / kinetic
+}
+
+/// Runge-Kutta and rho = 1 keep a swing; a smaller rho loses by its damping of what is fast, which a line's axial and
+/// transverse waves are: the more the smaller rho and the longer the step, and never gains.
+#[test]
+fn an_undamped_swing_keeps_its_energy_or_loses_it_as_known() {
+    let scene = rest::build(
+        r#"
+        line.segments = 5
+        ends.b = { name = "bob", kind = "payload" }
+        payload = { dry_mass_kg = 1000.0, volume_m3 = 0.0, drag_area_m2 = 0.0, added_mass_kg = 0.0 }
+        "#,
+    );
+    let explicit = lost_in_a_long_swing(&scene, march::rk4(&scene), 0.02);
+    assert!((0.0..1e-4).contains(&explicit), "{explicit}");
+    for step in [0.02, 0.05] {
+        let lost = |rho| lost_in_a_long_swing(&scene, march::alpha(&scene, rho), step);
+        assert!(lost(1.0).abs() < 1e-4, "{}", lost(1.0));
+        // Measured at 0.02 s: 7.5e-4, 7.9e-5, 1.8e-6; at 0.05 s: 3.3e-3, 8.7e-4, 2.1e-5.
+        let all = [0.0, 0.4, 0.8].map(lost);
+        assert!(
+            all[0] > 3.0 * all[1] && all[1] > 10.0 * all[2] && all[2] > 1e-6,
+            "{all:?}"
+        );
+        assert!(all[0] < 5e-3 && all[1] < 1.5e-3 && all[2] < 5e-5, "{all:?}");
+    }
+}

@@ -1,0 +1,21 @@
+//! Forces and bodies: tangents, energy, closed forms and balances of one element at a time.
+
+#[path = "../common/lines.rs"]
+mod lines;
+#[path = "../common/march.rs"]
+mod march;
+#[path = "../common/period.rs"]
+mod period;
+#[path = "../common/rest.rs"]
+mod rest;
+
+mod convergence_norm;
+mod energy;
+mod moored_ship;
+mod rigid_body;
+mod rods;
+mod rope;
+mod sea;
+mod seabed;
+mod tangents;
+mod traveller;

@@ -1,0 +1,263 @@
+//! Dynamic stiffness: what a rope remembers, and what it makes of it.
+
+use seacable::dynamics::Stepper;
+use seacable::scene::Scene;
+use seacable::solve::System;
+
+use crate::{march, rest};
+
+const ALPHA: f64 = 14.0;
+const BETA: f64 = 0.2;
+const GAMMA: f64 = 0.25;
+const STRENGTH: f64 = 1e5;
+const STATIC: f64 = 1.2e6;
+
+/// A body hung on a fibre rope of 100 m, with more words for its material.
+fn hung(reading: &str, segments: usize, more: &str) -> Scene {
+    rest::build(&format!(
+        "materials.rope = {{ ea_n = {STATIC}, break_load_n = {STRENGTH}, dynamic_stiffness = \"{reading}\", \
+         dynamic_alpha = {ALPHA}, dynamic_beta = {BETA}, dynamic_gamma = {GAMMA}{more} }}\n\
+         line.segments = {segments}\n\
+         ends.b = {{ name = \"bob\", kind = \"payload\" }}\n\
+         payload = {{ dry_mass_kg = 1000.0, volume_m3 = 0.0, drag_area_m2 = 0.0, added_mass_kg = 0.0 }}"
+    ))
+}
+
+/// At rest the mean is the tension itself: `T = MBL e (alpha + beta 100 T / MBL)`, or the static stiffness.
+#[test]
+fn a_rope_at_rest_has_the_stiffness_of_its_own_tension() {
+    for reading in ["secant", "about-the-mean"] {
+        let scene = hung(reading, 10, "");
+        let state = rest::at_rest(&scene);
+        for i in 0..10 {
+            let beyond = 9 - i;
+            let tension = 9.80665 * (1000.0 + 2.0 * (5.0 + 10.0 * f64::from(beyond)));
+            let node = usize::try_from(i).unwrap();
+            let strain = (state.x[node + 1] - state.x[node]).norm() / 10.0 - 1.0;
+            let told = scene.rope_reading(node, &state).unwrap();
+            assert!((told.mean_load - 100.0 * tension / STRENGTH).abs() < 1e-6);
+            assert_eq!(told.deviation, 0.0);
+            let k = ALPHA + BETA * told.mean_load;
+            assert!((told.stiffness - k).abs() < 1e-12);
+            let stiffness = if reading == "secant" {
+                k * STRENGTH
+            } else {
+                STATIC
+            };
+            assert!(
+                (strain * stiffness / tension - 1.0).abs() < 1e-8,
+                "{reading} {i}"
+            );
+        }
+    }
+}
+
+/// What is at rest stays at rest, and remembers nothing but that.
+#[test]
+fn a_rope_at_rest_stays_at_rest() {
+    for reading in ["secant", "about-the-mean"] {
+        let scene = hung(reading, 5, "");
+        let rest = rest::at_rest(&scene);
+        let mut state = rest.clone();
+        march::march(
+            march::alpha(&scene, 0.4),
+            &scene,
+            &mut state,
+            (20.0, 0.1),
+            |_, s| {
+                for (a, b) in s.x.iter().zip(&rest.x) {
+                    assert!((a - b).norm() < 1e-7, "{reading}");
+                }
+            },
+        );
+        assert!(
+            state
+                .memory
+                .ropes
+                .iter()
+                .all(|past| past.tension_rate.abs() < 1.0)
+        );
+    }
+}
+
+/// A rope whose lower end is driven up and down, with a window of the mean.
+fn driven(reading: &str, window: Option<f64>) -> Scene {
+    let window = window.map_or_else(String::new, |w| format!("mean_window_s = {w:?}, "));
+    rest::build(&format!(
+        "materials.rope = {{ ea_n = {STATIC}, break_load_n = {STRENGTH}, dynamic_stiffness = \"{reading}\", {window}\
+         dynamic_alpha = {ALPHA}, dynamic_beta = {BETA}, dynamic_gamma = {GAMMA} }}\n\
+         line.segments = 4\n\
+         ends.b = {{ name = \"bob\", kind = \"moving\", position_m = [0.0, 0.0, -101.0], \
+         amplitude_m = [0.0, 0.0, 0.2], period_s = 6.0 }}"
+    ))
+}
+
+/// The mean is the integral of the past tension by its time, the deviation what is left, and k what the formula makes of
+/// both, at every step; a window forgets exponentially.
+#[test]
+fn the_mean_is_that_of_the_past() {
+    for (reading, window) in [
+        ("secant", None),
+        ("about-the-mean", None),
+        ("secant", Some(10.0)),
+    ] {
+        let scene = driven(reading, window);
+        let mut state = rest::at_rest(&scene);
+        // By hand, in steps so short that the rule does not matter.
+        let (mut mean, mut before): (f64, Option<(f64, f64)>) = (0.0, None);
+        march::march(
+            march::alpha(&scene, 0.4),
+            &scene,
+            &mut state,
+            (40.0, 0.01),
+            |t, s| {
+                let told = scene.rope_reading(2, s).unwrap();
+                let tension = (told.mean_load + told.deviation) * 0.01 * STRENGTH;
+                mean = match before {
+                    None => tension,
+                    Some((last, was)) => {
+                        let over = window.map_or(t, |w| t.min(w));
+                        mean + (t - last) / over * (0.5 * (was + tension) - mean)
+                    }
+                };
+                before = Some((t, tension));
+                assert!(
+                    (told.mean_load * 0.01 * STRENGTH / mean - 1.0).abs() < 2e-4,
+                    "{reading} {t}"
+                );
+                let k = ALPHA + BETA * told.mean_load - GAMMA * told.deviation;
+                assert!((told.stiffness - k).abs() < 1e-12);
+            },
+        );
+    }
+}
+
+/// Small swings of a heavy body go with the slope of the reading: of the secant `k / (1 + 100 gamma e)`, about the
+/// mean `k`.
+#[test]
+fn small_swings_go_at_the_slope_of_the_reading() {
+    for reading in ["secant", "about-the-mean"] {
+        let scene = hung(reading, 1, ", mass_kg_per_m = 0.001");
+        let mut state = rest::at_rest(&scene);
+        let (middle, length) = (state.x[1].z, state.x[1].norm());
+        let k = scene.rope_reading(0, &state).unwrap().stiffness;
+        state.v[1].z = 0.01;
+        let mut crossings: Vec<f64> = Vec::new();
+        let mut before = (0.0, 1.0);
+        march::march(
+            march::rk4(&scene),
+            &scene,
+            &mut state,
+            (30.0, 0.002),
+            |t, s| {
+                let z = s.x[1].z - middle;
+                if before.1 < 0.0 && z >= 0.0 {
+                    crossings.push(before.0 + (t - before.0) * before.1 / (before.1 - z));
+                }
+                before = (t, z);
+            },
+        );
+        let swings = (crossings.len() - 1) as f64;
+        let period = (crossings[crossings.len() - 1] - crossings[0]) / swings;
+        let slope = if reading == "secant" {
+            k * STRENGTH / (1.0 + 100.0 * GAMMA * (length / 100.0 - 1.0))
+        } else {
+            k * STRENGTH
+        };
+        let exact = std::f64::consts::TAU * (1000.0 * 100.0 / slope).sqrt();
+        assert!(
+            (period / exact - 1.0).abs() < 2e-3,
+            "{reading} {period} {exact}"
+        );
+    }
+}
+
+/// Where the body comes to after a push, by a method in steps of h.
+fn after_a_push(scene: &Scene, method: impl Stepper, h: f64) -> f64 {
+    let mut state = rest::at_rest(scene);
+    state.v[1].z = 0.3;
+    march::march(method, scene, &mut state, (8.0, h), |_, _| ());
+    state.x[1].z
+}
+
+/// Generalized-alpha stays of second order, for the mean is moved on within the step; so does Runge-Kutta, whose
+/// order 4 the mean does not have.
+#[test]
+fn the_march_is_of_second_order() {
+    for reading in ["secant", "about-the-mean"] {
+        let scene = hung(reading, 1, "");
+        let exact = after_a_push(&scene, march::rk4(&scene), 0.000_5);
+        let coarser = after_a_push(&scene, march::rk4(&scene), 0.001);
+        assert!(
+            (exact - coarser).abs() < 1e-7,
+            "{reading} {exact} {coarser}"
+        );
+        let errors = [0.02, 0.01, 0.005].map(|h| {
+            let end = after_a_push(&scene, march::alpha(&scene, 0.4), h);
+            (end - exact).abs()
+        });
+        for pair in errors.windows(2) {
+            let order = (pair[0] / pair[1]).log2();
+            assert!((1.8..2.3).contains(&order), "{reading}: {errors:?}");
+        }
+    }
+}
+
+/// What the books are out by at most, as a share of the most that was lost: energy gone, less dissipation summed over
+/// the steps by trapezes.
+fn out_by(scene: &Scene, h: f64) -> f64 {
+    let mut state = rest::at_rest(scene);
+    state.v[4].z = 0.5;
+    // The curve at rest and the branch in motion store unlike energies, and how fast the mean moves is known only once
+    // there is a past: the books begin a little later.
+    let mut before = None;
+    let (mut lost, mut last): (f64, Option<(f64, f64)>) = (0.0, None);
+    let (mut worst, mut most) = (0.0_f64, 0.0_f64);
+    march::march(march::rk4(scene), scene, &mut state, (10.0, h), |t, s| {
+        if t < 0.015 {
+            return;
+        }
+        let power = scene.dissipation(s);
+        if let Some((t0, p0)) = last {
+            lost += 0.5 * (t - t0) * (p0 + power);
+        }
+        last = Some((t, power));
+        let gone = *before.get_or_insert(scene.energy(s)) - scene.energy(s);
+        worst = worst.max((gone - lost).abs());
+        most = most.max(gone.abs());
+    });
+    assert!(most > 10.0, "{most}");
+    worst / most
+}
+
+/// What the line has, loses by damping and by the fading of its memory adds up, the better the shorter the steps.
+#[test]
+fn the_books_balance() {
+    for reading in ["secant", "about-the-mean"] {
+        let scene = hung(reading, 4, ", axial_damping_ratio = 0.05");
+        let out = [0.004, 0.002, 0.001].map(|h| out_by(&scene, h));
+        assert!(out[2] < 1e-3, "{reading} {out:?}");
+        assert!(
+            out[0] > 3.0 * out[1] && out[1] > 3.0 * out[2],
+            "{reading} {out:?}"
+        );
+    }
+}
+
+/// A step that is tried and refused leaves no trace: memory changes where a step is accepted, and nowhere else.
+#[test]
+fn trials_leave_no_trace() {
+    let scene = hung("secant", 4, "");
+    let mut state = rest::at_rest(&scene);
+    state.v[4].z = 0.3;
+    scene.commit(0.0, 0.0, &mut state);
+    let memory = state.memory.clone();
+    let mut r = vec![seacable::numerics::V3::zeros(); scene.nodes()];
+    for step in 1..50 {
+        let mut trial = state.clone();
+        trial.x[4].z -= 0.01 * f64::from(step);
+        scene.residual(f64::from(step), &trial, &mut r);
+        scene.accelerate(f64::from(step), &mut trial);
+        assert_eq!(trial.memory, memory);
+    }
+}

@@ -1,0 +1,16 @@
+//! The program itself: command line, signals, terminal, stored runs.
+
+#[cfg(target_os = "linux")]
+#[path = "../common/pty.rs"]
+mod pty;
+#[path = "../common/sample.rs"]
+mod sample;
+#[path = "../common/small.rs"]
+mod small;
+
+mod cli;
+mod signals;
+mod start_from_run;
+mod store;
+mod study_speed;
+mod terminal;

@@ -1,0 +1,173 @@
+//! A ship on the screen: its headings chosen, its motions drawn, worked out at sea without the screen waiting.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+use seacable::report::chart::Glyphs;
+use seacable::ship::{self, AtSea};
+use seacable::tui::msg::FileRead;
+use seacable::tui::place::Place;
+use seacable::tui::state::{Content, OpenFile, ShipView};
+use seacable::tui::{Effect, Msg};
+
+use super::desk::{Desk, looks};
+use super::{LARGE, SMALL, has, said, snapshot};
+
+const TEXT: &str = include_str!("../../../cases/ship/anchored.toml");
+
+/// The ship that comes with the program, with a record and few seeds that are worked out quickly.
+fn text() -> String {
+    TEXT.replace("duration_s = 10800.0", "duration_s = 600.0")
+        .replace("records = 10", "records = 3")
+}
+
+impl Desk {
+    /// The anchored ship, open, still to be worked out at sea.
+    pub(crate) fn with_ship(size: (u16, u16)) -> Self {
+        let mut desk = Self::new(size);
+        let rest = ship::parse(&text(), "anchored.toml").unwrap();
+        desk.tell(Msg::FileRead(Box::new(FileRead {
+            path: PathBuf::from("cases/ship/anchored.toml"),
+            text: text(),
+            content: Content::Ship(Box::new(ShipView::new(rest))),
+            recovered: None,
+        })));
+        desk
+    }
+
+    /// Answers as the thread does that works the newest text out.
+    fn sail(&mut self) {
+        let asked = self.asked.iter().rev().find_map(|effect| match effect {
+            Effect::WorkShip(rest, _, stop) => Some((rest.clone(), Arc::clone(stop))),
+            _ => None,
+        });
+        let (rest, stop) = asked.unwrap();
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/ship");
+        let sea = AtSea::of(&rest, &folder, &stop).map(Arc::new);
+        self.tell(Msg::ShipWorked(stop, sea));
+    }
+}
+
+fn open(desk: &Desk) -> &OpenFile {
+    desk.state.file.as_ref().unwrap()
+}
+
+fn ship(desk: &Desk) -> &ShipView {
+    let Content::Ship(ship) = &open(desk).content else {
+        panic!("no ship");
+    };
+    ship
+}
+
+#[test]
+fn the_panes_of_a_ship() {
+    let mut desk = Desk::with_ship(SMALL);
+    assert_eq!(desk.state.place(), Place::Ship);
+    assert!(
+        desk.screen().contains("at sea: working"),
+        "{}",
+        desk.screen()
+    );
+    desk.keys("3 ]");
+    assert!(desk.screen().contains("still being worked out"));
+    desk.sail();
+    snapshot("tui_ship_motions_80x24", &desk);
+    desk.keys("2");
+    snapshot("tui_ship_80x24", &desk);
+    desk.keys("1");
+    snapshot("tui_ship_inputs_80x24", &desk);
+    desk.keys("3 ] ]");
+    snapshot("tui_ship_rope_80x24", &desk);
+    desk.keys("4");
+    snapshot("tui_ship_validation_80x24", &desk);
+    let mut desk = Desk::with_ship(LARGE);
+    desk.sail();
+    snapshot("tui_ship_200x60", &desk);
+}
+
+#[test]
+fn without_colour_in_ascii() {
+    let mut desk = Desk::with_ship((120, 30));
+    desk.state.looks = looks(Glyphs::Ascii, false);
+    desk.sail();
+    snapshot("tui_ship_ascii_mono_120x30", &desk);
+    let buffer = desk.buffer();
+    assert!(buffer.content().iter().all(|cell| cell.symbol().is_ascii()));
+}
+
+#[test]
+fn headings_are_chosen_and_motions_drawn_one_by_one() {
+    let mut desk = Desk::with_ship(SMALL);
+    let (first, before) = (ship(&desk).station, desk.screen());
+    desk.keys(if first == 0 { "G" } else { "g" });
+    assert_ne!(ship(&desk).station, first);
+    assert_ne!(desk.screen(), before);
+    desk.sail();
+    desk.keys("3 ] c c c");
+    assert_eq!(ship(&desk).trace, Some(2));
+    desk.keys("c c c c");
+    assert_eq!(ship(&desk).trace, None);
+}
+
+#[test]
+fn an_edit_is_live_at_rest_and_only_the_newest_text_is_taken_at_sea() {
+    let mut desk = Desk::with_ship(SMALL);
+    let stale = ship(&desk).working.clone().unwrap();
+    let before = ship(&desk).rest.clone();
+    desk.keys("1 /");
+    desk.type_text("current.speed");
+    desk.keys("enter enter ctrl+u");
+    desk.type_text("0.4");
+    desk.keys("enter");
+    assert!(open(&desk).sheet.unsaved());
+    assert_ne!(ship(&desk).rest.stations, before.stations);
+    // What was under way was told to stop, and its answer is dropped.
+    assert!(stale.load(Ordering::Relaxed));
+    let old = AtSea {
+        voyage: None,
+        coupled: None,
+        rope: None,
+    };
+    desk.tell(Msg::ShipWorked(stale, Some(Arc::new(old))));
+    assert!(ship(&desk).sea.is_none() && ship(&desk).working.is_some());
+    desk.sail();
+    assert!(ship(&desk).sea.is_some() && ship(&desk).working.is_none());
+    desk.keys("u");
+    assert!(!open(&desk).sheet.unsaved());
+    desk.keys("1 enter ctrl+u");
+    desk.type_text("-4");
+    desk.keys("enter");
+    assert!(desk.screen().contains("out of range") || desk.screen().contains("greater than"));
+}
+
+#[test]
+fn report_hang_point_and_validation_are_written_once_worked_out() {
+    let mut desk = Desk::with_ship(SMALL);
+    desk.keys("w");
+    assert!(
+        said(&desk).contains("still being worked out"),
+        "{}",
+        said(&desk)
+    );
+    desk.sail();
+    desk.keys("w M 4 w");
+    let written: Vec<(String, &str)> = desk
+        .asked
+        .iter()
+        .filter_map(|e| match e {
+            Effect::WriteText { path, text, .. } => {
+                Some((path.display().to_string(), text.as_str()))
+            }
+            _ => None,
+        })
+        .collect();
+    assert_eq!(written[0].0, "anchored-report.txt");
+    assert!(written[0].1.contains("Headings in balance"));
+    assert_eq!(written[1].0, "anchored-hang-point.csv");
+    assert!(written[1].1.starts_with("time_s,x_m,y_m,z_m\n0.0,"));
+    assert_eq!(written[2].0, "anchored-validation.txt");
+    desk.keys("esc");
+    assert_eq!(desk.state.place(), Place::Cases, "{}", said(&desk));
+    assert!(has(&desk, |e| matches!(e, Effect::ReadCases)));
+}

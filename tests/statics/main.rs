@@ -1,0 +1,18 @@
+//! Lines at rest: the closed-form catenary and the discretised equilibrium.
+
+#[path = "../common/elastic_catenary.rs"]
+mod elastic_catenary;
+#[path = "../common/lines.rs"]
+mod lines;
+#[path = "../common/rest.rs"]
+mod rest;
+
+mod catenary;
+mod closed_forms;
+mod composite;
+mod equilibrium;
+mod grounded_lines;
+mod random_lines;
+mod reconfiguration;
+mod umbilical;
+mod warnings;
