@@ -12,7 +12,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use seacable::case::{self, Case};
 use seacable::scene::{self, Scene};
 use seacable::solve::State;
-use seacable::statics::equilibrium::Search;
+use seacable::statics::equilibrium::EquilibriumSearch;
 
 /// 1050 m of line up to a vessel, in a current that turns and grows towards the surface.
 const LINE: &str = r#"
@@ -76,7 +76,7 @@ fn case_of(changes: &[(&str, &str)]) -> Case {
 }
 
 fn solve(scene: &Scene, state: &mut State) -> u64 {
-    let found = Search::default().run(scene, 0.0, state).unwrap();
+    let found = EquilibriumSearch::default().run(scene, 0.0, state).unwrap();
     found.iterations
 }
 

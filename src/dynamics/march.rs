@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Carried;
+use super::MethodState;
 use crate::solve::{Instant, NewtonError, Progressing, Sink, State, System};
 
 /// A method that can take one step.
@@ -17,20 +17,20 @@ pub trait Stepper {
     fn step<S: System + ?Sized>(
         &mut self,
         system: &S,
-        at: Step,
+        at: TimeStep,
         state: &mut State,
     ) -> Result<f64, StepError>;
 
     /// Work done so far.
-    fn tally(&self) -> Tally;
+    fn work_counts(&self) -> WorkCounts;
 
     /// What it carries from step to step.
-    fn carried(&self) -> Carried {
-        Carried::default()
+    fn method_state(&self) -> MethodState {
+        MethodState::default()
     }
 
     /// Takes up what it carried in an earlier march.
-    fn take_up(&mut self, _carried: &Carried) {}
+    fn restore(&mut self, _carried: &MethodState) {}
 
     /// Forgets what it carries from step to step: at time t \[s\] the line has changed, and its forces have jumped.
     fn restart<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &mut State);
@@ -38,7 +38,7 @@ pub trait Stepper {
 
 /// A step to take.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
+pub struct TimeStep {
     /// Where it begins \[s\].
     pub t: f64,
     /// Its length \[s\].
@@ -60,7 +60,7 @@ pub enum StepError {
 
 /// Machine-independent work of a stepper.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Tally {
+pub struct WorkCounts {
     /// Newton iterations.
     pub iterations: u64,
     /// Evaluations of the force without tangent.
@@ -80,7 +80,7 @@ pub struct March {
 
 /// How a march ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outcome {
+pub struct MarchSummary {
     /// Accepted steps.
     pub steps: u64,
     /// Steps that failed and were halved.
@@ -121,10 +121,10 @@ pub(super) const ROOM_TO_DOUBLE: f64 = 0.1;
 
 /// Where a march is.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct Place {
+pub struct MarchProgress {
     /// Time \[s\].
     pub time: f64,
-    /// Whole steps completed.
+    /// WholeStep steps completed.
     pub whole: u64,
     /// How often whole steps are halved at present.
     pub level: u32,
@@ -143,7 +143,7 @@ pub struct Place {
 pub struct Grid {
     /// Length of a whole step \[s\].
     pub dt: f64,
-    /// Whole steps an output interval.
+    /// WholeStep steps an output interval.
     pub per_output: u64,
     /// Output intervals.
     pub outputs: u64,
@@ -172,7 +172,7 @@ impl March {
     }
 
     /// The lengths of the steps taken so far \[s\], and how many of each; one cut short by an event counts as uncut.
-    pub fn lengths(&self, place: &Place) -> impl Iterator<Item = (f64, u64)> {
+    pub fn lengths(&self, place: &MarchProgress) -> impl Iterator<Item = (f64, u64)> {
         let dt = self.grid().dt;
         let taken = place.halved.into_iter().enumerate();
         let lengths = taken.map(move |(k, steps)| (dt / (1_u64 << k) as f64, steps));
@@ -181,7 +181,7 @@ impl March {
 
     /// Whether a march has come to its end.
     #[must_use]
-    pub fn is_over(&self, place: &Place) -> bool {
+    pub fn is_over(&self, place: &MarchProgress) -> bool {
         let grid = self.grid();
         place.whole >= grid.outputs * grid.per_output
     }
@@ -196,9 +196,9 @@ impl March {
         system: &S,
         state: &mut State,
         sink: &mut dyn Sink,
-    ) -> Result<Outcome, MarchError> {
-        let mut place = Place::default();
-        system.take_water(0.0, state);
+    ) -> Result<MarchSummary, MarchError> {
+        let mut place = MarchProgress::default();
+        system.update_wave_kinematics(0.0, state);
         system.commit(0.0, 0.0, state);
         let first = Instant {
             time: 0.0,
@@ -210,7 +210,7 @@ impl March {
         if going == Progressing::Continue {
             going = self.advance(&mut place, f64::INFINITY, method, system, state, sink)?;
         }
-        Ok(Outcome {
+        Ok(MarchSummary {
             steps: place.steps,
             rejections: place.rejections,
             stopped: going == Progressing::Stop,
@@ -224,7 +224,7 @@ impl March {
     /// As [`March::run`].
     pub fn advance<M: Stepper, S: System + ?Sized>(
         &self,
-        place: &mut Place,
+        place: &mut MarchProgress,
         until: f64,
         method: &mut M,
         system: &S,
@@ -240,7 +240,7 @@ impl March {
             let end = (place.whole + 1) as f64 * grid.dt;
             let cut = until < end && !same(until, end);
             let whole = if cut {
-                Whole {
+                WholeStep {
                     from: place.time,
                     dt: until - place.time,
                     end: until,
@@ -249,7 +249,7 @@ impl March {
             } else {
                 // From a place on the grid this is its step to the last digit.
                 let on_grid = place.time == place.whole as f64 * grid.dt;
-                Whole {
+                WholeStep {
                     from: place.time,
                     dt: if on_grid { grid.dt } else { end - place.time },
                     end: if on_grid { place.time + grid.dt } else { end },
@@ -269,8 +269,8 @@ impl March {
 /// One whole step, in `2^level` pieces. The level goes up where a piece fails and down again, one at a time and
 /// only where pieces join to the next longer one, when there is room; it is kept for the next whole step.
 fn whole_step<M: Stepper, S: System + ?Sized>(
-    whole: &Whole,
-    place: &mut Place,
+    whole: &WholeStep,
+    place: &mut MarchProgress,
     method: &mut M,
     system: &S,
     state: &mut State,
@@ -281,7 +281,7 @@ fn whole_step<M: Stepper, S: System + ?Sized>(
         let dt = whole.dt / (1_u64 << place.level) as f64;
         let t = whole.from + done as f64 * dt;
         let refuse = place.level < HALVINGS_FOR_ACCURACY;
-        match method.step(system, Step { t, dt, refuse }, state) {
+        match method.step(system, TimeStep { t, dt, refuse }, state) {
             Ok(share) => {
                 done += 1;
                 place.steps += 1;
@@ -327,7 +327,7 @@ fn whole_step<M: Stepper, S: System + ?Sized>(
 }
 
 /// A whole step of the march.
-struct Whole {
+struct WholeStep {
     from: f64,
     dt: f64,
     end: f64,

@@ -2,12 +2,14 @@
 //! inertia out. All three take a [`System`](crate::solve::System) and pour into a
 //! [`Sink`](crate::solve::Sink); none knows a case, a file or a screen.
 
-pub mod alpha;
-pub mod carried;
-pub mod damping;
+pub mod generalized_alpha;
 pub mod march;
-pub mod quasi;
+pub mod method_state;
+pub mod numerical_damping;
+pub mod quasi_static;
 pub mod rk4;
 
-pub use carried::Carried;
-pub use march::{Grid, March, MarchError, Outcome, Place, Step, StepError, Stepper, Tally};
+pub use march::{
+    Grid, March, MarchError, MarchProgress, MarchSummary, StepError, Stepper, TimeStep, WorkCounts,
+};
+pub use method_state::MethodState;

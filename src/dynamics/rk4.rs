@@ -3,7 +3,7 @@
 //! of the fastest decay by drag, which grows with speed: a step longer than that is refused and halved.
 
 use super::march::ROOM_TO_DOUBLE;
-use super::{Carried, Step, StepError, Stepper, Tally};
+use super::{MethodState, StepError, Stepper, TimeStep, WorkCounts};
 use crate::numerics::V3;
 use crate::solve::{NewtonError, State, System};
 
@@ -17,7 +17,7 @@ pub struct Rk4 {
     next: State,
     /// The fastest decay at the end of the last step \[1/s\] and its node, once it is known.
     decay: Option<(f64, usize)>,
-    tally: Tally,
+    work_counts: WorkCounts,
 }
 
 impl Rk4 {
@@ -29,16 +29,16 @@ impl Rk4 {
             stage: state.clone(),
             next: state,
             decay: None,
-            tally: Tally::default(),
+            work_counts: WorkCounts::default(),
         }
     }
 
     /// Evaluates the stage and adds its derivative, times `weight`, to the next state.
     fn add_stage<S: System + ?Sized>(&mut self, system: &S, t: f64, weight: f64) {
         system.prescribe(t, &mut self.stage);
-        system.take_water(t, &mut self.stage);
+        system.update_wave_kinematics(t, &mut self.stage);
         system.accelerate(t, &mut self.stage);
-        self.tally.evaluations += 1;
+        self.work_counts.evaluations += 1;
         for i in system.free() {
             self.next.x[i] += self.stage.v[i] * weight;
             self.next.v[i] += self.stage.a[i] * weight;
@@ -87,10 +87,10 @@ impl Stepper for Rk4 {
     fn step<S: System + ?Sized>(
         &mut self,
         system: &S,
-        at: Step,
+        at: TimeStep,
         state: &mut State,
     ) -> Result<f64, StepError> {
-        let Step { t, dt, .. } = at;
+        let TimeStep { t, dt, .. } = at;
         self.stage.copy_from(state);
         self.next.copy_from(state);
         let half = 0.5 * dt;
@@ -102,7 +102,7 @@ impl Stepper for Rk4 {
         self.move_stage(system, state, dt);
         self.add_stage(system, t + dt, dt / 6.0);
         system.prescribe(t + dt, &mut self.next);
-        system.take_water(t + dt, &mut self.next);
+        system.update_wave_kinematics(t + dt, &mut self.next);
         // The acceleration of the last stage is at the end of the step: good for what is read off.
         self.next.a.copy_from_slice(&self.stage.a);
         let share = self.check(system, dt, state)?;
@@ -110,26 +110,26 @@ impl Stepper for Rk4 {
         Ok(share)
     }
 
-    fn carried(&self) -> Carried {
-        Carried {
+    fn method_state(&self) -> MethodState {
+        MethodState {
             decay: self.decay,
-            tally: self.tally,
-            ..Carried::default()
+            work_counts: self.work_counts,
+            ..MethodState::default()
         }
     }
 
-    fn take_up(&mut self, carried: &Carried) {
+    fn restore(&mut self, carried: &MethodState) {
         self.decay = carried.decay;
-        self.tally = carried.tally;
+        self.work_counts = carried.work_counts;
     }
 
     fn restart<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &mut State) {
-        system.take_water(t, state);
+        system.update_wave_kinematics(t, state);
         system.accelerate(t, state);
         self.decay = None;
     }
 
-    fn tally(&self) -> Tally {
-        self.tally
+    fn work_counts(&self) -> WorkCounts {
+        self.work_counts
     }
 }

@@ -31,7 +31,7 @@ pub struct Eigenpair {
 
 /// The modes were not found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-pub enum NotFound {
+pub enum EigenError {
     /// Nothing moves.
     #[error("nothing of the line moves: give it more segments")]
     NothingMoves,
@@ -55,15 +55,15 @@ pub enum NotFound {
 /// The `count` lowest eigenpairs, or all there are, from the lowest up; a few more where they are at hand.
 ///
 /// # Errors
-/// [`NotFound`].
-pub fn lowest(pencil: &mut Pencil, count: usize) -> Result<Vec<Eigenpair>, NotFound> {
+/// [`EigenError`].
+pub fn lowest(pencil: &mut Pencil, count: usize) -> Result<Vec<Eigenpair>, EigenError> {
     let size = 3 * pencil.free().len();
     if size == 0 {
-        return Err(NotFound::NothingMoves);
+        return Err(EigenError::NothingMoves);
     }
     let wanted = (count.max(1) + BEYOND).min(size);
     let shift = shift_below_all(pencil)?;
-    let mut band = Band::new(pencil, shift, size);
+    let mut band = Krylov::new(pencil, shift, size);
     let most = size.min(8 * wanted + 80);
     let mut found = 0;
     while band.solved < most && band.grow(pencil)? {
@@ -81,7 +81,7 @@ pub fn lowest(pencil: &mut Pencil, count: usize) -> Result<Vec<Eigenpair>, NotFo
     if good >= wanted.min(band.solved) && (band.solved == size || band.exhausted()) {
         return Ok(band.vectors(&pairs[..good.min(wanted)]));
     }
-    Err(NotFound::Slow {
+    Err(EigenError::Slow {
         found,
         wanted: count,
         solves: band.solved,
@@ -89,7 +89,7 @@ pub fn lowest(pencil: &mut Pencil, count: usize) -> Result<Vec<Eigenpair>, NotFo
 }
 
 /// A shift below every eigenvalue: none where the line is stable and held.
-fn shift_below_all(pencil: &mut Pencil) -> Result<f64, NotFound> {
+fn shift_below_all(pencil: &mut Pencil) -> Result<f64, EigenError> {
     let mut shift = 0.0;
     let step = 1e-12 * pencil.highest();
     for power in 0..9 {
@@ -98,7 +98,7 @@ fn shift_below_all(pencil: &mut Pencil) -> Result<f64, NotFound> {
         }
         shift = -step * 100_f64.powi(power);
     }
-    Err(NotFound::Singular)
+    Err(EigenError::Singular)
 }
 
 /// Whether as many eigenvalues lie just above the highest wanted one as pairs were found there.
@@ -117,7 +117,7 @@ struct Ritz {
 }
 
 /// The growing basis, and the image of A in it.
-struct Band {
+struct Krylov {
     shift: f64,
     basis: Vec<Vec<V3>>,
     /// `columns[j][i]`: the part of A times vector j along vector i.
@@ -125,7 +125,7 @@ struct Band {
     solved: usize,
 }
 
-impl Band {
+impl Krylov {
     fn new(pencil: &Pencil, shift: f64, size: usize) -> Self {
         let mut band = Self {
             shift,
@@ -150,7 +150,7 @@ impl Band {
     }
 
     /// Takes the next vector of the basis through A; false when there is none.
-    fn grow(&mut self, pencil: &mut Pencil) -> Result<bool, NotFound> {
+    fn grow(&mut self, pencil: &mut Pencil) -> Result<bool, EigenError> {
         if self.exhausted() {
             return Ok(false);
         }
@@ -158,7 +158,7 @@ impl Band {
         pencil.multiply_mass(&self.basis[self.solved], &mut image);
         pencil
             .solve(self.shift, &mut image)
-            .map_err(|_| NotFound::Singular)?;
+            .map_err(|_| EigenError::Singular)?;
         let column = self.add(pencil, image);
         self.columns.push(column);
         self.solved += 1;

@@ -13,14 +13,14 @@
 //! * [`Medium`]: local wave numbers, amplitudes and frequencies by WKB theory.
 //! * [`of_case`]: all of it for a case, errors estimated from half the mesh.
 
-mod find;
 mod lanczos;
+mod line_modes;
+mod mode_shape;
 mod pencil;
-mod shape;
 mod wkb;
 
-pub use find::{Failure, Found, Named, of_case};
-pub use lanczos::{Eigenpair, NotFound, lowest};
+pub use lanczos::{EigenError, Eigenpair, lowest};
+pub use line_modes::{LineModes, ModesError, NamedMode, of_case};
+pub use mode_shape::{Mode, ModeKind, Plane, modes_of};
 pub use pencil::Pencil;
-pub use shape::{Kind, Mode, Plane, modes_of};
 pub use wkb::{Medium, Wave, wave_number};

@@ -39,7 +39,7 @@ impl Pencil {
         let mut residual = vec![V3::zeros(); nodes];
         let mut tangent = |factors| {
             let mut tangent = BlockBand::new(nodes);
-            if bare.bends() {
+            if bare.is_pentadiagonal() {
                 tangent.widen();
             }
             bare.linearise(0.0, state, factors, &mut residual, &mut tangent);

@@ -5,16 +5,16 @@ use std::fmt::Write as _;
 use super::chart::{Axis, Chart, Series, extent};
 use super::number::{digits, rounded};
 use super::table::{Cell, CellInk, Column, Table};
-use crate::modes::{Found, Kind, Medium, Named};
+use crate::modes::{LineModes, Medium, ModeKind, NamedMode};
 use crate::numerics::V3;
 
 /// The modes, from the lowest frequency up: frequency and its error from the mesh, period, what moves, which one of its
 /// kind it is, half waves.
 #[must_use]
-pub fn table(found: &Found) -> Table {
+pub fn table(found: &LineModes) -> Table {
     let medium = Medium::of(&found.scene, &found.rest);
-    let wkb = |mode: &Named| {
-        let across = matches!(mode.mode.kind, Kind::InPlane | Kind::OutOfPlane);
+    let wkb = |mode: &NamedMode| {
+        let across = matches!(mode.mode.kind, ModeKind::InPlane | ModeKind::OutOfPlane);
         medium
             .as_ref()
             .filter(|_| across)?
@@ -42,7 +42,7 @@ pub fn table(found: &Found) -> Table {
 
 /// The same on 80 columns: without what the order of the rows and the words tell as well.
 #[must_use]
-pub fn narrow(found: &Found) -> Table {
+pub fn narrow(found: &LineModes) -> Table {
     let mut table = table(found);
     for column in [8, 7, 6] {
         table.columns.remove(column);
@@ -54,7 +54,7 @@ pub fn narrow(found: &Found) -> Table {
     table
 }
 
-fn cells(index: usize, named: &Named, wkb: Option<f64>) -> Vec<Cell> {
+fn cells(index: usize, named: &NamedMode, wkb: Option<f64>) -> Vec<Cell> {
     let mode = &named.mode;
     let frequency = mode.frequency_hz();
     let (shown, ink) = if mode.eigenvalue > 0.0 {
@@ -80,7 +80,7 @@ fn cells(index: usize, named: &Named, wkb: Option<f64>) -> Vec<Cell> {
     ]
 }
 
-fn notes(found: &Found) -> Vec<String> {
+fn notes(found: &LineModes) -> Vec<String> {
     let mut notes = vec![
         "Small motions about the line at rest, added mass included, drag left out. Errors are those of the mesh, from half \
          the segments."
@@ -95,7 +95,7 @@ fn notes(found: &Found) -> Vec<String> {
 
 /// What is wrong with the line at rest, where its motions say so.
 #[must_use]
-pub fn troubles(found: &Found) -> Vec<String> {
+pub fn troubles(found: &LineModes) -> Vec<String> {
     let mut notes = Vec::new();
     let count = |some: fn(f64) -> bool| {
         let values = found.modes.iter().map(|m| m.mode.eigenvalue);
@@ -118,7 +118,7 @@ pub fn troubles(found: &Found) -> Vec<String> {
 /// The shapes of some modes, by their numbers from 0, along the line: across it in its plane or out of it, whichever a
 /// mode does; the greatest displacement of a mode is 1.
 #[must_use]
-pub fn chart(found: &Found, numbers: &[usize]) -> Chart {
+pub fn chart(found: &LineModes, numbers: &[usize]) -> Chart {
     let series = numbers.iter().enumerate().filter_map(|(slot, number)| {
         let named = found.modes.get(*number)?;
         let label = format!("mode {} {}", number + 1, named.mode.kind.words());
@@ -144,7 +144,7 @@ pub fn chart(found: &Found, numbers: &[usize]) -> Chart {
 
 /// Arc length, place at rest, and displacements of every mode, a row a node.
 #[must_use]
-pub fn csv(found: &Found) -> String {
+pub fn csv(found: &LineModes) -> String {
     let mut text = String::from("arc_m,x_m,y_m,z_m");
     for (i, named) in found.modes.iter().enumerate() {
         let hz = named.mode.frequency_hz();
@@ -170,7 +170,7 @@ const DRAWN: f64 = 0.08;
 /// A mode, by its number from 0, over the line at rest, the line swung out to both sides, seen from where its motion
 /// shows most. How far it is swung out means nothing, so the scales need not be equal.
 #[must_use]
-pub fn over_line(found: &Found, number: usize) -> Chart {
+pub fn over_line(found: &LineModes, number: usize) -> Chart {
     let rest = &found.rest.x;
     let Some(named) = found.modes.get(number) else {
         return Chart::default();

@@ -8,7 +8,7 @@ use super::line;
 use super::service::MARGIN;
 use super::work::Worked;
 use crate::case::{self, Case};
-use crate::modes::{self, Kind};
+use crate::modes::{self, ModeKind};
 use crate::numerics::V3;
 use crate::run::job::{self, Request};
 use crate::run::{History, RunState};
@@ -75,7 +75,7 @@ impl Worked {
         let lifts = |mode: &modes::Mode| {
             let most = mode.shape.iter().map(V3::norm).fold(0.0, f64::max);
             let up = mode.shape.get(cargo).map_or(0.0, |u| u.z.abs());
-            mode.kind != Kind::OutOfPlane && up > 0.3 * most
+            mode.kind != ModeKind::OutOfPlane && up > 0.3 * most
         };
         let named = found.modes.iter().find(|named| lifts(&named.mode));
         named

@@ -6,7 +6,7 @@ use super::model::Ropeway;
 use crate::case;
 use crate::scene;
 use crate::solve::{State, System};
-use crate::statics::equilibrium::Search;
+use crate::statics::equilibrium::EquilibriumSearch;
 
 /// The discretised line at rest.
 #[derive(Debug, Clone, PartialEq)]
@@ -151,7 +151,7 @@ pub fn at_rest(ropeway: &Ropeway, length_m: f64, arc_m: f64) -> Result<LineRest,
     let scene =
         scene::build(&case, 1).map_err(|_| Trouble::NotFound("the line case makes no line"))?;
     let mut state = scene.initial_state();
-    Search::default()
+    EquilibriumSearch::default()
         .run(&scene, 0.0, &mut state)
         .map_err(|_| Trouble::NotFound("the discretised line finds no rest"))?;
     Ok(read(ropeway, &scene, &state))

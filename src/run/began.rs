@@ -2,7 +2,7 @@
 
 use super::Checkpoint;
 use crate::case::{Case, Method};
-use crate::dynamics::{Carried, Tally};
+use crate::dynamics::{MethodState, WorkCounts};
 use crate::numerics::V3;
 use crate::scene::Scene;
 use crate::solve::{State, System};
@@ -15,7 +15,7 @@ pub(super) struct Began {
     /// The line, at time zero.
     pub(super) state: State,
     /// What the method carries on, where it is the same one.
-    pub(super) carried: Option<Carried>,
+    pub(super) carried: Option<MethodState>,
 }
 
 /// Where the run stands that the case starts from, if it does, on the mesh of the scene.
@@ -61,15 +61,15 @@ pub(super) fn began(case: &Case, scene: &Scene) -> Result<Option<Began>, String>
         }
     }
     let carried = Some(stands.carried).filter(|c| same && is_of(c, case.solver.method, scene));
-    let carried = carried.map(|carried| Carried {
-        tally: Tally::default(),
+    let carried = carried.map(|carried| MethodState {
+        work_counts: WorkCounts::default(),
         ..carried
     });
     Ok(Some(Began { state, carried }))
 }
 
 /// Whether it is this method that carried this.
-fn is_of(carried: &Carried, method: Method, scene: &Scene) -> bool {
+fn is_of(carried: &MethodState, method: Method, scene: &Scene) -> bool {
     let nodes = scene.nodes();
     match method {
         Method::Alpha | Method::Auto => carried.jerk.len() == nodes,

@@ -8,7 +8,7 @@ use super::front::Front;
 use super::response::Response;
 use super::store::{Rows, Shapes, StoreError};
 use super::{LineShape, Profile};
-use crate::dynamics::{Carried, Grid, Place};
+use crate::dynamics::{Grid, MarchProgress, MethodState};
 use crate::solve::State;
 
 /// A run on its way, at an output time.
@@ -35,11 +35,11 @@ pub struct Checkpoint {
     /// What the start gave to be said.
     pub warnings: Vec<String>,
     /// Where the march is.
-    pub place: Place,
+    pub place: MarchProgress,
     /// The state of the line.
     pub state: State,
     /// What the method carries from step to step.
-    pub carried: Carried,
+    pub carried: MethodState,
     /// The line node by node, with its envelopes.
     pub profile: Profile,
     /// How far the nodes moved, where the case asks for that.

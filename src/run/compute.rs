@@ -17,8 +17,8 @@ use super::statistic::Wanted;
 use super::steady;
 use super::{Cost, History, LineShape, Profile, Quantity, Resume, RunState, Settings, Work};
 use crate::case::{Case, Method, WaterSurface};
-use crate::dynamics::alpha::{Alpha, Control};
-use crate::dynamics::quasi::Quasi;
+use crate::dynamics::generalized_alpha::{ErrorLimits, GeneralizedAlpha};
+use crate::dynamics::quasi_static::QuasiStatic;
 use crate::dynamics::rk4::Rk4;
 use crate::scene::{self, Scene};
 use crate::solve::{Instant, Progressing, Sink, State, System};
@@ -231,7 +231,7 @@ fn solve<'a>(
         give(sink, &state);
         return refused(failure, work);
     }
-    scene.set_going(&mut state);
+    scene.apply_start_velocity(&mut state);
     let carried = began.flatten();
     let from = &From {
         resume: from,
@@ -267,7 +267,7 @@ fn run_method<'a>(
             }
         }
         Method::Quasi => {
-            let method = Quasi::new(nodes, tolerance, newton);
+            let method = QuasiStatic::new(nodes, tolerance, newton);
             march(method, settings, phases, state, sink, work, from)
         }
         Method::Rk4 => {
@@ -277,19 +277,19 @@ fn run_method<'a>(
             {
                 return refused(unstable(settings), work);
             }
-            scene.take_water(0.0, state);
+            scene.update_wave_kinematics(0.0, state);
             if from.carried.is_none() {
                 scene.accelerate(0.0, state);
             }
             march(Rk4::new(nodes), settings, phases, state, sink, work, from)
         }
         Method::Alpha | Method::Auto => {
-            scene.take_water(0.0, state);
+            scene.update_wave_kinematics(0.0, state);
             // Its acceleration is its own: derived anew it would lose an order.
             if from.carried.is_none() {
                 scene.accelerate(0.0, state);
             }
-            let method = Alpha::new(nodes, case.solver.rho_inf, tolerance, newton);
+            let method = GeneralizedAlpha::new(nodes, case.solver.rho_inf, tolerance, newton);
             let method = match settings.step_tolerance {
                 Some(tolerance) => method.controlled(control(case, scene, tolerance)),
                 None => method,
@@ -308,10 +308,10 @@ fn run_method<'a>(
 const SHARE_OF_SLIP: f64 = 1e-3;
 
 /// Errors allowed in a step, from the dimensionless tolerance of the case.
-fn control(case: &Case, scene: &Scene, tolerance: f64) -> Control {
+fn control(case: &Case, scene: &Scene, tolerance: f64) -> ErrorLimits {
     let length = scene.arc.last().copied().unwrap_or(1.0);
     let speed = (case.environment.gravity_m_per_s2 * length).sqrt();
-    Control {
+    ErrorLimits {
         position: tolerance * length,
         velocity: 2.0 * tolerance * speed,
     }

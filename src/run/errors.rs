@@ -157,7 +157,7 @@ fn ratio_of_steps(run: &Computed) -> f64 {
 
 /// Segment length of the coarse mesh by that of the fine one, over the whole line.
 fn ratio_of_meshes(case: &Case) -> f64 {
-    let segments = |coarsening| crate::scene::division::segments(case, coarsening) as f64;
+    let segments = |coarsening| crate::scene::mesh::segments(case, coarsening) as f64;
     segments(1) / segments(2)
 }
 

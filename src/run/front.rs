@@ -130,7 +130,7 @@ fn length_at(scene: &Scene, i: usize) -> f64 {
 /// Speed of waves across the line at a node \[m/s\]; none where it is slack.
 fn wave_at(scene: &Scene, i: usize, state: &State) -> Option<f64> {
     let tension = scene.tension_at(i, state);
-    let mass = 1.0 / (V3::z().dot(&(scene.lightness(i, state) * V3::z())) * length_at(scene, i));
+    let mass = 1.0 / (V3::z().dot(&(scene.inverse_mass(i, state) * V3::z())) * length_at(scene, i));
     let speed = (tension / mass).sqrt();
     (speed > 0.0 && speed.is_finite()).then_some(speed)
 }

@@ -6,7 +6,7 @@ use super::compute::refused;
 use super::recorder::Recorder;
 use super::store::StoreError;
 use super::{Checkpoint, Resume, RunState, Settings, Work};
-use crate::dynamics::{Carried, March, MarchError, Place, Stepper, Tally};
+use crate::dynamics::{March, MarchError, MarchProgress, MethodState, Stepper, WorkCounts};
 use crate::scene::Scene;
 use crate::solve::{Instant, Progressing, Sink, State, System};
 
@@ -40,7 +40,7 @@ pub(super) struct From<'a> {
     /// Whether it begins where another run stands.
     pub(super) began: bool,
     /// What the method carries on from there.
-    pub(super) carried: Option<&'a Carried>,
+    pub(super) carried: Option<&'a MethodState>,
     /// What the start gave to be said, for those who go on later.
     pub(super) warnings: &'a [String],
 }
@@ -65,7 +65,7 @@ pub(super) fn march<'a, M: Stepper>(
             Ok(place) => (place, resume.checkpoint.phase),
             Err(error) => return refused(error.to_string(), work),
         },
-        None => (Place::default(), 0),
+        None => (MarchProgress::default(), 0),
     };
     let mut result = Ok(match from.resume {
         Some(_) => Progressing::Continue,
@@ -80,25 +80,26 @@ pub(super) fn march<'a, M: Stepper>(
             method.restart(scene, place.time, state);
         }
         let until = scene.events.get(phase).map_or(f64::INFINITY, |e| e.time);
-        let mut keep = |place: &Place, method: &M, state: &State, sink: &mut Recorder<'a>| {
-            let grid = march.grid();
-            sink.tell_checkpoint(Checkpoint {
-                whole_step_s: grid.dt,
-                per_output: grid.per_output,
-                phase,
-                start_iterations: work.iterations,
-                peaks: sink.extremes(|c| c.peak),
-                troughs: sink.extremes(|c| c.trough),
-                longest: sink.longest(),
-                front: Some(sink.front.clone()),
-                warnings: from.warnings.to_vec(),
-                place: *place,
-                state: state.clone(),
-                carried: method.carried(),
-                profile: sink.profile.clone(),
-                response: sink.response().cloned(),
-            });
-        };
+        let mut keep =
+            |place: &MarchProgress, method: &M, state: &State, sink: &mut Recorder<'a>| {
+                let grid = march.grid();
+                sink.tell_checkpoint(Checkpoint {
+                    whole_step_s: grid.dt,
+                    per_output: grid.per_output,
+                    phase,
+                    start_iterations: work.iterations,
+                    peaks: sink.extremes(|c| c.peak),
+                    troughs: sink.extremes(|c| c.trough),
+                    longest: sink.longest(),
+                    front: Some(sink.front.clone()),
+                    warnings: from.warnings.to_vec(),
+                    place: *place,
+                    state: state.clone(),
+                    carried: method.method_state(),
+                    profile: sink.profile.clone(),
+                    response: sink.response().cloned(),
+                });
+            };
         result = run_phase(
             &march,
             &mut place,
@@ -113,10 +114,10 @@ pub(super) fn march<'a, M: Stepper>(
             break;
         }
     }
-    let Tally {
+    let WorkCounts {
         iterations,
         evaluations,
-    } = method.tally();
+    } = method.work_counts();
     work.iterations += iterations;
     work.evaluations += evaluations;
     Ended {
@@ -132,13 +133,13 @@ pub(super) fn march<'a, M: Stepper>(
 )]
 fn run_phase<'a, M: Stepper>(
     march: &March,
-    place: &mut Place,
+    place: &mut MarchProgress,
     until: f64,
     method: &mut M,
     scene: &'a Scene,
     state: &mut State,
     sink: &mut Recorder<'a>,
-    keep: &mut dyn FnMut(&Place, &M, &State, &mut Recorder<'a>),
+    keep: &mut dyn FnMut(&MarchProgress, &M, &State, &mut Recorder<'a>),
 ) -> Result<Progressing, MarchError> {
     let grid = march.grid();
     let mut kept = std::time::Instant::now();
@@ -169,13 +170,13 @@ fn set_out<'a, M: Stepper>(
     sink: &mut Recorder<'a>,
     from: &From<'_>,
 ) -> Progressing {
-    scene.take_water(0.0, state);
+    scene.update_wave_kinematics(0.0, state);
     // What another run remembers it has committed already.
     if !from.began {
         scene.commit(0.0, 0.0, state);
     }
     if let Some(carried) = from.carried {
-        method.take_up(carried);
+        method.restore(carried);
     }
     sink.accept(Instant {
         time: 0.0,
@@ -192,18 +193,18 @@ fn take_up<'a, M: Stepper>(
     phases: &'a [Scene],
     state: &mut State,
     sink: &mut Recorder<'a>,
-) -> Result<Place, StoreError> {
+) -> Result<MarchProgress, StoreError> {
     let from = &resume.checkpoint;
     sink.take_up(resume)?;
     let scene = &phases[from.phase.min(phases.len() - 1)];
     sink.enter(scene);
     *state = from.state.clone();
-    scene.take_water(from.place.time, state);
-    method.take_up(&from.carried);
+    scene.update_wave_kinematics(from.place.time, state);
+    method.restore(&from.carried);
     Ok(from.place)
 }
 
-fn ended(result: Result<Progressing, MarchError>, place: &Place, work: Work) -> Ended {
+fn ended(result: Result<Progressing, MarchError>, place: &MarchProgress, work: Work) -> Ended {
     let (state, failure) = match &result {
         Ok(Progressing::Stop) => (RunState::Cancelled, None),
         Ok(Progressing::Continue) => (RunState::Done, None),
@@ -226,13 +227,13 @@ fn ended(result: Result<Progressing, MarchError>, place: &Place, work: Work) -> 
 
 /// What to try after a step that failed at every length.
 fn advice(error: &MarchError) -> &'static str {
-    use crate::solve::NewtonError::{Astray, Diverged, NotFinite, Singular, Unstable};
+    use crate::solve::NewtonError::{NotConverged, NotFinite, Runaway, Singular, Unstable};
     match error.why {
-        Diverged { .. } => {
+        NotConverged { .. } => {
             "try a smaller time_step_s, a smaller rho_inf, or more segments near that node"
         }
         Singular { .. } => "give that part of the line mass, drag or tension",
-        Astray { .. } => {
+        Runaway { .. } => {
             "give the line tangential drag or axial damping, or use the solver `alpha`"
         }
         Unstable { .. } => "use the solver `alpha`, or try a smaller time_step_s",

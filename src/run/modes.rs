@@ -2,9 +2,9 @@
 
 use super::{Quantity, quantity_name};
 use crate::case::{Case, Statistic};
-use crate::modes::{Failure, Kind, Mode, Pencil, lowest, modes_of};
+use crate::modes::{Mode, ModeKind, ModesError, Pencil, lowest, modes_of};
 use crate::scene::Scene;
-use crate::statics::equilibrium::Search;
+use crate::statics::equilibrium::EquilibriumSearch;
 
 /// Modes found beyond those wanted, so that both planes have as many as are named.
 const BEYOND: usize = 4;
@@ -18,11 +18,11 @@ pub(super) fn numbers(case: &Case, scene: &Scene) -> Result<Vec<Quantity>, Strin
     let Some(wanted) = &case.modes else {
         return Ok(Vec::new());
     };
-    if scene.turning.is_some() {
-        return Err(Failure::Turning.to_string());
+    if scene.rigid_payload.is_some() {
+        return Err(ModesError::RigidPayload.to_string());
     }
     let mut rest = scene.initial_state();
-    let search = Search::default().run(scene, 0.0, &mut rest);
+    let search = EquilibriumSearch::default().run(scene, 0.0, &mut rest);
     search.map_err(|error| error.to_string())?;
     let mut pencil = Pencil::new(scene, &rest);
     let pairs =
@@ -30,8 +30,8 @@ pub(super) fn numbers(case: &Case, scene: &Scene) -> Result<Vec<Quantity>, Strin
     let modes = modes_of(&pencil, &rest.x, pairs);
     let mut list = Vec::new();
     for (kind, plane) in [
-        (Kind::InPlane, "in_plane"),
-        (Kind::OutOfPlane, "out_of_plane"),
+        (ModeKind::InPlane, "in_plane"),
+        (ModeKind::OutOfPlane, "out_of_plane"),
     ] {
         let found = modes.iter().filter(|mode| mode.kind == kind);
         let frequencies: Vec<f64> = found.map(Mode::frequency_hz).collect();

@@ -16,7 +16,7 @@ use super::response::period;
 use crate::case::Case;
 use crate::modes::{Medium, Wave};
 use crate::scene::Scene;
-use crate::statics::equilibrium::Search;
+use crate::statics::equilibrium::EquilibriumSearch;
 
 /// What the response is most like around a place.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -37,7 +37,10 @@ pub(super) fn tell(case: &Case, scene: &Scene, profile: &mut Profile) {
         return;
     };
     let mut rest = scene.initial_state();
-    if Search::default().run(scene, 0.0, &mut rest).is_err() {
+    if EquilibriumSearch::default()
+        .run(scene, 0.0, &mut rest)
+        .is_err()
+    {
         return;
     }
     let Some(medium) = Medium::of(scene, &rest) else {

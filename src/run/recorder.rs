@@ -167,13 +167,13 @@ impl<'a> Recorder<'a> {
             *value = match *source {
                 Source::Joint(joint) => self.scene.tension_at(self.scene.joints[joint].node, state),
                 Source::Coordinate(LineEnd::A, axis) => state.x[0][axis],
-                Source::Coordinate(LineEnd::B, axis) => self.scene.place_of_b(state)[axis],
+                Source::Coordinate(LineEnd::B, axis) => self.scene.end_b_position(state)[axis],
                 Source::Body(body, axis) => state.x[self.scene.clumps[body]][axis],
                 Source::Force(end, axis) => {
                     let node = node(end);
                     let force = || {
                         self.scene.end_force(node, state)
-                            + self.scene.traveller_on(node, time, state)
+                            + self.scene.traveller_force_on(node, time, state)
                     };
                     forces[usize::from(end == LineEnd::B)].get_or_insert_with(force)[axis]
                 }
@@ -187,7 +187,7 @@ impl<'a> Recorder<'a> {
                     tension.unwrap_or(f64::NAN)
                 }
                 Source::Speed(LineEnd::A) => state.v[0].norm(),
-                Source::Speed(LineEnd::B) => self.scene.velocity_of_b(state).norm(),
+                Source::Speed(LineEnd::B) => self.scene.end_b_velocity(state).norm(),
                 Source::Tilt => self.scene.tilt(state).to_degrees(),
                 Source::Elevation => self.scene.elevation(time),
                 Source::Energy => {

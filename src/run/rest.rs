@@ -5,7 +5,7 @@ use super::Work;
 use crate::case::{Case, Method};
 use crate::scene::Scene;
 use crate::solve::State;
-use crate::statics::equilibrium::{Search, instabilities};
+use crate::statics::equilibrium::{EquilibriumSearch, instabilities};
 
 /// A turn between neighbouring segments \[rad\] from which the mesh error is not of second order any more.
 const SHARP: f64 = 0.8;
@@ -25,7 +25,7 @@ pub(super) fn come_to_rest(
         return Ok(());
     }
     find_rest(scene, state, work, warnings)?;
-    if let Some(node) = scene.sliding(state) {
+    if let Some(node) = scene.sliding_node(state) {
         return Err(format!(
             "the line has no equilibrium: at node {node} it slides down the slope, which friction on the bed does not bear"
         ));
@@ -40,10 +40,10 @@ fn find_rest(
     work: &mut Work,
     warnings: &mut Vec<String>,
 ) -> Result<(), String> {
-    match Search::default().run(scene, 0.0, state) {
+    match EquilibriumSearch::default().run(scene, 0.0, state) {
         Ok(found) => {
             work.iterations += found.iterations;
-            if found.smooth {
+            if found.friction_released {
                 warnings.push(
                     "the equilibrium found is one of many: no rest was found for the line as it is taken to be laid; it lies where it \
                      would on a smooth bed, and friction bears nothing yet"
@@ -53,12 +53,12 @@ fn find_rest(
         }
         Err(error) => {
             work.iterations += error.iterations;
-            let closed_form = scene.refusal();
+            let closed_form = scene.catenary_error();
             let mut words = error.to_string();
             if let Some(why) = closed_form {
                 words += &format!(". Without bending, in still water: {why}");
             }
-            let slack = scene.heaped(state);
+            let slack = scene.untensioned_on_bed(state);
             if slack > 0.0 {
                 words += &format!(
                     ". {slack:.1} m of the line lie slack on the bed, where nothing gives them a shape; `seabed.friction` would"
@@ -120,8 +120,11 @@ fn tell_of_rest(scene: &Scene, state: &State, warnings: &mut Vec<String>) -> Res
 /// Says that slack line lies in one of many shapes, on the bed or on the surface of the water.
 fn many_shapes(scene: &Scene, state: &State) -> Option<String> {
     let places = [
-        (scene.heaped(state), "lie on the bed"),
-        (scene.adrift(state), "float on the surface of the water"),
+        (scene.untensioned_on_bed(state), "lie on the bed"),
+        (
+            scene.untensioned_afloat(state),
+            "float on the surface of the water",
+        ),
     ];
     let (length, how) = places.into_iter().find(|(length, _)| *length > 0.0)?;
     Some(format!(
@@ -135,9 +138,9 @@ fn other_side(scene: &Scene, state: &State) -> Option<String> {
     scene.flexure.as_ref()?;
     let (mut other, node) = scene.mirrored(state)?;
     // What takes a long search is no neighbour of the mirror image.
-    let short = Search {
+    let short = EquilibriumSearch {
         max_steps: 60,
-        ..Search::default()
+        ..EquilibriumSearch::default()
     };
     short.run(scene, 0.0, &mut other).ok()?;
     let apart = (other.x[node] - state.x[node]).norm();

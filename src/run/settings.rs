@@ -2,7 +2,7 @@
 
 use super::Settings;
 use crate::case::{Case, Method};
-use crate::dynamics::damping::Numerical;
+use crate::dynamics::numerical_damping::NumericalDamping;
 use crate::scene::{End, Scene};
 use crate::solve::System;
 
@@ -86,7 +86,7 @@ fn forced_period(scene: &Scene) -> f64 {
         + scene.bodies.iter().map(|b| b.body.added.max()).sum::<f64>();
     let mut period = std::f64::consts::TAU * (mass * compliance).sqrt();
     for end in &scene.ends {
-        if let End::Held(motion) = end
+        if let End::Prescribed(motion) = end
             && let Some(own) = motion.period()
         {
             period = period.min(own);
@@ -100,7 +100,7 @@ pub(super) fn tell_damping(settings: &mut Settings, scene: &Scene, steps: &[(f64
     if let (Some(rho), false) = (settings.rho_inf, steps.is_empty()) {
         let period = forced_period(scene);
         let omega = std::f64::consts::TAU / period;
-        settings.numerical_damping = Some(Numerical::over(rho, omega, steps).damping);
+        settings.numerical_damping = Some(NumericalDamping::over(rho, omega, steps).damping);
         settings.numerical_damping_period_s = Some(period);
     }
 }
@@ -117,7 +117,7 @@ pub(super) fn tell_of_modes(
     hz: &[f64],
 ) -> Option<String> {
     let rho = settings.rho_inf.filter(|_| !steps.is_empty())?;
-    let of = |hz: f64| Numerical::over(rho, std::f64::consts::TAU * hz, steps);
+    let of = |hz: f64| NumericalDamping::over(rho, std::f64::consts::TAU * hz, steps);
     let notable = |hz: &&f64| {
         let made = of(**hz);
         made.lost_a_cycle() > NOTABLE || made.lengthening > 0.1 * NOTABLE

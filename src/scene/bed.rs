@@ -123,7 +123,7 @@ impl Scene {
     }
 
     /// Has the bed take hold of every node as it stands: an accepted state.
-    pub(super) fn take_hold(&self, state: &mut State) {
+    pub(super) fn update_grips(&self, state: &mut State) {
         let Some(bed) = &self.bed else { return };
         let Some(friction) = &bed.friction else {
             return;
@@ -173,7 +173,7 @@ impl Scene {
     /// What the bed bears of the half of segment i at one of its nodes \[N\], with the pull of the segment on that node and its
     /// other load. A held end that lies on the bed does not sink into it and so is not pushed by its springs; the bed
     /// bears there what presses it down, and has friction as on the neighbouring node, no more than what it resists.
-    pub(super) fn bed_on_half(
+    pub(super) fn bed_force_on_half(
         &self,
         i: usize,
         node: usize,
@@ -192,8 +192,8 @@ impl Scene {
             _ => return self.bed_force(bed, node, state) * (half / self.footprint[node]),
         };
         let tall = 1e-9 * self.arc[last];
-        let lies =
-            matches!(self.ends[end], End::Held(_)) && bed.height(&state.x[node]).abs() <= tall;
+        let lies = matches!(self.ends[end], End::Prescribed(_))
+            && bed.height(&state.x[node]).abs() <= tall;
         if !lies {
             return self.bed_force(bed, node, state);
         }
@@ -219,7 +219,7 @@ impl Scene {
     }
 
     /// Energy in the springs that push \[J\].
-    pub(super) fn energy_in_bed(&self, state: &State) -> f64 {
+    pub(super) fn bed_energy(&self, state: &State) -> f64 {
         let Some(bed) = &self.bed else { return 0.0 };
         let mut energy = 0.0;
         for (x, area) in state.x.iter().zip(&self.footprint) {
@@ -229,7 +229,7 @@ impl Scene {
     }
 
     /// Power that the bed takes out of the line \[W\]. What a grip holds for a while counts as taken.
-    pub(super) fn loss_to_bed(&self, state: &State) -> f64 {
+    pub(super) fn bed_dissipation(&self, state: &State) -> f64 {
         let Some(bed) = &self.bed else { return 0.0 };
         let normal = bed.normal();
         let mut power = 0.0;
@@ -250,7 +250,7 @@ impl Scene {
     /// A node that the bed would have to hold by more than friction bears, if there is one: line that has been pushed back
     /// along a slope, and slides.
     #[must_use]
-    pub fn sliding(&self, state: &State) -> Option<usize> {
+    pub fn sliding_node(&self, state: &State) -> Option<usize> {
         let bed = self.bed.as_ref()?;
         let friction = bed.friction.as_ref()?;
         let normal = bed.normal();
@@ -265,7 +265,7 @@ impl Scene {
     }
 
     /// The fastest rate at which the bed slows node i \[1/s\].
-    pub(super) fn decay_by_bed(&self, i: usize, state: &State) -> f64 {
+    pub(super) fn bed_decay_rate(&self, i: usize, state: &State) -> f64 {
         let Some(bed) = &self.bed else { return 0.0 };
         let push = self.push(bed, i, state);
         if push.force <= 0.0 {

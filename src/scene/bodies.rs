@@ -1,7 +1,7 @@
 //! Bodies hung on the line: clumps along it, and the payload at its end.
 
-use super::line::{Hung, Joint};
-use super::{SceneError, Turning};
+use super::line::{AttachedBody, Joint};
+use super::{RigidPayload, SceneError};
 use crate::case::{self, Case, EndKind, OneOrMany};
 use crate::numerics::V3;
 use crate::physics::kirchhoff::Entrained;
@@ -14,7 +14,7 @@ pub(super) fn on_line(
     case: &Case,
     joints: &[Joint],
     arc: &[f64],
-) -> Result<(Vec<Hung>, Vec<String>), SceneError> {
+) -> Result<(Vec<AttachedBody>, Vec<String>), SceneError> {
     let mut bodies = Vec::new();
     let mut remarks = Vec::new();
     for clump in &case.clumps {
@@ -28,14 +28,14 @@ pub(super) fn on_line(
                 clump.section,
             ));
         }
-        bodies.push(Hung {
+        bodies.push(AttachedBody {
             node,
-            body: hung(case, clump),
+            body: clump_body(case, clump),
         });
     }
     let turns = |body: &case::Payload| body.rotation.is_some();
     if !case.payload.as_ref().is_some_and(turns) {
-        bodies.extend(payload(case)?.map(|body| Hung {
+        bodies.extend(payload(case)?.map(|body| AttachedBody {
             node: arc.len() - 1,
             body,
         }));
@@ -63,7 +63,7 @@ fn nearest_node(
     Ok((node, off(node)))
 }
 
-fn hung(case: &Case, clump: &case::Clump) -> Body {
+fn clump_body(case: &Case, clump: &case::Clump) -> Body {
     let water = &case.environment;
     Body {
         mass: clump.mass_kg,
@@ -125,7 +125,7 @@ fn payload(case: &Case) -> Result<Option<Body>, SceneError> {
 }
 
 /// The payload, where it turns about the last node of the line.
-pub(super) fn turning(case: &Case, node: usize) -> Result<Option<Turning>, SceneError> {
+pub(super) fn rigid_payload(case: &Case, node: usize) -> Result<Option<RigidPayload>, SceneError> {
     let rotation = case
         .payload
         .as_ref()
@@ -164,7 +164,7 @@ pub(super) fn turning(case: &Case, node: usize) -> Result<Option<Turning>, Scene
     };
     let body = RigidBody::new(&measures)
         .ok_or_else(|| impossible("its centre of gravity must lie below the hang point"))?;
-    Ok(Some(Turning { node, body }))
+    Ok(Some(RigidPayload { node, body }))
 }
 
 fn form(shape: &case::Shape) -> Form {

@@ -3,9 +3,10 @@
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use super::elasticity::{Elasticity, elasticity};
-use super::line::{Hung, Joint, Scene, Segment};
+use super::line::{AttachedBody, Joint, Scene, Segment};
 use super::{
-    Traveller, Turning, bed, bodies, buoyancy, division, ends, event, flexure, idle, sea, shape,
+    RigidPayload, Traveller, bed, bodies, buoyancy, ends, event, flexure, initial_shape, mesh,
+    unused_inputs, waves,
 };
 use crate::case::{self, Case, DragWidth, OneOrMany, StartShape};
 use crate::numerics::V3;
@@ -79,13 +80,13 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
     let (mut bodies, mut remarks) = bodies::on_line(case, &joints, &arc)?;
     let clumps = bodies[..case.clumps.len()].iter().map(|b| b.node).collect();
     bodies.sort_by_key(|hung| hung.node);
-    let turning = bodies::turning(case, arc.len() - 1)?;
-    if let Some(turning) = &turning {
-        arc.push(arc[arc.len() - 1] + turning.body.reach);
-        segments.push(rod(&segments[segments.len() - 1], turning));
+    let rigid_payload = bodies::rigid_payload(case, arc.len() - 1)?;
+    if let Some(rigid_payload) = &rigid_payload {
+        arc.push(arc[arc.len() - 1] + rigid_payload.body.reach);
+        segments.push(rod(&segments[segments.len() - 1], rigid_payload));
     }
-    let (mass, weight) = lump(&segments, &bodies, turning.as_ref())?;
-    let (water, of_water) = sea::water(case, &segments, &bodies)?;
+    let (mass, weight) = lump(&segments, &bodies, rigid_payload.as_ref())?;
+    let (water, of_water) = waves::water(case, &segments, &bodies)?;
     remarks.extend(of_water);
     let waves = water.as_ref().and_then(|water| water.waves.as_ref());
     let ends = [
@@ -94,7 +95,7 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
     ];
     let flexure = flexure::flexure(case, &segments);
     remarks.extend(flexure::clamps_in_vain(case, &segments));
-    remarks.extend(idle::remarks(case));
+    remarks.extend(unused_inputs::remarks(case));
     let bed = case.seabed.as_ref().map(bed::seabed);
     let gross: f64 = weight.iter().map(|w| w.abs()).sum();
     let line_length = case.line.iter().map(|section| section.length_m).sum();
@@ -107,7 +108,7 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
         end_names: [case.ends.a.name.clone(), case.ends.b.name.clone()],
         ends,
         bodies,
-        turning,
+        rigid_payload,
         traveller: case
             .traveller
             .as_ref()
@@ -130,9 +131,9 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
         events: event::events(case),
         start_in_equilibrium: case.start.shape == StartShape::Equilibrium,
     };
-    let guess = shape::start(case, &scene)?;
+    let guess = initial_shape::start(case, &scene)?;
     if scene.start_in_equilibrium {
-        let laid = scene.laid(&guess.nodes, &guess.tension);
+        let laid = scene.initial_friction(&guess.nodes, &guess.tension);
         scene.start_grips = laid.grips;
         scene.remarks.extend(laid.remark);
     } else {
@@ -140,7 +141,7 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
     }
     scene.start = guess.nodes;
     scene.start_tension = guess.tension;
-    scene.force_scale = scene.force_scale.max(scene.most_drag());
+    scene.force_scale = scene.force_scale.max(scene.greatest_drag());
     Ok(scene)
 }
 
@@ -169,7 +170,7 @@ fn add_section(
         });
     }
     let elasticity = elasticity(&section.material, material, laws)?;
-    for (from, length) in division::of_section(case, index, coarsening) {
+    for (from, length) in mesh::of_section(case, index, coarsening) {
         let mut segment = bare_segment(&case.environment, material, &elasticity, length);
         for modules in case.modules.iter().filter(|m| m.section == section.name) {
             let bare = material.diameter_m;
@@ -250,9 +251,9 @@ fn bare_segment(
 }
 
 /// The rod of a payload that turns: no line, only stiffness. What it shares with the segment before it has no effect.
-fn rod(before: &Segment, turning: &Turning) -> Segment {
+fn rod(before: &Segment, rigid_payload: &RigidPayload) -> Segment {
     let mut rod = *before;
-    rod.axial = turning.body.rod();
+    rod.axial = rigid_payload.body.rod();
     (rod.drag.normal, rod.drag.tangential, rod.drag.floats) = (0.0, 0.0, 0.0);
     rod.drag.normal_law = DragLaw::Constant(0.0);
     rod.drag.tangential_law = DragLaw::Constant(0.0);
@@ -300,8 +301,8 @@ fn footprint(segments: &[Segment]) -> Vec<f64> {
 /// Masses and weights of the nodes: halves of their segments, and the bodies hung there.
 fn lump(
     segments: &[Segment],
-    bodies: &[Hung],
-    turning: Option<&Turning>,
+    bodies: &[AttachedBody],
+    rigid_payload: Option<&RigidPayload>,
 ) -> Result<(Vec<f64>, Vec<f64>), SceneError> {
     let nodes = segments.len() + 1;
     let (mut mass, mut weight) = (vec![0.0; nodes], vec![0.0; nodes]);
@@ -315,7 +316,7 @@ fn lump(
         mass[hung.node] += hung.body.mass;
         weight[hung.node] += hung.body.weight;
     }
-    if let Some(Turning { node, body }) = turning {
+    if let Some(RigidPayload { node, body }) = rigid_payload {
         for i in 0..2 {
             mass[node + i] += body.mass[i];
             weight[node + i] += body.weight[i];

@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 use super::End;
 use super::build::SceneError;
-use super::sea::Record;
+use super::waves::Record;
 use crate::case::{self, Case, EndKind, MotionName};
 use crate::numerics::V3;
 use crate::physics::EndMotion;
@@ -30,7 +30,7 @@ pub(super) fn end(
     };
     match end.kind {
         EndKind::Payload | EndKind::Free => Ok(End::Free),
-        EndKind::Fixed | EndKind::Anchor => Ok(End::Held(EndMotion::still(position()?))),
+        EndKind::Fixed | EndKind::Anchor => Ok(End::Prescribed(EndMotion::still(position()?))),
         EndKind::Moving => {
             let place = position()?;
             let course = match end.motion {
@@ -39,7 +39,7 @@ pub(super) fn end(
                 MotionName::Irregular => irregular(end, key)?,
                 MotionName::Vessel => vessel(case, end, key, &place, waves, remarks)?,
             };
-            Ok(End::Held(EndMotion {
+            Ok(End::Prescribed(EndMotion {
                 position: place,
                 course,
                 ramp: end.ramp_s,

@@ -19,9 +19,9 @@ pub struct Event {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Change {
     /// Nothing holds end A (0) or B (1) any more.
-    LetGo(usize),
+    ReleaseEnd(usize),
     /// The payload is off the line.
-    CutOff,
+    ReleasePayload,
 }
 
 /// The events of a case, the earliest first.
@@ -29,14 +29,14 @@ pub(super) fn events(case: &Case) -> Vec<Event> {
     let ends = [&case.ends.a, &case.ends.b].into_iter().enumerate();
     let mut list: Vec<Event> = ends
         .filter_map(|(end, of)| {
-            let change = Change::LetGo(end);
+            let change = Change::ReleaseEnd(end);
             of.release_s.map(|time| Event { time, change })
         })
         .collect();
     let cut = case.payload.as_ref().and_then(|p| p.release_s);
     list.extend(cut.map(|time| Event {
         time,
-        change: Change::CutOff,
+        change: Change::ReleasePayload,
     }));
     list.sort_by(|a, b| a.time.total_cmp(&b.time));
     list
@@ -48,13 +48,13 @@ impl Scene {
     pub fn after(&self, change: Change) -> Self {
         let mut scene = self.clone();
         match change {
-            Change::LetGo(end) => {
+            Change::ReleaseEnd(end) => {
                 scene.ends[end] = End::Free;
                 if let Some(flexure) = &mut scene.flexure {
                     flexure.clamps[end] = None;
                 }
             }
-            Change::CutOff => {
+            Change::ReleasePayload => {
                 // The payload is the last of the bodies, at the last node.
                 if let (Some(hung), Some(last)) = (scene.bodies.pop(), scene.segments.last()) {
                     let left = || scene.bodies.iter().filter(|other| other.node == hung.node);
@@ -69,7 +69,7 @@ impl Scene {
     }
 
     /// Sets a line at rest going at the velocity with which it starts; held ends move as they are moved.
-    pub fn set_going(&self, state: &mut State) {
+    pub fn apply_start_velocity(&self, state: &mut State) {
         if self.start_velocity != V3::zeros() {
             state.v.fill(self.start_velocity);
             self.prescribe(0.0, state);

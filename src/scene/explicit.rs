@@ -1,7 +1,7 @@
 //! What an explicit method asks of the line: accelerations, and how long a step it bears.
 
-use super::water::Bathed;
-use super::{End, Hung, Scene};
+use super::water::BodyInWater;
+use super::{AttachedBody, End, Scene};
 use crate::numerics::{M3, V3};
 use crate::solve::{State, System};
 
@@ -55,19 +55,21 @@ impl Scene {
                 f += pull + here;
                 beyond = there - pull;
                 if !PLAIN && self.water.is_some() {
-                    f += self.dragged_along(i, 0, along, wet.as_ref(), state);
-                    beyond += self.dragged_along(i, 1, along, wet.as_ref(), state);
+                    f += self.wave_force(i, 0, along, wet.as_ref(), state);
+                    beyond += self.wave_force(i, 1, along, wet.as_ref(), state);
                 }
                 near = far;
             }
-            while let Some((number, Hung { body, .. })) = bodies.next_if(|(_, h)| h.node == i) {
-                let Bathed {
+            while let Some((number, AttachedBody { body, .. })) =
+                bodies.next_if(|(_, h)| h.node == i)
+            {
+                let BodyInWater {
                     u,
                     carried,
                     share,
                     load,
                     ..
-                } = self.bathed(number, state);
+                } = self.body_in_water(number, state);
                 f += (body.drag(&u) + body.added.component_mul(&carried)) * share + load;
                 m.add_axes(&(body.added * share));
             }
@@ -78,9 +80,9 @@ impl Scene {
 
     /// Acceleration of a free node by a force on it, added mass and bodies included, a traveller left out \[1/kg\].
     #[must_use]
-    pub fn lightness(&self, node: usize, state: &State) -> M3 {
-        if let Some(turning) = self.turning.as_ref().filter(|t| t.node == node) {
-            return turning.lightness(self, state)[0];
+    pub fn inverse_mass(&self, node: usize, state: &State) -> M3 {
+        if let Some(rigid_payload) = self.rigid_payload.as_ref().filter(|t| t.node == node) {
+            return rigid_payload.inverse_mass(self, state)[0];
         }
         let m = self.mass_of(node, state);
         M3::from_columns(&[V3::x(), V3::y(), V3::z()].map(|axis| m.solve(&axis)))
@@ -108,7 +110,7 @@ impl Scene {
             .enumerate()
             .filter(|(_, h)| h.node == node)
         {
-            m.add_axes(&(hung.body.added * self.bathed(number, state).share));
+            m.add_axes(&(hung.body.added * self.body_in_water(number, state).share));
         }
         m
     }
@@ -128,7 +130,7 @@ impl Scene {
 
     /// The fastest rate at which drag slows a node \[1/s\], and the node: `dF/du / m` with all the relative velocity
     /// counted as normal or as tangential, whichever gives more, and without added mass; so no less than it is.
-    pub(super) fn decay_by_drag(&self, state: &State) -> (f64, usize) {
+    pub(super) fn fastest_drag_decay(&self, state: &State) -> (f64, usize) {
         let last = self.nodes() - 1;
         let mut fastest = (0.0, 0);
         for node in self.free() {
@@ -139,18 +141,18 @@ impl Scene {
                 .sum();
             let here = self.bodies.iter().filter(|hung| hung.node == node);
             drag += here.map(|hung| hung.body.drag.amax()).sum::<f64>();
-            let mut rate = 2.0 * drag * speed / self.mass[node] + self.decay_by_bed(node, state);
+            let mut rate = 2.0 * drag * speed / self.mass[node] + self.bed_decay_rate(node, state);
             if !self.laws.is_empty() {
-                rate = rate.max(self.ring_of_ropes(node, state));
+                rate = rate.max(self.rope_frequency(node, state));
             }
             if rate > fastest.0 {
                 fastest = (rate, node);
             }
         }
-        if let Some(turning) = &self.turning {
-            let rate = turning.decay(self, state);
+        if let Some(rigid_payload) = &self.rigid_payload {
+            let rate = rigid_payload.decay(self, state);
             if rate > fastest.0 {
-                fastest = (rate, turning.node);
+                fastest = (rate, rigid_payload.node);
             }
         }
         fastest
@@ -158,11 +160,11 @@ impl Scene {
 
     /// Fastest axial frequency of the ropes at a node, as stiff as they are now \[rad/s\]: [`Scene::explicit_limit`]
     /// knows them up to half their breaking load only.
-    fn ring_of_ropes(&self, node: usize, state: &State) -> f64 {
+    fn rope_frequency(&self, node: usize, state: &State) -> f64 {
         let last = self.segments.len();
         let stiffest = (node.saturating_sub(1)..(node + 1).min(last))
             .filter(|i| self.segments[*i].axial.law.is_some())
-            .map(|i| self.pull_now(i, &self.chord(i, state), state).by_length)
+            .map(|i| self.tension_now(i, &self.chord(i, state), state).by_length)
             .fold(0.0, f64::max);
         2.0 * (stiffest / self.mass[node]).sqrt()
     }
@@ -190,7 +192,7 @@ impl Scene {
             let lightness = |node: usize, held: bool| {
                 if held { 0.0 } else { 1.0 / self.mass[node] }
             };
-            let held = |end: usize| matches!(self.ends[end], End::Held(_));
+            let held = |end: usize| matches!(self.ends[end], End::Prescribed(_));
             let last = self.segments.len();
             let sum = lightness(i, i == 0 && held(0)) + lightness(i + 1, i + 1 == last && held(1));
             let axial = 2.0 * segment.axial.ea / segment.axial.length;

@@ -6,7 +6,7 @@ use crate::physics::bending::{self, Bend, curvature};
 use crate::physics::tension::Chord;
 use crate::solve::State;
 
-use super::{Scene, Segment, shape};
+use super::{Scene, Segment, initial_shape};
 use crate::case::{self, Case};
 
 /// What bends, and what clamps.
@@ -208,7 +208,7 @@ impl Flexure {
     /// The first node at which the line bends by a right angle or more: no mesh can carry such a bend, and past it
     /// the moment of this one falls again.
     #[must_use]
-    pub fn folded(&self, scene: &Scene, state: &State) -> Option<usize> {
+    pub fn kinked_node(&self, scene: &Scene, state: &State) -> Option<usize> {
         let chord = |i: usize| state.x[i + 1] - state.x[i];
         let last = scene.segments.len();
         let back = |direction: &V3, i: usize| direction.dot(&chord(i)) <= 0.0;
@@ -222,7 +222,7 @@ impl Flexure {
 
     /// The same with every clamp turned only a share of the way from the direction of the line in `start` to its own, in
     /// the plane of both; nothing without clamps.
-    pub(super) fn eased(&self, scene: &Scene, start: &State, share: f64) -> Option<Self> {
+    pub(super) fn with_clamps(&self, scene: &Scene, start: &State, share: f64) -> Option<Self> {
         self.clamps.iter().flatten().next()?;
         let mut eased = self.clone();
         for (end, i) in [(0, 0), (1, scene.segments.len() - 1)] {
@@ -299,7 +299,7 @@ pub(super) fn flexure(case: &Case, segments: &[Segment]) -> Option<Flexure> {
         let azimuth = end.clamp_azimuth_deg.to_radians();
         let (ei, length) = part(i);
         Some((
-            shape::direction(azimuth, elevation),
+            initial_shape::direction(azimuth, elevation),
             bending::clamp_stiffness(ei, length),
         ))
     };

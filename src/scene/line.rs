@@ -8,8 +8,8 @@ use crate::physics::rope::Law;
 use crate::physics::tension::{Axial, Chord};
 use crate::physics::{Body, Current, EndMotion, Grip, Seabed};
 
-use super::wetting::Wet;
-use super::{Event, Flexure, Traveller, Turning, Water};
+use super::submergence::Submergence;
+use super::{Event, Flexure, RigidPayload, Traveller, Water};
 use crate::solve::{State, System};
 
 /// A segment between two nodes.
@@ -35,14 +35,14 @@ pub struct Segment {
 #[derive(Debug, Clone, PartialEq)]
 pub enum End {
     /// Prescribed.
-    Held(EndMotion),
+    Prescribed(EndMotion),
     /// Moves by its equation of motion.
     Free,
 }
 
 /// A body and the node it hangs on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hung {
+pub struct AttachedBody {
     /// The node.
     pub node: usize,
     /// The body; its mass and weight are those of the node already.
@@ -74,9 +74,9 @@ pub struct Scene {
     /// What holds the ends A and B.
     pub ends: [End; 2],
     /// Bodies on the line that are points, by their nodes, the payload last.
-    pub bodies: Vec<Hung>,
+    pub bodies: Vec<AttachedBody>,
     /// A payload that turns about the last node of the line.
-    pub turning: Option<Turning>,
+    pub rigid_payload: Option<RigidPayload>,
     /// Nodes of the clumps, in the order of the case.
     pub clumps: Vec<usize>,
     /// A body that travels along the line, if there is one.
@@ -136,7 +136,7 @@ impl Scene {
 
     /// Stretched length that the water sees \[m\], and 1 / chord length where it grows with the chord.
     #[inline(always)]
-    pub(super) fn wetted(&self, i: usize, chord: &Chord) -> (f64, f64) {
+    pub(super) fn wetted_length(&self, i: usize, chord: &Chord) -> (f64, f64) {
         let unstretched = self.segments[i].axial.length;
         if chord.length > unstretched {
             (chord.length, chord.inverse)
@@ -148,17 +148,17 @@ impl Scene {
     /// Drag on both halves of segment i.
     #[inline(always)]
     pub(super) fn drag(&self, i: usize, chord: &Chord, state: &State) -> Drag<Two> {
-        self.wet_drag(i, chord, state, self.wet(i, state).as_ref())
+        self.submerged_drag(i, chord, state, self.wet(i, state).as_ref())
     }
 
     /// The same where it is known how much of both halves is wet.
     #[inline(always)]
-    pub(super) fn wet_drag(
+    pub(super) fn submerged_drag(
         &self,
         i: usize,
         chord: &Chord,
         state: &State,
-        wet: Option<&[Wet; 2]>,
+        wet: Option<&[Submergence; 2]>,
     ) -> Drag<Two> {
         let full = self.full_drag(i, chord, state);
         match wet {
@@ -171,7 +171,7 @@ impl Scene {
     #[inline(always)]
     pub(super) fn full_drag(&self, i: usize, chord: &Chord, state: &State) -> Drag<Two> {
         let u = self.relative_velocities(i, state);
-        let length = self.wetted(i, chord).0;
+        let length = self.wetted_length(i, chord).0;
         self.segments[i].drag.drag(
             &chord.tangent,
             [&u[0], &u[1]],
@@ -215,7 +215,7 @@ impl Scene {
     }
 
     /// What the drag of the line could be in the fastest current there is, all of it across that or along \[N\].
-    pub(super) fn most_drag(&self) -> f64 {
+    pub(super) fn greatest_drag(&self) -> f64 {
         let speed = self.current.fastest();
         let per_square = |s: &Segment| s.axial.length * s.drag.greatest(speed);
         speed * speed * self.segments.iter().map(per_square).sum::<f64>()

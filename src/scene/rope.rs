@@ -3,11 +3,11 @@
 use super::Scene;
 use crate::physics::rope::{Elastic, Law, Mean};
 use crate::physics::tension::{Axial, Chord, Tension};
-use crate::solve::{RopePast, State};
+use crate::solve::{RopeHistory, State};
 
 /// What the dynamic stiffness of a segment stands at.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct RopeReading {
+pub struct RopeStiffness {
     /// Lm: mean of the past tension, in percent of the breaking load.
     pub mean_load: f64,
     /// La: deviation of the tension from that mean, in percent of the breaking load.
@@ -31,8 +31,8 @@ impl Scene {
     /// The tension of segment i as the state stands: at the time of its last accepted step.
     #[inline(always)]
     #[must_use]
-    pub fn pull_now(&self, i: usize, chord: &Chord, state: &State) -> Tension {
-        match state.excess.get(i) {
+    pub fn tension_now(&self, i: usize, chord: &Chord, state: &State) -> Tension {
+        match state.chord_correction.get(i) {
             None => self.pull(i, chord, state.memory.time, state),
             Some(excess) => {
                 let mut told = *chord;
@@ -44,7 +44,13 @@ impl Scene {
 
     /// The tension of segment i, were it to push when it is slack.
     #[inline(always)]
-    pub(super) fn pull_or_push(&self, i: usize, chord: &Chord, t: f64, state: &State) -> Tension {
+    pub(super) fn two_sided_tension(
+        &self,
+        i: usize,
+        chord: &Chord,
+        t: f64,
+        state: &State,
+    ) -> Tension {
         let axial = self.segments[i].axial.as_rod(true);
         match axial.law {
             None => axial.tension(chord),
@@ -66,7 +72,7 @@ impl Scene {
     }
 
     /// Elastic energy of segment i \[J\]: with dynamic stiffness, what it would give back at once.
-    pub(super) fn stored(&self, i: usize, chord: &Chord, state: &State) -> f64 {
+    pub(super) fn elastic_energy(&self, i: usize, chord: &Chord, state: &State) -> f64 {
         let axial = &self.segments[i].axial;
         let stretch = chord.length - axial.length;
         let stretch = if axial.rod { stretch } else { stretch.max(0.0) };
@@ -81,7 +87,7 @@ impl Scene {
     }
 
     /// Power by which segment i loses elastic energy while the mean it remembers moves on \[W\].
-    pub(super) fn forgotten(&self, i: usize, chord: &Chord, state: &State) -> f64 {
+    pub(super) fn memory_dissipation(&self, i: usize, chord: &Chord, state: &State) -> f64 {
         let axial = &self.segments[i].axial;
         let (Some(law), Some(past)) = (axial.law, state.memory.ropes.get(i)) else {
             return 0.0;
@@ -93,7 +99,7 @@ impl Scene {
     }
 
     /// Strain of segment i at rest under a tension \[N\].
-    pub(super) fn strain_under(&self, i: usize, tension: f64) -> f64 {
+    pub(super) fn strain_at_tension(&self, i: usize, tension: f64) -> f64 {
         let axial = &self.segments[i].axial;
         match axial.law {
             None => tension / axial.ea,
@@ -102,25 +108,25 @@ impl Scene {
     }
 
     /// Tension by strain of segment i at rest under a tension \[N\].
-    pub(super) fn stiffness_under(&self, i: usize, tension: f64) -> f64 {
+    pub(super) fn stiffness_at_tension(&self, i: usize, tension: f64) -> f64 {
         let axial = &self.segments[i].axial;
         if axial.law.is_none() {
             return axial.ea;
         }
         let small = 1e-9 * self.force_scale;
         let tension = tension.max(small);
-        tension / self.strain_under(i, tension)
+        tension / self.strain_at_tension(i, tension)
     }
 
     /// What the dynamic stiffness of segment i stands at; nothing where its material has none.
     #[must_use]
-    pub fn rope_reading(&self, i: usize, state: &State) -> Option<RopeReading> {
+    pub fn rope_reading(&self, i: usize, state: &State) -> Option<RopeStiffness> {
         let law = self.segments[i].axial.law?;
         let rope = self.laws[usize::from(law)].dynamic()?;
         let tension = self.elastic(i, &self.chord(i, state), state);
         let mean = state.memory.ropes.get(i).map_or(tension, |past| past.mean);
         let (mean_load, deviation) = (rope.percent(mean), rope.percent(tension - mean));
-        Some(RopeReading {
+        Some(RopeStiffness {
             mean_load,
             deviation,
             stiffness: rope.stiffness(mean_load, deviation),
@@ -169,13 +175,13 @@ impl Scene {
     }
 
     /// What segment i remembers at the start: the tension it has.
-    fn begin(&self, i: usize, state: &State) -> RopePast {
+    fn begin(&self, i: usize, state: &State) -> RopeHistory {
         let tension = self.elastic(i, &self.chord(i, state), state);
-        RopePast {
+        RopeHistory {
             mean: tension,
-            strain: self.strain_under(i, tension),
+            strain: self.strain_at_tension(i, tension),
             tension,
-            ..RopePast::default()
+            ..RopeHistory::default()
         }
     }
 

@@ -9,19 +9,19 @@
 //! kept. Drag acts by its own velocity, that along the line included; where it comes and goes all at once, at a start without
 //! ramp and at the end of its way, what holds it takes the blow and not the line.
 
-mod seat;
+mod path;
 
-use super::{Scene, wetting};
+use super::{Scene, submergence};
 use crate::numerics::{BlockBand, M3, V3};
 use crate::solve::{Factors, State, System};
-use seat::Seat;
+use path::PathPoint;
 
 /// A body that travels along the line.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Traveller {
     /// Mass \[kg\].
     pub mass: f64,
-    /// Weight \[N\], positive down.
+    /// NodeWeight \[N\], positive down.
     pub weight: f64,
     /// `1/2 rho C_D A` along x, y, z \[kg/m\].
     pub drag: V3,
@@ -40,7 +40,7 @@ pub struct Traveller {
 }
 
 /// The water past the traveller.
-struct Past {
+struct Drag {
     /// Its drag \[N\], as far as it is wet, and that by the velocity of the water past it \[N s/m\].
     drag: V3,
     by_velocity: M3,
@@ -78,8 +78,8 @@ impl Traveller {
 
 impl Scene {
     /// Where the traveller sits at time t.
-    fn seat(&self, traveller: &Traveller, t: f64) -> Seat {
-        Seat::new(&self.arc[..self.line_nodes()], traveller.at(t))
+    fn path_point(&self, traveller: &Traveller, t: f64) -> PathPoint {
+        PathPoint::new(&self.arc[..self.line_nodes()], traveller.at(t))
     }
 
     /// Unstretched arc length of the traveller at time t \[m\]; absent: there is none.
@@ -91,16 +91,16 @@ impl Scene {
     /// Position \[m\] and velocity \[m/s\] of the traveller at time t; absent: there is none.
     #[must_use]
     pub fn traveller_at(&self, t: f64, state: &State) -> Option<(V3, V3)> {
-        let seat = self.seat(self.traveller.as_ref()?, t);
-        Some((seat.place(state), seat.velocity(state)))
+        let point = self.path_point(self.traveller.as_ref()?, t);
+        Some((point.place(state), point.velocity(state)))
     }
 
     /// Tension of the segment that the traveller is on \[N\]; absent: there is none.
     #[must_use]
     pub fn traveller_tension(&self, t: f64, state: &State) -> Option<f64> {
-        let seat = self.seat(self.traveller.as_ref()?, t);
-        let chord = self.chord(seat.segment, state);
-        Some(self.pull(seat.segment, &chord, t, state).value)
+        let point = self.path_point(self.traveller.as_ref()?, t);
+        let chord = self.chord(point.segment, state);
+        Some(self.pull(point.segment, &chord, t, state).value)
     }
 
     /// Kinetic and potential energy of the traveller \[J\], and the power that its drive and the water past it put into line
@@ -108,23 +108,25 @@ impl Scene {
     #[must_use]
     pub fn traveller_energy(&self, t: f64, state: &State) -> Option<(f64, f64)> {
         let traveller = self.traveller.as_ref()?;
-        let seat = self.seat(traveller, t);
-        let (place, velocity) = (seat.place(state), seat.velocity(state));
-        let drag = self.past(traveller, &seat, state).drag;
-        let power =
-            self.burden(traveller, &seat, state).dot(&seat.drift(state)) + drag.dot(&velocity);
+        let point = self.path_point(traveller, t);
+        let (place, velocity) = (point.place(state), point.velocity(state));
+        let drag = self.drag_at(traveller, &point, state).drag;
+        let power = self
+            .load(traveller, &point, state)
+            .dot(&point.path_velocity(state))
+            + drag.dot(&velocity);
         let energy = 0.5 * traveller.mass * velocity.norm_squared() + traveller.weight * place.z;
         Some((energy, power))
     }
 
     /// What the traveller adds to the pull on a held end while it is on the segment there \[N\].
     #[must_use]
-    pub fn traveller_on(&self, node: usize, t: f64, state: &State) -> V3 {
+    pub fn traveller_force_on(&self, node: usize, t: f64, state: &State) -> V3 {
         let Some(traveller) = &self.traveller else {
             return V3::zeros();
         };
-        let seat = self.seat(traveller, t);
-        let share: f64 = seat
+        let point = self.path_point(traveller, t);
+        let share: f64 = point
             .nodes()
             .filter(|(near, _)| *near == node)
             .map(|(_, by)| by.share)
@@ -132,17 +134,17 @@ impl Scene {
         if share == 0.0 {
             return V3::zeros();
         }
-        self.burden(traveller, &seat, state) * -share
+        self.load(traveller, &point, state) * -share
     }
 
     /// Drag on the traveller, by current, waves and its own velocity.
-    fn past(&self, traveller: &Traveller, seat: &Seat, state: &State) -> Past {
-        let place = seat.place(state);
+    fn drag_at(&self, traveller: &Traveller, point: &PathPoint, state: &State) -> Drag {
+        let place = point.place(state);
         let (mut water, shear) = self.current.at(place.z);
         let mut gradient = shear * V3::z().transpose();
         let (mut above, mut slope) = (place.z, V3::z());
-        for (node, by) in seat.nodes() {
-            if let Some(flow) = state.water.get(node) {
+        for (node, by) in point.nodes() {
+            if let Some(flow) = state.wave_flow.get(node) {
                 water += flow.velocity_at(&place) * by.share;
                 gradient += flow.gradient * by.share;
                 above -= flow.elevation_at(&place) * by.share;
@@ -150,17 +152,17 @@ impl Scene {
             }
         }
         let (share, steep) = match self.water.as_ref().filter(|water| water.crossed) {
-            Some(water) => wetting::sphere(water.radius_of(traveller.displaced), above),
+            Some(water) => submergence::sphere(water.radius_of(traveller.displaced), above),
             None => (1.0, 0.0),
         };
-        let u = water - seat.velocity(state);
+        let u = water - point.velocity(state);
         let speed = u.norm();
         let direction = if speed > 0.0 { u / speed } else { V3::zeros() };
         let drag = traveller.drag.component_mul(&u) * speed;
         let by_velocity = (M3::from_diagonal(&(traveller.drag * speed))
             + traveller.drag.component_mul(&u) * direction.transpose())
             * share;
-        Past {
+        Drag {
             drag: drag * share,
             by_velocity,
             by_place: by_velocity * gradient + drag * (slope * steep).transpose(),
@@ -168,18 +170,18 @@ impl Scene {
     }
 
     /// What the traveller asks of the line at a seat, as a residual: m A and the weight, which pulls down, less drag \[N\].
-    fn burden(&self, traveller: &Traveller, seat: &Seat, state: &State) -> V3 {
-        let drag = self.past(traveller, seat, state).drag;
-        seat.acceleration(state) * traveller.mass + V3::z() * traveller.weight - drag
+    fn load(&self, traveller: &Traveller, point: &PathPoint, state: &State) -> V3 {
+        let drag = self.drag_at(traveller, point, state).drag;
+        point.acceleration(state) * traveller.mass + V3::z() * traveller.weight - drag
     }
 
     /// Adds what the traveller asks of the line to the residual.
     pub(super) fn add_traveller(&self, t: f64, state: &State, r: &mut [V3]) {
         if let Some(traveller) = &self.traveller {
-            let seat = self.seat(traveller, t);
-            let burden = self.burden(traveller, &seat, state);
-            for (node, by) in seat.nodes() {
-                r[node] += burden * by.share;
+            let point = self.path_point(traveller, t);
+            let load = self.load(traveller, &point, state);
+            for (node, by) in point.nodes() {
+                r[node] += load * by.share;
             }
         }
     }
@@ -195,17 +197,17 @@ impl Scene {
         let Some(traveller) = &self.traveller else {
             return;
         };
-        let seat = self.seat(traveller, t);
-        let past = self.past(traveller, &seat, state);
-        for (j, by) in seat.nodes() {
+        let point = self.path_point(traveller, t);
+        let past = self.drag_at(traveller, &point, state);
+        for (j, by) in point.nodes() {
             let carried = c.mass * by.share
-                + c.damping * 2.0 * seat.rate * by.slope
-                + c.stiffness * (seat.gain * by.slope + seat.rate * seat.rate * by.bend);
-            let drift = c.damping * by.share + c.stiffness * seat.rate * by.slope;
+                + c.damping * 2.0 * point.rate * by.slope
+                + c.stiffness * (point.gain * by.slope + point.rate * point.rate * by.bend);
+            let drift = c.damping * by.share + c.stiffness * point.rate * by.slope;
             let column = M3::from_diagonal_element(traveller.mass * carried)
                 + past.by_velocity * drift
                 - past.by_place * (c.stiffness * by.share);
-            for (i, on) in seat.nodes() {
+            for (i, on) in point.nodes() {
                 let block = column * on.share;
                 match j as isize - i as isize {
                     0 => tangent.diag[i] += block,
@@ -223,24 +225,26 @@ impl Scene {
         let Some(traveller) = &self.traveller else {
             return;
         };
-        let seat = self.seat(traveller, t);
+        let point = self.path_point(traveller, t);
         let held = |node: usize| !self.free().contains(&node);
         let mut give = M3::zeros();
-        for (node, by) in seat.nodes().filter(|(node, _)| !held(*node)) {
-            give += self.lightness(node, state) * (by.share * by.share);
+        for (node, by) in point.nodes().filter(|(node, _)| !held(*node)) {
+            give += self.inverse_mass(node, state) * (by.share * by.share);
         }
         let system = M3::identity() + give * traveller.mass;
-        let Some(burden) = system.lu().solve(&self.burden(traveller, &seat, state)) else {
+        let Some(load) = system.lu().solve(&self.load(traveller, &point, state)) else {
             return;
         };
-        for (node, by) in seat.nodes().filter(|(node, _)| !held(*node)) {
-            let push = burden * by.share;
+        for (node, by) in point.nodes().filter(|(node, _)| !held(*node)) {
+            let push = load * by.share;
             // What hangs there and turns is pushed as well.
-            if let Some(turning) = self.turning.as_ref().filter(|body| body.node == node) {
-                let far = turning.lightness(self, state)[1];
+            if let Some(rigid_payload) =
+                self.rigid_payload.as_ref().filter(|body| body.node == node)
+            {
+                let far = rigid_payload.inverse_mass(self, state)[1];
                 state.a[node + 1] -= far * push;
             }
-            let near = self.lightness(node, state);
+            let near = self.inverse_mass(node, state);
             state.a[node] -= near * push;
         }
     }

@@ -7,10 +7,10 @@
 //! floats and modules included.
 //!
 //! Where the line crosses the surface, all of these count by the share of each half segment that is wet, and buoyancy
-//! is lost to a potential: see `scene/wetting.rs`.
+//! is lost to a potential: see `scene/submergence.rs`.
 
-use super::wetting::{self, Height, Wet};
-use super::{Hung, Scene, Segment};
+use super::submergence::{self, Height, Submergence};
+use super::{AttachedBody, Scene, Segment};
 use crate::numerics::lanes::{self, Two, TwoM3};
 use crate::numerics::{BlockBand, M3, V3};
 use crate::physics::added_mass::AddedMass;
@@ -45,7 +45,7 @@ impl Water {
     #[must_use]
     pub fn around(
         segments: &[Segment],
-        bodies: &[Hung],
+        bodies: &[AttachedBody],
         (density, gravity): (f64, f64),
         waves: Option<Waves>,
         crossed: bool,
@@ -94,7 +94,7 @@ impl Water {
 const LEAST_RADIUS: f64 = 1e-6;
 
 /// A body in the water: what flows past it and how much of it is wet.
-pub(super) struct Bathed {
+pub(super) struct BodyInWater {
     /// Velocity of the water relative to it \[m/s\].
     pub(super) u: V3,
     /// Its acceleration relative to the water's \[m/s²\].
@@ -121,7 +121,7 @@ impl Scene {
     #[inline(always)]
     pub(super) fn water_at(&self, node: usize, state: &State) -> V3 {
         let current = self.current.at(state.x[node].z).0;
-        match state.water.get(node) {
+        match state.wave_flow.get(node) {
             None => current,
             Some(flow) => current + flow.velocity_at(&state.x[node]),
         }
@@ -130,7 +130,7 @@ impl Scene {
     /// Acceleration of a node relative to the water \[m/s²\].
     #[inline(always)]
     pub(super) fn relative_acceleration(&self, node: usize, state: &State) -> V3 {
-        match state.water.get(node) {
+        match state.wave_flow.get(node) {
             None => state.a[node],
             Some(flow) => state.a[node] - flow.acceleration_at(&state.x[node]),
         }
@@ -138,9 +138,9 @@ impl Scene {
 
     /// How much of both halves of segment i is wet; nothing where all of the line counts as under water.
     #[inline(always)]
-    pub(super) fn wet(&self, i: usize, state: &State) -> Option<[Wet; 2]> {
+    pub(super) fn wet(&self, i: usize, state: &State) -> Option<[Submergence; 2]> {
         let water = self.water.as_ref().filter(|w| w.crossed)?;
-        Some(wetting::halves(
+        Some(submergence::halves(
             water.radius[i],
             [&height(i, state), &height(i + 1, state)],
         ))
@@ -148,7 +148,7 @@ impl Scene {
 
     /// Added mass of both halves of segment i, as far as they are wet.
     #[inline(always)]
-    pub(super) fn added(&self, i: usize, wet: Option<&[Wet; 2]>) -> [AddedMass; 2] {
+    pub(super) fn added(&self, i: usize, wet: Option<&[Submergence; 2]>) -> [AddedMass; 2] {
         let added = self.segments[i].added;
         match wet {
             None => [added; 2],
@@ -162,15 +162,15 @@ impl Scene {
         &self,
         i: usize,
         half: usize,
-        wet: Option<&[Wet; 2]>,
+        wet: Option<&[Submergence; 2]>,
         state: &State,
     ) -> V3 {
         let Some(water) = &self.water else {
             return V3::zeros();
         };
         let share = wet.map_or(1.0, |wet| wet[half].share);
-        let mut load = self.buoyancy_lost(i, half, state);
-        if let Some(flow) = state.water.get(i + half) {
+        let mut load = self.lost_buoyancy(i, half, state);
+        if let Some(flow) = state.wave_flow.get(i + half) {
             load += flow.acceleration_at(&state.x[i + half]) * (share * water.displaced[i]);
         }
         load
@@ -178,23 +178,23 @@ impl Scene {
 
     /// Buoyancy that half of segment i lacks where it is dry, a load downwards \[N\].
     #[inline(always)]
-    fn buoyancy_lost(&self, i: usize, half: usize, state: &State) -> V3 {
+    fn lost_buoyancy(&self, i: usize, half: usize, state: &State) -> V3 {
         let Some(water) = self.water.as_ref().filter(|w| w.crossed) else {
             return V3::zeros();
         };
         let heights = [i, i + 1].map(|node| height(node, state).above);
-        let lost = wetting::dry(water.radius[i], heights).lost[half];
+        let lost = submergence::lost_buoyancy(water.radius[i], heights).lost[half];
         V3::z() * (-2.0 * water.displaced[i] * water.gravity * lost)
     }
 
     /// The same with what the water's acceleration does through the added mass: all that it does to a node whose own
     /// acceleration is not known yet \[N\].
-    pub(super) fn dragged_along(
+    pub(super) fn wave_force(
         &self,
         i: usize,
         half: usize,
         t: &V3,
-        wet: Option<&[Wet; 2]>,
+        wet: Option<&[Submergence; 2]>,
         state: &State,
     ) -> V3 {
         let node = i + half;
@@ -202,16 +202,16 @@ impl Scene {
             let a = flow.acceleration_at(&state.x[node]);
             self.added(i, wet)[half].force(t, &a)
         };
-        self.pressure(i, half, wet, state) + state.water.get(node).map_or_else(V3::zeros, with)
+        self.pressure(i, half, wet, state) + state.wave_flow.get(node).map_or_else(V3::zeros, with)
     }
 
     /// What the water does to the body of this number.
     #[inline(always)]
-    pub(super) fn bathed(&self, number: usize, state: &State) -> Bathed {
+    pub(super) fn body_in_water(&self, number: usize, state: &State) -> BodyInWater {
         let node = self.bodies[number].node;
-        let flow = state.water.get(node);
+        let flow = state.wave_flow.get(node);
         let carried = flow.map_or_else(V3::zeros, |flow| flow.acceleration_at(&state.x[node]));
-        let mut bathed = Bathed {
+        let mut around = BodyInWater {
             u: self.water_at(node, state) - state.v[node],
             a: self.relative_acceleration(node, state),
             carried,
@@ -220,18 +220,18 @@ impl Scene {
             load: V3::zeros(),
         };
         let Some(water) = &self.water else {
-            return bathed;
+            return around;
         };
         if water.crossed {
             let height = height(node, state);
-            let (share, slope) = wetting::sphere(water.radius_of_body(number), height.above);
-            bathed.share = share;
-            bathed.by_place = height.by_place * slope;
+            let (share, slope) = submergence::sphere(water.radius_of_body(number), height.above);
+            around.share = share;
+            around.by_place = height.by_place * slope;
         }
         let mass = water.by_bodies[number];
-        bathed.load = carried * (bathed.share * mass)
-            - V3::z() * ((1.0 - bathed.share) * mass * water.gravity);
-        bathed
+        around.load = carried * (around.share * mass)
+            - V3::z() * ((1.0 - around.share) * mass * water.gravity);
+        around
     }
 
     /// Takes the loads of waves and surface from the residual, where the case has any: those that are
@@ -247,7 +247,7 @@ impl Scene {
             }
         }
         for (number, hung) in self.bodies.iter().enumerate() {
-            r[hung.node] -= self.bathed(number, state).load;
+            r[hung.node] -= self.body_in_water(number, state).load;
         }
     }
 
@@ -287,7 +287,7 @@ impl Scene {
         half: usize,
         chord: &Chord,
         drags: &Drag<Two>,
-        wet: Option<&[Wet; 2]>,
+        wet: Option<&[Submergence; 2]>,
         state: &State,
     ) -> (M3, M3) {
         let (node, other) = (i + half, i + 1 - half);
@@ -296,7 +296,7 @@ impl Scene {
         let one = |blocks: &TwoM3| lanes::block(blocks, half);
         let (mut by_own, mut by_other) = (M3::zeros(), M3::zeros());
         let mut pressed = V3::zeros();
-        if let (Some(here), Some(there)) = (state.water.get(node), state.water.get(other)) {
+        if let (Some(here), Some(there)) = (state.wave_flow.get(node), state.wave_flow.get(other)) {
             by_own -= inertia(added, t, displaced) * here.acceleration_gradient
                 + one(&drags.matrix(&lanes::twice(t))) * here.gradient;
             if let Some(blocks) = drags.by_other_velocity() {
@@ -305,13 +305,13 @@ impl Scene {
             pressed = here.acceleration_at(&state.x[node]) * displaced;
         }
         if let (Some(wet), Some(water)) = (wet, &self.water) {
-            let Wet { share, by } = &wet[half];
+            let Submergence { share, by } = &wet[half];
             let relative = self.relative_acceleration(node, state);
             let all = added.force(t, &relative) - drags.forces()[half] - pressed;
             by_own = by_own * *share + all * by[half].transpose();
             by_other = by_other * *share + all * by[1 - half].transpose();
             let heights = [i, i + 1].map(|node| height(node, state));
-            let dry = wetting::dry(water.radius[i], heights.map(|h| h.above));
+            let dry = submergence::lost_buoyancy(water.radius[i], heights.map(|h| h.above));
             let lift = V3::z() * (2.0 * displaced * water.gravity);
             let by = |node: usize| lift * (heights[node].by_place * dry.by[half][node]).transpose();
             by_own += by(half);
@@ -321,51 +321,57 @@ impl Scene {
     }
 
     /// The same for the body of this number.
-    fn body_by_place(&self, water: &Water, number: usize, hung: &Hung, state: &State) -> M3 {
-        let bathed = self.bathed(number, state);
+    fn body_by_place(
+        &self,
+        water: &Water,
+        number: usize,
+        hung: &AttachedBody,
+        state: &State,
+    ) -> M3 {
+        let around = self.body_in_water(number, state);
         let (body, mass) = (&hung.body, water.by_bodies[number]);
         let mut by_place = M3::zeros();
         let mut pressed = V3::zeros();
-        if let Some(flow) = state.water.get(hung.node) {
+        if let Some(flow) = state.wave_flow.get(hung.node) {
             let moved = M3::from_diagonal(&body.added.add_scalar(mass));
             by_place -= moved * flow.acceleration_gradient
-                + body.drag_by_velocity(&bathed.u) * flow.gradient;
+                + body.drag_by_velocity(&around.u) * flow.gradient;
             pressed = flow.acceleration_at(&state.x[hung.node]) * mass;
         }
-        let all = body.added.component_mul(&bathed.a)
-            - body.drag(&bathed.u)
+        let all = body.added.component_mul(&around.a)
+            - body.drag(&around.u)
             - pressed
             - V3::z() * (mass * water.gravity);
-        by_place * bathed.share + all * bathed.by_place.transpose()
+        by_place * around.share + all * around.by_place.transpose()
     }
 
     /// Energy of the buoyancy that dry parts of the line lack in still water \[J\].
-    pub(super) fn energy_out_of_water(&self, state: &State) -> f64 {
+    pub(super) fn surface_energy(&self, state: &State) -> f64 {
         let Some(water) = self.water.as_ref().filter(|w| w.crossed) else {
             return 0.0;
         };
         let of_segment = |i: usize| {
             let heights = [i, i + 1].map(|node| state.x[node].z);
-            2.0 * water.displaced[i] * wetting::dry(water.radius[i], heights).energy
+            2.0 * water.displaced[i] * submergence::lost_buoyancy(water.radius[i], heights).energy
         };
         let segments: f64 = (0..self.segments.len()).map(of_segment).sum();
         let numbered = self.bodies.iter().enumerate();
         let bodies = numbered.map(|(number, hung)| {
             let radius = water.radius_of_body(number);
-            water.by_bodies[number] * wetting::sphere_lifted(radius, state.x[hung.node].z)
+            water.by_bodies[number] * submergence::sphere_lost_energy(radius, state.x[hung.node].z)
         });
-        let turning = self
-            .turning
+        let rigid_payload = self
+            .rigid_payload
             .as_ref()
             .map_or(0.0, |t| t.lifted(water, state));
-        water.gravity * (segments + bodies.sum::<f64>()) + turning
+        water.gravity * (segments + bodies.sum::<f64>()) + rigid_payload
     }
 
     /// Power that waves put into the line by their pressure, and by carrying along the water that goes with it \[W\]; what
     /// they do by drag counts as drag, see [`Scene::dissipation`].
     #[must_use]
     pub fn power_of_waves(&self, state: &State) -> f64 {
-        if state.water.is_empty() {
+        if state.wave_flow.is_empty() {
             return 0.0;
         }
         let mut power = 0.0;
@@ -375,30 +381,30 @@ impl Scene {
         for i in 0..self.segments.len() {
             let (t, wet) = (self.chord(i, state).tangent, self.wet(i, state));
             for half in [0, 1] {
-                let load = self.dragged_along(i, half, &t, wet.as_ref(), state);
-                let load = load - self.buoyancy_lost(i, half, &still);
+                let load = self.wave_force(i, half, &t, wet.as_ref(), state);
+                let load = load - self.lost_buoyancy(i, half, &still);
                 power += load.dot(&state.v[i + half]);
             }
         }
         for (number, hung) in self.bodies.iter().enumerate() {
-            let Bathed {
+            let BodyInWater {
                 carried,
                 share,
                 load,
                 ..
-            } = self.bathed(number, state);
+            } = self.body_in_water(number, state);
             let load = load + hung.body.added.component_mul(&carried) * share;
-            power += (load - self.bathed(number, &still).load).dot(&state.v[hung.node]);
+            power += (load - self.body_in_water(number, &still).load).dot(&state.v[hung.node]);
         }
         power
             + self
-                .turning
+                .rigid_payload
                 .as_ref()
                 .map_or(0.0, |t| t.power_of_waves(self, state, &still))
     }
 
     /// Writes into the state what the waves make of the water at its nodes at time t \[s\]; nothing where there are none.
-    pub(super) fn take_in_waves(&self, t: f64, state: &mut State) {
+    pub(super) fn write_wave_kinematics(&self, t: f64, state: &mut State) {
         let Some(Water {
             waves: Some(waves),
             crossed,
@@ -407,8 +413,10 @@ impl Scene {
         else {
             return;
         };
-        state.water.resize(self.nodes_of_line(), Flow::default());
-        for (flow, x) in state.water.iter_mut().zip(&state.x) {
+        state
+            .wave_flow
+            .resize(self.nodes_of_line(), Flow::default());
+        for (flow, x) in state.wave_flow.iter_mut().zip(&state.x) {
             *flow = waves.flow(t, x, *crossed);
         }
     }
@@ -422,7 +430,7 @@ impl Scene {
 #[inline(always)]
 fn height(node: usize, state: &State) -> Height {
     let x = &state.x[node];
-    match state.water.get(node) {
+    match state.wave_flow.get(node) {
         None => Height {
             above: x.z,
             by_place: V3::z(),

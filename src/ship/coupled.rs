@@ -16,7 +16,7 @@ use super::rest::Rest;
 use super::setting::Setting;
 use super::statistics::Statistics;
 use super::voyage::Voyage;
-use crate::dynamics::alpha::Alpha;
+use crate::dynamics::generalized_alpha::GeneralizedAlpha;
 use crate::dynamics::{March, MarchError, Stepper};
 use crate::numerics::V3;
 use crate::solve::{Instant, Progressing, State, System};
@@ -213,7 +213,7 @@ fn march(
     let yaw = words.start_yaw_deg.to_radians();
     let mut state = moored.turned(&line, V3::z() * yaw);
     moored.accelerate(0.0, &mut state);
-    let mut method = Alpha::new(moored.nodes(), RHO, NEWTON.0, NEWTON.1);
+    let mut method = GeneralizedAlpha::new(moored.nodes(), RHO, NEWTON.0, NEWTON.1);
     let march = March {
         duration: words.duration_s,
         step: words.step_s / f64::from(1_u32 << halvings),
@@ -246,7 +246,7 @@ fn march(
         work: Work {
             steps: outcome.steps,
             halved: outcome.rejections,
-            iterations: method.tally().iterations,
+            iterations: method.work_counts().iterations,
         },
     })
 }

@@ -9,7 +9,7 @@ use super::coupled::CoupledError;
 use super::fishtail::Planar;
 use super::setting::Setting;
 use crate::dynamics::March;
-use crate::dynamics::alpha::Alpha;
+use crate::dynamics::generalized_alpha::GeneralizedAlpha;
 use crate::numerics::V3;
 use crate::solve::{Instant, Progressing, System};
 
@@ -155,7 +155,7 @@ fn let_go(
         step: period / STEPS,
         output: period / STEPS,
     };
-    let mut method = Alpha::new(moored.nodes(), 0.0, 1e-11, 30);
+    let mut method = GeneralizedAlpha::new(moored.nodes(), 0.0, 1e-11, 30);
     let planar = |all: &Vector6<f64>| Vector3::new(all[0], all[1], all[5]);
     let mut seen = Vec::new();
     let mut watch = |instant: Instant<'_>| {

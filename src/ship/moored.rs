@@ -71,7 +71,7 @@ impl Moored {
     /// # Errors
     /// [`MooredError`].
     pub fn new(line: Scene, ship: RigidBody) -> Result<Self, MooredError> {
-        if line.bends() {
+        if line.is_pentadiagonal() {
             return Err(MooredError::Bends);
         }
         if line.free() != (1..line.nodes() - 1) {
@@ -226,7 +226,7 @@ impl System for Moored {
         1..self.nodes()
     }
 
-    fn bends(&self) -> bool {
+    fn is_pentadiagonal(&self) -> bool {
         // Rows reach two nodes, as those of a line that bends.
         true
     }
@@ -239,8 +239,8 @@ impl System for Moored {
         (state.x[f], state.v[f], state.a[f]) = held;
     }
 
-    fn take_water(&self, t: f64, state: &mut State) {
-        self.line.take_water(t, state);
+    fn update_wave_kinematics(&self, t: f64, state: &mut State) {
+        self.line.update_wave_kinematics(t, state);
     }
 
     fn residual(&self, t: f64, state: &State, r: &mut [V3]) {
@@ -291,8 +291,8 @@ impl System for Moored {
         self.line.commit(t, dt, state);
     }
 
-    fn hold_drag(&self, state: &mut State) {
-        self.line.hold_drag(state);
+    fn freeze_drag_coefficients(&self, state: &mut State) {
+        self.line.freeze_drag_coefficients(state);
     }
 
     fn force_scale(&self) -> f64 {

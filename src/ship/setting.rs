@@ -12,7 +12,7 @@ use crate::case;
 use crate::numerics::V3;
 use crate::scene::{self, Scene};
 use crate::solve::{State, System};
-use crate::statics::equilibrium::Search;
+use crate::statics::equilibrium::EquilibriumSearch;
 
 /// How far the line sinks into the bed under its own weight \[m\].
 const SUNK: f64 = 1e-3;
@@ -73,7 +73,7 @@ impl<'a> Setting<'a> {
             .map_err(|all| failed(all.first().map_or_else(String::new, ToString::to_string)))?;
         let scene = scene::build(&case, 1).map_err(|error| failed(error.to_string()))?;
         let mut state = scene.initial_state();
-        Search::default()
+        EquilibriumSearch::default()
             .run(&scene, 0.0, &mut state)
             .map_err(|error| failed(error.to_string()))?;
         Ok((scene, state))

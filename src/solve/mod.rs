@@ -6,4 +6,4 @@ pub mod system;
 
 pub use newton::{Newton, NewtonError};
 pub use sink::{Instant, Progressing, Sink};
-pub use system::{Factors, Memory, RopePast, State, System};
+pub use system::{Factors, Memory, RopeHistory, State, System};

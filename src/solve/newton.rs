@@ -20,16 +20,16 @@ pub struct Newton {
     /// Largest displacement of a node at which an iteration counts as converged \[m\].
     pub tolerance: f64,
     /// The same across the line, where that may be more: the tolerance then holds for what stretches the line \[m\].
-    pub across: f64,
+    pub transverse_tolerance: f64,
     /// Largest change of a node's velocity at which an iteration counts as converged \[m/s\]: it matters where a force
     /// goes steeply with velocity, and ever more the shorter the step.
-    pub speed: f64,
+    pub velocity_tolerance: f64,
     /// Greatest number of iterations.
     pub max_iterations: usize,
     /// No node moves farther in an iteration: all displacements are scaled down together \[m\].
-    pub longest: f64,
+    pub max_displacement: f64,
     /// So many iterations in a row that do not halve the least displacement so far are a circle; at first no number is.
-    pub idle: usize,
+    pub stagnation_limit: usize,
     /// Iterations so far, over all calls.
     pub iterations: u64,
     residual: Vec<V3>,
@@ -45,7 +45,7 @@ pub enum NewtonError {
     #[error(
         "Newton did not converge in {iterations} iterations: node {node} still moves by {moved:.3e} m"
     )]
-    Diverged {
+    NotConverged {
         /// Iterations made.
         iterations: usize,
         /// The node that moved most in the last one.
@@ -70,7 +70,7 @@ pub enum NewtonError {
         "node {node} would move by {moved:.3e} m in one step, three times as far as the line is long or more: \
          too little slows it along the line"
     )]
-    Astray {
+    Runaway {
         /// The node.
         node: usize,
         /// How far it would move \[m\].
@@ -89,10 +89,10 @@ impl NewtonError {
     #[must_use]
     pub fn node(&self) -> usize {
         match *self {
-            Self::Diverged { node, .. }
+            Self::NotConverged { node, .. }
             | Self::Singular { node }
             | Self::NotFinite { node }
-            | Self::Astray { node, .. }
+            | Self::Runaway { node, .. }
             | Self::Unstable { node } => node,
         }
     }
@@ -107,11 +107,11 @@ impl Newton {
     pub fn new(nodes: usize, tolerance: f64, max_iterations: usize) -> Self {
         Self {
             tolerance,
-            across: tolerance,
-            speed: f64::INFINITY,
+            transverse_tolerance: tolerance,
+            velocity_tolerance: f64::INFINITY,
             max_iterations,
-            longest: f64::INFINITY,
-            idle: usize::MAX,
+            max_displacement: f64::INFINITY,
+            stagnation_limit: usize::MAX,
             iterations: 0,
             residual: vec![V3::zeros(); nodes],
             tangent: BlockBand::new(nodes),
@@ -126,13 +126,13 @@ impl Newton {
     }
 
     /// Takes up the rate and the count of an earlier march.
-    pub fn take_up(&mut self, rate: Option<f64>, iterations: u64) {
+    pub fn restore(&mut self, rate: Option<f64>, iterations: u64) {
         self.curvature = rate;
         self.iterations = iterations;
     }
 
     /// Forgets the measured rate, as after a jump of the state.
-    pub fn forget(&mut self) {
+    pub fn reset_rate(&mut self) {
         self.curvature = None;
     }
 
@@ -150,14 +150,14 @@ impl Newton {
     ) -> Result<usize, NewtonError> {
         // Velocities follow the displacement by the factor of damping, which is nought in statics.
         let tolerance = if c.damping > 0.0 {
-            self.tolerance.min(self.speed / c.damping)
+            self.tolerance.min(self.velocity_tolerance / c.damping)
         } else {
             self.tolerance
         };
         let mut before: Option<f64> = None;
         let mut worst = (0, f64::INFINITY);
         let (mut least, mut idle, mut made) = (f64::INFINITY, 0, 0);
-        while made < self.max_iterations && idle < self.idle {
+        while made < self.max_iterations && idle < self.stagnation_limit {
             made += 1;
             worst = self.iterate(system, t, state, c)?;
             let moved = self.measured(system, state, worst.1);
@@ -178,9 +178,9 @@ impl Newton {
             }
             before = Some(moved);
         }
-        self.forget();
+        self.reset_rate();
         let (node, moved) = worst;
-        Err(NewtonError::Diverged {
+        Err(NewtonError::NotConverged {
             iterations: made,
             node,
             moved,
@@ -190,15 +190,15 @@ impl Newton {
     /// The displacement just made, no node's more than `moved`, as the stopping rule counts it \[m\].
     fn measured<S: System + ?Sized>(&self, system: &S, state: &State, moved: f64) -> f64 {
         // A force that goes steeply with velocity does so in every direction.
-        if self.across <= self.tolerance || self.speed.is_finite() {
+        if self.transverse_tolerance <= self.tolerance || self.velocity_tolerance.is_finite() {
             return moved;
         }
-        let along = system.felt(&self.residual, state);
-        along.max(moved * self.tolerance / self.across)
+        let along = system.force_norm_displacement(&self.residual, state);
+        along.max(moved * self.tolerance / self.transverse_tolerance)
     }
 
     /// One iteration; the node that moves most and by how much \[m\], before all is scaled down to
-    /// [`Newton::longest`].
+    /// [`Newton::max_displacement`].
     ///
     /// # Errors
     /// [`NewtonError::Singular`] and [`NewtonError::NotFinite`].
@@ -210,7 +210,7 @@ impl Newton {
         c: Factors,
     ) -> Result<(usize, f64), NewtonError> {
         self.iterations += 1;
-        if system.bends() && !self.tangent.is_wide() {
+        if system.is_pentadiagonal() && !self.tangent.is_wide() {
             self.tangent.widen();
         }
         system.linearise(t, state, c, &mut self.residual, &mut self.tangent);
@@ -231,11 +231,11 @@ impl Newton {
         // Prescribed nodes do not move.
         self.residual[..free.start].fill(V3::zeros());
         self.residual[free.end..].fill(V3::zeros());
-        if !state.foretold.is_empty() {
-            system.foretell(&self.residual, state);
+        if !state.extrapolated_tension.is_empty() {
+            system.extrapolate_tensions(&self.residual, state);
         }
-        let share = if worst.1 > self.longest {
-            self.longest / worst.1
+        let share = if worst.1 > self.max_displacement {
+            self.max_displacement / worst.1
         } else {
             1.0
         };

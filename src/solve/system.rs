@@ -8,26 +8,26 @@ use crate::numerics::{BlockBand, V3};
 use crate::physics::Grip;
 use crate::physics::sea::Flow;
 
-/// What a line remembers of the steps accepted so far. It changes in [`System::commit`] and [`System::hold_drag`] only,
+/// What a line remembers of the steps accepted so far. It changes in [`System::commit`] and [`System::freeze_drag_coefficients`] only,
 /// never while a step is being tried: every trial of a step sees the same past.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Memory {
     /// Normal drag coefficients of both halves of every segment, where a method holds them over a step: see
-    /// [`System::hold_drag`]. One entry a segment, or none at all.
+    /// [`System::freeze_drag_coefficients`]. One entry a segment, or none at all.
     pub held_drag: Vec<[f64; 2]>,
     /// Where a bed with friction has hold of every node. One entry a node, or none at all.
     pub grips: Vec<Grip>,
     /// What ropes with dynamic stiffness remember, see [`System::commit`]. One entry a segment, or none at all: such a
     /// rope is then at rest.
-    pub ropes: Vec<RopePast>,
+    pub ropes: Vec<RopeHistory>,
     /// Time of the last accepted step \[s\], where ropes remember.
     pub time: f64,
 }
 
 /// What a segment of rope remembers of the tensions of accepted steps.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct RopePast {
+pub struct RopeHistory {
     /// Their mean \[N\].
     pub mean: f64,
     /// Strain that goes with that mean, loaded slowly \[-\].
@@ -62,16 +62,17 @@ pub struct State {
     /// What the line remembers of its past.
     pub memory: Memory,
     /// What waves make of the water at every node, where there are waves and the line is on its way: see
-    /// [`System::take_water`]. One entry a node, or none at all.
+    /// [`System::update_wave_kinematics`]. One entry a node, or none at all.
     #[serde(skip)]
-    pub water: Vec<Flow>,
+    pub wave_flow: Vec<Flow>,
     /// Tensions of the segments as the iteration before foretold them \[N\], for the stiffness across the line: see
-    /// [`System::foretell`]. One entry a segment, or none at all: tensions are then those of the stretch.
-    pub foretold: Vec<f64>,
+    /// [`System::extrapolate_tensions`]. One entry a segment, or none at all: tensions are then those of the stretch.
+    #[serde(rename = "foretold")]
+    pub extrapolated_tension: Vec<f64>,
     /// How much longer the segments are than their tensions tell \[m\], where a method takes forces between two states: see
-    /// [`System::tell_excess`]. One entry a segment, or none at all.
-    #[serde(default)]
-    pub excess: Vec<f64>,
+    /// [`System::correct_chord_lengths`]. One entry a segment, or none at all.
+    #[serde(default, rename = "excess")]
+    pub chord_correction: Vec<f64>,
 }
 
 impl State {
@@ -84,9 +85,9 @@ impl State {
             v: vec![V3::zeros(); n],
             a: vec![V3::zeros(); n],
             memory: Memory::default(),
-            water: Vec::new(),
-            foretold: Vec::new(),
-            excess: Vec::new(),
+            wave_flow: Vec::new(),
+            extrapolated_tension: Vec::new(),
+            chord_correction: Vec::new(),
         }
     }
 
@@ -96,9 +97,10 @@ impl State {
         self.v.copy_from_slice(&other.v);
         self.a.copy_from_slice(&other.a);
         self.memory.copy_from(&other.memory);
-        self.water.clone_from(&other.water);
-        self.foretold.clone_from(&other.foretold);
-        self.excess.clone_from(&other.excess);
+        self.wave_flow.clone_from(&other.wave_flow);
+        self.extrapolated_tension
+            .clone_from(&other.extrapolated_tension);
+        self.chord_correction.clone_from(&other.chord_correction);
     }
 
     /// Whether every number is finite.
@@ -131,7 +133,7 @@ pub trait System: Sync {
     fn free(&self) -> Range<usize>;
 
     /// Whether nodes two apart are coupled: the tangent then needs its far blocks.
-    fn bends(&self) -> bool;
+    fn is_pentadiagonal(&self) -> bool;
 
     /// Sets position, velocity and acceleration of the prescribed nodes at time t \[s\].
     fn prescribe(&self, t: f64, state: &mut State);
@@ -139,7 +141,7 @@ pub trait System: Sync {
     /// Writes into the state what moves the water at its nodes at time t \[s\], the same for all that is asked of the
     /// line in that state and near it. A method calls it once for every state whose forces it wants, when the positions
     /// are known or foretold; a line at rest, and statics, never. Allocates at the first call only.
-    fn take_water(&self, _t: f64, _state: &mut State) {}
+    fn update_wave_kinematics(&self, _t: f64, _state: &mut State) {}
 
     /// The residual of every node.
     fn residual(&self, t: f64, state: &State, r: &mut [V3]);
@@ -159,7 +161,7 @@ pub trait System: Sync {
 
     /// The acceleration by which parts of the line jolt a node at `end` that do not pull yet at `between` \[m/s²\]: what a
     /// method that balances forces between its steps has not seen. None unless a line tells one.
-    fn jolt(&self, _between: &State, _end: &State) -> f64 {
+    fn snap_acceleration(&self, _between: &State, _end: &State) -> f64 {
         0.0
     }
 
@@ -167,7 +169,7 @@ pub trait System: Sync {
     /// balances forces at a mix of two states, `share` of the one before, mixes chords: of a segment that turns the mix is
     /// shorter than both, so that the balance makes both longer, and the tension read at the end of the step too high by
     /// `EA share (1 - share) (omega h)² / 2`. Allocates at the first call only.
-    fn tell_excess(&self, _share: f64, _before: &State, _end: &mut State) {}
+    fn correct_chord_lengths(&self, _share: f64, _before: &State, _end: &mut State) {}
 
     /// Writes what the line is to remember of an accepted state at time t \[s\], `dt` after the one before, into that
     /// state's memory: once at the start with `dt` 0, then after every accepted step. Allocates at the start only.
@@ -176,45 +178,45 @@ pub trait System: Sync {
     /// Writes the normal drag coefficients of both halves of every segment into the state's memory, where they stay as
     /// they are until the next step is accepted. A method that leaves inertia out needs it where the coefficient
     /// jumps: without inertia nothing carries a node across a force that falls while its speed rises.
-    fn hold_drag(&self, state: &mut State);
+    fn freeze_drag_coefficients(&self, state: &mut State);
 
     /// Writes into the state the tensions to begin with, from its stretch or, where that is nothing a line at rest
     /// could have, from the first guess.
-    fn guess_tensions(&self, _state: &mut State) {}
+    fn initialise_tensions(&self, _state: &mut State) {}
 
     /// Writes into the state the tensions that displacements `-d` make of it, to first order, before they are made. A
     /// stiff line that turns also stretches, to second order, by a strain that means little and a tension that means a
     /// lot; with foretold tensions in the stiffness across the line, Newton does not see those, and takes
     /// a few iterations to the same answer however stiff the line (the mixed iteration of Magisano, Leonetti and Garcea,
     /// 2017).
-    fn foretell(&self, _d: &[V3], _state: &mut State) {}
+    fn extrapolate_tensions(&self, _d: &[V3], _state: &mut State) {}
 
     /// The displacement \[m\] of a node, along the stiffest part of the line, that would change a force as much as these
     /// displacements do at most, inertia and drag left out: across a line they are felt far less than along it. A line
     /// that does not tell counts every direction alike.
-    fn felt(&self, d: &[V3], _state: &State) -> f64 {
+    fn force_norm_displacement(&self, d: &[V3], _state: &State) -> f64 {
         d.iter().map(V3::amax).fold(0.0, f64::max)
     }
 
     /// A node at which the line is folded back on itself, if there is one. Bending forces vanish at such a fold, so
     /// that forces may balance there, but no line stays so: an equilibrium with a fold is none to be told.
-    fn folded(&self, _state: &State) -> Option<usize> {
+    fn kinked_node(&self, _state: &State) -> Option<usize> {
         None
     }
 
     /// The same with its clamps turned only a `share` of the way from where the line goes in `start` to where they
     /// are; nothing where nothing is clamped.
-    fn eased(&self, _start: &State, _share: f64) -> Option<Box<dyn System + '_>> {
+    fn with_clamps(&self, _start: &State, _share: f64) -> Option<Box<dyn System + '_>> {
         None
     }
 
     /// The same on a bed without friction; nothing where there is none anyway.
-    fn smooth(&self) -> Option<Box<dyn System + '_>> {
+    fn without_friction(&self) -> Option<Box<dyn System + '_>> {
         None
     }
 
     /// Has a rough bed hold the line as it lies, with no force yet.
-    fn hold_as_it_lies(&self, _state: &mut State) {}
+    fn reset_friction(&self, _state: &mut State) {}
 
     /// A force typical of this line \[N\]: residuals are measured against it.
     fn force_scale(&self) -> f64;

@@ -1,6 +1,6 @@
 //! Static equilibrium of the discretised line by Newton on the nodes, with the exact tangent.
 //!
-//! Newton first, from the guess given, with foretold tensions (see [`System::foretell`]), and then without, which
+//! Newton first, from the guess given, with foretold tensions (see [`System::extrapolate_tensions`]), and then without, which
 //! suits a line that is slack somewhere. Where neither converges, the line creeps: one iteration a step of pseudo-time,
 //! backward Euler from rest (`M (x - x_k) / h² = f(x)`), which takes all kinetic energy out and so cannot swing; h
 //! grows while steps are short and shrinks where they are long, and Newton finishes. A rod clamped at odds with the way it
@@ -13,7 +13,7 @@ use crate::solve::{Factors, Newton, NewtonError, State, System};
 
 /// Settings of the search.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Search {
+pub struct EquilibriumSearch {
     /// Largest residual force accepted, relative to the force scale of the line \[-\].
     pub force_tolerance: f64,
     /// Greatest Newton iterations a try.
@@ -22,7 +22,7 @@ pub struct Search {
     pub max_steps: usize,
 }
 
-impl Default for Search {
+impl Default for EquilibriumSearch {
     fn default() -> Self {
         Self {
             force_tolerance: 1e-8,
@@ -34,7 +34,7 @@ impl Default for Search {
 
 /// What it took.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Found {
+pub struct Equilibrium {
     /// Newton iterations, all tries counted.
     pub iterations: u64,
     /// Steps of pseudo-time; 0 when plain Newton converged.
@@ -42,13 +42,13 @@ pub struct Found {
     /// Largest residual force left \[N\].
     pub residual: f64,
     /// Whether friction on the bed bears nothing in it: it lies as on a smooth bed.
-    pub smooth: bool,
+    pub friction_released: bool,
 }
 
 /// No equilibrium was found.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("no equilibrium found in {iterations} iterations: {}", self.reason())]
-pub struct NotFound {
+pub struct EquilibriumError {
     /// Newton iterations, all tries counted.
     pub iterations: u64,
     /// Largest residual force left \[N\].
@@ -56,14 +56,14 @@ pub struct NotFound {
     /// Where.
     pub node: usize,
     /// The first node at which the best shape bends by a right angle or more, if it does.
-    pub folded: Option<usize>,
+    pub kinked_node: Option<usize>,
     /// What Newton said last.
     pub why: Option<NewtonError>,
 }
 
-impl NotFound {
+impl EquilibriumError {
     fn reason(&self) -> String {
-        if let Some(node) = self.folded {
+        if let Some(node) = self.kinked_node {
             return format!(
                 "the line bends by a right angle or more at node {node}, which segments of this length cannot carry; \
                  use shorter segments there, or turn the clamp the way the line goes, or set the bending stiffness to 0"
@@ -86,26 +86,26 @@ const STATICS: Factors = Factors {
 /// Greatest iterations of a try that follows a step of pseudo-time.
 const FINISHING: usize = 12;
 
-impl Search {
+impl EquilibriumSearch {
     /// Moves `state` to an equilibrium at time t, at rest.
     ///
     /// # Errors
-    /// [`NotFound`]; `state` is then the best shape reached.
+    /// [`EquilibriumError`]; `state` is then the best shape reached.
     pub fn run<S: System + ?Sized>(
         &self,
         system: &S,
         t: f64,
         state: &mut State,
-    ) -> Result<Found, NotFound> {
+    ) -> Result<Equilibrium, EquilibriumError> {
         let tolerance = system.position_tolerance(0.1 * self.force_tolerance);
         let mut newton = Newton::new(system.nodes(), tolerance, self.max_iterations);
         let size = length(state);
-        newton.longest = 0.3 * size;
-        come_to_rest(state);
+        newton.max_displacement = 0.3 * size;
+        set_at_rest(state);
         let mut trial = state.clone();
-        system.guess_tensions(&mut trial);
+        system.initialise_tensions(&mut trial);
         if let Ok(found) = self.finish(system, t, &mut newton, &mut trial, 0) {
-            return Ok(self.settled(system, t, &mut newton, (state, trial), found));
+            return Ok(self.stable_branch(system, t, &mut newton, (state, trial), found));
         }
         trial.copy_from(state);
         newton.max_iterations = FINISHING;
@@ -116,18 +116,18 @@ impl Search {
             return Ok(found);
         }
         trial.copy_from(state);
-        if let Some(found) = self.creep(system, t, &mut newton, &mut trial, size) {
+        if let Some(found) = self.pseudo_transient(system, t, &mut newton, &mut trial, size) {
             *state = trial;
             return Ok(found);
         }
-        if let Some(found) = self.ease(system, t, &mut newton, state) {
+        if let Some(found) = self.continue_clamps(system, t, &mut newton, state) {
             return Ok(found);
         }
-        newton.longest = f64::INFINITY;
+        newton.max_displacement = f64::INFINITY;
         let start = state.clone();
-        self.let_go(system, t, &mut newton, state)
+        self.dynamic_relaxation(system, t, &mut newton, state)
             .or_else(|failed| {
-                let lying = self.as_on_smooth_bed(system, t, &mut newton, start);
+                let lying = self.friction_released(system, t, &mut newton, start);
                 let (there, found) = lying.ok_or(failed)?;
                 *state = there;
                 Ok(found)
@@ -136,24 +136,24 @@ impl Search {
 
     /// Slack line on a rough bed may rest in many shapes, and where it has none as it was laid, it has the one of a smooth bed,
     /// which friction then holds.
-    fn as_on_smooth_bed<S: System + ?Sized>(
+    fn friction_released<S: System + ?Sized>(
         &self,
         system: &S,
         t: f64,
         newton: &mut Newton,
         mut start: State,
-    ) -> Option<(State, Found)> {
-        let smooth = system.smooth()?;
+    ) -> Option<(State, Equilibrium)> {
+        let smooth = system.without_friction()?;
         start.memory.grips.clear();
         let there = self.run(&*smooth, t, &mut start).ok()?;
-        system.hold_as_it_lies(&mut start);
+        system.reset_friction(&mut start);
         let found = self.accept(system, t, newton, &start, there.steps)?;
         let iterations = found.iterations + there.iterations;
         Some((
             start,
-            Found {
+            Equilibrium {
                 iterations,
-                smooth: true,
+                friction_released: true,
                 ..found
             },
         ))
@@ -161,22 +161,22 @@ impl Search {
 
     /// What Newton found from a guess, moved into the state; for a clamped rod that would not stay there, the shape that it
     /// comes to as its clamps turn, if it would stay in that.
-    fn settled<S: System + ?Sized>(
+    fn stable_branch<S: System + ?Sized>(
         &self,
         system: &S,
         t: f64,
         newton: &mut Newton,
         (state, there): (&mut State, State),
-        found: Found,
-    ) -> Found {
+        found: Equilibrium,
+    ) -> Equilibrium {
         let stays = |state: &State| instabilities(system, t, state) == Some(0);
-        if system.eased(state, 1.0).is_some() && !stays(&there) {
+        if system.with_clamps(state, 1.0).is_some() && !stays(&there) {
             let mut other = state.clone();
-            if let Some(eased) = self.ease(system, t, newton, &mut other)
+            if let Some(turned) = self.continue_clamps(system, t, newton, &mut other)
                 && stays(&other)
             {
                 *state = other;
-                return eased;
+                return turned;
             }
         }
         *state = there;
@@ -191,10 +191,10 @@ impl Search {
         newton: &mut Newton,
         state: &mut State,
         steps: u64,
-    ) -> Result<Found, Option<NewtonError>> {
-        newton.forget();
+    ) -> Result<Equilibrium, Option<NewtonError>> {
+        newton.reset_rate();
         let solved = newton.solve(system, t, state, STATICS);
-        state.foretold.clear();
+        state.extrapolated_tension.clear();
         solved.map_err(Some)?;
         self.accept(system, t, newton, state, steps).ok_or(None)
     }
@@ -207,36 +207,36 @@ impl Search {
         newton: &mut Newton,
         state: &State,
         steps: u64,
-    ) -> Option<Found> {
-        if system.folded(state).is_some() {
+    ) -> Option<Equilibrium> {
+        if system.kinked_node(state).is_some() {
             return None;
         }
         let (_, residual) = newton.largest_residual(system, t, state);
         let enough = (self.force_tolerance * system.force_scale()).max(system.rounding_force());
-        (residual <= enough).then_some(Found {
+        (residual <= enough).then_some(Equilibrium {
             iterations: newton.iterations,
             steps,
             residual,
-            smooth: false,
+            friction_released: false,
         })
     }
 
     /// One iteration a step of pseudo-time, tensions foretold, until Newton finishes.
-    pub(super) fn creep<S: System + ?Sized>(
+    pub(super) fn pseudo_transient<S: System + ?Sized>(
         &self,
         system: &S,
         t: f64,
         newton: &mut Newton,
         state: &mut State,
         size: f64,
-    ) -> Option<Found> {
-        system.guess_tensions(state);
+    ) -> Option<Equilibrium> {
+        system.initialise_tensions(state);
         let mut trial = state.clone();
         let mut h = 0.1 * size.sqrt();
         let mut calm = 0;
         for step in 1..=self.max_steps as u64 {
             let moved = newton.iterate(system, t, state, pseudo_time(h)).ok()?.1;
-            come_to_rest(state);
+            set_at_rest(state);
             h *= (0.03 * size / moved).clamp(0.3, 1.7);
             calm = if moved < 0.03 * size { calm + 1 } else { 0 };
             if calm >= 4 {
@@ -247,7 +247,7 @@ impl Search {
                     return Some(found);
                 }
                 trial.copy_from(state);
-                trial.foretold.clear();
+                trial.extrapolated_tension.clear();
                 if let Some(found) = self.accept(system, t, newton, &trial, step) {
                     state.copy_from(&trial);
                     return Some(found);
@@ -264,22 +264,25 @@ impl Search {
     }
 
     /// Steps of pseudo-time, each converged, until Newton finishes or nothing is left to move the line.
-    fn let_go<S: System + ?Sized>(
+    fn dynamic_relaxation<S: System + ?Sized>(
         &self,
         system: &S,
         t: f64,
         newton: &mut Newton,
         state: &mut State,
-    ) -> Result<Found, NotFound> {
+    ) -> Result<Equilibrium, EquilibriumError> {
         let mut trial = state.clone();
         let mut h = 0.1;
         let mut why = None;
         for step in 1..=self.max_steps as u64 {
             trial.copy_from(state);
-            newton.forget();
+            newton.reset_rate();
             match newton.solve(system, t, &mut trial, pseudo_time(h)) {
-                Ok(_) if system.folded(&trial).is_none() || system.folded(state).is_some() => {
-                    come_to_rest(&mut trial);
+                Ok(_)
+                    if system.kinked_node(&trial).is_none()
+                        || system.kinked_node(state).is_some() =>
+                {
+                    set_at_rest(&mut trial);
                     state.copy_from(&trial);
                     h *= 2.5;
                     match self.finish(system, t, newton, &mut trial, step) {
@@ -306,11 +309,11 @@ impl Search {
             }
         }
         let (node, residual) = newton.largest_residual(system, t, state);
-        Err(NotFound {
+        Err(EquilibriumError {
             iterations: newton.iterations,
             residual,
             node,
-            folded: system.folded(state),
+            kinked_node: system.kinked_node(state),
             why,
         })
     }
@@ -330,7 +333,7 @@ fn pseudo_time(h: f64) -> Factors {
 pub fn instabilities<S: System + ?Sized>(system: &S, t: f64, state: &State) -> Option<usize> {
     let mut residual = vec![V3::zeros(); system.nodes()];
     let mut tangent = BlockBand::new(system.nodes());
-    if system.bends() {
+    if system.is_pentadiagonal() {
         tangent.widen();
     }
     system.linearise(t, state, STATICS, &mut residual, &mut tangent);
@@ -357,7 +360,7 @@ fn length(state: &State) -> f64 {
     state.x.windows(2).map(|x| (x[1] - x[0]).norm()).sum()
 }
 
-fn come_to_rest(state: &mut State) {
+fn set_at_rest(state: &mut State) {
     for (v, a) in state.v.iter_mut().zip(&mut state.a) {
         *v = nalgebra::zero();
         *a = nalgebra::zero();

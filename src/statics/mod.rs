@@ -1,6 +1,6 @@
 //! Lines at rest.
 
 pub mod catenary;
-mod eased;
+mod continuation;
 pub mod equilibrium;
 pub mod reconfiguration;

@@ -8,7 +8,7 @@ use super::key::Key;
 use super::state::trials::{Trialled, TrialsOf};
 use super::state::{CaseEntry, Content, Curves, Level, RunSlot, Ticket};
 use crate::case::Case;
-use crate::modes::Found;
+use crate::modes::LineModes;
 use crate::report::chart::Glyphs;
 use crate::run::job::{Event, Request};
 use crate::run::{Resume, Run};
@@ -28,7 +28,7 @@ pub enum Msg {
     /// The text of the open file as an editor left it, or all that is wrong with it.
     Edited(Result<String, String>),
     /// The natural modes of the case with this text, or why there are none.
-    Modes(String, Result<Arc<Found>, String>),
+    Modes(String, Result<Arc<LineModes>, String>),
     /// How far trials are.
     Trialled(Ticket, Box<Trialled>),
     /// How a stored run goes on up to a later end \[s\], or why it does not.

@@ -8,10 +8,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use allocation_counter::measure;
 use seacable::case::{self, Case, Rotation};
-use seacable::dynamics::alpha::{Alpha, Control};
-use seacable::dynamics::quasi::Quasi;
+use seacable::dynamics::generalized_alpha::{ErrorLimits, GeneralizedAlpha};
+use seacable::dynamics::quasi_static::QuasiStatic;
 use seacable::dynamics::rk4::Rk4;
-use seacable::dynamics::{March, Step, Stepper};
+use seacable::dynamics::{March, Stepper, TimeStep};
 use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
 use seacable::solve::{Factors, Instant, Progressing, State, System};
@@ -37,8 +37,8 @@ impl System for Spoilt {
     fn free(&self) -> Range<usize> {
         self.scene.free()
     }
-    fn bends(&self) -> bool {
-        self.scene.bends()
+    fn is_pentadiagonal(&self) -> bool {
+        self.scene.is_pentadiagonal()
     }
     fn rounding_force(&self) -> f64 {
         self.scene.rounding_force()
@@ -65,8 +65,8 @@ impl System for Spoilt {
         self.scene.commit(t, dt, state);
     }
 
-    fn hold_drag(&self, state: &mut State) {
-        self.scene.hold_drag(state);
+    fn freeze_drag_coefficients(&self, state: &mut State) {
+        self.scene.freeze_drag_coefficients(state);
     }
     fn force_scale(&self) -> f64 {
         self.scene.force_scale()
@@ -98,7 +98,7 @@ fn check_changed(change: impl Fn(&mut Case), mut method: impl Stepper, spoilt: u
         step,
         output: 20.0 * step,
     };
-    let first = Step {
+    let first = TimeStep {
         t: 0.0,
         // Short: the line begins straight and without tension.
         dt: 0.1 * step,
@@ -134,13 +134,13 @@ fn a_step_of_runge_kutta_allocates_nothing() {
 
 #[test]
 fn a_step_of_generalized_alpha_allocates_nothing() {
-    check(Alpha::new(NODES, 0.4, 1e-6, 30), 500, 0.1);
-    let control = Control {
+    check(GeneralizedAlpha::new(NODES, 0.4, 1e-6, 30), 500, 0.1);
+    let control = ErrorLimits {
         position: 1e-3,
         velocity: 1e-3,
     };
     check(
-        Alpha::new(NODES, 0.4, 1e-6, 30).controlled(control),
+        GeneralizedAlpha::new(NODES, 0.4, 1e-6, 30).controlled(control),
         500,
         0.25,
     );
@@ -148,7 +148,7 @@ fn a_step_of_generalized_alpha_allocates_nothing() {
 
 #[test]
 fn a_quasi_static_step_allocates_nothing() {
-    check(Quasi::new(NODES, 1e-6, 30), 500, 0.25);
+    check(QuasiStatic::new(NODES, 1e-6, 30), 500, 0.25);
 }
 
 #[test]
@@ -158,8 +158,8 @@ fn a_bed_with_friction_allocates_nothing() {
         case.seabed = Some(toml::from_str(words).unwrap());
     };
     check_changed(bed, Rk4::new(NODES), 1000, 0.003);
-    check_changed(bed, Alpha::new(NODES, 0.4, 1e-6, 30), 500, 0.1);
-    check_changed(bed, Quasi::new(NODES, 1e-6, 30), 500, 0.25);
+    check_changed(bed, GeneralizedAlpha::new(NODES, 0.4, 1e-6, 30), 500, 0.1);
+    check_changed(bed, QuasiStatic::new(NODES, 1e-6, 30), 500, 0.25);
 }
 
 #[test]
@@ -181,7 +181,12 @@ fn a_step_with_a_payload_that_turns_allocates_nothing() {
         }
     };
     check_changed(turning, Rk4::new(NODES + 1), 1000, 2e-4);
-    check_changed(turning, Alpha::new(NODES + 1, 0.4, 1e-6, 30), 200, 0.05);
+    check_changed(
+        turning,
+        GeneralizedAlpha::new(NODES + 1, 0.4, 1e-6, 30),
+        200,
+        0.05,
+    );
 }
 
 #[test]

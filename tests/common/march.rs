@@ -1,6 +1,6 @@
 //! Lines marched through time in steps of one length, for tests that look at every step.
 
-use seacable::dynamics::alpha::Alpha;
+use seacable::dynamics::generalized_alpha::GeneralizedAlpha;
 use seacable::dynamics::rk4::Rk4;
 use seacable::dynamics::{March, Stepper};
 use seacable::scene::Scene;
@@ -35,6 +35,6 @@ pub(crate) fn rk4(scene: &Scene) -> Rk4 {
 }
 
 /// Generalized-alpha for this line, its equations solved to 1e-12 m.
-pub(crate) fn alpha(scene: &Scene, rho: f64) -> Alpha {
-    Alpha::new(scene.nodes(), rho, 1e-12, 30)
+pub(crate) fn alpha(scene: &Scene, rho: f64) -> GeneralizedAlpha {
+    GeneralizedAlpha::new(scene.nodes(), rho, 1e-12, 30)
 }

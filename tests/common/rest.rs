@@ -2,7 +2,7 @@
 
 use seacable::scene::{self, Scene};
 use seacable::solve::State;
-use seacable::statics::equilibrium::Search;
+use seacable::statics::equilibrium::EquilibriumSearch;
 
 use super::lines;
 
@@ -14,6 +14,8 @@ pub(crate) fn build(changes: &str) -> Scene {
 /// The line in equilibrium.
 pub(crate) fn at_rest(scene: &Scene) -> State {
     let mut state = scene.initial_state();
-    Search::default().run(scene, 0.0, &mut state).unwrap();
+    EquilibriumSearch::default()
+        .run(scene, 0.0, &mut state)
+        .unwrap();
     state
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use seacable::case::{self, Case, Method};
-use seacable::dynamics::quasi::Quasi;
+use seacable::dynamics::quasi_static::QuasiStatic;
 use seacable::run::job::{Request, execute};
 use seacable::run::{History, Run, RunState};
 use seacable::solve::{State, System};
@@ -116,7 +116,7 @@ fn rest_stays_at_rest() {
         }
     };
     let nodes = scene.nodes();
-    let quasi = Quasi::new(nodes, 1e-9, 30);
+    let quasi = QuasiStatic::new(nodes, 1e-9, 30);
     march::march(
         march::rk4(&scene),
         &scene,

@@ -5,8 +5,8 @@
 
 use crate::elastic_catenary::Catenary;
 use crate::{march, rest};
-use seacable::dynamics::quasi::Quasi;
-use seacable::dynamics::{Step, StepError, Stepper, Tally};
+use seacable::dynamics::quasi_static::QuasiStatic;
+use seacable::dynamics::{StepError, Stepper, TimeStep, WorkCounts};
 use seacable::scene::Scene;
 use seacable::solve::{State, System};
 
@@ -126,12 +126,12 @@ impl<M: Stepper> Stepper for Uneven<M> {
     fn step<S: System + ?Sized>(
         &mut self,
         system: &S,
-        at: Step,
+        at: TimeStep,
         state: &mut State,
     ) -> Result<f64, StepError> {
         let third = at.dt / 3.0;
-        self.0.step(system, Step { dt: third, ..at }, state)?;
-        let rest = Step {
+        self.0.step(system, TimeStep { dt: third, ..at }, state)?;
+        let rest = TimeStep {
             t: at.t + third,
             dt: 2.0 * third,
             ..at
@@ -141,8 +141,8 @@ impl<M: Stepper> Stepper for Uneven<M> {
     fn restart<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &mut State) {
         self.0.restart(system, t, state);
     }
-    fn tally(&self) -> Tally {
-        self.0.tally()
+    fn work_counts(&self) -> WorkCounts {
+        self.0.work_counts()
     }
 }
 
@@ -160,7 +160,7 @@ fn steps_of_changing_length_keep_the_order() {
             (0.1, 0.2),
         );
     }
-    let quasi = || Uneven(Quasi::new(scene.nodes(), 1e-12, 40));
+    let quasi = || Uneven(QuasiStatic::new(scene.nodes(), 1e-12, 40));
     let exact = swung(&scene, quasi(), 0.002);
     let error = |h| apart(&swung(&scene, quasi(), h), &exact);
     assert_order("uneven, quasi", &points(0.5, 5, error), 2.0, (0.1, 0.25));
@@ -169,7 +169,7 @@ fn steps_of_changing_length_keep_the_order() {
 #[test]
 fn the_quasi_static_march_is_of_order_two() {
     let scene = rest::build(SWUNG);
-    let quasi = || Quasi::new(scene.nodes(), 1e-12, 40);
+    let quasi = || QuasiStatic::new(scene.nodes(), 1e-12, 40);
     let exact = swung(&scene, quasi(), 0.002);
     let error = |h| apart(&swung(&scene, quasi(), h), &exact);
     assert_order("quasi", &points(0.5, 5, error), 2.0, (0.1, 0.25));

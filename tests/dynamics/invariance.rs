@@ -67,7 +67,7 @@ fn mapped(scene: &Scene, place: impl Fn(&V3) -> V3, turn: impl Fn(&V3) -> V3) ->
     let mut scene = scene.clone();
     scene.start.iter_mut().for_each(|x| *x = place(x));
     for end in &mut scene.ends {
-        if let End::Held(motion) = end {
+        if let End::Prescribed(motion) = end {
             motion.position = place(&motion.position);
             if let Course::Swing(swing) = &mut motion.course {
                 swing.amplitude = turn(&swing.amplitude);

@@ -6,17 +6,17 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 use seacable::case::Case;
-use seacable::modes::{Found, Kind, Medium, Pencil, lowest, of_case};
+use seacable::modes::{LineModes, Medium, ModeKind, Pencil, lowest, of_case};
 use seacable::numerics::{BlockBand, V3};
 use seacable::solve::{Factors, System};
 
 use crate::lines::line;
 
-fn frequencies(found: &Found) -> Vec<f64> {
+fn frequencies(found: &LineModes) -> Vec<f64> {
     found.modes.iter().map(|m| m.mode.frequency_hz()).collect()
 }
 
-fn of_kind(found: &Found, kind: Kind) -> Vec<f64> {
+fn of_kind(found: &LineModes, kind: ModeKind) -> Vec<f64> {
     let modes = found.modes.iter().filter(|m| m.mode.kind == kind);
     modes.map(|m| m.mode.frequency_hz()).collect()
 }
@@ -55,7 +55,7 @@ fn a_taut_string() {
         .into_iter()
         .map(|segments| {
             let found = of_case(&string(segments), 8).unwrap();
-            for kind in [Kind::InPlane, Kind::OutOfPlane] {
+            for kind in [ModeKind::InPlane, ModeKind::OutOfPlane] {
                 let all = of_kind(&found, kind);
                 assert_eq!(all.len(), 4, "{kind:?}");
                 for (n, frequency) in all.iter().enumerate() {
@@ -90,7 +90,7 @@ fn along_a_string_it_stretches() {
          ends.b.position_m = [110.0, 0.0, 0.0]",
     );
     let found = of_case(&case, 8).unwrap();
-    let along = of_kind(&found, Kind::Along);
+    let along = of_kind(&found, ModeKind::Along);
     // sqrt(EA / m) / 2 L of the unstretched length, on the lumped line.
     let exact = 40.0 * 2.0 / PI * (PI / 80.0).sin() * (1.0e6_f64 / 2.0).sqrt() / 200.0;
     assert!((along[0] / exact - 1.0).abs() < 1e-9, "{along:?} {exact}");
@@ -115,7 +115,7 @@ fn a_hanging_chain() {
         of_case(&case, 8).unwrap()
     };
     let found = on(400);
-    for kind in [Kind::InPlane, Kind::OutOfPlane] {
+    for kind in [ModeKind::InPlane, ModeKind::OutOfPlane] {
         for (n, frequency) in of_kind(&found, kind).iter().enumerate() {
             let off = (frequency / exact(n) - 1.0).abs();
             assert!(off < 3e-5 * (n as f64 + 1.0).powi(2), "{n}: {frequency}");
@@ -173,7 +173,7 @@ fn euler_bernoulli_beams() {
         let exact = roots.map(|b| (b / 10.0_f64).powi(2) * (100.0_f64 / 2.0).sqrt() / TAU);
         let on = |segments| {
             let found = of_case(&beam(segments, ends), 6).unwrap();
-            of_kind(&found, Kind::InPlane)
+            of_kind(&found, ModeKind::InPlane)
         };
         let meshes = [20, 40, 80].map(on);
         for n in 0..3 {
@@ -228,8 +228,8 @@ fn a_cable_of_small_sag() {
         let string = (h / mass).sqrt() / 100.0 / TAU;
         let expected = |w: f64| w * string;
         let (within, out) = (
-            of_kind(&found, Kind::InPlane),
-            of_kind(&found, Kind::OutOfPlane),
+            of_kind(&found, ModeKind::InPlane),
+            of_kind(&found, ModeKind::OutOfPlane),
         );
         for (n, frequency) in out.iter().enumerate() {
             assert!((frequency / expected(PI * (n + 1) as f64) - 1.0).abs() < 2e-3);
@@ -257,7 +257,7 @@ fn dense(case: &Case) -> (Vec<f64>, Vec<f64>) {
     let matrix = |mass: f64, stiffness: f64| {
         let mut residual = vec![V3::zeros(); nodes];
         let mut band = BlockBand::new(nodes);
-        if scene.bends() {
+        if scene.is_pentadiagonal() {
             band.widen();
         }
         let factors = Factors {
@@ -274,8 +274,8 @@ fn dense(case: &Case) -> (Vec<f64>, Vec<f64>) {
                 0 => band.diag[i][at],
                 1 => band.upper[i][at],
                 -1 => band.lower[i][at],
-                2 if scene.bends() => band.far_upper[i][at],
-                -2 if scene.bends() => band.far_lower[i][at],
+                2 if scene.is_pentadiagonal() => band.far_upper[i][at],
+                -2 if scene.is_pentadiagonal() => band.far_lower[i][at],
                 _ => 0.0,
             }
         })
@@ -439,7 +439,7 @@ fn an_inclined_cable() {
         let load = mass * 9.81 * slope.cos() * chord / tension;
         let lambda2 = load * load * ea / tension / (1.0 + load * load / 8.0);
         let string = (tension / mass).sqrt() / chord / TAU;
-        let within = of_kind(&found, Kind::InPlane);
+        let within = of_kind(&found, ModeKind::InPlane);
         for exact in [symmetric_root(lambda2) * string, TAU * string] {
             let off = within.iter().map(|f| (f / exact - 1.0).abs());
             let nearest = off.fold(1.0, f64::min);
@@ -470,7 +470,7 @@ fn a_beam_under_tension() {
         ((2.0e4 * k.powi(4) + 1.0e4 * k * k) / mass).sqrt() / TAU
     };
     let found = on(200);
-    for kind in [Kind::InPlane, Kind::OutOfPlane] {
+    for kind in [ModeKind::InPlane, ModeKind::OutOfPlane] {
         for (n, frequency) in of_kind(&found, kind).iter().enumerate() {
             // The bend is felt over unstretched lengths, a thousandth shorter.
             assert!(
@@ -501,7 +501,7 @@ fn wkb_theory_nears_the_modes_of_an_upright_line_as_they_rise() {
     let found = of_case(&case, 16).unwrap();
     let medium = Medium::of(&found.scene, &found.rest).unwrap();
     assert!((medium.tension[800] - 500.0).abs() < 10.0);
-    let all = of_kind(&found, Kind::InPlane);
+    let all = of_kind(&found, ModeKind::InPlane);
     let off: Vec<f64> = all
         .iter()
         .enumerate()

@@ -5,9 +5,9 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::lines::line;
-use seacable::modes::{Found, Kind, of_case};
+use seacable::modes::{LineModes, ModeKind, of_case};
 
-fn of_kind(found: &Found, kind: Kind) -> Vec<f64> {
+fn of_kind(found: &LineModes, kind: ModeKind) -> Vec<f64> {
     let modes = found.modes.iter().filter(|m| m.mode.kind == kind);
     modes.map(|m| m.mode.frequency_hz()).collect()
 }
@@ -35,7 +35,7 @@ fn roots(f: impl Fn(f64) -> f64 + Copy, upto: f64, step: f64) -> Vec<f64> {
 }
 
 /// A rope of 100 m with a payload of 500 kg at its foot, in water.
-fn hung(segments: usize, ea: f64) -> Found {
+fn hung(segments: usize, ea: f64) -> LineModes {
     let case = line(&format!(
         r#"
         environment.gravity_m_per_s2 = 9.81
@@ -89,7 +89,7 @@ fn a_payload_swings_on_its_line() {
         y
     };
     let exact = roots(top, 1.2, 0.02);
-    let meshes = [20, 40, 80].map(|n| of_kind(&hung(n, 1.0e7), Kind::InPlane));
+    let meshes = [20, 40, 80].map(|n| of_kind(&hung(n, 1.0e7), ModeKind::InPlane));
     for (n, exact) in exact.iter().take(4).enumerate() {
         let errors: Vec<f64> = meshes.iter().map(|f| (f[n] / exact - 1.0).abs()).collect();
         // The swing of the payload itself is nearly free of the mesh.
@@ -105,7 +105,7 @@ fn a_payload_swings_on_its_line() {
 fn a_payload_bounces_on_its_line() {
     let x = root(|x: f64| x * x.tan() - 2.0 * 100.0 / 700.0, (1e-3, 1.5));
     let exact = x / (100.0 * TAU) * (1.0e6_f64 / 2.0).sqrt();
-    let bounce = |n: usize| of_kind(&hung(n, 1.0e6), Kind::Along)[0];
+    let bounce = |n: usize| of_kind(&hung(n, 1.0e6), ModeKind::Along)[0];
     let errors = [10, 20, 40].map(|n| (bounce(n) / exact - 1.0).abs());
     second_order("bounce", &errors, 1e-4);
 }
@@ -128,10 +128,13 @@ fn the_error_told_covers_the_place_of_the_touchdown() {
         ));
         of_case(&case, 6).unwrap()
     };
-    let fine = of_kind(&on(1280), Kind::InPlane);
+    let fine = of_kind(&on(1280), ModeKind::InPlane);
     for segments in [40, 60, 80, 120, 160] {
         let found = on(segments);
-        let within = found.modes.iter().filter(|m| m.mode.kind == Kind::InPlane);
+        let within = found
+            .modes
+            .iter()
+            .filter(|m| m.mode.kind == ModeKind::InPlane);
         for (named, exact) in within.zip(&fine) {
             let (told, frequency) = (named.error_hz.unwrap(), named.mode.frequency_hz());
             let off = (frequency - exact).abs();

@@ -12,7 +12,7 @@ use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
 use seacable::scene;
 use seacable::solve::{Newton, System};
-use seacable::statics::equilibrium::Search;
+use seacable::statics::equilibrium::EquilibriumSearch;
 
 prop_compose! {
     /// Materials from ropes lighter than water to chains, EA over eight decades.
@@ -240,7 +240,7 @@ fn stretches_far(text: &str) -> bool {
         .iter()
         .map(|h| 9.0 * h.body.drag.max())
         .sum::<f64>();
-    let turning = scene.turning.map_or(0.0, |t| 9.0 * t.body.drag[0]);
+    let turning = scene.rigid_payload.map_or(0.0, |t| 9.0 * t.body.drag[0]);
     let load = scene.force_scale + drag(2.0 * sides) + payload + turning;
     scene.segments[0].axial.ea < 10.0 * load
 }
@@ -315,7 +315,7 @@ proptest! {
     fn an_equilibrium_leaves_no_force_or_is_refused(text in any_line()) {
         let scene = scene::build(&lines::line(&text), 1).unwrap();
         let mut state = scene.initial_state();
-        match Search::default().run(&scene, 0.0, &mut state) {
+        match EquilibriumSearch::default().run(&scene, 0.0, &mut state) {
             Ok(found) => {
                 let (_, left) = Newton::new(scene.nodes(), 1.0, 1).largest_residual(&scene, 0.0, &state);
                 prop_assert!(left <= (1e-8 * scene.force_scale).max(scene.rounding_force()), "{left} N\n{text}");

@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::march::{alpha, march, rk4};
 use crate::rest::{at_rest, build};
-use seacable::dynamics::{March, Step, StepError, Stepper, Tally};
+use seacable::dynamics::{March, StepError, Stepper, TimeStep, WorkCounts};
 use seacable::numerics::V3;
 use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
@@ -97,7 +97,7 @@ fn the_stability_limit_is_one() {
                 method
                     .step(
                         &scene,
-                        Step {
+                        TimeStep {
                             t,
                             dt,
                             refuse: false,
@@ -193,11 +193,11 @@ impl Stepper for Choosy {
     fn step<S: System + ?Sized>(
         &mut self,
         _: &S,
-        at: Step,
+        at: TimeStep,
         _: &mut State,
     ) -> Result<f64, StepError> {
         if at.dt > self.longest {
-            return Err(NewtonError::Diverged {
+            return Err(NewtonError::NotConverged {
                 iterations: 9,
                 node: 4,
                 moved: 0.5,
@@ -208,8 +208,8 @@ impl Stepper for Choosy {
         Ok(self.share)
     }
     fn restart<S: System + ?Sized>(&mut self, _system: &S, _t: f64, _state: &mut State) {}
-    fn tally(&self) -> Tally {
-        Tally::default()
+    fn work_counts(&self) -> WorkCounts {
+        WorkCounts::default()
     }
 }
 

@@ -225,7 +225,7 @@ fn a_taut_string_swings_as_the_method_is_told_to_make_it() {
     let omega = 2.0 * n as f64 / 101.0 * wave * (0.5 * PI / n as f64).sin();
     for (rho, share) in [(0.4, 0.05), (0.0, 0.05), (0.4, 0.1), (1.0, 0.1)] {
         let h = share * 2.0 * PI / omega;
-        let made = seacable::dynamics::damping::Numerical::of(rho, omega, h);
+        let made = seacable::dynamics::numerical_damping::NumericalDamping::of(rho, omega, h);
         let mut state = scene.initial_state();
         for i in 1..n {
             state.v[i].y = 1e-3 * omega * (PI * i as f64 / n as f64).sin();

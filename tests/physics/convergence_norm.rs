@@ -69,7 +69,7 @@ fn no_force_changes_by_more_than_is_felt() {
             .take(scene.nodes() - 2)
             .map(|(a, b)| (a - b).amax())
             .fold(0.0, f64::max);
-        let felt = stiffest(&scene) * scene.felt(&d, &rest::at_rest(&scene));
+        let felt = stiffest(&scene) * scene.force_norm_displacement(&d, &rest::at_rest(&scene));
         assert!(
             change > 0.0 && change < 6.0 * felt,
             "{changes}: {change} {felt}"
@@ -86,7 +86,7 @@ fn across_a_line_next_to_nothing_is_felt() {
     let of = |scene: &Scene, state: &_, d: V3| {
         let mut list = vec![V3::zeros(); scene.nodes()];
         list[5] = d;
-        scene.felt(&list, state)
+        scene.force_norm_displacement(&list, state)
     };
     let along = of(&scene, &state, V3::new(0.0, 0.0, 1e-3));
     let across = of(&scene, &state, V3::new(1e-3, 0.0, 0.0));
@@ -97,7 +97,7 @@ fn across_a_line_next_to_nothing_is_felt() {
     let lying = (0..laid.nodes()).rfind(|i| state.x[*i].z < -20.0).unwrap();
     let mut list = vec![V3::zeros(); laid.nodes()];
     list[lying].y = 1e-3;
-    assert_eq!(laid.felt(&list, &state), 1e-3);
+    assert_eq!(laid.force_norm_displacement(&list, &state), 1e-3);
 }
 
 fn run(changes: &str) -> Run {

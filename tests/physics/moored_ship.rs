@@ -6,13 +6,13 @@ use std::f64::consts::TAU;
 use nalgebra::{Matrix6, Vector6};
 use seacable::case;
 use seacable::dynamics::March;
-use seacable::dynamics::alpha::Alpha;
+use seacable::dynamics::generalized_alpha::GeneralizedAlpha;
 use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
 use seacable::ship::forcing::Forcing;
 use seacable::ship::moored::{Moored, RigidBody};
 use seacable::solve::{Factors, Instant, Progressing, State, System};
-use seacable::statics::equilibrium::Search;
+use seacable::statics::equilibrium::EquilibriumSearch;
 
 /// A chain from an anchor on the bed, 10 m down, to a fairlead at (x, 0, 0), without drag.
 fn chain(x: f64, weight: f64, segments: usize) -> Scene {
@@ -32,7 +32,9 @@ fn chain(x: f64, weight: f64, segments: usize) -> Scene {
 
 fn rest(line: &Scene) -> State {
     let mut state = line.initial_state();
-    Search::default().run(line, 0.0, &mut state).unwrap();
+    EquilibriumSearch::default()
+        .run(line, 0.0, &mut state)
+        .unwrap();
     state
 }
 
@@ -76,7 +78,7 @@ fn march(
     mut see: impl FnMut(f64, &State),
 ) {
     moored.accelerate(0.0, state);
-    let mut method = Alpha::new(moored.nodes(), rho, 1e-10, 30);
+    let mut method = GeneralizedAlpha::new(moored.nodes(), rho, 1e-10, 30);
     let march = March {
         duration: time.0,
         step: time.1,

@@ -399,7 +399,7 @@ fn it_does_not_matter_which_way_round_the_scene_lies() {
             (8.0, 0.02),
             |_, _| (),
         );
-        (scene.place_of_b(&state), scene.tilt(&state))
+        (scene.end_b_position(&state), scene.tilt(&state))
     };
     let (plain, turned) = (end(0.0), end(37.0));
     let (sin, cos) = 37_f64.to_radians().sin_cos();

@@ -5,7 +5,7 @@ use seacable::case;
 use seacable::numerics::V3;
 use seacable::scene::{self, Scene};
 use seacable::solve::State;
-use seacable::statics::equilibrium::{Search, instabilities};
+use seacable::statics::equilibrium::{EquilibriumSearch, instabilities};
 
 /// A rod of length 10 m along x from a clamp at the origin, in no water, with a load at its tip. EI = 100 N m².
 fn cantilever(segments: usize, tip_load_n: f64, weight_n_per_m: f64) -> (Scene, State) {
@@ -48,7 +48,9 @@ shape = "straight"
     );
     let scene = scene::build(&case::parse(&text, "cantilever.toml").unwrap(), 1).unwrap();
     let mut state = scene.initial_state();
-    Search::default().run(&scene, 0.0, &mut state).unwrap();
+    EquilibriumSearch::default()
+        .run(&scene, 0.0, &mut state)
+        .unwrap();
     (scene, state)
 }
 
@@ -143,7 +145,9 @@ position_m = [{}, 0, 0]
     );
     let scene = scene::build(&case::parse(&text, "strut.toml").unwrap(), 1).unwrap();
     let mut state = scene.initial_state();
-    Search::default().run(&scene, 0.0, &mut state).unwrap();
+    EquilibriumSearch::default()
+        .run(&scene, 0.0, &mut state)
+        .unwrap();
     (scene, state)
 }
 
@@ -238,7 +242,7 @@ fn elastica(angle: f64, force: (f64, f64), moment: f64) -> [f64; 4] {
 fn missed(segments: usize, apart: f64, elevations: [f64; 2]) -> [f64; 3] {
     let scene = between_clamps(segments, apart, elevations);
     let mut state = scene.initial_state();
-    Search::default()
+    EquilibriumSearch::default()
         .run(&scene, 0.0, &mut state)
         .unwrap_or_else(|why| panic!("{apart} {elevations:?}: {why}"));
     let pull = scene.end_force(0, &state);
@@ -291,7 +295,7 @@ fn rods_clamped_at_random_come_to_rest() {
         let apart = 1.0 + 8.9 * spread(i, 0.618_034);
         let scene = between_clamps(80, apart, [turn(0.381_966), turn(0.236_068)]);
         let mut state = scene.initial_state();
-        match Search::default().run(&scene, 0.0, &mut state) {
+        match EquilibriumSearch::default().run(&scene, 0.0, &mut state) {
             Ok(_) => found += 1,
             Err(why) => eprintln!("{apart} {:?}: {why}", [turn(0.381_966), turn(0.236_068)]),
         }

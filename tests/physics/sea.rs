@@ -8,7 +8,7 @@ use seacable::case::Case;
 use seacable::numerics::V3;
 use seacable::scene::{self, Scene};
 use seacable::solve::{State, System};
-use seacable::statics::equilibrium::Search;
+use seacable::statics::equilibrium::EquilibriumSearch;
 
 const G: f64 = 9.80665;
 const RHO: f64 = 1025.0;
@@ -27,7 +27,9 @@ fn line(material: &str, section: &str, ends: [&str; 2], tables: &str) -> Scene {
 /// The line in equilibrium.
 fn at_rest(scene: &Scene) -> State {
     let mut state = scene.initial_state();
-    Search::default().run(scene, 0.0, &mut state).unwrap();
+    EquilibriumSearch::default()
+        .run(scene, 0.0, &mut state)
+        .unwrap();
     state
 }
 
@@ -36,7 +38,7 @@ fn at_rest(scene: &Scene) -> State {
 fn load_on_cylinder(scene: &Scene, t: f64) -> V3 {
     let mut state = scene.initial_state();
     let n = scene.nodes();
-    scene.take_water(t, &mut state);
+    scene.update_wave_kinematics(t, &mut state);
     let mut r = vec![V3::zeros(); n];
     scene.residual(t, &state, &mut r);
     // Pulls cancel in the sum; weights are taken away.

@@ -3,13 +3,13 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use crate::{march, rest};
-use seacable::dynamics::quasi::Quasi;
+use seacable::dynamics::quasi_static::QuasiStatic;
 use seacable::dynamics::{March, Stepper};
 use seacable::numerics::V3;
 use seacable::scene::Scene;
 use seacable::solve::{Instant, Progressing, State, System};
 use seacable::statics::catenary::{Bed, Ends, Line, SectionProps, Solution};
-use seacable::statics::equilibrium::Search;
+use seacable::statics::equilibrium::EquilibriumSearch;
 
 const G: f64 = 9.80665;
 
@@ -304,7 +304,7 @@ fn rest_stays_at_rest() {
         stays(&scene, &start, "alpha", &end, 1e-6);
         let mut end = start.clone();
         march::march(
-            Quasi::new(41, 1e-9, 30),
+            QuasiStatic::new(41, 1e-9, 30),
             &scene,
             &mut end,
             (20.0, 0.5),
@@ -543,7 +543,7 @@ fn slack_lines_in_a_current_come_to_rest_or_are_refused_as_slack() {
                 lifted - depth
             ));
             let mut state = scene.initial_state();
-            match Search::default().run(&scene, 0.0, &mut state) {
+            match EquilibriumSearch::default().run(&scene, 0.0, &mut state) {
                 Ok(_) => solved[k] += 1,
                 Err(why) => assert!(why.to_string().contains("slack"), "{why}"),
             }

@@ -113,7 +113,7 @@ fn state(scene: &Scene, numbers: &[f64], strain: f64, speed: f64) -> State {
         state.v[i] = vector(speed);
         state.a[i] = vector(2.0);
     }
-    scene.take_water(23.0, &mut state);
+    scene.update_wave_kinematics(23.0, &mut state);
     state
 }
 

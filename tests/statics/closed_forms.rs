@@ -12,7 +12,7 @@ use crate::rest;
 use seacable::numerics::V3;
 use seacable::scene::Scene;
 use seacable::solve::{State, System};
-use seacable::statics::equilibrium::Search;
+use seacable::statics::equilibrium::EquilibriumSearch;
 
 const G: f64 = 9.80665;
 
@@ -235,7 +235,7 @@ fn a_buoyant_line_is_the_mirror_image_of_a_heavy_one() {
 
 fn search(scene: &Scene) -> Result<State, String> {
     let mut state = scene.initial_state();
-    let found = Search::default()
+    let found = EquilibriumSearch::default()
         .run(scene, 0.0, &mut state)
         .map_err(|e| e.to_string())?;
     assert!(found.residual <= 1e-8 * scene.force_scale + scene.rounding_force());

@@ -6,7 +6,7 @@ use crate::lines::line;
 use seacable::numerics::V3;
 use seacable::scene::{self, Scene};
 use seacable::solve::{State, System};
-use seacable::statics::equilibrium::{Search, instabilities};
+use seacable::statics::equilibrium::{EquilibriumSearch, instabilities};
 
 fn build(changes: &str) -> Scene {
     scene::build(&line(changes), 1).unwrap()
@@ -14,7 +14,9 @@ fn build(changes: &str) -> Scene {
 
 fn at_rest(scene: &Scene) -> State {
     let mut state = scene.initial_state();
-    Search::default().run(scene, 0.0, &mut state).unwrap();
+    EquilibriumSearch::default()
+        .run(scene, 0.0, &mut state)
+        .unwrap();
     state
 }
 

@@ -7,7 +7,7 @@ use seacable::numerics::V3;
 use seacable::scene::{self, Scene};
 use seacable::solve::{State, System};
 use seacable::statics::catenary::{Ends, Line, SectionProps};
-use seacable::statics::equilibrium::{Found, Search, instabilities};
+use seacable::statics::equilibrium::{Equilibrium, EquilibriumSearch, instabilities};
 
 /// Numbers from a fixed seed (Marsaglia's xorshift).
 struct Seeded(u64);
@@ -108,9 +108,9 @@ fn build(l: &Random, segments: usize) -> Scene {
     scene::build(&line(&changes), 1).unwrap()
 }
 
-fn at_rest(scene: &Scene) -> (State, Found) {
+fn at_rest(scene: &Scene) -> (State, Equilibrium) {
     let mut state = scene.initial_state();
-    let found = Search::default().run(scene, 0.0, &mut state);
+    let found = EquilibriumSearch::default().run(scene, 0.0, &mut state);
     (state, found.unwrap())
 }
 

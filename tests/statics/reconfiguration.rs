@@ -3,7 +3,7 @@
 
 use seacable::case::{self, edit};
 use seacable::scene;
-use seacable::statics::equilibrium::Search;
+use seacable::statics::equilibrium::EquilibriumSearch;
 use seacable::statics::reconfiguration::Cantilever;
 
 /// Drag on the rod by that of the same rod, rigid.
@@ -18,7 +18,9 @@ fn drag(speed: f64, float_kg: f64, segments: usize) -> f64 {
     let case = case::parse(&edit::set_all(text, &edits).unwrap(), "cantilever.toml").unwrap();
     let scene = scene::build(&case, 1).unwrap();
     let mut state = scene.initial_state();
-    Search::default().run(&scene, 0.0, &mut state).unwrap();
+    EquilibriumSearch::default()
+        .run(&scene, 0.0, &mut state)
+        .unwrap();
     scene.end_force(0, &state).x / (5.0 * speed * speed)
 }
 

@@ -7,7 +7,7 @@ use seacable::case::{self, Case, edit};
 use seacable::run::job::{self, Request};
 use seacable::scene::{self, Scene};
 use seacable::solve::State;
-use seacable::statics::equilibrium::{Found, Search};
+use seacable::statics::equilibrium::{Equilibrium, EquilibriumSearch};
 
 const WAVE: &str = include_str!("../../cases/umbilical/steep_wave.toml");
 
@@ -21,10 +21,12 @@ fn catenary() -> Case {
     case::parse(text, "catenary.toml").unwrap()
 }
 
-fn rest(case: &Case, coarsening: usize) -> (Scene, State, Found) {
+fn rest(case: &Case, coarsening: usize) -> (Scene, State, Equilibrium) {
     let scene = scene::build(case, coarsening).unwrap();
     let mut state = scene.initial_state();
-    let found = Search::default().run(&scene, 0.0, &mut state).unwrap();
+    let found = EquilibriumSearch::default()
+        .run(&scene, 0.0, &mut state)
+        .unwrap();
     (scene, state, found)
 }
 
@@ -92,7 +94,7 @@ fn the_line_is_never_folded_whatever_the_float() {
         for coarsening in [1, 2, 4] {
             let case = set(&[("modules.buoyant.diameter_m", diameter)]);
             let (scene, state, _) = rest(&case, coarsening);
-            let folded = scene.flexure.as_ref().unwrap().folded(&scene, &state);
+            let folded = scene.flexure.as_ref().unwrap().kinked_node(&scene, &state);
             assert_eq!(folded, None, "{diameter} m, mesh by {coarsening}");
             let greatest = scene.tensions(&state).into_iter().fold(0.0, f64::max);
             assert!(greatest < 5e4, "{diameter} m: {greatest} N");
@@ -119,7 +121,7 @@ fn how_long_a_cold_start_takes() {
         for _ in 0..20 {
             let mut state = start.clone();
             let clock = std::time::Instant::now();
-            iterations = Search::default()
+            iterations = EquilibriumSearch::default()
                 .run(&scene, 0.0, &mut state)
                 .unwrap()
                 .iterations;

@@ -6,7 +6,7 @@ use crate::case;
 use crate::numerics::V3;
 use crate::scene;
 use crate::statics::catenary::SectionProps;
-use crate::statics::equilibrium::{Search, instabilities};
+use crate::statics::equilibrium::{EquilibriumSearch, instabilities};
 
 /// A line between two points in a current.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,7 +92,7 @@ impl InCurrent {
         })?;
         let scene = scene::build(&case, 1).map_err(|e| e.to_string())?;
         let mut state = scene.initial_state();
-        Search::default()
+        EquilibriumSearch::default()
             .run(&scene, 0.0, &mut state)
             .map_err(|e| e.to_string())?;
         match instabilities(&scene, 0.0, &state) {

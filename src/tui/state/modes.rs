@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::modes::Found;
+use crate::modes::LineModes;
 use crate::tui::table_pane::TablePane;
 
 /// How many modes are looked for.
@@ -12,7 +12,7 @@ pub const COUNT: usize = 12;
 #[derive(Debug, Clone, Default)]
 pub struct ModesView {
     /// The modes found last, or why there are none; absent before the first answer.
-    pub found: Option<Result<Arc<Found>, String>>,
+    pub found: Option<Result<Arc<LineModes>, String>>,
     /// The text of the case that they are of.
     pub text: String,
     /// The text that is worked on in the background.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::{overlay, papers};
-use crate::modes::Found;
+use crate::modes::LineModes;
 use crate::report::modes as views;
 use crate::tui::command::Id;
 use crate::tui::msg::Effect;
@@ -38,7 +38,7 @@ pub(super) fn follow(state: &mut State) -> Vec<Effect> {
 pub(super) fn found(
     state: &mut State,
     text: String,
-    found: Result<Arc<Found>, String>,
+    found: Result<Arc<LineModes>, String>,
 ) -> Vec<Effect> {
     if let Some(open) = &mut state.open
         && open.modes.going.as_ref() == Some(&text)

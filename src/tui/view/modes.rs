@@ -4,7 +4,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::Canvas;
 use super::paint::text;
-use crate::modes::Found;
+use crate::modes::LineModes;
 use crate::report::modes as views;
 use crate::report::table::Table;
 use crate::tui::inks::Inks;
@@ -71,7 +71,14 @@ impl Canvas<'_> {
         text(self.buf, (line.x, line.y), line.width, words, style);
     }
 
-    fn mode_pictures(&mut self, area: Rect, found: &Found, number: usize, both: bool, over: bool) {
+    fn mode_pictures(
+        &mut self,
+        area: Rect,
+        found: &LineModes,
+        number: usize,
+        both: bool,
+        over: bool,
+    ) {
         let inks = Inks::new(self.state.looks.colour);
         let glyphs = self.state.looks.glyphs;
         let along = views::chart(found, &[number]);

@@ -7,7 +7,7 @@ use crate::solve::System;
 
 const BODY: &str = r#"
     line = [{ name = "rope", material = "rope", length_m = 20.0, segments = 2 }]
-    case.title = "turning"
+    case.title = "rigid_payload"
     current = { speed_m_per_s = [0.2, 2.7], direction_deg = [0.0, 80.0], depth_m = [0.0, 60.0] }
     materials.rope = { diameter_m = 0.1, mass_kg_per_m = 5.0, ea_n = 1e6 }
     ends.a = { name = "vessel", kind = "fixed", position_m = [0, 0, 0] }
@@ -60,14 +60,14 @@ fn moving(scene: &Scene) -> State {
         state.v[i] = V3::new((2.0 * k).cos(), (4.0 * k).sin(), (6.0 * k).cos());
         state.a[i] = V3::new((9.0 * k).sin(), (8.0 * k).sin(), (5.0 * k).cos()) * 3.0;
     }
-    scene.take_water(1.3, &mut state);
+    scene.update_wave_kinematics(1.3, &mut state);
     state
 }
 
 #[test]
 fn it_is_partly_wet_in_the_tests() {
     let scene = at_sea("crossed");
-    let (share, slope) = scene.turning.unwrap().wet(&scene, &moving(&scene));
+    let (share, slope) = scene.rigid_payload.unwrap().wet(&scene, &moving(&scene));
     assert!((0.1..0.9).contains(&share) && slope.norm() > 0.1, "{share}");
 }
 
@@ -78,11 +78,11 @@ fn the_tangent_of_the_body_is_the_finite_difference() {
 }
 
 fn has_its_tangent(scene: &Scene) {
-    let turning = scene.turning.unwrap();
+    let rigid_payload = scene.rigid_payload.unwrap();
     let state = moving(scene);
     let forces = |state: &State| {
         let mut r = vec![V3::zeros(); scene.nodes()];
-        turning.add_forces(scene, state, &mut r);
+        rigid_payload.add_forces(scene, state, &mut r);
         r
     };
     let size = forces(&state).iter().map(V3::amax).fold(0.0, f64::max);
@@ -93,10 +93,10 @@ fn has_its_tangent(scene: &Scene) {
             stiffness: factors.2,
         };
         let mut tangent = BlockBand::new(scene.nodes());
-        turning.add_tangent(scene, &state, c, &mut tangent);
+        rigid_payload.add_tangent(scene, &state, c, &mut tangent);
         for (j, axis) in (0..2).flat_map(|j| (0..3).map(move |axis| (j, axis))) {
             let shifted = |h: f64| {
-                let (mut moved, node) = (state.clone(), turning.node + j);
+                let (mut moved, node) = (state.clone(), rigid_payload.node + j);
                 moved.x[node][axis] += h * c.stiffness;
                 moved.v[node][axis] += h * c.damping;
                 moved.a[node][axis] += h * c.mass;
@@ -104,7 +104,7 @@ fn has_its_tangent(scene: &Scene) {
             };
             let (up, down) = (shifted(1e-5), shifted(-1e-5));
             for i in 0..2 {
-                let row = turning.node + i;
+                let row = rigid_payload.node + i;
                 let block = match (i, j) {
                     (0, 1) => tangent.upper[row],
                     (1, 0) => tangent.lower[row],
@@ -139,10 +139,10 @@ fn place_velocity_and_tilt_are_those_of_the_body() {
     let tilt = 35_f64.to_radians();
     let aside = V3::new(20_f64.to_radians().cos(), 20_f64.to_radians().sin(), 0.0);
     let centre = state.x[2] + (aside * tilt.sin() - V3::z() * tilt.cos()) * 2.0;
-    assert!((scene.place_of_b(&state) - centre).norm() < 1e-9);
-    // Turning about the hang point at 1 rad/s about the vertical.
+    assert!((scene.end_b_position(&state) - centre).norm() < 1e-9);
+    // RigidPayload about the hang point at 1 rad/s about the vertical.
     let spin = V3::z();
     state.v[3] = spin.cross(&(state.x[3] - state.x[2]));
     let expected = spin.cross(&(centre - state.x[2]));
-    assert!((scene.velocity_of_b(&state) - expected).norm() < 1e-9);
+    assert!((scene.end_b_velocity(&state) - expected).norm() < 1e-9);
 }

@@ -1,6 +1,6 @@
 //! The modes of a case: its line brought to rest, its modes found, their errors estimated from half the mesh.
 
-use super::{Kind, Mode, NotFound, Pencil, lowest, modes_of};
+use super::{EigenError, Mode, ModeKind, Pencil, lowest, modes_of};
 use crate::case::Case;
 use crate::numerics::V3;
 use crate::scene::{self, Scene, SceneError};
@@ -12,26 +12,26 @@ const MORE: usize = 4;
 
 /// Why there are no modes.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum Failure {
+pub enum ModesError {
     /// The case is none of a line.
     #[error("{0}")]
     Scene(#[from] SceneError),
     /// The line does not come to rest.
     #[error("{0}")]
-    Rest(#[from] equilibrium::NotFound),
+    Rest(#[from] equilibrium::EquilibriumError),
     /// The modes were not found.
     #[error("{0}")]
-    Modes(#[from] NotFound),
+    Modes(#[from] EigenError),
     /// A payload turns.
     #[error(
         "the payload turns, and modes know only payloads that do not; leave out `payload.rotation`"
     )]
-    Turning,
+    RigidPayload,
 }
 
 /// A mode with its name and its estimated error.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Named {
+pub struct NamedMode {
     /// The mode.
     pub mode: Mode,
     /// Its number among the modes of its kind, from 1.
@@ -42,20 +42,20 @@ pub struct Named {
 
 /// The line at rest and its lowest modes.
 #[derive(Debug, Clone)]
-pub struct Found {
+pub struct LineModes {
     /// The line.
     pub scene: Scene,
     /// Its state at rest.
     pub rest: State,
     /// Its modes, from the lowest frequency up.
-    pub modes: Vec<Named>,
+    pub modes: Vec<NamedMode>,
 }
 
 /// The `count` lowest modes of a case's line about its static shape, or all there are.
 ///
 /// # Errors
-/// [`Failure`].
-pub fn of_case(case: &Case, count: usize) -> Result<Found, Failure> {
+/// [`ModesError`].
+pub fn of_case(case: &Case, count: usize) -> Result<LineModes, ModesError> {
     let (scene, rest, mut modes) = on_mesh(case, 1, count)?;
     modes.truncate(count);
     // The estimate needs a mesh that differs, and may fail without taking the modes along.
@@ -72,20 +72,20 @@ pub fn of_case(case: &Case, count: usize) -> Result<Found, Failure> {
             .and_then(|(_, _, modes)| of_kind_at(modes, mode.kind, of_kind));
         // The lumped line is of second order (Richardson), but not where it comes down on the bed.
         let unknown = match mode.kind {
-            Kind::OutOfPlane => 0.0,
+            ModeKind::OutOfPlane => 0.0,
             _ => touchdown * mode.frequency_hz(),
         };
         let by_mesh = |o: &Mode| {
             (mode.frequency_hz() - o.frequency_hz()).abs() / (ratio * ratio - 1.0) + unknown
         };
-        Named {
+        NamedMode {
             of_kind,
             error_hz: other.map(by_mesh),
             mode: mode.clone(),
         }
     });
     let modes = named.collect();
-    Ok(Found { scene, rest, modes })
+    Ok(LineModes { scene, rest, modes })
 }
 
 /// The mesh knows the place of a touchdown to half a segment. What the line hangs from there, up to the next touchdown or its
@@ -116,11 +116,11 @@ fn touchdown_share(scene: &Scene, rest: &State) -> f64 {
     worst
 }
 
-fn of_kind(modes: &[Mode], kind: Kind) -> impl Iterator<Item = &Mode> {
+fn of_kind(modes: &[Mode], kind: ModeKind) -> impl Iterator<Item = &Mode> {
     modes.iter().filter(move |mode| mode.kind == kind)
 }
 
-fn of_kind_at(modes: &[Mode], kind: Kind, number: usize) -> Option<&Mode> {
+fn of_kind_at(modes: &[Mode], kind: ModeKind, number: usize) -> Option<&Mode> {
     of_kind(modes, kind).nth(number - 1)
 }
 
@@ -129,13 +129,13 @@ fn on_mesh(
     case: &Case,
     coarsening: usize,
     count: usize,
-) -> Result<(Scene, State, Vec<Mode>), Failure> {
+) -> Result<(Scene, State, Vec<Mode>), ModesError> {
     let scene = scene::build(case, coarsening)?;
-    if scene.turning.is_some() {
-        return Err(Failure::Turning);
+    if scene.rigid_payload.is_some() {
+        return Err(ModesError::RigidPayload);
     }
     let mut rest = scene.initial_state();
-    equilibrium::Search::default().run(&scene, 0.0, &mut rest)?;
+    equilibrium::EquilibriumSearch::default().run(&scene, 0.0, &mut rest)?;
     // Fibre ropes swing at their stiffness in motion.
     scene.remember_ropes(0.0, 0.0, &mut rest);
     let mut pencil = Pencil::new(&scene, &rest);

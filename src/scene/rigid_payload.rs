@@ -4,9 +4,9 @@
 //! in a couple. Their places, velocities and accelerations tell in the same two ways how that centre moves and how the axis
 //! turns. The water that goes with the body so couples the nodes, `W_ij = b_i b_j A + g_i g_j I / d²`.
 
-mod afloat;
-mod books;
-mod telling;
+mod energy;
+mod hydrodynamics;
+mod outputs;
 #[cfg(test)]
 mod tests;
 
@@ -17,11 +17,11 @@ use crate::numerics::{BlockBand, M3, V3};
 use crate::physics::RigidBody;
 use crate::physics::kirchhoff::Moving;
 use crate::solve::{Factors, State};
-use afloat::Afloat;
+use hydrodynamics::WaterAround;
 
 /// A turning body on the line.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turning {
+pub struct RigidPayload {
     /// The node it hangs from, the last of the line; the next one is its centre of percussion.
     pub node: usize,
     /// The body; its masses and weights are those of the two nodes already, its rod the last segment.
@@ -34,7 +34,7 @@ const COUPLE: [f64; 2] = [-1.0, 1.0];
 /// Blocks of a matrix that couples the two nodes: `[i][j]` is what row i has of node j.
 type Blocks = [[M3; 2]; 2];
 
-impl Turning {
+impl RigidPayload {
     fn at(&self, values: &[V3], place: f64) -> V3 {
         values[self.node] * (1.0 - place) + values[self.node + 1] * place
     }
@@ -45,7 +45,7 @@ impl Turning {
     }
 
     /// How the body moves in the water, at these accelerations of both nodes.
-    fn moving(&self, there: &Afloat, state: &State, a: [V3; 2]) -> Moving {
+    fn moving(&self, there: &WaterAround, state: &State, a: [V3; 2]) -> Moving {
         let (at, inverse) = (self.body.buoyancy_at, 1.0 / self.body.reach);
         Moving {
             t: there.axis.tangent,
@@ -58,7 +58,7 @@ impl Turning {
 
     /// What the water and the spin add to the residual of both nodes at these accelerations \[N\].
     fn balance(&self, scene: &Scene, state: &State, a: [V3; 2]) -> [V3; 2] {
-        let there = self.afloat(scene, state);
+        let there = self.water_around(scene, state);
         let moving = self.moving(&there, state, a);
         let (force, couple) = self.body.added.needs(&moving);
         let spin = self.body.gyroscopic(&moving.t, &moving.turn).0;
@@ -91,7 +91,7 @@ impl Turning {
         c: Factors,
         tangent: &mut BlockBand,
     ) {
-        let there = self.afloat(scene, state);
+        let there = self.water_around(scene, state);
         let mut blocks = self.inertia_blocks(&there, state, c);
         self.add_drag_blocks(&there, scene, state, c, &mut blocks);
         let [[near, upper], [lower, far]] = blocks;
@@ -102,13 +102,13 @@ impl Turning {
     }
 
     /// How the axis changes with the opening of both nodes \[1/m\].
-    fn swing(there: &Afloat) -> M3 {
+    fn swing(there: &WaterAround) -> M3 {
         let t = &there.axis.tangent;
         (M3::identity() - t * t.transpose()) * there.axis.inverse
     }
 
     /// Derivatives of the water's inertia, pressure and buoyancy, and of the spin's couple.
-    fn inertia_blocks(&self, there: &Afloat, state: &State, c: Factors) -> Blocks {
+    fn inertia_blocks(&self, there: &WaterAround, state: &State, c: Factors) -> Blocks {
         let moving = self.moving(there, state, [state.a[self.node], state.a[self.node + 1]]);
         let (needs, [force, couple]) = (
             self.body.added.needs(&moving),
@@ -146,7 +146,7 @@ impl Turning {
     /// Takes off the derivatives of drag: by the velocity past each strip, by the axis, and by what is wet.
     fn add_drag_blocks(
         &self,
-        there: &Afloat,
+        there: &WaterAround,
         scene: &Scene,
         state: &State,
         c: Factors,
@@ -174,7 +174,7 @@ impl Turning {
 
     /// Mass of both nodes with all that goes with them \[kg\].
     fn mass(&self, scene: &Scene, state: &State) -> Matrix6<f64> {
-        let there = self.afloat(scene, state);
+        let there = self.water_around(scene, state);
         let t = &there.axis.tangent;
         let added = self.body.added.matrix(t) * there.wet.0;
         let turned = (M3::identity() - t * t.transpose())
@@ -194,7 +194,7 @@ impl Turning {
     }
 
     /// How both nodes are accelerated by a force on the one it hangs from \[1/kg\].
-    pub(super) fn lightness(&self, scene: &Scene, state: &State) -> [M3; 2] {
+    pub(super) fn inverse_mass(&self, scene: &Scene, state: &State) -> [M3; 2] {
         let inverse = self.mass(scene, state).try_inverse();
         let inverse = inverse.unwrap_or_else(Matrix6::zeros);
         [0, 3].map(|row| inverse.fixed_view::<3, 3>(row, 0).into_owned())
@@ -212,18 +212,18 @@ impl Turning {
 
 impl Scene {
     /// Corrects the accelerations that both nodes of a body that turns would have by the line alone.
-    pub(super) fn accelerate_turning(&self, state: &mut State) {
-        let Some(turning) = &self.turning else {
+    pub(super) fn accelerate_rigid_payload(&self, state: &mut State) {
+        let Some(rigid_payload) = &self.rigid_payload else {
             return;
         };
-        let node = turning.node;
-        let balance = turning.balance(self, state, [V3::zeros(); 2]);
+        let node = rigid_payload.node;
+        let balance = rigid_payload.balance(self, state, [V3::zeros(); 2]);
         let mut force = Vector6::zeros();
         for (i, balance) in balance.into_iter().enumerate() {
             let own = self.own_mass(node + i, state) * state.a[node + i] - balance;
             force.fixed_rows_mut::<3>(3 * i).copy_from(&own);
         }
-        if let Some(a) = turning.mass(self, state).lu().solve(&force) {
+        if let Some(a) = rigid_payload.mass(self, state).lu().solve(&force) {
             for i in 0..2 {
                 state.a[node + i] = a.fixed_rows::<3>(3 * i).into_owned();
             }

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::Scene;
 use super::build::SceneError;
-use super::guess::{Guess, between};
+use super::initial_guess::{Guess, between};
 use crate::case::{Case, EndKind, Payload, Start, StartShape};
 use crate::numerics::V3;
 
@@ -55,10 +55,13 @@ pub(super) fn start(case: &Case, scene: &Scene) -> Result<Guess, SceneError> {
             straight(arc.iter().map(|s| from + direction * *s).collect())
         }
     };
-    if let (false, Some(turning), Some(payload)) = (equilibrium, &scene.turning, &case.payload) {
+    if let (false, Some(rigid_payload), Some(payload)) =
+        (equilibrium, &scene.rigid_payload, &case.payload)
+    {
         // Held upright, or as the case tilts it, whatever way the line goes.
         let axis = start_axis(payload);
-        guess.nodes[turning.node + 1] = guess.nodes[turning.node] + axis * turning.body.reach;
+        guess.nodes[rigid_payload.node + 1] =
+            guess.nodes[rigid_payload.node] + axis * rigid_payload.body.reach;
     }
     Ok(guess)
 }

@@ -6,8 +6,8 @@
 //! for either answer. What surrounds a node is worked out once and serves the segments on both its sides.
 
 use super::Scene;
-use super::half::{Halves, Slopes, pull_by_chord};
-use super::wetting::Wet;
+use super::segment_tangent::{Halves, Slopes, pull_by_chord};
+use super::submergence::Submergence;
 use crate::numerics::lanes::{self, Two};
 use crate::numerics::{BlockBand, M3, V3};
 use crate::physics::Current;
@@ -33,7 +33,7 @@ pub(super) struct Around {
 
 impl Scene {
     /// Sets the residual to what nodes have of their own, mass and weight, and of the segments.
-    pub(super) fn begin_residual(&self, t: f64, state: &State, r: &mut [V3]) {
+    pub(super) fn segment_residual(&self, t: f64, state: &State, r: &mut [V3]) {
         if self.is_plain(state) {
             self.residual_as::<true>(t, state, r);
         } else {
@@ -42,7 +42,7 @@ impl Scene {
     }
 
     /// Sets the residual in the same way, and the tangent but for its far blocks.
-    pub(super) fn begin_tangent(
+    pub(super) fn segment_tangent(
         &self,
         t: f64,
         state: &State,
@@ -62,8 +62,8 @@ impl Scene {
         matches!(self.current, Current::Uniform(_))
             && self.water.is_none()
             && self.laws.is_empty()
-            && state.water.is_empty()
-            && state.foretold.is_empty()
+            && state.wave_flow.is_empty()
+            && state.extrapolated_tension.is_empty()
             && state.memory.held_drag.is_empty()
     }
 
@@ -82,7 +82,7 @@ impl Scene {
         let (x, v) = (&state.x[node], state.v[node]);
         let (mut u, shear) = self.current.at(x.z);
         let mut a = state.a[node];
-        if let Some(flow) = state.water.get(node) {
+        if let Some(flow) = state.wave_flow.get(node) {
             u += flow.velocity_at(x);
             a -= flow.acceleration_at(x);
         }
@@ -126,8 +126,8 @@ impl Scene {
         chord: &Chord,
         [near, far]: [&Around; 2],
         state: &State,
-    ) -> (Option<[Wet; 2]>, Drag<Two>) {
-        let length = 0.5 * self.wetted(i, chord).0;
+    ) -> (Option<[Submergence; 2]>, Drag<Two>) {
+        let length = 0.5 * self.wetted_length(i, chord).0;
         let u = [&near.u, &far.u];
         let profile = &self.segments[i].drag;
         if PLAIN {
@@ -196,7 +196,7 @@ impl Scene {
                 drag: &drag,
                 a: lanes::vectors(&near.a, &far.a),
                 shear: sheared.then(|| lanes::vectors(&near.shear, &far.shear)),
-                stretch: self.wetted(i, &chord).1,
+                stretch: self.wetted_length(i, &chord).1,
             };
             let load = halves.load();
             let Slopes { own, coupling } = halves.slopes(c);

@@ -6,13 +6,13 @@
 //! held over a step, at the speeds of the step before: where one jumps (a drag crisis), a line without inertia may
 //! move at either of two speeds, and so keeps to the one it has until that is gone.
 
-use super::{Carried, Step, StepError, Stepper, Tally};
+use super::{MethodState, StepError, Stepper, TimeStep, WorkCounts};
 use crate::numerics::V3;
 use crate::solve::{Factors, Newton, NewtonError, State, System};
 
 /// The method and its scratch for one line; allocates only when made.
 #[derive(Debug, Clone)]
-pub struct Quasi {
+pub struct QuasiStatic {
     newton: Newton,
     trial: State,
     /// Positions one accepted step back, and the length of that step \[s\].
@@ -25,7 +25,7 @@ pub struct Quasi {
 /// Shares of inertia that a step falls back on when it does not converge without; the last is none.
 const HELP: [f64; 6] = [1.0, 0.3, 0.1, 0.03, 0.01, 0.0];
 
-impl Quasi {
+impl QuasiStatic {
     /// For a line of `nodes` nodes; tolerance \[m\] and iterations as in [`Newton`].
     #[must_use]
     pub fn new(nodes: usize, tolerance: f64, max_iterations: usize) -> Self {
@@ -60,7 +60,7 @@ impl Quasi {
             self.trial.a[i] = V3::zeros();
         }
         system.prescribe(t + h, &mut self.trial);
-        system.take_water(t + h, &mut self.trial);
+        system.update_wave_kinematics(t + h, &mut self.trial);
         self.leave_inertia_out(system);
     }
 
@@ -109,7 +109,7 @@ impl Quasi {
             .free()
             .find(|&i| moved(i) > 3.0 * length)
             .map_or(Ok(()), |node| {
-                Err(NewtonError::Astray {
+                Err(NewtonError::Runaway {
                     node,
                     moved: moved(node),
                 })
@@ -141,19 +141,19 @@ impl Quasi {
     }
 }
 
-impl Stepper for Quasi {
+impl Stepper for QuasiStatic {
     fn step<S: System + ?Sized>(
         &mut self,
         system: &S,
-        at: Step,
+        at: TimeStep,
         state: &mut State,
     ) -> Result<f64, StepError> {
-        let Step { t, dt, .. } = at;
+        let TimeStep { t, dt, .. } = at;
         if !self.remembers {
             // A line at rest has no speeds to take coefficients at: those after one step with its inertia.
             self.predict(system, t, dt, state);
             self.help(system, t, dt, state, &HELP[..1])?;
-            system.hold_drag(&mut self.trial);
+            system.freeze_drag_coefficients(&mut self.trial);
             state.memory.copy_from(&self.trial.memory);
             self.remembers = true;
         }
@@ -163,35 +163,36 @@ impl Stepper for Quasi {
         self.x_before.copy_from_slice(&state.x);
         self.before = Some(dt);
         state.copy_from(&self.trial);
-        system.hold_drag(state);
+        system.freeze_drag_coefficients(state);
         Ok(0.0)
     }
 
-    fn carried(&self) -> Carried {
-        Carried {
+    fn method_state(&self) -> MethodState {
+        MethodState {
             before: self.before,
             x_before: self.x_before.clone(),
             remembers: self.remembers,
             rate: self.newton.rate(),
-            tally: self.tally(),
-            ..Carried::default()
+            work_counts: self.work_counts(),
+            ..MethodState::default()
         }
     }
 
-    fn take_up(&mut self, carried: &Carried) {
+    fn restore(&mut self, carried: &MethodState) {
         self.before = carried.before;
         self.x_before.clone_from(&carried.x_before);
         self.remembers = carried.remembers;
-        self.newton.take_up(carried.rate, carried.tally.iterations);
+        self.newton
+            .restore(carried.rate, carried.work_counts.iterations);
     }
 
     fn restart<S: System + ?Sized>(&mut self, _system: &S, _t: f64, _state: &mut State) {
         self.before = None;
-        self.newton.forget();
+        self.newton.reset_rate();
     }
 
-    fn tally(&self) -> Tally {
-        Tally {
+    fn work_counts(&self) -> WorkCounts {
+        WorkCounts {
             iterations: self.newton.iterations,
             evaluations: 0,
         }

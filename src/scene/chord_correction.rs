@@ -1,4 +1,4 @@
-//! Lengths that come of balancing forces at a mix of two states: see [`crate::solve::System::tell_excess`].
+//! Lengths that come of balancing forces at a mix of two states: see [`crate::solve::System::correct_chord_lengths`].
 
 use super::Scene;
 use crate::solve::State;
@@ -10,19 +10,19 @@ impl Scene {
     /// With chords d0 and d1, their change D and the mix d, the mix of the lengths less the length of the mix is
     /// `e = s (1 - s) |D across d|² / 2 |d|` up to fourth order of the angle. The balance sets the length of the mix, so
     /// that the excesses before and after mix to e: `(1 - s) e1 + s e0 = e`. A slack segment has no length to be set.
-    pub(super) fn excess_of_mixing(&self, share: f64, before: &State, end: &mut State) {
-        end.excess.resize(self.segments.len(), 0.0);
+    pub(super) fn chord_corrections(&self, share: f64, before: &State, end: &mut State) {
+        end.chord_correction.resize(self.segments.len(), 0.0);
         for (i, segment) in self.segments.iter().enumerate() {
             let (d0, d1) = (before.x[i + 1] - before.x[i], end.x[i + 1] - end.x[i]);
             let (turn, mix) = (d1 - d0, d1 * (1.0 - share) + d0 * share);
             let (square, along) = (mix.norm_squared(), mix.dot(&turn));
             let slack = square <= segment.axial.length * segment.axial.length;
-            end.excess[i] = if slack && !segment.axial.rod {
+            end.chord_correction[i] = if slack && !segment.axial.rod {
                 0.0
             } else {
                 let across = turn.norm_squared() - along * along / square;
                 let short = 0.5 * share * (1.0 - share) * across / square.sqrt();
-                let known = before.excess.get(i).copied().unwrap_or(0.0);
+                let known = before.chord_correction.get(i).copied().unwrap_or(0.0);
                 (short - share * known) / (1.0 - share)
             };
         }

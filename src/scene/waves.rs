@@ -1,7 +1,7 @@
 //! From the words of a case to its waves.
 
 use super::build::SceneError;
-use super::{Hung, Segment, Water};
+use super::{AttachedBody, Segment, Water};
 use crate::case::{
     self, Case, DecayName, Method, SpectrumName, StretchingName, WaterSurface, WaveKind,
     WaveLoadName,
@@ -18,7 +18,7 @@ const STEEP: f64 = 0.6;
 pub(super) fn water(
     case: &Case,
     segments: &[Segment],
-    bodies: &[Hung],
+    bodies: &[AttachedBody],
 ) -> Result<(Option<Water>, Vec<String>), SceneError> {
     let crossed = case.environment.water_surface == WaterSurface::Crossed;
     let mut remarks = Vec::new();

@@ -46,7 +46,7 @@ impl Scene {
 
     /// Length of line that lies on a bed without friction and bears no tension \[m\]: it may lie in any shape.
     #[must_use]
-    pub fn heaped(&self, state: &State) -> f64 {
+    pub fn untensioned_on_bed(&self, state: &State) -> f64 {
         let Some(bed) = self.bed.filter(|bed| bed.friction.is_none()) else {
             return 0.0;
         };
@@ -57,7 +57,7 @@ impl Scene {
 
     /// Length of line that floats on the surface of the water and bears no tension \[m\]: it may lie in any shape.
     #[must_use]
-    pub fn adrift(&self, state: &State) -> f64 {
+    pub fn untensioned_afloat(&self, state: &State) -> f64 {
         let Some(water) = self.water.as_ref().filter(|water| water.crossed) else {
             return 0.0;
         };
@@ -70,7 +70,7 @@ impl Scene {
     /// Length of the segments without tension among these \[m\].
     fn untensioned(&self, state: &State, among: impl Fn(usize) -> bool) -> f64 {
         let slack = |i: usize| {
-            self.pull_now(i, &self.chord(i, state), state).value <= 1e-6 * self.force_scale
+            self.tension_now(i, &self.chord(i, state), state).value <= 1e-6 * self.force_scale
         };
         let lengths = self.segments.iter().enumerate();
         lengths

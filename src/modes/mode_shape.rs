@@ -60,7 +60,7 @@ impl Plane {
 
 /// What a mode does mostly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum ModeKind {
     /// Moves across the line in its plane.
     InPlane,
     /// Moves across the plane of the line.
@@ -71,7 +71,7 @@ pub enum Kind {
     Mixed,
 }
 
-impl Kind {
+impl ModeKind {
     /// The words for it.
     #[must_use]
     pub const fn words(self) -> &'static str {
@@ -99,7 +99,7 @@ pub struct Mode {
     /// Share of the kinetic energy in motion along the line, 0 to 1.
     pub along: f64,
     /// What it does mostly.
-    pub kind: Kind,
+    pub kind: ModeKind,
     /// Stretches of one sign between places that stand still.
     pub half_waves: usize,
 }
@@ -175,20 +175,20 @@ fn describe(pencil: &Pencil, plane: &Plane, tangents: &[V3], pair: Eigenpair) ->
     let out_of_plane = share(&|_| plane.normal);
     let along = share(&|i| tangents[i]);
     let kind = if out_of_plane > MOSTLY {
-        Kind::OutOfPlane
+        ModeKind::OutOfPlane
     } else if along > MOSTLY {
-        Kind::Along
+        ModeKind::Along
     } else if out_of_plane < 1.0 - MOSTLY {
-        Kind::InPlane
+        ModeKind::InPlane
     } else {
-        Kind::Mixed
+        ModeKind::Mixed
     };
     let across = |i: usize| match kind {
-        Kind::OutOfPlane => plane.normal,
-        Kind::Along => tangents[i],
-        Kind::InPlane => plane.normal.cross(&tangents[i]),
-        Kind::Mixed if out_of_plane > 0.5 => plane.normal,
-        Kind::Mixed => plane.normal.cross(&tangents[i]),
+        ModeKind::OutOfPlane => plane.normal,
+        ModeKind::Along => tangents[i],
+        ModeKind::InPlane => plane.normal.cross(&tangents[i]),
+        ModeKind::Mixed if out_of_plane > 0.5 => plane.normal,
+        ModeKind::Mixed => plane.normal.cross(&tangents[i]),
     };
     let greatest = pair.vector.iter().map(V3::norm).fold(0.0, f64::max);
     let mut shape = pair.vector;

@@ -1,7 +1,7 @@
 //! What is read off a state: tensions at nodes, loads, energies.
 
-use super::water::Bathed;
-use super::{Hung, Scene};
+use super::water::BodyInWater;
+use super::{AttachedBody, Scene};
 use crate::numerics::V3;
 use crate::physics::tension::Chord;
 use crate::solve::State;
@@ -19,11 +19,11 @@ impl Scene {
             (last - 1, -1.0)
         };
         let chord = self.chord(i, state);
-        let pull = chord.tangent * self.pull_now(i, &chord, state).value;
+        let pull = chord.tangent * self.tension_now(i, &chord, state).value;
         let load = self.half_load(i, node, &chord, state);
         let load = match &self.bed {
             None => load,
-            Some(_) => load + self.bed_on_half(i, node, (&(pull * sign), &load), state),
+            Some(_) => load + self.bed_force_on_half(i, node, (&(pull * sign), &load), state),
         };
         // A slack segment has no direction to speak of: its half's load is then no tension.
         if pull == V3::zeros() {
@@ -44,7 +44,7 @@ impl Scene {
         let segment = &self.segments[i];
         let half = node - i;
         let wet = self.wet(i, state);
-        let drag = self.wet_drag(i, chord, state, wet.as_ref());
+        let drag = self.submerged_drag(i, chord, state, wet.as_ref());
         // Forces alone: what their tangents need is then never worked out.
         let drag = drag.forces()[half];
         let relative = self.relative_acceleration(node, state);
@@ -77,8 +77,8 @@ impl Scene {
         let chord = self.chord(i, state);
         let (t, a) = (&chord.tangent, &state.a[node]);
         let wet = self.wet(i, state);
-        let pull = t * (self.pull_now(i, &chord, state).value * sign);
-        let drag = self.wet_drag(i, &chord, state, wet.as_ref());
+        let pull = t * (self.tension_now(i, &chord, state).value * sign);
+        let drag = self.submerged_drag(i, &chord, state, wet.as_ref());
         let mut force = pull + drag.forces()[node - i]
             - V3::z() * self.weight[node]
             - a * self.mass[node]
@@ -87,11 +87,11 @@ impl Scene {
         if self.water.is_some() {
             force += self.pressure(i, node - i, wet.as_ref(), state);
         }
-        for (number, Hung { node: at, body }) in self.bodies.iter().enumerate() {
+        for (number, AttachedBody { node: at, body }) in self.bodies.iter().enumerate() {
             if *at == node {
-                let Bathed {
+                let BodyInWater {
                     u, a, share, load, ..
-                } = self.bathed(number, state);
+                } = self.body_in_water(number, state);
                 force += (body.drag(&u) - body.added.component_mul(&a)) * share + load;
             }
         }
@@ -99,7 +99,7 @@ impl Scene {
             force += flexure.end_force(self, node, state);
         }
         if self.bed.is_some() {
-            force += self.bed_on_half(i, node, (&pull, &(force - pull)), state);
+            force += self.bed_force_on_half(i, node, (&pull, &(force - pull)), state);
         }
         force
     }
@@ -110,7 +110,7 @@ impl Scene {
     pub fn sharpest_turn(&self, state: &State) -> (f64, usize) {
         let taut = |i: usize| {
             let chord = self.chord(i, state);
-            let pulls = self.pull_now(i, &chord, state).value > 0.0;
+            let pulls = self.tension_now(i, &chord, state).value > 0.0;
             pulls.then_some(chord.tangent)
         };
         let turn = |node: usize| {
@@ -124,7 +124,7 @@ impl Scene {
     }
 
     /// The greatest acceleration \[m/s²\] that segments which are slack at `between` and taut at `end` give a node there.
-    pub(super) fn jolt_of_snaps(&self, between: &State, end: &State) -> f64 {
+    pub(super) fn acceleration_by_snaps(&self, between: &State, end: &State) -> f64 {
         let mut jolt = 0.0_f64;
         for (i, segment) in self.segments.iter().enumerate() {
             let unstretched = segment.axial.length * segment.axial.length;

@@ -13,7 +13,7 @@ use crate::numerics::V3;
 
 /// A share that is wet, and its derivatives by the places of the nodes \[1/m\].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Wet {
+pub(super) struct Submergence {
     pub(super) share: f64,
     /// By the place of the segment's first node, then of its second.
     pub(super) by: [V3; 2],
@@ -28,7 +28,7 @@ pub(super) struct Height {
 
 /// Buoyancy that a segment has lost for being dry.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Dry {
+pub(super) struct LostBuoyancy {
     /// Energy of that, per weight of water that the segment displaces \[m\].
     pub(super) energy: f64,
     /// Shares of the segment's buoyancy that its first and second node lack.
@@ -38,11 +38,11 @@ pub(super) struct Dry {
 }
 
 /// Buoyancy lost by a segment of radius r \[m\] between nodes at these heights above the surface \[m\].
-pub(super) fn dry(r: f64, [p, q]: [f64; 2]) -> Dry {
+pub(super) fn lost_buoyancy(r: f64, [p, q]: [f64; 2]) -> LostBuoyancy {
     if p.max(q) <= -r {
-        return Dry::default();
+        return LostBuoyancy::default();
     }
-    let half = Dry {
+    let half = LostBuoyancy {
         energy: 0.5 * (p + q),
         lost: [0.5; 2],
         by: [[0.0; 2]; 2],
@@ -54,7 +54,7 @@ pub(super) fn dry(r: f64, [p, q]: [f64; 2]) -> Dry {
     if span.abs() < 1e-4 * r {
         let (share, slope) = point(r, half.energy);
         let turn = slope * span / 12.0;
-        return Dry {
+        return LostBuoyancy {
             energy: lifted(r, half.energy),
             lost: [0.5 * (1.0 - share) + turn, 0.5 * (1.0 - share) - turn],
             by: [[-slope / 3.0, -slope / 6.0], [-slope / 6.0, -slope / 3.0]],
@@ -65,7 +65,7 @@ pub(super) fn dry(r: f64, [p, q]: [f64; 2]) -> Dry {
     let second = (lifted(r, q) - energy) / span;
     let [dry_p, dry_q] = [p, q].map(|d| 1.0 - point(r, d).0);
     let across = (second - first) / span;
-    Dry {
+    LostBuoyancy {
         energy,
         lost: [first, second],
         by: [
@@ -76,20 +76,20 @@ pub(super) fn dry(r: f64, [p, q]: [f64; 2]) -> Dry {
 }
 
 /// The share of each half of a segment of radius r \[m\] between nodes at these heights.
-pub(super) fn halves(r: f64, nodes: [&Height; 2]) -> [Wet; 2] {
+pub(super) fn halves(r: f64, nodes: [&Height; 2]) -> [Submergence; 2] {
     let [first, second] = nodes;
     let middle = 0.5 * (first.above + second.above);
     let (one, one_p, one_q) = mean(r, first.above, middle);
     let (two, two_p, two_q) = mean(r, middle, second.above);
     [
-        Wet {
+        Submergence {
             share: one,
             by: [
                 first.by_place * (one_p + 0.5 * one_q),
                 second.by_place * (0.5 * one_q),
             ],
         },
-        Wet {
+        Submergence {
             share: two,
             by: [
                 first.by_place * (0.5 * two_p),
@@ -113,7 +113,7 @@ pub(super) fn sphere(r: f64, above: f64) -> (f64, f64) {
 
 /// Height that a dry sphere of radius r with its centre at this height has been lifted through, as its share that is
 /// dry has it \[m\].
-pub(super) fn sphere_lifted(r: f64, above: f64) -> f64 {
+pub(super) fn sphere_lost_energy(r: f64, above: f64) -> f64 {
     let x = (r + above) / (2.0 * r);
     if x <= 0.0 {
         0.0
@@ -251,13 +251,13 @@ mod tests {
             (40.0, -60.0),
             (0.2, 0.3),
         ] {
-            let told = dry(r, [p, q]);
+            let told = lost_buoyancy(r, [p, q]);
             let h = 1e-6;
             for node in 0..2 {
                 let at = |h: f64| {
                     let mut heights = [p, q];
                     heights[node] += h;
-                    dry(r, heights)
+                    lost_buoyancy(r, heights)
                 };
                 let (up, down) = (at(h), at(-h));
                 let slope = (up.energy - down.energy) / (2.0 * h);
@@ -278,7 +278,7 @@ mod tests {
             assert!((told.lost[0] + told.lost[1] - all).abs() < 1e-9, "{p} {q}");
         }
         // 40 % of a thin spar is out: its middle is at 20 %.
-        let told = dry(1e-6, [4.0, -6.0]);
+        let told = lost_buoyancy(1e-6, [4.0, -6.0]);
         assert!((told.lost[0] + told.lost[1] - 0.4).abs() < 1e-6);
         assert!((told.lost[1] - 0.4 * 0.2).abs() < 1e-6);
     }
@@ -287,7 +287,8 @@ mod tests {
     fn a_sphere_is_lifted_as_it_gets_dry() {
         let h = 1e-6;
         for above in [-2.5, -1.9, -0.3, 0.0, 1.2, 1.99, 2.5] {
-            let slope = (sphere_lifted(2.0, above + h) - sphere_lifted(2.0, above - h)) / (2.0 * h);
+            let slope = (sphere_lost_energy(2.0, above + h) - sphere_lost_energy(2.0, above - h))
+                / (2.0 * h);
             assert!(
                 (slope - (1.0 - sphere(2.0, above).0)).abs() < 1e-8,
                 "{above}"

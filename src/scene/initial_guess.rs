@@ -57,8 +57,8 @@ impl Scene {
 
     /// Why the same line, without bending and in still water, has no one shape at rest, where it has none.
     #[must_use]
-    pub fn refusal(&self) -> Option<Refusal> {
-        let (End::Held(from), End::Held(to)) = (&self.ends[0], &self.ends[1]) else {
+    pub fn catenary_error(&self) -> Option<Refusal> {
+        let (End::Prescribed(from), End::Prescribed(to)) = (&self.ends[0], &self.ends[1]) else {
             return None;
         };
         let calm = vec![V3::zeros(); self.segments.len()];
@@ -138,7 +138,7 @@ impl Scene {
                 return self.laws[number].overall();
             };
             let sum: f64 = segments.iter().map(|i| guess.tension[*i]).sum();
-            self.stiffness_under(*first, sum / segments.len() as f64)
+            self.stiffness_at_tension(*first, sum / segments.len() as f64)
         };
         (0..self.laws.len()).map(of).collect()
     }
@@ -307,7 +307,7 @@ impl Scene {
             let axial = &self.segments[i].axial;
             let size = pull[i].norm();
             let direction = if size > 0.0 { pull[i] / size } else { -V3::z() };
-            let length = axial.length * (1.0 + self.strain_under(i, size));
+            let length = axial.length * (1.0 + self.strain_at_tension(i, size));
             guess.nodes[outer] = guess.nodes[inner] + direction * length;
             guess.tension[i] = size;
         }

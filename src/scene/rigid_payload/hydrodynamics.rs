@@ -4,16 +4,16 @@
 //! the body. Across the surface all of these, and the added mass, count by the share that is wet, and buoyancy is lost to a
 //! potential, as if the body were a sphere of its volume about the centre of buoyancy.
 
-use super::Turning;
+use super::RigidPayload;
 use crate::numerics::{M3, V3};
 use crate::physics::RigidBody;
 use crate::physics::sea::Flow;
 use crate::physics::tension::Chord;
-use crate::scene::{Scene, Water, wetting};
+use crate::scene::{Scene, Water, submergence};
 use crate::solve::State;
 
 /// The body in the water.
-pub(super) struct Afloat {
+pub(super) struct WaterAround {
     pub(super) axis: Chord,
     /// Velocity of the water at the centre of buoyancy \[m/s\], and how it changes with the place \[1/s\].
     pub(super) flow: (V3, M3),
@@ -37,11 +37,11 @@ pub(super) struct Strip {
     pub(super) gradient: M3,
 }
 
-impl Turning {
+impl RigidPayload {
     /// What waves make of the water at its two nodes, and how much of each counts at a place on the rod.
     fn waves<'s>(&self, place: f64, state: &'s State) -> impl Iterator<Item = (f64, &'s Flow)> {
         let nodes = (self.node..).zip(RigidBody::shares(place));
-        nodes.filter_map(|(node, share)| Some((share, state.water.get(node)?)))
+        nodes.filter_map(|(node, share)| Some((share, state.wave_flow.get(node)?)))
     }
 
     /// Velocity of the water at a place on the rod \[m/s\], and how it changes with the place \[1/s\].
@@ -56,7 +56,7 @@ impl Turning {
         (velocity, gradient)
     }
 
-    pub(super) fn afloat(&self, scene: &Scene, state: &State) -> Afloat {
+    pub(super) fn water_around(&self, scene: &Scene, state: &State) -> WaterAround {
         let lift_at = self.body.buoyancy_at;
         let centre = self.at(&state.x, lift_at);
         let mut carried = (V3::zeros(), M3::zeros());
@@ -64,7 +64,7 @@ impl Turning {
             carried.0 += flow.acceleration_at(&centre) * share;
             carried.1 += flow.acceleration_gradient * share;
         }
-        Afloat {
+        WaterAround {
             axis: scene.chord(self.node, state),
             flow: self.flow(scene, lift_at, state),
             carried,
@@ -105,17 +105,17 @@ impl Turning {
             above -= flow.elevation_at(&centre) * share;
             by_place -= flow.slope * share;
         }
-        let (share, slope) = wetting::sphere(water.radius_of(self.displaced(water)), above);
+        let (share, slope) = submergence::sphere(water.radius_of(self.displaced(water)), above);
         (share, by_place * slope)
     }
 
     /// Pressure of the waves where it is wet, less the buoyancy of what is dry: a load at the centre of buoyancy \[N\].
-    pub(super) fn lift(&self, there: &Afloat) -> V3 {
+    pub(super) fn lift(&self, there: &WaterAround) -> V3 {
         self.lift_if_wet(there) * there.wet.0 - V3::z() * self.body.buoyancy
     }
 
     /// Pressure of the waves and buoyancy of the whole body \[N\].
-    pub(super) fn lift_if_wet(&self, there: &Afloat) -> V3 {
+    pub(super) fn lift_if_wet(&self, there: &WaterAround) -> V3 {
         there.carried.0 * there.displaced + V3::z() * self.body.buoyancy
     }
 }

@@ -1,15 +1,15 @@
 //! Energy of a body that turns, and the powers that change it.
 
-use super::Turning;
+use super::RigidPayload;
 use crate::numerics::V3;
 use crate::physics::kirchhoff::Moving;
-use crate::scene::{Scene, Water, wetting};
+use crate::scene::{Scene, Water, submergence};
 use crate::solve::State;
 
-impl Turning {
+impl RigidPayload {
     /// Power that drag takes out of the body \[W\], and that a current takes out of it through the water that goes with it.
     pub(in crate::scene) fn dissipation(&self, scene: &Scene, state: &State) -> f64 {
-        let there = self.afloat(scene, state);
+        let there = self.water_around(scene, state);
         let strips = self.strips(scene, state);
         let drag = strips.map(|strip| {
             let drag = self.body.drag(&there.axis.tangent, &strip.u);
@@ -42,9 +42,9 @@ impl Turning {
         state: &State,
         still: &State,
     ) -> f64 {
-        let there = self.afloat(scene, state);
+        let there = self.water_around(scene, state);
         let dragged = self.body.added.matrix(&there.axis.tangent) * there.carried.0 * there.wet.0;
-        let lost = self.lift(&self.afloat(scene, still));
+        let lost = self.lift(&self.water_around(scene, still));
         (self.lift(&there) + dragged - lost).dot(&self.at(&state.v, self.body.buoyancy_at))
     }
 
@@ -52,7 +52,7 @@ impl Turning {
     pub(in crate::scene) fn lifted(&self, water: &Water, state: &State) -> f64 {
         let z = self.at(&state.x, self.body.buoyancy_at).z;
         let radius = water.radius_of(self.displaced(water));
-        self.body.buoyancy.max(0.0) * wetting::sphere_lifted(radius, z)
+        self.body.buoyancy.max(0.0) * submergence::sphere_lost_energy(radius, z)
     }
 
     /// Kinetic energy of the water that goes with it, as far as it is wet \[J\].

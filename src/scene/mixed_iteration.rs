@@ -1,4 +1,4 @@
-//! Tensions foretold from one iteration of statics to the next: see [`crate::solve::System::foretell`].
+//! Tensions foretold from one iteration of statics to the next: see [`crate::solve::System::extrapolate_tensions`].
 
 use super::Scene;
 use crate::numerics::V3;
@@ -16,13 +16,13 @@ impl Scene {
         t: f64,
         state: &State,
     ) -> (Tension, Tension) {
-        match state.foretold.get(i) {
+        match state.extrapolated_tension.get(i) {
             None => {
                 let tension = self.pull(i, chord, t, state);
                 (tension, tension)
             }
             Some(foretold) => {
-                let tension = self.pull_or_push(i, chord, t, state);
+                let tension = self.two_sided_tension(i, chord, t, state);
                 let value = *foretold;
                 (tension, Tension { value, ..tension })
             }
@@ -30,16 +30,16 @@ impl Scene {
     }
 
     /// Tensions to begin with: those of the stretch where all are likely, else those of the first guess.
-    pub(super) fn begin_foretelling(&self, state: &mut State) {
+    pub(super) fn initial_segment_tensions(&self, state: &mut State) {
         let now = state.memory.time;
         let stretched = |i: usize| {
             let chord = self.chord(i, state);
-            self.pull_or_push(i, &chord, now, state).value
+            self.two_sided_tension(i, &chord, now, state).value
         };
         let tensions: Vec<f64> = (0..self.segments.len()).map(stretched).collect();
         let usual = self.start_tension.iter().copied().fold(0.0, f64::max);
         let likely = |t: &f64| (1e-3 * usual..3.0 * usual).contains(t);
-        state.foretold = if tensions.iter().all(likely) {
+        state.extrapolated_tension = if tensions.iter().all(likely) {
             tensions
         } else {
             self.start_tension.clone()
@@ -47,12 +47,12 @@ impl Scene {
     }
 
     /// Tensions after displacements `-d`, to first order.
-    pub(super) fn foretell_tensions(&self, d: &[V3], state: &mut State) {
+    pub(super) fn extrapolate_segment_tensions(&self, d: &[V3], state: &mut State) {
         for i in 0..self.segments.len() {
             let chord = self.chord(i, state);
-            let tension = self.pull_or_push(i, &chord, state.memory.time, state);
+            let tension = self.two_sided_tension(i, &chord, state.memory.time, state);
             let next = tension.value - tension.by_length * chord.tangent.dot(&(d[i + 1] - d[i]));
-            state.foretold[i] = if self.segments[i].axial.rod {
+            state.extrapolated_tension[i] = if self.segments[i].axial.rod {
                 next
             } else {
                 next.max(self.least_tension(i))

@@ -19,14 +19,14 @@ const HOLD: f64 = 10.0;
 const ON_BED: f64 = 1e-3;
 
 /// The grips of a line in equilibrium, and what is to be said of them.
-pub(super) struct Laid {
+pub(super) struct InitialFriction {
     pub(super) grips: Vec<Grip>,
     pub(super) remark: Option<String>,
 }
 
 impl Scene {
     /// The grips that go with the first guess at an equilibrium.
-    pub(super) fn laid(&self, guess: &[V3], tension: &[f64]) -> Laid {
+    pub(super) fn initial_friction(&self, guess: &[V3], tension: &[f64]) -> InitialFriction {
         let mut grips = self.grips_at(guess);
         let remark = match self.bed.as_ref().and_then(|bed| bed.friction) {
             None => None,
@@ -39,7 +39,7 @@ impl Scene {
             ),
             Some(_) => Some(self.lay(guess, tension, &mut grips)),
         };
-        Laid { grips, remark }
+        InitialFriction { grips, remark }
     }
 
     /// Puts the grips where the line was laid; in words, how.
@@ -47,7 +47,7 @@ impl Scene {
         let last = guess.len() - 1;
         let end = [0, last].into_iter().find(|end| self.lies(&guess[*end]));
         let Some(end) = end else {
-            return self.lay_between(guess, tension, grips);
+            return self.lay_between_lifted_ends(guess, tension, grips);
         };
         let name = &self.end_names[usize::from(end > 0)];
         let first = if end == 0 { 0 } else { last - 1 };
@@ -55,14 +55,14 @@ impl Scene {
         let heaped =
             tension[first] <= 0.0 && chord < (1.0 - 1e-6) * self.segments[first].axial.length;
         if !heaped {
-            self.stretch_out(end, guess[last - end], grips);
+            self.lay_straight(end, guess[last - end], grips);
         }
         for (i, grip) in grips.iter_mut().enumerate() {
             grip.stiffness = self.hold(i);
             grip.laid = !heaped;
         }
-        self.hold_weight(grips);
-        let again = self.let_go_beyond_first_run(end, guess, grips);
+        self.hold_weight_on_slope(grips);
+        let again = self.release_beyond_first_contact(end, guess, grips);
         let mut words = if heaped {
             format!(
                 "more line than needed lies on the bed at `{name}`, without tension; friction keeps it from sliding"
@@ -82,7 +82,7 @@ impl Scene {
 
     /// On a slope, moves the places uphill so that where the line was laid the bed already holds its weight, as far as
     /// friction bears.
-    fn hold_weight(&self, grips: &mut [Grip]) {
+    fn hold_weight_on_slope(&self, grips: &mut [Grip]) {
         let Some((bed, friction)) = self.bed.as_ref().and_then(|b| Some((b, b.friction?))) else {
             return;
         };
@@ -104,7 +104,7 @@ impl Scene {
     }
 
     /// Grips on a line neither end of which lies on the bed: on what lies there without tension, and nowhere else; in words.
-    fn lay_between(&self, guess: &[V3], tension: &[f64], grips: &mut [Grip]) -> String {
+    fn lay_between_lifted_ends(&self, guess: &[V3], tension: &[f64], grips: &mut [Grip]) -> String {
         let last = guess.len() - 1;
         let tall = 1e-9 * self.arc[last];
         let heap = |i: usize| {
@@ -132,7 +132,7 @@ impl Scene {
     }
 
     /// Places of a line laid from one of its ends straight towards the other, resting on the bed by its weight.
-    fn stretch_out(&self, end: usize, to: V3, grips: &mut [Grip]) {
+    fn lay_straight(&self, end: usize, to: V3, grips: &mut [Grip]) {
         let Some(bed) = &self.bed else { return };
         let normal = bed.normal();
         let from = grips[end].at;
@@ -160,7 +160,7 @@ impl Scene {
     }
 
     /// Takes the hold off what comes down on the bed a second time, seen from the end that lies on it; whether there is any.
-    fn let_go_beyond_first_run(&self, end: usize, guess: &[V3], grips: &mut [Grip]) -> bool {
+    fn release_beyond_first_contact(&self, end: usize, guess: &[V3], grips: &mut [Grip]) -> bool {
         let Some(bed) = &self.bed else { return false };
         let last = guess.len() - 1;
         let tall = 1e-9 * self.arc[last];

@@ -7,14 +7,14 @@ use crate::solve::State;
 impl Scene {
     /// The displacement \[m\] that, along the stiffest part of the line, would change a force as much as these do at
     /// most, to first order, with inertia, drag and dampers left out. A segment counts as if it were taut.
-    pub(super) fn felt_displacement(&self, d: &[V3], state: &State) -> f64 {
-        let force = self.square_on_segments(d, state).sqrt();
-        let felt = force.max(self.in_bends(d)) / self.stiffest();
-        felt.max(self.moved_on_bed(d, state))
+    pub(super) fn force_norm_displacement(&self, d: &[V3], state: &State) -> f64 {
+        let force = self.squared_force_in_segments(d, state).sqrt();
+        let felt = force.max(self.force_in_bending(d)) / self.stiffest();
+        felt.max(self.displacement_on_bed(d, state))
     }
 
     /// By stretching segments, and by turning their tension, taken as the force typical of the line; squared \[N²\].
-    fn square_on_segments(&self, d: &[V3], state: &State) -> f64 {
+    fn squared_force_in_segments(&self, d: &[V3], state: &State) -> f64 {
         let mut most = 0.0_f64;
         for (i, segment) in self.segments.iter().enumerate() {
             let inverse = 1.0 / segment.axial.length;
@@ -29,7 +29,7 @@ impl Scene {
 
     /// The greatest displacement of a node that lies on the bed \[m\]. There every one counts in full: what friction bears adds
     /// up along the line, and is remembered.
-    fn moved_on_bed(&self, d: &[V3], state: &State) -> f64 {
+    fn displacement_on_bed(&self, d: &[V3], state: &State) -> f64 {
         let Some(bed) = &self.bed else { return 0.0 };
         let lies = |i: &usize| self.push(bed, *i, state).force > 0.0;
         let nodes = (0..self.footprint.len()).filter(lies);
@@ -37,7 +37,7 @@ impl Scene {
     }
 
     /// By bending the line at its nodes and clamps, the forces of the moments \[N\].
-    fn in_bends(&self, d: &[V3]) -> f64 {
+    fn force_in_bending(&self, d: &[V3]) -> f64 {
         let Some(flexure) = &self.flexure else {
             return 0.0;
         };

@@ -12,7 +12,7 @@ use crate::solve::State;
 
 /// What a node counts for at a seat.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Weight {
+pub(super) struct NodeWeight {
     /// Its share \[-\].
     pub(super) share: f64,
     /// The share's derivative by arc length \[1/m\].
@@ -23,7 +23,7 @@ pub(super) struct Weight {
 
 /// Where a traveller sits.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Seat {
+pub(super) struct PathPoint {
     /// The segment it is on.
     pub(super) segment: usize,
     /// Speed along the unstretched line \[m/s\].
@@ -32,10 +32,10 @@ pub(super) struct Seat {
     pub(super) gain: f64,
     first: usize,
     count: usize,
-    weights: [Weight; 3],
+    weights: [NodeWeight; 3],
 }
 
-impl Seat {
+impl PathPoint {
     /// The seat at an arc length \[m\], at a speed \[m/s\] and its rate \[m/s²\], on a line whose nodes lie at `arc`.
     pub(super) fn new(arc: &[f64], (at, rate, gain): (f64, f64, f64)) -> Self {
         let last = arc.len() - 1;
@@ -43,7 +43,7 @@ impl Seat {
         let length = |i: usize| arc[i + 1] - arc[i];
         let here = length(segment);
         let along = ((at - arc[segment]) / here).clamp(0.0, 1.0);
-        let straight = |share: f64, sign: f64| Weight {
+        let straight = |share: f64, sign: f64| NodeWeight {
             share,
             slope: sign / here,
             bend: 0.0,
@@ -56,65 +56,65 @@ impl Seat {
         };
         let before = (segment > 0).then(|| rounded(segment)).flatten();
         let after = || (segment + 1 < last).then(|| rounded(segment + 1)).flatten();
-        let mut seat = Self {
+        let mut point = Self {
             segment,
             rate,
             gain,
             first: segment,
             count: 2,
-            weights: [pair[0], pair[1], Weight::default()],
+            weights: [pair[0], pair[1], NodeWeight::default()],
         };
         if let Some((node, reach, from)) = before.or_else(after) {
-            seat.count = 3;
-            seat.first = node - 1;
+            point.count = 3;
+            point.first = node - 1;
             if node == segment {
-                seat.weights = [Weight::default(), pair[0], pair[1]];
+                point.weights = [NodeWeight::default(), pair[0], pair[1]];
             }
             let left = reach - from.abs();
-            let corner = Weight {
+            let corner = NodeWeight {
                 share: left * left / (4.0 * reach),
                 slope: -0.5 * left / reach * from.signum(),
                 bend: 0.5 / reach,
             };
             let (b, a) = (1.0 / length(node - 1), 1.0 / length(node));
-            for (weight, by) in seat.weights.iter_mut().zip([b, -a - b, a]) {
+            for (weight, by) in point.weights.iter_mut().zip([b, -a - b, a]) {
                 weight.share += by * corner.share;
                 weight.slope += by * corner.slope;
                 weight.bend += by * corner.bend;
             }
         }
-        seat
+        point
     }
 
     /// The nodes that count, with their weights.
-    pub(super) fn nodes(&self) -> impl Iterator<Item = (usize, &Weight)> {
+    pub(super) fn nodes(&self) -> impl Iterator<Item = (usize, &NodeWeight)> {
         (self.first..).zip(&self.weights[..self.count])
     }
 
-    fn sum(&self, values: &[V3], of: impl Fn(&Weight) -> f64) -> V3 {
+    fn sum(&self, values: &[V3], of: impl Fn(&NodeWeight) -> f64) -> V3 {
         self.nodes()
             .map(|(node, weight)| values[node] * of(weight))
             .sum()
     }
 
-    /// Place \[m\].
+    /// MarchProgress \[m\].
     pub(super) fn place(&self, state: &State) -> V3 {
         self.sum(&state.x, |by| by.share)
     }
 
     /// Velocity along the path \[m/s\].
-    pub(super) fn drift(&self, state: &State) -> V3 {
+    pub(super) fn path_velocity(&self, state: &State) -> V3 {
         self.sum(&state.x, |by| by.slope) * self.rate
     }
 
     /// Velocity \[m/s\].
     pub(super) fn velocity(&self, state: &State) -> V3 {
-        self.sum(&state.v, |by| by.share) + self.drift(state)
+        self.sum(&state.v, |by| by.share) + self.path_velocity(state)
     }
 
     /// Acceleration \[m/s²\].
     pub(super) fn acceleration(&self, state: &State) -> V3 {
-        let along = |by: &Weight| self.gain * by.slope + self.rate * self.rate * by.bend;
+        let along = |by: &NodeWeight| self.gain * by.slope + self.rate * self.rate * by.bend;
         self.sum(&state.a, |by| by.share)
             + self.sum(&state.v, |by| by.slope) * (2.0 * self.rate)
             + self.sum(&state.x, along)
@@ -127,9 +127,9 @@ mod tests {
 
     const ARC: [f64; 5] = [0.0, 2.0, 5.0, 6.0, 10.0];
 
-    fn weights(at: f64) -> [Weight; 5] {
-        let mut all = [Weight::default(); 5];
-        for (node, weight) in Seat::new(&ARC, (at, 1.0, 0.0)).nodes() {
+    fn weights(at: f64) -> [NodeWeight; 5] {
+        let mut all = [NodeWeight::default(); 5];
+        for (node, weight) in PathPoint::new(&ARC, (at, 1.0, 0.0)).nodes() {
             all[node] = *weight;
         }
         all
@@ -167,7 +167,7 @@ mod tests {
         let mut state = State::at_rest(arc.iter().map(|s| V3::new(*s, 0.0, 0.3 * s * s)).collect());
         state.v.fill(V3::zeros());
         for at in [0.7, 2.0, 3.3, 4.5, 7.2] {
-            let bent = Seat::new(&arc, (at, 2.0, 0.0)).acceleration(&state);
+            let bent = PathPoint::new(&arc, (at, 2.0, 0.0)).acceleration(&state);
             assert!((bent - V3::z() * (4.0 * 0.6)).norm() < 1e-12, "{at} {bent}");
         }
     }

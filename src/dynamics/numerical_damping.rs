@@ -4,14 +4,14 @@ use nalgebra::Matrix3;
 
 /// What generalized-alpha makes of a free oscillation without damping of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Numerical {
+pub struct NumericalDamping {
     /// Damping ratio \[-\]; 1 where the oscillation is not there any more.
     pub damping: f64,
     /// How much longer its period is than it should be, relative to that \[-\].
     pub lengthening: f64,
 }
 
-impl Numerical {
+impl NumericalDamping {
     /// Of an oscillator of angular frequency omega \[rad/s\] in steps of h \[s\], rho the spectral radius at infinite
     /// frequency.
     ///
@@ -85,19 +85,19 @@ mod tests {
     use super::*;
 
     fn numerical_damping(rho: f64, omega: f64, h: f64) -> f64 {
-        Numerical::of(rho, omega, h).damping
+        NumericalDamping::of(rho, omega, h).damping
     }
 
     /// For small steps the period grows by (omega h)²/12 times a number of the method, which is 1 for rho = 1.
     #[test]
     fn the_period_grows_with_the_square_of_the_step() {
         for rho in [0.0, 0.4, 0.8, 1.0] {
-            let at = |h: f64| Numerical::of(rho, 1.0, h).lengthening;
+            let at = |h: f64| NumericalDamping::of(rho, 1.0, h).lengthening;
             assert!((at(0.02) / at(0.01) - 4.0).abs() < 0.05, "{rho}");
         }
-        let average = Numerical::of(1.0, 1.0, 0.01).lengthening;
+        let average = NumericalDamping::of(1.0, 1.0, 0.01).lengthening;
         assert!((average / (1e-4 / 12.0) - 1.0).abs() < 0.01, "{average}");
-        assert_eq!(Numerical::of(1.0, 1.0, 0.1).lost_a_cycle(), 0.0);
+        assert_eq!(NumericalDamping::of(1.0, 1.0, 0.1).lost_a_cycle(), 0.0);
     }
 
     /// For rho = 1 none at all; for less, as the cube of the step, and the more the smaller rho.
@@ -121,17 +121,18 @@ mod tests {
     fn steps_of_several_lengths_damp_as_they_do_one_by_one() {
         let (rho, omega) = (0.4, 1.0);
         let steps = [(0.05, 200), (0.5, 180)];
-        let decay = |h: f64, count: f64| Numerical::of(rho, omega, h).damping * omega * h * count;
+        let decay =
+            |h: f64, count: f64| NumericalDamping::of(rho, omega, h).damping * omega * h * count;
         let time = 0.05 * 200.0 + 0.5 * 180.0;
-        let told = Numerical::over(rho, omega, &steps);
+        let told = NumericalDamping::over(rho, omega, &steps);
         let one_by_one = decay(0.05, 200.0) + decay(0.5, 180.0);
         assert!((told.damping * omega * time / one_by_one - 1.0).abs() < 1e-12);
-        let of_mean = Numerical::of(rho, omega, time / 380.0);
+        let of_mean = NumericalDamping::of(rho, omega, time / 380.0);
         assert!(told.damping > 3.0 * of_mean.damping, "{told:?} {of_mean:?}");
         assert!(told.lengthening > of_mean.lengthening);
         assert_eq!(
-            Numerical::over(rho, omega, &[(0.3, 7)]),
-            Numerical::of(rho, omega, 0.3)
+            NumericalDamping::over(rho, omega, &[(0.3, 7)]),
+            NumericalDamping::of(rho, omega, 0.3)
         );
     }
 

@@ -19,15 +19,15 @@
 //! each change of step, would be of first order.
 //!
 //! Forces are in balance at a mix of positions, and the chord of a segment that turns is shorter there than before and
-//! after: [`System::tell_excess`] accounts for that where tensions are read.
+//! after: [`System::correct_chord_lengths`] accounts for that where tensions are read.
 
-use super::{Carried, Step, StepError, Stepper, Tally};
+use super::{MethodState, StepError, Stepper, TimeStep, WorkCounts};
 use crate::numerics::V3;
 use crate::solve::{Factors, Newton, State, System};
 
 /// The method and its scratch for one line; allocates only when made.
 #[derive(Debug, Clone)]
-pub struct Alpha {
+pub struct GeneralizedAlpha {
     alpha_m: f64,
     alpha_f: f64,
     beta: f64,
@@ -43,7 +43,7 @@ pub struct Alpha {
     trust: f64,
     /// Acceleration carried into the step, at the place that belongs to its length \[m/s²\].
     carried: Vec<V3>,
-    control: Option<Control>,
+    control: Option<ErrorLimits>,
 }
 
 /// Iterations without gain after which a step is halved: the half converges where the whole goes in a circle.
@@ -55,14 +55,14 @@ const LEFT_BY_ITERATION: f64 = 0.1;
 
 /// Errors allowed in one step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Control {
+pub struct ErrorLimits {
     /// In the position of any node \[m\].
     pub position: f64,
     /// In the velocity of any node \[m/s\].
     pub velocity: f64,
 }
 
-impl Alpha {
+impl GeneralizedAlpha {
     /// For a line of `nodes` nodes. `rho` from 0 to 1; tolerance \[m\] and iterations as in [`Newton`].
     #[must_use]
     pub fn new(nodes: usize, rho: f64, tolerance: f64, max_iterations: usize) -> Self {
@@ -70,7 +70,7 @@ impl Alpha {
         let alpha_f = rho / (rho + 1.0);
         let state = State::at_rest(vec![V3::zeros(); nodes]);
         let mut newton = Newton::new(nodes, tolerance, max_iterations);
-        newton.idle = IDLE;
+        newton.stagnation_limit = IDLE;
         Self {
             alpha_m,
             alpha_f,
@@ -88,7 +88,7 @@ impl Alpha {
 
     /// The same with errors controlled: a step that exceeds them is refused.
     #[must_use]
-    pub fn controlled(self, control: Control) -> Self {
+    pub fn controlled(self, control: ErrorLimits) -> Self {
         Self {
             control: Some(control),
             ..self
@@ -107,7 +107,7 @@ impl Alpha {
     /// The same with Newton going on until velocities are known to this as well \[m/s\].
     #[must_use]
     pub fn resolving(mut self, speed: f64) -> Self {
-        self.newton.speed = speed;
+        self.newton.velocity_tolerance = speed;
         self
     }
 
@@ -174,7 +174,7 @@ impl Alpha {
     /// in position, `|beta - 1/6| h² |a1 - a0|` (Zienkiewicz and Xie 1991, doi 10.1002/eqe.4290200907); by what the
     /// predictor missed, which is the second difference, in velocity, `h |a1 - a0 - h j0| / 12`; and by what came up
     /// between the point of balance and the end of the step.
-    fn share_of_error<S: System + ?Sized>(&self, system: &S, h: f64, control: &Control) -> f64 {
+    fn share_of_error<S: System + ?Sized>(&self, system: &S, h: f64, control: &ErrorLimits) -> f64 {
         let by_change = (self.beta - 1.0 / 6.0).abs() * h * h / control.position;
         let by_miss = h / (12.0 * control.velocity);
         let mut share = 0.0_f64;
@@ -187,7 +187,7 @@ impl Alpha {
         }
         // A segment that snaps taut after the point of balance has its energy from nowhere.
         let unseen = if self.alpha_f > 0.0 {
-            system.jolt(&self.between, &self.end) * self.alpha_f * h / control.velocity
+            system.snap_acceleration(&self.between, &self.end) * self.alpha_f * h / control.velocity
         } else {
             0.0
         };
@@ -202,28 +202,28 @@ impl Alpha {
             self.end.a[i] += self.jerk[i] * moved;
         }
         self.trust = 1.0;
-        system.take_water(t + h, &mut self.end);
+        system.update_wave_kinematics(t + h, &mut self.end);
         if self.alpha_f > 0.0 {
-            system.tell_excess(self.alpha_f, state, &mut self.end);
+            system.correct_chord_lengths(self.alpha_f, state, &mut self.end);
         }
         state.copy_from(&self.end);
     }
 }
 
-impl Stepper for Alpha {
+impl Stepper for GeneralizedAlpha {
     fn step<S: System + ?Sized>(
         &mut self,
         system: &S,
-        at: Step,
+        at: TimeStep,
         state: &mut State,
     ) -> Result<f64, StepError> {
-        let Step { t, dt, refuse } = at;
+        let TimeStep { t, dt, refuse } = at;
         self.carry(dt, state);
         self.predict(system, t, dt, state);
         let factors = self.factors(dt);
-        self.newton.across = self.tolerance_across(&factors);
+        self.newton.transverse_tolerance = self.tolerance_across(&factors);
         let balance = t + (1.0 - self.alpha_f) * dt;
-        system.take_water(balance, &mut self.between);
+        system.update_wave_kinematics(balance, &mut self.between);
         if let Err(why) = self
             .newton
             .solve(system, balance, &mut self.between, factors)
@@ -242,32 +242,33 @@ impl Stepper for Alpha {
         Ok(share)
     }
 
-    fn carried(&self) -> Carried {
-        Carried {
+    fn method_state(&self) -> MethodState {
+        MethodState {
             jerk: self.jerk.clone(),
             trust: self.trust,
             rate: self.newton.rate(),
-            tally: self.tally(),
-            ..Carried::default()
+            work_counts: self.work_counts(),
+            ..MethodState::default()
         }
     }
 
-    fn take_up(&mut self, carried: &Carried) {
+    fn restore(&mut self, carried: &MethodState) {
         self.jerk.clone_from(&carried.jerk);
         self.trust = carried.trust;
-        self.newton.take_up(carried.rate, carried.tally.iterations);
+        self.newton
+            .restore(carried.rate, carried.work_counts.iterations);
     }
 
     fn restart<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &mut State) {
-        system.take_water(t, state);
+        system.update_wave_kinematics(t, state);
         system.accelerate(t, state);
         self.jerk.fill(V3::zeros());
         self.trust = 1.0;
-        self.newton.forget();
+        self.newton.reset_rate();
     }
 
-    fn tally(&self) -> Tally {
-        Tally {
+    fn work_counts(&self) -> WorkCounts {
+        WorkCounts {
             iterations: self.newton.iterations,
             evaluations: 0,
         }

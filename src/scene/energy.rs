@@ -5,8 +5,8 @@
 //! as `M a` (Morison), without what Lagrange's equations add for a mass that changes, `v' (dM/dt) v / 2`: some 1e-5 to 1e-4
 //! of what drag takes from a line under water.
 
-use super::water::Bathed;
-use super::{End, Hung, Scene};
+use super::water::BodyInWater;
+use super::{AttachedBody, End, Scene};
 use crate::numerics::V3;
 use crate::solve::{State, System};
 
@@ -16,14 +16,14 @@ impl Scene {
     /// [`Scene::traveller_energy`].
     #[must_use]
     pub fn energy(&self, state: &State) -> f64 {
-        let mut energy = self.energy_out_of_water(state) + self.energy_in_bed(state);
+        let mut energy = self.surface_energy(state) + self.bed_energy(state);
         for i in 0..self.nodes() {
             energy +=
                 0.5 * self.mass[i] * state.v[i].norm_squared() + self.weight[i] * state.x[i].z;
         }
         for i in 0..self.segments.len() {
             let chord = self.chord(i, state);
-            energy += self.stored(i, &chord, state);
+            energy += self.elastic_energy(i, &chord, state);
             let added = self.added(i, self.wet(i, state).as_ref());
             for (v, added) in state.v[i..].iter().zip(added) {
                 energy += 0.5 * v.dot(&added.force(&chord.tangent, v));
@@ -32,12 +32,12 @@ impl Scene {
         if let Some(flexure) = &self.flexure {
             energy += flexure.energy(self, state);
         }
-        for (number, Hung { node, body }) in self.bodies.iter().enumerate() {
-            let (v, share) = (&state.v[*node], self.bathed(number, state).share);
+        for (number, AttachedBody { node, body }) in self.bodies.iter().enumerate() {
+            let (v, share) = (&state.v[*node], self.body_in_water(number, state).share);
             energy += 0.5 * share * v.dot(&body.added.component_mul(v));
         }
-        if let Some(turning) = &self.turning {
-            energy += turning.energy(self, state);
+        if let Some(rigid_payload) = &self.rigid_payload {
+            energy += rigid_payload.energy(self, state);
         }
         energy
     }
@@ -49,21 +49,21 @@ impl Scene {
         let mut power = 0.0;
         for i in 0..self.segments.len() {
             let chord = self.chord(i, state);
-            let viscous = self.pull_now(i, &chord, state).value - self.elastic(i, &chord, state);
-            power += self.forgotten(i, &chord, state);
+            let viscous = self.tension_now(i, &chord, state).value - self.elastic(i, &chord, state);
+            power += self.memory_dissipation(i, &chord, state);
             power += viscous * chord.tangent.dot(&chord.opening);
             let drag = self.drag(i, &chord, state).forces();
             for (node, drag) in [i, i + 1].into_iter().zip(drag) {
                 power -= drag.dot(&state.v[node]);
             }
         }
-        power += self.loss_to_bed(state);
-        for (number, Hung { node, body }) in self.bodies.iter().enumerate() {
-            let Bathed { u, share, .. } = self.bathed(number, state);
+        power += self.bed_dissipation(state);
+        for (number, AttachedBody { node, body }) in self.bodies.iter().enumerate() {
+            let BodyInWater { u, share, .. } = self.body_in_water(number, state);
             power -= body.drag(&u).dot(&state.v[*node]) * share;
         }
-        if let Some(turning) = &self.turning {
-            power += turning.dissipation(self, state);
+        if let Some(rigid_payload) = &self.rigid_payload {
+            power += rigid_payload.dissipation(self, state);
         }
         power
     }
@@ -74,8 +74,9 @@ impl Scene {
         let ends = self.ends.iter().zip([0, self.nodes() - 1]);
         let power = |(end, node): (&End, usize)| match end {
             End::Free => 0.0,
-            End::Held(_) => {
-                let pull: V3 = self.end_force(node, state) + self.traveller_on(node, t, state);
+            End::Prescribed(_) => {
+                let pull: V3 =
+                    self.end_force(node, state) + self.traveller_force_on(node, t, state);
                 -pull.dot(&state.v[node])
             }
         };
