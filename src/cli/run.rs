@@ -9,15 +9,15 @@ use crate::{
     run::{
         Resume, Run, RunState,
         job::{self, Event, Request},
-        onward,
-        store::{self, Place, StoreError, Writer},
+        resume_request,
+        store::{self, RunLocation, StoreError, Writer},
     },
 };
 
 pub(super) fn run(words: &RunWords) -> Result<ExitCode, Failure> {
     let (mut request, from) = match &words.resume {
         Some(dir) => {
-            let (request, from) = onward(dir, words.until).map_err(Failure::Usage)?;
+            let (request, from) = resume_request(dir, words.until).map_err(Failure::Usage)?;
             (request, Some(from))
         }
         None => (request(words)?, None),
@@ -25,8 +25,8 @@ pub(super) fn run(words: &RunWords) -> Result<ExitCode, Failure> {
     let stop =
         Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
     let place = match &words.out {
-        Some(dir) => Place::Exactly(dir.clone()),
-        None => Place::Below(store::DEFAULT_ROOT.into()),
+        Some(dir) => RunLocation::Exactly(dir.clone()),
+        None => RunLocation::Below(store::DEFAULT_ROOT.into()),
     };
     let mut writer = Writer::begin(
         &place,

@@ -17,7 +17,7 @@ use super::{
 };
 use crate::{
     case::At,
-    reference::{self, Outcome, Row, Tally},
+    reference::{self, Outcome, OutcomeCounts, ValidationRow},
     report::text,
     ropeway::held,
     run::{
@@ -138,11 +138,11 @@ fn compute(variants: &[Variant], stop: &Stop) -> Vec<Run> {
 struct Held {
     /// Its title and its name.
     head: String,
-    rows: Vec<Row>,
+    rows: Vec<ValidationRow>,
 }
 
 impl Held {
-    fn new(title: &str, name: &str, rows: Vec<Row>) -> Self {
+    fn new(title: &str, name: &str, rows: Vec<ValidationRow>) -> Self {
         Self {
             head: format!("{title} ({name})"),
             rows,
@@ -150,11 +150,11 @@ impl Held {
     }
 }
 
-fn total(tables: &[Held]) -> Tally {
+fn total(tables: &[Held]) -> OutcomeCounts {
     tables
         .iter()
-        .map(|held| reference::tally(&held.rows))
-        .fold(Tally::default(), |a, b| a + b)
+        .map(|held| reference::count_outcomes(&held.rows))
+        .fold(OutcomeCounts::default(), |a, b| a + b)
 }
 
 fn text(tables: &[Held]) -> String {

@@ -1,10 +1,10 @@
 //! A published curve held against a channel, with its numerical error and what a chart of both shows.
 
-use super::row::{Overlay, Row};
-use super::value::{Claim, hold};
+use super::row::{Overlay, ValidationRow};
+use super::value::{ReferenceValue, compare};
 use crate::{
     case::{At, PublishedCurve},
-    run::{Run, RunState, curves},
+    run::{Run, RunState, published_curve},
 };
 
 /// The row of the curve of this number among those of its case, from 0.
@@ -12,8 +12,8 @@ pub(super) fn row<'r>(
     number: usize,
     curve: &PublishedCurve,
     lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>,
-) -> Row {
-    let claim = Claim {
+) -> ValidationRow {
+    let reference = ReferenceValue {
         name: &curve.name,
         source: &curve.source,
         value: 0.0,
@@ -32,28 +32,31 @@ pub(super) fn row<'r>(
     let fit = run.and_then(|run| Ok((run, fit(curve, run)?)));
     let found = fit.as_ref().map_err(String::clone);
     let percent = found.map(|(run, fit)| (fit.percent, error(number, curve, run)));
-    let mut row = hold(claim, percent);
+    let mut row = compare(reference, percent);
     row.overlay = Some(overlay(curve, fit.ok()));
     row
 }
 
-fn fit(curve: &PublishedCurve, run: &Run) -> Result<curves::Fit, String> {
+fn fit(curve: &PublishedCurve, run: &Run) -> Result<published_curve::CurveComparison, String> {
     if run.info.state != RunState::Done {
         return Err("The run did not come to its end.".to_owned());
     }
-    curves::fit(curve, &run.history)
+    published_curve::compare(curve, &run.history)
 }
 
 /// Numerical error of the difference, where the run estimated it.
 fn error(number: usize, curve: &PublishedCurve, run: &Run) -> Option<f64> {
-    let name = curves::curve_name(curve, number);
+    let name = published_curve::difference_name(curve, number);
     let told = run.summary.iter().find(|q| q.name == name)?;
     told.error_estimate()
 }
 
 /// The points of the curve at the times of the run, as often as they repeat there, beside what the run gives.
-fn overlay(curve: &PublishedCurve, fit: Option<(&Run, curves::Fit)>) -> Overlay {
-    let points = curves::points(curve);
+fn overlay(
+    curve: &PublishedCurve,
+    fit: Option<(&Run, published_curve::CurveComparison)>,
+) -> Overlay {
+    let points = published_curve::points(curve);
     let Some((run, fit)) = fit else {
         return Overlay {
             channel: curve.channel.clone(),

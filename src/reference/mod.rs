@@ -2,35 +2,35 @@
 //!
 //! A case states what its source printed: values with tolerances ([`Published`](crate::case::Published))
 //! and statements of trend ([`Trend`](crate::case::Trend)). [`plan()`] says which variants of the case
-//! have to be computed for them, [`rows()`] holds the runs against them, [`tally()`] counts the outcomes.
+//! have to be computed for them, [`rows()`] holds the runs against them, [`count_outcomes()`] counts the outcomes.
 //!
 //! Two errors are kept apart: the *difference* of a row is what model and source disagree by, the
 //! *error* is what the computation itself may be off by. A row whose error is not small beside its
 //! tolerance says so.
 //!
 //! Rows of line cases come from runs ([`rows()`]). A kind of file that is worked out without a run holds its
-//! numbers against what its source printed by [`hold()`] and [`hold_trend()`]; tables, tallies and words are the same.
+//! numbers against what its source printed by [`compare()`] and [`compare_trend()`]; tables, tallies and words are the same.
 
 mod curve;
 mod note;
+mod outcome_counts;
 mod plan;
-pub(crate) mod printed;
+pub(crate) mod published_number;
 mod row;
 mod table;
-mod tally;
 mod trend;
 mod value;
 mod variant;
 
+pub use outcome_counts::{OutcomeCounts, count_outcomes};
 pub use plan::plan;
-pub use printed::Printed;
-pub use row::{Basis, Outcome, Point, Row, TrendLine};
+pub use published_number::PublishedNumber;
+pub use row::{CalibrationBasis, Outcome, TrendLine, TrendPoint, ValidationRow};
 pub use table::{standing_word, table};
-pub use tally::{Tally, tally};
-pub use trend::{Statement, hold_trend};
+pub use trend::{TrendStatement, compare_trend};
 pub(crate) use value::tolerance;
-pub use value::{Claim, hold};
-pub use variant::{Variant, rows_of_run, stands_at, variant};
+pub use value::{ReferenceValue, compare};
+pub use variant::{Variant, matches_variant, rows_of_run, variant};
 
 use crate::{
     case::{At, Case},
@@ -43,7 +43,10 @@ use crate::{
 /// `lookup` gives the run of a variant ([`plan()`]), `None` being the case as it stands; a row whose run
 /// it does not give reads NOT RUN.
 #[must_use]
-pub fn rows<'r>(case: &Case, lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>) -> Vec<Row> {
+pub fn rows<'r>(
+    case: &Case,
+    lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>,
+) -> Vec<ValidationRow> {
     let values = case
         .published
         .iter()

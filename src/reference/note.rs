@@ -1,10 +1,10 @@
 //! What a row says beyond its numbers.
 
-use super::{Outcome, Row, TrendLine};
+use super::{Outcome, TrendLine, ValidationRow};
 use crate::{case::Direction, report::number::with_error};
 
 /// Where a row is printed, what stands behind it, why it is as it is.
-pub(super) fn note(row: &Row) -> String {
+pub(super) fn note(row: &ValidationRow) -> String {
     let mut words = Vec::new();
     if !row.source.is_empty() {
         words.push(format!("{}.", row.source.trim_end_matches('.')));

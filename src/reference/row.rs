@@ -6,7 +6,7 @@ use crate::case::{At, Direction, Standing, StudyValue};
 
 /// One published statement held against a run: a value, or a trend.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct ValidationRow {
     /// What it is, in words.
     pub name: String,
     /// The point of a study it belongs to; absent: the case as it stands (and for trends).
@@ -36,7 +36,7 @@ pub struct Row {
     /// True when an input was fitted to this very number: agreement is then no evidence.
     pub fitted: bool,
     /// What the inputs make of an agreement; absent where they were not calibrated.
-    pub basis: Option<Basis>,
+    pub basis: Option<CalibrationBasis>,
     /// Why it differs or was not run; and what else the reader must know.
     pub reason: Option<String>,
     /// For a trend: what is expected and the numbers along the study.
@@ -60,7 +60,7 @@ pub struct Overlay {
 
 /// What an agreement is worth when inputs were calibrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Basis {
+pub enum CalibrationBasis {
     /// An input was fitted to this very number.
     Fitted,
     /// An input was fitted to another published value of the same quantity.
@@ -69,7 +69,7 @@ pub enum Basis {
     Prediction,
 }
 
-impl Basis {
+impl CalibrationBasis {
     /// A sentence for it.
     #[must_use]
     pub const fn words(self) -> &'static str {
@@ -93,12 +93,12 @@ pub struct TrendLine {
     /// The key that is varied.
     pub key: String,
     /// The numbers, in the order of growing values.
-    pub points: Vec<Point>,
+    pub points: Vec<TrendPoint>,
 }
 
 /// A statistic at one value of a study.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Point {
+pub struct TrendPoint {
     /// Value of the study's key, in its unit.
     pub value: StudyValue,
     /// What the run gives; absent when not run.

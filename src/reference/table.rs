@@ -1,6 +1,6 @@
 //! Rows as the table that screen, report and command line show.
 
-use super::{Outcome, Row, note::note};
+use super::{Outcome, ValidationRow, note::note};
 use crate::{
     case::{Direction, Standing},
     report::{
@@ -10,11 +10,11 @@ use crate::{
 };
 
 /// The validation table: quantity, outcome, published and computed value, its estimated numerical
-/// error, difference, tolerance, standing of the inputs. Row `n` of the table is row `n` of `rows` and
+/// error, difference, tolerance, standing of the inputs. ValidationRow `n` of the table is row `n` of `rows` and
 /// carries the number `[n+1]`; the note of that number says where the value is printed, what stands
 /// behind it and why it is as it is.
 #[must_use]
-pub fn table(rows: &[Row]) -> Table {
+pub fn table(rows: &[ValidationRow]) -> Table {
     Table {
         title: String::new(),
         columns: vec![
@@ -40,7 +40,7 @@ pub fn table(rows: &[Row]) -> Table {
     }
 }
 
-fn cells(i: usize, row: &Row) -> Vec<Cell> {
+fn cells(i: usize, row: &ValidationRow) -> Vec<Cell> {
     let name = Cell::plain(format!("[{}] {}", i + 1, row.name));
     let outcome = Cell::new(row.outcome.word(), ink(row.outcome));
     if let Some(line) = &row.trend {
@@ -145,7 +145,7 @@ fn ink(outcome: Outcome) -> CellInk {
     }
 }
 
-fn inputs(row: &Row) -> Cell {
+fn inputs(row: &ValidationRow) -> Cell {
     if row.fitted {
         return Cell::new("fitted", CellInk::Warn);
     }

@@ -1,6 +1,6 @@
 //! Rows against runs made by hand.
 
-use super::{Basis, Outcome, Row, plan, rows, tally};
+use super::{CalibrationBasis, Outcome, ValidationRow, count_outcomes, plan, rows};
 use crate::{
     case::{At, Case},
     run::{Channel, History, Profile, Quantity, Run, RunInfo, RunState, Settings},
@@ -97,7 +97,7 @@ fn run(quantities: &[(&str, f64, f64)]) -> Run {
 
 const MEAN: &str = "tension_n[wire|payload].mean(0..200)";
 
-fn one(value: f64, error: f64, extra: &str) -> Row {
+fn one(value: f64, error: f64, extra: &str) -> ValidationRow {
     let run = run(&[(MEAN, value, error)]);
     rows(&case(&[VALUE, extra]), &|_| Some(&run)).remove(0)
 }
@@ -165,17 +165,23 @@ fn what_was_fitted_is_told_from_what_was_predicted() {
     };
     assert_eq!(
         basis(&[VALUE, &calibrated]),
-        [None, Some(Basis::Prediction)]
+        [None, Some(CalibrationBasis::Prediction)]
     );
     let fitted = format!("{calibrated}fitted = true\n");
     assert_eq!(
         basis(&[&fitted, &calibrated]),
-        [Some(Basis::Fitted), Some(Basis::FittedNearby)]
+        [
+            Some(CalibrationBasis::Fitted),
+            Some(CalibrationBasis::FittedNearby)
+        ]
     );
     let elsewhere = calibrated.replace("[0, 200]", "[0, 100]");
     assert_eq!(
         basis(&[&fitted, &elsewhere]),
-        [Some(Basis::Fitted), Some(Basis::Prediction)]
+        [
+            Some(CalibrationBasis::Fitted),
+            Some(CalibrationBasis::Prediction)
+        ]
     );
 }
 
@@ -210,7 +216,7 @@ fn what_is_missing_is_an_outcome_with_its_reason() {
 }
 
 /// A trend row from travels at 0, 0.2 and 0.4 m/s.
-fn trend(extra: &str, travels: [f64; 3], error: f64) -> Row {
+fn trend(extra: &str, travels: [f64; 3], error: f64) -> ValidationRow {
     let runs = travels.map(|t| run(&[("z_m[payload].travel", t, error)]));
     let pick =
         |at: Option<&At>| at.map(|at| &runs[(at.value.number().unwrap() / 0.2).round() as usize]);
@@ -274,15 +280,15 @@ fn outcomes_are_counted() {
         one(150.0, 0.1, ""),
         one(150.0, 0.1, "out_of_reach = \"x\""),
     ];
-    let tally = tally(&rows);
+    let counts = count_outcomes(&rows);
     assert_eq!(
-        (tally.pass, tally.fail, tally.differs, tally.total()),
+        (counts.pass, counts.fail, counts.differs, counts.total()),
         (1, 1, 1, 3)
     );
-    assert!(!tally.holds());
-    assert!(super::tally(&rows[2..]).holds());
+    assert!(!counts.holds());
+    assert!(count_outcomes(&rows[2..]).holds());
     assert_eq!(
-        tally.to_string(),
+        counts.to_string(),
         "3 rows: 1 PASS, 1 FAIL, 1 DIFFERS, 0 NOT RUN"
     );
 }

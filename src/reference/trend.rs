@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::{
-    Outcome, Point, Row, TrendLine,
+    Outcome, TrendLine, TrendPoint, ValidationRow,
     value::{REACHED, find, unit_of},
 };
 use crate::{
@@ -15,7 +15,7 @@ pub(super) fn row<'r>(
     case: &Case,
     trend: &Trend,
     lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>,
-) -> Row {
+) -> ValidationRow {
     let study = case.study.iter().find(|s| s.name == trend.study);
     let mut values: Vec<StudyValue> = study.map_or_else(Vec::new, |s| s.values.clone());
     // Words have no order but that of the file.
@@ -45,14 +45,14 @@ pub(super) fn row<'r>(
                 (None, None)
             }
         };
-        points.push(Point {
+        points.push(TrendPoint {
             value,
             computed,
             error,
         });
     }
-    hold_trend(
-        Statement {
+    compare_trend(
+        TrendStatement {
             name: &trend.name,
             source: &trend.source,
             expect: trend.expect,
@@ -67,7 +67,7 @@ pub(super) fn row<'r>(
 
 /// A statement of trend as a source made it, whatever kind of file repeats it.
 #[derive(Debug, Clone, Copy)]
-pub struct Statement<'a> {
+pub struct TrendStatement<'a> {
     /// The statement, in words.
     pub name: &'a str,
     /// Where it is printed.
@@ -82,14 +82,14 @@ pub struct Statement<'a> {
 
 /// Holds numbers at growing values of a key against a statement of trend. `missing` says why a point has no number.
 #[must_use]
-pub fn hold_trend(
-    statement: Statement<'_>,
+pub fn compare_trend(
+    statement: TrendStatement<'_>,
     unit: String,
-    points: Vec<Point>,
+    points: Vec<TrendPoint>,
     missing: Option<String>,
-) -> Row {
+) -> ValidationRow {
     let (outcome, reason) = judge(&statement, &points, missing);
-    Row {
+    ValidationRow {
         name: statement.name.to_owned(),
         at: None,
         from: None,
@@ -119,8 +119,8 @@ pub fn hold_trend(
 type Known<'a> = (&'a StudyValue, f64, Option<f64>);
 
 fn judge(
-    statement: &Statement<'_>,
-    points: &[Point],
+    statement: &TrendStatement<'_>,
+    points: &[TrendPoint],
     missing: Option<String>,
 ) -> (Outcome, Option<String>) {
     if points.len() < 2 {

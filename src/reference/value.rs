@@ -1,6 +1,6 @@
 //! A published value held against its run.
 
-use super::{Basis, Outcome, Row};
+use super::{CalibrationBasis, Outcome, ValidationRow};
 use crate::{
     case::{AlongLine, At, Published, Standing, Statistic},
     run::{Quantity, Run, RunState, quantity_name},
@@ -13,7 +13,7 @@ pub(super) fn row<'r>(
     published: &Published,
     all: &[Published],
     lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>,
-) -> Row {
+) -> ValidationRow {
     let found = found(published, lookup);
     let unit = match &found {
         Ok(quantity) => quantity.unit.clone(),
@@ -22,7 +22,7 @@ pub(super) fn row<'r>(
         }
         Err(_) => published.statistic.unit(unit_of(&published.channel)),
     };
-    let claim = Claim {
+    let reference = ReferenceValue {
         name: &published.name,
         source: &published.source,
         value: published.value,
@@ -41,12 +41,12 @@ pub(super) fn row<'r>(
         out_of_reach: published.out_of_reach.as_deref(),
     };
     let number = found.map(|quantity| (quantity.value, quantity.error_estimate()));
-    hold(claim, number)
+    compare(reference, number)
 }
 
 /// A value as a source printed it, whatever kind of file states it.
 #[derive(Debug, Clone)]
-pub struct Claim<'a> {
+pub struct ReferenceValue<'a> {
     /// What it is, in words.
     pub name: &'a str,
     /// Where it is printed.
@@ -62,7 +62,7 @@ pub struct Claim<'a> {
     /// True when an input was fitted to this very number.
     pub fitted: bool,
     /// What the inputs make of an agreement.
-    pub basis: Option<Basis>,
+    pub basis: Option<CalibrationBasis>,
     /// The point of a study it belongs to.
     pub at: Option<At>,
     /// The point of a study that it is a change from.
@@ -76,30 +76,33 @@ pub struct Claim<'a> {
 /// Holds a computed value, with its numerical error where that is known, against a published one; without a value the row
 /// reads NOT RUN, with the reason.
 #[must_use]
-pub fn hold(claim: Claim<'_>, computed: Result<(f64, Option<f64>), String>) -> Row {
-    let mut row = Row {
-        name: claim.name.to_owned(),
-        at: claim.at,
-        from: claim.from,
-        by: claim.by,
-        source: claim.source.to_owned(),
-        published: Some(claim.value),
+pub fn compare(
+    reference: ReferenceValue<'_>,
+    computed: Result<(f64, Option<f64>), String>,
+) -> ValidationRow {
+    let mut row = ValidationRow {
+        name: reference.name.to_owned(),
+        at: reference.at,
+        from: reference.from,
+        by: reference.by,
+        source: reference.source.to_owned(),
+        published: Some(reference.value),
         computed: None,
-        unit: claim.unit,
+        unit: reference.unit,
         error: None,
         difference: None,
-        tolerance: Some(claim.tolerance),
+        tolerance: Some(reference.tolerance),
         outcome: Outcome::NotRun,
-        inputs: Some(claim.inputs),
-        fitted: claim.fitted,
-        basis: claim.basis,
+        inputs: Some(reference.inputs),
+        fitted: reference.fitted,
+        basis: reference.basis,
         reason: None,
         trend: None,
         overlay: None,
     };
     match computed {
         Err(reason) => row.reason = Some(reason),
-        Ok(computed) => judge(&mut row, claim.out_of_reach, claim.value, computed),
+        Ok(computed) => judge(&mut row, reference.out_of_reach, reference.value, computed),
     }
     row
 }
@@ -160,7 +163,7 @@ fn ratio(quantity: &Quantity, other: &Quantity) -> Quantity {
 }
 
 /// What the inputs make of an agreement, in the light of everything the case was fitted to.
-fn basis(published: &Published, all: &[Published]) -> Option<Basis> {
+fn basis(published: &Published, all: &[Published]) -> Option<CalibrationBasis> {
     let same = |other: &Published| {
         other.channel == published.channel
             && other.statistic == published.statistic
@@ -171,16 +174,16 @@ fn basis(published: &Published, all: &[Published]) -> Option<Basis> {
             && other.at == published.at
     };
     if published.fitted {
-        Some(Basis::Fitted)
+        Some(CalibrationBasis::Fitted)
     } else if all.iter().any(|other| other.fitted && same(other)) {
-        Some(Basis::FittedNearby)
+        Some(CalibrationBasis::FittedNearby)
     } else {
-        (published.inputs == Standing::Calibrated).then_some(Basis::Prediction)
+        (published.inputs == Standing::Calibrated).then_some(CalibrationBasis::Prediction)
     }
 }
 
 fn judge(
-    row: &mut Row,
+    row: &mut ValidationRow,
     out_of_reach: Option<&str>,
     published: f64,
     (value, error): (f64, Option<f64>),

@@ -1,6 +1,6 @@
 //! Variants of a case: one made from its text, and found again among stored runs.
 
-use super::{Row, rows};
+use super::{ValidationRow, rows};
 use crate::{
     case::{self, At, Case, Diagnostic, edit},
     run::Run,
@@ -38,13 +38,13 @@ pub fn variant(text: &str, case: &Case, at: &At) -> Result<Variant, Vec<Diagnost
 /// The rows of one run: those of the case as it stands when nothing but solver and output was set on
 /// top of it, and those of every point of a study at which the run stands. The others read NOT RUN.
 #[must_use]
-pub fn rows_of_run(run: &Run, case: &Case) -> Vec<Row> {
-    rows(case, &|at| stands_at(run, case, at).then_some(run))
+pub fn rows_of_run(run: &Run, case: &Case) -> Vec<ValidationRow> {
+    rows(case, &|at| matches_variant(run, case, at).then_some(run))
 }
 
 /// True when a run stands at this point of a study, or is the case as it stands.
 #[must_use]
-pub fn stands_at(run: &Run, case: &Case, at: Option<&At>) -> bool {
+pub fn matches_variant(run: &Run, case: &Case, at: Option<&At>) -> bool {
     let key = at
         .and_then(|at| case.study.iter().find(|s| s.name == at.study))
         .map(|s| &s.key);

@@ -2,7 +2,7 @@
 
 use super::number::{percent, rounded, si};
 use super::table::{Cell, CellInk, Column, Table};
-use crate::run::limits::Check;
+use crate::run::limits::LimitCheck;
 
 /// The word that stands where a limit is exceeded.
 pub const EXCEEDED: &str = "EXCEEDED";
@@ -10,7 +10,7 @@ pub const EXCEEDED: &str = "EXCEEDED";
 /// One row a section: tension against breaking load, bending radius against the least allowed. Nothing where no
 /// material states a limit.
 #[must_use]
-pub fn table(checks: &[Check]) -> Option<Table> {
+pub fn table(checks: &[LimitCheck]) -> Option<Table> {
     if checks.is_empty() {
         return None;
     }
@@ -31,7 +31,7 @@ pub fn table(checks: &[Check]) -> Option<Table> {
     })
 }
 
-fn row(check: &Check) -> Vec<Cell> {
+fn row(check: &LimitCheck) -> Vec<Cell> {
     let quantity = |value: Option<f64>, unit| match value {
         Some(value) => Cell::plain(si(value, unit)),
         None => Cell::new("-", CellInk::Dim),
@@ -45,11 +45,11 @@ fn row(check: &Check) -> Vec<Cell> {
         quantity(Some(check.tension.0), "N"),
         place(Some(check.tension.1)),
         quantity(check.break_load, "N"),
-        used(check.of_break_load()),
+        used(check.tension_utilisation()),
         quantity(check.radius.map(|r| r.0), "m"),
         place(check.radius.map(|r| r.1)),
         quantity(check.least_radius, "m"),
-        used(check.of_bending()),
+        used(check.bending_utilisation()),
     ]
 }
 
@@ -68,8 +68,8 @@ fn used(share: Option<f64>) -> Cell {
 mod tests {
     use super::*;
 
-    fn check(tension: f64) -> Check {
-        Check {
+    fn check(tension: f64) -> LimitCheck {
+        LimitCheck {
             section: "upper".to_owned(),
             material: "umbilical".to_owned(),
             tension: (tension, 220.0),

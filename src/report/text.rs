@@ -15,7 +15,7 @@ pub use validation::validation;
 
 use super::chart::Glyphs;
 use super::sea;
-use crate::{case::Case, reference::Row, run::Run};
+use crate::{case::Case, reference::ValidationRow, run::Run};
 
 /// The report of a run: what was computed and with which settings, inputs with their standing,
 /// results with their errors, charts, the published values it is held against, work and cost.
@@ -24,7 +24,7 @@ use crate::{case::Case, reference::Row, run::Run};
 /// Charts are drawn with `glyphs`; for a report that is ASCII throughout, pass the result through
 /// [`plain::ascii`](super::plain::ascii).
 #[must_use]
-pub fn report(run: &Run, case: &Case, rows: &[Row], glyphs: Glyphs) -> String {
+pub fn report(run: &Run, case: &Case, rows: &[ValidationRow], glyphs: Glyphs) -> String {
     let mut page = Page::default();
     about::head(&mut page, run, case);
     about::warnings(&mut page, &run.info);

@@ -5,14 +5,14 @@ use super::model::Trend;
 use super::quantities::{quantity, unit};
 use super::work::Worked;
 use crate::case::StudyValue;
-use crate::reference::{Point, Printed, Row, Statement, hold_trend};
+use crate::reference::{PublishedNumber, TrendPoint, TrendStatement, ValidationRow, compare_trend};
 
 /// Rows for every published value and every statement of trend of a ropeway, in the order of its file. `text` is the file's:
 /// trends are computed on variants of it.
 #[must_use]
-pub fn rows(worked: &Worked, text: &str) -> Vec<Row> {
+pub fn rows(worked: &Worked, text: &str) -> Vec<ValidationRow> {
     let readings = worked.readings(worked.ropeway.cargo.position);
-    let value = |printed: &Printed| {
+    let value = |printed: &PublishedNumber| {
         let found = match &readings {
             Ok(readings) => quantity(worked, readings, &printed.quantity),
             Err(trouble) => Err(format!("The ropeway has no answer: {trouble}.")),
@@ -26,11 +26,11 @@ pub fn rows(worked: &Worked, text: &str) -> Vec<Row> {
     values.chain(trends).collect()
 }
 
-fn trend_row(trend: &Trend, text: &str) -> Row {
+fn trend_row(trend: &Trend, text: &str) -> ValidationRow {
     let mut missing = None;
     let points = trend.values.iter().map(|&value| {
         let computed = at(trend, text, value);
-        Point {
+        TrendPoint {
             value: StudyValue::Number(value),
             error: None,
             computed: computed
@@ -38,15 +38,15 @@ fn trend_row(trend: &Trend, text: &str) -> Row {
                 .ok(),
         }
     });
-    let points: Vec<Point> = points.collect();
-    let statement = Statement {
+    let points: Vec<TrendPoint> = points.collect();
+    let statement = TrendStatement {
         name: &trend.name,
         source: &trend.source,
         expect: trend.expect,
         key: &trend.key,
         out_of_reach: trend.out_of_reach.as_deref(),
     };
-    hold_trend(statement, unit(&trend.quantity).to_owned(), points, missing)
+    compare_trend(statement, unit(&trend.quantity).to_owned(), points, missing)
 }
 
 /// The quantity of a trend at one value of its key.

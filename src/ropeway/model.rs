@@ -6,7 +6,7 @@ use std::fmt;
 use serde::Deserialize;
 
 use crate::case::{Direction, Mark};
-use crate::reference::Printed;
+use crate::reference::PublishedNumber;
 
 /// Everything a ropeway file says. The platform stands at x = 0 and holds end A, the ship holds end B
 /// at the span; z = 0 is still water.
@@ -44,7 +44,7 @@ pub struct Ropeway {
     pub marks: BTreeMap<String, Mark>,
     /// Published values the ropeway is held against.
     #[serde(default)]
-    pub published: Vec<Printed>,
+    pub published: Vec<PublishedNumber>,
     /// Published statements of trend.
     #[serde(default)]
     pub trend: Vec<Trend>,

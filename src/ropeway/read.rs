@@ -11,7 +11,7 @@ use super::work::{Worked, work};
 use crate::case::fields::{FieldRow, Lister, Schema, either};
 use crate::case::kind::{self, FileKind};
 use crate::case::{self, Diagnostic, Mark, Misfit, Node};
-use crate::reference::printed;
+use crate::reference::published_number;
 
 /// A ropeway with the text and the file it came from.
 pub type Loaded = case::Opened<Worked>;
@@ -80,7 +80,10 @@ fn check(ropeway: &Ropeway) -> Vec<Misfit> {
             "give the ends less difference of height, or a longer span",
         ));
     }
-    wrong.extend(printed::misfits(&ropeway.published, unknown_quantity));
+    wrong.extend(published_number::misfits(
+        &ropeway.published,
+        unknown_quantity,
+    ));
     for (i, trend) in ropeway.trend.iter().enumerate() {
         let taken = ropeway.trend.iter().take(i).any(|t| t.name == trend.name);
         let name = if taken {

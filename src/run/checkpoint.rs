@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
-use super::front::Front;
 use super::response::Response;
 use super::store::{Rows, Shapes, StoreError};
+use super::touchdown_speed::TouchdownSpeed;
 use super::{LineShape, Profile};
 use crate::dynamics::{Grid, MarchProgress, MethodState};
 use crate::solve::State;
@@ -31,7 +31,7 @@ pub struct Checkpoint {
     pub longest: Vec<f64>,
     /// How the line lay down on the bed so far.
     #[serde(default)]
-    pub front: Option<Front>,
+    pub front: Option<TouchdownSpeed>,
     /// What the start gave to be said.
     pub warnings: Vec<String>,
     /// Where the march is.

@@ -4,17 +4,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rustix::time::{ClockId, clock_gettime};
 
-use super::began::began;
-use super::curves;
+use super::initial_equilibrium::come_to_rest;
 use super::job::Event;
-use super::marching::{Ended, From, march, phases};
-use super::modes;
-use super::opposed;
+use super::natural_modes;
+use super::published_curve;
 use super::recorder::Recorder;
-use super::rest::come_to_rest;
+use super::requested_statistics::RequestedStatistic;
 use super::settings::{position_tolerance, settings, tell_damping, tell_of_modes};
-use super::statistic::Wanted;
-use super::steady;
+use super::steady_state;
+use super::time_march::{From, MarchResult, march, phases};
+use super::warm_start::warm_start;
+use super::wave_decomposition;
 use super::{Cost, History, LineShape, Profile, Quantity, Resume, RunState, Settings, Work};
 use crate::case::{Case, Method, WaterSurface};
 use crate::dynamics::generalized_alpha::{ErrorLimits, GeneralizedAlpha};
@@ -36,7 +36,7 @@ pub(super) struct Computed {
     pub(super) shapes: Vec<LineShape>,
     pub(super) profile: Profile,
     /// The single numbers wanted, and what they are; absent where they cannot be taken.
-    pub(super) wanted: Vec<Wanted>,
+    pub(super) wanted: Vec<RequestedStatistic>,
     pub(super) numbers: Vec<Option<f64>>,
     /// What is told of natural modes and of when the motion is steady, without errors.
     pub(super) modes: Vec<Quantity>,
@@ -46,7 +46,7 @@ pub(super) struct Computed {
 
 /// The time step of a computation.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Step {
+pub(super) enum StepScale {
     /// As the case sets it, or as chosen for it.
     AsSet,
     /// Such that the time error is `r^p` times as large, p the order of the method: r times the step or, where the steps
@@ -82,14 +82,14 @@ pub(super) fn compute_from(
     cancel: &AtomicBool,
     events: &mut dyn FnMut(Event),
 ) -> Computed {
-    compute_on(case, 1, Step::AsSet, from, cancel, events)
+    compute_on(case, 1, StepScale::AsSet, from, cancel, events)
 }
 
 /// Computes a case on a mesh coarsened by `coarsening`.
 pub(super) fn compute(
     case: &Case,
     coarsening: usize,
-    step: Step,
+    step: StepScale,
     cancel: &AtomicBool,
     events: &mut dyn FnMut(Event),
 ) -> Computed {
@@ -99,7 +99,7 @@ pub(super) fn compute(
 fn compute_on(
     case: &Case,
     coarsening: usize,
-    step: Step,
+    step: StepScale,
     from: Option<&Resume>,
     cancel: &AtomicBool,
     events: &mut dyn FnMut(Event),
@@ -109,7 +109,7 @@ fn compute_on(
         Err(error) => return Computed::failed(error.to_string()),
     };
     let mut settings = settings(case, &scene);
-    if let Step::Times(ratio) = step {
+    if let StepScale::Times(ratio) = step {
         settings.time_step_s *= ratio;
         settings.step_tolerance = settings.step_tolerance.map(|t| ratio.powi(3) * t);
     }
@@ -126,7 +126,7 @@ fn compute_on(
     let mut recorder = Recorder::new(case, &phases[0], events, &stop);
     let ended = solve(case, &phases, &settings, &mut recorder, &mut warnings, from);
     recorder.finish();
-    opposed::tell(case, &phases[0], &mut recorder.profile);
+    wave_decomposition::decompose_response(case, &phases[0], &mut recorder.profile);
     let cost = Cost {
         cpu_s: cpu_time() - cpu,
         wall_s: wall.elapsed().as_secs_f64(),
@@ -141,7 +141,10 @@ fn compute_on(
         &ended.lengths,
         &frequencies(&modes),
     ));
-    modes.extend(steady::number(case, recorder.kept.shapes()));
+    modes.extend(steady_state::settling_quantity(
+        case,
+        recorder.kept.shapes(),
+    ));
     let Recorder {
         kept,
         gather,
@@ -152,7 +155,7 @@ fn compute_on(
     warnings.extend(troubles);
     let (history, shapes) = kept.into_parts();
     let (wanted, numbers) = gather.finish(&history.channels, &profile);
-    let curves = curves::numbers(case, &history);
+    let curves = published_curve::differences(case, &history);
     Computed {
         state: ended.state,
         failure: ended.failure,
@@ -172,7 +175,7 @@ fn compute_on(
 
 /// Natural modes where the case asks for them, or a warning why there are none.
 fn told_modes(case: &Case, scene: &Scene, warnings: &mut Vec<String>) -> Vec<Quantity> {
-    modes::numbers(case, scene).unwrap_or_else(|why| {
+    natural_modes::frequencies(case, scene).unwrap_or_else(|why| {
         warnings.push(format!("natural modes are not told: {why}"));
         Vec::new()
     })
@@ -191,8 +194,8 @@ fn cpu_time() -> f64 {
 }
 
 /// A run that gave up before its first step.
-pub(super) fn refused(failure: String, work: Work) -> Ended {
-    Ended {
+pub(super) fn refused(failure: String, work: Work) -> MarchResult {
+    MarchResult {
         state: RunState::Failed,
         failure: Some(failure),
         work,
@@ -208,12 +211,12 @@ fn solve<'a>(
     sink: &mut Recorder<'a>,
     warnings: &mut Vec<String>,
     from: Option<&Resume>,
-) -> Ended {
+) -> MarchResult {
     let scene = &phases[0];
     let mut state = scene.initial_state();
     let mut work = Work::default();
     let said = warnings.len();
-    let began = match began(case, scene) {
+    let began = match warm_start(case, scene) {
         Ok(began) => began.filter(|_| from.is_none()),
         Err(failure) => return refused(failure, work),
     };
@@ -251,7 +254,7 @@ fn run_method<'a>(
     sink: &mut Recorder<'a>,
     work: Work,
     from: &From<'_>,
-) -> Ended {
+) -> MarchResult {
     let scene = &phases[0];
     let nodes = scene.nodes();
     let tolerance = position_tolerance(case, scene);
@@ -259,7 +262,7 @@ fn run_method<'a>(
     match case.solver.method {
         Method::Static => {
             give(sink, state);
-            Ended {
+            MarchResult {
                 state: RunState::Done,
                 failure: None,
                 work,

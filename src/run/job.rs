@@ -11,8 +11,8 @@ use crossbeam_channel::Sender;
 use super::compute::{self, Computed};
 use super::store::rfc3339;
 use super::{
-    Checkpoint, Cost, Frame, Resume, Run, RunInfo, RunState, Settings, VERSION, Work, errors,
-    limits, settings,
+    Checkpoint, Cost, Frame, Resume, Run, RunInfo, RunState, Settings, VERSION, Work,
+    error_estimate, limits, settings,
 };
 use crate::case::{Case, Method, stand_alone};
 use crate::scene;
@@ -143,21 +143,21 @@ pub fn execute_from(
     computed.settings.method_reason = reason;
     let done = computed.state == RunState::Done;
     let companions = std::time::Instant::now();
-    let mut estimated = errors::Estimates::default();
+    let mut estimated = error_estimate::Estimates::default();
     if done && request.case.solver.error_estimate {
         events(Event::Estimating);
-        estimated = errors::estimate(&request.case, &computed, cancel);
+        estimated = error_estimate::estimate(&request.case, &computed, cancel);
     }
     computed.settings.error_method = estimated.method.clone();
     computed.profile.rms_error = std::mem::take(&mut estimated.rms);
     let checks = limits::check(&request.case, &computed.profile);
-    let exceeded = checks.iter().flat_map(limits::Check::warnings);
+    let exceeded = checks.iter().flat_map(limits::LimitCheck::warnings);
     computed.warnings.extend(exceeded);
     let cost = Cost {
         companions_wall_s: companions.elapsed().as_secs_f64(),
         ..computed.cost
     };
-    let summary = errors::summary(&computed, &estimated);
+    let summary = error_estimate::summary(&computed, &estimated);
     assemble(
         request,
         computed,

@@ -6,7 +6,7 @@ use crate::case::{Case, Material, Section};
 
 /// A section held against the limits of its material.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Check {
+pub struct LimitCheck {
     /// The section.
     pub section: String,
     /// What it is made of.
@@ -21,16 +21,16 @@ pub struct Check {
     pub least_radius: Option<f64>,
 }
 
-impl Check {
+impl LimitCheck {
     /// Tension by breaking load \[-\].
     #[must_use]
-    pub fn of_break_load(&self) -> Option<f64> {
+    pub fn tension_utilisation(&self) -> Option<f64> {
         Some(self.tension.0 / self.break_load?)
     }
 
     /// Least radius allowed by the smallest there is \[-\]: above 1 the section is bent too sharply.
     #[must_use]
-    pub fn of_bending(&self) -> Option<f64> {
+    pub fn bending_utilisation(&self) -> Option<f64> {
         Some(self.least_radius? / self.radius?.0)
     }
 
@@ -38,7 +38,7 @@ impl Check {
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
         let mut list = Vec::new();
-        if let (Some(share), Some(load)) = (self.of_break_load(), self.break_load)
+        if let (Some(share), Some(load)) = (self.tension_utilisation(), self.break_load)
             && share > 1.0
         {
             list.push(format!(
@@ -47,7 +47,7 @@ impl Check {
             ));
         }
         if let (Some(share), Some(least), Some((radius, arc))) =
-            (self.of_bending(), self.least_radius, self.radius)
+            (self.bending_utilisation(), self.least_radius, self.radius)
             && share > 1.0
         {
             list.push(format!(
@@ -62,7 +62,7 @@ impl Check {
 
 /// The sections whose material states a limit, from end A.
 #[must_use]
-pub fn check(case: &Case, profile: &Profile) -> Vec<Check> {
+pub fn check(case: &Case, profile: &Profile) -> Vec<LimitCheck> {
     let mut from = 0.0;
     let mut list = Vec::new();
     for section in &case.line {
@@ -80,7 +80,7 @@ fn held_against(
     material: &Material,
     profile: &Profile,
     (from, to): (f64, f64),
-) -> Option<Check> {
+) -> Option<LimitCheck> {
     if material.break_load_n.is_none() && material.min_bend_radius_m.is_none() {
         return None;
     }
@@ -93,7 +93,7 @@ fn held_against(
             .reduce(|best, here| if here.0 > best.0 { here } else { best })
     };
     let bend = greatest(&profile.curvature_max).filter(|(curvature, _)| *curvature > 0.0);
-    Some(Check {
+    Some(LimitCheck {
         section: section.name.clone(),
         material: section.material.clone(),
         tension: greatest(&profile.tension_max)?,

@@ -15,7 +15,7 @@ pub struct Run {
     pub info: RunInfo,
     /// The exact text of the case, with every override applied, and with the files it names.
     pub case_text: String,
-    /// Channels against time; of a long run some of the output times, see [`Thinned`](super::Thinned).
+    /// Channels against time; of a long run some of the output times, see [`DecimatedRecord`](super::DecimatedRecord).
     pub history: History,
     /// Shapes of the line at chosen instants, oldest first; thinned likewise.
     pub shapes: Vec<LineShape>,
@@ -72,7 +72,7 @@ pub struct RunInfo {
 #[serde(rename_all = "lowercase")]
 pub enum RunState {
     /// Written while the run goes on; found on disk it means that, or that the program was killed: see
-    /// [`is_held`](super::store::is_held).
+    /// [`is_locked`](super::store::is_locked).
     Partial,
     /// Complete.
     Done,

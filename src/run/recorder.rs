@@ -1,14 +1,16 @@
 //! Takes the accepted steps of a solver and makes of them channels, shapes and envelopes.
 
-use super::envelope::Envelope;
-use super::front::Front;
-use super::gather::Gather;
+use super::channel_statistics::ChannelStatistics;
+use super::decimation::{DecimatedRecord, widen};
 use super::job::Event;
-use super::peaks::Peaks;
+use super::peak_tension::PeakTension;
 use super::response::Response;
+use super::step_envelope::StepEnvelope;
 use super::store::StoreError;
-use super::thin::{Thinned, widen};
-use super::{Channel, Checkpoint, Frame, LineShape, Profile, Progress, Resume, statistic};
+use super::touchdown_speed::TouchdownSpeed;
+use super::{
+    Channel, Checkpoint, Frame, LineShape, Profile, Progress, Resume, requested_statistics,
+};
 use crate::case::{self, Case, LineEnd, RopeQuantity, Source};
 use crate::scene::Scene;
 use crate::solve::{Instant, Progressing, Sink, State, System};
@@ -18,18 +20,18 @@ pub(super) struct Recorder<'a> {
     scene: &'a Scene,
     sources: Vec<Source>,
     /// What is kept in memory of what was recorded so far.
-    pub(super) kept: Thinned,
+    pub(super) kept: DecimatedRecord,
     /// The single numbers wanted, taken in row by row.
-    pub(super) gather: Gather,
+    pub(super) gather: ChannelStatistics,
     /// What could not be recorded, in words.
     pub(super) troubles: Vec<String>,
     pub(super) profile: Profile,
-    envelope: Envelope,
+    envelope: StepEnvelope,
     /// How fast the line lies down on the bed.
-    pub(super) front: Front,
+    pub(super) front: TouchdownSpeed,
     response: Option<Response>,
     latest: Vec<f64>,
-    peaks: Peaks,
+    peaks: PeakTension,
     shape_interval: f64,
     duration: f64,
     clock: std::time::Instant,
@@ -49,7 +51,8 @@ impl<'a> Recorder<'a> {
     ) -> Self {
         let channels = case::channels(case);
         let names: Vec<String> = channels.iter().map(|c| c.name.clone()).collect();
-        let kept = Thinned::new(channels.iter().map(|c| (c.name.clone(), c.unit.to_owned())));
+        let kept =
+            DecimatedRecord::new(channels.iter().map(|c| (c.name.clone(), c.unit.to_owned())));
         let nodes = scene.line_nodes();
         let bending = if scene.flexure.is_some() { nodes } else { 0 };
         let profile = Profile {
@@ -70,14 +73,14 @@ impl<'a> Recorder<'a> {
             scene,
             response: Response::of(case),
             latest: vec![0.0; channels.len()],
-            peaks: Peaks::of(case, scene),
+            peaks: PeakTension::of(case, scene),
             sources: channels.into_iter().map(|c| c.source).collect(),
             kept,
-            gather: Gather::new(statistic::wanted(case, &names)),
+            gather: ChannelStatistics::new(requested_statistics::requested(case, &names)),
             troubles: Vec::new(),
             profile,
-            envelope: Envelope::of(case, scene),
-            front: Front::of(scene),
+            envelope: StepEnvelope::of(case, scene),
+            front: TouchdownSpeed::of(scene),
             shape_interval: case.output.shape_interval_s,
             duration: if case.solver.method == case::Method::Static {
                 0.0

@@ -17,31 +17,31 @@
 //! appears under its name with `case.toml` and `run.toml` (state `partial`) already in it; history and
 //! shapes grow while the run goes on; at the end every file is written beside its name, synced and
 //! renamed, and `run.toml` with the final state goes last. While a program computes a run it holds a lock on the
-//! directory ([`is_held`]), so that a partial run that goes on is told from one that was killed.
+//! directory ([`is_locked`]), so that a partial run that goes on is told from one that was killed.
 //!
 //! Numbers are written with the fewest digits that read back to the same bits.
 
-mod begin;
-mod finish;
-mod hold;
+mod complete;
+mod create;
 mod list;
+mod lock;
 mod number;
 mod read;
-mod record;
+mod readers;
 mod ropes;
 mod shapes;
-mod stamp;
 mod table;
+mod timestamp;
 mod writer;
 
 use std::{io, path::PathBuf};
 
-pub use begin::Place;
-pub use hold::is_held;
-pub use list::{Entry, list};
+pub use create::RunLocation;
+pub use list::{StoredRun, list};
+pub use lock::is_locked;
 pub use read::{case_text, read, read_info, resume};
-pub(in crate::run) use record::{Rows, Shapes};
-pub use stamp::{rfc3339, stamp};
+pub(in crate::run) use readers::{Rows, Shapes};
+pub use timestamp::{rfc3339, stamp};
 pub use writer::{Writer, save};
 
 /// The directory under which runs are kept unless the user says otherwise.

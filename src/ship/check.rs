@@ -9,7 +9,7 @@ use super::motion::SixMotions;
 use super::quantities::parts;
 use crate::case::{Misfit, Node};
 use crate::physics::sea::DEGREES;
-use crate::reference::printed::misfits as misfits_of;
+use crate::reference::published_number::misfits as misfits_of;
 use crate::report::number::digits;
 
 /// Everything that cannot be.

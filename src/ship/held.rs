@@ -3,11 +3,11 @@
 use super::model::Ship;
 use super::quantities::{quantity, unit};
 use super::voyage::{Voyage, VoyageError};
-use crate::reference::Row;
+use crate::reference::ValidationRow;
 
 /// Rows for every published value of a ship, in the order of its file.
 #[must_use]
-pub fn rows(ship: &Ship, voyage: Option<&Result<Voyage, VoyageError>>) -> Vec<Row> {
+pub fn rows(ship: &Ship, voyage: Option<&Result<Voyage, VoyageError>>) -> Vec<ValidationRow> {
     let found = |name: &str| match voyage {
         None => Err("The file has no [motion], or it is still being worked out.".to_owned()),
         Some(Err(why)) => Err(format!("There is no such motion: {why}.")),

@@ -9,7 +9,7 @@ use serde::Deserialize;
 pub use motion::{Motion, MotionBy, SpectrumWord};
 
 use crate::case::Mark;
-use crate::reference::Printed;
+use crate::reference::PublishedNumber;
 
 /// Everything a ship file says.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -36,7 +36,7 @@ pub struct Ship {
     pub rope: Option<Rope>,
     /// What the source printed of the motion.
     #[serde(default)]
-    pub published: Vec<Printed>,
+    pub published: Vec<PublishedNumber>,
     /// Where the inputs come from that the source does not print.
     #[serde(default)]
     pub marks: BTreeMap<String, Mark>,

@@ -2,7 +2,7 @@
 
 use super::hard::{Computed, Hard};
 use crate::case::{Case, Trial};
-use crate::reference::{self, Row};
+use crate::reference::{self, ValidationRow};
 use crate::run::{Run, RunState, Settings, Work};
 
 /// How a trial came out.
@@ -185,16 +185,16 @@ fn numbers(hard: &Hard, trial: &Trial, run: &Run, other: Option<&Run>) -> Vec<Nu
 }
 
 /// The published values that a trial names; without names, those of the case as it stands.
-fn rows(case: &Case, trial: &Trial, run: &Run) -> Vec<Row> {
+fn rows(case: &Case, trial: &Trial, run: &Run) -> Vec<ValidationRow> {
     let all = reference::rows(case, &|_| Some(run));
-    let wanted = |row: &Row| match &trial.rows {
+    let wanted = |row: &ValidationRow| match &trial.rows {
         Some(names) => names.contains(&row.name),
         None => row.at.is_none(),
     };
     all.into_iter().filter(wanted).collect()
 }
 
-fn by_closed_form(row: Row) -> Option<Number> {
+fn by_closed_form(row: ValidationRow) -> Option<Number> {
     Some(Number {
         expected: row.published?,
         computed: row.computed,
@@ -205,7 +205,7 @@ fn by_closed_form(row: Row) -> Option<Number> {
     })
 }
 
-fn by_twin(row: Row, twin: &Row, share: f64, name: &str) -> Option<Number> {
+fn by_twin(row: ValidationRow, twin: &ValidationRow, share: f64, name: &str) -> Option<Number> {
     let expected = twin.computed?;
     Some(Number {
         expected,

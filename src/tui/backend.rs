@@ -10,7 +10,7 @@ use crate::report::table::Table;
 use crate::run::Run;
 
 pub use crate::case::fields::FieldRow;
-pub use crate::reference::Row;
+pub use crate::reference::ValidationRow;
 
 /// Reads a text as a case.
 ///
@@ -149,7 +149,7 @@ pub fn plan(case: &Case) -> Vec<Option<At>> {
 
 /// Holds runs against the published values.
 #[must_use]
-pub fn checks(case: &Case, runs: &[(Option<At>, Arc<Run>)]) -> Vec<Row> {
+pub fn checks(case: &Case, runs: &[(Option<At>, Arc<Run>)]) -> Vec<ValidationRow> {
     reference::rows(case, &|at| {
         runs.iter()
             .find(|(have, _)| have.as_ref() == at)
@@ -159,12 +159,12 @@ pub fn checks(case: &Case, runs: &[(Option<At>, Arc<Run>)]) -> Vec<Row> {
 
 /// The validation table.
 #[must_use]
-pub fn checks_table(rows: &[Row]) -> Table {
+pub fn checks_table(rows: &[ValidationRow]) -> Table {
     reference::table(rows)
 }
 
 /// The text report of a run.
 #[must_use]
-pub fn report(run: &Run, case: &Case, rows: &[Row]) -> String {
+pub fn report(run: &Run, case: &Case, rows: &[ValidationRow]) -> String {
     crate::report::text::report(run, case, rows, Glyphs::Braille)
 }

@@ -25,8 +25,8 @@ use super::state::{Curves, Level, RunSlot, SlotKind, SlotState, Ticket};
 use crate::case;
 use crate::modes;
 use crate::run::job::{self, Event, Job, JobId, Request};
-use crate::run::store::{self, Place, Writer};
-use crate::run::{Resume, Run, RunInfo, RunState, onward};
+use crate::run::store::{self, RunLocation, Writer};
+use crate::run::{Resume, Run, RunInfo, RunState, resume_request};
 use crate::ship::AtSea;
 
 /// What is outside of the state.
@@ -154,7 +154,7 @@ impl World {
             }),
             Effect::StartTrials { ticket, of } => self.start_trials(ticket, of),
             Effect::GoOn(dir, until) => {
-                let found = onward(&dir, Some(until)).map(Box::new);
+                let found = resume_request(&dir, Some(until)).map(Box::new);
                 vec![Msg::Onward(dir, until, found)]
             }
             Effect::Cancel(ticket) => {
@@ -294,7 +294,7 @@ fn relay(
 
 fn begin(request: &Request) -> Result<Writer, store::StoreError> {
     Writer::begin(
-        &Place::Below(PathBuf::from(store::DEFAULT_ROOT)),
+        &RunLocation::Below(PathBuf::from(store::DEFAULT_ROOT)),
         request.beginning(),
         &case::stand_alone(&request.text, &request.case),
     )
@@ -358,7 +358,7 @@ fn delete_run(dir: PathBuf) -> Msg {
 }
 
 fn keep_run(run: Arc<Run>) -> Msg {
-    let place = Place::Below(PathBuf::from(store::DEFAULT_ROOT));
+    let place = RunLocation::Below(PathBuf::from(store::DEFAULT_ROOT));
     match store::save(&place, &run) {
         Ok(dir) => Msg::Kept(dir, run),
         Err(error) => Msg::Say(Level::Error, format!("The run cannot be kept: {error}")),

@@ -11,7 +11,7 @@ use seacable::reference;
 use seacable::report::chart::Glyphs;
 use seacable::report::text;
 use seacable::run::job::{self, Request};
-use seacable::run::store::{self, Place, Writer};
+use seacable::run::store::{self, RunLocation, Writer};
 use seacable::run::{Run, RunState};
 
 /// A pendulum for so many output times, each a step of the solver.
@@ -45,7 +45,7 @@ fn computed(request: &Request, dir: &Path) -> (Run, u64) {
         let mut writer: Option<Writer> = None;
         let computed = job::execute(request, &AtomicBool::new(false), &mut |event| {
             let writer = writer.get_or_insert_with(|| {
-                let place = Place::Exactly(dir.to_owned());
+                let place = RunLocation::Exactly(dir.to_owned());
                 Writer::begin(&place, request.beginning(), &request.text).unwrap()
             });
             writer.event(&event).unwrap();

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
 use seacable::case::{self, Case};
-use seacable::reference::{Outcome, Row, rows};
+use seacable::reference::{Outcome, ValidationRow, rows};
 use seacable::report::figures::published_curves;
 use seacable::run::Run;
 use seacable::run::job::{Request, execute};
@@ -63,7 +63,7 @@ fn run(case: Case) -> Run {
     execute(&request, &AtomicBool::new(false), &mut |_| {})
 }
 
-fn held(case: &Case, run: &Run) -> Vec<Row> {
+fn held(case: &Case, run: &Run) -> Vec<ValidationRow> {
     rows(case, &|at| at.is_none().then_some(run))
 }
 

@@ -7,7 +7,7 @@ use std::process::{Command, Output};
 
 use proptest::prelude::*;
 use seacable::case::shipped::ROPEWAYS;
-use seacable::reference::{Outcome, tally};
+use seacable::reference::{Outcome, count_outcomes};
 use seacable::report::chart::Glyphs;
 use seacable::ropeway::exact::Carrier;
 use seacable::ropeway::winch::{HangPoint, Held, extremes, follow};
@@ -39,7 +39,7 @@ fn the_tables_of_the_paper_hold_and_its_slips_are_told() {
         let path = format!("ropeway/span_{span}.toml");
         let (_, text) = ROPEWAYS.iter().find(|known| known.0 == path).unwrap();
         let rows = held::rows(&parse(text, &path).unwrap(), text);
-        let count = tally(&rows);
+        let count = count_outcomes(&rows);
         assert_eq!((count.pass, count.differs), (pass, differs), "{path}");
         assert_eq!((count.fail, count.not_run), (0, 0), "{path}");
         // Theory within 1e-4 or the printed digits; what ANSYS printed within 0.15 %.

@@ -6,7 +6,7 @@ use std::sync::{LazyLock, atomic::AtomicBool};
 use rayon::prelude::*;
 use seacable::{
     case::{self, At, Case, shipped::SHIPPED},
-    reference::{self, Outcome, Row},
+    reference::{self, Outcome, ValidationRow},
     run::{
         Run, RunState,
         job::{self, Request},
@@ -14,14 +14,14 @@ use seacable::{
 };
 
 /// Rows of every shipped case, by its path.
-static ROWS: LazyLock<Vec<(&str, Vec<Row>)>> = LazyLock::new(|| {
+static ROWS: LazyLock<Vec<(&str, Vec<ValidationRow>)>> = LazyLock::new(|| {
     SHIPPED
         .par_iter()
         .map(|(path, text)| (*path, rows(path, text)))
         .collect()
 });
 
-fn rows(path: &str, text: &str) -> Vec<Row> {
+fn rows(path: &str, text: &str) -> Vec<ValidationRow> {
     let case = case::parse(text, path).unwrap();
     let runs: Vec<(Option<At>, Run)> = reference::plan(&case)
         .into_par_iter()
@@ -64,7 +64,7 @@ fn compute(path: &str, text: &str, case: &Case, at: Option<&At>) -> Run {
     run
 }
 
-fn of(path: &str, name: &str) -> Vec<&'static Row> {
+fn of(path: &str, name: &str) -> Vec<&'static ValidationRow> {
     let (_, rows) = ROWS.iter().find(|(p, _)| p.ends_with(path)).unwrap();
     rows.iter().filter(|row| row.name.contains(name)).collect()
 }
@@ -99,7 +99,7 @@ fn what_differs_says_why() {
 /// published" it is up to 0.31 m with 57 segments, 0.25 m with 70 and 0.41 m with 112. All others are below a tenth.
 /// Share of its tolerance that the numerical error of a row may be: a tenth, but where the row cannot do better. Its
 /// note in the table says so then.
-fn allowed(path: &str, row: &Row) -> f64 {
+fn allowed(path: &str, row: &ValidationRow) -> f64 {
     match (path, row.name.as_str()) {
         // A drag coefficient that jumps leaves the travel undetermined on any mesh.
         (path, name) if name.starts_with("travel") => match path.ends_with("as_published.toml") {

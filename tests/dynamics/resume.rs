@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 
 use seacable::case;
 use seacable::run::job::{self, Event, Request};
-use seacable::run::store::{self, Place, Writer};
+use seacable::run::store::{self, RunLocation, Writer};
 use seacable::run::{Checkpoint, Resume, Run, RunState};
 
 /// A line that is dragged over a rough bed, snaps and is let go, so that every memory there is counts.
@@ -46,7 +46,7 @@ fn run(request: &Request, from: Option<&Resume>) -> (Run, Checkpoint) {
 
 /// Runs a request into a directory.
 fn stored(request: &Request, from: Option<&Resume>, dir: &Path) -> Run {
-    let place = Place::Exactly(dir.to_owned());
+    let place = RunLocation::Exactly(dir.to_owned());
     let mut writer = Writer::begin(&place, request.beginning(), &request.text).unwrap();
     let run = job::execute_from(request, from, &AtomicBool::new(false), &mut |event| {
         writer.event(&event).unwrap();
@@ -91,7 +91,7 @@ fn a_killed_run_goes_on_from_its_last_checkpoint() {
     let (run_whole, _) = run(&whole, None);
     let (_, checkpoint) = run(&request("alpha", 3.0), None);
     let info = run_whole.info.clone();
-    let mut writer = Writer::begin(&Place::Exactly(dir.clone()), info, &whole.text).unwrap();
+    let mut writer = Writer::begin(&RunLocation::Exactly(dir.clone()), info, &whole.text).unwrap();
     job::execute(&whole, &AtomicBool::new(false), &mut |event| {
         let late = matches!(&event, Event::Frame(frame) if frame.time > 5.0);
         let checkpoint = matches!(event, Event::Checkpoint(_));
@@ -102,8 +102,8 @@ fn a_killed_run_goes_on_from_its_last_checkpoint() {
     writer
         .event(&Event::Checkpoint(Box::new(checkpoint)))
         .unwrap();
-    assert!(store::is_held(&dir));
-    let refused = seacable::run::onward(&dir, None).unwrap_err();
+    assert!(store::is_locked(&dir));
+    let refused = seacable::run::resume_request(&dir, None).unwrap_err();
     assert!(refused.contains("still being computed"), "{refused}");
     let told = store::read(&dir).unwrap().info.warnings;
     assert!(
@@ -112,7 +112,7 @@ fn a_killed_run_goes_on_from_its_last_checkpoint() {
     );
     // A writer that is gone holds nothing, however it went.
     drop(writer);
-    assert!(!store::is_held(&dir));
+    assert!(!store::is_locked(&dir));
     let told = store::read(&dir).unwrap().info.warnings;
     assert!(
         told.iter()

@@ -11,8 +11,8 @@ use std::sync::atomic::AtomicBool;
 use crate::small::SMALL;
 use seacable::case::{self, Case, edit};
 use seacable::run::job::{self, Request};
-use seacable::run::store::{self, Place, Writer};
-use seacable::run::{Run, RunState, onward};
+use seacable::run::store::{self, RunLocation, Writer};
+use seacable::run::{Run, RunState, resume_request};
 
 /// The pendulum with these keys set.
 fn text(keys: &[(&str, &str)]) -> String {
@@ -37,7 +37,7 @@ fn request(text: String, case: Case) -> Request {
 
 fn stored(request: &Request, dir: &Path) -> Run {
     let whole = case::stand_alone(&request.text, &request.case).into_owned();
-    let place = Place::Exactly(dir.to_owned());
+    let place = RunLocation::Exactly(dir.to_owned());
     let mut writer = Writer::begin(&place, request.beginning(), &whole).unwrap();
     let run = job::execute(request, &AtomicBool::new(false), &mut |event| {
         writer.event(&event).unwrap();
@@ -83,7 +83,7 @@ fn starting_from_a_run_is_going_on_with_it() {
         let text = text(&keys);
         let case = case::parse(&text, "small.toml").unwrap();
         stored(&request(text, case), &dir);
-        let (resumed, stands) = onward(&dir, Some(4.0)).unwrap();
+        let (resumed, stands) = resume_request(&dir, Some(4.0)).unwrap();
         let whole = job::execute_from(
             &resumed,
             Some(&stands),

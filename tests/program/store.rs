@@ -11,11 +11,11 @@ use std::{
 
 use seacable::run::{
     Frame, LineShape, Progress, Run, RunState,
-    store::{Place, StoreError, Writer, list, read, save},
+    store::{RunLocation, StoreError, Writer, list, read, save},
 };
 
 fn saved(root: &Path) -> PathBuf {
-    save(&Place::Below(root.to_owned()), &sample::run()).unwrap()
+    save(&RunLocation::Below(root.to_owned()), &sample::run()).unwrap()
 }
 
 /// The shape at the time of a row.
@@ -30,7 +30,7 @@ fn shape(run: &Run, row: usize) -> LineShape {
 fn begun(root: &Path, rows: usize) -> Writer {
     let run = sample::run();
     let mut writer = Writer::begin(
-        &Place::Below(root.to_owned()),
+        &RunLocation::Below(root.to_owned()),
         run.info.clone(),
         &run.case_text,
     )
@@ -134,7 +134,7 @@ fn a_run_that_only_just_began_reads_as_partial() {
     let root = tempfile::tempdir().unwrap();
     let run = sample::run();
     let writer = Writer::begin(
-        &Place::Below(root.path().to_owned()),
+        &RunLocation::Below(root.path().to_owned()),
         run.info.clone(),
         &run.case_text,
     )
@@ -279,7 +279,7 @@ fn names_never_collide() {
 fn a_chosen_directory_must_be_new_or_empty() {
     let root = tempfile::tempdir().unwrap();
     let dir = root.path().join("a").join("b");
-    let place = Place::Exactly(dir.clone());
+    let place = RunLocation::Exactly(dir.clone());
     assert_eq!(save(&place, &sample::run()).unwrap(), dir);
     assert_eq!(read(&dir).unwrap().info.id, "b");
     assert!(matches!(
@@ -289,12 +289,12 @@ fn a_chosen_directory_must_be_new_or_empty() {
 
     let empty = root.path().join("empty");
     fs::create_dir(&empty).unwrap();
-    save(&Place::Exactly(empty), &sample::run()).unwrap();
+    save(&RunLocation::Exactly(empty), &sample::run()).unwrap();
 
     let file = root.path().join("file");
     fs::write(&file, "x").unwrap();
     assert!(matches!(
-        save(&Place::Exactly(file), &sample::run()),
+        save(&RunLocation::Exactly(file), &sample::run()),
         Err(StoreError::Taken(_))
     ));
 }
@@ -305,7 +305,7 @@ fn the_list_is_newest_first_and_shows_damaged_runs() {
     let with = |started: &str, name: &str| {
         let mut run = sample::run();
         started.clone_into(&mut run.info.started);
-        save(&Place::Exactly(root.path().join(name)), &run).unwrap()
+        save(&RunLocation::Exactly(root.path().join(name)), &run).unwrap()
     };
     with("2026-11-20T00:00:00Z", "old");
     with("2026-11-22T00:00:00Z", "new");

@@ -1,15 +1,15 @@
 //! Published curves laid over what a run gives.
 
-use crate::reference::Row;
+use crate::reference::ValidationRow;
 use crate::report::chart::{Axis, Chart, Series};
 
 /// A chart for every published curve among the rows of a validation table: the curve at the times of the run, over the run.
 #[must_use]
-pub fn published_curves(rows: &[Row]) -> Vec<Chart> {
+pub fn published_curves(rows: &[ValidationRow]) -> Vec<Chart> {
     rows.iter().filter_map(chart).collect()
 }
 
-fn chart(row: &Row) -> Option<Chart> {
+fn chart(row: &ValidationRow) -> Option<Chart> {
     let overlay = row.overlay.as_ref()?;
     let mut series = vec![Series::new("published", 0, overlay.published.clone())];
     if !overlay.computed.is_empty() {

@@ -1,7 +1,7 @@
 //! What a case states along its studies: published and computed numbers over the key that is varied.
 
 use crate::case::{Case, Statistic, Study, fields};
-use crate::reference::Row;
+use crate::reference::ValidationRow;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::run::quantity_name;
 
@@ -11,7 +11,7 @@ type Subject<'c> = (&'c str, &'c str, Statistic, Option<[f64; 2]>);
 /// The charts of the studies of a case, from the rows of its validation table: one for each quantity that is stated at
 /// several points of a study, or of which a trend is stated; in the order in which the case states them.
 #[must_use]
-pub fn along_studies(case: &Case, rows: &[Row]) -> Vec<Chart> {
+pub fn along_studies(case: &Case, rows: &[ValidationRow]) -> Vec<Chart> {
     let mut all: Vec<(Subject<'_>, Chart)> = Vec::new();
     for (published, row) in case.published.iter().zip(rows) {
         let plain = row.from.is_none() && row.by.is_none() && published.by_stretch_m.is_none();
@@ -64,7 +64,7 @@ fn of<'a, 'c>(
     all: &'a mut Vec<(Subject<'c>, Chart)>,
     case: &Case,
     subject: Subject<'c>,
-    row: &Row,
+    row: &ValidationRow,
 ) -> &'a mut Chart {
     let place = all.iter().position(|(known, _)| *known == subject);
     let place = place.unwrap_or_else(|| {
@@ -74,7 +74,11 @@ fn of<'a, 'c>(
     &mut all[place].1
 }
 
-fn empty(case: &Case, (study, channel, statistic, within): Subject<'_>, row: &Row) -> Chart {
+fn empty(
+    case: &Case,
+    (study, channel, statistic, within): Subject<'_>,
+    row: &ValidationRow,
+) -> Chart {
     let quantity = quantity_name(channel, statistic, within);
     let key = case.study.iter().find(|s| s.name == study);
     Chart {

@@ -3,7 +3,7 @@
 use super::layout::{Page, WIDTH};
 use crate::{
     case::Case,
-    reference::Row,
+    reference::ValidationRow,
     report::{
         chart::{Chart, Glyphs, draw, extent},
         figures::{
@@ -23,7 +23,7 @@ const HEIGHT: usize = 20;
 const MAP_HEIGHT: usize = 30;
 
 /// Every chart that has something to show; of the rows of its case, the curves that the run was held against.
-pub(super) fn all(page: &mut Page, run: &Run, case: &Case, rows: &[Row], glyphs: Glyphs) {
+pub(super) fn all(page: &mut Page, run: &Run, case: &Case, rows: &[ValidationRow], glyphs: Glyphs) {
     let sources = [Source::whole(run, "")];
     let mut charts = Vec::new();
     if run.history.time.len() > 1 {

@@ -1,21 +1,21 @@
 //! Published values against a run: the table with its notes, and the tally.
 
 use super::layout::{Page, WIDTH};
-use crate::reference::{self, Row};
+use crate::reference::{self, ValidationRow};
 
 /// The validation table on 80 columns, a note to every row, and the tally.
 #[must_use]
-pub fn validation(rows: &[Row]) -> String {
+pub fn validation(rows: &[ValidationRow]) -> String {
     let mut page = Page::default();
     page.block(&reference::table(rows).to_text(WIDTH));
     page.line("");
-    page.line(&reference::tally(rows).to_string());
+    page.line(&reference::count_outcomes(rows).to_string());
     page.finish()
 }
 
 /// Says of a single run that its case has rows for other variants.
-pub(super) fn unrun(page: &mut Page, rows: &[Row]) {
-    let count = reference::tally(rows).not_run;
+pub(super) fn unrun(page: &mut Page, rows: &[ValidationRow]) {
+    let count = reference::count_outcomes(rows).not_run;
     if count > 0 {
         page.line("");
         page.paragraph(

@@ -5,12 +5,12 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{StoreError, is_held, read_info};
+use super::{StoreError, is_locked, read_info};
 use crate::run::{RunInfo, RunState};
 
 /// One run directory.
 #[derive(Debug)]
-pub struct Entry {
+pub struct StoredRun {
     /// Where it is.
     pub dir: PathBuf,
     /// What its `run.toml` says, or why it cannot be read.
@@ -24,7 +24,7 @@ pub struct Entry {
 ///
 /// # Errors
 /// The directory cannot be listed.
-pub fn list(root: &Path) -> Result<Vec<Entry>, StoreError> {
+pub fn list(root: &Path) -> Result<Vec<StoredRun>, StoreError> {
     let inside = match fs::read_dir(root) {
         Ok(inside) => inside,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
@@ -44,8 +44,8 @@ pub fn list(root: &Path) -> Result<Vec<Entry>, StoreError> {
             Err(StoreError::NotARun(_)) => {}
             info => {
                 let partial = |i: &RunInfo| i.state == RunState::Partial;
-                let held = info.as_ref().is_ok_and(partial) && is_held(&dir);
-                entries.push(Entry { dir, info, held });
+                let held = info.as_ref().is_ok_and(partial) && is_locked(&dir);
+                entries.push(StoredRun { dir, info, held });
             }
         }
     }
@@ -54,7 +54,7 @@ pub fn list(root: &Path) -> Result<Vec<Entry>, StoreError> {
 }
 
 /// Beginning of the run, then a name in which counters sort as numbers; empty for damaged ones.
-fn age(entry: &Entry) -> (String, usize, String) {
+fn age(entry: &StoredRun) -> (String, usize, String) {
     match &entry.info {
         Ok(info) => (info.started.clone(), info.id.len(), info.id.clone()),
         Err(_) => (String::new(), 0, entry.dir.to_string_lossy().into_owned()),

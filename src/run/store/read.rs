@@ -4,15 +4,16 @@ use std::{fs, io, path::Path};
 
 use super::{
     CASE, CHANNELS, CHECKPOINT, ERRORS, PROFILE, ROPES, RUN, Rows, SUMMARY, Shapes, StoreError,
-    finish::{CHANNEL_COLUMNS, ERROR_COLUMNS, SUMMARY_COLUMNS},
-    is_held,
+    complete::{CHANNEL_COLUMNS, ERROR_COLUMNS, SUMMARY_COLUMNS},
+    is_locked,
     number::parse,
     ropes::{ROPE_COLUMNS, read_ropes},
     shapes::{self, BENDING_COLUMNS, PROFILE_COLUMNS, RESPONSE_COLUMNS},
     table,
 };
 use crate::run::{
-    Channel, Checkpoint, History, Profile, Quantity, Resume, Run, RunInfo, RunState, Thinned,
+    Channel, Checkpoint, DecimatedRecord, History, Profile, Quantity, Resume, Run, RunInfo,
+    RunState,
 };
 
 /// Reads a run. What is damaged or missing is left out, and said in [`RunInfo::warnings`]; so is a
@@ -44,7 +45,9 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
         summary,
     };
     if !whole {
-        run.info.warnings.push(partial(is_held(dir), &run.history));
+        run.info
+            .warnings
+            .push(partial(is_locked(dir), &run.history));
     }
     run.info.warnings.extend(warnings);
     Ok(run)
@@ -142,13 +145,13 @@ impl Reader<'_> {
     }
 
     /// History and shapes, thinned where they are long.
-    fn record(&mut self) -> Thinned {
+    fn record(&mut self) -> DecimatedRecord {
         let known = self.channels();
         let of = |name: &String| known.iter().find(|c| c.name == *name);
         let mut rows = Rows::open(self.dir);
         let unit = |name| of(name).map_or_else(String::new, |c| c.unit.clone());
         let named = rows.names().iter().map(|name| (name.clone(), unit(name)));
-        let mut kept = Thinned::new(named);
+        let mut kept = DecimatedRecord::new(named);
         while let Some((time, values)) = rows.next() {
             kept.row(time, values);
         }

@@ -3,7 +3,7 @@
 use super::{
     StoreError,
     number::{self, text},
-    record::not_a_number,
+    readers::not_a_number,
     table::{Csv, Rows},
 };
 use crate::run::{LineShape, Profile};

@@ -8,8 +8,8 @@ use std::{
 };
 
 use super::{
-    CHANNELS, CHECKPOINT, HISTORY, Place, SHAPES, StoreError, begin, finish,
-    hold::Hold,
+    CHANNELS, CHECKPOINT, HISTORY, RunLocation, SHAPES, StoreError, complete, create,
+    lock::DirectoryLock,
     number,
     shapes::{SHAPE_COLUMNS, write_shape},
     table::Csv,
@@ -30,7 +30,7 @@ pub struct Writer {
     streams: Option<Streams>,
     flushed: Instant,
     /// Says that the run goes on, for as long as it is written.
-    _held: Option<Hold>,
+    _held: Option<DirectoryLock>,
 }
 
 #[derive(Debug)]
@@ -46,8 +46,12 @@ impl Writer {
     ///
     /// # Errors
     /// The directory holds files already, or the system refuses.
-    pub fn begin(place: &Place, mut info: RunInfo, case_text: &str) -> Result<Self, StoreError> {
-        let (dir, held) = begin::create(place, &mut info, case_text)?;
+    pub fn begin(
+        place: &RunLocation,
+        mut info: RunInfo,
+        case_text: &str,
+    ) -> Result<Self, StoreError> {
+        let (dir, held) = create::create(place, &mut info, case_text)?;
         Ok(Self {
             dir,
             id: info.id,
@@ -88,7 +92,7 @@ impl Writer {
     /// # Errors
     /// The system refuses.
     pub fn channels(&mut self, channels: &[(String, String)]) -> Result<(), StoreError> {
-        begin::replace(&self.dir, CHANNELS, &finish::channel_units(channels)?)?;
+        create::replace(&self.dir, CHANNELS, &complete::channel_units(channels)?)?;
         let names = channels.iter().map(|(name, _)| name.as_str());
         let history = self.stream(HISTORY, Csv::new(std::iter::once("time_s").chain(names))?)?;
         let shapes = self.stream(SHAPES, Csv::new(SHAPE_COLUMNS)?)?;
@@ -132,7 +136,7 @@ impl Writer {
             file: self.dir.join(CHECKPOINT),
             reason: error.to_string(),
         })?;
-        begin::replace(&self.dir, CHECKPOINT, text.as_bytes())
+        create::replace(&self.dir, CHECKPOINT, text.as_bytes())
     }
 
     /// Brings everything taken so far to disk.
@@ -168,7 +172,7 @@ impl Writer {
                     .map_err(StoreError::io("Writing", self.dir.join(name)))?;
             }
         }
-        finish::all(&self.dir, &self.id, run, streamed.is_some())?;
+        complete::all(&self.dir, &self.id, run, streamed.is_some())?;
         Ok(self.dir)
     }
 
@@ -196,6 +200,6 @@ fn shape_rows(shape: &LineShape) -> Result<Vec<u8>, StoreError> {
 ///
 /// # Errors
 /// The directory holds files already, or the system refuses.
-pub fn save(place: &Place, run: &Run) -> Result<PathBuf, StoreError> {
+pub fn save(place: &RunLocation, run: &Run) -> Result<PathBuf, StoreError> {
     Writer::begin(place, run.info.clone(), &run.case_text)?.finish(run)
 }

@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use super::jobs::Ticket;
 use crate::case::At;
-use crate::run::{Frame, History, LineShape, Progress, Run, Thinned};
+use crate::run::{DecimatedRecord, Frame, History, LineShape, Progress, Run};
 
 /// What is known of a run so far.
 #[derive(Debug, Clone, Default)]
 pub struct Curves {
-    streamed: Thinned,
+    streamed: DecimatedRecord,
     /// The run, once it is complete.
     pub run: Option<Arc<Run>>,
     /// How far it is.
@@ -29,7 +29,7 @@ impl Curves {
 
     /// Names the channels that frames will fill.
     pub fn begin(&mut self, channels: Vec<(String, String)>) {
-        self.streamed = Thinned::new(channels);
+        self.streamed = DecimatedRecord::new(channels);
     }
 
     /// Adds an output instant.
@@ -58,7 +58,7 @@ impl Curves {
             .map(|c| (c.name.clone(), c.unit.clone()))
             .collect();
         let empty = Self {
-            streamed: Thinned::new(channels),
+            streamed: DecimatedRecord::new(channels),
             ..Self::default()
         };
         Some(std::mem::replace(self, empty))
@@ -66,7 +66,7 @@ impl Curves {
 
     /// The complete run takes the place of what was streamed.
     pub fn finish(&mut self, run: Arc<Run>) {
-        self.streamed = Thinned::default();
+        self.streamed = DecimatedRecord::default();
         self.run = Some(run);
     }
 

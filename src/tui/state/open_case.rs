@@ -8,7 +8,7 @@ use super::modes::ModesView;
 use super::sheet::Sheet;
 use crate::case::{self, Case, End, Method, OneOrMany, Source};
 use crate::run::response;
-use crate::tui::backend::Row;
+use crate::tui::backend::ValidationRow;
 use crate::tui::line_tables::LineTable;
 use crate::tui::place::Place;
 use crate::tui::plot_pane::PlotPane;
@@ -250,7 +250,7 @@ pub struct OpenCase {
     /// Cursor among the runs; 0 is the live one.
     pub run: usize,
     /// The validation table, made anew when a run lands.
-    pub checks: Vec<Row>,
+    pub checks: Vec<ValidationRow>,
     /// Selection, sorting and scrolling of the validation table.
     pub checks_pane: TablePane,
     /// The table of the line that is shown.

@@ -8,7 +8,7 @@ use super::section::SectionView;
 use super::sheet::Sheet;
 use super::ship::ShipView;
 use crate::case::Diagnostic;
-use crate::reference::Row;
+use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::table::Table;
 use crate::tui::backend::FieldRow;
@@ -54,7 +54,7 @@ pub trait FileView {
     fn take(&mut self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>>;
 
     /// The validation table.
-    fn checks(&self, _text: &str) -> Vec<Row> {
+    fn checks(&self, _text: &str) -> Vec<ValidationRow> {
         Vec::new()
     }
 
@@ -121,7 +121,7 @@ pub struct OpenFile {
     /// Selection, sorting and scrolling of each leaf.
     pub panes: Vec<TablePane>,
     /// The validation table.
-    pub checks: Vec<Row>,
+    pub checks: Vec<ValidationRow>,
     /// Selection, sorting and scrolling of it.
     pub checks_pane: TablePane,
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::open_file::{FileView, said};
 use crate::case::{Diagnostic, kind};
-use crate::reference::Row;
+use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::table::Table;
 use crate::ropeway::exact::Carrier;
@@ -126,7 +126,7 @@ impl FileView for RopewayView {
         Ok(())
     }
 
-    fn checks(&self, text: &str) -> Vec<Row> {
+    fn checks(&self, text: &str) -> Vec<ValidationRow> {
         held::rows(&self.worked, text)
     }
 

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::open_file::{FileView, said};
 use crate::case::{Diagnostic, kind};
 use crate::numerics::V3;
-use crate::reference::Row;
+use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::table::Table;
 use crate::ship::rope::RopeAtSea;
@@ -185,7 +185,7 @@ impl FileView for ShipView {
         Ok(())
     }
 
-    fn checks(&self, _text: &str) -> Vec<Row> {
+    fn checks(&self, _text: &str) -> Vec<ValidationRow> {
         let voyage = self.sea.as_ref().and_then(|sea| sea.voyage.as_ref());
         held::rows(&self.rest.ship, voyage)
     }

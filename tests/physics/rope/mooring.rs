@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use seacable::case::{self, At, Case, StudyValue, edit};
-use seacable::reference::{self, Outcome, Row};
+use seacable::reference::{self, Outcome, ValidationRow};
 use seacable::run::job::{self, Request};
 use seacable::run::{Run, RunState};
 
@@ -30,7 +30,7 @@ fn run(text: &str, changes: &[(&str, &str)]) -> Run {
 const READING: &str = "materials.polyester.dynamic_stiffness";
 
 /// Rows of a case, every variant computed.
-fn rows(text: &str) -> Vec<Row> {
+fn rows(text: &str) -> Vec<ValidationRow> {
     let case: Case = case::parse(text, "hybrid.toml").unwrap();
     let runs: Vec<(Option<At>, Run)> = reference::plan(&case)
         .into_iter()

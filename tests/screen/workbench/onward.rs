@@ -4,8 +4,8 @@ use std::sync::atomic::AtomicBool;
 
 use seacable::case;
 use seacable::run::job::{self, Request};
-use seacable::run::onward;
-use seacable::run::store::{Place, Writer};
+use seacable::run::resume_request;
+use seacable::run::store::{RunLocation, Writer};
 use seacable::tui::{Effect, Msg};
 
 use super::desk::Desk;
@@ -48,13 +48,17 @@ fn a_stored_run_goes_on_from_the_list() {
         overrides: Vec::new(),
         id: String::new(),
     };
-    let mut writer =
-        Writer::begin(&Place::Exactly(dir.clone()), request.beginning(), text).unwrap();
+    let mut writer = Writer::begin(
+        &RunLocation::Exactly(dir.clone()),
+        request.beginning(),
+        text,
+    )
+    .unwrap();
     let run = job::execute(&request, &AtomicBool::new(false), &mut |event| {
         writer.event(&event).unwrap();
     });
     writer.finish(&run).unwrap();
-    let onward = onward(&dir, Some(4.0)).map(Box::new);
+    let onward = resume_request(&dir, Some(4.0)).map(Box::new);
     desk.tell(Msg::Onward(dir, 4.0, onward));
     let started = desk.started();
     assert_eq!(started.len(), 1);

@@ -10,7 +10,7 @@ const SHIFTS: usize = 400;
 
 /// A run beside a published curve.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Fit {
+pub struct CurveComparison {
     /// Root mean square of the differences \[% of the curve's greatest size\].
     pub percent: f64,
     /// Times of the curve are those of the run plus this \[s\]; other than nought only where the curve repeats.
@@ -22,7 +22,7 @@ pub struct Fit {
 /// Name of the difference from the curve of this number among those of a case, from 0, as it stands in `summary.csv`:
 /// `tension_n[chain|wheel].from_curve_1`.
 #[must_use]
-pub fn curve_name(curve: &PublishedCurve, number: usize) -> String {
+pub fn difference_name(curve: &PublishedCurve, number: usize) -> String {
     format!("{}.from_curve_{}", curve.channel, number + 1)
 }
 
@@ -30,7 +30,7 @@ pub fn curve_name(curve: &PublishedCurve, number: usize) -> String {
 ///
 /// # Errors
 /// Why there is nothing to compare, in words.
-pub fn fit(curve: &PublishedCurve, history: &History) -> Result<Fit, String> {
+pub fn compare(curve: &PublishedCurve, history: &History) -> Result<CurveComparison, String> {
     let channel = history.channel(&curve.channel);
     let channel = channel.ok_or_else(|| format!("The run has no channel `{}`.", curve.channel))?;
     let within = |t: f64| {
@@ -56,7 +56,7 @@ pub fn fit(curve: &PublishedCurve, history: &History) -> Result<Fit, String> {
     let (least, shift) = tried
         .min_by(|a, b| a.0.total_cmp(&b.0))
         .ok_or_else(|| "The run has no output times where the curve has points.".to_owned())?;
-    Ok(Fit {
+    Ok(CurveComparison {
         percent: 100.0 * least / greatest,
         shift,
         samples,
@@ -70,13 +70,13 @@ pub fn points(curve: &PublishedCurve) -> impl Iterator<Item = (f64, f64)> {
 }
 
 /// The differences of a record from the curves of its case, of those that belong to the case as it stands.
-pub(super) fn numbers(case: &Case, history: &History) -> Vec<Quantity> {
+pub(super) fn differences(case: &Case, history: &History) -> Vec<Quantity> {
     let curves = case.published_curve.iter().enumerate();
     let here = curves.filter(|(_, curve)| curve.at.as_ref().is_none_or(|at| case.stands_at(at)));
     let number = |(number, curve): (usize, &PublishedCurve)| {
         Some(Quantity {
-            name: curve_name(curve, number),
-            value: fit(curve, history).ok()?.percent,
+            name: difference_name(curve, number),
+            value: compare(curve, history).ok()?.percent,
             unit: "%".to_owned(),
             time_error: None,
             mesh_error: None,

@@ -7,10 +7,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::compute::{Computed, Step, compute};
-use super::statistic::{Of, Wanted};
+use super::compute::{Computed, StepScale, compute};
+use super::requested_statistics::{Of, RequestedStatistic};
 use super::{Quantity, RunState, quantity_name};
-use super::{along, curves, modes};
+use super::{line_statistics, natural_modes, published_curve};
 use crate::case::{Case, DragLaw, DragLawName, Method};
 use crate::dynamics::march::March;
 
@@ -38,18 +38,18 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
     let times = ratio_of_steps(run);
     let companion = |coarsening, step| compute(case, coarsening, step, cancel, &mut |_| {});
     let (other, coarse) = rayon::join(
-        || order.map(|_| companion(1, Step::Times(times))),
-        || (ratio > 1.0).then(|| companion(2, Step::AsSet)),
+        || order.map(|_| companion(1, StepScale::Times(times))),
+        || (ratio > 1.0).then(|| companion(2, StepScale::AsSet)),
     );
     let coarse_modes = coarse.as_ref().map_or(&[][..], |c| &c.modes);
-    let modes = modes::with_errors(&run.modes, coarse_modes, ratio);
+    let modes = natural_modes::with_errors(&run.modes, coarse_modes, ratio);
     let by_step = (times.powi(order.unwrap_or(0)) - 1.0).abs();
     let others = [(&other, by_step), (&coarse, ratio * ratio - 1.0)];
     let others = others.map(|(other, by)| (other.as_ref(), by));
     let rms = rms_error(run, others);
     let assured = !has_crisis(case);
     let curves = others.map(|(other, by)| (other, if assured { by } else { 1.0 }));
-    let curves = curves::with_errors(&run.curves, curves);
+    let curves = published_curve::with_errors(&run.curves, curves);
     let mut warnings = Vec::new();
     if coarse.is_none() {
         warnings
@@ -64,7 +64,7 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
     let time = compare(other, by_step, "time");
     let mut mesh = compare(coarse, ratio * ratio - 1.0, "mesh");
     for (error, w) in mesh.iter_mut().zip(&run.wanted) {
-        *error = error.map(|e| e.max(along::resolution(&run.profile, w.statistic)));
+        *error = error.map(|e| e.max(line_statistics::resolution(&run.profile, w.statistic)));
     }
     Estimates {
         time,
@@ -90,8 +90,10 @@ fn rms_error(run: &Computed, others: [(Option<&Computed>, f64); 2]) -> Vec<f64> 
     }
     let error = |(s, rms): (&f64, &f64)| {
         let each = others.iter();
-        each.map(|(other, by)| (along::value_at(&other.arc, &other.rms, *s) - rms).abs() / by)
-            .sum()
+        each.map(|(other, by)| {
+            (line_statistics::value_at(&other.arc, &other.rms, *s) - rms).abs() / by
+        })
+        .sum()
     };
     arc.iter().zip(&run.profile.rms).map(error).collect()
 }
@@ -193,7 +195,7 @@ pub(super) fn summary(run: &Computed, estimates: &Estimates) -> Vec<Quantity> {
     let modes = or_bare(&estimates.modes, &run.modes);
     let curves = or_bare(&estimates.curves, &run.curves);
     let all = run.wanted.iter().zip(&run.numbers).enumerate();
-    all.filter_map(|(i, (w, number)): (usize, (&Wanted, _))| {
+    all.filter_map(|(i, (w, number)): (usize, (&RequestedStatistic, _))| {
         let (name, unit) = match w.of {
             Of::Channel(index) => {
                 let channel = run.history.channels.get(index)?;

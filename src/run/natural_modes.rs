@@ -14,7 +14,7 @@ const BEYOND: usize = 4;
 ///
 /// # Errors
 /// Why there are none, in words.
-pub(super) fn numbers(case: &Case, scene: &Scene) -> Result<Vec<Quantity>, String> {
+pub(super) fn frequencies(case: &Case, scene: &Scene) -> Result<Vec<Quantity>, String> {
     let Some(wanted) = &case.modes else {
         return Ok(Vec::new());
     };

@@ -1,6 +1,6 @@
 //! Which single numbers are wanted of a run: of its channels and of the whole line.
 
-use super::along;
+use super::line_statistics;
 use crate::case::{AlongLine, Case, Statistic};
 
 /// What a number is taken of.
@@ -14,7 +14,7 @@ pub enum Of {
 
 /// A number that is wanted of a channel or of the whole line.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Wanted {
+pub struct RequestedStatistic {
     /// What it is taken of.
     pub of: Of,
     /// What is taken of it.
@@ -26,17 +26,19 @@ pub struct Wanted {
 /// What a run of this case summarises: the greatest, smallest, mean and last value of every channel, the extremes of
 /// the whole line, and every statistic its published values and trends ask for.
 #[must_use]
-pub fn wanted(case: &Case, channels: &[String]) -> Vec<Wanted> {
+pub fn requested(case: &Case, channels: &[String]) -> Vec<RequestedStatistic> {
     use Statistic::{Final, Max, Mean, Min};
-    let whole = |of, statistic| Wanted {
+    let whole = |of, statistic| RequestedStatistic {
         of,
         statistic,
         window: None,
     };
-    let mut list: Vec<Wanted> = (0..channels.len())
+    let mut list: Vec<RequestedStatistic> = (0..channels.len())
         .flat_map(|channel| [Max, Min, Mean, Final].map(|s| whole(Of::Channel(channel), s)))
         .collect();
-    list.extend(along::ALWAYS.map(|(quantity, statistic)| whole(Of::Line(quantity), statistic)));
+    list.extend(
+        line_statistics::ALWAYS.map(|(quantity, statistic)| whole(Of::Line(quantity), statistic)),
+    );
     let published = case
         .published
         .iter()
@@ -52,7 +54,7 @@ pub fn wanted(case: &Case, channels: &[String]) -> Vec<Wanted> {
         let Some(of) = channel.or_else(|| AlongLine::named(name).map(Of::Line)) else {
             continue;
         };
-        let item = Wanted {
+        let item = RequestedStatistic {
             of,
             statistic,
             window,

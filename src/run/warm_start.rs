@@ -11,7 +11,7 @@ use crate::solve::{State, System};
 const APART: f64 = 1e-6;
 
 /// Where a run begins.
-pub(super) struct Began {
+pub(super) struct WarmStart {
     /// The line, at time zero.
     pub(super) state: State,
     /// What the method carries on, where it is the same one.
@@ -22,7 +22,7 @@ pub(super) struct Began {
 ///
 /// # Errors
 /// Why it cannot start there, in words.
-pub(super) fn began(case: &Case, scene: &Scene) -> Result<Option<Began>, String> {
+pub(super) fn warm_start(case: &Case, scene: &Scene) -> Result<Option<WarmStart>, String> {
     let Some(name) = &case.start.from_run else {
         return Ok(None);
     };
@@ -65,7 +65,7 @@ pub(super) fn began(case: &Case, scene: &Scene) -> Result<Option<Began>, String>
         work_counts: WorkCounts::default(),
         ..carried
     });
-    Ok(Some(Began { state, carried }))
+    Ok(Some(WarmStart { state, carried }))
 }
 
 /// Whether it is this method that carried this.

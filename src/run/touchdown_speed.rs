@@ -17,7 +17,7 @@ const SPAN: usize = 3;
 
 /// Watches the line lie down.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct Front {
+pub struct TouchdownSpeed {
     /// Time of the last step \[s\].
     time: f64,
     /// Heights of the nodes above the bed then \[m\].
@@ -27,19 +27,19 @@ pub struct Front {
     /// When they lay down \[s\]; infinite while they have not.
     landed: Vec<f64>,
     /// The fastest front against the waves there.
-    fastest: Option<Landing>,
+    fastest: Option<TouchdownFront>,
 }
 
 /// A front of line that lies down.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-struct Landing {
+struct TouchdownFront {
     time: f64,
     arc: f64,
     front: f64,
     wave: f64,
 }
 
-impl Front {
+impl TouchdownSpeed {
     /// For a line; watches nothing where there is no bed.
     pub(super) fn of(scene: &Scene) -> Self {
         let nodes = if scene.bed.is_some() {
@@ -92,7 +92,7 @@ impl Front {
         let passed = self.landed[i] - self.landed[from];
         let front = (scene.arc[i] - scene.arc[from]).abs() / passed.max(f64::MIN_POSITIVE);
         if front > wave && self.fastest.is_none_or(|f| front * f.wave > f.front * wave) {
-            self.fastest = Some(Landing {
+            self.fastest = Some(TouchdownFront {
                 time: self.landed[i],
                 arc: scene.arc[i],
                 front,
@@ -103,7 +103,7 @@ impl Front {
 
     /// What a run must tell of it.
     pub(super) fn warning(&self) -> Option<String> {
-        let Landing {
+        let TouchdownFront {
             time,
             arc,
             front,

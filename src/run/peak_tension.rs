@@ -8,14 +8,14 @@ use crate::scene::Scene;
 use crate::solve::State;
 
 /// What watches for peaks; nothing where no section states a breaking load.
-pub(super) struct Peaks {
-    watched: Vec<Watched>,
+pub(super) struct PeakTension {
+    watched: Vec<WatchedSegment>,
     /// The state told last, where any segment is watched: the one in which it was longest, if it has shortened since.
     before: Option<State>,
 }
 
 /// A segment whose section states a breaking load.
-struct Watched {
+struct WatchedSegment {
     segment: usize,
     /// Square of the longest that it was so far \[m²\].
     longest: f64,
@@ -23,7 +23,7 @@ struct Watched {
     latest: f64,
 }
 
-impl Watched {
+impl WatchedSegment {
     fn squared_length(&self, state: &State) -> f64 {
         (state.x[self.segment + 1] - state.x[self.segment]).norm_squared()
     }
@@ -34,7 +34,7 @@ impl Watched {
     }
 }
 
-impl Peaks {
+impl PeakTension {
     /// For the segments of the sections whose material states a breaking load.
     pub(super) fn of(case: &Case, scene: &Scene) -> Self {
         let limited = |section: &Section| {
@@ -45,7 +45,7 @@ impl Peaks {
         let watched = reaches
             .filter(|(_, section)| limited(section))
             .flat_map(|(joints, _)| joints[0].node..joints[1].node)
-            .map(|segment| Watched {
+            .map(|segment| WatchedSegment {
                 segment,
                 longest: 0.0,
                 latest: 0.0,

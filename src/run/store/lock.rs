@@ -8,22 +8,22 @@ use rustix::io::Errno;
 
 /// A run directory held; dropped, it is let go.
 #[derive(Debug)]
-pub(super) struct Hold {
+pub(super) struct DirectoryLock {
     _directory: File,
 }
 
 /// Holds a directory; nothing where the file system has no locks.
-pub(super) fn hold(dir: &Path) -> Option<Hold> {
+pub(super) fn lock_directory(dir: &Path) -> Option<DirectoryLock> {
     let directory = File::open(dir).ok()?;
     flock(&directory, FlockOperation::NonBlockingLockExclusive).ok()?;
-    Some(Hold {
+    Some(DirectoryLock {
         _directory: directory,
     })
 }
 
 /// Whether a program is writing the run in this directory at this moment.
 #[must_use]
-pub fn is_held(dir: &Path) -> bool {
+pub fn is_locked(dir: &Path) -> bool {
     File::open(dir).is_ok_and(|directory| {
         let tried = flock(&directory, FlockOperation::NonBlockingLockShared);
         tried == Err(Errno::WOULDBLOCK)

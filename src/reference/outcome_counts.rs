@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use super::{Outcome, Row};
+use super::{Outcome, ValidationRow};
 
 /// How many rows stand how.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Tally {
+pub struct OutcomeCounts {
     /// Within tolerance.
     pub pass: usize,
     /// Outside tolerance.
@@ -19,20 +19,20 @@ pub struct Tally {
 
 /// Counts outcomes.
 #[must_use]
-pub fn tally(rows: &[Row]) -> Tally {
-    let mut tally = Tally::default();
+pub fn count_outcomes(rows: &[ValidationRow]) -> OutcomeCounts {
+    let mut counts = OutcomeCounts::default();
     for row in rows {
         *match row.outcome {
-            Outcome::Pass => &mut tally.pass,
-            Outcome::Fail => &mut tally.fail,
-            Outcome::Differs => &mut tally.differs,
-            Outcome::NotRun => &mut tally.not_run,
+            Outcome::Pass => &mut counts.pass,
+            Outcome::Fail => &mut counts.fail,
+            Outcome::Differs => &mut counts.differs,
+            Outcome::NotRun => &mut counts.not_run,
         } += 1;
     }
-    tally
+    counts
 }
 
-impl Tally {
+impl OutcomeCounts {
     /// All rows.
     #[must_use]
     pub const fn total(&self) -> usize {
@@ -46,7 +46,7 @@ impl Tally {
     }
 }
 
-impl fmt::Display for Tally {
+impl fmt::Display for OutcomeCounts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self {
             pass,
@@ -62,7 +62,7 @@ impl fmt::Display for Tally {
     }
 }
 
-impl std::ops::Add for Tally {
+impl std::ops::Add for OutcomeCounts {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {

@@ -12,14 +12,14 @@ use crate::solve::State;
 
 /// What is taken into the envelopes at every step.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Envelope {
+pub(super) struct StepEnvelope {
     /// Nodes whose tension and height are.
     whole: Range<usize>,
     /// Nodes whose bending is.
     bent: Vec<usize>,
 }
 
-impl Envelope {
+impl StepEnvelope {
     /// What a case asks for of its line.
     pub(super) fn of(case: &Case, scene: &Scene) -> Self {
         use AlongLine::{BendRadius, Curvature, Height, Moment, Tension};

@@ -1,8 +1,8 @@
 //! Single numbers taken of the whole line: extremes and where they lie, falls, turns.
 
 use super::Profile;
-use super::opposed::standing_wave_ratio;
 use super::response::travelling;
+use super::wave_decomposition::standing_wave_ratio;
 use crate::case::{AlongLine, Statistic};
 
 /// What every run summarises of its line.

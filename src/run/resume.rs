@@ -11,9 +11,9 @@ use crate::dynamics::March;
 ///
 /// # Errors
 /// Why the run cannot go on, in words.
-pub fn onward(dir: &Path, until: Option<f64>) -> Result<(Request, Resume), String> {
+pub fn resume_request(dir: &Path, until: Option<f64>) -> Result<(Request, Resume), String> {
     let info = store::read_info(dir).map_err(|e| e.to_string())?;
-    if store::is_held(dir) {
+    if store::is_locked(dir) {
         return Err(format!(
             "{} is still being computed by another program; it can go on once that has ended.",
             dir.display()

@@ -11,14 +11,14 @@ use std::{
 
 use super::{
     CASE, RUN, StoreError,
-    hold::{Hold, hold},
-    stamp::stamp,
+    lock::{DirectoryLock, lock_directory},
+    timestamp::stamp,
 };
 use crate::run::{RunInfo, RunState};
 
 /// Where a run directory goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Place {
+pub enum RunLocation {
     /// A new directory below this one, named after case and time.
     Below(PathBuf),
     /// This very directory; it must not exist yet, or be empty.
@@ -28,19 +28,19 @@ pub enum Place {
 /// Makes the directory with `case.toml` and `run.toml` (state partial) in it, and sets the run's name
 /// to that of the directory. It appears in one step, and held: nobody ever sees it without these two files.
 pub(super) fn create(
-    place: &Place,
+    place: &RunLocation,
     info: &mut RunInfo,
     case_text: &str,
-) -> Result<(PathBuf, Option<Hold>), StoreError> {
+) -> Result<(PathBuf, Option<DirectoryLock>), StoreError> {
     info.state = RunState::Partial;
     match place {
-        Place::Exactly(dir) => {
+        RunLocation::Exactly(dir) => {
             info.id = name_of(dir);
             refuse_if_taken(dir)?;
             let held = appear(dir, info, case_text)?;
             Ok((dir.clone(), held))
         }
-        Place::Below(root) => below(root, info, case_text),
+        RunLocation::Below(root) => below(root, info, case_text),
     }
 }
 
@@ -49,7 +49,7 @@ fn below(
     root: &Path,
     info: &mut RunInfo,
     case_text: &str,
-) -> Result<(PathBuf, Option<Hold>), StoreError> {
+) -> Result<(PathBuf, Option<DirectoryLock>), StoreError> {
     let base = format!("{}-{}", stem(&info.case_file), stamp(SystemTime::now()));
     let mut count = 1_u64;
     loop {
@@ -117,7 +117,11 @@ fn refuse_if_taken(dir: &Path) -> Result<(), StoreError> {
 }
 
 /// Fills a hidden directory beside the final one, then renames it.
-fn appear(dir: &Path, info: &RunInfo, case_text: &str) -> Result<Option<Hold>, StoreError> {
+fn appear(
+    dir: &Path,
+    info: &RunInfo,
+    case_text: &str,
+) -> Result<Option<DirectoryLock>, StoreError> {
     static COUNTER: AtomicU64 = AtomicU64::new(0);
     let parent = parent_of(dir);
     fs::create_dir_all(&parent).map_err(StoreError::io("Making the directory", &parent))?;
@@ -125,7 +129,7 @@ fn appear(dir: &Path, info: &RunInfo, case_text: &str) -> Result<Option<Hold>, S
     let hidden = parent.join(format!(".{}.{}-{number}.new", name_of(dir), process::id()));
 
     let filled = fill(&hidden, info, case_text).and_then(|()| {
-        let held = hold(&hidden);
+        let held = lock_directory(&hidden);
         let renamed = fs::rename(&hidden, dir);
         renamed.map(|()| held).map_err(|error| match error.kind() {
             io::ErrorKind::DirectoryNotEmpty | io::ErrorKind::AlreadyExists => {

@@ -12,7 +12,7 @@ const NODES: usize = 1 << 17;
 
 /// A record as it is kept in memory.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Thinned {
+pub struct DecimatedRecord {
     history: History,
     shapes: Vec<LineShape>,
     /// Rows kept of every stretch that is complete, oldest first.
@@ -28,7 +28,7 @@ pub struct Thinned {
     stride: u64,
 }
 
-impl Thinned {
+impl DecimatedRecord {
     /// An empty record of these channels (name, unit).
     #[must_use]
     pub fn new(channels: impl IntoIterator<Item = (String, String)>) -> Self {
@@ -258,9 +258,9 @@ mod tests {
         }
     }
 
-    fn recorded(rows: u64) -> Thinned {
+    fn recorded(rows: u64) -> DecimatedRecord {
         let names = ["a", "b", "c"].map(|name| (name.to_owned(), "m".to_owned()));
-        let mut thinned = Thinned::new(names);
+        let mut thinned = DecimatedRecord::new(names);
         for row in 0..rows {
             thinned.row(row as f64, &[0, 1, 2].map(|c| value(row, c)));
         }
@@ -315,7 +315,7 @@ mod tests {
 
     #[test]
     fn shapes_are_thinned_evenly_and_the_newest_stays() {
-        let mut thinned = Thinned::new([]);
+        let mut thinned = DecimatedRecord::new([]);
         for i in 0..5000 {
             thinned.shape(LineShape {
                 time: f64::from(i),

@@ -11,12 +11,12 @@ const HELD: usize = 1 << 16;
 
 /// Samples (time \[s\], value), in the order in which they came.
 #[derive(Debug, Default)]
-pub(super) struct Tape {
+pub(super) struct SpillBuffer {
     file: Option<File>,
     held: Vec<(f64, f64)>,
 }
 
-impl Tape {
+impl SpillBuffer {
     /// Adds a sample.
     ///
     /// # Errors
@@ -104,21 +104,22 @@ mod tests {
 
     #[test]
     fn reads_back_what_was_written_to_the_same_bits_more_than_once() {
-        let mut tape = Tape::default();
+        let mut samples = SpillBuffer::default();
         let count = 3 * HELD + 17;
         let sample = |i: usize| (i as f64 / 3.0, -(i as f64).sqrt());
         for i in 0..count {
             let (t, v) = sample(i);
-            tape.push(t, v).unwrap();
-            assert!(tape.held.len() <= HELD);
+            samples.push(t, v).unwrap();
+            assert!(samples.held.len() <= HELD);
         }
         for _ in 0..2 {
             let mut i = 0;
-            tape.each(|t, v| {
-                assert_eq!((t, v), sample(i));
-                i += 1;
-            })
-            .unwrap();
+            samples
+                .each(|t, v| {
+                    assert_eq!((t, v), sample(i));
+                    i += 1;
+                })
+                .unwrap();
             assert_eq!(i, count);
         }
     }

@@ -14,7 +14,7 @@ const STILL: f64 = 1e-6;
 /// root mean squares over all nodes about their mean places, each by its own root mean square of the recorded window, so
 /// that a place counts however little it moves. Nothing where nothing drives the line at one
 /// period, or fewer than four shapes a period are stored.
-pub(super) fn number(case: &Case, shapes: &[LineShape]) -> Option<Quantity> {
+pub(super) fn settling_quantity(case: &Case, shapes: &[LineShape]) -> Option<Quantity> {
     let (period, from) = (period(case)?, case.output.response_from_s?);
     let value = steady_from(shapes, period, from)?;
     Some(Quantity {

@@ -20,7 +20,7 @@ use crate::statics::equilibrium::EquilibriumSearch;
 
 /// What the response is most like around a place.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Opposed {
+pub(super) struct OpposingWaves {
     /// Amplitude of what runs towards end A \[m\].
     pub(super) towards_a: f64,
     /// Amplitude of what runs towards end B \[m\].
@@ -32,7 +32,7 @@ pub(super) struct Opposed {
 
 /// Writes into the profile what WKB theory makes of the line at rest at the driving period, and both waves; leaves it as it
 /// is where nothing drives the line at one period, the response was not recorded, or the line does not rest.
-pub(super) fn tell(case: &Case, scene: &Scene, profile: &mut Profile) {
+pub(super) fn decompose_response(case: &Case, scene: &Scene, profile: &mut Profile) {
     let Some(period) = period(case).filter(|_| !profile.wave_cos.is_empty()) else {
         return;
     };
@@ -47,7 +47,7 @@ pub(super) fn tell(case: &Case, scene: &Scene, profile: &mut Profile) {
         return;
     };
     let wave = medium.wave(TAU / period);
-    if let Some(found) = opposed(&medium.arc, &profile.wave_cos, &profile.wave_sin, &wave) {
+    if let Some(found) = decompose(&medium.arc, &profile.wave_cos, &profile.wave_sin, &wave) {
         profile.towards_a = found.iter().map(|o| o.towards_a).collect();
         profile.towards_b = found.iter().map(|o| o.towards_b).collect();
         profile.wave_number = found.iter().map(|o| o.number).collect();
@@ -63,7 +63,12 @@ pub(super) fn standing_wave_ratio(towards_a: f64, towards_b: f64) -> Option<f64>
 }
 
 /// Fits both waves around every node, at these arc lengths \[m\]; nothing where the line is shorter than half a wave.
-pub(super) fn opposed(arc: &[f64], cos: &[f64], sin: &[f64], wave: &Wave) -> Option<Vec<Opposed>> {
+pub(super) fn decompose(
+    arc: &[f64],
+    cos: &[f64],
+    sin: &[f64],
+    wave: &Wave,
+) -> Option<Vec<OpposingWaves>> {
     let whole = *wave.phase.last()?;
     let same = [cos.len(), sin.len(), wave.phase.len()]
         .iter()
@@ -80,7 +85,7 @@ pub(super) fn opposed(arc: &[f64], cos: &[f64], sin: &[f64], wave: &Wave) -> Opt
         let (from, to) = around(wave, i, PI);
         let (down, up) = fit(arc, &a, wave, i, from..to + 1);
         let (from, to) = around(wave, i, TAU.min(whole));
-        Opposed {
+        OpposingWaves {
             towards_a: down.norm() * wave.amplitude[i],
             towards_b: up.norm() * wave.amplitude[i],
             number: number(&arc[from..=to], &a[from..=to]),
@@ -178,7 +183,7 @@ mod tests {
     fn opposed_waves_are_told_apart_everywhere() {
         for (down, up) in [(2.0, 0.0), (2.0, 0.5), (1.0, 1.0), (0.3, 1.7)] {
             let (arc, cos, sin, wave) = response(down, up);
-            let found = opposed(&arc, &cos, &sin, &wave).unwrap();
+            let found = decompose(&arc, &cos, &sin, &wave).unwrap();
             for (here, amplitude) in found.iter().zip(&wave.amplitude) {
                 assert!((here.towards_a - down * amplitude).abs() < 1e-9, "{here:?}");
                 assert!((here.towards_b - up * amplitude).abs() < 1e-9, "{here:?}");
@@ -189,7 +194,7 @@ mod tests {
     #[test]
     fn the_response_tells_its_own_wave_number() {
         let (arc, cos, sin, wave) = response(2.0, 0.5);
-        let found = opposed(&arc, &cos, &sin, &wave).unwrap();
+        let found = decompose(&arc, &cos, &sin, &wave).unwrap();
         // Over a whole wave the number changes, and its mean is that of the middle to second order.
         for (here, expected) in found.iter().zip(&wave.number).take(400).skip(200) {
             let off = here.number / expected - 1.0;
@@ -201,6 +206,6 @@ mod tests {
     fn less_than_half_a_wave_tells_nothing() {
         let (arc, cos, sin, mut wave) = response(1.0, 1.0);
         wave.phase.iter_mut().for_each(|p| *p *= 0.1);
-        assert!(opposed(&arc, &cos, &sin, &wave).is_none());
+        assert!(decompose(&arc, &cos, &sin, &wave).is_none());
     }
 }

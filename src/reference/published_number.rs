@@ -3,13 +3,13 @@
 
 use serde::Deserialize;
 
-use super::{Claim, Row, hold, tolerance};
+use super::{ReferenceValue, ValidationRow, compare, tolerance};
 use crate::case::{Misfit, Standing};
 
 /// A published value and how what was worked out is held against it.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Printed {
+pub struct PublishedNumber {
     /// What it is, in words.
     pub name: String,
     /// The quantity: `model.max_tension_n`, `pitch.velocity.rms`.
@@ -31,11 +31,11 @@ pub struct Printed {
     pub out_of_reach: Option<String>,
 }
 
-impl Printed {
+impl PublishedNumber {
     /// The row of the validation table for what was found, with its numerical error where that is known, in this unit.
     #[must_use]
-    pub fn held(&self, unit: &str, found: Result<(f64, Option<f64>), String>) -> Row {
-        let claim = Claim {
+    pub fn held(&self, unit: &str, found: Result<(f64, Option<f64>), String>) -> ValidationRow {
+        let reference = ReferenceValue {
             name: &self.name,
             source: &self.source,
             value: self.value,
@@ -49,14 +49,14 @@ impl Printed {
             by: None,
             out_of_reach: self.out_of_reach.as_deref(),
         };
-        hold(claim, found)
+        compare(reference, found)
     }
 }
 
 /// What is wrong with such a list: values without tolerance, and what `unknown` says of their quantities (problem and
 /// remedy). Tables of a list go by their name, or by their number where a name is taken.
 pub(crate) fn misfits(
-    list: &[Printed],
+    list: &[PublishedNumber],
     unknown: impl Fn(&str) -> Option<(String, String)>,
 ) -> Vec<Misfit> {
     let mut wrong = Vec::new();

@@ -11,7 +11,7 @@ use crate::scene::Scene;
 use crate::solve::{Instant, Progressing, Sink, State, System};
 
 /// How a computation ended.
-pub(super) struct Ended {
+pub(super) struct MarchResult {
     pub(super) state: RunState,
     pub(super) failure: Option<String>,
     pub(super) work: Work,
@@ -54,7 +54,7 @@ pub(super) fn march<'a, M: Stepper>(
     sink: &mut Recorder<'a>,
     mut work: Work,
     from: &From<'_>,
-) -> Ended {
+) -> MarchResult {
     let march = March {
         duration: settings.duration_s,
         step: settings.time_step_s,
@@ -120,7 +120,7 @@ pub(super) fn march<'a, M: Stepper>(
     } = method.work_counts();
     work.iterations += iterations;
     work.evaluations += evaluations;
-    Ended {
+    MarchResult {
         lengths: march.lengths(&place).collect(),
         ..ended(result, &place, work)
     }
@@ -204,7 +204,11 @@ fn take_up<'a, M: Stepper>(
     Ok(from.place)
 }
 
-fn ended(result: Result<Progressing, MarchError>, place: &MarchProgress, work: Work) -> Ended {
+fn ended(
+    result: Result<Progressing, MarchError>,
+    place: &MarchProgress,
+    work: Work,
+) -> MarchResult {
     let (state, failure) = match &result {
         Ok(Progressing::Stop) => (RunState::Cancelled, None),
         Ok(Progressing::Continue) => (RunState::Done, None),
@@ -213,7 +217,7 @@ fn ended(result: Result<Progressing, MarchError>, place: &MarchProgress, work: W
             Some(format!("{error}; {}", advice(error))),
         ),
     };
-    Ended {
+    MarchResult {
         state,
         failure,
         work: Work {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::{
     CASE, CHANNELS, ERRORS, HISTORY, PROFILE, ROPES, RUN, SHAPES, SUMMARY, StoreError,
-    begin::{info_text, replace, sync_dir},
+    create::{info_text, replace, sync_dir},
     number::{text, text_or_empty},
     ropes::ropes,
     shapes::{self, SHAPE_COLUMNS, write_shape},

@@ -1,15 +1,15 @@
 //! Single numbers taken of channels while a run goes on, without its history: means, extremes, times. What needs the whole
-//! before it can be told (a last value, a mean level) reads its samples a second time, from a [`Tape`].
+//! before it can be told (a last value, a mean level) reads its samples a second time, from a [`SpillBuffer`].
 
-use super::statistic::{Of, Wanted};
-use super::tape::Tape;
-use super::{Channel, Profile, along, cycles};
+use super::requested_statistics::{Of, RequestedStatistic};
+use super::spill_buffer::SpillBuffer;
+use super::{Channel, Profile, cycles, line_statistics};
 use crate::case::Statistic;
 
 /// Takes in every output row, and gives the numbers wanted at the end.
 #[derive(Debug)]
-pub(super) struct Gather {
-    wanted: Vec<Wanted>,
+pub(super) struct ChannelStatistics {
+    wanted: Vec<RequestedStatistic>,
     /// One for each channel and window that any of them is of.
     series: Vec<Series>,
     /// The time of the last row \[s\].
@@ -21,13 +21,13 @@ pub(super) struct Gather {
 struct Series {
     channel: usize,
     window: Option<[f64; 2]>,
-    gist: Option<Gist>,
-    tape: Option<Tape>,
+    summary: Option<SampleSummary>,
+    samples: Option<SpillBuffer>,
 }
 
 /// What is known of samples after reading them once; samples and extremes are (value, time).
 #[derive(Debug, Clone, Copy)]
-struct Gist {
+struct SampleSummary {
     first: (f64, f64),
     last: (f64, f64),
     low: (f64, f64),
@@ -38,21 +38,21 @@ struct Gist {
     count: f64,
 }
 
-impl Gather {
+impl ChannelStatistics {
     /// For these numbers.
-    pub(super) fn new(wanted: Vec<Wanted>) -> Self {
+    pub(super) fn new(wanted: Vec<RequestedStatistic>) -> Self {
         let mut series: Vec<Series> = Vec::new();
         for w in &wanted {
             let Of::Channel(channel) = w.of else { continue };
-            let tape = reads_twice(w.statistic).then(Tape::default);
+            let samples = reads_twice(w.statistic).then(SpillBuffer::default);
             let same = |s: &&mut Series| s.channel == channel && s.window == w.window;
             match series.iter_mut().find(same) {
-                Some(known) => known.tape = known.tape.take().or(tape),
+                Some(known) => known.samples = known.samples.take().or(samples),
                 None => series.push(Series {
                     channel,
                     window: w.window,
-                    gist: None,
-                    tape,
+                    summary: None,
+                    samples,
                 }),
             }
         }
@@ -74,13 +74,16 @@ impl Gather {
             if !within(series.window, time) {
                 continue;
             }
-            match &mut series.gist {
-                Some(gist) => gist.add(time, value),
-                none => *none = Some(Gist::of(time, value)),
+            match &mut series.summary {
+                Some(summary) => summary.add(time, value),
+                none => *none = Some(SampleSummary::of(time, value)),
             }
-            let kept = series.tape.as_mut().map(|tape| tape.push(time, value));
+            let kept = series
+                .samples
+                .as_mut()
+                .map(|samples| samples.push(time, value));
             if let Some(Err(error)) = kept {
-                series.tape = None;
+                series.samples = None;
                 trouble = Some(format!(
                     "settling times, rise times and mean peaks are not all told: their samples find no room on disk ({error})"
                 ));
@@ -95,16 +98,23 @@ impl Gather {
         self,
         channels: &[Channel],
         profile: &Profile,
-    ) -> (Vec<Wanted>, Vec<Option<f64>>) {
-        let number = |w: &Wanted| match w.of {
+    ) -> (Vec<RequestedStatistic>, Vec<Option<f64>>) {
+        let number = |w: &RequestedStatistic| match w.of {
             Of::Channel(index) => self.over_time(index, channels.get(index)?, w),
-            Of::Line(quantity) => along::evaluate(profile, quantity, w.statistic, w.window),
+            Of::Line(quantity) => {
+                line_statistics::evaluate(profile, quantity, w.statistic, w.window)
+            }
         };
         let numbers = self.wanted.iter().map(number).collect();
         (self.wanted, numbers)
     }
 
-    fn over_time(&self, index: usize, channel: &Channel, wanted: &Wanted) -> Option<f64> {
+    fn over_time(
+        &self,
+        index: usize,
+        channel: &Channel,
+        wanted: &RequestedStatistic,
+    ) -> Option<f64> {
         let same = |s: &&Series| s.channel == index && s.window == wanted.window;
         let series = self.series.iter().find(same)?;
         if wanted
@@ -113,26 +123,28 @@ impl Gather {
         {
             return None;
         }
-        let gist = series.gist?;
+        let summary = series.summary?;
         let (greatest, smallest) = match wanted.window {
             None => (channel.peak, channel.trough),
-            Some(_) => (gist.high, gist.low),
+            Some(_) => (summary.high, summary.low),
         };
-        let span = gist.last.1 - gist.first.1;
+        let span = summary.last.1 - summary.first.1;
         match wanted.statistic {
-            Statistic::Mean if span <= 0.0 => Some(gist.first.0),
-            Statistic::Mean => Some(gist.area / span),
+            Statistic::Mean if span <= 0.0 => Some(summary.first.0),
+            Statistic::Mean => Some(summary.area / span),
             Statistic::Max => Some(greatest.0),
             Statistic::Min => Some(smallest.0),
-            Statistic::Final => Some(gist.last.0),
-            Statistic::Travel => Some(gist.first.0 - smallest.0),
+            Statistic::Final => Some(summary.last.0),
+            Statistic::Travel => Some(summary.first.0 - smallest.0),
             Statistic::TimeOfMax => Some(greatest.1),
             Statistic::TimeOfMin => Some(smallest.1),
-            Statistic::Rate => (span > 0.0).then(|| (gist.last.0 - gist.first.0).abs() / span),
-            Statistic::SettlingTime => gist.settling_time(series.tape.as_ref()?),
-            Statistic::RiseTime => gist.rise_time(series.tape.as_ref()?),
-            Statistic::MeanPeak => gist.mean_extreme(series.tape.as_ref()?, f64::max),
-            Statistic::MeanTrough => gist.mean_extreme(series.tape.as_ref()?, f64::min),
+            Statistic::Rate => {
+                (span > 0.0).then(|| (summary.last.0 - summary.first.0).abs() / span)
+            }
+            Statistic::SettlingTime => summary.settling_time(series.samples.as_ref()?),
+            Statistic::RiseTime => summary.rise_time(series.samples.as_ref()?),
+            Statistic::MeanPeak => summary.mean_extreme(series.samples.as_ref()?, f64::max),
+            Statistic::MeanTrough => summary.mean_extreme(series.samples.as_ref()?, f64::min),
             Statistic::ArcOfMax
             | Statistic::ArcOfMin
             | Statistic::GreatestFall
@@ -157,7 +169,7 @@ fn within(window: Option<[f64; 2]>, time: f64) -> bool {
     window.is_none_or(|[from, to]| time >= from - slop(to) && time <= to + slop(to))
 }
 
-impl Gist {
+impl SampleSummary {
     fn of(time: f64, value: f64) -> Self {
         let sample = (value, time);
         Self {
@@ -185,12 +197,12 @@ impl Gist {
     }
 
     /// First time after which every value stays within 2 % of the whole range from the last one.
-    fn settling_time(&self, tape: &Tape) -> Option<f64> {
+    fn settling_time(&self, samples: &SpillBuffer) -> Option<f64> {
         let band = 0.02 * (self.high.0 - self.low.0);
         let outside = |value: f64| (value - self.last.0).abs() - band;
         let mut settled = self.first.1;
         let mut before = None;
-        let read = tape.each(|time, value| {
+        let read = samples.each(|time, value| {
             let here = (time, outside(value));
             if let Some(before) = before.filter(|(_, y)| *y > 0.0) {
                 settled = crossing(before, here);
@@ -201,7 +213,7 @@ impl Gist {
     }
 
     /// First time at which nine tenths of the way from the first to the last value are made.
-    fn rise_time(&self, tape: &Tape) -> Option<f64> {
+    fn rise_time(&self, samples: &SpillBuffer) -> Option<f64> {
         let way = self.last.0 - self.first.0;
         if way == 0.0 {
             return Some(self.first.1);
@@ -209,7 +221,7 @@ impl Gist {
         let missing = |value: f64| 0.9 - (value - self.first.0) / way;
         let mut risen = None;
         let mut before = None;
-        let read = tape.each(|time, value| {
+        let read = samples.each(|time, value| {
             let here = (time, missing(value));
             if risen.is_none() && here.1 <= 0.0 {
                 risen = Some(before.map_or(time, |before| crossing(before, here)));
@@ -220,10 +232,10 @@ impl Gist {
     }
 
     /// Mean of the extremes that `pick` takes of whole cycles.
-    fn mean_extreme(&self, tape: &Tape, pick: fn(f64, f64) -> f64) -> Option<f64> {
+    fn mean_extreme(&self, samples: &SpillBuffer, pick: fn(f64, f64) -> f64) -> Option<f64> {
         let range = self.high.0 - self.low.0;
         let mut cycles = cycles::Cycles::new(self.sum / self.count, range, pick);
-        tape.each(|_, value| cycles.add(value)).ok()?;
+        samples.each(|_, value| cycles.add(value)).ok()?;
         cycles.mean()
     }
 }
@@ -242,12 +254,12 @@ mod tests {
     use super::*;
 
     fn take(values: &[f64], statistic: Statistic, window: Option<[f64; 2]>) -> Option<f64> {
-        let wanted = Wanted {
+        let wanted = RequestedStatistic {
             of: Of::Channel(0),
             statistic,
             window,
         };
-        let mut gather = Gather::new(vec![wanted]);
+        let mut gather = ChannelStatistics::new(vec![wanted]);
         for (i, value) in values.iter().enumerate() {
             assert_eq!(gather.add(i as f64, &[*value]), None);
         }
