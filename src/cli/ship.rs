@@ -4,8 +4,8 @@ use std::{fs, path::Path, process::ExitCode, sync::atomic::AtomicBool};
 
 use super::{Failure, args::ShipWords, cases, output};
 use crate::{
-    report::chart::Glyphs,
-    ship::{self, AtSea, VoyageError, edit},
+    report::{chart::Glyphs, ship::text},
+    ship::{self, DynamicAnalysis, MotionError, edit},
 };
 
 pub(super) fn ship(words: &ShipWords) -> Result<ExitCode, Failure> {
@@ -19,8 +19,8 @@ pub(super) fn ship(words: &ShipWords) -> Result<ExitCode, Failure> {
     let text = edit::set_all(&loaded.text, &edits).map_err(wrong(&loaded.text))?;
     let rest = ship::parse(&text, &words.file.display().to_string()).map_err(wrong(&text))?;
     let folder = words.file.parent().unwrap_or(Path::new(""));
-    let sea = AtSea::of(&rest, folder, &AtomicBool::new(false));
-    if let Some(Some(Err(VoyageError::File(diagnostic)))) = sea.as_ref().map(|sea| &sea.voyage) {
+    let sea = DynamicAnalysis::of(&rest, folder, &AtomicBool::new(false));
+    if let Some(Some(Err(MotionError::File(diagnostic)))) = sea.as_ref().map(|sea| &sea.motion) {
         let text = fs::read_to_string(&diagnostic.file).unwrap_or_default();
         return Err(wrong(&text)(vec![diagnostic.clone()]));
     }
@@ -29,7 +29,7 @@ pub(super) fn ship(words: &ShipWords) -> Result<ExitCode, Failure> {
     } else {
         Glyphs::Braille
     };
-    let page = ship::text::text(&rest, sea.as_ref(), &text, glyphs);
+    let page = text::text(&rest, sea.as_ref(), &text, glyphs);
     output::results(&page, words.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

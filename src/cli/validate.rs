@@ -58,9 +58,9 @@ pub(super) fn validate(words: &ValidateWords) -> Result<ExitCode, Failure> {
     for (name, rest) in &named.ships {
         let folder = Path::new(name).parent().unwrap_or(Path::new(""));
         tables.push(Held::new(
-            &rest.ship.about.title,
+            &rest.ship.particulars.title,
             name,
-            ship::held::rows(&rest.ship, ship::Voyage::of(rest, folder).as_ref()),
+            ship::validation::rows(&rest.ship, ship::MotionAnalysis::of(rest, folder).as_ref()),
         ));
     }
     output::results(&text(&tables), words.ascii)?;

@@ -9,5 +9,6 @@ pub mod number;
 pub mod plain;
 pub mod response;
 pub mod sea;
+pub mod ship;
 pub mod table;
 pub mod text;

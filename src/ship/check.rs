@@ -4,8 +4,8 @@
 use std::f64::consts::PI;
 
 use super::hull;
-use super::model::{Coefficients, Follows, MotionBy, Ship};
-use super::motion::SixMotions;
+use super::model::{Coefficients, Follows, MotionSource, Ship};
+use super::motion::ShipMotion;
 use super::quantities::parts;
 use crate::case::{Misfit, Node};
 use crate::physics::sea::DEGREES;
@@ -20,16 +20,16 @@ pub(super) fn misfits(ship: &Ship, tree: &Node) -> Vec<Misfit> {
         ("current", ship.current.as_ref().map(|l| &l.coefficients)),
         ("drift", ship.drift.as_ref().map(|l| &l.coefficients)),
     ];
-    if loads.iter().all(|(_, words)| words.is_none()) {
+    if loads.iter().all(|(_, settings)| settings.is_none()) {
         wrong.push(Misfit::at(
             "ship",
             "nothing acts on the ship",
             "add [wind], [current] or [drift]",
         ));
     }
-    for (table, words) in loads {
-        if let Some(words) = words {
-            wrong.extend(coefficients(table, words));
+    for (table, settings) in loads {
+        if let Some(settings) = settings {
+            wrong.extend(coefficients(table, settings));
         }
     }
     wrong.extend(motion(ship));
@@ -51,22 +51,22 @@ pub(super) fn misfits(ship: &Ship, tree: &Node) -> Vec<Misfit> {
 }
 
 /// A table or series, and a table that is one.
-fn coefficients(table: &str, words: &Coefficients) -> Vec<Misfit> {
+fn coefficients(table: &str, settings: &Coefficients) -> Vec<Misfit> {
     let columns = [
-        ("surge", &words.surge),
-        ("sway", &words.sway),
-        ("yaw", &words.yaw),
+        ("surge", &settings.surge),
+        ("sway", &settings.sway),
+        ("yaw", &settings.yaw),
     ];
     let series = [
-        ("surge_cosines", &words.surge_cosines),
-        ("sway_sines", &words.sway_sines),
-        ("yaw_sines", &words.yaw_sines),
+        ("surge_cosines", &settings.surge_cosines),
+        ("sway_sines", &settings.sway_sines),
+        ("yaw_sines", &settings.yaw_sines),
     ];
     let given = |list: &[(&'static str, &Vec<f64>)]| {
         let named = list.iter().find(|(_, values)| !values.is_empty());
         named.map(|(name, _)| *name)
     };
-    let of_table = if words.angle_deg.is_empty() {
+    let of_table = if settings.angle_deg.is_empty() {
         given(&columns)
     } else {
         Some("angle_deg")
@@ -83,7 +83,7 @@ fn coefficients(table: &str, words: &Coefficients) -> Vec<Misfit> {
             "give one of both",
         )],
         (None, Some(_)) => Vec::new(),
-        (Some(_), None) => whole_table(table, &words.angle_deg, &columns),
+        (Some(_), None) => whole_table(table, &settings.angle_deg, &columns),
     }
 }
 
@@ -146,23 +146,23 @@ fn rising(table: &str, angles: &[f64]) -> Option<Misfit> {
 /// Statistics that a motion has, and a record that is none too long.
 fn motion(ship: &Ship) -> Vec<Misfit> {
     const MOST: f64 = 1e6;
-    let Some(words) = &ship.motion else {
+    let Some(settings) = &ship.motion else {
         return Vec::new();
     };
-    if words.duration_s / words.step_s > MOST {
+    if settings.duration_s / settings.step_s > MOST {
         return vec![Misfit::at(
             "motion.step_s",
             format!(
                 "makes more than {MOST} instants of {} s",
-                digits(words.duration_s, 6)
+                digits(settings.duration_s, 6)
             ),
             "give a longer step or a shorter duration_s",
         )];
     }
-    if words.by == MotionBy::Responses {
+    if settings.by == MotionSource::Responses {
         return Vec::new();
     }
-    let Err(error) = SixMotions::new(words, None, words.seed()) else {
+    let Err(error) = ShipMotion::new(settings, None, settings.seed()) else {
         return Vec::new();
     };
     let table = if error.degree < 3 {
@@ -181,7 +181,7 @@ fn motion(ship: &Ship) -> Vec<Misfit> {
 /// What ship and line in time need.
 fn coupled(ship: &Ship) -> Vec<Misfit> {
     const MOST: f64 = 2e6;
-    let Some(words) = &ship.coupled else {
+    let Some(settings) = &ship.coupled else {
         return Vec::new();
     };
     let mut wrong = Vec::new();
@@ -198,29 +198,29 @@ fn coupled(ship: &Ship) -> Vec<Misfit> {
             ));
         }
     }
-    if words.from_s >= words.duration_s {
+    if settings.from_s >= settings.duration_s {
         wrong.push(Misfit::at(
             "coupled.from_s",
             format!(
                 "leaves nothing of {} s to count",
-                digits(words.duration_s, 6)
+                digits(settings.duration_s, 6)
             ),
             "give a time before duration_s, or a longer duration_s",
         ));
     }
-    if words.segments % 2 == 1 {
+    if settings.segments % 2 == 1 {
         wrong.push(Misfit::at(
             "coupled.segments",
-            format!("is odd: {}", words.segments),
+            format!("is odd: {}", settings.segments),
             "give an even number, as half the segments tell the error of the mesh",
         ));
     }
-    if words.duration_s / words.step_s > MOST {
+    if settings.duration_s / settings.step_s > MOST {
         wrong.push(Misfit::at(
             "coupled.step_s",
             format!(
                 "makes more than {MOST:e} steps of {} s",
-                digits(words.duration_s, 6)
+                digits(settings.duration_s, 6)
             ),
             "give a longer step or a shorter duration_s",
         ));

@@ -3,13 +3,13 @@
 
 use nalgebra::{Matrix3, Matrix6, SymmetricEigen};
 
-use super::model::{CoupledWords, Hull};
+use super::model::{CoupledSettings, Hull};
 use crate::case::Misfit;
 use crate::numerics::{M3, V3};
 
 /// A ship's matrices about its reference point, in its own axes: surge, sway, heave, roll, pitch, yaw.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Matrices {
+pub struct HullMatrices {
     /// Mass and added mass \[kg, kg m, kg m²\].
     pub mass: Matrix6<f64>,
     /// Damping per velocity, beside that of wind and current.
@@ -18,7 +18,7 @@ pub struct Matrices {
     pub restoring: Matrix6<f64>,
 }
 
-impl Matrices {
+impl HullMatrices {
     /// Those of a hull that has been checked.
     #[must_use]
     pub fn of(hull: &Hull) -> Self {
@@ -67,7 +67,7 @@ fn matrix(list: &[f64]) -> Option<Matrix6<f64>> {
 }
 
 /// What of a hull cannot be.
-pub(super) fn misfits(hull: &Hull, coupled: Option<&CoupledWords>) -> Vec<Misfit> {
+pub(super) fn misfits(hull: &Hull, coupled: Option<&CoupledSettings>) -> Vec<Misfit> {
     let mut wrong = Vec::new();
     for (key, list) in [
         ("hull.added_mass_si", &hull.added_mass_si),
@@ -85,7 +85,7 @@ pub(super) fn misfits(hull: &Hull, coupled: Option<&CoupledWords>) -> Vec<Misfit
     if !wrong.is_empty() {
         return wrong;
     }
-    let all = Matrices::of(hull);
+    let all = HullMatrices::of(hull);
     if skew(&all.mass) > 1e-9 {
         wrong.push(Misfit::at(
             "hull.added_mass_si",

@@ -15,12 +15,12 @@
 
 use std::f64::consts::TAU;
 
-use super::curve::{Between, Curve, Parity};
-use super::model::{About, Coefficients, Interpolation, Ship};
+use super::model::{Coefficients, Interpolation, Particulars, Ship};
+use super::periodic_curve::{Between, Parity, PeriodicCurve};
 
 /// One load: how much, where to, and its curves.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Load {
+pub struct EnvironmentalLoad {
     /// What it is.
     pub name: &'static str,
     /// Where the flow goes, from +x towards +y \[rad\].
@@ -28,29 +28,29 @@ pub struct Load {
     /// What the coefficients are multiplied by: force forward \[N\], to port \[N\], moment \[N m\].
     pub scale: [f64; 3],
     /// Coefficients forward, to port, in yaw against the angle from the bow to the flow.
-    pub curves: [Curve; 3],
+    pub curves: [PeriodicCurve; 3],
     /// Speed of the flow, where the load goes with its square and so with the ship's own velocity \[m/s\].
     pub speed: Option<f64>,
 }
 
-/// Loads on a moving ship, in axes along a heading that does not turn with it.
+/// EnvironmentalLoads on a moving ship, in axes along a heading that does not turn with it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Moving {
+pub struct LoadLinearisation {
     /// Force forward \[N\], to port \[N\], moment in yaw \[N m\].
-    pub load: Planar,
+    pub load: PlanarLoad,
     /// Their derivatives by the turn from that heading.
-    pub by_turn: Planar,
+    pub by_turn: PlanarLoad,
     /// Their derivatives by the ship's velocity along and across that heading.
-    pub by_velocity: [Planar; 2],
+    pub by_velocity: [PlanarLoad; 2],
 }
 
 /// Force forward \[N\], force to port \[N\], moment in yaw about the ship's centre \[N m\].
-pub type Planar = [f64; 3];
+pub type PlanarLoad = [f64; 3];
 
-impl Load {
+impl EnvironmentalLoad {
     /// The load at a heading \[rad\], and its derivative by the heading.
     #[must_use]
-    pub fn at(&self, heading: f64) -> (Planar, Planar) {
+    pub fn at(&self, heading: f64) -> (PlanarLoad, PlanarLoad) {
         let angle = self.towards - heading;
         let each = self.coefficients(angle);
         (
@@ -60,10 +60,10 @@ impl Load {
     }
 }
 
-impl Load {
+impl EnvironmentalLoad {
     /// The load on a ship turned by a small or great angle \[rad\] from a heading \[rad\], that moves with a velocity along and
     /// across that heading \[m/s\]: wind and current by the flow that the ship meets, drift as at rest.
-    fn moving(&self, heading: f64, turn: f64, velocity: [f64; 2]) -> Moving {
+    fn moving(&self, heading: f64, turn: f64, velocity: [f64; 2]) -> LoadLinearisation {
         let toward = self.towards - heading;
         let Some(speed) = self.speed.filter(|speed| *speed > 0.0) else {
             return self.turned(toward, 1.0, turn);
@@ -78,8 +78,8 @@ impl Load {
         let mut moving = self.turned(met, share, turn);
         // By the flow's size and by its direction, both over the square of the speed that the scale holds.
         let each = self.coefficients(met - turn);
-        let by = |along: f64, across: f64| -> Planar {
-            let body: Planar = std::array::from_fn(|i| {
+        let by = |along: f64, across: f64| -> PlanarLoad {
+            let body: PlanarLoad = std::array::from_fn(|i| {
                 let (value, slope) = each[i];
                 self.scale[i] / (speed * speed) * (-2.0 * along * value + across * slope)
             });
@@ -90,13 +90,13 @@ impl Load {
     }
 
     /// A share of the load by a flow that goes `toward` \[rad\], on a ship turned by `turn`, both from the same heading.
-    fn turned(&self, toward: f64, share: f64, turn: f64) -> Moving {
+    fn turned(&self, toward: f64, share: f64, turn: f64) -> LoadLinearisation {
         let each = self.coefficients(toward - turn);
-        let body: Planar = std::array::from_fn(|i| share * self.scale[i] * each[i].0);
+        let body: PlanarLoad = std::array::from_fn(|i| share * self.scale[i] * each[i].0);
         // The force turns with the ship, and the angle of the flow falls as the ship turns.
-        let slope: Planar = std::array::from_fn(|i| -share * self.scale[i] * each[i].1);
+        let slope: PlanarLoad = std::array::from_fn(|i| -share * self.scale[i] * each[i].1);
         let by_turn = [slope[0] - body[1], slope[1] + body[0], slope[2]];
-        Moving {
+        LoadLinearisation {
             load: rotated(&body, turn),
             by_turn: rotated(&by_turn, turn),
             by_velocity: [[0.0; 3]; 2],
@@ -108,7 +108,7 @@ impl Load {
     }
 }
 
-fn rotated(load: &Planar, turn: f64) -> Planar {
+fn rotated(load: &PlanarLoad, turn: f64) -> PlanarLoad {
     let (sin, cos) = turn.sin_cos();
     [
         load[0] * cos - load[1] * sin,
@@ -119,48 +119,48 @@ fn rotated(load: &Planar, turn: f64) -> Planar {
 
 /// All loads on a ship.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Loads {
+pub struct EnvironmentalLoads {
     /// Those that the file names.
-    pub each: Vec<Load>,
+    pub each: Vec<EnvironmentalLoad>,
     /// From the ship's centre forward to the mooring point \[m\].
     pub arm: f64,
 }
 
-impl Loads {
+impl EnvironmentalLoads {
     /// The loads of a ship. The file is taken as checked.
     #[must_use]
     pub fn new(ship: &Ship) -> Self {
-        let about = &ship.about;
-        let (l, t) = (about.length_m, about.draft_m);
+        let particulars = &ship.particulars;
+        let (l, t) = (particulars.length_m, particulars.draft_m);
         let mut each = Vec::new();
         if let Some(wind) = &ship.wind {
-            let q = 0.5 * about.air_density_kg_per_m3 * wind.speed_m_per_s.powi(2);
+            let q = 0.5 * particulars.air_density_kg_per_m3 * wind.speed_m_per_s.powi(2);
             let side = q * wind.lateral_area_m2;
             let scale = [q * wind.frontal_area_m2, side, side * l];
             let load = load("wind", wind.towards_deg, scale, &wind.coefficients);
             each.push(load.by_flow(wind.speed_m_per_s));
         }
         if let Some(current) = &ship.current {
-            let q = 0.5 * about.water_density_kg_per_m3 * current.speed_m_per_s.powi(2);
+            let q = 0.5 * particulars.water_density_kg_per_m3 * current.speed_m_per_s.powi(2);
             let scale = [q * l * t, q * l * t, q * l * l * t];
-            let words = &current.coefficients;
-            let load = load("current", current.towards_deg, scale, words);
+            let settings = &current.coefficients;
+            let load = load("current", current.towards_deg, scale, settings);
             each.push(load.by_flow(current.speed_m_per_s));
         }
         if let Some(drift) = &ship.drift {
-            let q = weight_density(about) * drift.significant_height_m.powi(2) / 16.0;
+            let q = weight_density(particulars) * drift.significant_height_m.powi(2) / 16.0;
             let scale = [q * l, q * l, q * l * l];
             each.push(load("drift", drift.towards_deg, scale, &drift.coefficients));
         }
         Self {
             each,
-            arm: about.arm(),
+            arm: particulars.arm(),
         }
     }
 
     /// Eq. (1): the sum of all loads at a heading \[rad\], and its derivative.
     #[must_use]
-    pub fn total(&self, heading: f64) -> (Planar, Planar) {
+    pub fn total(&self, heading: f64) -> (PlanarLoad, PlanarLoad) {
         let mut sum = ([0.0; 3], [0.0; 3]);
         for load in &self.each {
             let (value, slope) = load.at(heading);
@@ -175,8 +175,8 @@ impl Loads {
     /// Eq. (1) on a moving ship, in axes along a heading \[rad\] that does not turn with it: turned from there by `turn`
     /// \[rad\], with a velocity along and across that heading \[m/s\]. What turning alone makes of the flow is left out.
     #[must_use]
-    pub fn moving(&self, heading: f64, turn: f64, velocity: [f64; 2]) -> Moving {
-        let mut sum = Moving::default();
+    pub fn moving(&self, heading: f64, turn: f64, velocity: [f64; 2]) -> LoadLinearisation {
+        let mut sum = LoadLinearisation::default();
         for load in &self.each {
             let one = load.moving(heading, turn, velocity);
             for i in 0..3 {
@@ -201,8 +201,8 @@ impl Loads {
 
     /// A bound of the size of the moment about the mooring point \[N m\].
     #[must_use]
-    pub fn moment_at_most(&self) -> f64 {
-        let of = |load: &Load| {
+    pub fn moment_bound(&self) -> f64 {
+        let of = |load: &EnvironmentalLoad| {
             let side = load.scale[1] * load.curves[1].size() * self.arm;
             side.abs() + load.scale[2] * load.curves[2].size()
         };
@@ -211,11 +211,12 @@ impl Loads {
 
     /// A bound of the second derivative of the moment about the mooring point, on the smooth piece that holds a heading.
     #[must_use]
-    pub fn bend_at_most(&self, heading: f64) -> f64 {
-        let of = |load: &Load| {
+    pub fn second_derivative_bound(&self, heading: f64) -> f64 {
+        let of = |load: &EnvironmentalLoad| {
             let angle = load.towards - heading;
-            let side = load.scale[1] * self.arm.abs() * load.curves[1].bend_at_most(angle);
-            side + load.scale[2] * load.curves[2].bend_at_most(angle)
+            let side =
+                load.scale[1] * self.arm.abs() * load.curves[1].second_derivative_bound(angle);
+            side + load.scale[2] * load.curves[2].second_derivative_bound(angle)
         };
         self.each.iter().map(of).sum()
     }
@@ -239,21 +240,26 @@ impl Loads {
     }
 }
 
-fn weight_density(about: &About) -> f64 {
-    about.water_density_kg_per_m3 * about.gravity_m_per_s2
+fn weight_density(particulars: &Particulars) -> f64 {
+    particulars.water_density_kg_per_m3 * particulars.gravity_m_per_s2
 }
 
-fn load(name: &'static str, towards_deg: f64, scale: Planar, words: &Coefficients) -> Load {
-    Load {
+fn load(
+    name: &'static str,
+    towards_deg: f64,
+    scale: PlanarLoad,
+    settings: &Coefficients,
+) -> EnvironmentalLoad {
+    EnvironmentalLoad {
         name,
         towards: towards_deg.to_radians(),
         scale,
-        curves: curves(words),
+        curves: curves(settings),
         speed: None,
     }
 }
 
-impl Load {
+impl EnvironmentalLoad {
     /// The same, going with the square of the speed of a flow.
     fn by_flow(self, speed: f64) -> Self {
         Self {
@@ -264,28 +270,32 @@ impl Load {
 }
 
 /// The curves of the coefficients, from their table or from their series.
-fn curves(words: &Coefficients) -> [Curve; 3] {
-    if words.angle_deg.is_empty() {
-        let sines = |list: &[f64]| Curve::Fourier {
+fn curves(settings: &Coefficients) -> [PeriodicCurve; 3] {
+    if settings.angle_deg.is_empty() {
+        let sines = |list: &[f64]| PeriodicCurve::Fourier {
             cos: Vec::new(),
             sin: std::iter::once(0.0).chain(list.iter().copied()).collect(),
         };
-        let forward = Curve::Fourier {
-            cos: words.surge_cosines.clone(),
+        let forward = PeriodicCurve::Fourier {
+            cos: settings.surge_cosines.clone(),
             sin: Vec::new(),
         };
-        return [forward, sines(&words.sway_sines), sines(&words.yaw_sines)];
+        return [
+            forward,
+            sines(&settings.sway_sines),
+            sines(&settings.yaw_sines),
+        ];
     }
-    let angles: Vec<f64> = words.angle_deg.iter().map(|a| a.to_radians()).collect();
-    let between = match words.interpolation {
+    let angles: Vec<f64> = settings.angle_deg.iter().map(|a| a.to_radians()).collect();
+    let between = match settings.interpolation {
         Interpolation::Linear => Between::Linear,
         Interpolation::Cubic => Between::Cubic,
     };
-    let through = |values: &[f64], parity| Curve::through(&angles, values, parity, between);
+    let through = |values: &[f64], parity| PeriodicCurve::through(&angles, values, parity, between);
     [
-        through(&words.surge, Parity::Even),
-        through(&words.sway, Parity::Odd),
-        through(&words.yaw, Parity::Odd),
+        through(&settings.surge, Parity::Even),
+        through(&settings.sway, Parity::Odd),
+        through(&settings.yaw, Parity::Odd),
     ]
 }
 
@@ -294,7 +304,7 @@ mod tests {
     use super::*;
 
     /// Every load of the ship that comes with the program.
-    fn loads() -> Loads {
+    fn loads() -> EnvironmentalLoads {
         let text = include_str!("../../cases/ship/anchored.toml");
         crate::ship::parse(text, "ship.toml").unwrap().loads
     }
@@ -303,14 +313,14 @@ mod tests {
     fn at_rest_it_is_the_load_of_the_heading() {
         let loads = loads();
         for heading in [-2.0, 0.3, 1.4] {
-            let (rest, _) = loads.total(heading);
+            let (statics, _) = loads.total(heading);
             let moving = loads.moving(heading, 0.0, [0.0; 2]);
             // Turned to the heading from another one it is the same load in other axes.
             let turned = loads.moving(heading - 0.7, 0.7, [0.0; 2]);
             let back = rotated(&turned.load, -0.7);
             for i in 0..3 {
-                assert!((moving.load[i] - rest[i]).abs() < 1e-9 * (1.0 + rest[i].abs()));
-                assert!((back[i] - rest[i]).abs() < 1e-9 * (1.0 + rest[i].abs()));
+                assert!((moving.load[i] - statics[i]).abs() < 1e-9 * (1.0 + statics[i].abs()));
+                assert!((back[i] - statics[i]).abs() < 1e-9 * (1.0 + statics[i].abs()));
             }
         }
     }
@@ -327,7 +337,8 @@ mod tests {
             let at = loads.moving(heading, turn, v);
             let load =
                 |t: f64, a: f64, b: f64| loads.moving(heading, turn + t, [v[0] + a, v[1] + b]).load;
-            let slope = |plus: Planar, minus: Planar, i: usize| (plus[i] - minus[i]) / (2.0 * h);
+            let slope =
+                |plus: PlanarLoad, minus: PlanarLoad, i: usize| (plus[i] - minus[i]) / (2.0 * h);
             for i in 0..3 {
                 let scale = 1.0 + at.by_turn[i].abs() + at.load[i].abs();
                 let near = |a: f64, b: f64| (a - b).abs() < 1e-6 * scale;

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-pub use motion::{Motion, MotionBy, SpectrumWord};
+pub use motion::{Motion, MotionSource, SpectrumKind};
 
 use crate::case::Mark;
 use crate::reference::PublishedNumber;
@@ -17,7 +17,7 @@ use crate::reference::PublishedNumber;
 pub struct Ship {
     /// The ship, and what holds for it as a whole.
     #[serde(rename = "ship")]
-    pub about: About,
+    pub particulars: Particulars,
     /// The wind, and the ship's coefficients in it.
     pub wind: Option<Wind>,
     /// The current, and the ship's coefficients in it.
@@ -31,7 +31,7 @@ pub struct Ship {
     /// The ship's motion in its sea.
     pub motion: Option<Motion>,
     /// The ship and its anchor line in time.
-    pub coupled: Option<CoupledWords>,
+    pub coupled: Option<CoupledSettings>,
     /// The rope to a platform that follows the motion.
     pub rope: Option<Rope>,
     /// What the source printed of the motion.
@@ -45,7 +45,7 @@ pub struct Ship {
 /// The ship, and what holds for it as a whole.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct About {
+pub struct Particulars {
     /// One line.
     pub title: String,
     /// Where the data come from.
@@ -72,7 +72,7 @@ pub struct About {
     pub gravity_m_per_s2: f64,
 }
 
-impl About {
+impl Particulars {
     /// From the ship's centre forward to the mooring point \[m\]: ARM of eq. (2).
     #[must_use]
     pub fn arm(&self) -> f64 {
@@ -179,7 +179,7 @@ pub struct Mooring {
 }
 
 /// The ship's mass and what the water adds to it, about the ship's reference point: amidships, on the centre line, in the still
-/// water line. Matrices are in SI units, in the order surge, sway, heave, roll, pitch, yaw: six numbers are the diagonal,
+/// water line. HullMatrices are in SI units, in the order surge, sway, heave, roll, pitch, yaw: six numbers are the diagonal,
 /// thirty-six the rows.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -205,7 +205,7 @@ pub struct Hull {
 /// The ship and its anchor line in time, both in one system of equations.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct CoupledWords {
+pub struct CoupledSettings {
     /// Time that is followed \[s\].
     #[serde(default = "half_hour")]
     pub duration_s: f64,

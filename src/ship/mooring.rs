@@ -2,11 +2,11 @@
 
 use crate::statics::catenary::{Bed, Ends, Line, Refusal, SectionProps};
 
-use super::model::{About, Mooring};
+use super::model::{Mooring, Particulars};
 
 /// The line at rest under a pull.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Reach {
+pub struct MooringSolution {
     /// Horizontal distance from the anchor to the point on the ship \[m\].
     pub distance: f64,
     /// Stiffness of the line along itself, in the horizontal \[N/m\].
@@ -18,14 +18,14 @@ pub struct Reach {
     /// Angle of the line at the ship below the horizontal \[rad\].
     pub angle: f64,
     /// Length resting on the bed \[m\].
-    pub on_bed: f64,
+    pub grounded_length: f64,
     /// Pull of the line up on the anchor \[N\]; an anchor that is lifted drags.
-    pub anchor_lift: f64,
+    pub anchor_uplift: f64,
 }
 
 /// Why there is no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum ReachError {
+pub enum MooringError {
     /// The line is too short to come up to the ship.
     #[error("the line of {length} m does not reach from the bed to the ship, {height} m above it")]
     Short {
@@ -48,14 +48,18 @@ pub enum ReachError {
 /// The line's reach at a horizontal pull \[N\], which rises with the distance.
 ///
 /// # Errors
-/// [`ReachError`].
-pub fn reach(about: &About, mooring: &Mooring, pull: f64) -> Result<Reach, ReachError> {
+/// [`MooringError`].
+pub fn reach(
+    particulars: &Particulars,
+    mooring: &Mooring,
+    pull: f64,
+) -> Result<MooringSolution, MooringError> {
     let height = mooring.depth_m + mooring.fairlead_z_m;
     let length = mooring.length_m;
     if length <= height {
-        return Err(ReachError::Short { length, height });
+        return Err(MooringError::Short { length, height });
     }
-    let weight = mooring.wet_weight_kg_per_m * about.gravity_m_per_s2;
+    let weight = mooring.wet_weight_kg_per_m * particulars.gravity_m_per_s2;
     let sections = [SectionProps::new(length, weight, mooring.ea_n)];
     let at = |x_m: f64| {
         Line {
@@ -86,26 +90,26 @@ pub fn reach(about: &About, mooring: &Mooring, pull: f64) -> Result<Reach, Reach
             0.5 * (near + far)
         };
         if miss.abs() <= 1e-9 * pull || (far - near) <= 1e-12 * far {
-            return Ok(Reach {
+            return Ok(MooringSolution {
                 distance: x,
                 along: slope,
                 across: pull / x.max(f64::MIN_POSITIVE),
                 tension: rest.tension_b_n(),
                 angle: rest.v_b_n.atan2(rest.h_b_n),
-                on_bed: rest.on_bed_m,
-                anchor_lift: rest.v_a_n.max(0.0),
+                grounded_length: rest.on_bed_m,
+                anchor_uplift: rest.v_a_n.max(0.0),
             });
         }
         x = next;
     }
-    Err(ReachError::Unmet { pull })
+    Err(MooringError::Unmet { pull })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn about() -> About {
+    fn particulars() -> Particulars {
         toml_edit::de::from_str("title = \"\"\nlength_m = 50.0\ndraft_m = 2.0\n").unwrap()
     }
 
@@ -121,10 +125,10 @@ mod tests {
 
     #[test]
     fn the_reach_is_that_of_the_stiff_catenary_on_a_bed() {
-        let (about, mooring) = (about(), mooring());
+        let (particulars, mooring) = (particulars(), mooring());
         for pull in [2e3, 8e3, 2e4] {
-            let found = reach(&about, &mooring, pull).unwrap();
-            let w = 20.0 * about.gravity_m_per_s2;
+            let found = reach(&particulars, &mooring, pull).unwrap();
+            let w = 20.0 * particulars.gravity_m_per_s2;
             let a = pull / w;
             // h = a (cosh(x/a) - 1), s = a sinh(x/a).
             let up = a * (1.0 + 10.0 / a).acosh();
@@ -135,23 +139,23 @@ mod tests {
                 "{found:?} {expected}"
             );
             assert!((found.tension - (pull + w * 10.0)).abs() < 1e-3 * pull);
-            assert!((found.on_bed - (100.0 - hung)).abs() < 1e-2);
-            assert_eq!(found.anchor_lift, 0.0);
+            assert!((found.grounded_length - (100.0 - hung)).abs() < 1e-2);
+            assert_eq!(found.anchor_uplift, 0.0);
         }
     }
 
     #[test]
     fn a_line_pulled_taut_lifts_its_anchor_and_a_short_one_is_refused() {
-        let (about, mut mooring) = (about(), mooring());
-        let taut = reach(&about, &mooring, 1e6).unwrap();
-        assert!(taut.anchor_lift > 0.0 && taut.on_bed == 0.0);
+        let (particulars, mut mooring) = (particulars(), mooring());
+        let taut = reach(&particulars, &mooring, 1e6).unwrap();
+        assert!(taut.anchor_uplift > 0.0 && taut.grounded_length == 0.0);
         assert!(taut.along > 1e4);
-        let slack = reach(&about, &mooring, 0.0).unwrap();
+        let slack = reach(&particulars, &mooring, 0.0).unwrap();
         assert!(slack.distance >= 0.0 && slack.tension > 0.0);
         mooring.length_m = 9.0;
         assert!(matches!(
-            reach(&about, &mooring, 1e3),
-            Err(ReachError::Short { .. })
+            reach(&particulars, &mooring, 1e3),
+            Err(MooringError::Short { .. })
         ));
     }
 }

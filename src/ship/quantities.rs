@@ -1,7 +1,7 @@
 //! The numbers of a ship's motion by name: `surge.displacement.rms`, `pitch.acceleration.max`.
 
+use super::motion_analysis::MotionAnalysis;
 use super::statistics::Statistics;
-use super::voyage::Voyage;
 use crate::physics::sea::DEGREES;
 
 /// Names of the rates of a degree of freedom, in their order.
@@ -10,14 +10,14 @@ pub const RATES: [&str; 3] = ["displacement", "velocity", "acceleration"];
 /// Names of the statistics of a record.
 pub const STATISTICS: [&str; 5] = ["mean", "rms", "deviation", "max", "min"];
 
-/// Degree of freedom, rate and statistic of a name.
+/// DegreeOfFreedom of freedom, rate and statistic of a name.
 #[must_use]
 pub fn parts(name: &str) -> Option<(usize, usize, &str)> {
-    let mut words = name.split('.');
-    let (degree, rate, statistic) = (words.next()?, words.next()?, words.next()?);
+    let mut settings = name.split('.');
+    let (degree, rate, statistic) = (settings.next()?, settings.next()?, settings.next()?);
     let degree = DEGREES.iter().position(|d| *d == degree)?;
     let rate = RATES.iter().position(|r| *r == rate)?;
-    let known = STATISTICS.contains(&statistic) && words.next().is_none();
+    let known = STATISTICS.contains(&statistic) && settings.next().is_none();
     known.then_some((degree, rate, statistic))
 }
 
@@ -30,9 +30,9 @@ pub fn unit(name: &str) -> &'static str {
 
 /// The number of a name, in its unit.
 #[must_use]
-pub fn quantity(voyage: &Voyage, name: &str) -> Option<f64> {
+pub fn quantity(motion: &MotionAnalysis, name: &str) -> Option<f64> {
     let (degree, rate, statistic) = parts(name)?;
-    let of = &voyage.statistics[degree][rate];
+    let of = &motion.statistics[degree][rate];
     let scale = if degree < 3 {
         1.0
     } else {

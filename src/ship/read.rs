@@ -6,36 +6,36 @@ use std::path::Path;
 use super::check::misfits;
 use super::fields::SHIP;
 use super::model::Ship;
-use super::rest::Rest;
+use super::static_analysis::StaticAnalysis;
 use crate::case::fields::{FieldRow, Lister, Schema};
 use crate::case::kind::{self, FileKind};
 use crate::case::{Diagnostic, Mark, Misfit, Node, Opened};
 
 /// A ship at rest with the text and the file it came from.
-pub type Loaded = Opened<Rest>;
+pub type Loaded = Opened<StaticAnalysis>;
 
 /// The ship file as a kind.
 pub(crate) enum ShipFile {}
 
 impl FileKind for ShipFile {
     type Words = Ship;
-    type Worked = Rest;
+    type Worked = StaticAnalysis;
 
     fn schema() -> &'static Schema {
         &SHIP
     }
 
-    fn work(words: Ship, tree: &Node) -> Result<Rest, Vec<Misfit>> {
-        let wrong = misfits(&words, tree);
+    fn work(settings: Ship, tree: &Node) -> Result<StaticAnalysis, Vec<Misfit>> {
+        let wrong = misfits(&settings, tree);
         if wrong.is_empty() {
-            Ok(Rest::new(words))
+            Ok(StaticAnalysis::new(settings))
         } else {
             Err(wrong)
         }
     }
 
-    fn marks(words: &Ship) -> BTreeMap<String, Mark> {
-        words.marks.clone()
+    fn marks(settings: &Ship) -> BTreeMap<String, Mark> {
+        settings.marks.clone()
     }
 
     fn list(lister: &Lister<'_>) -> Vec<FieldRow> {
@@ -49,7 +49,7 @@ pub(crate) fn is_ship(path: &Path) -> bool {
     kind::begins::<ShipFile>(path, &["ropeway"])
 }
 
-/// Reads, checks and works out a ship file, at rest: what takes its time is [`AtSea`](super::AtSea)'s.
+/// Reads, checks and works out a ship file, at rest: what takes its time is [`DynamicAnalysis`](super::DynamicAnalysis)'s.
 ///
 /// # Errors
 ///
@@ -64,6 +64,6 @@ pub fn load(path: &Path) -> Result<Loaded, Vec<Diagnostic>> {
 /// # Errors
 ///
 /// Everything that is wrong, at once, in the order of the lines.
-pub fn parse(text: &str, file: &str) -> Result<Rest, Vec<Diagnostic>> {
+pub fn parse(text: &str, file: &str) -> Result<StaticAnalysis, Vec<Diagnostic>> {
     kind::parse::<ShipFile>(text, file)
 }

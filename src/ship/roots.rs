@@ -1,13 +1,13 @@
-//! All zeros of a smooth function between two points, none missed: an interval is dropped only when a bound of the second
+//! All isolate_roots of a smooth function between two points, none missed: an interval is dropped only when a bound of the second
 //! derivative proves that the function has no zero on it, and holds one zero when the bound proves it monotone.
 
 /// A function with its derivative and a bound of its second derivative, smooth between the points it is cut at.
-pub trait Smooth {
+pub trait BoundedCurvature {
     /// Value and first derivative.
     fn at(&self, x: f64) -> (f64, f64);
 
     /// A bound of the second derivative's size between the cuts around x.
-    fn bend_at_most(&self, x: f64) -> f64;
+    fn second_derivative_bound(&self, x: f64) -> f64;
 
     /// What counts as nothing: rounding of the value.
     fn rounding(&self) -> f64;
@@ -15,7 +15,7 @@ pub trait Smooth {
 
 /// Where a function is zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Zero {
+pub enum Root {
     /// At a point.
     Point(f64),
     /// All the way from one point to another, to rounding: a stretch where it vanishes, or one too short to be told from
@@ -26,10 +26,10 @@ pub enum Zero {
 /// Intervals looked at before a function is given up; it takes some hundred for any physical one.
 const MOST: usize = 200_000;
 
-/// All zeros between neighbouring `cuts`, which rise, in rising order; absent when the function is too wild to be
+/// All isolate_roots between neighbouring `cuts`, which rise, in rising order; absent when the function is too wild to be
 /// bounded.
 #[must_use]
-pub fn zeros(f: &impl Smooth, cuts: &[f64]) -> Option<Vec<Zero>> {
+pub fn isolate_roots(f: &impl BoundedCurvature, cuts: &[f64]) -> Option<Vec<Root>> {
     let mut found = Vec::new();
     let mut open: Vec<(f64, f64)> = cuts
         .windows(2)
@@ -51,17 +51,17 @@ pub fn zeros(f: &impl Smooth, cuts: &[f64]) -> Option<Vec<Zero>> {
         if !(value.is_finite() && slope.is_finite()) {
             return None;
         }
-        let bend = f.bend_at_most(middle);
+        let bend = f.second_derivative_bound(middle);
         // Taylor: everywhere on the interval, f differs from its middle by no more than this.
         let reach = (slope.abs() + 0.5 * bend * half) * half;
         if value.abs() > reach + f.rounding() {
             continue;
         }
         if slope.abs() > bend * half && reach > f.rounding() {
-            found.extend(crossing(f, a, b).map(Zero::Point));
+            found.extend(crossing(f, a, b).map(Root::Point));
         } else if reach + value.abs() <= 4.0 * f.rounding() || half <= 1e-12 * (1.0 + middle.abs())
         {
-            found.push(Zero::Stretch(a, b));
+            found.push(Root::Stretch(a, b));
         } else {
             open.push((middle, b));
             open.push((a, middle));
@@ -71,7 +71,7 @@ pub fn zeros(f: &impl Smooth, cuts: &[f64]) -> Option<Vec<Zero>> {
 }
 
 /// The zero of a function that is monotone from a to b, if it has one; at an end when it is nothing there.
-fn crossing(f: &impl Smooth, a: f64, b: f64) -> Option<f64> {
+fn crossing(f: &impl BoundedCurvature, a: f64, b: f64) -> Option<f64> {
     let (at_a, at_b) = (f.at(a).0, f.at(b).0);
     if at_a.abs() <= f.rounding() {
         return Some(a);
@@ -86,7 +86,7 @@ fn crossing(f: &impl Smooth, a: f64, b: f64) -> Option<f64> {
 }
 
 /// Newton inside a bracket; a step that leaves it is a bisection.
-fn refined(f: &impl Smooth, (mut a, at_a): (f64, f64), mut b: f64) -> f64 {
+fn refined(f: &impl BoundedCurvature, (mut a, at_a): (f64, f64), mut b: f64) -> f64 {
     let mut x = 0.5 * (a + b);
     for _ in 0..200 {
         let (value, slope) = f.at(x);
@@ -113,23 +113,23 @@ fn refined(f: &impl Smooth, (mut a, at_a): (f64, f64), mut b: f64) -> f64 {
 }
 
 /// Neighbours that are the same zero, made one.
-fn joined(found: Vec<Zero>) -> Vec<Zero> {
+fn joined(found: Vec<Root>) -> Vec<Root> {
     const SAME: f64 = 1e-9;
-    let mut out: Vec<Zero> = Vec::new();
+    let mut out: Vec<Root> = Vec::new();
     for zero in found {
         let (from, to) = match zero {
-            Zero::Point(x) => (x, x),
-            Zero::Stretch(a, b) => (a, b),
+            Root::Point(x) => (x, x),
+            Root::Stretch(a, b) => (a, b),
         };
         match out.last_mut() {
-            Some(Zero::Point(x)) if from - *x <= SAME => {
+            Some(Root::Point(x)) if from - *x <= SAME => {
                 let start = *x;
                 if to > from {
                     out.pop();
-                    out.push(Zero::Stretch(start, to));
+                    out.push(Root::Stretch(start, to));
                 }
             }
-            Some(Zero::Stretch(_, end)) if from - *end <= SAME => *end = end.max(to),
+            Some(Root::Stretch(_, end)) if from - *end <= SAME => *end = end.max(to),
             _ => out.push(zero),
         }
     }
@@ -143,7 +143,7 @@ mod tests {
     /// A polynomial, lowest power first.
     struct Poly(Vec<f64>);
 
-    impl Smooth for Poly {
+    impl BoundedCurvature for Poly {
         fn at(&self, x: f64) -> (f64, f64) {
             let mut sum = (0.0, 0.0);
             for c in self.0.iter().rev() {
@@ -151,7 +151,7 @@ mod tests {
             }
             sum
         }
-        fn bend_at_most(&self, _: f64) -> f64 {
+        fn second_derivative_bound(&self, _: f64) -> f64 {
             let terms = self.0.iter().enumerate();
             terms
                 .skip(2)
@@ -163,10 +163,10 @@ mod tests {
         }
     }
 
-    fn points(zeros: &[Zero]) -> Vec<f64> {
-        let each = zeros.iter().map(|z| match z {
-            Zero::Point(x) => *x,
-            Zero::Stretch(a, b) => 0.5 * (a + b),
+    fn points(isolate_roots: &[Root]) -> Vec<f64> {
+        let each = isolate_roots.iter().map(|z| match z {
+            Root::Point(x) => *x,
+            Root::Stretch(a, b) => 0.5 * (a + b),
         });
         each.collect()
     }
@@ -183,18 +183,18 @@ mod tests {
             }
             poly = next;
         }
-        let found = zeros(&Poly(poly), &[-3.0, 0.3, 3.0]).unwrap();
+        let found = isolate_roots(&Poly(poly), &[-3.0, 0.3, 3.0]).unwrap();
         let points = points(&found);
         assert_eq!(points.len(), 3, "{found:?}");
         for (x, root) in points.iter().zip([-1.0, 1.0, 2.0]) {
             assert!((x - root).abs() < 1e-4, "{x} {root}");
         }
-        assert!(matches!(found[1], Zero::Point(x) if (x - 1.0).abs() < 1e-12));
+        assert!(matches!(found[1], Root::Point(x) if (x - 1.0).abs() < 1e-12));
     }
 
     #[test]
     fn a_function_that_is_nothing_is_one_stretch() {
-        let found = zeros(&Poly(vec![0.0]), &[0.0, 1.0, 2.0]).unwrap();
-        assert_eq!(found, vec![Zero::Stretch(0.0, 2.0)]);
+        let found = isolate_roots(&Poly(vec![0.0]), &[0.0, 1.0, 2.0]).unwrap();
+        assert_eq!(found, vec![Root::Stretch(0.0, 2.0)]);
     }
 }

@@ -11,7 +11,7 @@ pub struct Statistics {
     pub rms: f64,
     /// Root of the mean square about the mean.
     pub deviation: f64,
-    /// Greatest.
+    /// ExpectedMaximum.
     pub max: f64,
     /// Smallest.
     pub min: f64,
@@ -56,7 +56,7 @@ impl Statistics {
 
 /// A greatest value to expect, and by how much it scatters from one record to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Greatest {
+pub struct ExpectedMaximum {
     /// Mean over many records.
     pub expected: f64,
     /// Deviation from record to record.
@@ -69,9 +69,9 @@ const EULER: f64 = 0.577_215_664_901_532_9;
 /// The greatest of a Gaussian record about its mean, after so many upward crossings of it: `s (c + γ/c)` with
 /// `c = √(2 ln n)`, its spread `s π / (√6 c)` (Cartwright and Longuet-Higgins 1956, doi 10.1098/rspa.1956.0173; asymptotic in n).
 #[must_use]
-pub fn greatest_of_gaussian(deviation: f64, crossings: f64) -> Greatest {
+pub fn expected_gaussian_maximum(deviation: f64, crossings: f64) -> ExpectedMaximum {
     let c = (2.0 * crossings.max(2.0).ln()).sqrt();
-    Greatest {
+    ExpectedMaximum {
         expected: deviation * (c + EULER / c),
         spread: deviation * PI / (6.0_f64.sqrt() * c),
     }
@@ -85,7 +85,7 @@ pub struct Gumbel {
     /// Scale.
     pub scale: f64,
     /// Mean of the values, and their deviation.
-    pub greatest: Greatest,
+    pub greatest: ExpectedMaximum,
     /// Standard error of that mean.
     pub error: f64,
 }
@@ -105,7 +105,7 @@ impl Gumbel {
         Some(Self {
             mode: mean - EULER * scale,
             scale,
-            greatest: Greatest {
+            greatest: ExpectedMaximum {
                 expected: mean,
                 spread,
             },

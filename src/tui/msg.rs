@@ -12,7 +12,7 @@ use crate::modes::LineModes;
 use crate::report::chart::Glyphs;
 use crate::run::job::{Event, Request};
 use crate::run::{Resume, Run};
-use crate::ship::{AtSea, Rest};
+use crate::ship::{DynamicAnalysis, StaticAnalysis};
 
 /// Something happened.
 #[derive(Debug, Clone)]
@@ -46,7 +46,7 @@ pub enum Msg {
     /// A file of another kind was read.
     FileRead(Box<FileRead>),
     /// A ship at sea was worked out, by the thread that this stops; nothing where it was stopped or failed.
-    ShipWorked(Arc<AtomicBool>, Option<Arc<AtSea>>),
+    ShipWorked(Arc<AtomicBool>, Option<Arc<DynamicAnalysis>>),
     /// A case file cannot be opened: title, and all that is wrong.
     CaseRefused(String, String),
     /// A case was saved here.
@@ -134,7 +134,7 @@ pub enum Effect {
     /// Cancel a job.
     Cancel(Ticket),
     /// Work a ship at sea out, from the folder of its file, on a thread of its own that the last stops.
-    WorkShip(Box<Rest>, PathBuf, Arc<AtomicBool>),
+    WorkShip(Box<StaticAnalysis>, PathBuf, Arc<AtomicBool>),
     /// Give the terminal to the user's editor with this file, and take it back.
     EditFile(PathBuf),
     /// Find the natural modes of a case.

@@ -27,7 +27,7 @@ use crate::modes;
 use crate::run::job::{self, Event, Job, JobId, Request};
 use crate::run::store::{self, RunLocation, Writer};
 use crate::run::{Resume, Run, RunInfo, RunState, resume_request};
-use crate::ship::AtSea;
+use crate::ship::DynamicAnalysis;
 
 /// What is outside of the state.
 #[derive(Debug)]
@@ -168,7 +168,7 @@ impl World {
             }
             Effect::WorkShip(rest, folder, stop) => self.aside(move || {
                 // It always answers: a fault of it is told by the panic hook.
-                let work = AssertUnwindSafe(|| AtSea::of(&rest, &folder, &stop));
+                let work = AssertUnwindSafe(|| DynamicAnalysis::of(&rest, &folder, &stop));
                 let sea = catch_unwind(work).ok().flatten().map(Arc::new);
                 Msg::ShipWorked(stop, sea)
             }),

@@ -11,10 +11,11 @@ use proptest::prelude::*;
 use seacable::physics::sea::DEGREES;
 use seacable::reference::Outcome;
 use seacable::report::chart::Glyphs;
-use seacable::ship::heading::Stands;
+use seacable::report::ship::text;
 use seacable::ship::quantities::quantity;
-use seacable::ship::rope::RopeAtSea;
-use seacable::ship::{self, AtSea, Rest, Voyage, edit, held};
+use seacable::ship::rope::RopeAnalysis;
+use seacable::ship::yaw_equilibria::YawStability;
+use seacable::ship::{self, DynamicAnalysis, MotionAnalysis, StaticAnalysis, edit, validation};
 
 const TEXT: &str = include_str!("../../cases/ship/anchored.toml");
 
@@ -22,7 +23,7 @@ fn shipped() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/ship/anchored.toml")
 }
 
-fn rest(text: &str) -> Rest {
+fn rest(text: &str) -> StaticAnalysis {
     ship::parse(text, "ship.toml")
         .map_err(|faults| faults[0].to_string())
         .unwrap()
@@ -37,17 +38,17 @@ fn set(text: &str, key: &str, value: &str) -> String {
 #[test]
 fn the_anchored_ship_points_into_what_acts_and_lies_downstream_of_its_anchor() {
     let rest = rest(TEXT);
-    let station = rest.chosen().unwrap();
-    assert_eq!(station.balance.stands, Stands::Stable);
+    let equilibrium = rest.governing().unwrap();
+    assert_eq!(equilibrium.yaw.stability, YawStability::Stable);
     // The force at the mooring pulls the bow ahead, nearly along the ship.
-    let ahead = (station.balance.downstream - station.balance.heading).cos();
+    let ahead = (equilibrium.yaw.force_direction - equilibrium.yaw.heading).cos();
     assert!(ahead < -0.9, "{ahead}");
-    let [bow, centre] = station.offset(rest.loads.arm).unwrap();
+    let [bow, centre] = equilibrium.offset(rest.loads.arm).unwrap();
     assert!(centre.0.hypot(centre.1) > bow.0.hypot(bow.1));
     // The line pulls back as much as the loads push.
-    let reach = station.reach.as_ref().unwrap().as_ref().unwrap();
+    let reach = equilibrium.reach.as_ref().unwrap().as_ref().unwrap();
     let level = reach.tension * reach.angle.cos();
-    assert!((level / station.balance.pull - 1.0).abs() < 1e-8);
+    assert!((level / equilibrium.yaw.pull - 1.0).abs() < 1e-8);
 }
 
 #[test]
@@ -62,12 +63,12 @@ fn a_turn_of_everything_turns_the_headings() {
         );
     }
     let other = rest(&turned);
-    let (one, other) = (one.stations.unwrap(), other.stations.unwrap());
+    let (one, other) = (one.equilibria.unwrap(), other.equilibria.unwrap());
     assert_eq!(one.len(), other.len());
     for a in &one {
         let same = other.iter().any(|b| {
-            let apart = b.balance.heading - a.balance.heading - 77.0_f64.to_radians();
-            (apart.sin().abs() < 1e-10) && apart.cos() > 0.0 && a.balance.stands == b.balance.stands
+            let apart = b.yaw.heading - a.yaw.heading - 77.0_f64.to_radians();
+            (apart.sin().abs() < 1e-10) && apart.cos() > 0.0 && a.yaw.stability == b.yaw.stability
         });
         assert!(same, "{a:?}");
     }
@@ -77,7 +78,7 @@ fn a_turn_of_everything_turns_the_headings() {
 fn straight_lines_and_spline_agree_at_the_points_and_differ_between() {
     let linear = set(TEXT, "wind.interpolation", "linear");
     let (cubic, linear) = (rest(TEXT), rest(&linear));
-    let at = |rest: &Rest, angle: f64| {
+    let at = |rest: &StaticAnalysis, angle: f64| {
         let wind = &rest.loads.each[0];
         wind.at(wind.towards - angle.to_radians()).0
     };
@@ -172,8 +173,8 @@ fn what_cannot_be_is_told_with_its_key() {
 fn no_heading_in_balance_is_said() {
     let text = "[ship]\ntitle = \"wheel\"\nlength_m = 50.0\ndraft_m = 2.0\n[current]\nspeed_m_per_s = 1.0\ntowards_deg = 0.0\nangle_deg = [0.0, 120.0, 240.0]\nsurge = [0.1, 0.1, 0.1]\nsway = [0.0, 0.0, 0.0]\nyaw = [0.2, 0.1, 0.3]\n";
     let rest = rest(text);
-    assert!(rest.stations.is_err());
-    let page = ship::text::text(&rest, None, text, Glyphs::Ascii);
+    assert!(rest.equilibria.is_err());
+    let page = text::text(&rest, None, text, Glyphs::Ascii);
     assert!(page.contains("never vanishes"), "{page}");
 }
 
@@ -200,13 +201,15 @@ fn the_command_prints_the_page_and_refuses_what_is_wrong() {
         .stderr(contains("seacable ship"));
 }
 
-fn voyage(text: &str) -> Voyage {
-    Voyage::of(&rest(text), Path::new("")).unwrap().unwrap()
+fn voyage(text: &str) -> MotionAnalysis {
+    MotionAnalysis::of(&rest(text), Path::new(""))
+        .unwrap()
+        .unwrap()
 }
 
 /// A ship at sea, its file standing in this folder.
-fn at_sea(text: &str, folder: &Path) -> AtSea {
-    AtSea::of(&rest(text), folder, &AtomicBool::new(false)).unwrap()
+fn at_sea(text: &str, folder: &Path) -> DynamicAnalysis {
+    DynamicAnalysis::of(&rest(text), folder, &AtomicBool::new(false)).unwrap()
 }
 
 #[test]
@@ -280,7 +283,7 @@ fn the_record_is_gaussian_in_its_waves_and_its_rates_belong_together() {
 
 #[test]
 fn every_printed_statistic_has_a_row_and_none_fails() {
-    let rows = held::rows(&rest(TEXT).ship, Some(&Ok(voyage(TEXT))));
+    let rows = validation::rows(&rest(TEXT).ship, Some(&Ok(voyage(TEXT))));
     assert_eq!(rows.len(), 39);
     for row in &rows {
         let fine = matches!(row.outcome, Outcome::Pass | Outcome::Differs);
@@ -304,19 +307,19 @@ fn the_rope_follows_the_ship_and_the_winch_keeps_its_tension_while_it_can() {
         "4",
     );
     let ahead = at(short.clone());
-    let fast = RopeAtSea::tension(ahead.followed.fast.as_ref().unwrap());
+    let fast = RopeAnalysis::tension(ahead.followed.fast.as_ref().unwrap());
     let kept = ahead.followed.kept.as_ref().unwrap().as_ref().unwrap();
-    assert!(RopeAtSea::tension(kept).deviation < 1e-2 * fast.deviation);
-    assert_eq!(ahead.greatest_n.len(), 4);
-    assert!((ahead.greatest_n[0] / fast.max - 1.0).abs() < 1e-12);
+    assert!(RopeAnalysis::tension(kept).deviation < 1e-2 * fast.deviation);
+    assert_eq!(ahead.maxima_n.len(), 4);
+    assert!((ahead.maxima_n[0] / fast.max - 1.0).abs() < 1e-12);
     // The record of another seed, followed in full, has the same greatest tension.
     let other = at(set(&short, "motion.seed", "2"));
-    assert!((other.greatest_n[0] / ahead.greatest_n[1] - 1.0).abs() < 1e-9);
+    assert!((other.maxima_n[0] / ahead.maxima_n[1] - 1.0).abs() < 1e-9);
     let law = ahead.law.unwrap();
     assert!(law.greatest.spread > 0.0 && law.quantile(0.9) > law.greatest.expected);
     // Conclusion 2 of the paper: with the side to the platform surge and pitch hardly matter.
     let abeam = at(set(&short, "rope.bearing_deg", "90.0"));
-    let aside = RopeAtSea::tension(abeam.followed.fast.as_ref().unwrap());
+    let aside = RopeAnalysis::tension(abeam.followed.fast.as_ref().unwrap());
     assert!(
         aside.deviation < 0.2 * fast.deviation,
         "{} {}",
@@ -345,8 +348,8 @@ fn a_winch_out_of_its_depth_is_said() {
     let sea = at_sea(&text, dir.path());
     let rope = sea.rope.as_ref().unwrap().as_ref().unwrap();
     let kept = rope.followed.kept.as_ref().unwrap().as_ref().unwrap();
-    assert!(RopeAtSea::lapses(kept).at_speed > 0);
-    let page = ship::text::text(&rest(&text), Some(&sea), &text, Glyphs::Ascii);
+    assert!(RopeAnalysis::winch_limits(kept).at_speed > 0);
+    let page = text::text(&rest(&text), Some(&sea), &text, Glyphs::Ascii);
     let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         page.contains("WARNING: the motion is beyond the winch"),
@@ -357,7 +360,7 @@ fn a_winch_out_of_its_depth_is_said() {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Whatever acts: no panic, every heading balances, and stable and unstable ones follow each other in turn.
+    /// Whatever acts: no panic, every heading yaw_equilibria, and stable and unstable ones follow each other in turn.
     #[test]
     fn headings_balance_and_alternate(
         wind in 0.0..40.0f64,
@@ -379,22 +382,22 @@ proptest! {
             text = set(&text, "wind.interpolation", "linear");
         }
         let rest = rest(&text);
-        let size = rest.loads.moment_at_most();
-        if let Ok(stations) = &rest.stations {
+        let size = rest.loads.moment_bound();
+        if let Ok(equilibria) = &rest.equilibria {
             let mut turns = 0;
-            for one in stations {
-                let (moment, _) = rest.loads.moment(one.balance.heading);
+            for one in equilibria {
+                let (moment, _) = rest.loads.moment(one.yaw.heading);
                 prop_assert!(moment.abs() <= 1e-9 * size.max(1e-300), "{one:?}");
-                prop_assert!(one.balance.pull.is_finite());
-                turns += match one.balance.stands {
-                    Stands::Stable => 1,
-                    Stands::Unstable => -1,
+                prop_assert!(one.yaw.pull.is_finite());
+                turns += match one.yaw.stability {
+                    YawStability::Stable => 1,
+                    YawStability::Unstable => -1,
                     _ => 0,
                 };
             }
-            prop_assert_eq!(turns, 0, "{:?}", stations);
+            prop_assert_eq!(turns, 0, "{:?}", equilibria);
         }
-        let page = ship::text::text(&rest, None, &text, Glyphs::Braille);
+        let page = text::text(&rest, None, &text, Glyphs::Braille);
         prop_assert!(!page.contains("NaN"));
     }
 }

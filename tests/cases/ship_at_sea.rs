@@ -7,9 +7,10 @@ use std::sync::atomic::AtomicBool;
 
 use assert_cmd::Command;
 use predicates::{prelude::*, str::contains};
-use seacable::ship::coupled::{CHANNELS, Coupled};
-use seacable::ship::fishtail::Fate;
-use seacable::ship::{self, AtSea, Rest, Voyage, VoyageError, edit};
+use seacable::report::ship::text;
+use seacable::ship::coupled::{CHANNELS, CoupledAnalysis};
+use seacable::ship::stability::DynamicStability;
+use seacable::ship::{self, DynamicAnalysis, MotionAnalysis, MotionError, StaticAnalysis, edit};
 
 const TEXT: &str = include_str!("../../cases/ship/coupled.toml");
 const RESPONSES: &str = include_str!("../../cases/ship/landing_craft.csv");
@@ -24,20 +25,20 @@ fn with(edits: &[(&str, &str)]) -> String {
         .unwrap()
 }
 
-fn rest(text: &str) -> Rest {
+fn rest(text: &str) -> StaticAnalysis {
     ship::parse(text, "ship.toml")
         .map_err(|faults| faults[0].to_string())
         .unwrap()
 }
 
-fn voyage(text: &str) -> Result<Voyage, VoyageError> {
-    Voyage::of(&rest(text), &folder()).unwrap()
+fn voyage(text: &str) -> Result<MotionAnalysis, MotionError> {
+    MotionAnalysis::of(&rest(text), &folder()).unwrap()
 }
 
-fn coupled(edits: &[(&str, &str)]) -> Coupled {
+fn coupled(edits: &[(&str, &str)]) -> CoupledAnalysis {
     let rest = rest(&with(edits));
-    let voyage = Voyage::of(&rest, &folder()).unwrap().unwrap();
-    Coupled::new(&rest, Some(&voyage), &AtomicBool::new(false)).unwrap()
+    let voyage = MotionAnalysis::of(&rest, &folder()).unwrap().unwrap();
+    CoupledAnalysis::new(&rest, Some(&voyage), &AtomicBool::new(false)).unwrap()
 }
 
 #[test]
@@ -177,7 +178,7 @@ fn a_ship_at_rest_without_waves_stays_and_its_rope_follows() {
         ("coupled.from_s", "20.0"),
         ("coupled.segments", "160"),
     ]);
-    let sea = AtSea::of(&rest(&text), &folder(), &AtomicBool::new(false)).unwrap();
+    let sea = DynamicAnalysis::of(&rest(&text), &folder(), &AtomicBool::new(false)).unwrap();
     let made = sea.coupled.unwrap().unwrap();
     // Off its place by no more than what the mesh makes of the pull.
     assert!(
@@ -188,7 +189,7 @@ fn a_ship_at_rest_without_waves_stays_and_its_rope_follows() {
     assert!(made.statistics[3].rms < 1e-3);
     let rope = sea.rope.unwrap().unwrap();
     assert!(rope.law.is_none() && rope.followed.fast.is_ok());
-    let page = ship::text::text(
+    let page = text::text(
         &rest(&text),
         None,
         &text,
@@ -200,13 +201,17 @@ fn a_ship_at_rest_without_waves_stays_and_its_rope_follows() {
 #[test]
 fn stopped_in_time_it_gives_no_answer() {
     let stop = AtomicBool::new(true);
-    assert!(AtSea::of(&rest(TEXT), &folder(), &stop).is_none());
+    assert!(DynamicAnalysis::of(&rest(TEXT), &folder(), &stop).is_none());
 }
 
 #[test]
 fn damping_decides_whether_the_ship_fishtails() {
-    let fate = |text: &str| rest(text).chosen().unwrap().fate().unwrap();
-    assert!(matches!(fate(TEXT), Fate::Stable { .. }));
+    let dynamic_stability =
+        |text: &str| rest(text).governing().unwrap().dynamic_stability().unwrap();
+    assert!(matches!(
+        dynamic_stability(TEXT),
+        DynamicStability::Stable { .. }
+    ));
     // Without its own damping in yaw, and moored near its middle, it swings further and further or turns away.
     let bare = with(&[
         ("hull.damping_si", "[0.0, 0.0, 8.0e5, 1.8e6, 1.5e8, 0.0]"),
@@ -215,11 +220,12 @@ fn damping_decides_whether_the_ship_fishtails() {
             "[3.0e4, 4.5e5, 1.4e6, 1.5e6, 2.3e8, 6.0e8]",
         ),
     ]);
-    let (own, bare) = (fate(TEXT), fate(&bare));
-    let growth = |fate: Fate| match fate {
-        Fate::Stable { halves, .. } => -1.0 / halves,
-        Fate::Neutral => 0.0,
-        Fate::Diverges { doubles } | Fate::Fishtails { doubles, .. } => 1.0 / doubles,
+    let (own, bare) = (dynamic_stability(TEXT), dynamic_stability(&bare));
+    let growth = |dynamic_stability: DynamicStability| match dynamic_stability {
+        DynamicStability::Stable { half_life, .. } => -1.0 / half_life,
+        DynamicStability::Neutral => 0.0,
+        DynamicStability::Divergence { doubling_time }
+        | DynamicStability::Fishtailing { doubling_time, .. } => 1.0 / doubling_time,
     };
     assert!(growth(bare) > growth(own), "{own:?} {bare:?}");
 }

@@ -9,8 +9,8 @@ use seacable::dynamics::March;
 use seacable::dynamics::generalized_alpha::GeneralizedAlpha;
 use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
-use seacable::ship::forcing::Forcing;
-use seacable::ship::moored::{Moored, RigidBody};
+use seacable::ship::coupled::forcing::Forcing;
+use seacable::ship::coupled::moored_ship::{MooredShip, ShipBody};
 use seacable::solve::{Factors, Instant, Progressing, State, System};
 use seacable::statics::equilibrium::EquilibriumSearch;
 
@@ -38,13 +38,13 @@ fn rest(line: &Scene) -> State {
     state
 }
 
-/// A ship of this mass, held up by stiff water, its fairlead at an arm; its load balances the line at rest.
-fn ship(line: &Scene, state: &State, mass: f64, arm: V3) -> RigidBody {
+/// A ship of this mass, held up by stiff water, its fairlead at an arm; its load yaw_equilibria the line at rest.
+fn ship(line: &Scene, state: &State, mass: f64, arm: V3) -> ShipBody {
     let last = line.nodes() - 1;
     let pull = line.end_force(last, state);
     let turn = arm.cross(&pull);
     let inertia = mass * 200.0;
-    RigidBody {
+    ShipBody {
         mass: Matrix6::from_diagonal(&Vector6::new(
             mass,
             1.5 * mass,
@@ -71,7 +71,7 @@ fn ship(line: &Scene, state: &State, mass: f64, arm: V3) -> RigidBody {
 }
 
 fn march(
-    moored: &Moored,
+    moored: &MooredShip,
     rho: f64,
     state: &mut State,
     time: (f64, f64),
@@ -93,7 +93,7 @@ fn march(
 }
 
 /// Moves the ship and its fairlead by a shift, and the line with it as a straight stretch would go.
-fn shifted(moored: &Moored, state: &State, shift: V3) -> State {
+fn shifted(moored: &MooredShip, state: &State, shift: V3) -> State {
     let mut state = state.clone();
     let last = moored.nodes() - 3;
     for i in 0..=last {
@@ -109,7 +109,7 @@ fn the_tangent_is_the_derivative() {
     let line = chain(97.0, 20.0, 12);
     let at_rest = rest(&line);
     let body = ship(&line, &at_rest, 4e5, V3::new(-20.0, 1.0, 2.0));
-    let moored = Moored::new(line, body).unwrap();
+    let moored = MooredShip::new(line, body).unwrap();
     let mut state = moored.at_rest(&at_rest);
     let n = moored.nodes();
     let wave = |i: usize, k: f64| {
@@ -174,7 +174,7 @@ fn a_ship_at_rest_stays_at_rest() {
     let line = chain(97.0, 20.0, 25);
     let at_rest = rest(&line);
     let body = ship(&line, &at_rest, 4e5, V3::new(-20.0, 1.0, 2.0));
-    let moored = Moored::new(line, body).unwrap();
+    let moored = MooredShip::new(line, body).unwrap();
     let mut state = moored.at_rest(&at_rest);
     let before = moored.tension(&state);
     march(&moored, 0.4, &mut state, (200.0, 0.1), |_, _| ());
@@ -199,7 +199,7 @@ fn surge_swings_with_the_stiffness_of_the_line() {
     let mass = 4e6;
     let mut body = ship(&line, &at_rest, mass, V3::zeros());
     body.restoring[(2, 2)] = 1e3 * mass;
-    let moored = Moored::new(line, body).unwrap();
+    let moored = MooredShip::new(line, body).unwrap();
     let mut state = shifted(&moored, &moored.at_rest(&at_rest), V3::x() * 0.01);
     let period = TAU * (mass / k).sqrt();
     let mut crossings: Vec<f64> = Vec::new();
@@ -233,11 +233,11 @@ fn energy_is_kept_without_damping_and_what_damping_takes_adds_up() {
     let at_rest = rest(&line);
     let mut body = ship(&line, &at_rest, 4e5, V3::new(-20.0, 1.0, 2.0));
     body.restoring[(2, 2)] = 4e5;
-    let out = |damping: f64, body: &RigidBody| {
+    let out = |damping: f64, body: &ShipBody| {
         let mut body = body.clone();
         body.damping = body.mass * damping;
         // In the air over the bed, so that nothing is lost to it.
-        let moored = Moored::new(line_without_bed(), body).unwrap();
+        let moored = MooredShip::new(line_without_bed(), body).unwrap();
         let mut state = moored.at_rest(&rest(&line_without_bed()));
         state.v[moored.nodes() - 2] = V3::new(0.2, 0.3, 0.0);
         let f = moored.nodes() - 3;

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use crate::ship::motion::band::Scatter;
+use crate::ship::motion::spectral_band::MotionRms;
 
 /// The ship's motion in its sea: made to statistics, or its answer to the waves.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -10,7 +10,7 @@ use crate::ship::motion::band::Scatter;
 pub struct Motion {
     /// What the motion is made from.
     #[serde(default)]
-    pub by: MotionBy,
+    pub by: MotionSource,
     /// Seed of the records.
     #[serde(default = "seed")]
     pub seed: u32,
@@ -58,7 +58,7 @@ pub struct Motion {
     pub responses: String,
     /// Spectrum of the waves.
     #[serde(default)]
-    pub spectrum: SpectrumWord,
+    pub spectrum: SpectrumKind,
     /// Significant wave height \[m\].
     #[serde(default)]
     pub significant_height_m: f64,
@@ -78,7 +78,7 @@ pub struct Motion {
 /// What a motion is made from.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum MotionBy {
+pub enum MotionSource {
     /// Root mean squares of each degree of freedom.
     #[default]
     Statistics,
@@ -89,7 +89,7 @@ pub enum MotionBy {
 /// The spectra there are.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum SpectrumWord {
+pub enum SpectrumKind {
     /// JONSWAP.
     #[default]
     Jonswap,
@@ -113,17 +113,17 @@ impl Motion {
 
     /// Mean and root mean squares of a degree of freedom, 0 to 5 \[m or rad\].
     #[must_use]
-    pub fn asked(&self, degree: usize) -> (f64, Scatter) {
+    pub fn asked(&self, degree: usize) -> (f64, MotionRms) {
         let i = degree % 3;
         if degree < 3 {
-            let scatter = Scatter {
+            let scatter = MotionRms {
                 displacement: self.translation_rms_m[i],
                 velocity: self.translation_velocity_rms_m_per_s[i],
                 acceleration: self.translation_acceleration_rms_m_per_s2[i],
             };
             return (self.translation_mean_m[i], scatter);
         }
-        let scatter = Scatter {
+        let scatter = MotionRms {
             displacement: self.rotation_rms_deg[i].to_radians(),
             velocity: self.rotation_velocity_rms_deg_per_s[i].to_radians(),
             acceleration: self.rotation_acceleration_rms_deg_per_s2[i].to_radians(),

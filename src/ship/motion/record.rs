@@ -4,7 +4,7 @@ use crate::physics::sea::Component;
 
 /// Displacement, velocity and acceleration at equal steps from t = 0.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Record {
+pub struct MotionRecord {
     /// Displacements.
     pub x: Vec<f64>,
     /// Velocities, per second.
@@ -13,7 +13,7 @@ pub struct Record {
     pub a: Vec<f64>,
 }
 
-impl Record {
+impl MotionRecord {
     /// `instants` instants a `step` \[s\] apart of components about a mean. Each component is turned on from instant to
     /// instant rather than by its cosine: rounding grows with the instants, to 1e-11 of the amplitude over a million.
     #[must_use]
@@ -58,7 +58,7 @@ mod tests {
             amplitude: 0.7,
             phase: 0.4,
         };
-        let record = Record::new(&[component], 2.0, 0.25, 40_000);
+        let record = MotionRecord::new(&[component], 2.0, 0.25, 40_000);
         for i in [0, 1, 777, 39_999] {
             let angle = 1.3 * 0.25 * i as f64 + 0.4;
             assert!((record.x[i] - 2.0 - 0.7 * angle.cos()).abs() < 1e-10);

@@ -10,12 +10,10 @@ use crate::case::{Diagnostic, kind};
 use crate::numerics::V3;
 use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, Glyphs};
+use crate::report::ship::{charts, coupled, motion, rope, statics, text};
 use crate::report::table::Table;
-use crate::ship::rope::RopeAtSea;
-use crate::ship::{
-    self, AtSea, Rest, ShipFile, Voyage, coupled_tables, held, motion, picture, rope_tables,
-    tables, text,
-};
+use crate::ship::rope::RopeAnalysis;
+use crate::ship::{self, DynamicAnalysis, MotionAnalysis, ShipFile, StaticAnalysis, validation};
 use crate::tui::backend::FieldRow;
 use crate::tui::place::Place;
 
@@ -23,13 +21,13 @@ use crate::tui::place::Place;
 #[derive(Debug, Clone)]
 pub struct ShipView {
     /// The ship at rest.
-    pub rest: Rest,
+    pub rest: StaticAnalysis,
     /// The ship at sea, of the newest text that was worked out.
-    pub sea: Option<Arc<AtSea>>,
+    pub sea: Option<Arc<DynamicAnalysis>>,
     /// What stops the thread that works the newest text out; nothing once it has answered.
     pub working: Option<Arc<AtomicBool>>,
     /// The heading shown in full, among all in balance.
-    pub station: usize,
+    pub equilibrium: usize,
     /// The motion that is drawn alone; none: all six.
     pub trace: Option<usize>,
 }
@@ -37,9 +35,9 @@ pub struct ShipView {
 impl ShipView {
     /// A ship as read, at rest.
     #[must_use]
-    pub fn new(rest: Rest) -> Self {
+    pub fn new(rest: StaticAnalysis) -> Self {
         Self {
-            station: text::chosen(&rest),
+            equilibrium: text::chosen(&rest),
             rest,
             sea: None,
             working: None,
@@ -57,7 +55,7 @@ impl ShipView {
     /// Something of the ship at sea, or why there is none yet.
     fn at_sea<'a, T>(
         &'a self,
-        of: impl Fn(&'a AtSea) -> Option<T>,
+        of: impl Fn(&'a DynamicAnalysis) -> Option<T>,
         none: &str,
     ) -> Result<T, Table> {
         let wait = || said("The ship at sea is still being worked out.");
@@ -65,15 +63,15 @@ impl ShipView {
         of(sea).ok_or_else(|| said(none))
     }
 
-    fn voyage(&self) -> Result<&Voyage, Table> {
+    fn motion(&self) -> Result<&MotionAnalysis, Table> {
         let none = "The file gives the ship no motion; [motion] does.";
-        match self.at_sea(|sea| sea.voyage.as_ref(), none)? {
-            Ok(voyage) => Ok(voyage),
+        match self.at_sea(|sea| sea.motion.as_ref(), none)? {
+            Ok(motion) => Ok(motion),
             Err(why) => Err(said(&format!("No such motion: {why}."))),
         }
     }
 
-    fn rope(&self) -> Result<&RopeAtSea, Table> {
+    fn rope(&self) -> Result<&RopeAnalysis, Table> {
         let none = "The file names no rope; [rope] does.";
         match self.at_sea(|sea| sea.rope.as_ref(), none)? {
             Ok(rope) => Ok(rope),
@@ -91,33 +89,30 @@ impl ShipView {
             .map_or(0, ship::model::Motion::seed);
         Ok(match leaf {
             1 => {
-                let voyage = self.voyage()?;
-                let table = motion::tables::statistics(voyage, seed);
-                (Some(picture::motions(voyage, self.trace)), table)
+                let analysis = self.motion()?;
+                let table = motion::statistics(analysis, seed);
+                (Some(charts::motions(analysis, self.trace)), table)
             }
-            2 => (None, motion::tables::spectra(self.voyage()?)),
+            2 => (None, motion::spectra(self.motion()?)),
             3 => {
                 let rope = self.rope()?;
-                (Some(rope_tables::chart(rope)), rope_tables::table(rope))
+                (Some(rope::chart(rope)), rope::table(rope))
             }
             4 => {
                 let rope = self.rope()?;
                 let none = || said("The rope made fast has no answer.");
-                let table = rope_tables::dynamic_table(rope).unwrap_or_else(none);
-                (rope_tables::dynamic_chart(rope), table)
+                let table = rope::dynamic_table(rope).unwrap_or_else(none);
+                (rope::dynamic_chart(rope), table)
             }
             _ => {
                 let none =
                     "The file does not ask for ship and anchor line in time; [coupled] does.";
                 match self.at_sea(|sea| sea.coupled.as_ref(), none)? {
                     Ok(coupled) if leaf == 5 => (
-                        Some(coupled_tables::motions(coupled)),
-                        coupled_tables::statistics(coupled),
+                        Some(coupled::motions(coupled)),
+                        coupled::statistics(coupled),
                     ),
-                    Ok(coupled) => (
-                        Some(coupled_tables::tension(coupled)),
-                        coupled_tables::decay(coupled),
-                    ),
+                    Ok(coupled) => (Some(coupled::tension(coupled)), coupled::decay(coupled)),
                     Err(why) => return Err(said(&format!("No answer: {why}."))),
                 }
             }
@@ -131,7 +126,7 @@ impl FileView for ShipView {
     }
 
     fn title(&self) -> &str {
-        &self.rest.ship.about.title
+        &self.rest.ship.particulars.title
     }
 
     fn panes(&self) -> &'static [Place] {
@@ -140,7 +135,15 @@ impl FileView for ShipView {
 
     fn leaves(&self) -> &'static [&'static str] {
         &[
-            "Headings", "Motion", "Spectra", "Rope", "Inertia", "Time", "Decay", "Swings", "Loads",
+            "Headings",
+            "Motion",
+            "Spectra",
+            "Rope",
+            "Inertia",
+            "Time",
+            "FreeDecay",
+            "Swings",
+            "EnvironmentalLoads",
             "Mooring",
         ]
     }
@@ -149,16 +152,19 @@ impl FileView for ShipView {
         let rest = &self.rest;
         let or = |table: Option<Table>, words: &str| table.unwrap_or_else(|| said(words));
         match leaf {
-            0 => (Some(picture::moments(rest)), tables::headings(rest)),
+            0 => (Some(charts::moments(rest)), statics::headings(rest)),
             1..=6 => self.sailing(leaf).unwrap_or_else(|table| (None, table)),
             7 => {
                 let words = "Small motions need [hull], and a [mooring] that reaches.";
-                (None, or(tables::small_motions(rest), words))
+                (None, or(statics::small_motions(rest), words))
             }
-            8 => (None, or(tables::loads(rest), "There is no stable heading.")),
+            8 => (
+                None,
+                or(statics::loads(rest), "There is no stable heading."),
+            ),
             _ => {
                 let words = "There is no stable heading, or no [mooring] that reaches.";
-                (None, or(tables::mooring(rest), words))
+                (None, or(statics::mooring(rest), words))
             }
         }
     }
@@ -177,17 +183,17 @@ impl FileView for ShipView {
 
     fn take(&mut self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>> {
         let rest = ship::parse(text, file)?;
-        let count = |rest: &Rest| rest.stations.as_ref().map_or(0, Vec::len);
+        let count = |rest: &StaticAnalysis| rest.equilibria.as_ref().map_or(0, Vec::len);
         if count(&rest) != count(&self.rest) {
-            self.station = text::chosen(&rest);
+            self.equilibrium = text::chosen(&rest);
         }
         self.rest = rest;
         Ok(())
     }
 
     fn checks(&self, _text: &str) -> Vec<ValidationRow> {
-        let voyage = self.sea.as_ref().and_then(|sea| sea.voyage.as_ref());
-        held::rows(&self.rest.ship, voyage)
+        let motion = self.sea.as_ref().and_then(|sea| sea.motion.as_ref());
+        validation::rows(&self.rest.ship, motion)
     }
 
     fn busy(&self) -> Option<&'static str> {
@@ -200,10 +206,14 @@ impl FileView for ShipView {
 
     fn hand_over(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {
         let arm = self.rest.ship.motion.as_ref().map(|m| m.hang_point_m);
-        let table = self.voyage().ok().zip(arm).map(|(voyage, arm)| {
+        let table = self.motion().ok().zip(arm).map(|(motion, arm)| {
             let mut table = String::from("time_s,x_m,y_m,z_m\n");
-            for (i, at) in voyage.of_point(&V3::from(arm)).iter().enumerate() {
-                let t = voyage.motions.time(i);
+            for (i, at) in motion
+                .point_displacements(&V3::from(arm))
+                .iter()
+                .enumerate()
+            {
+                let t = motion.motions.time(i);
                 // Writing to a text does not fail.
                 let _ = writeln!(table, "{t:?},{:?},{:?},{:?}", at.x, at.y, at.z);
             }

@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::{info, moved};
 use crate::physics::sea::DEGREES;
-use crate::ship::AtSea;
+use crate::ship::DynamicAnalysis;
 use crate::tui::command::Id;
 use crate::tui::msg::Effect;
 use crate::tui::state::{Content, FileView, ShipView, State};
@@ -40,8 +40,8 @@ pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
 
 /// Shows another heading in full.
 pub(super) fn choose(ship: &mut ShipView, by: isize) {
-    let count = ship.rest.stations.as_ref().map_or(0, Vec::len);
-    ship.station = moved(ship.station, by, count);
+    let count = ship.rest.equilibria.as_ref().map_or(0, Vec::len);
+    ship.equilibrium = moved(ship.equilibrium, by, count);
 }
 
 /// Works the ship out at sea, as its text now says; what is under way is stopped.
@@ -59,7 +59,7 @@ pub(super) fn resolve(state: &mut State) -> Option<Effect> {
 pub(super) fn worked(
     state: &mut State,
     by: &Arc<AtomicBool>,
-    sea: Option<Arc<AtSea>>,
+    sea: Option<Arc<DynamicAnalysis>>,
 ) -> Vec<Effect> {
     let text = state.sheet().map(|sheet| sheet.text.clone());
     let Some(ship) = open(state) else {

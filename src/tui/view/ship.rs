@@ -7,9 +7,10 @@ use super::Canvas;
 use super::paint::{row, text};
 use crate::report::chart::marker;
 use crate::report::number::{digits, si};
-use crate::ship::fishtail::Fate;
-use crate::ship::heading::Stands;
-use crate::ship::{Station, plan};
+use crate::report::ship::plan;
+use crate::ship::Equilibrium;
+use crate::ship::stability::DynamicStability;
+use crate::ship::yaw_equilibria::YawStability;
 use crate::tui::inks::Inks;
 use crate::tui::plot_pane::draw_chart;
 use crate::tui::state::ShipView;
@@ -21,7 +22,7 @@ impl Canvas<'_> {
     pub(super) fn ship_from_above(&mut self, area: Rect, ship: &ShipView) {
         let [drawing, list] =
             Layout::horizontal([Constraint::Min(0), Constraint::Length(LIST)]).areas(area);
-        let mut chart = plan::chart(&ship.rest, ship.station);
+        let mut chart = plan::chart(&ship.rest, ship.equilibrium);
         // The list beside it names the ships; every line counts here.
         chart.title.clear();
         chart.legend = false;
@@ -29,10 +30,10 @@ impl Canvas<'_> {
         draw_chart(&chart, drawing, self.buf, self.state.looks.glyphs, inks);
         let mut lines: Vec<(String, Style)> = Vec::new();
         let plain = self.theme.plain();
-        match &ship.rest.stations {
-            Ok(stations) => {
-                for (i, station) in stations.iter().enumerate() {
-                    lines.extend(self.station(i, station, i == ship.station));
+        match &ship.rest.equilibria {
+            Ok(equilibria) => {
+                for (i, equilibrium) in equilibria.iter().enumerate() {
+                    lines.extend(self.equilibrium(i, equilibrium, i == ship.equilibrium));
                 }
             }
             Err(why) => {
@@ -42,7 +43,7 @@ impl Canvas<'_> {
             }
         }
         lines.push((String::new(), plain));
-        let count = ship.rest.stations.as_ref().map_or(0, Vec::len);
+        let count = ship.rest.equilibria.as_ref().map_or(0, Vec::len);
         let names = ["anchor"].into_iter().map(str::to_owned);
         let flows = ship.rest.loads.each.iter().map(|load| {
             let name = plan::name(load);
@@ -64,13 +65,21 @@ impl Canvas<'_> {
     }
 
     /// What is said of a heading: itself and how it stands, and of the one chosen, what holds the ship there.
-    fn station(&self, i: usize, station: &Station, chosen: bool) -> Vec<(String, Style)> {
-        let balance = &station.balance;
-        let style = match (balance.stands, station.fate()) {
-            (Stands::Stable, None | Some(Fate::Stable { .. })) => self.theme.good(),
-            (Stands::Stable, Some(Fate::Diverges { .. } | Fate::Fishtails { .. })) => {
-                self.theme.error()
+    fn equilibrium(
+        &self,
+        i: usize,
+        equilibrium: &Equilibrium,
+        chosen: bool,
+    ) -> Vec<(String, Style)> {
+        let balance = &equilibrium.yaw;
+        let style = match (balance.stability, equilibrium.dynamic_stability()) {
+            (YawStability::Stable, None | Some(DynamicStability::Stable { .. })) => {
+                self.theme.good()
             }
+            (
+                YawStability::Stable,
+                Some(DynamicStability::Divergence { .. } | DynamicStability::Fishtailing { .. }),
+            ) => self.theme.error(),
             _ => self.theme.plain(),
         };
         let head = if chosen { ">" } else { " " };
@@ -80,7 +89,7 @@ impl Canvas<'_> {
                 i + 1,
                 marker(i),
                 digits(balance.heading.to_degrees(), 5),
-                plan::word(station)
+                plan::word(equilibrium)
             ),
             style,
         )];
@@ -88,27 +97,29 @@ impl Canvas<'_> {
             return lines;
         }
         let mut say = |words: String| lines.push((format!("    {words}"), self.theme.plain()));
-        say(format!("at rest {}", balance.stands.word()));
+        say(format!("at rest {}", balance.stability.label()));
         say(format!("pull {}", si(balance.pull, "N")));
-        match &station.reach {
+        match &equilibrium.reach {
             Some(Ok(reach)) => {
                 say(format!("bow {} from anchor", si(reach.distance, "m")));
-                if reach.anchor_lift > 0.0 {
-                    say(format!("LIFTS ANCHOR by {}", si(reach.anchor_lift, "N")));
+                if reach.anchor_uplift > 0.0 {
+                    say(format!("LIFTS ANCHOR by {}", si(reach.anchor_uplift, "N")));
                 }
             }
             Some(Err(_)) => say("the line does not reach".to_owned()),
             None => say("no mooring line given".to_owned()),
         }
-        match station.fate().map(Fate::times) {
+        match equilibrium.dynamic_stability().map(DynamicStability::times) {
             Some((period, time)) => {
                 let seconds =
                     |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |v| si(v, "s"));
                 let grows = matches!(
-                    station.fate(),
-                    Some(Fate::Diverges { .. } | Fate::Fishtails { .. })
+                    equilibrium.dynamic_stability(),
+                    Some(
+                        DynamicStability::Divergence { .. } | DynamicStability::Fishtailing { .. }
+                    )
                 );
-                let verb = if grows { "doubles" } else { "halves" };
+                let verb = if grows { "doubling_time" } else { "half_life" };
                 say(format!("swings in {}", seconds(period)));
                 say(format!("{verb} in {}", seconds(time)));
             }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use seacable::report::chart::Glyphs;
-use seacable::ship::{self, AtSea};
+use seacable::ship::{self, DynamicAnalysis};
 use seacable::tui::msg::FileRead;
 use seacable::tui::place::Place;
 use seacable::tui::state::{Content, OpenFile, ShipView};
@@ -44,7 +44,7 @@ impl Desk {
         });
         let (rest, stop) = asked.unwrap();
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/ship");
-        let sea = AtSea::of(&rest, &folder, &stop).map(Arc::new);
+        let sea = DynamicAnalysis::of(&rest, &folder, &stop).map(Arc::new);
         self.tell(Msg::ShipWorked(stop, sea));
     }
 }
@@ -99,9 +99,9 @@ fn without_colour_in_ascii() {
 #[test]
 fn headings_are_chosen_and_motions_drawn_one_by_one() {
     let mut desk = Desk::with_ship(SMALL);
-    let (first, before) = (ship(&desk).station, desk.screen());
+    let (first, before) = (ship(&desk).equilibrium, desk.screen());
     desk.keys(if first == 0 { "G" } else { "g" });
-    assert_ne!(ship(&desk).station, first);
+    assert_ne!(ship(&desk).equilibrium, first);
     assert_ne!(desk.screen(), before);
     desk.sail();
     desk.keys("3 ] c c c");
@@ -121,11 +121,11 @@ fn an_edit_is_live_at_rest_and_only_the_newest_text_is_taken_at_sea() {
     desk.type_text("0.4");
     desk.keys("enter");
     assert!(open(&desk).sheet.unsaved());
-    assert_ne!(ship(&desk).rest.stations, before.stations);
+    assert_ne!(ship(&desk).rest.equilibria, before.equilibria);
     // What was under way was told to stop, and its answer is dropped.
     assert!(stale.load(Ordering::Relaxed));
-    let old = AtSea {
-        voyage: None,
+    let old = DynamicAnalysis {
+        motion: None,
         coupled: None,
         rope: None,
     };

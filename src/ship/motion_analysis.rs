@@ -4,11 +4,11 @@ use std::path::Path;
 
 use rayon::prelude::*;
 
-use super::model::MotionBy;
-use super::motion::record::Record;
-use super::motion::responses::Answer;
-use super::motion::{MotionError, SixMotions, point};
-use super::rest::Rest;
+use super::model::MotionSource;
+use super::motion::record::MotionRecord;
+use super::motion::wave_response::WaveResponse;
+use super::motion::{MotionStatisticsError, ShipMotion, point};
+use super::static_analysis::StaticAnalysis;
 use super::statistics::Statistics;
 use crate::case::Diagnostic;
 use crate::numerics::V3;
@@ -16,22 +16,22 @@ use crate::physics::sea::Moments;
 
 /// The ship in its sea.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Voyage {
+pub struct MotionAnalysis {
     /// The motions and their components.
-    pub motions: SixMotions,
+    pub motions: ShipMotion,
     /// Their records: surge, sway, heave \[m\], roll, pitch, yaw \[rad\].
-    pub records: Vec<Record>,
+    pub records: Vec<MotionRecord>,
     /// Statistics of displacement, velocity and acceleration of each.
     pub statistics: Vec<[Statistics; 3]>,
     /// The sea that it answers, tested; absent where the motion is made to statistics.
-    pub sea: Option<SeaTest>,
+    pub sea: Option<WaveRealisation>,
 }
 
 /// A sea: what is asked for, and what its record comes to.
 #[derive(Debug, Clone, PartialEq)]
-pub struct SeaTest {
+pub struct WaveRealisation {
     /// How the ship answers it.
-    pub answer: Answer,
+    pub answer: WaveResponse,
     /// Moments of the spectrum.
     pub asked: Moments,
     /// Moments of the record of the elevation at the ship.
@@ -42,10 +42,10 @@ pub struct SeaTest {
 
 /// Why there is no such motion.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum VoyageError {
+pub enum MotionError {
     /// No motion has these statistics.
     #[error(transparent)]
-    Motion(#[from] MotionError),
+    Motion(#[from] MotionStatisticsError),
     /// The file of responses.
     #[error("{0}")]
     File(Diagnostic),
@@ -56,38 +56,42 @@ pub enum VoyageError {
     NoHeading,
 }
 
-impl Voyage {
+impl MotionAnalysis {
     /// The motions of the file's seed; absent where the file has none. `folder` is that of the ship's file.
     ///
     /// # Errors
-    /// [`VoyageError`].
+    /// [`MotionError`].
     #[must_use]
-    pub fn of(rest: &Rest, folder: &Path) -> Option<Result<Self, VoyageError>> {
-        rest.ship.motion.as_ref()?;
-        Some(Self::new(rest, folder))
+    pub fn of(statics: &StaticAnalysis, folder: &Path) -> Option<Result<Self, MotionError>> {
+        statics.ship.motion.as_ref()?;
+        Some(Self::new(statics, folder))
     }
 
-    fn new(rest: &Rest, folder: &Path) -> Result<Self, VoyageError> {
-        let words = rest.ship.motion.as_ref().ok_or(VoyageError::NoHeading)?;
-        let answer = match words.by {
-            MotionBy::Statistics => None,
-            MotionBy::Responses => {
-                let told = words.heading_deg.map(f64::to_radians);
-                let rests = || rest.chosen().map(|station| station.balance.heading);
-                let heading = told.or_else(rests).ok_or(VoyageError::NoHeading)?;
-                Some(Answer::read(words, heading, folder).map_err(VoyageError::File)?)
+    fn new(statics: &StaticAnalysis, folder: &Path) -> Result<Self, MotionError> {
+        let settings = statics.ship.motion.as_ref().ok_or(MotionError::NoHeading)?;
+        let answer = match settings.by {
+            MotionSource::Statistics => None,
+            MotionSource::Responses => {
+                let told = settings.heading_deg.map(f64::to_radians);
+                let rests = || {
+                    statics
+                        .governing()
+                        .map(|equilibrium| equilibrium.yaw.heading)
+                };
+                let heading = told.or_else(rests).ok_or(MotionError::NoHeading)?;
+                Some(WaveResponse::read(settings, heading, folder).map_err(MotionError::File)?)
             }
         };
-        let motions = SixMotions::new(words, answer.as_ref(), words.seed())?;
+        let motions = ShipMotion::new(settings, answer.as_ref(), settings.seed())?;
         let records = motions.records();
         let statistics = records
             .par_iter()
             .map(|r| [&r.x, &r.v, &r.a].map(|values| Statistics::of(values)))
             .collect();
         let sea = answer.map(|answer| {
-            let record = Record::new(&motions.sea, 0.0, motions.step, motions.instants);
+            let record = MotionRecord::new(&motions.sea, 0.0, motions.step, motions.instants);
             let (elevation, rate) = (Statistics::of(&record.x), Statistics::of(&record.v));
-            SeaTest {
+            WaveRealisation {
                 asked: answer.spectrum.moments(),
                 made: Moments {
                     m0: elevation.deviation.powi(2),
@@ -107,13 +111,13 @@ impl Voyage {
 
     /// How the ship answers its sea; absent where the motion is made to statistics.
     #[must_use]
-    pub fn answer(&self) -> Option<&Answer> {
+    pub fn answer(&self) -> Option<&WaveResponse> {
         self.sea.as_ref().map(|sea| &sea.answer)
     }
 
     /// Displacements of a point at `arm` \[m\] in the axes of the ship, at every instant.
     #[must_use]
-    pub fn of_point(&self, arm: &V3) -> Vec<V3> {
+    pub fn point_displacements(&self, arm: &V3) -> Vec<V3> {
         let instants = 0..self.motions.instants;
         instants.map(|i| point(&self.records, arm, i)).collect()
     }

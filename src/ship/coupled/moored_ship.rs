@@ -4,7 +4,7 @@
 //! # Unknowns
 //! The nodes of the line, the last of them the fairlead; then one for the ship's translation, the place of its reference
 //! point, and one for its rotation from the heading it lies at, times a length. Rotations are of first order, as in the
-//! paper's equation (4): constant mass, damping and restoring. Loads are constant, or a [`Forcing`]: wind, current and drift
+//! paper's equation (4): constant mass, damping and restoring. EnvironmentalLoads are constant, or a [`Forcing`]: wind, current and drift
 //! on the ship as it turns and moves, and waves.
 //!
 //! # Equations
@@ -26,7 +26,7 @@ use crate::solve::{Factors, State, System};
 /// A ship as a rigid body about its reference point, in the axes of the case: surge, sway, heave, roll, pitch, yaw as
 /// displacements along and turns about x, y, z.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RigidBody {
+pub struct ShipBody {
     /// Mass and added mass \[kg, kg m, kg m²\]; symmetric.
     pub mass: Matrix6<f64>,
     /// Damping per velocity.
@@ -47,16 +47,16 @@ pub struct RigidBody {
 
 /// A line with a ship at its end B.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Moored {
+pub struct MooredShip {
     line: Scene,
-    ship: RigidBody,
+    ship: ShipBody,
     /// Stiffness by which the tie of the fairlead is told as a force \[N/m\].
     tie: f64,
 }
 
 /// Why a line cannot hold a ship.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-pub enum MooredError {
+pub enum MooredShipError {
     /// Bending reaches over three nodes.
     #[error("a line with bending stiffness cannot hold a ship; leave EI out")]
     Bends,
@@ -65,17 +65,17 @@ pub enum MooredError {
     Loose,
 }
 
-impl Moored {
+impl MooredShip {
     /// Ties a ship to end B of a line.
     ///
     /// # Errors
-    /// [`MooredError`].
-    pub fn new(line: Scene, ship: RigidBody) -> Result<Self, MooredError> {
+    /// [`MooredShipError`].
+    pub fn new(line: Scene, ship: ShipBody) -> Result<Self, MooredShipError> {
         if line.is_pentadiagonal() {
-            return Err(MooredError::Bends);
+            return Err(MooredShipError::Bends);
         }
         if line.free() != (1..line.nodes() - 1) {
-            return Err(MooredError::Loose);
+            return Err(MooredShipError::Loose);
         }
         let tie = line.force_scale / ship.length;
         Ok(Self { line, ship, tie })
@@ -217,7 +217,7 @@ fn stacked(upper: V3, lower: V3) -> Vector6<f64> {
     Vector6::new(upper.x, upper.y, upper.z, lower.x, lower.y, lower.z)
 }
 
-impl System for Moored {
+impl System for MooredShip {
     fn nodes(&self) -> usize {
         self.line.nodes() + 2
     }

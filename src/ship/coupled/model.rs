@@ -2,15 +2,15 @@
 
 use nalgebra::Vector6;
 
-use super::coupled::CoupledError;
+use super::CoupledError;
 use super::forcing::Forcing;
-use super::model::{CoupledWords, Mooring};
-use super::moored::{Moored, RigidBody};
-use super::mooring::Reach;
-use super::rest::{Rest, Station};
+use super::moored_ship::{MooredShip, ShipBody};
 use crate::case;
 use crate::numerics::V3;
 use crate::scene::{self, Scene};
+use crate::ship::model::{CoupledSettings, Mooring};
+use crate::ship::mooring::MooringSolution;
+use crate::ship::static_analysis::{Equilibrium, StaticAnalysis};
 use crate::solve::{State, System};
 use crate::statics::equilibrium::EquilibriumSearch;
 
@@ -19,35 +19,38 @@ const SUNK: f64 = 1e-3;
 
 /// What the equations of ship and line are made from.
 #[derive(Debug, Clone, Copy)]
-pub struct Setting<'a> {
+pub struct CoupledModel<'a> {
     /// The ship at rest.
-    pub rest: &'a Rest,
+    pub statics: &'a StaticAnalysis,
     /// Its words on the run.
-    pub words: &'a CoupledWords,
+    pub settings: &'a CoupledSettings,
     /// The heading at which it lies.
-    pub station: &'a Station,
+    pub equilibrium: &'a Equilibrium,
     /// The line that holds it.
     pub mooring: &'a Mooring,
     /// The line's reach there.
-    pub reach: &'a Reach,
+    pub reach: &'a MooringSolution,
 }
 
-impl<'a> Setting<'a> {
+impl<'a> CoupledModel<'a> {
     /// Of a file that says everything needed.
     ///
     /// # Errors
     /// [`CoupledError::Missing`].
-    pub fn of(rest: &'a Rest) -> Result<Self, CoupledError> {
+    pub fn of(statics: &'a StaticAnalysis) -> Result<Self, CoupledError> {
         let missing = CoupledError::Missing;
-        let words = rest.ship.coupled.as_ref();
-        let station = rest.chosen();
-        let station = station.ok_or(missing("there is no stable heading to begin from"))?;
-        let reach = station.reach.as_ref().and_then(|reach| reach.as_ref().ok());
+        let settings = statics.ship.coupled.as_ref();
+        let equilibrium = statics.governing();
+        let equilibrium = equilibrium.ok_or(missing("there is no stable heading to begin from"))?;
+        let reach = equilibrium
+            .reach
+            .as_ref()
+            .and_then(|reach| reach.as_ref().ok());
         Ok(Self {
-            rest,
-            words: words.ok_or(missing("the file has no [coupled]"))?,
-            station,
-            mooring: rest
+            statics,
+            settings: settings.ok_or(missing("the file has no [coupled]"))?,
+            equilibrium,
+            mooring: statics
                 .ship
                 .mooring
                 .as_ref()
@@ -60,7 +63,7 @@ impl<'a> Setting<'a> {
     #[must_use]
     pub fn arm(&self) -> V3 {
         let height = self.mooring.fairlead_z_m;
-        V3::new(self.rest.loads.arm, 0.0, height)
+        V3::new(self.statics.loads.arm, 0.0, height)
     }
 
     /// The line, of so many segments, at rest with its fairlead shifted \[m\].
@@ -80,9 +83,10 @@ impl<'a> Setting<'a> {
     }
 
     fn line_text(&self, segments: usize, shift: &V3) -> String {
-        let (about, mooring, words) = (&self.rest.ship.about, self.mooring, self.words);
-        let balance = &self.station.balance;
-        let (sin, cos) = (balance.downstream - balance.heading).sin_cos();
+        let (particulars, mooring, settings) =
+            (&self.statics.ship.particulars, self.mooring, self.settings);
+        let balance = &self.equilibrium.yaw;
+        let (sin, cos) = (balance.force_direction - balance.heading).sin_cos();
         let arm = self.arm();
         let (x, y) = (
             arm.x - self.reach.distance * cos,
@@ -98,18 +102,19 @@ impl<'a> Setting<'a> {
              [[line]]\nname = \"line\"\nmaterial = \"line\"\nlength_m = {:?}\nsegments = {segments}\n\
              [ends.a]\nname = \"anchor\"\nkind = \"anchor\"\nposition_m = [{x:?}, {y:?}, {:?}]\n\
              [ends.b]\nname = \"ship\"\nkind = \"fixed\"\nposition_m = [{:?}, {:?}, {:?}]\n",
-            about.gravity_m_per_s2,
-            about.water_density_kg_per_m3,
+            particulars.gravity_m_per_s2,
+            particulars.water_density_kg_per_m3,
             mooring.depth_m,
             // As hard as the flat bed of the closed form, nearly: the line sinks in by a millimetre.
-            mooring.wet_weight_kg_per_m * about.gravity_m_per_s2 / (words.line_diameter_m * SUNK),
-            words.line_diameter_m,
-            words.line_mass_kg_per_m,
+            mooring.wet_weight_kg_per_m * particulars.gravity_m_per_s2
+                / (settings.line_diameter_m * SUNK),
+            settings.line_diameter_m,
+            settings.line_mass_kg_per_m,
             mooring.wet_weight_kg_per_m,
             mooring.ea_n,
-            words.drag_normal,
-            words.drag_tangential,
-            words.added_mass_normal,
+            settings.drag_normal,
+            settings.drag_tangential,
+            settings.added_mass_normal,
             mooring.length_m,
             -mooring.depth_m,
             ship.x,
@@ -126,7 +131,7 @@ impl<'a> Setting<'a> {
         &self,
         segments: usize,
         forcing: Forcing,
-    ) -> Result<(Moored, State), CoupledError> {
+    ) -> Result<(MooredShip, State), CoupledError> {
         let (scene, state) = self.line(segments, &V3::zeros())?;
         let moored = self.moored(scene, &state, forcing)?;
         Ok((moored, state))
@@ -141,15 +146,15 @@ impl<'a> Setting<'a> {
         scene: Scene,
         rest: &State,
         forcing: Forcing,
-    ) -> Result<Moored, CoupledError> {
+    ) -> Result<MooredShip, CoupledError> {
         let missing = CoupledError::Missing("the file has no [hull]");
-        let hull = self.rest.hull.as_ref().ok_or(missing)?;
+        let hull = self.statics.hull.as_ref().ok_or(missing)?;
         let arm = self.arm();
         let pull = scene.end_force(scene.nodes() - 1, rest);
         let turn = arm.cross(&pull);
         // What holds the ship in the plane are wind, current and drift; the water holds up what the line pulls down.
         let load = -Vector6::new(0.0, 0.0, pull.z, turn.x, turn.y, 0.0);
-        let body = RigidBody {
+        let body = ShipBody {
             mass: hull.mass,
             damping: hull.damping,
             restoring: hull.restoring,
@@ -157,16 +162,16 @@ impl<'a> Setting<'a> {
             forcing,
             place: V3::zeros(),
             arm,
-            length: 0.5 * self.rest.ship.about.length_m,
+            length: 0.5 * self.statics.ship.particulars.length_m,
         };
-        Ok(Moored::new(scene, body)?)
+        Ok(MooredShip::new(scene, body)?)
     }
 
     /// Wind, current and drift in time, along the heading at rest.
     #[must_use]
     pub fn flows(&self) -> Forcing {
         Forcing {
-            flows: Some((self.rest.loads.clone(), self.station.balance.heading)),
+            flows: Some((self.statics.loads.clone(), self.equilibrium.yaw.heading)),
             ..Forcing::default()
         }
     }

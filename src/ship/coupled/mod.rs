@@ -1,24 +1,29 @@
 //! The ship of a file and its anchor line in time, eqs (4) and (5) of the ropeway paper: a rigid body at the end of a line of
-//! the dynamic solver, both in one Newton ([`moored`](super::moored)), in axes along the heading at which the ship rests.
+//! the dynamic solver, both in one Newton ([`moored_ship`]), in axes along the heading at which the ship rests.
 //!
 //! Time error and mesh error are told apart by companions, one with half the step and one with half the segments, after
 //! Richardson for a method of order two: of the record with the whole step 4/3 of the difference, of that with all
 //! segments 1/3.
 
+pub mod forcing;
+pub mod free_decay;
+pub mod model;
+pub mod moored_ship;
+
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::decay::{Decay, decay};
-use super::forcing::{Forcing, wave_loads};
-use super::model::CoupledWords;
-use super::moored::{Moored, MooredError};
-use super::motion::displaced;
-use super::rest::Rest;
-use super::setting::Setting;
-use super::statistics::Statistics;
-use super::voyage::Voyage;
+use self::forcing::{Forcing, wave_loads};
+use self::free_decay::{FreeDecay, decay};
+use self::model::CoupledModel;
+use self::moored_ship::{MooredShip, MooredShipError};
 use crate::dynamics::generalized_alpha::GeneralizedAlpha;
 use crate::dynamics::{March, MarchError, Stepper};
 use crate::numerics::V3;
+use crate::ship::model::CoupledSettings;
+use crate::ship::motion::rigid_displacement;
+use crate::ship::motion_analysis::MotionAnalysis;
+use crate::ship::static_analysis::StaticAnalysis;
+use crate::ship::statistics::Statistics;
 use crate::solve::{Instant, Progressing, State, System};
 
 /// Damping of the method at the highest frequencies: enough for a line that snaps taut.
@@ -44,9 +49,9 @@ pub const CHANNELS: [(&str, &str); 11] = [
 
 /// A ship and its anchor line in time.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Coupled {
+pub struct CoupledAnalysis {
     /// The words that it was computed by.
-    pub words: CoupledWords,
+    pub settings: CoupledSettings,
     /// Each channel at every step, from t = 0.
     pub records: Vec<Vec<f64>>,
     /// Time between two of a record \[s\].
@@ -60,7 +65,7 @@ pub struct Coupled {
     /// Work of the run itself.
     pub work: Work,
     /// The ship let go from a displacement, against the linearised equations.
-    pub decay: Result<Decay, String>,
+    pub decay: Result<FreeDecay, String>,
     /// Whether waves act.
     pub waves: bool,
 }
@@ -87,7 +92,7 @@ pub enum CoupledError {
     Line(String),
     /// The line does not hold a ship.
     #[error(transparent)]
-    Moored(#[from] MooredError),
+    MooredShip(#[from] MooredShipError),
     /// The march gave up.
     #[error("the march gave up {0}")]
     March(#[from] MarchError),
@@ -102,31 +107,31 @@ struct Marched {
     work: Work,
 }
 
-impl Coupled {
+impl CoupledAnalysis {
     /// Follows ship and line, with the companions that tell the errors, and the free decay.
     ///
     /// # Errors
     /// [`CoupledError`].
     pub fn new(
-        rest: &Rest,
-        voyage: Option<&Voyage>,
+        statics: &StaticAnalysis,
+        motion: Option<&MotionAnalysis>,
         stop: &AtomicBool,
     ) -> Result<Self, CoupledError> {
-        let setting = Setting::of(rest)?;
-        let words = setting.words;
-        let hull = rest.hull.as_ref();
+        let setting = CoupledModel::of(statics)?;
+        let settings = setting.settings;
+        let hull = statics.hull.as_ref();
         let hull = hull.ok_or(CoupledError::Missing("the file has no [hull]"))?;
-        let waves = voyage.and_then(|voyage| {
-            let loads = |answer| wave_loads(hull, answer, &voyage.motions.sea);
-            voyage.answer().map(loads)
+        let waves = motion.and_then(|motion| {
+            let loads = |answer| wave_loads(hull, answer, &motion.motions.sea);
+            motion.answer().map(loads)
         });
         let forcing = Forcing {
             waves: waves.unwrap_or_default(),
-            ramp: words.ramp_s,
+            ramp: settings.ramp_s,
             ..setting.flows()
         };
         let run = |segments: usize, halvings: u32| {
-            let hang = rest
+            let hang = statics
                 .ship
                 .motion
                 .as_ref()
@@ -140,9 +145,12 @@ impl Coupled {
                 stop,
             )
         };
-        let whole = run(words.segments, 0)?;
-        let (fine, coarse) = rayon::join(|| run(words.segments, 1), || run(words.segments / 2, 0));
-        let from = (words.from_s / words.step_s).round() as usize;
+        let whole = run(settings.segments, 0)?;
+        let (fine, coarse) = rayon::join(
+            || run(settings.segments, 1),
+            || run(settings.segments / 2, 0),
+        );
+        let from = (settings.from_s / settings.step_s).round() as usize;
         let counted = |record: &Vec<f64>| record.get(from..).unwrap_or(&[]).to_vec();
         let errors = |other: Result<Marched, CoupledError>, share: f64| {
             let other = other.ok()?;
@@ -158,8 +166,8 @@ impl Coupled {
             return Err(CoupledError::Stopped);
         }
         Ok(Self {
-            words: words.clone(),
-            step: words.step_s,
+            settings: settings.clone(),
+            step: settings.step_s,
             statistics: whole
                 .records
                 .iter()
@@ -176,8 +184,8 @@ impl Coupled {
 
     /// Displacements of a point at `arm` \[m\] in the axes of the ship, from where statistics begin.
     #[must_use]
-    pub fn of_point(&self, arm: &V3) -> Vec<V3> {
-        let from = (self.words.from_s / self.step).round() as usize;
+    pub fn point_displacements(&self, arm: &V3) -> Vec<V3> {
+        let from = (self.settings.from_s / self.step).round() as usize;
         let count = self.records.first().map_or(0, Vec::len);
         let at = |i: usize| {
             let q = std::array::from_fn(|degree| {
@@ -188,7 +196,7 @@ impl Coupled {
                     value.to_radians()
                 }
             });
-            displaced(q, arm)
+            rigid_displacement(q, arm)
         };
         (from.min(count)..count).map(at).collect()
     }
@@ -201,25 +209,25 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
 }
 
 fn march(
-    setting: &Setting<'_>,
+    setting: &CoupledModel<'_>,
     forcing: &Forcing,
     segments: usize,
     halvings: u32,
     hang: &V3,
     stop: &AtomicBool,
 ) -> Result<Marched, CoupledError> {
-    let words = setting.words;
+    let settings = setting.settings;
     let (moored, line) = setting.system(segments, forcing.clone())?;
-    let yaw = words.start_yaw_deg.to_radians();
+    let yaw = settings.start_yaw_deg.to_radians();
     let mut state = moored.turned(&line, V3::z() * yaw);
     moored.accelerate(0.0, &mut state);
     let mut method = GeneralizedAlpha::new(moored.nodes(), RHO, NEWTON.0, NEWTON.1);
     let march = March {
-        duration: words.duration_s,
-        step: words.step_s / f64::from(1_u32 << halvings),
-        output: words.step_s,
+        duration: settings.duration_s,
+        step: settings.step_s / f64::from(1_u32 << halvings),
+        output: settings.step_s,
     };
-    let instants = (words.duration_s / words.step_s).round() as usize + 1;
+    let instants = (settings.duration_s / settings.step_s).round() as usize + 1;
     let mut records = vec![Vec::with_capacity(instants); CHANNELS.len()];
     let outcome = march.run(&mut method, &moored, &mut state, &mut |instant: Instant<
         '_,
@@ -252,9 +260,9 @@ fn march(
 }
 
 /// The values of [`CHANNELS`] in a state.
-fn channels(moored: &Moored, state: &State, hang: &V3) -> [f64; CHANNELS.len()] {
+fn channels(moored: &MooredShip, state: &State, hang: &V3) -> [f64; CHANNELS.len()] {
     let q = moored.motion(state);
-    let point = displaced(std::array::from_fn(|i| q[i]), hang);
+    let point = rigid_displacement(std::array::from_fn(|i| q[i]), hang);
     [
         q[0],
         q[1],

@@ -1,12 +1,12 @@
-//! A ship as charts: the moment about the mooring against the heading, with its zeros, and its motions in time.
+//! A ship as charts: the moment about the mooring against the heading, with its isolate_roots_, and its motions in time.
 
 use std::f64::consts::PI;
 
-use super::heading::Stands;
-use super::rest::Rest;
-use super::voyage::Voyage;
 use crate::physics::sea::DEGREES;
 use crate::report::chart::{Axis, Chart, Limit, LimitLine, Series};
+use crate::ship::MotionAnalysis;
+use crate::ship::StaticAnalysis;
+use crate::ship::yaw_equilibria::YawStability;
 
 /// Time of a record that is drawn \[s\].
 const MINUTES: f64 = 300.0;
@@ -16,8 +16,8 @@ const POINTS: u32 = 720;
 
 /// Moment about the mooring point against the heading, that of each load and together; every heading in balance marked.
 #[must_use]
-pub fn moments(rest: &Rest) -> Chart {
-    let arm = rest.loads.arm;
+pub fn moments(statics: &StaticAnalysis) -> Chart {
+    let arm = statics.loads.arm;
     let over = |moment: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
         let heading = |i: u32| -PI + 2.0 * PI * f64::from(i) / f64::from(POINTS);
         (0..=POINTS)
@@ -27,9 +27,9 @@ pub fn moments(rest: &Rest) -> Chart {
     let mut series = vec![Series::new(
         "together",
         0,
-        over(&|heading| rest.loads.moment(heading).0),
+        over(&|heading| statics.loads.moment(heading).0),
     )];
-    for (i, load) in rest.loads.each.iter().enumerate() {
+    for (i, load) in statics.loads.each.iter().enumerate() {
         let of = |heading: f64| {
             let (value, _) = load.at(heading);
             value[2] - value[1] * arm
@@ -44,7 +44,7 @@ pub fn moments(rest: &Rest) -> Chart {
         },
         y: Axis::new("moment", "N m"),
         series,
-        limits: limits(rest),
+        limits: limits(statics),
         legend: true,
         ..Chart::default()
     }
@@ -52,19 +52,19 @@ pub fn moments(rest: &Rest) -> Chart {
 
 /// The ship's motions over the first minutes of the record: all six, or one alone.
 #[must_use]
-pub fn motions(voyage: &Voyage, alone: Option<usize>) -> Chart {
-    let shown = voyage
+pub fn motions(motion: &MotionAnalysis, alone: Option<usize>) -> Chart {
+    let shown = motion
         .motions
         .instants
-        .min((MINUTES / voyage.motions.step) as usize + 1);
+        .min((MINUTES / motion.motions.step) as usize + 1);
     let series = DEGREES.iter().enumerate().map(|(degree, name)| {
         let (unit, scale) = if degree < 3 {
             ("m", 1.0)
         } else {
             ("deg", 1.0_f64.to_degrees())
         };
-        let values = &voyage.records[degree].x;
-        let points = (0..shown).map(|i| (voyage.motions.time(i), scale * values[i]));
+        let values = &motion.records[degree].x;
+        let points = (0..shown).map(|i| (motion.motions.time(i), scale * values[i]));
         Series {
             visible: alone.is_none_or(|one| one == degree),
             ..Series::new(&format!("{name} [{unit}]"), degree, points.collect())
@@ -80,18 +80,18 @@ pub fn motions(voyage: &Voyage, alone: Option<usize>) -> Chart {
     }
 }
 
-fn limits(rest: &Rest) -> Vec<Limit> {
-    let stations = rest.stations.as_deref().unwrap_or_default();
+fn limits(statics: &StaticAnalysis) -> Vec<Limit> {
+    let equilibria = statics.equilibria.as_deref().unwrap_or_default();
     let mut limits = vec![Limit {
         label: String::new(),
         line: LimitLine::Horizontal(0.0),
     }];
-    limits.extend(stations.iter().map(|one| Limit {
-        label: match one.balance.stands {
-            Stands::Stable => "stable".to_owned(),
-            other => other.word().to_owned(),
+    limits.extend(equilibria.iter().map(|one| Limit {
+        label: match one.yaw.stability {
+            YawStability::Stable => "stable".to_owned(),
+            other => other.label().to_owned(),
         },
-        line: LimitLine::Vertical(one.balance.heading.to_degrees()),
+        line: LimitLine::Vertical(one.yaw.heading.to_degrees()),
     }));
     limits
 }

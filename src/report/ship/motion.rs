@@ -1,12 +1,12 @@
 //! The ship's motion in tables: statistics asked for and made, spectra, and what to expect in the time of a record.
 
-use super::Degree;
-use super::band::Scatter;
 use crate::physics::sea::{DEGREES, Moments};
 use crate::report::number::{digits, percent, rounded};
 use crate::report::table::{Cell, CellInk, Column, Table};
-use crate::ship::Voyage;
-use crate::ship::statistics::{Statistics, greatest_of_gaussian};
+use crate::ship::MotionAnalysis;
+use crate::ship::motion::DegreeOfFreedom;
+use crate::ship::motion::spectral_band::MotionRms;
+use crate::ship::statistics::{Statistics, expected_gaussian_maximum};
 
 /// Units of a degree of freedom's displacement, velocity, acceleration.
 const UNITS: [[&str; 3]; 2] = [["m", "m/s", "m/s²"], ["deg", "deg/s", "deg/s²"]];
@@ -21,21 +21,21 @@ fn scale(degree: usize) -> f64 {
 
 /// Root mean squares asked for and made, means, extremes, and the greatest to expect.
 #[must_use]
-pub fn statistics(voyage: &Voyage, seed: u64) -> Table {
+pub fn statistics(motion: &MotionAnalysis, seed: u64) -> Table {
     let mut rows = Vec::new();
-    for (i, degree) in voyage.motions.degrees.iter().enumerate() {
+    for (i, degree) in motion.motions.degrees.iter().enumerate() {
         for (rate, unit) in UNITS[i / 3].into_iter().enumerate() {
             let asked = asked(&degree.asked, degree.mean, rate);
             let name = format!("{} [{unit}]", DEGREES[i]);
             rows.push(row(
                 &name,
                 asked * scale(i),
-                &voyage.statistics[i][rate],
+                &motion.statistics[i][rate],
                 scale(i),
             ));
         }
     }
-    let duration = voyage.motions.time(voyage.motions.instants);
+    let duration = motion.motions.time(motion.motions.instants);
     Table {
         title: format!(
             "Motion over {} s, seed {seed}: what is asked for and what is made",
@@ -54,7 +54,7 @@ pub fn statistics(voyage: &Voyage, seed: u64) -> Table {
         rows,
         notes: vec![
             "Root mean squares are about nothing, the mean counted in. To expect is the mean, over many records of this length, of a Gaussian record's greatest, and its scatter from record to record (Cartwright and Longuet-Higgins 1956), from the moments asked for.".to_owned(),
-            if voyage.sea.is_some() {
+            if motion.sea.is_some() {
                 "Made by the ship's responses to one sea. Asked for are the moments of its spectrum times the square of the response."
             } else {
                 "Motions in different degrees of freedom are independent: statistics of each alone do not tell their phases."
@@ -64,7 +64,7 @@ pub fn statistics(voyage: &Voyage, seed: u64) -> Table {
     }
 }
 
-fn asked(scatter: &Scatter, mean: f64, rate: usize) -> f64 {
+fn asked(scatter: &MotionRms, mean: f64, rate: usize) -> f64 {
     match rate {
         0 => scatter.displacement.hypot(mean),
         1 => scatter.velocity,
@@ -76,7 +76,7 @@ fn row(name: &str, asked: f64, made: &Statistics, scale: f64) -> Vec<Cell> {
     let with = |value: f64| digits(value * scale, 4);
     let off = made.rms * scale / asked - 1.0;
     let crossings = made.crossings as f64;
-    let greatest = greatest_of_gaussian(made.deviation, crossings);
+    let greatest = expected_gaussian_maximum(made.deviation, crossings);
     let off = if asked > 0.0 {
         let ink = if off.abs() < 0.01 {
             CellInk::Good
@@ -127,9 +127,9 @@ struct Tested<'a> {
 /// The test of the spectra: bands, variance asked for and made, mean periods, and how far the records are from Gaussian; with
 /// the sea first where the ship answers one.
 #[must_use]
-pub fn spectra(voyage: &Voyage) -> Table {
+pub fn spectra(motion: &MotionAnalysis) -> Table {
     let mut rows = Vec::new();
-    if let Some(sea) = &voyage.sea {
+    if let Some(sea) = &motion.sea {
         rows.push(tested(&Tested {
             name: "waves".to_owned(),
             asked: sea.asked,
@@ -137,7 +137,7 @@ pub fn spectra(voyage: &Voyage) -> Table {
             record: &sea.elevation,
         }));
     }
-    let degrees = voyage.motions.degrees.iter().zip(&voyage.statistics);
+    let degrees = motion.motions.degrees.iter().zip(&motion.statistics);
     rows.extend(degrees.enumerate().map(|(i, (degree, made))| {
         let square = scale(i).powi(2);
         let moments = |x: f64, v: f64| Moments {
@@ -165,21 +165,21 @@ pub fn spectra(voyage: &Voyage) -> Table {
             Column::right("crossings"),
         ],
         rows,
-        notes: notes(voyage),
+        notes: notes(motion),
     }
 }
 
-fn bands(degree: &Degree) -> String {
-    let words = degree.bands.iter().map(|band| {
+fn bands(degree: &DegreeOfFreedom) -> String {
+    let intervals = degree.bands.iter().map(|band| {
         let (low, high) = band.edges();
         let period = |omega: f64| digits(std::f64::consts::TAU / omega, 3);
         format!("{}-{}", period(high), period(low))
     });
-    let words = words.collect::<Vec<_>>().join(", ");
-    if words.is_empty() {
-        words
+    let intervals = intervals.collect::<Vec<_>>().join(", ");
+    if intervals.is_empty() {
+        intervals
     } else {
-        format!(", bands {words} s")
+        format!(", bands {intervals} s")
     }
 }
 
@@ -209,9 +209,9 @@ fn tested(row: &Tested<'_>) -> Vec<Cell> {
     ]
 }
 
-fn notes(voyage: &Voyage) -> Vec<String> {
+fn notes(motion: &MotionAnalysis) -> Vec<String> {
     let gauss = "m0 in m² and deg²; Tz is 2 pi sqrt(m0/m2), in s. A Gaussian record has skewness and excess (kurtosis less 3) near nought; of n independent swings their standard errors are sqrt(6/n) and sqrt(24/n).";
-    let Some(sea) = &voyage.sea else {
+    let Some(sea) = &motion.sea else {
         return vec![
             format!("The record is of the seed told above; its frequencies are whole multiples of its own, so that the moments asked for are those of this record. {gauss}"),
             "Spectra are flat over their bands: three moments of each motion are known, the shape is not.".to_owned(),
@@ -227,7 +227,7 @@ fn notes(voyage: &Voyage) -> Vec<String> {
             digits(sea.made.crossing_period(), 4),
             degrees(answer.angle),
             degrees(answer.heading),
-            voyage.motions.sea.len()
+            motion.motions.sea.len()
         ),
         format!(
             "Asked for are the integrals of the spectrum, and of it times the square of the response; made is the record of the seed told above. A record of three hours is some thousand waves: m0 scatters by some per cent. {gauss}"

@@ -5,44 +5,46 @@
 //! is therefore interpolated, in Chebyshev polynomials over all places that the record of the file reaches and some more,
 //! to find the instants of greatest tension; the exact rope then tells the tension at these.
 
+pub mod dynamic;
+
 use std::f64::consts::PI;
 use std::path::Path;
 
 use rayon::prelude::*;
 
-use super::model::{Motion, Rope};
-use super::motion::responses::Answer;
-use super::motion::{SixMotions, point};
-use super::rope_dynamic::{Beside, beside};
-use super::statistics::{Gumbel, Statistics};
-use super::voyage::Voyage;
+use self::dynamic::{DynamicRope, beside};
 use crate::numerics::V3;
 use crate::ropeway::winch::{HangPoint, Held, Moment};
 use crate::ropeway::{self, Followed, Trouble, Worked};
+use crate::ship::model::{Motion, Rope};
+use crate::ship::motion::wave_response::WaveResponse;
+use crate::ship::motion::{ShipMotion, point};
+use crate::ship::motion_analysis::MotionAnalysis;
+use crate::ship::statistics::{Gumbel, Statistics};
 
 /// The rope while the ship moves.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RopeAtSea {
+pub struct RopeAnalysis {
     /// The ropeway.
     pub worked: Worked,
     /// Where its hang point is, as displaced.
     pub series: Vec<HangPoint>,
     /// Made fast, and held by the winch.
     pub followed: Followed,
-    /// Greatest tensions of several records with the rope made fast; the file's own first. Empty where there is no answer.
-    pub greatest_n: Vec<f64>,
+    /// ExpectedMaximum tensions of several records with the rope made fast; the file's own first. Empty where there is no answer.
+    pub maxima_n: Vec<f64>,
     /// The same with the law fitted to them.
     pub law: Option<Gumbel>,
     /// Whether records of other seeds can be made.
     pub others: bool,
     /// The rope made fast on the dynamic solver around its greatest tension, beside the equilibria; absent where the rope
     /// has none.
-    pub dynamic: Option<Result<Beside, Trouble>>,
+    pub dynamic: Option<Result<DynamicRope, Trouble>>,
 }
 
 /// How often the winch does not keep its tension.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Lapses {
+pub struct WinchLimits {
     /// Instants at its greatest speed.
     pub at_speed: usize,
     /// Instants at its greatest power.
@@ -53,7 +55,7 @@ pub struct Lapses {
 
 /// Where the hang point of a rope goes.
 #[derive(Debug, Clone)]
-pub struct Course<'a> {
+pub struct HangOffMotion<'a> {
     /// The words of the rope.
     pub rope: &'a Rope,
     /// Displacements of the hang point in the axes of the ship, at equal steps from t = 0 \[m\].
@@ -61,18 +63,18 @@ pub struct Course<'a> {
     /// The step \[s\].
     pub step: f64,
     /// The words of the motion and how the ship answers its sea, where other records of it can be made.
-    pub others: Option<(&'a Motion, Option<&'a Answer>)>,
+    pub others: Option<(&'a Motion, Option<&'a WaveResponse>)>,
 }
 
-impl<'a> Course<'a> {
+impl<'a> HangOffMotion<'a> {
     /// That of the ship in its sea.
     #[must_use]
-    pub fn of_voyage(rope: &'a Rope, motion: &'a Motion, voyage: &'a Voyage) -> Self {
+    pub fn of_ship(rope: &'a Rope, settings: &'a Motion, motion: &'a MotionAnalysis) -> Self {
         Self {
             rope,
-            places: voyage.of_point(&V3::from(motion.hang_point_m)),
-            step: voyage.motions.step,
-            others: Some((motion, voyage.answer())),
+            places: motion.point_displacements(&V3::from(settings.hang_point_m)),
+            step: motion.motions.step,
+            others: Some((settings, motion.answer())),
         }
     }
 
@@ -80,12 +82,12 @@ impl<'a> Course<'a> {
     ///
     /// # Errors
     /// In words: a ropeway that cannot be read or has no answer.
-    pub fn followed(&self, folder: &Path) -> Result<RopeAtSea, String> {
+    pub fn follow(&self, folder: &Path) -> Result<RopeAnalysis, String> {
         let loaded = ropeway::load(&folder.join(&self.rope.ropeway)).map_err(|all| {
             all.first()
                 .map_or_else(|| "it cannot be read".to_owned(), ToString::to_string)
         })?;
-        RopeAtSea::of(self, loaded.worked)
+        RopeAnalysis::of(self, loaded.worked)
     }
 
     fn place(&self, shift: &V3, span: f64) -> (f64, f64) {
@@ -93,12 +95,12 @@ impl<'a> Course<'a> {
     }
 }
 
-impl RopeAtSea {
+impl RopeAnalysis {
     /// Follows the hang point with a ropeway that is worked out.
     ///
     /// # Errors
     /// In words, where the ropeway has no answer.
-    pub fn of(course: &Course<'_>, worked: Worked) -> Result<Self, String> {
+    pub fn of(course: &HangOffMotion<'_>, worked: Worked) -> Result<Self, String> {
         let span = worked.ropeway.about.span_m;
         let at = |(i, shift): (usize, &V3)| {
             let (x_m, z_m) = course.place(shift, span);
@@ -115,14 +117,14 @@ impl RopeAtSea {
             worked,
             series,
             followed,
-            greatest_n: Vec::new(),
+            maxima_n: Vec::new(),
             law: None,
             others: course.others.is_some(),
             dynamic: None,
         };
         if let Ok(fast) = &made.followed.fast {
             let own = fast.iter().fold(0.0_f64, |m, moment| m.max(moment.ship_n));
-            made.greatest_n = vec![own];
+            made.maxima_n = vec![own];
             made.dynamic = Some(beside(&made.worked, fast, course.step));
             if let Some((motion, answer)) = course.others {
                 made.other_records(course, motion, answer)?;
@@ -131,14 +133,15 @@ impl RopeAtSea {
         Ok(made)
     }
 
-    /// Greatest tensions of the records of other seeds.
+    /// ExpectedMaximum tensions of the records of other seeds.
     fn other_records(
         &mut self,
-        course: &Course<'_>,
+        course: &HangOffMotion<'_>,
         motion: &Motion,
-        answer: Option<&Answer>,
+        answer: Option<&WaveResponse>,
     ) -> Result<(), String> {
-        let Some(surface) = Surface::new(&self.worked, &self.series).map_err(|t| t.to_string())?
+        let Some(surface) =
+            TensionSurface::new(&self.worked, &self.series).map_err(|t| t.to_string())?
         else {
             return Ok(());
         };
@@ -154,7 +157,7 @@ impl RopeAtSea {
             rest.ok().map(|rest| rest.ship_n())
         };
         let greatest = |record: usize| {
-            let motions = SixMotions::new(motion, answer, motion.seed() + record as u64).ok()?;
+            let motions = ShipMotion::new(motion, answer, motion.seed() + record as u64).ok()?;
             let records = motions.records();
             let places =
                 (0..motions.instants).map(|i| course.place(&point(&records, &arm, i), span));
@@ -171,8 +174,8 @@ impl RopeAtSea {
         let Some(others) = others else {
             return Err("a record of another seed goes beyond the reach of the rope".to_owned());
         };
-        self.greatest_n.extend(others);
-        self.law = Gumbel::fit(&self.greatest_n);
+        self.maxima_n.extend(others);
+        self.law = Gumbel::fit(&self.maxima_n);
         Ok(())
     }
 
@@ -185,9 +188,9 @@ impl RopeAtSea {
 
     /// How often the winch does not keep its tension.
     #[must_use]
-    pub fn lapses(moments: &[Moment]) -> Lapses {
+    pub fn winch_limits(moments: &[Moment]) -> WinchLimits {
         let count = |held: Held| moments.iter().filter(|moment| moment.held == held).count();
-        Lapses {
+        WinchLimits {
             at_speed: count(Held::AtSpeed),
             at_power: count(Held::AtPower),
             rope_out: count(Held::RopeOut),
@@ -205,7 +208,7 @@ fn off(shift: &V3, bearing: f64, span: f64) -> (f64, f64) {
 }
 
 /// Tension at the ship over the places of the hang point, interpolated.
-struct Surface {
+struct TensionSurface {
     /// Middle and half width along x and z \[m\].
     frame: [(f64, f64); 2],
     /// Coefficients of the products of Chebyshev polynomials, x first.
@@ -222,7 +225,7 @@ const TOP: usize = 100;
 /// How much further than the series the surface goes, for records that go further.
 const MORE: f64 = 1.6;
 
-impl Surface {
+impl TensionSurface {
     /// None where the rope does not reach over all the places.
     fn new(worked: &Worked, series: &[HangPoint]) -> Result<Option<Self>, Trouble> {
         let start = worked.rest(worked.ropeway.cargo.position)?;
@@ -277,7 +280,7 @@ fn clenshaw(coefficients: &[f64], s: f64) -> f64 {
     coefficients.first().map_or(0.0, |c| c + s * one - two)
 }
 
-/// Coefficients from values at the polynomials' zeros.
+/// Coefficients from values at the polynomials' isolate_roots.
 fn coefficients(values: &[[f64; NZ]]) -> Vec<[f64; NZ]> {
     let basis = |k: usize, i: usize, n: usize| {
         let weight = if k == 0 { 1.0 } else { 2.0 } / n as f64;
@@ -319,7 +322,7 @@ mod tests {
         let values: Vec<[f64; NZ]> = (0..NX)
             .map(|i| std::array::from_fn(|j| f(node(i, NX), node(j, NZ))))
             .collect();
-        let surface = Surface {
+        let surface = TensionSurface {
             frame: [(0.0, 1.0); 2],
             coefficients: coefficients(&values),
         };

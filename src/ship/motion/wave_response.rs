@@ -11,21 +11,21 @@ use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 use std::path::Path;
 
-use super::Degree;
+use super::DegreeOfFreedom;
 use crate::case::carried::{Placed, placed, response_columns};
 use crate::case::{Diagnostic, Finding};
 use crate::physics::sea::{Component, DEGREES, Rao, Response, Spectrum, synthesise};
 use crate::report::number::digits;
 use crate::scene::response_entry;
-use crate::ship::model::{Motion, SpectrumWord};
-use crate::ship::motion::band::Scatter;
+use crate::ship::model::{Motion, SpectrumKind};
+use crate::ship::motion::spectral_band::MotionRms;
 
-/// Greatest responses that are taken for a ship's: metres a metre, and degrees a metre.
+/// ExpectedMaximum responses that are taken for a ship's: metres a metre, and degrees a metre.
 const MOST: [f64; 2] = [20.0, 90.0];
 
 /// How a ship answers a sea at one angle.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Answer {
+pub struct WaveResponse {
     /// Its responses at this angle.
     pub rao: Rao,
     /// The sea.
@@ -44,13 +44,13 @@ struct Block {
     rao: Rao,
 }
 
-impl Answer {
+impl WaveResponse {
     /// Reads the file that the words name, from `folder`, for a ship that points along `heading` \[rad\].
     ///
     /// # Errors
     /// What is wrong with the file, with its line and column.
-    pub fn read(words: &Motion, heading: f64, folder: &Path) -> Result<Self, Diagnostic> {
-        let path = folder.join(&words.responses);
+    pub fn read(settings: &Motion, heading: f64, folder: &Path) -> Result<Self, Diagnostic> {
+        let path = folder.join(&settings.responses);
         let file = path.display().to_string();
         let text = std::fs::read_to_string(&path).map_err(|error| {
             Diagnostic::whole_file(
@@ -60,13 +60,14 @@ impl Answer {
             )
         })?;
         let blocks = blocks(&text, &file)?;
-        let angle = (words.waves_towards_deg.to_radians() - heading).rem_euclid(TAU);
+        let angle = (settings.waves_towards_deg.to_radians() - heading).rem_euclid(TAU);
         let rao = at_angle(&blocks, angle, &file)?;
-        let gamma = match words.spectrum {
-            SpectrumWord::Jonswap => words.gamma,
-            SpectrumWord::PiersonMoskowitz => 1.0,
+        let gamma = match settings.spectrum {
+            SpectrumKind::Jonswap => settings.gamma,
+            SpectrumKind::PiersonMoskowitz => 1.0,
         };
-        let spectrum = Spectrum::jonswap(words.significant_height_m, words.peak_period_s, gamma);
+        let spectrum =
+            Spectrum::jonswap(settings.significant_height_m, settings.peak_period_s, gamma);
         let (low, high) = rao.span();
         let outside = |omega: f64| f64::from(u8::from(omega < low || omega > high));
         let [beyond] = spectrum.integrals(|omega| [outside(omega)]);
@@ -87,7 +88,7 @@ impl Answer {
 
     /// The six motions in a sea.
     #[must_use]
-    pub fn degrees(&self, sea: &[Component]) -> Vec<Degree> {
+    pub fn degrees(&self, sea: &[Component]) -> Vec<DegreeOfFreedom> {
         let each: Vec<Response> = sea.iter().map(|c| self.rao.response(c.omega)).collect();
         let degree = |i: usize| {
             let component = |(wave, response): (&Component, &Response)| Component {
@@ -95,7 +96,7 @@ impl Answer {
                 amplitude: wave.amplitude * response[i].norm(),
                 phase: wave.phase + response[i].arg(),
             };
-            Degree {
+            DegreeOfFreedom {
                 mean: 0.0,
                 asked: self.scatter(i),
                 bands: Vec::new(),
@@ -106,13 +107,13 @@ impl Answer {
     }
 
     /// Root mean squares of a motion in the whole sea, by its spectrum times the square of the response.
-    fn scatter(&self, degree: usize) -> Scatter {
+    fn scatter(&self, degree: usize) -> MotionRms {
         let [m0, m2, m4] = self.spectrum.integrals(|omega| {
             let square = self.rao.response(omega)[degree].norm_sqr();
             let w2 = omega * omega;
             [square, square * w2, square * w2 * w2]
         });
-        Scatter {
+        MotionRms {
             displacement: m0.sqrt(),
             velocity: m2.sqrt(),
             acceleration: m4.sqrt(),

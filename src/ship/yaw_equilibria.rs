@@ -1,4 +1,4 @@
-//! The headings at which a ship at a single-point mooring is in balance: all zeros of the moment about the mooring point,
+//! The headings at which a ship at a single-point mooring is in balance: all isolate_roots of the moment about the mooring point,
 //! eq. (2), with what holds the ship there and whether it stays.
 //!
 //! The line runs from the anchor along the total force, so the bow lies downstream of the anchor by the line's reach at
@@ -10,31 +10,31 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::loads::{Loads, Planar};
-use super::roots::{Smooth, Zero, zeros};
+use super::loads::{EnvironmentalLoads, PlanarLoad};
+use super::roots::{BoundedCurvature, Root, isolate_roots};
 
 /// A heading at which the ship is in balance.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Balance {
+pub struct YawEquilibrium {
     /// Heading, where the bow points, from +x towards +y, within half a turn of +x \[rad\].
     pub heading: f64,
     /// Width of the range of headings that cannot be told from this one; nought at a simple zero \[rad\].
     pub width: f64,
     /// Whether the ship returns after a small turn.
-    pub stands: Stands,
+    pub stability: YawStability,
     /// Stiffness in yaw about the mooring point, `-dM/dψ` \[N m/rad\].
     pub yaw_stiffness: f64,
     /// Total load on the ship in its own axes.
-    pub load: Planar,
+    pub load: PlanarLoad,
     /// Pull of the mooring: the size of the total force \[N\].
     pub pull: f64,
     /// Where the total force points, from +x towards +y \[rad\]; the bow lies this way from the anchor.
-    pub downstream: f64,
+    pub force_direction: f64,
 }
 
 /// Whether the ship returns after a small turn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Stands {
+pub enum YawStability {
     /// It returns.
     Stable,
     /// It turns further away.
@@ -45,10 +45,10 @@ pub enum Stands {
     Indifferent,
 }
 
-impl Stands {
+impl YawStability {
     /// In words.
     #[must_use]
-    pub fn word(self) -> &'static str {
+    pub fn label(self) -> &'static str {
         match self {
             Self::Stable => "stable",
             Self::Unstable => "unstable",
@@ -60,7 +60,7 @@ impl Stands {
 
 /// Why headings cannot be told.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-pub enum HeadingError {
+pub enum YawEquilibriumError {
     /// No heading is in balance.
     #[error(
         "the moment about the mooring point never vanishes: the ship turns for ever, and has no heading to rest at"
@@ -74,17 +74,17 @@ pub enum HeadingError {
 }
 
 struct Moment<'a> {
-    loads: &'a Loads,
+    loads: &'a EnvironmentalLoads,
     rounding: f64,
 }
 
-impl Smooth for Moment<'_> {
+impl BoundedCurvature for Moment<'_> {
     fn at(&self, x: f64) -> (f64, f64) {
         self.loads.moment(x)
     }
 
-    fn bend_at_most(&self, x: f64) -> f64 {
-        self.loads.bend_at_most(x)
+    fn second_derivative_bound(&self, x: f64) -> f64 {
+        self.loads.second_derivative_bound(x)
     }
 
     fn rounding(&self) -> f64 {
@@ -95,30 +95,32 @@ impl Smooth for Moment<'_> {
 /// All headings in balance, from -π to π, none missed.
 ///
 /// # Errors
-/// [`HeadingError`] when there is none, or the moment cannot be followed.
-pub fn balances(loads: &Loads) -> Result<Vec<Balance>, HeadingError> {
-    let rounding = 1e-13 * loads.moment_at_most();
+/// [`YawEquilibriumError`] when there is none, or the moment cannot be followed.
+pub fn yaw_equilibria(
+    loads: &EnvironmentalLoads,
+) -> Result<Vec<YawEquilibrium>, YawEquilibriumError> {
+    let rounding = 1e-13 * loads.moment_bound();
     let moment = Moment { loads, rounding };
-    let found = zeros(&moment, &loads.cuts()).ok_or(HeadingError::Wild)?;
-    let mut balances: Vec<Balance> = around(found)
+    let found = isolate_roots(&moment, &loads.cuts()).ok_or(YawEquilibriumError::Wild)?;
+    let mut yaw_equilibria: Vec<YawEquilibrium> = around(found)
         .into_iter()
         .map(|(from, to)| balance(loads, from, to))
         .collect();
-    if balances.is_empty() {
-        return Err(HeadingError::None);
+    if yaw_equilibria.is_empty() {
+        return Err(YawEquilibriumError::None);
     }
-    balances.sort_by(|a, b| a.heading.total_cmp(&b.heading));
-    Ok(balances)
+    yaw_equilibria.sort_by(|a, b| a.heading.total_cmp(&b.heading));
+    Ok(yaw_equilibria)
 }
 
 /// Zeros as ranges of headings; one that goes over ±π is one.
-fn around(found: Vec<Zero>) -> Vec<(f64, f64)> {
+fn around(found: Vec<Root>) -> Vec<(f64, f64)> {
     const SAME: f64 = 1e-9;
     let mut ranges: Vec<(f64, f64)> = found
         .into_iter()
         .map(|zero| match zero {
-            Zero::Point(x) => (x, x),
-            Zero::Stretch(a, b) => (a, b),
+            Root::Point(x) => (x, x),
+            Root::Stretch(a, b) => (a, b),
         })
         .collect();
     if let ([first, .., last], true) = (ranges.as_slice(), ranges.len() > 1)
@@ -132,14 +134,14 @@ fn around(found: Vec<Zero>) -> Vec<(f64, f64)> {
     ranges
 }
 
-fn balance(loads: &Loads, from: f64, to: f64) -> Balance {
+fn balance(loads: &EnvironmentalLoads, from: f64, to: f64) -> YawEquilibrium {
     let middle = 0.5 * (from + to);
     let (load, _) = loads.total(middle);
     let (sin, cos) = middle.sin_cos();
     let force = (load[0] * cos - load[1] * sin, load[0] * sin + load[1] * cos);
-    let (stands, yaw_stiffness) = standing(loads, from, to);
+    let (stability, yaw_stiffness) = standing(loads, from, to);
     let heading = (middle + PI).rem_euclid(TAU) - PI;
-    Balance {
+    YawEquilibrium {
         // Headings of -180 and 180 degrees are the same; the latter is told.
         heading: if heading + PI < 1e-9 {
             heading + TAU
@@ -147,56 +149,56 @@ fn balance(loads: &Loads, from: f64, to: f64) -> Balance {
             heading
         },
         width: to - from,
-        stands,
+        stability,
         yaw_stiffness,
         load,
         pull: force.0.hypot(force.1),
-        downstream: force.1.atan2(force.0),
+        force_direction: force.1.atan2(force.0),
     }
 }
 
 /// By the moment a little to either side, which also tells at a kink and where the slope vanishes.
-fn standing(loads: &Loads, from: f64, to: f64) -> (Stands, f64) {
+fn standing(loads: &EnvironmentalLoads, from: f64, to: f64) -> (YawStability, f64) {
     const WIDE: f64 = 1e-3;
     const ASIDE: f64 = 1e-6;
     let stiffness = -loads.moment(0.5 * (from + to)).1;
     if to - from > WIDE {
-        return (Stands::Indifferent, 0.0);
+        return (YawStability::Indifferent, 0.0);
     }
     let aside = ASIDE.max(4.0 * (to - from));
     let (before, after) = (loads.moment(from - aside).0, loads.moment(to + aside).0);
-    let stands = match (before > 0.0, after > 0.0) {
-        (true, false) => Stands::Stable,
-        (false, true) => Stands::Unstable,
-        _ => Stands::OneSided,
+    let stability = match (before > 0.0, after > 0.0) {
+        (true, false) => YawStability::Stable,
+        (false, true) => YawStability::Unstable,
+        _ => YawStability::OneSided,
     };
-    (stands, stiffness)
+    (stability, stiffness)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ship::curve::Curve;
-    use crate::ship::loads::Load;
+    use crate::ship::loads::EnvironmentalLoad;
+    use crate::ship::periodic_curve::PeriodicCurve;
     use proptest::prelude::*;
 
     /// A load of this sway amplitude on sin α, at an arm of one metre: the moment is `-a sin(towards - ψ)`.
-    fn side(towards: f64, sines: Vec<f64>) -> Load {
+    fn side(towards: f64, sines: Vec<f64>) -> EnvironmentalLoad {
         let sines = std::iter::once(0.0).chain(sines).collect();
-        Load {
+        EnvironmentalLoad {
             name: "wind",
             towards,
             scale: [1.0; 3],
             curves: [
-                Curve::Fourier {
+                PeriodicCurve::Fourier {
                     cos: vec![0.0, 1.0],
                     sin: vec![],
                 },
-                Curve::Fourier {
+                PeriodicCurve::Fourier {
                     cos: vec![],
                     sin: sines,
                 },
-                Curve::Fourier {
+                PeriodicCurve::Fourier {
                     cos: vec![],
                     sin: vec![],
                 },
@@ -208,22 +210,22 @@ mod tests {
     #[test]
     fn one_flow_swings_the_bow_into_it() {
         for towards in [-3.0, -1.0, 0.0, 0.5, PI] {
-            let loads = Loads {
+            let loads = EnvironmentalLoads {
                 each: vec![side(towards, vec![2.0])],
                 arm: 1.0,
             };
-            let found = balances(&loads).unwrap();
+            let found = yaw_equilibria(&loads).unwrap();
             assert_eq!(found.len(), 2, "{towards}");
             for one in &found {
                 let angle = (one.heading - towards).cos();
-                match one.stands {
-                    Stands::Stable => assert!((angle + 1.0).abs() < 1e-12),
-                    Stands::Unstable => assert!((angle - 1.0).abs() < 1e-12),
+                match one.stability {
+                    YawStability::Stable => assert!((angle + 1.0).abs() < 1e-12),
+                    YawStability::Unstable => assert!((angle - 1.0).abs() < 1e-12),
                     _ => panic!("{one:?}"),
                 }
                 assert!((one.pull - 1.0).abs() < 1e-12);
                 assert!((one.yaw_stiffness.abs() - 2.0).abs() < 1e-12);
-                assert!(((one.downstream - towards).cos() - 1.0).abs() < 1e-12);
+                assert!(((one.force_direction - towards).cos() - 1.0).abs() < 1e-12);
             }
         }
     }
@@ -232,11 +234,11 @@ mod tests {
     fn two_flows_across_meet_at_the_angle_of_their_sum() {
         // -a sin(-ψ) - b sin(π/2 - ψ) = a sin ψ - b cos ψ: zero where tan ψ = b / a.
         let (a, b) = (3.0, 4.0_f64);
-        let loads = Loads {
+        let loads = EnvironmentalLoads {
             each: vec![side(0.0, vec![a]), side(0.5 * PI, vec![b])],
             arm: 1.0,
         };
-        let found = balances(&loads).unwrap();
+        let found = yaw_equilibria(&loads).unwrap();
         let headings: Vec<f64> = found.iter().map(|f| f.heading).collect();
         assert_eq!(found.len(), 2);
         assert!((headings[1] - b.atan2(a)).abs() < 1e-12);
@@ -246,11 +248,11 @@ mod tests {
     #[test]
     fn a_second_harmonic_brings_two_more_headings() {
         // sin x (1 + 2 c cos x) = 0 with c = 1: x = 0, π, ±120°.
-        let loads = Loads {
+        let loads = EnvironmentalLoads {
             each: vec![side(0.0, vec![1.0, 1.0])],
             arm: 1.0,
         };
-        let degrees: Vec<f64> = balances(&loads)
+        let degrees: Vec<f64> = yaw_equilibria(&loads)
             .unwrap()
             .iter()
             .map(|f| f.heading.to_degrees())
@@ -264,37 +266,37 @@ mod tests {
     #[test]
     fn none_everywhere_and_touching_are_said() {
         let mut turning = side(0.0, vec![0.0]);
-        turning.curves[2] = Curve::Fourier {
+        turning.curves[2] = PeriodicCurve::Fourier {
             cos: vec![2.0, 1.0],
             sin: vec![],
         };
-        let with = |load: Load| {
-            balances(&Loads {
+        let with = |load: EnvironmentalLoad| {
+            yaw_equilibria(&EnvironmentalLoads {
                 each: vec![load],
                 arm: 1.0,
             })
         };
-        assert_eq!(with(turning.clone()), Err(HeadingError::None));
+        assert_eq!(with(turning.clone()), Err(YawEquilibriumError::None));
         let calm = with(side(0.0, vec![0.0])).unwrap();
         assert_eq!(calm.len(), 1);
-        assert_eq!(calm[0].stands, Stands::Indifferent);
-        turning.curves[2] = Curve::Fourier {
+        assert_eq!(calm[0].stability, YawStability::Indifferent);
+        turning.curves[2] = PeriodicCurve::Fourier {
             cos: vec![1.0, 1.0],
             sin: vec![],
         };
         let touching = with(turning).unwrap();
         assert_eq!(touching.len(), 1, "{touching:?}");
-        assert_eq!(touching[0].stands, Stands::OneSided);
+        assert_eq!(touching[0].stability, YawStability::OneSided);
         assert!((touching[0].heading - PI).abs() < 1e-5);
     }
 
     proptest! {
-        /// A trigonometric polynomial made from its zeros has those zeros and no others.
+        /// A trigonometric polynomial made from its isolate_roots has those isolate_roots and no others.
         #[test]
         fn no_root_is_missed(mut roots in prop::collection::vec(-3.1..3.1f64, 1..4), towards in -3.0..3.0f64) {
             roots.sort_by(f64::total_cmp);
             roots.dedup_by(|a, b| (*a - *b).abs() < 1e-3);
-            // Π sin((x - r)/2) over pairs (r, r + π): Π ½ sin(x - r) has zeros at r and r + π.
+            // Π sin((x - r)/2) over pairs (r, r + π): Π ½ sin(x - r) has isolate_roots at r and r + π.
             let product = |x: f64| roots.iter().map(|r| (x - r).sin()).product::<f64>();
             let n = roots.len();
             let points = 4 * n + 4;
@@ -309,8 +311,8 @@ mod tests {
                 }
             }
             let mut load = side(towards, vec![0.0]);
-            load.curves[2] = Curve::Fourier { cos, sin };
-            let found = balances(&Loads { each: vec![load], arm: 1.0 }).unwrap();
+            load.curves[2] = PeriodicCurve::Fourier { cos, sin };
+            let found = yaw_equilibria(&EnvironmentalLoads { each: vec![load], arm: 1.0 }).unwrap();
             let mut expected: Vec<f64> = roots.iter().flat_map(|r| [*r, r + PI])
                 .map(|r| (towards - r + PI).rem_euclid(TAU) - PI).collect();
             expected.sort_by(f64::total_cmp);

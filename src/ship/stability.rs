@@ -10,46 +10,46 @@ use std::f64::consts::{LN_2, TAU};
 
 use nalgebra::{Complex, Matrix2, Matrix3, Matrix6, Vector2, Vector3};
 
-use super::heading::Balance;
-use super::hull::Matrices;
-use super::loads::Loads;
-use super::mooring::Reach;
+use super::hull::HullMatrices;
+use super::loads::EnvironmentalLoads;
+use super::mooring::MooringSolution;
+use super::yaw_equilibria::YawEquilibrium;
 
 /// What becomes of a small disturbance.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Fate {
+pub enum DynamicStability {
     /// It dies away; the mode that takes longest, its period where it swings, and the time to half.
     Stable {
         /// Period \[s\]; absent where it creeps back.
         period: Option<f64>,
         /// Time to half the amplitude \[s\].
-        halves: f64,
+        half_life: f64,
     },
     /// It neither grows nor dies away.
     Neutral,
     /// It grows without swinging.
-    Diverges {
+    Divergence {
         /// Time to twice the amplitude \[s\].
-        doubles: f64,
+        doubling_time: f64,
     },
     /// It swings and grows.
-    Fishtails {
+    Fishtailing {
         /// Period \[s\].
         period: f64,
         /// Time to twice the amplitude \[s\].
-        doubles: f64,
+        doubling_time: f64,
     },
 }
 
-impl Fate {
+impl DynamicStability {
     /// In a word.
     #[must_use]
-    pub fn word(self) -> &'static str {
+    pub fn label(self) -> &'static str {
         match self {
             Self::Stable { .. } => "stable",
             Self::Neutral => "neutral",
-            Self::Diverges { .. } => "diverges",
-            Self::Fishtails { .. } => "fishtails",
+            Self::Divergence { .. } => "diverges",
+            Self::Fishtailing { .. } => "fishtails",
         }
     }
 
@@ -57,17 +57,20 @@ impl Fate {
     #[must_use]
     pub fn times(self) -> (Option<f64>, Option<f64>) {
         match self {
-            Self::Stable { period, halves } => (period, Some(halves)),
+            Self::Stable { period, half_life } => (period, Some(half_life)),
             Self::Neutral => (None, None),
-            Self::Diverges { doubles } => (None, Some(doubles)),
-            Self::Fishtails { period, doubles } => (Some(period), Some(doubles)),
+            Self::Divergence { doubling_time } => (None, Some(doubling_time)),
+            Self::Fishtailing {
+                period,
+                doubling_time,
+            } => (Some(period), Some(doubling_time)),
         }
     }
 }
 
 /// Surge, sway and yaw about an equilibrium, linearised.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Planar {
+pub struct PlanarDynamics {
     /// Mass and added mass.
     pub mass: Matrix3<f64>,
     /// Damping: the ship's own, and that of wind and current on the moving ship.
@@ -79,10 +82,15 @@ pub struct Planar {
 /// Real parts below this share of the fastest rate are rounding.
 const NOTHING: f64 = 1e-9;
 
-impl Planar {
-    /// About a heading in balance, on a line that reaches.
+impl PlanarDynamics {
+    /// Particulars a heading in balance, on a line that reaches.
     #[must_use]
-    pub fn new(hull: &Matrices, loads: &Loads, balance: &Balance, reach: &Reach) -> Self {
+    pub fn new(
+        hull: &HullMatrices,
+        loads: &EnvironmentalLoads,
+        balance: &YawEquilibrium,
+        reach: &MooringSolution,
+    ) -> Self {
         let moving = loads.moving(balance.heading, 0.0, [0.0; 2]);
         let slope = moving.by_turn;
         let by_load = Matrix3::from_columns(&[Vector3::zeros(), Vector3::zeros(), slope.into()]);
@@ -92,9 +100,9 @@ impl Planar {
             Vector3::zeros(),
         ]);
         Self {
-            mass: Matrices::planar(&hull.mass),
-            damping: Matrices::planar(&hull.damping) - by_velocity,
-            stiffness: Matrices::planar(&hull.restoring) - by_load
+            mass: HullMatrices::planar(&hull.mass),
+            damping: HullMatrices::planar(&hull.damping) - by_velocity,
+            stiffness: HullMatrices::planar(&hull.restoring) - by_load
                 + held(loads.arm, balance, reach),
         }
     }
@@ -122,7 +130,7 @@ impl Planar {
 
     /// What becomes of a small disturbance: the fate of the mode that grows fastest or dies last.
     #[must_use]
-    pub fn fate(&self) -> Option<Fate> {
+    pub fn dynamic_stability(&self) -> Option<DynamicStability> {
         let list = self.eigenvalues()?;
         let fastest = list.iter().map(|l| l.norm()).fold(0.0, f64::max);
         let last = list.first()?;
@@ -130,25 +138,28 @@ impl Planar {
         let swings = last.im.abs() > nothing.max(1e-6 * last.re.abs());
         let period = swings.then(|| TAU / last.im.abs());
         Some(if last.re.abs() <= nothing {
-            Fate::Neutral
+            DynamicStability::Neutral
         } else if last.re < 0.0 {
-            Fate::Stable {
+            DynamicStability::Stable {
                 period,
-                halves: -LN_2 / last.re,
+                half_life: -LN_2 / last.re,
             }
         } else {
-            let doubles = LN_2 / last.re;
+            let doubling_time = LN_2 / last.re;
             match period {
-                Some(period) => Fate::Fishtails { period, doubles },
-                None => Fate::Diverges { doubles },
+                Some(period) => DynamicStability::Fishtailing {
+                    period,
+                    doubling_time,
+                },
+                None => DynamicStability::Divergence { doubling_time },
             }
         })
     }
 }
 
 /// Stiffness of the mooring at the bow, about the reference point.
-fn held(arm: f64, balance: &Balance, reach: &Reach) -> Matrix3<f64> {
-    let (sin, cos) = (balance.downstream - balance.heading).sin_cos();
+fn held(arm: f64, balance: &YawEquilibrium, reach: &MooringSolution) -> Matrix3<f64> {
+    let (sin, cos) = (balance.force_direction - balance.heading).sin_cos();
     let away = Vector2::new(cos, sin);
     let line = away * away.transpose() * reach.along
         + (Matrix2::identity() - away * away.transpose()) * reach.across;
@@ -171,8 +182,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn planar(mass: [f64; 3], damping: Matrix3<f64>, stiffness: Matrix3<f64>) -> Planar {
-        Planar {
+    fn planar(mass: [f64; 3], damping: Matrix3<f64>, stiffness: Matrix3<f64>) -> PlanarDynamics {
+        PlanarDynamics {
             mass: Matrix3::from_diagonal(&Vector3::from(mass)),
             damping,
             stiffness,
@@ -199,14 +210,14 @@ mod tests {
                 );
             }
         }
-        let Some(Fate::Stable {
+        let Some(DynamicStability::Stable {
             period: Some(p),
-            halves,
-        }) = one.fate()
+            half_life,
+        }) = one.dynamic_stability()
         else {
-            panic!("{:?}", one.fate());
+            panic!("{:?}", one.dynamic_stability());
         };
-        assert!((halves - LN_2 / 0.1).abs() < 1e-9, "{halves}");
+        assert!((half_life - LN_2 / 0.1).abs() < 1e-9, "{half_life}");
         let expected = [(4.0 - 0.01_f64).sqrt()];
         assert!(expected.iter().any(|w| (p - TAU / w).abs() < 1e-9), "{p}");
     }
@@ -217,24 +228,28 @@ mod tests {
         let mut stiffness = Matrix3::identity() * 4.0;
         stiffness[(1, 2)] = 0.5;
         stiffness[(2, 1)] = -0.5;
-        let fate = planar([1.0; 3], Matrix3::zeros(), stiffness)
-            .fate()
+        let dynamic_stability = planar([1.0; 3], Matrix3::zeros(), stiffness)
+            .dynamic_stability()
             .unwrap();
         let root = Complex::new(-4.0, 0.5).sqrt();
-        let Fate::Fishtails { period, doubles } = fate else {
-            panic!("{fate:?}");
+        let DynamicStability::Fishtailing {
+            period,
+            doubling_time,
+        } = dynamic_stability
+        else {
+            panic!("{dynamic_stability:?}");
         };
         assert!((period - TAU / f64::abs(root.im)).abs() < 1e-9);
-        assert!((doubles - LN_2 / f64::abs(root.re)).abs() < 1e-9);
+        assert!((doubling_time - LN_2 / f64::abs(root.re)).abs() < 1e-9);
         let down = planar([1.0; 3], Matrix3::zeros(), Matrix3::identity() * -4.0);
-        let Some(Fate::Diverges { doubles }) = down.fate() else {
-            panic!("{:?}", down.fate());
+        let Some(DynamicStability::Divergence { doubling_time }) = down.dynamic_stability() else {
+            panic!("{:?}", down.dynamic_stability());
         };
-        assert!((doubles - LN_2 / 2.0).abs() < 1e-12);
+        assert!((doubling_time - LN_2 / 2.0).abs() < 1e-12);
         let still = planar([1.0; 3], Matrix3::zeros(), Matrix3::identity());
-        assert_eq!(still.fate(), Some(Fate::Neutral));
+        assert_eq!(still.dynamic_stability(), Some(DynamicStability::Neutral));
         assert_eq!(
-            planar([1.0, 0.0, 1.0], Matrix3::zeros(), stiffness).fate(),
+            planar([1.0, 0.0, 1.0], Matrix3::zeros(), stiffness).dynamic_stability(),
             None
         );
     }
@@ -251,7 +266,7 @@ mod tests {
                 damping[(i, j)] = d[at];
                 stiffness[(i, j)] = k[at];
             }
-            let fate = planar([1.0; 3], damping, stiffness).fate().unwrap();
+            let dynamic_stability = planar([1.0; 3], damping, stiffness).dynamic_stability().unwrap();
             // det(λ² + Dλ + K) = λ⁴ + a1 λ³ + a2 λ² + a3 λ + a4.
             let a1 = d[0] + d[3];
             let a2 = d[0] * d[3] - d[1] * d[2] + k[0] + k[3];
@@ -260,7 +275,7 @@ mod tests {
             let hurwitz = [a1, a4, a1 * a2 - a3, a3 * (a1 * a2 - a3) - a1 * a1 * a4];
             prop_assume!(hurwitz.iter().all(|h| h.abs() > 1e-6));
             let stable = hurwitz.iter().all(|h| *h > 0.0);
-            prop_assert_eq!(matches!(fate, Fate::Stable { .. }), stable, "{:?}", fate);
+            prop_assert_eq!(matches!(dynamic_stability, DynamicStability::Stable { .. }), stable, "{:?}", dynamic_stability);
         }
     }
 }

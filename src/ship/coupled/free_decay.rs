@@ -5,17 +5,17 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Complex, Matrix3, Vector3, Vector6};
 
-use super::coupled::CoupledError;
-use super::fishtail::Planar;
-use super::setting::Setting;
+use super::CoupledError;
+use super::model::CoupledModel;
 use crate::dynamics::March;
 use crate::dynamics::generalized_alpha::GeneralizedAlpha;
 use crate::numerics::V3;
+use crate::ship::stability::PlanarDynamics;
 use crate::solve::{Instant, Progressing, System};
 
 /// The ship let go.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Decay {
+pub struct FreeDecay {
     /// Period of the slowest swinging mode, linearised, on a quasi-static line \[s\].
     pub linear_s: f64,
     /// Period of that mode, measured on ship and line in time \[s\].
@@ -40,9 +40,9 @@ const AMPLITUDE: f64 = 5e-3;
 ///
 /// # Errors
 /// [`CoupledError`]: the ship has no mode that swings, or ship and line cannot be marched.
-pub fn decay(setting: &Setting<'_>) -> Result<Decay, CoupledError> {
+pub fn decay(setting: &CoupledModel<'_>) -> Result<FreeDecay, CoupledError> {
     let missing = CoupledError::Missing;
-    let planar = setting.station.planar.as_ref();
+    let planar = setting.equilibrium.planar.as_ref();
     let planar = planar.ok_or(missing("the file has no [hull]"))?;
     let (root, shape) =
         slowest(planar).ok_or(missing("every slow motion creeps back without swinging"))?;
@@ -70,7 +70,7 @@ pub fn decay(setting: &Setting<'_>) -> Result<Decay, CoupledError> {
         .filter(|root| root.im.abs() > 0.0)
         .ok_or(missing("the ship let go does not swing around its place"))?;
     let left = |root: Complex<f64>| (root.re * TAU / root.im.abs()).exp();
-    Ok(Decay {
+    Ok(FreeDecay {
         linear_s: TAU / root.im.abs(),
         measured_s: TAU / measured.im.abs(),
         linear_left: left(root),
@@ -93,7 +93,7 @@ struct Filter {
 }
 
 impl Filter {
-    fn new(planar: &Planar, root: Complex<f64>) -> Option<Self> {
+    fn new(planar: &PlanarDynamics, root: Complex<f64>) -> Option<Self> {
         let left = null(&pencil(planar, root).transpose())?;
         let mass = complex(&planar.mass);
         let place = mass * root + complex(&planar.damping);
@@ -131,7 +131,7 @@ fn grown(seen: &[(f64, Complex<f64>)]) -> Option<Complex<f64>> {
 
 /// The ship let go in a mode, seen over time.
 fn let_go(
-    setting: &Setting<'_>,
+    setting: &CoupledModel<'_>,
     root: Complex<f64>,
     shape: &[Complex<f64>; 3],
     scale: f64,
@@ -142,10 +142,10 @@ fn let_go(
     let turn = V3::z() * begin[2];
     let shift = V3::new(begin[0], begin[1], 0.0) + turn.cross(&setting.arm());
     // Weight and trim are balanced by the line where the ship rests, not where it is let go.
-    let (scene, rest) = setting.line(setting.words.segments, &V3::zeros())?;
-    let (_, displaced) = setting.line(setting.words.segments, &shift)?;
-    let moored = setting.moored(scene, &rest, setting.flows())?;
-    let mut state = moored.turned(&displaced, turn);
+    let (scene, statics) = setting.line(setting.settings.segments, &V3::zeros())?;
+    let (_, rigid_displacement) = setting.line(setting.settings.segments, &shift)?;
+    let moored = setting.moored(scene, &statics, setting.flows())?;
+    let mut state = moored.turned(&rigid_displacement, turn);
     let velocity = Vector6::new(going[0], going[1], 0.0, 0.0, 0.0, going[2]);
     moored.set_going(&velocity, &mut state);
     moored.accelerate(0.0, &mut state);
@@ -173,7 +173,7 @@ fn let_go(
 }
 
 /// The slowest mode that swings, with its shape in surge, sway and yaw.
-fn slowest(planar: &Planar) -> Option<(Complex<f64>, [Complex<f64>; 3])> {
+fn slowest(planar: &PlanarDynamics) -> Option<(Complex<f64>, [Complex<f64>; 3])> {
     let list = planar.eigenvalues()?;
     // A mode that dies within a swing has no period to measure.
     let swings = |l: &&Complex<f64>| l.im > 0.0 && l.re.abs() < 0.15 * l.im;
@@ -192,7 +192,7 @@ fn complex(matrix: &Matrix3<f64>) -> Matrix3<Complex<f64>> {
 }
 
 /// `M λ² + D λ + K`.
-fn pencil(planar: &Planar, root: Complex<f64>) -> Matrix3<Complex<f64>> {
+fn pencil(planar: &PlanarDynamics, root: Complex<f64>) -> Matrix3<Complex<f64>> {
     complex(&planar.mass) * (root * root)
         + complex(&planar.damping) * root
         + complex(&planar.stiffness)

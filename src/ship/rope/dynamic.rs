@@ -4,12 +4,12 @@
 use std::fmt::Write;
 use std::sync::atomic::AtomicBool;
 
-use super::statistics::Statistics;
 use crate::case;
 use crate::ropeway::winch::Moment;
 use crate::ropeway::{Trouble, Worked, line};
 use crate::run::RunState;
 use crate::run::job::{self, Request};
+use crate::ship::statistics::Statistics;
 
 /// Time that is followed \[s\], of which the motion grows over the first part and statistics count the rest.
 const WINDOW: f64 = 120.0;
@@ -18,7 +18,7 @@ const COUNTED: f64 = 40.0;
 
 /// The rope made fast over a stretch of the record, in two ways.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Beside {
+pub struct DynamicRope {
     /// Times in the record \[s\].
     pub times: Vec<f64>,
     /// Tension at the ship from equilibrium to equilibrium \[N\].
@@ -33,7 +33,7 @@ pub struct Beside {
     pub counted: usize,
 }
 
-impl Beside {
+impl DynamicRope {
     /// Statistics of the equilibria and of the dynamic solver.
     #[must_use]
     pub fn statistics(&self) -> [Statistics; 2] {
@@ -54,7 +54,7 @@ impl Beside {
 ///
 /// # Errors
 /// [`Trouble`] where the cargo hangs on a support or the line is not marched.
-pub fn beside(worked: &Worked, fast: &[Moment], step: f64) -> Result<Beside, Trouble> {
+pub fn beside(worked: &Worked, fast: &[Moment], step: f64) -> Result<DynamicRope, Trouble> {
     let start = worked.rest(worked.ropeway.cargo.position)?;
     let most = |a: &(usize, &Moment), b: &(usize, &Moment)| a.1.ship_n.total_cmp(&b.1.ship_n);
     let at = fast.iter().enumerate().max_by(most).map_or(0, |(i, _)| i);
@@ -77,7 +77,7 @@ pub fn beside(worked: &Worked, fast: &[Moment], step: f64) -> Result<Beside, Tro
         .summary
         .iter()
         .find(|found| found.name == "tension_n[ship-side|ship].max");
-    Ok(Beside {
+    Ok(DynamicRope {
         times: window.iter().map(|m| m.ship.time_s).collect(),
         still: window.iter().map(|m| m.ship_n).collect(),
         dynamic: tension.values.clone(),

@@ -1,9 +1,9 @@
 //! The ship from above: its anchor, every heading at which it rests, and where wind, current and waves go.
 
-use super::heading::Stands;
-use super::loads::Load;
-use super::rest::{Rest, Station};
 use crate::report::chart::{Axis, Chart, Series, extent};
+use crate::ship::loads::EnvironmentalLoad;
+use crate::ship::yaw_equilibria::YawStability;
+use crate::ship::{Equilibrium, StaticAnalysis};
 
 /// Breadth of the outline, as a share of the length: that of a small ship, drawn only.
 const BREADTH: f64 = 0.18;
@@ -17,28 +17,28 @@ type Points = Vec<(f64, f64)>;
 
 /// The ship at every heading in balance, in metres from the anchor, +x to the right; the station chosen in full ink.
 #[must_use]
-pub fn chart(rest: &Rest, chosen: usize) -> Chart {
-    let stations = rest.stations.as_deref().unwrap_or_default();
+pub fn chart(statics: &StaticAnalysis, chosen: usize) -> Chart {
+    let equilibria = statics.equilibria.as_deref().unwrap_or_default();
     let mut series = Vec::new();
-    for (i, station) in stations.iter().enumerate() {
+    for (i, equilibrium) in equilibria.iter().enumerate() {
         let label = format!(
             "{} {:.1} deg {}",
             i + 1,
-            station.balance.heading.to_degrees(),
-            word(station)
+            equilibrium.yaw.heading.to_degrees(),
+            word(equilibrium)
         );
         series.push(Series {
             dimmed: i != chosen,
-            ..Series::new(&label, i, ship(rest, station))
+            ..Series::new(&label, i, ship(statics, equilibrium))
         });
     }
-    let round = Round::of(&series, rest.ship.about.length_m);
+    let round = Round::of(&series, statics.ship.particulars.length_m);
     let anchor = cross(0.04 * round.reach);
-    series.push(Series::new("anchor", stations.len(), anchor));
-    for (i, load) in rest.loads.each.iter().enumerate() {
+    series.push(Series::new("anchor", equilibria.len(), anchor));
+    for (i, load) in statics.loads.each.iter().enumerate() {
         let aside = (i as f64 - 1.0) * 0.14 * round.reach;
         let points = round.arrow(load.towards, aside);
-        series.push(Series::new(name(load), stations.len() + 1 + i, points));
+        series.push(Series::new(name(load), equilibria.len() + 1 + i, points));
     }
     let room = 1.42 * round.reach;
     let axis = |name: &str, middle: f64| Axis {
@@ -58,7 +58,7 @@ pub fn chart(rest: &Rest, chosen: usize) -> Chart {
 
 /// What a load is called on the picture.
 #[must_use]
-pub fn name(load: &Load) -> &'static str {
+pub fn name(load: &EnvironmentalLoad) -> &'static str {
     if load.name == "drift" {
         "waves"
     } else {
@@ -68,10 +68,10 @@ pub fn name(load: &Load) -> &'static str {
 
 /// How a heading stands, at rest and once the ship moves.
 #[must_use]
-pub fn word(station: &Station) -> &'static str {
-    match (station.balance.stands, station.fate()) {
-        (Stands::Stable, Some(fate)) => fate.word(),
-        (stands, _) => stands.word(),
+pub fn word(equilibrium: &Equilibrium) -> &'static str {
+    match (equilibrium.yaw.stability, equilibrium.dynamic_stability()) {
+        (YawStability::Stable, Some(dynamic_stability)) => dynamic_stability.label(),
+        (stability, _) => stability.label(),
     }
 }
 
@@ -118,23 +118,23 @@ impl Round {
 }
 
 /// Where the mooring point lies; a ship's length downstream of the anchor where no line tells.
-fn bow(rest: &Rest, station: &Station) -> (f64, f64) {
-    let told = station.offset(rest.loads.arm).map(|[bow, _]| bow);
+fn bow(statics: &StaticAnalysis, equilibrium: &Equilibrium) -> (f64, f64) {
+    let told = equilibrium.offset(statics.loads.arm).map(|[bow, _]| bow);
     told.unwrap_or_else(|| {
-        let (sin, cos) = station.balance.downstream.sin_cos();
-        let length = rest.ship.about.length_m;
+        let (sin, cos) = equilibrium.yaw.force_direction.sin_cos();
+        let length = statics.ship.particulars.length_m;
         (length * cos, length * sin)
     })
 }
 
 /// The mooring line and the outline of the ship.
-fn ship(rest: &Rest, station: &Station) -> Points {
-    let length = rest.ship.about.length_m;
-    let held = bow(rest, station);
-    let (sin, cos) = station.balance.heading.sin_cos();
+fn ship(statics: &StaticAnalysis, equilibrium: &Equilibrium) -> Points {
+    let length = statics.ship.particulars.length_m;
+    let held = bow(statics, equilibrium);
+    let (sin, cos) = equilibrium.yaw.heading.sin_cos();
     let place = |(forward, port): (f64, f64)| {
         // Forward of the point that the mooring holds.
-        let x = forward * length - rest.loads.arm;
+        let x = forward * length - statics.loads.arm;
         let y = port * length;
         (held.0 + x * cos - y * sin, held.1 + x * sin + y * cos)
     };

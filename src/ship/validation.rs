@@ -1,18 +1,21 @@
 //! A ship's motion held against what its source printed: rows of the validation table.
 
 use super::model::Ship;
+use super::motion_analysis::{MotionAnalysis, MotionError};
 use super::quantities::{quantity, unit};
-use super::voyage::{Voyage, VoyageError};
 use crate::reference::ValidationRow;
 
 /// Rows for every published value of a ship, in the order of its file.
 #[must_use]
-pub fn rows(ship: &Ship, voyage: Option<&Result<Voyage, VoyageError>>) -> Vec<ValidationRow> {
-    let found = |name: &str| match voyage {
+pub fn rows(
+    ship: &Ship,
+    motion: Option<&Result<MotionAnalysis, MotionError>>,
+) -> Vec<ValidationRow> {
+    let found = |name: &str| match motion {
         None => Err("The file has no [motion], or it is still being worked out.".to_owned()),
         Some(Err(why)) => Err(format!("There is no such motion: {why}.")),
         // A record is summed to rounding.
-        Some(Ok(voyage)) => quantity(voyage, name)
+        Some(Ok(motion)) => quantity(motion, name)
             .map(|value| (value, Some(0.0)))
             .ok_or_else(|| format!("There is no quantity {name}.")),
     };

@@ -1,19 +1,19 @@
 //! The rope at sea in a chart and a table.
 
-use super::rope::RopeAtSea;
-use super::statistics::Statistics;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::number::{digits, percent, si};
 use crate::report::table::{Cell, CellInk, Column, Table};
 use crate::ropeway::Trouble;
 use crate::ropeway::winch::Moment;
+use crate::ship::rope::RopeAnalysis;
+use crate::ship::statistics::Statistics;
 
 /// Time that is drawn \[s\].
 const MINUTES: f64 = 300.0;
 
 /// Tension at the ship over the first minutes, made fast and held by the winch.
 #[must_use]
-pub fn chart(rope: &RopeAtSea) -> Chart {
+pub fn chart(rope: &RopeAnalysis) -> Chart {
     let points = |moments: &[Moment]| -> Vec<(f64, f64)> {
         moments
             .iter()
@@ -40,7 +40,7 @@ pub fn chart(rope: &RopeAtSea) -> Chart {
 
 /// Statistics of the tension, made fast and held by the winch, and the greatest to expect.
 #[must_use]
-pub fn table(rope: &RopeAtSea) -> Table {
+pub fn table(rope: &RopeAnalysis) -> Table {
     let mut notes = Vec::new();
     let mut rows = vec![row("made fast", &rope.followed.fast, &mut notes)];
     if let Some(kept) = &rope.followed.kept {
@@ -51,10 +51,10 @@ pub fn table(rope: &RopeAtSea) -> Table {
     }
     if let Some(law) = &rope.law {
         notes.push(format!(
-            "Greatest tension to expect with the rope made fast: {} ± {} from record to record, by Gumbel's law fitted by moments to the greatest of {} records of as many seeds; its mean is known to {}; one record in ten goes beyond {}.",
+            "ExpectedMaximum tension to expect with the rope made fast: {} ± {} from record to record, by Gumbel's law fitted by moments to the greatest of {} records of as many seeds; its mean is known to {}; one record in ten goes beyond {}.",
             si(law.greatest.expected, "N"),
             si(law.greatest.spread, "N"),
-            rope.greatest_n.len(),
+            rope.maxima_n.len(),
             si(law.error, "N"),
             si(law.quantile(0.9), "N"),
         ));
@@ -85,7 +85,7 @@ pub fn table(rope: &RopeAtSea) -> Table {
 
 /// Both readings of the rope made fast over the stretch that the dynamic solver follows; absent where there is none.
 #[must_use]
-pub fn dynamic_chart(rope: &RopeAtSea) -> Option<Chart> {
+pub fn dynamic_chart(rope: &RopeAnalysis) -> Option<Chart> {
     let beside = rope.dynamic.as_ref()?.as_ref().ok()?;
     let points = |values: &[f64]| -> Vec<(f64, f64)> {
         let pairs = beside.times.iter().zip(values).skip(beside.counted);
@@ -106,7 +106,7 @@ pub fn dynamic_chart(rope: &RopeAtSea) -> Option<Chart> {
 
 /// The rope made fast on the dynamic solver beside the equilibria; absent where the rope has no answer at all.
 #[must_use]
-pub fn dynamic_table(rope: &RopeAtSea) -> Option<Table> {
+pub fn dynamic_table(rope: &RopeAnalysis) -> Option<Table> {
     let title = "The rope made fast on the dynamic solver".to_owned();
     let beside = match rope.dynamic.as_ref()? {
         Ok(beside) => beside,
@@ -175,7 +175,7 @@ fn row(name: &str, moments: &Result<Vec<Moment>, Trouble>, notes: &mut Vec<Strin
                 min,
                 max,
                 ..
-            } = RopeAtSea::tension(moments);
+            } = RopeAnalysis::tension(moments);
             let each = [mean, rms, deviation, min, max];
             cells.extend(each.map(|value| Cell::plain(si(value, "N"))));
         }
@@ -199,12 +199,12 @@ fn winch(moments: &[Moment], tension: f64) -> Vec<String> {
         si(most(&|m| m.power_w.abs()), "W"),
         digits(most(&length) - least, 3),
     )];
-    let lapses = RopeAtSea::lapses(moments);
+    let winch_limits = RopeAnalysis::winch_limits(moments);
     let all = moments.len() as f64;
     for (count, why) in [
-        (lapses.at_speed, "at its greatest speed"),
-        (lapses.at_power, "at its greatest power"),
-        (lapses.rope_out, "out of rope"),
+        (winch_limits.at_speed, "at its greatest speed"),
+        (winch_limits.at_power, "at its greatest power"),
+        (winch_limits.rope_out, "out of rope"),
     ] {
         if count > 0 {
             notes.push(format!(

@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// A coefficient against an angle \[rad\], periodic over a full turn.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Curve {
+pub enum PeriodicCurve {
     /// `Σ cos[n] cos(n α) + sin[n] sin(n α)`, n from 0.
     Fourier {
         /// Amplitudes of the cosines, the mean first.
@@ -44,7 +44,7 @@ pub enum Parity {
     Odd,
 }
 
-impl Curve {
+impl PeriodicCurve {
     /// A curve through points. Angles \[rad\] rise from 0, and end at half a turn (the other half then follows by
     /// `parity`) or below a full one.
     #[must_use]
@@ -92,7 +92,7 @@ impl Curve {
 
     /// A bound of the second derivative's size on the piece that holds an angle.
     #[must_use]
-    pub fn bend_at_most(&self, angle: f64) -> f64 {
+    pub fn second_derivative_bound(&self, angle: f64) -> f64 {
         match self {
             Self::Fourier { cos, sin } => {
                 let of = |list: &[f64]| -> f64 {
@@ -197,7 +197,7 @@ mod tests {
         let error = |n: usize| {
             let at = grid(n);
             let values: Vec<f64> = at.iter().map(|a| a.sin()).collect();
-            let curve = Curve::through(&at, &values, Parity::Odd, Between::Cubic);
+            let curve = PeriodicCurve::through(&at, &values, Parity::Odd, Between::Cubic);
             (0..997)
                 .map(|i| 0.0123 + f64::from(i) * TAU / 997.0)
                 .map(|a| (curve.at(a).0 - a.sin()).abs())
@@ -212,9 +212,9 @@ mod tests {
         let at = grid(6);
         let values = [1.0, 0.7, 0.2, -0.1, -0.4, -0.9, -1.1];
         let curves = [
-            Curve::through(&at, &values, Parity::Even, Between::Cubic),
-            Curve::through(&at, &values, Parity::Even, Between::Linear),
-            Curve::Fourier {
+            PeriodicCurve::through(&at, &values, Parity::Even, Between::Cubic),
+            PeriodicCurve::through(&at, &values, Parity::Even, Between::Linear),
+            PeriodicCurve::Fourier {
                 cos: vec![0.1, 0.9, 0.2],
                 sin: vec![0.0, 0.3, -0.4, 0.1],
             },
@@ -226,7 +226,10 @@ mod tests {
                 let slope = (curve.at(a + h).0 - curve.at(a - h).0) / (2.0 * h);
                 assert!((slope - curve.at(a).1).abs() < 1e-6, "{a}");
                 let bend = (curve.at(a + h).1 - curve.at(a - h).1) / (2.0 * h);
-                assert!(bend.abs() <= curve.bend_at_most(a) + 1e-4, "{a}: {bend}");
+                assert!(
+                    bend.abs() <= curve.second_derivative_bound(a) + 1e-4,
+                    "{a}: {bend}"
+                );
             }
         }
     }
@@ -234,7 +237,8 @@ mod tests {
     #[test]
     fn a_table_over_half_a_turn_is_mirrored() {
         let at = grid(4);
-        let odd = Curve::through(&at, &[0.0, 0.8, 1.0, 0.6, 0.0], Parity::Odd, Between::Cubic);
+        let odd =
+            PeriodicCurve::through(&at, &[0.0, 0.8, 1.0, 0.6, 0.0], Parity::Odd, Between::Cubic);
         for i in 1..30 {
             let a = 0.1 * f64::from(i);
             assert!((odd.at(a).0 + odd.at(-a).0).abs() < 1e-14);

@@ -10,7 +10,7 @@ use crate::physics::sea::{Component, Moments, Random};
 
 /// Root mean squares of a motion with no mean.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Scatter {
+pub struct MotionRms {
     /// Of the displacement.
     pub displacement: f64,
     /// Of the velocity, per second.
@@ -21,7 +21,7 @@ pub struct Scatter {
 
 /// A flat spectrum over a band.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Band {
+pub struct SpectralBand {
     /// Variance of the displacement.
     pub variance: f64,
     /// Middle of the band \[rad/s\].
@@ -32,7 +32,7 @@ pub struct Band {
 
 /// Why no bands have these root mean squares.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum BandError {
+pub enum SpectralBandError {
     /// A moment that is nothing beside others that are something.
     #[error("displacement, velocity and acceleration must all move, or none")]
     Part,
@@ -63,7 +63,7 @@ const USUAL: f64 = 0.3;
 /// How far beyond what is possible rounding of printed numbers may lie.
 const ROUNDING: f64 = 0.01;
 
-impl Band {
+impl SpectralBand {
     /// Variances of displacement, velocity and acceleration.
     #[must_use]
     pub fn moments(&self) -> [f64; 3] {
@@ -133,19 +133,19 @@ fn shape(half_width: f64) -> (f64, f64) {
 /// needed.
 ///
 /// # Errors
-/// [`BandError`].
-pub fn bands(scatter: Scatter, slow_period: f64) -> Result<Vec<Band>, BandError> {
+/// [`SpectralBandError`].
+pub fn bands(scatter: MotionRms, slow_period: f64) -> Result<Vec<SpectralBand>, SpectralBandError> {
     let [m0, m2, m4] =
         [scatter.displacement, scatter.velocity, scatter.acceleration].map(|s| s * s);
     if m0 + m2 + m4 <= 0.0 {
         return Ok(Vec::new());
     }
     if m0 <= 0.0 || m2 <= 0.0 || m4 <= 0.0 {
-        return Err(BandError::Part);
+        return Err(SpectralBandError::Part);
     }
     let spread = m0 * m4 / (m2 * m2);
     if spread < (1.0 - ROUNDING).powi(2) {
-        return Err(BandError::Impossible {
+        return Err(SpectralBandError::Impossible {
             velocity2: m2,
             product: (m0 * m4).sqrt(),
         });
@@ -158,13 +158,13 @@ pub fn bands(scatter: Scatter, slow_period: f64) -> Result<Vec<Band>, BandError>
 }
 
 /// One band as wide as the moments ask; one frequency where they are as narrow as can be.
-fn one_band(m0: f64, m2: f64, spread: f64) -> Band {
+fn one_band(m0: f64, m2: f64, spread: f64) -> SpectralBand {
     // (1 + 2q + q²/5) = spread (1 + q/3)², for the square q of the half width.
     let (a, b, c) = (0.2 - spread / 9.0, 2.0 - 2.0 * spread / 3.0, 1.0 - spread);
     let q = (-2.0 * c / (b + (b * b - 4.0 * a * c).max(0.0).sqrt())).max(0.0);
     let half_width = q.sqrt().max(1e-3);
     let (second, _) = shape(half_width);
-    Band {
+    SpectralBand {
         variance: m0,
         middle: (m2 / (m0 * second)).sqrt(),
         half_width,
@@ -172,10 +172,10 @@ fn one_band(m0: f64, m2: f64, spread: f64) -> Band {
 }
 
 /// A slow band about a frequency, and a band of waves that takes what is left of the moments.
-fn two_bands(m0: f64, m2: f64, m4: f64, slow: f64) -> Result<Vec<Band>, BandError> {
+fn two_bands(m0: f64, m2: f64, m4: f64, slow: f64) -> Result<Vec<SpectralBand>, SpectralBandError> {
     let (second, fourth) = shape(USUAL);
     let s2 = slow * slow;
-    let too_fast = BandError::Slow {
+    let too_fast = SpectralBandError::Slow {
         shortest: TAU * (m0 * second / m2).sqrt(),
     };
     let a = m2 / second - m0 * s2;
@@ -190,7 +190,7 @@ fn two_bands(m0: f64, m2: f64, m4: f64, slow: f64) -> Result<Vec<Band>, BandErro
     if !apart || variance > m0 {
         return Err(too_fast);
     }
-    let band = |variance: f64, middle: f64| Band {
+    let band = |variance: f64, middle: f64| SpectralBand {
         variance,
         middle,
         half_width: USUAL,
@@ -198,14 +198,14 @@ fn two_bands(m0: f64, m2: f64, m4: f64, slow: f64) -> Result<Vec<Band>, BandErro
     Ok(vec![band(m0 - variance, slow), band(variance, w2.sqrt())])
 }
 
-/// Scatter of components: the root mean squares of an endless record.
+/// MotionRms of components: the root mean squares of an endless record.
 #[must_use]
-pub fn scatter(components: &[Component]) -> Scatter {
+pub fn scatter(components: &[Component]) -> MotionRms {
     let moments = Moments::of(components);
     let fourth = components
         .iter()
         .map(|c| 0.5 * (c.amplitude * c.omega * c.omega).powi(2));
-    Scatter {
+    MotionRms {
         displacement: moments.m0.sqrt(),
         velocity: moments.m2.sqrt(),
         acceleration: fourth.sum::<f64>().sqrt(),
@@ -217,7 +217,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn of(bands: &[Band]) -> [f64; 3] {
+    fn of(bands: &[SpectralBand]) -> [f64; 3] {
         let mut sum = [0.0; 3];
         for band in bands {
             for (s, m) in sum.iter_mut().zip(band.moments()) {
@@ -234,7 +234,7 @@ mod tests {
             (0.4093, 0.08904, 0.1153, 100.0),
             (1.0, 2.0, 4.0001, 100.0),
         ] {
-            let scatter = Scatter {
+            let scatter = MotionRms {
                 displacement: x,
                 velocity: v,
                 acceleration: a,
@@ -250,7 +250,7 @@ mod tests {
     fn what_no_motion_has_is_refused() {
         let with = |displacement, velocity, acceleration, slow| {
             bands(
-                Scatter {
+                MotionRms {
                     displacement,
                     velocity,
                     acceleration,
@@ -259,13 +259,13 @@ mod tests {
             )
         };
         assert_eq!(with(0.0, 0.0, 0.0, 9.0), Ok(Vec::new()));
-        assert_eq!(with(1.0, 0.0, 1.0, 9.0), Err(BandError::Part));
+        assert_eq!(with(1.0, 0.0, 1.0, 9.0), Err(SpectralBandError::Part));
         assert!(matches!(
             with(1.0, 2.0, 1.0, 9.0),
-            Err(BandError::Impossible { .. })
+            Err(SpectralBandError::Impossible { .. })
         ));
         let slow = with(1.0, 0.1, 0.1, 30.0).unwrap_err();
-        let BandError::Slow { shortest } = slow else {
+        let SpectralBandError::Slow { shortest } = slow else {
             panic!("{slow}")
         };
         assert!(with(1.0, 0.1, 0.1, 1.001 * shortest).is_ok());
@@ -274,7 +274,7 @@ mod tests {
     #[test]
     fn components_have_the_moments_of_their_band_and_repeat_with_the_record() {
         for (middle, half_width, count) in [(1.3, 0.5, 100), (0.06, 0.3, 100), (0.8, 1e-3, 100)] {
-            let band = Band {
+            let band = SpectralBand {
                 variance: 2.0,
                 middle,
                 half_width,
@@ -307,7 +307,7 @@ mod tests {
         fn bands_have_the_moments_or_say_why_not(
             x in 1e-3..10.0f64, v in 1e-3..10.0f64, a in 1e-3..10.0f64, slow in 1.0..500.0f64,
         ) {
-            let scatter = Scatter { displacement: x, velocity: v, acceleration: a };
+            let scatter = MotionRms { displacement: x, velocity: v, acceleration: a };
             if let Ok(bands) = bands(scatter, slow) {
                 let found = of(&bands);
                 // Narrower than possible by rounding: the acceleration gives way.

@@ -1,10 +1,10 @@
 //! The ship and its anchor line in time, in charts and tables.
 
-use super::coupled::{CHANNELS, Coupled};
-use super::decay::Decay;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::number::{digits, percent};
 use crate::report::table::{Cell, Column, Table};
+use crate::ship::coupled::free_decay::FreeDecay;
+use crate::ship::coupled::{CHANNELS, CoupledAnalysis};
 
 /// Time that is drawn \[s\].
 const MINUTES: f64 = 300.0;
@@ -15,7 +15,7 @@ const LINE: [usize; 2] = [9, 10];
 
 /// The slow motions of the ship over the first minutes that count.
 #[must_use]
-pub fn motions(coupled: &Coupled) -> Chart {
+pub fn motions(coupled: &CoupledAnalysis) -> Chart {
     drawn(
         coupled,
         &SHIP,
@@ -27,12 +27,18 @@ pub fn motions(coupled: &Coupled) -> Chart {
 
 /// The tension of the anchor line over the same time.
 #[must_use]
-pub fn tension(coupled: &Coupled) -> Chart {
+pub fn tension(coupled: &CoupledAnalysis) -> Chart {
     drawn(coupled, &LINE, "Tension of the anchor line", "tension", "N")
 }
 
-fn drawn(coupled: &Coupled, channels: &[usize], title: &str, axis: &str, unit: &str) -> Chart {
-    let from = (coupled.words.from_s / coupled.step).round() as usize;
+fn drawn(
+    coupled: &CoupledAnalysis,
+    channels: &[usize],
+    title: &str,
+    axis: &str,
+    unit: &str,
+) -> Chart {
+    let from = (coupled.settings.from_s / coupled.step).round() as usize;
     let count = (MINUTES / coupled.step) as usize;
     let series = channels.iter().enumerate().map(|(slot, channel)| {
         let record = coupled.records.get(*channel).map_or(&[][..], Vec::as_slice);
@@ -58,7 +64,7 @@ fn drawn(coupled: &Coupled, channels: &[usize], title: &str, axis: &str, unit: &
 
 /// Statistics of every channel, with the errors of step and mesh.
 #[must_use]
-pub fn statistics(coupled: &Coupled) -> Table {
+pub fn statistics(coupled: &CoupledAnalysis) -> Table {
     let row = |(i, (name, unit)): (usize, &(&str, &str))| {
         let of = &coupled.statistics[i];
         let error = |errors: &Option<Vec<f64>>| {
@@ -76,8 +82,8 @@ pub fn statistics(coupled: &Coupled) -> Table {
     Table {
         title: format!(
             "Ship and anchor line in time, from {} s to {} s",
-            digits(coupled.words.from_s, 6),
-            digits(coupled.words.duration_s, 6)
+            digits(coupled.settings.from_s, 6),
+            digits(coupled.settings.duration_s, 6)
         ),
         columns: vec![
             Column::left("channel"),
@@ -93,15 +99,15 @@ pub fn statistics(coupled: &Coupled) -> Table {
     }
 }
 
-fn notes(coupled: &Coupled) -> Vec<String> {
-    let words = &coupled.words;
+fn notes(coupled: &CoupledAnalysis) -> Vec<String> {
+    let settings = &coupled.settings;
     let work = &coupled.work;
     let mut notes = vec![
         "Displacements are from the place at which the ship rests, along and across its heading there. Errors are root mean squares over the record, by a companion with half the step and one with half the segments (Richardson, order two).".to_owned(),
         format!(
             "Step {} s, {} segments: {} steps, {} of them halved, {} Newton iterations.",
-            digits(words.step_s, 4),
-            words.segments,
+            digits(settings.step_s, 4),
+            settings.segments,
             work.steps,
             work.halved,
             work.iterations
@@ -122,14 +128,14 @@ fn notes(coupled: &Coupled) -> Vec<String> {
 
 /// The free decay against the linearised equations.
 #[must_use]
-pub fn decay(coupled: &Coupled) -> Table {
+pub fn decay(coupled: &CoupledAnalysis) -> Table {
     let columns = vec![
         Column::left("slowest swinging motion"),
         Column::decimal("period"),
         Column::decimal("left after a period"),
     ];
     let title = "Free decay: the ship let go, no waves".to_owned();
-    let Decay {
+    let FreeDecay {
         linear_s,
         measured_s,
         linear_left,

@@ -2,23 +2,26 @@
 
 use nalgebra::Complex;
 
-use super::fishtail::{self, Fate};
-use super::heading::Stands;
-use super::loads::Planar;
-use super::mooring::Reach;
-use super::rest::{Rest, Station};
 use crate::report::number::{digits, si};
 use crate::report::table::{Cell, CellInk, Column, Table};
+use crate::ship::loads::PlanarLoad;
+use crate::ship::mooring::MooringSolution;
+use crate::ship::stability::{self, DynamicStability};
+use crate::ship::yaw_equilibria::YawStability;
+use crate::ship::{Equilibrium, StaticAnalysis};
 
 /// The headings in balance.
 #[must_use]
-pub fn headings(rest: &Rest) -> Table {
+pub fn headings(statics: &StaticAnalysis) -> Table {
     let mut notes = vec![
-        "Headings are where the bow points, from +x towards +y. All zeros of the moment about the mooring point are here: between them the moment is proven to keep its sign, by a bound of its second derivative.".to_owned(),
+        "Headings are where the bow points, from +x towards +y. All isolate_roots_ of the moment about the mooring point are here: between them the moment is proven to keep its sign, by a bound of its second derivative.".to_owned(),
         "The eigenvalues of the stiffness at the mooring point are those of the line along and across, and -dM/dpsi in yaw; at rest the ship stays where all are positive. Whether it also stays once it moves is told by the small motions, which need [hull] and [mooring]: a ship that fishtails swings further and further.".to_owned(),
     ];
-    let rows = match &rest.stations {
-        Ok(stations) => stations.iter().map(|one| heading_row(rest, one)).collect(),
+    let rows = match &statics.equilibria {
+        Ok(equilibria) => equilibria
+            .iter()
+            .map(|one| heading_row(statics, one))
+            .collect(),
         Err(why) => {
             notes.insert(0, format!("No heading in balance: {why}."));
             Vec::new()
@@ -42,20 +45,20 @@ pub fn headings(rest: &Rest) -> Table {
     }
 }
 
-fn heading_row(rest: &Rest, one: &Station) -> Vec<Cell> {
-    let balance = &one.balance;
-    let ink = match balance.stands {
-        Stands::Stable => CellInk::Good,
-        Stands::Unstable => CellInk::Dim,
-        Stands::OneSided | Stands::Indifferent => CellInk::Warn,
+fn heading_row(statics: &StaticAnalysis, one: &Equilibrium) -> Vec<Cell> {
+    let balance = &one.yaw;
+    let ink = match balance.stability {
+        YawStability::Stable => CellInk::Good,
+        YawStability::Unstable => CellInk::Dim,
+        YawStability::OneSided | YawStability::Indifferent => CellInk::Warn,
     };
     let mut cells = vec![
         Cell::plain(degrees(balance.heading)),
-        Cell::new(balance.stands.word(), ink),
-        fate_cell(one.fate()),
+        Cell::new(balance.stability.label(), ink),
+        fate_cell(one.dynamic_stability()),
         Cell::plain(si(balance.yaw_stiffness, "N m/rad")),
         Cell::plain(si(balance.pull, "N")),
-        Cell::plain(degrees(balance.downstream)),
+        Cell::plain(degrees(balance.force_direction)),
     ];
     match &one.reach {
         Some(Ok(reach)) => cells.extend([
@@ -64,38 +67,43 @@ fn heading_row(rest: &Rest, one: &Station) -> Vec<Cell> {
             Cell::plain(si(reach.across, "N/m")),
         ]),
         Some(Err(why)) => cells.push(Cell::new(why.to_string(), CellInk::Bad)),
-        None if rest.ship.mooring.is_none() => cells.push(Cell::plain("no mooring line given")),
+        None if statics.ship.mooring.is_none() => cells.push(Cell::plain("no mooring line given")),
         None => {}
     }
     cells
 }
 
-fn fate_cell(fate: Option<Fate>) -> Cell {
-    let ink = match fate {
+fn fate_cell(dynamic_stability: Option<DynamicStability>) -> Cell {
+    let ink = match dynamic_stability {
         None => CellInk::Dim,
-        Some(Fate::Stable { .. }) => CellInk::Good,
-        Some(Fate::Neutral) => CellInk::Warn,
-        Some(Fate::Diverges { .. } | Fate::Fishtails { .. }) => CellInk::Bad,
+        Some(DynamicStability::Stable { .. }) => CellInk::Good,
+        Some(DynamicStability::Neutral) => CellInk::Warn,
+        Some(DynamicStability::Divergence { .. } | DynamicStability::Fishtailing { .. }) => {
+            CellInk::Bad
+        }
     };
-    Cell::new(fate.map_or("-", Fate::word), ink)
+    Cell::new(dynamic_stability.map_or("-", DynamicStability::label), ink)
 }
 
 /// What becomes of small motions about every heading; absent without hull and mooring.
 #[must_use]
-pub fn small_motions(rest: &Rest) -> Option<Table> {
-    let stations = rest.stations.as_ref().ok()?;
-    if !stations.iter().any(|one| one.planar.is_some()) {
+pub fn small_motions(statics: &StaticAnalysis) -> Option<Table> {
+    let equilibria = statics.equilibria.as_ref().ok()?;
+    if !equilibria.iter().any(|one| one.planar.is_some()) {
         return None;
     }
-    let row = |one: &Station| {
-        let fate = one.fate();
-        let (period, time) = fate.map_or((None, None), Fate::times);
+    let row = |one: &Equilibrium| {
+        let dynamic_stability = one.dynamic_stability();
+        let (period, time) = dynamic_stability.map_or((None, None), DynamicStability::times);
         let seconds =
             |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| si(value, "s"));
-        let roots = one.planar.as_ref().and_then(fishtail::Planar::eigenvalues);
+        let roots = one
+            .planar
+            .as_ref()
+            .and_then(stability::PlanarDynamics::eigenvalues);
         vec![
-            Cell::plain(degrees(one.balance.heading)),
-            fate_cell(fate),
+            Cell::plain(degrees(one.yaw.heading)),
+            fate_cell(dynamic_stability),
             Cell::plain(seconds(period)),
             Cell::plain(seconds(time)),
             Cell::plain(roots.map_or_else(|| "-".to_owned(), |list| words_of(&list))),
@@ -110,10 +118,10 @@ pub fn small_motions(rest: &Rest) -> Option<Table> {
             Column::decimal("half or double"),
             Column::left("eigenvalues [1/s]"),
         ],
-        rows: stations.iter().map(row).collect(),
+        rows: equilibria.iter().map(row).collect(),
         notes: vec![
             "Surge, sway and yaw linearised: mass and added mass, damping of the hull and of wind and current on the moving ship, stiffness of the line and of loads that turn with the ship. The period is that of the motion that grows fastest or dies last, beside its time to half or to double the amplitude; no period: it creeps.".to_owned(),
-            "Fishtails: swings that grow until what is not linear holds them. What turning alone makes of the current is not in the coefficients; hull.damping_si has it.".to_owned(),
+            "Fishtailing: swings that grow until what is not linear holds them. What turning alone makes of the current is not in the coefficients; hull.damping_si has it.".to_owned(),
         ],
     })
 }
@@ -132,11 +140,11 @@ fn words_of(list: &[Complex<f64>]) -> String {
 
 /// What acts on the ship at its heading.
 #[must_use]
-pub fn loads(rest: &Rest) -> Option<Table> {
-    let station = rest.chosen()?;
-    let heading = station.balance.heading;
-    let arm = rest.loads.arm;
-    let row = |name: &str, load: Planar| {
+pub fn loads(statics: &StaticAnalysis) -> Option<Table> {
+    let equilibrium = statics.governing()?;
+    let heading = equilibrium.yaw.heading;
+    let arm = statics.loads.arm;
+    let row = |name: &str, load: PlanarLoad| {
         vec![
             Cell::plain(name),
             Cell::plain(si(load[0], "N")),
@@ -145,16 +153,16 @@ pub fn loads(rest: &Rest) -> Option<Table> {
             Cell::plain(si(load[2] - load[1] * arm, "N m")),
         ]
     };
-    let mut rows: Vec<Vec<Cell>> = rest
+    let mut rows: Vec<Vec<Cell>> = statics
         .loads
         .each
         .iter()
         .map(|load| row(load.name, load.at(heading).0))
         .collect();
-    let (total, _) = rest.loads.total(heading);
+    let (total, _) = statics.loads.total(heading);
     let mut last = row("together", total);
     // The total vanishes but for rounding.
-    let nothing = 1e-6 * rest.loads.moment_at_most();
+    let nothing = 1e-6 * statics.loads.moment_bound();
     if let Some(cell) = last.last_mut()
         && (total[2] - total[1] * arm).abs() < nothing
     {
@@ -180,20 +188,20 @@ pub fn loads(rest: &Rest) -> Option<Table> {
 
 /// The mooring line at the ship's heading.
 #[must_use]
-pub fn mooring(rest: &Rest) -> Option<Table> {
-    let station = rest.chosen()?;
-    let reach = station.reach.as_ref()?.as_ref().ok()?;
-    let [bow, centre] = station.offset(rest.loads.arm)?;
+pub fn mooring(statics: &StaticAnalysis) -> Option<Table> {
+    let equilibrium = statics.governing()?;
+    let reach = equilibrium.reach.as_ref()?.as_ref().ok()?;
+    let [bow, centre] = equilibrium.offset(statics.loads.arm)?;
     let place = |(x, y): (f64, f64)| format!("x {} m, y {} m", digits(x, 4), digits(y, 4));
     let fact = |name: &str, value: String| vec![Cell::plain(name), Cell::plain(value)];
     Some(Table {
-        title: format!("The mooring line at {}", degrees(station.balance.heading)),
+        title: format!("The mooring line at {}", degrees(equilibrium.yaw.heading)),
         columns: vec![Column::left("quantity"), Column::left("value")],
         rows: vec![
-            fact("horizontal pull", si(station.balance.pull, "N")),
+            fact("horizontal pull", si(equilibrium.yaw.pull, "N")),
             fact("tension at the ship", si(reach.tension, "N")),
             fact("angle below the horizontal", degrees(reach.angle)),
-            fact("length on the bed", si(reach.on_bed, "m")),
+            fact("length on the bed", si(reach.grounded_length, "m")),
             fact("mooring point from the anchor", place(bow)),
             fact("ship's centre from the anchor", place(centre)),
         ],
@@ -201,11 +209,11 @@ pub fn mooring(rest: &Rest) -> Option<Table> {
     })
 }
 
-fn lifted(reach: &Reach) -> Vec<String> {
-    if reach.anchor_lift > 0.0 {
+fn lifted(reach: &MooringSolution) -> Vec<String> {
+    if reach.anchor_uplift > 0.0 {
         return vec![format!(
             "WARNING: the line lifts its anchor with {}; an anchor that is lifted may drag.",
-            si(reach.anchor_lift, "N")
+            si(reach.anchor_uplift, "N")
         )];
     }
     Vec::new()

@@ -3,11 +3,11 @@
 
 use nalgebra::{Complex, Matrix6, Vector6};
 
-use super::hull::Matrices;
-use super::loads::Loads;
-use super::motion::responses::Answer;
 use crate::physics::growth::growth;
 use crate::physics::sea::Component;
+use crate::ship::hull::HullMatrices;
+use crate::ship::loads::EnvironmentalLoads;
+use crate::ship::motion::wave_response::WaveResponse;
 use crate::solve::Factors;
 
 /// Degrees of freedom that wind, current and drift act on.
@@ -17,8 +17,8 @@ const PLANAR: [usize; 3] = [0, 1, 5];
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Forcing {
     /// Wind, current and drift, and the heading \[rad\] that the axes lie along.
-    pub flows: Option<(Loads, f64)>,
-    /// Loads of waves.
+    pub flows: Option<(EnvironmentalLoads, f64)>,
+    /// EnvironmentalLoads of waves.
     pub waves: Vec<WaveLoad>,
     /// The waves grow from nothing over this time \[s\].
     pub ramp: f64,
@@ -38,7 +38,7 @@ pub struct WaveLoad {
 /// The loads of a sea that make a free ship answer it as its responses say: `(-ω² M + i ω D + K) u`, eq. (4) of the ropeway
 /// paper without the mooring.
 #[must_use]
-pub fn wave_loads(hull: &Matrices, answer: &Answer, sea: &[Component]) -> Vec<WaveLoad> {
+pub fn wave_loads(hull: &HullMatrices, answer: &WaveResponse, sea: &[Component]) -> Vec<WaveLoad> {
     let load = |wave: &Component| {
         let w = wave.omega;
         let response = answer.rao.response(w);
@@ -102,7 +102,7 @@ mod tests {
 
     #[test]
     fn the_tangent_is_the_derivative() {
-        let text = include_str!("../../cases/ship/anchored.toml");
+        let text = include_str!("../../../cases/ship/anchored.toml");
         let rest = crate::ship::parse(text, "ship.toml").unwrap();
         let forcing = Forcing {
             flows: Some((rest.loads, 0.4)),
