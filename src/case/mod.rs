@@ -20,6 +20,7 @@ pub mod model;
 mod read;
 pub mod shipped;
 mod tree;
+mod write;
 
 pub use along::{AlongLine, STEADY, bends};
 pub use carried::stand_alone;
@@ -29,6 +30,7 @@ pub use kind::Opened;
 pub use misfit::Misfit;
 pub use model::*;
 pub use read::{Loaded, load, parse, parse_beside};
+pub use write::write;
 
 // What another kind of file needs to be read, checked and complained about in the same way.
 pub(crate) use check::{join, nearest, split};
