@@ -1,35 +1,35 @@
 //! The charts of a run, or of several laid over each other: the same for screen and report.
 //!
 //! ```
-//! use seacable::report::figures::{Source, tensions};
+//! use seacable::report::figures::{PlottedRun, tensions};
 //! use seacable::run::History;
 //!
 //! let history = History::default();
-//! let chart = tensions(&[Source::streamed(&history, &[], "this run")]);
+//! let chart = tensions(&[PlottedRun::streamed(&history, &[], "this run")]);
 //! assert_eq!(chart.y.unit, "N");
 //! ```
 
-mod along;
-mod overlay;
+mod fibre_ropes;
+mod profiles;
+mod published;
 mod response;
-mod ropes;
 mod shapes;
 mod study;
-mod times;
+mod time_histories;
 
-pub use along::{curvature_profile, moment_profile, tension_profile};
-pub use overlay::published_curves;
-pub use response::{MapOf, response_map, rms_profile, wave_amplitudes, wavelengths};
-pub use ropes::{deviation_in_time, mean_load_in_time, stiffness_in_time, stiffness_profile};
+pub use fibre_ropes::{deviation_in_time, mean_load_in_time, stiffness_in_time, stiffness_profile};
+pub use profiles::{curvature_profile, moment_profile, tension_profile};
+pub use published::published_curves;
+pub use response::{ResponseMapKind, response_map, rms_profile, wave_amplitudes, wavelengths};
 pub use shapes::{line_from_above, line_from_ahead, line_shape, trajectory};
 pub use study::along_studies;
-pub use times::{against_time, elevation, payload_position, speed, tensions, tilt};
+pub use time_histories::{against_time, elevation, payload_position, speed, tensions, tilt};
 
 use crate::run::{History, LineShape, Profile, Run};
 
 /// A run to be drawn, whole or still on its way.
 #[derive(Debug, Clone, Copy)]
-pub struct Source<'a> {
+pub struct PlottedRun<'a> {
     /// Channels against time.
     pub history: &'a History,
     /// Shapes of the line, oldest first.
@@ -45,7 +45,7 @@ pub struct Source<'a> {
     pub duration: Option<f64>,
 }
 
-impl<'a> Source<'a> {
+impl<'a> PlottedRun<'a> {
     /// A complete run.
     #[must_use]
     pub fn whole(run: &'a Run, label: &'a str) -> Self {
@@ -97,7 +97,7 @@ impl<'a> Source<'a> {
 
 /// A colour and marker for each thing drawn of each run. A dimmed run shares them with the run in
 /// full ink that takes its place.
-fn slots(sources: &[Source], things: usize) -> Vec<usize> {
+fn slots(sources: &[PlottedRun], things: usize) -> Vec<usize> {
     let (mut full, mut dimmed) = (0, 0);
     let mut next = |is_dimmed: bool| {
         let count = if is_dimmed { &mut dimmed } else { &mut full };
@@ -108,7 +108,7 @@ fn slots(sources: &[Source], things: usize) -> Vec<usize> {
 }
 
 /// The name of a thing in the legend, with the name of its run where there are several.
-fn named(sources: &[Source], source: &Source, thing: &str) -> String {
+fn named(sources: &[PlottedRun], source: &PlottedRun, thing: &str) -> String {
     match (sources.len() > 1 && !source.label.is_empty(), thing) {
         (false, _) => thing.to_owned(),
         (true, "") => source.label.to_owned(),
@@ -123,7 +123,7 @@ fn place<'n>(channel: &'n str, quantity: &str) -> Option<&'n str> {
 }
 
 /// The places at which any of the runs recorded a quantity, in the order of their channels.
-fn places<'n>(sources: &[Source<'n>], quantity: &str) -> Vec<&'n str> {
+fn places<'n>(sources: &[PlottedRun<'n>], quantity: &str) -> Vec<&'n str> {
     let mut all: Vec<&str> = Vec::new();
     for source in sources {
         for channel in &source.history.channels {
@@ -139,7 +139,7 @@ fn places<'n>(sources: &[Source<'n>], quantity: &str) -> Vec<&'n str> {
 
 /// The body whose path is drawn: the payload, or else the first loose end, which has a speed of its
 /// own, or else the first end that moves at all.
-fn body<'n>(sources: &[Source<'n>]) -> Option<&'n str> {
+fn body<'n>(sources: &[PlottedRun<'n>]) -> Option<&'n str> {
     let all = places(sources, "z_m");
     let loose = places(sources, "speed_m_per_s");
     let payload = all.iter().find(|place| **place == "payload");
@@ -148,7 +148,7 @@ fn body<'n>(sources: &[Source<'n>]) -> Option<&'n str> {
 }
 
 /// The values of a channel, by quantity and place.
-fn values<'a>(source: &Source<'a>, quantity: &str, place: &str) -> Option<&'a [f64]> {
+fn values<'a>(source: &PlottedRun<'a>, quantity: &str, place: &str) -> Option<&'a [f64]> {
     let channel = source.history.channel(&format!("{quantity}[{place}]"))?;
     Some(&channel.values)
 }

@@ -15,16 +15,16 @@ use rustix::process::{
     Signal as Sig, getpgrp, getpid, getsid, kill_current_process_group, kill_process,
 };
 
+use super::effects::EffectRunner;
 use super::key::Key;
 use super::msg::{Effect, Msg};
-use super::state::{Level, Overlay, Question, State};
+use super::state::{AppState, Level, Overlay, Question};
+use super::terminal::capabilities::{self, Capabilities};
 use super::terminal::decode::{Decoder, Input};
-use super::terminal::looks::{self, Looks};
 use super::terminal::screen::{Screen, restore};
 use super::terminal::signals::{Signal, Signals};
 use super::terminal::wait::{read, wait};
-use super::world::World;
-use super::{drafts, draw, editor, shelf, update};
+use super::{case_library, draw, external_editor, recovery, update};
 use crate::report::chart::Glyphs;
 
 /// How the workbench is opened.
@@ -88,14 +88,14 @@ pub fn open(options: &Options) -> Result<(), OpenError> {
     look_for_terminal()?;
     let (dir, file) = whereto(options)?;
     let var = |name: &str| std::env::var(name).ok();
-    let looks = looks::decide(options.glyphs, drafts::remembered_glyphs(), &var);
-    if !looks.colour {
+    let capabilities = capabilities::decide(options.glyphs, recovery::remembered_glyphs(), &var);
+    if !capabilities.colour {
         // The theme has no colours then; the library's own handling of NO_COLOR would take the
         // selection away as well.
         style::force_color_output(true);
     }
-    let mut world = World::new(dir);
-    guard_panics(world.sender());
+    let mut effects = EffectRunner::new(dir);
+    guard_panics(effects.sender());
     let signals = Signals::register()?;
     let mut screen = Screen::enter()?;
     let pace = if options.slow_link {
@@ -109,14 +109,14 @@ pub fn open(options: &Options) -> Result<(), OpenError> {
             escape: Duration::from_millis(80),
         }
     };
-    let state = State::new(screen.size()?, looks);
+    let state = AppState::new(screen.size()?, capabilities);
     let mut app = App {
         state,
         screen: &mut screen,
         signals,
-        world: &mut world,
+        effects: &mut effects,
         pace,
-        looks,
+        capabilities,
         may_panic: std::env::var_os("SEACABLE_MAY_PANIC").is_some(),
     };
     let ended = panic::catch_unwind(AssertUnwindSafe(|| app.run(file)));
@@ -176,7 +176,10 @@ fn look_for_terminal() -> Result<(), OpenError> {
 /// The directory to list, and the case to open at once.
 fn whereto(options: &Options) -> Result<(PathBuf, Option<PathBuf>), OpenError> {
     let Some(path) = &options.path else {
-        return Ok((shelf::default_dir().map_err(OpenError::NoCases)?, None));
+        return Ok((
+            case_library::default_dir().map_err(OpenError::NoCases)?,
+            None,
+        ));
     };
     if path.is_dir() {
         return Ok((path.clone(), None));
@@ -206,12 +209,12 @@ fn guard_panics(sender: Sender<Msg>) {
 }
 
 struct App<'a> {
-    state: State,
+    state: AppState,
     screen: &'a mut Screen,
     signals: Signals,
-    world: &'a mut World,
+    effects: &'a mut EffectRunner,
     pace: Pace,
-    looks: Looks,
+    capabilities: Capabilities,
     /// Lets the tests see that a panic gives the terminal back.
     may_panic: bool,
 }
@@ -220,7 +223,7 @@ impl App<'_> {
     fn run(&mut self, file: Option<PathBuf>) -> io::Result<End> {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         self.state.jobs.limit = cores.saturating_sub(1).max(1);
-        if self.looks.unsure {
+        if self.capabilities.unsure {
             self.state.overlay = Some(Overlay::Ask(Question::Glyphs));
         }
         let first = [Some(Effect::ReadCases), file.map(Effect::ReadCase)];
@@ -254,7 +257,7 @@ impl App<'_> {
             .filter(|_| dirty)
             .map(|at| self.pace.frame.saturating_sub(at.elapsed()));
         let escape = waiting.then_some(self.pace.escape);
-        let jobs = self.world.busy().then_some(LISTEN);
+        let jobs = self.effects.busy().then_some(LISTEN);
         [frame, escape, jobs].into_iter().flatten().min()
     }
 
@@ -296,7 +299,7 @@ impl App<'_> {
             Input::Key(key) => Msg::Key(key),
             Input::Paste(text) => Msg::Paste(text),
         }));
-        messages.extend(self.world.heard());
+        messages.extend(self.effects.poll());
         Ok((messages, None))
     }
 
@@ -323,7 +326,7 @@ impl App<'_> {
                     }
                 }
                 other => {
-                    for answer in self.world.perform(other) {
+                    for answer in self.effects.perform(other) {
                         if let Some(end) = self.take(answer)? {
                             return Ok(Some(end));
                         }
@@ -361,11 +364,11 @@ impl App<'_> {
     /// Gives the terminal to the user's editor, takes it back, and reads what the editor left. Jobs go on meanwhile.
     fn edit(&mut self, path: &Path) -> io::Result<Msg> {
         restore();
-        let ended = editor::run(path);
+        let ended = external_editor::run(path);
         self.signals.forget_interrupt();
         self.screen.reenter()?;
         Ok(match ended {
-            Ok(()) => Msg::Edited(editor::read(path)),
+            Ok(()) => Msg::Edited(external_editor::read(path)),
             Err(why) => Msg::Say(Level::Error, why),
         })
     }
@@ -376,7 +379,7 @@ impl App<'_> {
         if worded.is_ok() {
             self.screen.write(sequence.as_bytes())?;
         }
-        let kept = shelf::state_dir().and_then(|dir| {
+        let kept = case_library::state_dir().and_then(|dir| {
             std::fs::create_dir_all(&dir)?;
             let path = dir.join("copied.txt");
             std::fs::write(&path, text)?;

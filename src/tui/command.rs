@@ -1,9 +1,9 @@
 //! The one table of commands. Keys, footer, `?` help and `:` palette are views of it.
 
 use super::key::Key;
-use super::place::{
+use super::pane::{
     CASES, CHARTS, DOWN, DRAWING, EVERYWHERE, IN_CASE, IN_FILE, IN_SHEET, INPUTS, JOBS, LISTS,
-    MODES, NODES, Place, ROPEWAY, RUNS, TABLES, TRIALS, WIDE, WRITABLE,
+    MODES, NODES, PaneId, ROPEWAY, RUNS, TABLES, TRIALS, WIDE, WRITABLE,
 };
 
 /// What a command does.
@@ -20,7 +20,7 @@ pub enum Id {
     /// Put the field back to the value of the file.
     Reset,
     /// Open the file in the user's editor.
-    Editor,
+    ExternalEditor,
     /// Undo the last edit.
     Undo,
     /// Redo the edit undone last.
@@ -41,9 +41,9 @@ pub enum Id {
     Validate,
     /// Keep the live run on disk.
     Keep,
-    /// Show the next leaf of the tables.
+    /// Show the next tab of the tables.
     NextTable,
-    /// Show the previous leaf of the tables.
+    /// Show the previous tab of the tables.
     PreviousTable,
     /// Write what a line case takes over.
     HandOver,
@@ -102,7 +102,7 @@ pub enum Id {
     /// Compute the trials of the case, or of all hard cases.
     Trials,
     /// Go on with a stored run up to a later end.
-    GoOn,
+    Resume,
     /// Delete a stored run.
     Delete,
     /// Cancel the job under the cursor.
@@ -165,7 +165,7 @@ pub struct Command {
     /// One line for help and palette.
     pub doc: &'static str,
     /// Where it applies.
-    pub places: &'static [Place],
+    pub places: &'static [PaneId],
 }
 
 const fn command(
@@ -173,7 +173,7 @@ const fn command(
     keys: &'static [&'static str],
     label: &'static str,
     doc: &'static str,
-    places: &'static [Place],
+    places: &'static [PaneId],
 ) -> Command {
     Command {
         id,
@@ -191,7 +191,7 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Edit, &["enter", "e"], "edit", "Edit the value under the cursor", INPUTS),
     command(Id::ShowAlone, &["enter"], "show", "Show this run alone on the charts, in the table and in the report", RUNS),
     command(Id::Select, &["space"], "overlay", "Add this run to the charts or take it off", RUNS),
-    command(Id::GoOn, &["c"], "go on", "Go on with this stored run, from where it stands, up to a time that is asked for", RUNS),
+    command(Id::Resume, &["c"], "go on", "Go on with this stored run, from where it stands, up to a time that is asked for", RUNS),
     command(Id::CancelJob, &["x", "d"], "cancel", "Cancel the job under the cursor", JOBS),
     command(Id::CancelJob, &["x"], "stop", "Stop computing the trials", TRIALS),
     command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", TRIALS),
@@ -226,22 +226,22 @@ pub const COMMANDS: &[Command] = &[
     command(Id::Save, &["s"], "save", "Save the case to its file, with your comments kept", IN_FILE),
     command(Id::Undo, &["u"], "undo", "Undo the last edit", IN_FILE),
     command(Id::Back, &["esc", "b"], "cases", "Back to the list of cases", IN_FILE),
-    command(Id::Filter, &["/"], "filter", "Type letters that the lines must contain; Enter keeps, Esc drops the filter", &[Place::Cases, Place::Inputs, Place::Keys]),
+    command(Id::Filter, &["/"], "filter", "Type letters that the lines must contain; Enter keeps, Esc drops the filter", &[PaneId::Cases, PaneId::Inputs, PaneId::Keys]),
     command(Id::Method, &["M"], "solver", "Change to the next solver: static, quasi, rk4, alpha", IN_CASE),
     command(Id::Study, &["S"], "study", "Run all variants of a study and overlay them", IN_CASE),
     command(Id::Keep, &["K"], "keep", "Keep the live run on disk", IN_CASE),
     command(Id::SelectNone, &["a"], "live only", "Show the live run only", RUNS),
     command(Id::Delete, &["d"], "delete", "Delete this stored run (asks first)", RUNS),
-    command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", &[Place::Validation, Place::Nodes]),
+    command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", &[PaneId::Validation, PaneId::Nodes]),
     command(Id::Fit, &["0"], "fit", "Show everything again, at the newest instant", CHARTS),
     command(Id::Freeze, &["f"], "freeze", "Hold the curves still while the job goes on, or let them go on", CHARTS),
-    command(Id::Editor, &["E"], "editor", "Open the file in $VISUAL or $EDITOR, and read it again afterwards", INPUTS),
+    command(Id::ExternalEditor, &["E"], "editor", "Open the file in $VISUAL or $EDITOR, and read it again afterwards", INPUTS),
     command(Id::Reset, &["r"], "reset", "Put the field back to the value of the file", INPUTS),
     command(Id::Fit, &["0"], "fit", "Show the whole cross-section again", DRAWING),
     command(Id::ZoomOut, &["-"], "", "Zoom out about the middle", DRAWING),
     command(Id::PreviousTable, &["[", "p"], "", "Show the previous table", TABLES),
     command(Id::PreviousTable, &["[", "p"], "", "Show the previous table of the line", NODES),
-    command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", &[Place::Tables, Place::Checks]),
+    command(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: as it came", &[PaneId::Tables, PaneId::Checks]),
     command(Id::Write, &["w"], "write", "Write the report to a text file; from the validation pane: its table; from a section's drawing: the drawing", IN_SHEET),
     command(Id::LeapRight, &["L", "pgdn"], "", "Move the cargo towards the ship by a tenth of the span", ROPEWAY),
     command(Id::LeapLeft, &["H", "pgup"], "", "Move the cargo towards the platform by a tenth of the span", ROPEWAY),
@@ -298,13 +298,13 @@ pub const COMMANDS: &[Command] = &[
 ];
 
 /// The commands that apply at a place, in table order.
-pub fn at(place: Place) -> impl Iterator<Item = &'static Command> {
+pub fn at(place: PaneId) -> impl Iterator<Item = &'static Command> {
     COMMANDS.iter().filter(move |c| c.places.contains(&place))
 }
 
 /// The command that a key means at a place.
 #[must_use]
-pub fn find(place: Place, key: Key) -> Option<&'static Command> {
+pub fn find(place: PaneId, key: Key) -> Option<&'static Command> {
     let name = key.to_string();
     at(place).find(|c| c.keys.contains(&name.as_str()))
 }
@@ -317,7 +317,7 @@ mod tests {
 
     #[test]
     fn every_key_is_well_spelled_and_means_one_thing_at_a_place() {
-        for place in Place::ALL {
+        for place in PaneId::ALL {
             let mut seen: BTreeMap<&str, Id> = BTreeMap::new();
             for command in at(place) {
                 for key in command.keys {

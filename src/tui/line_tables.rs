@@ -1,6 +1,6 @@
 //! The tables of a run's line: its nodes and, where its response was recorded, what came of that.
 
-use super::backend;
+use super::facade;
 use crate::report::table::Table;
 use crate::report::{nodes, response};
 use crate::run::Run;
@@ -76,7 +76,7 @@ impl LineTable {
             Self::Nodes => nodes::table(&run.profile),
             Self::Response => response::peaks(&run.profile),
             Self::Waves => {
-                let case = backend::parse(&run.case_text, &run.info.case_file);
+                let case = facade::parse(&run.case_text, &run.info.case_file);
                 case.map_or_else(|_| Table::default(), |c| response::waves(&c, &run.profile))
             }
         }

@@ -1,9 +1,9 @@
 //! The workbench on the terminal.
 //!
 //! ```text
-//! keys, signals, jobs ──▶ Msg ──▶ update(State) ──▶ Effect ──▶ files, threads ──▶ Msg …
+//! keys, signals, jobs ──▶ Msg ──▶ update(AppState) ──▶ Effect ──▶ files, threads ──▶ Msg …
 //!                                    │
-//!                                 draw(&State) ──▶ terminal
+//!                                 draw(&AppState) ──▶ terminal
 //! ```
 //!
 //! [`update()`] is pure and [`draw`] changes nothing; [`app`] does what the effects ask for, and
@@ -11,28 +11,28 @@
 //! [`command::COMMANDS`].
 
 pub mod app;
-pub mod backend;
+pub mod case_library;
 pub mod command;
-pub mod drafts;
-mod editor;
+pub mod effects;
+mod external_editor;
+pub mod facade;
 mod files;
-pub mod inks;
 pub mod key;
 pub mod line_tables;
 pub mod msg;
-pub mod place;
+pub mod pane;
 pub mod plot_pane;
 pub mod plots;
-pub mod shelf;
+pub mod recovery;
 pub mod state;
 pub mod table_pane;
 pub mod terminal;
+pub mod theme;
 pub mod update;
 pub mod view;
-pub mod world;
 
 pub use app::{OpenError, Options, open};
 pub use msg::{Effect, Msg};
-pub use state::State;
+pub use state::AppState;
 pub use update::update;
 pub use view::draw;

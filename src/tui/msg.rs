@@ -5,8 +5,8 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use super::key::Key;
-use super::state::trials::{Trialled, TrialsOf};
-use super::state::{CaseEntry, Content, Curves, Level, RunSlot, Ticket};
+use super::state::trials::{TrialProgress, TrialsOf};
+use super::state::{CaseEntry, Content, Curves, Level, RunEntry, Ticket};
 use crate::case::Case;
 use crate::modes::LineModes;
 use crate::report::chart::Glyphs;
@@ -30,9 +30,9 @@ pub enum Msg {
     /// The natural modes of the case with this text, or why there are none.
     Modes(String, Result<Arc<LineModes>, String>),
     /// How far trials are.
-    Trialled(Ticket, Box<Trialled>),
+    TrialProgress(Ticket, Box<TrialProgress>),
     /// How a stored run goes on up to a later end \[s\], or why it does not.
-    Onward(PathBuf, f64, Result<Box<(Request, Resume)>, String>),
+    ResumeReady(PathBuf, f64, Result<Box<(Request, Resume)>, String>),
     /// What a job has recorded since it was last asked.
     Recorded(Ticket, Box<Curves>),
     /// The run of a job has this directory.
@@ -46,9 +46,9 @@ pub enum Msg {
     /// A file of another kind was read.
     FileRead(Box<FileRead>),
     /// A ship at sea was worked out, by the thread that this stops; nothing where it was stopped or failed.
-    ShipWorked(Arc<AtomicBool>, Option<Arc<DynamicAnalysis>>),
+    ShipComputed(Arc<AtomicBool>, Option<Arc<DynamicAnalysis>>),
     /// A case file cannot be opened: title, and all that is wrong.
-    CaseRefused(String, String),
+    CaseRejected(String, String),
     /// A case was saved here.
     Saved(PathBuf, String),
     /// A case cannot be saved, for this reason.
@@ -56,7 +56,7 @@ pub enum Msg {
     /// The file of a case is not what it was when it was read.
     ChangedOnDisk,
     /// The runs of the open case found on disk.
-    RunsListed(Vec<RunSlot>),
+    RunsListed(Vec<RunEntry>),
     /// A stored run was read.
     RunRead(PathBuf, Result<Arc<Run>, String>),
     /// A stored run was deleted.
@@ -112,7 +112,7 @@ pub enum Effect {
         new: bool,
     },
     /// Keep unsaved text in case the program ends badly.
-    KeepDraft {
+    KeepRecovery {
         /// The case it belongs to.
         path: PathBuf,
         /// The text; absent: there is nothing unsaved any more.
@@ -134,7 +134,7 @@ pub enum Effect {
     /// Cancel a job.
     Cancel(Ticket),
     /// Work a ship at sea out, from the folder of its file, on a thread of its own that the last stops.
-    WorkShip(Box<StaticAnalysis>, PathBuf, Arc<AtomicBool>),
+    ComputeShip(Box<StaticAnalysis>, PathBuf, Arc<AtomicBool>),
     /// Give the terminal to the user's editor with this file, and take it back.
     EditFile(PathBuf),
     /// Find the natural modes of a case.
@@ -152,7 +152,7 @@ pub enum Effect {
         of: TrialsOf,
     },
     /// Find out how a stored run goes on up to a later end \[s\].
-    GoOn(PathBuf, f64),
+    PrepareResume(PathBuf, f64),
     /// List the stored runs of a case file, the first, and of those beside it.
     ListRuns(Vec<String>),
     /// Read a stored run.

@@ -8,9 +8,9 @@ use std::collections::BTreeSet;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::inks::Inks;
+use super::theme::Theme;
 use crate::report::chart::{
-    self, CONTINUATION, Chart, Frame, Glyphs, Limit, LimitLine, Range, Readout, Series,
+    self, AxisRange, CONTINUATION, Chart, Glyphs, Limit, LimitLine, PlotFrame, Readout, Series,
 };
 use crate::report::number;
 
@@ -77,9 +77,9 @@ const CLOSEST: f64 = 1e-6;
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct PlotPane {
     /// What is shown along x; absent: everything.
-    x: Option<Range>,
+    x: Option<AxisRange>,
     /// What is shown along y; absent: everything.
-    y: Option<Range>,
+    y: Option<AxisRange>,
     cursor: Option<f64>,
     /// Where the cursor stands on the y axis of a map.
     cursor_y: Option<f64>,
@@ -156,7 +156,7 @@ impl PlotPane {
     /// Does what the user asked for. `base` is the chart without the user's changes, `frame` where
     /// and what was drawn last ([`chart::frame`] tells it without drawing). With nothing drawn, an
     /// empty frame, whatever would move or scale the view does nothing.
-    pub fn act(&mut self, verb: &PlotVerb, base: &Chart, frame: Frame) {
+    pub fn act(&mut self, verb: &PlotVerb, base: &Chart, frame: PlotFrame) {
         if (frame.width == 0 || frame.height == 0) && verb.needs_frame() {
             return;
         }
@@ -192,9 +192,9 @@ impl PlotPane {
     }
 
     /// The ranges that show everything.
-    fn whole(&self, base: &Chart) -> (Range, Range) {
+    fn whole(&self, base: &Chart) -> (AxisRange, AxisRange) {
         let chart = self.source(base);
-        let all = |of: fn(&(f64, f64)) -> f64, given: Option<Range>| {
+        let all = |of: fn(&(f64, f64)) -> f64, given: Option<AxisRange>| {
             let values = chart.series.iter().flat_map(|s| s.points.iter().map(of));
             given.unwrap_or_else(|| chart::fit(chart::extent(values)))
         };
@@ -202,8 +202,8 @@ impl PlotPane {
     }
 
     /// The cursor begins in the middle, stays within the chart's whole range, and takes the view
-    /// along when it leaves it.
-    fn move_cursor(&mut self, way: f64, stride: Stride, base: &Chart, frame: Frame) {
+    /// along when it tabs it.
+    fn move_cursor(&mut self, way: f64, stride: Stride, base: &Chart, frame: PlotFrame) {
         let span = frame.x.1 - frame.x.0;
         let step = match stride {
             Stride::Fine => span / (frame.dot_count().0.max(2) - 1) as f64,
@@ -224,7 +224,7 @@ impl PlotPane {
     }
 
     /// The place read on a map goes up or down by a fortieth of what is shown; the first time the cursor appears.
-    fn move_place(&mut self, way: f64, base: &Chart, frame: Frame) {
+    fn move_place(&mut self, way: f64, base: &Chart, frame: PlotFrame) {
         let (low, high) = self.whole(base).1;
         let from = self.cursor_y.unwrap_or_else(|| middle(frame.y));
         let step = (frame.y.1 - frame.y.0) / 40.0;
@@ -232,8 +232,8 @@ impl PlotPane {
         self.cursor = self.cursor.or_else(|| Some(middle(frame.x)));
     }
 
-    /// Moves the view by parts of itself; never so far that it leaves the data.
-    fn pan(&mut self, across: f64, up: f64, base: &Chart, frame: Frame) {
+    /// Moves the view by parts of itself; never so far that it tabs the data.
+    fn pan(&mut self, across: f64, up: f64, base: &Chart, frame: PlotFrame) {
         let (x, y) = self.whole(base);
         if across.abs() > 0.0 {
             self.x = Some(shifted(frame.x, across, x));
@@ -243,7 +243,7 @@ impl PlotPane {
         }
     }
 
-    fn zoom(&mut self, factor: f64, base: &Chart, frame: Frame) {
+    fn zoom(&mut self, factor: f64, base: &Chart, frame: PlotFrame) {
         let (x, y) = self.whole(base);
         let seen = |at: &f64| (frame.x.0..=frame.x.1).contains(at);
         let about = self.cursor.filter(seen).unwrap_or_else(|| middle(frame.x));
@@ -260,11 +260,11 @@ impl PlotPane {
         }
     }
 
-    fn zoom_up(&mut self, factor: f64, base: &Chart, frame: Frame) {
+    fn zoom_up(&mut self, factor: f64, base: &Chart, frame: PlotFrame) {
         self.y = scaled(frame.y, middle(frame.y), factor, self.whole(base).1);
     }
 
-    fn fit_up(&mut self, base: &Chart, frame: Frame) {
+    fn fit_up(&mut self, base: &Chart, frame: PlotFrame) {
         let chart = self.chart(base);
         let shown = chart.series.iter().filter(|series| series.visible);
         let seen = shown.flat_map(|series| between(series, frame.x));
@@ -284,7 +284,7 @@ impl PlotPane {
         }
     }
 
-    fn mark(&mut self, frame: Frame) {
+    fn mark(&mut self, frame: PlotFrame) {
         let Some(at) = self.cursor else { return };
         let column = (frame.x.1 - frame.x.0) / frame.width.max(1) as f64;
         let before = self.marks.len();
@@ -296,17 +296,17 @@ impl PlotPane {
 }
 
 /// What a series says within a range of x.
-fn between(series: &Series, x: Range) -> impl Iterator<Item = f64> {
+fn between(series: &Series, x: AxisRange) -> impl Iterator<Item = f64> {
     let inside = move |p: &&(f64, f64)| (x.0..=x.1).contains(&p.0);
     series.points.iter().filter(inside).map(|p| p.1)
 }
 
-fn middle(range: Range) -> f64 {
+fn middle(range: AxisRange) -> f64 {
     0.5 * range.0 + 0.5 * range.1
 }
 
 /// A range moved by a part of itself, its middle kept within the whole.
-fn shifted(range: Range, part: f64, whole: Range) -> Range {
+fn shifted(range: AxisRange, part: f64, whole: AxisRange) -> AxisRange {
     let wanted = part * (range.1 - range.0);
     let at = middle(range);
     // A view whose middle already lies outside may come back, not go further.
@@ -316,7 +316,7 @@ fn shifted(range: Range, part: f64, whole: Range) -> Range {
 }
 
 /// A range scaled about a place; absent when it would show the whole and more.
-fn scaled(range: Range, about: f64, factor: f64, whole: Range) -> Option<Range> {
+fn scaled(range: AxisRange, about: f64, factor: f64, whole: AxisRange) -> Option<AxisRange> {
     let (full, span) = (whole.1 - whole.0, range.1 - range.0);
     let wanted = (span * factor).max(full * CLOSEST);
     if factor > 1.0 && wanted >= full {
@@ -330,7 +330,7 @@ fn scaled(range: Range, about: f64, factor: f64, whole: Range) -> Option<Range> 
 }
 
 /// Paints a chart into an area of the screen.
-pub fn draw_chart(chart: &Chart, area: Rect, buf: &mut Buffer, glyphs: Glyphs, inks: Inks) {
+pub fn draw_chart(chart: &Chart, area: Rect, buf: &mut Buffer, glyphs: Glyphs, theme: Theme) {
     let area = area.intersection(*buf.area());
     let picture = chart::draw(chart, area.width.into(), area.height.into(), glyphs);
     for row in 0..area.height {
@@ -345,7 +345,7 @@ pub fn draw_chart(chart: &Chart, area: Rect, buf: &mut Buffer, glyphs: Glyphs, i
             } else {
                 place.set_char(cell.ch);
             }
-            place.set_style(inks.chart(cell.ink));
+            place.set_style(theme.chart(cell.ink));
         }
     }
 }

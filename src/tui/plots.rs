@@ -1,12 +1,12 @@
 //! The charts of the open case: which runs are on them, and which of their curves.
 
 use super::state::{ChartKind, Curves, OpenCase};
-use crate::report::chart::{Chart, Range};
+use crate::report::chart::{AxisRange, Chart};
 use crate::report::figures::{
-    MapOf, Source, along_studies, curvature_profile, deviation_in_time, elevation, line_from_above,
-    line_from_ahead, line_shape, mean_load_in_time, moment_profile, payload_position,
-    published_curves, response_map, rms_profile, speed, stiffness_in_time, stiffness_profile,
-    tension_profile, tensions, tilt, trajectory, wave_amplitudes, wavelengths,
+    PlottedRun, ResponseMapKind, along_studies, curvature_profile, deviation_in_time, elevation,
+    line_from_above, line_from_ahead, line_shape, mean_load_in_time, moment_profile,
+    payload_position, published_curves, response_map, rms_profile, speed, stiffness_in_time,
+    stiffness_profile, tension_profile, tensions, tilt, trajectory, wave_amplitudes, wavelengths,
 };
 
 /// A run on the charts.
@@ -17,10 +17,10 @@ struct Shown<'a> {
 }
 
 impl<'a> Shown<'a> {
-    fn source(&self) -> Source<'a> {
+    fn source(&self) -> PlottedRun<'a> {
         let source = match &self.curves.run {
-            Some(run) => Source::whole(run, self.label),
-            None => Source::streamed(self.curves.history(), self.curves.shapes(), self.label)
+            Some(run) => PlottedRun::whole(run, self.label),
+            None => PlottedRun::streamed(self.curves.history(), self.curves.shapes(), self.label)
                 .until(self.curves.progress.duration),
         };
         if self.dimmed { source.dimmed() } else { source }
@@ -80,7 +80,7 @@ pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
     if kind == ChartKind::Study {
         return study(open);
     }
-    let sources: Vec<Source> = shown(open).iter().map(Shown::source).collect();
+    let sources: Vec<PlottedRun> = shown(open).iter().map(Shown::source).collect();
     let newest = time_range(open).map_or(0.0, |(_, last)| last);
     let instant = open.instant.unwrap_or(newest);
     let mut chart = match kind {
@@ -105,9 +105,13 @@ pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
         ChartKind::Amplitudes => wave_amplitudes(&sources),
         ChartKind::Wavelengths => wavelengths(&sources),
         ChartKind::Map => {
-            let of = open.series.and_then(|i| MapOf::ALL.get(i + 1));
+            let of = open.series.and_then(|i| ResponseMapKind::ALL.get(i + 1));
             let from = open.case.output.response_from_s;
-            return response_map(&sources, from, of.copied().unwrap_or(MapOf::Steady));
+            return response_map(
+                &sources,
+                from,
+                of.copied().unwrap_or(ResponseMapKind::Steady),
+            );
         }
     };
     let names = series_names(open, kind);
@@ -179,7 +183,7 @@ pub fn series_names(open: &OpenCase, kind: ChartKind) -> Vec<String> {
         ChartKind::Payload => fixed(&["x", "z"]),
         ChartKind::Amplitudes => fixed(&["motion", "towards A", "towards B", "WKB, no drag"]),
         ChartKind::Wavelengths => fixed(&["computed", "WKB"]),
-        ChartKind::Map => MapOf::ALL[1..]
+        ChartKind::Map => ResponseMapKind::ALL[1..]
             .iter()
             .map(|of| of.name().to_owned())
             .collect(),
@@ -216,7 +220,7 @@ fn places(open: &OpenCase, quantity: &str) -> Vec<String> {
 
 /// First and last instant of the runs shown.
 #[must_use]
-pub fn time_range(open: &OpenCase) -> Option<Range> {
+pub fn time_range(open: &OpenCase) -> Option<AxisRange> {
     let runs = shown(open);
     let ends = runs.iter().filter_map(|s| {
         let time = &s.curves.history().time;

@@ -10,7 +10,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
-use super::inks::Inks;
+use super::theme::Theme;
 use crate::report::chart::Glyphs;
 use crate::report::plain;
 use crate::report::table::{Layout, Line, LineKind, Table};
@@ -160,7 +160,7 @@ impl TablePane {
 
     /// Paints the table into an area of the screen: heads stay at the top, the selected row is in
     /// sight, notes follow the last row.
-    pub fn draw(&self, table: &Table, area: Rect, buf: &mut Buffer, glyphs: Glyphs, inks: Inks) {
+    pub fn draw(&self, table: &Table, area: Rect, buf: &mut Buffer, glyphs: Glyphs, theme: Theme) {
         let area = area.intersection(*buf.area());
         let view = self.view(table);
         let layout = view.table.layout(area.width.into());
@@ -171,9 +171,9 @@ impl TablePane {
         for (line, row) in in_sight(&layout, selected, area.height.into()).zip(area.top()..) {
             let place = Rect::new(area.x, row, area.width, 1);
             let is_selected = line.kind == LineKind::Row(selected);
-            draw_line(line, hidden, place, buf, glyphs, inks);
+            draw_line(line, hidden, place, buf, glyphs, theme);
             if is_selected {
-                buf.set_style(place, inks.selected());
+                buf.set_style(place, theme.selected());
             }
         }
     }
@@ -234,15 +234,15 @@ fn draw_line(
     place: Rect,
     buf: &mut Buffer,
     glyphs: Glyphs,
-    inks: Inks,
+    theme: Theme,
 ) {
     let width = usize::from(place.width);
     let mut column = 0_usize;
     for piece in &line.pieces {
         let style = match line.kind {
-            LineKind::Title => inks.chart(crate::report::chart::Ink::Title),
-            LineKind::Head => inks.head(),
-            _ => inks.cell(piece.ink),
+            LineKind::Title => theme.chart(crate::report::chart::Ink::Title),
+            LineKind::Head => theme.strong(),
+            _ => theme.cell(piece.ink),
         };
         let text = match glyphs {
             Glyphs::Braille => piece.text.as_str().into(),
@@ -306,7 +306,7 @@ mod tests {
     fn drawn(pane: &TablePane, table: &Table, width: u16, height: u16) -> Buffer {
         let mut buf = Buffer::empty(Rect::new(0, 0, width, height));
         let area = *buf.area();
-        pane.draw(table, area, &mut buf, Glyphs::Braille, Inks::Mono);
+        pane.draw(table, area, &mut buf, Glyphs::Braille, Theme::default());
         buf
     }
 

@@ -2,7 +2,7 @@
 
 use super::clip::{Dot, clip};
 use super::decimate::decimate;
-use super::picture::{Frame, Ink, dot_of};
+use super::picture::{Ink, PlotFrame, dot_of};
 use super::range::drawable;
 use super::{Glyphs, Series, marker};
 
@@ -24,17 +24,17 @@ struct Cell {
 }
 
 /// The plot as dots.
-pub(super) struct Canvas {
-    frame: Frame,
+pub(super) struct DotCanvas {
+    frame: PlotFrame,
     glyphs: Glyphs,
     cells: Vec<Cell>,
 }
 
 /// The cells a line passes, in order, without repeats in a row.
-pub(super) type Path = Vec<(usize, usize)>;
+pub(super) type DotPath = Vec<(usize, usize)>;
 
-impl Canvas {
-    pub(super) fn new(frame: Frame, glyphs: Glyphs) -> Self {
+impl DotCanvas {
+    pub(super) fn new(frame: PlotFrame, glyphs: Glyphs) -> Self {
         Self {
             frame,
             glyphs,
@@ -43,7 +43,7 @@ impl Canvas {
     }
 
     /// Draws the line of a series over what is there; returns the cells it passes.
-    pub(super) fn line(&mut self, series: &Series) -> Path {
+    pub(super) fn line(&mut self, series: &Series) -> DotPath {
         let mut pen = Pen {
             ink: ink(series),
             dimmed: series.dimmed && self.glyphs == Glyphs::Braille,
@@ -140,7 +140,7 @@ impl Canvas {
 
     /// Sets the series' marker along its path, also where another series lies on top, so that lines
     /// that coincide show the markers of both in turn.
-    pub(super) fn markers(&mut self, series: &Series, path: &Path, turn: usize, of: usize) {
+    pub(super) fn markers(&mut self, series: &Series, path: &DotPath, turn: usize, of: usize) {
         let spacing = MARKER_SPACING.max(self.frame.width / 5);
         let offset = spacing * (2 * turn + 1) / (2 * of.max(1));
         let mut placed: Vec<(usize, usize)> = Vec::new();
@@ -184,7 +184,7 @@ struct Pen {
     dimmed: bool,
     /// Dots passed so far, drawn or not.
     dots: usize,
-    path: Path,
+    path: DotPath,
 }
 
 /// The ink of a series.

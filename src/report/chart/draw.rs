@@ -4,12 +4,12 @@ use std::borrow::Cow;
 
 use unicode_width::UnicodeWidthStr;
 
-use super::canvas::{Canvas, Path};
+use super::canvas::{DotCanvas, DotPath};
 use super::layout::{self, Columns, Rows};
 use super::legend;
 use super::marks;
-use super::picture::{Frame, Ink, Picture};
-use super::range::{Range, equalise, extent, fit, sane};
+use super::picture::{Ink, Picture, PlotFrame};
+use super::range::{AxisRange, equalise, extent, fit, sane};
 use super::ticks::{self, Tick};
 use super::{Chart, Glyphs, Series};
 use crate::report::plain;
@@ -34,9 +34,9 @@ pub fn draw(chart: &Chart, width: usize, height: usize, glyphs: Glyphs) -> Pictu
 /// Where the plot of a chart would lie and what it would show, without drawing it: what a cursor, a
 /// zoom or a pan has to know.
 #[must_use]
-pub fn frame(chart: &Chart, width: usize, height: usize, glyphs: Glyphs) -> Frame {
+pub fn frame(chart: &Chart, width: usize, height: usize, glyphs: Glyphs) -> PlotFrame {
     if width == 0 || height == 0 {
-        return Frame::default();
+        return PlotFrame::default();
     }
     Plan::make(&in_glyphs(chart, glyphs), width, height, glyphs).frame
 }
@@ -64,7 +64,7 @@ fn in_glyphs(chart: &Chart, glyphs: Glyphs) -> Cow<'_, Chart> {
 struct Plan {
     rows: Rows,
     columns: Columns,
-    frame: Frame,
+    frame: PlotFrame,
     /// Ticks of the y axis; empty when there is no room for their numbers.
     up: Vec<Tick>,
     /// Name and unit of the y axis, as short as needed.
@@ -105,7 +105,7 @@ impl Plan {
         let indent = head_indent(&name);
         let rows = Rows::share(chart, height, layout::legend_rows(chart, width, indent));
         let dots = glyphs.dots();
-        let mut frame = Frame {
+        let mut frame = PlotFrame {
             left: columns.left,
             top: rows.top,
             width: columns.width,
@@ -131,7 +131,7 @@ impl Plan {
 }
 
 /// Length of both axes on paper, in widths of a cell; a cell is twice as tall as it is wide.
-fn paper(frame: &Frame) -> (f64, f64) {
+fn paper(frame: &PlotFrame) -> (f64, f64) {
     let (nx, ny) = frame.dot_count();
     let dot = (1.0 / frame.dots.0 as f64, 2.0 / frame.dots.1 as f64);
     let gaps = |n: usize| n.saturating_sub(1).max(1) as f64;
@@ -139,7 +139,7 @@ fn paper(frame: &Frame) -> (f64, f64) {
 }
 
 /// What both axes show: as asked for, or all visible data.
-fn ranges(chart: &Chart) -> (Range, Range) {
+fn ranges(chart: &Chart) -> (AxisRange, AxisRange) {
     let shown = || chart.series.iter().filter(|series| series.visible);
     let xs = shown().flat_map(|s| s.points.iter().map(|p| p.0));
     let x = chart.x.range.map_or_else(|| fit(extent(xs)), sane);
@@ -177,7 +177,7 @@ fn widest(ticks: &[Tick]) -> usize {
 }
 
 /// Numbers at the y axis need a free row between them, two in tall plots, none in tiny ones.
-fn roomy_up(ticks: &[Tick], frame: &Frame) -> bool {
+fn roomy_up(ticks: &[Tick], frame: &PlotFrame) -> bool {
     let apart = match frame.height {
         0..5 => 1,
         5..10 => 2,
@@ -188,7 +188,7 @@ fn roomy_up(ticks: &[Tick], frame: &Frame) -> bool {
 }
 
 /// Where the numbers of the x axis begin: centred below their ticks, moved inside the picture.
-fn places_along(ticks: &[Tick], frame: &Frame, width: usize) -> Vec<(usize, usize)> {
+fn places_along(ticks: &[Tick], frame: &PlotFrame, width: usize) -> Vec<(usize, usize)> {
     let place = |tick: &Tick| {
         let wide = tick.label.width();
         let middle = frame.left + frame.column_of(tick.value)?;
@@ -202,7 +202,7 @@ fn places_along(ticks: &[Tick], frame: &Frame, width: usize) -> Vec<(usize, usiz
     ticks.iter().filter_map(place).collect()
 }
 
-fn roomy_along(ticks: &[Tick], frame: &Frame, width: usize) -> bool {
+fn roomy_along(ticks: &[Tick], frame: &PlotFrame, width: usize) -> bool {
     let places = places_along(ticks, frame, width);
     let apart = places
         .windows(2)
@@ -327,14 +327,14 @@ fn draw_plot(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
 }
 
 /// Dimmed series first, so that they lie below; markers last.
-fn draw_series(chart: &Chart, frame: Frame, glyphs: Glyphs) -> Canvas {
-    let mut canvas = Canvas::new(frame, glyphs);
+fn draw_series(chart: &Chart, frame: PlotFrame, glyphs: Glyphs) -> DotCanvas {
+    let mut canvas = DotCanvas::new(frame, glyphs);
     let of_kind = |dimmed: bool| {
         let shown = move |s: &&Series| s.visible && s.dimmed == dimmed;
         chart.series.iter().filter(shown)
     };
     let order: Vec<&Series> = of_kind(true).chain(of_kind(false)).collect();
-    let paths: Vec<Path> = order.iter().map(|series| canvas.line(series)).collect();
+    let paths: Vec<DotPath> = order.iter().map(|series| canvas.line(series)).collect();
     for (turn, (series, path)) in order.iter().zip(&paths).enumerate() {
         canvas.markers(series, path, turn, order.len());
     }

@@ -2,7 +2,7 @@
 //! values of the same size and opposite sign, so that crests are dark, troughs light and what rests is between them; inks
 //! tell the sign once more where there is colour.
 
-use super::picture::{Frame, Ink, Picture};
+use super::picture::{Ink, Picture, PlotFrame};
 use super::{Axis, Glyphs};
 use crate::report::number;
 
@@ -72,7 +72,7 @@ impl Map {
     }
 
     /// Shades the plot.
-    pub(super) fn draw(&self, frame: Frame, glyphs: Glyphs, on: &mut Picture) {
+    pub(super) fn draw(&self, frame: PlotFrame, glyphs: Glyphs, on: &mut Picture) {
         let (nx, ny) = frame.dot_count();
         let spread = |range: (f64, f64), n: usize, grid: &[f64]| -> Vec<Option<(usize, f64)>> {
             let step = (range.1 - range.0) / (n.max(2) - 1) as f64;

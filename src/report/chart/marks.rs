@@ -2,11 +2,11 @@
 
 use unicode_width::UnicodeWidthStr;
 
-use super::picture::{Frame, Ink, Picture};
+use super::picture::{Ink, Picture, PlotFrame};
 use super::{Chart, Glyphs, LimitLine};
 
 /// Reference lines, to be drawn before the series.
-pub(super) fn limits(chart: &Chart, frame: Frame, glyphs: Glyphs, on: &mut Picture) {
+pub(super) fn limits(chart: &Chart, frame: PlotFrame, glyphs: Glyphs, on: &mut Picture) {
     let ascii = glyphs == Glyphs::Ascii;
     for limit in &chart.limits {
         match limit.line {
@@ -33,7 +33,7 @@ pub(super) fn limits(chart: &Chart, frame: Frame, glyphs: Glyphs, on: &mut Pictu
 /// The cursor: a line from bottom to top, and a mark on the axis that no series can hide; on a map a line across as well.
 pub(super) fn cursor(
     chart: &Chart,
-    frame: Frame,
+    frame: PlotFrame,
     axis: Option<usize>,
     glyphs: Glyphs,
     on: &mut Picture,
@@ -61,7 +61,7 @@ pub(super) fn cursor(
 }
 
 /// Writes the names of reference lines where they hide no series; the right end is tried first.
-pub(super) fn names(chart: &Chart, frame: Frame, on: &mut Picture) {
+pub(super) fn names(chart: &Chart, frame: PlotFrame, on: &mut Picture) {
     for limit in &chart.limits {
         let wide = limit.label.width();
         if wide == 0 || wide > frame.width {
@@ -96,7 +96,7 @@ fn free(
     columns: &[usize],
     rows: impl Iterator<Item = usize>,
     wide: usize,
-    frame: Frame,
+    frame: PlotFrame,
     on: &Picture,
 ) -> Option<(usize, usize)> {
     let is_free = |column: usize, row: usize| {

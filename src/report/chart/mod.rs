@@ -34,9 +34,9 @@ mod ticks;
 
 pub use draw::{draw, frame};
 pub use map::Map;
-pub use picture::{CONTINUATION, Frame, Ink, Picture, PictureCell};
-pub use range::{Range, Sticky, extent, fit};
-pub use readout::{Found, Readout, readout};
+pub use picture::{CONTINUATION, Ink, Picture, PictureCell, PlotFrame};
+pub use range::{AxisRange, StickyRange, extent, fit};
+pub use readout::{Readout, ReadoutMethod, readout};
 
 /// Everything a chart shows.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -80,7 +80,7 @@ pub struct Axis {
     /// Its unit; values are in this unit, the labels may show it with a prefix (`MN`).
     pub unit: String,
     /// What is shown, from where to where; absent: all the data, widened to round numbers.
-    pub range: Option<Range>,
+    pub range: Option<AxisRange>,
 }
 
 impl Axis {

@@ -2,7 +2,7 @@
 
 use unicode_width::UnicodeWidthChar;
 
-use super::Range;
+use super::AxisRange;
 
 /// What a character of a picture is part of; the screen chooses colours by it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -44,7 +44,7 @@ pub struct PictureCell {
 
 /// Where the plot lies in its picture and what it shows, so that a cursor or a zoom can be mapped.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Frame {
+pub struct PlotFrame {
     /// First column of the plot, inside the axis.
     pub left: usize,
     /// First row of the plot.
@@ -56,12 +56,12 @@ pub struct Frame {
     /// Dots across and up in a cell.
     pub dots: (usize, usize),
     /// What the plot shows from left to right.
-    pub x: Range,
+    pub x: AxisRange,
     /// What the plot shows from bottom to top.
-    pub y: Range,
+    pub y: AxisRange,
 }
 
-impl Frame {
+impl PlotFrame {
     /// Dots across and up in the whole plot.
     #[must_use]
     pub fn dot_count(&self) -> (usize, usize) {
@@ -92,14 +92,14 @@ impl Frame {
 }
 
 /// The cell in which a value falls, out of `n` dots with `per` dots a cell.
-fn cell_of(value: f64, range: Range, n: usize, per: usize) -> Option<usize> {
+fn cell_of(value: f64, range: AxisRange, n: usize, per: usize) -> Option<usize> {
     let dot = dot_of(value, range, n);
     let inside = n > 0 && dot.is_finite() && (-0.5..=n as f64 - 0.5).contains(&dot);
     inside.then(|| (dot.round().max(0.0) as usize).min(n - 1) / per)
 }
 
 /// Where a value falls on `n` dots: the range's ends are the middles of the first and the last dot.
-pub(super) fn dot_of(value: f64, range: Range, n: usize) -> f64 {
+pub(super) fn dot_of(value: f64, range: AxisRange, n: usize) -> f64 {
     (value - range.0) / (range.1 - range.0) * n.saturating_sub(1) as f64
 }
 
@@ -113,7 +113,7 @@ pub struct Picture {
     /// Characters, row by row from the top.
     pub cells: Vec<PictureCell>,
     /// Where the plot lies and what it shows.
-    pub frame: Frame,
+    pub frame: PlotFrame,
 }
 
 impl Picture {
@@ -128,7 +128,7 @@ impl Picture {
             width,
             height,
             cells: vec![empty; width * height],
-            frame: Frame::default(),
+            frame: PlotFrame::default(),
         }
     }
 

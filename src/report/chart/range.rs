@@ -1,9 +1,9 @@
 //! What an axis shows: fitted to the data, widened to equal scale, or only ever growing.
 
-use super::ticks::Step;
+use super::ticks::TickStep;
 
 /// From where to where an axis goes.
-pub type Range = (f64, f64);
+pub type AxisRange = (f64, f64);
 
 /// Greatest size of a value that is drawn; beyond it differences overflow.
 const LARGEST: f64 = 1e300;
@@ -12,7 +12,7 @@ const LARGEST: f64 = 1e300;
 const FINEST: f64 = 1e-10;
 
 /// The smallest and the greatest of the values that can be drawn; absent when there is none.
-pub fn extent(values: impl Iterator<Item = f64>) -> Option<Range> {
+pub fn extent(values: impl Iterator<Item = f64>) -> Option<AxisRange> {
     values.filter(|v| drawable(*v)).fold(None, |range, v| {
         let (low, high) = range.unwrap_or((v, v));
         Some((low.min(v), high.max(v)))
@@ -27,7 +27,7 @@ pub(super) fn drawable(value: f64) -> bool {
 /// The range of the data widened to round numbers (1, 2, 5 times a power of ten); a constant is
 /// shown in the middle of a tenth of itself, and no data at all as 0 to 1.
 #[must_use]
-pub fn fit(data: Option<Range>) -> Range {
+pub fn fit(data: Option<AxisRange>) -> AxisRange {
     let Some((low, high)) = data.filter(|(low, high)| drawable(*low) && drawable(*high)) else {
         return (0.0, 1.0);
     };
@@ -39,13 +39,13 @@ pub fn fit(data: Option<Range>) -> Range {
         let half = if size > 1e-290 { 0.05 * size } else { 1.0 };
         (low - half, high + half)
     };
-    let step = Step::at_least((high - low) / 10.0);
+    let step = TickStep::at_least((high - low) / 10.0);
     let (first, last) = (step.below(low), step.above(high));
     sane((step.value(first), step.value(last)))
 }
 
 /// A range that can be divided by: finite, in order, wide enough to be told apart.
-pub(super) fn sane((low, high): Range) -> Range {
+pub(super) fn sane((low, high): AxisRange) -> AxisRange {
     if !low.is_finite() || !high.is_finite() {
         return (0.0, 1.0);
     }
@@ -62,13 +62,13 @@ pub(super) fn sane((low, high): Range) -> Range {
 
 /// Widens one of two ranges so that a metre has the same length on both, given the lengths of the
 /// axes in the same unit of paper.
-pub(super) fn equalise(x: Range, y: Range, paper: (f64, f64)) -> (Range, Range) {
+pub(super) fn equalise(x: AxisRange, y: AxisRange, paper: (f64, f64)) -> (AxisRange, AxisRange) {
     let (across, up) = (
         paper.0.max(f64::MIN_POSITIVE),
         paper.1.max(f64::MIN_POSITIVE),
     );
     let per_length = ((x.1 - x.0) / across).max((y.1 - y.0) / up);
-    let widen = |range: Range, paper: f64| {
+    let widen = |range: AxisRange, paper: f64| {
         let missing = 0.5 * (per_length * paper - (range.1 - range.0)).max(0.0);
         sane((range.0 - missing, range.1 + missing))
     };
@@ -77,14 +77,14 @@ pub(super) fn equalise(x: Range, y: Range, paper: (f64, f64)) -> (Range, Range) 
 
 /// A range for live charts: it only grows, and by round steps, so that the axes seldom change.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Sticky {
-    range: Option<Range>,
+pub struct StickyRange {
+    range: Option<AxisRange>,
 }
 
-impl Sticky {
+impl StickyRange {
     /// What is shown now; absent before the first value.
     #[must_use]
-    pub fn range(&self) -> Option<Range> {
+    pub fn range(&self) -> Option<AxisRange> {
         self.range
     }
 
@@ -102,7 +102,7 @@ impl Sticky {
             }
         };
         // A coarse step leaves room to grow into, so that the next change is far away.
-        let step = Step::at_least((high - low) / 4.0);
+        let step = TickStep::at_least((high - low) / 4.0);
         let wide = sane((step.value(step.below(low)), step.value(step.above(high))));
         self.range = Some((wide.0.min(low), wide.1.max(high)));
     }
@@ -145,7 +145,7 @@ mod tests {
 
     #[test]
     fn sticky_limits_grow_seldom_and_never_shrink() {
-        let mut sticky = Sticky::default();
+        let mut sticky = StickyRange::default();
         let mut changes = 0;
         let mut before = None;
         for i in 0..=1000 {

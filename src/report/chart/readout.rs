@@ -15,7 +15,7 @@ pub struct Readout {
     /// Unit of the y axis.
     pub unit: String,
     /// How it was read.
-    pub found: Found,
+    pub method: ReadoutMethod,
 }
 
 impl Readout {
@@ -23,9 +23,9 @@ impl Readout {
     /// dash.
     #[must_use]
     pub fn words(&self, x_unit: &str) -> String {
-        match (self.y, self.found) {
+        match (self.y, self.method) {
             (None, _) => format!("{} -", self.label),
-            (Some(y), Found::Nearest) => format!(
+            (Some(y), ReadoutMethod::Nearest) => format!(
                 "{} {} (at {})",
                 self.label,
                 number::si(y, &self.unit),
@@ -38,7 +38,7 @@ impl Readout {
 
 /// How a value was read from a series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Found {
+pub enum ReadoutMethod {
     /// On the straight line between the samples on both sides.
     Interpolated,
     /// At the nearest sample: the series does not go from left to right, or is a single point.
@@ -59,34 +59,34 @@ pub fn readout(chart: &Chart, x: f64) -> Vec<Readout> {
             x,
             y: value,
             unit: map.of.unit.clone(),
-            found: value.map_or(Found::Outside, |_| Found::Interpolated),
+            method: value.map_or(ReadoutMethod::Outside, |_| ReadoutMethod::Interpolated),
         }];
     }
     let shown = chart.series.iter().filter(|series| series.visible);
     shown
         .map(|series| {
-            let (at, y, found) = read(&series.points, x);
+            let (at, y, method) = read(&series.points, x);
             Readout {
                 label: series.label.clone(),
                 x: at,
                 y,
                 unit: chart.y.unit.clone(),
-                found,
+                method,
             }
         })
         .collect()
 }
 
-fn read(points: &[(f64, f64)], x: f64) -> (f64, Option<f64>, Found) {
+fn read(points: &[(f64, f64)], x: f64) -> (f64, Option<f64>, ReadoutMethod) {
     let growing = points.len() > 1 && points.windows(2).all(|pair| pair[0].0 < pair[1].0);
     let value = if growing {
-        interpolate(points, x).map(|y| (x, y, Found::Interpolated))
+        interpolate(points, x).map(|y| (x, y, ReadoutMethod::Interpolated))
     } else {
-        nearest(points, x).map(|(at, y)| (at, y, Found::Nearest))
+        nearest(points, x).map(|(at, y)| (at, y, ReadoutMethod::Nearest))
     };
     match value {
-        Some((at, y, found)) if y.is_finite() => (at, Some(y), found),
-        _ => (x, None, Found::Outside),
+        Some((at, y, method)) if y.is_finite() => (at, Some(y), method),
+        _ => (x, None, ReadoutMethod::Outside),
     }
 }
 
@@ -115,36 +115,48 @@ mod tests {
     use super::*;
     use crate::report::chart::Series;
 
-    fn read_one(points: &[(f64, f64)], x: f64) -> (Option<f64>, Found) {
+    fn read_one(points: &[(f64, f64)], x: f64) -> (Option<f64>, ReadoutMethod) {
         let chart = Chart {
             series: vec![Series::new("s", 0, points.to_vec())],
             ..Chart::default()
         };
         let read = readout(&chart, x).remove(0);
-        (read.y, read.found)
+        (read.y, read.method)
     }
 
     #[test]
     fn histories_are_interpolated() {
         let points = [(0.0, 1.0), (1.0, 3.0), (2.0, 3.0)];
-        assert_eq!(read_one(&points, 0.5), (Some(2.0), Found::Interpolated));
-        assert_eq!(read_one(&points, 1.0), (Some(3.0), Found::Interpolated));
-        assert_eq!(read_one(&points, 0.0), (Some(1.0), Found::Interpolated));
-        assert_eq!(read_one(&points, 2.0), (Some(3.0), Found::Interpolated));
-        assert_eq!(read_one(&points, 2.1), (None, Found::Outside));
-        assert_eq!(read_one(&points, -0.1), (None, Found::Outside));
+        assert_eq!(
+            read_one(&points, 0.5),
+            (Some(2.0), ReadoutMethod::Interpolated)
+        );
+        assert_eq!(
+            read_one(&points, 1.0),
+            (Some(3.0), ReadoutMethod::Interpolated)
+        );
+        assert_eq!(
+            read_one(&points, 0.0),
+            (Some(1.0), ReadoutMethod::Interpolated)
+        );
+        assert_eq!(
+            read_one(&points, 2.0),
+            (Some(3.0), ReadoutMethod::Interpolated)
+        );
+        assert_eq!(read_one(&points, 2.1), (None, ReadoutMethod::Outside));
+        assert_eq!(read_one(&points, -0.1), (None, ReadoutMethod::Outside));
     }
 
     #[test]
     fn a_gap_reads_as_nothing() {
         let points = [(0.0, 1.0), (1.0, f64::NAN), (2.0, 3.0)];
-        assert_eq!(read_one(&points, 0.5), (None, Found::Outside));
+        assert_eq!(read_one(&points, 0.5), (None, ReadoutMethod::Outside));
     }
 
     #[test]
     fn a_line_that_turns_back_is_read_at_its_nearest_sample() {
         let points = [(0.0, 1.0), (2.0, 3.0), (1.0, 7.0)];
-        assert_eq!(read_one(&points, 1.2), (Some(7.0), Found::Nearest));
-        assert_eq!(read_one(&[], 1.2), (None, Found::Outside));
+        assert_eq!(read_one(&points, 1.2), (Some(7.0), ReadoutMethod::Nearest));
+        assert_eq!(read_one(&[], 1.2), (None, ReadoutMethod::Outside));
     }
 }

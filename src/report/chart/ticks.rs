@@ -1,18 +1,18 @@
 //! Round numbers along an axis: 1, 2, 5 times a power of ten, at their true places.
 
-use super::Range;
+use super::AxisRange;
 use crate::report::number::{self, Scale};
 
 /// A round distance between ticks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Step {
+pub(super) struct TickStep {
     /// 1, 2 or 5.
     mantissa: i32,
     /// Power of ten.
     exponent: i32,
 }
 
-impl Step {
+impl TickStep {
     /// The smallest round distance that is not smaller than `least`.
     pub(super) fn at_least(least: f64) -> Self {
         let least = least.clamp(1e-300, 1e305);
@@ -79,7 +79,7 @@ impl Step {
     }
 
     /// The ticks inside a range; at most a thousand.
-    pub(super) fn ticks(self, range: Range) -> Vec<f64> {
+    pub(super) fn ticks(self, range: AxisRange) -> Vec<f64> {
         let (first, last) = (self.above(range.0), self.below(range.1));
         if !(last - first).is_finite() || last - first > 1000.0 {
             return Vec::new();
@@ -104,15 +104,15 @@ pub(super) struct Tick {
 }
 
 /// The scale all numbers of an axis are written at.
-pub(super) fn scale(range: Range, unit: &str) -> Scale {
+pub(super) fn scale(range: AxisRange, unit: &str) -> Scale {
     Scale::of(range.0.abs().max(range.1.abs()), unit)
 }
 
 /// The finest round ticks that pass a test, labelled at one scale; the test sees them all and says
 /// whether there is room.
-pub(super) fn choose(range: Range, unit: &str, roomy: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
+pub(super) fn choose(range: AxisRange, unit: &str, roomy: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
     let scale = scale(range, unit);
-    let mut step = Step::at_least((range.1 - range.0) / 400.0);
+    let mut step = TickStep::at_least((range.1 - range.0) / 400.0);
     // 400 is passed in 8 steps; more only ever leave fewer ticks.
     for _ in 0..12 {
         let ticks = label(&step.ticks(range), step.decimals(scale), scale);
@@ -138,7 +138,7 @@ fn label(values: &[f64], decimals: i32, scale: Scale) -> Vec<Tick> {
 mod tests {
     use super::*;
 
-    fn labels(range: Range, unit: &str, most: usize) -> Vec<String> {
+    fn labels(range: AxisRange, unit: &str, most: usize) -> Vec<String> {
         choose(range, unit, |ticks| ticks.len() <= most)
             .into_iter()
             .map(|tick| tick.label)
@@ -147,11 +147,11 @@ mod tests {
 
     #[test]
     fn steps_are_one_two_five() {
-        assert_eq!(Step::at_least(0.1).value(1.0).to_string(), "0.1");
-        assert_eq!(Step::at_least(0.11).value(3.0).to_string(), "0.6");
-        assert_eq!(Step::at_least(60.0).value(1.0).to_string(), "100");
+        assert_eq!(TickStep::at_least(0.1).value(1.0).to_string(), "0.1");
+        assert_eq!(TickStep::at_least(0.11).value(3.0).to_string(), "0.6");
+        assert_eq!(TickStep::at_least(60.0).value(1.0).to_string(), "100");
         assert_eq!(
-            Step::at_least(3e-7).coarser().value(1.0).to_string(),
+            TickStep::at_least(3e-7).coarser().value(1.0).to_string(),
             "0.000001"
         );
     }

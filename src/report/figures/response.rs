@@ -2,36 +2,41 @@
 
 use std::f64::consts::TAU;
 
-use super::along::over_arc;
-use super::{Source, named, slots};
+use super::profiles::over_arc;
+use super::{PlottedRun, named, slots};
 use crate::modes::Plane;
 use crate::numerics::V3;
-use crate::report::chart::{Axis, Chart, Map, Range, Series, extent};
+use crate::report::chart::{Axis, AxisRange, Chart, Map, Series, extent};
 use crate::run::{LineShape, Profile};
 
 /// What a map of the response shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MapOf {
+pub enum ResponseMapKind {
     /// Displacements across the line in its plane, from the time on from which the response is recorded.
     Steady,
     /// The same, of each place by its own root mean square: how waves run shows also where they are small.
-    Evened,
+    Normalised,
     /// The same as the first from time zero: how the motion reaches the line.
     Start,
     /// Displacements out of the plane of the line.
     OutOfPlane,
 }
 
-impl MapOf {
+impl ResponseMapKind {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Steady, Self::Evened, Self::Start, Self::OutOfPlane];
+    pub const ALL: [Self; 4] = [
+        Self::Steady,
+        Self::Normalised,
+        Self::Start,
+        Self::OutOfPlane,
+    ];
 
     /// Its name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Steady => "in the plane",
-            Self::Evened => "in the plane, each place by its own rms",
+            Self::Normalised => "in the plane, each place by its own rms",
             Self::Start => "in the plane, from the start",
             Self::OutOfPlane => "out of the plane",
         }
@@ -43,14 +48,14 @@ impl MapOf {
 /// which on the motion counts as steady; the mean is taken from there. Stripes that lean are waves that travel, upright ones
 /// stand.
 #[must_use]
-pub fn response_map(sources: &[Source], from: Option<f64>, of: MapOf) -> Chart {
+pub fn response_map(sources: &[PlottedRun], from: Option<f64>, of: ResponseMapKind) -> Chart {
     let mut chart = Chart {
         title: format!("Displacement over time and place, {}", of.name()),
         x: Axis::new("time", "s"),
         y: Axis::new("arc length from end A", "m"),
         ..Chart::default()
     };
-    let able = |s: &&Source| !s.dimmed && s.shapes.len() > 2;
+    let able = |s: &&PlottedRun| !s.dimmed && s.shapes.len() > 2;
     let Some(source) = sources.iter().rfind(able) else {
         return chart;
     };
@@ -61,7 +66,7 @@ pub fn response_map(sources: &[Source], from: Option<f64>, of: MapOf) -> Chart {
     let field = field(source, from, of).filter(|map| map.greatest() > 0.0);
     chart.x.range = field.as_ref().and_then(|map| {
         let shown = map.x.iter().copied();
-        extent(shown).filter(|range: &Range| range.1 > range.0)
+        extent(shown).filter(|range: &AxisRange| range.1 > range.0)
     });
     chart.y.range = field.as_ref().and_then(|m| extent(m.y.iter().copied()));
     chart.map = field.filter(|_| chart.x.range.is_some());
@@ -69,7 +74,7 @@ pub fn response_map(sources: &[Source], from: Option<f64>, of: MapOf) -> Chart {
 }
 
 /// The displacements on the grid of shapes and nodes.
-fn field(source: &Source, from: f64, of: MapOf) -> Option<Map> {
+fn field(source: &PlottedRun, from: f64, of: ResponseMapKind) -> Option<Map> {
     let arc = arc(source)?;
     let of_line = |shape: &&LineShape| shape.nodes.len() == arc.len();
     let all: Vec<&LineShape> = source.shapes.iter().filter(of_line).collect();
@@ -80,11 +85,15 @@ fn field(source: &Source, from: f64, of: MapOf) -> Option<Map> {
     let mean = mean(steady, arc.len());
     let plane = Plane::of(&mean);
     let directions = match of {
-        MapOf::OutOfPlane => vec![plane.normal; arc.len()],
+        ResponseMapKind::OutOfPlane => vec![plane.normal; arc.len()],
         _ => plane.across(&mean),
     };
     let diameters = source.profile.and_then(Profile::diameters);
-    let shown: &[&LineShape] = if of == MapOf::Start { &all } else { steady };
+    let shown: &[&LineShape] = if of == ResponseMapKind::Start {
+        &all
+    } else {
+        steady
+    };
     let mut values: Vec<f64> = shown
         .iter()
         .flat_map(|shape| shape.nodes.iter().enumerate())
@@ -94,7 +103,7 @@ fn field(source: &Source, from: f64, of: MapOf) -> Option<Map> {
         })
         .collect();
     let mut axis = Axis::new("displacement", if diameters.is_some() { "D" } else { "m" });
-    if of == MapOf::Evened {
+    if of == ResponseMapKind::Normalised {
         even(&mut values, arc.len());
         axis = Axis {
             // A harmonic motion has 1.41.
@@ -111,7 +120,7 @@ fn field(source: &Source, from: f64, of: MapOf) -> Option<Map> {
 }
 
 /// Arc lengths of the nodes; of a run on its way those of its first shape, which differ by the stretch of the line alone.
-fn arc(source: &Source) -> Option<Vec<f64>> {
+fn arc(source: &PlottedRun) -> Option<Vec<f64>> {
     if let Some(profile) = source.profile {
         return (profile.arc.len() > 1).then(|| profile.arc.clone());
     }
@@ -152,7 +161,7 @@ fn even(values: &mut [f64], nodes: usize) {
 
 /// Root mean square displacement along the line, in diameters where the run knows them.
 #[must_use]
-pub fn rms_profile(sources: &[Source]) -> Chart {
+pub fn rms_profile(sources: &[PlottedRun]) -> Chart {
     let mut series = Vec::new();
     for (source, slot) in sources.iter().zip(slots(sources, 1)) {
         let Some(profile) = source.profile.filter(|p| !p.rms_diameters.is_empty()) else {
@@ -176,7 +185,7 @@ pub fn rms_profile(sources: &[Source]) -> Chart {
 /// Amplitudes at the driving period along the line \[m\]: of the motion, of what runs towards either end, and how a wave
 /// without drag would change after WKB theory, as great on the mean as what runs towards end A.
 #[must_use]
-pub fn wave_amplitudes(sources: &[Source]) -> Chart {
+pub fn wave_amplitudes(sources: &[PlottedRun]) -> Chart {
     along_waves(
         sources,
         "Waves at the driving period: amplitudes",
@@ -198,7 +207,7 @@ pub fn wave_amplitudes(sources: &[Source]) -> Chart {
 
 /// Lengths of the waves at the driving period along the line \[m\], as computed and by WKB theory.
 #[must_use]
-pub fn wavelengths(sources: &[Source]) -> Chart {
+pub fn wavelengths(sources: &[PlottedRun]) -> Chart {
     let lengths = |numbers: &[f64]| numbers.iter().map(|k| TAU / k).collect();
     along_waves(
         sources,
@@ -214,7 +223,7 @@ pub fn wavelengths(sources: &[Source]) -> Chart {
 }
 
 fn along_waves(
-    sources: &[Source],
+    sources: &[PlottedRun],
     title: &str,
     y: Axis,
     curves: impl Fn(&Profile) -> Vec<(&'static str, Vec<f64>)>,

@@ -1,14 +1,14 @@
 //! The scene in space: the path of the payload, the line at an instant from the side, above and ahead.
 
-use super::{Source, body, named, slots, values};
-use crate::report::chart::{Axis, Chart, Limit, LimitLine, Range, Series, extent, fit};
+use super::{PlottedRun, body, named, slots, values};
+use crate::report::chart::{Axis, AxisRange, Chart, Limit, LimitLine, Series, extent, fit};
 use crate::report::number;
 use crate::run::LineShape;
 
 /// Path of the payload, z against x \[m\], to equal scale; with the place of the payload at an
 /// instant \[s\] marked when one is given.
 #[must_use]
-pub fn trajectory(sources: &[Source], instant: Option<f64>) -> Chart {
+pub fn trajectory(sources: &[PlottedRun], instant: Option<f64>) -> Chart {
     let body = body(sources).unwrap_or("payload");
     let mut series = Vec::new();
     for (source, slot) in sources.iter().zip(slots(sources, 2)) {
@@ -71,23 +71,23 @@ impl View {
 /// The line at the stored instant nearest to a time \[s\], z against x \[m\], to equal scale. The
 /// axes show all stored shapes, so that they stand still while time goes on.
 #[must_use]
-pub fn line_shape(sources: &[Source], time: f64) -> Chart {
+pub fn line_shape(sources: &[PlottedRun], time: f64) -> Chart {
     view(sources, time, View::Side)
 }
 
 /// The line from above, y against x \[m\], as [`line_shape`].
 #[must_use]
-pub fn line_from_above(sources: &[Source], time: f64) -> Chart {
+pub fn line_from_above(sources: &[PlottedRun], time: f64) -> Chart {
     view(sources, time, View::Plan)
 }
 
 /// The line along the x axis, z against y \[m\], as [`line_shape`].
 #[must_use]
-pub fn line_from_ahead(sources: &[Source], time: f64) -> Chart {
+pub fn line_from_ahead(sources: &[PlottedRun], time: f64) -> Chart {
     view(sources, time, View::Front)
 }
 
-fn view(sources: &[Source], time: f64, view: View) -> Chart {
+fn view(sources: &[PlottedRun], time: f64, view: View) -> Chart {
     let mut series = Vec::new();
     for (source, slot) in sources.iter().zip(slots(sources, 1)) {
         let (label, nodes) = match (shape_at(source.shapes, time), source.profile) {
@@ -144,7 +144,7 @@ fn in_space(title: &str, series: Vec<Series>) -> Chart {
 }
 
 /// From where to where the line goes across and up, in all shapes of all runs.
-fn reach(sources: &[Source], view: View) -> (Option<Range>, Option<Range>) {
+fn reach(sources: &[PlottedRun], view: View) -> (Option<AxisRange>, Option<AxisRange>) {
     let all = || {
         sources.iter().flat_map(|source| {
             let end = source

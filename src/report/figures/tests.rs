@@ -40,7 +40,7 @@ fn labels(chart: &crate::report::chart::Chart) -> Vec<&str> {
 #[test]
 fn joints_come_from_the_channel_names() {
     let history = history();
-    let chart = tensions(&[Source::streamed(&history, &[], "a").until(600.0)]);
+    let chart = tensions(&[PlottedRun::streamed(&history, &[], "a").until(600.0)]);
     assert_eq!(labels(&chart), ["vessel|wire", "wire|payload"]);
     assert_eq!(chart.series[0].points[1], (1.0, 2e6));
     assert_eq!(chart.x.range, Some((0.0, 600.0)));
@@ -49,9 +49,9 @@ fn joints_come_from_the_channel_names() {
 #[test]
 fn an_older_run_shares_slots_and_a_second_one_does_not() {
     let history = history();
-    let new = Source::streamed(&history, &[], "new");
-    let old = Source::streamed(&history, &[], "old");
-    let slots = |sources: &[Source]| -> Vec<usize> {
+    let new = PlottedRun::streamed(&history, &[], "new");
+    let old = PlottedRun::streamed(&history, &[], "old");
+    let slots = |sources: &[PlottedRun]| -> Vec<usize> {
         tensions(sources).series.iter().map(|s| s.slot).collect()
     };
     assert_eq!(slots(&[old.dimmed(), new]), [0, 1, 0, 1]);
@@ -64,7 +64,7 @@ fn an_older_run_shares_slots_and_a_second_one_does_not() {
 #[test]
 fn the_path_is_to_equal_scale_with_still_water_and_the_instant() {
     let history = history();
-    let chart = trajectory(&[Source::streamed(&history, &[], "")], Some(1.2));
+    let chart = trajectory(&[PlottedRun::streamed(&history, &[], "")], Some(1.2));
     assert!(chart.equal_scale);
     assert_eq!(labels(&chart), ["payload", "at 1 s"]);
     assert_eq!(chart.series[1].points, [(700.0, -900.0)]);
@@ -77,7 +77,8 @@ fn the_path_is_that_of_the_loose_end_whatever_its_name() {
     history.channels = ["x_m[vessel]", "z_m[vessel]", "x_m[clump]", "z_m[clump]"]
         .map(|name| channel(name, vec![0.0; 3]))
         .into();
-    let title = |history: &History| trajectory(&[Source::streamed(history, &[], "")], None).title;
+    let title =
+        |history: &History| trajectory(&[PlottedRun::streamed(history, &[], "")], None).title;
     assert_eq!(title(&history), "Path of the vessel");
     history
         .channels
@@ -88,7 +89,7 @@ fn the_path_is_that_of_the_loose_end_whatever_its_name() {
 #[test]
 fn the_axes_of_the_shape_stand_still() {
     let (history, shapes) = (history(), shapes());
-    let sources = [Source::streamed(&history, &shapes, "")];
+    let sources = [PlottedRun::streamed(&history, &shapes, "")];
     let (early, late) = (line_shape(&sources, 0.0), line_shape(&sources, 99.0));
     assert_eq!(early.x.range, late.x.range);
     assert_eq!(early.y.range, Some((-1400.0, 0.0)));
@@ -113,9 +114,9 @@ fn a_line_at_rest_is_seen_from_three_sides_and_has_no_envelope() {
         moment_max: vec![0.0, 10.0],
         ..Profile::default()
     };
-    let named = |label| Source {
+    let named = |label| PlottedRun {
         profile: Some(&profile),
-        ..Source::streamed(&history, &[], label)
+        ..PlottedRun::streamed(&history, &[], label)
     };
     let alone = [named("a")];
     let points = |chart: crate::report::chart::Chart| chart.series[0].points.clone();
@@ -133,7 +134,7 @@ fn a_line_at_rest_is_seen_from_three_sides_and_has_no_envelope() {
 #[test]
 fn nothing_yet_is_an_empty_chart() {
     let history = History::default();
-    let sources = [Source::streamed(&history, &[], "")];
+    let sources = [PlottedRun::streamed(&history, &[], "")];
     for chart in [
         tensions(&sources),
         payload_position(&sources),

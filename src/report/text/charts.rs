@@ -7,11 +7,11 @@ use crate::{
     report::{
         chart::{Chart, Glyphs, draw, extent},
         figures::{
-            MapOf, Source, curvature_profile, deviation_in_time, elevation, line_from_above,
-            line_from_ahead, line_shape, mean_load_in_time, moment_profile, payload_position,
-            published_curves, response_map, rms_profile, speed, stiffness_in_time,
-            stiffness_profile, tension_profile, tensions, tilt, trajectory, wave_amplitudes,
-            wavelengths,
+            PlottedRun, ResponseMapKind, curvature_profile, deviation_in_time, elevation,
+            line_from_above, line_from_ahead, line_shape, mean_load_in_time, moment_profile,
+            payload_position, published_curves, response_map, rms_profile, speed,
+            stiffness_in_time, stiffness_profile, tension_profile, tensions, tilt, trajectory,
+            wave_amplitudes, wavelengths,
         },
     },
     run::Run,
@@ -24,7 +24,7 @@ const MAP_HEIGHT: usize = 30;
 
 /// Every chart that has something to show; of the rows of its case, the curves that the run was held against.
 pub(super) fn all(page: &mut Page, run: &Run, case: &Case, rows: &[ValidationRow], glyphs: Glyphs) {
-    let sources = [Source::whole(run, "")];
+    let sources = [PlottedRun::whole(run, "")];
     let mut charts = Vec::new();
     if run.history.time.len() > 1 {
         charts.extend([
@@ -54,7 +54,11 @@ pub(super) fn all(page: &mut Page, run: &Run, case: &Case, rows: &[ValidationRow
         charts.push(rms_profile(&sources));
         charts.push(wave_amplitudes(&sources));
         charts.push(wavelengths(&sources));
-        let maps = [MapOf::Steady, MapOf::Evened, MapOf::Start];
+        let maps = [
+            ResponseMapKind::Steady,
+            ResponseMapKind::Normalised,
+            ResponseMapKind::Start,
+        ];
         charts.extend(maps.map(|of| response_map(&sources, Some(from), of)));
     }
     let curves = published_curves(rows);

@@ -31,7 +31,7 @@ fn act(pane: &mut PlotPane, base: &Chart, verbs: &[PlotVerb]) {
     }
 }
 
-fn frame(pane: &PlotPane, base: &Chart) -> Frame {
+fn frame(pane: &PlotPane, base: &Chart) -> PlotFrame {
     chart::frame(&pane.chart(base), SIZE.0, SIZE.1, Glyphs::Braille)
 }
 
@@ -121,8 +121,8 @@ fn hidden_series_stay_hidden_when_new_curves_come() {
 #[test]
 fn nothing_drawn_can_be_frozen_but_not_zoomed() {
     let (base, mut pane) = (base(), PlotPane::default());
-    pane.act(&PlotVerb::Freeze, &base, Frame::default());
-    pane.act(&PlotVerb::ZoomIn, &base, Frame::default());
+    pane.act(&PlotVerb::Freeze, &base, PlotFrame::default());
+    pane.act(&PlotVerb::ZoomIn, &base, PlotFrame::default());
     assert!(pane.is_frozen() && !pane.is_zoomed());
 }
 
@@ -154,7 +154,7 @@ fn without_colour_series_are_told_apart_by_marker_and_dimmed_by_weight() {
     base.series[1].dimmed = true;
     let area = Rect::new(3, 2, 60, 16);
     let mut buf = Buffer::empty(Rect::new(0, 0, 70, 20));
-    draw_chart(&base, area, &mut buf, Glyphs::Ascii, Inks::Mono);
+    draw_chart(&base, area, &mut buf, Glyphs::Ascii, Theme::default());
     let markers = |ch: &str| {
         buf.content()
             .iter()
@@ -167,7 +167,10 @@ fn without_colour_series_are_told_apart_by_marker_and_dimmed_by_weight() {
             .iter()
             .all(|cell| cell.fg == ratatui::style::Color::Reset)
     );
-    assert_eq!(Inks::Mono.chart(Ink::Dimmed(1)), Inks::Mono.slot(1).dim());
+    assert_eq!(
+        Theme::default().chart(Ink::Dimmed(1)),
+        Theme::default().slot(1).dim()
+    );
 }
 
 fn verb() -> impl Strategy<Value = PlotVerb> {
@@ -213,7 +216,7 @@ proptest! {
         prop_assert!(frame.x.0 < frame.x.1 && frame.y.0 < frame.y.1);
         let area = Rect::new(0, 0, size.0 as u16, size.1 as u16);
         let mut buf = Buffer::empty(area);
-        draw_chart(&pane.chart(&base), area, &mut buf, Glyphs::Braille, Inks::Colour);
+        draw_chart(&pane.chart(&base), area, &mut buf, Glyphs::Braille, Theme::default());
     }
 }
 
@@ -266,7 +269,7 @@ fn a_zoomed_and_marked_chart_with_its_styles() {
         area,
         &mut buf,
         Glyphs::Braille,
-        Inks::Colour,
+        Theme::default(),
     );
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"));

@@ -47,7 +47,7 @@ impl Curves {
         self.streamed.append(&later.streamed);
     }
 
-    /// Takes what was streamed so far, if anything, and leaves the channels.
+    /// Takes what was streamed so far, if anything, and tabs the channels.
     pub fn take(&mut self) -> Option<Self> {
         let channels = &self.streamed.history().channels;
         if self.streamed.history().time.is_empty() {
@@ -87,7 +87,7 @@ impl Curves {
 
 /// Where a run of the list comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SlotKind {
+pub enum RunOrigin {
     /// Asked for in this session.
     Session,
     /// Found on disk.
@@ -96,7 +96,7 @@ pub enum SlotKind {
 
 /// How a run of the list stands.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum SlotState {
+pub enum RunStatus {
     /// Waits for its turn.
     Queued,
     /// Computes.
@@ -115,7 +115,7 @@ pub enum SlotState {
     Unreadable(String),
 }
 
-impl SlotState {
+impl RunStatus {
     /// Its word on screen.
     #[must_use]
     pub fn word(&self) -> &'static str {
@@ -134,7 +134,7 @@ impl SlotState {
 
 /// A run of the list.
 #[derive(Debug, Clone)]
-pub struct RunSlot {
+pub struct RunEntry {
     /// Number of its job, in this session.
     pub ticket: Option<Ticket>,
     /// Name, as of its directory once it has one.
@@ -146,9 +146,9 @@ pub struct RunSlot {
     /// The case text it computes, to tell whether it answers for the case as it stands.
     pub text: String,
     /// Where it comes from.
-    pub kind: SlotKind,
+    pub kind: RunOrigin,
     /// How it stands.
-    pub state: SlotState,
+    pub state: RunStatus,
     /// Method, for the list.
     pub method: String,
     /// Its directory, once there is one.

@@ -7,33 +7,33 @@ pub mod modes;
 pub mod open_case;
 pub mod open_file;
 pub mod overlay;
+pub mod parameter_editor;
 pub mod ropeway;
 pub mod section;
-pub mod sheet;
 pub mod ship;
 pub mod trials;
 
 pub use case_list::{CaseEntry, CaseList};
-pub use curves::{Curves, RunSlot, SlotKind, SlotState};
+pub use curves::{Curves, RunEntry, RunOrigin, RunStatus};
 pub use jobs::{JobLine, JobState, Jobs, Purpose, Ticket, Waiting};
 pub use open_case::{ChartKind, OpenCase};
 pub use open_file::{Content, FileView, OpenFile};
 pub use overlay::{Choice, Overlay, Question};
+pub use parameter_editor::{Editing, ParameterEditor};
 pub use ropeway::RopewayView;
 pub use section::SectionView;
-pub use sheet::{Editing, Sheet};
 pub use ship::ShipView;
 
-use super::place::Place;
-use super::terminal::looks::Looks;
+use super::pane::PaneId;
+use super::terminal::capabilities::Capabilities;
 
 /// The whole state of the workbench.
 #[derive(Debug, Clone)]
-pub struct State {
+pub struct AppState {
     /// Columns and rows of the terminal.
     pub size: (u16, u16),
     /// Glyphs and colour.
-    pub looks: Looks,
+    pub capabilities: Capabilities,
     /// The list of cases.
     pub cases: CaseList,
     /// The case that is open.
@@ -74,13 +74,13 @@ pub enum Level {
     Error,
 }
 
-impl State {
+impl AppState {
     /// An empty workbench.
     #[must_use]
-    pub fn new(size: (u16, u16), looks: Looks) -> Self {
+    pub fn new(size: (u16, u16), capabilities: Capabilities) -> Self {
         Self {
             size,
-            looks,
+            capabilities,
             cases: CaseList::default(),
             open: None,
             file: None,
@@ -95,14 +95,14 @@ impl State {
 
     /// Where the keys go.
     #[must_use]
-    pub fn place(&self) -> Place {
+    pub fn focus(&self) -> PaneId {
         if self.trials.as_ref().is_some_and(|t| t.shown) {
-            return Place::Trials;
+            return PaneId::Trials;
         }
         match (&self.file, &self.open) {
             (Some(file), _) => file.pane,
             (None, Some(open)) => open.pane,
-            (None, None) => Place::Cases,
+            (None, None) => PaneId::Cases,
         }
     }
 
@@ -114,28 +114,28 @@ impl State {
 
     /// The panes of what is open, in the order of their numbers; those of a line case where nothing is.
     #[must_use]
-    pub fn panes(&self) -> &'static [Place] {
+    pub fn panes(&self) -> &'static [PaneId] {
         match &self.file {
             Some(file) => file.content.view().panes(),
-            None => &Place::PANES,
+            None => &PaneId::PANES,
         }
     }
 
     /// The file in the parameter editor, of whatever kind.
     #[must_use]
-    pub fn sheet(&self) -> Option<&Sheet> {
+    pub fn editor(&self) -> Option<&ParameterEditor> {
         match (&self.file, &self.open) {
-            (Some(file), _) => Some(&file.sheet),
-            (None, Some(open)) => Some(&open.sheet),
+            (Some(file), _) => Some(&file.editor),
+            (None, Some(open)) => Some(&open.editor),
             (None, None) => None,
         }
     }
 
     /// The file in the parameter editor, to be changed.
-    pub fn sheet_mut(&mut self) -> Option<&mut Sheet> {
+    pub fn editor_mut(&mut self) -> Option<&mut ParameterEditor> {
         match (&mut self.file, &mut self.open) {
-            (Some(file), _) => Some(&mut file.sheet),
-            (None, Some(open)) => Some(&mut open.sheet),
+            (Some(file), _) => Some(&mut file.editor),
+            (None, Some(open)) => Some(&mut open.editor),
             (None, None) => None,
         }
     }

@@ -2,15 +2,15 @@
 
 use std::path::PathBuf;
 
-use super::curves::{Curves, RunSlot};
+use super::curves::{Curves, RunEntry};
 use super::jobs::Ticket;
 use super::modes::ModesView;
-use super::sheet::Sheet;
+use super::parameter_editor::ParameterEditor;
 use crate::case::{self, Case, End, Method, OneOrMany, Source};
 use crate::run::response;
-use crate::tui::backend::ValidationRow;
+use crate::tui::facade::ValidationRow;
 use crate::tui::line_tables::LineTable;
-use crate::tui::place::Place;
+use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::PlotPane;
 use crate::tui::table_pane::TablePane;
 
@@ -230,11 +230,11 @@ pub struct Live {
 #[derive(Debug, Clone)]
 pub struct OpenCase {
     /// Its text and fields.
-    pub sheet: Sheet,
+    pub editor: ParameterEditor,
     /// What the text says.
     pub case: Case,
     /// Where the keys go.
-    pub pane: Place,
+    pub pane: PaneId,
     /// The chart shown.
     pub chart: ChartKind,
     /// Zoom, cursor and marks of each chart.
@@ -246,7 +246,7 @@ pub struct OpenCase {
     /// The re-solve after an edit.
     pub live: Live,
     /// Runs of the case, the oldest first.
-    pub runs: Vec<RunSlot>,
+    pub runs: Vec<RunEntry>,
     /// Cursor among the runs; 0 is the live one.
     pub run: usize,
     /// The validation table, made anew when a run lands.
@@ -268,7 +268,7 @@ pub struct OpenCase {
 impl OpenCase {
     /// The run under the cursor; the live one is none.
     #[must_use]
-    pub fn current_run(&self) -> Option<&RunSlot> {
+    pub fn current_run(&self) -> Option<&RunEntry> {
         self.run.checked_sub(1).and_then(|i| self.runs.get(i))
     }
 }

@@ -3,16 +3,16 @@
 
 use std::path::PathBuf;
 
+use super::parameter_editor::ParameterEditor;
 use super::ropeway::RopewayView;
 use super::section::SectionView;
-use super::sheet::Sheet;
 use super::ship::ShipView;
 use crate::case::Diagnostic;
 use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::table::Table;
-use crate::tui::backend::FieldRow;
-use crate::tui::place::Place;
+use crate::tui::facade::FieldRow;
+use crate::tui::pane::PaneId;
 use crate::tui::table_pane::TablePane;
 
 /// What the screen asks of a kind of file.
@@ -24,13 +24,13 @@ pub trait FileView {
     fn title(&self) -> &str;
 
     /// Its panes, in the order of their numbers: inputs, drawing, tables, and validation where it has one.
-    fn panes(&self) -> &'static [Place];
+    fn panes(&self) -> &'static [PaneId];
 
-    /// The names of the leaves of its tables pane.
-    fn leaves(&self) -> &'static [&'static str];
+    /// The names of the tabs of its tables pane.
+    fn tabs(&self) -> &'static [&'static str];
 
-    /// A leaf: its chart, where it has one, and its table.
-    fn leaf(&self, leaf: usize) -> (Option<Chart>, Table);
+    /// A tab: its chart, where it has one, and its table.
+    fn tab(&self, tab: usize) -> (Option<Chart>, Table);
 
     /// The fields of a text of this kind.
     fn rows(&self, text: &str) -> Vec<FieldRow>;
@@ -111,14 +111,14 @@ impl Content {
 #[derive(Debug, Clone)]
 pub struct OpenFile {
     /// Its text and fields.
-    pub sheet: Sheet,
+    pub editor: ParameterEditor,
     /// What it comes to.
     pub content: Content,
     /// Where the keys go.
-    pub pane: Place,
-    /// The leaf of the tables shown.
-    pub leaf: usize,
-    /// Selection, sorting and scrolling of each leaf.
+    pub pane: PaneId,
+    /// The tab of the tables shown.
+    pub tab: usize,
+    /// Selection, sorting and scrolling of each tab.
     pub panes: Vec<TablePane>,
     /// The validation table.
     pub checks: Vec<ValidationRow>,
@@ -129,27 +129,27 @@ pub struct OpenFile {
 impl OpenFile {
     /// A file as read, with its fields still to be listed.
     #[must_use]
-    pub fn new(sheet: Sheet, content: Content) -> Self {
+    pub fn new(editor: ParameterEditor, content: Content) -> Self {
         let view = content.view();
         let pane = match content {
-            Content::Section(_) => Place::Keys,
-            _ => view.panes().get(1).copied().unwrap_or(Place::Keys),
+            Content::Section(_) => PaneId::Keys,
+            _ => view.panes().get(1).copied().unwrap_or(PaneId::Keys),
         };
         Self {
             pane,
-            leaf: 0,
-            panes: vec![TablePane::default(); view.leaves().len()],
+            tab: 0,
+            panes: vec![TablePane::default(); view.tabs().len()],
             checks: Vec::new(),
             checks_pane: TablePane::default(),
-            sheet,
+            editor,
             content,
         }
     }
 
-    /// The leaf shown: its chart, where it has one, and its table.
+    /// The tab shown: its chart, where it has one, and its table.
     #[must_use]
     pub fn shown(&self) -> (Option<Chart>, Table) {
-        self.content.view().leaf(self.leaf)
+        self.content.view().tab(self.tab)
     }
 
     /// Reads fields, meaning and validation from the text again.
@@ -157,10 +157,10 @@ impl OpenFile {
     /// # Errors
     /// All that is wrong; everything is then as it was.
     pub fn refresh(&mut self) -> Result<(), Vec<Diagnostic>> {
-        let text = self.sheet.text.clone();
-        self.content.view_mut().take(&text, &self.sheet.file)?;
+        let text = self.editor.text.clone();
+        self.content.view_mut().take(&text, &self.editor.file)?;
         let view = self.content.view();
-        self.sheet.rows = view.rows(&text);
+        self.editor.rows = view.rows(&text);
         self.checks = view.checks(&text);
         Ok(())
     }
@@ -168,7 +168,7 @@ impl OpenFile {
 
 /// A table that only says something.
 #[must_use]
-pub fn said(words: &str) -> Table {
+pub fn message_table(words: &str) -> Table {
     Table {
         title: words.to_owned(),
         ..Table::default()

@@ -2,15 +2,15 @@
 
 use std::path::PathBuf;
 
-use super::open_file::{FileView, said};
+use super::open_file::{FileView, message_table};
 use crate::case::{Diagnostic, kind};
 use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::table::Table;
 use crate::ropeway::exact::Carrier;
 use crate::ropeway::{self, Readings, RopewayFile, Trouble, Worked, held, line, motions, tables};
-use crate::tui::backend::FieldRow;
-use crate::tui::place::Place;
+use crate::tui::facade::FieldRow;
+use crate::tui::pane::PaneId;
 
 /// Spans that the workbench steps through \[m\]: those of the paper.
 pub const SPANS: [f64; 3] = [40.0, 60.0, 80.0];
@@ -48,7 +48,7 @@ impl RopewayView {
         let Some(series) = self.worked.series() else {
             return (
                 None,
-                said("The file gives the ship no motion; [motion] does."),
+                message_table("The file gives the ship no motion; [motion] does."),
             );
         };
         match self.worked.follow(&series) {
@@ -56,7 +56,7 @@ impl RopewayView {
                 Some(motions::winch_chart(&followed)),
                 motions::winch(&self.worked, &followed),
             ),
-            Err(trouble) => (None, said(&format!("No answer: {trouble}."))),
+            Err(trouble) => (None, message_table(&format!("No answer: {trouble}."))),
         }
     }
 }
@@ -70,17 +70,22 @@ impl FileView for RopewayView {
         &self.worked.ropeway.about.title
     }
 
-    fn panes(&self) -> &'static [Place] {
-        &[Place::Keys, Place::Ropeway, Place::Tables, Place::Checks]
+    fn panes(&self) -> &'static [PaneId] {
+        &[
+            PaneId::Keys,
+            PaneId::Ropeway,
+            PaneId::Tables,
+            PaneId::Checks,
+        ]
     }
 
-    fn leaves(&self) -> &'static [&'static str] {
+    fn tabs(&self) -> &'static [&'static str] {
         &["Crossing", "Hauling", "Winch", "Cargo", "Ropes", "Check"]
     }
 
-    fn leaf(&self, leaf: usize) -> (Option<Chart>, Table) {
+    fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
         let worked = &self.worked;
-        match (leaf, &self.readings) {
+        match (tab, &self.readings) {
             (0, _) => (None, tables::crossing(worked, 20)),
             (1, _) => (
                 Some(motions::hauling_chart(worked)),
@@ -93,10 +98,10 @@ impl FileView for RopewayView {
             ),
             (4, Ok(readings)) => (None, tables::ropes(worked, readings)),
             (_, Ok(readings)) => {
-                let none = || said("The file has no finite-element check.");
+                let none = || message_table("The file has no finite-element check.");
                 (None, tables::check(worked, readings).unwrap_or_else(none))
             }
-            (_, Err(trouble)) => (None, said(&format!("No answer: {trouble}."))),
+            (_, Err(trouble)) => (None, message_table(&format!("No answer: {trouble}."))),
         }
     }
 

@@ -8,8 +8,8 @@ use crate::report::chart::{Chart, Glyphs};
 use crate::report::table::Table;
 use crate::section::stiffness::Twist;
 use crate::section::{self, Design, SectionFile, tables, text};
-use crate::tui::backend::FieldRow;
-use crate::tui::place::Place;
+use crate::tui::facade::FieldRow;
+use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::PlotPane;
 
 /// Columns of what is written to a file.
@@ -44,17 +44,17 @@ impl FileView for SectionView {
         &self.design.section.about.title
     }
 
-    fn panes(&self) -> &'static [Place] {
-        &[Place::Keys, Place::Drawing, Place::Tables]
+    fn panes(&self) -> &'static [PaneId] {
+        &[PaneId::Keys, PaneId::Drawing, PaneId::Tables]
     }
 
-    fn leaves(&self) -> &'static [&'static str] {
+    fn tabs(&self) -> &'static [&'static str] {
         &["Layers", "Whole", "Stiffness", "Carried"]
     }
 
-    fn leaf(&self, leaf: usize) -> (Option<Chart>, Table) {
+    fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
         let design = &self.design;
-        let table = match leaf {
+        let table = match tab {
             0 => tables::layers(design),
             1 => tables::whole(design),
             2 => tables::stiffness(design),

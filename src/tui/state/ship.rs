@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::open_file::{FileView, said};
+use super::open_file::{FileView, message_table};
 use crate::case::{Diagnostic, kind};
 use crate::numerics::V3;
 use crate::reference::ValidationRow;
@@ -14,8 +14,8 @@ use crate::report::ship::{charts, coupled, motion, rope, statics, text};
 use crate::report::table::Table;
 use crate::ship::rope::RopeAnalysis;
 use crate::ship::{self, DynamicAnalysis, MotionAnalysis, ShipFile, StaticAnalysis, validation};
-use crate::tui::backend::FieldRow;
-use crate::tui::place::Place;
+use crate::tui::facade::FieldRow;
+use crate::tui::pane::PaneId;
 
 /// A ship.
 #[derive(Debug, Clone)]
@@ -58,16 +58,16 @@ impl ShipView {
         of: impl Fn(&'a DynamicAnalysis) -> Option<T>,
         none: &str,
     ) -> Result<T, Table> {
-        let wait = || said("The ship at sea is still being worked out.");
+        let wait = || message_table("The ship at sea is still being worked out.");
         let sea = self.sea.as_ref().ok_or_else(wait)?;
-        of(sea).ok_or_else(|| said(none))
+        of(sea).ok_or_else(|| message_table(none))
     }
 
     fn motion(&self) -> Result<&MotionAnalysis, Table> {
         let none = "The file gives the ship no motion; [motion] does.";
         match self.at_sea(|sea| sea.motion.as_ref(), none)? {
             Ok(motion) => Ok(motion),
-            Err(why) => Err(said(&format!("No such motion: {why}."))),
+            Err(why) => Err(message_table(&format!("No such motion: {why}."))),
         }
     }
 
@@ -75,19 +75,21 @@ impl ShipView {
         let none = "The file names no rope; [rope] does.";
         match self.at_sea(|sea| sea.rope.as_ref(), none)? {
             Ok(rope) => Ok(rope),
-            Err(why) => Err(said(&format!("The rope does not follow the ship: {why}."))),
+            Err(why) => Err(message_table(&format!(
+                "The rope does not follow the ship: {why}."
+            ))),
         }
     }
 
     /// Charts and table of the ship at sea, or why there are none.
-    fn sailing(&self, leaf: usize) -> Result<(Option<Chart>, Table), Table> {
+    fn sailing(&self, tab: usize) -> Result<(Option<Chart>, Table), Table> {
         let seed = self
             .rest
             .ship
             .motion
             .as_ref()
             .map_or(0, ship::model::Motion::seed);
-        Ok(match leaf {
+        Ok(match tab {
             1 => {
                 let analysis = self.motion()?;
                 let table = motion::statistics(analysis, seed);
@@ -100,7 +102,7 @@ impl ShipView {
             }
             4 => {
                 let rope = self.rope()?;
-                let none = || said("The rope made fast has no answer.");
+                let none = || message_table("The rope made fast has no answer.");
                 let table = rope::dynamic_table(rope).unwrap_or_else(none);
                 (rope::dynamic_chart(rope), table)
             }
@@ -108,12 +110,12 @@ impl ShipView {
                 let none =
                     "The file does not ask for ship and anchor line in time; [coupled] does.";
                 match self.at_sea(|sea| sea.coupled.as_ref(), none)? {
-                    Ok(coupled) if leaf == 5 => (
+                    Ok(coupled) if tab == 5 => (
                         Some(coupled::motions(coupled)),
                         coupled::statistics(coupled),
                     ),
                     Ok(coupled) => (Some(coupled::tension(coupled)), coupled::decay(coupled)),
-                    Err(why) => return Err(said(&format!("No answer: {why}."))),
+                    Err(why) => return Err(message_table(&format!("No answer: {why}."))),
                 }
             }
         })
@@ -129,11 +131,11 @@ impl FileView for ShipView {
         &self.rest.ship.particulars.title
     }
 
-    fn panes(&self) -> &'static [Place] {
-        &[Place::Keys, Place::Ship, Place::Tables, Place::Checks]
+    fn panes(&self) -> &'static [PaneId] {
+        &[PaneId::Keys, PaneId::Ship, PaneId::Tables, PaneId::Checks]
     }
 
-    fn leaves(&self) -> &'static [&'static str] {
+    fn tabs(&self) -> &'static [&'static str] {
         &[
             "Headings",
             "Motion",
@@ -148,12 +150,12 @@ impl FileView for ShipView {
         ]
     }
 
-    fn leaf(&self, leaf: usize) -> (Option<Chart>, Table) {
+    fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
         let rest = &self.rest;
-        let or = |table: Option<Table>, words: &str| table.unwrap_or_else(|| said(words));
-        match leaf {
+        let or = |table: Option<Table>, words: &str| table.unwrap_or_else(|| message_table(words));
+        match tab {
             0 => (Some(charts::moments(rest)), statics::headings(rest)),
-            1..=6 => self.sailing(leaf).unwrap_or_else(|table| (None, table)),
+            1..=6 => self.sailing(tab).unwrap_or_else(|table| (None, table)),
             7 => {
                 let words = "Small motions need [hull], and a [mooring] that reaches.";
                 (None, or(statics::small_motions(rest), words))

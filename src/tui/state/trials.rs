@@ -23,7 +23,7 @@ pub enum TrialsOf {
 
 /// How far the trials are, as the thread that computes them tells.
 #[derive(Debug, Clone, Default)]
-pub struct Trialled {
+pub struct TrialProgress {
     /// What came out so far, in the order of the cases.
     pub findings: Vec<Finding>,
     /// Trials computed.
@@ -45,7 +45,7 @@ pub struct Trials {
     /// Number of the job.
     pub ticket: Ticket,
     /// How far they are.
-    pub so_far: Trialled,
+    pub progress: TrialProgress,
     /// Whether they were stopped.
     pub stopped: bool,
     /// Whether they are seen; else they go on behind the screen.
@@ -59,21 +59,21 @@ impl Trials {
     #[must_use]
     pub fn table(&self, columns: u16) -> Table {
         if columns < WIDE {
-            hard::compact(&self.so_far.findings)
+            hard::compact(&self.progress.findings)
         } else {
-            hard::table(&self.so_far.findings)
+            hard::table(&self.progress.findings)
         }
     }
 
     /// The trial selected in the table of a row a trial.
     #[must_use]
     pub fn selected(&self, table: &Table) -> Option<&Finding> {
-        self.so_far.findings.get(self.pane.selected(table)?)
+        self.progress.findings.get(self.pane.selected(table)?)
     }
 
     /// Whether they still compute.
     #[must_use]
     pub fn running(&self) -> bool {
-        !self.so_far.over
+        !self.progress.over
     }
 }

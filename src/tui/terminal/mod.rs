@@ -1,7 +1,7 @@
 //! The terminal: entered and left in one place, read byte by byte, watched for hang-ups and signals.
 
+pub mod capabilities;
 pub mod decode;
-pub mod looks;
 pub mod screen;
 pub mod signals;
 pub mod wait;

@@ -2,20 +2,22 @@
 
 use std::path::PathBuf;
 
-use super::typing::type_key;
+use super::text_input::type_key;
 use super::{edit, jobs, moved, runs};
+use crate::tui::case_library::FIRST;
 use crate::tui::command::Id;
 use crate::tui::key::Key;
 use crate::tui::line_tables::LineTable;
 use crate::tui::msg::{CaseRead, Effect};
-use crate::tui::place::Place;
-use crate::tui::shelf::FIRST;
+use crate::tui::pane::PaneId;
 use crate::tui::state::modes::ModesView;
 use crate::tui::state::open_case::Live;
-use crate::tui::state::{CaseEntry, ChartKind, Level, OpenCase, Overlay, Question, Sheet, State};
+use crate::tui::state::{
+    AppState, CaseEntry, ChartKind, Level, OpenCase, Overlay, ParameterEditor, Question,
+};
 use crate::tui::table_pane::TablePane;
 
-pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
+pub(super) fn command(state: &mut AppState, id: Id) -> Vec<Effect> {
     match (id, state.cases.current()) {
         (Id::Open, Some(entry)) => vec![Effect::ReadCase(entry.path.clone())],
         (Id::Reload, _) => vec![Effect::ReadCases],
@@ -24,8 +26,8 @@ pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
 }
 
 /// Keys while the filter is typed.
-pub(super) fn typing_key(state: &mut State, key: Key) -> Option<Vec<Effect>> {
-    if state.sheet().is_some() || !state.cases.typing {
+pub(super) fn typing_key(state: &mut AppState, key: Key) -> Option<Vec<Effect>> {
+    if state.editor().is_some() || !state.cases.typing {
         return None;
     }
     let lines = state.cases.shown().count();
@@ -49,7 +51,7 @@ pub(super) fn typing_key(state: &mut State, key: Key) -> Option<Vec<Effect>> {
     Some(Vec::new())
 }
 
-pub(super) fn listed(state: &mut State, dir: PathBuf, entries: Vec<CaseEntry>) -> Vec<Effect> {
+pub(super) fn listed(state: &mut AppState, dir: PathBuf, entries: Vec<CaseEntry>) -> Vec<Effect> {
     let before = state.cases.current().map(|e| e.path.clone());
     state.cases.dir = dir;
     state.cases.entries = entries;
@@ -65,7 +67,7 @@ pub(super) fn listed(state: &mut State, dir: PathBuf, entries: Vec<CaseEntry>) -
     Vec::new()
 }
 
-pub(super) fn refused(state: &mut State, title: String, text: String) -> Vec<Effect> {
+pub(super) fn rejected(state: &mut AppState, title: String, text: String) -> Vec<Effect> {
     state.say(Level::Error, format!("{title} cannot be opened."));
     state.overlay = Some(Overlay::Text {
         title,
@@ -75,23 +77,23 @@ pub(super) fn refused(state: &mut State, title: String, text: String) -> Vec<Eff
     Vec::new()
 }
 
-pub(super) fn opened(state: &mut State, read: CaseRead) -> Vec<Effect> {
+pub(super) fn opened(state: &mut AppState, read: CaseRead) -> Vec<Effect> {
     let CaseRead {
         path,
         text,
         case,
         recovered,
     } = read;
-    let sheet = Sheet::new(path, text);
+    let editor = ParameterEditor::new(path, text);
     let chart = ChartKind::of(&case)
         .first()
         .copied()
         .unwrap_or(ChartKind::Shape);
     state.close();
     state.open = Some(OpenCase {
-        sheet,
+        editor,
         case,
-        pane: Place::Inputs,
+        pane: PaneId::Inputs,
         chart,
         views: Default::default(),
         series: None,

@@ -1,20 +1,20 @@
 //! Cursor, zoom, pan and freeze of the charts.
 
 use super::info;
-use crate::report::chart::{self, Range};
+use crate::report::chart::{self, AxisRange};
 use crate::report::number;
 use crate::tui::command::Id;
 use crate::tui::msg::Effect;
 use crate::tui::plot_pane::{PlotPane, PlotVerb, Stride};
 use crate::tui::plots;
-use crate::tui::state::{ChartKind, OpenCase, State};
+use crate::tui::state::{AppState, ChartKind, OpenCase};
 use crate::tui::view::layout;
 
 /// Small and large steps of the instant across the run, on charts without a time axis.
 const INSTANTS: (f64, f64) = (60.0, 10.0);
 
-pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
-    let glyphs = state.looks.glyphs;
+pub(super) fn command(state: &mut AppState, id: Id) -> Vec<Effect> {
+    let glyphs = state.capabilities.glyphs;
     let area = layout::chart_area(state);
     let Some(open) = &mut state.open else {
         return Vec::new();
@@ -22,8 +22,8 @@ pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
     match id {
         Id::NextChart => open.chart = open.chart.beside(&ChartKind::of(&open.case), true),
         Id::PreviousChart => open.chart = open.chart.beside(&ChartKind::of(&open.case), false),
-        Id::NextSeries => leaf(open, true),
-        Id::PreviousSeries => leaf(open, false),
+        Id::NextSeries => tab(open, true),
+        Id::PreviousSeries => tab(open, false),
         Id::Freeze => return freeze(state),
         Id::Copy => return copy(state),
         _ => {
@@ -41,7 +41,7 @@ pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
 }
 
 /// All, then one series after the other, then all again.
-fn leaf(open: &mut OpenCase, forward: bool) {
+fn tab(open: &mut OpenCase, forward: bool) {
     let count = plots::series_names(open, open.chart).len();
     open.series = match (open.series, forward) {
         (None, true) => (count > 0).then_some(0),
@@ -123,7 +123,7 @@ fn share_instant(open: &mut OpenCase) {
 }
 
 fn move_instant(open: &mut OpenCase, way: f64, parts: f64) {
-    let Some((low, high)): Option<Range> = plots::time_range(open) else {
+    let Some((low, high)): Option<AxisRange> = plots::time_range(open) else {
         return;
     };
     let from = open.instant.unwrap_or(if way > 0.0 { low } else { high });
@@ -133,14 +133,14 @@ fn move_instant(open: &mut OpenCase, way: f64, parts: f64) {
 }
 
 /// All charts are held still together, so that they go on telling of the same instant.
-fn freeze(state: &mut State) -> Vec<Effect> {
+fn freeze(state: &mut AppState) -> Vec<Effect> {
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
     let frozen = open.views.iter().any(PlotPane::is_frozen);
     for kind in ChartKind::ALL {
         let base = plots::chart(open, kind);
-        let frame = chart::Frame::default();
+        let frame = chart::PlotFrame::default();
         let view = &mut open.views[kind.index()];
         if view.is_frozen() == frozen {
             view.act(&PlotVerb::Freeze, &base, frame);
@@ -164,7 +164,7 @@ pub(in crate::tui) fn readout_words(open: &OpenCase, kind: ChartKind) -> Vec<Str
     read.into_iter().map(|r| r.words(&base.x.unit)).collect()
 }
 
-fn copy(state: &mut State) -> Vec<Effect> {
+fn copy(state: &mut AppState) -> Vec<Effect> {
     let Some(open) = &state.open else {
         return Vec::new();
     };

@@ -2,21 +2,21 @@
 
 use tui_input::Input;
 
-use super::typing::type_key;
+use super::text_input::type_key;
 use super::{info, jobs, moved, runs};
 use crate::case::fields::Absent;
-use crate::tui::backend::{self, FieldRow};
 use crate::tui::command::Id;
+use crate::tui::facade::{self, FieldRow};
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
-use crate::tui::state::{Editing, Level, Sheet, State};
+use crate::tui::state::{AppState, Editing, Level, ParameterEditor};
 
 const METHODS: [&str; 4] = ["static", "quasi", "rk4", "alpha"];
 
 /// More steps back than anyone takes, and still a small file each.
 const UNDO_DEPTH: usize = 200;
 
-pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
+pub(super) fn command(state: &mut AppState, id: Id) -> Vec<Effect> {
     match id {
         Id::Edit => begin(state),
         Id::Reset => reset(state),
@@ -25,18 +25,18 @@ pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
         Id::NextGroup => group(state, true),
         Id::PreviousGroup => group(state, false),
         Id::Method => next_method(state),
-        Id::Editor => state
-            .sheet()
-            .map_or_else(Vec::new, |sheet| vec![Effect::EditFile(sheet.path.clone())]),
+        Id::ExternalEditor => state.editor().map_or_else(Vec::new, |editor| {
+            vec![Effect::EditFile(editor.path.clone())]
+        }),
         _ => Vec::new(),
     }
 }
 
-fn begin(state: &mut State) -> Vec<Effect> {
-    if let Some(sheet) = state.sheet_mut()
-        && let Some(row) = sheet.current_field()
+fn begin(state: &mut AppState) -> Vec<Effect> {
+    if let Some(editor) = state.editor_mut()
+        && let Some(row) = editor.current_field()
     {
-        sheet.editing = Some(Editing {
+        editor.editing = Some(Editing {
             path: row.path.clone(),
             input: Input::new(row.value.clone()),
             problem: None,
@@ -46,14 +46,14 @@ fn begin(state: &mut State) -> Vec<Effect> {
 }
 
 /// Keys while a value or the filter of the fields is typed.
-pub(super) fn typing_key(state: &mut State, key: Key) -> Option<Vec<Effect>> {
-    let sheet = state.sheet_mut()?;
-    if key == Key::Ctrl('z') && (sheet.editing.is_some() || sheet.filtering) {
+pub(super) fn typing_key(state: &mut AppState, key: Key) -> Option<Vec<Effect>> {
+    let editor = state.editor_mut()?;
+    if key == Key::Ctrl('z') && (editor.editing.is_some() || editor.filtering) {
         return Some(vec![Effect::Suspend]);
     }
-    if let Some(editing) = &mut sheet.editing {
+    if let Some(editing) = &mut editor.editing {
         match key {
-            Key::Esc | Key::Ctrl('c') => sheet.editing = None,
+            Key::Esc | Key::Ctrl('c') => editor.editing = None,
             Key::Enter => return Some(accept(state)),
             _ => {
                 if type_key(&mut editing.input, key) {
@@ -63,22 +63,22 @@ pub(super) fn typing_key(state: &mut State, key: Key) -> Option<Vec<Effect>> {
         }
         return Some(Vec::new());
     }
-    if !sheet.filtering {
+    if !editor.filtering {
         return None;
     }
-    let lines = sheet.fields().count();
+    let lines = editor.fields().count();
     match key {
-        Key::Enter => sheet.filtering = false,
+        Key::Enter => editor.filtering = false,
         Key::Esc | Key::Ctrl('c') => {
-            sheet.filtering = false;
-            sheet.filter.reset();
-            sheet.field = 0;
+            editor.filtering = false;
+            editor.filter.reset();
+            editor.field = 0;
         }
-        Key::Down => sheet.field = moved(sheet.field, 1, lines),
-        Key::Up => sheet.field = moved(sheet.field, -1, lines),
+        Key::Down => editor.field = moved(editor.field, 1, lines),
+        Key::Up => editor.field = moved(editor.field, -1, lines),
         _ => {
-            if type_key(&mut sheet.filter, key) {
-                sheet.field = 0;
+            if type_key(&mut editor.filter, key) {
+                editor.field = 0;
             }
         }
     }
@@ -86,21 +86,21 @@ pub(super) fn typing_key(state: &mut State, key: Key) -> Option<Vec<Effect>> {
 }
 
 /// A text of the kind that is open, with a key set.
-fn with(state: &State, text: &str, key: &str, value: &str) -> Result<String, String> {
+fn with(state: &AppState, text: &str, key: &str, value: &str) -> Result<String, String> {
     match &state.file {
         Some(file) => {
             let set = file.content.view().set(text, key, value);
-            set.map_err(|all| backend::refusal(key, &all))
+            set.map_err(|all| facade::refusal(key, &all))
         }
-        None => backend::set(text, key, value),
+        None => facade::set(text, key, value),
     }
 }
 
 /// Sets a key as if it had been typed; what is refused is told.
-pub(super) fn set(state: &mut State, key: &str, value: &str) -> Vec<Effect> {
+pub(super) fn set(state: &mut AppState, key: &str, value: &str) -> Vec<Effect> {
     match state
-        .sheet()
-        .map(|sheet| with(state, &sheet.text, key, value))
+        .editor()
+        .map(|editor| with(state, &editor.text, key, value))
     {
         Some(Ok(text)) => change(state, text),
         Some(Err(problem)) => super::overlay::warn(state, problem),
@@ -108,25 +108,25 @@ pub(super) fn set(state: &mut State, key: &str, value: &str) -> Vec<Effect> {
     }
 }
 
-fn accept(state: &mut State) -> Vec<Effect> {
-    let Some(editing) = state.sheet_mut().and_then(|sheet| sheet.editing.take()) else {
+fn accept(state: &mut AppState) -> Vec<Effect> {
+    let Some(editing) = state.editor_mut().and_then(|editor| editor.editing.take()) else {
         return Vec::new();
     };
     let value = editing.input.value().trim();
-    let sheet = state.sheet();
-    let text = sheet.map(|sheet| sheet.text.clone()).unwrap_or_default();
-    let row = sheet.and_then(|s| s.rows.iter().find(|row| row.path == editing.path));
+    let editor = state.editor();
+    let text = editor.map(|editor| editor.text.clone()).unwrap_or_default();
+    let row = editor.and_then(|s| s.rows.iter().find(|row| row.path == editing.path));
     let goes = value.is_empty() && state.open.is_some() && row.is_some_and(can_go);
     let taken = if goes {
-        backend::unset(&text, &editing.path)
+        facade::unset(&text, &editing.path)
     } else {
         with(state, &text, &editing.path, value)
     };
     match taken {
         Ok(text) => change(state, text),
         Err(problem) => {
-            if let Some(sheet) = state.sheet_mut() {
-                sheet.editing = Some(Editing {
+            if let Some(editor) = state.editor_mut() {
+                editor.editing = Some(Editing {
                     problem: Some(problem),
                     ..editing
                 });
@@ -142,27 +142,27 @@ pub(in crate::tui) fn can_go(row: &FieldRow) -> bool {
 }
 
 /// Takes a new text as an edit that can be undone.
-fn change(state: &mut State, text: String) -> Vec<Effect> {
-    let Some(sheet) = state.sheet_mut() else {
+fn change(state: &mut AppState, text: String) -> Vec<Effect> {
+    let Some(editor) = state.editor_mut() else {
         return Vec::new();
     };
-    if text == sheet.text {
+    if text == editor.text {
         return Vec::new();
     }
-    let before = std::mem::replace(&mut sheet.text, text);
-    sheet.undo.push(before);
-    if sheet.undo.len() > UNDO_DEPTH {
-        sheet.undo.remove(0);
+    let before = std::mem::replace(&mut editor.text, text);
+    editor.undo.push(before);
+    if editor.undo.len() > UNDO_DEPTH {
+        editor.undo.remove(0);
     }
-    sheet.redo.clear();
+    editor.redo.clear();
     changed(state)
 }
 
-fn undo(state: &mut State) -> Vec<Effect> {
-    if let Some(sheet) = state.sheet_mut()
-        && let Some(text) = sheet.undo.pop()
+fn undo(state: &mut AppState) -> Vec<Effect> {
+    if let Some(editor) = state.editor_mut()
+        && let Some(text) = editor.undo.pop()
     {
-        sheet.redo.push(std::mem::replace(&mut sheet.text, text));
+        editor.redo.push(std::mem::replace(&mut editor.text, text));
         let effects = changed(state);
         info(state, "Undone. `U` does it again.");
         return effects;
@@ -170,25 +170,25 @@ fn undo(state: &mut State) -> Vec<Effect> {
     Vec::new()
 }
 
-fn redo(state: &mut State) -> Vec<Effect> {
-    if let Some(sheet) = state.sheet_mut()
-        && let Some(text) = sheet.redo.pop()
+fn redo(state: &mut AppState) -> Vec<Effect> {
+    if let Some(editor) = state.editor_mut()
+        && let Some(text) = editor.redo.pop()
     {
-        sheet.undo.push(std::mem::replace(&mut sheet.text, text));
+        editor.undo.push(std::mem::replace(&mut editor.text, text));
         return changed(state);
     }
     Vec::new()
 }
 
 /// The file as an editor left it: taken as an edit that can be undone, or refused with all that is wrong with it.
-pub(super) fn edited(state: &mut State, read: Result<String, String>) -> Vec<Effect> {
-    let Some(sheet) = state.sheet_mut() else {
+pub(super) fn edited(state: &mut AppState, read: Result<String, String>) -> Vec<Effect> {
+    let Some(editor) = state.editor_mut() else {
         return Vec::new();
     };
     match read {
-        Ok(text) if text == sheet.saved => info(state, "The file is as it was."),
+        Ok(text) if text == editor.saved => info(state, "The file is as it was."),
         Ok(text) => {
-            sheet.saved.clone_from(&text);
+            editor.saved.clone_from(&text);
             let effects = change(state, text);
             info(
                 state,
@@ -197,15 +197,15 @@ pub(super) fn edited(state: &mut State, read: Result<String, String>) -> Vec<Eff
             effects
         }
         Err(story) => {
-            super::cases::refused(state, "The file as the editor left it".to_owned(), story)
+            super::cases::rejected(state, "The file as the editor left it".to_owned(), story)
         }
     }
 }
 
 /// What every change of the text entails: fields and table anew, the draft kept, a re-solve.
-fn changed(state: &mut State) -> Vec<Effect> {
+fn changed(state: &mut AppState) -> Vec<Effect> {
     refresh(state);
-    let mut effects = keep_draft(state);
+    let mut effects = keep_recovery(state);
     if state.open.is_some() {
         effects.extend(jobs::resolve(state));
     }
@@ -214,30 +214,30 @@ fn changed(state: &mut State) -> Vec<Effect> {
 }
 
 /// Keeps what is unsaved on disk, so that no kind of exit loses it.
-pub(super) fn keep_draft(state: &State) -> Vec<Effect> {
+pub(super) fn keep_recovery(state: &AppState) -> Vec<Effect> {
     state
-        .sheet()
+        .editor()
         .into_iter()
-        .map(|sheet| Effect::KeepDraft {
-            path: sheet.path.clone(),
-            text: sheet.unsaved().then(|| sheet.text.clone()),
+        .map(|editor| Effect::KeepRecovery {
+            path: editor.path.clone(),
+            text: editor.unsaved().then(|| editor.text.clone()),
         })
         .collect()
 }
 
 /// Reads what is open, and the fields, from the text again.
-pub(super) fn refresh(state: &mut State) {
+pub(super) fn refresh(state: &mut AppState) {
     // Edits are checked before they are taken; an old text that no longer passes is told, and
     // the fields stay as they were.
     let mut problem = None;
     if let Some(file) = &mut state.file {
         if let Err(all) = file.refresh() {
-            problem = Some(backend::first(&all, &file.sheet.file));
+            problem = Some(facade::first(&all, &file.editor.file));
         }
     } else if let Some(open) = &mut state.open {
-        match open.sheet.case_of(&open.sheet.text) {
+        match open.editor.case_of(&open.editor.text) {
             Ok(case) => {
-                open.sheet.rows = backend::rows(&open.sheet.text, &case);
+                open.editor.rows = facade::rows(&open.editor.text, &case);
                 open.case = case;
             }
             Err(why) => problem = Some(why),
@@ -246,8 +246,8 @@ pub(super) fn refresh(state: &mut State) {
     if let Some(problem) = problem {
         state.say(Level::Error, problem);
     }
-    if let Some(sheet) = state.sheet_mut() {
-        sheet.field = sheet.field.min(sheet.fields().count().saturating_sub(1));
+    if let Some(editor) = state.editor_mut() {
+        editor.field = editor.field.min(editor.fields().count().saturating_sub(1));
     }
     if state.open.is_some() {
         runs::check(state);
@@ -255,30 +255,30 @@ pub(super) fn refresh(state: &mut State) {
 }
 
 /// The fields of a text, of the kind of file that is open; none when it does not pass.
-fn rows_of(state: &State, text: &str, sheet: &Sheet) -> Vec<FieldRow> {
+fn rows_of(state: &AppState, text: &str, editor: &ParameterEditor) -> Vec<FieldRow> {
     match &state.file {
         Some(file) => file.content.view().rows(text),
         None => {
-            (sheet.case_of(text)).map_or_else(|_| Vec::new(), |case| backend::rows(text, &case))
+            (editor.case_of(text)).map_or_else(|_| Vec::new(), |case| facade::rows(text, &case))
         }
     }
 }
 
 /// Puts the field back to what the file says.
-fn reset(state: &mut State) -> Vec<Effect> {
-    let Some(sheet) = state.sheet() else {
+fn reset(state: &mut AppState) -> Vec<Effect> {
+    let Some(editor) = state.editor() else {
         return Vec::new();
     };
-    let Some(path) = sheet.current_field().map(|row| row.path.clone()) else {
+    let Some(path) = editor.current_field().map(|row| row.path.clone()) else {
         return Vec::new();
     };
-    let of_file = rows_of(state, &sheet.saved, sheet)
+    let of_file = rows_of(state, &editor.saved, editor)
         .into_iter()
         .find(|row| row.path == path);
     let left_out = of_file.as_ref().is_some_and(|row| !row.given);
-    let given_now = sheet.current_field().is_some_and(can_go);
+    let given_now = editor.current_field().is_some_and(can_go);
     if left_out && given_now && state.open.is_some() {
-        return match backend::unset(&sheet.text, &path) {
+        return match facade::unset(&editor.text, &path) {
             Ok(text) => change(state, text),
             Err(problem) => super::overlay::warn(state, problem),
         };
@@ -289,36 +289,36 @@ fn reset(state: &mut State) -> Vec<Effect> {
             "The file gives no value here; `u` undoes the edits one by one.",
         );
     };
-    match with(state, &sheet.text, &path, &row.value) {
+    match with(state, &editor.text, &path, &row.value) {
         Ok(text) => change(state, text),
         Err(problem) => super::overlay::warn(state, problem),
     }
 }
 
-fn group(state: &mut State, forward: bool) -> Vec<Effect> {
-    if let Some(sheet) = state.sheet_mut() {
-        let groups: Vec<String> = sheet.fields().map(|row| row.group.clone()).collect();
+fn group(state: &mut AppState, forward: bool) -> Vec<Effect> {
+    if let Some(editor) = state.editor_mut() {
+        let groups: Vec<String> = editor.fields().map(|row| row.group.clone()).collect();
         let begins = |i: &usize| *i == 0 || groups[*i] != groups[*i - 1];
-        let at = sheet.field;
+        let at = editor.field;
         let found = if forward {
             (at + 1..groups.len()).find(begins)
         } else {
             (0..at.min(groups.len())).rev().find(begins)
         };
-        sheet.field = found.unwrap_or(at);
+        editor.field = found.unwrap_or(at);
     }
     Vec::new()
 }
 
 /// The solver is an input like any other: it is written to the text, and can be undone.
-fn next_method(state: &mut State) -> Vec<Effect> {
+fn next_method(state: &mut AppState) -> Vec<Effect> {
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
-    let now = backend::method_word(open.case.solver.method);
+    let now = facade::method_word(open.case.solver.method);
     let at = METHODS.iter().position(|m| *m == now).unwrap_or(0);
     let next = METHODS[(at + 1) % METHODS.len()];
-    match backend::set(&open.sheet.text, "solver.method", next) {
+    match facade::set(&open.editor.text, "solver.method", next) {
         Ok(text) => {
             let effects = change(state, text);
             info(state, format!("The solver is now `{next}`."));
@@ -329,17 +329,17 @@ fn next_method(state: &mut State) -> Vec<Effect> {
 }
 
 /// Brings back the edits of an earlier session.
-pub(super) fn recover(state: &mut State, text: String) -> Vec<Effect> {
-    let Some(sheet) = state.sheet() else {
+pub(super) fn recover(state: &mut AppState, text: String) -> Vec<Effect> {
+    let Some(editor) = state.editor() else {
         return Vec::new();
     };
-    let path = sheet.path.clone();
+    let path = editor.path.clone();
     let passes = match &state.file {
         Some(file) => {
-            let passes = file.content.view().passes(&text, &sheet.file);
-            passes.map_err(|all| backend::first(&all, &sheet.file))
+            let passes = file.content.view().passes(&text, &editor.file);
+            passes.map_err(|all| facade::first(&all, &editor.file))
         }
-        None => sheet.case_of(&text).map(drop),
+        None => editor.case_of(&text).map(drop),
     };
     if let Err(problem) = passes {
         return super::overlay::warn(
@@ -350,7 +350,7 @@ pub(super) fn recover(state: &mut State, text: String) -> Vec<Effect> {
     let mut effects = change(state, text);
     effects.push(Effect::DropRecovery(path));
     // The draft of this session is written after the old one is dropped.
-    effects.extend(keep_draft(state));
+    effects.extend(keep_recovery(state));
     info(
         state,
         "The edits of the earlier session are back. `u` undoes them.",

@@ -1,15 +1,15 @@
 //! Which commands can be done now, and why the others cannot.
 
 use crate::tui::command::Id;
-use crate::tui::place::Place;
+use crate::tui::pane::PaneId;
 use crate::tui::state::trials::Trials;
-use crate::tui::state::{Content, OpenCase, Sheet, SlotKind, SlotState, State};
+use crate::tui::state::{AppState, Content, OpenCase, ParameterEditor, RunOrigin, RunStatus};
 
 /// Nothing, or the reason why the command cannot be done now.
 ///
 /// # Errors
 /// The reason, as a full sentence.
-pub fn enabled(state: &State, id: Id) -> Result<(), String> {
+pub fn enabled(state: &AppState, id: Id) -> Result<(), String> {
     if let Some(trials) = state.trials.as_ref().filter(|t| t.shown) {
         let reason = in_trials(trials, id);
         return reason.map_or(Ok(()), |r| Err(r.to_owned()));
@@ -22,8 +22,8 @@ pub fn enabled(state: &State, id: Id) -> Result<(), String> {
             .then_some("There is no case here. `ctrl+r` reads the directory again."),
         (Some(open), _) => in_case(state, open, id),
         (None, _) => state
-            .sheet()
-            .and_then(|sheet| in_sheet(sheet, id))
+            .editor()
+            .and_then(|editor| in_sheet(editor, id))
             .or_else(|| in_file(state, id)),
     };
     reason.map_or(Ok(()), |r| Err(r.to_owned()))
@@ -34,25 +34,25 @@ fn in_trials(trials: &Trials, id: Id) -> Option<&'static str> {
     match id {
         Id::CancelJob => when(!trials.running(), "All trials are computed already."),
         Id::Write => when(
-            trials.so_far.findings.is_empty(),
+            trials.progress.findings.is_empty(),
             "No trial is computed yet.",
         ),
         _ => None,
     }
 }
 
-fn in_sheet(sheet: &Sheet, id: Id) -> Option<&'static str> {
+fn in_sheet(editor: &ParameterEditor, id: Id) -> Option<&'static str> {
     let when = |condition: bool, reason: &'static str| condition.then_some(reason);
     match id {
-        Id::Undo => when(sheet.undo.is_empty(), "There is nothing to undo."),
-        Id::Redo => when(sheet.redo.is_empty(), "There is nothing to redo."),
-        Id::Editor => when(
-            sheet.unsaved(),
+        Id::Undo => when(editor.undo.is_empty(), "There is nothing to undo."),
+        Id::Redo => when(editor.redo.is_empty(), "There is nothing to redo."),
+        Id::ExternalEditor => when(
+            editor.unsaved(),
             "There are changes that the file does not hold; `s` saves them first.",
         ),
-        Id::Save => when(!sheet.unsaved(), "The file already holds everything."),
+        Id::Save => when(!editor.unsaved(), "The file already holds everything."),
         Id::Edit | Id::Reset => when(
-            sheet.current_field().is_none(),
+            editor.current_field().is_none(),
             "No field passes the filter. `/` and Esc drop it.",
         ),
         _ => None,
@@ -60,7 +60,7 @@ fn in_sheet(sheet: &Sheet, id: Id) -> Option<&'static str> {
 }
 
 /// What only some kinds of file can do.
-fn in_file(state: &State, id: Id) -> Option<&'static str> {
+fn in_file(state: &AppState, id: Id) -> Option<&'static str> {
     let file = state.file.as_ref()?;
     match (id, &file.content) {
         (Id::Copy, Content::Ropeway(_) | Content::Ship(_)) => {
@@ -73,9 +73,9 @@ fn in_file(state: &State, id: Id) -> Option<&'static str> {
     }
 }
 
-fn in_case(state: &State, open: &OpenCase, id: Id) -> Option<&'static str> {
+fn in_case(state: &AppState, open: &OpenCase, id: Id) -> Option<&'static str> {
     let when = |condition: bool, reason: &'static str| condition.then_some(reason);
-    if let Some(reason) = in_sheet(&open.sheet, id) {
+    if let Some(reason) = in_sheet(&open.editor, id) {
         return Some(reason);
     }
     match id {
@@ -91,7 +91,7 @@ fn in_case(state: &State, open: &OpenCase, id: Id) -> Option<&'static str> {
         ),
         Id::Keep => keep(open),
         Id::Delete => delete(open),
-        Id::GoOn => go_on(open),
+        Id::Resume => go_on(open),
         Id::Trials => when(
             open.case.trial.is_empty(),
             "This case has no trials. A `[[trial]]` table in its file makes one; in the list of cases `T` computes all.",
@@ -105,19 +105,19 @@ fn in_case(state: &State, open: &OpenCase, id: Id) -> Option<&'static str> {
             )
         }
         Id::Write => match open.pane {
-            Place::Modes => when(
+            PaneId::Modes => when(
                 !matches!(open.modes.found, Some(Ok(_))),
                 "There are no modes to write.",
             ),
-            Place::Report => when(
+            PaneId::Report => when(
                 open.report.is_none(),
                 "There is no finished run to report on. `R` runs the case.",
             ),
-            Place::Nodes => when(
+            PaneId::Nodes => when(
                 super::reported(open).is_none(),
                 "There is no finished run to write the nodes of. `R` runs the case.",
             ),
-            Place::Validation => when(
+            PaneId::Validation => when(
                 open.checks.is_empty(),
                 "This case states no published values to be held against.",
             ),
@@ -143,11 +143,11 @@ fn go_on(open: &OpenCase) -> Option<&'static str> {
     match open.current_run() {
         None => Some("The live run is in memory only; `R` makes one that can go on."),
         Some(run) => match run.state {
-            SlotState::Queued | SlotState::Running => {
+            RunStatus::Queued | RunStatus::Running => {
                 Some("This run is still going on; `ctrl+c` stops it.")
             }
-            SlotState::Elsewhere => Some("Another program is still computing this run."),
-            SlotState::Unreadable(_) => Some("This run cannot be read."),
+            RunStatus::Elsewhere => Some("Another program is still computing this run."),
+            RunStatus::Unreadable(_) => Some("This run cannot be read."),
             _ if run.dir.is_none() => Some("This run has no directory to go on from."),
             _ => None,
         },
@@ -157,13 +157,13 @@ fn go_on(open: &OpenCase) -> Option<&'static str> {
 fn delete(open: &OpenCase) -> Option<&'static str> {
     match open.current_run() {
         None => Some("The live run is in memory only; there is nothing to delete."),
-        Some(run) if matches!(run.state, SlotState::Queued | SlotState::Running) => {
+        Some(run) if matches!(run.state, RunStatus::Queued | RunStatus::Running) => {
             Some("This run is still going on; `ctrl+c` cancels it.")
         }
-        Some(run) if run.state == SlotState::Elsewhere => {
+        Some(run) if run.state == RunStatus::Elsewhere => {
             Some("Another program is still computing this run.")
         }
-        Some(run) if run.kind == SlotKind::Session && run.dir.is_none() => {
+        Some(run) if run.kind == RunOrigin::Session && run.dir.is_none() => {
             Some("This run has no directory to delete.")
         }
         Some(_) => None,

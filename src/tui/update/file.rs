@@ -3,19 +3,19 @@
 
 use std::path::PathBuf;
 
-use super::{edit, info, overlay, papers, ropeway, section, ship};
+use super::{edit, export, info, overlay, ropeway, section, ship};
 use crate::reference;
 use crate::report::chart::Glyphs;
 use crate::tui::command::Id;
 use crate::tui::msg::{Effect, FileRead};
-use crate::tui::place::Place;
-use crate::tui::state::{Content, OpenFile, Overlay, Question, Sheet, State};
+use crate::tui::pane::PaneId;
+use crate::tui::state::{AppState, Content, OpenFile, Overlay, ParameterEditor, Question};
 use crate::tui::table_pane::TableVerb;
 
-pub(super) fn opened(state: &mut State, read: FileRead) -> Vec<Effect> {
+pub(super) fn opened(state: &mut AppState, read: FileRead) -> Vec<Effect> {
     state.close();
-    let sheet = Sheet::new(read.path, read.text);
-    state.file = Some(OpenFile::new(sheet, read.content));
+    let editor = ParameterEditor::new(read.path, read.text);
+    state.file = Some(OpenFile::new(editor, read.content));
     edit::refresh(state);
     if let Some(text) = read.recovered {
         state.overlay = Some(Overlay::Ask(Question::Recover { text }));
@@ -24,7 +24,7 @@ pub(super) fn opened(state: &mut State, read: FileRead) -> Vec<Effect> {
 }
 
 /// What a command does to a file of another kind; absent: the same as everywhere.
-pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
+pub(super) fn command(state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
     let own = match state.file.as_ref()?.content {
         Content::Section(_) => section::command(state, id),
         Content::Ropeway(_) => ropeway::command(state, id),
@@ -33,17 +33,17 @@ pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
     if own.is_some() {
         return own;
     }
-    let glyphs = state.looks.glyphs;
+    let glyphs = state.capabilities.glyphs;
     let file = state.file.as_mut()?;
-    let leaves = file.panes.len().max(1);
+    let tabs = file.panes.len().max(1);
     match id {
-        Id::NextTable => file.leaf = (file.leaf + 1) % leaves,
-        Id::PreviousTable => file.leaf = (file.leaf + leaves - 1) % leaves,
-        Id::ScrollLeft | Id::ScrollRight | Id::Sort => act(file, papers::table_verb(id)),
+        Id::NextTable => file.tab = (file.tab + 1) % tabs,
+        Id::PreviousTable => file.tab = (file.tab + tabs - 1) % tabs,
+        Id::ScrollLeft | Id::ScrollRight | Id::Sort => act(file, export::table_verb(id)),
         Id::HandOver => {
             let (path, text, what) = file.content.view().hand_over(stem(file));
             return Some(match text {
-                Some(text) => papers::write(path, Some(text), what),
+                Some(text) => export::write(path, Some(text), what),
                 None => info(state, "There is nothing to write as it stands."),
             });
         }
@@ -55,16 +55,16 @@ pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
 
 /// The name of the file without its ending.
 pub(super) fn stem(file: &OpenFile) -> &str {
-    file.sheet.file.trim_end_matches(".toml")
+    file.editor.file.trim_end_matches(".toml")
 }
 
 fn act(file: &mut OpenFile, verb: TableVerb) {
-    if file.pane == Place::Checks {
+    if file.pane == PaneId::Checks {
         let table = reference::table(&file.checks);
         file.checks_pane.act(verb, &table);
     } else {
         let (_, table) = file.shown();
-        if let Some(pane) = file.panes.get_mut(file.leaf) {
+        if let Some(pane) = file.panes.get_mut(file.tab) {
             pane.act(verb, &table);
         }
     }
@@ -73,19 +73,19 @@ fn act(file: &mut OpenFile, verb: TableVerb) {
 /// Writes the report, or from its pane the validation table.
 fn write(file: &OpenFile, glyphs: Glyphs) -> Vec<Effect> {
     let stem = stem(file);
-    if file.pane == Place::Checks {
+    if file.pane == PaneId::Checks {
         let words = crate::report::text::validation(&file.checks);
         let path = PathBuf::from(format!("{stem}-validation.txt"));
-        return papers::write(path, Some(words), "The validation table");
+        return export::write(path, Some(words), "The validation table");
     }
-    let words = file.content.view().report(&file.sheet.text, glyphs);
+    let words = file.content.view().report(&file.editor.text, glyphs);
     let (name, what) = file.content.view().paper();
     let path = PathBuf::from(format!("{stem}-{name}.txt"));
-    papers::write(path, words, what)
+    export::write(path, words, what)
 }
 
 /// Goes to another pane.
-pub(super) fn pane(state: &mut State, id: Id) -> Vec<Effect> {
+pub(super) fn pane(state: &mut AppState, id: Id) -> Vec<Effect> {
     if let Some(file) = &mut state.file {
         let panes = file.content.view().panes();
         let now = panes.iter().position(|p| *p == file.pane).unwrap_or(0);
@@ -100,14 +100,14 @@ pub(super) fn pane(state: &mut State, id: Id) -> Vec<Effect> {
 }
 
 /// Moves the cursor of the pane.
-pub(super) fn move_by(state: &mut State, by: isize) -> Vec<Effect> {
+pub(super) fn move_by(state: &mut AppState, by: isize) -> Vec<Effect> {
     if let Some(file) = &mut state.file {
         match (file.pane, &mut file.content) {
-            (Place::Checks | Place::Tables, _) => act(file, overlay::by_rows(by)),
-            (Place::Ship, Content::Ship(ship)) => ship::choose(ship, by),
+            (PaneId::Checks | PaneId::Tables, _) => act(file, overlay::by_rows(by)),
+            (PaneId::Ship, Content::Ship(ship)) => ship::choose(ship, by),
             _ => {
-                let sheet = &mut file.sheet;
-                sheet.field = super::moved(sheet.field, by, sheet.fields().count());
+                let editor = &mut file.editor;
+                editor.field = super::moved(editor.field, by, editor.fields().count());
             }
         }
     }

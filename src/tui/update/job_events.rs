@@ -7,10 +7,10 @@ use super::runs;
 use crate::run::job::Event;
 use crate::run::{Progress, Run, RunState};
 use crate::tui::msg::Effect;
-use crate::tui::state::{Curves, JobState, Level, Overlay, Question, State, Ticket};
+use crate::tui::state::{AppState, Curves, JobState, Level, Overlay, Question, Ticket};
 
 /// What a job says. Messages of jobs that nobody waits for any more are dropped.
-pub(super) fn event(state: &mut State, ticket: Ticket, event: Event) -> Vec<Effect> {
+pub(super) fn event(state: &mut AppState, ticket: Ticket, event: Event) -> Vec<Effect> {
     if state
         .jobs
         .get_mut(ticket)
@@ -51,7 +51,7 @@ pub(super) fn event(state: &mut State, ticket: Ticket, event: Event) -> Vec<Effe
 }
 
 /// What a job has recorded since it was last asked; dropped where nobody waits for it any more.
-pub(super) fn recorded(state: &mut State, ticket: Ticket, later: &Curves) -> Vec<Effect> {
+pub(super) fn recorded(state: &mut AppState, ticket: Ticket, later: &Curves) -> Vec<Effect> {
     let Some(line) = state.jobs.get_mut(ticket).filter(|l| l.state.is_open()) else {
         return Vec::new();
     };
@@ -71,14 +71,14 @@ pub(super) fn recorded(state: &mut State, ticket: Ticket, later: &Curves) -> Vec
     Vec::new()
 }
 
-fn curves(state: &mut State, ticket: Ticket, live: bool) -> Option<&mut Curves> {
+fn curves(state: &mut AppState, ticket: Ticket, live: bool) -> Option<&mut Curves> {
     if live {
         return state.open.as_mut()?.live.going.as_mut();
     }
     Some(&mut slot(state, ticket)?.curves)
 }
 
-fn finished(state: &mut State, ticket: Ticket, run: Arc<Run>, live: bool) -> Vec<Effect> {
+fn finished(state: &mut AppState, ticket: Ticket, run: Arc<Run>, live: bool) -> Vec<Effect> {
     let failure = run
         .info
         .failure
@@ -107,7 +107,7 @@ fn finished(state: &mut State, ticket: Ticket, run: Arc<Run>, live: bool) -> Vec
     effects
 }
 
-fn live_finished(state: &mut State, run: Arc<Run>, new: &JobState) {
+fn live_finished(state: &mut AppState, run: Arc<Run>, new: &JobState) {
     let Some(open) = &mut state.open else {
         return;
     };
@@ -115,7 +115,7 @@ fn live_finished(state: &mut State, run: Arc<Run>, new: &JobState) {
     live.ticket = None;
     live.going = None;
     match new {
-        // A cancelled solve leaves the old curve as it was.
+        // A cancelled solve tabs the old curve as it was.
         JobState::Cancelled => live.failure = Some("cancelled".to_owned()),
         _ => {
             live.done = Some(Curves::whole(run));
@@ -129,7 +129,7 @@ fn live_finished(state: &mut State, run: Arc<Run>, new: &JobState) {
     }
 }
 
-fn said_done(state: &mut State, ticket: Ticket) {
+fn said_done(state: &mut AppState, ticket: Ticket) {
     let left = state.jobs.open();
     let Some(slot) = slot(state, ticket) else {
         return;
@@ -145,7 +145,7 @@ fn said_done(state: &mut State, ticket: Ticket) {
 }
 
 /// A quit that waited for jobs goes on when they have ended.
-fn quit_if_asked(state: &mut State) -> Vec<Effect> {
+fn quit_if_asked(state: &mut AppState) -> Vec<Effect> {
     let asked = matches!(state.overlay, Some(Overlay::Ask(Question::JobsRunning)));
     if asked && state.jobs.open() == 0 {
         state.overlay = None;
@@ -155,7 +155,7 @@ fn quit_if_asked(state: &mut State) -> Vec<Effect> {
 }
 
 /// A job could not be started or stored.
-pub(super) fn failed(state: &mut State, ticket: Ticket, reason: String) -> Vec<Effect> {
+pub(super) fn failed(state: &mut AppState, ticket: Ticket, reason: String) -> Vec<Effect> {
     if state
         .jobs
         .get_mut(ticket)

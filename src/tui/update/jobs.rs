@@ -4,16 +4,16 @@ use super::{info, studies, trials};
 use crate::case::{At, Case};
 use crate::run::Resume;
 use crate::run::job::Request;
-use crate::tui::backend;
 use crate::tui::command::Id;
+use crate::tui::facade;
 use crate::tui::msg::Effect;
-use crate::tui::place::Place;
+use crate::tui::pane::PaneId;
 use crate::tui::state::{
-    Curves, JobLine, JobState, OpenCase, Purpose, RunSlot, SlotKind, SlotState, State, Ticket,
+    AppState, Curves, JobLine, JobState, OpenCase, Purpose, RunEntry, RunOrigin, RunStatus, Ticket,
     Waiting,
 };
 
-pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
+pub(super) fn command(state: &mut AppState, id: Id) -> Vec<Effect> {
     match id {
         Id::Run => run(state),
         Id::Study => studies::ask(state),
@@ -27,22 +27,22 @@ pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
 }
 
 /// Solves the case as it stands in the background; the newest wins.
-pub(super) fn resolve(state: &mut State) -> Vec<Effect> {
+pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
     let mut effects = Vec::new();
     let ticket = state.jobs.ticket();
     let Some(open) = &mut state.open else {
         return effects;
     };
-    let request = request(open, &open.sheet.text, open.case.clone(), "live");
+    let request = request(open, &open.editor.text, open.case.clone(), "live");
     let live = &mut open.live;
     live.going = Some(Curves::default());
-    live.going_text.clone_from(&open.sheet.text);
+    live.going_text.clone_from(&open.editor.text);
     live.failure = None;
     live.hidden = false;
     let name = format!(
         "live: {} ({})",
-        open.sheet.file,
-        backend::method_word(open.case.solver.method)
+        open.editor.file,
+        facade::method_word(open.case.solver.method)
     );
     if let Some(old) = live.ticket.replace(ticket) {
         effects.push(Effect::Cancel(old));
@@ -76,7 +76,7 @@ fn request(open: &OpenCase, text: &str, case: Case, id: &str) -> Request {
     Request {
         case,
         text: text.to_owned(),
-        file: open.sheet.file.clone(),
+        file: open.editor.file.clone(),
         overrides: overrides(open, text),
         id: id.to_owned(),
     }
@@ -84,13 +84,13 @@ fn request(open: &OpenCase, text: &str, case: Case, id: &str) -> Request {
 
 /// The keys in which a text differs from the file, as `key=value`.
 fn overrides(open: &OpenCase, text: &str) -> Vec<String> {
-    if text == open.sheet.saved {
+    if text == open.editor.saved {
         return Vec::new();
     }
     let rows = |text: &str| {
-        (open.sheet.case_of(text)).map_or_else(|_| Vec::new(), |case| backend::rows(text, &case))
+        (open.editor.case_of(text)).map_or_else(|_| Vec::new(), |case| facade::rows(text, &case))
     };
-    let of_file = rows(&open.sheet.saved);
+    let of_file = rows(&open.editor.saved);
     rows(text)
         .into_iter()
         .filter(|row| {
@@ -103,11 +103,11 @@ fn overrides(open: &OpenCase, text: &str) -> Vec<String> {
         .collect()
 }
 
-fn run(state: &mut State) -> Vec<Effect> {
+fn run(state: &mut AppState) -> Vec<Effect> {
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
-    let (text, case) = (open.sheet.text.clone(), open.case.clone());
+    let (text, case) = (open.editor.text.clone(), open.case.clone());
     // The same curves twice would only hide each other.
     open.live.hidden = true;
     for slot in &mut open.runs {
@@ -123,7 +123,7 @@ fn run(state: &mut State) -> Vec<Effect> {
 }
 
 /// Puts the cursor on the newest run, and starts what waits.
-pub(super) fn start_newest(state: &mut State) -> Vec<Effect> {
+pub(super) fn start_newest(state: &mut AppState) -> Vec<Effect> {
     if let Some(open) = &mut state.open {
         open.run = open.runs.len();
     }
@@ -131,21 +131,21 @@ pub(super) fn start_newest(state: &mut State) -> Vec<Effect> {
 }
 
 /// Puts a run of the open case at the end of the queue.
-pub(super) fn enqueue(state: &mut State, text: &str, case: Case, at: Option<At>, shown: bool) {
+pub(super) fn enqueue(state: &mut AppState, text: &str, case: Case, at: Option<At>, shown: bool) {
     let Some(open) = &state.open else {
         return;
     };
     let label = at
         .as_ref()
-        .map_or_else(String::new, |at| backend::at_label(&open.case, at));
-    let stem = open.sheet.file.trim_end_matches(".toml");
+        .map_or_else(String::new, |at| facade::at_label(&open.case, at));
+    let stem = open.editor.file.trim_end_matches(".toml");
     let request = request(open, text, case, stem);
     queue(state, request, None, label, at, shown);
 }
 
 /// Puts a run at the end of the queue, and in the list of runs.
 pub(super) fn queue(
-    state: &mut State,
+    state: &mut AppState,
     request: Request,
     from: Option<Resume>,
     label: String,
@@ -156,18 +156,18 @@ pub(super) fn queue(
     let Some(open) = &mut state.open else {
         return;
     };
-    let method = backend::method_word(request.case.solver.method).to_owned();
+    let method = facade::method_word(request.case.solver.method).to_owned();
     let stem = request.file.trim_end_matches(".toml");
     let name = joined_label(&[stem, &label, &method]);
     let text = request.text.clone();
-    open.runs.push(RunSlot {
+    open.runs.push(RunEntry {
         ticket: Some(ticket),
         id: name.clone(),
         label,
         at,
         text,
-        kind: SlotKind::Session,
-        state: SlotState::Queued,
+        kind: RunOrigin::Session,
+        state: RunStatus::Queued,
         method,
         dir: None,
         cost: None,
@@ -193,7 +193,7 @@ pub fn joined_label(parts: &[&str]) -> String {
 }
 
 /// Starts what waits, as far as there is room.
-pub(super) fn start_waiting(state: &mut State) -> Vec<Effect> {
+pub(super) fn start_waiting(state: &mut AppState) -> Vec<Effect> {
     let mut effects = Vec::new();
     while state.jobs.computing() < state.jobs.limit {
         let Some(next) = state.jobs.waiting.pop_front() else {
@@ -216,17 +216,17 @@ pub(super) fn start_waiting(state: &mut State) -> Vec<Effect> {
 }
 
 /// Cancels the job that the user looks at.
-pub(super) fn cancel_focused(state: &mut State) -> Vec<Effect> {
+pub(super) fn cancel_focused(state: &mut AppState) -> Vec<Effect> {
     let cursor = state.jobs.cursor;
     let in_jobs = state
         .jobs
         .lines
         .get(cursor)
-        .filter(|l| state.place() == Place::Jobs && l.state.is_open());
+        .filter(|l| state.focus() == PaneId::Jobs && l.state.is_open());
     let in_runs = state.open.as_ref().and_then(|open| {
         let ticket = open.current_run()?.ticket?;
         let line = state.jobs.lines.iter().find(|l| l.ticket == ticket)?;
-        (open.pane == Place::Runs && line.state.is_open()).then_some(line)
+        (open.pane == PaneId::Runs && line.state.is_open()).then_some(line)
     });
     let newest = |purpose: Purpose| {
         let mut lines = state.jobs.lines.iter();
@@ -250,7 +250,7 @@ pub(super) fn cancel_focused(state: &mut State) -> Vec<Effect> {
     }
 }
 
-fn cancel(state: &mut State, ticket: Ticket) -> Vec<Effect> {
+fn cancel(state: &mut AppState, ticket: Ticket) -> Vec<Effect> {
     if state.trials.as_ref().is_some_and(|t| t.ticket == ticket) {
         return trials::stop(state);
     }
@@ -265,13 +265,13 @@ fn cancel(state: &mut State, ticket: Ticket) -> Vec<Effect> {
 }
 
 /// Sets job and run to a state.
-pub(super) fn set_state(state: &mut State, ticket: Ticket, new: JobState) {
+pub(super) fn set_state(state: &mut AppState, ticket: Ticket, new: JobState) {
     let slot_state = match &new {
-        JobState::Queued => SlotState::Queued,
-        JobState::Running => SlotState::Running,
-        JobState::Done => SlotState::Done,
-        JobState::Failed(why) => SlotState::Failed(why.clone()),
-        JobState::Cancelled => SlotState::Cancelled,
+        JobState::Queued => RunStatus::Queued,
+        JobState::Running => RunStatus::Running,
+        JobState::Done => RunStatus::Done,
+        JobState::Failed(why) => RunStatus::Failed(why.clone()),
+        JobState::Cancelled => RunStatus::Cancelled,
     };
     if let Some(slot) = slot(state, ticket) {
         slot.state = slot_state;
@@ -281,13 +281,13 @@ pub(super) fn set_state(state: &mut State, ticket: Ticket, new: JobState) {
     }
 }
 
-pub(super) fn slot(state: &mut State, ticket: Ticket) -> Option<&mut RunSlot> {
+pub(super) fn slot(state: &mut AppState, ticket: Ticket) -> Option<&mut RunEntry> {
     let runs = &mut state.open.as_mut()?.runs;
     runs.iter_mut().find(|s| s.ticket == Some(ticket))
 }
 
 /// Jobs of the open case end with it; trials go on.
-pub(super) fn cancel_all(state: &mut State) -> Vec<Effect> {
+pub(super) fn cancel_all(state: &mut AppState) -> Vec<Effect> {
     state.jobs.waiting.clear();
     let open: Vec<Ticket> = state
         .jobs

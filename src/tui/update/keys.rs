@@ -1,13 +1,13 @@
 //! Keys and pastes: first to what is typed, then to what lies over the screen, then to the table.
 
-use super::typing::type_text;
-use super::{cases, edit, info, leave, overlay};
+use super::text_input::type_text;
+use super::{cases, edit, info, overlay, quit};
 use crate::tui::command;
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
-use crate::tui::state::{Level, Overlay, State};
+use crate::tui::state::{AppState, Level, Overlay};
 
-pub(super) fn key(state: &mut State, key: Key) -> Vec<Effect> {
+pub(super) fn key(state: &mut AppState, key: Key) -> Vec<Effect> {
     if state.note.as_ref().is_some_and(|n| n.level == Level::Info) {
         state.note = None;
     }
@@ -23,7 +23,7 @@ pub(super) fn key(state: &mut State, key: Key) -> Vec<Effect> {
     if let Some(effects) = cases::typing_key(state, key) {
         return effects;
     }
-    match command::find(state.place(), key) {
+    match command::find(state.focus(), key) {
         Some(found) => overlay::run_command(state, found.id),
         None if key == Key::Esc => Vec::new(),
         None => info(
@@ -33,7 +33,7 @@ pub(super) fn key(state: &mut State, key: Key) -> Vec<Effect> {
     }
 }
 
-pub(super) fn paste(state: &mut State, text: &str) -> Vec<Effect> {
+pub(super) fn paste(state: &mut AppState, text: &str) -> Vec<Effect> {
     match &mut state.overlay {
         Some(Overlay::Palette { input, cursor }) => {
             type_text(input, text);
@@ -47,15 +47,15 @@ pub(super) fn paste(state: &mut State, text: &str) -> Vec<Effect> {
         Some(_) => return Vec::new(),
         None => {}
     }
-    if let Some(sheet) = state.sheet_mut() {
-        if let Some(editing) = &mut sheet.editing {
+    if let Some(editor) = state.editor_mut() {
+        if let Some(editing) = &mut editor.editing {
             type_text(&mut editing.input, text);
             editing.problem = None;
             return Vec::new();
         }
-        if sheet.filtering {
-            type_text(&mut sheet.filter, text);
-            sheet.field = 0;
+        if editor.filtering {
+            type_text(&mut editor.filter, text);
+            editor.field = 0;
             return Vec::new();
         }
     } else if state.cases.typing {
@@ -70,10 +70,10 @@ pub(super) fn paste(state: &mut State, text: &str) -> Vec<Effect> {
 }
 
 /// Ctrl-C: the first cancels, the second quits.
-pub(super) fn interrupt(state: &mut State) -> Vec<Effect> {
+pub(super) fn interrupt(state: &mut AppState) -> Vec<Effect> {
     if std::mem::replace(&mut state.interrupted, true) {
         state.interrupted = false;
-        return leave::quit(state);
+        return quit::quit(state);
     }
     super::jobs::cancel_focused(state)
 }

@@ -4,22 +4,22 @@ mod cases;
 mod charts;
 mod edit;
 mod enabled;
+mod export;
 mod file;
 mod job_events;
 mod jobs;
 mod keys;
-mod leave;
 mod modes;
-mod onward;
 mod overlay;
-mod papers;
+mod quit;
+mod resume;
 mod ropeway;
 mod runs;
 mod section;
 mod ship;
 mod studies;
+mod text_input;
 mod trials;
-mod typing;
 
 pub(in crate::tui) use charts::readout_words;
 pub(in crate::tui) use edit::can_go;
@@ -29,10 +29,10 @@ pub use overlay::{palette_matches, run_command};
 pub(in crate::tui) use runs::reported;
 
 use super::msg::{Effect, Msg};
-use super::state::{ChartKind, Level, State};
+use super::state::{AppState, ChartKind, Level};
 
 /// Changes the state as the message says, and returns what is to be done outside of it.
-pub fn update(state: &mut State, msg: Msg) -> Vec<Effect> {
+pub fn update(state: &mut AppState, msg: Msg) -> Vec<Effect> {
     let mut effects = on(state, msg);
     if let Some(open) = &mut state.open {
         // An edit may take away the chart that was shown.
@@ -45,7 +45,7 @@ pub fn update(state: &mut State, msg: Msg) -> Vec<Effect> {
     effects
 }
 
-fn on(state: &mut State, msg: Msg) -> Vec<Effect> {
+fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
     match msg {
         Msg::Key(key) => keys::key(state, key),
         Msg::Paste(text) => keys::paste(state, &text),
@@ -56,19 +56,19 @@ fn on(state: &mut State, msg: Msg) -> Vec<Effect> {
         Msg::Job(ticket, event) => job_events::event(state, ticket, *event),
         Msg::Edited(read) => edit::edited(state, read),
         Msg::Modes(text, found) => modes::found(state, text, found),
-        Msg::Trialled(ticket, so_far) => trials::told(state, ticket, *so_far),
-        Msg::Onward(dir, until, found) => onward::found(state, dir, until, found),
+        Msg::TrialProgress(ticket, progress) => trials::progress(state, ticket, *progress),
+        Msg::ResumeReady(dir, until, found) => resume::found(state, dir, until, found),
         Msg::Recorded(ticket, curves) => job_events::recorded(state, ticket, &curves),
         Msg::Stored(ticket, dir) => runs::stored(state, ticket, dir),
         Msg::JobFailed(ticket, reason) => job_events::failed(state, ticket, reason),
         Msg::CasesRead(dir, entries) => cases::listed(state, dir, entries),
         Msg::CaseRead(read) => cases::opened(state, *read),
         Msg::FileRead(read) => file::opened(state, *read),
-        Msg::ShipWorked(by, sea) => ship::worked(state, &by, sea),
-        Msg::CaseRefused(title, text) => cases::refused(state, title, text),
-        Msg::Saved(path, text) => leave::saved(state, path, text),
-        Msg::NotSaved(why) => leave::not_saved(state, &why),
-        Msg::ChangedOnDisk => leave::changed_on_disk(state),
+        Msg::ShipComputed(by, sea) => ship::worked(state, &by, sea),
+        Msg::CaseRejected(title, text) => cases::rejected(state, title, text),
+        Msg::Saved(path, text) => quit::saved(state, path, text),
+        Msg::NotSaved(why) => quit::not_saved(state, &why),
+        Msg::ChangedOnDisk => quit::changed_on_disk(state),
         Msg::RunsListed(slots) => runs::listed(state, slots),
         Msg::RunRead(dir, run) => runs::read(state, &dir, run),
         Msg::RunDeleted(dir) => runs::deleted(state, &dir),
@@ -81,7 +81,7 @@ fn on(state: &mut State, msg: Msg) -> Vec<Effect> {
 }
 
 /// Says something of little weight.
-fn info(state: &mut State, text: impl Into<String>) -> Vec<Effect> {
+fn info(state: &mut AppState, text: impl Into<String>) -> Vec<Effect> {
     state.say(Level::Info, text);
     Vec::new()
 }

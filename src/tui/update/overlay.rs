@@ -2,21 +2,21 @@
 
 use tui_input::Input;
 
-use super::typing::type_key;
+use super::text_input::type_key;
 use super::{
-    cases, charts, edit, enabled, file, jobs, keys, leave, moved, onward, papers, runs, studies,
+    cases, charts, edit, enabled, export, file, jobs, keys, moved, quit, resume, runs, studies,
 };
 use super::{modes, trials};
 use crate::report::chart::Glyphs;
-use crate::tui::backend;
 use crate::tui::command::{self, Command, Id};
+use crate::tui::facade;
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
-use crate::tui::place::Place;
-use crate::tui::state::{Choice, Level, Overlay, Question, State};
+use crate::tui::pane::PaneId;
+use crate::tui::state::{AppState, Choice, Level, Overlay, Question};
 use crate::tui::table_pane::TableVerb;
 
-pub(super) fn key(state: &mut State, key: Key) -> Vec<Effect> {
+pub(super) fn key(state: &mut AppState, key: Key) -> Vec<Effect> {
     if key == Key::Ctrl('z') {
         return vec![Effect::Suspend];
     }
@@ -56,8 +56,8 @@ pub(super) fn key(state: &mut State, key: Key) -> Vec<Effect> {
             items,
             cursor,
         } => choose(state, choice, items, cursor, key),
-        Overlay::SaveAs { input, why } => leave::save_as_key(state, input, why, key),
-        Overlay::Until { dir, input, words } => onward::key(state, dir, input, words, key),
+        Overlay::SaveAs { input, why } => quit::save_as_key(state, input, why, key),
+        Overlay::Until { dir, input, words } => resume::key(state, dir, input, words, key),
         Overlay::Ask(question) => answer(state, question, key),
     }
 }
@@ -76,7 +76,7 @@ fn scrolled(scroll: usize, key: Key) -> Option<usize> {
 
 /// The commands whose name, key or text holds every word typed.
 #[must_use]
-pub fn palette_matches(place: Place, typed: &str) -> Vec<&'static Command> {
+pub fn palette_matches(place: PaneId, typed: &str) -> Vec<&'static Command> {
     let typed = typed.to_lowercase();
     command::at(place)
         .filter(|c| {
@@ -86,8 +86,8 @@ pub fn palette_matches(place: Place, typed: &str) -> Vec<&'static Command> {
         .collect()
 }
 
-fn palette(state: &mut State, mut input: Input, mut cursor: usize, key: Key) -> Vec<Effect> {
-    let found = palette_matches(state.place(), input.value());
+fn palette(state: &mut AppState, mut input: Input, mut cursor: usize, key: Key) -> Vec<Effect> {
+    let found = palette_matches(state.focus(), input.value());
     match key {
         Key::Esc => return Vec::new(),
         Key::Enter => {
@@ -109,7 +109,7 @@ fn palette(state: &mut State, mut input: Input, mut cursor: usize, key: Key) -> 
 }
 
 fn choose(
-    state: &mut State,
+    state: &mut AppState,
     choice: Choice,
     items: Vec<String>,
     mut cursor: usize,
@@ -134,7 +134,7 @@ fn choose(
     Vec::new()
 }
 
-fn answer(state: &mut State, question: Question, key: Key) -> Vec<Effect> {
+fn answer(state: &mut AppState, question: Question, key: Key) -> Vec<Effect> {
     let (_, answers) = question.wording();
     let chosen = match key {
         Key::Char(c) => answers.iter().find(|(k, _)| *k == c.to_ascii_lowercase()),
@@ -146,14 +146,14 @@ fn answer(state: &mut State, question: Question, key: Key) -> Vec<Effect> {
         return Vec::new();
     };
     match (question, chosen) {
-        (Question::Unsaved { quit }, 's') => leave::save_then_leave(state, quit),
-        (Question::Unsaved { quit }, 'd') => leave::drop_edits(state, quit),
+        (Question::Unsaved { quit }, 's') => quit::save_then_leave(state, quit),
+        (Question::Unsaved { quit }, 'd') => quit::drop_edits(state, quit),
         (Question::JobsRunning, 'q') => vec![Effect::Quit],
         (Question::DeleteRun { dir, .. }, 'd') => vec![Effect::DeleteRun(dir)],
         (Question::Recover { text }, 'r') => edit::recover(state, text),
         (Question::Recover { .. }, 'd') => state
-            .sheet()
-            .map(|sheet| Effect::DropRecovery(sheet.path.clone()))
+            .editor()
+            .map(|editor| Effect::DropRecovery(editor.path.clone()))
             .into_iter()
             .collect(),
         (Question::Glyphs, c) => choose_glyphs(
@@ -164,20 +164,20 @@ fn answer(state: &mut State, question: Question, key: Key) -> Vec<Effect> {
                 Glyphs::Ascii
             },
         ),
-        (Question::Overwrite, 'o') => leave::overwrite(state),
-        (Question::Overwrite, 'a') => leave::ask_name(state, "the file has changed on disk"),
+        (Question::Overwrite, 'o') => quit::overwrite(state),
+        (Question::Overwrite, 'a') => quit::ask_name(state, "the file has changed on disk"),
         _ => Vec::new(),
     }
 }
 
-fn choose_glyphs(state: &mut State, glyphs: Glyphs) -> Vec<Effect> {
-    state.looks.glyphs = glyphs;
-    state.looks.unsure = false;
+fn choose_glyphs(state: &mut AppState, glyphs: Glyphs) -> Vec<Effect> {
+    state.capabilities.glyphs = glyphs;
+    state.capabilities.unsure = false;
     vec![Effect::RememberGlyphs(glyphs)]
 }
 
 /// Does what the command says, or says why not.
-pub fn run_command(state: &mut State, id: Id) -> Vec<Effect> {
+pub fn run_command(state: &mut AppState, id: Id) -> Vec<Effect> {
     if let Err(reason) = enabled(state, id) {
         return super::info(state, reason);
     }
@@ -203,7 +203,7 @@ pub fn run_command(state: &mut State, id: Id) -> Vec<Effect> {
             },
         ),
         Id::Glyphs => {
-            let other = match state.looks.glyphs {
+            let other = match state.capabilities.glyphs {
                 Glyphs::Braille => Glyphs::Ascii,
                 Glyphs::Ascii => Glyphs::Braille,
             };
@@ -212,12 +212,12 @@ pub fn run_command(state: &mut State, id: Id) -> Vec<Effect> {
         Id::Redraw => vec![Effect::Repaint],
         Id::Interrupt => keys::interrupt(state),
         Id::Suspend => vec![Effect::Suspend],
-        Id::Quit => leave::quit(state),
-        Id::Back => leave::back(state),
+        Id::Quit => quit::quit(state),
+        Id::Back => quit::back(state),
         Id::Open | Id::Reload => cases::command(state, id),
         Id::Filter => {
-            match state.sheet_mut() {
-                Some(sheet) => sheet.filtering = true,
+            match state.editor_mut() {
+                Some(editor) => editor.filtering = true,
                 None => state.cases.typing = true,
             }
             Vec::new()
@@ -234,28 +234,28 @@ pub fn run_command(state: &mut State, id: Id) -> Vec<Effect> {
         | Id::NextGroup
         | Id::PreviousGroup
         | Id::Method
-        | Id::Editor => edit::command(state, id),
-        Id::Save => leave::save(state),
+        | Id::ExternalEditor => edit::command(state, id),
+        Id::Save => quit::save(state),
         Id::Run | Id::Study | Id::Validate | Id::CancelJob => jobs::command(state, id),
-        Id::GoOn => onward::ask(state),
+        Id::Resume => resume::ask(state),
         Id::Trials => trials::show(state),
         Id::Keep | Id::ShowAlone | Id::Select | Id::SelectNone | Id::Delete => {
             runs::command(state, id)
         }
-        Id::NextTable => papers::leaf_tables(state, true),
-        Id::PreviousTable => papers::leaf_tables(state, false),
-        Id::Write | Id::ScrollLeft | Id::ScrollRight | Id::Sort => papers::paper(state, id),
+        Id::NextTable => export::next_table(state, true),
+        Id::PreviousTable => export::next_table(state, false),
+        Id::Write | Id::ScrollLeft | Id::ScrollRight | Id::Sort => export::paper(state, id),
         _ => charts::command(state, id),
     }
 }
 
-fn open_overlay(state: &mut State, overlay: Overlay) -> Vec<Effect> {
+fn open_overlay(state: &mut AppState, overlay: Overlay) -> Vec<Effect> {
     state.overlay = Some(overlay);
     Vec::new()
 }
 
 /// By how many lines a command moves a cursor.
-pub(super) fn step(state: &State, id: Id) -> Option<isize> {
+pub(super) fn step(state: &AppState, id: Id) -> Option<isize> {
     match id {
         Id::Down => Some(1),
         Id::Up => Some(-1),
@@ -267,18 +267,18 @@ pub(super) fn step(state: &State, id: Id) -> Option<isize> {
     }
 }
 
-fn page(state: &State) -> isize {
+fn page(state: &AppState) -> isize {
     isize::try_from(state.size.1.saturating_sub(8).max(2) / 2).unwrap_or(8)
 }
 
-fn pane(state: &mut State, id: Id) -> Vec<Effect> {
+fn pane(state: &mut AppState, id: Id) -> Vec<Effect> {
     if state.file.is_some() {
         return file::pane(state, id);
     }
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
-    let panes = Place::PANES;
+    let panes = PaneId::PANES;
     let now = panes.iter().position(|p| *p == open.pane).unwrap_or(0);
     let next = match id {
         Id::NextPane => (now + 1) % panes.len(),
@@ -288,9 +288,9 @@ fn pane(state: &mut State, id: Id) -> Vec<Effect> {
     };
     open.pane = panes[next];
     match open.pane {
-        Place::Report => papers::write_report(state),
+        PaneId::Report => export::write_report(state),
         // Runs that other programs computed may have come to their end.
-        Place::Runs => return vec![runs::list(open)],
+        PaneId::Runs => return vec![runs::list(open)],
         _ => {}
     }
     Vec::new()
@@ -306,7 +306,7 @@ pub(super) fn by_rows(by: isize) -> TableVerb {
     }
 }
 
-fn move_by(state: &mut State, by: isize) -> Vec<Effect> {
+fn move_by(state: &mut AppState, by: isize) -> Vec<Effect> {
     if state.file.is_some() {
         return file::move_by(state, by);
     }
@@ -314,33 +314,33 @@ fn move_by(state: &mut State, by: isize) -> Vec<Effect> {
     match (&mut state.open, state.cases.shown().count()) {
         (None, lines) => state.cases.cursor = moved(state.cases.cursor, by, lines),
         (Some(open), _) => match open.pane {
-            Place::Inputs => {
-                open.sheet.field = moved(open.sheet.field, by, open.sheet.fields().count());
+            PaneId::Inputs => {
+                open.editor.field = moved(open.editor.field, by, open.editor.fields().count());
             }
-            Place::Runs => open.run = moved(open.run, by, open.runs.len() + 1),
-            Place::Validation => {
+            PaneId::Runs => open.run = moved(open.run, by, open.runs.len() + 1),
+            PaneId::Validation => {
                 open.checks_pane
-                    .act(by_rows(by), &backend::checks_table(&open.checks));
+                    .act(by_rows(by), &facade::checks_table(&open.checks));
             }
-            Place::Nodes => {
+            PaneId::Nodes => {
                 let verb = by_rows(by);
-                if let Some(table) = papers::line_table(open) {
+                if let Some(table) = export::line_table(open) {
                     open.nodes_pane.act(verb, &table);
                 }
             }
-            Place::Report => {
+            PaneId::Report => {
                 let lines = open.report.as_ref().map_or(0, |(_, t)| t.lines().count());
                 open.report_scroll.0 = moved(open.report_scroll.0, by, lines);
             }
-            Place::Jobs => state.jobs.cursor = moved(state.jobs.cursor, by, job_lines),
+            PaneId::Jobs => state.jobs.cursor = moved(state.jobs.cursor, by, job_lines),
             _ => {}
         },
     }
     Vec::new()
 }
 
-/// The level is part of the signature of [`State::say`]; a warning for what the user should not miss.
-pub(super) fn warn(state: &mut State, text: impl Into<String>) -> Vec<Effect> {
+/// The level is part of the signature of [`AppState::say`]; a warning for what the user should not miss.
+pub(super) fn warn(state: &mut AppState, text: impl Into<String>) -> Vec<Effect> {
     state.say(Level::Warning, text);
     Vec::new()
 }

@@ -4,14 +4,14 @@ use super::edit;
 use crate::tui::command::Id;
 use crate::tui::msg::Effect;
 use crate::tui::state::ropeway::SPANS;
-use crate::tui::state::{Content, RopewayView, State};
+use crate::tui::state::{AppState, Content, RopewayView};
 
 /// Parts of the span that the cargo goes at a key, and at a key for large steps.
 const STEP: f64 = 0.01;
 const LEAP: f64 = 0.1;
 
 /// What a command does to a ropeway alone; absent: the same as to every file.
-pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
+pub(super) fn command(state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
     let ropeway = open(state)?;
     match id {
         Id::CursorLeft => ropeway.put(ropeway.position - STEP),
@@ -27,7 +27,7 @@ pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
     Some(Vec::new())
 }
 
-fn open(state: &mut State) -> Option<&mut RopewayView> {
+fn open(state: &mut AppState) -> Option<&mut RopewayView> {
     match &mut state.file.as_mut()?.content {
         Content::Ropeway(ropeway) => Some(ropeway),
         _ => None,
@@ -35,7 +35,7 @@ fn open(state: &mut State) -> Option<&mut RopewayView> {
 }
 
 /// The next or previous of the paper's spans; an edit like any other.
-fn span(state: &mut State, forward: bool) -> Vec<Effect> {
+fn span(state: &mut AppState, forward: bool) -> Vec<Effect> {
     let Some(ropeway) = open(state) else {
         return Vec::new();
     };
@@ -51,7 +51,7 @@ fn span(state: &mut State, forward: bool) -> Vec<Effect> {
 }
 
 /// Writes the place of the cargo into the text.
-fn keep_place(state: &mut State) -> Vec<Effect> {
+fn keep_place(state: &mut AppState) -> Vec<Effect> {
     let place = open(state).map(|ropeway| ropeway.position);
     let value = place.map(|place| format!("{:?}", (place * 1e4).round() / 1e4));
     value.map_or_else(Vec::new, |value| edit::set(state, "cargo.position", &value))

@@ -3,17 +3,17 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{info, moved, papers};
+use super::{export, info, moved};
 use crate::run::{Run, RunState};
-use crate::tui::backend;
 use crate::tui::command::Id;
+use crate::tui::facade;
 use crate::tui::msg::Effect;
-use crate::tui::place::Place;
+use crate::tui::pane::PaneId;
 use crate::tui::state::{
-    Curves, Level, OpenCase, Overlay, Question, RunSlot, SlotKind, SlotState, State, Ticket,
+    AppState, Curves, Level, OpenCase, Overlay, Question, RunEntry, RunOrigin, RunStatus, Ticket,
 };
 
-pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
+pub(super) fn command(state: &mut AppState, id: Id) -> Vec<Effect> {
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
@@ -42,7 +42,7 @@ pub(super) fn command(state: &mut State, id: Id) -> Vec<Effect> {
     }
 }
 
-fn show_alone(state: &mut State) -> Vec<Effect> {
+fn show_alone(state: &mut AppState) -> Vec<Effect> {
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
@@ -78,8 +78,8 @@ fn select(open: &mut OpenCase) -> Vec<Effect> {
 }
 
 /// Reads a stored run when it is needed for the first time.
-pub(super) fn load(slot: &RunSlot) -> Vec<Effect> {
-    let missing = slot.kind == SlotKind::Stored && slot.curves.run.is_none();
+pub(super) fn load(slot: &RunEntry) -> Vec<Effect> {
+    let missing = slot.kind == RunOrigin::Stored && slot.curves.run.is_none();
     slot.dir
         .iter()
         .filter(|_| missing)
@@ -87,7 +87,7 @@ pub(super) fn load(slot: &RunSlot) -> Vec<Effect> {
         .collect()
 }
 
-pub(super) fn stored(state: &mut State, ticket: Ticket, dir: PathBuf) -> Vec<Effect> {
+pub(super) fn stored(state: &mut AppState, ticket: Ticket, dir: PathBuf) -> Vec<Effect> {
     if let Some(open) = &mut state.open
         && let Some(slot) = open.runs.iter_mut().find(|s| s.ticket == Some(ticket))
     {
@@ -99,7 +99,7 @@ pub(super) fn stored(state: &mut State, ticket: Ticket, dir: PathBuf) -> Vec<Eff
     Vec::new()
 }
 
-pub(super) fn kept(state: &mut State, dir: &Path, run: Arc<Run>) -> Vec<Effect> {
+pub(super) fn kept(state: &mut AppState, dir: &Path, run: Arc<Run>) -> Vec<Effect> {
     if let Some(open) = &mut state.open {
         let mut slot = slot_of(&run);
         if let Some(name) = dir.file_name() {
@@ -115,19 +115,19 @@ pub(super) fn kept(state: &mut State, dir: &Path, run: Arc<Run>) -> Vec<Effect> 
 
 /// A stored run for the list, without its curves.
 #[must_use]
-fn slot_of(run: &Run) -> RunSlot {
-    RunSlot {
+fn slot_of(run: &Run) -> RunEntry {
+    RunEntry {
         ticket: None,
         id: run.info.id.clone(),
         label: String::new(),
         at: None,
         text: run.case_text.clone(),
-        kind: SlotKind::Stored,
+        kind: RunOrigin::Stored,
         state: match run.info.state {
-            RunState::Done => SlotState::Done,
-            RunState::Partial => SlotState::Partial,
-            RunState::Cancelled => SlotState::Cancelled,
-            RunState::Failed => SlotState::Failed(run.info.failure.clone().unwrap_or_default()),
+            RunState::Done => RunStatus::Done,
+            RunState::Partial => RunStatus::Partial,
+            RunState::Cancelled => RunStatus::Cancelled,
+            RunState::Failed => RunStatus::Failed(run.info.failure.clone().unwrap_or_default()),
         },
         method: run.info.settings.method.clone(),
         dir: None,
@@ -139,29 +139,33 @@ fn slot_of(run: &Run) -> RunSlot {
 
 /// Asks for the stored runs of a case, and of those beside it.
 pub(super) fn list(open: &OpenCase) -> Effect {
-    let mut files = vec![open.sheet.file.clone()];
+    let mut files = vec![open.editor.file.clone()];
     files.extend(open.case.case.beside.iter().flatten().cloned());
     Effect::ListRuns(files)
 }
 
 /// Stored runs join the list; those that the validation table needs are read.
-pub(super) fn listed(state: &mut State, slots: Vec<RunSlot>) -> Vec<Effect> {
+pub(super) fn listed(state: &mut AppState, slots: Vec<RunEntry>) -> Vec<Effect> {
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
-    let needed: Vec<_> = backend::plan(&open.case)
+    let needed: Vec<_> = facade::plan(&open.case)
         .into_iter()
         .filter_map(|at| {
-            let found =
-                backend::variant(&open.sheet.text, &open.case, at.as_ref(), &open.sheet.file);
+            let found = facade::variant(
+                &open.editor.text,
+                &open.case,
+                at.as_ref(),
+                &open.editor.file,
+            );
             Some((at, found.ok()?.0))
         })
         .collect();
     let mut effects = Vec::new();
     for mut slot in slots {
-        let same = |s: &&mut RunSlot| s.dir.is_some() && s.dir == slot.dir;
+        let same = |s: &&mut RunEntry| s.dir.is_some() && s.dir == slot.dir;
         if let Some(known) = open.runs.iter_mut().find(same) {
-            if known.state != slot.state && known.kind == SlotKind::Stored {
+            if known.state != slot.state && known.kind == RunOrigin::Stored {
                 slot.shown = known.shown;
                 slot.at = known.at.take();
                 slot.label = std::mem::take(&mut known.label);
@@ -176,11 +180,11 @@ pub(super) fn listed(state: &mut State, slots: Vec<RunSlot>) -> Vec<Effect> {
             continue;
         }
         if let Some((at, _)) = needed.iter().find(|(_, text)| *text == slot.text)
-            && slot.state == SlotState::Done
+            && slot.state == RunStatus::Done
         {
             slot.label = at
                 .as_ref()
-                .map_or_else(String::new, |at| backend::at_label(&open.case, at));
+                .map_or_else(String::new, |at| facade::at_label(&open.case, at));
             slot.at.clone_from(at);
             effects.extend(load(&slot));
         }
@@ -189,7 +193,7 @@ pub(super) fn listed(state: &mut State, slots: Vec<RunSlot>) -> Vec<Effect> {
     effects
 }
 
-pub(super) fn read(state: &mut State, dir: &Path, run: Result<Arc<Run>, String>) -> Vec<Effect> {
+pub(super) fn read(state: &mut AppState, dir: &Path, run: Result<Arc<Run>, String>) -> Vec<Effect> {
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
@@ -199,7 +203,7 @@ pub(super) fn read(state: &mut State, dir: &Path, run: Result<Arc<Run>, String>)
             Ok(run) => slot.curves = Curves::whole(run),
             Err(why) => {
                 slot.shown = false;
-                slot.state = SlotState::Unreadable(why.clone());
+                slot.state = RunStatus::Unreadable(why.clone());
                 problem = Some(why);
             }
         }
@@ -211,7 +215,7 @@ pub(super) fn read(state: &mut State, dir: &Path, run: Result<Arc<Run>, String>)
     Vec::new()
 }
 
-pub(super) fn deleted(state: &mut State, dir: &Path) -> Vec<Effect> {
+pub(super) fn deleted(state: &mut AppState, dir: &Path) -> Vec<Effect> {
     if let Some(open) = &mut state.open {
         open.runs.retain(|s| s.dir.as_deref() != Some(dir));
         open.run = open.run.min(open.runs.len());
@@ -224,23 +228,27 @@ pub(super) fn deleted(state: &mut State, dir: &Path) -> Vec<Effect> {
 }
 
 /// Makes the validation table anew from the runs that answer for the case as it stands.
-pub(super) fn check(state: &mut State) {
+pub(super) fn check(state: &mut AppState) {
     let Some(open) = &mut state.open else {
         return;
     };
-    let variants: Vec<_> = backend::plan(&open.case)
+    let variants: Vec<_> = facade::plan(&open.case)
         .into_iter()
         .filter_map(|at| {
-            let (text, _) =
-                backend::variant(&open.sheet.text, &open.case, at.as_ref(), &open.sheet.file)
-                    .ok()?;
+            let (text, _) = facade::variant(
+                &open.editor.text,
+                &open.case,
+                at.as_ref(),
+                &open.editor.file,
+            )
+            .ok()?;
             let run = answering(open, &text)?;
             Some((at, run))
         })
         .collect();
-    open.checks = backend::checks(&open.case, &variants);
-    if open.pane == Place::Report {
-        papers::write_report(state);
+    open.checks = facade::checks(&open.case, &variants);
+    if open.pane == PaneId::Report {
+        export::write_report(state);
     }
 }
 

@@ -2,23 +2,23 @@
 
 use std::path::PathBuf;
 
-use super::{charts, file, papers};
+use super::{charts, export, file};
 use crate::report::chart;
 use crate::section::{self, picture};
 use crate::tui::command::Id;
 use crate::tui::msg::Effect;
-use crate::tui::place::Place;
+use crate::tui::pane::PaneId;
 use crate::tui::state::section::PAPER_WIDTH;
-use crate::tui::state::{Content, State};
+use crate::tui::state::{AppState, Content};
 use crate::tui::view::layout;
 
 /// What a command does to a cross-section alone; absent: the same as to every file.
-pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
-    let glyphs = state.looks.glyphs;
+pub(super) fn command(state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+    let glyphs = state.capabilities.glyphs;
     let area = layout::drawing_area(state);
     let open = state.file.as_mut()?;
     let path = PathBuf::from(format!("{}-drawing.txt", file::stem(open)));
-    let drawn = open.pane == Place::Drawing;
+    let drawn = open.pane == PaneId::Drawing;
     let Content::Section(section) = &mut open.content else {
         return None;
     };
@@ -27,7 +27,7 @@ pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
         Id::Write if drawn => {
             let base = section.view.chart(&picture::chart(&section.design));
             let text = chart::draw(&base, PAPER_WIDTH, PAPER_WIDTH / 2, glyphs).to_text();
-            Some(papers::write(path, Some(text), "The drawing"))
+            Some(export::write(path, Some(text), "The drawing"))
         }
         _ if drawn => {
             let verb = charts::verb(id)?;

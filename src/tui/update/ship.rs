@@ -9,9 +9,9 @@ use crate::physics::sea::DEGREES;
 use crate::ship::DynamicAnalysis;
 use crate::tui::command::Id;
 use crate::tui::msg::Effect;
-use crate::tui::state::{Content, FileView, ShipView, State};
+use crate::tui::state::{AppState, Content, FileView, ShipView};
 
-fn open(state: &mut State) -> Option<&mut ShipView> {
+fn open(state: &mut AppState) -> Option<&mut ShipView> {
     match &mut state.file.as_mut()?.content {
         Content::Ship(ship) => Some(ship),
         _ => None,
@@ -19,7 +19,7 @@ fn open(state: &mut State) -> Option<&mut ShipView> {
 }
 
 /// What a command does to a ship alone; absent: the same as to every file.
-pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
+pub(super) fn command(state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
     let ship = open(state)?;
     match id {
         Id::NextTrace => {
@@ -45,23 +45,27 @@ pub(super) fn choose(ship: &mut ShipView, by: isize) {
 }
 
 /// Works the ship out at sea, as its text now says; what is under way is stopped.
-pub(super) fn resolve(state: &mut State) -> Option<Effect> {
-    let path = state.sheet().map(|sheet| sheet.path.clone())?;
+pub(super) fn resolve(state: &mut AppState) -> Option<Effect> {
+    let path = state.editor().map(|editor| editor.path.clone())?;
     let ship = open(state)?;
     ship.stop();
     let stop = Arc::new(AtomicBool::new(false));
     ship.working = Some(Arc::clone(&stop));
     let folder = path.parent().map_or_else(PathBuf::new, PathBuf::from);
-    Some(Effect::WorkShip(Box::new(ship.rest.clone()), folder, stop))
+    Some(Effect::ComputeShip(
+        Box::new(ship.rest.clone()),
+        folder,
+        stop,
+    ))
 }
 
 /// Takes a ship at sea over, unless the text has changed since.
 pub(super) fn worked(
-    state: &mut State,
+    state: &mut AppState,
     by: &Arc<AtomicBool>,
     sea: Option<Arc<DynamicAnalysis>>,
 ) -> Vec<Effect> {
-    let text = state.sheet().map(|sheet| sheet.text.clone());
+    let text = state.editor().map(|editor| editor.text.clone());
     let Some(ship) = open(state) else {
         return Vec::new();
     };

@@ -3,13 +3,13 @@
 use super::jobs::{enqueue, start_waiting};
 use super::{info, runs};
 use crate::case::At;
-use crate::tui::backend;
+use crate::tui::facade;
 use crate::tui::msg::Effect;
-use crate::tui::place::Place;
-use crate::tui::state::{Choice, Level, Overlay, RunSlot, SlotState, State};
+use crate::tui::pane::PaneId;
+use crate::tui::state::{AppState, Choice, Level, Overlay, RunEntry, RunStatus};
 
 /// Runs the study of the case, or asks which.
-pub(super) fn ask(state: &mut State) -> Vec<Effect> {
+pub(super) fn ask(state: &mut AppState) -> Vec<Effect> {
     let Some(open) = &state.open else {
         return Vec::new();
     };
@@ -34,7 +34,7 @@ pub(super) fn ask(state: &mut State) -> Vec<Effect> {
 }
 
 /// Runs all variants of a study and overlays them.
-pub(super) fn study(state: &mut State, index: usize) -> Vec<Effect> {
+pub(super) fn study(state: &mut AppState, index: usize) -> Vec<Effect> {
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
@@ -53,37 +53,41 @@ pub(super) fn study(state: &mut State, index: usize) -> Vec<Effect> {
     });
     let effects = variants(state, points.collect(), true);
     if let Some(open) = &mut state.open {
-        open.pane = Place::Charts;
+        open.pane = PaneId::Charts;
     }
     effects
 }
 
 /// Runs all that the published values of the case need.
-pub(super) fn validate(state: &mut State) -> Vec<Effect> {
+pub(super) fn validate(state: &mut AppState) -> Vec<Effect> {
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
-    open.pane = Place::Validation;
-    let plan = backend::plan(&open.case);
+    open.pane = PaneId::Validation;
+    let plan = facade::plan(&open.case);
     variants(state, plan, false)
 }
 
 /// Queues the variants that are not there yet, and shows those that are.
-fn variants(state: &mut State, points: Vec<Option<At>>, shown: bool) -> Vec<Effect> {
+fn variants(state: &mut AppState, points: Vec<Option<At>>, shown: bool) -> Vec<Effect> {
     let mut effects = Vec::new();
     let mut begun = 0;
     for at in points {
         let Some(open) = &mut state.open else {
             break;
         };
-        let (text, case) =
-            match backend::variant(&open.sheet.text, &open.case, at.as_ref(), &open.sheet.file) {
-                Ok(found) => found,
-                Err(problem) => {
-                    state.say(Level::Error, problem);
-                    continue;
-                }
-            };
+        let (text, case) = match facade::variant(
+            &open.editor.text,
+            &open.case,
+            at.as_ref(),
+            &open.editor.file,
+        ) {
+            Ok(found) => found,
+            Err(problem) => {
+                state.say(Level::Error, problem);
+                continue;
+            }
+        };
         if let Some(slot) = open
             .runs
             .iter_mut()
@@ -93,7 +97,7 @@ fn variants(state: &mut State, points: Vec<Option<At>>, shown: bool) -> Vec<Effe
             slot.at.clone_from(&at);
             slot.label = at
                 .as_ref()
-                .map_or_else(String::new, |at| backend::at_label(&open.case, at));
+                .map_or_else(String::new, |at| facade::at_label(&open.case, at));
             slot.shown |= shown;
             effects.extend(runs::load(slot));
             continue;
@@ -119,9 +123,9 @@ fn variants(state: &mut State, points: Vec<Option<At>>, shown: bool) -> Vec<Effe
     effects
 }
 
-fn usable(slot: &RunSlot) -> bool {
+fn usable(slot: &RunEntry) -> bool {
     matches!(
         slot.state,
-        SlotState::Queued | SlotState::Running | SlotState::Done
+        RunStatus::Queued | RunStatus::Running | RunStatus::Done
     )
 }

@@ -2,24 +2,24 @@
 
 use std::path::PathBuf;
 
-use super::{info, jobs, overlay, papers};
+use super::{export, info, jobs, overlay};
 use crate::case;
 use crate::study::tally;
 use crate::tui::command::Id;
 use crate::tui::msg::Effect;
-use crate::tui::state::trials::{Trialled, Trials, TrialsOf};
-use crate::tui::state::{JobState, Purpose, State, Ticket};
+use crate::tui::state::trials::{TrialProgress, Trials, TrialsOf};
+use crate::tui::state::{AppState, JobState, Purpose, Ticket};
 use crate::tui::table_pane::TablePane;
 
 /// Columns of the table in a file.
 const PAPER_WIDTH: usize = 160;
 
 /// Shows the trials of the open case, or those of all cases listed; computes them unless that is done or on its way.
-pub(super) fn show(state: &mut State) -> Vec<Effect> {
+pub(super) fn show(state: &mut AppState) -> Vec<Effect> {
     let of = match &state.open {
         Some(open) => TrialsOf::Case {
-            file: open.sheet.file.clone(),
-            text: case::stand_alone(&open.sheet.text, &open.case).into_owned(),
+            file: open.editor.file.clone(),
+            text: case::stand_alone(&open.editor.text, &open.case).into_owned(),
         },
         None => TrialsOf::Files(state.cases.entries.iter().map(|e| e.path.clone()).collect()),
     };
@@ -32,7 +32,7 @@ pub(super) fn show(state: &mut State) -> Vec<Effect> {
     }
 }
 
-fn begin(state: &mut State, of: TrialsOf) -> Vec<Effect> {
+fn begin(state: &mut AppState, of: TrialsOf) -> Vec<Effect> {
     let mut effects: Vec<Effect> = stop(state);
     let ticket = state.jobs.ticket();
     let name = match &of {
@@ -44,7 +44,7 @@ fn begin(state: &mut State, of: TrialsOf) -> Vec<Effect> {
     state.trials = Some(Trials {
         of: of.clone(),
         ticket,
-        so_far: Trialled::default(),
+        progress: TrialProgress::default(),
         stopped: false,
         shown: true,
         pane: TablePane::default(),
@@ -54,19 +54,19 @@ fn begin(state: &mut State, of: TrialsOf) -> Vec<Effect> {
 }
 
 /// Stops trials that are on their way.
-pub(super) fn stop(state: &mut State) -> Vec<Effect> {
+pub(super) fn stop(state: &mut AppState) -> Vec<Effect> {
     let Some(trials) = state.trials.as_mut().filter(|t| t.running()) else {
         return Vec::new();
     };
     trials.stopped = true;
-    trials.so_far.over = true;
+    trials.progress.over = true;
     let ticket = trials.ticket;
     jobs::set_state(state, ticket, JobState::Cancelled);
     vec![Effect::Cancel(ticket)]
 }
 
 /// What a command does while trials are seen; absent: the same as everywhere.
-pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
+pub(super) fn command(state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
     let (by, columns) = (overlay::step(state, id), state.size.0);
     let trials = state.trials.as_mut().filter(|t| t.shown)?;
     let table = trials.table(columns);
@@ -82,14 +82,14 @@ pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
             return Some(effects);
         }
         Id::ScrollLeft | Id::ScrollRight | Id::Sort => {
-            trials.pane.act(papers::table_verb(id), &table);
+            trials.pane.act(export::table_verb(id), &table);
         }
         Id::Write => {
-            let tally = tally(&trials.so_far.findings);
+            let tally = tally(&trials.progress.findings);
             let table = trials.table(u16::MAX).to_text(PAPER_WIDTH);
             let text = format!("{table}\n{tally}\n");
             let path = PathBuf::from("hard-cases.txt");
-            return Some(papers::write(path, Some(text), "The table of trials"));
+            return Some(export::write(path, Some(text), "The table of trials"));
         }
         _ => trials.pane.act(overlay::by_rows(by?), &table),
     }
@@ -97,21 +97,25 @@ pub(super) fn command(state: &mut State, id: Id) -> Option<Vec<Effect>> {
 }
 
 /// How far the trials are; dropped where nobody waits for them any more.
-pub(super) fn told(state: &mut State, ticket: Ticket, so_far: Trialled) -> Vec<Effect> {
+pub(super) fn progress(
+    state: &mut AppState,
+    ticket: Ticket,
+    progress: TrialProgress,
+) -> Vec<Effect> {
     let Some(trials) = &mut state.trials else {
         return Vec::new();
     };
     if trials.ticket != ticket || !trials.running() {
         return Vec::new();
     }
-    let over = so_far.over;
-    let words = tally(&so_far.findings).to_string();
+    let over = progress.over;
+    let words = tally(&progress.findings).to_string();
     if let Some(line) = state.jobs.get_mut(ticket) {
-        line.progress.time = so_far.done as f64;
-        line.progress.duration = so_far.all as f64;
-        line.progress.steps = so_far.done as u64;
+        line.progress.time = progress.done as f64;
+        line.progress.duration = progress.all as f64;
+        line.progress.steps = progress.done as u64;
     }
-    trials.so_far = so_far;
+    trials.progress = progress;
     if over {
         jobs::set_state(state, ticket, JobState::Done);
         info(state, format!("{words}."));

@@ -2,11 +2,11 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::Canvas;
+use super::Painter;
 use super::paint::{first_line, row, text, wrap};
 use crate::tui::state::CaseEntry;
 
-impl Canvas<'_> {
+impl Painter<'_> {
     pub(super) fn cases(&mut self, area: Rect) {
         let [head, list, rule, about] = Layout::vertical([
             Constraint::Length(1),
@@ -42,7 +42,7 @@ impl Canvas<'_> {
             let line = row(list, u16::try_from(line).unwrap_or(u16::MAX));
             self.case_line(line, entry, i == cursor, name_width);
         }
-        let rule_char = match self.state.looks.glyphs {
+        let rule_char = match self.state.capabilities.glyphs {
             crate::report::chart::Glyphs::Braille => "─",
             crate::report::chart::Glyphs::Ascii => "-",
         };

@@ -3,29 +3,27 @@
 use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
-use super::Canvas;
+use super::Painter;
 use super::layout;
 use super::paint::{right, text};
 use crate::report::number;
-use crate::tui::inks::Inks;
-use crate::tui::place::Place;
+use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::{PlotPane, draw_chart};
 use crate::tui::plots;
 use crate::tui::state::{ChartKind, OpenCase};
 use crate::tui::update::readout_words;
 
-impl Canvas<'_> {
+impl Painter<'_> {
     pub(super) fn charts(&mut self, area: Rect, open: &OpenCase) {
         let parts = layout::charts(area, &ChartKind::of(&open.case), open.chart);
         let all = parts.charts.len() > 1;
         if !all {
             self.chart_tabs(parts.tabs, open);
         }
-        let inks = Inks::new(self.state.looks.colour);
-        let glyphs = self.state.looks.glyphs;
+        let glyphs = self.state.capabilities.glyphs;
         for (kind, place) in &parts.charts {
             let mut chart = plots::viewed(open, *kind);
-            if all && *kind == open.chart && open.pane == Place::Charts {
+            if all && *kind == open.chart && open.pane == PaneId::Charts {
                 chart.title = format!("> {} <", chart.title);
             }
             let empty = chart.is_empty();
@@ -41,7 +39,7 @@ impl Canvas<'_> {
                 self.nothing_yet(*place, open, &chart.title);
                 continue;
             }
-            draw_chart(&chart, *place, self.buf, glyphs, inks);
+            draw_chart(&chart, *place, self.buf, glyphs, self.theme);
         }
         self.readout(parts.readout, open);
     }

@@ -2,68 +2,66 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::Canvas;
+use super::Painter;
 use super::paint::text;
-use super::papers::NO_PUBLISHED_VALUES;
+use super::results::NO_PUBLISHED_VALUES;
 use crate::reference;
 use crate::section::picture;
-use crate::tui::inks::Inks;
-use crate::tui::place::Place;
+use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::draw_chart;
 use crate::tui::state::{Content, OpenFile};
 
-impl Canvas<'_> {
-    pub(super) fn file(&mut self, place: Place, area: Rect, file: &OpenFile) {
-        let inks = Inks::new(self.state.looks.colour);
-        let glyphs = self.state.looks.glyphs;
+impl Painter<'_> {
+    pub(super) fn file(&mut self, place: PaneId, area: Rect, file: &OpenFile) {
+        let glyphs = self.state.capabilities.glyphs;
         match (place, &file.content) {
-            (Place::Tables, _) => self.leaf(area, file),
-            (Place::Checks, _) if file.checks.is_empty() => {
+            (PaneId::Tables, _) => self.tab(area, file),
+            (PaneId::Checks, _) if file.checks.is_empty() => {
                 self.paragraph(area, NO_PUBLISHED_VALUES);
             }
-            (Place::Checks, _) => {
+            (PaneId::Checks, _) => {
                 let table = reference::table(&file.checks);
-                file.checks_pane.draw(&table, area, self.buf, glyphs, inks);
+                file.checks_pane
+                    .draw(&table, area, self.buf, glyphs, self.theme);
             }
-            (Place::Drawing, Content::Section(section)) => {
+            (PaneId::Drawing, Content::Section(section)) => {
                 let chart = section.view.chart(&picture::chart(&section.design));
-                draw_chart(&chart, area, self.buf, glyphs, inks);
+                draw_chart(&chart, area, self.buf, glyphs, self.theme);
             }
-            (Place::Ropeway, Content::Ropeway(ropeway)) => self.ropeway_picture(area, ropeway),
-            (Place::Ship, Content::Ship(ship)) => self.ship_from_above(area, ship),
-            _ => self.inputs(area, &file.sheet),
+            (PaneId::Ropeway, Content::Ropeway(ropeway)) => self.ropeway_picture(area, ropeway),
+            (PaneId::Ship, Content::Ship(ship)) => self.ship_from_above(area, ship),
+            _ => self.inputs(area, &file.editor),
         }
     }
 
-    /// The names of the leaves, and the one that is shown: its chart above its table.
-    fn leaf(&mut self, area: Rect, file: &OpenFile) {
-        let [tabs, rest] =
+    /// The names of the tabs, and the one that is shown: its chart above its table.
+    fn tab(&mut self, area: Rect, file: &OpenFile) {
+        let [names, rest] =
             Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
-        let leaves = file.content.view().leaves();
-        let mut x = tabs.x;
-        for (i, name) in leaves.iter().enumerate() {
-            let style = if i == file.leaf {
+        let tabs = file.content.view().tabs();
+        let mut x = names.x;
+        for (i, name) in tabs.iter().enumerate() {
+            let style = if i == file.tab {
                 self.theme.selected()
             } else {
                 self.theme.plain()
             };
-            let room = tabs.right().saturating_sub(x);
-            x = text(self.buf, (x, tabs.y), room, &format!(" {name} "), style);
+            let room = names.right().saturating_sub(x);
+            x = text(self.buf, (x, names.y), room, &format!(" {name} "), style);
         }
         let (chart, table) = file.shown();
-        let inks = Inks::new(self.state.looks.colour);
-        let glyphs = self.state.looks.glyphs;
+        let glyphs = self.state.capabilities.glyphs;
         let below = match chart {
             None => rest,
             Some(chart) => {
                 let [upper, lower] =
                     Layout::vertical([Constraint::Fill(1), Constraint::Fill(1)]).areas(rest);
-                draw_chart(&chart, upper, self.buf, glyphs, inks);
+                draw_chart(&chart, upper, self.buf, glyphs, self.theme);
                 lower
             }
         };
-        if let Some(pane) = file.panes.get(file.leaf) {
-            pane.draw(&table, below, self.buf, glyphs, inks);
+        if let Some(pane) = file.panes.get(file.tab) {
+            pane.draw(&table, below, self.buf, glyphs, self.theme);
         }
     }
 }

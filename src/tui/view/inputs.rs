@@ -2,11 +2,11 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::Canvas;
+use super::Painter;
 use super::paint::{first_line, row, text, wrap};
 use crate::case::Standing;
-use crate::tui::backend::FieldRow;
-use crate::tui::state::Sheet;
+use crate::tui::facade::FieldRow;
+use crate::tui::state::ParameterEditor;
 use crate::tui::update::can_go;
 
 /// A line of the list.
@@ -25,21 +25,21 @@ pub(super) fn standing_word(standing: Standing) -> &'static str {
     }
 }
 
-impl Canvas<'_> {
-    pub(super) fn inputs(&mut self, area: Rect, sheet: &Sheet) {
+impl Painter<'_> {
+    pub(super) fn inputs(&mut self, area: Rect, editor: &ParameterEditor) {
         let help_rows = if area.height > 14 { 5 } else { 3 };
         let [list, help] =
             Layout::vertical([Constraint::Min(0), Constraint::Length(help_rows)]).areas(area);
-        let list = self.filter_line(list, sheet);
+        let list = self.filter_line(list, editor);
         let mut lines = Vec::new();
         let mut group = "";
         let mut cursor = 0;
-        for (i, field) in sheet.fields().enumerate() {
+        for (i, field) in editor.fields().enumerate() {
             if field.group != group {
                 group = &field.group;
                 lines.push(Line::Group(group));
             }
-            if i == sheet.field {
+            if i == editor.field {
                 cursor = lines.len();
             }
             lines.push(Line::Field(i, field));
@@ -61,22 +61,22 @@ impl Canvas<'_> {
                 Line::Group(name) => {
                     text(self.buf, (at.x, at.y), at.width, name, self.theme.head());
                 }
-                Line::Field(i, field) => self.field_line(at, field, *i == sheet.field),
+                Line::Field(i, field) => self.field_line(at, field, *i == editor.field),
             }
         }
-        match &sheet.editing {
-            Some(_) => self.edit_lines(help, sheet),
-            None => self.help_lines(help, sheet),
+        match &editor.editing {
+            Some(_) => self.edit_lines(help, editor),
+            None => self.help_lines(help, editor),
         }
     }
 
-    fn filter_line(&mut self, list: Rect, sheet: &Sheet) -> Rect {
-        if !sheet.filtering && sheet.filter.value().is_empty() {
+    fn filter_line(&mut self, list: Rect, editor: &ParameterEditor) -> Rect {
+        if !editor.filtering && editor.filter.value().is_empty() {
             return list;
         }
         let [line, rest] =
             Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(list);
-        self.prompt(line, "filter: ", &sheet.filter, sheet.filtering);
+        self.prompt(line, "filter: ", &editor.filter, editor.filtering);
         rest
     }
 
@@ -133,8 +133,8 @@ impl Canvas<'_> {
     }
 
     /// Help, range, and why a value is assumed.
-    fn help_lines(&mut self, area: Rect, sheet: &Sheet) {
-        let Some(field) = sheet.current_field() else {
+    fn help_lines(&mut self, area: Rect, editor: &ParameterEditor) {
+        let Some(field) = editor.current_field() else {
             return;
         };
         let mut words = format!("{}: {}\n{}", field.path, field.help, range_words(field));
@@ -158,8 +158,8 @@ impl Canvas<'_> {
     }
 
     /// The value being typed, and why it is refused.
-    fn edit_lines(&mut self, area: Rect, sheet: &Sheet) {
-        let (Some(editing), Some(field)) = (&sheet.editing, sheet.current_field()) else {
+    fn edit_lines(&mut self, area: Rect, editor: &ParameterEditor) {
+        let (Some(editing), Some(field)) = (&editor.editing, editor.current_field()) else {
             return;
         };
         let line = row(area, 0);
@@ -186,7 +186,7 @@ impl Canvas<'_> {
             Some(problem) => (format!("Refused: {problem}"), self.theme.error()),
             None => (
                 format!(
-                    "{}\nEnter takes it, Esc leaves it as it was{}.",
+                    "{}\nEnter takes it, Esc tabs it as it was{}.",
                     range_words(field),
                     if self.state.open.is_some() && can_go(field) {
                         "; nothing typed: not given"

@@ -5,8 +5,8 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use crate::tui::place::Place;
-use crate::tui::state::{ChartKind, State};
+use crate::tui::pane::PaneId;
+use crate::tui::state::{AppState, ChartKind};
 
 /// The smallest screen that is drawn.
 pub const SMALLEST: (u16, u16) = (40, 10);
@@ -57,9 +57,9 @@ pub fn framed(screen: Rect) -> bool {
 
 /// The panes seen, with their outer areas.
 #[must_use]
-pub fn panes(screen: Rect, state: &State) -> Vec<(Place, Rect)> {
+pub fn panes(screen: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
     let body = areas(screen).body;
-    let (focus, modes) = (state.place(), state.modes_beside());
+    let (focus, modes) = (state.focus(), state.modes_beside());
     if state.file.is_some() {
         return file_panes(screen, body, focus, state.panes());
     }
@@ -70,11 +70,11 @@ pub fn panes(screen: Rect, state: &State) -> Vec<(Place, Rect)> {
         let [left, right] =
             Layout::horizontal([Constraint::Length(58), Constraint::Min(0)]).areas(body);
         let other = match focus {
-            Place::Inputs if modes => Place::Modes,
-            Place::Inputs => Place::Charts,
+            PaneId::Inputs if modes => PaneId::Modes,
+            PaneId::Inputs => PaneId::Charts,
             focus => focus,
         };
-        return vec![(Place::Inputs, left), (other, right)];
+        return vec![(PaneId::Inputs, left), (other, right)];
     }
     let [left, right] =
         Layout::horizontal([Constraint::Length(66), Constraint::Min(0)]).areas(body);
@@ -85,22 +85,22 @@ pub fn panes(screen: Rect, state: &State) -> Vec<(Place, Rect)> {
     ])
     .areas(left);
     let mut panes = vec![
-        (Place::Inputs, inputs),
-        (Place::Runs, runs),
-        (Place::Jobs, jobs),
+        (PaneId::Inputs, inputs),
+        (PaneId::Runs, runs),
+        (PaneId::Jobs, jobs),
     ];
-    if focus == Place::Report {
-        panes.push((Place::Report, right));
+    if focus == PaneId::Report {
+        panes.push((PaneId::Report, right));
     } else if modes {
-        panes.push((Place::Modes, right));
+        panes.push((PaneId::Modes, right));
     } else {
         let [charts, table] =
             Layout::vertical([Constraint::Fill(2), Constraint::Fill(1)]).areas(right);
-        panes.push((Place::Charts, charts));
-        let shown = if focus == Place::Nodes {
-            Place::Nodes
+        panes.push((PaneId::Charts, charts));
+        let shown = if focus == PaneId::Nodes {
+            PaneId::Nodes
         } else {
-            Place::Validation
+            PaneId::Validation
         };
         panes.push((shown, table));
     }
@@ -111,44 +111,48 @@ pub fn panes(screen: Rect, state: &State) -> Vec<(Place, Rect)> {
 fn file_panes(
     screen: Rect,
     body: Rect,
-    focus: Place,
-    panes: &'static [Place],
-) -> Vec<(Place, Rect)> {
+    focus: PaneId,
+    panes: &'static [PaneId],
+) -> Vec<(PaneId, Rect)> {
     if screen.width < WIDE {
         return vec![(focus, body)];
     }
-    let drawing = panes.get(1).copied().unwrap_or(Place::Keys);
+    let drawing = panes.get(1).copied().unwrap_or(PaneId::Keys);
     let full = screen.width >= FULL.0 && screen.height >= FULL.1;
     let keys = if full { 66 } else { 58 };
     let [left, right] =
         Layout::horizontal([Constraint::Length(keys), Constraint::Min(0)]).areas(body);
     if !full {
-        let other = if focus == Place::Keys { drawing } else { focus };
-        return vec![(Place::Keys, left), (other, right)];
+        let other = if focus == PaneId::Keys {
+            drawing
+        } else {
+            focus
+        };
+        return vec![(PaneId::Keys, left), (other, right)];
     }
     // A cross-section is round, and needs the height more than its tables do.
-    let shares = if drawing == Place::Drawing {
+    let shares = if drawing == PaneId::Drawing {
         (3, 2)
     } else {
         (1, 1)
     };
     let [upper, lower] =
         Layout::vertical([Constraint::Fill(shares.0), Constraint::Fill(shares.1)]).areas(right);
-    let below = if focus == Place::Checks {
+    let below = if focus == PaneId::Checks {
         focus
     } else {
-        Place::Tables
+        PaneId::Tables
     };
-    vec![(Place::Keys, left), (drawing, upper), (below, lower)]
+    vec![(PaneId::Keys, left), (drawing, upper), (below, lower)]
 }
 
 /// Where a cross-section is drawn.
 #[must_use]
-pub fn drawing_area(state: &State) -> Rect {
+pub fn drawing_area(state: &AppState) -> Rect {
     let screen = Rect::new(0, 0, state.size.0, state.size.1);
     panes(screen, state)
         .into_iter()
-        .find(|(place, _)| *place == Place::Drawing)
+        .find(|(place, _)| *place == PaneId::Drawing)
         .map_or_else(Rect::default, |(_, pane)| inside(screen, pane))
 }
 
@@ -224,14 +228,14 @@ fn together(area: Rect, page: &[ChartKind]) -> Vec<(ChartKind, Rect)> {
 
 /// Where the chosen chart is drawn.
 #[must_use]
-pub fn chart_area(state: &State) -> Rect {
+pub fn chart_area(state: &AppState) -> Rect {
     let screen = Rect::new(0, 0, state.size.0, state.size.1);
     let Some(open) = &state.open else {
         return Rect::default();
     };
     panes(screen, state)
         .into_iter()
-        .find(|(place, _)| *place == Place::Charts)
+        .find(|(place, _)| *place == PaneId::Charts)
         .and_then(|(_, pane)| {
             let kinds = ChartKind::of(&open.case);
             let charts = charts(inside(screen, pane), &kinds, open.chart).charts;

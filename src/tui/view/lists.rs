@@ -2,13 +2,13 @@
 
 use ratatui::layout::Rect;
 
-use super::Canvas;
+use super::Painter;
 use super::paint::{first_line, row, text};
 use crate::report::number;
-use crate::tui::place::Place;
-use crate::tui::state::{JobLine, JobState, OpenCase, Purpose, RunSlot, SlotState};
+use crate::tui::pane::PaneId;
+use crate::tui::state::{JobLine, JobState, OpenCase, Purpose, RunEntry, RunStatus};
 
-impl Canvas<'_> {
+impl Painter<'_> {
     pub(super) fn runs(&mut self, area: Rect, open: &OpenCase) {
         let name_width = area.width.saturating_sub(38).clamp(12, 60);
         let head = row(area, 0);
@@ -28,7 +28,7 @@ impl Canvas<'_> {
         let first = first_line(open.run, open.runs.len() + 1, height);
         for (i, at) in (first..=open.runs.len()).take(height).enumerate() {
             let line = row(list, u16::try_from(i).unwrap_or(u16::MAX));
-            let selected = open.run == at && open.pane == Place::Runs;
+            let selected = open.run == at && open.pane == PaneId::Runs;
             let style = if selected {
                 self.theme.selected()
             } else {
@@ -73,11 +73,11 @@ impl Canvas<'_> {
         let run = live.done.as_ref().and_then(|d| d.run.as_ref());
         let cost = run.map(|run| (run.info.work.steps, run.info.cost.cpu_s));
         let (steps, cpu) = cost_words(cost);
-        let method = crate::tui::backend::method_word(open.case.solver.method);
+        let method = crate::tui::facade::method_word(open.case.solver.method);
         self.columns(line, width, [&name, state, method, &steps, &cpu], style);
     }
 
-    fn run_line(&mut self, line: Rect, width: u16, slot: &RunSlot, style: ratatui::style::Style) {
+    fn run_line(&mut self, line: Rect, width: u16, slot: &RunEntry, style: ratatui::style::Style) {
         let mark = if slot.shown { "[x]" } else { "[ ]" };
         let label = if slot.label.is_empty() {
             String::new()
@@ -87,7 +87,7 @@ impl Canvas<'_> {
         let name = format!("{mark} {label}{}", slot.id);
         let (steps, cpu) = cost_words(slot.cost);
         let style = match slot.state {
-            SlotState::Failed(_) | SlotState::Unreadable(_) => style.patch(self.theme.error()),
+            RunStatus::Failed(_) | RunStatus::Unreadable(_) => style.patch(self.theme.error()),
             _ => style,
         };
         self.columns(
@@ -120,7 +120,7 @@ impl Canvas<'_> {
             .take(height)
             .enumerate()
         {
-            let selected = at == jobs.cursor && self.state.place() == Place::Jobs;
+            let selected = at == jobs.cursor && self.state.focus() == PaneId::Jobs;
             let style = if selected {
                 self.theme.selected()
             } else {

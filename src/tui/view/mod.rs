@@ -9,27 +9,27 @@ mod lists;
 mod modes;
 mod overlay;
 mod paint;
-mod papers;
+mod results;
 mod ropeway;
 mod ship;
+mod text;
 mod trials;
-mod words;
 
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use self::paint::Theme;
 use super::command::{self, Command, Id};
-use super::place::Place;
-use super::state::{JobState, Level, Purpose, State};
+use super::pane::PaneId;
+use super::state::{AppState, JobState, Level, Purpose};
+use super::theme::Theme;
 use super::update::enabled;
 use crate::report::chart::Glyphs;
 use crate::report::number;
 
 /// What drawing a pane needs.
-struct Canvas<'a> {
-    state: &'a State,
+struct Painter<'a> {
+    state: &'a AppState,
     theme: Theme,
     buf: &'a mut Buffer,
     /// Where the terminal's own cursor goes, when something is typed.
@@ -37,17 +37,17 @@ struct Canvas<'a> {
 }
 
 /// Draws the whole screen.
-pub fn draw(state: &State, frame: &mut Frame) {
+pub fn draw(state: &AppState, frame: &mut Frame) {
     let screen = frame.area();
-    let mut canvas = Canvas {
+    let mut canvas = Painter {
         state,
-        theme: Theme::new(state.looks),
+        theme: Theme::new(state.capabilities),
         buf: frame.buffer_mut(),
         cursor: None,
     };
     canvas.screen(screen);
     let cursor = canvas.cursor;
-    if state.looks.glyphs == Glyphs::Ascii {
+    if state.capabilities.glyphs == Glyphs::Ascii {
         paint::only_ascii(frame.buffer_mut());
     }
     if let Some(at) = cursor.filter(|at| screen.contains((*at).into())) {
@@ -55,7 +55,7 @@ pub fn draw(state: &State, frame: &mut Frame) {
     }
 }
 
-impl Canvas<'_> {
+impl Painter<'_> {
     fn screen(&mut self, screen: Rect) {
         let (width, height) = layout::SMALLEST;
         if screen.width < width || screen.height < height {
@@ -71,11 +71,11 @@ impl Canvas<'_> {
         }
         let areas = layout::areas(screen);
         self.head(areas.head);
-        let focus = self.state.place();
+        let focus = self.state.focus();
         let trials = self.state.trials.as_ref().filter(|t| t.shown);
         if let Some(trials) = trials {
             self.trials(areas.tabs.union(areas.body), trials);
-        } else if focus == Place::Cases {
+        } else if focus == PaneId::Cases {
             self.cases(areas.tabs.union(areas.body));
         } else {
             self.tabs(areas.tabs);
@@ -90,8 +90,8 @@ impl Canvas<'_> {
         }
     }
 
-    fn pane(&mut self, screen: Rect, place: Place, area: Rect) {
-        let focused = self.state.place() == place;
+    fn pane(&mut self, screen: Rect, place: PaneId, area: Rect) {
+        let focused = self.state.focus() == place;
         let inside = if layout::framed(screen) {
             let style = if focused {
                 self.theme.head()
@@ -106,7 +106,13 @@ impl Canvas<'_> {
                 .map_or(0, |i| i + 1);
             let mark = if focused { "*" } else { "" };
             let title = format!("{number} {}{mark}", place.title());
-            paint::framed(self.buf, area, &title, self.state.looks.glyphs, style)
+            paint::framed(
+                self.buf,
+                area,
+                &title,
+                self.state.capabilities.glyphs,
+                style,
+            )
         } else {
             area
         };
@@ -118,14 +124,14 @@ impl Canvas<'_> {
             return;
         };
         match place {
-            Place::Inputs => self.inputs(inside, &open.sheet),
-            Place::Charts => self.charts(inside, open),
-            Place::Runs => self.runs(inside, open),
-            Place::Validation => self.validation(inside, open),
-            Place::Report => self.report(inside, open),
-            Place::Jobs => self.jobs(inside),
-            Place::Nodes => self.nodes(inside, open),
-            Place::Modes => self.modes(inside, open),
+            PaneId::Inputs => self.inputs(inside, &open.editor),
+            PaneId::Charts => self.charts(inside, open),
+            PaneId::Runs => self.runs(inside, open),
+            PaneId::Validation => self.validation(inside, open),
+            PaneId::Report => self.report(inside, open),
+            PaneId::Jobs => self.jobs(inside),
+            PaneId::Nodes => self.nodes(inside, open),
+            PaneId::Modes => self.modes(inside, open),
             _ => {}
         }
     }
@@ -139,13 +145,13 @@ impl Canvas<'_> {
             self.theme.head(),
         );
         if let Some(open) = &self.state.open {
-            let unsaved = if open.sheet.unsaved() {
+            let unsaved = if open.editor.unsaved() {
                 " *unsaved"
             } else {
                 ""
             };
-            let method = super::backend::method_word(open.case.solver.method);
-            let words = format!("  {}{unsaved}  solver {method}", open.sheet.file);
+            let method = super::facade::method_word(open.case.solver.method);
+            let words = format!("  {}{unsaved}  solver {method}", open.editor.file);
             x = paint::text(
                 self.buf,
                 (x, line.y),
@@ -154,10 +160,10 @@ impl Canvas<'_> {
                 self.theme.strong(),
             );
         } else if let Some(file) = &self.state.file {
-            let sheet = &file.sheet;
-            let unsaved = if sheet.unsaved() { " *unsaved" } else { "" };
+            let editor = &file.editor;
+            let unsaved = if editor.unsaved() { " *unsaved" } else { "" };
             let kind = file.content.view().word();
-            let words = format!("  {}{unsaved}  {kind}", sheet.file);
+            let words = format!("  {}{unsaved}  {kind}", editor.file);
             let room = line.right() - x;
             x = paint::text(self.buf, (x, line.y), room, &words, self.theme.strong());
         } else {
@@ -227,7 +233,7 @@ impl Canvas<'_> {
     fn tabs(&mut self, line: Rect) {
         let mut x = line.x;
         for (i, place) in self.state.panes().iter().enumerate() {
-            let style = if *place == self.state.place() {
+            let style = if *place == self.state.focus() {
                 self.theme.selected()
             } else {
                 self.theme.plain()
@@ -269,7 +275,7 @@ impl Canvas<'_> {
 
     /// The keys of the place, from the table: those that work now, then `?` and `q`.
     fn foot(&mut self, line: Rect) {
-        let place = self.state.place();
+        let place = self.state.focus();
         let last = |c: &Command| matches!(c.id, Id::Help | Id::Quit);
         let ends: Vec<&Command> = command::at(place).filter(|c| last(c)).collect();
         let room: u16 = ends.iter().map(|c| key_width(c)).sum();

@@ -2,19 +2,18 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::Canvas;
+use super::Painter;
 use super::paint::text;
 use crate::modes::LineModes;
 use crate::report::modes as views;
 use crate::report::table::Table;
-use crate::tui::inks::Inks;
 use crate::tui::plot_pane::draw_chart;
 use crate::tui::state::OpenCase;
 
 /// From this room on both pictures are seen at once.
 const BOTH: (u16, u16) = (110, 24);
 
-impl Canvas<'_> {
+impl Painter<'_> {
     pub(super) fn modes(&mut self, area: Rect, open: &OpenCase) {
         let found = match &open.modes.found {
             Some(Ok(found)) => found,
@@ -46,9 +45,10 @@ impl Canvas<'_> {
             notes: Vec::new(),
             ..whole.clone()
         };
-        let inks = Inks::new(self.state.looks.colour);
-        let glyphs = self.state.looks.glyphs;
-        open.modes.pane.draw(&bare, table, self.buf, glyphs, inks);
+        let glyphs = self.state.capabilities.glyphs;
+        open.modes
+            .pane
+            .draw(&bare, table, self.buf, glyphs, self.theme);
         self.about_modes(said, open, &views::troubles(found));
         let number = open.modes.pane.selected(&bare).unwrap_or(0);
         self.mode_pictures(pictures, found, number, both, open.modes.over);
@@ -56,7 +56,7 @@ impl Canvas<'_> {
 
     /// What must be known of the modes, the most pressing first.
     fn about_modes(&mut self, line: Rect, open: &OpenCase, troubles: &[String]) {
-        let old = open.modes.text != open.sheet.text;
+        let old = open.modes.text != open.editor.text;
         let (words, style) = match (old, troubles.first()) {
             (true, _) => (
                 "Of the case before the last edit; looked for anew.",
@@ -79,18 +79,17 @@ impl Canvas<'_> {
         both: bool,
         over: bool,
     ) {
-        let inks = Inks::new(self.state.looks.colour);
-        let glyphs = self.state.looks.glyphs;
+        let glyphs = self.state.capabilities.glyphs;
         let along = views::chart(found, &[number]);
         let shape = views::over_line(found, number);
         if both {
             let [left, right] =
                 Layout::horizontal([Constraint::Fill(1), Constraint::Fill(1)]).areas(area);
-            draw_chart(&along, left, self.buf, glyphs, inks);
-            draw_chart(&shape, right, self.buf, glyphs, inks);
+            draw_chart(&along, left, self.buf, glyphs, self.theme);
+            draw_chart(&shape, right, self.buf, glyphs, self.theme);
         } else {
             let chart = if over { shape } else { along };
-            draw_chart(&chart, area, self.buf, glyphs, inks);
+            draw_chart(&chart, area, self.buf, glyphs, self.theme);
         }
     }
 }

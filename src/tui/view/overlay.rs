@@ -3,13 +3,13 @@
 use ratatui::layout::Rect;
 use tui_input::Input;
 
-use super::Canvas;
+use super::Painter;
 use super::paint::{first_line, over, row, text, wrap};
 use crate::tui::command::{self, Command};
 use crate::tui::state::{Overlay, Question};
 use crate::tui::update::{enabled, palette_matches};
 
-impl Canvas<'_> {
+impl Painter<'_> {
     pub(super) fn overlay(&mut self, screen: Rect, overlay: &Overlay) {
         self.cursor = None;
         match overlay {
@@ -42,7 +42,7 @@ impl Canvas<'_> {
             screen,
             size,
             title,
-            self.state.looks.glyphs,
+            self.state.capabilities.glyphs,
             style,
         )
     }
@@ -57,7 +57,7 @@ impl Canvas<'_> {
     }
 
     fn help(&mut self, screen: Rect, scroll: usize) {
-        let place = self.state.place();
+        let place = self.state.focus();
         let width = 96.min(screen.width);
         let mut lines = Vec::new();
         for command in command::at(place).filter(|c| !c.keys.is_empty()) {
@@ -120,7 +120,7 @@ impl Canvas<'_> {
     }
 
     fn palette(&mut self, screen: Rect, input: &Input, cursor: usize) {
-        let found = palette_matches(self.state.place(), input.value());
+        let found = palette_matches(self.state.focus(), input.value());
         let area = self.boxed(
             screen,
             (90, 18),

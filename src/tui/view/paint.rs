@@ -2,68 +2,13 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::style::{Color, Modifier, Style};
+use ratatui::style::Style;
 use ratatui::symbols::border;
 use ratatui::widgets::{Block, Clear, Widget};
 use unicode_width::UnicodeWidthStr;
 
 use crate::report::chart::Glyphs;
 use crate::report::plain::ascii;
-use crate::tui::terminal::looks::Looks;
-
-/// Styles by meaning. Meaning is never by colour alone, so that one theme without colour is enough.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Theme {
-    colour: bool,
-}
-
-impl Theme {
-    pub(super) fn new(looks: Looks) -> Self {
-        Self {
-            colour: looks.colour,
-        }
-    }
-
-    fn fg(self, colour: Color) -> Style {
-        if self.colour {
-            Style::new().fg(colour)
-        } else {
-            Style::new()
-        }
-    }
-
-    pub(super) fn plain(self) -> Style {
-        Style::new()
-    }
-
-    pub(super) fn strong(self) -> Style {
-        Style::new().add_modifier(Modifier::BOLD)
-    }
-
-    pub(super) fn faint(self) -> Style {
-        Style::new().add_modifier(Modifier::DIM)
-    }
-
-    pub(super) fn selected(self) -> Style {
-        Style::new().add_modifier(Modifier::REVERSED)
-    }
-
-    pub(super) fn head(self) -> Style {
-        self.fg(Color::Cyan).add_modifier(Modifier::BOLD)
-    }
-
-    pub(super) fn warning(self) -> Style {
-        self.fg(Color::Yellow).add_modifier(Modifier::BOLD)
-    }
-
-    pub(super) fn error(self) -> Style {
-        self.fg(Color::Red).add_modifier(Modifier::BOLD)
-    }
-
-    pub(super) fn good(self) -> Style {
-        self.fg(Color::Green)
-    }
-}
 
 /// Writes text from a column on, at most so many columns; returns the column after it.
 pub(super) fn text(buf: &mut Buffer, at: (u16, u16), width: u16, words: &str, style: Style) -> u16 {

@@ -2,21 +2,20 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::Canvas;
+use super::Painter;
 use super::paint::{row, text};
 use crate::report::chart::Glyphs;
 use crate::report::number::{percent, rounded};
 use crate::report::table::Table;
 use crate::ropeway::exact::Carrier;
 use crate::ropeway::{Readings, picture, tables};
-use crate::tui::inks::Inks;
 use crate::tui::plot_pane::draw_chart;
 use crate::tui::state::RopewayView;
 
 /// Lines that the readings take: head, rule, and a line each.
 const READINGS: u16 = 9;
 
-impl Canvas<'_> {
+impl Painter<'_> {
     pub(super) fn ropeway_picture(&mut self, area: Rect, ropeway: &RopewayView) {
         let readings = match &ropeway.readings {
             Ok(readings) => readings,
@@ -38,8 +37,13 @@ impl Canvas<'_> {
         let mut chart = picture::chart(&ropeway.worked, readings);
         // Its title stands beside the tabs; every line counts here.
         chart.title.clear();
-        let inks = Inks::new(self.state.looks.colour);
-        draw_chart(&chart, drawing, self.buf, self.state.looks.glyphs, inks);
+        draw_chart(
+            &chart,
+            drawing,
+            self.buf,
+            self.state.capabilities.glyphs,
+            self.theme,
+        );
         self.rope_readout(readout, ropeway, readings);
         let bare = Table {
             title: String::new(),
@@ -73,7 +77,7 @@ impl Canvas<'_> {
         let head = "platform ";
         let used = head.len() + words.len();
         let room = usize::from(line.width).saturating_sub(used).max(3);
-        let (bar, mark) = match self.state.looks.glyphs {
+        let (bar, mark) = match self.state.capabilities.glyphs {
             Glyphs::Braille => ('─', '█'),
             Glyphs::Ascii => ('-', '#'),
         };

@@ -3,7 +3,7 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 
-use super::Canvas;
+use super::Painter;
 use super::paint::{row, text};
 use crate::report::chart::marker;
 use crate::report::number::{digits, si};
@@ -11,14 +11,13 @@ use crate::report::ship::plan;
 use crate::ship::Equilibrium;
 use crate::ship::stability::DynamicStability;
 use crate::ship::yaw_equilibria::YawStability;
-use crate::tui::inks::Inks;
 use crate::tui::plot_pane::draw_chart;
 use crate::tui::state::ShipView;
 
 /// Columns of the list of headings.
 const LIST: u16 = 34;
 
-impl Canvas<'_> {
+impl Painter<'_> {
     pub(super) fn ship_from_above(&mut self, area: Rect, ship: &ShipView) {
         let [drawing, list] =
             Layout::horizontal([Constraint::Min(0), Constraint::Length(LIST)]).areas(area);
@@ -26,8 +25,13 @@ impl Canvas<'_> {
         // The list beside it names the ships; every line counts here.
         chart.title.clear();
         chart.legend = false;
-        let inks = Inks::new(self.state.looks.colour);
-        draw_chart(&chart, drawing, self.buf, self.state.looks.glyphs, inks);
+        draw_chart(
+            &chart,
+            drawing,
+            self.buf,
+            self.state.capabilities.glyphs,
+            self.theme,
+        );
         let mut lines: Vec<(String, Style)> = Vec::new();
         let plain = self.theme.plain();
         match &ship.rest.equilibria {

@@ -2,27 +2,26 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::Canvas;
+use super::Painter;
 use super::paint::{row, text, wrap};
 use crate::study::{hard, tally};
-use crate::tui::inks::Inks;
 use crate::tui::state::trials::{Trials, TrialsOf, WIDE};
 
-impl Canvas<'_> {
+impl Painter<'_> {
     pub(super) fn trials(&mut self, area: Rect, trials: &Trials) {
         let [head, rest] =
             Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
-        let so_far = &trials.so_far;
+        let progress = &trials.progress;
         let whose = match &trials.of {
             TrialsOf::Case { file, .. } => format!("Trials of {file}"),
             TrialsOf::Files(_) => "All hard cases".to_owned(),
         };
         let far = match (trials.running(), trials.stopped) {
-            (true, _) => format!(", {} of {}", so_far.done, so_far.all),
-            (false, true) => format!(", stopped at {} of {}", so_far.done, so_far.all),
-            (false, false) => format!(", {}", so_far.all),
+            (true, _) => format!(", {} of {}", progress.done, progress.all),
+            (false, true) => format!(", stopped at {} of {}", progress.done, progress.all),
+            (false, false) => format!(", {}", progress.all),
         };
-        let tally = tally(&so_far.findings);
+        let tally = tally(&progress.findings);
         let counts = tally.to_string();
         let counts = counts.split_once(": ").map_or("", |(_, counts)| counts);
         let x = text(
@@ -39,7 +38,7 @@ impl Canvas<'_> {
         };
         let room = head.right().saturating_sub(x);
         text(self.buf, (x, head.y), room, counts, ink);
-        if so_far.findings.is_empty() {
+        if progress.findings.is_empty() {
             let words = if trials.running() || trials.stopped {
                 "Nothing is computed yet."
             } else {
@@ -49,8 +48,7 @@ impl Canvas<'_> {
             text(self.buf, (rest.x, rest.y), rest.width, words, plain);
             return;
         }
-        let inks = Inks::new(self.state.looks.colour);
-        let glyphs = self.state.looks.glyphs;
+        let glyphs = self.state.capabilities.glyphs;
         let table = trials.table(area.width);
         let narrow = area.width < WIDE;
         let [list, detail] = Layout::vertical([
@@ -58,7 +56,7 @@ impl Canvas<'_> {
             Constraint::Length(if narrow { rest.height * 2 / 5 } else { 0 }),
         ])
         .areas(rest);
-        trials.pane.draw(&table, list, self.buf, glyphs, inks);
+        trials.pane.draw(&table, list, self.buf, glyphs, self.theme);
         if narrow && let Some(finding) = trials.selected(&table) {
             let lines = hard::story(finding);
             let width = usize::from(detail.width);

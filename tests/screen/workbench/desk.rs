@@ -18,20 +18,20 @@ use seacable::run::{
 use seacable::tui::key::Key;
 use seacable::tui::msg::CaseRead;
 use seacable::tui::state::{CaseEntry, Ticket};
-use seacable::tui::terminal::looks::Looks;
-use seacable::tui::{Effect, Msg, State, draw, update};
+use seacable::tui::terminal::capabilities::Capabilities;
+use seacable::tui::{AppState, Effect, Msg, draw, update};
 
 /// A small case with everything the screens show: marks, floats left out, a study, published rows.
 pub(crate) const CASE: &str = include_str!("body.toml");
 
 /// The workbench and what it asked of the world.
 pub(crate) struct Desk {
-    pub(crate) state: State,
+    pub(crate) state: AppState,
     pub(crate) asked: Vec<Effect>,
 }
 
-pub(crate) fn looks(glyphs: Glyphs, colour: bool) -> Looks {
-    Looks {
+pub(crate) fn looks(glyphs: Glyphs, colour: bool) -> Capabilities {
+    Capabilities {
         glyphs,
         colour,
         unsure: false,
@@ -42,7 +42,7 @@ impl Desk {
     /// The list of cases: one good, one broken.
     pub(crate) fn new(size: (u16, u16)) -> Self {
         let mut desk = Self {
-            state: State::new(size, looks(Glyphs::Braille, true)),
+            state: AppState::new(size, looks(Glyphs::Braille, true)),
             asked: Vec::new(),
         };
         let entry = |name: &str, about| CaseEntry {

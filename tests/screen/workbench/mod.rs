@@ -9,9 +9,9 @@
 mod beside;
 mod desk;
 mod modes;
-mod onward;
 mod random;
 mod response;
+mod resume;
 mod ropeway;
 mod section;
 mod ship;
@@ -24,7 +24,7 @@ use seacable::report::chart::Glyphs;
 use seacable::run::RunState;
 use seacable::run::job::Event;
 use seacable::tui::command::COMMANDS;
-use seacable::tui::place::Place;
+use seacable::tui::pane::PaneId;
 use seacable::tui::state::{JobState, Level, Overlay, Question};
 use seacable::tui::{Effect, Msg};
 
@@ -86,7 +86,7 @@ fn everything_at_once_at_200x60() {
 #[test]
 fn two_panes_at_120x30_without_colour_in_ascii() {
     let mut desk = Desk::with_case((120, 30));
-    desk.state.looks = looks(Glyphs::Ascii, false);
+    desk.state.capabilities = looks(Glyphs::Ascii, false);
     snapshot("tui_ascii_mono_120x30", &desk);
     let buffer = desk.buffer();
     assert!(buffer.content().iter().all(|cell| cell.symbol().is_ascii()));
@@ -129,13 +129,13 @@ fn a_bad_value_is_refused_with_its_reason_and_a_good_one_solves_again() {
     assert!(started[0].1.text.contains("speed_m_per_s = 0.8  # along x"));
     assert_eq!(started[0].1.overrides, ["current.speed_m_per_s=0.8"]);
     let open = desk.state.open.as_ref().unwrap();
-    assert!(open.sheet.unsaved());
+    assert!(open.editor.unsaved());
     desk.keys("u");
-    assert!(!desk.state.open.as_ref().unwrap().sheet.unsaved());
+    assert!(!desk.state.open.as_ref().unwrap().editor.unsaved());
     desk.keys("U");
-    assert!(desk.state.open.as_ref().unwrap().sheet.unsaved());
+    assert!(desk.state.open.as_ref().unwrap().editor.unsaved());
     desk.keys("r");
-    assert!(!desk.state.open.as_ref().unwrap().sheet.unsaved());
+    assert!(!desk.state.open.as_ref().unwrap().editor.unsaved());
 }
 
 #[test]
@@ -164,7 +164,7 @@ fn the_newest_solve_wins_and_the_old_curve_stays_dimmed_until_it_lands() {
         Box::new(Event::Finished(Box::new(whole))),
     ));
     let open = desk.state.open.as_ref().unwrap();
-    assert!(open.live.going.is_none() && open.live.done_text == open.sheet.text);
+    assert!(open.live.going.is_none() && open.live.done_text == open.editor.text);
 }
 
 #[test]
@@ -278,7 +278,7 @@ fn unsaved_changes_ask_and_are_kept_for_recovery_meanwhile() {
     desk.keys("M q");
     assert!(has(&desk, |e| matches!(
         e,
-        Effect::KeepDraft { text: Some(_), .. }
+        Effect::KeepRecovery { text: Some(_), .. }
     )));
     snapshot("tui_unsaved_80x24", &desk);
     desk.keys("s");
@@ -291,7 +291,7 @@ fn unsaved_changes_ask_and_are_kept_for_recovery_meanwhile() {
     assert!(has(&desk, |e| matches!(e, Effect::Quit)));
     assert!(has(&desk, |e| matches!(
         e,
-        Effect::KeepDraft { text: None, .. }
+        Effect::KeepRecovery { text: None, .. }
     )));
 }
 
@@ -324,10 +324,10 @@ fn edits_of_an_earlier_session_are_offered() {
     })));
     desk.keys("r");
     let open = desk.state.open.as_ref().unwrap();
-    assert_eq!(open.sheet.text, edited);
-    assert!(open.sheet.unsaved());
+    assert_eq!(open.editor.text, edited);
+    assert!(open.editor.unsaved());
     desk.keys("u");
-    assert_eq!(desk.state.open.as_ref().unwrap().sheet.text, desk::CASE);
+    assert_eq!(desk.state.open.as_ref().unwrap().editor.text, desk::CASE);
 }
 
 #[test]
@@ -336,7 +336,7 @@ fn the_palette_finds_a_command_by_its_words_and_does_it() {
     desk.keys(":");
     desk.type_text("braille");
     desk.keys("enter");
-    assert_eq!(desk.state.looks.glyphs, Glyphs::Ascii);
+    assert_eq!(desk.state.capabilities.glyphs, Glyphs::Ascii);
     assert!(has(&desk, |e| matches!(
         e,
         Effect::RememberGlyphs(Glyphs::Ascii)
@@ -398,7 +398,7 @@ fn the_charts_share_one_instant() {
 
 #[test]
 fn every_command_can_be_reached_by_a_key_or_by_its_name() {
-    for place in Place::ALL {
+    for place in PaneId::ALL {
         let mut desk = Desk::with_case(SMALL);
         if let Some(open) = &mut desk.state.open {
             open.pane = place;

@@ -8,9 +8,9 @@ use seacable::case;
 use seacable::modes;
 use seacable::study::hard::{self, Computed, Hard};
 use seacable::tui::msg::CaseRead;
-use seacable::tui::place::Place;
+use seacable::tui::pane::PaneId;
 use seacable::tui::state::modes::COUNT;
-use seacable::tui::state::trials::{Trialled, TrialsOf};
+use seacable::tui::state::trials::{TrialProgress, TrialsOf};
 use seacable::tui::{Effect, Msg};
 
 use super::desk::Desk;
@@ -92,14 +92,14 @@ fn modes_have_the_right_half_of_a_large_screen() {
 const FALLING: &str = include_str!("../../../cases/hard/falling.toml");
 
 /// Computes the trials of a case, telling of the first so many, then of all.
-fn trialled(first: usize) -> (Trialled, Trialled) {
+fn trialled(first: usize) -> (TrialProgress, TrialProgress) {
     let hard = [Hard {
         file: "falling.toml".to_owned(),
         text: FALLING.to_owned(),
         case: case::parse(FALLING, "falling.toml").unwrap(),
     }];
     let all = hard::compute_all(&hard, &AtomicBool::new(false), &|_, _| {});
-    let of = |computed: &[Option<Computed>], over| Trialled {
+    let of = |computed: &[Option<Computed>], over| TrialProgress {
         findings: hard::findings(&hard, computed),
         done: computed.iter().flatten().count(),
         all: all.len(),
@@ -124,16 +124,16 @@ fn trials_fill_their_table_row_by_row() {
     let text = FALLING.to_owned();
     let file = "falling.toml".to_owned();
     assert_eq!(of, TrialsOf::Case { file, text });
-    assert_eq!(desk.state.place(), Place::Trials);
+    assert_eq!(desk.state.focus(), PaneId::Trials);
     let (some, all) = trialled(2);
-    let rows = |desk: &Desk| desk.state.trials.as_ref().unwrap().so_far.findings.len();
-    desk.tell(Msg::Trialled(ticket, Box::new(some)));
+    let rows = |desk: &Desk| desk.state.trials.as_ref().unwrap().progress.findings.len();
+    desk.tell(Msg::TrialProgress(ticket, Box::new(some)));
     assert_eq!(rows(&desk), 2);
     snapshot("tui_trials_going_80x24", &desk);
     // They go on behind the screen, and are there when they are asked for again.
     desk.keys("esc");
-    assert_eq!(desk.state.place(), Place::Inputs);
-    desk.tell(Msg::Trialled(ticket, Box::new(all.clone())));
+    assert_eq!(desk.state.focus(), PaneId::Inputs);
+    desk.tell(Msg::TrialProgress(ticket, Box::new(all.clone())));
     assert!(said(&desk).contains("OK"), "{}", said(&desk));
     desk.asked.clear();
     desk.keys("T");
@@ -141,7 +141,7 @@ fn trials_fill_their_table_row_by_row() {
     desk.keys("x");
     assert!(said(&desk).contains("already"));
     // What an earlier job still says is dropped.
-    desk.tell(Msg::Trialled(ticket + 7, Box::default()));
+    desk.tell(Msg::TrialProgress(ticket + 7, Box::default()));
     assert_eq!(rows(&desk), all.findings.len());
 }
 
@@ -154,11 +154,11 @@ fn trials_of_the_whole_family_are_stopped_by_a_key() {
     };
     assert!(matches!(of, TrialsOf::Files(files) if files.len() == 2));
     let (some, _) = trialled(3);
-    desk.tell(Msg::Trialled(ticket, Box::new(some)));
+    desk.tell(Msg::TrialProgress(ticket, Box::new(some)));
     snapshot("tui_trials_200x60", &desk);
     desk.keys("x");
     assert!(matches!(desk.asked.pop(), Some(Effect::Cancel(t)) if t == ticket));
     assert!(desk.screen().contains("stopped at 3 of"));
     desk.keys("esc");
-    assert_eq!(desk.state.place(), Place::Cases);
+    assert_eq!(desk.state.focus(), PaneId::Cases);
 }

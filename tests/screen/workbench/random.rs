@@ -64,7 +64,7 @@ proptest! {
             Desk::opening(size)
         };
         if ascii {
-            desk.state.looks = looks(Glyphs::Ascii, false);
+            desk.state.capabilities = looks(Glyphs::Ascii, false);
         }
         for (i, message) in messages.into_iter().enumerate() {
             desk.tell(message);

@@ -58,7 +58,7 @@ fn the_map_and_its_neighbours() {
     desk.keys("l } } }");
     snapshot("tui_map_cursor_80x24", &desk);
     desk.keys("j");
-    desk.state.looks = looks(Glyphs::Ascii, false);
+    desk.state.capabilities = looks(Glyphs::Ascii, false);
     snapshot("tui_map_ascii_mono_80x24", &desk);
     desk.keys("w");
     let written = desk.asked.iter().filter_map(|effect| match effect {

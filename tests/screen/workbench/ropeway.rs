@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use seacable::report::chart::Glyphs;
 use seacable::ropeway as core;
 use seacable::tui::msg::FileRead;
-use seacable::tui::place::Place;
+use seacable::tui::pane::PaneId;
 use seacable::tui::state::{Content, OpenFile, RopewayView};
 use seacable::tui::{Effect, Msg};
 
@@ -48,7 +48,7 @@ fn sag(desk: &Desk) -> f64 {
 #[test]
 fn the_panes_of_a_ropeway() {
     let mut desk = Desk::with_ropeway(SMALL);
-    assert_eq!(desk.state.place(), Place::Ropeway);
+    assert_eq!(desk.state.focus(), PaneId::Ropeway);
     snapshot("tui_ropeway_80x24", &desk);
     desk.keys("1");
     snapshot("tui_ropeway_inputs_80x24", &desk);
@@ -63,7 +63,7 @@ fn the_panes_of_a_ropeway() {
 #[test]
 fn without_colour_in_ascii() {
     let mut desk = Desk::with_ropeway((120, 30));
-    desk.state.looks = looks(Glyphs::Ascii, false);
+    desk.state.capabilities = looks(Glyphs::Ascii, false);
     snapshot("tui_ropeway_ascii_mono_120x30", &desk);
     let buffer = desk.buffer();
     assert!(buffer.content().iter().all(|cell| cell.symbol().is_ascii()));
@@ -79,15 +79,15 @@ fn the_cargo_slides_and_everything_follows_without_an_edit() {
     assert_ne!(desk.screen(), before);
     desk.keys("H H h left");
     assert!((ropeway(&desk).position - 0.31).abs() < 1e-9);
-    assert!(!open(&desk).sheet.unsaved());
+    assert!(!open(&desk).editor.unsaved());
     desk.keys("L L L L L L L L");
     assert!(desk.screen().contains("on the ship"), "{}", desk.screen());
     desk.keys("0");
     assert!((sag(&desk) - middle).abs() < 1e-12);
     desk.keys("H K");
-    assert!(open(&desk).sheet.text.contains("position = 0.4\n"));
+    assert!(open(&desk).editor.text.contains("position = 0.4\n"));
     desk.keys("u");
-    assert!(!open(&desk).sheet.unsaved());
+    assert!(!open(&desk).editor.unsaved());
 }
 
 #[test]
@@ -97,7 +97,7 @@ fn the_spans_of_the_paper_are_a_key_away_and_can_be_undone() {
     assert!((ropeway(&desk).worked.span.gap.span_m - 40.0).abs() < 1e-12);
     assert!(desk.screen().contains("40.0 m"));
     desk.keys("] ]");
-    assert!(!open(&desk).sheet.unsaved());
+    assert!(!open(&desk).editor.unsaved());
     desk.keys("[");
     assert!((ropeway(&desk).worked.span.gap.span_m - 60.0).abs() < 1e-12);
     desk.keys("u");
@@ -114,11 +114,11 @@ fn an_edit_is_worked_out_at_once_and_a_bad_one_refused_with_its_reason() {
     desk.keys("enter");
     let text = desk.screen();
     assert!(text.contains("of the shortest there is"), "{text}");
-    assert!(!open(&desk).sheet.unsaved());
+    assert!(!open(&desk).editor.unsaved());
     desk.keys("ctrl+u");
     desk.type_text("5");
     desk.keys("enter");
-    assert!(open(&desk).sheet.unsaved() && sag(&desk) < 6.0);
+    assert!(open(&desk).editor.unsaved() && sag(&desk) < 6.0);
 }
 
 #[test]
@@ -141,6 +141,6 @@ fn report_line_case_and_validation_are_written() {
     assert_eq!(written[2].0, "span_80-validation.txt");
     assert!(written[2].1.contains("DIFFERS"));
     desk.keys("esc");
-    assert_eq!(desk.state.place(), Place::Cases, "{}", said(&desk));
+    assert_eq!(desk.state.focus(), PaneId::Cases, "{}", said(&desk));
     assert!(has(&desk, |e| matches!(e, Effect::ReadCases)));
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use seacable::section;
 use seacable::tui::msg::FileRead;
-use seacable::tui::place::Place;
+use seacable::tui::pane::PaneId;
 use seacable::tui::state::{Content, OpenFile, Overlay, Question, SectionView};
 use seacable::tui::{Effect, Msg};
 
@@ -68,13 +68,13 @@ fn an_edit_redraws_at_once_keeps_every_comment_and_can_be_undone() {
     edit(&mut desk, "tube.wall_m", "0.002");
     let (now, design) = (open(&desk), &section(&desk).design);
     assert_eq!(
-        now.sheet.text,
+        now.editor.text,
         TEXT.replace("wall_m = 0.00165", "wall_m = 0.002")
     );
     assert!(design.ea() > before.ea());
     assert!(has(
         &desk,
-        |e| matches!(e, Effect::KeepDraft { text: Some(t), .. } if t.contains("wall_m = 0.002"))
+        |e| matches!(e, Effect::KeepRecovery { text: Some(t), .. } if t.contains("wall_m = 0.002"))
     ));
     desk.keys("u");
     assert_eq!(section(&desk).design, before);
@@ -84,7 +84,7 @@ fn an_edit_redraws_at_once_keeps_every_comment_and_can_be_undone() {
         |e| matches!(e, Effect::SaveCase { text, expected: Some(old), .. } if text.contains("0.002") && old == TEXT)
     ));
     desk.keys("r");
-    assert!(!open(&desk).sheet.unsaved());
+    assert!(!open(&desk).editor.unsaved());
 }
 
 #[test]
@@ -92,7 +92,7 @@ fn what_cannot_be_laid_out_is_refused_with_the_reason() {
     let mut desk = Desk::with_section(SMALL);
     edit(&mut desk, "inner-armour.count", "500");
     snapshot("tui_section_refused_80x24", &desk);
-    assert!(!open(&desk).sheet.unsaved());
+    assert!(!open(&desk).editor.unsaved());
 }
 
 #[test]
@@ -134,5 +134,5 @@ fn leaving_asks_about_changes_and_goes_back_to_the_list() {
     let asked = desk.state.overlay.as_ref().map(|o| format!("{o:?}"));
     assert_eq!(asked, Some(format!("{question:?}")), "{}", said(&desk));
     desk.keys("d");
-    assert_eq!(desk.state.place(), Place::Cases);
+    assert_eq!(desk.state.focus(), PaneId::Cases);
 }

@@ -7,7 +7,7 @@ use std::sync::atomic::Ordering;
 use seacable::report::chart::Glyphs;
 use seacable::ship::{self, DynamicAnalysis};
 use seacable::tui::msg::FileRead;
-use seacable::tui::place::Place;
+use seacable::tui::pane::PaneId;
 use seacable::tui::state::{Content, OpenFile, ShipView};
 use seacable::tui::{Effect, Msg};
 
@@ -39,13 +39,13 @@ impl Desk {
     /// Answers as the thread does that works the newest text out.
     fn sail(&mut self) {
         let asked = self.asked.iter().rev().find_map(|effect| match effect {
-            Effect::WorkShip(rest, _, stop) => Some((rest.clone(), Arc::clone(stop))),
+            Effect::ComputeShip(rest, _, stop) => Some((rest.clone(), Arc::clone(stop))),
             _ => None,
         });
         let (rest, stop) = asked.unwrap();
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/ship");
         let sea = DynamicAnalysis::of(&rest, &folder, &stop).map(Arc::new);
-        self.tell(Msg::ShipWorked(stop, sea));
+        self.tell(Msg::ShipComputed(stop, sea));
     }
 }
 
@@ -63,7 +63,7 @@ fn ship(desk: &Desk) -> &ShipView {
 #[test]
 fn the_panes_of_a_ship() {
     let mut desk = Desk::with_ship(SMALL);
-    assert_eq!(desk.state.place(), Place::Ship);
+    assert_eq!(desk.state.focus(), PaneId::Ship);
     assert!(
         desk.screen().contains("at sea: working"),
         "{}",
@@ -89,7 +89,7 @@ fn the_panes_of_a_ship() {
 #[test]
 fn without_colour_in_ascii() {
     let mut desk = Desk::with_ship((120, 30));
-    desk.state.looks = looks(Glyphs::Ascii, false);
+    desk.state.capabilities = looks(Glyphs::Ascii, false);
     desk.sail();
     snapshot("tui_ship_ascii_mono_120x30", &desk);
     let buffer = desk.buffer();
@@ -120,7 +120,7 @@ fn an_edit_is_live_at_rest_and_only_the_newest_text_is_taken_at_sea() {
     desk.keys("enter enter ctrl+u");
     desk.type_text("0.4");
     desk.keys("enter");
-    assert!(open(&desk).sheet.unsaved());
+    assert!(open(&desk).editor.unsaved());
     assert_ne!(ship(&desk).rest.equilibria, before.equilibria);
     // What was under way was told to stop, and its answer is dropped.
     assert!(stale.load(Ordering::Relaxed));
@@ -129,12 +129,12 @@ fn an_edit_is_live_at_rest_and_only_the_newest_text_is_taken_at_sea() {
         coupled: None,
         rope: None,
     };
-    desk.tell(Msg::ShipWorked(stale, Some(Arc::new(old))));
+    desk.tell(Msg::ShipComputed(stale, Some(Arc::new(old))));
     assert!(ship(&desk).sea.is_none() && ship(&desk).working.is_some());
     desk.sail();
     assert!(ship(&desk).sea.is_some() && ship(&desk).working.is_none());
     desk.keys("u");
-    assert!(!open(&desk).sheet.unsaved());
+    assert!(!open(&desk).editor.unsaved());
     desk.keys("1 enter ctrl+u");
     desk.type_text("-4");
     desk.keys("enter");
@@ -168,6 +168,6 @@ fn report_hang_point_and_validation_are_written_once_worked_out() {
     assert!(written[1].1.starts_with("time_s,x_m,y_m,z_m\n0.0,"));
     assert_eq!(written[2].0, "anchored-validation.txt");
     desk.keys("esc");
-    assert_eq!(desk.state.place(), Place::Cases, "{}", said(&desk));
+    assert_eq!(desk.state.focus(), PaneId::Cases, "{}", said(&desk));
     assert!(has(&desk, |e| matches!(e, Effect::ReadCases)));
 }

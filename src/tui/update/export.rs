@@ -1,4 +1,4 @@
-//! The papers made of a run: validation table, report, charts and tables as text and as CSV.
+//! The export made of a run: validation table, report, charts and tables as text and as CSV.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -6,12 +6,12 @@ use std::sync::Arc;
 use super::{moved, reported};
 use crate::report::chart::Map;
 use crate::report::table::Table;
-use crate::tui::backend;
 use crate::tui::command::Id;
+use crate::tui::facade;
 use crate::tui::msg::Effect;
-use crate::tui::place::Place;
+use crate::tui::pane::PaneId;
 use crate::tui::plots;
-use crate::tui::state::{OpenCase, State};
+use crate::tui::state::{AppState, OpenCase};
 use crate::tui::table_pane::{TablePane, TableVerb};
 
 /// Width of texts that are written to files.
@@ -24,7 +24,7 @@ pub(super) fn line_table(open: &OpenCase) -> Option<Table> {
 }
 
 /// Leafs through the tables of the line.
-pub(super) fn leaf_tables(state: &mut State, forward: bool) -> Vec<Effect> {
+pub(super) fn next_table(state: &mut AppState, forward: bool) -> Vec<Effect> {
     if let Some(open) = &mut state.open
         && let Some((_, run, _)) = reported(open)
     {
@@ -35,7 +35,7 @@ pub(super) fn leaf_tables(state: &mut State, forward: bool) -> Vec<Effect> {
 }
 
 /// Words the report of the chosen run.
-pub(super) fn write_report(state: &mut State) {
+pub(super) fn write_report(state: &mut AppState) {
     let Some(open) = &mut state.open else {
         return;
     };
@@ -43,16 +43,16 @@ pub(super) fn write_report(state: &mut State) {
         open.report = None;
         return;
     };
-    let text = match backend::parse(&run.case_text, &open.sheet.file) {
+    let text = match facade::parse(&run.case_text, &open.editor.file) {
         Ok(case) => {
             let variants = vec![(None, Arc::clone(&run))];
-            let same = run.case_text == open.sheet.text;
+            let same = run.case_text == open.editor.text;
             let rows = if same {
                 open.checks.clone()
             } else {
-                backend::checks(&case, &variants)
+                facade::checks(&case, &variants)
             };
-            backend::report(&run, &case, &rows)
+            facade::report(&run, &case, &rows)
         }
         Err(problem) => problem,
     };
@@ -60,14 +60,14 @@ pub(super) fn write_report(state: &mut State) {
 }
 
 /// What the panes with text on them do: write to a file, scroll sideways.
-pub(super) fn paper(state: &mut State, id: Id) -> Vec<Effect> {
-    let glyphs = state.looks.glyphs;
+pub(super) fn paper(state: &mut AppState, id: Id) -> Vec<Effect> {
+    let glyphs = state.capabilities.glyphs;
     let Some(open) = &mut state.open else {
         return Vec::new();
     };
-    let stem = open.sheet.file.trim_end_matches(".toml").to_owned();
+    let stem = open.editor.file.trim_end_matches(".toml").to_owned();
     match (id, open.pane) {
-        (Id::Write, Place::Report) => {
+        (Id::Write, PaneId::Report) => {
             let dir = reported(open).and_then(|(_, _, dir)| dir);
             let path = dir.map_or_else(
                 || PathBuf::from(format!("{stem}-report.txt")),
@@ -79,15 +79,15 @@ pub(super) fn paper(state: &mut State, id: Id) -> Vec<Effect> {
                 "The report",
             )
         }
-        (Id::Write, Place::Validation) => {
-            let text = backend::checks_table(&open.checks).to_text(PAPER_WIDTH);
+        (Id::Write, PaneId::Validation) => {
+            let text = facade::checks_table(&open.checks).to_text(PAPER_WIDTH);
             write(
                 PathBuf::from(format!("{stem}-validation.txt")),
                 Some(text),
                 "The validation table",
             )
         }
-        (Id::Write, Place::Nodes) => {
+        (Id::Write, PaneId::Nodes) => {
             let shown = reported(open).map(|(_, run, _)| {
                 let table = open.line_table.or_nodes(&run);
                 (table.name(), table.csv(&run))
@@ -107,12 +107,12 @@ pub(super) fn paper(state: &mut State, id: Id) -> Vec<Effect> {
             effects.extend(write(path("csv"), csv, "The map"));
             effects
         }
-        (_, Place::Validation) => {
-            let table = backend::checks_table(&open.checks);
+        (_, PaneId::Validation) => {
+            let table = facade::checks_table(&open.checks);
             open.checks_pane.act(table_verb(id), &table);
             Vec::new()
         }
-        (_, Place::Nodes) => {
+        (_, PaneId::Nodes) => {
             if let Some(table) = line_table(open) {
                 open.nodes_pane.act(table_verb(id), &table);
             }

@@ -1,7 +1,7 @@
 //! What outlives a session without being the user's files: unsaved changes, and answers given.
 //!
 //! Changes are kept at every edit and not only when the program ends badly: so they also survive a
-//! kill that leaves no time for anything.
+//! kill that tabs no time for anything.
 
 use std::fs;
 use std::io;
@@ -9,14 +9,14 @@ use std::path::{Path, PathBuf};
 
 use rustix::process::{Pid, test_kill_process};
 
-use super::shelf::state_dir;
+use super::case_library::state_dir;
 use crate::report::chart::Glyphs;
 
 /// Keeps the unsaved text of a case, or drops it when there is none any more.
 ///
 /// # Errors
 /// When the state directory cannot be written.
-pub fn keep(case: &Path, text: Option<&str>) -> io::Result<()> {
+pub fn store(case: &Path, text: Option<&str>) -> io::Result<()> {
     let dir = state_dir()?.join("recovery");
     let path = dir.join(format!("{}{}.toml", prefix(case), std::process::id()));
     match text {
@@ -26,14 +26,14 @@ pub fn keep(case: &Path, text: Option<&str>) -> io::Result<()> {
             fs::write(&beside, text)?;
             fs::rename(&beside, &path)
         }
-        None => gone(&path),
+        None => remove_if_present(&path),
     }
 }
 
 /// The text that a session which is no longer there left of this case; the newest of several.
 #[must_use]
-pub fn left(case: &Path) -> Option<String> {
-    let newest = left_files(case)
+pub fn find(case: &Path) -> Option<String> {
+    let newest = recovery_files(case)
         .into_iter()
         .max_by_key(|path| fs::metadata(path).and_then(|m| m.modified()).ok())?;
     fs::read_to_string(newest).ok()
@@ -43,18 +43,20 @@ pub fn left(case: &Path) -> Option<String> {
 ///
 /// # Errors
 /// When a file cannot be removed.
-pub fn drop_left(case: &Path) -> io::Result<()> {
-    left_files(case).iter().try_for_each(|path| gone(path))
+pub fn discard(case: &Path) -> io::Result<()> {
+    recovery_files(case)
+        .iter()
+        .try_for_each(|path| remove_if_present(path))
 }
 
-fn gone(path: &Path) -> io::Result<()> {
+fn remove_if_present(path: &Path) -> io::Result<()> {
     match fs::remove_file(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
         _ => Ok(()),
     }
 }
 
-fn left_files(case: &Path) -> Vec<PathBuf> {
+fn recovery_files(case: &Path) -> Vec<PathBuf> {
     let inside = state_dir().and_then(|dir| fs::read_dir(dir.join("recovery")));
     let prefix = prefix(case);
     inside

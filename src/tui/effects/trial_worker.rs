@@ -10,10 +10,15 @@ use crate::kinds::Kind;
 use crate::study::hard::{self, Computed, Hard};
 use crate::tui::msg::Msg;
 use crate::tui::state::Ticket;
-use crate::tui::state::trials::{Trialled, TrialsOf};
+use crate::tui::state::trials::{TrialProgress, TrialsOf};
 
 /// Computes trials, on all cores but the one of the screen; tells of each, and at the end.
-pub(super) fn try_all(ticket: Ticket, of: TrialsOf, cancel: &AtomicBool, out: &Sender<Msg>) -> Msg {
+pub(super) fn compute_trials(
+    ticket: Ticket,
+    of: TrialsOf,
+    cancel: &AtomicBool,
+    out: &Sender<Msg>,
+) -> Msg {
     let cases: Vec<Hard> = match of {
         TrialsOf::Case { file, text } => {
             let case = case::parse(&text, &file).ok();
@@ -23,13 +28,13 @@ pub(super) fn try_all(ticket: Ticket, of: TrialsOf, cancel: &AtomicBool, out: &S
         TrialsOf::Files(paths) => paths.iter().filter_map(|path| hard_case(path)).collect(),
     };
     let tell = |all: &[Option<Computed>], done: usize, over: bool| {
-        let so_far = Trialled {
+        let progress = TrialProgress {
             findings: hard::findings(&cases, all),
             done,
             all: all.len(),
             over,
         };
-        Msg::Trialled(ticket, Box::new(so_far))
+        Msg::TrialProgress(ticket, Box::new(progress))
     };
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let pool = rayon::ThreadPoolBuilder::new()

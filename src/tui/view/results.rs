@@ -2,12 +2,11 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::Canvas;
+use super::Painter;
 use super::paint::{row, text};
 use crate::report::limits as limits_table;
 use crate::run::limits;
-use crate::tui::backend;
-use crate::tui::inks::Inks;
+use crate::tui::facade;
 use crate::tui::line_tables::LineTable;
 use crate::tui::state::OpenCase;
 use crate::tui::update::reported;
@@ -16,15 +15,15 @@ use crate::tui::update::reported;
 pub(super) const NO_PUBLISHED_VALUES: &str =
     "This file states no published values to be held against.";
 
-impl Canvas<'_> {
+impl Painter<'_> {
     pub(super) fn validation(&mut self, area: Rect, open: &OpenCase) {
         if open.checks.is_empty() {
             return self.paragraph(area, NO_PUBLISHED_VALUES);
         }
-        let inks = Inks::new(self.state.looks.colour);
-        let table = backend::checks_table(&open.checks);
-        let glyphs = self.state.looks.glyphs;
-        open.checks_pane.draw(&table, area, self.buf, glyphs, inks);
+        let table = facade::checks_table(&open.checks);
+        let glyphs = self.state.capabilities.glyphs;
+        open.checks_pane
+            .draw(&table, area, self.buf, glyphs, self.theme);
     }
 
     /// What the sections bear, where the case states limits, and the nodes below.
@@ -32,11 +31,10 @@ impl Canvas<'_> {
         let Some((name, run, _)) = reported(open) else {
             return self.paragraph(area, "There is no finished run yet. `R` runs the case.");
         };
-        let inks = Inks::new(self.state.looks.colour);
-        let glyphs = self.state.looks.glyphs;
+        let glyphs = self.state.capabilities.glyphs;
         let mut rest = area;
         // A stored run may be of another text than the one that is open.
-        let case = backend::parse(&run.case_text, &open.sheet.file);
+        let case = facade::parse(&run.case_text, &open.editor.file);
         let limits = case.ok().and_then(|case| {
             let checks = limits::check(&case, &run.profile);
             limits_table::table(&checks)
@@ -71,7 +69,8 @@ impl Canvas<'_> {
                 format!("{what} of {name}, table {number} of {count}; `]` leafs, `w` writes it.")
             }
         };
-        open.nodes_pane.draw(&table, rest, self.buf, glyphs, inks);
+        open.nodes_pane
+            .draw(&table, rest, self.buf, glyphs, self.theme);
     }
 
     pub(super) fn report(&mut self, area: Rect, open: &OpenCase) {

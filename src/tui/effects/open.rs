@@ -9,7 +9,7 @@ use crate::section;
 use crate::ship;
 use crate::tui::msg::{CaseRead, FileRead, Msg};
 use crate::tui::state::{Content, RopewayView, SectionView, ShipView};
-use crate::tui::{drafts, shelf};
+use crate::tui::{case_library, recovery};
 
 pub(super) fn read_case(path: &Path) -> Msg {
     match Kind::of(path) {
@@ -30,12 +30,12 @@ pub(super) fn read_case(path: &Path) -> Msg {
 fn line_read(path: &Path) -> Msg {
     match case::load(path) {
         Ok(loaded) => Msg::CaseRead(Box::new(CaseRead {
-            recovered: drafts::left(path).filter(|text| *text != loaded.text),
+            recovered: recovery::find(path).filter(|text| *text != loaded.text),
             path: loaded.path,
             text: loaded.text,
             case: loaded.case,
         })),
-        Err(all) => Msg::CaseRefused(path.display().to_string(), shelf::story(path, &all)),
+        Err(all) => Msg::CaseRejected(path.display().to_string(), case_library::story(path, &all)),
     }
 }
 
@@ -47,11 +47,11 @@ fn file_read<W>(
 ) -> Msg {
     match read {
         Ok(loaded) => Msg::FileRead(Box::new(FileRead {
-            recovered: drafts::left(path).filter(|text| *text != loaded.text),
+            recovered: recovery::find(path).filter(|text| *text != loaded.text),
             path: loaded.path,
             text: loaded.text,
             content: content(loaded.worked),
         })),
-        Err(all) => Msg::CaseRefused(path.display().to_string(), shelf::story(path, &all)),
+        Err(all) => Msg::CaseRejected(path.display().to_string(), case_library::story(path, &all)),
     }
 }

@@ -6,24 +6,24 @@ use tui_input::Input;
 
 use super::info;
 use super::jobs::{queue, start_newest};
-use super::typing::type_key;
+use super::text_input::type_key;
 use crate::run::Resume;
 use crate::run::job::Request;
-use crate::tui::backend;
+use crate::tui::facade;
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
-use crate::tui::state::{Overlay, SlotState, State};
+use crate::tui::state::{AppState, Overlay, RunStatus};
 
 /// Asks for the time up to which the run under the cursor is to go on.
-pub(super) fn ask(state: &mut State) -> Vec<Effect> {
+pub(super) fn ask(state: &mut AppState) -> Vec<Effect> {
     let Some(open) = &state.open else {
         return Vec::new();
     };
     let Some((slot, dir)) = open.current_run().and_then(|s| Some((s, s.dir.clone()?))) else {
         return Vec::new();
     };
-    let end = backend::parse(&slot.text, &open.sheet.file).map(|case| case.solver.duration_s);
-    let whole = slot.state == SlotState::Done;
+    let end = facade::parse(&slot.text, &open.editor.file).map(|case| case.solver.duration_s);
+    let whole = slot.state == RunStatus::Done;
     // A run that was stopped goes on to its own end, a whole one as far again.
     let offer = end.map_or_else(
         |_| String::new(),
@@ -45,7 +45,7 @@ pub(super) fn ask(state: &mut State) -> Vec<Effect> {
 
 /// Keys while the time is typed.
 pub(super) fn key(
-    state: &mut State,
+    state: &mut AppState,
     dir: PathBuf,
     mut input: Input,
     mut words: String,
@@ -54,7 +54,7 @@ pub(super) fn key(
     match key {
         Key::Esc => return Vec::new(),
         Key::Enter => match input.value().trim().parse::<f64>() {
-            Ok(until) if until.is_finite() => return vec![Effect::GoOn(dir, until)],
+            Ok(until) if until.is_finite() => return vec![Effect::PrepareResume(dir, until)],
             _ => "That is no time. Type seconds of simulated time, such as 1800."
                 .clone_into(&mut words),
         },
@@ -68,7 +68,7 @@ pub(super) fn key(
 
 /// The run goes on, or the question is asked again with the reason why not.
 pub(super) fn found(
-    state: &mut State,
+    state: &mut AppState,
     dir: PathBuf,
     until: f64,
     found: Result<Box<(Request, Resume)>, String>,

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use super::shelf;
+use super::case_library;
 use crate::case;
 use crate::kinds::Kind;
 use crate::ropeway;
@@ -45,7 +45,7 @@ pub(super) fn read(path: &Path) -> Result<String, String> {
         Kind::Ropeway => ropeway::load(path).map(|loaded| loaded.text),
         Kind::Ship => ship::load(path).map(|loaded| loaded.text),
     };
-    read.map_err(|all| shelf::story(path, &all))
+    read.map_err(|all| case_library::story(path, &all))
 }
 
 #[cfg(test)]

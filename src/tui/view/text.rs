@@ -3,10 +3,10 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 use tui_input::Input;
 
-use super::Canvas;
+use super::Painter;
 use super::paint::{row, text, wrap};
 
-impl Canvas<'_> {
+impl Painter<'_> {
     /// Plain words in an area, broken between words, as many lines as it has.
     pub(super) fn paragraph(&mut self, area: Rect, words: &str) {
         let lines = wrap(words, area.width.into());

@@ -1,6 +1,6 @@
 //! What changes along the line: tension, curvature, bending moment, over unstretched arc length.
 
-use super::{Source, named, slots};
+use super::{PlottedRun, named, slots};
 use crate::report::chart::{Axis, Chart, Series, extent};
 use crate::run::Profile;
 
@@ -10,7 +10,7 @@ type Curve<'a> = (&'static str, &'a [f64]);
 /// Tension along the line at the end \[N\] over unstretched arc length from end A \[m\], with its
 /// smallest and greatest values over time where they differ from it.
 #[must_use]
-pub fn tension_profile(sources: &[Source]) -> Chart {
+pub fn tension_profile(sources: &[PlottedRun]) -> Chart {
     along(
         sources,
         "Tension along the line",
@@ -29,7 +29,7 @@ pub fn tension_profile(sources: &[Source]) -> Chart {
 
 /// Curvature along the line at the end \[1/m\], with its greatest values over time where they differ from it.
 #[must_use]
-pub fn curvature_profile(sources: &[Source]) -> Chart {
+pub fn curvature_profile(sources: &[PlottedRun]) -> Chart {
     along(
         sources,
         "Curvature along the line",
@@ -40,7 +40,7 @@ pub fn curvature_profile(sources: &[Source]) -> Chart {
 
 /// Bending moment along the line at the end \[N m\], with its greatest values over time where they differ from it.
 #[must_use]
-pub fn moment_profile(sources: &[Source]) -> Chart {
+pub fn moment_profile(sources: &[PlottedRun]) -> Chart {
     along(
         sources,
         "Bending moment along the line",
@@ -51,7 +51,7 @@ pub fn moment_profile(sources: &[Source]) -> Chart {
 
 /// The curves of every profile over arc length.
 fn along(
-    sources: &[Source],
+    sources: &[PlottedRun],
     title: &str,
     y: Axis,
     curves: impl Fn(&Profile) -> Vec<Curve<'_>>,
@@ -85,7 +85,7 @@ fn along(
 }
 
 /// These series over the arc length of the longest line.
-pub(super) fn over_arc(sources: &[Source], title: &str, y: Axis, series: Vec<Series>) -> Chart {
+pub(super) fn over_arc(sources: &[PlottedRun], title: &str, y: Axis, series: Vec<Series>) -> Chart {
     let length = sources
         .iter()
         .filter_map(|s| s.profile?.arc.last().copied());

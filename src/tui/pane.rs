@@ -2,7 +2,7 @@
 
 /// Where the keys go.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Place {
+pub enum PaneId {
     /// The list of cases.
     Cases,
     /// The parameter editor.
@@ -37,7 +37,7 @@ pub enum Place {
     Ship,
 }
 
-impl Place {
+impl PaneId {
     /// All of them.
     pub const ALL: [Self; 16] = [
         Self::Trials,
@@ -93,102 +93,102 @@ impl Place {
 }
 
 /// Wherever keys go.
-pub(super) const EVERYWHERE: &[Place] = &Place::ALL;
+pub(super) const EVERYWHERE: &[PaneId] = &PaneId::ALL;
 /// Panes of an open line case.
-pub(super) const IN_CASE: &[Place] = &Place::PANES;
+pub(super) const IN_CASE: &[PaneId] = &PaneId::PANES;
 /// The trials.
-pub(super) const TRIALS: &[Place] = &[Place::Trials];
+pub(super) const TRIALS: &[PaneId] = &[PaneId::Trials];
 /// What scrolls or has a cursor that goes up and down.
-pub(super) const LISTS: &[Place] = &[
-    Place::Trials,
-    Place::Modes,
-    Place::Cases,
-    Place::Inputs,
-    Place::Runs,
-    Place::Validation,
-    Place::Report,
-    Place::Jobs,
-    Place::Nodes,
-    Place::Keys,
-    Place::Tables,
-    Place::Checks,
-    Place::Ship,
+pub(super) const LISTS: &[PaneId] = &[
+    PaneId::Trials,
+    PaneId::Modes,
+    PaneId::Cases,
+    PaneId::Inputs,
+    PaneId::Runs,
+    PaneId::Validation,
+    PaneId::Report,
+    PaneId::Jobs,
+    PaneId::Nodes,
+    PaneId::Keys,
+    PaneId::Tables,
+    PaneId::Checks,
+    PaneId::Ship,
 ];
 /// As [`LISTS`], without the pane that has a word of its own for it.
-pub(super) const DOWN: &[Place] = &[
-    Place::Trials,
-    Place::Cases,
-    Place::Inputs,
-    Place::Runs,
-    Place::Validation,
-    Place::Report,
-    Place::Jobs,
-    Place::Nodes,
-    Place::Keys,
-    Place::Tables,
-    Place::Checks,
-    Place::Ship,
+pub(super) const DOWN: &[PaneId] = &[
+    PaneId::Trials,
+    PaneId::Cases,
+    PaneId::Inputs,
+    PaneId::Runs,
+    PaneId::Validation,
+    PaneId::Report,
+    PaneId::Jobs,
+    PaneId::Nodes,
+    PaneId::Keys,
+    PaneId::Tables,
+    PaneId::Checks,
+    PaneId::Ship,
 ];
 /// Panes of a file that is no line case.
-pub(super) const IN_SHEET: &[Place] = &[
-    Place::Keys,
-    Place::Tables,
-    Place::Checks,
-    Place::Drawing,
-    Place::Ropeway,
-    Place::Ship,
+pub(super) const IN_SHEET: &[PaneId] = &[
+    PaneId::Keys,
+    PaneId::Tables,
+    PaneId::Checks,
+    PaneId::Drawing,
+    PaneId::Ropeway,
+    PaneId::Ship,
 ];
 /// The ropeway drawn.
-pub(super) const ROPEWAY: &[Place] = &[Place::Ropeway];
+pub(super) const ROPEWAY: &[PaneId] = &[PaneId::Ropeway];
 /// The list of cases.
-pub(super) const CASES: &[Place] = &[Place::Cases];
+pub(super) const CASES: &[PaneId] = &[PaneId::Cases];
 /// Keys of a file, of any kind.
-pub(super) const INPUTS: &[Place] = &[Place::Inputs, Place::Keys];
+pub(super) const INPUTS: &[PaneId] = &[PaneId::Inputs, PaneId::Keys];
 /// The cross-section drawn.
-pub(super) const DRAWING: &[Place] = &[Place::Drawing];
+pub(super) const DRAWING: &[PaneId] = &[PaneId::Drawing];
 /// Tables and charts of a file that is no line case.
-pub(super) const TABLES: &[Place] = &[Place::Tables];
+pub(super) const TABLES: &[PaneId] = &[PaneId::Tables];
 /// Natural modes.
-pub(super) const MODES: &[Place] = &[Place::Modes];
+pub(super) const MODES: &[PaneId] = &[PaneId::Modes];
 /// The line node by node.
-pub(super) const NODES: &[Place] = &[Place::Nodes];
+pub(super) const NODES: &[PaneId] = &[PaneId::Nodes];
 /// Panes of an open file, of any kind.
-pub(super) const IN_FILE: &[Place] = &[
-    Place::Modes,
-    Place::Inputs,
-    Place::Charts,
-    Place::Runs,
-    Place::Validation,
-    Place::Report,
-    Place::Jobs,
-    Place::Nodes,
-    Place::Keys,
-    Place::Tables,
-    Place::Checks,
-    Place::Drawing,
-    Place::Ropeway,
-    Place::Ship,
+pub(super) const IN_FILE: &[PaneId] = &[
+    PaneId::Modes,
+    PaneId::Inputs,
+    PaneId::Charts,
+    PaneId::Runs,
+    PaneId::Validation,
+    PaneId::Report,
+    PaneId::Jobs,
+    PaneId::Nodes,
+    PaneId::Keys,
+    PaneId::Tables,
+    PaneId::Checks,
+    PaneId::Drawing,
+    PaneId::Ropeway,
+    PaneId::Ship,
 ];
 /// Charts of a line case.
-pub(super) const CHARTS: &[Place] = &[Place::Charts];
+pub(super) const CHARTS: &[PaneId] = &[PaneId::Charts];
 /// Its runs.
-pub(super) const RUNS: &[Place] = &[Place::Runs];
+pub(super) const RUNS: &[PaneId] = &[PaneId::Runs];
 /// Its jobs.
-pub(super) const JOBS: &[Place] = &[Place::Jobs];
+pub(super) const JOBS: &[PaneId] = &[PaneId::Jobs];
 /// What may be wider than the screen.
-pub(super) const WIDE: &[Place] = &[
-    Place::Trials,
-    Place::Modes,
-    Place::Validation,
-    Place::Report,
-    Place::Nodes,
-    Place::Tables,
-    Place::Checks,
+pub(super) const WIDE: &[PaneId] = &[
+    PaneId::Trials,
+    PaneId::Modes,
+    PaneId::Validation,
+    PaneId::Report,
+    PaneId::Nodes,
+    PaneId::Tables,
+    PaneId::Checks,
 ];
 /// What `w` writes of a line case.
-pub(super) const WRITABLE: &[Place] = &[
-    Place::Charts,
-    Place::Validation,
-    Place::Report,
-    Place::Nodes,
+pub(super) const WRITABLE: &[PaneId] = &[
+    PaneId::Charts,
+    PaneId::Validation,
+    PaneId::Report,
+    PaneId::Nodes,
 ];

@@ -4,7 +4,7 @@ use crate::report::chart::Glyphs;
 
 /// What was decided, and whether the user should be asked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Looks {
+pub struct Capabilities {
     /// Characters for charts and frames.
     pub glyphs: Glyphs,
     /// False under `NO_COLOR`.
@@ -21,7 +21,7 @@ pub fn decide(
     flag: Option<Glyphs>,
     remembered: Option<Glyphs>,
     var: &dyn Fn(&str) -> Option<String>,
-) -> Looks {
+) -> Capabilities {
     let set = |name: &str| var(name).filter(|v| !v.is_empty());
     let locale = set("LC_ALL")
         .or_else(|| set("LC_CTYPE"))
@@ -39,7 +39,7 @@ pub fn decide(
         (None, Some(true)) => (Glyphs::Braille, false),
         (None, None) => (Glyphs::Ascii, true),
     };
-    Looks {
+    Capabilities {
         glyphs,
         colour: set("NO_COLOR").is_none(),
         unsure,
@@ -50,7 +50,7 @@ pub fn decide(
 mod tests {
     use super::*;
 
-    fn with(pairs: &[(&str, &str)], flag: Option<Glyphs>, kept: Option<Glyphs>) -> Looks {
+    fn with(pairs: &[(&str, &str)], flag: Option<Glyphs>, kept: Option<Glyphs>) -> Capabilities {
         decide(flag, kept, &|name| {
             pairs
                 .iter()
@@ -97,8 +97,8 @@ mod tests {
 
     #[test]
     fn no_locale_is_a_question_and_no_answer() {
-        let looks = with(&[], None, None);
-        assert!(looks.unsure);
+        let capabilities = with(&[], None, None);
+        assert!(capabilities.unsure);
         assert!(!with(&[], None, Some(Glyphs::Ascii)).unsure);
     }
 

@@ -1,7 +1,7 @@
 //! Files and threads: does what the effects ask for, and answers with messages.
 
-mod reading;
-mod trying;
+mod open;
+mod trial_worker;
 
 use std::collections::HashMap;
 use std::fs;
@@ -13,15 +13,15 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use crossbeam_channel::{Receiver, Sender, bounded, unbounded};
 
-use self::reading::read_case;
-use self::trying::try_all;
-use super::drafts;
+use self::open::read_case;
+use self::trial_worker::compute_trials;
+use super::case_library;
 use super::files::{save_case, write_text};
 use super::msg::{Effect, Msg};
-use super::shelf;
+use super::recovery;
 use super::state::modes::COUNT;
 use super::state::trials::TrialsOf;
-use super::state::{Curves, Level, RunSlot, SlotKind, SlotState, Ticket};
+use super::state::{Curves, Level, RunEntry, RunOrigin, RunStatus, Ticket};
 use crate::case;
 use crate::modes;
 use crate::run::job::{self, Event, Job, JobId, Request};
@@ -31,11 +31,11 @@ use crate::ship::DynamicAnalysis;
 
 /// What is outside of the state.
 #[derive(Debug)]
-pub struct World {
+pub struct EffectRunner {
     dir: PathBuf,
     sender: Sender<Msg>,
     receiver: Receiver<Msg>,
-    jobs: HashMap<Ticket, Going>,
+    jobs: HashMap<Ticket, RunningJob>,
     /// The trials that compute, and the flag that stops them.
     trials: Option<(Ticket, Arc<AtomicBool>)>,
     /// Threads that read or work something out aside.
@@ -45,7 +45,7 @@ pub struct World {
 /// A job going on, and what it has recorded since the screen last asked. However long the screen takes, that stays within
 /// bounds.
 #[derive(Debug)]
-struct Going {
+struct RunningJob {
     job: Job,
     fresh: Arc<Mutex<Curves>>,
 }
@@ -53,7 +53,7 @@ struct Going {
 /// How many of its events a job may be ahead of the thread that stores them.
 const AHEAD: usize = 256;
 
-impl World {
+impl EffectRunner {
     /// A world that lists the cases of a directory.
     #[must_use]
     pub fn new(dir: PathBuf) -> Self {
@@ -75,7 +75,7 @@ impl World {
     }
 
     /// What jobs said since the last call.
-    pub fn heard(&mut self) -> Vec<Msg> {
+    pub fn poll(&mut self) -> Vec<Msg> {
         // Taken first: what a job said before it recorded anything is then in the channel.
         let fresh = self.jobs.iter().filter_map(|(ticket, going)| {
             let mut curves = going.fresh.lock().unwrap_or_else(PoisonError::into_inner);
@@ -125,7 +125,10 @@ impl World {
     pub fn perform(&mut self, effect: Effect) -> Vec<Msg> {
         match effect {
             Effect::ReadCases => {
-                vec![Msg::CasesRead(self.dir.clone(), shelf::list(&self.dir))]
+                vec![Msg::CasesRead(
+                    self.dir.clone(),
+                    case_library::list(&self.dir),
+                )]
             }
             Effect::ReadCase(path) => vec![read_case(&path)],
             Effect::SaveCase {
@@ -134,12 +137,12 @@ impl World {
                 expected,
                 new,
             } => vec![save_case(path, text, expected.as_deref(), new)],
-            Effect::KeepDraft { path, text } => said(
-                drafts::keep(&path, text.as_deref()),
+            Effect::KeepRecovery { path, text } => said(
+                recovery::store(&path, text.as_deref()),
                 "The unsaved changes cannot be kept for recovery",
             ),
             Effect::DropRecovery(path) => said(
-                drafts::drop_left(&path),
+                recovery::discard(&path),
                 "The kept changes cannot be dropped",
             ),
             Effect::Start {
@@ -153,9 +156,9 @@ impl World {
                 Msg::Modes(text, found.map(Arc::new).map_err(|why| why.to_string()))
             }),
             Effect::StartTrials { ticket, of } => self.start_trials(ticket, of),
-            Effect::GoOn(dir, until) => {
+            Effect::PrepareResume(dir, until) => {
                 let found = resume_request(&dir, Some(until)).map(Box::new);
-                vec![Msg::Onward(dir, until, found)]
+                vec![Msg::ResumeReady(dir, until, found)]
             }
             Effect::Cancel(ticket) => {
                 if let Some((_, cancel)) = self.trials.as_ref().filter(|(t, _)| *t == ticket) {
@@ -166,11 +169,11 @@ impl World {
                 }
                 Vec::new()
             }
-            Effect::WorkShip(rest, folder, stop) => self.aside(move || {
+            Effect::ComputeShip(rest, folder, stop) => self.aside(move || {
                 // It always answers: a fault of it is told by the panic hook.
                 let work = AssertUnwindSafe(|| DynamicAnalysis::of(&rest, &folder, &stop));
                 let sea = catch_unwind(work).ok().flatten().map(Arc::new);
-                Msg::ShipWorked(stop, sea)
+                Msg::ShipComputed(stop, sea)
             }),
             Effect::ListRuns(files) => vec![Msg::RunsListed(list_runs(&files))],
             Effect::ReadRun(dir) => self.aside(move || {
@@ -181,7 +184,7 @@ impl World {
             Effect::KeepRun(run) => vec![keep_run(run)],
             Effect::WriteText { path, text, what } => vec![write_text(&path, &text, what)],
             Effect::RememberGlyphs(glyphs) => said(
-                drafts::remember_glyphs(glyphs),
+                recovery::remember_glyphs(glyphs),
                 "The choice cannot be remembered",
             ),
             Effect::Copy(_)
@@ -196,7 +199,7 @@ impl World {
         let cancel = Arc::new(AtomicBool::new(false));
         self.trials = Some((ticket, Arc::clone(&cancel)));
         let out = self.sender.clone();
-        self.aside(move || try_all(ticket, of, &cancel, &out))
+        self.aside(move || compute_trials(ticket, of, &cancel, &out))
     }
 
     /// Starts a job, and a thread that passes on what it says; the same thread stores the run, so
@@ -223,7 +226,7 @@ impl World {
             std::thread::Builder::new()
                 .name(format!("relay-{ticket}"))
                 .spawn(move || relay(ticket, &said, writer, &record, &out))?;
-            Ok(Going { job, fresh })
+            Ok(RunningJob { job, fresh })
         });
         match started {
             Ok(going) => {
@@ -300,9 +303,9 @@ fn begin(request: &Request) -> Result<Writer, store::StoreError> {
     )
 }
 
-fn list_runs(files: &[String]) -> Vec<RunSlot> {
+fn list_runs(files: &[String]) -> Vec<RunEntry> {
     let entries = store::list(Path::new(store::DEFAULT_ROOT)).unwrap_or_default();
-    let mut slots: Vec<RunSlot> = entries
+    let mut slots: Vec<RunEntry> = entries
         .into_iter()
         .filter_map(|entry| {
             let info = entry.info.ok()?;
@@ -320,19 +323,19 @@ fn list_runs(files: &[String]) -> Vec<RunSlot> {
     slots
 }
 
-fn slot(dir: PathBuf, info: RunInfo, held: bool) -> RunSlot {
-    RunSlot {
+fn slot(dir: PathBuf, info: RunInfo, held: bool) -> RunEntry {
+    RunEntry {
         ticket: None,
         label: info.overrides.join(", "),
         at: None,
         text: fs::read_to_string(dir.join("case.toml")).unwrap_or_default(),
-        kind: SlotKind::Stored,
+        kind: RunOrigin::Stored,
         state: match info.state {
-            RunState::Done => SlotState::Done,
-            RunState::Partial if held => SlotState::Elsewhere,
-            RunState::Partial => SlotState::Partial,
-            RunState::Cancelled => SlotState::Cancelled,
-            RunState::Failed => SlotState::Failed(info.failure.unwrap_or_default()),
+            RunState::Done => RunStatus::Done,
+            RunState::Partial if held => RunStatus::Elsewhere,
+            RunState::Partial => RunStatus::Partial,
+            RunState::Cancelled => RunStatus::Cancelled,
+            RunState::Failed => RunStatus::Failed(info.failure.unwrap_or_default()),
         },
         method: info.settings.method,
         dir: Some(dir),

@@ -1,4 +1,4 @@
-//! Going on with a stored run.
+//! RunningJob on with a stored run.
 
 use std::sync::atomic::AtomicBool;
 
@@ -31,8 +31,8 @@ fn a_stored_run_goes_on_from_the_list() {
     desk.type_text("4");
     desk.asked.clear();
     desk.keys("enter");
-    assert!(matches!(desk.asked[..], [Effect::GoOn(_, until)] if until == 4.0));
-    desk.tell(Msg::Onward(
+    assert!(matches!(desk.asked[..], [Effect::PrepareResume(_, until)] if until == 4.0));
+    desk.tell(Msg::ResumeReady(
         dir.clone(),
         4.0,
         Err("No whole number.".to_owned()),
@@ -59,7 +59,7 @@ fn a_stored_run_goes_on_from_the_list() {
     });
     writer.finish(&run).unwrap();
     let onward = resume_request(&dir, Some(4.0)).map(Box::new);
-    desk.tell(Msg::Onward(dir, 4.0, onward));
+    desk.tell(Msg::ResumeReady(dir, 4.0, onward));
     let started = desk.started();
     assert_eq!(started.len(), 1);
     assert_eq!(started[0].1.case.solver.duration_s, 4.0);

@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use tui_input::Input;
 
 use crate::case::Case;
-use crate::tui::backend::{self, FieldRow};
+use crate::tui::facade::{self, FieldRow};
 
 /// What follows a save that was asked for on the way out.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum After {
+pub enum AfterSave {
     /// Nothing.
     #[default]
     Stay,
@@ -32,7 +32,7 @@ pub struct Editing {
 
 /// A file open in the parameter editor.
 #[derive(Debug, Clone)]
-pub struct Sheet {
+pub struct ParameterEditor {
     /// Where its file is.
     pub path: PathBuf,
     /// Name of the file.
@@ -48,7 +48,7 @@ pub struct Sheet {
     /// Texts undone, to be redone.
     pub redo: Vec<String>,
     /// What follows the next save.
-    pub after_save: After,
+    pub after_save: AfterSave,
     /// Cursor among the fields that pass the filter.
     pub field: usize,
     /// Filter of the fields.
@@ -59,13 +59,13 @@ pub struct Sheet {
     pub editing: Option<Editing>,
 }
 
-impl Sheet {
+impl ParameterEditor {
     /// What a text of this file says as a case.
     ///
     /// # Errors
     /// The first thing wrong, as one line with file, line and column.
     pub fn case_of(&self, text: &str) -> Result<Case, String> {
-        backend::parse_at(text, &self.path, &self.file)
+        facade::parse_at(text, &self.path, &self.file)
     }
 
     /// A file as read, with its fields still to be listed.
@@ -83,7 +83,7 @@ impl Sheet {
             rows: Vec::new(),
             undo: Vec::new(),
             redo: Vec::new(),
-            after_save: After::Stay,
+            after_save: AfterSave::Stay,
             field: 0,
             filter: Input::default(),
             filtering: false,

@@ -1,13 +1,13 @@
 //! The dynamic stiffness of fibre ropes: along the line, and against time at the ends of their sections.
 
-use super::along::over_arc;
-use super::{Source, named, places, slots, times};
+use super::profiles::over_arc;
+use super::{PlottedRun, named, places, slots, time_histories};
 use crate::report::chart::{Axis, Chart, Series};
 
 /// Stiffness k = EA by breaking load along the ropes at the end, with its smallest and greatest values over time where
 /// they differ from it.
 #[must_use]
-pub fn stiffness_profile(sources: &[Source]) -> Chart {
+pub fn stiffness_profile(sources: &[PlottedRun]) -> Chart {
     let mut series = Vec::new();
     for (source, slot) in sources.iter().zip(slots(sources, 3)) {
         let Some(ropes) = source.profile.map(|p| &p.ropes) else {
@@ -49,12 +49,12 @@ pub fn stiffness_profile(sources: &[Source]) -> Chart {
 
 /// Stiffness k = EA by breaking load against time, at the ends of the sections of rope.
 #[must_use]
-pub fn stiffness_in_time(sources: &[Source]) -> Chart {
+pub fn stiffness_in_time(sources: &[PlottedRun]) -> Chart {
     let things: Vec<_> = places(sources, "stiffness_k")
         .into_iter()
         .map(|place| ("stiffness_k", place, place))
         .collect();
-    times::chart(
+    time_histories::chart(
         sources,
         "Dynamic stiffness",
         Axis::new("EA by breaking load", ""),
@@ -64,13 +64,13 @@ pub fn stiffness_in_time(sources: &[Source]) -> Chart {
 
 /// Mean of the past tension Lm against time, in percent of the breaking load, at the ends of the sections of rope.
 #[must_use]
-pub fn mean_load_in_time(sources: &[Source]) -> Chart {
+pub fn mean_load_in_time(sources: &[PlottedRun]) -> Chart {
     loads(sources, "mean_load_percent", "Mean load (Lm)")
 }
 
 /// Deviation of the tension from its mean La against time, in percent of the breaking load, likewise.
 #[must_use]
-pub fn deviation_in_time(sources: &[Source]) -> Chart {
+pub fn deviation_in_time(sources: &[PlottedRun]) -> Chart {
     loads(
         sources,
         "load_deviation_percent",
@@ -78,10 +78,10 @@ pub fn deviation_in_time(sources: &[Source]) -> Chart {
     )
 }
 
-fn loads(sources: &[Source], quantity: &str, title: &str) -> Chart {
+fn loads(sources: &[PlottedRun], quantity: &str, title: &str) -> Chart {
     let all = places(sources, quantity);
     let things: Vec<_> = all.iter().map(|place| (quantity, *place, *place)).collect();
-    times::chart(
+    time_histories::chart(
         sources,
         title,
         Axis::new("of the breaking load", "%"),

@@ -59,7 +59,7 @@ fn data_dir() -> io::Result<PathBuf> {
     Ok(base.data_dir().join("seacable"))
 }
 
-/// Where the program keeps what is not the user's: drafts, answers given.
+/// Where the program keeps what is not the user's: recovery, answers given.
 ///
 /// # Errors
 /// When the user has no home directory.

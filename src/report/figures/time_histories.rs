@@ -1,11 +1,11 @@
 //! Channels against time.
 
-use super::{Source, body, named, places, slots, values};
+use super::{PlottedRun, body, named, places, slots, values};
 use crate::report::chart::{Axis, Chart, Series};
 
 /// Tension at the joints against time \[s, N\], a series a joint and run.
 #[must_use]
-pub fn tensions(sources: &[Source]) -> Chart {
+pub fn tensions(sources: &[PlottedRun]) -> Chart {
     let joints = places(sources, "tension_n");
     let things: Vec<_> = joints
         .iter()
@@ -21,7 +21,7 @@ pub fn tensions(sources: &[Source]) -> Chart {
 
 /// Position of the payload against time \[s, m\]: x along the scene, z up from still water.
 #[must_use]
-pub fn payload_position(sources: &[Source]) -> Chart {
+pub fn payload_position(sources: &[PlottedRun]) -> Chart {
     let body = body(sources).unwrap_or("payload");
     let things = [("x_m", body, "x"), ("z_m", body, "z")];
     let title = format!("Position of the {body}");
@@ -30,7 +30,7 @@ pub fn payload_position(sources: &[Source]) -> Chart {
 
 /// Speed of every end that nothing holds against time \[s, m/s\].
 #[must_use]
-pub fn speed(sources: &[Source]) -> Chart {
+pub fn speed(sources: &[PlottedRun]) -> Chart {
     Chart {
         title: "Speed".to_owned(),
         ..against_time(sources, "speed_m_per_s", Axis::new("speed", "m/s"))
@@ -39,7 +39,7 @@ pub fn speed(sources: &[Source]) -> Chart {
 
 /// Tilt of a payload that turns against time \[s, deg\].
 #[must_use]
-pub fn tilt(sources: &[Source]) -> Chart {
+pub fn tilt(sources: &[PlottedRun]) -> Chart {
     Chart {
         title: "Tilt of the payload".to_owned(),
         ..against_time(sources, "tilt_deg", Axis::new("tilt", "deg"))
@@ -48,7 +48,7 @@ pub fn tilt(sources: &[Source]) -> Chart {
 
 /// Height of the waves against time \[s, m\].
 #[must_use]
-pub fn elevation(sources: &[Source]) -> Chart {
+pub fn elevation(sources: &[PlottedRun]) -> Chart {
     Chart {
         title: "Height of the waves".to_owned(),
         ..against_time(sources, "wave_elevation_m", Axis::new("elevation", "m"))
@@ -58,7 +58,7 @@ pub fn elevation(sources: &[Source]) -> Chart {
 /// One quantity at all the places where it was recorded, against time: `against_time(.., "x_m",
 /// Axis::new("x", "m"))`.
 #[must_use]
-pub fn against_time(sources: &[Source], quantity: &str, y: Axis) -> Chart {
+pub fn against_time(sources: &[PlottedRun], quantity: &str, y: Axis) -> Chart {
     let all = places(sources, quantity);
     let things: Vec<_> = all.iter().map(|place| (quantity, *place, *place)).collect();
     let title = y.label.clone();
@@ -67,7 +67,7 @@ pub fn against_time(sources: &[Source], quantity: &str, y: Axis) -> Chart {
 
 /// A series for each run and thing: quantity, place, name in the legend.
 pub(super) fn chart(
-    sources: &[Source],
+    sources: &[PlottedRun],
     title: &str,
     y: Axis,
     things: &[(&str, &str, &str)],
@@ -108,10 +108,10 @@ pub(super) fn chart(
 }
 
 /// From the first instant to the end of the longest run, exactly: a time axis is not rounded up.
-fn time_range(sources: &[Source]) -> Option<(f64, f64)> {
+fn time_range(sources: &[PlottedRun]) -> Option<(f64, f64)> {
     let first = sources.iter().filter_map(|s| s.history.time.first());
     let start = first.copied().fold(0.0, f64::min);
-    let end = |s: &Source| s.duration.or(s.history.time.last().copied());
+    let end = |s: &PlottedRun| s.duration.or(s.history.time.last().copied());
     let end = sources.iter().filter_map(end).fold(start, f64::max);
     (end > start).then_some((start, end))
 }

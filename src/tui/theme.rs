@@ -1,0 +1,123 @@
+//! Styles of text, charts and tables on the terminal.
+//!
+//! Colours are the sixteen of the terminal's own palette on its own background. Without colour,
+//! weight alone tells theme apart; markers and words carry the meaning in both.
+
+use ratatui::style::{Color, Modifier, Style};
+
+use super::terminal::capabilities::Capabilities;
+use crate::report::chart::Ink;
+use crate::report::table::CellInk;
+
+/// Styles by meaning. Meaning is never by colour alone, so that one theme without colour is enough.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Theme {
+    /// False under `NO_COLOR`: weight alone.
+    colour: bool,
+}
+
+/// Colours of the series, by slot; they repeat after the last.
+const SLOTS: [Color; 8] = [
+    Color::Cyan,
+    Color::Yellow,
+    Color::Green,
+    Color::Magenta,
+    Color::LightBlue,
+    Color::LightRed,
+    Color::LightGreen,
+    Color::LightMagenta,
+];
+
+impl Theme {
+    /// The theme of a terminal.
+    #[must_use]
+    pub fn new(capabilities: Capabilities) -> Self {
+        Self {
+            colour: capabilities.colour,
+        }
+    }
+
+    /// Text.
+    pub(super) fn plain(self) -> Style {
+        Style::new()
+    }
+
+    /// What stands out, such as the heads of a table.
+    pub(super) fn strong(self) -> Style {
+        Style::new().add_modifier(Modifier::BOLD)
+    }
+
+    /// What stays in the background.
+    pub(super) fn faint(self) -> Style {
+        Style::new().add_modifier(Modifier::DIM)
+    }
+
+    /// The line under the cursor.
+    pub(super) fn selected(self) -> Style {
+        Style::new().add_modifier(Modifier::REVERSED)
+    }
+
+    /// Headings and the focused pane.
+    pub(super) fn head(self) -> Style {
+        self.fg(Color::Cyan).add_modifier(Modifier::BOLD)
+    }
+
+    pub(super) fn warning(self) -> Style {
+        self.fg(Color::Yellow).add_modifier(Modifier::BOLD)
+    }
+
+    pub(super) fn error(self) -> Style {
+        self.fg(Color::Red).add_modifier(Modifier::BOLD)
+    }
+
+    pub(super) fn good(self) -> Style {
+        self.fg(Color::Green)
+    }
+
+    /// The colour of a series; none without colour.
+    #[must_use]
+    pub fn slot(self, slot: usize) -> Style {
+        self.fg(SLOTS[slot % SLOTS.len()])
+    }
+
+    /// The style of a character of a chart.
+    #[must_use]
+    pub fn chart(self, ink: Ink) -> Style {
+        let plain = self.plain();
+        match ink {
+            Ink::Blank | Ink::Label | Ink::Legend => plain,
+            Ink::Axis => self.faint(),
+            Ink::Title => self.strong(),
+            Ink::Series(slot) => self.slot(slot),
+            Ink::Dimmed(slot) => self.slot(slot).add_modifier(Modifier::DIM),
+            Ink::Shade(-2) => self.fg(Color::Blue),
+            Ink::Shade(-1) => self.fg(Color::Cyan),
+            Ink::Shade(1) => self.fg(Color::Yellow),
+            Ink::Shade(2) => self.fg(Color::Red),
+            // Without colour the shades are told apart by their characters alone, all at one weight.
+            Ink::Shade(_) => plain,
+            Ink::Cursor => self.strong(),
+            Ink::Limit => self.fg(Color::Red),
+        }
+    }
+
+    /// The style of a cell of a table.
+    #[must_use]
+    pub fn cell(self, ink: CellInk) -> Style {
+        match ink {
+            CellInk::Plain => self.plain(),
+            CellInk::Good => self.good(),
+            CellInk::Bad => self.error(),
+            CellInk::Warn => self.warning(),
+            CellInk::Dim => self.faint(),
+        }
+    }
+
+    fn fg(self, colour: Color) -> Style {
+        if self.colour {
+            Style::new().fg(colour)
+        } else {
+            Style::new()
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! Saving, leaving a case, quitting.
+
+use std::path::PathBuf;
+
+use tui_input::Input;
+
+use super::text_input::type_key;
+use super::{edit, info, jobs};
+use crate::tui::key::Key;
+use crate::tui::msg::Effect;
+use crate::tui::state::parameter_editor::AfterSave;
+use crate::tui::state::{AppState, JobLine, Level, Overlay, ParameterEditor, Purpose, Question};
+
+pub(super) fn quit(state: &mut AppState) -> Vec<Effect> {
+    if state.editor().is_some_and(ParameterEditor::unsaved) {
+        state.overlay = Some(Overlay::Ask(Question::Unsaved { quit: true }));
+        return Vec::new();
+    }
+    quit_past_edits(state)
+}
+
+fn quit_past_edits(state: &mut AppState) -> Vec<Effect> {
+    if state.jobs.open() > 0 {
+        state.overlay = Some(Overlay::Ask(Question::JobsRunning));
+        return Vec::new();
+    }
+    vec![Effect::Quit]
+}
+
+pub(super) fn back(state: &mut AppState) -> Vec<Effect> {
+    let Some(editor) = state.editor_mut() else {
+        return Vec::new();
+    };
+    if !editor.filter.value().is_empty() {
+        editor.filter.reset();
+        editor.field = 0;
+        return Vec::new();
+    }
+    if editor.unsaved() {
+        state.overlay = Some(Overlay::Ask(Question::Unsaved { quit: false }));
+        return Vec::new();
+    }
+    if state.jobs.open() > 0 {
+        return super::overlay::warn(
+            state,
+            "Runs of this case are still going on. Ctrl-C cancels them; the case list comes back when they have ended.",
+        );
+    }
+    close(state)
+}
+
+fn close(state: &mut AppState) -> Vec<Effect> {
+    let mut effects = jobs::cancel_all(state);
+    state.close();
+    let goes_on = |l: &JobLine| l.purpose == Purpose::Trials && l.state.is_open();
+    state.jobs.lines.retain(goes_on);
+    state.jobs.cursor = 0;
+    effects.push(Effect::ReadCases);
+    effects
+}
+
+pub(super) fn save(state: &mut AppState) -> Vec<Effect> {
+    state.editor().map_or_else(Vec::new, |editor| {
+        vec![Effect::SaveCase {
+            path: editor.path.clone(),
+            text: editor.text.clone(),
+            expected: Some(editor.saved.clone()),
+            new: false,
+        }]
+    })
+}
+
+pub(super) fn overwrite(state: &mut AppState) -> Vec<Effect> {
+    state.editor().map_or_else(Vec::new, |editor| {
+        vec![Effect::SaveCase {
+            path: editor.path.clone(),
+            text: editor.text.clone(),
+            expected: None,
+            new: false,
+        }]
+    })
+}
+
+pub(super) fn save_then_leave(state: &mut AppState, quit: bool) -> Vec<Effect> {
+    if let Some(editor) = state.editor_mut() {
+        editor.after_save = if quit {
+            AfterSave::Quit
+        } else {
+            AfterSave::Close
+        };
+    }
+    save(state)
+}
+
+pub(super) fn drop_edits(state: &mut AppState, quit: bool) -> Vec<Effect> {
+    if let Some(editor) = state.editor_mut() {
+        editor.text.clone_from(&editor.saved);
+    }
+    let mut effects = edit::keep_recovery(state);
+    effects.extend(if quit {
+        quit_past_edits(state)
+    } else {
+        edit::refresh(state);
+        back(state)
+    });
+    effects
+}
+
+pub(super) fn saved(state: &mut AppState, path: PathBuf, text: String) -> Vec<Effect> {
+    let Some(editor) = state.editor_mut() else {
+        return Vec::new();
+    };
+    let old = std::mem::replace(&mut editor.path, path);
+    if let Some(name) = editor.path.file_name() {
+        editor.file = name.to_string_lossy().into_owned();
+    }
+    editor.saved = text;
+    let after = std::mem::take(&mut editor.after_save);
+    let said = format!("Saved to {}.", editor.path.display());
+    let mut effects = vec![Effect::KeepRecovery {
+        path: old,
+        text: None,
+    }];
+    info(state, said);
+    effects.extend(match after {
+        AfterSave::Stay => Vec::new(),
+        AfterSave::Close => back(state),
+        AfterSave::Quit => quit(state),
+    });
+    effects
+}
+
+pub(super) fn not_saved(state: &mut AppState, why: &str) -> Vec<Effect> {
+    state.say(Level::Error, why);
+    ask_name(state, why)
+}
+
+pub(super) fn changed_on_disk(state: &mut AppState) -> Vec<Effect> {
+    state.overlay = Some(Overlay::Ask(Question::Overwrite));
+    Vec::new()
+}
+
+/// Asks for another file name.
+pub(super) fn ask_name(state: &mut AppState, why: &str) -> Vec<Effect> {
+    if let Some(editor) = state.editor() {
+        let stem = editor.file.trim_end_matches(".toml");
+        state.overlay = Some(Overlay::SaveAs {
+            input: Input::new(format!("{stem}-copy.toml")),
+            why: why.to_owned(),
+        });
+    }
+    Vec::new()
+}
+
+pub(super) fn save_as_key(
+    state: &mut AppState,
+    mut input: Input,
+    why: String,
+    key: Key,
+) -> Vec<Effect> {
+    let name = input.value().trim().to_owned();
+    match (key, state.editor_mut()) {
+        (Key::Esc, Some(editor)) => {
+            editor.after_save = AfterSave::Stay;
+            return Vec::new();
+        }
+        (Key::Enter, Some(editor)) if !name.is_empty() => {
+            return vec![Effect::SaveCase {
+                path: PathBuf::from(name),
+                text: editor.text.clone(),
+                expected: None,
+                new: true,
+            }];
+        }
+        _ => {
+            type_key(&mut input, key);
+        }
+    }
+    state.overlay = Some(Overlay::SaveAs { input, why });
+    Vec::new()
+}
