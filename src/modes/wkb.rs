@@ -13,6 +13,7 @@ use std::f64::consts::PI;
 
 use super::Pencil;
 use crate::numerics::V3;
+use crate::numerics::roots::{Bracket, bisect};
 use crate::scene::Scene;
 use crate::solve::State;
 
@@ -119,19 +120,14 @@ impl Medium {
             });
             steps.sum::<f64>()
         };
-        let (mut low, mut high) = (1e-9_f64, 1e9_f64);
+        let (low, high) = (1e-9, 1e9);
         if n == 0 || turned(low) > wanted || turned(high) < wanted {
             return None;
         }
-        for _ in 0..HALVINGS {
-            let middle = (low * high).sqrt();
-            if turned(middle) < wanted {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        Some(high / std::f64::consts::TAU)
+        let geometric_mean = |b: &Bracket| (b.low * b.high).sqrt();
+        let below = |omega: f64| turned(omega) < wanted;
+        let omega = bisect(Bracket { low, high }, HALVINGS, geometric_mean, below).high;
+        Some(omega / std::f64::consts::TAU)
     }
 }
 

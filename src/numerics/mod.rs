@@ -1,9 +1,25 @@
-//! Numerical methods that know no cable: 3 x 3 blocks and the block-banded solver.
+//! Numerical methods that know no cable.
+//!
+//! * [`BlockBand`]: block-banded systems of 3 x 3 blocks, eliminated from both ends in two [`lanes`].
+//! * [`roots`], [`log_newton`], [`root_isolation`], [`golden_section`](mod@golden_section): roots and minima of one unknown.
+//! * [`interpolation`], [`spline`]: tables over an ascending grid.
+//! * [`statistics`], [`random`]: moments and extremes of records; reproducible random numbers.
+//! * [`double_double`], [`hyperbolic`]: arithmetic of 32 digits; hyperbolic functions without cancellation.
 
 pub mod block_band;
 mod both_ends;
+pub mod double_double;
+pub mod golden_section;
+pub mod hyperbolic;
+pub mod interpolation;
 pub mod lanes;
+pub mod log_newton;
 mod lu;
+pub mod random;
+pub mod root_isolation;
+pub mod roots;
+pub mod spline;
+pub mod statistics;
 
 pub use block_band::{BlockBand, SingularBlock};
 

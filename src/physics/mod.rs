@@ -15,7 +15,6 @@ pub mod rigid_body;
 pub mod rope;
 pub mod sea;
 pub mod seabed;
-pub mod spline;
 pub mod tension;
 
 pub use current::Current;

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use super::growth::growth;
 use super::sea::Harmonics;
-use super::spline::Spline;
 use crate::numerics::V3;
+use crate::numerics::spline::Spline;
 
 /// Motion of a held end.
 #[derive(Debug, Clone, PartialEq)]

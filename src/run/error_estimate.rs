@@ -13,6 +13,7 @@ use super::{Quantity, RunState, quantity_name};
 use super::{line_statistics, natural_modes, published_curve};
 use crate::case::{Case, DragLaw, DragLawName, Method};
 use crate::dynamics::march::March;
+use crate::numerics::interpolation::linear_clamped;
 
 /// Estimated errors, one a wanted number; absent where not estimated.
 #[derive(Debug, Clone, Default)]
@@ -90,10 +91,8 @@ fn rms_error(run: &Computed, others: [(Option<&Computed>, f64); 2]) -> Vec<f64> 
     }
     let error = |(s, rms): (&f64, &f64)| {
         let each = others.iter();
-        each.map(|(other, by)| {
-            (line_statistics::value_at(&other.arc, &other.rms, *s) - rms).abs() / by
-        })
-        .sum()
+        each.map(|(other, by)| (linear_clamped(&other.arc, &other.rms, *s) - rms).abs() / by)
+            .sum()
     };
     arc.iter().zip(&run.profile.rms).map(error).collect()
 }

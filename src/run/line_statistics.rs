@@ -4,6 +4,7 @@ use super::Profile;
 use super::response::travelling;
 use super::wave_decomposition::standing_wave_ratio;
 use crate::case::{AlongLine, Statistic};
+use crate::numerics::interpolation::linear_clamped;
 
 /// What every run summarises of its line.
 pub(super) const ALWAYS: [(AlongLine, Statistic); 18] = [
@@ -161,7 +162,7 @@ fn cut(arc: &[f64], values: &[f64], [from, to]: [f64; 2]) -> Option<(Vec<f64>, V
     if values.len() != arc.len() || from < first - slop || to > last + slop || from > to {
         return None;
     }
-    let at = |s: f64| value_at(arc, values, s);
+    let at = |s: f64| linear_clamped(arc, values, s);
     let inner = arc
         .iter()
         .zip(values)
@@ -170,13 +171,6 @@ fn cut(arc: &[f64], values: &[f64], [from, to]: [f64; 2]) -> Option<(Vec<f64>, V
     points.extend(inner.map(|(a, v)| (*a, *v)));
     points.push((to, at(to)));
     Some(points.into_iter().unzip())
-}
-
-/// The value at an arc length, straight between the nodes; there are at least two.
-pub(super) fn value_at(arc: &[f64], values: &[f64], s: f64) -> f64 {
-    let after = arc.partition_point(|a| *a < s).clamp(1, arc.len() - 1);
-    let share = (s - arc[after - 1]) / (arc[after] - arc[after - 1]);
-    values[after - 1] + share.clamp(0.0, 1.0) * (values[after] - values[after - 1])
 }
 
 /// Average over arc length by trapezes; over no length: the value there.

@@ -4,6 +4,7 @@ use super::Checkpoint;
 use crate::case::{Case, Method};
 use crate::dynamics::{MethodState, WorkCounts};
 use crate::numerics::V3;
+use crate::numerics::interpolation::{interval_closed_above, share};
 use crate::scene::Scene;
 use crate::solve::{State, System};
 
@@ -84,10 +85,9 @@ fn resampled(state: &State, there: &[f64], here: &[f64]) -> State {
     let beyond = state.x.get(there.len()..).unwrap_or_default();
     let of = |values: &[V3]| -> Vec<V3> {
         let line = here.iter().map(|s| {
-            let after = there.partition_point(|a| a < s).clamp(1, there.len() - 1);
-            let (from, to) = (there[after - 1], there[after]);
-            let share = ((s - from) / (to - from)).clamp(0.0, 1.0);
-            values[after - 1].lerp(&values[after], share)
+            let i = interval_closed_above(there, *s);
+            let share = share(there, i, *s).clamp(0.0, 1.0);
+            values[i].lerp(&values[i + 1], share)
         });
         let rest = values[values.len() - beyond.len()..].iter().copied();
         line.chain(rest).collect()
@@ -95,11 +95,11 @@ fn resampled(state: &State, there: &[f64], here: &[f64]) -> State {
     let mut new = State::at_rest(of(&state.x));
     (new.v, new.a) = (of(&state.v), of(&state.a));
     let nearest = |s: f64| {
-        let after = there.partition_point(|a| *a < s).clamp(1, there.len() - 1);
-        if s - there[after - 1] < there[after] - s {
-            after - 1
+        let i = interval_closed_above(there, s);
+        if s - there[i] < there[i + 1] - s {
+            i
         } else {
-            after
+            i + 1
         }
     };
     let grips = here

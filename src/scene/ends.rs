@@ -7,10 +7,10 @@ use super::build::SceneError;
 use super::waves::Record;
 use crate::case::{self, Case, EndKind, MotionName};
 use crate::numerics::V3;
+use crate::numerics::spline::Spline;
 use crate::physics::EndMotion;
 use crate::physics::motion::{self, Course, Swing};
 use crate::physics::sea::{Component, Harmonics, Rao, Spectrum, Waves, synthesise};
-use crate::physics::spline::Spline;
 
 /// Share of a sea's energy beyond a table of responses from which that is told.
 const MUCH_BEYOND: f64 = 0.02;

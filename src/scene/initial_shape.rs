@@ -7,6 +7,7 @@ use super::build::SceneError;
 use super::initial_guess::{Guess, between};
 use crate::case::{Case, EndKind, Payload, Start, StartShape};
 use crate::numerics::V3;
+use crate::numerics::interpolation::linear;
 
 /// Positions of the nodes \[m\] and tensions of the segments \[N\]; where the line starts in equilibrium, a guess.
 pub(super) fn start(case: &Case, scene: &Scene) -> Result<Guess, SceneError> {
@@ -82,11 +83,7 @@ fn given(start: &Start, arc: &[f64]) -> Option<Vec<V3>> {
     }
     let known = start.arc_m.as_ref()?;
     let (x, z) = (start.x_m.as_ref()?, start.z_m.as_ref()?);
-    let at = |list: &[f64], s: f64| {
-        let next = known.partition_point(|k| *k < s).clamp(1, known.len() - 1);
-        let share = (s - known[next - 1]) / (known[next] - known[next - 1]);
-        list[next - 1] + share * (list[next] - list[next - 1])
-    };
+    let at = |list: &[f64], s: f64| linear(known, list, s);
     let full = |list: &[f64]| list.len() == known.len();
     let enough = known.len() > 1 && full(x) && full(z) && start.y_m.as_deref().is_none_or(full);
     let y = |s: f64| start.y_m.as_ref().map_or(0.0, |y| at(y, s));

@@ -8,7 +8,11 @@
 //! r √(1 + cot²(π/n)/cos²α) of Costello 1990 takes their cuts for ellipses and is short by some
 //! 1e-4.
 
+use std::convert::Infallible;
 use std::f64::consts::{PI, TAU};
+
+use crate::numerics::golden_section::golden_section;
+use crate::numerics::roots::{Bracket, bisect};
 
 /// Greatest number of wires looked for in a layer.
 pub(super) const MOST: usize = 100_000;
@@ -34,7 +38,9 @@ pub fn helix_distance(phase: f64, angle: f64) -> f64 {
         .map(|i| -f64::from(i) * step)
         .min_by(|a, b| squared(*a).total_cmp(&squared(*b)))
         .unwrap_or(0.0);
-    squared(golden(&squared, best - step, best + step)).sqrt()
+    let around = (best - step, best + step);
+    let Ok(theta) = golden_section(around, 0.0, 40, |theta| Ok::<_, Infallible>(squared(theta)));
+    squared(theta).sqrt()
 }
 
 /// The phase at which two units of radii that add up to `sum` touch on this pitch radius \[rad\];
@@ -45,16 +51,9 @@ pub fn touching_phase(sum: f64, radius: f64, angle: f64) -> Option<f64> {
     if !wanted.is_finite() || helix_distance(PI, angle) < wanted {
         return None;
     }
-    let (mut low, mut high) = (0.0, PI);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if helix_distance(middle, angle) < wanted {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    Some(high)
+    let half_turn = Bracket { low: 0.0, high: PI };
+    let apart = |phase: f64| helix_distance(phase, angle) < wanted;
+    Some(bisect(half_turn, 60, Bracket::middle, apart).high)
 }
 
 /// Units set side by side around a layer.
@@ -160,16 +159,8 @@ pub fn smallest_radius(radii: &[f64], angle: f64) -> f64 {
     while !fits(high) && high.is_finite() {
         high *= 2.0;
     }
-    let mut low = 0.0;
-    for _ in 0..50 {
-        let middle = 0.5 * (low + high);
-        if fits(middle) {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    high
+    let bracket = Bracket { low: 0.0, high };
+    bisect(bracket, 50, Bracket::middle, |radius| !fits(radius)).high
 }
 
 /// How many units of one radius a pitch radius holds.
@@ -180,26 +171,6 @@ pub fn most(unit: f64, radius: f64, angle: f64) -> usize {
     };
     // A hair more lets the count be found at the radius it was the smallest for.
     ((TAU / phase * (1.0 + 1e-9)).floor() as usize).min(MOST)
-}
-
-/// Where a function has its least between two places, by golden section.
-fn golden(f: &impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    const RATIO: f64 = 0.618_033_988_749_894_9;
-    let mut left = high - RATIO * (high - low);
-    let mut right = low + RATIO * (high - low);
-    let (mut at_left, mut at_right) = (f(left), f(right));
-    for _ in 0..40 {
-        if at_left < at_right {
-            (high, right, at_right) = (right, left, at_left);
-            left = high - RATIO * (high - low);
-            at_left = f(left);
-        } else {
-            (low, left, at_left) = (left, right, at_right);
-            right = low + RATIO * (high - low);
-            at_right = f(right);
-        }
-    }
-    0.5 * (low + high)
 }
 
 #[cfg(test)]

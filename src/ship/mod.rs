@@ -25,11 +25,9 @@ mod motion_analysis;
 pub mod periodic_curve;
 pub mod quantities;
 mod read;
-pub mod roots;
 pub mod rope;
 pub mod stability;
 mod static_analysis;
-pub mod statistics;
 pub mod validation;
 pub mod yaw_equilibria;
 

@@ -1,5 +1,6 @@
 //! How far a ship lies from its anchor: the reach of an elastic line over a flat bed at a given pull.
 
+use crate::numerics::roots::Bracket;
 use crate::statics::catenary::{Bed, Ends, Line, Refusal, SectionProps};
 
 use super::model::{Mooring, Particulars};
@@ -72,24 +73,18 @@ pub fn reach(
     };
     // Slack, the line hangs straight down and the rest lies on the bed; taut, it is straight and stretched.
     let stretched = length * (1.0 + (pull + weight * length) / mooring.ea_n);
-    let (mut near, mut far) = (0.0, stretched.hypot(height));
+    let mut bracket = Bracket {
+        low: 0.0,
+        high: stretched.hypot(height),
+    };
     let mut x = (length * length - height * height).sqrt();
     for _ in 0..200 {
         let rest = at(x)?;
         let miss = rest.h_b_n - pull;
-        if miss > 0.0 {
-            far = x;
-        } else {
-            near = x;
-        }
         let slope = rest.stiffness_n_per_m[0][0];
-        let newton = x - miss / slope;
-        let next = if newton > near && newton < far {
-            newton
-        } else {
-            0.5 * (near + far)
-        };
-        if miss.abs() <= 1e-9 * pull || (far - near) <= 1e-12 * far {
+        bracket.shrink(x, miss);
+        let next = bracket.newton(x, miss, slope);
+        if miss.abs() <= 1e-9 * pull || (bracket.high - bracket.low) <= 1e-12 * bracket.high {
             return Ok(MooringSolution {
                 distance: x,
                 along: slope,

@@ -9,9 +9,9 @@ use super::motion::record::MotionRecord;
 use super::motion::wave_response::WaveResponse;
 use super::motion::{MotionStatisticsError, ShipMotion, point};
 use super::static_analysis::StaticAnalysis;
-use super::statistics::Statistics;
 use crate::case::Diagnostic;
 use crate::numerics::V3;
+use crate::numerics::statistics::Statistics;
 use crate::physics::sea::Moments;
 
 /// The ship in its sea.

@@ -1,7 +1,7 @@
 //! The numbers of a ship's motion by name: `surge.displacement.rms`, `pitch.acceleration.max`.
 
 use super::motion_analysis::MotionAnalysis;
-use super::statistics::Statistics;
+use crate::numerics::statistics::Statistics;
 use crate::physics::sea::DEGREES;
 
 /// Names of the rates of a degree of freedom, in their order.

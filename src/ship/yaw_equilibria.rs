@@ -11,7 +11,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::loads::{EnvironmentalLoads, PlanarLoad};
-use super::roots::{BoundedCurvature, Root, isolate_roots};
+use crate::numerics::root_isolation::{BoundedCurvature, Root, isolate_roots};
 
 /// A heading at which the ship is in balance.
 #[derive(Debug, Clone, PartialEq)]
@@ -120,7 +120,7 @@ fn around(found: Vec<Root>) -> Vec<(f64, f64)> {
         .into_iter()
         .map(|zero| match zero {
             Root::Point(x) => (x, x),
-            Root::Stretch(a, b) => (a, b),
+            Root::Interval(a, b) => (a, b),
         })
         .collect();
     if let ([first, .., last], true) = (ranges.as_slice(), ranges.len() > 1)

@@ -5,6 +5,7 @@
 //! everywhere, without overshoot, and its slope has no jump, so that Newton and the time steps see none.
 
 use super::Elastic;
+use crate::numerics::roots::Bracket;
 
 /// Tension of a rope over its strain.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,24 +100,17 @@ impl Table {
             return self.strain[last] + (tension - self.tension[last]) / self.slope[last];
         }
         let i = self.tension.partition_point(|t| *t <= tension) - 1;
-        let (mut low, mut high) = (self.strain[i], self.strain[i + 1]);
-        let mut strain = 0.5 * (low + high);
-        // Newton held inside a bracket: the curve rises, so that one always shrinks it.
+        let mut bracket = Bracket {
+            low: self.strain[i],
+            high: self.strain[i + 1],
+        };
+        let mut strain = bracket.middle();
         for _ in 0..60 {
             let here = self.at(strain);
-            let miss = here.tension - tension;
-            if miss > 0.0 {
-                high = strain;
-            } else {
-                low = strain;
-            }
-            let next = strain - miss / here.by_strain;
-            let next = if next > low && next < high {
-                next
-            } else {
-                0.5 * (low + high)
-            };
-            if (next - strain).abs() <= 4.0 * f64::EPSILON * high {
+            let residual = here.tension - tension;
+            bracket.shrink(strain, residual);
+            let next = bracket.newton(strain, residual, here.by_strain);
+            if (next - strain).abs() <= 4.0 * f64::EPSILON * bracket.high {
                 return next;
             }
             strain = next;

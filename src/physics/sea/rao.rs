@@ -14,6 +14,7 @@ use nalgebra::Complex;
 
 use super::{Component, Harmonics};
 use crate::numerics::V3;
+use crate::numerics::interpolation::{mix, share};
 
 /// Names of the six degrees of freedom, in their order.
 pub const DEGREES: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
@@ -37,6 +38,11 @@ pub enum RaoError {
 pub struct Rao {
     omega: Vec<f64>,
     response: Vec<Response>,
+}
+
+/// The response a share of the way between two.
+fn mixed(from: &Response, to: &Response, share: f64) -> Response {
+    std::array::from_fn(|i| mix(from[i], to[i], share))
 }
 
 impl Rao {
@@ -66,10 +72,8 @@ impl Rao {
         if next == 0 || next == self.omega.len() {
             return self.response[next.saturating_sub(1)];
         }
-        let (below, above) = (self.omega[next - 1], self.omega[next]);
-        let share = (omega - below) / (above - below);
-        let (from, to) = (&self.response[next - 1], &self.response[next]);
-        std::array::from_fn(|i| from[i] + (to[i] - from[i]) * share)
+        let share = share(&self.omega, next - 1, omega);
+        mixed(&self.response[next - 1], &self.response[next], share)
     }
 
     /// The lowest and the highest angular frequency of the table \[rad/s\].
@@ -85,10 +89,7 @@ impl Rao {
         let mut omega = [self.omega.as_slice(), other.omega.as_slice()].concat();
         omega.sort_by(f64::total_cmp);
         omega.dedup();
-        let at = |w: &f64| -> Response {
-            let (from, to) = (self.response(*w), other.response(*w));
-            std::array::from_fn(|i| from[i] + (to[i] - from[i]) * share)
-        };
+        let at = |w: &f64| mixed(&self.response(*w), &other.response(*w), share);
         Self {
             response: omega.iter().map(at).collect(),
             omega,

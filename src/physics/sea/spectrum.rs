@@ -11,6 +11,8 @@
 
 use std::f64::consts::TAU;
 
+use crate::numerics::interpolation::{self, interval};
+
 use super::Moments;
 
 /// Frequencies above this many times the peak are left out: their share is 0.2 % of the energy or less, and their
@@ -98,9 +100,8 @@ impl Spectrum {
         let whole = energy[INTERVALS];
         let at = |share: f64| {
             let wanted = share * whole;
-            let next = energy.partition_point(|e| *e <= wanted).clamp(1, INTERVALS);
-            let within = (wanted - energy[next - 1]) / (energy[next] - energy[next - 1]);
-            let u = (next as f64 - 1.0 + within) / INTERVALS as f64;
+            let i = interval(&energy, wanted);
+            let u = (i as f64 + interpolation::share(&energy, i, wanted)) / INTERVALS as f64;
             self.frequency(u * limit())
         };
         shares.map(at).collect()

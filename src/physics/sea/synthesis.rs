@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use super::{Component, Random, Spectrum};
+use super::{Component, Spectrum};
+use crate::numerics::random::Random;
 
 /// A record of this spectrum as `count` components, frequencies rising; the same seed and stream give the same one.
 ///

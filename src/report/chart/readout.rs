@@ -1,6 +1,7 @@
 //! What the series say at the cursor.
 
 use super::Chart;
+use crate::numerics::interpolation::mix;
 use crate::report::number;
 
 /// A series at the cursor.
@@ -98,8 +99,7 @@ fn interpolate(points: &[(f64, f64)], x: f64) -> Option<f64> {
         return Some(right.1);
     }
     let left = points.get(after.checked_sub(1)?)?;
-    let part = (x - left.0) / (right.0 - left.0);
-    Some(left.1 + part * (right.1 - left.1))
+    Some(mix(left.1, right.1, (x - left.0) / (right.0 - left.0)))
 }
 
 /// The sample whose x is nearest; of equals, the first.

@@ -1,12 +1,12 @@
 //! The ship's motion in tables: statistics asked for and made, spectra, and what to expect in the time of a record.
 
+use crate::numerics::statistics::{Statistics, expected_gaussian_maximum};
 use crate::physics::sea::{DEGREES, Moments};
 use crate::report::number::{digits, percent, rounded};
 use crate::report::table::{Cell, CellInk, Column, Table};
 use crate::ship::MotionAnalysis;
 use crate::ship::motion::DegreeOfFreedom;
 use crate::ship::motion::spectral_band::MotionRms;
-use crate::ship::statistics::{Statistics, expected_gaussian_maximum};
 
 /// Units of a degree of freedom's displacement, velocity, acceleration.
 const UNITS: [[&str; 3]; 2] = [["m", "m/s", "m/s²"], ["deg", "deg/s", "deg/s²"]];

@@ -1,12 +1,12 @@
 //! The rope at sea in a chart and a table.
 
+use crate::numerics::statistics::Statistics;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::number::{digits, percent, si};
 use crate::report::table::{Cell, CellInk, Column, Table};
 use crate::ropeway::Trouble;
 use crate::ropeway::winch::Moment;
 use crate::ship::rope::RopeAnalysis;
-use crate::ship::statistics::Statistics;
 
 /// Time that is drawn \[s\].
 const MINUTES: f64 = 300.0;

@@ -6,7 +6,8 @@
 
 use std::f64::consts::TAU;
 
-use crate::physics::sea::{Component, Moments, Random};
+use crate::numerics::random::Random;
+use crate::physics::sea::{Component, Moments};
 
 /// Root mean squares of a motion with no mean.
 #[derive(Debug, Clone, Copy, PartialEq)]

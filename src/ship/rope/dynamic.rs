@@ -5,11 +5,11 @@ use std::fmt::Write;
 use std::sync::atomic::AtomicBool;
 
 use crate::case;
+use crate::numerics::statistics::Statistics;
 use crate::ropeway::winch::Moment;
 use crate::ropeway::{Trouble, Worked, line};
 use crate::run::RunState;
 use crate::run::job::{self, Request};
-use crate::ship::statistics::Statistics;
 
 /// Time that is followed \[s\], of which the motion grows over the first part and statistics count the rest.
 const WINDOW: f64 = 120.0;

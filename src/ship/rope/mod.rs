@@ -14,13 +14,13 @@ use rayon::prelude::*;
 
 use self::dynamic::{DynamicRope, beside};
 use crate::numerics::V3;
+use crate::numerics::statistics::{Gumbel, Statistics};
 use crate::ropeway::winch::{HangPoint, Held, Moment};
 use crate::ropeway::{self, Followed, Trouble, Worked};
 use crate::ship::model::{Motion, Rope};
 use crate::ship::motion::wave_response::WaveResponse;
 use crate::ship::motion::{ShipMotion, point};
 use crate::ship::motion_analysis::MotionAnalysis;
-use crate::ship::statistics::{Gumbel, Statistics};
 
 /// The rope while the ship moves.
 #[derive(Debug, Clone, PartialEq)]

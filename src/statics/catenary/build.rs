@@ -10,7 +10,7 @@ use super::refusal::Refusal;
 use super::single::Plane;
 use super::solution::{Kind, Piece, Pieces, Seed, Shape, Solution};
 use super::span::{Span, length};
-use super::twofold::Twofold;
+use crate::numerics::double_double::DoubleDouble;
 
 /// Largest error of force, over the end tension, that is given out as solved.
 pub(super) const BELIEVED: f64 = 1e-7;
@@ -105,7 +105,7 @@ pub(super) fn straight(plane: &Plane) -> Result<Option<Solution>, Refusal> {
         ea,
         ..
     } = *plane;
-    let square = |a: f64| Twofold::from(a) * a;
+    let square = |a: f64| DoubleDouble::from(a) * a;
     let over = (square(x) + square(z) - square(length)).value();
     let load = w * length;
     if load > 1e-200 * ea || (over < 0.0 && w > 0.0) {

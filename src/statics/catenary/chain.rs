@@ -12,7 +12,7 @@
 //! bay touches the others only through H (an arrow-shaped Hessian, solved by elimination).
 
 use super::span::Span;
-use super::twofold::Twofold;
+use crate::numerics::double_double::DoubleDouble;
 
 /// A section, or a body (length zero) between sections.
 #[derive(Debug, Clone, Copy)]
@@ -180,14 +180,14 @@ impl Chain {
 
     /// Reach of the whole line and rises of its bays with 30 digits: what they miss.
     pub(super) fn misses(&self, bays: &[Bay], h: f64, offsets: &[f64], x: f64) -> (f64, Vec<f64>) {
-        let one_more = |ea: f64| Twofold::from(h) / Twofold::from(ea) + 1.0;
-        let mut reach = Twofold::from(-x);
+        let one_more = |ea: f64| DoubleDouble::from(h) / DoubleDouble::from(ea) + 1.0;
+        let mut reach = DoubleDouble::from(-x);
         for element in self.elements.iter().filter(|e| e.length > 0.0) {
             reach = reach + one_more(element.ea) * element.length;
         }
         let mut rises = Vec::with_capacity(bays.len());
         for (bay, offset) in bays.iter().zip(offsets) {
-            let mut rise = Twofold::from(-bay.rise);
+            let mut rise = DoubleDouble::from(-bay.rise);
             for part in self.parts(bay, *offset) {
                 let span = self.part_span(&part);
                 let (dx, dz) = span.reach_exactly(h, part.va.into());

@@ -6,7 +6,7 @@
 //! to the one minimum. What comes out is verified by the caller, so running out of steps is told.
 
 use super::chain::{Bay, Chain, Spread};
-use super::root::{Value, rising};
+use crate::numerics::log_newton::{Sample, increasing_root};
 
 /// The unknowns.
 #[derive(Debug, Clone)]
@@ -133,15 +133,15 @@ fn nested(chain: &Chain, bays: &[Bay], start: &State, x: f64) -> Option<(State, 
             offsets: offsets.clone(),
         }
     };
-    let root = rising(start.h.max(1e-200), f64::INFINITY, |h| {
+    let root = increasing_root(start.h.max(1e-200), f64::INFINITY, |h| {
         let here = misses(chain, bays, &at(h), x);
-        Value {
+        Sample {
             value: -here.x,
-            slope: h * here.by_h(),
+            log_slope: h * here.by_h(),
             scale: chain.length,
         }
     })?;
-    Some((at(root.at), root.iterations))
+    Some((at(root.x), root.evaluations))
 }
 
 /// Newton's method; tells whether it arrived.

@@ -18,9 +18,9 @@
 //! however taut or stiff the line, and the right side is formed with 32 digits. For EA → ∞ this is the
 //! textbook `sqrt(L² - z²) = (2H/w) sinh(wx/2H)`.
 
-use super::hyperbolic::hyperbolic;
-use super::root::{Root, Value, rising};
-use super::twofold::Twofold;
+use crate::numerics::double_double::DoubleDouble;
+use crate::numerics::hyperbolic::hyperbolic;
+use crate::numerics::log_newton::{Root, Sample, increasing_root};
 
 /// The forces of a free line: horizontal, and the mean of the vertical ones.
 #[derive(Debug, Clone, Copy)]
@@ -91,25 +91,25 @@ fn plumb(z: f64, length: f64, w: f64, ea: f64) -> Free {
 
 /// `1 - (x² + z²)/L²` without cancellation.
 fn spare(x: f64, z: f64, length: f64) -> f64 {
-    let square = |a: f64| Twofold::from(a) * a;
+    let square = |a: f64| DoubleDouble::from(a) * a;
     (square(length) - square(x) - square(z)).value() / (length * length)
 }
 
 impl Problem {
     fn root(&self, seed: Option<f64>) -> Option<Root> {
         let guess = seed.unwrap_or_else(|| self.guess());
-        rising(guess, STEEPEST, |xi| self.value(xi))
+        increasing_root(guess, STEEPEST, |xi| self.value(xi))
     }
 
     /// Left side less right side.
-    fn value(&self, xi: f64) -> Value {
+    fn value(&self, xi: f64) -> Sample {
         let f = hyperbolic(xi);
-        let (sh, ch) = (f.sinh, 1.0 + f.cosh_less_1);
+        let (sh, ch) = (f.sinh, 1.0 + f.cosh_minus_1);
         let coth = ch / sh;
         let (e, c) = (self.kappa * coth, xi * coth);
         let g = ch / (c + e);
         // cosh ξ - ξ coth ξ = coth ξ (sinh ξ - ξ)
-        let sag = (coth * f.sinh_less_x - e) / (c + e);
+        let sag = (coth * f.sinh_minus_x - e) / (c + e);
         let k = 1.0 / (1.0 + e);
         let stretch = -e * (2.0 + e) * k * k;
         let (x2, xg) = (self.x * self.x, self.x * g);
@@ -123,9 +123,9 @@ impl Problem {
         let dc = xi * (coth - quotient / sh);
         let dlng = xi * sh / ch - (de + dc) / (c + e);
         let stretch_term = self.z * self.z * stretch;
-        Value {
+        Sample {
             value: sag_term + stretch_term - self.spare,
-            slope: 2.0 * (xg * xg * dlng - zk * zk * k * de),
+            log_slope: 2.0 * (xg * xg * dlng - zk * zk * k * de),
             scale: sag_term.abs() - stretch_term + self.spare.abs(),
         }
     }
@@ -158,19 +158,19 @@ impl Problem {
     }
 
     fn forces(&self, root: Root, load: f64) -> Free {
-        let f = hyperbolic(root.at);
-        let coth = if root.at < 30.0 {
-            (1.0 + f.cosh_less_1) / f.sinh
+        let f = hyperbolic(root.x);
+        let coth = if root.x < 30.0 {
+            (1.0 + f.cosh_minus_1) / f.sinh
         } else {
             1.0
         };
         let tm = 0.5 * load * coth;
         let e = self.kappa * coth;
         Free {
-            h: self.x * tm / (root.at * coth + e),
+            h: self.x * tm / (root.x * coth + e),
             v_mean: self.z * tm / (1.0 + e),
-            xi: root.at,
-            iterations: root.iterations,
+            xi: root.x,
+            iterations: root.evaluations,
         }
     }
 }
@@ -203,7 +203,7 @@ mod tests {
             for xi in [1e-3_f64, 0.1, 0.9, 1.1, 5.0, 12.0] {
                 let d = 1e-5;
                 let (up, down) = (p.value(xi * (1.0 + d)).value, p.value(xi * (1.0 - d)).value);
-                let slope = p.value(xi).slope;
+                let slope = p.value(xi).log_slope;
                 assert!(slope > 0.0);
                 assert!(
                     ((up - down) / (2.0 * d) / slope - 1.0).abs() < 1e-4,

@@ -16,12 +16,12 @@
 //! On the bed tension falls from `T_0 = H cosh a` towards A by `w (sin θ + μ cos θ)` per metre and, where
 //! friction can hold the line (μ >= |tan θ|), stays at zero once it gets there.
 
-use super::hyperbolic::hyperbolic;
 use super::refusal::Refusal;
-use super::root::{Value, rising};
 use super::solution::lying_sum;
 use super::span::Span;
-use super::twofold::Twofold;
+use crate::numerics::double_double::DoubleDouble;
+use crate::numerics::hyperbolic::hyperbolic;
+use crate::numerics::log_newton::{Sample, increasing_root};
 
 /// The line in the solver's plane: sunk, B to the right, A on the bed.
 #[derive(Debug, Clone, Copy)]
@@ -126,8 +126,8 @@ impl Incline {
     fn force(&self, beta: f64) -> f64 {
         let f = hyperbolic(beta);
         let (ca, sa) = (self.cosh_a(), self.tan);
-        let q = sa * f.cosh_less_1 + ca * f.sinh;
-        let p = ca * f.cosh_less_1 + sa * f.sinh_less_x;
+        let q = sa * f.cosh_minus_1 + ca * f.sinh;
+        let p = ca * f.cosh_minus_1 + sa * f.sinh_minus_x;
         let load = 2.0 * self.height * self.w;
         load / (p + (p * p + load / self.ea * q * q).sqrt())
     }
@@ -136,10 +136,10 @@ impl Incline {
         let State { h, beta } = state;
         let f = hyperbolic(beta);
         let (ca, sa, w, ea) = (self.cosh_a(), self.tan, self.w, self.ea);
-        let q = sa * f.cosh_less_1 + ca * f.sinh;
-        let p = ca * f.cosh_less_1 + sa * f.sinh_less_x;
-        let r = sa * f.cosh_less_1 + ca * f.sinh_less_x;
-        let dr = sa * f.sinh + ca * f.cosh_less_1;
+        let q = sa * f.cosh_minus_1 + ca * f.sinh;
+        let p = ca * f.cosh_minus_1 + sa * f.sinh_minus_x;
+        let r = sa * f.cosh_minus_1 + ca * f.sinh_minus_x;
+        let dr = sa * f.sinh + ca * f.cosh_minus_1;
         let (sinh_b, cosh_b) = (sa + q, ca + dr);
         let s = h * q / w;
         let (sum, by_t0, by_length) = self.bed_sum(h * ca, self.length - s);
@@ -186,24 +186,24 @@ impl Incline {
     fn partly(&self, guess: f64) -> Result<Outcome, Refusal> {
         let spare = self.spare();
         let mut lifted = false;
-        let root = rising(guess, STEEPEST, |beta| {
+        let root = increasing_root(guess, STEEPEST, |beta| {
             let h = self.force(beta);
             let leg = self.leg(State { h, beta });
             let value = -spare - leg.gain;
             // Too much line off the bed already, and tauter takes more. (Not so down a steep slope.)
             if value > 0.0 && leg.s > self.length && self.sin >= 0.0 {
                 lifted = true;
-                return Value {
+                return Sample {
                     value: f64::NAN,
-                    slope: 1.0,
+                    log_slope: 1.0,
                     scale: 0.0,
                 };
             }
             let [[gain_h, gain_beta], [z_h, z_beta]] = leg.jacobian;
             let slope = -beta * (gain_beta - gain_h * z_beta / z_h);
-            Value {
+            Sample {
                 value,
-                slope,
+                log_slope: slope,
                 scale: spare.abs() + leg.gain.abs(),
             }
         });
@@ -218,8 +218,8 @@ impl Incline {
             };
         };
         let state = State {
-            h: self.force(root.at),
-            beta: root.at,
+            h: self.force(root.x),
+            beta: root.x,
         };
         let s = self.leg(state).s;
         if s > self.length {
@@ -229,7 +229,7 @@ impl Incline {
         if at_a < 0.0 && !self.holds() {
             return Err(self.slides());
         }
-        Ok(Outcome::Partly(state, root.iterations))
+        Ok(Outcome::Partly(state, root.evaluations))
     }
 
     /// B on the bed: a bar on a slope.
@@ -271,7 +271,7 @@ impl Incline {
 
     /// How far the forces of `state` miss the end, to 30 digits on a level bed.
     pub(super) fn miss(&self, state: State, leg: &Leg) -> (f64, f64) {
-        let va = Twofold::from(state.h) * self.tan;
+        let va = DoubleDouble::from(state.h) * self.tan;
         let span = Span {
             length: leg.s,
             weight: self.w,
@@ -280,7 +280,7 @@ impl Incline {
         let (dx, dz) = span.reach_exactly(state.h, va);
         let t0 = state.h / self.cos;
         let on_bed = self.length - leg.s;
-        let along = Twofold::from(self.length) + -leg.s + self.bed_sum(t0, on_bed).0 / self.ea;
+        let along = DoubleDouble::from(self.length) + -leg.s + self.bed_sum(t0, on_bed).0 / self.ea;
         // cos θ = 1 - (1/cos θ - 1) cos θ
         let x = dx + along + -(along.value() * self.longer() * self.cos) + -self.x;
         let z = dz + along * self.sin + -self.z;

@@ -18,10 +18,10 @@ use super::composite::Problem;
 use super::descent::climb;
 use super::line::Bed;
 use super::refusal::Refusal;
-use super::root::{Value, rising};
 use super::solution::Solution;
 use super::span::{Span, length};
-use super::twofold::Twofold;
+use crate::numerics::double_double::DoubleDouble;
+use crate::numerics::log_newton::{Sample, increasing_root};
 
 /// The line in the solver's plane with the bed through A.
 pub(super) struct Laid<'a> {
@@ -308,7 +308,7 @@ impl<'a> Laid<'a> {
     fn settle(&self) -> Option<(State, u32)> {
         let (guess, offset) = self.problem.guess();
         let (mut at, wanted) = (offset.min(0.0), self.wanted().0);
-        let root = rising(guess, f64::INFINITY, |h| {
+        let root = increasing_root(guess, f64::INFINITY, |h| {
             at = self.lifted(h, at).unwrap_or(f64::NAN);
             let look = self.look(State { h, offset: at });
             let held = if self.wholly {
@@ -316,22 +316,22 @@ impl<'a> Laid<'a> {
             } else {
                 look.x_by[1] * look.z_by[0] / look.z_by[1]
             };
-            Value {
+            Sample {
                 value: look.x - wanted,
-                slope: h * (look.x_by[0] - held),
+                log_slope: h * (look.x_by[0] - held),
                 scale: look.scale + wanted.abs(),
             }
         })?;
-        let offset = self.lifted(root.at, at)?;
-        Some((State { h: root.at, offset }, root.iterations))
+        let offset = self.lifted(root.x, at)?;
+        Some((State { h: root.x, offset }, root.evaluations))
     }
 
     /// How far B is missed, to 30 digits on a level bed.
     fn misses(&self, state: State) -> (f64, f64) {
-        let lift = Twofold::from(state.h) * self.tan;
-        let mut along = Twofold::from(self.chain().length) + self.stretch(state).0;
-        let mut x = Twofold::from(-self.problem.x);
-        let mut z = Twofold::from(-self.problem.z);
+        let lift = DoubleDouble::from(state.h) * self.tan;
+        let mut along = DoubleDouble::from(self.chain().length) + self.stretch(state).0;
+        let mut x = DoubleDouble::from(-self.problem.x);
+        let mut z = DoubleDouble::from(-self.problem.z);
         for part in self.parts(state) {
             let va = lift + (part.va - state.h * self.tan);
             let span = self.chain().part_span(&part);

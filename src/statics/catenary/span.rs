@@ -19,8 +19,8 @@
 //! dz = (V_m L/T_m) (1 + T_m/EA)                   (since T_b² - T_a² = V_b² - V_a² = 2 V_m w L)
 //! ```
 
-use super::hyperbolic::atanh_excess;
-use super::twofold::Twofold;
+use crate::numerics::double_double::DoubleDouble;
+use crate::numerics::hyperbolic::atanh_ratio_minus_1;
 
 /// A uniform stretch of line.
 #[derive(Debug, Clone, Copy)]
@@ -108,7 +108,7 @@ impl Span {
         if tm <= 0.0 {
             return (0.0, 0.0);
         }
-        let excess = atanh_excess(f.u, f.delta);
+        let excess = atanh_ratio_minus_1(f.u, f.delta);
         let x = if h > 0.0 && excess.is_finite() {
             h * self.length * (1.0 / self.ea + (1.0 + excess) / tm)
         } else {
@@ -120,23 +120,23 @@ impl Span {
 
     /// [`Span::reach`] to about 30 digits where the formulas are ill-conditioned (taut lines), and to
     /// 16 digits of the sag elsewhere. `va` may itself carry more digits than an `f64`.
-    pub(super) fn reach_exactly(&self, h: f64, va: Twofold) -> (Twofold, Twofold) {
+    pub(super) fn reach_exactly(&self, h: f64, va: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
         if self.weight < 0.0 {
             let (x, z) = self.mirrored().reach_exactly(h, -va);
             return (x, -z);
         }
         let f = self.forces(h, va.value());
-        let load = Twofold::from(self.weight) * self.length;
+        let load = DoubleDouble::from(self.weight) * self.length;
         let vb = va + load;
-        let h2 = Twofold::from(h) * h;
+        let h2 = DoubleDouble::from(h) * h;
         let tm = ((h2 + va * va).sqrt() + (h2 + vb * vb).sqrt()) * 0.5;
         let vm = va + load * 0.5;
         if tm.value() <= 0.0 {
             return (0.0.into(), 0.0.into());
         }
-        let per_tension = Twofold::from(self.length) / tm;
-        let strain = tm / Twofold::from(self.ea);
-        let excess = atanh_excess(f.u, f.delta);
+        let per_tension = DoubleDouble::from(self.length) / tm;
+        let strain = tm / DoubleDouble::from(self.ea);
+        let excess = atanh_ratio_minus_1(f.u, f.delta);
         let x = if h > 0.0 && excess.is_finite() {
             per_tension * h * (strain + 1.0 + excess)
         } else {

@@ -16,10 +16,10 @@
 //!
 //! The left side less the right rises with H. The right side is the length that sag takes out.
 
-use super::hyperbolic::{asinh_less_sine, less_asinh};
-use super::root::{Value, rising};
 use super::span::{Span, length};
-use super::twofold::Twofold;
+use crate::numerics::double_double::DoubleDouble;
+use crate::numerics::hyperbolic::{asinh_minus_sine, x_minus_asinh};
+use crate::numerics::log_newton::{Sample, increasing_root};
 
 /// The line in the solver's plane: sunk, B to the right, both ends above the bed.
 #[derive(Debug, Clone, Copy)]
@@ -89,7 +89,7 @@ impl Trough {
         }
         let guess = seed.unwrap_or_else(|| self.guess(&straight, surplus));
         let mut lifted = false;
-        let root = rising(guess, f64::INFINITY, |h| {
+        let root = increasing_root(guess, f64::INFINITY, |h| {
             let legs = self.legs(h);
             let mut found = self.value(h, &legs);
             // Too much line off the bed already and the force still too small.
@@ -100,16 +100,16 @@ impl Trough {
             found
         });
         let root = root.filter(|_| !lifted)?;
-        let legs = self.legs(root.at);
+        let legs = self.legs(root.x);
         (self.hanging(&legs) <= self.length).then_some(Lying {
-            h: root.at,
+            h: root.x,
             legs,
-            iterations: root.iterations,
+            iterations: root.evaluations,
         })
     }
 
     /// Length in hand less length lost to sag.
-    fn value(&self, h: f64, legs: &[Leg; 2]) -> Value {
+    fn value(&self, h: f64, legs: &[Leg; 2]) -> Sample {
         let spare = self.length - self.x;
         let mut value = spare + h * self.length / self.ea;
         let mut scale = spare.abs() + h * self.length / self.ea;
@@ -117,14 +117,14 @@ impl Trough {
         for leg in legs.iter().filter(|leg| leg.v > 0.0) {
             let (t, sigma) = (h + leg.y, leg.v / h);
             let dv = leg.y / leg.v / (1.0 + t / self.ea);
-            let lost = h / self.w * less_asinh(sigma);
+            let lost = h / self.w * x_minus_asinh(sigma);
             value -= lost;
             scale += lost;
-            slope -= (dv * leg.y / t - asinh_less_sine(sigma)) / self.w;
+            slope -= (dv * leg.y / t - asinh_minus_sine(sigma)) / self.w;
         }
-        Value {
+        Sample {
             value,
-            slope: h * slope,
+            log_slope: h * slope,
             scale,
         }
     }
@@ -163,7 +163,7 @@ struct Answer {
 }
 
 impl Trough {
-    fn answer(&self, h: f64, leg: &Leg, rise: f64) -> (Answer, Twofold) {
+    fn answer(&self, h: f64, leg: &Leg, rise: f64) -> (Answer, DoubleDouble) {
         let s = leg.v / self.w;
         let t = length(h, leg.v);
         let span = Span {
@@ -176,7 +176,7 @@ impl Trough {
         let fall = -leg.v * leg.v / (t * (t + h));
         let answer = Answer {
             x_s: fall,
-            x_h: asinh_less_sine(leg.v / h) / self.w,
+            x_h: asinh_minus_sine(leg.v / h) / self.w,
             z_s: leg.v / self.ea + leg.v / t,
             z_h: fall / self.w,
             miss: (-dz + rise).value(),
@@ -187,9 +187,10 @@ impl Trough {
     /// Error of force over end tension that the misses stand for, and the stiffness of end B.
     pub(super) fn verify(&self, lying: &Lying) -> (f64, [[f64; 2]; 2]) {
         let h = lying.h;
-        let on_bed =
-            Twofold::from(self.length) + -(lying.legs[0].v / self.w) + -(lying.legs[1].v / self.w);
-        let bed = on_bed * (Twofold::from(h) / Twofold::from(self.ea) + 1.0);
+        let on_bed = DoubleDouble::from(self.length)
+            + -(lying.legs[0].v / self.w)
+            + -(lying.legs[1].v / self.w);
+        let bed = on_bed * (DoubleDouble::from(h) / DoubleDouble::from(self.ea) + 1.0);
         let (mut reached, mut answers) = (bed, [None, None]);
         let mut by_h = self.length / self.ea;
         let bed_stretch = (lying.legs[0].v + lying.legs[1].v) / self.w / self.ea;

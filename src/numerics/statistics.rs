@@ -1,30 +1,30 @@
-//! What a record comes to, and the greatest value to expect in a time.
+//! Moments of a record, and the greatest value to expect of records.
 
 use std::f64::consts::PI;
 
-/// What a record comes to.
+/// Moments, extremes and crossings of a record.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Statistics {
     /// Mean.
     pub mean: f64,
-    /// Root of the mean square, about nothing.
+    /// Root of the mean square, about zero.
     pub rms: f64,
     /// Root of the mean square about the mean.
     pub deviation: f64,
-    /// ExpectedMaximum.
+    /// Greatest.
     pub max: f64,
     /// Smallest.
     pub min: f64,
-    /// Third moment about the mean over the cube of the deviation; nought of a Gaussian record.
+    /// Third moment about the mean over the cube of the deviation (skewness); zero for a Gaussian record.
     pub skewness: f64,
-    /// Fourth moment over the fourth power, less three; nought of a Gaussian record.
+    /// Fourth moment over the fourth power, minus three (excess kurtosis); zero for a Gaussian record.
     pub excess: f64,
     /// Upward crossings of the mean.
     pub crossings: usize,
 }
 
 impl Statistics {
-    /// Of values at equal steps; all nought without any.
+    /// Of values at equal steps; all zero without any.
     #[must_use]
     pub fn of(values: &[f64]) -> Self {
         if values.is_empty() {
@@ -123,7 +123,7 @@ impl Gumbel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::sea::Random;
+    use crate::numerics::random::Random;
 
     #[test]
     fn of_a_sine() {

@@ -1,18 +1,19 @@
-//! Places over time from a table: a cubic spline along each axis.
+//! The natural cubic spline of positions over time, along each axis.
 //!
-//! The natural spline (no curvature at its ends) through all points: position, velocity and acceleration are
-//! continuous, as the motion of something with mass is. Its moments solve a tridiagonal system (de Boor, "A practical guide to
-//! splines", chapter IV).
+//! It passes through all points and has no curvature at its ends; position, velocity and acceleration are continuous, as
+//! in the motion of a mass. Its second derivatives solve a tridiagonal system (de Boor, *A Practical Guide to Splines*,
+//! chapter IV).
 
-use crate::numerics::V3;
+use super::V3;
+use super::interpolation::interval;
 
-/// Why a table is none.
+/// A table that defines no spline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum SplineError {
     /// Fewer than two points.
-    #[error("a table of places needs two points or more")]
+    #[error("a table of positions needs two points or more")]
     Short,
-    /// Times that do not rise, at this point.
+    /// Times that do not ascend, at this point.
     #[error("times must rise; point {0} does not come after the one before")]
     Order(usize),
 }
@@ -21,16 +22,16 @@ pub enum SplineError {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spline {
     time: Vec<f64>,
-    place: Vec<V3>,
+    position: Vec<V3>,
     /// Acceleration at each point \[m/s²\].
-    bend: Vec<V3>,
+    acceleration: Vec<V3>,
 }
 
 impl Spline {
-    /// The path through these places \[m\] at rising times \[s\].
+    /// The path through these positions \[m\] at ascending times \[s\].
     ///
     /// # Errors
-    /// [`SplineError`] when there are too few points or times do not rise.
+    /// [`SplineError`] when there are too few points or times do not ascend.
     pub fn through(points: &[(f64, V3)]) -> Result<Self, SplineError> {
         if points.len() < 2 {
             return Err(SplineError::Short);
@@ -38,9 +39,13 @@ impl Spline {
         if let Some(i) = points.windows(2).position(|p| p[1].0 <= p[0].0) {
             return Err(SplineError::Order(i + 1));
         }
-        let (time, place): (Vec<f64>, Vec<V3>) = points.iter().copied().unzip();
-        let bend = bends(&time, &place);
-        Ok(Self { time, place, bend })
+        let (time, position): (Vec<f64>, Vec<V3>) = points.iter().copied().unzip();
+        let acceleration = accelerations(&time, &position);
+        Ok(Self {
+            time,
+            position,
+            acceleration,
+        })
     }
 
     /// First and last time \[s\].
@@ -56,14 +61,12 @@ impl Spline {
         gaps.fold(f64::INFINITY, f64::min)
     }
 
-    /// Position \[m\], velocity \[m/s\] and acceleration \[m/s²\] at time t \[s\]; beyond its ends the path goes on straight.
+    /// Position \[m\], velocity \[m/s\] and acceleration \[m/s²\] at time t \[s\]; beyond its ends the path continues straight.
     #[must_use]
     pub fn at(&self, t: f64) -> (V3, V3, V3) {
         let (first, last) = self.span();
         let inside = t.clamp(first, last);
-        let next = self.time.partition_point(|known| *known <= inside);
-        let i = next.clamp(1, self.time.len() - 1);
-        let (x, v, a) = self.piece(i, inside);
+        let (x, v, a) = self.piece(interval(&self.time, inside) + 1, inside);
         if t == inside {
             (x, v, a)
         } else {
@@ -75,8 +78,8 @@ impl Spline {
     fn piece(&self, i: usize, t: f64) -> (V3, V3, V3) {
         let h = self.time[i] - self.time[i - 1];
         let (p, q) = ((self.time[i] - t) / h, (t - self.time[i - 1]) / h);
-        let (x0, x1) = (&self.place[i - 1], &self.place[i]);
-        let (a0, a1) = (&self.bend[i - 1], &self.bend[i]);
+        let (x0, x1) = (&self.position[i - 1], &self.position[i]);
+        let (a0, a1) = (&self.acceleration[i - 1], &self.acceleration[i]);
         let cubic = |s: f64| (s * s * s - s) * h * h / 6.0;
         let slope = |s: f64| (3.0 * s * s - 1.0) * h / 6.0;
         (
@@ -87,23 +90,23 @@ impl Spline {
     }
 }
 
-/// Accelerations at the points, none at both ends, by elimination from the first to the last and back.
-fn bends(time: &[f64], place: &[V3]) -> Vec<V3> {
+/// Accelerations at the points, zero at both ends, by elimination of the tridiagonal system (Thomas algorithm).
+fn accelerations(time: &[f64], position: &[V3]) -> Vec<V3> {
     let n = time.len();
-    let mut bend = vec![V3::zeros(); n];
+    let mut acceleration = vec![V3::zeros(); n];
     let mut factor = vec![0.0; n];
-    let rate = |i: usize| (place[i + 1] - place[i]) / (time[i + 1] - time[i]);
+    let rate = |i: usize| (position[i + 1] - position[i]) / (time[i + 1] - time[i]);
     for i in 1..n - 1 {
         let (before, after) = (time[i] - time[i - 1], time[i + 1] - time[i]);
         let pivot = 2.0 * (before + after) - before * factor[i - 1];
         factor[i] = after / pivot;
-        bend[i] = ((rate(i) - rate(i - 1)) * 6.0 - bend[i - 1] * before) / pivot;
+        acceleration[i] = ((rate(i) - rate(i - 1)) * 6.0 - acceleration[i - 1] * before) / pivot;
     }
     for i in (1..n - 1).rev() {
-        let next = bend[i + 1];
-        bend[i] -= next * factor[i];
+        let next = acceleration[i + 1];
+        acceleration[i] -= next * factor[i];
     }
-    bend
+    acceleration
 }
 
 #[cfg(test)]

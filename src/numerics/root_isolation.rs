@@ -1,15 +1,17 @@
-//! All isolate_roots of a smooth function between two points, none missed: an interval is dropped only when a bound of the second
-//! derivative proves that the function has no zero on it, and holds one zero when the bound proves it monotone.
+//! All roots of a smooth function between two points: an interval is discarded only when a bound of the second derivative
+//! proves that the function has no root on it, and holds one root when the bound proves it monotone.
 
-/// A function with its derivative and a bound of its second derivative, smooth between the points it is cut at.
+use super::roots::Bracket;
+
+/// A function with its derivative and a bound of its second derivative, smooth between its knots.
 pub trait BoundedCurvature {
     /// Value and first derivative.
     fn at(&self, x: f64) -> (f64, f64);
 
-    /// A bound of the second derivative's size between the cuts around x.
+    /// An upper bound of the second derivative's magnitude between the knots around x.
     fn second_derivative_bound(&self, x: f64) -> f64;
 
-    /// What counts as nothing: rounding of the value.
+    /// Rounding error of the value.
     fn rounding(&self) -> f64;
 }
 
@@ -18,20 +20,19 @@ pub trait BoundedCurvature {
 pub enum Root {
     /// At a point.
     Point(f64),
-    /// All the way from one point to another, to rounding: a stretch where it vanishes, or one too short to be told from
-    /// a point, where it touches zero.
-    Stretch(f64, f64),
+    /// From one point to another, to rounding: an interval where it vanishes, or a short one where it touches zero.
+    Interval(f64, f64),
 }
 
-/// Intervals looked at before a function is given up; it takes some hundred for any physical one.
+/// Greatest number of intervals examined; a physical function takes some hundred.
 const MOST: usize = 200_000;
 
-/// All isolate_roots between neighbouring `cuts`, which rise, in rising order; absent when the function is too wild to be
-/// bounded.
+/// All roots between neighbouring `knots`, which ascend, in ascending order; `None` when the function is not finite or
+/// varies too fast to be bounded.
 #[must_use]
-pub fn isolate_roots(f: &impl BoundedCurvature, cuts: &[f64]) -> Option<Vec<Root>> {
+pub fn isolate_roots(f: &impl BoundedCurvature, knots: &[f64]) -> Option<Vec<Root>> {
     let mut found = Vec::new();
-    let mut open: Vec<(f64, f64)> = cuts
+    let mut open: Vec<(f64, f64)> = knots
         .windows(2)
         .rev()
         .map(|pair| (pair[0], pair[1]))
@@ -51,17 +52,17 @@ pub fn isolate_roots(f: &impl BoundedCurvature, cuts: &[f64]) -> Option<Vec<Root
         if !(value.is_finite() && slope.is_finite()) {
             return None;
         }
-        let bend = f.second_derivative_bound(middle);
+        let curvature = f.second_derivative_bound(middle);
         // Taylor: everywhere on the interval, f differs from its middle by no more than this.
-        let reach = (slope.abs() + 0.5 * bend * half) * half;
+        let reach = (slope.abs() + 0.5 * curvature * half) * half;
         if value.abs() > reach + f.rounding() {
             continue;
         }
-        if slope.abs() > bend * half && reach > f.rounding() {
+        if slope.abs() > curvature * half && reach > f.rounding() {
             found.extend(crossing(f, a, b).map(Root::Point));
         } else if reach + value.abs() <= 4.0 * f.rounding() || half <= 1e-12 * (1.0 + middle.abs())
         {
-            found.push(Root::Stretch(a, b));
+            found.push(Root::Interval(a, b));
         } else {
             open.push((middle, b));
             open.push((a, middle));
@@ -70,7 +71,7 @@ pub fn isolate_roots(f: &impl BoundedCurvature, cuts: &[f64]) -> Option<Vec<Root
     Some(joined(found))
 }
 
-/// The zero of a function that is monotone from a to b, if it has one; at an end when it is nothing there.
+/// The zero of a function that is monotone from a to b, if it has one; an end where the value there is rounding.
 fn crossing(f: &impl BoundedCurvature, a: f64, b: f64) -> Option<f64> {
     let (at_a, at_b) = (f.at(a).0, f.at(b).0);
     if at_a.abs() <= f.rounding() {
@@ -82,28 +83,19 @@ fn crossing(f: &impl BoundedCurvature, a: f64, b: f64) -> Option<f64> {
     if at_a.signum() == at_b.signum() {
         return None;
     }
-    Some(refined(f, (a, at_a), b))
+    Some(refined(f, Bracket { low: a, high: b }, at_b.signum()))
 }
 
-/// Newton inside a bracket; a step that leaves it is a bisection.
-fn refined(f: &impl BoundedCurvature, (mut a, at_a): (f64, f64), mut b: f64) -> f64 {
-    let mut x = 0.5 * (a + b);
+/// Newton inside a bracket at whose upper end the function has this sign.
+fn refined(f: &impl BoundedCurvature, mut bracket: Bracket, sign: f64) -> f64 {
+    let mut x = bracket.middle();
     for _ in 0..200 {
         let (value, slope) = f.at(x);
         if value == 0.0 {
             return x;
         }
-        if value.signum() == at_a.signum() {
-            a = x;
-        } else {
-            b = x;
-        }
-        let newton = x - value / slope;
-        let next = if newton > a && newton < b {
-            newton
-        } else {
-            0.5 * (a + b)
-        };
+        bracket.shrink(x, sign * value);
+        let next = bracket.newton(x, value, slope);
         if (next - x).abs() <= 4.0 * f64::EPSILON * (1.0 + x.abs()) {
             return next;
         }
@@ -112,24 +104,24 @@ fn refined(f: &impl BoundedCurvature, (mut a, at_a): (f64, f64), mut b: f64) -> 
     x
 }
 
-/// Neighbours that are the same zero, made one.
+/// Joins neighbours that are the same zero.
 fn joined(found: Vec<Root>) -> Vec<Root> {
     const SAME: f64 = 1e-9;
     let mut out: Vec<Root> = Vec::new();
     for zero in found {
         let (from, to) = match zero {
             Root::Point(x) => (x, x),
-            Root::Stretch(a, b) => (a, b),
+            Root::Interval(a, b) => (a, b),
         };
         match out.last_mut() {
             Some(Root::Point(x)) if from - *x <= SAME => {
                 let start = *x;
                 if to > from {
                     out.pop();
-                    out.push(Root::Stretch(start, to));
+                    out.push(Root::Interval(start, to));
                 }
             }
-            Some(Root::Stretch(_, end)) if from - *end <= SAME => *end = end.max(to),
+            Some(Root::Interval(_, end)) if from - *end <= SAME => *end = end.max(to),
             _ => out.push(zero),
         }
     }
@@ -163,10 +155,10 @@ mod tests {
         }
     }
 
-    fn points(isolate_roots: &[Root]) -> Vec<f64> {
-        let each = isolate_roots.iter().map(|z| match z {
+    fn points(zeros: &[Root]) -> Vec<f64> {
+        let each = zeros.iter().map(|z| match z {
             Root::Point(x) => *x,
-            Root::Stretch(a, b) => 0.5 * (a + b),
+            Root::Interval(a, b) => 0.5 * (a + b),
         });
         each.collect()
     }
@@ -193,8 +185,8 @@ mod tests {
     }
 
     #[test]
-    fn a_function_that_is_nothing_is_one_stretch() {
+    fn a_function_that_vanishes_is_one_interval() {
         let found = isolate_roots(&Poly(vec![0.0]), &[0.0, 1.0, 2.0]).unwrap();
-        assert_eq!(found, vec![Root::Stretch(0.0, 2.0)]);
+        assert_eq!(found, vec![Root::Interval(0.0, 2.0)]);
     }
 }

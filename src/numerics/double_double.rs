@@ -1,40 +1,39 @@
-//! Numbers held as an unevaluated sum of two `f64`, about 32 digits: just enough arithmetic to ask,
-//! of forces given in `f64`, where they put the end of the line.
+//! Double-double arithmetic: a number as an unevaluated sum of two `f64`, about 32 digits.
 //!
-//! A taut rope with EA/T = 1e10 turns a position rounded to 1e-16 of the length into a force wrong by
-//! 1e-6; checking an answer therefore needs more digits than giving it. Dekker, Numer. Math. 18
-//! (1971) 224; products are split by Veltkamp's constant, so no fused multiply-add is needed.
+//! A taut rope with EA/T = 1e10 turns a position rounded to 1e-16 of the length into a force wrong by 1e-6: verifying a
+//! force takes more digits than computing it. T. J. Dekker, Numer. Math. 18 (1971) 224; products are split by Veltkamp's
+//! constant, so no fused multiply-add is needed.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An unevaluated sum `hi + lo` with |lo| at most half a unit in the last place of `hi`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Twofold {
+pub struct DoubleDouble {
     hi: f64,
     lo: f64,
 }
 
 /// Sum and its rounding error.
-fn two_sum(a: f64, b: f64) -> Twofold {
+fn two_sum(a: f64, b: f64) -> DoubleDouble {
     let s = a + b;
     let t = s - a;
-    Twofold {
+    DoubleDouble {
         hi: s,
         lo: (a - (s - t)) + (b - t),
     }
 }
 
 /// Sum and its rounding error when |a| >= |b|.
-fn quick_sum(a: f64, b: f64) -> Twofold {
+fn quick_sum(a: f64, b: f64) -> DoubleDouble {
     let s = a + b;
-    Twofold {
+    DoubleDouble {
         hi: s,
         lo: b - (s - a),
     }
 }
 
 /// Product and its rounding error.
-fn two_product(a: f64, b: f64) -> Twofold {
+fn two_product(a: f64, b: f64) -> DoubleDouble {
     const SPLIT: f64 = 134_217_729.0;
     let split = |x: f64| {
         let c = SPLIT * x;
@@ -43,20 +42,22 @@ fn two_product(a: f64, b: f64) -> Twofold {
     };
     let p = a * b;
     let ((ah, al), (bh, bl)) = (split(a), split(b));
-    Twofold {
+    DoubleDouble {
         hi: p,
         lo: ((ah * bh - p) + ah * bl + al * bh) + al * bl,
     }
 }
 
-impl Twofold {
+impl DoubleDouble {
     /// Rounded to one `f64`.
-    pub(super) fn value(self) -> f64 {
+    #[must_use]
+    pub fn value(self) -> f64 {
         self.hi + self.lo
     }
 
-    /// Square root of a number that is not negative.
-    pub(super) fn sqrt(self) -> Self {
+    /// Square root; zero of a negative number.
+    #[must_use]
+    pub fn sqrt(self) -> Self {
         if self.hi <= 0.0 {
             return Self::from(0.0);
         }
@@ -66,13 +67,13 @@ impl Twofold {
     }
 }
 
-impl From<f64> for Twofold {
+impl From<f64> for DoubleDouble {
     fn from(x: f64) -> Self {
         Self { hi: x, lo: 0.0 }
     }
 }
 
-impl Neg for Twofold {
+impl Neg for DoubleDouble {
     type Output = Self;
     fn neg(self) -> Self {
         Self {
@@ -82,7 +83,7 @@ impl Neg for Twofold {
     }
 }
 
-impl Add for Twofold {
+impl Add for DoubleDouble {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         let high = two_sum(self.hi, other.hi);
@@ -92,14 +93,14 @@ impl Add for Twofold {
     }
 }
 
-impl Sub for Twofold {
+impl Sub for DoubleDouble {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl Mul for Twofold {
+impl Mul for DoubleDouble {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let p = two_product(self.hi, other.hi);
@@ -107,7 +108,7 @@ impl Mul for Twofold {
     }
 }
 
-impl Div for Twofold {
+impl Div for DoubleDouble {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
@@ -120,14 +121,14 @@ impl Div for Twofold {
     }
 }
 
-impl Add<f64> for Twofold {
+impl Add<f64> for DoubleDouble {
     type Output = Self;
     fn add(self, other: f64) -> Self {
         self + Self::from(other)
     }
 }
 
-impl Mul<f64> for Twofold {
+impl Mul<f64> for DoubleDouble {
     type Output = Self;
     fn mul(self, other: f64) -> Self {
         let p = two_product(self.hi, other);
@@ -140,14 +141,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn thirty_digits_survive_what_sixteen_lose() {
-        let third = Twofold::from(1.0) / Twofold::from(3.0);
-        let rest = third * 3.0 - Twofold::from(1.0);
+    fn products_quotients_and_roots_keep_thirty_digits() {
+        let third = DoubleDouble::from(1.0) / DoubleDouble::from(3.0);
+        let rest = third * 3.0 - DoubleDouble::from(1.0);
         assert!(rest.value().abs() < 1e-31);
-        let two = Twofold::from(2.0);
+        let two = DoubleDouble::from(2.0);
         let rest = two.sqrt() * two.sqrt() - two;
         assert!(rest.value().abs() < 1e-30);
-        let sum = Twofold::from(1.0) + 1e-25;
-        assert!(((sum - Twofold::from(1.0)).value() - 1e-25).abs() < 1e-40);
+        let sum = DoubleDouble::from(1.0) + 1e-25;
+        assert!(((sum - DoubleDouble::from(1.0)).value() - 1e-25).abs() < 1e-40);
     }
 }
