@@ -4,7 +4,7 @@ use std::{fs, path::Path, process::ExitCode};
 
 use super::{Failure, args::RopewayWords, cases, output};
 use crate::{
-    report::chart::Glyphs,
+    report::{self, chart::Glyphs},
     ropeway::{self, Readings, Worked, edit, exact::Carrier, line},
 };
 
@@ -33,8 +33,8 @@ pub(super) fn ropeway(words: &RopewayWords) -> Result<ExitCode, Failure> {
     } else {
         Glyphs::Braille
     };
-    let report = ropeway::text::text(&worked, &readings, &text, glyphs);
-    output::results(&report, words.ascii)?;
+    let text = report::ropeway::report(&worked, &readings, &text, glyphs);
+    output::results(&text, words.ascii)?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -4,7 +4,7 @@ use std::{fs, path::Path, process::ExitCode};
 
 use super::{Failure, args::SectionWords, output};
 use crate::{
-    report::{chart::Glyphs, plain},
+    report::{self, chart::Glyphs, plain},
     section::{self, FRAGMENT_HEAD},
 };
 
@@ -30,7 +30,7 @@ pub(super) fn section(words: &SectionWords) -> Result<ExitCode, Failure> {
         };
         write(path, &text)?;
     }
-    let text = section::text::text(&loaded.worked, WIDTH, glyphs, words.tension_n);
+    let text = report::section::report(&loaded.worked, WIDTH, glyphs, words.tension_n);
     output::results(&text, words.ascii)?;
     Ok(ExitCode::SUCCESS)
 }
