@@ -6,10 +6,9 @@ use super::Painter;
 use super::paint::{row, text};
 use crate::report::chart::Glyphs;
 use crate::report::number::{percent, rounded};
-use crate::report::ropeway::{drawing, tables};
 use crate::report::table::Table;
-use crate::ropeway::Readings;
 use crate::ropeway::exact::Carrier;
+use crate::ropeway::{Readings, picture, tables};
 use crate::tui::plot_pane::draw_chart;
 use crate::tui::state::RopewayView;
 
@@ -35,7 +34,7 @@ impl Painter<'_> {
         ])
         .areas(area);
         self.slider(slider, ropeway);
-        let mut chart = drawing::chart(&ropeway.worked, readings);
+        let mut chart = picture::chart(&ropeway.worked, readings);
         // Its title stands beside the tabs; every line counts here.
         chart.title.clear();
         draw_chart(
