@@ -13,7 +13,7 @@ use super::{
 };
 use crate::case::{self, Case, LineEnd, RopeQuantity, Source};
 use crate::scene::Scene;
-use crate::solve::{Instant, Progressing, Sink, State, System};
+use crate::solve::{Instant, Kinematics, Progressing, Sink, State};
 
 /// Records a run. Between output times a step costs it a few tensions and no allocation.
 pub(super) struct Recorder<'a> {
