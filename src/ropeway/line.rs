@@ -5,7 +5,7 @@ use super::exact::{AT_SUPPORT, Span};
 use super::model::Ropeway;
 use crate::case;
 use crate::scene;
-use crate::solve::{Kinematics, State};
+use crate::solve::{State, System};
 use crate::statics::equilibrium::EquilibriumSearch;
 
 /// The discretised line at rest.

@@ -9,9 +9,10 @@ use proptest::prelude::*;
 use seacable::case::shipped::ROPEWAYS;
 use seacable::reference::{Outcome, count_outcomes};
 use seacable::report::chart::Glyphs;
+use seacable::report::ropeway::report;
 use seacable::ropeway::exact::Carrier;
 use seacable::ropeway::winch::{HangPoint, Held, extremes, follow};
-use seacable::ropeway::{Trouble, Worked, edit, held, line, parse, text};
+use seacable::ropeway::{Trouble, Worked, edit, held, line, parse};
 
 const SPAN_80: &str = include_str!("../../cases/ropeway/span_80.toml");
 const TENSION: &str = include_str!("../../cases/ropeway/constant_tension.toml");
@@ -164,7 +165,7 @@ fn edges_have_answers_or_clear_errors() {
     );
     let readings = slack.readings(0.5).unwrap();
     assert!(readings.exact.sag_m > 20.0);
-    let told = seacable::ropeway::tables::warnings(&slack, &readings).join(" ");
+    let told = seacable::report::ropeway::tables::warnings(&slack, &readings).join(" ");
     assert!(told.contains("cargo is in the water"), "{told}");
     // So short that it must stretch: exact, though the paper's model, which cannot stretch, has none.
     let tight = with(
@@ -321,7 +322,7 @@ proptest! {
                 let on_rope = if exact.carrier == Carrier::Rope { worked.span.cargo_n } else { 0.0 };
                 let weight = worked.span.weight_n_per_m * exact.length_m + on_rope;
                 prop_assert!((held - weight).abs() < 1e-6 * weight.max(exact.ship_n()));
-                let report = text::text(&worked, &readings, &edited, Glyphs::Ascii);
+                let report = report(&worked, &readings, &edited, Glyphs::Ascii);
                 prop_assert!(!report.contains("NaN"));
             }
         }

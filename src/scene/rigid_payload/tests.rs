@@ -3,7 +3,7 @@
 use super::*;
 use crate::case::Case;
 use crate::scene;
-use crate::solve::{ExplicitRhs, Kinematics, Residual};
+use crate::solve::System;
 
 const BODY: &str = r#"
     line = [{ name = "rope", material = "rope", length_m = 20.0, segments = 2 }]

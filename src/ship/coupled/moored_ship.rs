@@ -21,7 +21,7 @@ use nalgebra::{Matrix6, Vector6};
 use super::forcing::Forcing;
 use crate::numerics::{BlockBand, M3, V3};
 use crate::scene::Scene;
-use crate::solve::{ExplicitRhs, Factors, Hysteresis, Kinematics, MidstepBalance, Residual, State};
+use crate::solve::{Factors, State, System};
 
 /// A ship as a rigid body about its reference point, in the axes of the case: surge, sway, heave, roll, pitch, yaw as
 /// displacements along and turns about x, y, z.
@@ -217,13 +217,18 @@ fn stacked(upper: V3, lower: V3) -> Vector6<f64> {
     Vector6::new(upper.x, upper.y, upper.z, lower.x, lower.y, lower.z)
 }
 
-impl Kinematics for MooredShip {
+impl System for MooredShip {
     fn nodes(&self) -> usize {
         self.line.nodes() + 2
     }
 
     fn free(&self) -> Range<usize> {
         1..self.nodes()
+    }
+
+    fn is_pentadiagonal(&self) -> bool {
+        // Rows reach two nodes, as those of a line that bends.
+        true
     }
 
     fn prescribe(&self, t: f64, state: &mut State) {
@@ -236,13 +241,6 @@ impl Kinematics for MooredShip {
 
     fn update_wave_kinematics(&self, t: f64, state: &mut State) {
         self.line.update_wave_kinematics(t, state);
-    }
-}
-
-impl Residual for MooredShip {
-    fn is_pentadiagonal(&self) -> bool {
-        // Rows reach two nodes, as those of a line that bends.
-        true
     }
 
     fn residual(&self, t: f64, state: &State, r: &mut [V3]) {
@@ -258,9 +256,7 @@ impl Residual for MooredShip {
         self.tie(t, state, r);
         self.tie_tangent(state, c, tangent);
     }
-}
 
-impl ExplicitRhs for MooredShip {
     /// The added mass of the last half segment counts as that of the line's mass there, in all directions alike; no
     /// solver carries that on but an explicit one.
     fn accelerate(&self, t: f64, state: &mut State) {
@@ -290,9 +286,7 @@ impl ExplicitRhs for MooredShip {
         state.a[f + 2] = turn * length;
         state.a[f] = shift + turn.cross(&arm);
     }
-}
 
-impl Hysteresis for MooredShip {
     fn commit(&self, t: f64, dt: f64, state: &mut State) {
         self.line.commit(t, dt, state);
     }
@@ -300,6 +294,18 @@ impl Hysteresis for MooredShip {
     fn freeze_drag_coefficients(&self, state: &mut State) {
         self.line.freeze_drag_coefficients(state);
     }
-}
 
-impl MidstepBalance for MooredShip {}
+    fn force_scale(&self) -> f64 {
+        self.line
+            .force_scale()
+            .max(self.ship.load.fixed_rows::<3>(0).norm())
+    }
+
+    fn rounding_force(&self) -> f64 {
+        self.line.rounding_force()
+    }
+
+    fn position_tolerance(&self, relative: f64) -> f64 {
+        self.line.position_tolerance(relative)
+    }
+}

@@ -73,10 +73,7 @@ pub fn beside(worked: &Worked, fast: &[Moment], step: f64) -> Result<DynamicRope
     let run = execute(text)?;
     let tension = run.history.channel("tension_n[ship-side|ship]");
     let tension = tension.ok_or(Trouble::NotFound("the run has no tension at the ship"))?;
-    let greatest = run
-        .summary
-        .iter()
-        .find(|found| found.name == "tension_n[ship-side|ship].max");
+    let greatest = run.quantity("tension_n[ship-side|ship].max");
     Ok(DynamicRope {
         times: window.iter().map(|m| m.ship.time_s).collect(),
         still: window.iter().map(|m| m.ship_n).collect(),

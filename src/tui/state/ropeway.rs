@@ -6,9 +6,10 @@ use super::open_file::{FileView, message_table};
 use crate::case::{Diagnostic, kind};
 use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, Glyphs};
+use crate::report::ropeway::{self as views, cargo, tables, winch};
 use crate::report::table::Table;
 use crate::ropeway::exact::Carrier;
-use crate::ropeway::{self, Readings, RopewayFile, Trouble, Worked, held, line, motions, tables};
+use crate::ropeway::{self, Readings, RopewayFile, Trouble, Worked, held, line};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 
@@ -53,8 +54,8 @@ impl RopewayView {
         };
         match self.worked.follow(&series) {
             Ok(followed) => (
-                Some(motions::winch_chart(&followed)),
-                motions::winch(&self.worked, &followed),
+                Some(winch::winch_chart(&followed)),
+                winch::winch(&self.worked, &followed),
             ),
             Err(trouble) => (None, message_table(&format!("No answer: {trouble}."))),
         }
@@ -87,15 +88,9 @@ impl FileView for RopewayView {
         let worked = &self.worked;
         match (tab, &self.readings) {
             (0, _) => (None, tables::crossing(worked, 20)),
-            (1, _) => (
-                Some(motions::hauling_chart(worked)),
-                motions::hauling(worked),
-            ),
+            (1, _) => (Some(winch::hauling_chart(worked)), winch::hauling(worked)),
             (2, _) => self.winch(),
-            (3, _) => (
-                Some(motions::crossing_chart(worked)),
-                motions::cargo(worked),
-            ),
+            (3, _) => (Some(cargo::crossing_chart(worked)), cargo::cargo(worked)),
             (4, Ok(readings)) => (None, tables::ropes(worked, readings)),
             (_, Ok(readings)) => {
                 let none = || message_table("The file has no finite-element check.");
@@ -137,7 +132,7 @@ impl FileView for RopewayView {
 
     fn report(&self, text: &str, glyphs: Glyphs) -> Option<String> {
         let readings = self.readings.as_ref().ok()?;
-        Some(ropeway::text::text(&self.worked, readings, text, glyphs))
+        Some(views::report(&self.worked, readings, text, glyphs))
     }
 
     fn hand_over(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {

@@ -6,9 +6,10 @@ use super::Painter;
 use super::paint::{row, text};
 use crate::report::chart::Glyphs;
 use crate::report::number::{percent, rounded};
+use crate::report::ropeway::{drawing, tables};
 use crate::report::table::Table;
+use crate::ropeway::Readings;
 use crate::ropeway::exact::Carrier;
-use crate::ropeway::{Readings, picture, tables};
 use crate::tui::plot_pane::draw_chart;
 use crate::tui::state::RopewayView;
 
@@ -34,7 +35,7 @@ impl Painter<'_> {
         ])
         .areas(area);
         self.slider(slider, ropeway);
-        let mut chart = picture::chart(&ropeway.worked, readings);
+        let mut chart = drawing::chart(&ropeway.worked, readings);
         // Its title stands beside the tabs; every line counts here.
         chart.title.clear();
         draw_chart(

@@ -5,10 +5,8 @@
 
 use std::f64::consts::TAU;
 
-use super::design::Design;
-use super::element::Element;
-use super::layout::{Helix, Shell};
 use crate::report::chart::{Axis, Chart, Glyphs, Series, draw};
+use crate::section::{Design, Element, Helix, Shell};
 
 /// Corners of an outline that is drawn as a circle.
 const CORNERS: u32 = 72;
@@ -37,7 +35,7 @@ pub fn chart(design: &Design) -> Chart {
 
 /// The section in characters, at most this wide and high.
 #[must_use]
-pub fn picture(design: &Design, width: usize, height: usize, glyphs: Glyphs) -> String {
+pub fn text(design: &Design, width: usize, height: usize, glyphs: Glyphs) -> String {
     draw(&chart(design), width, height, glyphs).to_text()
 }
 

@@ -1,11 +1,12 @@
-//! A design as text: the drawing, then the tables.
+//! A cross-section in views: drawing and tables, and all of them as a text report.
 
-use super::design::Design;
-use super::picture::picture;
-use super::stiffness::Twist;
-use super::tables;
+pub mod drawing;
+pub mod tables;
+
 use crate::report::chart::Glyphs;
 use crate::report::table::Table;
+use crate::section::Design;
+use crate::section::stiffness::Twist;
 
 /// Tension shown when no strength is known \[N\].
 const SAMPLE: f64 = 1e5;
@@ -21,11 +22,11 @@ pub fn tension(design: &Design) -> f64 {
 /// The whole design as text of this width. `tension` is the one to share out \[N\]; absent: the
 /// allowable one, or 100 kN when that is not known.
 #[must_use]
-pub fn text(design: &Design, width: usize, glyphs: Glyphs, tension: Option<f64>) -> String {
+pub fn report(design: &Design, width: usize, glyphs: Glyphs, tension: Option<f64>) -> String {
     let about = &design.section.about;
     let tension = tension.unwrap_or_else(|| self::tension(design));
     let words = [&about.source, &about.notes];
-    let mut parts = vec![picture(design, width, width / 2, glyphs)];
+    let mut parts = vec![drawing::text(design, width, width / 2, glyphs)];
     parts.extend(
         words
             .iter()

@@ -1,8 +1,8 @@
 //! A ropeway drawn: platform, ship, water, the rope and the cargo on it, as a chart like any other.
 
-use super::bare::Bare;
-use super::work::{Readings, Worked};
 use crate::report::chart::{Axis, Chart, Glyphs, Limit, LimitLine, Series, draw};
+use crate::ropeway::bare::Bare;
+use crate::ropeway::{Readings, Worked};
 
 /// Points that a rope is drawn with.
 const POINTS: usize = 80;
@@ -65,14 +65,9 @@ pub fn chart(worked: &Worked, readings: &Readings) -> Chart {
     }
 }
 
-/// The picture in characters, at most this wide and high.
+/// The drawing in characters, at most this wide and high.
 #[must_use]
-pub fn picture(
-    worked: &Worked,
-    readings: &Readings,
-    size: (usize, usize),
-    glyphs: Glyphs,
-) -> String {
+pub fn text(worked: &Worked, readings: &Readings, size: (usize, usize), glyphs: Glyphs) -> String {
     draw(&chart(worked, readings), size.0, size.1, glyphs).to_text()
 }
 

@@ -1,13 +1,15 @@
-//! A ropeway as a text report on 80 columns.
+//! A ropeway in views: drawing, tables and charts, and all of them as a text report on 80 columns.
 
-use super::edit;
-use super::motions;
-use super::picture::picture;
-use super::tables;
-use super::work::{Readings, Worked};
+pub mod cargo;
+pub mod drawing;
+pub mod tables;
+pub mod winch;
+
 use crate::report::chart::{Chart, Glyphs, draw};
 use crate::report::table::Table;
 use crate::report::text::{Page, WIDTH, inputs};
+use crate::ropeway::edit;
+use crate::ropeway::{Readings, Worked};
 
 /// Lines of a picture and of a chart.
 const LINES: usize = 18;
@@ -15,7 +17,7 @@ const LINES: usize = 18;
 /// The report of a ropeway with the cargo where the readings have it: picture, inputs with their standing, readings side by
 /// side, the crossing, hauling out, the winch, the cargo's motion. `text` is that of the file.
 #[must_use]
-pub fn text(worked: &Worked, readings: &Readings, text: &str, glyphs: Glyphs) -> String {
+pub fn report(worked: &Worked, readings: &Readings, text: &str, glyphs: Glyphs) -> String {
     let about = &worked.ropeway.about;
     let mut page = Page::default();
     page.title(&about.title);
@@ -26,7 +28,7 @@ pub fn text(worked: &Worked, readings: &Readings, text: &str, glyphs: Glyphs) ->
         }
     }
     page.line("");
-    page.block(&picture(worked, readings, (WIDTH, LINES), glyphs));
+    page.block(&drawing::text(worked, readings, (WIDTH, LINES), glyphs));
     let warnings = tables::warnings(worked, readings);
     if !warnings.is_empty() {
         page.heading("Warnings");
@@ -42,12 +44,12 @@ pub fn text(worked: &Worked, readings: &Readings, text: &str, glyphs: Glyphs) ->
         table(&mut page, &check);
     }
     page.heading("Hauling the rope out");
-    chart(&mut page, &motions::hauling_chart(worked), glyphs);
-    table(&mut page, &motions::hauling(worked));
-    winch(&mut page, worked, glyphs);
+    chart(&mut page, &winch::hauling_chart(worked), glyphs);
+    table(&mut page, &winch::hauling(worked));
+    moving_ship(&mut page, worked, glyphs);
     page.heading("The cargo's motion");
-    table(&mut page, &motions::cargo(worked));
-    let (over, beside) = motions::full(worked);
+    table(&mut page, &cargo::cargo(worked));
+    let (over, beside) = cargo::full(worked);
     chart(&mut page, &over, glyphs);
     table(&mut page, &beside);
     inputs(
@@ -58,7 +60,7 @@ pub fn text(worked: &Worked, readings: &Readings, text: &str, glyphs: Glyphs) ->
     page.finish()
 }
 
-fn winch(page: &mut Page, worked: &Worked, glyphs: Glyphs) {
+fn moving_ship(page: &mut Page, worked: &Worked, glyphs: Glyphs) {
     page.heading("The ship moves");
     let Some(series) = worked.series() else {
         page.paragraph("The file gives the ship no motion; [motion] does.");
@@ -66,8 +68,8 @@ fn winch(page: &mut Page, worked: &Worked, glyphs: Glyphs) {
     };
     match worked.follow(&series) {
         Ok(followed) => {
-            chart(page, &motions::winch_chart(&followed), glyphs);
-            table(page, &motions::winch(worked, &followed));
+            chart(page, &winch::winch_chart(&followed), glyphs);
+            table(page, &winch::winch(worked, &followed));
         }
         Err(trouble) => page.paragraph(&format!("No answer: {trouble}.")),
     }
