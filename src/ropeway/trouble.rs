@@ -1,6 +1,6 @@
 //! Why a ropeway has no answer.
 
-use crate::statics::catenary::Refusal;
+use crate::statics::catenary::CatenaryError;
 
 /// Why a ropeway has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -8,7 +8,7 @@ use crate::statics::catenary::Refusal;
 pub enum Trouble {
     /// The line at rest was not solved.
     #[error("{0}")]
-    Refused(#[from] Refusal),
+    Refused(#[from] CatenaryError),
     /// No rope so heavy can hang with so little tension.
     #[error(
         "no length of this rope gives {asked_n:.1} N at the ship: over this span the least is {least_n:.1} N"

@@ -1,7 +1,7 @@
 //! How far a ship lies from its anchor: the reach of an elastic line over a flat bed at a given pull.
 
 use crate::numerics::roots::Bracket;
-use crate::statics::catenary::{Bed, Ends, Line, Refusal, SectionProps};
+use crate::statics::catenary::{Bed, CatenaryError, Ends, Line, SectionProps};
 
 use super::model::{Mooring, Particulars};
 
@@ -43,7 +43,7 @@ pub enum MooringError {
     },
     /// The catenary refused.
     #[error(transparent)]
-    Catenary(#[from] Refusal),
+    Catenary(#[from] CatenaryError),
 }
 
 /// The line's reach at a horizontal pull \[N\], which rises with the distance.

@@ -5,7 +5,7 @@ use thiserror::Error;
 /// A line that has no answer, no single answer, or none that could be verified.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
-pub enum Refusal {
+pub enum CatenaryError {
     /// A number that no line can have.
     #[error("{quantity} is {value}; it must be {needs}")]
     Input {
