@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 mod claims;
+mod construct;
 mod ends;
 mod line;
 mod sea;

@@ -52,7 +52,7 @@ fn write(path: &Path, worked: &Worked, readings: &Readings) -> Result<(), Failur
             path.display()
         )));
     }
-    let text = line::case_text(&worked.ropeway, readings.length_m, readings.exact.arc_m);
+    let text = line::static_case_file(&worked.ropeway, readings.length_m, readings.exact.arc_m);
     fs::write(path, text).map_err(|source| Failure::Write {
         path: path.to_owned(),
         source,

@@ -1,17 +1,13 @@
 //! The cargo on the full line: hauled over it on the dynamic solver, and the natural periods of the line with the cargo
 //! on it, beside the one degree of freedom of eq. (12).
 
-use std::sync::atomic::AtomicBool;
-
 use super::Trouble;
-use super::line;
+use super::line::{self, LineRun};
 use super::service::MARGIN;
 use super::work::Worked;
-use crate::case::{self, Case};
+use crate::case::{ChannelQuantity, Site};
 use crate::modes::{self, ModeKind};
 use crate::numerics::V3;
-use crate::run::job::{self, Request};
-use crate::run::{History, RunState};
 
 /// A crossing that takes longer than this is not followed on the full line \[s\].
 const LONGEST: f64 = 900.0;
@@ -44,20 +40,8 @@ impl Worked {
             ));
         }
         let duration = (way.0 - way.1) / self.ropeway.cargo.speed_m_per_s + 1.0;
-        let text = line::crossing_text(&self.ropeway, self.length_m, way, duration);
-        let case = line_case(&text)?;
-        let request = Request {
-            case,
-            text,
-            file: "crossing.toml".to_owned(),
-            overrides: Vec::new(),
-            id: String::new(),
-        };
-        let run = job::execute(&request, &AtomicBool::new(false), &mut |_| ());
-        if run.info.state != RunState::Done {
-            return Err(Trouble::NotFound("the march over the full line gave up"));
-        }
-        read(&run.history).ok_or(Trouble::NotFound("the run over the full line has no cargo"))
+        let case = line::crossing_case(&self.ropeway, self.length_m, way, duration);
+        read(&LineRun::compute(case)?)
     }
 
     /// Natural frequency of the lowest mode of the full line that moves in its plane, up and down, with the cargo at a
@@ -67,8 +51,8 @@ impl Worked {
     /// [`Trouble::NotFound`] where the line has no modes.
     pub fn full_hz(&self, position: f64) -> Result<f64, Trouble> {
         let rest = self.rest(position)?;
-        let text = line::case_text(&self.ropeway, rest.length_m, rest.arc_m);
-        let found = modes::of_case(&line_case(&text)?, 8)
+        let case = line::static_case(&self.ropeway, rest.length_m, rest.arc_m);
+        let found = modes::of_case(&case, 8)
             .map_err(|_| Trouble::NotFound("the modes of the full line were not found"))?;
         let cargo = found.scene.clumps.first().copied().unwrap_or(0);
         // The lowest mode in the plane moves the cargo to and fro; the first that lifts it is the one to compare.
@@ -86,25 +70,20 @@ impl Worked {
     }
 }
 
-fn line_case(text: &str) -> Result<Case, Trouble> {
-    case::parse(text, "ropeway").map_err(|_| Trouble::NotFound("the ropeway makes no line case"))
-}
-
-fn read(history: &History) -> Option<Vec<Hauled>> {
-    let values = |name: &str| Some(&history.channel(name)?.values);
-    let (x, z) = (values("x_m[cargo]")?, values("z_m[cargo]")?);
-    let (a, b) = (
-        values("tension_n[platform|rope]")?,
-        values("tension_n[rope|ship]")?,
-    );
-    let at = |i: usize| {
-        Some(Hauled {
-            time_s: *history.time.get(i)?,
-            x_m: *x.get(i)?,
-            z_m: *z.get(i)?,
-            platform_n: *a.get(i)?,
-            ship_n: *b.get(i)?,
-        })
-    };
-    (0..history.time.len()).map(at).collect()
+fn read(line: &LineRun) -> Result<Vec<Hauled>, Trouble> {
+    let x = line.values(ChannelQuantity::X, Site::Traveller)?;
+    let z = line.values(ChannelQuantity::Z, Site::Traveller)?;
+    let platform = line.values(ChannelQuantity::Tension, Site::Joint(0))?;
+    let ship = line.values(ChannelQuantity::Tension, line.ship())?;
+    let cargo = x.iter().zip(z);
+    let ends = platform.iter().zip(ship);
+    let instants = line.run.history.time.iter().zip(cargo).zip(ends);
+    let read = instants.map(|((time_s, (x_m, z_m)), (platform_n, ship_n))| Hauled {
+        time_s: *time_s,
+        x_m: *x_m,
+        z_m: *z_m,
+        platform_n: *platform_n,
+        ship_n: *ship_n,
+    });
+    Ok(read.collect())
 }

@@ -84,8 +84,10 @@ fn the_discretised_line_comes_to_the_exact_rope() {
 fn the_line_case_is_one_that_runs_anywhere() {
     let worked = parse(SPAN_80, "span").unwrap();
     let rest = worked.rest(0.5).unwrap();
-    let text = line::case_text(&worked.ropeway, rest.length_m, rest.arc_m);
+    let text = line::static_case_file(&worked.ropeway, rest.length_m, rest.arc_m);
     let case = seacable::case::parse(&text, "line").unwrap();
+    let built = line::static_case(&worked.ropeway, rest.length_m, rest.arc_m);
+    assert_eq!(case, built);
     assert_eq!(case.clumps.len(), 1);
     assert_eq!(case.line.len(), 2);
 }

@@ -205,7 +205,7 @@ pub struct Clump {
     pub added_mass_kg: OneOrMany,
 }
 
-fn nothing() -> OneOrMany {
+pub(super) fn nothing() -> OneOrMany {
     OneOrMany::One(0.0)
 }
 

@@ -1,15 +1,11 @@
 //! The rope at the moving ship on the dynamic solver, beside the equilibria that it is otherwise followed by: what the inertia
 //! of rope and cargo makes of the tension, around the greatest of the record.
 
-use std::fmt::Write;
-use std::sync::atomic::AtomicBool;
-
-use crate::case;
+use crate::case::ChannelQuantity;
 use crate::numerics::statistics::Statistics;
+use crate::ropeway::line::{self, LineRun};
 use crate::ropeway::winch::Moment;
-use crate::ropeway::{Trouble, Worked, line};
-use crate::run::RunState;
-use crate::run::job::{self, Request};
+use crate::ropeway::{Trouble, Worked};
 
 /// Time that is followed \[s\], of which the motion grows over the first part and statistics count the rest.
 const WINDOW: f64 = 120.0;
@@ -61,46 +57,19 @@ pub fn beside(worked: &Worked, fast: &[Moment], step: f64) -> Result<DynamicRope
     let count = ((WINDOW / step).round() as usize).min(fast.len().saturating_sub(1));
     let from = at.saturating_sub(2 * count / 3).min(fast.len() - 1 - count);
     let window = &fast[from..=from + count];
-    let mut table = String::from("time_s,x_m,y_m,z_m\n");
-    for (i, moment) in window.iter().enumerate() {
-        let (t, ship) = (step * i as f64, &moment.ship);
-        // Writing to a text does not fail.
-        let _ = writeln!(table, "{t:?},{:?},0.0,{:?}", ship.x_m, ship.z_m);
-    }
+    let displacements = window.iter().enumerate();
+    let displacements =
+        displacements.map(|(i, moment)| (step * i as f64, [moment.ship.x_m, 0.0, moment.ship.z_m]));
     let shape = (start.length_m, start.arc_m);
-    let duration = step * count as f64;
-    let text = line::moving_text(&worked.ropeway, shape, &table, (duration, RAMP, step));
-    let run = execute(text)?;
-    let tension = run.history.channel("tension_n[ship-side|ship]");
-    let tension = tension.ok_or(Trouble::NotFound("the run has no tension at the ship"))?;
-    let greatest = run.quantity("tension_n[ship-side|ship].max");
+    let times = (step * count as f64, RAMP, step);
+    let case = line::moving_case(&worked.ropeway, shape, displacements, times);
+    let line = LineRun::compute(case)?;
     Ok(DynamicRope {
         times: window.iter().map(|m| m.ship.time_s).collect(),
         still: window.iter().map(|m| m.ship_n).collect(),
-        dynamic: tension.values.clone(),
-        errors: (
-            greatest.and_then(|found| found.time_error),
-            greatest.and_then(|found| found.mesh_error),
-        ),
-        work: (run.info.work.steps, run.info.work.iterations),
+        dynamic: line.values(ChannelQuantity::Tension, line.ship())?.to_vec(),
+        errors: line.errors_of_greatest_tension(),
+        work: (line.run.info.work.steps, line.run.info.work.iterations),
         counted: ((COUNTED / step).round() as usize).min(count),
     })
-}
-
-fn execute(text: String) -> Result<crate::run::Run, Trouble> {
-    let case = case::parse(&text, "ropeway")
-        .map_err(|_| Trouble::NotFound("the ropeway makes no line case"))?;
-    let request = Request {
-        case,
-        text,
-        file: "ropeway.toml".to_owned(),
-        overrides: Vec::new(),
-        id: String::new(),
-    };
-    let run = job::execute(&request, &AtomicBool::new(false), &mut |_| ());
-    if run.info.state == RunState::Done {
-        Ok(run)
-    } else {
-        Err(Trouble::NotFound("the march of the rope gave up"))
-    }
 }

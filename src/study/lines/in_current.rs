@@ -2,8 +2,7 @@
 
 use crate::case::fields::field_at;
 use crate::case::{
-    Case, Clump, Current, DragLaw, End, EndKind, Ends, Environment, Material, Method, OneOrMany,
-    Section,
+    Case, Clump, Current, DragLaw, End, Ends, Environment, Material, Method, OneOrMany, Section,
 };
 use crate::numerics::V3;
 use crate::scene;
@@ -163,10 +162,9 @@ impl LineInCurrent {
 
     /// The line as a case.
     fn case(&self, segments: usize) -> Case {
-        let end = |name: &str, at| End::new(name, EndKind::Fixed, Some(at));
         let ends = Ends {
-            a: end("a", self.a_m),
-            b: end("b", self.b_m),
+            a: End::fixed("a", self.a_m),
+            b: End::fixed("b", self.b_m),
         };
         let mut case = Case::new("line", ends);
         case.environment = Environment {
@@ -184,12 +182,8 @@ impl LineInCurrent {
             if s.clump_n != 0.0 {
                 case.clumps.push(clump(i, s));
             }
-            case.line.push(Section {
-                name,
-                material,
-                length_m: s.length_m,
-                segments: share as usize,
-            });
+            let section = Section::new(&name, &material, s.length_m, share as usize);
+            case.line.push(section);
         }
         case
     }

@@ -139,7 +139,7 @@ impl FileView for RopewayView {
         let readings = self.readings.as_ref().ok();
         let on_rope = readings.filter(|readings| readings.exact.carrier == Carrier::Rope);
         let text = on_rope.map(|readings| {
-            line::case_text(
+            line::static_case_file(
                 &self.worked.ropeway,
                 readings.length_m,
                 readings.exact.arc_m,
