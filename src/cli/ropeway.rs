@@ -5,7 +5,7 @@ use std::{fs, path::Path, process::ExitCode};
 use super::{Failure, args::RopewayWords, cases, output};
 use crate::{
     report::{self, chart::Glyphs},
-    ropeway::{self, Readings, Worked, edit, exact::Carrier, line},
+    ropeway::{self, ModelResults, SolvedRopeway, edit, elastic::Carrier, line},
 };
 
 pub(super) fn ropeway(words: &RopewayWords) -> Result<ExitCode, Failure> {
@@ -22,25 +22,25 @@ pub(super) fn ropeway(words: &RopewayWords) -> Result<ExitCode, Failure> {
                 diagnostics,
             }
         })?;
-    let readings = worked
-        .readings(worked.ropeway.cargo.position)
-        .map_err(|trouble| Failure::Usage(format!("The ropeway has no answer: {trouble}.")))?;
+    let results = worked
+        .results(worked.ropeway.cargo.position)
+        .map_err(|error| Failure::Usage(format!("The ropeway has no solution: {error}.")))?;
     if let Some(path) = &words.line {
-        write(path, &worked, &readings)?;
+        write(path, &worked, &results)?;
     }
     let glyphs = if words.ascii {
         Glyphs::Ascii
     } else {
         Glyphs::Braille
     };
-    let text = report::ropeway::report(&worked, &readings, &text, glyphs);
+    let text = report::ropeway::report(&worked, &results, &text, glyphs);
     output::results(&text, words.ascii)?;
     Ok(ExitCode::SUCCESS)
 }
 
 /// Writes the line case to a new file; one that is there is left as it is.
-fn write(path: &Path, worked: &Worked, readings: &Readings) -> Result<(), Failure> {
-    if readings.exact.carrier != Carrier::Rope {
+fn write(path: &Path, worked: &SolvedRopeway, results: &ModelResults) -> Result<(), Failure> {
+    if results.exact.carrier != Carrier::Rope {
         return Err(Failure::Usage(
             "The cargo hangs on a support, so there is no line with a cargo to write; set cargo.position between 0 and 1."
                 .to_owned(),
@@ -52,7 +52,7 @@ fn write(path: &Path, worked: &Worked, readings: &Readings) -> Result<(), Failur
             path.display()
         )));
     }
-    let text = line::static_case_file(&worked.ropeway, readings.length_m, readings.exact.arc_m);
+    let text = line::static_case_file(&worked.ropeway, results.length_m, results.exact.arc_m);
     fs::write(path, text).map_err(|source| Failure::Write {
         path: path.to_owned(),
         source,

@@ -1,9 +1,9 @@
-//! The ropeway as a line of the ordinary kind: a case of its own, made into a scene and brought to rest node by node.
+//! The ropeway as a discretised line: typed line cases of it, their equilibrium and their runs.
 
 use std::sync::atomic::AtomicBool;
 
-use super::Trouble;
-use super::exact::{AT_SUPPORT, Span};
+use super::RopewayError;
+use super::elastic::{AT_SUPPORT, ElasticRope};
 use super::model::Ropeway;
 use crate::case::{
     self, Carried, Case, ChannelId, ChannelQuantity, Clump, End, Ends, Material, Method, Section,
@@ -15,12 +15,12 @@ use crate::scene;
 use crate::solve::{State, System};
 use crate::statics::equilibrium::EquilibriumSearch;
 
-/// The discretised line at rest.
+/// Equilibrium of the discretised line.
 #[derive(Debug, Clone, PartialEq)]
-pub struct LineRest {
+pub struct LineEquilibrium {
     /// Nodes from the platform to the ship, x and height above still water \[m\].
     pub nodes: Vec<(f64, f64)>,
-    /// Horizontal pull \[N\].
+    /// Horizontal tension \[N\].
     pub horizontal_n: f64,
     /// Tension at the platform \[N\].
     pub platform_n: f64,
@@ -28,7 +28,7 @@ pub struct LineRest {
     pub ship_n: f64,
     /// Depth of the cargo below the straight line between the ends \[m\].
     pub sag_m: f64,
-    /// Its segments.
+    /// Number of segments.
     pub segments: usize,
 }
 
@@ -151,8 +151,8 @@ impl LineRun {
     /// Computes a case.
     ///
     /// # Errors
-    /// [`Trouble::NotFound`] where the solver gives up.
-    pub fn compute(case: Case) -> Result<Self, Trouble> {
+    /// [`RopewayError::NotFound`] where the solver gives up.
+    pub fn compute(case: Case) -> Result<Self, RopewayError> {
         let request = Request {
             text: case::write(&case),
             case,
@@ -162,7 +162,9 @@ impl LineRun {
         };
         let run = job::execute(&request, &AtomicBool::new(false), &mut |_| ());
         if run.info.state != RunState::Done {
-            return Err(Trouble::NotFound("the dynamic solver gave up on the line"));
+            return Err(RopewayError::NotFound(
+                "the dynamic solver gave up on the line",
+            ));
         }
         let case = request.case;
         Ok(Self { case, run })
@@ -171,12 +173,14 @@ impl LineRun {
     /// Values of a quantity at the output times.
     ///
     /// # Errors
-    /// [`Trouble::NotFound`] where the run does not record it there.
-    pub fn values(&self, quantity: ChannelQuantity, site: Site) -> Result<&[f64], Trouble> {
+    /// [`RopewayError::NotFound`] where the run does not record it there.
+    pub fn values(&self, quantity: ChannelQuantity, site: Site) -> Result<&[f64], RopewayError> {
         let id = self.channel_id(quantity, site);
         let mut channels = self.run.history.channels.iter();
         let channel = channels.find(|channel| Some(&channel.id) == id.as_ref());
-        let channel = channel.ok_or(Trouble::NotFound("the run of the line lacks a channel"))?;
+        let channel = channel.ok_or(RopewayError::NotFound(
+            "the run of the line lacks a channel",
+        ))?;
         Ok(&channel.values)
     }
 
@@ -206,7 +210,7 @@ impl LineRun {
     }
 }
 
-/// Lengths and segments before and behind the cargo, segments of about one length.
+/// Lengths and numbers of segments on both sides of the cargo, the segments of nearly equal length.
 fn sections(ropeway: &Ropeway, length_m: f64, arc_m: f64) -> [(f64, usize); 2] {
     let all = ropeway.about.segments.max(4);
     let share = (arc_m / length_m * all as f64).round() as usize;
@@ -214,30 +218,34 @@ fn sections(ropeway: &Ropeway, length_m: f64, arc_m: f64) -> [(f64, usize); 2] {
     [(arc_m, before), (length_m - arc_m, all - before)]
 }
 
-/// The discretised line at rest, with the cargo at an unstretched length from the platform.
+/// Equilibrium of the discretised line with the cargo at an unstretched length from the platform.
 ///
 /// # Errors
-/// [`Trouble::NotFound`] where the line is not built or finds no rest; a cargo on a support is not its business.
-pub fn at_rest(ropeway: &Ropeway, length_m: f64, arc_m: f64) -> Result<LineRest, Trouble> {
+/// [`RopewayError::NotFound`] where the cargo hangs on a support, or the line has no scene or no equilibrium.
+pub fn equilibrium(
+    ropeway: &Ropeway,
+    length_m: f64,
+    arc_m: f64,
+) -> Result<LineEquilibrium, RopewayError> {
     if !(arc_m > AT_SUPPORT * length_m && arc_m < (1.0 - AT_SUPPORT) * length_m) {
-        return Err(Trouble::NotFound("the cargo hangs on a support"));
+        return Err(RopewayError::NotFound("the cargo hangs on a support"));
     }
     let case = static_case(ropeway, length_m, arc_m);
     let scene =
-        scene::build(&case, 1).map_err(|_| Trouble::NotFound("the line case makes no line"))?;
+        scene::build(&case, 1).map_err(|_| RopewayError::NotFound("the line case has no scene"))?;
     let mut state = scene.initial_state();
     EquilibriumSearch::default()
         .run(&scene, 0.0, &mut state)
-        .map_err(|_| Trouble::NotFound("the discretised line finds no rest"))?;
-    Ok(read(ropeway, &scene, &state))
+        .map_err(|_| RopewayError::NotFound("the discretised line has no equilibrium"))?;
+    Ok(line_equilibrium(ropeway, &scene, &state))
 }
 
-fn read(ropeway: &Ropeway, scene: &scene::Scene, state: &State) -> LineRest {
+fn line_equilibrium(ropeway: &Ropeway, scene: &scene::Scene, state: &State) -> LineEquilibrium {
     let last = scene.nodes() - 1;
     let cargo = scene.clumps.first().map_or(0, |node| *node);
     let at = state.x[cargo];
-    let line = ropeway.platform.height_m + Span::of(ropeway).gap.line_m(at.x);
-    LineRest {
+    let line = ropeway.platform.height_m + ElasticRope::of(ropeway).geometry.line_m(at.x);
+    LineEquilibrium {
         nodes: state.x.iter().map(|p| (p.x, p.z)).collect(),
         horizontal_n: scene.end_force(0, state).x.abs(),
         platform_n: scene.tension_at(0, state),

@@ -307,8 +307,14 @@ fn the_rope_follows_the_ship_and_the_winch_keeps_its_tension_while_it_can() {
         "4",
     );
     let ahead = at(short.clone());
-    let fast = RopeAnalysis::tension(ahead.followed.fast.as_ref().unwrap());
-    let kept = ahead.followed.kept.as_ref().unwrap().as_ref().unwrap();
+    let fast = RopeAnalysis::tension(ahead.followed.made_fast.as_ref().unwrap());
+    let kept = ahead
+        .followed
+        .constant_tension
+        .as_ref()
+        .unwrap()
+        .as_ref()
+        .unwrap();
     assert!(RopeAnalysis::tension(kept).deviation < 1e-2 * fast.deviation);
     assert_eq!(ahead.maxima_n.len(), 4);
     assert!((ahead.maxima_n[0] / fast.max - 1.0).abs() < 1e-12);
@@ -319,7 +325,7 @@ fn the_rope_follows_the_ship_and_the_winch_keeps_its_tension_while_it_can() {
     assert!(law.greatest.spread > 0.0 && law.quantile(0.9) > law.greatest.expected);
     // Conclusion 2 of the paper: with the side to the platform surge and pitch hardly matter.
     let abeam = at(set(&short, "rope.bearing_deg", "90.0"));
-    let aside = RopeAnalysis::tension(abeam.followed.fast.as_ref().unwrap());
+    let aside = RopeAnalysis::tension(abeam.followed.made_fast.as_ref().unwrap());
     assert!(
         aside.deviation < 0.2 * fast.deviation,
         "{} {}",
@@ -347,7 +353,13 @@ fn a_winch_out_of_its_depth_is_said() {
     );
     let sea = at_sea(&text, dir.path());
     let rope = sea.rope.as_ref().unwrap().as_ref().unwrap();
-    let kept = rope.followed.kept.as_ref().unwrap().as_ref().unwrap();
+    let kept = rope
+        .followed
+        .constant_tension
+        .as_ref()
+        .unwrap()
+        .as_ref()
+        .unwrap();
     assert!(RopeAnalysis::winch_limits(kept).at_speed > 0);
     let page = text::text(&rest(&text), Some(&sea), &text, Glyphs::Ascii);
     let page = page.split_whitespace().collect::<Vec<_>>().join(" ");

@@ -188,7 +188,7 @@ fn a_ship_at_rest_without_waves_stays_and_its_rope_follows() {
     );
     assert!(made.statistics[3].rms < 1e-3);
     let rope = sea.rope.unwrap().unwrap();
-    assert!(rope.law.is_none() && rope.followed.fast.is_ok());
+    assert!(rope.law.is_none() && rope.followed.made_fast.is_ok());
     let page = text::text(
         &rest(&text),
         None,

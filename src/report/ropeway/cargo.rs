@@ -1,4 +1,4 @@
-//! The cargo's own motion in tables and charts: one degree of freedom, and the crossing over the discretised line.
+//! Motion of the cargo in tables and charts: one degree of freedom, and the crossing over the discretised line.
 
 use std::f64::consts::TAU;
 
@@ -6,24 +6,24 @@ use super::tables::{METRES, NEWTONS};
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::number::percent;
 use crate::report::table::{Align, Format, Table};
-use crate::ropeway::Worked;
-use crate::ropeway::full::Hauled;
-use crate::ropeway::swing::{Swing, Swung, string_rad_per_s};
+use crate::ropeway::SolvedRopeway;
+use crate::ropeway::dynamic_crossing::CrossingState;
+use crate::ropeway::oscillator::{CargoOscillator, CargoState, taut_string_rad_per_s};
 
 /// A period.
 const SECONDS: Format = Format::Decimals(3, "s");
 
-/// The cargo's own motion: periods, and what the ship's motion makes of it.
+/// Motion of the cargo with one degree of freedom: periods, and ranges over the ship's motion.
 #[must_use]
-pub fn cargo(worked: &Worked) -> Table {
+pub fn cargo(worked: &SolvedRopeway) -> Table {
     let position = worked.ropeway.cargo.position;
-    let mass = worked.span.weight_n_per_m / worked.ropeway.about.gravity_m_per_s2;
+    let mass = worked.rope.weight_n_per_m / worked.ropeway.about.gravity_m_per_s2;
     let share = worked.ropeway.cargo.mass_kg / (mass * worked.length_m);
-    let (rows, note) = match worked.swing() {
+    let (rows, note) = match worked.oscillator() {
         Ok(swing) if position > 0.0 && position < 1.0 => (
             facts(worked, &swing, mass),
             format!(
-                "Eq. (12) takes the rope as weightless and its pull as kept; the cargo's mass is {} of the rope's.",
+                "Eq. (12) assumes a weightless rope and constant horizontal tension; the mass of the cargo is {} of that of the rope.",
                 percent(share)
             ),
         ),
@@ -31,9 +31,9 @@ pub fn cargo(worked: &Worked) -> Table {
             Vec::new(),
             "The cargo hangs on a support and does not move.".to_owned(),
         ),
-        Err(trouble) => (Vec::new(), format!("No answer: {trouble}.")),
+        Err(error) => (Vec::new(), format!("No solution: {error}.")),
     };
-    let title = "The cargo's own motion, one degree of freedom (eq. 12)";
+    let title = "Motion of the cargo, one degree of freedom (eq. 12)";
     Table::of(title, &rows)
         .text("", |row| row.0)
         .cell("value", Align::Decimal, |row| row.1.cell(Some(row.2)))
@@ -42,15 +42,19 @@ pub fn cargo(worked: &Worked) -> Table {
 }
 
 /// Names, formats and values of the motion; `mass` is that of the rope per length \[kg/m\].
-fn facts(worked: &Worked, swing: &Swing, mass: f64) -> Vec<(&'static str, Format, f64)> {
-    let hang = worked.hang(worked.ropeway.cargo.position);
+fn facts(
+    worked: &SolvedRopeway,
+    swing: &CargoOscillator,
+    mass: f64,
+) -> Vec<(&'static str, Format, f64)> {
+    let hang = worked.cargo_position(worked.ropeway.cargo.position);
     let natural = swing.natural_rad_per_s(&hang);
     let mut facts = vec![
-        ("horizontal pull, kept", NEWTONS, swing.horizontal_n),
-        ("natural period, rope without mass", SECONDS, TAU / natural),
+        ("horizontal tension, constant", NEWTONS, swing.horizontal_n),
+        ("natural period, massless rope", SECONDS, TAU / natural),
     ];
-    if let Ok(w) = string_rad_per_s(swing, &hang, mass) {
-        let name = "natural period, taut string with its mass";
+    if let Ok(w) = taut_string_rad_per_s(swing, &hang, mass) {
+        let name = "natural period, taut string with mass";
         facts.push((name, SECONDS, TAU / w));
     }
     facts.extend([
@@ -60,32 +64,32 @@ fn facts(worked: &Worked, swing: &Swing, mass: f64) -> Vec<(&'static str, Format
             swing.damping_ratio,
         ),
         (
-            "depth at rest below the platform's hang point",
+            "equilibrium depth below the platform",
             METRES,
-            swing.settled_m(&hang),
+            swing.equilibrium_depth_m(&hang),
         ),
     ]);
     if worked.ropeway.motion.is_some()
-        && let Ok(swung) = worked.swung(worked.ropeway.dynamics.duration_s, 0.1)
+        && let Ok(swung) = worked.cargo_motion(worked.ropeway.dynamics.duration_s, 0.1)
     {
         let (low, high) = range(swung.iter().map(|s| s.depth_m));
         let (least, greatest) = range(swung.iter().map(most));
         facts.extend([
-            ("depth while the ship moves, least", METRES, low),
-            ("depth while the ship moves, greatest", METRES, high),
-            ("tension while the ship moves, least", NEWTONS, least),
-            ("tension while the ship moves, greatest", NEWTONS, greatest),
+            ("depth, ship moving, minimum", METRES, low),
+            ("depth, ship moving, maximum", METRES, high),
+            ("tension, ship moving, minimum", NEWTONS, least),
+            ("tension, ship moving, maximum", NEWTONS, greatest),
         ]);
     }
     facts
 }
 
 /// The greater of the tensions on both sides of the cargo \[N\].
-fn most(swung: &Swung) -> f64 {
+fn most(swung: &CargoState) -> f64 {
     swung.platform_n.max(swung.ship_n)
 }
 
-/// Least and greatest.
+/// MinimumTension and greatest.
 fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (low.min(value), high.max(value))
@@ -101,7 +105,7 @@ struct Crossing {
 }
 
 impl Crossing {
-    /// Lowest height and greatest tension of places on the way.
+    /// Lowest height and greatest tension of a path.
     fn of(places: impl Iterator<Item = (f64, f64)>) -> Self {
         let (lowest, greatest) = places.fold((f64::INFINITY, 0.0_f64), |(low, high), (z, n)| {
             (low.min(z), high.max(n))
@@ -114,50 +118,49 @@ impl Crossing {
     }
 }
 
-/// The crossing over the full line on the dynamic solver beside eq. (12): its path drawn, its numbers in a table. It takes a
-/// fraction of a second, which is too long for every key.
+/// The crossing over the discretised line on the dynamic solver compared with eq. (12). It takes a fraction of a second, too
+/// long to repeat at every key.
 #[must_use]
-pub fn full(worked: &Worked) -> (Chart, Table) {
+pub fn dynamic_crossing(worked: &SolvedRopeway) -> (Chart, Table) {
     let mut chart = crossing_chart(worked);
-    let hauled = worked.hauled();
+    let hauled = worked.dynamic_crossing();
     if let Ok(hauled) = &hauled {
         let path = hauled.iter().map(|h| (h.x_m, h.z_m)).collect();
-        let series = Series::new("full line, hauled in", 2, path);
+        let series = Series::new("line, dynamic", 2, path);
         chart.series.push(series);
     }
     let [one, line, rest] = crossings(worked, hauled.as_deref().unwrap_or_default());
     let models = [
         ("eq. (12)", Some(one)),
-        ("full line", Some(line)),
-        ("at rest", Some(rest)),
+        ("line, dynamic", Some(line)),
+        ("exact, static", Some(rest)),
     ];
-    let title =
-        "One degree of freedom beside the full line, the rope made fast and the ship lying still";
+    let title = "Crossing by one degree of freedom and by the line, rope made fast, ship fixed";
     let table = Table::compare(title, "", &models)
         .number("natural period", SECONDS, |m| m.period_s)
         .when(hauled.is_ok(), |table| {
             table
-                .number("lowest on the way, above still water", METRES, |m| {
-                    m.lowest_m
-                })
-                .number("greatest tension on the way", NEWTONS, |m| m.greatest_n)
+                .number("lowest height above still water", METRES, |m| m.lowest_m)
+                .number("greatest tension", NEWTONS, |m| m.greatest_n)
         })
         .build();
     let failed = hauled.err();
-    let failed = failed.map(|trouble| format!("No crossing of the full line: {trouble}."));
-    let note = "Eq. (12) leaves out the rope's weight and mass and keeps the pull of the cargo's place in the file, with the ship moving where the file moves it.";
+    let failed = failed.map(|error| format!("The line has no crossing: {error}."));
+    let note = "Eq. (12) neglects the weight and mass of the rope and takes the horizontal tension at the position in the file, with the ship moving by [motion].";
     (chart, table.noted(failed).noted([note]))
 }
 
-/// The crossing by eq. (12), over the full line, and at rest at the places of the full line.
-fn crossings(worked: &Worked, hauled: &[Hauled]) -> [Crossing; 3] {
+/// The crossing by eq. (12), over the line, and at rest at the positions of the line.
+fn crossings(worked: &SolvedRopeway, hauled: &[CrossingState]) -> [Crossing; 3] {
     let height = worked.ropeway.platform.height_m;
     let position = worked.ropeway.cargo.position;
     let inside = position > 0.0 && position < 1.0;
-    let swing = worked.swing().ok().filter(|_| inside);
-    let own = worked.crossing(400).unwrap_or_default();
+    let swing = worked.oscillator().ok().filter(|_| inside);
+    let own = worked.oscillator_crossing(400).unwrap_or_default();
     let rest = hauled.iter().filter_map(|h| {
-        let rest = worked.rest(h.x_m / worked.span.gap.span_m).ok()?;
+        let rest = worked
+            .equilibrium(h.x_m / worked.rope.geometry.span_m)
+            .ok()?;
         Some((
             height + rest.cargo_m.1,
             rest.platform_n().max(rest.ship_n()),
@@ -170,30 +173,34 @@ fn crossings(worked: &Worked, hauled: &[Hauled]) -> [Crossing; 3] {
     };
     [
         Crossing {
-            period_s: swing.map(|swing| TAU / swing.natural_rad_per_s(&worked.hang(position))),
+            period_s: swing
+                .map(|swing| TAU / swing.natural_rad_per_s(&worked.cargo_position(position))),
             ..one
         },
         Crossing {
-            period_s: worked.full_hz(position).ok().map(|hz| TAU / (TAU * hz)),
+            period_s: worked
+                .line_frequency_hz(position)
+                .ok()
+                .map(|hz| TAU / (TAU * hz)),
             ..Crossing::of(hauled.iter().map(|h| (h.z_m, h.platform_n.max(h.ship_n))))
         },
         Crossing::of(rest),
     ]
 }
 
-/// Depth of the cargo on its way across: eq. (12) with the ship moving, the exact rope with the ship lying still.
+/// Path of the cargo: by eq. (12) with the ship moving, by the elastic rope with the ship fixed.
 #[must_use]
-pub fn crossing_chart(worked: &Worked) -> Chart {
+pub fn crossing_chart(worked: &SolvedRopeway) -> Chart {
     let height = worked.ropeway.platform.height_m;
     let at = |i: usize| {
-        let rest = worked.rest(i as f64 / 40.0).ok()?;
+        let rest = worked.equilibrium(i as f64 / 40.0).ok()?;
         Some((rest.cargo_m.0, height + rest.cargo_m.1))
     };
     let rests = (1..40).filter_map(at).collect();
-    let mut series = vec![Series::new("exact, at rest", 0, rests)];
-    if let Ok(swung) = worked.crossing(400) {
-        let points = swung.iter().map(|s| (s.hang.x_m, height - s.depth_m));
-        series.push(Series::new("eq. (12), hauled in", 1, points.collect()));
+    let mut series = vec![Series::new("exact, static", 0, rests)];
+    if let Ok(swung) = worked.oscillator_crossing(400) {
+        let points = swung.iter().map(|s| (s.position.x_m, height - s.depth_m));
+        series.push(Series::new("eq. (12)", 1, points.collect()));
     }
     Chart {
         title: "Path of the cargo from the ship to the platform".to_owned(),

@@ -1,24 +1,23 @@
-//! A ropeway drawn: platform, ship, water, the rope and the cargo on it, as a chart like any other.
+//! Elevation of a ropeway as a chart: platform, ship, water, the rope and the cargo on it.
 
 use crate::report::chart::{Axis, Chart, Glyphs, Limit, LimitLine, Series, draw};
-use crate::ropeway::bare::Bare;
-use crate::ropeway::{Readings, Worked};
+use crate::ropeway::unloaded::UnloadedRope;
+use crate::ropeway::{ModelResults, SolvedRopeway};
 
 /// Points that a rope is drawn with.
 const POINTS: usize = 80;
 
-/// Parts of the span that platform and ship take beside it.
+/// Widths of platform and ship relative to the span.
 const ASIDE: f64 = 0.12;
 
 type Points = Vec<(f64, f64)>;
 
 const BREAK: (f64, f64) = (f64::NAN, f64::NAN);
 
-/// The ropeway with the cargo where the readings have it: x from the platform, heights above still water. Heights are
-/// drawn larger than lengths.
+/// The ropeway at the position of the results: x from the platform, heights above still water, not to equal scale.
 #[must_use]
-pub fn chart(worked: &Worked, readings: &Readings) -> Chart {
-    let (rope, cargo) = (rope(worked, readings), cargo(worked, readings));
+pub fn chart(worked: &SolvedRopeway, results: &ModelResults) -> Chart {
+    let (rope, cargo) = (rope(worked, results), cargo(worked, results));
     let lowest = rope.iter().chain(&cargo).map(|p| p.1);
     let low = lowest.filter(|z| z.is_finite()).fold(0.0, f64::min);
     let top = worked
@@ -28,10 +27,10 @@ pub fn chart(worked: &Worked, readings: &Readings) -> Chart {
         .max(worked.ropeway.ship.height_m);
     let room = 0.12 * (top - low).max(1.0);
     let (from, to) = (low - room, top + room);
-    let span = worked.span.gap.span_m;
+    let span = worked.rope.geometry.span_m;
     let (left, right) = (-ASIDE * span, (1.0 + ASIDE) * span);
-    let mut bare = Series::new("bare rope", 5, bare(worked));
-    bare.dimmed = true;
+    let mut unloaded_rope = Series::new("unloaded rope", 5, unloaded(worked));
+    unloaded_rope.dimmed = true;
     let crest = worked.ropeway.water.crest_m;
     let crests = Limit {
         label: "wave crest".to_owned(),
@@ -48,7 +47,7 @@ pub fn chart(worked: &Worked, readings: &Readings) -> Chart {
             ..Axis::new("height", "m")
         },
         series: vec![
-            bare,
+            unloaded_rope,
             Series::new("water", 3, vec![(left, 0.0), (right, 0.0)]),
             Series::new("platform", 2, platform(worked, from)),
             Series::new("ship", 4, ship(worked)),
@@ -67,12 +66,17 @@ pub fn chart(worked: &Worked, readings: &Readings) -> Chart {
 
 /// The drawing in characters, at most this wide and high.
 #[must_use]
-pub fn text(worked: &Worked, readings: &Readings, size: (usize, usize), glyphs: Glyphs) -> String {
-    draw(&chart(worked, readings), size.0, size.1, glyphs).to_text()
+pub fn text(
+    worked: &SolvedRopeway,
+    results: &ModelResults,
+    size: (usize, usize),
+    glyphs: Glyphs,
+) -> String {
+    draw(&chart(worked, results), size.0, size.1, glyphs).to_text()
 }
 
-fn rope(worked: &Worked, readings: &Readings) -> Points {
-    let (rest, height) = (&readings.exact, worked.ropeway.platform.height_m);
+fn rope(worked: &SolvedRopeway, results: &ModelResults) -> Points {
+    let (rest, height) = (&results.exact, worked.ropeway.platform.height_m);
     let at = |i: usize| {
         let point = rest.solution.at(rest.length_m * i as f64 / POINTS as f64);
         (point.x_m, height + point.z_m)
@@ -83,24 +87,24 @@ fn rope(worked: &Worked, readings: &Readings) -> Points {
     points
 }
 
-/// The bare rope of the paper's model.
-fn bare(worked: &Worked) -> Points {
-    let Ok(tabled) = &worked.tabled else {
+/// The unloaded rope of the inextensible model.
+fn unloaded(worked: &SolvedRopeway) -> Points {
+    let Ok(inextensible) = &worked.inextensible else {
         return Vec::new();
     };
-    let rope: &Bare = &tabled.rope;
+    let rope: &UnloadedRope = &inextensible.rope;
     let at = |i: usize| {
-        let x = rope.gap.span_m * i as f64 / POINTS as f64;
+        let x = rope.geometry.span_m * i as f64 / POINTS as f64;
         (x, worked.ropeway.platform.height_m + rope.height_m(x))
     };
     (0..=POINTS).map(at).collect()
 }
 
-/// A box that hangs below the rope, at least so deep that it is seen.
-fn cargo(worked: &Worked, readings: &Readings) -> Points {
-    let (x, below) = readings.exact.cargo_m;
+/// A box below the rope, at least 0.5 m high to be visible.
+fn cargo(worked: &SolvedRopeway, results: &ModelResults) -> Points {
+    let (x, below) = results.exact.cargo_m;
     let z = worked.ropeway.platform.height_m + below;
-    let half = 0.012 * worked.span.gap.span_m;
+    let half = 0.012 * worked.rope.geometry.span_m;
     let deep = worked.ropeway.cargo.drop_m.max(0.5);
     let corners = [
         (0.0, 0.0),
@@ -114,10 +118,10 @@ fn cargo(worked: &Worked, readings: &Readings) -> Points {
 }
 
 /// A deck on two legs, beside the span.
-fn platform(worked: &Worked, bottom: f64) -> Points {
+fn platform(worked: &SolvedRopeway, bottom: f64) -> Points {
     let (deck, wide) = (
         worked.ropeway.platform.height_m,
-        ASIDE * worked.span.gap.span_m,
+        ASIDE * worked.rope.geometry.span_m,
     );
     vec![
         (-wide, deck),
@@ -132,8 +136,8 @@ fn platform(worked: &Worked, bottom: f64) -> Points {
 }
 
 /// A hull with a mast that holds the rope, beside the span.
-fn ship(worked: &Worked) -> Points {
-    let (span, top) = (worked.span.gap.span_m, worked.ropeway.ship.height_m);
+fn ship(worked: &SolvedRopeway) -> Points {
+    let (span, top) = (worked.rope.geometry.span_m, worked.ropeway.ship.height_m);
     let (deck, wide) = (0.35 * top, ASIDE * span);
     let keel = -0.25 * top;
     vec![

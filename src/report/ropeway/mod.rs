@@ -9,15 +9,20 @@ use crate::report::chart::{Chart, Glyphs, draw};
 use crate::report::table::Table;
 use crate::report::text::{Page, WIDTH, inputs};
 use crate::ropeway::edit;
-use crate::ropeway::{Readings, Worked};
+use crate::ropeway::{ModelResults, SolvedRopeway};
 
 /// Lines of a picture and of a chart.
 const LINES: usize = 18;
 
-/// The report of a ropeway with the cargo where the readings have it: picture, inputs with their standing, readings side by
-/// side, the crossing, hauling out, the winch, the cargo's motion. `text` is that of the file.
+/// The report of a ropeway at the position of the results: drawing, models side by side, crossing, hauling, winch, motion of
+/// the cargo, inputs with their provenance. `text` is that of the file.
 #[must_use]
-pub fn report(worked: &Worked, readings: &Readings, text: &str, glyphs: Glyphs) -> String {
+pub fn report(
+    worked: &SolvedRopeway,
+    results: &ModelResults,
+    text: &str,
+    glyphs: Glyphs,
+) -> String {
     let about = &worked.ropeway.about;
     let mut page = Page::default();
     page.title(&about.title);
@@ -28,28 +33,28 @@ pub fn report(worked: &Worked, readings: &Readings, text: &str, glyphs: Glyphs) 
         }
     }
     page.line("");
-    page.block(&drawing::text(worked, readings, (WIDTH, LINES), glyphs));
-    let warnings = tables::warnings(worked, readings);
+    page.block(&drawing::text(worked, results, (WIDTH, LINES), glyphs));
+    let warnings = tables::warnings(worked, results);
     if !warnings.is_empty() {
         page.heading("Warnings");
         for warning in &warnings {
             page.hanging("! ", warning);
         }
     }
-    page.heading("Readings");
-    table(&mut page, &tables::readings(worked, readings));
+    page.heading("Models at rest");
+    table(&mut page, &tables::models(worked, results));
     table(&mut page, &tables::crossing(worked, 10));
-    table(&mut page, &tables::ropes(worked, readings));
-    if let Some(check) = tables::check(worked, readings) {
+    table(&mut page, &tables::ropes(worked, results));
+    if let Some(check) = tables::weight_check(worked) {
         table(&mut page, &check);
     }
     page.heading("Hauling the rope out");
     chart(&mut page, &winch::hauling_chart(worked), glyphs);
     table(&mut page, &winch::hauling(worked));
     moving_ship(&mut page, worked, glyphs);
-    page.heading("The cargo's motion");
+    page.heading("Motion of the cargo");
     table(&mut page, &cargo::cargo(worked));
-    let (over, beside) = cargo::full(worked);
+    let (over, beside) = cargo::dynamic_crossing(worked);
     chart(&mut page, &over, glyphs);
     table(&mut page, &beside);
     inputs(
@@ -60,18 +65,18 @@ pub fn report(worked: &Worked, readings: &Readings, text: &str, glyphs: Glyphs) 
     page.finish()
 }
 
-fn moving_ship(page: &mut Page, worked: &Worked, glyphs: Glyphs) {
-    page.heading("The ship moves");
-    let Some(series) = worked.series() else {
-        page.paragraph("The file gives the ship no motion; [motion] does.");
+fn moving_ship(page: &mut Page, worked: &SolvedRopeway, glyphs: Glyphs) {
+    page.heading("Motion of the ship");
+    let Some(series) = worked.ship_motion() else {
+        page.paragraph("The ship does not move; add [motion].");
         return;
     };
-    match worked.follow(&series) {
+    match worked.run_winch(&series) {
         Ok(followed) => {
             chart(page, &winch::winch_chart(&followed), glyphs);
             table(page, &winch::winch(worked, &followed));
         }
-        Err(trouble) => page.paragraph(&format!("No answer: {trouble}.")),
+        Err(error) => page.paragraph(&format!("No solution: {error}.")),
     }
 }
 

@@ -1,10 +1,10 @@
-//! A ropeway at rest in tables: its models side by side, the crossing, the ropes, what is to be looked at.
+//! A ropeway at rest in tables: its models side by side, the crossing, the ropes; warnings.
 
 use crate::report::number::{percent, rounded};
 use crate::report::table::{Align, Cell, Format, Table};
-use crate::ropeway::exact::Carrier;
-use crate::ropeway::quantities::quantity;
-use crate::ropeway::{Readings, Worked};
+use crate::ropeway::elastic::Carrier;
+use crate::ropeway::weight_check::WeightCheck;
+use crate::ropeway::{ModelResults, SolvedRopeway};
 
 /// A force in newtons as the paper prints them.
 pub(super) const NEWTONS: Format = Format::With(newtons);
@@ -21,7 +21,7 @@ pub(super) fn metres(value: f64) -> String {
     METRES.write(value)
 }
 
-/// What a model of the ropeway computes; absent where it does not.
+/// Results of a model of the ropeway; absent where it has none.
 #[derive(Debug, Clone, Copy, Default)]
 struct Summary {
     length_m: Option<f64>,
@@ -46,43 +46,47 @@ impl Summary {
     }
 }
 
-/// The models of the ropeway side by side, with the cargo where the readings have it.
+/// The models of the ropeway side by side, at the position of the results.
 #[must_use]
-pub fn readings(worked: &Worked, readings: &Readings) -> Table {
+pub fn models(worked: &SolvedRopeway, results: &ModelResults) -> Table {
     let title = format!(
-        "Readings with the cargo at {} of the way from the platform",
-        percent(readings.position)
+        "Models with the cargo at {} of the span from the platform",
+        percent(results.position)
     );
-    let [model, parabola, exact, line] = summaries(worked, readings);
+    let [model, parabola, exact, line] = summaries(worked, results);
     let models = [
-        ("paper's model", model),
+        ("inextensible", model),
         ("parabola", parabola),
         ("exact", exact),
         ("line", line),
     ];
     Table::compare(title, "", &models)
-        .number("rope between the ends", METRES, |m| m.length_m)
-        .number("horizontal pull", NEWTONS, |m| m.horizontal_n)
+        .number("length of rope", METRES, |m| m.length_m)
+        .number("horizontal tension", NEWTONS, |m| m.horizontal_n)
         .number("tension at the platform", NEWTONS, |m| m.platform_n)
         .number("tension at the ship", NEWTONS, |m| m.ship_n)
         .number("greatest tension", NEWTONS, |m| m.greatest_n)
         .number("sag at the cargo", METRES, |m| m.sag_m)
-        .number("cargo above the crests", METRES, |m| m.clearance_m)
+        .number("clearance of the cargo", METRES, |m| m.clearance_m)
         .build()
-        .noted(notes(worked, readings))
+        .noted(notes(worked, results))
 }
 
-/// The paper's model, parabola theory, the elastic rope, and the discretised line.
-fn summaries(worked: &Worked, readings: &Readings) -> [Option<Summary>; 4] {
-    let exact = &readings.exact;
-    let model = worked.tabled.as_ref().ok().map(|tabled| Summary {
-        length_m: Some(tabled.rope.length_m()),
-        horizontal_n: Some(tabled.rope.horizontal_n),
-        greatest_n: Some(tabled.max_tension_n),
-        sag_m: Some(tabled.rope.sag_m()),
-        ..Summary::default()
-    });
-    let parabola = readings.parabola.map(|(platform, ship, sag)| {
+/// The inextensible model, parabola theory, the elastic rope, and the discretised line.
+fn summaries(worked: &SolvedRopeway, results: &ModelResults) -> [Option<Summary>; 4] {
+    let exact = &results.exact;
+    let model = worked
+        .inextensible
+        .as_ref()
+        .ok()
+        .map(|inextensible| Summary {
+            length_m: Some(inextensible.rope.length_m()),
+            horizontal_n: Some(inextensible.rope.horizontal_n),
+            greatest_n: Some(inextensible.max_tension_n),
+            sag_m: Some(inextensible.rope.sag_m()),
+            ..Summary::default()
+        });
+    let parabola = results.parabola.map(|(platform, ship, sag)| {
         Summary::new(model.and_then(|m| m.horizontal_n), (platform, ship), sag)
     });
     let ends = (exact.platform_n(), exact.ship_n());
@@ -90,7 +94,7 @@ fn summaries(worked: &Worked, readings: &Readings) -> [Option<Summary>; 4] {
         length_m: Some(exact.length_m),
         ..Summary::new(Some(exact.solution.h_b_n), ends, exact.sag_m)
     };
-    let line = readings.line.as_ref().ok().map(|line| Summary {
+    let line = results.line.as_ref().ok().map(|line| Summary {
         length_m: Some(exact.length_m),
         ..Summary::new(
             Some(line.horizontal_n),
@@ -98,8 +102,8 @@ fn summaries(worked: &Worked, readings: &Readings) -> [Option<Summary>; 4] {
             line.sag_m,
         )
     });
-    // The cargo hangs where the elastic rope has it, deeper by the difference of the sags.
-    let cleared = |summary: Summary| Summary {
+    // At the position of the elastic rope, lower by the difference of the sags.
+    let with_clearance = |summary: Summary| Summary {
         clearance_m: summary
             .sag_m
             .map(|sag| worked.clearance_m(exact) + exact.sag_m - sag),
@@ -107,52 +111,54 @@ fn summaries(worked: &Worked, readings: &Readings) -> [Option<Summary>; 4] {
     };
     [
         model,
-        parabola.map(cleared),
-        Some(cleared(elastic)),
-        line.map(cleared),
+        parabola.map(with_clearance),
+        Some(with_clearance(elastic)),
+        line.map(with_clearance),
     ]
 }
 
-fn notes(worked: &Worked, readings: &Readings) -> Vec<String> {
+fn notes(worked: &SolvedRopeway, results: &ModelResults) -> Vec<String> {
     let mut notes = vec![
-        "Paper's model: the bare rope that cannot stretch, the whole cargo added at one end, wherever it hangs; its sag is \
-         that of the bare rope at mid-span."
+        "Inextensible: the paper's model, the unloaded rope with the weight of the cargo at one end at any position; its sag is \
+         that of the unloaded rope at mid-span."
             .to_owned(),
-        "Parabola: eqs (11) and (13) with the pull of the paper's model, as a winch would keep it.".to_owned(),
-        "Exact: the elastic rope with the cargo on it, unstretched length. Line: the same in segments.".to_owned(),
+        "Parabola: eqs (11) and (13) with the horizontal tension of the inextensible model.".to_owned(),
+        "Exact: the elastic catenary with the cargo on it, unstretched length. Line: the same discretised in segments.".to_owned(),
     ];
-    if let Some((platform, ship)) = readings.means_n {
+    if let Some((platform, ship)) = results.mean_tensions_n {
         notes.push(format!(
             "Mean tensions by eqs (9) and (10), corrected: {} on the platform's side of the cargo, {} on the ship's.",
             newtons(platform),
             newtons(ship)
         ));
     }
-    match readings.exact.carrier {
+    match results.exact.carrier {
         Carrier::Rope => {}
         Carrier::Platform => {
-            notes.push("The cargo hangs on the platform; the rope is bare.".to_owned());
+            notes.push("The cargo hangs on the platform; the rope is unloaded.".to_owned());
         }
-        Carrier::Ship => notes.push("The cargo hangs on the ship; the rope is bare.".to_owned()),
+        Carrier::Ship => {
+            notes.push("The cargo hangs on the ship; the rope is unloaded.".to_owned())
+        }
     }
-    if let (Err(trouble), Carrier::Rope) = (&readings.line, readings.exact.carrier) {
-        notes.push(format!("No line: {trouble}."));
+    if let (Err(error), Carrier::Rope) = (&results.line, results.exact.carrier) {
+        notes.push(format!("The line has no solution: {error}."));
     }
-    if let Err(trouble) = &worked.tabled {
-        notes.push(format!("No answer of the paper's model: {trouble}."));
+    if let Err(error) = &worked.inextensible {
+        notes.push(format!("The inextensible model has no solution: {error}."));
     }
     notes
 }
 
-/// What is to be looked at: the cargo in the water, the rope in the water, more rope than there is.
+/// Warnings: cargo or rope in the water, more rope than there is.
 #[must_use]
-pub fn warnings(worked: &Worked, readings: &Readings) -> Vec<String> {
-    let exact = &readings.exact;
+pub fn warnings(worked: &SolvedRopeway, results: &ModelResults) -> Vec<String> {
+    let exact = &results.exact;
     let mut warnings = Vec::new();
     let clear = worked.clearance_m(exact);
     if clear < 0.0 && exact.carrier == Carrier::Rope {
         warnings.push(format!(
-            "The cargo is in the water: its lower side would hang {} below the wave crests. The weight is that in air; raise the ends, give more tension, or less span.",
+            "The cargo is in the water: its lower side hangs {} below the wave crests. The weight is that in air; raise the ends, increase the tension or reduce the span.",
             metres(-clear)
         ));
     }
@@ -167,55 +173,57 @@ pub fn warnings(worked: &Worked, readings: &Readings) -> Vec<String> {
         && clear < 0.0
     {
         warnings.push(format!(
-            "On its way across the cargo comes down to {} below the wave crests, at {} of the way from the platform.",
+            "During the crossing the cargo is up to {} below the wave crests, at {} of the span from the platform.",
             metres(-clear),
             percent(position)
         ));
     }
-    let parabola = readings.parabola.map(|p| clear + exact.sag_m - p.2);
+    let parabola = results.parabola.map(|p| clear + exact.sag_m - p.2);
     if let Some(under) = parabola.filter(|under| *under < 0.0) {
         warnings.push(format!(
-            "With the pull of the paper's model kept by a winch the cargo would hang {} below the wave crests.",
+            "With the horizontal tension of the inextensible model the cargo hangs {} below the wave crests.",
             metres(-under)
         ));
     }
     let stored = worked.ropeway.stored_m();
-    if readings.length_m > stored {
+    if results.length_m > stored {
         warnings.push(format!(
-            "The rope between the ends takes {}, and of the shortest there is {}.",
-            metres(readings.length_m),
+            "The length between the ends is {}, and that of the shortest rope {}.",
+            metres(results.length_m),
             metres(stored)
         ));
     }
     warnings
 }
 
-/// The cargo on its way across, by the exact rope: so many places between the supports.
+/// The crossing by the elastic rope at equally spaced positions.
 #[must_use]
-pub fn crossing(worked: &Worked, places: usize) -> Table {
+pub fn crossing(worked: &SolvedRopeway, places: usize) -> Table {
     let positions = (0..=places).map(|i| i as f64 / places as f64);
-    let rests: Vec<_> = positions.filter_map(|p| worked.rest(p).ok()).collect();
-    Table::of("The cargo on its way across (exact)", &rests)
+    let rests: Vec<_> = positions
+        .filter_map(|p| worked.equilibrium(p).ok())
+        .collect();
+    Table::of("Crossing of the cargo (exact)", &rests)
         .number("from the platform", METRES, |rest| rest.cargo_m.0)
         .number("sag at the cargo", METRES, |rest| rest.sag_m)
-        .cell("above the crests", Align::Decimal, |rest| {
+        .cell("clearance", Align::Decimal, |rest| {
             let clear = worked.clearance_m(rest);
             Cell::bad_if(clear < 0.0 && rest.carrier == Carrier::Rope, metres(clear))
         })
-        .number("pull", NEWTONS, |rest| rest.solution.h_b_n)
+        .number("horizontal tension", NEWTONS, |rest| rest.solution.h_b_n)
         .number("at the platform", NEWTONS, |rest| rest.platform_n())
         .number("at the ship", NEWTONS, |rest| rest.ship_n())
         .build()
 }
 
-/// The ropes that hang side by side: what each of them carries of the greatest tension.
+/// The parallel ropes with their shares of the greatest tension.
 #[must_use]
-pub fn ropes(worked: &Worked, readings: &Readings) -> Table {
-    let most = readings.exact.platform_n().max(readings.exact.ship_n());
-    let ea = worked.span.ea_n;
+pub fn ropes(worked: &SolvedRopeway, results: &ModelResults) -> Table {
+    let most = results.exact.platform_n().max(results.exact.ship_n());
+    let ea = worked.rope.ea_n;
     let sum: f64 = worked.ropeway.ropes.iter().map(|r| r.mass_kg_per_m).sum();
-    let used = worked.span.weight_n_per_m / worked.ropeway.about.gravity_m_per_s2;
-    let title = "The ropes, each with its share of the greatest tension";
+    let used = worked.rope.weight_n_per_m / worked.ropeway.about.gravity_m_per_s2;
+    let title = "Ropes, with their shares of the greatest tension";
     Table::of(title, &worked.ropeway.ropes)
         .text("rope", |rope| &rope.name)
         .number("diameter", Format::Decimals(1, "mm"), |rope| {
@@ -224,48 +232,41 @@ pub fn ropes(worked: &Worked, readings: &Readings) -> Table {
         .number("mass", Format::Decimals(3, "kg/m"), |rope| {
             rope.mass_kg_per_m
         })
-        .number("length there is", METRES, |rope| rope.length_m)
+        .number("length", METRES, |rope| rope.length_m)
         .number("share", Format::Percent, |rope| rope.ea_n / ea)
         .number("tension", NEWTONS, |rope| rope.ea_n / ea * most)
-        .cell("of its breaking load", Align::Decimal, |rope| {
+        .cell("use of breaking load", Align::Decimal, |rope| {
             let part = rope.break_load_n.map(|load| rope.ea_n / ea * most / load);
             part.map_or_else(Cell::none, |part| Cell::bad_if(part > 1.0, percent(part)))
         })
         .build()
         .noted([format!(
-            "They hang as one and stretch alike, so that each carries by its EA. Together they weigh {} kg/m; {} kg/m is counted.",
+            "All ropes have the same strain, so that each carries in proportion to its EA. The sum of their masses is {} kg/m; {} kg/m is used.",
             rounded(sum, 3),
             rounded(used, 3)
         )])
 }
 
-/// The finite-element check taken apart; absent: there is none.
+/// The difference between the finite-element check and the model, by its causes; absent without a check.
 #[must_use]
-pub fn check(worked: &Worked, readings: &Readings) -> Option<Table> {
-    let given = worked.ropeway.finite_element.as_ref()?.tension_n;
-    let of = |name: &str| quantity(worked, readings, name).ok();
-    let model = of("model.max_tension_n")?;
+pub fn weight_check(worked: &SolvedRopeway) -> Option<Table> {
+    let check = WeightCheck::of(worked).ok()?;
+    let model_n = check.lighter.max_tension_n;
     let rows = [
-        ("end tension of the check", Some(given)),
-        ("end tension of the paper's model", Some(model)),
-        ("difference", Some(given - model)),
-        (
-            "of that, by the heavier rope of the check",
-            of("finite_element.by_weight_n"),
-        ),
-        (
-            "left when both ropes weigh the same",
-            of("finite_element.left_n"),
-        ),
+        ("end tension of the check", check.tension_n),
+        ("end tension of the inextensible model", model_n),
+        ("difference", check.tension_n - model_n),
+        ("by the heavier rope of the check", check.by_weight_n()),
+        ("remainder with equal rope weights", check.remainder_n()),
     ];
-    let heavier = of("finite_element.weight_n").zip(of("model.weight_n"));
-    let note = heavier.map(|(check, model)| format!(
-        "The bar of the check weighs {} more than the rope of the model. The paper's conclusion 5 lays the difference to theory being too simple and wants simulation beyond 80 m; it is the weight.",
-        percent(check / model - 1.0)
-    ));
-    let table = Table::of("What the finite-element check differs by", &rows)
+    let heavier = check.model.rope.weight_n() / check.lighter.rope.weight_n() - 1.0;
+    let table = Table::of("Difference to the finite-element check", &rows)
         .text("", |row| row.0)
         .number("tension", NEWTONS, |row| row.1)
-        .number("of it", Format::Percent, |row| row.1.map(|v| v / given));
-    Some(table.build().noted(note))
+        .number("ratio", Format::Percent, |row| row.1 / check.tension_n)
+        .build();
+    Some(table.noted([format!(
+        "The bar of the check weighs {} more than the rope of the model. The paper's conclusion 5 attributes the difference to the simple theory and calls for simulation beyond 80 m; its cause is the weight.",
+        percent(heavier)
+    )]))
 }

@@ -1,31 +1,32 @@
-//! Hauling the rope out, and the winch on the moving ship, in tables and charts.
+//! Hauling the rope out and the winch on the moving ship, in tables and charts.
 
 use super::tables::{METRES, NEWTONS, metres, newtons};
+use crate::numerics::statistics::Statistics;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::number::percent;
 use crate::report::table::{Format, Table};
-use crate::ropeway::hauling::{Haul, haul};
-use crate::ropeway::winch::{Extremes, Held, Moment, extremes};
-use crate::ropeway::{Followed, Worked};
+use crate::ropeway::hauling::{HaulingPoint, haul};
+use crate::ropeway::winch::{WinchSample, WinchState, statistics};
+use crate::ropeway::{SolvedRopeway, WinchRun};
 
 /// Steps of the chart of hauling.
 const HAULS: usize = 80;
 
-/// Hauling tension against distance off the platform, the rope's length fixed.
+/// End tension against distance from the platform, the length of the rope fixed.
 #[must_use]
-pub fn hauling_chart(worked: &Worked) -> Chart {
-    let hauls = haul(&worked.span, worked.length_m, HAULS);
-    let series = |label: &str, slot: usize, of: fn(&Haul) -> f64| {
+pub fn hauling_chart(worked: &SolvedRopeway) -> Chart {
+    let hauls = haul(&worked.rope, worked.length_m, HAULS);
+    let series = |label: &str, slot: usize, of: fn(&HaulingPoint) -> f64| {
         let points = hauls.iter().map(|h| (h.distance_m, of(h)));
         Series::new(label, slot, points.collect())
     };
     Chart {
-        title: "Hauling the bare rope out to the ship".to_owned(),
-        x: Axis::new("distance off the platform", "m"),
+        title: "Hauling the unloaded rope out to the ship".to_owned(),
+        x: Axis::new("distance from the platform", "m"),
         y: Axis::new("tension at the ship", "N"),
         series: vec![
             series("end tension", 0, |h| h.ship_n),
-            series("horizontal part", 1, |h| h.horizontal_n),
+            series("horizontal component", 1, |h| h.horizontal_n),
         ],
         legend: true,
         ..Chart::default()
@@ -34,32 +35,36 @@ pub fn hauling_chart(worked: &Worked) -> Chart {
 
 /// The same in numbers.
 #[must_use]
-pub fn hauling(worked: &Worked) -> Table {
+pub fn hauling(worked: &SolvedRopeway) -> Table {
     let title = format!(
-        "Hauling the bare rope out to the ship, {} of it",
+        "Hauling the unloaded rope out to the ship, length {}",
         metres(worked.length_m)
     );
-    Table::of(title, &haul(&worked.span, worked.length_m, 8))
-        .number("off the platform", METRES, |haul| haul.distance_m)
+    Table::of(title, &haul(&worked.rope, worked.length_m, 8))
+        .number("from the platform", METRES, |haul| haul.distance_m)
         .number("end tension", NEWTONS, |haul| haul.ship_n)
-        .number("horizontal part", NEWTONS, |haul| haul.horizontal_n)
+        .number("horizontal component", NEWTONS, |haul| haul.horizontal_n)
         .build()
         .noted([
-            "A candidate for the paper's lost fig. 9, whose words are: little change within 40 m, then linear growth. The first holds; the growth is convex.",
+            "Possibly the paper's lost fig. 9, described as little change within 40 m, then linear growth. The former holds; the growth is convex.",
         ])
 }
 
-/// The rope made fast, and held by the winch; absent where it has no answer.
-fn ways(followed: &Followed) -> [Option<&[Moment]>; 2] {
-    let kept = followed.kept.as_ref().and_then(|kept| kept.as_deref().ok());
-    [followed.fast.as_deref().ok(), kept]
+/// The rope made fast and on the constant-tension winch; absent where it has no solution.
+fn ways(followed: &WinchRun) -> [Option<&[WinchSample]>; 2] {
+    let kept = followed
+        .constant_tension
+        .as_ref()
+        .and_then(|kept| kept.as_deref().ok());
+    [followed.made_fast.as_deref().ok(), kept]
 }
 
-/// Tension at the ship against time, fast and kept.
+/// Tension at the ship against time, made fast and on the winch.
 #[must_use]
-pub fn winch_chart(followed: &Followed) -> Chart {
-    let tension = |moments: &[Moment]| moments.iter().map(|m| (m.ship.time_s, m.ship_n)).collect();
-    let labels = ["made fast", "held by the winch"];
+pub fn winch_chart(followed: &WinchRun) -> Chart {
+    let tension =
+        |moments: &[WinchSample]| moments.iter().map(|m| (m.ship.time_s, m.ship_n)).collect();
+    let labels = ["made fast", "on the winch"];
     let ways = labels.into_iter().zip(ways(followed)).enumerate();
     let series = ways
         .filter_map(|(slot, (label, moments))| Some(Series::new(label, slot, tension(moments?))));
@@ -73,93 +78,95 @@ pub fn winch_chart(followed: &Followed) -> Chart {
     }
 }
 
-/// What the ship's motion does to the rope, made fast and held by the winch, and what the winch must do.
+/// Statistics of the rope over the ship's motion, made fast and on the winch, and the duty of the winch.
 #[must_use]
-pub fn winch(worked: &Worked, followed: &Followed) -> Table {
+pub fn winch(worked: &SolvedRopeway, followed: &WinchRun) -> Table {
     const SPEED: Format = Format::Si("m/s");
     const POWER: Format = Format::Si("W");
     let [fast, kept] = ways(followed);
-    let ways = [("made fast", fast), ("held by the winch", kept)];
-    let ship = |m: &[Moment]| extremes(m, |x| x.ship_n);
-    let length = |m: &[Moment]| extremes(m, |x| x.length_m);
-    let speed = |m: &[Moment]| extremes(m, |x| x.speed_m_per_s);
-    let power = |m: &[Moment]| extremes(m, |x| x.power_w);
-    let range = |of: Extremes| of.most - of.least;
+    let ways = [("made fast", fast), ("on the winch", kept)];
+    let ship = |m: &[WinchSample]| statistics(m, |x| x.ship_n);
+    let length = |m: &[WinchSample]| statistics(m, |x| x.length_m);
+    let speed = |m: &[WinchSample]| statistics(m, |x| x.speed_m_per_s);
+    let power = |m: &[WinchSample]| statistics(m, |x| x.power_w);
+    let range = |of: Statistics| of.max - of.min;
     Table::compare("The rope on the moving ship", "", &ways)
-        .number("tension at the ship, least", NEWTONS, |m| ship(m).least)
-        .number("tension at the ship, greatest", NEWTONS, |m| ship(m).most)
+        .number("tension at the ship, minimum", NEWTONS, |m| ship(m).min)
+        .number("tension at the ship, maximum", NEWTONS, |m| ship(m).max)
         .number("tension at the ship, mean", NEWTONS, |m| ship(m).mean)
-        .number("tension at the ship, scatter", NEWTONS, |m| {
+        .number("tension at the ship, std deviation", NEWTONS, |m| {
             ship(m).deviation
         })
-        .number("cargo's depth, range", METRES, |m| {
-            range(extremes(m, |x| x.depth_m))
+        .number("cargo depth, range", METRES, |m| {
+            range(statistics(m, |x| x.depth_m))
         })
-        .number("rope, shortest", METRES, |m| length(m).least)
-        .number("rope, longest", METRES, |m| length(m).most)
-        .number("fastest paying out", SPEED, |m| speed(m).most.max(0.0))
-        .number("fastest hauling in", SPEED, |m| -speed(m).least.min(0.0))
-        .number("greatest power, hauling in", POWER, |m| {
-            power(m).most.max(0.0)
+        .number("rope length, minimum", METRES, |m| length(m).min)
+        .number("rope length, maximum", METRES, |m| length(m).max)
+        .number("paying out speed, maximum", SPEED, |m| {
+            speed(m).max.max(0.0)
         })
-        .number("greatest power, braking", POWER, |m| {
-            -power(m).least.min(0.0)
+        .number("hauling in speed, maximum", SPEED, |m| {
+            -speed(m).min.min(0.0)
         })
+        .number("hauling power, maximum", POWER, |m| power(m).max.max(0.0))
+        .number("braking power, maximum", POWER, |m| -power(m).min.min(0.0))
         .build()
         .noted(notes(followed))
         .noted(breaks(worked, followed))
 }
 
-fn notes(followed: &Followed) -> Vec<String> {
+fn notes(followed: &WinchRun) -> Vec<String> {
     let mut notes = Vec::new();
-    if let Err(trouble) = &followed.fast {
-        notes.push(format!("Made fast: {trouble}."));
+    if let Err(error) = &followed.made_fast {
+        notes.push(format!("Made fast: {error}."));
     }
-    match &followed.kept {
-        None => notes.push("The ropeway has no winch; [winch] gives it one.".to_owned()),
-        Some(Err(trouble)) => notes.push(format!("Held by the winch: {trouble}.")),
+    match &followed.constant_tension {
+        None => notes.push("The ropeway has no winch; add [winch].".to_owned()),
+        Some(Err(error)) => notes.push(format!("On the winch: {error}.")),
         Some(Ok(kept)) => {
-            notes.push(format!("The winch keeps {}.", newtons(followed.tension_n)));
+            notes.push(format!(
+                "Constant tension: {}.",
+                newtons(followed.tension_n)
+            ));
             notes.extend(limits(kept));
         }
     }
-    notes.push("Each instant is an equilibrium; the rope's own inertia is left out.".to_owned());
+    notes.push(
+        "Quasi-static: each sample is an equilibrium without the inertia of the rope.".to_owned(),
+    );
     notes
 }
 
-/// How often the winch is at one of its limits.
-fn limits(kept: &[Moment]) -> impl Iterator<Item = String> {
+/// How often the winch is at a limit.
+fn limits(kept: &[WinchSample]) -> impl Iterator<Item = String> {
     let limits = [
-        (Held::AtSpeed, "it is at its greatest speed"),
-        (Held::AtPower, "it is at its greatest power"),
-        (
-            Held::RopeOut,
-            "all its rope is out: the ship is beyond its reach",
-        ),
+        (WinchState::SpeedLimit, "it is at its speed limit"),
+        (WinchState::PowerLimit, "it is at its power limit"),
+        (WinchState::RopeOut, "all its rope is paid out"),
     ];
     limits.into_iter().filter_map(|(held, words)| {
-        let count = kept.iter().filter(|m| m.held == held).count();
+        let count = kept.iter().filter(|m| m.state == held).count();
         let part = count as f64 / kept.len().max(1) as f64;
         (part > 0.0).then(|| {
             format!(
-                "For {} of the time {words}, and the tension is not kept.",
+                "The winch does not keep the tension for {} of the time: {words}.",
                 percent(part)
             )
         })
     })
 }
 
-/// That the greatest tension is more than a rope's share of it may be.
-fn breaks(worked: &Worked, followed: &Followed) -> impl Iterator<Item = String> {
-    let ways = ["Made fast", "Held by the winch"]
+/// That the maximum tension exceeds the breaking load of a rope.
+fn breaks(worked: &SolvedRopeway, followed: &WinchRun) -> impl Iterator<Item = String> {
+    let ways = ["Made fast", "On the winch"]
         .into_iter()
         .zip(ways(followed));
     ways.filter_map(|(way, moments)| {
-        let most = extremes(moments?, |m| m.ship_n.max(m.platform_n)).most;
-        let part = worked.of_breaking(most)?;
+        let most = statistics(moments?, |m| m.ship_n.max(m.platform_n)).max;
+        let part = worked.breaking_load_ratio(most)?;
         (part > 1.0).then(|| {
             format!(
-                "{way} the ropes would break: {} is {} of what they bear.",
+                "{way}, the ropes break: the maximum tension {} is {} of their breaking load.",
                 newtons(most),
                 percent(part)
             )

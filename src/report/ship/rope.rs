@@ -4,8 +4,8 @@ use crate::numerics::statistics::Statistics;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::number::{digits, percent, si};
 use crate::report::table::{Cell, CellInk, Column, Table};
-use crate::ropeway::Trouble;
-use crate::ropeway::winch::Moment;
+use crate::ropeway::RopewayError;
+use crate::ropeway::winch::WinchSample;
 use crate::ship::rope::RopeAnalysis;
 
 /// Time that is drawn \[s\].
@@ -14,7 +14,7 @@ const MINUTES: f64 = 300.0;
 /// Tension at the ship over the first minutes, made fast and held by the winch.
 #[must_use]
 pub fn chart(rope: &RopeAnalysis) -> Chart {
-    let points = |moments: &[Moment]| -> Vec<(f64, f64)> {
+    let points = |moments: &[WinchSample]| -> Vec<(f64, f64)> {
         moments
             .iter()
             .take_while(|moment| moment.ship.time_s <= MINUTES)
@@ -22,10 +22,10 @@ pub fn chart(rope: &RopeAnalysis) -> Chart {
             .collect()
     };
     let mut series = Vec::new();
-    if let Ok(fast) = &rope.followed.fast {
+    if let Ok(fast) = &rope.followed.made_fast {
         series.push(Series::new("made fast", 0, points(fast)));
     }
-    if let Some(Ok(kept)) = &rope.followed.kept {
+    if let Some(Ok(kept)) = &rope.followed.constant_tension {
         series.push(Series::new("with the winch", 1, points(kept)));
     }
     Chart {
@@ -42,8 +42,8 @@ pub fn chart(rope: &RopeAnalysis) -> Chart {
 #[must_use]
 pub fn table(rope: &RopeAnalysis) -> Table {
     let mut notes = Vec::new();
-    let mut rows = vec![row("made fast", &rope.followed.fast, &mut notes)];
-    if let Some(kept) = &rope.followed.kept {
+    let mut rows = vec![row("made fast", &rope.followed.made_fast, &mut notes)];
+    if let Some(kept) = &rope.followed.constant_tension {
         rows.push(row("with the winch", kept, &mut notes));
         if let Ok(moments) = kept {
             notes.extend(winch(moments, rope.followed.tension_n));
@@ -61,7 +61,7 @@ pub fn table(rope: &RopeAnalysis) -> Table {
     }
     if !rope.others {
         notes.push("No greatest tension to expect is told: there is one record of ship and anchor line in time, and it is that of its seed.".to_owned());
-    } else if rope.law.is_none() && rope.followed.fast.is_ok() {
+    } else if rope.law.is_none() && rope.followed.made_fast.is_ok() {
         notes.push("No greatest tension to expect is told: a little further than this record goes, the rope made fast no longer reaches.".to_owned());
     }
     notes.push("Each instant is an equilibrium of the exact rope with its cargo; what its inertia adds stands in the table of the rope on the dynamic solver.".to_owned());
@@ -164,7 +164,11 @@ pub fn dynamic_table(rope: &RopeAnalysis) -> Option<Table> {
     })
 }
 
-fn row(name: &str, moments: &Result<Vec<Moment>, Trouble>, notes: &mut Vec<String>) -> Vec<Cell> {
+fn row(
+    name: &str,
+    moments: &Result<Vec<WinchSample>, RopewayError>,
+    notes: &mut Vec<String>,
+) -> Vec<Cell> {
     let mut cells = vec![Cell::plain(name)];
     match moments {
         Ok(moments) => {
@@ -188,9 +192,9 @@ fn row(name: &str, moments: &Result<Vec<Moment>, Trouble>, notes: &mut Vec<Strin
 }
 
 /// What the winch must do, and where it cannot.
-fn winch(moments: &[Moment], tension: f64) -> Vec<String> {
-    let most = |of: &dyn Fn(&Moment) -> f64| moments.iter().map(of).fold(0.0, f64::max);
-    let length = |m: &Moment| m.length_m;
+fn winch(moments: &[WinchSample], tension: f64) -> Vec<String> {
+    let most = |of: &dyn Fn(&WinchSample) -> f64| moments.iter().map(of).fold(0.0, f64::max);
+    let length = |m: &WinchSample| m.length_m;
     let least = moments.iter().map(length).fold(f64::INFINITY, f64::min);
     let mut notes = vec![format!(
         "The winch keeps {}: its rope runs at up to {} m/s and takes up to {}; {} m of rope go in and out.",

@@ -4,8 +4,8 @@
 use crate::case::ChannelQuantity;
 use crate::numerics::statistics::Statistics;
 use crate::ropeway::line::{self, LineRun};
-use crate::ropeway::winch::Moment;
-use crate::ropeway::{Trouble, Worked};
+use crate::ropeway::winch::WinchSample;
+use crate::ropeway::{RopewayError, SolvedRopeway};
 
 /// Time that is followed \[s\], of which the motion grows over the first part and statistics count the rest.
 const WINDOW: f64 = 120.0;
@@ -49,10 +49,15 @@ impl DynamicRope {
 /// Follows the rope, made fast, around the greatest tension of its record, whose instants lie a step \[s\] apart.
 ///
 /// # Errors
-/// [`Trouble`] where the cargo hangs on a support or the line is not marched.
-pub fn beside(worked: &Worked, fast: &[Moment], step: f64) -> Result<DynamicRope, Trouble> {
-    let start = worked.rest(worked.ropeway.cargo.position)?;
-    let most = |a: &(usize, &Moment), b: &(usize, &Moment)| a.1.ship_n.total_cmp(&b.1.ship_n);
+/// [`RopewayError`] where the cargo hangs on a support or the line is not marched.
+pub fn beside(
+    worked: &SolvedRopeway,
+    fast: &[WinchSample],
+    step: f64,
+) -> Result<DynamicRope, RopewayError> {
+    let start = worked.equilibrium(worked.ropeway.cargo.position)?;
+    let most =
+        |a: &(usize, &WinchSample), b: &(usize, &WinchSample)| a.1.ship_n.total_cmp(&b.1.ship_n);
     let at = fast.iter().enumerate().max_by(most).map_or(0, |(i, _)| i);
     let count = ((WINDOW / step).round() as usize).min(fast.len().saturating_sub(1));
     let from = at.saturating_sub(2 * count / 3).min(fast.len() - 1 - count);

@@ -15,8 +15,8 @@ use rayon::prelude::*;
 use self::dynamic::{DynamicRope, beside};
 use crate::numerics::V3;
 use crate::numerics::statistics::{Gumbel, Statistics};
-use crate::ropeway::winch::{HangPoint, Held, Moment};
-use crate::ropeway::{self, Followed, Trouble, Worked};
+use crate::ropeway::winch::{ShipOffset, WinchSample, WinchState};
+use crate::ropeway::{self, RopewayError, SolvedRopeway, WinchRun};
 use crate::ship::model::{Motion, Rope};
 use crate::ship::motion::wave_response::WaveResponse;
 use crate::ship::motion::{ShipMotion, point};
@@ -26,11 +26,11 @@ use crate::ship::motion_analysis::MotionAnalysis;
 #[derive(Debug, Clone, PartialEq)]
 pub struct RopeAnalysis {
     /// The ropeway.
-    pub worked: Worked,
+    pub worked: SolvedRopeway,
     /// Where its hang point is, as displaced.
-    pub series: Vec<HangPoint>,
+    pub series: Vec<ShipOffset>,
     /// Made fast, and held by the winch.
-    pub followed: Followed,
+    pub followed: WinchRun,
     /// ExpectedMaximum tensions of several records with the rope made fast; the file's own first. Empty where there is no answer.
     pub maxima_n: Vec<f64>,
     /// The same with the law fitted to them.
@@ -39,7 +39,7 @@ pub struct RopeAnalysis {
     pub others: bool,
     /// The rope made fast on the dynamic solver around its greatest tension, beside the equilibria; absent where the rope
     /// has none.
-    pub dynamic: Option<Result<DynamicRope, Trouble>>,
+    pub dynamic: Option<Result<DynamicRope, RopewayError>>,
 }
 
 /// How often the winch does not keep its tension.
@@ -100,19 +100,19 @@ impl RopeAnalysis {
     ///
     /// # Errors
     /// In words, where the ropeway has no answer.
-    pub fn of(course: &HangOffMotion<'_>, worked: Worked) -> Result<Self, String> {
+    pub fn of(course: &HangOffMotion<'_>, worked: SolvedRopeway) -> Result<Self, String> {
         let span = worked.ropeway.about.span_m;
         let at = |(i, shift): (usize, &V3)| {
             let (x_m, z_m) = course.place(shift, span);
-            HangPoint {
+            ShipOffset {
                 time_s: course.step * i as f64,
                 x_m,
                 z_m,
             }
         };
-        let series: Vec<HangPoint> = course.places.iter().enumerate().map(at).collect();
-        let told = |trouble: Trouble| trouble.to_string();
-        let followed = worked.follow(&series).map_err(told)?;
+        let series: Vec<ShipOffset> = course.places.iter().enumerate().map(at).collect();
+        let told = |trouble: RopewayError| trouble.to_string();
+        let followed = worked.run_winch(&series).map_err(told)?;
         let mut made = Self {
             worked,
             series,
@@ -122,7 +122,7 @@ impl RopeAnalysis {
             others: course.others.is_some(),
             dynamic: None,
         };
-        if let Ok(fast) = &made.followed.fast {
+        if let Ok(fast) = &made.followed.made_fast {
             let own = fast.iter().fold(0.0_f64, |m, moment| m.max(moment.ship_n));
             made.maxima_n = vec![own];
             made.dynamic = Some(beside(&made.worked, fast, course.step));
@@ -149,10 +149,10 @@ impl RopeAnalysis {
         let worked = &self.worked;
         let span = worked.ropeway.about.span_m;
         let start = worked
-            .rest(worked.ropeway.cargo.position)
+            .equilibrium(worked.ropeway.cargo.position)
             .map_err(|t| t.to_string())?;
         let exact = |x: f64, z: f64| {
-            let there = worked.span.moved(x, z);
+            let there = worked.rope.moved(x, z);
             let rest = there.with_cargo_at(start.length_m, start.arc_m);
             rest.ok().map(|rest| rest.ship_n())
         };
@@ -181,19 +181,19 @@ impl RopeAnalysis {
 
     /// Statistics of the tension at the ship \[N\].
     #[must_use]
-    pub fn tension(moments: &[Moment]) -> Statistics {
+    pub fn tension(moments: &[WinchSample]) -> Statistics {
         let values: Vec<f64> = moments.iter().map(|moment| moment.ship_n).collect();
         Statistics::of(&values)
     }
 
     /// How often the winch does not keep its tension.
     #[must_use]
-    pub fn winch_limits(moments: &[Moment]) -> WinchLimits {
-        let count = |held: Held| moments.iter().filter(|moment| moment.held == held).count();
+    pub fn winch_limits(moments: &[WinchSample]) -> WinchLimits {
+        let count = |held: WinchState| moments.iter().filter(|moment| moment.state == held).count();
         WinchLimits {
-            at_speed: count(Held::AtSpeed),
-            at_power: count(Held::AtPower),
-            rope_out: count(Held::RopeOut),
+            at_speed: count(WinchState::SpeedLimit),
+            at_power: count(WinchState::PowerLimit),
+            rope_out: count(WinchState::RopeOut),
         }
     }
 }
@@ -227,10 +227,10 @@ const MORE: f64 = 1.6;
 
 impl TensionSurface {
     /// None where the rope does not reach over all the places.
-    fn new(worked: &Worked, series: &[HangPoint]) -> Result<Option<Self>, Trouble> {
-        let start = worked.rest(worked.ropeway.cargo.position)?;
+    fn new(worked: &SolvedRopeway, series: &[ShipOffset]) -> Result<Option<Self>, RopewayError> {
+        let start = worked.equilibrium(worked.ropeway.cargo.position)?;
         let exact = |x: f64, z: f64| {
-            let there = worked.span.moved(x, z);
+            let there = worked.rope.moved(x, z);
             let rest = there.with_cargo_at(start.length_m, start.arc_m);
             rest.map(|rest| rest.ship_n())
         };
@@ -265,7 +265,7 @@ impl TensionSurface {
 }
 
 /// Middle and half width of what a series reaches, and some more.
-fn frame(series: &[HangPoint], of: impl Fn(&HangPoint) -> f64) -> (f64, f64) {
+fn frame(series: &[ShipOffset], of: impl Fn(&ShipOffset) -> f64) -> (f64, f64) {
     let low = series.iter().map(&of).fold(f64::INFINITY, f64::min);
     let high = series.iter().map(&of).fold(f64::NEG_INFINITY, f64::max);
     (0.5 * (low + high), (0.5 * MORE * (high - low)).max(1e-6))

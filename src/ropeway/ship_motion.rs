@@ -1,30 +1,30 @@
-//! The ship's motion as the file gives it, as a series of places of the rope's hang point.
+//! Harmonic motion of the rope's hang point on the ship, by the keys of the file.
 
 use std::f64::consts::TAU;
 
 use super::model::Motion;
-use super::winch::HangPoint;
+use super::winch::ShipOffset;
 
-/// Steps that a period is followed in.
+/// Steps of a period.
 const A_PERIOD: f64 = 40.0;
 
-/// Most instants of a series.
+/// Greatest number of steps of a series.
 const MOST: f64 = 20_000.0;
 
-/// Where the hang point is at a time: it starts from its mean place, away from the platform and upwards.
+/// Displacement of the hang point at a time, away from the platform and upwards, from zero at t = 0.
 #[must_use]
-pub fn at(motion: &Motion, time_s: f64) -> HangPoint {
+pub fn at(motion: &Motion, time_s: f64) -> ShipOffset {
     let swing = |period: f64| (TAU * time_s / period).sin();
-    HangPoint {
+    ShipOffset {
         time_s,
         x_m: motion.surge_m * swing(motion.surge_period_s),
         z_m: motion.heave_m * swing(motion.heave_period_s),
     }
 }
 
-/// The motion at equal steps over a time, in steps that follow the shorter period of those that move.
+/// The motion at equal steps over a duration, a fixed number of steps in the shorter period of those with an amplitude.
 #[must_use]
-pub fn series(motion: &Motion, duration_s: f64) -> Vec<HangPoint> {
+pub fn series(motion: &Motion, duration_s: f64) -> Vec<ShipOffset> {
     let moving = [
         (motion.surge_m, motion.surge_period_s),
         (motion.heave_m, motion.heave_period_s),

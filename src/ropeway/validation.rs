@@ -1,27 +1,27 @@
-//! A ropeway held against what its source printed: rows of the validation table.
+//! A ropeway compared with its published values and trends: rows of the validation table.
 
 use super::edit;
 use super::model::Trend;
-use super::quantities::{quantity, unit};
-use super::work::Worked;
+use super::quantities::{self, unit};
+use super::solve::SolvedRopeway;
 use crate::case::StudyValue;
 use crate::reference::{PublishedNumber, TrendPoint, TrendStatement, ValidationRow, compare_trend};
 
 /// Rows for every published value and every statement of trend of a ropeway, in the order of its file. `text` is the file's:
 /// trends are computed on variants of it.
 #[must_use]
-pub fn rows(worked: &Worked, text: &str) -> Vec<ValidationRow> {
-    let readings = worked.readings(worked.ropeway.cargo.position);
-    let value = |printed: &PublishedNumber| {
-        let found = match &readings {
-            Ok(readings) => quantity(worked, readings, &printed.quantity),
-            Err(trouble) => Err(format!("The ropeway has no answer: {trouble}.")),
+pub fn rows(worked: &SolvedRopeway, text: &str) -> Vec<ValidationRow> {
+    let results = worked.results(worked.ropeway.cargo.position);
+    let row = |printed: &PublishedNumber| {
+        let found = match &results {
+            Ok(results) => quantities::value(worked, results, &printed.quantity),
+            Err(error) => Err(format!("The ropeway has no solution: {error}.")),
         };
-        // Closed forms are found to rounding; of the discretised line no error is estimated.
+        // Closed forms are exact to rounding; the error of the discretised line is not estimated.
         let error = (!printed.quantity.starts_with("line.")).then_some(0.0);
         printed.held(unit(&printed.quantity), found.map(|value| (value, error)))
     };
-    let values = worked.ropeway.published.iter().map(value);
+    let values = worked.ropeway.published.iter().map(row);
     let trends = worked.ropeway.trend.iter().map(|t| trend_row(t, text));
     values.chain(trends).collect()
 }
@@ -49,15 +49,15 @@ fn trend_row(trend: &Trend, text: &str) -> ValidationRow {
     compare_trend(statement, unit(&trend.quantity).to_owned(), points, missing)
 }
 
-/// The quantity of a trend at one value of its key.
+/// The quantity of a trend with its key set to a value.
 fn at(trend: &Trend, text: &str, value: f64) -> Result<f64, String> {
-    let told = |all: Vec<crate::case::Diagnostic>| {
+    let first = |all: Vec<crate::case::Diagnostic>| {
         all.first().map_or_else(String::new, ToString::to_string)
     };
-    let edited = edit::set(text, &trend.key, &format!("{value:?}")).map_err(told)?;
-    let worked = super::parse(&edited, "trend").map_err(told)?;
-    let readings = worked
-        .readings(worked.ropeway.cargo.position)
-        .map_err(|trouble| trouble.to_string())?;
-    quantity(&worked, &readings, &trend.quantity)
+    let edited = edit::set(text, &trend.key, &format!("{value:?}")).map_err(first)?;
+    let worked = super::parse(&edited, "trend").map_err(first)?;
+    let results = worked
+        .results(worked.ropeway.cargo.position)
+        .map_err(|error| error.to_string())?;
+    quantities::value(&worked, &results, &trend.quantity)
 }
