@@ -124,7 +124,7 @@ pub(super) const ROOM_TO_DOUBLE: f64 = 0.1;
 pub struct MarchProgress {
     /// Time \[s\].
     pub time: f64,
-    /// WholeStep steps completed.
+    /// Whole steps completed.
     pub whole: u64,
     /// How often whole steps are halved at present.
     pub level: u32,
@@ -143,7 +143,7 @@ pub struct MarchProgress {
 pub struct Grid {
     /// Length of a whole step \[s\].
     pub dt: f64,
-    /// WholeStep steps an output interval.
+    /// Whole steps an output interval.
     pub per_output: u64,
     /// Output intervals.
     pub outputs: u64,

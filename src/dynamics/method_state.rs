@@ -13,11 +13,11 @@ pub struct MethodState {
     pub jerk: Vec<V3>,
     /// Generalized-alpha: 1, or 0 after a step that could not be solved.
     pub trust: f64,
-    /// QuasiStatic-static march: length of the step before \[s\].
+    /// Quasi-static march: length of the step before \[s\].
     pub before: Option<f64>,
-    /// QuasiStatic-static march: positions one step back \[m\].
+    /// Quasi-static march: positions one step back \[m\].
     pub x_before: Vec<V3>,
-    /// QuasiStatic-static march: whether drag coefficients are held.
+    /// Quasi-static march: whether drag coefficients are held.
     pub remembers: bool,
     /// RK4: the fastest decay at the end of the step before \[1/s\] and its node.
     #[serde(default)]

@@ -21,7 +21,7 @@ use path::PathPoint;
 pub struct Traveller {
     /// Mass \[kg\].
     pub mass: f64,
-    /// NodeWeight \[N\], positive down.
+    /// Weight \[N\], positive down.
     pub weight: f64,
     /// `1/2 rho C_D A` along x, y, z \[kg/m\].
     pub drag: V3,

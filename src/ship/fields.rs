@@ -139,7 +139,7 @@ static FIELDS: &[Field] = &[
     field("rope.records", Integer, "-", Range::of(2.0, 1000.0), Default("10"), "records", "Records, of as many seeds, for the greatest tension to expect."),
 
     field("published.*.name", Text, "", ANY, Required, "name", "What it is, in words."),
-    field("published.*.quantity", Text, "", ANY, Required, "quantity", "DegreeOfFreedom of freedom, displacement or rate, and statistic, such as pitch.velocity.rms."),
+    field("published.*.quantity", Text, "", ANY, Required, "quantity", "Degree of freedom, displacement or rate, and statistic, such as pitch.velocity.rms."),
     field("published.*.value", Number, "", ANY, Required, "value", "The published value, in the unit of the quantity."),
     field("published.*.tolerance_rel", Number, "-", Range::of(0.0, 10.0), Means("no relative tolerance"), "tolerance", "Tolerance relative to the value."),
     field("published.*.tolerance_abs", Number, "", Range::of(0.0, 1e9), Means("no absolute tolerance"), "tolerance", "Tolerance in the unit of the value."),

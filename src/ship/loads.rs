@@ -33,7 +33,7 @@ pub struct EnvironmentalLoad {
     pub speed: Option<f64>,
 }
 
-/// EnvironmentalLoads on a moving ship, in axes along a heading that does not turn with it.
+/// Loads on a moving ship, in axes along a heading that does not turn with it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct LoadLinearisation {
     /// Force forward \[N\], to port \[N\], moment in yaw \[N m\].

@@ -179,7 +179,7 @@ pub struct Mooring {
 }
 
 /// The ship's mass and what the water adds to it, about the ship's reference point: amidships, on the centre line, in the still
-/// water line. HullMatrices are in SI units, in the order surge, sway, heave, roll, pitch, yaw: six numbers are the diagonal,
+/// water line. Matrices are in SI units, in the order surge, sway, heave, roll, pitch, yaw: six numbers are the diagonal,
 /// thirty-six the rows.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]

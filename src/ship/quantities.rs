@@ -10,7 +10,7 @@ pub const RATES: [&str; 3] = ["displacement", "velocity", "acceleration"];
 /// Names of the statistics of a record.
 pub const STATISTICS: [&str; 5] = ["mean", "rms", "deviation", "max", "min"];
 
-/// DegreeOfFreedom of freedom, rate and statistic of a name.
+/// Degree of freedom, rate and statistic of a name.
 #[must_use]
 pub fn parts(name: &str) -> Option<(usize, usize, &str)> {
     let mut settings = name.split('.');

@@ -51,7 +51,7 @@ pub fn table(rope: &RopeAnalysis) -> Table {
     }
     if let Some(law) = &rope.law {
         notes.push(format!(
-            "ExpectedMaximum tension to expect with the rope made fast: {} ± {} from record to record, by Gumbel's law fitted by moments to the greatest of {} records of as many seeds; its mean is known to {}; one record in ten goes beyond {}.",
+            "Greatest tension to expect with the rope made fast: {} ± {} from record to record, by Gumbel's law fitted by moments to the greatest of {} records of as many seeds; its mean is known to {}; one record in ten goes beyond {}.",
             si(law.greatest.expected, "N"),
             si(law.greatest.spread, "N"),
             rope.maxima_n.len(),

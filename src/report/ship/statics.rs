@@ -14,7 +14,7 @@ use crate::ship::{Equilibrium, StaticAnalysis};
 #[must_use]
 pub fn headings(statics: &StaticAnalysis) -> Table {
     let mut notes = vec![
-        "Headings are where the bow points, from +x towards +y. All isolate_roots_ of the moment about the mooring point are here: between them the moment is proven to keep its sign, by a bound of its second derivative.".to_owned(),
+        "Headings are where the bow points, from +x towards +y. All zeros of the moment about the mooring point are here: between them the moment is proven to keep its sign, by a bound of its second derivative.".to_owned(),
         "The eigenvalues of the stiffness at the mooring point are those of the line along and across, and -dM/dpsi in yaw; at rest the ship stays where all are positive. Whether it also stays once it moves is told by the small motions, which need [hull] and [mooring]: a ship that fishtails swings further and further.".to_owned(),
     ];
     let rows = match &statics.equilibria {

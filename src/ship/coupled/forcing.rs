@@ -18,7 +18,7 @@ const PLANAR: [usize; 3] = [0, 1, 5];
 pub struct Forcing {
     /// Wind, current and drift, and the heading \[rad\] that the axes lie along.
     pub flows: Option<(EnvironmentalLoads, f64)>,
-    /// EnvironmentalLoads of waves.
+    /// Loads of waves.
     pub waves: Vec<WaveLoad>,
     /// The waves grow from nothing over this time \[s\].
     pub ramp: f64,

@@ -4,7 +4,7 @@
 //! # Unknowns
 //! The nodes of the line, the last of them the fairlead; then one for the ship's translation, the place of its reference
 //! point, and one for its rotation from the heading it lies at, times a length. Rotations are of first order, as in the
-//! paper's equation (4): constant mass, damping and restoring. EnvironmentalLoads are constant, or a [`Forcing`]: wind, current and drift
+//! paper's equation (4): constant mass, damping and restoring. Loads are constant, or a [`Forcing`]: wind, current and drift
 //! on the ship as it turns and moves, and waves.
 //!
 //! # Equations

@@ -199,7 +199,7 @@ fn two_bands(m0: f64, m2: f64, m4: f64, slow: f64) -> Result<Vec<SpectralBand>, 
     Ok(vec![band(m0 - variance, slow), band(variance, w2.sqrt())])
 }
 
-/// MotionRms of components: the root mean squares of an endless record.
+/// Motion of components: the root mean squares of an endless record.
 #[must_use]
 pub fn scatter(components: &[Component]) -> MotionRms {
     let moments = Moments::of(components);

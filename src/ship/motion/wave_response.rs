@@ -20,7 +20,7 @@ use crate::scene::response_entry;
 use crate::ship::model::{Motion, SpectrumKind};
 use crate::ship::motion::spectral_band::MotionRms;
 
-/// ExpectedMaximum responses that are taken for a ship's: metres a metre, and degrees a metre.
+/// Greatest responses that are taken for a ship's: metres a metre, and degrees a metre.
 const MOST: [f64; 2] = [20.0, 90.0];
 
 /// How a ship answers a sea at one angle.

@@ -31,7 +31,7 @@ pub struct RopeAnalysis {
     pub series: Vec<ShipOffset>,
     /// Made fast, and held by the winch.
     pub followed: WinchRun,
-    /// ExpectedMaximum tensions of several records with the rope made fast; the file's own first. Empty where there is no answer.
+    /// Greatest tensions of several records with the rope made fast; the file's own first. Empty where there is no answer.
     pub maxima_n: Vec<f64>,
     /// The same with the law fitted to them.
     pub law: Option<Gumbel>,
@@ -133,7 +133,7 @@ impl RopeAnalysis {
         Ok(made)
     }
 
-    /// ExpectedMaximum tensions of the records of other seeds.
+    /// Greatest tensions of the records of other seeds.
     fn other_records(
         &mut self,
         course: &HangOffMotion<'_>,

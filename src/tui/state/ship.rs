@@ -137,15 +137,7 @@ impl FileView for ShipView {
 
     fn tabs(&self) -> &'static [&'static str] {
         &[
-            "Headings",
-            "Motion",
-            "Spectra",
-            "Rope",
-            "Inertia",
-            "Time",
-            "FreeDecay",
-            "Swings",
-            "EnvironmentalLoads",
+            "Headings", "Motion", "Spectra", "Rope", "Inertia", "Time", "Decay", "Swings", "Loads",
             "Mooring",
         ]
     }
