@@ -4,7 +4,7 @@
 use super::Case;
 
 /// A quantity that every node of the line has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AlongLine {
     /// Tension \[N\].
     Tension,

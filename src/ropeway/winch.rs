@@ -1,15 +1,15 @@
-//! A constant-tension winch on a moving ship, within its limits of speed, power and rope; or the rope made fast there.
+//! The rope's end on a moving ship: made fast, or held by a winch that keeps the tension as far as its speed, its power
+//! and its rope allow.
 //!
-//! Quasi-static: each sample is an equilibrium, as the ship moves slowly compared with the rope's own periods. The cargo
-//! stays at its arc length from the platform. The motion is any series of displacements of the hang point.
+//! Each instant is an equilibrium: the ship's motion is slow beside the rope's own. The cargo stays at its place
+//! along the rope, seen from the platform. The motion is any series of displacements of the hang point.
 
-use super::RopewayError;
-use super::elastic::{ElasticRope, RopeEquilibrium};
-use crate::numerics::statistics::Statistics;
+use super::Trouble;
+use super::exact::{Rest, Span};
 
-/// Displacement of the rope's hang point on the ship from its mean position, at a time.
+/// Where the rope's hang point on the ship is at an instant, as displaced from where it lies still.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct ShipOffset {
+pub struct HangPoint {
     /// Time \[s\].
     pub time_s: f64,
     /// Away from the platform \[m\].
@@ -18,10 +18,10 @@ pub struct ShipOffset {
     pub z_m: f64,
 }
 
-/// Settings of a constant-tension winch.
+/// A winch that keeps the tension at the ship.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WinchControl {
-    /// Tension at the ship that it keeps \[N\].
+pub struct Keeper {
+    /// Tension it keeps \[N\].
     pub tension_n: f64,
     /// Greatest speed of the rope \[m/s\]; infinite for no limit.
     pub speed_m_per_s: f64,
@@ -31,26 +31,26 @@ pub struct WinchControl {
     pub stored_m: f64,
 }
 
-/// How the rope's end on the ship is held.
+/// How the rope is held at an instant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum WinchState {
+pub enum Held {
     /// Made fast.
-    MadeFast,
+    Fast,
     /// The winch keeps its tension.
-    ConstantTension,
+    Kept,
     /// The winch is at its greatest speed.
-    SpeedLimit,
+    AtSpeed,
     /// The winch is at its greatest power.
-    PowerLimit,
-    /// All rope is paid out.
+    AtPower,
+    /// There is no more rope to pay out.
     RopeOut,
 }
 
-/// The rope at an instant of the ship's motion.
+/// The rope at an instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WinchSample {
-    /// Displacement of the hang point.
-    pub ship: ShipOffset,
+pub struct Moment {
+    /// Where the hang point is.
+    pub ship: HangPoint,
     /// Unstretched length between the ends \[m\].
     pub length_m: f64,
     /// Speed of the rope over the winch, paying out positive \[m/s\].
@@ -63,30 +63,53 @@ pub struct WinchSample {
     pub depth_m: f64,
     /// Power that the winch puts into the rope; negative where it brakes \[W\].
     pub power_w: f64,
-    /// How the end on the ship is held.
-    pub state: WinchState,
+    /// How it is held.
+    pub held: Held,
 }
 
-/// Statistics of a quantity over the samples.
+/// What a series comes to.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Extremes {
+    /// Smallest.
+    pub least: f64,
+    /// Greatest.
+    pub most: f64,
+    /// Mean.
+    pub mean: f64,
+    /// Root of the mean square about the mean.
+    pub deviation: f64,
+}
+
+/// Smallest, greatest and mean value of a quantity over a series, and its scatter.
 #[must_use]
-pub fn statistics(samples: &[WinchSample], of: impl Fn(&WinchSample) -> f64) -> Statistics {
-    let values: Vec<f64> = samples.iter().map(of).collect();
-    Statistics::of(&values)
+pub fn extremes(moments: &[Moment], of: impl Fn(&Moment) -> f64) -> Extremes {
+    if moments.is_empty() {
+        return Extremes::default();
+    }
+    let n = moments.len() as f64;
+    let mean = moments.iter().map(&of).sum::<f64>() / n;
+    let square = moments.iter().map(|m| (of(m) - mean).powi(2)).sum::<f64>() / n;
+    Extremes {
+        least: moments.iter().map(&of).fold(f64::INFINITY, f64::min),
+        most: moments.iter().map(&of).fold(f64::NEG_INFINITY, f64::max),
+        mean,
+        deviation: square.sqrt(),
+    }
 }
 
-/// Simulates the rope over a motion of the ship: with a winch, or made fast without one.
+/// Follows the ship: without a keeper the rope is fast and keeps its length.
 ///
 /// # Errors
-/// [`RopewayError::BeyondReach`] where the ship goes further than the rope reaches; [`RopewayError::TooLittleTension`] where it
+/// [`Trouble::BeyondReach`] where the ship goes further than the rope reaches; [`Trouble::TooLittleTension`] where it
 /// comes so near, or asks for so little, that no length gives the tension.
-pub fn simulate(
-    rope: &ElasticRope,
-    start: &RopeEquilibrium,
-    control: Option<&WinchControl>,
-    motion: &[ShipOffset],
-) -> Result<Vec<WinchSample>, RopewayError> {
-    let mut simulation = WinchSimulation {
-        rope,
+pub fn follow(
+    span: &Span,
+    start: &Rest,
+    keeper: Option<&Keeper>,
+    motion: &[HangPoint],
+) -> Result<Vec<Moment>, Trouble> {
+    let mut follower = Follower {
+        span,
         arc_m: start.arc_m,
         length_m: start.length_m,
         time_s: None,
@@ -94,64 +117,56 @@ pub fn simulate(
     };
     motion
         .iter()
-        .map(|ship| simulation.step(*ship, control))
+        .map(|ship| follower.step(*ship, keeper))
         .collect()
 }
 
-struct WinchSimulation<'a> {
-    rope: &'a ElasticRope,
+struct Follower<'a> {
+    span: &'a Span,
     arc_m: f64,
     length_m: f64,
-    /// Time of the previous sample.
+    /// Time of the instant before.
     time_s: Option<f64>,
-    /// Slope of tension over length, as last estimated \[N/m\].
+    /// Change of tension by length, as last seen \[N/m\].
     slope: Option<f64>,
 }
 
-impl WinchSimulation<'_> {
-    fn step(
-        &mut self,
-        ship: ShipOffset,
-        control: Option<&WinchControl>,
-    ) -> Result<WinchSample, RopewayError> {
-        let there = self.rope.moved(ship.x_m, ship.z_m);
+impl Follower<'_> {
+    fn step(&mut self, ship: HangPoint, keeper: Option<&Keeper>) -> Result<Moment, Trouble> {
+        let there = self.span.moved(ship.x_m, ship.z_m);
         let before = self.length_m;
-        let (length, state) = match control {
-            None => (before, WinchState::MadeFast),
-            Some(control) => {
-                let wanted = self.length_for_tension(&there, control.tension_n)?;
-                self.limit_length(wanted, ship.time_s, control)
+        let (wanted, held) = match keeper {
+            None => (before, Held::Fast),
+            Some(keeper) => {
+                let wanted = self.wanted(&there, keeper.tension_n)?;
+                self.reached(wanted, ship.time_s, keeper)
             }
         };
         let rest = there
-            .with_cargo_at(length, self.arc_m)
-            .map_err(|error| out_of_reach(error, ship, length))?;
+            .with_cargo_at(wanted, self.arc_m)
+            .map_err(|trouble| out_of_reach(trouble, ship, wanted))?;
         let lapse = self.time_s.map_or(0.0, |time| ship.time_s - time);
         let speed = if lapse > 0.0 {
-            (length - before) / lapse
+            (wanted - before) / lapse
         } else {
             0.0
         };
-        self.length_m = length;
+        self.length_m = wanted;
         self.time_s = Some(ship.time_s);
-        Ok(WinchSample {
+        Ok(Moment {
             ship,
-            length_m: length,
+            length_m: wanted,
             speed_m_per_s: speed,
             ship_n: rest.ship_n(),
             platform_n: rest.platform_n(),
             depth_m: -rest.cargo_m.1,
             power_w: -speed * rest.ship_n(),
-            state,
+            held,
         })
     }
 
-    /// The length that gives the tension: secant steps from the last length and slope; a bracketed search where they fail.
-    fn length_for_tension(
-        &mut self,
-        there: &ElasticRope,
-        tension_n: f64,
-    ) -> Result<f64, RopewayError> {
+    /// The length that gives the tension: Newton with the slope as last seen, the search over all lengths where that fails.
+    fn wanted(&mut self, there: &Span, tension_n: f64) -> Result<f64, Trouble> {
         let rest = |length: f64| there.with_cargo_at(length, self.arc_m);
         if let Some(mut slope) = self.slope {
             let mut length = self.length_m;
@@ -175,39 +190,39 @@ impl WinchSimulation<'_> {
                 length -= off / slope;
             }
         }
-        let length = there.length_for_tension(tension_n, rest)?;
+        let length = there.length_by_tension(tension_n, rest)?;
         let near = length * (1.0 + 1e-7);
         self.slope = Some((rest(near)?.ship_n() - tension_n) / (near - length));
         Ok(length)
     }
 
-    /// The length that the winch reaches towards a wanted one, within its limits.
-    fn limit_length(&self, wanted: f64, time_s: f64, control: &WinchControl) -> (f64, WinchState) {
+    /// What the winch makes of a wanted length.
+    fn reached(&self, wanted: f64, time_s: f64, keeper: &Keeper) -> (f64, Held) {
         let mut length = wanted;
-        let mut state = WinchState::ConstantTension;
+        let mut held = Held::Kept;
         if let Some(before) = self.time_s {
-            let by_power = control.power_w / control.tension_n;
-            let most = control.speed_m_per_s.min(by_power) * (time_s - before);
+            let by_power = keeper.power_w / keeper.tension_n;
+            let most = keeper.speed_m_per_s.min(by_power) * (time_s - before);
             let change = wanted - self.length_m;
             if change.abs() > most {
                 length = self.length_m + most.copysign(change);
-                state = if by_power < control.speed_m_per_s {
-                    WinchState::PowerLimit
+                held = if by_power < keeper.speed_m_per_s {
+                    Held::AtPower
                 } else {
-                    WinchState::SpeedLimit
+                    Held::AtSpeed
                 };
             }
         }
-        if length > control.stored_m {
-            return (control.stored_m, WinchState::RopeOut);
+        if length > keeper.stored_m {
+            return (keeper.stored_m, Held::RopeOut);
         }
-        (length, state)
+        (length, held)
     }
 }
 
-fn out_of_reach(error: RopewayError, ship: ShipOffset, length_m: f64) -> RopewayError {
-    match error {
-        RopewayError::Overstretched | RopewayError::TooShort { .. } => RopewayError::BeyondReach {
+fn out_of_reach(trouble: Trouble, ship: HangPoint, length_m: f64) -> Trouble {
+    match trouble {
+        Trouble::Overstretched | Trouble::TooShort { .. } => Trouble::BeyondReach {
             time_s: ship.time_s,
             off_m: ship.x_m,
             length_m,

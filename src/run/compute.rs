@@ -21,7 +21,7 @@ use crate::dynamics::generalized_alpha::{ErrorLimits, GeneralizedAlpha};
 use crate::dynamics::quasi_static::QuasiStatic;
 use crate::dynamics::rk4::Rk4;
 use crate::scene::{self, Scene};
-use crate::solve::{Instant, Progressing, Sink, State, System};
+use crate::solve::{ExplicitRhs, Instant, Kinematics, Progressing, Sink, State};
 
 /// What one computation gave.
 #[derive(Debug, Clone)]
@@ -113,9 +113,11 @@ fn compute_on(
         settings.time_step_s *= ratio;
         settings.step_tolerance = settings.step_tolerance.map(|t| ratio.powi(3) * t);
     }
-    let channels = crate::case::channels(case).into_iter();
+    let named = crate::case::channels(case)
+        .into_iter()
+        .map(|c| (c.name, c.unit.to_owned()));
     events(Event::Started {
-        channels: channels.map(|channel| channel.id).collect(),
+        channels: named.collect(),
     });
     let (cpu, wall) = (cpu_time(), std::time::Instant::now());
     let stop = || cancel.load(Ordering::Relaxed);
@@ -181,8 +183,7 @@ fn told_modes(case: &Case, scene: &Scene, warnings: &mut Vec<String>) -> Vec<Qua
 
 /// The frequencies among numbers \[Hz\].
 fn frequencies(numbers: &[Quantity]) -> Vec<f64> {
-    let frequency = |q: &&Quantity| q.unit() == "Hz";
-    let hz = numbers.iter().filter(frequency);
+    let hz = numbers.iter().filter(|q| q.unit == "Hz");
     hz.map(|q| q.value).collect()
 }
 

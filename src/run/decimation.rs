@@ -3,7 +3,6 @@
 //! smallest, so that no peak is lost. A record that fits is kept whole.
 
 use super::{Channel, History, LineShape};
-use crate::case::ChannelId;
 
 /// How many numbers the rows kept may hold together.
 const NUMBERS: usize = 1 << 19;
@@ -30,10 +29,16 @@ pub struct DecimatedRecord {
 }
 
 impl DecimatedRecord {
-    /// An empty record of these channels.
+    /// An empty record of these channels (name, unit).
     #[must_use]
-    pub fn new(channels: impl IntoIterator<Item = ChannelId>) -> Self {
-        let channels = channels.into_iter().map(Channel::new);
+    pub fn new(channels: impl IntoIterator<Item = (String, String)>) -> Self {
+        let channels = channels.into_iter().map(|(name, unit)| Channel {
+            name,
+            unit,
+            values: Vec::new(),
+            peak: (f64::NEG_INFINITY, 0.0),
+            trough: (f64::INFINITY, 0.0),
+        });
         Self {
             history: History {
                 time: Vec::new(),
@@ -254,7 +259,7 @@ mod tests {
     }
 
     fn recorded(rows: u64) -> DecimatedRecord {
-        let names = ["a", "b", "c"].map(|place| crate::case::ChannelQuantity::X.at(place));
+        let names = ["a", "b", "c"].map(|name| (name.to_owned(), "m".to_owned()));
         let mut thinned = DecimatedRecord::new(names);
         for row in 0..rows {
             thinned.row(row as f64, &[0, 1, 2].map(|c| value(row, c)));

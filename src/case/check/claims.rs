@@ -195,12 +195,7 @@ fn channel_names(root: &Node) -> Option<Vec<String>> {
             channels.extend(rope_channels(index, section.get("name")?.text()?));
         }
     }
-    Some(
-        channels
-            .into_iter()
-            .map(|channel| channel.id.to_string())
-            .collect(),
-    )
+    Some(channels.into_iter().map(|channel| channel.name).collect())
 }
 
 /// Names of what a run tells of natural modes.

@@ -6,8 +6,9 @@ use crate::run::{Channel, Profile};
 
 fn channel(name: &str, values: Vec<f64>) -> Channel {
     Channel {
+        name: name.to_owned(),
         values,
-        ..Channel::new(name.parse().unwrap())
+        ..Channel::default()
     }
 }
 

@@ -97,7 +97,7 @@ impl PathPoint {
             .sum()
     }
 
-    /// Progress \[m\].
+    /// MarchProgress \[m\].
     pub(super) fn place(&self, state: &State) -> V3 {
         self.sum(&state.x, |by| by.share)
     }

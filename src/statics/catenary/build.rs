@@ -5,8 +5,8 @@
 //! stiff line. One step of Newton with that miss mends what rounding spoiled; what then still misses by
 //! more than [`BELIEVED`] is refused.
 
-use super::error::CatenaryError;
 use super::free::Free;
+use super::refusal::Refusal;
 use super::single::Plane;
 use super::solution::{Kind, Piece, Pieces, Seed, Shape, Solution};
 use super::span::{Span, length};
@@ -28,16 +28,12 @@ pub(super) struct Found {
     pub seed: Seed,
 }
 
-pub(super) fn finish(
-    plane: &Plane,
-    found: &Found,
-    pieces: Pieces,
-) -> Result<Solution, CatenaryError> {
+pub(super) fn finish(plane: &Plane, found: &Found, pieces: Pieces) -> Result<Solution, Refusal> {
     let up = plane.frame.up;
     let [(h_a, v_a), (h_b, v_b)] = found.ends;
     let sound = h_a.is_finite() && v_a.is_finite() && h_b.is_finite() && v_b.is_finite();
     if !(sound && found.residual <= BELIEVED) {
-        return Err(CatenaryError::NotVerified {
+        return Err(Refusal::NotVerified {
             error: found.residual,
             iterations: found.iterations,
         });
@@ -100,7 +96,7 @@ fn times(k: &[[f64; 2]; 2], (x, z): (f64, f64)) -> (f64, f64) {
 }
 
 /// The line without weight, or so light beside its stretch that sag is nothing; `None` otherwise.
-pub(super) fn straight(plane: &Plane) -> Result<Option<Solution>, CatenaryError> {
+pub(super) fn straight(plane: &Plane) -> Result<Option<Solution>, Refusal> {
     let Plane {
         x,
         z,
@@ -117,12 +113,12 @@ pub(super) fn straight(plane: &Plane) -> Result<Option<Solution>, CatenaryError>
     }
     let distance = self::length(x, z);
     if ea.is_infinite() && over >= 0.0 {
-        return Err(CatenaryError::TooShort {
+        return Err(Refusal::TooShort {
             short_m: distance - length,
         });
     }
     if over < 0.0 {
-        return Err(CatenaryError::ShapeUndetermined);
+        return Err(Refusal::ShapeUndetermined);
     }
     let tension = ea * over / (distance + length) / length;
     let (h, v) = (tension * x / distance, tension * z / distance);
@@ -150,7 +146,7 @@ pub(super) fn straight(plane: &Plane) -> Result<Option<Solution>, CatenaryError>
 }
 
 /// The line that touches nothing.
-pub(super) fn hanging(plane: &Plane, free: Free) -> Result<Solution, CatenaryError> {
+pub(super) fn hanging(plane: &Plane, free: Free) -> Result<Solution, Refusal> {
     let Plane {
         x,
         z,
@@ -163,7 +159,7 @@ pub(super) fn hanging(plane: &Plane, free: Free) -> Result<Solution, CatenaryErr
     if ea.is_infinite() {
         let distance = self::length(x, z);
         if distance > length {
-            return Err(CatenaryError::TooShort {
+            return Err(Refusal::TooShort {
                 short_m: distance - length,
             });
         }

@@ -1,6 +1,6 @@
 //! What a line is, as the user words it.
 
-use super::error::CatenaryError;
+use super::refusal::Refusal;
 
 /// End B seen from end A, in the vertical plane through both.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,16 +75,11 @@ pub struct Line<'a> {
 }
 
 /// `Ok` when the number is what it must be.
-fn need(
-    ok: bool,
-    quantity: &'static str,
-    value: f64,
-    needs: &'static str,
-) -> Result<(), CatenaryError> {
+fn need(ok: bool, quantity: &'static str, value: f64, needs: &'static str) -> Result<(), Refusal> {
     if ok {
         return Ok(());
     }
-    Err(CatenaryError::Input {
+    Err(Refusal::Input {
         quantity,
         value,
         needs,
@@ -95,7 +90,7 @@ fn need(
 const HUGE: f64 = 1e60;
 
 impl Ends {
-    pub(super) fn check(&self) -> Result<(), CatenaryError> {
+    pub(super) fn check(&self) -> Result<(), Refusal> {
         let fine = |v: f64| v.abs() <= HUGE;
         need(
             fine(self.x_m),
@@ -113,7 +108,7 @@ impl Ends {
 }
 
 impl SectionProps {
-    pub(super) fn check(&self) -> Result<(), CatenaryError> {
+    pub(super) fn check(&self) -> Result<(), Refusal> {
         let (l, w, ea) = (self.length_m, self.weight_n_per_m, self.ea_n);
         need(
             (1e-60..=HUGE).contains(&l),
@@ -144,7 +139,7 @@ impl SectionProps {
 }
 
 impl Bed {
-    pub(super) fn check(&self) -> Result<(), CatenaryError> {
+    pub(super) fn check(&self) -> Result<(), Refusal> {
         let Self {
             below_a_m,
             slope_rad,

@@ -1,49 +1,24 @@
-//! Tables of lines at rest, a line a row: CSV of single lines in still water, CSV of single lines in a current, and JSON
-//! lines of either kind with several sections.
+//! Tables of lines at rest, a line a row: CSV of single lines in still water (see [`solve_table`]), CSV of single lines in a
+//! current, and JSON lines of either kind with several sections.
 //!
-//! A row that cannot be read or has no answer keeps its place, with the reason in `status`; it never stops the others.
+//! A row that cannot be read or has no answer keeps its place and says why in `status`; it never stops the others.
 
-mod current_table;
-mod in_current;
+mod columns;
+mod drift;
+mod json;
 mod object;
-mod still_table;
-mod table;
 
-pub use in_current::{EndForces, LineInCurrent};
+pub use drift::{InCurrent, Pulls};
 
 use rayon::prelude::*;
-use thiserror::Error;
 
-use crate::statics::catenary::Solution;
+use crate::statics::catenary::{TableFault, Written, solve_table};
 
-/// Why bytes are no table of lines.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum TableError {
-    /// Columns are missing from the first line.
-    #[error("the first line must name the columns; missing: {0}")]
-    Missing(String),
-    /// A column is named twice.
-    #[error("column {0} is named twice in the first line")]
-    Twice(String),
-    /// The table could not be read or written.
-    #[error(transparent)]
-    Csv(#[from] csv::Error),
-}
+/// Names and values of an answer, as text that CSV and JSON both take.
+type Numbers = Vec<(&'static str, String)>;
 
-/// A table with its answers.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Answered {
-    /// The table, as CSV or JSON lines.
-    pub text: Vec<u8>,
-    /// Rows in it.
-    pub rows: usize,
-    /// Rows without an answer.
-    pub refused: usize,
-}
-
-/// What a line in a current is answered with, and `status`.
-const END_FORCES_AND_STATUS: [&str; 11] = [
+/// What a line in a current is answered with.
+const PULLS: [&str; 10] = [
     "pull_a_x_n",
     "pull_a_y_n",
     "pull_a_z_n",
@@ -54,56 +29,61 @@ const END_FORCES_AND_STATUS: [&str; 11] = [
     "tension_b_n",
     "error_n",
     "segments",
-    "status",
 ];
 
-/// A number as it is written; adding zero turns -0 into 0.
+impl Pulls {
+    fn numbers(&self) -> [f64; 10] {
+        let (a, b) = (self.a_n, self.b_n);
+        let segments = self.segments as f64;
+        [
+            a.x,
+            a.y,
+            a.z,
+            b.x,
+            b.y,
+            b.z,
+            a.norm(),
+            b.norm(),
+            self.error_n,
+            segments,
+        ]
+    }
+}
+
+/// Adding zero turns -0 into 0.
 fn shown(number: f64) -> String {
     format!("{}", number + 0.0)
 }
 
-/// H and V at B, H and V at A \[N\], length on the bed \[m\].
-fn at_rest(solution: &Solution) -> [String; 5] {
-    let s = solution;
-    [s.h_b_n, s.v_b_n, s.h_a_n, s.v_a_n, s.on_bed_m].map(shown)
-}
-
-/// Solves every line of a table in CSV or of JSON lines, distinguished by their first character; on all cores, in order.
-///
-/// CSV of lines in still water needs `x_m, z_m, length_m, ea_n, weight_n_per_m` and may have `friction`,
-/// `bed_below_a_m`, `bed_slope_deg`, `surface_above_a_m`; any other column is passed through. The answer adds
-/// `h_b_n, v_b_n, h_a_n, v_a_n, on_bed_m`, `status` (`ok`, or why not) and `shape`, with the signs of
-/// [`Solution`].
+/// Solves every line of a table in CSV or of JSON lines, told apart by their first character; on all cores, in order.
 ///
 /// # Errors
-/// [`TableError`] when the columns are not there or the bytes are no table.
-pub fn solve(input: &[u8]) -> Result<Answered, TableError> {
+/// [`TableFault`] when the columns are not there or the bytes are no table.
+pub fn solve(input: &[u8]) -> Result<Written, TableFault> {
     let input = input.strip_prefix(b"\xef\xbb\xbf").unwrap_or(input);
     if input.trim_ascii_start().first() == Some(&b'{') {
         return Ok(objects(&String::from_utf8_lossy(input)));
     }
-    let layout = if current_table::recognises(input) {
-        current_table::LAYOUT
-    } else {
-        still_table::LAYOUT
-    };
-    table::solve(input, &layout)
+    if columns::in_current(input) {
+        return columns::solve(input);
+    }
+    solve_table(input)
 }
 
 /// JSON lines with their answers added; blank lines and notes (objects with none of the keys of a line) stay as they are.
-fn objects(text: &str) -> Answered {
+fn objects(text: &str) -> Written {
     let lines: Vec<&str> = text.lines().collect();
-    let answers: Vec<object::Answer> = lines
+    let answered: Vec<object::Answered> = lines
         .par_iter()
         .enumerate()
         .map(|(i, line)| object::answer(line, i + 1))
         .collect();
-    let mut answered = Answered::default();
-    for answer in answers {
-        answered.rows += usize::from(answer.is_line);
-        answered.refused += usize::from(answer.refused);
-        answered.text.extend_from_slice(answer.text.as_bytes());
-        answered.text.push(b'\n');
+    let mut written = Written::default();
+    for answer in answered {
+        written.rows += usize::from(answer.is_line);
+        written.refused += usize::from(answer.refused);
+        written.text.extend_from_slice(answer.text.as_bytes());
+        written.text.push(b'\n');
     }
-    answered
+    written
 }
