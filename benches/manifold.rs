@@ -18,7 +18,7 @@ use seacable::case::{self, Case, Method};
 use seacable::numerics::{BlockBand, V3};
 use seacable::run::{History, Run, job};
 use seacable::scene::{self, Scene};
-use seacable::solve::{ExplicitRhs, Factors, Kinematics, Residual, State};
+use seacable::solve::{Factors, State, System};
 
 const MANIFOLD: &str = include_str!("../cases/pendulous/manifold.toml");
 
@@ -166,7 +166,7 @@ fn errors(history: &History, reference: &History) -> (f64, f64, f64) {
             .iter()
             .zip(&theirs.values)
             .map(|(a, b)| (a - b).abs());
-        if ours.name.starts_with("tension_n") {
+        if ours.name().starts_with("tension_n") {
             let sum: f64 = differences.clone().map(|d| d * d).sum();
             let rms = (sum / position.len() as f64).sqrt();
             let share = 100.0 / theirs.peak.0;
@@ -174,7 +174,7 @@ fn errors(history: &History, reference: &History) -> (f64, f64, f64) {
                 tension.0.max(rms * share),
                 tension.1.max(differences.fold(0.0, f64::max) * share),
             );
-        } else if ours.unit == "m" {
+        } else if ours.unit() == "m" {
             for (p, d) in position.iter_mut().zip(differences) {
                 *p += d * d;
             }

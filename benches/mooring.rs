@@ -134,7 +134,7 @@ fn errors(history: &History, reference: &History) -> (f64, f64) {
     }
     let mut most = (0.0_f64, 0.0_f64);
     for (ours, theirs) in history.channels.iter().zip(&reference.channels) {
-        if !ours.name.starts_with("tension_n") {
+        if !ours.name().starts_with("tension_n") {
             continue;
         }
         let off = ours.values.iter().zip(&theirs.values);

@@ -4,7 +4,7 @@
 use super::Case;
 
 /// A quantity that every node of the line has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum AlongLine {
     /// Tension \[N\].
     Tension,

@@ -251,9 +251,9 @@ fn spliced(text: &str, span: &Range<usize>, new: &str) -> String {
     [&text[..span.start], new, &text[span.end..]].concat()
 }
 
-type Refusal = (String, String);
+type CatenaryError = (String, String);
 
-fn no_key() -> Refusal {
+fn no_key() -> CatenaryError {
     (
         "is not the path of a key".to_owned(),
         "write table and key: `solver.method`".to_owned(),
@@ -267,7 +267,7 @@ fn inserted(
     root: &Node,
     parts: &[String],
     written: &str,
-) -> Result<String, Refusal> {
+) -> Result<String, CatenaryError> {
     let (key, table) = match parts.split_last() {
         Some((key, table)) if !table.is_empty() => (key, table),
         _ => return Err(no_key()),
@@ -283,7 +283,7 @@ fn inserted(
 }
 
 /// Adds a key to a table that stands in the file: after its last value, written like its neighbour.
-fn into_table(text: &str, node: &Node, key: &str, written: &str) -> Result<String, Refusal> {
+fn into_table(text: &str, node: &Node, key: &str, written: &str) -> Result<String, CatenaryError> {
     let last = node
         .entries()
         .iter()
@@ -322,7 +322,7 @@ fn new_table(
     root: &Node,
     table: &[String],
     line: &str,
-) -> Result<String, Refusal> {
+) -> Result<String, CatenaryError> {
     let Some((name, parent)) = table.split_last() else {
         return Err(no_key());
     };

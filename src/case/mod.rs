@@ -24,7 +24,9 @@ mod write;
 
 pub use along::{AlongLine, STEADY, bends};
 pub use carried::stand_alone;
-pub use channels::{Channel, LineEnd, RopeQuantity, Source, channels};
+pub use channels::{
+    ChannelId, ChannelNameError, ChannelQuantity, ChannelSpec, LineEnd, Site, channels,
+};
 pub use diagnostic::{Diagnostic, render_all};
 pub use kind::Opened;
 pub use misfit::Misfit;

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 mod claims;
+mod construct;
 mod ends;
 mod line;
 mod sea;
@@ -96,6 +97,44 @@ pub struct Case {
     /// Ways in which a hard case is computed, for `seacable study hard-cases`.
     #[serde(default)]
     pub trial: Vec<Trial>,
+}
+
+impl Case {
+    /// A case of this title with these ends, without materials and sections; all else as in a file that leaves it out.
+    #[must_use]
+    pub fn new(title: &str, ends: Ends) -> Self {
+        Self {
+            case: About {
+                title: title.to_owned(),
+                source: String::new(),
+                notes: String::new(),
+                beside: None,
+            },
+            environment: Environment::default(),
+            current: None,
+            waves: None,
+            seabed: None,
+            materials: BTreeMap::new(),
+            line: Vec::new(),
+            ends,
+            payload: None,
+            floats: Vec::new(),
+            clumps: Vec::new(),
+            traveller: None,
+            modules: Vec::new(),
+            files: BTreeMap::new(),
+            start: Start::default(),
+            solver: Solver::default(),
+            output: Output::default(),
+            modes: None,
+            marks: BTreeMap::new(),
+            study: Vec::new(),
+            published: Vec::new(),
+            published_curve: Vec::new(),
+            trend: Vec::new(),
+            trial: Vec::new(),
+        }
+    }
 }
 
 /// What a case is, for people.

@@ -28,7 +28,7 @@ pub(super) struct Loaded {
     pub(super) case: Case,
 }
 
-/// EnvironmentalLoads a case file.
+/// Loads a case file.
 pub(super) fn load(path: &Path) -> Result<Loaded, Failure> {
     let name = path.display().to_string();
     let loaded = case::load(path).map_err(|diagnostics| Failure::Case {
@@ -207,7 +207,7 @@ fn below(paths: &[PathBuf]) -> Result<Named, Failure> {
     Ok(named)
 }
 
-/// EnvironmentalLoads a ropeway file.
+/// Loads a ropeway file.
 pub(super) fn load_ropeway(path: &Path) -> Result<ropeway::Loaded, Failure> {
     ropeway::load(path).map_err(|diagnostics| Failure::Case {
         text: fs::read_to_string(path).unwrap_or_default(),
@@ -215,7 +215,7 @@ pub(super) fn load_ropeway(path: &Path) -> Result<ropeway::Loaded, Failure> {
     })
 }
 
-/// EnvironmentalLoads a ship file, without the rope that it may name.
+/// Loads a ship file, without the rope that it may name.
 fn load_ship(path: &Path) -> Result<ship::StaticAnalysis, Failure> {
     let loaded = ship::load(path).map_err(|diagnostics| Failure::Case {
         text: fs::read_to_string(path).unwrap_or_default(),

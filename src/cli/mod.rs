@@ -9,7 +9,6 @@ mod args;
 mod cases;
 mod catenary;
 mod failure;
-mod inputs;
 mod modes;
 mod output;
 mod progress;

@@ -1,13 +1,8 @@
 //! `seacable report`: the text report of a stored run.
 
-use std::process::ExitCode;
+use std::{fs, process::ExitCode};
 
-use super::{
-    Failure,
-    args::ReportWords,
-    cases,
-    output::{self, OutputFile},
-};
+use super::{Failure, args::ReportWords, cases, output};
 use crate::{
     reference,
     report::{chart::Glyphs, plain, text},
@@ -15,8 +10,6 @@ use crate::{
 };
 
 pub(super) fn report(words: &ReportWords) -> Result<ExitCode, Failure> {
-    let inputs = [words.dir.clone()];
-    let file = OutputFile::check(words.output.as_deref(), words.force, &inputs)?;
     let run = store::read(&words.dir)?;
     let case = cases::parse(&run.case_text, &run.info.case_file)?;
     let rows = reference::rows_of_run(&run, &case);
@@ -26,15 +19,18 @@ pub(super) fn report(words: &ReportWords) -> Result<ExitCode, Failure> {
         Glyphs::Braille
     };
     let text = text::report(&run, &case, &rows, glyphs);
-    match file {
+    match &words.output {
         None => output::results(&text, words.ascii)?,
-        Some(file) => {
+        Some(path) => {
             let text = if words.ascii {
                 plain::ascii(&text)
             } else {
                 text.into()
             };
-            file.write(text.as_bytes())?;
+            fs::write(path, text.as_bytes()).map_err(|source| Failure::Write {
+                path: path.clone(),
+                source,
+            })?;
         }
     }
     Ok(ExitCode::SUCCESS)

@@ -19,7 +19,7 @@ pub(super) fn ship(words: &ShipWords) -> Result<ExitCode, Failure> {
     let text = edit::set_all(&loaded.text, &edits).map_err(wrong(&loaded.text))?;
     let rest = ship::parse(&text, &words.file.display().to_string()).map_err(wrong(&text))?;
     let folder = words.file.parent().unwrap_or(Path::new(""));
-    let sea = DynamicAnalysis::new(&rest, folder, &AtomicBool::new(false));
+    let sea = DynamicAnalysis::of(&rest, folder, &AtomicBool::new(false));
     if let Some(Some(Err(MotionError::File(diagnostic)))) = sea.as_ref().map(|sea| &sea.motion) {
         let text = fs::read_to_string(&diagnostic.file).unwrap_or_default();
         return Err(wrong(&text)(vec![diagnostic.clone()]));

@@ -19,7 +19,7 @@ use crate::{
     case::At,
     reference::{self, Outcome, OutcomeCounts, ValidationRow},
     report::text,
-    ropeway::held,
+    ropeway::validation,
     run::{
         Run,
         job::{self, Request},
@@ -51,7 +51,7 @@ pub(super) fn validate(words: &ValidateWords) -> Result<ExitCode, Failure> {
         tables.push(Held::new(&loaded.case.case.title, &loaded.name, rows));
     }
     for (name, loaded) in &named.ropeways {
-        let rows = held::rows(&loaded.worked, &loaded.text);
+        let rows = validation::rows(&loaded.worked, &loaded.text);
         let title = &loaded.worked.ropeway.about.title;
         tables.push(Held::new(title, name, rows));
     }

@@ -46,9 +46,9 @@ fn fit(curve: &PublishedCurve, run: &Run) -> Result<published_curve::CurveCompar
 
 /// Numerical error of the difference, where the run estimated it.
 fn error(number: usize, curve: &PublishedCurve, run: &Run) -> Option<f64> {
-    let name = published_curve::difference_name(curve, number);
-    let told = run.summary.iter().find(|q| q.name == name)?;
-    told.error_estimate()
+    let id = published_curve::difference_id(curve, number)?;
+    let difference = run.summary.iter().find(|q| q.id == id)?;
+    difference.error_estimate()
 }
 
 /// The points of the curve at the times of the run, as often as they repeat there, beside what the run gives.
@@ -83,7 +83,7 @@ fn overlay(
     let channel = run.history.channel(&curve.channel);
     Overlay {
         channel: curve.channel.clone(),
-        unit: channel.map_or_else(String::new, |c| c.unit.clone()),
+        unit: channel.map_or_else(String::new, |c| c.unit().to_owned()),
         published,
         computed: fit.samples,
     }

@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// The validation table: quantity, outcome, published and computed value, its estimated numerical
-/// error, difference, tolerance, standing of the inputs. ValidationRow `n` of the table is row `n` of `rows` and
+/// error, difference, tolerance, standing of the inputs. Row `n` of the table is row `n` of `rows` and
 /// carries the number `[n+1]`; the note of that number says where the value is printed, what stands
 /// behind it and why it is as it is.
 #[must_use]

@@ -59,16 +59,12 @@ fn case(parts: &[&str]) -> Case {
 
 fn run(quantities: &[(&str, f64, f64)]) -> Run {
     let quantity = |&(name, value, error): &(&str, f64, f64)| Quantity {
-        name: name.to_owned(),
+        id: name.parse().unwrap(),
         value,
-        unit: "N".to_owned(),
         time_error: Some(error / 2.0),
         mesh_error: Some(error / 2.0),
     };
-    let channel = Channel {
-        name: "tension_n[wire|payload]".to_owned(),
-        ..Channel::default()
-    };
+    let channel = Channel::new("tension_n[wire|payload]".parse().unwrap());
     Run {
         info: RunInfo {
             id: String::new(),
@@ -200,7 +196,7 @@ fn what_is_missing_is_an_outcome_with_its_reason() {
     assert!(reason(Some(&run(&[(MEAN, f64::NAN, 0.0)]))).contains("no finite value"));
 
     let mut other = run(&[]);
-    other.history.channels[0].name = "x_m[b]".to_owned();
+    other.history.channels[0].id = "x_m[b]".parse().unwrap();
     assert!(reason(Some(&other)).contains("it has x_m[b]"));
 
     let mut failed = run(&[(MEAN, 100.0, 0.0)]);

@@ -24,7 +24,7 @@ pub(super) fn row<'r>(
         _ => Ordering::Equal,
     });
 
-    let mut unit = trend.statistic.unit(unit_of(&trend.channel));
+    let unit = trend.statistic.unit(unit_of(&trend.channel));
     let mut missing = None;
     let mut points = Vec::with_capacity(values.len());
     for value in values {
@@ -36,10 +36,7 @@ pub(super) fn row<'r>(
             .ok_or_else(|| "It has not been run.".to_owned())
             .and_then(|run| find(run, &trend.channel, trend.statistic, trend.within()));
         let (computed, error) = match found {
-            Ok(quantity) => {
-                unit.clone_from(&quantity.unit);
-                (Some(quantity.value), quantity.error_estimate())
-            }
+            Ok(quantity) => (Some(quantity.value), quantity.error_estimate()),
             Err(why) => {
                 missing.get_or_insert_with(|| format!("At {value}: {why}"));
                 (None, None)

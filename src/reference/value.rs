@@ -2,8 +2,8 @@
 
 use super::{CalibrationBasis, Outcome, ValidationRow};
 use crate::{
-    case::{AlongLine, At, Published, Standing, Statistic},
-    run::{Quantity, Run, RunState, quantity_name},
+    case::{At, Published, Standing, Statistic},
+    run::{Channel, Quantity, QuantityId, Run, RunState, Subject},
 };
 
 /// A computed number is good evidence when its own error is at most this part of the tolerance.
@@ -15,12 +15,11 @@ pub(super) fn row<'r>(
     lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>,
 ) -> ValidationRow {
     let found = found(published, lookup);
-    let unit = match &found {
-        Ok(quantity) => quantity.unit.clone(),
-        Err(_) if published.ratio_to.is_some() || published.by_stretch_m.is_some() => {
-            "-".to_owned()
-        }
-        Err(_) => published.statistic.unit(unit_of(&published.channel)),
+    let is_ratio = published.ratio_to.is_some() || published.by_stretch_m.is_some();
+    let unit = if is_ratio {
+        "-".to_owned()
+    } else {
+        published.statistic.unit(unit_of(&published.channel))
     };
     let reference = ReferenceValue {
         name: &published.name,
@@ -145,8 +144,8 @@ fn found<'r>(
     })
 }
 
-/// One number by another. Two variants computed on one mesh by one method err alike, so that most of it cancels: told
-/// is the greater of both relative errors.
+/// The ratio of two numbers; its unit is 1. Two variants computed on one mesh by one method have similar errors, most of
+/// which cancel: the greater of both relative errors is taken.
 fn ratio(quantity: &Quantity, other: &Quantity) -> Quantity {
     let value = quantity.value / other.value;
     let both = |a: Option<f64>, b: Option<f64>| {
@@ -154,9 +153,8 @@ fn ratio(quantity: &Quantity, other: &Quantity) -> Quantity {
         Some(value.abs() * (a / quantity.value.abs()).max(b / other.value.abs()))
     };
     Quantity {
-        name: quantity.name.clone(),
+        id: quantity.id.clone(),
         value,
-        unit: "-".to_owned(),
         time_error: both(quantity.time_error, other.time_error),
         mesh_error: both(quantity.mesh_error, other.mesh_error),
     }
@@ -233,13 +231,15 @@ pub(super) fn find<'r>(
     if let Some(why) = unfinished(run) {
         return Err(why);
     }
-    let name = quantity_name(channel, statistic, within);
-    let found = run.summary.iter().find(|q| q.name == name);
-    let quantity = found.ok_or_else(|| missing(run, channel, &name))?;
+    let subject = channel.parse::<Subject>();
+    let subject = subject.map_err(|_| no_channel(run, channel))?;
+    let id = QuantityId::new(subject.clone(), statistic, within);
+    let found = run.summary.iter().find(|q| q.id == id);
+    let quantity = found.ok_or_else(|| missing(run, &subject, &id))?;
     if quantity.value.is_finite() {
         Ok(quantity)
     } else {
-        Err(format!("The run gives no finite value for `{name}`."))
+        Err(format!("The run gives no finite value for `{id}`."))
     }
 }
 
@@ -255,44 +255,29 @@ fn unfinished(run: &Run) -> Option<String> {
     }
 }
 
-fn missing(run: &Run, channel: &str, name: &str) -> String {
-    if AlongLine::named(channel).is_some_and(AlongLine::of_bending) && !run.profile.bends() {
-        return format!("Nothing bends in this run, so it has no `{name}`.");
+fn missing(run: &Run, subject: &Subject, id: &QuantityId) -> String {
+    match subject {
+        Subject::Line(quantity) if quantity.of_bending() && !run.profile.bends() => {
+            format!("Nothing bends in this run, so it has no `{id}`.")
+        }
+        Subject::Channel(channel) if run.history.channels.iter().all(|c| c.id != *channel) => {
+            no_channel(run, &channel.to_string())
+        }
+        _ => format!("The summary of the run does not hold `{id}`."),
     }
-    if run.history.channel(channel).is_some() || AlongLine::named(channel).is_some() {
-        return format!("The summary of the run does not hold `{name}`.");
-    }
-    let known: Vec<&str> = run
-        .history
-        .channels
-        .iter()
-        .map(|c| c.name.as_str())
-        .collect();
+}
+
+fn no_channel(run: &Run, channel: &str) -> String {
+    let known: Vec<String> = run.history.channels.iter().map(Channel::name).collect();
     format!(
         "The run has no channel `{channel}`; it has {}.",
         known.join(", ")
     )
 }
 
-/// Unit of a channel by its name, for rows without a run: `tension_n[…]` is in N.
+/// Unit of a channel or a quantity of the line by its name, for rows without a run; empty where the name is unknown.
 pub(super) fn unit_of(channel: &str) -> &'static str {
-    if let Some(quantity) = AlongLine::named(channel) {
-        return quantity.unit();
-    }
-    let quantity = channel.split('[').next().unwrap_or(channel);
-    let units = [
-        ("_percent", "%"),
-        ("_m_per_s", "m/s"),
-        ("_n", "N"),
-        ("_m", "m"),
-        ("_j", "J"),
-        ("_deg", "deg"),
-        ("_hz", "Hz"),
-        ("_mode_near", "-"),
-        ("_s", "s"),
-    ];
-    units
-        .into_iter()
-        .find(|(end, _)| quantity.ends_with(end))
-        .map_or("", |(_, unit)| unit)
+    channel
+        .parse()
+        .map_or("", |subject: Subject| subject.unit())
 }

@@ -25,6 +25,7 @@ pub use shapes::{line_from_above, line_from_ahead, line_shape, trajectory};
 pub use study::along_studies;
 pub use time_histories::{against_time, elevation, payload_position, speed, tensions, tilt};
 
+use crate::case::ChannelQuantity;
 use crate::run::{History, LineShape, Profile, Run};
 
 /// A run to be drawn, whole or still on its way.
@@ -116,41 +117,42 @@ fn named(sources: &[PlottedRun], source: &PlottedRun, thing: &str) -> String {
     }
 }
 
-/// What stands in the brackets of a channel's name: `wire|payload` of `tension_n[wire|payload]`.
-fn place<'n>(channel: &'n str, quantity: &str) -> Option<&'n str> {
-    let rest = channel.strip_prefix(quantity)?;
-    rest.strip_prefix('[')?.strip_suffix(']')
-}
-
-/// The places at which any of the runs recorded a quantity, in the order of their channels.
-fn places<'n>(sources: &[PlottedRun<'n>], quantity: &str) -> Vec<&'n str> {
+/// The places at which any of these histories has a quantity, in the order of their channels.
+pub fn places<'n>(
+    histories: impl IntoIterator<Item = &'n History>,
+    quantity: ChannelQuantity,
+) -> Vec<&'n str> {
     let mut all: Vec<&str> = Vec::new();
-    for source in sources {
-        for channel in &source.history.channels {
-            if let Some(place) = place(&channel.name, quantity)
-                && !all.contains(&place)
-            {
-                all.push(place);
-            }
+    for channel in histories.into_iter().flat_map(|h| &h.channels) {
+        let place = channel.id.place.as_str();
+        if channel.id.quantity == quantity && !all.contains(&place) {
+            all.push(place);
         }
     }
     all
 }
 
+fn histories<'n>(sources: &[PlottedRun<'n>]) -> impl Iterator<Item = &'n History> {
+    sources.iter().map(|source| source.history)
+}
+
 /// The body whose path is drawn: the payload, or else the first loose end, which has a speed of its
 /// own, or else the first end that moves at all.
 fn body<'n>(sources: &[PlottedRun<'n>]) -> Option<&'n str> {
-    let all = places(sources, "z_m");
-    let loose = places(sources, "speed_m_per_s");
+    let all = places(histories(sources), ChannelQuantity::Z);
+    let loose = places(histories(sources), ChannelQuantity::Speed);
     let payload = all.iter().find(|place| **place == "payload");
     let payload = payload.or(all.iter().find(|place| loose.contains(place)));
     payload.or(all.first()).copied()
 }
 
 /// The values of a channel, by quantity and place.
-fn values<'a>(source: &PlottedRun<'a>, quantity: &str, place: &str) -> Option<&'a [f64]> {
-    let channel = source.history.channel(&format!("{quantity}[{place}]"))?;
-    Some(&channel.values)
+fn values<'a>(
+    source: &PlottedRun<'a>,
+    quantity: ChannelQuantity,
+    place: &str,
+) -> Option<&'a [f64]> {
+    Some(&source.history.at(quantity, place)?.values)
 }
 
 #[cfg(test)]

@@ -1,30 +1,30 @@
-//! Hauling the bare rope out to the ship: its end tension against the distance off the platform, with the length fixed.
+//! Hauling the unloaded rope out to the ship: end tension against distance from the platform, with the length fixed.
 //!
-//! What figure 9 of the Tianjin paper may show; the figure is lost. Its words, nearly flat up to 40 m and then growing,
-//! fit this; "linearly" does not: the growth is convex.
+//! Figure 9 of the Tianjin paper, which is lost, may show this. Its text, nearly constant up to 40 m and then growing
+//! linearly, agrees but for "linearly": the growth is convex.
 
-use super::exact::Span;
+use super::elastic::ElasticRope;
 
-/// End tension at the ship at a distance.
+/// End tension at a distance of the ship.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Haul {
-    /// Distance of the ship's end off the platform \[m\].
+pub struct HaulingPoint {
+    /// Distance of the ship's end from the platform \[m\].
     pub distance_m: f64,
     /// Tension there \[N\].
     pub ship_n: f64,
-    /// Horizontal part of it: what pulls the ship in \[N\].
+    /// Horizontal component \[N\].
     pub horizontal_n: f64,
 }
 
-/// The bare rope of this length hauled out to the span in so many equal steps, from the platform on; distances at
-/// which it has no answer are left out.
+/// The unloaded rope of this length hauled out to the span in equal steps from the platform; distances without a
+/// solution are left out.
 #[must_use]
-pub fn haul(span: &Span, length_m: f64, steps: usize) -> Vec<Haul> {
+pub fn haul(span: &ElasticRope, length_m: f64, steps: usize) -> Vec<HaulingPoint> {
     let at = |i: usize| {
-        let distance_m = span.gap.span_m * i as f64 / steps as f64;
-        let there = span.moved(distance_m - span.gap.span_m, 0.0);
-        let rest = there.bare(length_m).ok()?;
-        Some(Haul {
+        let distance_m = span.geometry.span_m * i as f64 / steps as f64;
+        let there = span.moved(distance_m - span.geometry.span_m, 0.0);
+        let rest = there.unloaded(length_m).ok()?;
+        Some(HaulingPoint {
             distance_m,
             ship_n: rest.tension_b_n(),
             horizontal_n: rest.h_b_n,
@@ -36,12 +36,12 @@ pub fn haul(span: &Span, length_m: f64, steps: usize) -> Vec<Haul> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ropeway::bare::Gap;
+    use crate::ropeway::unloaded::SpanGeometry;
 
     #[test]
     fn nearly_flat_to_40_m_and_steep_at_80_m() {
-        let span = Span {
-            gap: Gap {
+        let span = ElasticRope {
+            geometry: SpanGeometry {
                 span_m: 80.0,
                 rise_m: 0.0,
             },

@@ -1,43 +1,50 @@
-//! The ropeway between a ship and a fixed platform: what its rope carries, how deep the cargo hangs, and
-//! what the winch on the ship must do.
+//! The ropeway between a ship and a fixed platform: tension of its rope, sag and clearance of the cargo, and duty of the
+//! winch on the ship.
 //!
 //! The source is a paper of the Military Transportation Institute and Tianjin University on supplying a platform from an
 //! anchored ship over a ropeway (about 2016; its text is at hand without title and names, so that it is
-//! cited here as the Tianjin paper). Its model stands in [`paper`], with [`bare`], [`loaded`] and [`parabola`]; beside it
-//! [`exact`], the elastic rope with the cargo on it, and [`line`](mod@line), the same as a discretised line of the ordinary kind.
+//! cited here as the Tianjin paper). Models of the rope at rest:
 //!
-//! [`model`] holds the words of a ropeway file, [`fields`] its keys, [`parse`] and [`load`] check it, [`edit`] sets them.
+//! * [`inextensible`]: the model behind the tables of the paper, on the catenary of the [`unloaded`] rope;
+//! * [`loaded`]: two inextensible catenaries that meet at the cargo, for the mean tensions;
+//! * [`parabola`]: parabola theory;
+//! * [`elastic`]: the elastic catenary with the cargo on it, in closed form;
+//! * [`line`](mod@line): a discretised line, at rest and in motion ([`dynamic_crossing`]).
+//!
+//! In motion: [`winch`] with the ship's motion as given, [`oscillator`] for the cargo with one degree of freedom.
+//!
+//! [`model`] holds the keys of a ropeway file as data, [`fields`] declares them, [`parse`] and [`load`] read and check a
+//! file, [`edit`] sets single keys.
 
-pub mod bare;
+mod cargo_motion;
+pub mod dynamic_crossing;
 pub mod edit;
-pub mod exact;
+pub mod elastic;
+mod error;
 pub mod fields;
-pub mod full;
 pub mod hauling;
-pub mod held;
+pub mod inextensible;
 pub mod line;
 pub mod loaded;
 pub mod model;
-pub mod motion;
-pub mod motions;
-pub mod paper;
+pub mod oscillator;
 pub mod parabola;
-pub mod picture;
 pub mod quantities;
 mod read;
-mod search;
-mod service;
-pub mod swing;
-pub mod tables;
-pub mod text;
-mod trouble;
+mod roots;
+pub mod ship_motion;
+mod solve;
+pub mod unloaded;
+pub mod validation;
+pub mod weight_check;
 pub mod winch;
-mod work;
+mod winch_run;
 
+pub use cargo_motion::MARGIN;
+pub use error::RopewayError;
 pub use model::Ropeway;
 pub(crate) use read::RopewayFile;
 pub(crate) use read::is_ropeway;
 pub use read::{Loaded, load, parse};
-pub use service::{Followed, MARGIN};
-pub use trouble::Trouble;
-pub use work::{Readings, Worked, work};
+pub use solve::{ModelResults, SolvedRopeway, solve};
+pub use winch_run::WinchRun;

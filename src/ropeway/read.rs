@@ -3,35 +3,35 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::exact::Span;
+use super::elastic::ElasticRope;
 use super::fields::ROPEWAY;
 use super::model::Ropeway;
-use super::quantities::NAMES;
-use super::work::{Worked, work};
+use super::quantities::{self, QUANTITIES};
+use super::solve::{SolvedRopeway, solve};
 use crate::case::fields::{FieldRow, Lister, Schema, either};
 use crate::case::kind::{self, FileKind};
 use crate::case::{self, Diagnostic, Mark, Misfit, Node};
 use crate::reference::published_number;
 
 /// A ropeway with the text and the file it came from.
-pub type Loaded = case::Opened<Worked>;
+pub type Loaded = case::Opened<SolvedRopeway>;
 
 /// The ropeway file as a kind.
 pub(crate) enum RopewayFile {}
 
 impl FileKind for RopewayFile {
     type Words = Ropeway;
-    type Worked = Worked;
+    type Worked = SolvedRopeway;
 
     fn schema() -> &'static Schema {
         &ROPEWAY
     }
 
-    fn work(words: Ropeway, _tree: &Node) -> Result<Worked, Vec<Misfit>> {
+    fn work(words: Ropeway, _tree: &Node) -> Result<SolvedRopeway, Vec<Misfit>> {
         let mut wrong = check(&words);
         wrong.extend(lost_marks(&words));
         if wrong.is_empty() {
-            work(&words).map_err(|misfit| vec![misfit])
+            solve(&words).map_err(|misfit| vec![misfit])
         } else {
             Err(wrong)
         }
@@ -65,15 +65,15 @@ pub fn load(path: &Path) -> Result<Loaded, Vec<Diagnostic>> {
 ///
 /// # Errors
 /// Everything that is wrong, at once, in the order of the lines.
-pub fn parse(text: &str, file: &str) -> Result<Worked, Vec<Diagnostic>> {
+pub fn parse(text: &str, file: &str) -> Result<SolvedRopeway, Vec<Diagnostic>> {
     kind::parse::<RopewayFile>(text, file)
 }
 
 /// What its words say against each other.
 fn check(ropeway: &Ropeway) -> Vec<Misfit> {
     let mut wrong = Vec::new();
-    let gap = Span::of(ropeway).gap;
-    if gap.rise_m.abs() > 2.0 * gap.span_m {
+    let geometry = ElasticRope::of(ropeway).geometry;
+    if geometry.rise_m.abs() > 2.0 * geometry.span_m {
         wrong.push(Misfit::new(
             &["ship", "height_m"],
             "the rope would be steeper than a ropeway can be",
@@ -100,10 +100,10 @@ fn check(ropeway: &Ropeway) -> Vec<Misfit> {
 
 /// Problem and remedy of a quantity that there is not.
 fn unknown_quantity(quantity: &str) -> Option<(String, String)> {
-    if NAMES.iter().any(|known| known.0 == quantity) {
+    if quantities::find(quantity).is_some() {
         return None;
     }
-    let names: Vec<&str> = NAMES.iter().map(|known| known.0).collect();
+    let names: Vec<&str> = QUANTITIES.iter().map(|known| known.name).collect();
     let remedy = match case::nearest(quantity, names.iter().copied()) {
         Some(near) => format!("did you mean \"{near}\"?"),
         None => format!("give {}", either(&names)),

@@ -1,15 +1,15 @@
-//! The rope's end on a moving ship: made fast, or held by a winch that keeps the tension as far as its speed, its power
-//! and its rope allow.
+//! A constant-tension winch on a moving ship, within its limits of speed, power and rope; or the rope made fast there.
 //!
-//! Each instant is an equilibrium: the ship's motion is slow beside the rope's own. The cargo stays at its place
-//! along the rope, seen from the platform. The motion is any series of displacements of the hang point.
+//! Quasi-static: each sample is an equilibrium, as the ship moves slowly compared with the rope's own periods. The cargo
+//! stays at its arc length from the platform. The motion is any series of displacements of the hang point.
 
-use super::Trouble;
-use super::exact::{Rest, Span};
+use super::RopewayError;
+use super::elastic::{ElasticRope, RopeEquilibrium};
+use crate::numerics::statistics::Statistics;
 
-/// Where the rope's hang point on the ship is at an instant, as displaced from where it lies still.
+/// Displacement of the rope's hang point on the ship from its mean position, at a time.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct HangPoint {
+pub struct ShipOffset {
     /// Time \[s\].
     pub time_s: f64,
     /// Away from the platform \[m\].
@@ -18,10 +18,10 @@ pub struct HangPoint {
     pub z_m: f64,
 }
 
-/// A winch that keeps the tension at the ship.
+/// Settings of a constant-tension winch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Keeper {
-    /// Tension it keeps \[N\].
+pub struct WinchControl {
+    /// Tension at the ship that it keeps \[N\].
     pub tension_n: f64,
     /// Greatest speed of the rope \[m/s\]; infinite for no limit.
     pub speed_m_per_s: f64,
@@ -31,26 +31,26 @@ pub struct Keeper {
     pub stored_m: f64,
 }
 
-/// How the rope is held at an instant.
+/// How the rope's end on the ship is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Held {
+pub enum WinchState {
     /// Made fast.
-    Fast,
+    MadeFast,
     /// The winch keeps its tension.
-    Kept,
+    ConstantTension,
     /// The winch is at its greatest speed.
-    AtSpeed,
+    SpeedLimit,
     /// The winch is at its greatest power.
-    AtPower,
-    /// There is no more rope to pay out.
+    PowerLimit,
+    /// All rope is paid out.
     RopeOut,
 }
 
-/// The rope at an instant.
+/// The rope at an instant of the ship's motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Moment {
-    /// Where the hang point is.
-    pub ship: HangPoint,
+pub struct WinchSample {
+    /// Displacement of the hang point.
+    pub ship: ShipOffset,
     /// Unstretched length between the ends \[m\].
     pub length_m: f64,
     /// Speed of the rope over the winch, paying out positive \[m/s\].
@@ -63,53 +63,30 @@ pub struct Moment {
     pub depth_m: f64,
     /// Power that the winch puts into the rope; negative where it brakes \[W\].
     pub power_w: f64,
-    /// How it is held.
-    pub held: Held,
+    /// How the end on the ship is held.
+    pub state: WinchState,
 }
 
-/// What a series comes to.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Extremes {
-    /// Smallest.
-    pub least: f64,
-    /// Greatest.
-    pub most: f64,
-    /// Mean.
-    pub mean: f64,
-    /// Root of the mean square about the mean.
-    pub deviation: f64,
-}
-
-/// Smallest, greatest and mean value of a quantity over a series, and its scatter.
+/// Statistics of a quantity over the samples.
 #[must_use]
-pub fn extremes(moments: &[Moment], of: impl Fn(&Moment) -> f64) -> Extremes {
-    if moments.is_empty() {
-        return Extremes::default();
-    }
-    let n = moments.len() as f64;
-    let mean = moments.iter().map(&of).sum::<f64>() / n;
-    let square = moments.iter().map(|m| (of(m) - mean).powi(2)).sum::<f64>() / n;
-    Extremes {
-        least: moments.iter().map(&of).fold(f64::INFINITY, f64::min),
-        most: moments.iter().map(&of).fold(f64::NEG_INFINITY, f64::max),
-        mean,
-        deviation: square.sqrt(),
-    }
+pub fn statistics(samples: &[WinchSample], of: impl Fn(&WinchSample) -> f64) -> Statistics {
+    let values: Vec<f64> = samples.iter().map(of).collect();
+    Statistics::of(&values)
 }
 
-/// Follows the ship: without a keeper the rope is fast and keeps its length.
+/// Simulates the rope over a motion of the ship: with a winch, or made fast without one.
 ///
 /// # Errors
-/// [`Trouble::BeyondReach`] where the ship goes further than the rope reaches; [`Trouble::TooLittleTension`] where it
+/// [`RopewayError::BeyondReach`] where the ship goes further than the rope reaches; [`RopewayError::TooLittleTension`] where it
 /// comes so near, or asks for so little, that no length gives the tension.
-pub fn follow(
-    span: &Span,
-    start: &Rest,
-    keeper: Option<&Keeper>,
-    motion: &[HangPoint],
-) -> Result<Vec<Moment>, Trouble> {
-    let mut follower = Follower {
-        span,
+pub fn simulate(
+    rope: &ElasticRope,
+    start: &RopeEquilibrium,
+    control: Option<&WinchControl>,
+    motion: &[ShipOffset],
+) -> Result<Vec<WinchSample>, RopewayError> {
+    let mut simulation = WinchSimulation {
+        rope,
         arc_m: start.arc_m,
         length_m: start.length_m,
         time_s: None,
@@ -117,56 +94,64 @@ pub fn follow(
     };
     motion
         .iter()
-        .map(|ship| follower.step(*ship, keeper))
+        .map(|ship| simulation.step(*ship, control))
         .collect()
 }
 
-struct Follower<'a> {
-    span: &'a Span,
+struct WinchSimulation<'a> {
+    rope: &'a ElasticRope,
     arc_m: f64,
     length_m: f64,
-    /// Time of the instant before.
+    /// Time of the previous sample.
     time_s: Option<f64>,
-    /// Change of tension by length, as last seen \[N/m\].
+    /// Slope of tension over length, as last estimated \[N/m\].
     slope: Option<f64>,
 }
 
-impl Follower<'_> {
-    fn step(&mut self, ship: HangPoint, keeper: Option<&Keeper>) -> Result<Moment, Trouble> {
-        let there = self.span.moved(ship.x_m, ship.z_m);
+impl WinchSimulation<'_> {
+    fn step(
+        &mut self,
+        ship: ShipOffset,
+        control: Option<&WinchControl>,
+    ) -> Result<WinchSample, RopewayError> {
+        let there = self.rope.moved(ship.x_m, ship.z_m);
         let before = self.length_m;
-        let (wanted, held) = match keeper {
-            None => (before, Held::Fast),
-            Some(keeper) => {
-                let wanted = self.wanted(&there, keeper.tension_n)?;
-                self.reached(wanted, ship.time_s, keeper)
+        let (length, state) = match control {
+            None => (before, WinchState::MadeFast),
+            Some(control) => {
+                let wanted = self.length_for_tension(&there, control.tension_n)?;
+                self.limit_length(wanted, ship.time_s, control)
             }
         };
         let rest = there
-            .with_cargo_at(wanted, self.arc_m)
-            .map_err(|trouble| out_of_reach(trouble, ship, wanted))?;
+            .with_cargo_at(length, self.arc_m)
+            .map_err(|error| out_of_reach(error, ship, length))?;
         let lapse = self.time_s.map_or(0.0, |time| ship.time_s - time);
         let speed = if lapse > 0.0 {
-            (wanted - before) / lapse
+            (length - before) / lapse
         } else {
             0.0
         };
-        self.length_m = wanted;
+        self.length_m = length;
         self.time_s = Some(ship.time_s);
-        Ok(Moment {
+        Ok(WinchSample {
             ship,
-            length_m: wanted,
+            length_m: length,
             speed_m_per_s: speed,
             ship_n: rest.ship_n(),
             platform_n: rest.platform_n(),
             depth_m: -rest.cargo_m.1,
             power_w: -speed * rest.ship_n(),
-            held,
+            state,
         })
     }
 
-    /// The length that gives the tension: Newton with the slope as last seen, the search over all lengths where that fails.
-    fn wanted(&mut self, there: &Span, tension_n: f64) -> Result<f64, Trouble> {
+    /// The length that gives the tension: secant steps from the last length and slope; a bracketed search where they fail.
+    fn length_for_tension(
+        &mut self,
+        there: &ElasticRope,
+        tension_n: f64,
+    ) -> Result<f64, RopewayError> {
         let rest = |length: f64| there.with_cargo_at(length, self.arc_m);
         if let Some(mut slope) = self.slope {
             let mut length = self.length_m;
@@ -190,39 +175,39 @@ impl Follower<'_> {
                 length -= off / slope;
             }
         }
-        let length = there.length_by_tension(tension_n, rest)?;
+        let length = there.length_for_tension(tension_n, rest)?;
         let near = length * (1.0 + 1e-7);
         self.slope = Some((rest(near)?.ship_n() - tension_n) / (near - length));
         Ok(length)
     }
 
-    /// What the winch makes of a wanted length.
-    fn reached(&self, wanted: f64, time_s: f64, keeper: &Keeper) -> (f64, Held) {
+    /// The length that the winch reaches towards a wanted one, within its limits.
+    fn limit_length(&self, wanted: f64, time_s: f64, control: &WinchControl) -> (f64, WinchState) {
         let mut length = wanted;
-        let mut held = Held::Kept;
+        let mut state = WinchState::ConstantTension;
         if let Some(before) = self.time_s {
-            let by_power = keeper.power_w / keeper.tension_n;
-            let most = keeper.speed_m_per_s.min(by_power) * (time_s - before);
+            let by_power = control.power_w / control.tension_n;
+            let most = control.speed_m_per_s.min(by_power) * (time_s - before);
             let change = wanted - self.length_m;
             if change.abs() > most {
                 length = self.length_m + most.copysign(change);
-                held = if by_power < keeper.speed_m_per_s {
-                    Held::AtPower
+                state = if by_power < control.speed_m_per_s {
+                    WinchState::PowerLimit
                 } else {
-                    Held::AtSpeed
+                    WinchState::SpeedLimit
                 };
             }
         }
-        if length > keeper.stored_m {
-            return (keeper.stored_m, Held::RopeOut);
+        if length > control.stored_m {
+            return (control.stored_m, WinchState::RopeOut);
         }
-        (length, held)
+        (length, state)
     }
 }
 
-fn out_of_reach(trouble: Trouble, ship: HangPoint, length_m: f64) -> Trouble {
-    match trouble {
-        Trouble::Overstretched | Trouble::TooShort { .. } => Trouble::BeyondReach {
+fn out_of_reach(error: RopewayError, ship: ShipOffset, length_m: f64) -> RopewayError {
+    match error {
+        RopewayError::Overstretched | RopewayError::TooShort { .. } => RopewayError::BeyondReach {
             time_s: ship.time_s,
             off_m: ship.x_m,
             length_m,

@@ -252,6 +252,7 @@ fn crossing((t0, y0): (f64, f64), (t1, y1): (f64, f64)) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::ChannelQuantity;
 
     fn take(values: &[f64], statistic: Statistic, window: Option<[f64; 2]>) -> Option<f64> {
         let wanted = RequestedStatistic {
@@ -266,7 +267,7 @@ mod tests {
         let channel = Channel {
             peak: (9.0, 2.25),
             trough: (-9.0, 3.25),
-            ..Channel::default()
+            ..Channel::new(ChannelQuantity::X.at("body"))
         };
         gather.finish(&[channel], &Profile::default()).1[0]
     }

@@ -21,7 +21,7 @@ use crate::dynamics::generalized_alpha::{ErrorLimits, GeneralizedAlpha};
 use crate::dynamics::quasi_static::QuasiStatic;
 use crate::dynamics::rk4::Rk4;
 use crate::scene::{self, Scene};
-use crate::solve::{ExplicitRhs, Instant, Kinematics, Progressing, Sink, State};
+use crate::solve::{Instant, Progressing, Sink, State, System};
 
 /// What one computation gave.
 #[derive(Debug, Clone)]
@@ -113,11 +113,9 @@ fn compute_on(
         settings.time_step_s *= ratio;
         settings.step_tolerance = settings.step_tolerance.map(|t| ratio.powi(3) * t);
     }
-    let named = crate::case::channels(case)
-        .into_iter()
-        .map(|c| (c.name, c.unit.to_owned()));
+    let channels = crate::case::channels(case).into_iter();
     events(Event::Started {
-        channels: named.collect(),
+        channels: channels.map(|channel| channel.id).collect(),
     });
     let (cpu, wall) = (cpu_time(), std::time::Instant::now());
     let stop = || cancel.load(Ordering::Relaxed);
@@ -183,7 +181,8 @@ fn told_modes(case: &Case, scene: &Scene, warnings: &mut Vec<String>) -> Vec<Qua
 
 /// The frequencies among numbers \[Hz\].
 fn frequencies(numbers: &[Quantity]) -> Vec<f64> {
-    let hz = numbers.iter().filter(|q| q.unit == "Hz");
+    let frequency = |q: &&Quantity| q.unit() == "Hz";
+    let hz = numbers.iter().filter(frequency);
     hz.map(|q| q.value).collect()
 }
 

@@ -3,6 +3,7 @@
 //! smallest, so that no peak is lost. A record that fits is kept whole.
 
 use super::{Channel, History, LineShape};
+use crate::case::ChannelId;
 
 /// How many numbers the rows kept may hold together.
 const NUMBERS: usize = 1 << 19;
@@ -29,16 +30,10 @@ pub struct DecimatedRecord {
 }
 
 impl DecimatedRecord {
-    /// An empty record of these channels (name, unit).
+    /// An empty record of these channels.
     #[must_use]
-    pub fn new(channels: impl IntoIterator<Item = (String, String)>) -> Self {
-        let channels = channels.into_iter().map(|(name, unit)| Channel {
-            name,
-            unit,
-            values: Vec::new(),
-            peak: (f64::NEG_INFINITY, 0.0),
-            trough: (f64::INFINITY, 0.0),
-        });
+    pub fn new(channels: impl IntoIterator<Item = ChannelId>) -> Self {
+        let channels = channels.into_iter().map(Channel::new);
         Self {
             history: History {
                 time: Vec::new(),
@@ -259,7 +254,7 @@ mod tests {
     }
 
     fn recorded(rows: u64) -> DecimatedRecord {
-        let names = ["a", "b", "c"].map(|name| (name.to_owned(), "m".to_owned()));
+        let names = ["a", "b", "c"].map(|place| crate::case::ChannelQuantity::X.at(place));
         let mut thinned = DecimatedRecord::new(names);
         for row in 0..rows {
             thinned.row(row as f64, &[0, 1, 2].map(|c| value(row, c)));

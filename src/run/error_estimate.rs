@@ -9,7 +9,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::compute::{Computed, StepScale, compute};
 use super::requested_statistics::{Of, RequestedStatistic};
-use super::{Quantity, RunState, quantity_name};
+use super::{Quantity, QuantityId, RunState, Subject};
 use super::{line_statistics, natural_modes, published_curve};
 use crate::case::{Case, DragLaw, DragLawName, Method};
 use crate::dynamics::march::March;
@@ -195,17 +195,13 @@ pub(super) fn summary(run: &Computed, estimates: &Estimates) -> Vec<Quantity> {
     let curves = or_bare(&estimates.curves, &run.curves);
     let all = run.wanted.iter().zip(&run.numbers).enumerate();
     all.filter_map(|(i, (w, number)): (usize, (&RequestedStatistic, _))| {
-        let (name, unit) = match w.of {
-            Of::Channel(index) => {
-                let channel = run.history.channels.get(index)?;
-                (channel.name.as_str(), channel.unit.as_str())
-            }
-            Of::Line(quantity) => (quantity.name(), quantity.unit()),
+        let of = match w.of {
+            Of::Channel(index) => Subject::Channel(run.history.channels.get(index)?.id.clone()),
+            Of::Line(quantity) => Subject::Line(quantity),
         };
         Some(Quantity {
-            name: quantity_name(name, w.statistic, w.window),
+            id: QuantityId::new(of, w.statistic, w.window),
             value: (*number)?,
-            unit: w.statistic.unit(unit),
             time_error: pick(&estimates.time, i),
             mesh_error: pick(&estimates.mesh, i),
         })

@@ -14,7 +14,7 @@ use super::{
     Checkpoint, Cost, Frame, Resume, Run, RunInfo, RunState, Settings, VERSION, Work,
     error_estimate, limits, settings,
 };
-use crate::case::{Case, Method, stand_alone};
+use crate::case::{Case, ChannelId, Method, stand_alone};
 use crate::scene;
 
 /// What to compute.
@@ -60,10 +60,10 @@ impl Request {
 /// What a job says while it goes on.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Event {
-    /// The scene stands; these channels (name, unit) will be filled.
+    /// The scene stands; these channels will be filled.
     Started {
-        /// Names and units, in the order of [`Frame::values`].
-        channels: Vec<(String, String)>,
+        /// In the order of [`Frame::values`].
+        channels: Vec<ChannelId>,
     },
     /// An output instant.
     Frame(Box<Frame>),

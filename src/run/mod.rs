@@ -2,6 +2,7 @@
 //!
 //! [`model`] holds a [`Run`] as plain data; [`store`] keeps it on disk.
 
+mod channel_reading;
 mod channel_statistics;
 mod checkpoint;
 mod compute;
@@ -13,10 +14,10 @@ pub mod job;
 pub mod limits;
 mod line_statistics;
 pub mod model;
-mod names;
 mod natural_modes;
 mod peak_tension;
 pub mod published_curve;
+mod quantity_id;
 mod recorder;
 pub mod requested_statistics;
 pub mod response;
@@ -36,6 +37,6 @@ pub use checkpoint::{Checkpoint, Resume};
 pub use decimation::DecimatedRecord;
 pub use line_statistics::evaluate as along_line;
 pub use model::*;
-pub use names::quantity_name;
+pub use quantity_id::{ModePlane, QuantityId, Subject};
 pub use resume::resume_request;
 pub use rope_envelope::RopeProfile;

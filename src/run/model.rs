@@ -3,7 +3,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::RopeProfile;
+use super::{QuantityId, RopeProfile};
+use crate::case::{ChannelId, ChannelQuantity};
 
 /// Version of the program, written into every run.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -26,6 +27,13 @@ pub struct Run {
 }
 
 impl Run {
+    /// The single number of this name: `tension_n[wire|payload].max`.
+    #[must_use]
+    pub fn quantity(&self, name: &str) -> Option<&Quantity> {
+        let id = name.parse::<QuantityId>().ok()?;
+        self.summary.iter().find(|q| q.id == id)
+    }
+
     /// How many output times it came to, also those that the history leaves out.
     #[must_use]
     pub fn output_times(&self) -> usize {
@@ -156,26 +164,57 @@ pub struct History {
 }
 
 impl History {
-    /// The channel of this name.
+    /// The channel of this name: `tension_n[wire|payload]`.
     #[must_use]
     pub fn channel(&self, name: &str) -> Option<&Channel> {
-        self.channels.iter().find(|c| c.name == name)
+        let id = name.parse::<ChannelId>().ok()?;
+        self.channels.iter().find(|c| c.id == id)
+    }
+
+    /// The channel of a quantity at a place.
+    #[must_use]
+    pub fn at(&self, quantity: ChannelQuantity, place: &str) -> Option<&Channel> {
+        let mut of_quantity = self.channels.iter().filter(|c| c.id.quantity == quantity);
+        of_quantity.find(|c| c.id.place == place)
     }
 }
 
-/// One quantity against time. Its name begins with quantity and unit: `tension_n[wire|payload]`.
-#[derive(Debug, Clone, Default, PartialEq)]
+/// One quantity against time, at one place.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Channel {
-    /// Name as in `history.csv`.
-    pub name: String,
-    /// Unit as shown ("N", "m").
-    pub unit: String,
+    /// What identifies it; its text is the name in `history.csv`.
+    pub id: ChannelId,
     /// Values at the output times.
     pub values: Vec<f64>,
     /// Greatest value over every step of the solver, and its time \[s\].
     pub peak: (f64, f64),
     /// Smallest value over every step of the solver, and its time \[s\].
     pub trough: (f64, f64),
+}
+
+impl Channel {
+    /// A channel without values yet.
+    #[must_use]
+    pub const fn new(id: ChannelId) -> Self {
+        Self {
+            id,
+            values: Vec::new(),
+            peak: (f64::NEG_INFINITY, 0.0),
+            trough: (f64::INFINITY, 0.0),
+        }
+    }
+
+    /// Name as in `history.csv`: `tension_n[wire|payload]`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        self.id.to_string()
+    }
+
+    /// Unit as shown ("N", "m").
+    #[must_use]
+    pub const fn unit(&self) -> &'static str {
+        self.id.quantity.unit()
+    }
 }
 
 /// The line at one instant.
@@ -269,14 +308,12 @@ impl Profile {
 
 /// A single number with its estimated numerical errors. Model error is not in it: that is what the
 /// validation table shows.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
-    /// Name as in `summary.csv`: channel and statistic (`tension_n[wire|payload].max`).
-    pub name: String,
-    /// Value.
+    /// What identifies it; its text is the name in `summary.csv`.
+    pub id: QuantityId,
+    /// Value, in the unit of the quantity.
     pub value: f64,
-    /// Unit.
-    pub unit: String,
     /// Estimated error from the time step; absent when not estimated.
     pub time_error: Option<f64>,
     /// Estimated error from the mesh; absent when not estimated.
@@ -284,6 +321,29 @@ pub struct Quantity {
 }
 
 impl Quantity {
+    /// A value whose errors are not estimated.
+    #[must_use]
+    pub const fn new(id: QuantityId, value: f64) -> Self {
+        Self {
+            id,
+            value,
+            time_error: None,
+            mesh_error: None,
+        }
+    }
+
+    /// Name as in `summary.csv`: `tension_n[wire|payload].max`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        self.id.to_string()
+    }
+
+    /// Unit as shown.
+    #[must_use]
+    pub fn unit(&self) -> String {
+        self.id.unit()
+    }
+
     /// Time and mesh error together; absent unless at least one was estimated.
     #[must_use]
     pub fn error_estimate(&self) -> Option<f64> {

@@ -1,7 +1,7 @@
 //! What a run tells of natural modes, where its case asks for them.
 
-use super::{Quantity, quantity_name};
-use crate::case::{Case, Statistic};
+use super::{ModePlane, Quantity, QuantityId, Subject};
+use crate::case::Case;
 use crate::modes::{Mode, ModeKind, ModesError, Pencil, lowest, modes_of};
 use crate::scene::Scene;
 use crate::statics::equilibrium::EquilibriumSearch;
@@ -30,29 +30,24 @@ pub(super) fn frequencies(case: &Case, scene: &Scene) -> Result<Vec<Quantity>, S
     let modes = modes_of(&pencil, &rest.x, pairs);
     let mut list = Vec::new();
     for (kind, plane) in [
-        (ModeKind::InPlane, "in_plane"),
-        (ModeKind::OutOfPlane, "out_of_plane"),
+        (ModeKind::InPlane, ModePlane::InPlane),
+        (ModeKind::OutOfPlane, ModePlane::OutOfPlane),
     ] {
         let found = modes.iter().filter(|mode| mode.kind == kind);
         let frequencies: Vec<f64> = found.map(Mode::frequency_hz).collect();
         let named = frequencies.iter().take(wanted.count).enumerate();
-        list.extend(named.map(|(i, hz)| quantity(&format!("{plane}_hz[{}]", i + 1), *hz, "Hz")));
+        list.extend(named.map(|(i, hz)| quantity(Subject::ModeFrequency(plane, i + 1), *hz)));
         if let Some(near) = wanted.near_hz
             && let Some(number) = nearest(&frequencies, near)
         {
-            list.push(quantity(&format!("{plane}_mode_near"), number as f64, "-"));
+            list.push(quantity(Subject::NearestMode(plane), number as f64));
         }
     }
     Ok(list)
 }
 
-fn quantity(name: &str, value: f64, unit: &str) -> Quantity {
-    Quantity {
-        name: quantity_name(name, Statistic::Final, None),
-        value,
-        unit: unit.to_owned(),
-        ..Quantity::default()
-    }
+fn quantity(of: Subject, value: f64) -> Quantity {
+    Quantity::new(QuantityId::single(of), value)
 }
 
 /// The number, from 1, of the frequency nearest to this one; nothing where the list ends below it.
@@ -69,7 +64,7 @@ fn nearest(frequencies: &[f64], near: f64) -> Option<usize> {
 /// The numbers with their errors: by the difference from a mesh coarser by this ratio (second order).
 pub(super) fn with_errors(fine: &[Quantity], coarse: &[Quantity], ratio: f64) -> Vec<Quantity> {
     let error = |q: &Quantity| {
-        let other = coarse.iter().find(|c| c.name == q.name)?;
+        let other = coarse.iter().find(|c| c.id == q.id)?;
         Some((q.value - other.value).abs() / (ratio * ratio - 1.0))
     };
     fine.iter()

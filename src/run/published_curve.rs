@@ -2,7 +2,7 @@
 //! greatest size, over the output times of a window.
 
 use super::compute::Computed;
-use super::{History, Quantity};
+use super::{History, Quantity, QuantityId};
 use crate::case::{Case, PublishedCurve};
 
 /// Shifts of a curve that repeats which are tried a period.
@@ -19,11 +19,12 @@ pub struct CurveComparison {
     pub samples: Vec<(f64, f64)>,
 }
 
-/// Name of the difference from the curve of this number among those of a case, from 0, as it stands in `summary.csv`:
-/// `tension_n[chain|wheel].from_curve_1`.
+/// What identifies the difference from the curve of this number among those of a case, from 0; absent where the curve
+/// names no channel.
 #[must_use]
-pub fn difference_name(curve: &PublishedCurve, number: usize) -> String {
-    format!("{}.from_curve_{}", curve.channel, number + 1)
+pub fn difference_id(curve: &PublishedCurve, number: usize) -> Option<QuantityId> {
+    let channel = curve.channel.parse().ok()?;
+    Some(QuantityId::CurveDifference(channel, number + 1))
 }
 
 /// Holds a record against a curve.
@@ -74,13 +75,8 @@ pub(super) fn differences(case: &Case, history: &History) -> Vec<Quantity> {
     let curves = case.published_curve.iter().enumerate();
     let here = curves.filter(|(_, curve)| curve.at.as_ref().is_none_or(|at| case.stands_at(at)));
     let number = |(number, curve): (usize, &PublishedCurve)| {
-        Some(Quantity {
-            name: difference_name(curve, number),
-            value: compare(curve, history).ok()?.percent,
-            unit: "%".to_owned(),
-            time_error: None,
-            mesh_error: None,
-        })
+        let percent = compare(curve, history).ok()?.percent;
+        Some(Quantity::new(difference_id(curve, number)?, percent))
     };
     here.filter_map(number).collect()
 }
@@ -92,7 +88,7 @@ pub(super) fn with_errors(
     [time, mesh]: [(Option<&Computed>, f64); 2],
 ) -> Vec<Quantity> {
     let error = |q: &Quantity, (other, divisor): (Option<&Computed>, f64)| {
-        let other = other?.curves.iter().find(|c| c.name == q.name)?;
+        let other = other?.curves.iter().find(|c| c.id == q.id)?;
         Some((q.value - other.value).abs() / divisor)
     };
     fine.iter()

@@ -1,5 +1,6 @@
 //! Takes the accepted steps of a solver and makes of them channels, shapes and envelopes.
 
+use super::channel_reading::ChannelReading;
 use super::channel_statistics::ChannelStatistics;
 use super::decimation::{DecimatedRecord, widen};
 use super::job::Event;
@@ -11,14 +12,14 @@ use super::touchdown_speed::TouchdownSpeed;
 use super::{
     Channel, Checkpoint, Frame, LineShape, Profile, Progress, Resume, requested_statistics,
 };
-use crate::case::{self, Case, LineEnd, RopeQuantity, Source};
+use crate::case::{self, Case, ChannelSpec};
 use crate::scene::Scene;
-use crate::solve::{Instant, Kinematics, Progressing, Sink, State};
+use crate::solve::{Instant, Progressing, Sink, State};
 
 /// Records a run. Between output times a step costs it a few tensions and no allocation.
 pub(super) struct Recorder<'a> {
     scene: &'a Scene,
-    sources: Vec<Source>,
+    channels: Vec<ChannelSpec>,
     /// What is kept in memory of what was recorded so far.
     pub(super) kept: DecimatedRecord,
     /// The single numbers wanted, taken in row by row.
@@ -50,9 +51,7 @@ impl<'a> Recorder<'a> {
         stop: &'a dyn Fn() -> bool,
     ) -> Self {
         let channels = case::channels(case);
-        let names: Vec<String> = channels.iter().map(|c| c.name.clone()).collect();
-        let kept =
-            DecimatedRecord::new(channels.iter().map(|c| (c.name.clone(), c.unit.to_owned())));
+        let kept = DecimatedRecord::new(channels.iter().map(|channel| channel.id.clone()));
         let nodes = scene.line_nodes();
         let bending = if scene.flexure.is_some() { nodes } else { 0 };
         let profile = Profile {
@@ -74,9 +73,9 @@ impl<'a> Recorder<'a> {
             response: Response::of(case),
             latest: vec![0.0; channels.len()],
             peaks: PeakTension::of(case, scene),
-            sources: channels.into_iter().map(|c| c.source).collect(),
+            gather: ChannelStatistics::new(requested_statistics::requested(case, &channels)),
+            channels,
             kept,
-            gather: ChannelStatistics::new(requested_statistics::requested(case, &names)),
             troubles: Vec::new(),
             profile,
             envelope: StepEnvelope::of(case, scene),
@@ -155,62 +154,12 @@ impl<'a> Recorder<'a> {
         self.scene = scene;
     }
 
-    /// Reads all channels off a state.
+    /// Reads all channels off a state; NaN where there is nothing to read.
     fn read(&mut self, time: f64, state: &State) {
-        // The three components of an end's force come from one reading.
-        let mut forces = [None; 2];
-        for (value, source) in self.latest.iter_mut().zip(&self.sources) {
-            let node = |end: LineEnd| {
-                if end == LineEnd::A {
-                    0
-                } else {
-                    self.scene.nodes() - 1
-                }
-            };
-            *value = match *source {
-                Source::Joint(joint) => self.scene.tension_at(self.scene.joints[joint].node, state),
-                Source::Coordinate(LineEnd::A, axis) => state.x[0][axis],
-                Source::Coordinate(LineEnd::B, axis) => self.scene.end_b_position(state)[axis],
-                Source::Body(body, axis) => state.x[self.scene.clumps[body]][axis],
-                Source::Force(end, axis) => {
-                    let node = node(end);
-                    let force = || {
-                        self.scene.end_force(node, state)
-                            + self.scene.traveller_force_on(node, time, state)
-                    };
-                    forces[usize::from(end == LineEnd::B)].get_or_insert_with(force)[axis]
-                }
-                Source::Traveller(axis) => {
-                    let at = self.scene.traveller_at(time, state);
-                    at.map_or(f64::NAN, |(place, _)| place[axis])
-                }
-                Source::TravellerArc => self.scene.traveller_arc(time).unwrap_or(f64::NAN),
-                Source::TravellerTension => {
-                    let tension = self.scene.traveller_tension(time, state);
-                    tension.unwrap_or(f64::NAN)
-                }
-                Source::Speed(LineEnd::A) => state.v[0].norm(),
-                Source::Speed(LineEnd::B) => self.scene.end_b_velocity(state).norm(),
-                Source::Tilt => self.scene.tilt(state).to_degrees(),
-                Source::Elevation => self.scene.elevation(time),
-                Source::Energy => {
-                    let travels = self.scene.traveller_energy(time, state);
-                    self.scene.energy(state) + travels.map_or(0.0, |(energy, _)| energy)
-                }
-                Source::Rope(section, end, quantity) => {
-                    let joint = |index: usize| self.scene.joints[index].node;
-                    let segment = match end {
-                        LineEnd::A => joint(section),
-                        LineEnd::B => joint(section + 1) - 1,
-                    };
-                    let told = self.scene.rope_reading(segment, state).unwrap_or_default();
-                    match quantity {
-                        RopeQuantity::MeanLoad => told.mean_load,
-                        RopeQuantity::Deviation => told.deviation,
-                        RopeQuantity::Stiffness => told.stiffness,
-                    }
-                }
-            };
+        let mut reading = ChannelReading::new(self.scene, time, state);
+        for (value, channel) in self.latest.iter_mut().zip(&self.channels) {
+            let read = reading.channel(channel.id.quantity, channel.site);
+            *value = read.unwrap_or(f64::NAN);
         }
     }
 

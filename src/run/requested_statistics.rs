@@ -1,7 +1,8 @@
 //! Which single numbers are wanted of a run: of its channels and of the whole line.
 
+use super::Subject;
 use super::line_statistics;
-use crate::case::{AlongLine, Case, Statistic};
+use crate::case::{AlongLine, Case, ChannelSpec, Statistic};
 
 /// What a number is taken of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,7 +27,7 @@ pub struct RequestedStatistic {
 /// What a run of this case summarises: the greatest, smallest, mean and last value of every channel, the extremes of
 /// the whole line, and every statistic its published values and trends ask for.
 #[must_use]
-pub fn requested(case: &Case, channels: &[String]) -> Vec<RequestedStatistic> {
+pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatistic> {
     use Statistic::{Final, Max, Mean, Min};
     let whole = |of, statistic| RequestedStatistic {
         of,
@@ -50,8 +51,15 @@ pub fn requested(case: &Case, channels: &[String]) -> Vec<RequestedStatistic> {
     let others = case.published.iter();
     let others = others.filter_map(|p| Some((&p.channel, p.statistic, Some(p.by_stretch_m?))));
     for (name, statistic, window) in published.chain(others).chain(trends) {
-        let channel = channels.iter().position(|c| c == name).map(Of::Channel);
-        let Some(of) = channel.or_else(|| AlongLine::named(name).map(Of::Line)) else {
+        let of = match name.parse() {
+            Ok(Subject::Channel(id)) => {
+                let index = channels.iter().position(|channel| channel.id == id);
+                index.map(Of::Channel)
+            }
+            Ok(Subject::Line(quantity)) => Some(Of::Line(quantity)),
+            _ => None,
+        };
+        let Some(of) = of else {
             continue;
         };
         let item = RequestedStatistic {

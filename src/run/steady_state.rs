@@ -1,8 +1,8 @@
 //! From when on a response is steady.
 
 use super::response::period;
-use super::{LineShape, Quantity, quantity_name};
-use crate::case::{Case, STEADY, Statistic};
+use super::{LineShape, Quantity, QuantityId, Subject};
+use crate::case::Case;
 use crate::numerics::V3;
 
 /// A period counts as steady when its root mean square is this near to that of the last one.
@@ -17,12 +17,8 @@ const STILL: f64 = 1e-6;
 pub(super) fn settling_quantity(case: &Case, shapes: &[LineShape]) -> Option<Quantity> {
     let (period, from) = (period(case)?, case.output.response_from_s?);
     let value = steady_from(shapes, period, from)?;
-    Some(Quantity {
-        name: quantity_name(STEADY, Statistic::Final, None),
-        value,
-        unit: "s".to_owned(),
-        ..Quantity::default()
-    })
+    let id = QuantityId::single(Subject::SteadyTime);
+    Some(Quantity::new(id, value))
 }
 
 fn steady_from(shapes: &[LineShape], period: f64, from: f64) -> Option<f64> {

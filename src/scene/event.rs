@@ -4,7 +4,7 @@
 use super::{End, Scene};
 use crate::case::Case;
 use crate::numerics::V3;
-use crate::solve::{Kinematics, State};
+use crate::solve::{State, System};
 
 /// A change of the line at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]

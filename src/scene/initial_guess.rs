@@ -5,7 +5,7 @@ use super::{End, Scene};
 use crate::numerics::V3;
 use crate::physics::friction::{Friction, Law};
 use crate::solve::State;
-use crate::statics::catenary::{Bed, Ends, Line, Refusal, SectionProps, Solution};
+use crate::statics::catenary::{Bed, CatenaryError, Ends, Line, SectionProps, Solution};
 
 /// Where the nodes may be at rest \[m\], and the tensions of the segments \[N\].
 #[derive(Debug, Clone)]
@@ -57,7 +57,7 @@ impl Scene {
 
     /// Why the same line, without bending and in still water, has no one shape at rest, where it has none.
     #[must_use]
-    pub fn catenary_error(&self) -> Option<Refusal> {
+    pub fn catenary_error(&self) -> Option<CatenaryError> {
         let (End::Prescribed(from), End::Prescribed(to)) = (&self.ends[0], &self.ends[1]) else {
             return None;
         };
@@ -79,7 +79,13 @@ impl Scene {
 
     /// The catenary in the resultant of weight and the mean of this drag, in the plane of that and both ends; with a bed,
     /// in still water.
-    fn catenary(&self, from: V3, to: V3, drag: &[V3], of_laws: &[f64]) -> Result<Guess, Refusal> {
+    fn catenary(
+        &self,
+        from: V3,
+        to: V3,
+        drag: &[V3],
+        of_laws: &[f64],
+    ) -> Result<Guess, CatenaryError> {
         let whole = self.arc[self.arc.len() - 1];
         let (down, mean) = if self.bed.is_some() {
             (-V3::z(), V3::zeros())
@@ -150,7 +156,7 @@ impl Scene {
         along: V3,
         ends: Ends,
         sections: &[SectionProps],
-    ) -> Result<Solution, Refusal> {
+    ) -> Result<Solution, CatenaryError> {
         let bed = self.bed.map(|bed| {
             let normal = bed.normal();
             let slope = (-normal.dot(&along) / normal.z).atan();

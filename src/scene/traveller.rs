@@ -13,7 +13,7 @@ mod path;
 
 use super::{Scene, submergence};
 use crate::numerics::{BlockBand, M3, V3};
-use crate::solve::{Factors, Kinematics, State};
+use crate::solve::{Factors, State, System};
 use path::PathPoint;
 
 /// A body that travels along the line.
@@ -21,7 +21,7 @@ use path::PathPoint;
 pub struct Traveller {
     /// Mass \[kg\].
     pub mass: f64,
-    /// NodeWeight \[N\], positive down.
+    /// Weight \[N\], positive down.
     pub weight: f64,
     /// `1/2 rho C_D A` along x, y, z \[kg/m\].
     pub drag: V3,

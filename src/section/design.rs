@@ -9,7 +9,7 @@ use super::stiffness::{Matrix, Twist, matrix};
 use super::strength::{Strength, strength};
 use super::units::unused;
 use super::weight::{Weight, weight};
-use crate::case::{DragLaw, DragWidth, DynamicStiffness, Material};
+use crate::case::Material;
 
 /// A section with all that follows from it.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,27 +53,14 @@ impl Design {
     #[must_use]
     pub fn material(&self) -> Material {
         Material {
-            diameter_m: 2.0 * self.layout.outer_radius,
-            mass_kg_per_m: self.weight.moving,
             wet_weight_kg_per_m: Some(self.weight.in_water),
-            ea_n: Some(self.ea()),
-            strain: None,
-            tension_n: None,
-            dynamic_stiffness: DynamicStiffness::None,
-            dynamic_alpha: None,
-            dynamic_beta: 0.0,
-            dynamic_gamma: 0.0,
-            mean_window_s: None,
             ei_n_m2: self.bending.total(),
-            axial_damping_n_s: None,
-            axial_damping_ratio: None,
-            drag_normal: DragLaw::Constant(0.0),
-            drag_tangential: DragLaw::Constant(0.0),
-            drag_tangential_width: DragWidth::default(),
-            added_mass_normal: 1.0,
-            added_mass_tangential: 0.0,
             break_load_n: self.strength.as_ref().map(|s| s.break_load),
-            min_bend_radius_m: None,
+            ..Material::new(
+                2.0 * self.layout.outer_radius,
+                self.weight.moving,
+                self.ea(),
+            )
         }
     }
 }

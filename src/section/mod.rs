@@ -4,8 +4,7 @@
 //! [`model`] holds the words of a section file, [`fields`] its keys with unit, range, default and
 //! help, [`parse`] and [`load`] check it. [`design`](design()) lays the section out
 //! ([`layout`], by the [`packing`] of helices) and works out [`stiffness`], [`bending`],
-//! [`weight`] and [`strength`]. [`picture`] draws it, [`tables`] and [`text`] put it in words,
-//! [`material`] and [`fragment`](fragment()) hand it to a line case. [`edit`] lists its keys for an editor
+//! [`weight`] and [`strength`]. [`material`] and [`fragment`](fragment()) hand it to a line case. [`edit`] lists its keys for an editor
 //! and sets them.
 
 pub mod bending;
@@ -19,12 +18,9 @@ pub mod layout;
 mod misfit;
 pub mod model;
 pub mod packing;
-pub mod picture;
 mod read;
 pub mod stiffness;
 pub mod strength;
-pub mod tables;
-pub mod text;
 mod units;
 pub mod weight;
 

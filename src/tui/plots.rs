@@ -1,10 +1,11 @@
 //! The charts of the open case: which runs are on them, and which of their curves.
 
 use super::state::{ChartKind, Curves, OpenCase};
+use crate::case::ChannelQuantity;
 use crate::report::chart::{AxisRange, Chart};
 use crate::report::figures::{
-    PlottedRun, ResponseMapKind, along_studies, curvature_profile, deviation_in_time, elevation,
-    line_from_above, line_from_ahead, line_shape, mean_load_in_time, moment_profile,
+    self, PlottedRun, ResponseMapKind, along_studies, curvature_profile, deviation_in_time,
+    elevation, line_from_above, line_from_ahead, line_shape, mean_load_in_time, moment_profile,
     payload_position, published_curves, response_map, rms_profile, speed, stiffness_in_time,
     stiffness_profile, tension_profile, tensions, tilt, trajectory, wave_amplitudes, wavelengths,
 };
@@ -170,16 +171,16 @@ fn keep_only(chart: &mut Chart, name: &str) {
 pub fn series_names(open: &OpenCase, kind: ChartKind) -> Vec<String> {
     let fixed = |names: &[&str]| names.iter().map(|n| (*n).to_owned()).collect();
     match kind {
-        ChartKind::Tensions => places(open, "tension_n["),
-        ChartKind::Speed => places(open, "speed_m_per_s["),
-        ChartKind::Tilt => places(open, "tilt_deg["),
+        ChartKind::Tensions => places(open, ChannelQuantity::Tension),
+        ChartKind::Speed => places(open, ChannelQuantity::Speed),
+        ChartKind::Tilt => places(open, ChannelQuantity::Tilt),
         ChartKind::Study => {
             let charts = stated(open);
             charts.into_iter().map(|chart| chart.title).collect()
         }
-        ChartKind::MeanLoad => places(open, "mean_load_percent["),
-        ChartKind::Deviation => places(open, "load_deviation_percent["),
-        ChartKind::Stiffness => places(open, "stiffness_k["),
+        ChartKind::MeanLoad => places(open, ChannelQuantity::MeanLoad),
+        ChartKind::Deviation => places(open, ChannelQuantity::LoadDeviation),
+        ChartKind::Stiffness => places(open, ChannelQuantity::Stiffness),
         ChartKind::Payload => fixed(&["x", "z"]),
         ChartKind::Amplitudes => fixed(&["motion", "towards A", "towards B", "WKB, no drag"]),
         ChartKind::Wavelengths => fixed(&["computed", "WKB"]),
@@ -202,20 +203,12 @@ pub fn series_names(open: &OpenCase, kind: ChartKind) -> Vec<String> {
     }
 }
 
-/// Where the runs shown recorded a quantity: what stands in the brackets of its channels.
-fn places(open: &OpenCase, quantity: &str) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for run in shown(open) {
-        for channel in &run.curves.history().channels {
-            if let Some(rest) = channel.name.strip_prefix(quantity) {
-                let name = rest.trim_end_matches(']');
-                if !names.iter().any(|n| n == name) {
-                    names.push(name.to_owned());
-                }
-            }
-        }
-    }
-    names
+/// Where the runs shown recorded a quantity.
+fn places(open: &OpenCase, quantity: ChannelQuantity) -> Vec<String> {
+    let runs = shown(open);
+    let histories = runs.iter().map(|run| run.curves.history());
+    let names = figures::places(histories, quantity);
+    names.into_iter().map(str::to_owned).collect()
 }
 
 /// First and last instant of the runs shown.

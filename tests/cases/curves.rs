@@ -78,12 +78,16 @@ fn a_curve_from_a_file_is_followed_with_its_error_told_and_drawn() {
     let (off, error) = (row.difference.unwrap(), row.error.unwrap());
     assert!(off < 0.5 && error > 0.0 && error < 0.5, "{off} % {error} %");
     // Only the curve that belongs to the case as it stands is in the run's own numbers.
-    let told: Vec<&str> = run.summary.iter().map(|q| q.name.as_str()).collect();
+    let told: Vec<String> = run
+        .summary
+        .iter()
+        .map(seacable::run::Quantity::name)
+        .collect();
     assert!(
-        told.contains(&"tension_n[rope|bob].from_curve_1"),
+        run.quantity("tension_n[rope|bob].from_curve_1").is_some(),
         "{told:?}"
     );
-    assert!(!told.contains(&"tension_n[rope|bob].from_curve_2"));
+    assert!(run.quantity("tension_n[rope|bob].from_curve_2").is_none());
     // Drawn over the window of the run, three periods of it, as it fits best.
     let charts = published_curves(&rows);
     assert_eq!(charts.len(), 2);

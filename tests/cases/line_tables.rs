@@ -107,10 +107,10 @@ fn what_is_wrong_in_a_line_is_told_with_its_place_and_stops_no_other() {
         "line 1, column 15, sections: [length_m",
         "line 2, column 40, x_m: a number is needed",
         "line 3: the key x_m is missing",
-        "line 4, column 11: the end of the line",
+        "line 4, column 11: EOF while parsing",
         "line 5: the axial stiffness EA [N] is -1",
         "line 6: there is a slope or friction but no bed",
-        "line 7: ends.b.position_m",
+        "line 7: b_m: the ends are 201.000000 m apart",
         "x_m: given twice",
         "\"status\": \"ok\"",
     ]) {

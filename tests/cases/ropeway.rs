@@ -9,14 +9,15 @@ use proptest::prelude::*;
 use seacable::case::shipped::ROPEWAYS;
 use seacable::reference::{Outcome, count_outcomes};
 use seacable::report::chart::Glyphs;
-use seacable::ropeway::exact::Carrier;
-use seacable::ropeway::winch::{HangPoint, Held, extremes, follow};
-use seacable::ropeway::{Trouble, Worked, edit, held, line, parse, text};
+use seacable::report::ropeway::report;
+use seacable::ropeway::elastic::Carrier;
+use seacable::ropeway::winch::{ShipOffset, WinchState, simulate, statistics};
+use seacable::ropeway::{RopewayError, SolvedRopeway, edit, line, parse, validation};
 
 const SPAN_80: &str = include_str!("../../cases/ropeway/span_80.toml");
 const TENSION: &str = include_str!("../../cases/ropeway/constant_tension.toml");
 
-fn with(text: &str, edits: &[(&str, &str)]) -> Worked {
+fn with(text: &str, edits: &[(&str, &str)]) -> SolvedRopeway {
     parse(&edit::set_all(text, edits).unwrap(), "edited").unwrap()
 }
 
@@ -33,12 +34,12 @@ fn seacable(words: &[&str]) -> Output {
 }
 
 #[test]
-fn the_tables_of_the_paper_hold_and_its_slips_are_told() {
+fn the_tables_of_the_paper_hold_and_its_misprints_are_reported() {
     let expected = [("40", 10, 3), ("60", 12, 1), ("80", 13, 2)];
     for (span, pass, differs) in expected {
         let path = format!("ropeway/span_{span}.toml");
         let (_, text) = ROPEWAYS.iter().find(|known| known.0 == path).unwrap();
-        let rows = held::rows(&parse(text, &path).unwrap(), text);
+        let rows = validation::rows(&parse(text, &path).unwrap(), text);
         let count = count_outcomes(&rows);
         assert_eq!((count.pass, count.differs), (pass, differs), "{path}");
         assert_eq!((count.fail, count.not_run), (0, 0), "{path}");
@@ -53,9 +54,9 @@ fn the_tables_of_the_paper_hold_and_its_slips_are_told() {
             assert!(difference || tolerance <= most, "{path}: {}", row.name);
         }
         let misprint = rows.iter().find(|row| row.name == "ANSYS tension").unwrap();
-        let told = misprint.reason.as_deref().unwrap_or_default();
+        let message = misprint.reason.as_deref().unwrap_or_default();
         assert_eq!(misprint.outcome == Outcome::Differs, span == "40");
-        assert_eq!(told.contains("1157.21 N"), span == "40");
+        assert_eq!(message.contains("1157.21 N"), span == "40");
     }
 }
 
@@ -70,9 +71,9 @@ fn the_discretised_line_comes_to_the_exact_rope() {
                 ("cargo.position", "0.3"),
             ],
         );
-        let readings = worked.readings(0.3).unwrap();
-        let line = readings.line.unwrap();
-        (line.ship_n - readings.exact.ship_n()).abs() / readings.exact.ship_n()
+        let results = worked.results(0.3).unwrap();
+        let line = results.line.unwrap();
+        (line.ship_n - results.exact.ship_n()).abs() / results.exact.ship_n()
     };
     let (coarse, fine) = (off("40"), off("80"));
     assert!(fine < 1e-4, "{fine}");
@@ -82,9 +83,11 @@ fn the_discretised_line_comes_to_the_exact_rope() {
 #[test]
 fn the_line_case_is_one_that_runs_anywhere() {
     let worked = parse(SPAN_80, "span").unwrap();
-    let rest = worked.rest(0.5).unwrap();
-    let text = line::case_text(&worked.ropeway, rest.length_m, rest.arc_m);
+    let rest = worked.equilibrium(0.5).unwrap();
+    let text = line::static_case_file(&worked.ropeway, rest.length_m, rest.arc_m);
     let case = seacable::case::parse(&text, "line").unwrap();
+    let built = line::static_case(&worked.ropeway, rest.length_m, rest.arc_m);
+    assert_eq!(case, built);
     assert_eq!(case.clumps.len(), 1);
     assert_eq!(case.line.len(), 2);
 }
@@ -93,7 +96,7 @@ fn the_line_case_is_one_that_runs_anywhere() {
 fn a_rope_set_by_tension_keeps_it_wherever_the_cargo_hangs() {
     let worked = parse(TENSION, "tension").unwrap();
     for position in [0.0, 0.01, 0.37, 0.9, 1.0] {
-        let rest = worked.rest(position).unwrap();
+        let rest = worked.equilibrium(position).unwrap();
         assert!((rest.ship_n() / 6000.0 - 1.0).abs() < 1e-9, "{position}");
     }
 }
@@ -104,41 +107,64 @@ fn a_winch_without_limits_keeps_the_tension_and_one_with_limits_tells() {
         TENSION,
         &[("winch.speed_m_per_s", "50.0"), ("winch.power_w", "1e6")],
     );
-    let series = free.series().unwrap();
-    let kept = free.follow(&series).unwrap().kept.unwrap().unwrap();
-    let tension = extremes(&kept, |m| m.ship_n);
-    assert!((tension.most - 6000.0).abs() < 1e-4 && (tension.least - 6000.0).abs() < 1e-4);
+    let series = free.ship_motion().unwrap();
+    let kept = free
+        .run_winch(&series)
+        .unwrap()
+        .constant_tension
+        .unwrap()
+        .unwrap();
+    let tension = statistics(&kept, |m| m.ship_n);
+    assert!((tension.max - 6000.0).abs() < 1e-4 && (tension.min - 6000.0).abs() < 1e-4);
     // The rope that is paid out is what the ship goes off, all but for sag: the rope is taut.
-    let rope = extremes(&kept, |m| m.length_m);
+    let rope = statistics(&kept, |m| m.length_m);
     assert!(
-        (rope.most - rope.least - 2.0 * 1.22453).abs() < 0.06,
+        (rope.max - rope.min - 2.0 * 1.22453).abs() < 0.06,
         "{rope:?}"
     );
     let slow = with(TENSION, &[("winch.speed_m_per_s", "0.05")]);
-    let kept = slow.follow(&series).unwrap().kept.unwrap().unwrap();
-    assert!(kept.iter().any(|m| m.held == Held::AtSpeed));
-    assert!(extremes(&kept, |m| m.speed_m_per_s.abs()).most < 0.05 + 1e-9);
-    assert!(extremes(&kept, |m| m.ship_n).most > 6100.0);
+    let kept = slow
+        .run_winch(&series)
+        .unwrap()
+        .constant_tension
+        .unwrap()
+        .unwrap();
+    assert!(kept.iter().any(|m| m.state == WinchState::SpeedLimit));
+    assert!(statistics(&kept, |m| m.speed_m_per_s.abs()).max < 0.05 + 1e-9);
+    assert!(statistics(&kept, |m| m.ship_n).max > 6100.0);
     let weak = with(TENSION, &[("winch.power_w", "100.0")]);
-    let kept = weak.follow(&series).unwrap().kept.unwrap().unwrap();
-    assert!(kept.iter().any(|m| m.held == Held::AtPower));
+    let kept = weak
+        .run_winch(&series)
+        .unwrap()
+        .constant_tension
+        .unwrap()
+        .unwrap();
+    assert!(kept.iter().any(|m| m.state == WinchState::PowerLimit));
 }
 
 #[test]
-fn a_ship_beyond_the_reach_is_told() {
+fn a_ship_beyond_reach_is_an_error() {
     let worked = with(TENSION, &[("rope.carrier.length_m", "81.0")]);
-    let series = worked.series().unwrap();
-    let kept = worked.follow(&series).unwrap().kept.unwrap().unwrap();
-    assert!(kept.iter().any(|m| m.held == Held::RopeOut));
-    assert!(extremes(&kept, |m| m.length_m).most < 81.0 + 1e-9);
-    let away = [HangPoint {
+    let series = worked.ship_motion().unwrap();
+    let kept = worked
+        .run_winch(&series)
+        .unwrap()
+        .constant_tension
+        .unwrap()
+        .unwrap();
+    assert!(kept.iter().any(|m| m.state == WinchState::RopeOut));
+    assert!(statistics(&kept, |m| m.length_m).max < 81.0 + 1e-9);
+    let away = [ShipOffset {
         time_s: 7.0,
         x_m: 20.0,
         z_m: 0.0,
     }];
-    let start = worked.rest(0.5).unwrap();
-    let told = follow(&worked.span, &start, None, &away).unwrap_err();
-    assert!(matches!(told, Trouble::BeyondReach { .. }), "{told}");
+    let start = worked.equilibrium(0.5).unwrap();
+    let message = simulate(&worked.rope, &start, None, &away).unwrap_err();
+    assert!(
+        matches!(message, RopewayError::BeyondReach { .. }),
+        "{message}"
+    );
 }
 
 #[test]
@@ -154,25 +180,28 @@ fn edges_have_answers_or_clear_errors() {
     );
     assert!(refused(SPAN_80, "ship.height_m", "900").contains("steeper"));
     let at_support = with(SPAN_80, &[("cargo.position", "1.0")]);
-    let readings = at_support.readings(1.0).unwrap();
-    assert_eq!(readings.exact.carrier, Carrier::Ship);
-    assert!(readings.line.is_err() && readings.exact.sag_m.abs() < 1e-9);
-    // A slack rope still has its answer; the cargo is then deep in the water, and that is told.
+    let results = at_support.results(1.0).unwrap();
+    assert_eq!(results.exact.carrier, Carrier::Ship);
+    assert!(results.line.is_err() && results.exact.sag_m.abs() < 1e-9);
+    // A slack rope still has its answer; the cargo is then deep in the water, with a warning.
     let slack = with(
         SPAN_80,
         &[("setting.length_m", "99.0"), ("setting.by", "length")],
     );
-    let readings = slack.readings(0.5).unwrap();
-    assert!(readings.exact.sag_m > 20.0);
-    let told = seacable::ropeway::tables::warnings(&slack, &readings).join(" ");
-    assert!(told.contains("cargo is in the water"), "{told}");
+    let results = slack.results(0.5).unwrap();
+    assert!(results.exact.sag_m > 20.0);
+    let message = seacable::report::ropeway::tables::warnings(&slack, &results).join(" ");
+    assert!(message.contains("cargo is in the water"), "{message}");
     // So short that it must stretch: exact, though the paper's model, which cannot stretch, has none.
     let tight = with(
         SPAN_80,
         &[("setting.length_m", "79.9"), ("setting.by", "length")],
     );
-    assert!(matches!(tight.tabled, Err(Trouble::TooShort { .. })));
-    assert!(tight.readings(0.5).unwrap().exact.ship_n() > 2e4);
+    assert!(matches!(
+        tight.inextensible,
+        Err(RopewayError::TooShort { .. })
+    ));
+    assert!(tight.results(0.5).unwrap().exact.ship_n() > 2e4);
     let shorter = edit::set_all(
         SPAN_80,
         &[("setting.length_m", "70.0"), ("setting.by", "length")],
@@ -185,18 +214,18 @@ fn edges_have_answers_or_clear_errors() {
 }
 
 #[test]
-fn what_is_wrong_in_a_file_is_told_with_its_place() {
+fn errors_of_a_file_have_their_place() {
     let wrong = SPAN_80.replace(
         "quantity = \"model.horizontal_n\"",
         "quantity = \"model.horizontl_n\"",
     );
-    let told = parse(&wrong, "a.toml").unwrap_err();
+    let message = parse(&wrong, "a.toml").unwrap_err();
     assert!(
-        told[0]
+        message[0]
             .to_string()
             .contains("did you mean \"model.horizontal_n\"?"),
         "{}",
-        told[0]
+        message[0]
     );
     let wrong = SPAN_80.replace("[marks.\"cargo.position\"]", "[marks.\"cargo.place\"]");
     assert!(
@@ -205,11 +234,11 @@ fn what_is_wrong_in_a_file_is_told_with_its_place() {
             .contains("no key `cargo.place`")
     );
     let wrong = SPAN_80.replace("span_m = 80.0", "span = 80.0");
-    let told = parse(&wrong, "a.toml").unwrap_err();
+    let message = parse(&wrong, "a.toml").unwrap_err();
     assert!(
-        told[0].line > 1 && told[0].to_string().contains("span_m"),
+        message[0].line > 1 && message[0].to_string().contains("span_m"),
         "{}",
-        told[0]
+        message[0]
     );
 }
 
@@ -312,16 +341,16 @@ proptest! {
         let edits: Vec<(&str, &str)> = edits.iter().map(|(k, v)| (*k, v.as_str())).collect();
         if let Ok(edited) = edit::set_all(SPAN_80, &edits) {
             let worked = parse(&edited, "random").unwrap();
-            if let Ok(readings) = worked.readings(position) {
-                let exact = &readings.exact;
+            if let Ok(results) = worked.results(position) {
+                let exact = &results.exact;
                 for number in [exact.ship_n(), exact.platform_n(), exact.sag_m, exact.length_m] {
                     prop_assert!(number.is_finite());
                 }
                 let held = exact.solution.v_b_n - exact.solution.v_a_n;
-                let on_rope = if exact.carrier == Carrier::Rope { worked.span.cargo_n } else { 0.0 };
-                let weight = worked.span.weight_n_per_m * exact.length_m + on_rope;
+                let on_rope = if exact.carrier == Carrier::Rope { worked.rope.cargo_n } else { 0.0 };
+                let weight = worked.rope.weight_n_per_m * exact.length_m + on_rope;
                 prop_assert!((held - weight).abs() < 1e-6 * weight.max(exact.ship_n()));
-                let report = text::text(&worked, &readings, &edited, Glyphs::Ascii);
+                let report = report(&worked, &results, &edited, Glyphs::Ascii);
                 prop_assert!(!report.contains("NaN"));
             }
         }

@@ -11,6 +11,7 @@ use predicates::{prelude::*, str::contains};
 use proptest::prelude::*;
 use seacable::case::{self, Diagnostic};
 use seacable::report::chart::Glyphs;
+use seacable::report::section::{drawing, report};
 use seacable::section::model::{Core, Layer, Sense};
 use seacable::section::stiffness::{Twist, ea_with_pressure, matrix};
 use seacable::section::strength::shares;
@@ -612,7 +613,7 @@ fn sparse_layers_gaps_and_idle_units_are_warned_of() {
 #[test]
 fn drawings() {
     let design = umbilical();
-    let draw = |width, height, glyphs| section::picture::picture(&design, width, height, glyphs);
+    let draw = |width, height, glyphs| drawing::text(&design, width, height, glyphs);
     accept(
         "section_umbilical_100x50_braille",
         &draw(100, 50, Glyphs::Braille),
@@ -633,14 +634,14 @@ fn drawings() {
 
 #[test]
 fn the_page_of_the_umbilical() {
-    let text = section::text::text(&umbilical(), 100, Glyphs::Ascii, None);
+    let text = report(&umbilical(), 100, Glyphs::Ascii, None);
     let tables = text.split_once("Layers, from").unwrap().1;
     accept(
         "section_umbilical_tables_100",
         &format!("Layers, from{tables}"),
     );
     let cable = load("section_power_cable.toml");
-    let text = section::text::text(&cable, 80, Glyphs::Ascii, Some(1e6));
+    let text = report(&cable, 80, Glyphs::Ascii, Some(1e6));
     let tables = text.split_once("Layers, from").unwrap().1;
     accept(
         "section_power_cable_tables_80",
@@ -705,16 +706,15 @@ fn the_command_prints_and_writes() {
         .stdout(predicate::function(str::is_ascii));
     let written = std::fs::read_to_string(dir.path().join("umbilical.toml")).unwrap();
     assert!(written.contains("[materials.umbilical]"), "{written}");
-    // It is written again with --force, and nothing is overwritten without.
+    // It is written again, but nothing else is overwritten.
     let again = |name: &str| {
         let mut command = seacable(dir.path());
         command.arg("section").arg(&file).args(["-o", name]);
-        command
+        command.assert()
     };
-    again("umbilical.toml").arg("--force").assert().success();
+    again("umbilical.toml").success();
     std::fs::write(dir.path().join("line.toml"), "[case]\n").unwrap();
-    let refused = again("line.toml").assert().code(2);
-    refused.stderr(contains("left as it is").and(contains("--force")));
+    again("line.toml").code(2).stderr(contains("left as it is"));
     assert_eq!(
         std::fs::read_to_string(dir.path().join("line.toml")).unwrap(),
         "[case]\n"
@@ -843,9 +843,9 @@ proptest! {
         };
         if let Ok(design) = section::parse(&lines.join("\n"), "any.toml") {
             let glyphs = if cut { Glyphs::Ascii } else { Glyphs::Braille };
-            let picture = section::picture::picture(&design, size.0, size.1, glyphs);
+            let picture = drawing::text(&design, size.0, size.1, glyphs);
             prop_assert!(picture.lines().all(|line| line.chars().count() <= size.0));
-            prop_assert!(!section::text::text(&design, size.0, glyphs, None).is_empty());
+            prop_assert!(!report(&design, size.0, glyphs, None).is_empty());
         }
     }
 }

@@ -4,11 +4,11 @@ use seacable::dynamics::generalized_alpha::GeneralizedAlpha;
 use seacable::dynamics::rk4::Rk4;
 use seacable::dynamics::{March, Stepper};
 use seacable::scene::Scene;
-use seacable::solve::{ExplicitRhs, Instant, Kinematics, Progressing, State};
+use seacable::solve::{Instant, Progressing, State, System};
 
 /// Marches in steps of `step`, showing every step.
 pub(crate) fn march(
-    mut method: impl Stepper<Scene>,
+    mut method: impl Stepper,
     scene: &Scene,
     state: &mut State,
     (duration, step): (f64, f64),

@@ -52,9 +52,8 @@ pub(crate) fn info() -> RunInfo {
 pub(crate) fn run() -> Run {
     let time: Vec<f64> = (0..50).map(|i| f64::from(i) * 0.1).collect();
     let wave = |scale: f64| time.iter().map(|t| scale * (t * 1.7).sin() / 3.0).collect();
-    let channel = |name: &str, unit: &str, scale| Channel {
-        name: name.to_owned(),
-        unit: unit.to_owned(),
+    let channel = |name: &str, scale| Channel {
+        id: name.parse().unwrap(),
         values: wave(scale),
         peak: (scale / 3.0 + 1e-13, 0.923_997_8),
         trough: (-scale / 3.0, 2.0 / 7.0),
@@ -73,8 +72,8 @@ pub(crate) fn run() -> Run {
         history: History {
             time: time.clone(),
             channels: vec![
-                channel("tension_n[wire|payload]", "N", 2.02e6),
-                channel("z_m[pay,load]", "m", 0.1),
+                channel("tension_n[wire|payload]", 2.02e6),
+                channel("z_m[pay,load]", 0.1),
             ],
         },
         shapes: shapes.to_vec(),
@@ -103,9 +102,8 @@ pub(crate) fn run() -> Run {
 
 fn quantity(name: &str, value: f64, time_error: Option<f64>, mesh_error: Option<f64>) -> Quantity {
     Quantity {
-        name: name.to_owned(),
+        id: name.parse().unwrap(),
         value,
-        unit: "N".to_owned(),
         time_error,
         mesh_error,
     }

@@ -9,7 +9,7 @@ use seacable::case::{self, Case, Method};
 use seacable::dynamics::quasi_static::QuasiStatic;
 use seacable::run::job::{Request, execute};
 use seacable::run::{History, Run, RunState};
-use seacable::solve::{Kinematics, State};
+use seacable::solve::{State, System};
 
 fn run(case: Case) -> Run {
     let request = Request {
@@ -39,7 +39,7 @@ fn differences(a: &History, b: &History) -> Vec<(String, f64, f64, f64)> {
     let pairs = a.channels.iter().zip(&b.channels);
     pairs
         .map(|(p, q)| {
-            assert_eq!(p.name, q.name);
+            assert_eq!(p.id, q.id);
             let apart = p.values.iter().zip(&q.values).map(|(x, y)| (x - y).abs());
             let square: f64 = apart.clone().map(|d| d * d).sum();
             let worst =
@@ -50,7 +50,7 @@ fn differences(a: &History, b: &History) -> Vec<(String, f64, f64, f64)> {
                     },
                 );
             let rms = (square / a.time.len() as f64).sqrt();
-            (p.name.clone(), rms, worst.0, worst.1)
+            (p.name(), rms, worst.0, worst.1)
         })
         .collect()
 }
@@ -88,7 +88,7 @@ fn the_quasi_static_manifold_hangs_where_the_dynamic_one_does() {
         assert!(
             (x - y).abs() < 1e-7 * x.abs().max(1.0),
             "{}: {x} {y}",
-            a.name
+            a.name()
         );
     }
 }

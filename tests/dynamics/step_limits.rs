@@ -7,11 +7,11 @@ use std::sync::atomic::AtomicBool;
 
 use crate::march::{alpha, march, rk4};
 use crate::rest::{at_rest, build};
-use seacable::dynamics::{Integrator, March, StepError, Stepper, TimeStep, WorkCounts};
+use seacable::dynamics::{March, StepError, Stepper, TimeStep, WorkCounts};
 use seacable::numerics::V3;
 use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
-use seacable::solve::{Instant, NewtonError, Progressing, State};
+use seacable::solve::{Instant, NewtonError, Progressing, State, System};
 
 fn run(changes: &str) -> Run {
     let request = Request {
@@ -100,7 +100,7 @@ fn the_stability_limit_is_one() {
                         TimeStep {
                             t,
                             dt,
-                            reject: false,
+                            refuse: false,
                         },
                         &mut state,
                     )
@@ -189,8 +189,13 @@ struct Choosy {
     taken: Vec<(f64, f64)>,
 }
 
-impl<S> Stepper<S> for Choosy {
-    fn step(&mut self, _: &S, at: TimeStep, _: &mut State) -> Result<f64, StepError> {
+impl Stepper for Choosy {
+    fn step<S: System + ?Sized>(
+        &mut self,
+        _: &S,
+        at: TimeStep,
+        _: &mut State,
+    ) -> Result<f64, StepError> {
         if at.dt > self.longest {
             return Err(NewtonError::NotConverged {
                 iterations: 9,
@@ -202,10 +207,7 @@ impl<S> Stepper<S> for Choosy {
         self.taken.push((at.t, at.dt));
         Ok(self.share)
     }
-    fn restart(&mut self, _system: &S, _t: f64, _state: &mut State) {}
-}
-
-impl Integrator for Choosy {
+    fn restart<S: System + ?Sized>(&mut self, _system: &S, _t: f64, _state: &mut State) {}
     fn work_counts(&self) -> WorkCounts {
         WorkCounts::default()
     }
@@ -304,7 +306,7 @@ fn bounce(solver: &str) -> (f64, f64) {
     ));
     let mut told = run.summary.iter();
     let told = told
-        .find(|q| q.name == "tension_n[top|rope].final")
+        .find(|q| q.name() == "tension_n[top|rope].final")
         .unwrap();
     (told.value, told.time_error.unwrap())
 }

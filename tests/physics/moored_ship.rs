@@ -11,7 +11,7 @@ use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
 use seacable::ship::coupled::forcing::Forcing;
 use seacable::ship::coupled::moored_ship::{MooredShip, ShipBody};
-use seacable::solve::{ExplicitRhs, Factors, Instant, Kinematics, Progressing, Residual, State};
+use seacable::solve::{Factors, Instant, Progressing, State, System};
 use seacable::statics::equilibrium::EquilibriumSearch;
 
 /// A chain from an anchor on the bed, 10 m down, to a fairlead at (x, 0, 0), without drag.
@@ -38,7 +38,7 @@ fn rest(line: &Scene) -> State {
     state
 }
 
-/// A ship of this mass, held up by stiff water, its fairlead at an arm; its load balances the line at rest.
+/// A ship of this mass, held up by stiff water, its fairlead at an arm; its load yaw_equilibria the line at rest.
 fn ship(line: &Scene, state: &State, mass: f64, arm: V3) -> ShipBody {
     let last = line.nodes() - 1;
     let pull = line.end_force(last, state);
@@ -64,7 +64,7 @@ fn ship(line: &Scene, state: &State, mass: f64, arm: V3) -> ShipBody {
         )),
         load: -Vector6::new(pull.x, pull.y, pull.z, turn.x, turn.y, turn.z),
         forcing: Forcing::default(),
-        origin: state.x[last] - arm,
+        place: state.x[last] - arm,
         arm,
         length: 25.0,
     }

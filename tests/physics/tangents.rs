@@ -6,9 +6,7 @@ use proptest::prelude::*;
 use seacable::case::Case;
 use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
-use seacable::solve::{
-    ExplicitRhs, Factors, Hysteresis, Kinematics, Residual, State, StaticSearch,
-};
+use seacable::solve::{Factors, State, System};
 
 /// Two materials, floats, a payload, a current sheared over depth.
 const LINE: &str = r#"

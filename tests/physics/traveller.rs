@@ -7,7 +7,7 @@ use crate::{march, rest};
 use seacable::case;
 use seacable::numerics::{BlockBand, V3};
 use seacable::scene::Scene;
-use seacable::solve::{ExplicitRhs, Factors, Kinematics, Residual, State};
+use seacable::solve::{Factors, State, System};
 
 /// 80 m of rope between level ends, stretched to about 20 kN, with a cargo on its way.
 fn taut(segments: usize, traveller: &str) -> Scene {
@@ -345,7 +345,10 @@ fn the_implicit_and_the_explicit_march_agree_over_many_nodes() {
 fn its_channels_are_recorded_and_its_keys_checked() {
     let text = include_str!("../../cases/ropeway/crossing.toml");
     let case = case::parse(text, "crossing").unwrap();
-    let names: Vec<String> = case::channels(&case).into_iter().map(|c| c.name).collect();
+    let names: Vec<String> = case::channels(&case)
+        .into_iter()
+        .map(|c| c.id.to_string())
+        .collect();
     for name in [
         "x_m[cargo]",
         "z_m[cargo]",

@@ -9,7 +9,6 @@ mod sample;
 mod small;
 
 mod cli;
-mod output_files;
 mod signals;
 mod start_from_run;
 mod store;

@@ -117,7 +117,7 @@ fn such_a_run_needs_nothing_but_itself() {
     let told = run
         .summary
         .iter()
-        .find(|q| q.name == "z_m[payload].final")
+        .find(|q| q.name() == "z_m[payload].final")
         .unwrap();
     let (time, mesh) = (told.time_error.unwrap(), told.mesh_error.unwrap());
     assert!(time < 0.1 && mesh < 0.5, "{time} {mesh}");

@@ -35,12 +35,7 @@ fn begun(root: &Path, rows: usize) -> Writer {
         &run.case_text,
     )
     .unwrap();
-    let channels: Vec<_> = run
-        .history
-        .channels
-        .iter()
-        .map(|c| (c.name.clone(), c.unit.clone()))
-        .collect();
+    let channels: Vec<_> = run.history.channels.iter().map(|c| c.id.clone()).collect();
     writer.channels(&channels).unwrap();
     for i in 0..rows {
         let frame = Frame {
@@ -118,7 +113,7 @@ fn a_run_that_never_finished_reads_as_partial() {
     assert_eq!(back.info.state, RunState::Partial);
     assert_eq!(back.history.time.len(), 30);
     assert_eq!(back.shapes.len(), 3);
-    assert_eq!(back.history.channels[0].unit, "N");
+    assert_eq!(back.history.channels[0].unit(), "N");
     let values = &back.history.channels[0].values;
     let peak = values.iter().copied().fold(f64::MIN, f64::max);
     assert_eq!(back.history.channels[0].peak.0.to_bits(), peak.to_bits());

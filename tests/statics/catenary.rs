@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use proptest::prelude::*;
-use seacable::statics::catenary::{Bed, Ends, Line, Refusal, SectionProps, Shape, Solution};
+use seacable::statics::catenary::{Bed, CatenaryError, Ends, Line, SectionProps, Shape, Solution};
 
 /// `tests/data/catenary.csv`: lines of every kind with answers from an independent 40-digit solution
 /// (forces chosen, end positions computed, forces corrected for the rounding of the positions).
@@ -254,7 +254,7 @@ fn a_floating_line_comes_to_rest_against_the_surface() {
     };
     assert!(matches!(
         too_low.solve(),
-        Err(Refusal::EndAboveSurface { .. })
+        Err(CatenaryError::EndAboveSurface { .. })
     ));
 }
 
@@ -402,14 +402,14 @@ proptest! {
     fn a_line_always_has_an_answer((ends, section, bed) in any_line()) {
         match line(ends, &[section], bed).solve() {
             Ok(rest) => prop_assert!(rest.residual < 1e-9, "{}", rest.residual),
-            Err(Refusal::EndBelowBed { .. }) => {}
+            Err(CatenaryError::EndBelowBed { .. }) => {}
             Err(other) => prop_assert!(false, "{}", other),
         }
     }
 }
 
 mod tables {
-    use seacable::statics::catenary::{TableFault, solve_table};
+    use seacable::study::lines::{TableError, solve};
 
     #[test]
     fn a_table_keeps_its_rows_and_order_and_says_what_is_wrong_with_a_row() {
@@ -420,7 +420,7 @@ mod tables {
                      deep,80,-20,100,1e9,1000,5,\n\
                      \"comma, quoted\",80,20,-1,1e9,1000,,\n\
                      again,80,20,100,1e9,1000,,\n";
-        let written = solve_table(table.as_bytes()).unwrap();
+        let written = solve(table.as_bytes()).unwrap();
         assert_eq!((written.rows, written.refused), (6, 4));
         let text = String::from_utf8(written.text).unwrap();
         let lines: Vec<&str> = text.lines().collect();
@@ -441,16 +441,16 @@ mod tables {
 
     #[test]
     fn a_table_without_its_columns_is_told_which_are_missing() {
-        let fault = solve_table(b"x_m,z_m,length_m\n1,2,3\n").unwrap_err();
+        let fault = solve(b"x_m,z_m,length_m\n1,2,3\n").unwrap_err();
         assert!(
-            matches!(&fault, TableFault::Columns(missing) if missing == "ea_n, weight_n_per_m")
+            matches!(&fault, TableError::Missing(missing) if missing == "ea_n, weight_n_per_m")
         );
-        assert!(solve_table(b"").is_err());
+        assert!(solve(b"").is_err());
     }
 
     #[test]
     fn the_table_of_independent_answers_comes_back_all_ok() {
-        let written = solve_table(super::TABLE.as_bytes()).unwrap();
+        let written = solve(super::TABLE.as_bytes()).unwrap();
         assert_eq!(written.refused, 0);
         assert_eq!(written.rows, super::rows().len());
     }

@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use proptest::prelude::*;
-use seacable::statics::catenary::{Bed, Ends, Line, Refusal, SectionProps, Shape, Solution};
+use seacable::statics::catenary::{Bed, CatenaryError, Ends, Line, SectionProps, Shape, Solution};
 
 /// Forces chosen, end positions computed with 50 digits, forces corrected for the rounding of the positions.
 const TABLE: &str = include_str!("../data/grounded_lines.txt");
@@ -170,12 +170,15 @@ fn what_friction_or_a_slope_leaves_open_is_refused() {
     };
     assert_eq!(
         refusal(180.0, 0.0, 20.0, 0.0, 0.5),
-        Refusal::FrictionUndetermined
+        CatenaryError::FrictionUndetermined
     );
-    assert_eq!(refusal(170.0, 10.0, 20.0, 0.05, 0.0), Refusal::SlopeBelowA);
+    assert_eq!(
+        refusal(170.0, 10.0, 20.0, 0.05, 0.0),
+        CatenaryError::SlopeBelowA
+    );
     assert!(matches!(
         refusal(100.0, 50.0, 0.0, 0.1, 0.0),
-        Refusal::SlackOnSlope { .. }
+        CatenaryError::SlackOnSlope { .. }
     ));
 }
 
@@ -231,7 +234,7 @@ proptest! {
         let x_m = x * length;
         let ends = Ends { x_m, z_m: x_m * slope.tan() + up * length };
         let rest = line(ends, &sections, bed).solve();
-        if let Err(Refusal::SlackOnSlope { .. }) = rest {
+        if let Err(CatenaryError::SlackOnSlope { .. }) = rest {
             prop_assert!(friction < slope.tan().abs());
             return Ok(());
         }

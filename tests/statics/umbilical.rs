@@ -167,11 +167,11 @@ fn limits_that_are_exceeded_are_told() {
         told[1].contains("section `upper` is loaded beyond"),
         "{told:?}"
     );
-    let named = |name: &str| run.summary.iter().find(|q| q.name == name).unwrap();
+    let named = |name: &str| run.quantity(name).unwrap();
     let (radius, curvature) = (named("bend_radius_m.min"), named("curvature_per_m.max"));
     assert!((radius.value * curvature.value - 1.0).abs() < 1e-12);
     assert!(radius.mesh_error.unwrap() < 0.01 * radius.value);
-    assert_eq!(named("moment_nm.max").unit, "N m");
+    assert_eq!(named("moment_nm.max").unit(), "N m");
     assert_eq!(
         named("tension_n.arc_of_max").value.to_bits(),
         220f64.to_bits()

@@ -194,7 +194,7 @@ fn a_body_stays_in_its_place_on_the_companions_mesh() {
         let summary = run
             .summary
             .iter()
-            .find(|q| q.name == "z_m[weight].final")
+            .find(|q| q.name() == "z_m[weight].final")
             .unwrap()
             .clone();
         (summary.value, summary.mesh_error.unwrap())

@@ -195,7 +195,12 @@ fn channel_names(root: &Node) -> Option<Vec<String>> {
             channels.extend(rope_channels(index, section.get("name")?.text()?));
         }
     }
-    Some(channels.into_iter().map(|channel| channel.name).collect())
+    Some(
+        channels
+            .into_iter()
+            .map(|channel| channel.id.to_string())
+            .collect(),
+    )
 }
 
 /// Names of what a run tells of natural modes.

@@ -70,6 +70,34 @@ pub struct End {
     pub clamp_azimuth_deg: f64,
 }
 
+impl End {
+    /// An end of this name and kind at a position \[m\]; all else as in a file that leaves it out.
+    #[must_use]
+    pub fn new(name: &str, kind: EndKind, position_m: Option<[f64; 3]>) -> Self {
+        Self {
+            name: name.to_owned(),
+            kind,
+            position_m,
+            amplitude_m: [0.0; 3],
+            period_s: None,
+            phase_deg: [0.0; 3],
+            ramp_s: 0.0,
+            release_s: None,
+            motion: MotionName::default(),
+            motion_file: None,
+            rms_m: None,
+            peak_period_s: None,
+            gamma: gamma(),
+            components: components(),
+            seed: seed(),
+            heading_deg: 0.0,
+            hang_point_m: [0.0; 3],
+            clamp_elevation_deg: None,
+            clamp_azimuth_deg: 0.0,
+        }
+    }
+}
+
 /// How a moving end moves about its place.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]

@@ -61,6 +61,37 @@ pub struct Material {
     pub min_bend_radius_m: Option<f64>,
 }
 
+impl Material {
+    /// A material of this diameter \[m\], mass per length \[kg/m\] and axial stiffness EA \[N\]; all else as in a file
+    /// that leaves it out.
+    #[must_use]
+    pub fn new(diameter_m: f64, mass_kg_per_m: f64, ea_n: f64) -> Self {
+        Self {
+            diameter_m,
+            mass_kg_per_m,
+            wet_weight_kg_per_m: None,
+            ea_n: Some(ea_n),
+            strain: None,
+            tension_n: None,
+            dynamic_stiffness: DynamicStiffness::default(),
+            dynamic_alpha: None,
+            dynamic_beta: 0.0,
+            dynamic_gamma: 0.0,
+            mean_window_s: None,
+            ei_n_m2: 0.0,
+            axial_damping_n_s: None,
+            axial_damping_ratio: None,
+            drag_normal: no_drag(),
+            drag_tangential: no_drag(),
+            drag_tangential_width: DragWidth::default(),
+            added_mass_normal: one(),
+            added_mass_tangential: 0.0,
+            break_load_n: None,
+            min_bend_radius_m: None,
+        }
+    }
+}
+
 fn no_drag() -> DragLaw {
     DragLaw::Constant(0.0)
 }
@@ -174,7 +205,7 @@ pub struct Clump {
     pub added_mass_kg: OneOrMany,
 }
 
-fn nothing() -> OneOrMany {
+pub(super) fn nothing() -> OneOrMany {
     OneOrMany::One(0.0)
 }
 

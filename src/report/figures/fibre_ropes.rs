@@ -1,7 +1,8 @@
 //! The dynamic stiffness of fibre ropes: along the line, and against time at the ends of their sections.
 
 use super::profiles::over_arc;
-use super::{PlottedRun, named, places, slots, time_histories};
+use super::{PlottedRun, against_time, named, slots};
+use crate::case::ChannelQuantity;
 use crate::report::chart::{Axis, Chart, Series};
 
 /// Stiffness k = EA by breaking load along the ropes at the end, with its smallest and greatest values over time where
@@ -50,41 +51,17 @@ pub fn stiffness_profile(sources: &[PlottedRun]) -> Chart {
 /// Stiffness k = EA by breaking load against time, at the ends of the sections of rope.
 #[must_use]
 pub fn stiffness_in_time(sources: &[PlottedRun]) -> Chart {
-    let things: Vec<_> = places(sources, "stiffness_k")
-        .into_iter()
-        .map(|place| ("stiffness_k", place, place))
-        .collect();
-    time_histories::chart(
-        sources,
-        "Dynamic stiffness",
-        Axis::new("EA by breaking load", ""),
-        &things,
-    )
+    against_time(sources, ChannelQuantity::Stiffness)
 }
 
 /// Mean of the past tension Lm against time, in percent of the breaking load, at the ends of the sections of rope.
 #[must_use]
 pub fn mean_load_in_time(sources: &[PlottedRun]) -> Chart {
-    loads(sources, "mean_load_percent", "Mean load (Lm)")
+    against_time(sources, ChannelQuantity::MeanLoad)
 }
 
 /// Deviation of the tension from its mean La against time, in percent of the breaking load, likewise.
 #[must_use]
 pub fn deviation_in_time(sources: &[PlottedRun]) -> Chart {
-    loads(
-        sources,
-        "load_deviation_percent",
-        "Deviation from the mean load (La)",
-    )
-}
-
-fn loads(sources: &[PlottedRun], quantity: &str, title: &str) -> Chart {
-    let all = places(sources, quantity);
-    let things: Vec<_> = all.iter().map(|place| (quantity, *place, *place)).collect();
-    time_histories::chart(
-        sources,
-        title,
-        Axis::new("of the breaking load", "%"),
-        &things,
-    )
+    against_time(sources, ChannelQuantity::LoadDeviation)
 }

@@ -1,6 +1,7 @@
 //! The scene in space: the path of the payload, the line at an instant from the side, above and ahead.
 
 use super::{PlottedRun, body, named, slots, values};
+use crate::case::ChannelQuantity;
 use crate::report::chart::{Axis, AxisRange, Chart, Limit, LimitLine, Series, extent, fit};
 use crate::report::number;
 use crate::run::LineShape;
@@ -12,7 +13,10 @@ pub fn trajectory(sources: &[PlottedRun], instant: Option<f64>) -> Chart {
     let body = body(sources).unwrap_or("payload");
     let mut series = Vec::new();
     for (source, slot) in sources.iter().zip(slots(sources, 2)) {
-        let (Some(x), Some(z)) = (values(source, "x_m", body), values(source, "z_m", body)) else {
+        let (Some(x), Some(z)) = (
+            values(source, ChannelQuantity::X, body),
+            values(source, ChannelQuantity::Z, body),
+        ) else {
             continue;
         };
         let path: Vec<(f64, f64)> = x.iter().copied().zip(z.iter().copied()).collect();

@@ -3,7 +3,7 @@
 use crate::case::{Case, Statistic, Study, fields};
 use crate::reference::ValidationRow;
 use crate::report::chart::{Axis, Chart, Series};
-use crate::run::quantity_name;
+use crate::run::{self, QuantityId};
 
 /// What a number is: of which study, of which channel, which statistic, within which window or stretch.
 type Subject<'c> = (&'c str, &'c str, Statistic, Option<[f64; 2]>);
@@ -79,7 +79,9 @@ fn empty(
     (study, channel, statistic, within): Subject<'_>,
     row: &ValidationRow,
 ) -> Chart {
-    let quantity = quantity_name(channel, statistic, within);
+    let of = channel.parse::<run::Subject>();
+    let quantity = of.map(|of| QuantityId::new(of, statistic, within).to_string());
+    let quantity = quantity.unwrap_or_else(|_| channel.to_owned());
     let key = case.study.iter().find(|s| s.name == study);
     Chart {
         title: format!("{quantity} along {study}"),

@@ -6,9 +6,8 @@ use crate::run::{Channel, Profile};
 
 fn channel(name: &str, values: Vec<f64>) -> Channel {
     Channel {
-        name: name.to_owned(),
         values,
-        ..Channel::default()
+        ..Channel::new(name.parse().unwrap())
     }
 }
 

@@ -1,81 +1,69 @@
 //! Channels against time.
 
-use super::{PlottedRun, body, named, places, slots, values};
+use super::{PlottedRun, body, histories, named, places, slots, values};
+use crate::case::ChannelQuantity;
 use crate::report::chart::{Axis, Chart, Series};
 
 /// Tension at the joints against time \[s, N\], a series a joint and run.
 #[must_use]
 pub fn tensions(sources: &[PlottedRun]) -> Chart {
-    let joints = places(sources, "tension_n");
-    let things: Vec<_> = joints
-        .iter()
-        .map(|joint| ("tension_n", *joint, *joint))
-        .collect();
-    chart(
-        sources,
-        "Tension at the joints",
-        Axis::new("tension", "N"),
-        &things,
-    )
+    against_time(sources, ChannelQuantity::Tension)
 }
 
 /// Position of the payload against time \[s, m\]: x along the scene, z up from still water.
 #[must_use]
 pub fn payload_position(sources: &[PlottedRun]) -> Chart {
     let body = body(sources).unwrap_or("payload");
-    let things = [("x_m", body, "x"), ("z_m", body, "z")];
+    let things = [
+        (ChannelQuantity::X, body, "x"),
+        (ChannelQuantity::Z, body, "z"),
+    ];
     let title = format!("Position of the {body}");
     chart(sources, &title, Axis::new("position", "m"), &things)
 }
 
-/// Speed of every end that nothing holds against time \[s, m/s\].
+/// Speed of every free end against time \[s, m/s\].
 #[must_use]
 pub fn speed(sources: &[PlottedRun]) -> Chart {
-    Chart {
-        title: "Speed".to_owned(),
-        ..against_time(sources, "speed_m_per_s", Axis::new("speed", "m/s"))
-    }
+    against_time(sources, ChannelQuantity::Speed)
 }
 
-/// Tilt of a payload that turns against time \[s, deg\].
+/// Tilt of a rigid payload against time \[s, deg\].
 #[must_use]
 pub fn tilt(sources: &[PlottedRun]) -> Chart {
-    Chart {
-        title: "Tilt of the payload".to_owned(),
-        ..against_time(sources, "tilt_deg", Axis::new("tilt", "deg"))
-    }
+    against_time(sources, ChannelQuantity::Tilt)
 }
 
 /// Height of the waves against time \[s, m\].
 #[must_use]
 pub fn elevation(sources: &[PlottedRun]) -> Chart {
-    Chart {
-        title: "Height of the waves".to_owned(),
-        ..against_time(sources, "wave_elevation_m", Axis::new("elevation", "m"))
-    }
+    against_time(sources, ChannelQuantity::WaveElevation)
 }
 
-/// One quantity at all the places where it was recorded, against time: `against_time(.., "x_m",
-/// Axis::new("x", "m"))`.
+/// One quantity at all the places where it was recorded, against time.
 #[must_use]
-pub fn against_time(sources: &[PlottedRun], quantity: &str, y: Axis) -> Chart {
-    let all = places(sources, quantity);
+pub fn against_time(sources: &[PlottedRun], quantity: ChannelQuantity) -> Chart {
+    let all = places(histories(sources), quantity);
     let things: Vec<_> = all.iter().map(|place| (quantity, *place, *place)).collect();
-    let title = y.label.clone();
-    chart(sources, &title, y, &things)
+    let unit = match quantity.unit() {
+        "-" => "",
+        unit => unit,
+    };
+    let y = Axis::new(quantity.label(), unit);
+    chart(sources, quantity.title(), y, &things)
 }
 
 /// A series for each run and thing: quantity, place, name in the legend.
-pub(super) fn chart(
+fn chart(
     sources: &[PlottedRun],
     title: &str,
     y: Axis,
-    things: &[(&str, &str, &str)],
+    things: &[(ChannelQuantity, &str, &str)],
 ) -> Chart {
     let mut series = Vec::new();
     for (source, slot) in sources.iter().zip(slots(sources, things.len())) {
         for (number, (quantity, place, name)) in things.iter().enumerate() {
-            let Some(values) = values(source, quantity, place) else {
+            let Some(values) = values(source, *quantity, place) else {
                 continue;
             };
             let points = source

@@ -175,31 +175,25 @@ impl<'a, R> Columns<'a, R> {
 }
 
 impl<R: Copy> Comparison<R> {
-    /// A quantity read from each of the records.
+    /// A quantity read from each of the records, a dash where there is none.
     #[must_use]
     pub fn number<N: Into<Option<f64>>>(
-        self,
+        mut self,
         name: &str,
         format: Format,
         read: impl Fn(R) -> N,
     ) -> Self {
-        let values = self.records.iter().map(|record| read((*record)?).into());
-        let values: Vec<Option<f64>> = values.collect();
-        self.values(name, format, values)
-    }
-
-    /// A quantity by its value for each of the records.
-    #[must_use]
-    pub fn values(
-        mut self,
-        name: &str,
-        format: Format,
-        values: impl IntoIterator<Item = Option<f64>>,
-    ) -> Self {
-        let cells = values.into_iter().map(|value| format.cell(value));
+        let cells = self.records.iter();
+        let cells = cells.map(|record| format.cell(record.and_then(|r| read(r).into())));
         let row = [Cell::plain(name)].into_iter().chain(cells);
         self.table.rows.push(row.collect());
         self
+    }
+
+    /// The quantities that a condition adds.
+    #[must_use]
+    pub fn when(self, condition: bool, quantities: impl FnOnce(Self) -> Self) -> Self {
+        if condition { quantities(self) } else { self }
     }
 
     /// The table.
@@ -234,10 +228,12 @@ mod tests {
     fn a_record_a_column() {
         let table = Table::compare("Rope", "", &[("fast", Some(2e3)), ("kept", None)])
             .number("tension", Format::Si("N"), |n| n)
-            .values("sag", Format::Decimals(2, "m"), [None, Some(1.0)])
+            .when(true, |t| {
+                t.number("half", Format::Decimals(2, "N"), |n| n / 2.0)
+            })
             .build();
         let texts = |row: usize| [1, 2].map(|column| table.cell(row, column).text);
         assert_eq!(texts(0), ["2 kN", "-"]);
-        assert_eq!(texts(1), ["-", "1.00 m"]);
+        assert_eq!(texts(1), ["1000.00 N", "-"]);
     }
 }

@@ -9,7 +9,7 @@ use crate::{
         response,
         table::{Cell, CellInk, Column, Table},
     },
-    run::{Quantity, Run, limits::check},
+    run::{Quantity, Run, Subject, limits::check},
 };
 
 /// Rows of the table of nodes in a report, about.
@@ -69,8 +69,8 @@ fn with_errors(quantities: &[Quantity]) -> Table {
                 vec![
                     Cell::plain(statistic),
                     value(q),
-                    error(q.time_error, &q.unit),
-                    error(q.mesh_error, &q.unit),
+                    error(q.time_error, &q.unit()),
+                    error(q.mesh_error, &q.unit()),
                 ]
             });
             std::iter::once(head).chain(cells).collect::<Vec<_>>()
@@ -89,15 +89,18 @@ fn with_errors(quantities: &[Quantity]) -> Table {
 
 /// Quantities by channel, in the order in which the channels come: `tension_n[wire|payload]` with
 /// `.max`, `.mean(0..200)`, which together are the name in `summary.csv`.
-fn grouped(quantities: &[Quantity]) -> Vec<(&str, Vec<(&str, &Quantity)>)> {
-    let mut groups: Vec<(&str, Vec<(&str, &Quantity)>)> = Vec::new();
+fn grouped(quantities: &[Quantity]) -> Vec<(String, Vec<(String, &Quantity)>)> {
+    let mut groups: Vec<(String, Vec<(String, &Quantity)>)> = Vec::new();
     for quantity in quantities {
-        let name = quantity.name.as_str();
-        let end = name.find("].").map_or(0, |bracket| bracket + 1);
-        let (channel, statistic) = name.split_at(end);
-        match groups.iter_mut().find(|(c, _)| *c == channel) {
-            Some((_, group)) => group.push((statistic, quantity)),
-            None => groups.push((channel, vec![(statistic, quantity)])),
+        let (head, row) = match quantity.id.parts() {
+            (subject @ (Subject::Channel(_) | Subject::ModeFrequency(..)), rest) => {
+                (subject.to_string(), rest)
+            }
+            _ => (String::new(), quantity.name()),
+        };
+        match groups.iter_mut().find(|(known, _)| *known == head) {
+            Some((_, group)) => group.push((row, quantity)),
+            None => groups.push((head, vec![(row, quantity)])),
         }
     }
     groups
@@ -106,8 +109,8 @@ fn grouped(quantities: &[Quantity]) -> Vec<(&str, Vec<(&str, &Quantity)>)> {
 fn value(quantity: &Quantity) -> Cell {
     let error = quantity.error_estimate().filter(|error| *error > 0.0);
     Cell::plain(match error {
-        Some(_) => with_error(quantity.value, error, &quantity.unit),
-        None => si(quantity.value, &quantity.unit),
+        Some(_) => with_error(quantity.value, error, &quantity.unit()),
+        None => si(quantity.value, &quantity.unit()),
     })
 }
 
@@ -128,7 +131,7 @@ fn bare(quantities: &[Quantity]) -> Table {
         .into_iter()
         .flat_map(|(channel, of_channel)| {
             let cells = of_channel.into_iter().map(|(statistic, q)| {
-                vec![Cell::plain(statistic), Cell::plain(si(q.value, &q.unit))]
+                vec![Cell::plain(statistic), Cell::plain(si(q.value, &q.unit()))]
             });
             std::iter::once(vec![Cell::plain(channel)])
                 .chain(cells)

@@ -10,6 +10,7 @@ use super::{
     shapes::{self, SHAPE_COLUMNS, write_shape},
     table::Csv,
 };
+use crate::case::ChannelId;
 use crate::run::{Channel, History, LineShape, Quantity, Run, RunInfo};
 
 /// Columns of `summary.csv`.
@@ -61,7 +62,7 @@ fn summary(quantities: &[Quantity]) -> Result<Vec<u8>, StoreError> {
     let mut csv = Csv::new(SUMMARY_COLUMNS)?;
     for q in quantities {
         let error = text_or_empty(q.error_estimate());
-        csv.row([&q.name, &text(q.value), &q.unit, &error])?;
+        csv.row([q.name(), text(q.value), q.unit(), error])?;
     }
     csv.bytes()
 }
@@ -70,7 +71,7 @@ fn errors(quantities: &[Quantity]) -> Result<Vec<u8>, StoreError> {
     let mut csv = Csv::new(ERROR_COLUMNS)?;
     for q in quantities {
         let (time, mesh) = (text_or_empty(q.time_error), text_or_empty(q.mesh_error));
-        csv.row([&q.name, &q.unit, &time, &mesh])?;
+        csv.row([q.name(), q.unit(), time, mesh])?;
     }
     csv.bytes()
 }
@@ -79,23 +80,23 @@ fn channels(channels: &[Channel]) -> Result<Vec<u8>, StoreError> {
     let mut csv = Csv::new(CHANNEL_COLUMNS)?;
     for c in channels {
         let [max, max_time, min, min_time] = [c.peak.0, c.peak.1, c.trough.0, c.trough.1].map(text);
-        csv.row([&c.name, &c.unit, &max, &max_time, &min, &min_time])?;
+        csv.row([&c.name(), c.unit(), &max, &max_time, &min, &min_time])?;
     }
     csv.bytes()
 }
 
 /// `channels.csv` before any extreme is known.
-pub(super) fn channel_units(channels: &[(String, String)]) -> Result<Vec<u8>, StoreError> {
+pub(super) fn channel_units(channels: &[ChannelId]) -> Result<Vec<u8>, StoreError> {
     let mut csv = Csv::new(CHANNEL_COLUMNS)?;
-    for (name, unit) in channels {
-        csv.row([name.as_str(), unit, "", "", "", ""])?;
+    for id in channels {
+        csv.row([&id.to_string(), id.quantity.unit(), "", "", "", ""])?;
     }
     csv.bytes()
 }
 
 fn history(history: &History) -> Result<Vec<u8>, StoreError> {
-    let names = history.channels.iter().map(|c| c.name.as_str());
-    let mut csv = Csv::new(std::iter::once("time_s").chain(names))?;
+    let names = history.channels.iter().map(Channel::name);
+    let mut csv = Csv::new(std::iter::once("time_s".to_owned()).chain(names))?;
     for (i, time) in history.time.iter().enumerate() {
         let values = history
             .channels

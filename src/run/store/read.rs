@@ -11,6 +11,7 @@ use super::{
     shapes::{self, BENDING_COLUMNS, PROFILE_COLUMNS, RESPONSE_COLUMNS},
     table,
 };
+use crate::case::ChannelId;
 use crate::run::{
     Channel, Checkpoint, DecimatedRecord, History, Profile, Quantity, Resume, Run, RunInfo,
     RunState,
@@ -147,11 +148,9 @@ impl Reader<'_> {
     /// History and shapes, thinned where they are long.
     fn record(&mut self) -> DecimatedRecord {
         let known = self.channels();
-        let of = |name: &String| known.iter().find(|c| c.name == *name);
+        let of = |id: &ChannelId| known.iter().find(|c| c.id == *id);
         let mut rows = Rows::open(self.dir);
-        let unit = |name| of(name).map_or_else(String::new, |c| c.unit.clone());
-        let named = rows.names().iter().map(|name| (name.clone(), unit(name)));
-        let mut kept = DecimatedRecord::new(named);
+        let mut kept = DecimatedRecord::new(rows.ids().iter().cloned());
         while let Some((time, values)) = rows.next() {
             kept.row(time, values);
         }
@@ -161,7 +160,7 @@ impl Reader<'_> {
         }
         // Extremes over every step, where they are known; a run that was stopped has those of its rows.
         for channel in kept.channels_mut() {
-            if let Some(known) = of(&channel.name).filter(|c| !c.peak.0.is_nan()) {
+            if let Some(known) = of(&channel.id).filter(|c| !c.peak.0.is_nan()) {
                 (channel.peak, channel.trough) = (known.peak, known.trough);
             }
         }
@@ -175,16 +174,15 @@ impl Reader<'_> {
         let table = self.table(CHANNELS, Some(&CHANNEL_COLUMNS));
         let mut channels = Vec::new();
         for (_, fields) in &table.rows {
-            let [name, unit, numbers @ ..] = fields.as_slice() else {
+            let [name, _, numbers @ ..] = fields.as_slice() else {
                 continue;
             };
             let at = |i: usize| numbers.get(i).and_then(|f| parse(f)).unwrap_or(f64::NAN);
+            let Ok(id) = name.parse() else { continue };
             channels.push(Channel {
-                name: name.clone(),
-                unit: unit.clone(),
-                values: Vec::new(),
                 peak: (at(0), at(1)),
                 trough: (at(2), at(3)),
+                ..Channel::new(id)
             });
         }
         self.told(table.trouble);
@@ -219,12 +217,9 @@ impl Reader<'_> {
         let mut table = self.table(SUMMARY, Some(&SUMMARY_COLUMNS));
         let parts = self.table(ERRORS, Some(&ERROR_COLUMNS));
         let mut summary = Vec::new();
-        for (line, fields) in &table.rows {
-            let (Some(name), Some(value), Some(unit)) = (
-                fields.first(),
-                fields.get(1).and_then(|f| parse(f)),
-                fields.get(2),
-            ) else {
+        for (row, (line, fields)) in table.rows.iter().enumerate() {
+            let (Some(name), Some(value)) = (fields.first(), fields.get(1).and_then(|f| parse(f)))
+            else {
                 table.trouble = Some(format!(
                     "{SUMMARY}, line {line} holds a value that is no number; read up to there."
                 ));
@@ -232,13 +227,13 @@ impl Reader<'_> {
             };
             // Both files list the quantities in the same order; look further only when one is damaged.
             let same = |(_, other): &&(u64, Vec<String>)| other.first() == Some(name);
-            let part = parts.rows.get(summary.len()).filter(same);
+            let part = parts.rows.get(row).filter(same);
             let part = part.or_else(|| parts.rows.iter().find(same));
             let error = |i: usize| part.and_then(|(_, f)| f.get(i)).and_then(|f| parse(f));
+            let Ok(id) = name.parse() else { continue };
             summary.push(Quantity {
-                name: name.clone(),
+                id,
                 value,
-                unit: unit.clone(),
                 time_error: error(2),
                 mesh_error: error(3),
             });

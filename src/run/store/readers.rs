@@ -8,12 +8,18 @@ use super::{
     shapes::{SHAPE_COLUMNS, numbers},
     table::Stream,
 };
+use crate::case::ChannelId;
 use crate::run::LineShape;
 
 /// The rows of `history.csv`.
 #[derive(Debug)]
 pub(in crate::run) struct Rows {
     table: Stream,
+    /// The channels, and the column of each.
+    ids: Vec<ChannelId>,
+    columns: Vec<usize>,
+    /// Columns that are no channel this version knows.
+    unknown: Vec<String>,
     row: Vec<f64>,
 }
 
@@ -26,23 +32,38 @@ impl Rows {
                 "{HISTORY} does not begin with the column time_s; it was left out."
             ));
         }
+        let (mut ids, mut columns, mut unknown) = (Vec::new(), Vec::new(), Vec::new());
+        for (column, name) in table.columns().iter().enumerate().skip(1) {
+            match name.parse() {
+                Ok(id) => {
+                    ids.push(id);
+                    columns.push(column);
+                }
+                Err(_) => unknown.push(name.clone()),
+            }
+        }
         Self {
             table,
+            ids,
+            columns,
+            unknown,
             row: Vec::new(),
         }
     }
 
-    /// Names of the channels.
-    pub(super) fn names(&self) -> &[String] {
-        self.table.columns().get(1..).unwrap_or_default()
+    /// The channels, in the order of the values of a row.
+    pub(super) fn ids(&self) -> &[ChannelId] {
+        &self.ids
     }
 
     /// The next row: its time \[s\] and a value a channel.
     pub(in crate::run) fn next(&mut self) -> Option<(f64, &[f64])> {
         let (line, fields) = self.table.next()?;
         self.row.clear();
-        self.row.extend(fields.iter().map_while(parse));
-        if self.row.len() < fields.len() {
+        let columns = std::iter::once(&0).chain(&self.columns);
+        let texts = columns.map_while(|column| fields.get(*column));
+        self.row.extend(texts.map_while(parse));
+        if self.row.len() <= self.columns.len() {
             self.table.give_up(not_a_number(HISTORY, line));
             return None;
         }
@@ -52,7 +73,11 @@ impl Rows {
 
     /// What is wrong with the file, once it is read.
     pub(super) fn trouble(self) -> Option<String> {
-        self.table.trouble()
+        let unknown = (!self.unknown.is_empty()).then(|| {
+            let names = self.unknown.join(", ");
+            format!("{HISTORY} has columns that this version does not know, which were left out: {names}.")
+        });
+        self.table.trouble().or(unknown)
     }
 
     /// That the rows do not reach so far \[s\], and why.

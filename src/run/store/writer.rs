@@ -14,6 +14,7 @@ use super::{
     shapes::{SHAPE_COLUMNS, write_shape},
     table::Csv,
 };
+use crate::case::ChannelId;
 use crate::run::{Checkpoint, Frame, LineShape, Run, RunInfo, job::Event};
 
 /// How long rows may wait in memory.
@@ -87,14 +88,15 @@ impl Writer {
         }
     }
 
-    /// Says which channels (name, unit) the frames will bring.
+    /// Names the channels that the frames will fill.
     ///
     /// # Errors
     /// The system refuses.
-    pub fn channels(&mut self, channels: &[(String, String)]) -> Result<(), StoreError> {
+    pub fn channels(&mut self, channels: &[ChannelId]) -> Result<(), StoreError> {
         create::replace(&self.dir, CHANNELS, &complete::channel_units(channels)?)?;
-        let names = channels.iter().map(|(name, _)| name.as_str());
-        let history = self.stream(HISTORY, Csv::new(std::iter::once("time_s").chain(names))?)?;
+        let names = channels.iter().map(ToString::to_string);
+        let columns = std::iter::once("time_s".to_owned()).chain(names);
+        let history = self.stream(HISTORY, Csv::new(columns)?)?;
         let shapes = self.stream(SHAPES, Csv::new(SHAPE_COLUMNS)?)?;
         self.streams = Some(Streams { history, shapes });
         Ok(())

@@ -3,7 +3,7 @@
 use super::*;
 use crate::case::Case;
 use crate::scene;
-use crate::solve::{ExplicitRhs, Kinematics, Residual};
+use crate::solve::System;
 
 const BODY: &str = r#"
     line = [{ name = "rope", material = "rope", length_m = 20.0, segments = 2 }]
@@ -140,7 +140,7 @@ fn place_velocity_and_tilt_are_those_of_the_body() {
     let aside = V3::new(20_f64.to_radians().cos(), 20_f64.to_radians().sin(), 0.0);
     let centre = state.x[2] + (aside * tilt.sin() - V3::z() * tilt.cos()) * 2.0;
     assert!((scene.end_b_position(&state) - centre).norm() < 1e-9);
-    // RigidPayload about the hang point at 1 rad/s about the vertical.
+    // Turning about the hang point at 1 rad/s about the vertical.
     let spin = V3::z();
     state.v[3] = spin.cross(&(state.x[3] - state.x[2]));
     let expected = spin.cross(&(centre - state.x[2]));

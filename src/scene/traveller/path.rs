@@ -97,7 +97,7 @@ impl PathPoint {
             .sum()
     }
 
-    /// MarchProgress \[m\].
+    /// Progress \[m\].
     pub(super) fn place(&self, state: &State) -> V3 {
         self.sum(&state.x, |by| by.share)
     }

@@ -1,4 +1,4 @@
-//! The model of a ship and its anchor line: the ship at its governing equilibrium, the line built and in equilibrium.
+//! What the equations of a ship and its anchor line are made from: the ship where it rests, the line built and laid.
 
 use nalgebra::Vector6;
 
@@ -8,33 +8,32 @@ use super::moored_ship::{MooredShip, ShipBody};
 use crate::case;
 use crate::numerics::V3;
 use crate::scene::{self, Scene};
-use crate::ship::hull::HullMatrices;
 use crate::ship::model::{CoupledSettings, Mooring};
 use crate::ship::mooring::MooringSolution;
 use crate::ship::static_analysis::{Equilibrium, StaticAnalysis};
-use crate::solve::{Kinematics, State};
+use crate::solve::{State, System};
 use crate::statics::equilibrium::EquilibriumSearch;
 
-/// Penetration of the line into the seabed under its own weight \[m\].
-const PENETRATION: f64 = 1e-3;
+/// How far the line sinks into the bed under its own weight \[m\].
+const SUNK: f64 = 1e-3;
 
-/// A ship at its governing equilibrium, and its anchor line.
+/// What the equations of ship and line are made from.
 #[derive(Debug, Clone, Copy)]
 pub struct CoupledModel<'a> {
-    /// Static analysis of the ship.
+    /// The ship at rest.
     pub statics: &'a StaticAnalysis,
-    /// Settings of the coupled analysis.
+    /// Its words on the run.
     pub settings: &'a CoupledSettings,
-    /// The governing equilibrium.
+    /// The heading at which it lies.
     pub equilibrium: &'a Equilibrium,
-    /// The mooring line.
+    /// The line that holds it.
     pub mooring: &'a Mooring,
-    /// Its solution at the equilibrium.
-    pub line: &'a MooringSolution,
+    /// The line's reach there.
+    pub reach: &'a MooringSolution,
 }
 
 impl<'a> CoupledModel<'a> {
-    /// The model of a ship with all inputs.
+    /// Of a file that says everything needed.
     ///
     /// # Errors
     /// [`CoupledError::Missing`].
@@ -42,12 +41,11 @@ impl<'a> CoupledModel<'a> {
         let missing = CoupledError::Missing;
         let settings = statics.ship.coupled.as_ref();
         let equilibrium = statics.governing();
-        let equilibrium =
-            equilibrium.ok_or(missing("there is no stable equilibrium to start from"))?;
-        let line = equilibrium
-            .line
+        let equilibrium = equilibrium.ok_or(missing("there is no stable heading to begin from"))?;
+        let reach = equilibrium
+            .reach
             .as_ref()
-            .and_then(|line| line.as_ref().ok());
+            .and_then(|reach| reach.as_ref().ok());
         Ok(Self {
             statics,
             settings: settings.ok_or(missing("the file has no [coupled]"))?,
@@ -57,44 +55,24 @@ impl<'a> CoupledModel<'a> {
                 .mooring
                 .as_ref()
                 .ok_or(missing("the file has no [mooring]"))?,
-            line: line.ok_or(missing("the mooring line has no solution"))?,
+            reach: reach.ok_or(missing("the mooring line does not reach the ship"))?,
         })
     }
 
-    /// Fairlead from the ship's reference point \[m\].
+    /// From the ship's reference point to its fairlead \[m\].
     #[must_use]
     pub fn arm(&self) -> V3 {
         let height = self.mooring.fairlead_z_m;
         V3::new(self.statics.loads.arm, 0.0, height)
     }
 
-    /// Hang-off point of the rope from the ship's reference point \[m\].
-    #[must_use]
-    pub fn hang_off(&self) -> V3 {
-        let motion = self.statics.ship.motion.as_ref();
-        V3::from(motion.map_or([0.0; 3], |motion| motion.hang_point_m))
-    }
-
-    /// Matrices of the hull.
-    ///
-    /// # Errors
-    /// [`CoupledError::Missing`].
-    pub fn hull(&self) -> Result<&HullMatrices, CoupledError> {
-        let missing = CoupledError::Missing("the file has no [hull]");
-        self.statics.hull.as_ref().ok_or(missing)
-    }
-
-    /// The line, of so many segments, in equilibrium with its fairlead displaced by `offset` \[m\].
+    /// The line, of so many segments, at rest with its fairlead shifted \[m\].
     ///
     /// # Errors
     /// [`CoupledError::Line`].
-    pub fn line_at_rest(
-        &self,
-        segments: usize,
-        offset: &V3,
-    ) -> Result<(Scene, State), CoupledError> {
-        let failed = CoupledError::Line;
-        let case = case::parse(&self.line_text(segments, offset), "anchor line")
+    pub fn line(&self, segments: usize, shift: &V3) -> Result<(Scene, State), CoupledError> {
+        let failed = |why: String| CoupledError::Line(why);
+        let case = case::parse(&self.line_text(segments, shift), "anchor line")
             .map_err(|all| failed(all.first().map_or_else(String::new, ToString::to_string)))?;
         let scene = scene::build(&case, 1).map_err(|error| failed(error.to_string()))?;
         let mut state = scene.initial_state();
@@ -104,17 +82,17 @@ impl<'a> CoupledModel<'a> {
         Ok((scene, state))
     }
 
-    fn line_text(&self, segments: usize, offset: &V3) -> String {
+    fn line_text(&self, segments: usize, shift: &V3) -> String {
         let (particulars, mooring, settings) =
             (&self.statics.ship.particulars, self.mooring, self.settings);
-        let yaw = &self.equilibrium.yaw;
-        let (sin, cos) = (yaw.force_direction - yaw.heading).sin_cos();
+        let balance = &self.equilibrium.yaw;
+        let (sin, cos) = (balance.force_direction - balance.heading).sin_cos();
         let arm = self.arm();
         let (x, y) = (
-            arm.x - self.line.distance * cos,
-            arm.y - self.line.distance * sin,
+            arm.x - self.reach.distance * cos,
+            arm.y - self.reach.distance * sin,
         );
-        let ship = arm + offset;
+        let ship = arm + shift;
         format!(
             "[case]\ntitle = \"anchor line\"\n\
              [environment]\ngravity_m_per_s2 = {:?}\nwater_density_kg_per_m3 = {:?}\n\
@@ -127,9 +105,9 @@ impl<'a> CoupledModel<'a> {
             particulars.gravity_m_per_s2,
             particulars.water_density_kg_per_m3,
             mooring.depth_m,
-            // Nearly rigid, as the seabed of the catenary: the line penetrates it by a millimetre.
+            // As hard as the flat bed of the closed form, nearly: the line sinks in by a millimetre.
             mooring.wet_weight_kg_per_m * particulars.gravity_m_per_s2
-                / (settings.line_diameter_m * PENETRATION),
+                / (settings.line_diameter_m * SUNK),
             settings.line_diameter_m,
             settings.line_mass_kg_per_m,
             mooring.wet_weight_kg_per_m,
@@ -145,7 +123,7 @@ impl<'a> CoupledModel<'a> {
         )
     }
 
-    /// Ship and line as one system, with the equilibrium of the line.
+    /// Ship and line as one system, with the line at rest where the ship lies.
     ///
     /// # Errors
     /// [`CoupledError`].
@@ -154,45 +132,46 @@ impl<'a> CoupledModel<'a> {
         segments: usize,
         forcing: Forcing,
     ) -> Result<(MooredShip, State), CoupledError> {
-        let (scene, state) = self.line_at_rest(segments, &V3::zeros())?;
-        let moored = self.moored_ship(scene, &state, forcing)?;
+        let (scene, state) = self.line(segments, &V3::zeros())?;
+        let moored = self.moored(scene, &state, forcing)?;
         Ok((moored, state))
     }
 
-    /// The ship on a line, with weight and trim that balance the line in this equilibrium.
+    /// The ship on a line, its weight and trim balanced with the line at rest as given.
     ///
     /// # Errors
     /// [`CoupledError`].
-    pub fn moored_ship(
+    pub fn moored(
         &self,
         scene: Scene,
         rest: &State,
         forcing: Forcing,
     ) -> Result<MooredShip, CoupledError> {
-        let hull = self.hull()?;
+        let missing = CoupledError::Missing("the file has no [hull]");
+        let hull = self.statics.hull.as_ref().ok_or(missing)?;
         let arm = self.arm();
         let pull = scene.end_force(scene.nodes() - 1, rest);
-        let moment = arm.cross(&pull);
-        // Wind, current and drift balance the line in the horizontal plane, buoyancy in the others.
-        let load = -Vector6::new(0.0, 0.0, pull.z, moment.x, moment.y, 0.0);
+        let turn = arm.cross(&pull);
+        // What holds the ship in the plane are wind, current and drift; the water holds up what the line pulls down.
+        let load = -Vector6::new(0.0, 0.0, pull.z, turn.x, turn.y, 0.0);
         let body = ShipBody {
             mass: hull.mass,
             damping: hull.damping,
             restoring: hull.restoring,
             load,
             forcing,
-            origin: V3::zeros(),
+            place: V3::zeros(),
             arm,
             length: 0.5 * self.statics.ship.particulars.length_m,
         };
         Ok(MooredShip::new(scene, body)?)
     }
 
-    /// Wind, current and drift in axes along the equilibrium heading.
+    /// Wind, current and drift in time, along the heading at rest.
     #[must_use]
-    pub fn environment(&self) -> Forcing {
+    pub fn flows(&self) -> Forcing {
         Forcing {
-            environment: Some((self.statics.loads.clone(), self.equilibrium.yaw.heading)),
+            flows: Some((self.statics.loads.clone(), self.equilibrium.yaw.heading)),
             ..Forcing::default()
         }
     }

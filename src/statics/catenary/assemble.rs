@@ -4,7 +4,7 @@ use super::build::BELIEVED;
 use super::chain::{Chain, Part};
 use super::composite::{Pattern, Problem};
 use super::descent::{Misses, State, misses, relative};
-use super::refusal::Refusal;
+use super::error::CatenaryError;
 use super::solution::{Kind, Piece, Pieces, Seed, Shape, Solution};
 
 impl Problem {
@@ -54,7 +54,7 @@ impl Problem {
         [[by_x.h, by_z.h], [by_x.offsets[last], by_z.offsets[last]]]
     }
 
-    pub(super) fn finish(&self, pattern: &Pattern) -> Result<Solution, Refusal> {
+    pub(super) fn finish(&self, pattern: &Pattern) -> Result<Solution, CatenaryError> {
         let (state, residual, stiffness) = self.verify(pattern);
         let on_bed = self.lying(pattern);
         let first = pattern.bays.first().zip(state.offsets.first());
@@ -75,7 +75,7 @@ impl Problem {
         });
         let sound = state.h.is_finite() && v_a.is_finite() && v_b.is_finite();
         if !(sound && residual <= BELIEVED) {
-            return Err(Refusal::NotVerified {
+            return Err(CatenaryError::NotVerified {
                 error: residual,
                 iterations: pattern.looks,
             });

@@ -5,8 +5,8 @@
 //! stiff line. One step of Newton with that miss mends what rounding spoiled; what then still misses by
 //! more than [`BELIEVED`] is refused.
 
+use super::error::CatenaryError;
 use super::free::Free;
-use super::refusal::Refusal;
 use super::single::Plane;
 use super::solution::{Kind, Piece, Pieces, Seed, Shape, Solution};
 use super::span::{Span, length};
@@ -28,12 +28,16 @@ pub(super) struct Found {
     pub seed: Seed,
 }
 
-pub(super) fn finish(plane: &Plane, found: &Found, pieces: Pieces) -> Result<Solution, Refusal> {
+pub(super) fn finish(
+    plane: &Plane,
+    found: &Found,
+    pieces: Pieces,
+) -> Result<Solution, CatenaryError> {
     let up = plane.frame.up;
     let [(h_a, v_a), (h_b, v_b)] = found.ends;
     let sound = h_a.is_finite() && v_a.is_finite() && h_b.is_finite() && v_b.is_finite();
     if !(sound && found.residual <= BELIEVED) {
-        return Err(Refusal::NotVerified {
+        return Err(CatenaryError::NotVerified {
             error: found.residual,
             iterations: found.iterations,
         });
@@ -96,7 +100,7 @@ fn times(k: &[[f64; 2]; 2], (x, z): (f64, f64)) -> (f64, f64) {
 }
 
 /// The line without weight, or so light beside its stretch that sag is nothing; `None` otherwise.
-pub(super) fn straight(plane: &Plane) -> Result<Option<Solution>, Refusal> {
+pub(super) fn straight(plane: &Plane) -> Result<Option<Solution>, CatenaryError> {
     let Plane {
         x,
         z,
@@ -113,12 +117,12 @@ pub(super) fn straight(plane: &Plane) -> Result<Option<Solution>, Refusal> {
     }
     let distance = self::length(x, z);
     if ea.is_infinite() && over >= 0.0 {
-        return Err(Refusal::TooShort {
+        return Err(CatenaryError::TooShort {
             short_m: distance - length,
         });
     }
     if over < 0.0 {
-        return Err(Refusal::ShapeUndetermined);
+        return Err(CatenaryError::ShapeUndetermined);
     }
     let tension = ea * over / (distance + length) / length;
     let (h, v) = (tension * x / distance, tension * z / distance);
@@ -146,7 +150,7 @@ pub(super) fn straight(plane: &Plane) -> Result<Option<Solution>, Refusal> {
 }
 
 /// The line that touches nothing.
-pub(super) fn hanging(plane: &Plane, free: Free) -> Result<Solution, Refusal> {
+pub(super) fn hanging(plane: &Plane, free: Free) -> Result<Solution, CatenaryError> {
     let Plane {
         x,
         z,
@@ -159,7 +163,7 @@ pub(super) fn hanging(plane: &Plane, free: Free) -> Result<Solution, Refusal> {
     if ea.is_infinite() {
         let distance = self::length(x, z);
         if distance > length {
-            return Err(Refusal::TooShort {
+            return Err(CatenaryError::TooShort {
                 short_m: distance - length,
             });
         }

@@ -1,8 +1,8 @@
 //! As `build`, for lines that rest on the bed.
 
 use super::build::{Found, ROUNDING, few, finish, hanging_piece};
+use super::error::CatenaryError;
 use super::incline::{Incline, State};
-use super::refusal::Refusal;
 use super::single::Plane;
 use super::solution::{Kind, Piece, Seed, Shape, Solution, lying_sum};
 use super::span::{Span, length};
@@ -14,7 +14,7 @@ pub(super) fn partly(
     incline: &Incline,
     mut state: State,
     iterations: u32,
-) -> Result<Solution, Refusal> {
+) -> Result<Solution, CatenaryError> {
     let look = |state: State| {
         let leg = incline.leg(state);
         let miss = incline.miss(state, &leg);
@@ -83,7 +83,11 @@ fn lying_piece(incline: &Incline, length: f64, end: f64) -> Piece {
 }
 
 /// The line lying all the way. Only the stiffness along the bed is given.
-pub(super) fn wholly(plane: &Plane, incline: &Incline, t_b: f64) -> Result<Solution, Refusal> {
+pub(super) fn wholly(
+    plane: &Plane,
+    incline: &Incline,
+    t_b: f64,
+) -> Result<Solution, CatenaryError> {
     let (sin, cos) = (incline.sin, incline.cos);
     let (length, loss) = (plane.length, incline.loss());
     let moving = if loss > 0.0 {
@@ -141,7 +145,11 @@ fn straight_error(plane: &Plane, length: f64, height: f64) -> f64 {
 }
 
 /// More line than needed on the bed, the rest straight up to B.
-pub(super) fn slack(plane: &Plane, incline: &Incline, straight: f64) -> Result<Solution, Refusal> {
+pub(super) fn slack(
+    plane: &Plane,
+    incline: &Incline,
+    straight: f64,
+) -> Result<Solution, CatenaryError> {
     let v = plane.w * straight;
     let on_bed = plane.length - straight;
     let foot = (plane.x, plane.x * incline.tan);
@@ -167,7 +175,11 @@ pub(super) fn slack(plane: &Plane, incline: &Incline, straight: f64) -> Result<S
 }
 
 /// Down from A, along the bed, up to B.
-pub(super) fn trough(plane: &Plane, trough: &Trough, lying: &Lying) -> Result<Solution, Refusal> {
+pub(super) fn trough(
+    plane: &Plane,
+    trough: &Trough,
+    lying: &Lying,
+) -> Result<Solution, CatenaryError> {
     let (v_a, v_b) = (lying.legs[0].v, lying.legs[1].v);
     let (s_a, s_b) = (v_a / plane.w, v_b / plane.w);
     let on_bed = plane.length - s_a - s_b;

@@ -7,11 +7,11 @@
 
 use super::chain::{Bay, Chain, Run};
 use super::descent::{State, lift, settle};
+use super::error::CatenaryError;
 use super::free;
 use super::laid;
 use super::line::{Bed, Line};
 use super::place::place;
-use super::refusal::Refusal;
 use super::single::ON_BED;
 use super::solution::{Frame, Solution};
 use super::span::length;
@@ -36,7 +36,7 @@ pub(super) struct Pattern {
 }
 
 /// Solves a line of any number of sections.
-pub(super) fn solve(line: &Line<'_>) -> Result<Solution, Refusal> {
+pub(super) fn solve(line: &Line<'_>) -> Result<Solution, CatenaryError> {
     let problem = place(line)?;
     if let Some(bed) = line.bed.filter(|bed| bed.slope_rad != 0.0) {
         return over_slope(&problem, bed);
@@ -52,7 +52,7 @@ pub(super) fn solve(line: &Line<'_>) -> Result<Solution, Refusal> {
     if let (Some(_), Some(above)) = (line.bed, line.surface_above_a_m)
         && problem.highest(&solution) > above * (1.0 + 1e-9) + 1e-9
     {
-        return Err(Refusal::Pattern(
+        return Err(CatenaryError::Pattern(
             "a line of several sections comes up to the surface while there is a bed as well; one of the two is solved",
         ));
     }
@@ -60,15 +60,15 @@ pub(super) fn solve(line: &Line<'_>) -> Result<Solution, Refusal> {
 }
 
 /// On a rough, level bed: as laid from A.
-fn over_rough(problem: &Problem, bed: Bed) -> Result<Solution, Refusal> {
+fn over_rough(problem: &Problem, bed: Bed) -> Result<Solution, CatenaryError> {
     if bed.below_a_m > ON_BED * problem.chain.length {
-        return Err(Refusal::FrictionUndetermined);
+        return Err(CatenaryError::FrictionUndetermined);
     }
     laid::solve(problem, bed)?.ok_or(laid::SEVERAL)
 }
 
 /// Over a sloping bed: lying from A, or clear of it.
-fn over_slope(problem: &Problem, bed: Bed) -> Result<Solution, Refusal> {
+fn over_slope(problem: &Problem, bed: Bed) -> Result<Solution, CatenaryError> {
     let slip = ON_BED * (problem.chain.length + problem.z.abs());
     if bed.below_a_m <= slip
         && let Some(lies) = laid::solve(problem, bed)?
@@ -91,7 +91,7 @@ fn over_slope(problem: &Problem, bed: Bed) -> Result<Solution, Refusal> {
     Err(if bed.below_a_m <= slip {
         laid::SEVERAL
     } else {
-        Refusal::SlopeBelowA
+        CatenaryError::SlopeBelowA
     })
 }
 
@@ -145,7 +145,7 @@ impl Problem {
     }
 
     /// Finds the resting places.
-    fn settle(&self) -> Result<Pattern, Refusal> {
+    fn settle(&self) -> Result<Pattern, CatenaryError> {
         let mut resting = Vec::new();
         let (h, offset) = self.guess();
         if self.bed == Some(0.0) && self.chain.elements[0].total() > 0.0 {
@@ -178,7 +178,7 @@ impl Problem {
             }
             state.offsets.resize(bays, offset);
         }
-        Err(Refusal::Pattern(
+        Err(CatenaryError::Pattern(
             "which sections rest on the bed could not be settled for this line",
         ))
     }
@@ -196,7 +196,12 @@ impl Problem {
     }
 
     /// Equilibrium for given resting places.
-    fn rest(&self, resting: Vec<Run>, start: State, looks: &mut u32) -> Result<Pattern, Refusal> {
+    fn rest(
+        &self,
+        resting: Vec<Run>,
+        start: State,
+        looks: &mut u32,
+    ) -> Result<Pattern, CatenaryError> {
         let bays = self.bays(&resting);
         if let Some(state) = self.slack(&resting, &bays, &start) {
             return Ok(Pattern {

@@ -16,7 +16,7 @@
 //! On the bed tension falls from `T_0 = H cosh a` towards A by `w (sin θ + μ cos θ)` per metre and, where
 //! friction can hold the line (μ >= |tan θ|), stays at zero once it gets there.
 
-use super::refusal::Refusal;
+use super::error::CatenaryError;
 use super::solution::lying_sum;
 use super::span::Span;
 use crate::numerics::double_double::DoubleDouble;
@@ -102,8 +102,8 @@ impl Incline {
         self.friction >= self.tan.abs()
     }
 
-    fn slides(&self) -> Refusal {
-        Refusal::SlackOnSlope {
+    fn slides(&self) -> CatenaryError {
+        CatenaryError::SlackOnSlope {
             needed: self.tan.abs(),
         }
     }
@@ -162,7 +162,7 @@ impl Incline {
     }
 
     /// What the line does; `seed` is a β to start from.
-    pub(super) fn solve(&self, seed: Option<f64>) -> Result<Outcome, Refusal> {
+    pub(super) fn solve(&self, seed: Option<f64>) -> Result<Outcome, CatenaryError> {
         if self.height <= 0.0 {
             return self.wholly();
         }
@@ -183,7 +183,7 @@ impl Incline {
         self.partly(seed.unwrap_or_else(|| self.guess(straight)))
     }
 
-    fn partly(&self, guess: f64) -> Result<Outcome, Refusal> {
+    fn partly(&self, guess: f64) -> Result<Outcome, CatenaryError> {
         let spare = self.spare();
         let mut lifted = false;
         let root = increasing_root(guess, STEEPEST, |beta| {
@@ -211,7 +211,7 @@ impl Incline {
             return if lifted {
                 Ok(Outcome::Lifted)
             } else {
-                Err(Refusal::NotVerified {
+                Err(CatenaryError::NotVerified {
                     error: f64::INFINITY,
                     iterations: 200,
                 })
@@ -233,7 +233,7 @@ impl Incline {
     }
 
     /// B on the bed: a bar on a slope.
-    fn wholly(&self) -> Result<Outcome, Refusal> {
+    fn wholly(&self) -> Result<Outcome, CatenaryError> {
         let stretch = -self.ea * self.spare();
         let loss = self.loss();
         let whole = stretch / self.length + 0.5 * loss * self.length;

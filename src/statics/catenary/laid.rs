@@ -16,8 +16,8 @@
 use super::chain::{Bay, Chain, Part};
 use super::composite::Problem;
 use super::descent::climb;
+use super::error::CatenaryError;
 use super::line::Bed;
-use super::refusal::Refusal;
 use super::solution::Solution;
 use super::span::{Span, length};
 use crate::numerics::double_double::DoubleDouble;
@@ -64,13 +64,13 @@ pub(super) struct Look {
     scale: f64,
 }
 
-pub(super) const SEVERAL: Refusal = Refusal::Pattern(
+pub(super) const SEVERAL: CatenaryError = CatenaryError::Pattern(
     "a line of several sections comes down in more than one place, or buoyant from its end on the bed; with \
      friction or a slope it is solved where it lies from end A in one stretch",
 );
 
 /// The line lying from A, or `None` when it touches the bed at A at most.
-pub(super) fn solve(problem: &Problem, bed: Bed) -> Result<Option<Solution>, Refusal> {
+pub(super) fn solve(problem: &Problem, bed: Bed) -> Result<Option<Solution>, CatenaryError> {
     if problem.chain.elements[0].total() <= 0.0 {
         return Ok(None);
     }
@@ -165,8 +165,8 @@ impl<'a> Laid<'a> {
         self.friction >= self.tan.abs()
     }
 
-    fn slides(&self) -> Refusal {
-        Refusal::SlackOnSlope {
+    fn slides(&self) -> CatenaryError {
+        CatenaryError::SlackOnSlope {
             needed: self.tan.abs(),
         }
     }
@@ -273,7 +273,7 @@ impl<'a> Laid<'a> {
     }
 
     /// Everything hanging straight from B, if enough is left on the bed.
-    fn slack(&self) -> Result<Option<State>, Refusal> {
+    fn slack(&self) -> Result<Option<State>, CatenaryError> {
         let Some(offset) = self.straight() else {
             return Ok(None);
         };

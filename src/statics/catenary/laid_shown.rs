@@ -1,17 +1,17 @@
 //! From the unknowns of a line laid from A to a verified solution, and its drawing.
 
 use super::build::BELIEVED;
+use super::error::CatenaryError;
 use super::laid::{Laid, State};
-use super::refusal::Refusal;
 use super::solution::{Kind, Piece, Pieces, Seed, Shape, Solution, lying_sum};
 
 impl Laid<'_> {
-    pub(super) fn finish(&self, found: State, looks: u32) -> Result<Solution, Refusal> {
+    pub(super) fn finish(&self, found: State, looks: u32) -> Result<Solution, CatenaryError> {
         let (state, residual) = self.verify(found);
         let at_a = (state.h / self.cos + self.drop() * state.offset).max(0.0);
         let v_b = state.h * self.tan + state.offset + self.chain().weight;
         if !(state.h.is_finite() && v_b.is_finite() && residual <= BELIEVED) {
-            return Err(Refusal::NotVerified {
+            return Err(CatenaryError::NotVerified {
                 error: residual,
                 iterations: looks,
             });

@@ -1,6 +1,6 @@
 //! What a line is, as the user words it.
 
-use super::refusal::Refusal;
+use super::error::CatenaryError;
 
 /// End B seen from end A, in the vertical plane through both.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,11 +75,16 @@ pub struct Line<'a> {
 }
 
 /// `Ok` when the number is what it must be.
-fn need(ok: bool, quantity: &'static str, value: f64, needs: &'static str) -> Result<(), Refusal> {
+fn need(
+    ok: bool,
+    quantity: &'static str,
+    value: f64,
+    needs: &'static str,
+) -> Result<(), CatenaryError> {
     if ok {
         return Ok(());
     }
-    Err(Refusal::Input {
+    Err(CatenaryError::Input {
         quantity,
         value,
         needs,
@@ -90,7 +95,7 @@ fn need(ok: bool, quantity: &'static str, value: f64, needs: &'static str) -> Re
 const HUGE: f64 = 1e60;
 
 impl Ends {
-    pub(super) fn check(&self) -> Result<(), Refusal> {
+    pub(super) fn check(&self) -> Result<(), CatenaryError> {
         let fine = |v: f64| v.abs() <= HUGE;
         need(
             fine(self.x_m),
@@ -108,7 +113,7 @@ impl Ends {
 }
 
 impl SectionProps {
-    pub(super) fn check(&self) -> Result<(), Refusal> {
+    pub(super) fn check(&self) -> Result<(), CatenaryError> {
         let (l, w, ea) = (self.length_m, self.weight_n_per_m, self.ea_n);
         need(
             (1e-60..=HUGE).contains(&l),
@@ -139,7 +144,7 @@ impl SectionProps {
 }
 
 impl Bed {
-    pub(super) fn check(&self) -> Result<(), Refusal> {
+    pub(super) fn check(&self) -> Result<(), CatenaryError> {
         let Self {
             below_a_m,
             slope_rad,

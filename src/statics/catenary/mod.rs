@@ -2,7 +2,7 @@
 //!
 //! A line is elastic, without bending stiffness, and uniform by sections; the bed is rigid. Forces are
 //! found to rounding, not to a tolerance in metres, and every answer has been put back into the
-//! equations with 30 digits before it is given out; otherwise there is a [`Refusal`] in words.
+//! equations with 30 digits before it is given out; otherwise there is a [`CatenaryError`] in words.
 //!
 //! ```
 //! use seacable::statics::catenary::{Bed, Ends, Line, SectionProps, Shape};
@@ -21,7 +21,7 @@
 //! // A fairlead moved by a metre: start from here.
 //! let moved = Line { ends: Ends { x_m: 861.0, z_m: 100.0 }, ..line }.solve_from(&rest)?;
 //! assert!(moved.h_b_n > rest.h_b_n);
-//! # Ok::<(), seacable::statics::catenary::Refusal>(())
+//! # Ok::<(), seacable::statics::catenary::CatenaryError>(())
 //! ```
 //!
 //! Signs: `h` is the horizontal part of the tension; `v_b` pulls B down and `v_a` pulls A up when
@@ -39,23 +39,22 @@ mod build_bed;
 mod chain;
 mod composite;
 mod descent;
+mod error;
 mod free;
 mod incline;
 mod laid;
 mod laid_shown;
 mod line;
 mod place;
-mod refusal;
 mod single;
 mod solution;
 mod span;
-mod table;
+
 mod trough;
 
+pub use error::CatenaryError;
 pub use line::{Bed, Ends, Line, SectionProps};
-pub use refusal::Refusal;
 pub use solution::{Point, Shape, Solution};
-pub use table::{TableFault, Written, solve_table};
 
 use solution::Seed;
 
@@ -63,9 +62,9 @@ impl Line<'_> {
     /// The line at rest.
     ///
     /// # Errors
-    /// [`Refusal`]: inputs that no line can have, lines without an answer or without a single one, and
+    /// [`CatenaryError`]: inputs that no line can have, lines without an answer or without a single one, and
     /// answers that could not be verified. Never a number that is not an answer.
-    pub fn solve(&self) -> Result<Solution, Refusal> {
+    pub fn solve(&self) -> Result<Solution, CatenaryError> {
         self.start(Seed::None)
     }
 
@@ -73,11 +72,11 @@ impl Line<'_> {
     ///
     /// # Errors
     /// As [`Line::solve`].
-    pub fn solve_from(&self, neighbour: &Solution) -> Result<Solution, Refusal> {
+    pub fn solve_from(&self, neighbour: &Solution) -> Result<Solution, CatenaryError> {
         self.start(neighbour.seed)
     }
 
-    fn start(&self, seed: Seed) -> Result<Solution, Refusal> {
+    fn start(&self, seed: Seed) -> Result<Solution, CatenaryError> {
         match self.sections {
             [only] if only.clump_n == 0.0 => {
                 single::solve(self.ends, *only, self.bed, self.surface_above_a_m, seed)

@@ -2,16 +2,16 @@
 
 use super::chain::{Chain, Element};
 use super::composite::Problem;
+use super::error::CatenaryError;
 use super::line::{Bed, Line, SectionProps};
-use super::refusal::Refusal;
 use super::single::ends_above;
 use super::solution::Frame;
 
 /// The line in the solver's plane: A at the origin, B to the right, a surface above turned into a bed below.
-pub(super) fn place(line: &Line<'_>) -> Result<Problem, Refusal> {
+pub(super) fn place(line: &Line<'_>) -> Result<Problem, CatenaryError> {
     line.ends.check()?;
     if line.sections.is_empty() {
-        return Err(Refusal::Input {
+        return Err(CatenaryError::Input {
             quantity: "the number of sections",
             value: 0.0,
             needs: "at least one",
@@ -22,7 +22,7 @@ pub(super) fn place(line: &Line<'_>) -> Result<Problem, Refusal> {
     }
     let last = line.sections[line.sections.len() - 1].clump_n;
     if last != 0.0 {
-        return Err(Refusal::Input {
+        return Err(CatenaryError::Input {
             quantity: "the weight of a body at end B [N]",
             value: last,
             needs: "zero: what holds B carries it",
@@ -45,7 +45,7 @@ pub(super) fn place(line: &Line<'_>) -> Result<Problem, Refusal> {
         };
         ends_above(&flipped, line.ends.x_m, -line.ends.z_m, length).map_err(
             |refusal| match refusal {
-                Refusal::EndBelowBed { end, below_m } => Refusal::EndAboveSurface {
+                CatenaryError::EndBelowBed { end, below_m } => CatenaryError::EndAboveSurface {
                     end,
                     above_m: below_m,
                 },

@@ -5,10 +5,10 @@
 
 use super::build;
 use super::build_bed;
+use super::error::CatenaryError;
 use super::free;
 use super::incline::{Incline, Outcome};
 use super::line::{Bed, Ends, SectionProps};
-use super::refusal::Refusal;
 use super::solution::{Frame, Seed, Solution};
 use super::trough::Trough;
 
@@ -34,7 +34,7 @@ pub(super) fn solve(
     bed: Option<Bed>,
     surface_above_a: Option<f64>,
     seed: Seed,
-) -> Result<Solution, Refusal> {
+) -> Result<Solution, CatenaryError> {
     ends.check()?;
     section.check()?;
     if let Some(bed) = bed {
@@ -60,7 +60,7 @@ fn plane(
     section: SectionProps,
     bed: Option<Bed>,
     surface_above_a: Option<f64>,
-) -> Result<Plane, Refusal> {
+) -> Result<Plane, CatenaryError> {
     let floats = section.weight_n_per_m < 0.0;
     let up = if floats { -1.0 } else { 1.0 };
     let bed = if floats {
@@ -83,14 +83,14 @@ fn plane(
 }
 
 /// The surface as the bed of the line turned upside down.
-fn surface(above_a: Option<f64>, z: f64, length: f64) -> Result<Option<Bed>, Refusal> {
+fn surface(above_a: Option<f64>, z: f64, length: f64) -> Result<Option<Bed>, CatenaryError> {
     let Some(above) = above_a else {
         return Ok(None);
     };
     let slip = ON_BED * (length + z.abs());
     for (end, over) in [('A', -above), ('B', z - above)] {
         if over.is_nan() || over > slip {
-            return Err(Refusal::EndAboveSurface { end, above_m: over });
+            return Err(CatenaryError::EndAboveSurface { end, above_m: over });
         }
     }
     Ok(Some(Bed {
@@ -100,12 +100,12 @@ fn surface(above_a: Option<f64>, z: f64, length: f64) -> Result<Option<Bed>, Ref
 }
 
 /// Both ends must be on the bed or above.
-pub(super) fn ends_above(bed: &Bed, x: f64, z: f64, length: f64) -> Result<(), Refusal> {
+pub(super) fn ends_above(bed: &Bed, x: f64, z: f64, length: f64) -> Result<(), CatenaryError> {
     let rise = x.abs() * bed.slope_rad.tan();
     let slip = ON_BED * (length + z.abs() + rise.abs());
     for (end, height) in [('A', bed.below_a_m), ('B', bed.below_a_m + z - rise)] {
         if height < -slip {
-            return Err(Refusal::EndBelowBed {
+            return Err(CatenaryError::EndBelowBed {
                 end,
                 below_m: -height,
             });
@@ -115,13 +115,13 @@ pub(super) fn ends_above(bed: &Bed, x: f64, z: f64, length: f64) -> Result<(), R
 }
 
 /// The line as if there were no bed.
-fn hanging(plane: &Plane, seed: Seed) -> Result<Solution, Refusal> {
+fn hanging(plane: &Plane, seed: Seed) -> Result<Solution, CatenaryError> {
     let start = match seed {
         Seed::Free(xi) => Some(xi),
         _ => None,
     };
     let found = free::solve(plane.x, plane.z, plane.length, plane.w, plane.ea, start);
-    let found = found.ok_or(Refusal::NotVerified {
+    let found = found.ok_or(CatenaryError::NotVerified {
         error: f64::INFINITY,
         iterations: 200,
     })?;
@@ -145,7 +145,7 @@ fn touches(plane: &Plane, bed: &Bed, found: &Solution) -> bool {
 }
 
 /// A line over a bed.
-fn over_bed(plane: &Plane, bed: Bed, seed: Seed) -> Result<Solution, Refusal> {
+fn over_bed(plane: &Plane, bed: Bed, seed: Seed) -> Result<Solution, CatenaryError> {
     // Without friction on a level bed even the shortest leg down from A is a leg.
     let legless = if bed.friction > 0.0 || bed.slope_rad != 0.0 {
         ON_BED * plane.length
@@ -157,7 +157,7 @@ fn over_bed(plane: &Plane, bed: Bed, seed: Seed) -> Result<Solution, Refusal> {
     } else if bed.slope_rad != 0.0 {
         let found = hanging(plane, seed)?;
         if touches(plane, &bed, &found) {
-            return Err(Refusal::SlopeBelowA);
+            return Err(CatenaryError::SlopeBelowA);
         }
         Ok(found)
     } else {
@@ -165,7 +165,7 @@ fn over_bed(plane: &Plane, bed: Bed, seed: Seed) -> Result<Solution, Refusal> {
     }
 }
 
-fn on_incline(plane: &Plane, bed: Bed, seed: Seed) -> Result<Solution, Refusal> {
+fn on_incline(plane: &Plane, bed: Bed, seed: Seed) -> Result<Solution, CatenaryError> {
     let (sin, cos) = bed.slope_rad.sin_cos();
     let tan = bed.slope_rad.tan();
     let height = plane.z - plane.x * tan;
@@ -198,7 +198,7 @@ fn on_incline(plane: &Plane, bed: Bed, seed: Seed) -> Result<Solution, Refusal> 
     }
 }
 
-fn over_trough(plane: &Plane, bed: Bed, seed: Seed) -> Result<Solution, Refusal> {
+fn over_trough(plane: &Plane, bed: Bed, seed: Seed) -> Result<Solution, CatenaryError> {
     let trough = Trough {
         x: plane.x,
         length: plane.length,
@@ -214,16 +214,16 @@ fn over_trough(plane: &Plane, bed: Bed, seed: Seed) -> Result<Solution, Refusal>
         return lifted(plane, &bed, seed);
     };
     if bed.friction > 0.0 && lying.h > 0.0 {
-        return Err(Refusal::FrictionUndetermined);
+        return Err(CatenaryError::FrictionUndetermined);
     }
     build_bed::trough(plane, &trough, &lying)
 }
 
 /// The bed said "not reached": the free line must agree.
-fn lifted(plane: &Plane, bed: &Bed, seed: Seed) -> Result<Solution, Refusal> {
+fn lifted(plane: &Plane, bed: &Bed, seed: Seed) -> Result<Solution, CatenaryError> {
     let found = hanging(plane, seed)?;
     if touches(plane, bed, &found) {
-        return Err(Refusal::NotVerified {
+        return Err(CatenaryError::NotVerified {
             error: f64::INFINITY,
             iterations: found.iterations,
         });

@@ -1,24 +1,49 @@
-//! Tables of lines at rest, a line a row: CSV of single lines in still water (see [`solve_table`]), CSV of single lines in a
-//! current, and JSON lines of either kind with several sections.
+//! Tables of lines at rest, a line a row: CSV of single lines in still water, CSV of single lines in a current, and JSON
+//! lines of either kind with several sections.
 //!
-//! A row that cannot be read or has no answer keeps its place and says why in `status`; it never stops the others.
+//! A row that cannot be read or has no answer keeps its place, with the reason in `status`; it never stops the others.
 
-mod columns;
-mod drift;
-mod json;
+mod current_table;
+mod in_current;
 mod object;
+mod still_table;
+mod table;
 
-pub use drift::{InCurrent, Pulls};
+pub use in_current::{EndForces, LineInCurrent};
 
 use rayon::prelude::*;
+use thiserror::Error;
 
-use crate::statics::catenary::{TableFault, Written, solve_table};
+use crate::statics::catenary::Solution;
 
-/// Names and values of an answer, as text that CSV and JSON both take.
-type Numbers = Vec<(&'static str, String)>;
+/// Why bytes are no table of lines.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum TableError {
+    /// Columns are missing from the first line.
+    #[error("the first line must name the columns; missing: {0}")]
+    Missing(String),
+    /// A column is named twice.
+    #[error("column {0} is named twice in the first line")]
+    Twice(String),
+    /// The table could not be read or written.
+    #[error(transparent)]
+    Csv(#[from] csv::Error),
+}
 
-/// What a line in a current is answered with.
-const PULLS: [&str; 10] = [
+/// A table with its answers.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Answered {
+    /// The table, as CSV or JSON lines.
+    pub text: Vec<u8>,
+    /// Rows in it.
+    pub rows: usize,
+    /// Rows without an answer.
+    pub refused: usize,
+}
+
+/// What a line in a current is answered with, and `status`.
+const END_FORCES_AND_STATUS: [&str; 11] = [
     "pull_a_x_n",
     "pull_a_y_n",
     "pull_a_z_n",
@@ -29,61 +54,56 @@ const PULLS: [&str; 10] = [
     "tension_b_n",
     "error_n",
     "segments",
+    "status",
 ];
 
-impl Pulls {
-    fn numbers(&self) -> [f64; 10] {
-        let (a, b) = (self.a_n, self.b_n);
-        let segments = self.segments as f64;
-        [
-            a.x,
-            a.y,
-            a.z,
-            b.x,
-            b.y,
-            b.z,
-            a.norm(),
-            b.norm(),
-            self.error_n,
-            segments,
-        ]
-    }
-}
-
-/// Adding zero turns -0 into 0.
+/// A number as it is written; adding zero turns -0 into 0.
 fn shown(number: f64) -> String {
     format!("{}", number + 0.0)
 }
 
-/// Solves every line of a table in CSV or of JSON lines, told apart by their first character; on all cores, in order.
+/// H and V at B, H and V at A \[N\], length on the bed \[m\].
+fn at_rest(solution: &Solution) -> [String; 5] {
+    let s = solution;
+    [s.h_b_n, s.v_b_n, s.h_a_n, s.v_a_n, s.on_bed_m].map(shown)
+}
+
+/// Solves every line of a table in CSV or of JSON lines, distinguished by their first character; on all cores, in order.
+///
+/// CSV of lines in still water needs `x_m, z_m, length_m, ea_n, weight_n_per_m` and may have `friction`,
+/// `bed_below_a_m`, `bed_slope_deg`, `surface_above_a_m`; any other column is passed through. The answer adds
+/// `h_b_n, v_b_n, h_a_n, v_a_n, on_bed_m`, `status` (`ok`, or why not) and `shape`, with the signs of
+/// [`Solution`].
 ///
 /// # Errors
-/// [`TableFault`] when the columns are not there or the bytes are no table.
-pub fn solve(input: &[u8]) -> Result<Written, TableFault> {
+/// [`TableError`] when the columns are not there or the bytes are no table.
+pub fn solve(input: &[u8]) -> Result<Answered, TableError> {
     let input = input.strip_prefix(b"\xef\xbb\xbf").unwrap_or(input);
     if input.trim_ascii_start().first() == Some(&b'{') {
         return Ok(objects(&String::from_utf8_lossy(input)));
     }
-    if columns::in_current(input) {
-        return columns::solve(input);
-    }
-    solve_table(input)
+    let layout = if current_table::recognises(input) {
+        current_table::LAYOUT
+    } else {
+        still_table::LAYOUT
+    };
+    table::solve(input, &layout)
 }
 
 /// JSON lines with their answers added; blank lines and notes (objects with none of the keys of a line) stay as they are.
-fn objects(text: &str) -> Written {
+fn objects(text: &str) -> Answered {
     let lines: Vec<&str> = text.lines().collect();
-    let answered: Vec<object::Answered> = lines
+    let answers: Vec<object::Answer> = lines
         .par_iter()
         .enumerate()
         .map(|(i, line)| object::answer(line, i + 1))
         .collect();
-    let mut written = Written::default();
-    for answer in answered {
-        written.rows += usize::from(answer.is_line);
-        written.refused += usize::from(answer.refused);
-        written.text.extend_from_slice(answer.text.as_bytes());
-        written.text.push(b'\n');
+    let mut answered = Answered::default();
+    for answer in answers {
+        answered.rows += usize::from(answer.is_line);
+        answered.refused += usize::from(answer.refused);
+        answered.text.extend_from_slice(answer.text.as_bytes());
+        answered.text.push(b'\n');
     }
-    written
+    answered
 }

@@ -1,26 +1,36 @@
 //! One JSON object: a line of several sections at rest in still water, or in a current.
+//!
+//! Keys and values are kept as the text they are written in, so that the answer repeats them to the letter.
 
-use super::drift::InCurrent;
-use super::json::{self, Kind, Value};
-use super::{Numbers, PULLS, shown};
+use std::fmt;
+use std::ops::RangeInclusive;
+
+use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+use serde_json::value::RawValue;
+
+use super::in_current::LineInCurrent;
+use super::{END_FORCES_AND_STATUS, shown};
 use crate::statics::catenary::{Bed, Ends, Line, SectionProps};
 
 /// A line of text with its answer.
-pub(super) struct Answered {
+pub(super) struct Answer {
     pub text: String,
     pub is_line: bool,
     pub refused: bool,
 }
 
-/// What is wrong; with which key's value, at which byte of the text, where it is one.
-struct Trouble {
-    place: Option<(String, usize)>,
+/// Why a line has no answer; with the value that is at fault, where it is one.
+struct LineError<'a> {
+    value: Option<(&'a str, &'a RawValue)>,
     problem: String,
 }
 
-type Entries = Vec<(String, Value)>;
+type Result<'a, T> = std::result::Result<T, LineError<'a>>;
 
-/// Keys of a line in still water, and what they are called in short.
+/// Names and values of an answer, in JSON.
+type Values = Vec<(&'static str, String)>;
+
+/// Keys of a line in still water with their short names.
 const STILL: [&str; 10] = [
     "sections",
     "segs",
@@ -34,7 +44,7 @@ const STILL: [&str; 10] = [
     "surface_above_a_m",
 ];
 /// Keys that only a line in a current has.
-const MOVING: [&str; 7] = [
+const IN_CURRENT: [&str; 7] = [
     "a_m",
     "b_m",
     "current",
@@ -45,216 +55,266 @@ const MOVING: [&str; 7] = [
 ];
 const AT_REST: [&str; 5] = ["h_b_n", "v_b_n", "h_a_n", "v_a_n", "on_bed_m"];
 
+/// The keys, in their quotes, and values of an object in their order, as they are written.
+struct Object<'a>(Vec<(&'a RawValue, &'a RawValue)>);
+
+impl<'de> Deserialize<'de> for Object<'de> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> std::result::Result<Self, D::Error> {
+        struct Entries;
+        impl<'de> Visitor<'de> for Entries {
+            type Value = Object<'de>;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a JSON object: {\"key\": value, ...}")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(
+                self,
+                mut map: A,
+            ) -> std::result::Result<Self::Value, A::Error> {
+                let mut entries = Vec::new();
+                while let Some(entry) = map.next_entry()? {
+                    entries.push(entry);
+                }
+                Ok(Object(entries))
+            }
+        }
+        from.deserialize_map(Entries)
+    }
+}
+
+/// A key without its quotes.
+fn plain(key: &RawValue) -> &str {
+    key.get().trim_matches('"')
+}
+
 /// Answers one line of text; `number` counts from 1.
-pub(super) fn answer(text: &str, number: usize) -> Answered {
-    let plain = |text: &str| Answered {
+pub(super) fn answer(text: &str, number: usize) -> Answer {
+    let unchanged = || Answer {
         text: text.to_owned(),
         is_line: false,
         refused: false,
     };
     if text.trim().is_empty() {
-        return plain(text);
+        return unchanged();
     }
-    let place = |at: usize| {
-        let before = text.get(..at).unwrap_or(text);
-        format!("line {number}, column {}", before.chars().count() + 1)
-    };
-    let entries = match json::object(text) {
-        Ok(entries) => entries,
-        Err(fault) => {
-            let status = format!("{}: {}", place(fault.at), fault.problem);
-            return Answered {
+    let object: Object = match serde_json::from_str(text) {
+        Ok(object) => object,
+        Err(error) => {
+            let byte = if error.is_eof() {
+                text.len()
+            } else {
+                error.column().saturating_sub(1)
+            };
+            let status = format!("{}: {}", place(text, number, byte), problem(&error));
+            return Answer {
                 text: format!("{{\"status\": {}}}", quoted(&status)),
                 is_line: true,
                 refused: true,
             };
         }
     };
-    let known = |key: &str| STILL.contains(&key) || MOVING.contains(&key);
-    if !entries.iter().any(|(key, _)| known(key)) {
-        return plain(text);
+    let has = |known: &[&str]| object.0.iter().any(|(key, _)| known.contains(&plain(key)));
+    if !has(&STILL) && !has(&IN_CURRENT) {
+        return unchanged();
     }
-    let moving = entries
-        .iter()
-        .any(|(key, _)| MOVING.contains(&key.as_str()));
-    let solved = if moving {
-        in_current(&entries)
+    let solved = if has(&IN_CURRENT) {
+        in_current(&object)
     } else {
-        at_rest(&entries)
+        at_rest(&object)
     };
-    let (numbers, status) = match solved {
-        Ok(numbers) => (numbers, "ok".to_owned()),
-        Err(Trouble { place: at, problem }) => {
-            let told = at.map_or_else(
-                || format!("line {number}: {problem}"),
-                |(key, at)| format!("{}, {key}: {problem}", place(at)),
-            );
-            (Vec::new(), told)
-        }
+    let (values, status) = match solved {
+        Ok(values) => (values, "ok".to_owned()),
+        Err(error) => (Vec::new(), error.status(text, number)),
     };
-    Answered {
+    Answer {
         refused: status != "ok",
-        text: with(text, &entries, &numbers, &status),
+        text: object.with(&values, &status),
         is_line: true,
     }
 }
 
-/// The object as it was, answers of an earlier time left out, and these added.
-fn with(text: &str, entries: &Entries, numbers: &Numbers, status: &str) -> String {
-    let old = |key: &str| {
-        AT_REST.contains(&key) || PULLS.contains(&key) || ["status", "shape"].contains(&key)
-    };
-    let mut parts: Vec<String> = entries
-        .iter()
-        .filter(|(key, _)| !old(key))
-        .map(|(key, value)| {
-            let value = text.get(value.at.clone()).unwrap_or("null");
-            format!("\"{key}\": {value}")
-        })
-        .collect();
-    parts.extend(
-        numbers
-            .iter()
-            .map(|(name, number)| format!("\"{name}\": {number}")),
-    );
-    parts.push(format!("\"status\": {}", quoted(status)));
-    format!("{{{}}}", parts.join(", "))
+/// Line and column of a byte of a line of text.
+fn place(text: &str, number: usize, byte: usize) -> String {
+    let before = text.get(..byte).unwrap_or(text);
+    format!("line {number}, column {}", before.chars().count() + 1)
+}
+
+/// What a syntax error says, without the place, which counts from the line's own beginning.
+fn problem(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    let end = text.rfind(" at line ").unwrap_or(text.len());
+    text[..end].to_owned()
 }
 
 fn quoted(text: &str) -> String {
-    let mut quoted = String::from('"');
-    for c in text.chars() {
-        match c {
-            '"' | '\\' => quoted.extend(['\\', c]),
-            c if c < ' ' => quoted += &format!("\\u{:04x}", u32::from(c)),
-            c => quoted.push(c),
+    serde_json::Value::from(text).to_string()
+}
+
+impl<'a> LineError<'a> {
+    fn new(problem: impl Into<String>) -> Self {
+        Self {
+            value: None,
+            problem: problem.into(),
         }
     }
-    quoted + "\""
-}
 
-fn find<'a>(entries: &'a Entries, keys: &[&str]) -> Result<Option<&'a (String, Value)>, Trouble> {
-    let mut found = entries
-        .iter()
-        .filter(|(key, _)| keys.contains(&key.as_str()));
-    let first = found.next();
-    match found.next() {
-        Some((key, value)) => Err(Trouble {
-            place: Some((key.clone(), value.at.start)),
-            problem: "given twice".into(),
-        }),
-        None => Ok(first),
+    fn missing(key: &str) -> Self {
+        Self::new(format!("the key {key} is missing"))
+    }
+
+    fn at(key: &'a str, value: &'a RawValue, problem: impl Into<String>) -> Self {
+        Self {
+            value: Some((key, value)),
+            problem: problem.into(),
+        }
+    }
+
+    fn status(&self, text: &str, number: usize) -> String {
+        match self.value {
+            Some((key, value)) => {
+                // The value is part of the text: its distance from the beginning is its place.
+                let byte = value.get().as_ptr() as usize - text.as_ptr() as usize;
+                format!("{}, {key}: {}", place(text, number, byte), self.problem)
+            }
+            None => format!("line {number}: {}", self.problem),
+        }
     }
 }
 
-fn wanted(key: &str) -> Trouble {
-    refused(format!("the key {key} is missing"))
-}
+impl<'a> Object<'a> {
+    /// The object as it was, answers of an earlier time left out, and these added.
+    fn with(&self, values: &Values, status: &str) -> String {
+        let old = |key: &str| {
+            AT_REST.contains(&key) || END_FORCES_AND_STATUS.contains(&key) || key == "shape"
+        };
+        let given = self.0.iter().filter(|(key, _)| !old(plain(key)));
+        let mut parts: Vec<String> = given
+            .map(|(key, value)| format!("{}: {}", key.get(), value.get()))
+            .collect();
+        let answers = values.iter();
+        parts.extend(answers.map(|(name, value)| format!("\"{name}\": {value}")));
+        parts.push(format!("\"status\": {}", quoted(status)));
+        format!("{{{}}}", parts.join(", "))
+    }
 
-fn wrong(key: &str, value: &Value, needs: &str) -> Trouble {
-    Trouble {
-        place: Some((key.to_owned(), value.at.start)),
-        problem: format!("{needs} is needed"),
+    /// The value of the one key of these that is there.
+    fn find(&self, keys: &[&str]) -> Result<'a, Option<(&'a str, &'a RawValue)>> {
+        let each = self.0.iter().map(|(key, value)| (plain(key), *value));
+        let mut found = each.filter(|(key, _)| keys.contains(key));
+        let first = found.next();
+        match found.next() {
+            Some((key, value)) => Err(LineError::at(key, value, "given twice")),
+            None => Ok(first),
+        }
+    }
+
+    /// A number; `None` where the key is absent or, with one name, its value is null.
+    fn number(&self, keys: &[&str]) -> Result<'a, Option<f64>> {
+        match self.find(keys)? {
+            None => Ok(None),
+            Some((_, value))
+                if keys.len() == 1 && ["null", "true", "false"].contains(&value.get()) =>
+            {
+                Ok(None)
+            }
+            Some((key, value)) => number(key, value).map(Some),
+        }
+    }
+
+    fn required(&self, keys: &[&str]) -> Result<'a, f64> {
+        self.number(keys)?
+            .ok_or_else(|| LineError::missing(keys[0]))
+    }
+
+    /// Lists of numbers in a list.
+    fn rows(
+        &self,
+        keys: &[&str],
+        counts: &RangeInclusive<usize>,
+        form: &str,
+    ) -> Result<'a, Vec<Vec<f64>>> {
+        let (key, value) = self
+            .find(keys)?
+            .ok_or_else(|| LineError::missing(keys[0]))?;
+        match items(value) {
+            Some(items) if !items.is_empty() => items
+                .into_iter()
+                .map(|item| numbers(key, item, counts, form))
+                .collect(),
+            _ => Err(LineError::at(
+                key,
+                value,
+                format!("a list of {form} is needed"),
+            )),
+        }
+    }
+
+    fn point(&self, key: &str) -> Result<'a, [f64; 3]> {
+        let (key, value) = self.find(&[key])?.ok_or_else(|| LineError::missing(key))?;
+        let list = numbers(key, value, &(3..=3), "[x, y, z]")?;
+        Ok([list[0], list[1], list[2]])
+    }
+
+    fn sections(&self) -> Result<'a, Vec<SectionProps>> {
+        let form = "[length_m, weight_n_per_m, ea_n] or [length_m, weight_n_per_m, ea_n, body_n]";
+        let section = |n: Vec<f64>| SectionProps {
+            clump_n: n.get(3).copied().unwrap_or(0.0),
+            ..SectionProps::new(n[0], n[1], n[2])
+        };
+        let lists = self.rows(&["sections", "segs"], &(3..=4), form)?;
+        Ok(lists.into_iter().map(section).collect())
     }
 }
 
-fn number(entries: &Entries, keys: &[&str]) -> Result<Option<f64>, Trouble> {
-    match find(entries, keys)? {
-        None => Ok(None),
-        Some((
-            _,
-            Value {
-                kind: Kind::Number(n),
-                ..
-            },
-        )) => Ok(Some(*n)),
-        Some((
-            _,
-            Value {
-                kind: Kind::Word, ..
-            },
-        )) if keys.len() == 1 => Ok(None),
-        Some((key, value)) => Err(wrong(key, value, "a number")),
-    }
+fn number<'a>(key: &'a str, value: &'a RawValue) -> Result<'a, f64> {
+    serde_json::from_str(value.get()).map_err(|_| LineError::at(key, value, "a number is needed"))
 }
 
-fn needed(entries: &Entries, keys: &[&str]) -> Result<f64, Trouble> {
-    number(entries, keys)?.ok_or_else(|| wanted(keys[0]))
+/// The items of a list; `None` where the value is no list.
+fn items(value: &RawValue) -> Option<Vec<&RawValue>> {
+    serde_json::from_str(value.get()).ok()
 }
 
 /// A list of numbers, as many as these.
-fn numbers(
-    key: &str,
-    value: &Value,
-    counts: std::ops::RangeInclusive<usize>,
-    needs: &str,
-) -> Result<Vec<f64>, Trouble> {
-    let Kind::List(items) = &value.kind else {
-        return Err(wrong(key, value, needs));
-    };
-    let read = |item: &Value| match item.kind {
-        Kind::Number(n) => Ok(n),
-        _ => Err(wrong(key, item, "a number")),
-    };
-    let list: Vec<f64> = items.iter().map(read).collect::<Result<_, _>>()?;
+fn numbers<'a>(
+    key: &'a str,
+    value: &'a RawValue,
+    counts: &RangeInclusive<usize>,
+    form: &str,
+) -> Result<'a, Vec<f64>> {
+    let wrong = || LineError::at(key, value, format!("{form} is needed"));
+    let items = items(value).ok_or_else(wrong)?;
+    let list: Vec<f64> = items
+        .into_iter()
+        .map(|item| number(key, item))
+        .collect::<Result<_>>()?;
     if counts.contains(&list.len()) {
         Ok(list)
     } else {
-        Err(wrong(key, value, needs))
+        Err(wrong())
     }
 }
 
-/// Lists of numbers in a list.
-fn rows(
-    entries: &Entries,
-    keys: &[&str],
-    counts: std::ops::RangeInclusive<usize>,
-    needs: &str,
-) -> Result<Vec<Vec<f64>>, Trouble> {
-    let (key, value) = find(entries, keys)?.ok_or_else(|| wanted(keys[0]))?;
-    match &value.kind {
-        Kind::List(items) if !items.is_empty() => items
-            .iter()
-            .map(|item| numbers(key, item, counts.clone(), needs))
-            .collect(),
-        _ => Err(wrong(key, value, &format!("a list of {needs}"))),
-    }
-}
-
-fn sections(entries: &Entries) -> Result<Vec<SectionProps>, Trouble> {
-    let needs = "[length_m, weight_n_per_m, ea_n] or [length_m, weight_n_per_m, ea_n, body_n]";
-    let section = |n: Vec<f64>| SectionProps {
-        clump_n: n.get(3).copied().unwrap_or(0.0),
-        ..SectionProps::new(n[0], n[1], n[2])
-    };
-    let lists = rows(entries, &["sections", "segs"], 3..=4, needs)?;
-    Ok(lists.into_iter().map(section).collect())
-}
-
-fn refused(problem: impl Into<String>) -> Trouble {
-    Trouble {
-        place: None,
-        problem: problem.into(),
-    }
-}
-
-fn at_rest(entries: &Entries) -> Result<Numbers, Trouble> {
-    let sections = sections(entries)?;
-    let anchored = find(entries, &["depth"])?.is_some() || find(entries, &["radius"])?.is_some();
-    let below = number(entries, &["bed_below_a_m"])?.or(anchored.then_some(0.0));
+fn at_rest<'a>(object: &Object<'a>) -> Result<'a, Values> {
+    let sections = object.sections()?;
+    let anchored = object.find(&["depth"])?.is_some() || object.find(&["radius"])?.is_some();
+    let below = object
+        .number(&["bed_below_a_m"])?
+        .or(anchored.then_some(0.0));
     let (friction, slope) = (
-        number(entries, &["friction"])?,
-        number(entries, &["bed_slope_deg"])?,
+        object.number(&["friction"])?,
+        object.number(&["bed_slope_deg"])?,
     );
     if below.is_none() && (friction.unwrap_or(0.0) != 0.0 || slope.unwrap_or(0.0) != 0.0) {
-        return Err(refused(
+        return Err(LineError::new(
             "there is a slope or friction but no bed; give bed_below_a_m, 0 for a bed through A",
         ));
     }
     let line = Line {
         ends: Ends {
-            x_m: needed(entries, &["x_m", "radius"])?,
-            z_m: needed(entries, &["z_m", "depth"])?,
+            x_m: object.required(&["x_m", "radius"])?,
+            z_m: object.required(&["z_m", "depth"])?,
         },
         sections: &sections,
         bed: below.map(|below_a_m| Bed {
@@ -262,53 +322,70 @@ fn at_rest(entries: &Entries) -> Result<Numbers, Trouble> {
             slope_rad: slope.unwrap_or(0.0).to_radians(),
             friction: friction.unwrap_or(0.0),
         }),
-        surface_above_a_m: number(entries, &["surface_above_a_m"])?,
+        surface_above_a_m: object.number(&["surface_above_a_m"])?,
     };
-    let rest = line.solve().map_err(|why| refused(why.to_string()))?;
-    let found = [
-        rest.h_b_n,
-        rest.v_b_n,
-        rest.h_a_n,
-        rest.v_a_n,
-        rest.on_bed_m,
-    ];
-    let mut numbers: Numbers = AT_REST.into_iter().zip(found.map(shown)).collect();
-    numbers.push(("shape", quoted(rest.shape_name())));
-    Ok(numbers)
+    let solved = line
+        .solve()
+        .map_err(|error| LineError::new(error.to_string()))?;
+    let mut values: Values = AT_REST.into_iter().zip(super::at_rest(&solved)).collect();
+    values.push(("shape", quoted(solved.shape_name())));
+    Ok(values)
 }
 
-fn in_current(entries: &Entries) -> Result<Numbers, Trouble> {
-    if let Some((key, value)) = entries
-        .iter()
-        .find(|(key, _)| STILL[2..].contains(&key.as_str()))
-    {
-        return Err(Trouble {
-            place: Some((key.clone(), value.at.start)),
-            problem: "a line in a current goes from a_m to b_m and has no bed; leave this key out"
-                .into(),
-        });
+fn in_current<'a>(object: &Object<'a>) -> Result<'a, Values> {
+    let still = |key: &str| STILL[2..].contains(&key);
+    if let Some((key, value)) = object.0.iter().find(|(key, _)| still(plain(key))) {
+        let problem = "a line in a current goes from a_m to b_m and has no bed; leave this key out";
+        return Err(LineError::at(plain(key), value, problem));
     }
-    let point = |key: &'static str| -> Result<[f64; 3], Trouble> {
-        let (_, value) = find(entries, &[key])?.ok_or_else(|| wanted(key))?;
-        let list = numbers(key, value, 3..=3, "[x, y, z]")?;
-        Ok([list[0], list[1], list[2]])
-    };
-    let current = rows(
-        entries,
-        &["current"],
-        3..=3,
-        "[depth_m, x_m_per_s, y_m_per_s]",
-    )?;
-    let line = InCurrent {
-        a_m: point("a_m")?,
-        b_m: point("b_m")?,
-        sections: sections(entries)?,
-        diameter_m: needed(entries, &["diameter_m"])?,
-        drag_normal: needed(entries, &["drag_normal"])?,
-        drag_tangential: number(entries, &["drag_tangential"])?.unwrap_or(0.0),
-        water_density_kg_per_m3: number(entries, &["water_density_kg_per_m3"])?.unwrap_or(1025.0),
+    let current = object.rows(&["current"], &(3..=3), "[depth_m, x_m_per_s, y_m_per_s]")?;
+    let line = LineInCurrent {
+        a_m: object.point("a_m")?,
+        b_m: object.point("b_m")?,
+        sections: object.sections()?,
+        diameter_m: object.required(&["diameter_m"])?,
+        drag_normal: object.required(&["drag_normal"])?,
+        drag_tangential: object.number(&["drag_tangential"])?.unwrap_or(0.0),
+        water_density_kg_per_m3: object
+            .number(&["water_density_kg_per_m3"])?
+            .unwrap_or(1025.0),
         current: current.into_iter().map(|u| [u[0], u[1], u[2]]).collect(),
     };
-    let pulls = line.solve().map_err(refused)?;
-    Ok(PULLS.into_iter().zip(pulls.numbers().map(shown)).collect())
+    let forces = line.solve().map_err(LineError::new)?;
+    let values = forces.numbers().map(shown);
+    Ok(END_FORCES_AND_STATUS.into_iter().zip(values).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_and_values_keep_their_text() {
+        let text = r#"{"b \" é": [1, [-2.50e3]],"x_m":1.0e0,  "null": null}"#;
+        let object: Object = serde_json::from_str(text).unwrap();
+        let expected = r#"{"b \" é": [1, [-2.50e3]], "x_m": 1.0e0, "null": null, "status": "ok"}"#;
+        assert_eq!(object.with(&Vec::new(), "ok"), expected);
+    }
+
+    #[test]
+    fn syntax_errors_name_their_place() {
+        for (text, column, words) in [
+            ("[1]", 1, "expected a JSON object"),
+            ("{\"a\": 1 \"b\": 2}", 9, "expected `,`"),
+            ("{\"a\": 1} 2", 10, "trailing characters"),
+            ("{\"a\": 1e}", 9, "invalid number"),
+            ("{\"é", 4, "EOF while parsing a string"),
+            ("{\"a\": NaN}", 7, "expected value"),
+            ("{a: 1}", 2, "key must be a string"),
+        ] {
+            let answer = answer(text, 3).text;
+            assert!(
+                answer.contains(&format!("line 3, column {column}:")),
+                "{answer}"
+            );
+            assert!(answer.contains(words), "{answer}");
+        }
+        assert!(answer(&"[".repeat(1000), 1).refused);
+    }
 }

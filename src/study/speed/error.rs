@@ -1,5 +1,6 @@
 //! How far one run is from another at their common output times.
 
+use crate::case::ChannelQuantity;
 use crate::run::{History, LineShape, Run, RunState};
 
 /// Errors against a reference.
@@ -33,7 +34,7 @@ pub(super) fn errors(run: &Run, reference: &Run) -> Option<Errors> {
 
 fn of_tensions(run: &History, reference: &History) -> (f64, f64) {
     let joints = run.channels.iter().zip(&reference.channels);
-    let tensions = joints.filter(|(_, r)| r.name.starts_with("tension_n["));
+    let tensions = joints.filter(|(_, r)| r.id.quantity == ChannelQuantity::Tension);
     let of_joint = tensions.map(|(ours, theirs)| {
         let values = ours.values.iter().zip(&theirs.values);
         let (rms, most) = rms_and_greatest(values.map(|(a, b)| (a - b).abs()));

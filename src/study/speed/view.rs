@@ -147,10 +147,10 @@ pub fn mesh_table(study: &Study) -> Table {
         rows: told
             .map(|q| {
                 vec![
-                    Cell::plain(q.name.as_str()),
-                    Cell::plain(with_error(q.value, q.error_estimate(), &q.unit)),
-                    part(q.time_error, &q.unit),
-                    part(q.mesh_error, &q.unit),
+                    Cell::plain(q.name()),
+                    Cell::plain(with_error(q.value, q.error_estimate(), &q.unit())),
+                    part(q.time_error, &q.unit()),
+                    part(q.mesh_error, &q.unit()),
                 ]
             })
             .collect(),

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::jobs::Ticket;
-use crate::case::At;
+use crate::case::{At, ChannelId};
 use crate::run::{DecimatedRecord, Frame, History, LineShape, Progress, Run};
 
 /// What is known of a run so far.
@@ -28,7 +28,7 @@ impl Curves {
     }
 
     /// Names the channels that frames will fill.
-    pub fn begin(&mut self, channels: Vec<(String, String)>) {
+    pub fn begin(&mut self, channels: Vec<ChannelId>) {
         self.streamed = DecimatedRecord::new(channels);
     }
 
@@ -53,10 +53,7 @@ impl Curves {
         if self.streamed.history().time.is_empty() {
             return None;
         }
-        let channels: Vec<_> = channels
-            .iter()
-            .map(|c| (c.name.clone(), c.unit.clone()))
-            .collect();
+        let channels: Vec<_> = channels.iter().map(|c| c.id.clone()).collect();
         let empty = Self {
             streamed: DecimatedRecord::new(channels),
             ..Self::default()

@@ -6,7 +6,7 @@ use super::curves::{Curves, RunEntry};
 use super::jobs::Ticket;
 use super::modes::ModesView;
 use super::parameter_editor::ParameterEditor;
-use crate::case::{self, Case, End, Method, OneOrMany, Source};
+use crate::case::{self, Case, ChannelQuantity, ChannelSpec, End, Method, OneOrMany, Site};
 use crate::run::response;
 use crate::tui::facade::ValidationRow;
 use crate::tui::line_tables::LineTable;
@@ -92,11 +92,12 @@ impl ChartKind {
     #[must_use]
     pub fn of(case: &Case) -> Vec<Self> {
         let channels = case::channels(case);
-        let of_end = |s: &Source| matches!(s, Source::Coordinate(..));
-        let moves = channels.iter().any(|c| of_end(&c.source));
+        let of_end =
+            |c: &ChannelSpec| matches!((c.id.quantity, c.site), (ChannelQuantity::X, Site::End(_)));
+        let moves = channels.iter().any(of_end);
+        let has = |wanted| channels.iter().any(|c| c.id.quantity == wanted);
         let bending = case::bends(case);
-        let of_rope = |s: &Source| matches!(s, Source::Rope(..));
-        let roped = channels.iter().any(|c| of_rope(&c.source));
+        let roped = has(ChannelQuantity::Stiffness);
         if case.solver.method == Method::Static {
             let mut list = vec![Self::Shape, Self::Plan, Self::Front, Self::Profile];
             list.extend([Self::Curvature, Self::Moment].iter().filter(|_| bending));
@@ -105,9 +106,8 @@ impl ChartKind {
             return list;
         }
         let mut list = vec![Self::Tensions];
-        let has = |wanted: fn(&Source) -> bool| channels.iter().any(|c| wanted(&c.source));
-        let speed = has(|s| matches!(s, Source::Speed(_)));
-        let tilt = has(|s| matches!(s, Source::Tilt));
+        let speed = has(ChannelQuantity::Speed);
+        let tilt = has(ChannelQuantity::Tilt);
         list.extend([Self::Payload, Self::Path].iter().filter(|_| moves));
         list.extend([Self::Speed].iter().filter(|_| speed));
         list.extend([Self::Tilt].iter().filter(|_| tilt));

@@ -6,9 +6,12 @@ use super::open_file::{FileView, message_table};
 use crate::case::{Diagnostic, kind};
 use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, Glyphs};
+use crate::report::ropeway::{self as views, cargo, tables, winch};
 use crate::report::table::Table;
-use crate::ropeway::exact::Carrier;
-use crate::ropeway::{self, Readings, RopewayFile, Trouble, Worked, held, line, motions, tables};
+use crate::ropeway::elastic::Carrier;
+use crate::ropeway::{
+    self, ModelResults, RopewayError, RopewayFile, SolvedRopeway, line, validation,
+};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 
@@ -19,20 +22,20 @@ pub const SPANS: [f64; 3] = [40.0, 60.0, 80.0];
 #[derive(Debug, Clone)]
 pub struct RopewayView {
     /// What the text comes to.
-    pub worked: Worked,
+    pub worked: SolvedRopeway,
     /// Where the cargo is, from 0 at the platform to 1 at the ship; the file's own place stays in the file.
     pub position: f64,
-    /// The readings there.
-    pub readings: Result<Readings, Trouble>,
+    /// The results there.
+    pub results: Result<ModelResults, RopewayError>,
 }
 
 impl RopewayView {
     /// A ropeway as read.
     #[must_use]
-    pub fn new(worked: Worked) -> Self {
+    pub fn new(worked: SolvedRopeway) -> Self {
         let position = worked.ropeway.cargo.position;
         Self {
-            readings: worked.readings(position),
+            results: worked.results(position),
             worked,
             position,
         }
@@ -41,22 +44,19 @@ impl RopewayView {
     /// Puts the cargo somewhere on the span.
     pub fn put(&mut self, position: f64) {
         self.position = position.clamp(0.0, 1.0);
-        self.readings = self.worked.readings(self.position);
+        self.results = self.worked.results(self.position);
     }
 
     fn winch(&self) -> (Option<Chart>, Table) {
-        let Some(series) = self.worked.series() else {
-            return (
-                None,
-                message_table("The file gives the ship no motion; [motion] does."),
-            );
+        let Some(series) = self.worked.ship_motion() else {
+            return (None, message_table("The ship does not move; add [motion]."));
         };
-        match self.worked.follow(&series) {
+        match self.worked.run_winch(&series) {
             Ok(followed) => (
-                Some(motions::winch_chart(&followed)),
-                motions::winch(&self.worked, &followed),
+                Some(winch::winch_chart(&followed)),
+                winch::winch(&self.worked, &followed),
             ),
-            Err(trouble) => (None, message_table(&format!("No answer: {trouble}."))),
+            Err(error) => (None, message_table(&format!("No solution: {error}."))),
         }
     }
 }
@@ -85,23 +85,17 @@ impl FileView for RopewayView {
 
     fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
         let worked = &self.worked;
-        match (tab, &self.readings) {
+        match (tab, &self.results) {
             (0, _) => (None, tables::crossing(worked, 20)),
-            (1, _) => (
-                Some(motions::hauling_chart(worked)),
-                motions::hauling(worked),
-            ),
+            (1, _) => (Some(winch::hauling_chart(worked)), winch::hauling(worked)),
             (2, _) => self.winch(),
-            (3, _) => (
-                Some(motions::crossing_chart(worked)),
-                motions::cargo(worked),
-            ),
-            (4, Ok(readings)) => (None, tables::ropes(worked, readings)),
-            (_, Ok(readings)) => {
+            (3, _) => (Some(cargo::crossing_chart(worked)), cargo::cargo(worked)),
+            (4, Ok(results)) => (None, tables::ropes(worked, results)),
+            (4, Err(error)) => (None, message_table(&format!("No solution: {error}."))),
+            _ => {
                 let none = || message_table("The file has no finite-element check.");
-                (None, tables::check(worked, readings).unwrap_or_else(none))
+                (None, tables::weight_check(worked).unwrap_or_else(none))
             }
-            (_, Err(trouble)) => (None, message_table(&format!("No answer: {trouble}."))),
         }
     }
 
@@ -132,23 +126,19 @@ impl FileView for RopewayView {
     }
 
     fn checks(&self, text: &str) -> Vec<ValidationRow> {
-        held::rows(&self.worked, text)
+        validation::rows(&self.worked, text)
     }
 
     fn report(&self, text: &str, glyphs: Glyphs) -> Option<String> {
-        let readings = self.readings.as_ref().ok()?;
-        Some(ropeway::text::text(&self.worked, readings, text, glyphs))
+        let results = self.results.as_ref().ok()?;
+        Some(views::report(&self.worked, results, text, glyphs))
     }
 
     fn hand_over(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {
-        let readings = self.readings.as_ref().ok();
-        let on_rope = readings.filter(|readings| readings.exact.carrier == Carrier::Rope);
-        let text = on_rope.map(|readings| {
-            line::case_text(
-                &self.worked.ropeway,
-                readings.length_m,
-                readings.exact.arc_m,
-            )
+        let results = self.results.as_ref().ok();
+        let on_rope = results.filter(|results| results.exact.carrier == Carrier::Rope);
+        let text = on_rope.map(|results| {
+            line::static_case_file(&self.worked.ropeway, results.length_m, results.exact.arc_m)
         });
         (
             PathBuf::from(format!("{stem}-line.toml")),

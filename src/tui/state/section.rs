@@ -5,9 +5,10 @@ use std::path::PathBuf;
 use super::open_file::FileView;
 use crate::case::{Diagnostic, kind};
 use crate::report::chart::{Chart, Glyphs};
+use crate::report::section::{self as views, tables};
 use crate::report::table::Table;
 use crate::section::stiffness::Twist;
-use crate::section::{self, Design, SectionFile, tables, text};
+use crate::section::{self, Design, SectionFile};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::PlotPane;
@@ -60,7 +61,7 @@ impl FileView for SectionView {
             2 => tables::stiffness(design),
             _ => {
                 let core = design.section.about.core;
-                tables::carried(design, core, Twist::Held, text::tension(design))
+                tables::carried(design, core, Twist::Held, views::tension(design))
             }
         };
         (None, table)
@@ -88,7 +89,7 @@ impl FileView for SectionView {
     }
 
     fn report(&self, _text: &str, glyphs: Glyphs) -> Option<String> {
-        Some(text::text(&self.design, PAPER_WIDTH, glyphs, None))
+        Some(views::report(&self.design, PAPER_WIDTH, glyphs, None))
     }
 
     fn hand_over(&self, _stem: &str) -> (PathBuf, Option<String>, &'static str) {

@@ -1,4 +1,4 @@
-//! A ship on the screen: its static analysis at once, its dynamic analysis from a thread of its own.
+//! A ship on the screen: at rest at once, and at sea from a thread of its own.
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use crate::case::{Diagnostic, kind};
 use crate::numerics::V3;
 use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, Glyphs};
-use crate::report::ship::{coupled, motion, rope, statics, text};
+use crate::report::ship::{charts, coupled, motion, rope, statics, text};
 use crate::report::table::Table;
 use crate::ship::rope::RopeAnalysis;
 use crate::ship::{self, DynamicAnalysis, MotionAnalysis, ShipFile, StaticAnalysis, validation};
@@ -20,73 +20,71 @@ use crate::tui::pane::PaneId;
 /// A ship.
 #[derive(Debug, Clone)]
 pub struct ShipView {
-    /// Its static analysis.
-    pub statics: StaticAnalysis,
-    /// Its dynamic analysis, of the newest text that was analysed.
-    pub dynamic: Option<Arc<DynamicAnalysis>>,
-    /// Stops the dynamic analysis of the newest text; none once it is complete.
-    pub running: Option<Arc<AtomicBool>>,
-    /// Index of the equilibrium shown in full.
+    /// The ship at rest.
+    pub rest: StaticAnalysis,
+    /// The ship at sea, of the newest text that was worked out.
+    pub sea: Option<Arc<DynamicAnalysis>>,
+    /// What stops the thread that works the newest text out; nothing once it has answered.
+    pub working: Option<Arc<AtomicBool>>,
+    /// The heading shown in full, among all in balance.
     pub equilibrium: usize,
     /// The motion that is drawn alone; none: all six.
     pub trace: Option<usize>,
 }
 
 impl ShipView {
-    /// A ship as read, without a dynamic analysis yet.
+    /// A ship as read, at rest.
     #[must_use]
-    pub fn new(statics: StaticAnalysis) -> Self {
+    pub fn new(rest: StaticAnalysis) -> Self {
         Self {
-            equilibrium: text::governing(&statics),
-            statics,
-            dynamic: None,
-            running: None,
+            equilibrium: text::chosen(&rest),
+            rest,
+            sea: None,
+            working: None,
             trace: None,
         }
     }
 
-    /// Stops the dynamic analysis.
+    /// Stops what is worked out in the background.
     pub fn stop(&mut self) {
-        if let Some(running) = self.running.take() {
-            running.store(true, Ordering::Relaxed);
+        if let Some(working) = self.working.take() {
+            working.store(true, Ordering::Relaxed);
         }
     }
 
-    /// A part of the dynamic analysis, or why there is none.
-    fn part<'a, T>(
+    /// Something of the ship at sea, or why there is none yet.
+    fn at_sea<'a, T>(
         &'a self,
         of: impl Fn(&'a DynamicAnalysis) -> Option<T>,
         none: &str,
     ) -> Result<T, Table> {
-        let wait = || message_table("The dynamic analysis is still running.");
-        let dynamic = self.dynamic.as_ref().ok_or_else(wait)?;
-        of(dynamic).ok_or_else(|| message_table(none))
+        let wait = || message_table("The ship at sea is still being worked out.");
+        let sea = self.sea.as_ref().ok_or_else(wait)?;
+        of(sea).ok_or_else(|| message_table(none))
     }
 
     fn motion(&self) -> Result<&MotionAnalysis, Table> {
-        let none = "No motion analysis: the file has no [motion].";
-        match self.part(|dynamic| dynamic.motion.as_ref(), none)? {
+        let none = "The file gives the ship no motion; [motion] does.";
+        match self.at_sea(|sea| sea.motion.as_ref(), none)? {
             Ok(motion) => Ok(motion),
-            Err(error) => Err(message_table(&format!(
-                "The motion analysis failed: {error}."
-            ))),
+            Err(why) => Err(message_table(&format!("No such motion: {why}."))),
         }
     }
 
     fn rope(&self) -> Result<&RopeAnalysis, Table> {
-        let none = "No rope analysis: the file has no [rope].";
-        match self.part(|dynamic| dynamic.rope.as_ref(), none)? {
+        let none = "The file names no rope; [rope] does.";
+        match self.at_sea(|sea| sea.rope.as_ref(), none)? {
             Ok(rope) => Ok(rope),
-            Err(error) => Err(message_table(&format!(
-                "The rope analysis failed: {error}."
+            Err(why) => Err(message_table(&format!(
+                "The rope does not follow the ship: {why}."
             ))),
         }
     }
 
-    /// Chart and table of the dynamic analysis, or why there are none.
-    fn dynamic_tab(&self, tab: usize) -> Result<(Option<Chart>, Table), Table> {
+    /// Charts and table of the ship at sea, or why there are none.
+    fn sailing(&self, tab: usize) -> Result<(Option<Chart>, Table), Table> {
         let seed = self
-            .statics
+            .rest
             .ship
             .motion
             .as_ref()
@@ -95,7 +93,7 @@ impl ShipView {
             1 => {
                 let analysis = self.motion()?;
                 let table = motion::statistics(analysis, seed);
-                (Some(motion::motions(analysis, self.trace)), table)
+                (Some(charts::motions(analysis, self.trace)), table)
             }
             2 => (None, motion::spectra(self.motion()?)),
             3 => {
@@ -104,23 +102,20 @@ impl ShipView {
             }
             4 => {
                 let rope = self.rope()?;
-                let none = || message_table("The rope made fast has no solution.");
+                let none = || message_table("The rope made fast has no answer.");
                 let table = rope::dynamic_table(rope).unwrap_or_else(none);
                 (rope::dynamic_chart(rope), table)
             }
             _ => {
-                let none = "No coupled analysis: the file has no [coupled].";
-                match self.part(|dynamic| dynamic.coupled.as_ref(), none)? {
+                let none =
+                    "The file does not ask for ship and anchor line in time; [coupled] does.";
+                match self.at_sea(|sea| sea.coupled.as_ref(), none)? {
                     Ok(coupled) if tab == 5 => (
                         Some(coupled::motions(coupled)),
                         coupled::statistics(coupled),
                     ),
                     Ok(coupled) => (Some(coupled::tension(coupled)), coupled::decay(coupled)),
-                    Err(error) => {
-                        return Err(message_table(&format!(
-                            "The coupled analysis failed: {error}."
-                        )));
-                    }
+                    Err(why) => return Err(message_table(&format!("No answer: {why}."))),
                 }
             }
         })
@@ -133,7 +128,7 @@ impl FileView for ShipView {
     }
 
     fn title(&self) -> &str {
-        &self.statics.ship.particulars.title
+        &self.rest.ship.particulars.title
     }
 
     fn panes(&self) -> &'static [PaneId] {
@@ -142,36 +137,28 @@ impl FileView for ShipView {
 
     fn tabs(&self) -> &'static [&'static str] {
         &[
-            "Headings",
-            "Motion",
-            "Spectra",
-            "Rope",
-            "Inertia",
-            "Coupled",
-            "Decay",
-            "Stability",
-            "Loads",
+            "Headings", "Motion", "Spectra", "Rope", "Inertia", "Time", "Decay", "Swings", "Loads",
             "Mooring",
         ]
     }
 
     fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
-        let statics = &self.statics;
+        let rest = &self.rest;
         let or = |table: Option<Table>, words: &str| table.unwrap_or_else(|| message_table(words));
         match tab {
-            0 => (Some(statics::moments(statics)), statics::headings(statics)),
-            1..=6 => self.dynamic_tab(tab).unwrap_or_else(|table| (None, table)),
+            0 => (Some(charts::moments(rest)), statics::headings(rest)),
+            1..=6 => self.sailing(tab).unwrap_or_else(|table| (None, table)),
             7 => {
-                let words = "Dynamic stability needs [hull], and [mooring] with a solution.";
-                (None, or(statics::eigenvalues(statics), words))
+                let words = "Small motions need [hull], and a [mooring] that reaches.";
+                (None, or(statics::small_motions(rest), words))
             }
             8 => (
                 None,
-                or(statics::loads(statics), "There is no stable equilibrium."),
+                or(statics::loads(rest), "There is no stable heading."),
             ),
             _ => {
-                let words = "There is no stable equilibrium, or no [mooring] with a solution.";
-                (None, or(statics::mooring(statics), words))
+                let words = "There is no stable heading, or no [mooring] that reaches.";
+                (None, or(statics::mooring(rest), words))
             }
         }
     }
@@ -189,38 +176,30 @@ impl FileView for ShipView {
     }
 
     fn take(&mut self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>> {
-        let statics = ship::parse(text, file)?;
-        let count = |statics: &StaticAnalysis| statics.equilibria.as_ref().map_or(0, Vec::len);
-        if count(&statics) != count(&self.statics) {
-            self.equilibrium = text::governing(&statics);
+        let rest = ship::parse(text, file)?;
+        let count = |rest: &StaticAnalysis| rest.equilibria.as_ref().map_or(0, Vec::len);
+        if count(&rest) != count(&self.rest) {
+            self.equilibrium = text::chosen(&rest);
         }
-        self.statics = statics;
+        self.rest = rest;
         Ok(())
     }
 
     fn checks(&self, _text: &str) -> Vec<ValidationRow> {
-        let motion = self
-            .dynamic
-            .as_ref()
-            .and_then(|dynamic| dynamic.motion.as_ref());
-        validation::rows(&self.statics.ship, motion)
+        let motion = self.sea.as_ref().and_then(|sea| sea.motion.as_ref());
+        validation::rows(&self.rest.ship, motion)
     }
 
     fn busy(&self) -> Option<&'static str> {
-        self.running.as_ref().map(|_| "dynamic analysis: running")
+        self.working.as_ref().map(|_| "at sea: working")
     }
 
     fn report(&self, words: &str, glyphs: Glyphs) -> Option<String> {
-        Some(text::text(
-            &self.statics,
-            self.dynamic.as_deref(),
-            words,
-            glyphs,
-        ))
+        Some(text::text(&self.rest, self.sea.as_deref(), words, glyphs))
     }
 
     fn hand_over(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {
-        let arm = self.statics.ship.motion.as_ref().map(|m| m.hang_point_m);
+        let arm = self.rest.ship.motion.as_ref().map(|m| m.hang_point_m);
         let table = self.motion().ok().zip(arm).map(|(motion, arm)| {
             let mut table = String::from("time_s,x_m,y_m,z_m\n");
             for (i, at) in motion
@@ -228,16 +207,16 @@ impl FileView for ShipView {
                 .iter()
                 .enumerate()
             {
-                let t = motion.motion.time(i);
+                let t = motion.motions.time(i);
                 // Writing to a text does not fail.
                 let _ = writeln!(table, "{t:?},{:?},{:?},{:?}", at.x, at.y, at.z);
             }
             table
         });
         (
-            PathBuf::from(format!("{stem}-hang-off-point.csv")),
+            PathBuf::from(format!("{stem}-hang-point.csv")),
             table,
-            "The motion of the hang-off point, a table for the moving end of a line case,",
+            "The motion of the hang point, a table for the moving end of a line case,",
         )
     }
 }

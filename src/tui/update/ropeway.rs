@@ -39,7 +39,7 @@ fn span(state: &mut AppState, forward: bool) -> Vec<Effect> {
     let Some(ropeway) = open(state) else {
         return Vec::new();
     };
-    let now = ropeway.worked.span.gap.span_m;
+    let now = ropeway.worked.rope.geometry.span_m;
     let next = if forward {
         let longer = SPANS.iter().find(|span| **span > now + 1e-9);
         longer.copied().unwrap_or(SPANS[0])

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use super::{charts, export, file};
 use crate::report::chart;
-use crate::section::{self, picture};
+use crate::report::section::drawing;
+use crate::section;
 use crate::tui::command::Id;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
@@ -25,13 +26,13 @@ pub(super) fn command(state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
     match id {
         Id::Copy => Some(vec![Effect::Copy(section::fragment(&section.design))]),
         Id::Write if drawn => {
-            let base = section.view.chart(&picture::chart(&section.design));
+            let base = section.view.chart(&drawing::chart(&section.design));
             let text = chart::draw(&base, PAPER_WIDTH, PAPER_WIDTH / 2, glyphs).to_text();
             Some(export::write(path, Some(text), "The drawing"))
         }
         _ if drawn => {
             let verb = charts::verb(id)?;
-            let base = picture::chart(&section.design);
+            let base = drawing::chart(&section.design);
             let size = (area.width.into(), area.height.into());
             let frame = chart::frame(&section.view.chart(&base), size.0, size.1, glyphs);
             section.view.act(&verb, &base, frame);

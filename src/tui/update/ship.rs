@@ -1,4 +1,4 @@
-//! A ship on the screen: which equilibrium and which motion are shown, and the thread of its dynamic analysis.
+//! A ship on the screen: which heading and which motion are shown, and the thread that works it out at sea.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -29,8 +29,8 @@ pub(super) fn command(state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
                 Some(trace) => Some(trace + 1),
             };
         }
-        Id::Write | Id::HandOver if ship.running.is_some() => {
-            let words = "The dynamic analysis is still running; it can be written in a moment.";
+        Id::Write | Id::HandOver if ship.working.is_some() => {
+            let words = "The ship at sea is still being worked out; it can be written in a moment.";
             return Some(info(state, words));
         }
         _ => return None,
@@ -38,46 +38,46 @@ pub(super) fn command(state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
     Some(Vec::new())
 }
 
-/// Shows another equilibrium in full.
+/// Shows another heading in full.
 pub(super) fn choose(ship: &mut ShipView, by: isize) {
-    let count = ship.statics.equilibria.as_ref().map_or(0, Vec::len);
+    let count = ship.rest.equilibria.as_ref().map_or(0, Vec::len);
     ship.equilibrium = moved(ship.equilibrium, by, count);
 }
 
-/// Starts the dynamic analysis of the current text, and stops the one that is running.
+/// Works the ship out at sea, as its text now says; what is under way is stopped.
 pub(super) fn resolve(state: &mut AppState) -> Option<Effect> {
     let path = state.editor().map(|editor| editor.path.clone())?;
     let ship = open(state)?;
     ship.stop();
     let stop = Arc::new(AtomicBool::new(false));
-    ship.running = Some(Arc::clone(&stop));
+    ship.working = Some(Arc::clone(&stop));
     let folder = path.parent().map_or_else(PathBuf::new, PathBuf::from);
     Some(Effect::ComputeShip(
-        Box::new(ship.statics.clone()),
+        Box::new(ship.rest.clone()),
         folder,
         stop,
     ))
 }
 
-/// Takes a dynamic analysis over, unless the text has changed since.
+/// Takes a ship at sea over, unless the text has changed since.
 pub(super) fn worked(
     state: &mut AppState,
     by: &Arc<AtomicBool>,
-    dynamic: Option<Arc<DynamicAnalysis>>,
+    sea: Option<Arc<DynamicAnalysis>>,
 ) -> Vec<Effect> {
     let text = state.editor().map(|editor| editor.text.clone());
     let Some(ship) = open(state) else {
         return Vec::new();
     };
     let newest = ship
-        .running
+        .working
         .as_ref()
         .is_some_and(|own| Arc::ptr_eq(own, by));
     if !newest {
         return Vec::new();
     }
-    ship.running = None;
-    ship.dynamic = dynamic;
+    ship.working = None;
+    ship.sea = sea;
     let checks = ship.checks(&text.unwrap_or_default());
     if let Some(file) = &mut state.file {
         file.checks = checks;

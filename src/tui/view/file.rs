@@ -6,7 +6,7 @@ use super::Painter;
 use super::paint::text;
 use super::results::NO_PUBLISHED_VALUES;
 use crate::reference;
-use crate::section::picture;
+use crate::report::section::drawing;
 use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::draw_chart;
 use crate::tui::state::{Content, OpenFile};
@@ -25,7 +25,7 @@ impl Painter<'_> {
                     .draw(&table, area, self.buf, glyphs, self.theme);
             }
             (PaneId::Drawing, Content::Section(section)) => {
-                let chart = section.view.chart(&picture::chart(&section.design));
+                let chart = section.view.chart(&drawing::chart(&section.design));
                 draw_chart(&chart, area, self.buf, glyphs, self.theme);
             }
             (PaneId::Ropeway, Content::Ropeway(ropeway)) => self.ropeway_picture(area, ropeway),

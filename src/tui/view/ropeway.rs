@@ -1,4 +1,4 @@
-//! A ropeway: the slider, its picture, the readings.
+//! A ropeway: the slider, its picture, the results.
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -6,21 +6,22 @@ use super::Painter;
 use super::paint::{row, text};
 use crate::report::chart::Glyphs;
 use crate::report::number::{percent, rounded};
+use crate::report::ropeway::{drawing, tables};
 use crate::report::table::Table;
-use crate::ropeway::exact::Carrier;
-use crate::ropeway::{Readings, picture, tables};
+use crate::ropeway::ModelResults;
+use crate::ropeway::elastic::Carrier;
 use crate::tui::plot_pane::draw_chart;
 use crate::tui::state::RopewayView;
 
-/// Lines that the readings take: head, rule, and a line each.
+/// Lines that the results take: head, rule, and a line each.
 const READINGS: u16 = 9;
 
 impl Painter<'_> {
     pub(super) fn ropeway_picture(&mut self, area: Rect, ropeway: &RopewayView) {
-        let readings = match &ropeway.readings {
-            Ok(readings) => readings,
-            Err(trouble) => {
-                let words = format!("No answer with the cargo here: {trouble}.");
+        let results = match &ropeway.results {
+            Ok(results) => results,
+            Err(error) => {
+                let words = format!("No solution with the cargo here: {error}.");
                 let style = self.theme.warning();
                 text(self.buf, (area.x, area.y), area.width, &words, style);
                 return;
@@ -34,7 +35,7 @@ impl Painter<'_> {
         ])
         .areas(area);
         self.slider(slider, ropeway);
-        let mut chart = picture::chart(&ropeway.worked, readings);
+        let mut chart = drawing::chart(&ropeway.worked, results);
         // Its title stands beside the tabs; every line counts here.
         chart.title.clear();
         draw_chart(
@@ -44,11 +45,11 @@ impl Painter<'_> {
             self.state.capabilities.glyphs,
             self.theme,
         );
-        self.rope_readout(readout, ropeway, readings);
+        self.rope_readout(readout, ropeway, results);
         let bare = Table {
             title: String::new(),
             notes: Vec::new(),
-            ..tables::readings(&ropeway.worked, readings)
+            ..tables::models(&ropeway.worked, results)
         };
         for (i, line) in bare.to_text(table.width.into()).lines().enumerate() {
             let at = u16::try_from(i).unwrap_or(u16::MAX);
@@ -67,7 +68,7 @@ impl Painter<'_> {
 
     /// Where the cargo is between platform and ship.
     fn slider(&mut self, line: Rect, ropeway: &RopewayView) {
-        let span = ropeway.worked.span.gap.span_m;
+        let span = ropeway.worked.rope.geometry.span_m;
         let words = format!(
             " ship  cargo {} m of {} m, {}",
             rounded(ropeway.position * span, 2),
@@ -107,8 +108,8 @@ impl Painter<'_> {
     }
 
     /// The exact rope in a line, and whether the cargo is dry.
-    fn rope_readout(&mut self, line: Rect, ropeway: &RopewayView, readings: &Readings) {
-        let exact = &readings.exact;
+    fn rope_readout(&mut self, line: Rect, ropeway: &RopewayView, results: &ModelResults) {
+        let exact = &results.exact;
         let clear = ropeway.worked.clearance_m(exact);
         let words = format!(
             "exact: platform {} N  ship {} N  sag {} m  ",

@@ -1,4 +1,4 @@
-//! Plan view of a ship, with its equilibria beside it.
+//! A ship from above, with every heading at which it rests beside it.
 
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
@@ -21,7 +21,7 @@ impl Painter<'_> {
     pub(super) fn ship_from_above(&mut self, area: Rect, ship: &ShipView) {
         let [drawing, list] =
             Layout::horizontal([Constraint::Min(0), Constraint::Length(LIST)]).areas(area);
-        let mut chart = plan::chart(&ship.statics, ship.equilibrium);
+        let mut chart = plan::chart(&ship.rest, ship.equilibrium);
         // The list beside it names the ships; every line counts here.
         chart.title.clear();
         chart.legend = false;
@@ -34,22 +34,22 @@ impl Painter<'_> {
         );
         let mut lines: Vec<(String, Style)> = Vec::new();
         let plain = self.theme.plain();
-        match &ship.statics.equilibria {
+        match &ship.rest.equilibria {
             Ok(equilibria) => {
                 for (i, equilibrium) in equilibria.iter().enumerate() {
                     lines.extend(self.equilibrium(i, equilibrium, i == ship.equilibrium));
                 }
             }
-            Err(error) => {
+            Err(why) => {
                 let words =
-                    super::paint::wrap(&format!("No equilibrium heading: {error}."), LIST.into());
+                    super::paint::wrap(&format!("No heading in balance: {why}."), LIST.into());
                 lines.extend(words.into_iter().map(|line| (line, self.theme.error())));
             }
         }
         lines.push((String::new(), plain));
-        let count = ship.statics.equilibria.as_ref().map_or(0, Vec::len);
+        let count = ship.rest.equilibria.as_ref().map_or(0, Vec::len);
         let names = ["anchor"].into_iter().map(str::to_owned);
-        let flows = ship.statics.loads.each.iter().map(|load| {
+        let flows = ship.rest.loads.each.iter().map(|load| {
             let name = plan::name(load);
             format!(
                 "{name} towards {} deg",
@@ -68,15 +68,15 @@ impl Painter<'_> {
         }
     }
 
-    /// Lines on an equilibrium: heading and stability, and of the chosen one mooring and dynamics.
+    /// What is said of a heading: itself and how it stands, and of the one chosen, what holds the ship there.
     fn equilibrium(
         &self,
         i: usize,
         equilibrium: &Equilibrium,
         chosen: bool,
     ) -> Vec<(String, Style)> {
-        let yaw = &equilibrium.yaw;
-        let style = match (yaw.stability, equilibrium.dynamic_stability()) {
+        let balance = &equilibrium.yaw;
+        let style = match (balance.stability, equilibrium.dynamic_stability()) {
             (YawStability::Stable, None | Some(DynamicStability::Stable { .. })) => {
                 self.theme.good()
             }
@@ -92,8 +92,8 @@ impl Painter<'_> {
                 "{head}{} {} {} deg {}",
                 i + 1,
                 marker(i),
-                digits(yaw.heading.to_degrees(), 5),
-                plan::stability(equilibrium)
+                digits(balance.heading.to_degrees(), 5),
+                plan::word(equilibrium)
             ),
             style,
         )];
@@ -101,16 +101,16 @@ impl Painter<'_> {
             return lines;
         }
         let mut say = |words: String| lines.push((format!("    {words}"), self.theme.plain()));
-        say(format!("statically {}", yaw.stability.label()));
-        say(format!("pull {}", si(yaw.pull, "N")));
-        match &equilibrium.line {
-            Some(Ok(line)) => {
-                say(format!("bow {} from anchor", si(line.distance, "m")));
-                if line.anchor_uplift > 0.0 {
-                    say(format!("ANCHOR UPLIFT {}", si(line.anchor_uplift, "N")));
+        say(format!("at rest {}", balance.stability.label()));
+        say(format!("pull {}", si(balance.pull, "N")));
+        match &equilibrium.reach {
+            Some(Ok(reach)) => {
+                say(format!("bow {} from anchor", si(reach.distance, "m")));
+                if reach.anchor_uplift > 0.0 {
+                    say(format!("LIFTS ANCHOR by {}", si(reach.anchor_uplift, "N")));
                 }
             }
-            Some(Err(_)) => say("no mooring solution".to_owned()),
+            Some(Err(_)) => say("the line does not reach".to_owned()),
             None => say("no mooring line given".to_owned()),
         }
         match equilibrium.dynamic_stability().map(DynamicStability::times) {
@@ -123,11 +123,11 @@ impl Painter<'_> {
                         DynamicStability::Divergence { .. } | DynamicStability::Fishtailing { .. }
                     )
                 );
-                let name = if grows { "doubling time" } else { "half-life" };
-                say(format!("period {}", seconds(period)));
-                say(format!("{name} {}", seconds(time)));
+                let verb = if grows { "doubling_time" } else { "half_life" };
+                say(format!("swings in {}", seconds(period)));
+                say(format!("{verb} in {}", seconds(time)));
             }
-            None => say("dynamic stability: give [hull]".to_owned()),
+            None => say("small motions: give [hull]".to_owned()),
         }
         lines
     }

@@ -12,8 +12,8 @@ use seacable::case;
 use seacable::report::chart::Glyphs;
 use seacable::run::job::{Event, Request};
 use seacable::run::{
-    Channel, Cost, Frame, History, LineShape, Profile, Progress, Quantity, Run, RunInfo, RunState,
-    Settings, VERSION, Work, quantity_name,
+    Channel, Cost, Frame, History, LineShape, Profile, Progress, Quantity, QuantityId, Run,
+    RunInfo, RunState, Settings, VERSION, Work,
 };
 use seacable::tui::key::Key;
 use seacable::tui::msg::CaseRead;
@@ -149,7 +149,7 @@ impl Desk {
     pub(crate) fn stream(&mut self, ticket: Ticket, request: &Request, until: f64) {
         let whole = run(request, RunState::Done);
         let channels = whole.history.channels.iter();
-        let channels = channels.map(|c| (c.name.clone(), c.unit.clone())).collect();
+        let channels = channels.map(|c| c.id.clone()).collect();
         self.tell(Msg::Job(ticket, Box::new(Event::Started { channels })));
         for (i, time) in whole.history.time.iter().enumerate() {
             if *time > until {
@@ -227,7 +227,7 @@ pub(crate) fn run(request: &Request, state: RunState) -> Run {
     let time: Vec<f64> = (0..=60).map(|i| 10.0 * f64::from(i)).collect();
     let angle = |t: f64| 1.5 * (-t / 100.0).exp();
     let tension = |t: f64| 1.96e6 * (1.0 - (-t / 80.0).exp());
-    let channel = |name: &str, unit: &str, f: &dyn Fn(f64) -> f64| {
+    let channel = |name: &str, f: &dyn Fn(f64) -> f64| {
         let values: Vec<f64> = time.iter().map(|t| f(*t)).collect();
         let extreme =
             |better: fn(f64, f64) -> bool| {
@@ -237,20 +237,19 @@ pub(crate) fn run(request: &Request, state: RunState) -> Run {
                 })
             };
         Channel {
-            name: name.to_owned(),
-            unit: unit.to_owned(),
+            id: name.parse().unwrap(),
             peak: extreme(|a, b| a > b),
             trough: extreme(|a, b| a < b),
             values,
         }
     };
     let channels = vec![
-        channel("tension_n[vessel|chain]", "N", &|t| tension(t) + 1.2e5),
-        channel("tension_n[chain|rope]", "N", &|t| tension(t) + 0.7e5),
-        channel("tension_n[rope|body]", "N", &tension),
-        channel("x_m[body]", "m", &|t| 1000.0 * angle(t).sin()),
-        channel("z_m[body]", "m", &|t| -1000.0 * angle(t).cos()),
-        channel("speed_m_per_s[body]", "m/s", &|t| {
+        channel("tension_n[vessel|chain]", &|t| tension(t) + 1.2e5),
+        channel("tension_n[chain|rope]", &|t| tension(t) + 0.7e5),
+        channel("tension_n[rope|body]", &tension),
+        channel("x_m[body]", &|t| 1000.0 * angle(t).sin()),
+        channel("z_m[body]", &|t| -1000.0 * angle(t).cos()),
+        channel("speed_m_per_s[body]", &|t| {
             (angle(t + 0.5) - angle(t - 0.5)).abs() * 1000.0
         }),
     ];
@@ -279,9 +278,8 @@ pub(crate) fn run(request: &Request, state: RunState) -> Run {
     };
     let rows = request.case.published.iter();
     let quantity = |channel: &str, statistic, window, value| Quantity {
-        name: quantity_name(channel, statistic, window),
+        id: QuantityId::new(channel.parse().unwrap(), statistic, window),
         value,
-        unit: "N".to_owned(),
         time_error: Some(200.0),
         mesh_error: Some(100.0),
     };

@@ -42,7 +42,7 @@ fn ropeway(desk: &Desk) -> &RopewayView {
 }
 
 fn sag(desk: &Desk) -> f64 {
-    ropeway(desk).readings.as_ref().unwrap().exact.sag_m
+    ropeway(desk).results.as_ref().unwrap().exact.sag_m
 }
 
 #[test]
@@ -94,14 +94,14 @@ fn the_cargo_slides_and_everything_follows_without_an_edit() {
 fn the_spans_of_the_paper_are_a_key_away_and_can_be_undone() {
     let mut desk = Desk::with_ropeway(SMALL);
     desk.keys("]");
-    assert!((ropeway(&desk).worked.span.gap.span_m - 40.0).abs() < 1e-12);
+    assert!((ropeway(&desk).worked.rope.geometry.span_m - 40.0).abs() < 1e-12);
     assert!(desk.screen().contains("40.0 m"));
     desk.keys("] ]");
     assert!(!open(&desk).editor.unsaved());
     desk.keys("[");
-    assert!((ropeway(&desk).worked.span.gap.span_m - 60.0).abs() < 1e-12);
+    assert!((ropeway(&desk).worked.rope.geometry.span_m - 60.0).abs() < 1e-12);
     desk.keys("u");
-    assert!((ropeway(&desk).worked.span.gap.span_m - 80.0).abs() < 1e-12);
+    assert!((ropeway(&desk).worked.rope.geometry.span_m - 80.0).abs() < 1e-12);
 }
 
 #[test]

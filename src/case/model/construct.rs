@@ -1,0 +1,108 @@
+//! Parts of cases built in code by their required keys, all others at their defaults.
+//!
+//! A line of one material between two fixed points, hanging in air:
+//!
+//! ```
+//! use seacable::case::{self, Case, End, Ends, Material, Method, Section};
+//!
+//! let ends = Ends {
+//!     a: End::fixed("platform", [0.0, 0.0, 20.0]),
+//!     b: End::fixed("ship", [80.0, 0.0, 18.0]),
+//! };
+//! let mut case = Case::new("Rope", ends);
+//! case.environment.water_density_kg_per_m3 = 0.0;
+//! case.materials.insert("rope".into(), Material::new(0.02, 1.1, 2e7));
+//! case.line = vec![Section::new("rope", "rope", 81.0, 40)];
+//! case.solver.method = Method::Static;
+//! assert_eq!(case::parse(&case::write(&case), "rope.toml").unwrap(), case);
+//! ```
+
+use std::fmt::Write;
+
+use super::line::nothing;
+use super::{Carried, Clump, End, EndKind, MotionName, Section, Traveller};
+
+impl Section {
+    /// A section of a material, its unstretched length \[m\] divided into segments.
+    #[must_use]
+    pub fn new(name: &str, material: &str, length_m: f64, segments: usize) -> Self {
+        Self {
+            name: name.to_owned(),
+            material: material.to_owned(),
+            length_m,
+            segments,
+        }
+    }
+}
+
+impl End {
+    /// An end fixed at a position \[m\].
+    #[must_use]
+    pub fn fixed(name: &str, position_m: [f64; 3]) -> Self {
+        Self::new(name, EndKind::Fixed, Some(position_m))
+    }
+
+    /// The end moved along the table of displacements in this file of the case, growing from nothing over a time \[s\].
+    #[must_use]
+    pub fn moved_by_table(self, file: &str, ramp_s: f64) -> Self {
+        Self {
+            kind: EndKind::Moving,
+            motion: MotionName::Table,
+            motion_file: Some(file.to_owned()),
+            ramp_s,
+            ..self
+        }
+    }
+}
+
+impl Clump {
+    /// A body of a mass \[kg\] hanging in air at a distance from the start of a section \[m\].
+    #[must_use]
+    pub fn in_air(name: &str, section: &str, at_m: f64, mass_kg: f64) -> Self {
+        Self {
+            name: name.to_owned(),
+            section: section.to_owned(),
+            at_m,
+            mass_kg,
+            wet_mass_kg: mass_kg,
+            drag_area_m2: nothing(),
+            added_mass_kg: nothing(),
+        }
+    }
+}
+
+impl Traveller {
+    /// A body of a mass \[kg\] in air that travels from an unstretched arc length to another \[m\] at a speed \[m/s\].
+    #[must_use]
+    pub fn in_air(
+        name: &str,
+        mass_kg: f64,
+        (from_m, to_m): (f64, f64),
+        speed_m_per_s: f64,
+    ) -> Self {
+        Self {
+            name: name.to_owned(),
+            mass_kg,
+            wet_mass_kg: mass_kg,
+            drag_area_m2: nothing(),
+            from_m,
+            to_m: Some(to_m),
+            speed_m_per_s,
+            start_s: 0.0,
+            ramp_s: 0.0,
+        }
+    }
+}
+
+impl Carried {
+    /// A table of displacements over time: seconds, and metres along x, y, z.
+    #[must_use]
+    pub fn displacements(rows: impl IntoIterator<Item = (f64, [f64; 3])>) -> Self {
+        let mut text = String::from("time_s,x_m,y_m,z_m\n");
+        for (t, [x, y, z]) in rows {
+            // Writing to a text does not fail.
+            let _ = writeln!(text, "{t:?},{x:?},{y:?},{z:?}");
+        }
+        Self { text }
+    }
+}

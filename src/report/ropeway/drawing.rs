@@ -1,0 +1,153 @@
+//! Elevation of a ropeway as a chart: platform, ship, water, the rope and the cargo on it.
+
+use crate::report::chart::{Axis, Chart, Glyphs, Limit, LimitLine, Series, draw};
+use crate::ropeway::unloaded::UnloadedRope;
+use crate::ropeway::{ModelResults, SolvedRopeway};
+
+/// Points that a rope is drawn with.
+const POINTS: usize = 80;
+
+/// Widths of platform and ship relative to the span.
+const ASIDE: f64 = 0.12;
+
+type Points = Vec<(f64, f64)>;
+
+const BREAK: (f64, f64) = (f64::NAN, f64::NAN);
+
+/// The ropeway at the position of the results: x from the platform, heights above still water, not to equal scale.
+#[must_use]
+pub fn chart(worked: &SolvedRopeway, results: &ModelResults) -> Chart {
+    let (rope, cargo) = (rope(worked, results), cargo(worked, results));
+    let lowest = rope.iter().chain(&cargo).map(|p| p.1);
+    let low = lowest.filter(|z| z.is_finite()).fold(0.0, f64::min);
+    let top = worked
+        .ropeway
+        .platform
+        .height_m
+        .max(worked.ropeway.ship.height_m);
+    let room = 0.12 * (top - low).max(1.0);
+    let (from, to) = (low - room, top + room);
+    let span = worked.rope.geometry.span_m;
+    let (left, right) = (-ASIDE * span, (1.0 + ASIDE) * span);
+    let mut unloaded_rope = Series::new("unloaded rope", 5, unloaded(worked));
+    unloaded_rope.dimmed = true;
+    let crest = worked.ropeway.water.crest_m;
+    let crests = Limit {
+        label: "wave crest".to_owned(),
+        line: LimitLine::Horizontal(crest),
+    };
+    Chart {
+        title: worked.ropeway.about.title.clone(),
+        x: Axis {
+            range: Some((left, right)),
+            ..Axis::new("from the platform", "m")
+        },
+        y: Axis {
+            range: Some((from, to)),
+            ..Axis::new("height", "m")
+        },
+        series: vec![
+            unloaded_rope,
+            Series::new("water", 3, vec![(left, 0.0), (right, 0.0)]),
+            Series::new("platform", 2, platform(worked, from)),
+            Series::new("ship", 4, ship(worked)),
+            Series::new("rope", 0, rope),
+            Series::new("cargo", 1, cargo),
+        ],
+        limits: if crest > 0.0 {
+            vec![crests]
+        } else {
+            Vec::new()
+        },
+        legend: true,
+        ..Chart::default()
+    }
+}
+
+/// The drawing in characters, at most this wide and high.
+#[must_use]
+pub fn text(
+    worked: &SolvedRopeway,
+    results: &ModelResults,
+    size: (usize, usize),
+    glyphs: Glyphs,
+) -> String {
+    draw(&chart(worked, results), size.0, size.1, glyphs).to_text()
+}
+
+fn rope(worked: &SolvedRopeway, results: &ModelResults) -> Points {
+    let (rest, height) = (&results.exact, worked.ropeway.platform.height_m);
+    let at = |i: usize| {
+        let point = rest.solution.at(rest.length_m * i as f64 / POINTS as f64);
+        (point.x_m, height + point.z_m)
+    };
+    let mut points: Points = (0..=POINTS).map(at).collect();
+    points.push((rest.cargo_m.0, height + rest.cargo_m.1));
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    points
+}
+
+/// The unloaded rope of the inextensible model.
+fn unloaded(worked: &SolvedRopeway) -> Points {
+    let Ok(inextensible) = &worked.inextensible else {
+        return Vec::new();
+    };
+    let rope: &UnloadedRope = &inextensible.rope;
+    let at = |i: usize| {
+        let x = rope.geometry.span_m * i as f64 / POINTS as f64;
+        (x, worked.ropeway.platform.height_m + rope.height_m(x))
+    };
+    (0..=POINTS).map(at).collect()
+}
+
+/// A box below the rope, at least 0.5 m high to be visible.
+fn cargo(worked: &SolvedRopeway, results: &ModelResults) -> Points {
+    let (x, below) = results.exact.cargo_m;
+    let z = worked.ropeway.platform.height_m + below;
+    let half = 0.012 * worked.rope.geometry.span_m;
+    let deep = worked.ropeway.cargo.drop_m.max(0.5);
+    let corners = [
+        (0.0, 0.0),
+        (half, -0.2 * deep),
+        (half, -deep),
+        (-half, -deep),
+        (-half, -0.2 * deep),
+        (0.0, 0.0),
+    ];
+    corners.map(|(dx, dz)| (x + dx, z + dz)).to_vec()
+}
+
+/// A deck on two legs, beside the span.
+fn platform(worked: &SolvedRopeway, bottom: f64) -> Points {
+    let (deck, wide) = (
+        worked.ropeway.platform.height_m,
+        ASIDE * worked.rope.geometry.span_m,
+    );
+    vec![
+        (-wide, deck),
+        (0.0, deck),
+        BREAK,
+        (-0.2 * wide, deck),
+        (-0.2 * wide, bottom),
+        BREAK,
+        (-0.8 * wide, deck),
+        (-0.8 * wide, bottom),
+    ]
+}
+
+/// A hull with a mast that holds the rope, beside the span.
+fn ship(worked: &SolvedRopeway) -> Points {
+    let (span, top) = (worked.rope.geometry.span_m, worked.ropeway.ship.height_m);
+    let (deck, wide) = (0.35 * top, ASIDE * span);
+    let keel = -0.25 * top;
+    vec![
+        (span, top),
+        (span + 0.15 * wide, deck),
+        (span, deck),
+        (span + 0.2 * wide, keel),
+        (span + wide, keel),
+        BREAK,
+        (span + 0.15 * wide, deck),
+        (span + wide, deck),
+    ]
+}

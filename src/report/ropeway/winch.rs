@@ -1,0 +1,175 @@
+//! Hauling the rope out and the winch on the moving ship, in tables and charts.
+
+use super::tables::{METRES, NEWTONS, metres, newtons};
+use crate::numerics::statistics::Statistics;
+use crate::report::chart::{Axis, Chart, Series};
+use crate::report::number::percent;
+use crate::report::table::{Format, Table};
+use crate::ropeway::hauling::{HaulingPoint, haul};
+use crate::ropeway::winch::{WinchSample, WinchState, statistics};
+use crate::ropeway::{SolvedRopeway, WinchRun};
+
+/// Steps of the chart of hauling.
+const HAULS: usize = 80;
+
+/// End tension against distance from the platform, the length of the rope fixed.
+#[must_use]
+pub fn hauling_chart(worked: &SolvedRopeway) -> Chart {
+    let hauls = haul(&worked.rope, worked.length_m, HAULS);
+    let series = |label: &str, slot: usize, of: fn(&HaulingPoint) -> f64| {
+        let points = hauls.iter().map(|h| (h.distance_m, of(h)));
+        Series::new(label, slot, points.collect())
+    };
+    Chart {
+        title: "Hauling the unloaded rope out to the ship".to_owned(),
+        x: Axis::new("distance from the platform", "m"),
+        y: Axis::new("tension at the ship", "N"),
+        series: vec![
+            series("end tension", 0, |h| h.ship_n),
+            series("horizontal component", 1, |h| h.horizontal_n),
+        ],
+        legend: true,
+        ..Chart::default()
+    }
+}
+
+/// The same in numbers.
+#[must_use]
+pub fn hauling(worked: &SolvedRopeway) -> Table {
+    let title = format!(
+        "Hauling the unloaded rope out to the ship, length {}",
+        metres(worked.length_m)
+    );
+    Table::of(title, &haul(&worked.rope, worked.length_m, 8))
+        .number("from the platform", METRES, |haul| haul.distance_m)
+        .number("end tension", NEWTONS, |haul| haul.ship_n)
+        .number("horizontal component", NEWTONS, |haul| haul.horizontal_n)
+        .build()
+        .noted([
+            "Possibly the paper's lost fig. 9, described as little change within 40 m, then linear growth. The former holds; the growth is convex.",
+        ])
+}
+
+/// The rope made fast and on the constant-tension winch; absent where it has no solution.
+fn ways(followed: &WinchRun) -> [Option<&[WinchSample]>; 2] {
+    let kept = followed
+        .constant_tension
+        .as_ref()
+        .and_then(|kept| kept.as_deref().ok());
+    [followed.made_fast.as_deref().ok(), kept]
+}
+
+/// Tension at the ship against time, made fast and on the winch.
+#[must_use]
+pub fn winch_chart(followed: &WinchRun) -> Chart {
+    let tension =
+        |moments: &[WinchSample]| moments.iter().map(|m| (m.ship.time_s, m.ship_n)).collect();
+    let labels = ["made fast", "on the winch"];
+    let ways = labels.into_iter().zip(ways(followed)).enumerate();
+    let series = ways
+        .filter_map(|(slot, (label, moments))| Some(Series::new(label, slot, tension(moments?))));
+    Chart {
+        title: "Tension at the moving ship".to_owned(),
+        x: Axis::new("time", "s"),
+        y: Axis::new("tension", "N"),
+        series: series.collect(),
+        legend: true,
+        ..Chart::default()
+    }
+}
+
+/// Statistics of the rope over the ship's motion, made fast and on the winch, and the duty of the winch.
+#[must_use]
+pub fn winch(worked: &SolvedRopeway, followed: &WinchRun) -> Table {
+    const SPEED: Format = Format::Si("m/s");
+    const POWER: Format = Format::Si("W");
+    let [fast, kept] = ways(followed);
+    let ways = [("made fast", fast), ("on the winch", kept)];
+    let ship = |m: &[WinchSample]| statistics(m, |x| x.ship_n);
+    let length = |m: &[WinchSample]| statistics(m, |x| x.length_m);
+    let speed = |m: &[WinchSample]| statistics(m, |x| x.speed_m_per_s);
+    let power = |m: &[WinchSample]| statistics(m, |x| x.power_w);
+    let range = |of: Statistics| of.max - of.min;
+    Table::compare("The rope on the moving ship", "", &ways)
+        .number("tension at the ship, minimum", NEWTONS, |m| ship(m).min)
+        .number("tension at the ship, maximum", NEWTONS, |m| ship(m).max)
+        .number("tension at the ship, mean", NEWTONS, |m| ship(m).mean)
+        .number("tension at the ship, std deviation", NEWTONS, |m| {
+            ship(m).deviation
+        })
+        .number("cargo depth, range", METRES, |m| {
+            range(statistics(m, |x| x.depth_m))
+        })
+        .number("rope length, minimum", METRES, |m| length(m).min)
+        .number("rope length, maximum", METRES, |m| length(m).max)
+        .number("paying out speed, maximum", SPEED, |m| {
+            speed(m).max.max(0.0)
+        })
+        .number("hauling in speed, maximum", SPEED, |m| {
+            -speed(m).min.min(0.0)
+        })
+        .number("hauling power, maximum", POWER, |m| power(m).max.max(0.0))
+        .number("braking power, maximum", POWER, |m| -power(m).min.min(0.0))
+        .build()
+        .noted(notes(followed))
+        .noted(breaks(worked, followed))
+}
+
+fn notes(followed: &WinchRun) -> Vec<String> {
+    let mut notes = Vec::new();
+    if let Err(error) = &followed.made_fast {
+        notes.push(format!("Made fast: {error}."));
+    }
+    match &followed.constant_tension {
+        None => notes.push("The ropeway has no winch; add [winch].".to_owned()),
+        Some(Err(error)) => notes.push(format!("On the winch: {error}.")),
+        Some(Ok(kept)) => {
+            notes.push(format!(
+                "Constant tension: {}.",
+                newtons(followed.tension_n)
+            ));
+            notes.extend(limits(kept));
+        }
+    }
+    notes.push(
+        "Quasi-static: each sample is an equilibrium without the inertia of the rope.".to_owned(),
+    );
+    notes
+}
+
+/// How often the winch is at a limit.
+fn limits(kept: &[WinchSample]) -> impl Iterator<Item = String> {
+    let limits = [
+        (WinchState::SpeedLimit, "it is at its speed limit"),
+        (WinchState::PowerLimit, "it is at its power limit"),
+        (WinchState::RopeOut, "all its rope is paid out"),
+    ];
+    limits.into_iter().filter_map(|(held, words)| {
+        let count = kept.iter().filter(|m| m.state == held).count();
+        let part = count as f64 / kept.len().max(1) as f64;
+        (part > 0.0).then(|| {
+            format!(
+                "The winch does not keep the tension for {} of the time: {words}.",
+                percent(part)
+            )
+        })
+    })
+}
+
+/// That the maximum tension exceeds the breaking load of a rope.
+fn breaks(worked: &SolvedRopeway, followed: &WinchRun) -> impl Iterator<Item = String> {
+    let ways = ["Made fast", "On the winch"]
+        .into_iter()
+        .zip(ways(followed));
+    ways.filter_map(|(way, moments)| {
+        let most = statistics(moments?, |m| m.ship_n.max(m.platform_n)).max;
+        let part = worked.breaking_load_ratio(most)?;
+        (part > 1.0).then(|| {
+            format!(
+                "{way}, the ropes break: the maximum tension {} is {} of their breaking load.",
+                newtons(most),
+                percent(part)
+            )
+        })
+    })
+}

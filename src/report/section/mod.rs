@@ -1,0 +1,66 @@
+//! A cross-section in views: drawing and tables, and all of them as a text report.
+
+pub mod drawing;
+pub mod tables;
+
+use crate::report::chart::Glyphs;
+use crate::report::table::Table;
+use crate::section::Design;
+use crate::section::stiffness::Twist;
+
+/// Tension shown when no strength is known \[N\].
+const SAMPLE: f64 = 1e5;
+
+/// The tension that is shared out when none is named \[N\]: the allowable one, or 100 kN when that is
+/// not known.
+#[must_use]
+pub fn tension(design: &Design) -> f64 {
+    let allowable = design.strength.as_ref().map(|s| s.allowable);
+    allowable.unwrap_or(SAMPLE)
+}
+
+/// The whole design as text of this width. `tension` is the one to share out \[N\]; absent: the
+/// allowable one, or 100 kN when that is not known.
+#[must_use]
+pub fn report(design: &Design, width: usize, glyphs: Glyphs, tension: Option<f64>) -> String {
+    let about = &design.section.about;
+    let tension = tension.unwrap_or_else(|| self::tension(design));
+    let words = [&about.source, &about.notes];
+    let mut parts = vec![drawing::text(design, width, width / 2, glyphs)];
+    parts.extend(
+        words
+            .iter()
+            .filter(|w| !w.is_empty())
+            .map(|w| paragraph(w, width)),
+    );
+    if !design.layout.warnings.is_empty() {
+        parts.push(warnings(design).to_text(width));
+    }
+    parts.push(tables::layers(design).to_text(width));
+    parts.push(tables::whole(design).to_text(width));
+    parts.push(tables::stiffness(design).to_text(width));
+    parts.push(tables::carried(design, about.core, Twist::Held, tension).to_text(width));
+    parts.join("\n")
+}
+
+fn paragraph(words: &str, width: usize) -> String {
+    let table = Table {
+        title: words.split_whitespace().collect::<Vec<_>>().join(" "),
+        ..Table::default()
+    };
+    table.to_text(width)
+}
+
+/// What fits but should be looked at.
+fn warnings(design: &Design) -> Table {
+    Table {
+        title: "Warnings".to_owned(),
+        notes: design
+            .layout
+            .warnings
+            .iter()
+            .map(ToString::to_string)
+            .collect(),
+        ..Table::default()
+    }
+}

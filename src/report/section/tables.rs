@@ -1,0 +1,355 @@
+//! A cross-section in tables: layers, stiffness, weight, who carries a tension.
+
+use crate::report::number::{digits, percent, si};
+use crate::report::table::{Align, Cell, Format, Table};
+use crate::section::model::{Core, Voids};
+use crate::section::stiffness::{Matrix, Twist, ea_with_pressure};
+use crate::section::strength::shares;
+use crate::section::{Design, Helix, Shell};
+
+/// A length in millimetres.
+const MM: Format = Format::With(mm);
+
+/// Stiffness in bending and torsion.
+const STIFFNESS: Format = Format::Si("N m²");
+
+fn mm(metres: f64) -> String {
+    format!("{} mm", digits(metres * 1e3, 4))
+}
+
+/// A layer as the table shows it.
+struct Layer<'a> {
+    name: &'a str,
+    made_of: String,
+    angle: String,
+    helix: Option<&'a Helix>,
+    outer_radius: f64,
+    mass: f64,
+}
+
+/// The layers, from the inside out.
+#[must_use]
+pub fn layers(design: &Design) -> Table {
+    let centre = design.layout.centre.iter().map(|centre| Layer {
+        name: "centre",
+        made_of: format!("{} {}", centre.element.what, centre.element.name),
+        angle: "straight".to_owned(),
+        helix: None,
+        outer_radius: centre.radius,
+        mass: centre.mass(),
+    });
+    let shells = design.layout.shells.iter().map(layer);
+    let layers: Vec<Layer<'_>> = centre.chain(shells).collect();
+    let dash = || "-".to_owned();
+    let around = |layer: &Layer<'_>, of: fn(&Helix) -> String| {
+        Cell::plain(layer.helix.map_or_else(dash, of))
+    };
+    Table::of("Layers, from the inside out", &layers)
+        .text("layer", |layer| layer.name)
+        .text("made of", |layer| &layer.made_of)
+        .text("lay angle", |layer| &layer.angle)
+        .cell("pitch radius", Align::Decimal, |layer| {
+            around(layer, |helix| mm(helix.pitch_radius))
+        })
+        .cell("lay length", Align::Decimal, |layer| {
+            around(layer, |helix| si(helix.lay_length(), "m"))
+        })
+        .cell("cover", Align::Decimal, |layer| {
+            around(layer, |helix| percent(helix.coverage))
+        })
+        .number("outer diameter", MM, |layer| 2.0 * layer.outer_radius)
+        .number("mass", Format::Si("kg/m"), |layer| layer.mass)
+        .build()
+}
+
+fn layer(shell: &Shell) -> Layer<'_> {
+    match shell {
+        Shell::Helix(helix) => {
+            let side = if helix.angle < 0.0 { "left" } else { "right" };
+            let angle = digits(helix.angle.abs().to_degrees(), 4);
+            Layer {
+                name: &helix.name,
+                made_of: made_of(helix),
+                angle: format!("{angle} deg {side}"),
+                helix: Some(helix),
+                outer_radius: helix.outer_radius,
+                mass: helix.mass(),
+            }
+        }
+        Shell::Tube(tube) => Layer {
+            name: &tube.words.name,
+            made_of: format!("sheath of {}", mm(tube.words.thickness_m)),
+            angle: "-".to_owned(),
+            helix: None,
+            outer_radius: tube.outer_radius,
+            mass: tube.mass(),
+        },
+    }
+}
+
+/// "6 tubes hydraulic, 1 optical fibre"; of wires, how many and how thick.
+fn made_of(helix: &Helix) -> String {
+    let mut kinds: Vec<(&str, usize)> = Vec::new();
+    for unit in &helix.elements {
+        match kinds.iter_mut().find(|kind| kind.0 == unit.name) {
+            Some(kind) => kind.1 += 1,
+            None => kinds.push((&unit.name, 1)),
+        }
+    }
+    let wire = helix.elements.first().filter(|_| helix.armour);
+    if let Some(wire) = wire {
+        return format!(
+            "{} wires of {}",
+            helix.elements.len(),
+            mm(2.0 * wire.radius)
+        );
+    }
+    let words: Vec<String> = kinds
+        .iter()
+        .map(|(name, count)| format!("{count} {name}"))
+        .collect();
+    words.join(", ")
+}
+
+/// A stiffness with a rigid and an incompressible core.
+struct Stiffness {
+    name: &'static str,
+    format: Format,
+    values: [f64; 2],
+    spread: String,
+    theory: &'static str,
+}
+
+/// Stiffness, with both kinds of core side by side.
+#[must_use]
+pub fn stiffness(design: &Design) -> Table {
+    let mut rows = tension_and_torsion(design);
+    rows.extend(bending(design));
+    let cell = |row: &Stiffness, core: usize| row.format.cell(Some(row.values[core]));
+    Table::of("Stiffness", &rows)
+        .text("quantity", |row| row.name)
+        .cell("rigid core, Theta = 0", Align::Decimal, |row| cell(row, 0))
+        .cell("incompressible core, Theta = 1", Align::Decimal, |row| {
+            cell(row, 1)
+        })
+        .cell("model error", Align::Decimal, |row| {
+            Cell::plain(&row.spread)
+        })
+        .text("theory", |row| row.theory)
+        .build()
+        .noted(stiffness_notes(design))
+}
+
+fn tension_and_torsion(design: &Design) -> Vec<Stiffness> {
+    const N: Format = Format::Si("N");
+    const NM: Format = Format::Si("N m");
+    let has_core = design.layout.centre.is_some();
+    let quantities: [(_, _, fn(&Matrix) -> f64); 6] = [
+        ("EA, ends held from turning", N, |m| m.ea(Twist::Held)),
+        ("EA, ends free to turn", N, |m| m.ea(Twist::Free)),
+        ("GJ, length held", STIFFNESS, Matrix::gj_held_length),
+        ("GJ, length free", STIFFNESS, Matrix::gj_free_length),
+        ("tension by twist per length", NM, |m| m.tension_twist),
+        ("torque by strain", NM, |m| m.torque_strain),
+    ];
+    let rows = quantities.map(|(name, format, of)| {
+        let [rigid, soft] = [of(&design.rigid), of(&design.incompressible)];
+        Stiffness {
+            name,
+            format,
+            values: [rigid, soft],
+            spread: if has_core {
+                spread(rigid, soft)
+            } else {
+                "not known".to_owned()
+            },
+            theory: "Knapp, eqs. (16)-(17)",
+        }
+    });
+    rows.into()
+}
+
+fn bending(design: &Design) -> [Stiffness; 4] {
+    let bending = &design.bending;
+    let rows = [
+        (
+            "EI, all slips",
+            bending.total(),
+            "the two rows below together",
+        ),
+        (
+            "EI of units, wires, middle",
+            bending.helices + bending.centre,
+            "Costello, eqs. (18)-(19)",
+        ),
+        ("EI of the sheaths", bending.sheaths, "E I of a tube"),
+        (
+            "EI, nothing slips",
+            bending.stuck(),
+            "plane sections stay plane",
+        ),
+    ];
+    rows.map(|(name, value, theory)| Stiffness {
+        name,
+        format: STIFFNESS,
+        values: [value; 2],
+        spread: "-".to_owned(),
+        theory,
+    })
+}
+
+/// How far the two kinds of core are apart.
+fn spread(rigid: f64, soft: f64) -> String {
+    // A difference of a few parts in 1e12 is rounding.
+    let apart = (rigid - soft).abs();
+    let size = rigid.abs().max(soft.abs());
+    if apart > 1e-9 * size {
+        percent(apart / size)
+    } else {
+        "0 %".to_owned()
+    }
+}
+
+fn stiffness_notes(design: &Design) -> Vec<String> {
+    let mut notes = vec![
+        "Equations as numbered in Lin et al. 2016, Periodical of Ocean University of China 46(12), 111-116; tension and torsion after Knapp 1979, bending after Costello and Phillips 1976.".to_owned(),
+        "Model error: the spread between a core that keeps its diameter and one that keeps its volume. A real core lies between them, or is softer. The arithmetic itself is exact to rounding.".to_owned(),
+    ];
+    if design.layout.centre.is_some() {
+        notes.push(format!(
+            "With an incompressible core the coupling is not symmetric, as eqs. (16)-(17) count the tension of the wires but not the pressure in the core. With that pressure, EA with ends held would be {}.",
+            si(ea_with_pressure(&design.layout), "N")
+        ));
+    } else {
+        notes.push("There is no central cylinder to squeeze, so both columns agree, and the model error is not known.".to_owned());
+    }
+    notes.push(
+        "Positive coupling: under tension the cable wants to unwind its right-handed layers."
+            .to_owned(),
+    );
+    notes.push("EI lies between its two values: a cable is stiff until its layers slip, and soft at large curvature. The spread between them is a model error; where friction lets the layers slip is not worked out. A line takes the value of full slip.".to_owned());
+
+    let (ea, gj) = design.sheaths;
+    if ea > 0.0 {
+        notes.push(format!(
+            "Not in EA and GJ, as eqs. (16)-(17) leave sheaths out: the sheaths alone would add {} and {}.",
+            si(ea, "N"),
+            si(gj, "N m²")
+        ));
+    }
+    notes
+}
+
+/// A quantity, its value in words, and where it comes from.
+type Fact = (&'static str, String, String);
+
+/// Size, weight, strength: what else a line needs.
+#[must_use]
+pub fn whole(design: &Design) -> Table {
+    let weight = &design.weight;
+    let gaps = match design.section.about.voids {
+        Voids::Dry => "gaps dry",
+        Voids::Flooded => "gaps flooded",
+    };
+    let gaps = || gaps.to_owned();
+    let mut facts: Vec<Fact> = vec![
+        (
+            "outer diameter",
+            mm(2.0 * design.layout.outer_radius),
+            "sum of the layers".to_owned(),
+        ),
+        (
+            "mass in air",
+            si(weight.in_air, "kg/m"),
+            "gaps empty, tubes as filled".to_owned(),
+        ),
+        (
+            "mass that moves in water",
+            si(weight.moving, "kg/m"),
+            gaps(),
+        ),
+        ("weight in water", si(weight.in_water_force, "N/m"), gaps()),
+        (
+            "weight in water, as mass",
+            si(weight.in_water, "kg/m"),
+            gaps(),
+        ),
+        (
+            "gaps",
+            format!("{} mm²", digits(1e6 * weight.voids, 4)),
+            "what no unit, filler or sheath takes".to_owned(),
+        ),
+    ];
+    facts.extend(strength(design));
+    Table::of("The cable as a whole", &facts)
+        .text("quantity", |fact| fact.0)
+        .cell("value", Align::Decimal, |fact| Cell::plain(&fact.1))
+        .text("how", |fact| &fact.2)
+        .build()
+}
+
+fn strength(design: &Design) -> Vec<Fact> {
+    let Some(strength) = &design.strength else {
+        return vec![(
+            "breaking load",
+            "not known".to_owned(),
+            "no unit that carries has a strength or breaking load".to_owned(),
+        )];
+    };
+    let (layer, unit) = &strength.weakest;
+    let weakest = if layer == unit {
+        layer.clone()
+    } else {
+        format!("{unit} in {layer}")
+    };
+    let (core, twist) = strength.when;
+    let ends = ends(twist);
+    let used = percent(design.section.about.usage_factor);
+    vec![
+        (
+            "breaking load",
+            si(strength.break_load, "N"),
+            format!("first to reach its strength: {weakest}, {core} core, ends {ends}"),
+        ),
+        (
+            "allowable tension",
+            si(strength.allowable, "N"),
+            format!("{used} of it may be used"),
+        ),
+    ]
+}
+
+fn ends(twist: Twist) -> &'static str {
+    match twist {
+        Twist::Held => "held from turning",
+        Twist::Free => "free to turn",
+    }
+}
+
+/// Who carries a tension \[N\].
+#[must_use]
+pub fn carried(design: &Design, core: Core, twist: Twist, tension: f64) -> Table {
+    let title = format!(
+        "Who carries {} ({core} core, ends {})",
+        si(tension, "N"),
+        ends(twist)
+    );
+    let known =
+        |value: Option<String>| Cell::plain(value.unwrap_or_else(|| "not known".to_owned()));
+    Table::of(title, &shares(&design.layout, core, twist, tension))
+        .text("layer", |share| &share.layer)
+        .text("unit", |share| &share.unit)
+        .count("count", |share| share.count)
+        .number("share", Format::Percent, |share| share.share)
+        .number("force in one", Format::Si("N"), |share| share.force)
+        .cell("stress", Align::Decimal, |share| {
+            known(share.stress.map(|stress| si(stress, "Pa")))
+        })
+        .cell("use of its strength", Align::Decimal, |share| {
+            match share.utilisation {
+                Some(used) if used > 1.0 => Cell::bad_if(true, percent(used) + " TOO MUCH"),
+                used => known(used.map(percent)),
+            }
+        })
+        .build()
+}

@@ -1,0 +1,109 @@
+//! The values of channels read off a state of the line.
+
+use crate::case::{ChannelQuantity, LineEnd, Site};
+use crate::numerics::V3;
+use crate::scene::Scene;
+use crate::solve::{State, System};
+
+/// A state from which channels are read; the force on an end is computed once for its three components.
+pub(super) struct ChannelReading<'a> {
+    scene: &'a Scene,
+    time: f64,
+    state: &'a State,
+    end_forces: [Option<V3>; 2],
+}
+
+impl<'a> ChannelReading<'a> {
+    /// Of a line at a time \[s\].
+    pub(super) fn new(scene: &'a Scene, time: f64, state: &'a State) -> Self {
+        Self {
+            scene,
+            time,
+            state,
+            end_forces: [None; 2],
+        }
+    }
+
+    /// The value of a channel, in the unit of its quantity; `None` where there is nothing to read.
+    pub(super) fn channel(&mut self, quantity: ChannelQuantity, site: Site) -> Option<f64> {
+        use ChannelQuantity as Q;
+        let (scene, state) = (self.scene, self.state);
+        match quantity {
+            Q::Tension => self.tension(site),
+            Q::X => self.position(site).map(|x| x[0]),
+            Q::Y => self.position(site).map(|x| x[1]),
+            Q::Z => self.position(site).map(|x| x[2]),
+            Q::Speed => match site {
+                Site::End(LineEnd::A) => Some(state.v[0].norm()),
+                _ => Some(scene.end_b_velocity(state).norm()),
+            },
+            Q::Tilt => Some(scene.tilt(state).to_degrees()),
+            Q::Arc => scene.traveller_arc(self.time),
+            Q::ForceX => self.end_force(site).map(|f| f[0]),
+            Q::ForceY => self.end_force(site).map(|f| f[1]),
+            Q::ForceZ => self.end_force(site).map(|f| f[2]),
+            Q::WaveElevation => Some(scene.elevation(self.time)),
+            Q::Energy => {
+                let traveller = scene.traveller_energy(self.time, state);
+                Some(scene.energy(state) + traveller.map_or(0.0, |(energy, _)| energy))
+            }
+            Q::MeanLoad | Q::LoadDeviation | Q::Stiffness => self.rope(quantity, site),
+        }
+    }
+
+    fn tension(&self, site: Site) -> Option<f64> {
+        match site {
+            Site::Joint(joint) => {
+                let node = self.scene.joints[joint].node;
+                Some(self.scene.tension_at(node, self.state))
+            }
+            Site::Traveller => self.scene.traveller_tension(self.time, self.state),
+            _ => None,
+        }
+    }
+
+    fn position(&self, site: Site) -> Option<V3> {
+        match site {
+            Site::End(LineEnd::A) => Some(self.state.x[0]),
+            Site::End(LineEnd::B) => Some(self.scene.end_b_position(self.state)),
+            Site::Body(body) => Some(self.state.x[self.scene.clumps[body]]),
+            Site::Traveller => {
+                let at = self.scene.traveller_at(self.time, self.state);
+                at.map(|(place, _)| place)
+            }
+            _ => None,
+        }
+    }
+
+    fn end_force(&mut self, site: Site) -> Option<V3> {
+        let Site::End(end) = site else { return None };
+        let (known, node) = match end {
+            LineEnd::A => (&mut self.end_forces[0], 0),
+            LineEnd::B => (&mut self.end_forces[1], self.scene.nodes() - 1),
+        };
+        let force = || {
+            self.scene.end_force(node, self.state)
+                + self.scene.traveller_force_on(node, self.time, self.state)
+        };
+        Some(*known.get_or_insert_with(force))
+    }
+
+    fn rope(&self, quantity: ChannelQuantity, site: Site) -> Option<f64> {
+        let Site::Section(section, end) = site else {
+            return None;
+        };
+        let joint = |index: usize| self.scene.joints[index].node;
+        let segment = match end {
+            LineEnd::A => joint(section),
+            LineEnd::B => joint(section + 1) - 1,
+        };
+        let reading = self.scene.rope_reading(segment, self.state);
+        let reading = reading.unwrap_or_default();
+        match quantity {
+            ChannelQuantity::MeanLoad => Some(reading.mean_load),
+            ChannelQuantity::LoadDeviation => Some(reading.deviation),
+            ChannelQuantity::Stiffness => Some(reading.stiffness),
+            _ => None,
+        }
+    }
+}

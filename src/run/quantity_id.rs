@@ -1,0 +1,234 @@
+//! What identifies a single number of a run. Its text is the name in `summary.csv`:
+//! `tension_n[wire|payload].mean(0..200)`.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::case::{AlongLine, ChannelId, ChannelNameError, STEADY, Statistic};
+
+/// What a single number is taken of. Its text stands where published values and trends name a channel.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Subject {
+    /// A channel, over time.
+    Channel(ChannelId),
+    /// A quantity of the whole line, over arc length.
+    Line(AlongLine),
+    /// Frequency of a natural mode by its number from 1: `in_plane_hz[2]`.
+    ModeFrequency(ModePlane, usize),
+    /// Number of the natural mode nearest to a given frequency: `out_of_plane_mode_near`.
+    NearestMode(ModePlane),
+    /// Time from which on the response is steady.
+    SteadyTime,
+}
+
+/// The plane in which a natural mode moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ModePlane {
+    /// That of the line.
+    InPlane,
+    /// Across it.
+    OutOfPlane,
+}
+
+impl ModePlane {
+    /// Both of them.
+    pub const ALL: [Self; 2] = [Self::InPlane, Self::OutOfPlane];
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::InPlane => "in_plane",
+            Self::OutOfPlane => "out_of_plane",
+        }
+    }
+}
+
+const FREQUENCY: &str = "_hz[";
+const NEAREST: &str = "_mode_near";
+
+impl Subject {
+    /// Its unit as shown.
+    #[must_use]
+    pub const fn unit(&self) -> &'static str {
+        match self {
+            Self::Channel(channel) => channel.quantity.unit(),
+            Self::Line(quantity) => quantity.unit(),
+            Self::ModeFrequency(..) => "Hz",
+            Self::NearestMode(_) => "-",
+            Self::SteadyTime => "s",
+        }
+    }
+}
+
+impl fmt::Display for Subject {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Channel(channel) => channel.fmt(f),
+            Self::Line(quantity) => f.write_str(quantity.name()),
+            Self::ModeFrequency(plane, number) => {
+                write!(f, "{}{FREQUENCY}{number}]", plane.name())
+            }
+            Self::NearestMode(plane) => write!(f, "{}{NEAREST}", plane.name()),
+            Self::SteadyTime => f.write_str(STEADY),
+        }
+    }
+}
+
+impl FromStr for Subject {
+    type Err = ChannelNameError;
+
+    fn from_str(text: &str) -> Result<Self, ChannelNameError> {
+        if text == STEADY {
+            return Ok(Self::SteadyTime);
+        }
+        if let Some(quantity) = AlongLine::named(text) {
+            return Ok(Self::Line(quantity));
+        }
+        let of_mode = ModePlane::ALL.into_iter().find_map(|plane| {
+            let rest = text.strip_prefix(plane.name())?;
+            let number = rest
+                .strip_prefix(FREQUENCY)
+                .and_then(|n| n.strip_suffix(']'));
+            match number.and_then(|n| n.parse().ok()) {
+                Some(number) => Some(Self::ModeFrequency(plane, number)),
+                None => (rest == NEAREST).then_some(Self::NearestMode(plane)),
+            }
+        });
+        of_mode.map_or_else(|| text.parse().map(Self::Channel), Ok)
+    }
+}
+
+/// What identifies a single number of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub enum QuantityId {
+    /// A statistic.
+    Statistic {
+        /// What it is taken of.
+        of: Subject,
+        /// What is taken of it.
+        statistic: Statistic,
+        /// Window of time \[s\] or, of the whole line, stretch \[m\]; absent: all of it.
+        within: Option<[f64; 2]>,
+    },
+    /// Difference of a channel from a published curve, by the curve's number among those of its case, from 1.
+    CurveDifference(ChannelId, usize),
+}
+
+const FROM_CURVE: &str = "from_curve_";
+
+impl QuantityId {
+    /// The statistic of a subject.
+    #[must_use]
+    pub const fn new(of: Subject, statistic: Statistic, within: Option<[f64; 2]>) -> Self {
+        Self::Statistic {
+            of,
+            statistic,
+            within,
+        }
+    }
+
+    /// A number that is no statistic over time: the final value of its subject.
+    #[must_use]
+    pub const fn single(of: Subject) -> Self {
+        Self::new(of, Statistic::Final, None)
+    }
+
+    /// Its unit as shown.
+    #[must_use]
+    pub fn unit(&self) -> String {
+        match self {
+            Self::Statistic { of, statistic, .. } => statistic.unit(of.unit()),
+            Self::CurveDifference(..) => "%".to_owned(),
+        }
+    }
+
+    /// What it is taken of, and the rest of its name: `.max`.
+    #[must_use]
+    pub fn parts(&self) -> (Subject, String) {
+        match self {
+            Self::Statistic {
+                of,
+                statistic,
+                within,
+            } => {
+                let window = within.map(|[from, to]| format!("({from}..{to})"));
+                let window = window.unwrap_or_default();
+                (of.clone(), format!(".{}{window}", statistic.name()))
+            }
+            Self::CurveDifference(channel, number) => (
+                Subject::Channel(channel.clone()),
+                format!(".{FROM_CURVE}{number}"),
+            ),
+        }
+    }
+}
+
+impl fmt::Display for QuantityId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (subject, rest) = self.parts();
+        write!(f, "{subject}{rest}")
+    }
+}
+
+impl FromStr for QuantityId {
+    type Err = ChannelNameError;
+
+    fn from_str(text: &str) -> Result<Self, ChannelNameError> {
+        let wrong = || ChannelNameError(text.to_owned());
+        let (name, within) = match text.strip_suffix(')').and_then(|t| t.rsplit_once('(')) {
+            Some((name, window)) => (name, Some(window_from(window).ok_or_else(wrong)?)),
+            None => (text, None),
+        };
+        let (of, word) = name.rsplit_once('.').ok_or_else(wrong)?;
+        if let Some(number) = word.strip_prefix(FROM_CURVE) {
+            let number = number.parse().map_err(|_| wrong())?;
+            return Ok(Self::CurveDifference(of.parse()?, number));
+        }
+        let statistic = Statistic::ALL.into_iter().find(|s| s.name() == word);
+        Ok(Self::new(of.parse()?, statistic.ok_or_else(wrong)?, within))
+    }
+}
+
+fn window_from(text: &str) -> Option<[f64; 2]> {
+    let (from, to) = text.split_once("..")?;
+    Some([from.parse().ok()?, to.parse().ok()?])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_reads_back_as_its_quantity() {
+        for name in [
+            "tension_n[wire|payload].mean",
+            "tension_n[wire|payload].mean(0..200)",
+            "tension_n[wire|payload].mean(2.5..20)",
+            "z_m[a.b].c].arc_of_max(-1..0.5)",
+            "tension_n[chain|wheel].from_curve_1",
+            "bend_radius_m.min",
+            "in_plane_hz[12].final",
+            "out_of_plane_mode_near.final",
+            "response_steady_s.final",
+        ] {
+            let id: QuantityId = name.parse().unwrap();
+            assert_eq!(id.to_string(), name);
+        }
+        for wrong in [
+            "tension_n[a]",
+            "tension_n[a].most",
+            "x_m[a].max(1)",
+            "q.max",
+        ] {
+            assert!(wrong.parse::<QuantityId>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn units_follow_from_subject_and_statistic() {
+        let unit = |name: &str| name.parse::<QuantityId>().unwrap().unit();
+        assert_eq!(unit("tension_n[a|b].rate"), "N/s");
+        assert_eq!(unit("tension_n.arc_of_max"), "m");
+        assert_eq!(unit("in_plane_hz[1].final"), "Hz");
+        assert_eq!(unit("x_m[a].from_curve_2"), "%");
+    }
+}

@@ -1,0 +1,82 @@
+//! Why a line was not solved.
+
+use thiserror::Error;
+
+/// A line that has no answer, no single answer, or none that could be verified.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum CatenaryError {
+    /// A number that no line can have.
+    #[error("{quantity} is {value}; it must be {needs}")]
+    Input {
+        /// Which quantity, with its unit.
+        quantity: &'static str,
+        /// What was given.
+        value: f64,
+        /// What would be right.
+        needs: &'static str,
+    },
+    /// An end lies under the bed.
+    #[error("end {end} lies {below_m:.6} m below the bed; it must be on it or above")]
+    EndBelowBed {
+        /// A or B.
+        end: char,
+        /// How far below \[m\].
+        below_m: f64,
+    },
+    /// An end of a buoyant line lies above the surface that holds the line down.
+    #[error("end {end} lies {above_m:.6} m above the surface; it must be on it or below")]
+    EndAboveSurface {
+        /// A or B.
+        end: char,
+        /// How far above \[m\].
+        above_m: f64,
+    },
+    /// More line on a slope than friction holds.
+    #[error(
+        "the line is slack on the slope: the surplus slides downhill and has no place of its own; \
+         friction of at least {needed:.4} would hold it"
+    )]
+    SlackOnSlope {
+        /// The coefficient that would hold it: the tangent of the slope.
+        needed: f64,
+    },
+    /// Friction on a stretch lying between two hanging ones.
+    #[error(
+        "the line lies on the bed between two hanging parts; with friction its tension there depends on how \
+         it was laid, so the end positions do not determine it; without friction they do"
+    )]
+    FrictionUndetermined,
+    /// A line that comes down on a sloping bed below end A.
+    #[error(
+        "the line comes down on a sloping bed below end A, which is not covered; A must be on the sloping bed"
+    )]
+    SlopeBelowA,
+    /// A weightless line longer than the distance.
+    #[error(
+        "the line has no weight and is longer than the distance between its ends: its shape is not determined"
+    )]
+    ShapeUndetermined,
+    /// An inextensible line shorter than the distance.
+    #[error(
+        "the line cannot stretch and is {short_m:.6} m shorter than the distance between its ends"
+    )]
+    TooShort {
+        /// What is missing \[m\].
+        short_m: f64,
+    },
+    /// Sections of this line would rest on the bed in a pattern that is not covered.
+    #[error("{0}")]
+    Pattern(&'static str),
+    /// The forces found do not lead back to the end position closely enough to be believed.
+    #[error(
+        "not solved: the forces found would put the end where the line pulls with an error of {error:.1e} of its \
+         end tension (after {iterations} iterations)"
+    )]
+    NotVerified {
+        /// Achieved error of force over end tension.
+        error: f64,
+        /// Iterations spent.
+        iterations: u32,
+    },
+}
