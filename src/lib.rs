@@ -22,6 +22,7 @@
 //! * [`reference`](mod@reference): published data and how a run is held against it.
 //! * [`study`]: hard cases, computed by every method that applies and judged.
 //! * [`report`]: tables and charts as text, shared by every view.
+//! * [`files`]: the one way to write a file.
 //! * [`tui`], [`cli`]: the screen and the command line.
 //!
 //! Conventions: SI inside, z up with z = 0 at still water, arc length from end A to end B in the
@@ -30,6 +31,7 @@
 pub mod case;
 pub mod cli;
 pub mod dynamics;
+pub mod files;
 pub mod kinds;
 pub mod modes;
 pub mod numerics;

@@ -140,6 +140,10 @@ pub(super) struct StepsWords {
     #[arg(short, long = "output", value_name = "TABLE.csv")]
     pub(super) output: Option<PathBuf>,
 
+    /// Replace the file if it exists.
+    #[arg(long, requires = "output")]
+    pub(super) force: bool,
+
     /// Print with ASCII characters only.
     #[arg(long)]
     pub(super) ascii: bool,
@@ -163,6 +167,10 @@ pub(super) struct SpeedWords {
     #[arg(short, long = "output", value_name = "TABLE.csv")]
     pub(super) output: Option<PathBuf>,
 
+    /// Replace the file if it exists.
+    #[arg(long, requires = "output")]
+    pub(super) force: bool,
+
     /// Print with ASCII characters only.
     #[arg(long)]
     pub(super) ascii: bool,
@@ -178,6 +186,10 @@ pub(super) struct HardWords {
     /// Write the table as CSV to this file as well.
     #[arg(short, long = "output", value_name = "FILE")]
     pub(super) output: Option<PathBuf>,
+
+    /// Replace the file if it exists.
+    #[arg(long, requires = "output")]
+    pub(super) force: bool,
 
     /// Print with ASCII characters only.
     #[arg(long)]
@@ -221,6 +233,10 @@ pub(super) struct ModesWords {
     #[arg(short, long = "output", value_name = "OUT.csv")]
     pub(super) output: Option<PathBuf>,
 
+    /// Replace the file if it exists.
+    #[arg(long, requires = "output")]
+    pub(super) force: bool,
+
     /// Draw with ASCII characters only.
     #[arg(long)]
     pub(super) ascii: bool,
@@ -248,6 +264,10 @@ pub(super) struct RopewayWords {
     #[arg(long, value_name = "FILE")]
     pub(super) line: Option<PathBuf>,
 
+    /// Replace the file if it exists.
+    #[arg(long, requires = "line")]
+    pub(super) force: bool,
+
     /// Draw with ASCII characters only.
     #[arg(long)]
     pub(super) ascii: bool,
@@ -262,6 +282,10 @@ pub(super) struct SectionWords {
     /// Write the material, a table to paste into a line case, to this file.
     #[arg(short, long = "output", value_name = "FILE")]
     pub(super) output: Option<PathBuf>,
+
+    /// Replace the file if it exists.
+    #[arg(long, requires = "output")]
+    pub(super) force: bool,
 
     /// Tension to share out over the layers, in N; the allowable one unless given.
     #[arg(long, value_name = "TENSION", value_parser = tension)]
@@ -332,6 +356,10 @@ pub(super) struct ReportWords {
     #[arg(short, long = "output", value_name = "FILE")]
     pub(super) output: Option<PathBuf>,
 
+    /// Replace the file if it exists.
+    #[arg(long, requires = "output")]
+    pub(super) force: bool,
+
     /// Draw with ASCII characters only.
     #[arg(long)]
     pub(super) ascii: bool,
@@ -355,6 +383,10 @@ pub(super) struct CatenaryWords {
     /// Write the table to this file instead of standard output.
     #[arg(short, long = "output", value_name = "OUT")]
     pub(super) output: Option<PathBuf>,
+
+    /// Replace the file if it exists.
+    #[arg(long, requires = "output")]
+    pub(super) force: bool,
 }
 
 /// The solvers, as the command line names them.

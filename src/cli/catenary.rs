@@ -2,20 +2,23 @@
 
 use std::{fs, process::ExitCode};
 
-use super::{Failure, NOT_GOOD, args::CatenaryWords, output};
+use super::{
+    Failure, NOT_GOOD,
+    args::CatenaryWords,
+    output::{self, OutputFile},
+};
 use crate::study::lines;
 
 pub(super) fn catenary(words: &CatenaryWords) -> Result<ExitCode, Failure> {
+    let inputs = [words.input.clone()];
+    let file = OutputFile::check(words.output.as_deref(), words.force, &inputs)?;
     let input = words.input.display();
     let bytes = fs::read(&words.input)
         .map_err(|e| Failure::Usage(format!("Reading {input} failed: {e}")))?;
     let table = lines::solve(&bytes).map_err(|e| Failure::Usage(format!("{input}: {e}")))?;
-    match &words.output {
+    match file {
         None => output::bytes(&table.text)?,
-        Some(path) => fs::write(path, &table.text).map_err(|source| Failure::Write {
-            path: path.clone(),
-            source,
-        })?,
+        Some(file) => file.write(&table.text)?,
     }
     if table.refused == 0 {
         return Ok(ExitCode::SUCCESS);

@@ -2,12 +2,11 @@
 
 use std::{
     io::{self, IsTerminal},
-    path::PathBuf,
     process::ExitCode,
 };
 
 use super::{BAD_INPUT, NOT_GOOD, output};
-use crate::{case::Diagnostic, run::store::StoreError, tui::OpenError};
+use crate::{case::Diagnostic, files::WriteError, run::store::StoreError, tui::OpenError};
 
 /// Why a command could not do its work.
 #[derive(Debug)]
@@ -21,8 +20,13 @@ pub(super) enum Failure {
     Usage(String),
     /// A run cannot be written or read.
     Store(StoreError),
-    /// A file cannot be written.
-    Write { path: PathBuf, source: io::Error },
+    /// The file that an option names cannot be written.
+    Write {
+        option: &'static str,
+        source: WriteError,
+    },
+    /// Standard output cannot be written.
+    Output(io::Error),
     /// The screen gave up.
     Screen(OpenError),
 }
@@ -46,14 +50,24 @@ impl Failure {
             }
             Self::Usage(text) => say(&text, BAD_INPUT),
             Self::Store(error) => say(&error.to_string(), BAD_INPUT),
-            Self::Write { path, source } => say(
-                &format!("Writing {} failed: {source}", path.display()),
+            Self::Write { option, source } => say(&not_written(option, &source), BAD_INPUT),
+            Self::Output(source) => say(
+                &format!("Writing standard output failed: {source}"),
                 BAD_INPUT,
             ),
             Self::Screen(error @ OpenError::Terminal(_)) => say(&error.to_string(), NOT_GOOD),
             Self::Screen(error) => say(&error.to_string(), BAD_INPUT),
         }
     }
+}
+
+/// What to do about a file that was not written.
+fn not_written(option: &str, source: &WriteError) -> String {
+    let remedy = match source {
+        WriteError::Exists(_) => " and is left as it is; give --force to replace it",
+        _ => "",
+    };
+    format!("{option}: {source}{remedy}.")
 }
 
 fn say(text: &str, status: u8) -> ExitCode {

@@ -9,6 +9,7 @@ mod args;
 mod cases;
 mod catenary;
 mod failure;
+mod inputs;
 mod modes;
 mod output;
 mod progress;

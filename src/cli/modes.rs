@@ -1,8 +1,13 @@
 //! `seacable modes`: natural frequencies and mode shapes of a case's line.
 
-use std::{fs, process::ExitCode};
+use std::process::ExitCode;
 
-use super::{Failure, NOT_GOOD, args::ModesWords, cases, output};
+use super::{
+    Failure, NOT_GOOD,
+    args::ModesWords,
+    cases,
+    output::{self, OutputFile},
+};
 use crate::{
     modes,
     report::{
@@ -16,6 +21,8 @@ const WIDTH: usize = 108;
 const HEIGHT: usize = 22;
 
 pub(super) fn modes(words: &ModesWords) -> Result<ExitCode, Failure> {
+    let inputs = [words.case.clone()];
+    let file = OutputFile::check(words.output.as_deref(), words.force, &inputs)?;
     let loaded = cases::load(&words.case)?;
     let text = cases::set(&loaded.text, &words.set)?;
     let case = cases::parse(&text, &loaded.name)?;
@@ -26,11 +33,8 @@ pub(super) fn modes(words: &ModesWords) -> Result<ExitCode, Failure> {
             return Ok(ExitCode::from(NOT_GOOD));
         }
     };
-    if let Some(path) = &words.output {
-        fs::write(path, views::csv(&found)).map_err(|source| Failure::Write {
-            path: path.clone(),
-            source,
-        })?;
+    if let Some(file) = file {
+        file.write(views::csv(&found).as_bytes())?;
     }
     let glyphs = if words.ascii {
         Glyphs::Ascii

@@ -1,8 +1,13 @@
 //! `seacable report`: the text report of a stored run.
 
-use std::{fs, process::ExitCode};
+use std::process::ExitCode;
 
-use super::{Failure, args::ReportWords, cases, output};
+use super::{
+    Failure,
+    args::ReportWords,
+    cases,
+    output::{self, OutputFile},
+};
 use crate::{
     reference,
     report::{chart::Glyphs, plain, text},
@@ -10,6 +15,8 @@ use crate::{
 };
 
 pub(super) fn report(words: &ReportWords) -> Result<ExitCode, Failure> {
+    let inputs = [words.dir.clone()];
+    let file = OutputFile::check(words.output.as_deref(), words.force, &inputs)?;
     let run = store::read(&words.dir)?;
     let case = cases::parse(&run.case_text, &run.info.case_file)?;
     let rows = reference::rows_of_run(&run, &case);
@@ -19,18 +26,15 @@ pub(super) fn report(words: &ReportWords) -> Result<ExitCode, Failure> {
         Glyphs::Braille
     };
     let text = text::report(&run, &case, &rows, glyphs);
-    match &words.output {
+    match file {
         None => output::results(&text, words.ascii)?,
-        Some(path) => {
+        Some(file) => {
             let text = if words.ascii {
                 plain::ascii(&text)
             } else {
                 text.into()
             };
-            fs::write(path, text.as_bytes()).map_err(|source| Failure::Write {
-                path: path.clone(),
-                source,
-            })?;
+            file.write(text.as_bytes())?;
         }
     }
     Ok(ExitCode::SUCCESS)

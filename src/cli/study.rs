@@ -1,12 +1,13 @@
 //! `seacable study`: hard cases held against what must come out; speed against error; varying steps beside constant ones.
 
-use std::{fs, io, path::Path, process::ExitCode, sync::Mutex};
+use std::{io, path::Path, process::ExitCode, sync::Mutex};
 
 use super::{
     Failure, NOT_GOOD,
     args::{HardWords, SpeedWords, StepsWords, StudyWords},
     cases::{self, Loaded},
-    output, progress,
+    output::{self, OutputFile},
+    progress,
     signals::Stop,
 };
 use crate::case::Case;
@@ -33,6 +34,7 @@ pub(super) fn study(words: &StudyWords) -> Result<ExitCode, Failure> {
 }
 
 fn hard_cases(words: &HardWords) -> Result<ExitCode, Failure> {
+    let file = OutputFile::check(words.output.as_deref(), words.force, &words.cases)?;
     let loaded = cases::with_trials(&words.cases)?;
     let cases: Vec<Hard> = loaded.into_iter().map(hard_case).collect();
     let stop =
@@ -44,7 +46,7 @@ fn hard_cases(words: &HardWords) -> Result<ExitCode, Failure> {
     }
     let findings = hard::findings(&cases, &computed);
     let table = hard::table(&findings);
-    write_csv(&table, words.output.as_deref())?;
+    write_csv(&table, file.as_ref())?;
     let tally = tally(&findings);
     output::results(&format!("{}\n{tally}\n", table.to_text(WIDTH)), words.ascii)?;
     Ok(if tally.holds() {
@@ -55,17 +57,17 @@ fn hard_cases(words: &HardWords) -> Result<ExitCode, Failure> {
 }
 
 /// Writes a table to a file, where one is asked for.
-fn write_csv(table: &Table, path: Option<&Path>) -> Result<(), Failure> {
-    let Some(path) = path else { return Ok(()) };
-    let file = fs::File::create(path).map_err(io::Error::other);
-    let written = file.and_then(|file| table.write_csv(file).map_err(io::Error::other));
-    written.map_err(|source| Failure::Write {
-        path: path.to_owned(),
-        source,
-    })
+fn write_csv(table: &Table, file: Option<&OutputFile<'_>>) -> Result<(), Failure> {
+    let Some(file) = file else { return Ok(()) };
+    let mut text = Vec::new();
+    let written = table.write_csv(&mut text).map_err(io::Error::other);
+    written.map_err(Failure::Output)?;
+    file.write(&text)
 }
 
 fn speed_of(words: &SpeedWords) -> Result<ExitCode, Failure> {
+    let inputs = [words.case.clone()];
+    let file = OutputFile::check(words.output.as_deref(), words.force, &inputs)?;
     let (name, case) = case_of(&words.case, &words.set)?;
     let stop =
         Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
@@ -81,7 +83,7 @@ fn speed_of(words: &SpeedWords) -> Result<ExitCode, Failure> {
     };
     drop(line);
     let table = speed::table(&study);
-    write_csv(&table, words.output.as_deref())?;
+    write_csv(&table, file.as_ref())?;
     let glyphs = if words.ascii {
         Glyphs::Ascii
     } else {
@@ -112,6 +114,8 @@ fn stopped(stop: &Stop, failure: Failure) -> Result<ExitCode, Failure> {
 }
 
 fn steps_of(words: &StepsWords) -> Result<ExitCode, Failure> {
+    let inputs = [words.case.clone()];
+    let file = OutputFile::check(words.output.as_deref(), words.force, &inputs)?;
     let (name, case) = case_of(&words.case, &words.set)?;
     let stop =
         Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
@@ -125,7 +129,7 @@ fn steps_of(words: &StepsWords) -> Result<ExitCode, Failure> {
     };
     drop(line);
     let table = speed::comparison_table(&rows, words.variants);
-    write_csv(&table, words.output.as_deref())?;
+    write_csv(&table, file.as_ref())?;
     output::results(&table.to_text(WIDTH), words.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

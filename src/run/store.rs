@@ -58,6 +58,11 @@ pub(crate) const ROPES: &str = "ropes.csv";
 pub(crate) const SHAPES: &str = "shapes.csv";
 pub(crate) const CHECKPOINT: &str = "checkpoint.toml";
 
+/// All files of a run.
+pub(crate) const FILES: [&str; 10] = [
+    CASE, RUN, SUMMARY, ERRORS, CHANNELS, HISTORY, PROFILE, ROPES, SHAPES, CHECKPOINT,
+];
+
 /// Why a run cannot be written or read.
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {

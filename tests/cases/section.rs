@@ -706,15 +706,16 @@ fn the_command_prints_and_writes() {
         .stdout(predicate::function(str::is_ascii));
     let written = std::fs::read_to_string(dir.path().join("umbilical.toml")).unwrap();
     assert!(written.contains("[materials.umbilical]"), "{written}");
-    // It is written again, but nothing else is overwritten.
+    // It is written again with --force, and nothing is overwritten without.
     let again = |name: &str| {
         let mut command = seacable(dir.path());
         command.arg("section").arg(&file).args(["-o", name]);
-        command.assert()
+        command
     };
-    again("umbilical.toml").success();
+    again("umbilical.toml").arg("--force").assert().success();
     std::fs::write(dir.path().join("line.toml"), "[case]\n").unwrap();
-    again("line.toml").code(2).stderr(contains("left as it is"));
+    let refused = again("line.toml").assert().code(2);
+    refused.stderr(contains("left as it is").and(contains("--force")));
     assert_eq!(
         std::fs::read_to_string(dir.path().join("line.toml")).unwrap(),
         "[case]\n"
