@@ -1,4 +1,4 @@
-//! The words of the command line.
+//! The arguments of the command line.
 
 use std::path::PathBuf;
 
@@ -16,8 +16,8 @@ use clap::{Parser, Subcommand, ValueEnum};
     args_conflicts_with_subcommands = true
 )]
 #[command(
-    after_help = "Exit status: 0 all is well; 1 a row is outside its tolerance or the solver \
-    gave up; 2 bad input; 130 and 143 stopped by a signal."
+    after_help = "Exit status: 0 success; 1 a row is outside its tolerance or the solver \
+    failed; 2 bad input; 130 and 143 stopped by a signal."
 )]
 pub(super) struct Args {
     /// A case file, or a directory with case files, to open in the workbench.
@@ -28,11 +28,11 @@ pub(super) struct Args {
     #[arg(long)]
     pub(super) ascii: bool,
 
-    /// Draw with these characters; chosen from the locale and the terminal unless given.
+    /// Character set to draw with; by default chosen from the locale and the terminal.
     #[arg(long, value_name = "SET", conflicts_with = "ascii")]
-    pub(super) glyphs: Option<GlyphWord>,
+    pub(super) glyphs: Option<GlyphSet>,
 
-    /// For slow links: fewer frames, and more patience with keys that arrive in pieces.
+    /// For slow links: fewer frames, and a longer wait for key sequences that arrive in pieces.
     #[arg(long)]
     pub(super) slow_link: bool,
 
@@ -42,88 +42,86 @@ pub(super) struct Args {
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
-    /// Compute a case and keep the run in a directory.
+    /// Compute a case and store the run in a directory.
     ///
     /// Prints the run directory and the table of results.
-    Run(RunWords),
-    /// Hold cases against the published values they state.
+    Run(RunArgs),
+    /// Compare cases with the published values they state.
     ///
     /// Computes every case and every variant that its published rows ask for, and prints the
     /// validation tables. The exit status is 1 when a row is outside its tolerance.
-    Validate(ValidateWords),
+    Validate(ValidateArgs),
     /// Print the text report of a stored run.
-    Report(ReportWords),
+    Report(ReportArgs),
     /// Solve a table of lines at rest, in still water or in a current.
     ///
     /// CSV, a single line a row, hanging between end A and end B, seen from A: columns x_m, z_m, length_m,
-    /// ea_n, weight_n_per_m and, where wanted, friction, bed_below_a_m (empty: no bed),
+    /// ea_n, weight_n_per_m and, optionally, friction, bed_below_a_m (empty: no bed),
     /// bed_slope_deg (positive uphill from A to B), surface_above_a_m (holds floating lines down).
-    /// Written are the same columns and h_b_n, v_b_n, h_a_n, v_a_n, on_bed_m, status and shape: h the
+    /// The output has the same columns and h_b_n, v_b_n, h_a_n, v_a_n, on_bed_m, status and shape: h the
     /// horizontal part of the tension, v_b pulling B down and v_a pulling A up when positive.
     ///
     /// CSV of single lines in a uniform current: a_x_m, a_y_m, a_z_m, b_x_m, b_y_m, b_z_m, length_m,
     /// weight_n_per_m, ea_n, diameter_m, drag_normal, drag_tangential, water_density_kg_per_m3,
     /// current_x_m_per_s, current_y_m_per_s (or, in short, Ax ... Bz, L, w_Npm, EA_N, d_m, Cd, CdAx, rho, Ux, Uy).
-    /// Written are the line's pull on its ends (pull_a_x_n ... pull_b_z_n), tension_a_n, tension_b_n,
+    /// The output has the line's pull on its ends (pull_a_x_n ... pull_b_z_n), tension_a_n, tension_b_n,
     /// error_n estimated from two meshes, segments and status.
     ///
     /// JSON lines, an object a line, for several sections: "sections" (or "segs") lists from A to B
     /// [length_m, weight_n_per_m, ea_n] or, with the weight of a body at its end, [..., body_n]; with "x_m", "z_m",
     /// "bed_below_a_m", "friction", "bed_slope_deg", "surface_above_a_m" as above ("radius" and "depth" in the
-    /// place of x_m and z_m lay a level bed through A), or in a current with "a_m", "b_m", "diameter_m",
+    /// place of x_m and z_m put a level bed through A), or in a current with "a_m", "b_m", "diameter_m",
     /// "drag_normal", "drag_tangential", "water_density_kg_per_m3" and "current", a list of
     /// [depth_m, x_m_per_s, y_m_per_s]. Answers are added as keys of the same names.
     ///
-    /// A row without an answer says why in its status; the exit status is 1 when there is one.
-    Catenary(CatenaryWords),
-    /// Work out a cable's cross-section: layout, stiffness, weight, strength.
+    /// A row without a solution gives the reason in its status; the exit status is then 1.
+    Catenary(CatenaryArgs),
+    /// Compute a cable's cross-section: layout, stiffness, weight, strength.
     ///
     /// Prints the section drawn to scale and its tables, stiffness with a rigid and an incompressible
-    /// core side by side; writes the material for a line case where wanted. A layout that is
-    /// impossible is refused with the reason.
-    Section(SectionWords),
-    /// Work out a ship at single-point mooring: headings at which it rests, motion in its sea, its anchor line in time, the rope
+    /// core side by side; `--output` writes the material for a line case. An impossible layout is refused with the reason.
+    Section(SectionArgs),
+    /// Compute a ship at single-point mooring: equilibrium headings, motion in its sea, its anchor line in time, the rope
     /// that follows it.
     ///
-    /// Prints the moment about the mooring against the heading, all headings in balance with their
+    /// Prints the moment about the mooring against the heading, all equilibrium headings with their
     /// stability, the loads there and the reach of the mooring line.
-    Ship(ShipWords),
-    /// Tell the natural frequencies and mode shapes of a line about its static shape.
+    Ship(ShipArgs),
+    /// Compute the natural frequencies and mode shapes of a line about its static shape.
     ///
-    /// Prints the lowest modes, which way they move, and their error from the mesh, and draws some of their
-    /// shapes. Added mass is included, drag is left out.
-    Modes(ModesWords),
-    /// Work out a ropeway between a platform and a ship: tensions, sag, clearance, winch, cargo.
+    /// Prints the lowest modes, their direction of motion and their mesh error, and draws some of their
+    /// shapes. Added mass is included, drag is not.
+    Modes(ModesArgs),
+    /// Compute a ropeway between a platform and a ship: tensions, sag, clearance, winch, cargo.
     ///
-    /// Prints the ropeway drawn and its tables, the paper's model, parabola theory, the exact rope with
-    /// the cargo on it and the discretised line side by side.
-    Ropeway(RopewayWords),
+    /// Prints a drawing of the ropeway and its tables: the inextensible model of the paper, parabola theory, the exact
+    /// elastic rope with the cargo on it and the discretised line side by side.
+    Ropeway(RopewayArgs),
     /// Studies over many runs.
     #[command(subcommand)]
-    Study(StudyWords),
+    Study(StudyArgs),
 }
 
 #[derive(Debug, Subcommand)]
-pub(super) enum StudyWords {
-    /// Compute the hard cases by every method that applies, and hold them against closed forms.
+pub(super) enum StudyArgs {
+    /// Compute the hard cases by every method that applies, and compare them with closed forms.
     ///
-    /// Every trial reads OK, REFUSED (with the reason) or WRONG. The exit status is 1 when one came
-    /// out other than it must.
-    HardCases(HardWords),
-    /// Measure every method at several settings on one case: what it costs and how wrong it is.
+    /// Every trial is OK, REFUSED (with the reason) or WRONG. The exit status is 1 if one is not as expected.
+    HardCases(HardArgs),
+    /// Measure every method at several settings on one case: work against error.
     ///
-    /// Errors are those of the time step, against a reference of another method in much finer steps, whose
-    /// own error is told; the mesh has a table of its own. Takes as long as the reference: up to some minutes.
-    Speed(SpeedWords),
-    /// Hold steps of varying length against the best constant step that is as accurate.
+    /// Errors are those of the time step, against a reference by another method in much finer steps, whose
+    /// own error is given; the mesh has a table of its own. Takes as long as the reference: up to some minutes.
+    Speed(SpeedArgs),
+    /// Compare error-controlled steps with the constant step of equal error.
     ///
-    /// At every tolerance and spectral radius: the work, the errors, and what constant steps need for the same error.
-    /// Takes as long as the references, one a variant: up to some minutes.
-    Steps(StepsWords),
+    /// For every tolerance and spectral radius: the work, the errors, and the work of constant steps at the same error.
+    /// Takes as long as the references, one for each variant: up to some minutes.
+    Steps(StepsArgs),
 }
 
 #[derive(Debug, clap::Args)]
-pub(super) struct StepsWords {
+pub(super) struct StepsArgs {
     /// The case file.
     #[arg(value_name = "CASE")]
     pub(super) case: PathBuf,
@@ -132,7 +130,7 @@ pub(super) struct StepsWords {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(super) set: Vec<String>,
 
-    /// Variants of the case, gravity a little different in each, of which the medians count.
+    /// Variants of the case, each with slightly different gravity; the table holds their medians.
     #[arg(long, value_name = "N", default_value = "5", value_parser = count)]
     pub(super) variants: usize,
 
@@ -150,7 +148,7 @@ pub(super) struct StepsWords {
 }
 
 #[derive(Debug, clap::Args)]
-pub(super) struct SpeedWords {
+pub(super) struct SpeedArgs {
     /// The case file.
     #[arg(value_name = "CASE")]
     pub(super) case: PathBuf,
@@ -159,7 +157,7 @@ pub(super) struct SpeedWords {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(super) set: Vec<String>,
 
-    /// Runs of every point, of which the cheapest counts.
+    /// Runs of every point; the table holds the cheapest.
     #[arg(long, value_name = "N", default_value = "3", value_parser = count)]
     pub(super) repeats: usize,
 
@@ -177,9 +175,8 @@ pub(super) struct SpeedWords {
 }
 
 #[derive(Debug, clap::Args)]
-pub(super) struct HardWords {
-    /// Case files with trials, or directories with such; those that come with the program unless
-    /// given.
+pub(super) struct HardArgs {
+    /// Case files with trials, or directories of them; by default those that come with the program.
     #[arg(value_name = "CASE")]
     pub(super) cases: Vec<PathBuf>,
 
@@ -197,7 +194,7 @@ pub(super) struct HardWords {
 }
 
 #[derive(Debug, clap::Args)]
-pub(super) struct ShipWords {
+pub(super) struct ShipArgs {
     /// The ship file, such as cases/ship/anchored.toml.
     #[arg(value_name = "CASE")]
     pub(super) file: PathBuf,
@@ -212,16 +209,16 @@ pub(super) struct ShipWords {
 }
 
 #[derive(Debug, clap::Args)]
-pub(super) struct ModesWords {
+pub(super) struct ModesArgs {
     /// The case file.
     #[arg(value_name = "CASE")]
     pub(super) case: PathBuf,
 
-    /// How many modes, the lowest first.
+    /// Number of modes, the lowest first.
     #[arg(long, value_name = "N", default_value = "10", value_parser = count)]
     pub(super) count: usize,
 
-    /// The modes to draw, by their numbers: 9,10,11; the first three unless given.
+    /// Modes to draw, by number: 9,10,11; by default the first three.
     #[arg(long, value_name = "N,...", value_delimiter = ',', value_parser = count)]
     pub(super) shape: Vec<usize>,
 
@@ -251,7 +248,7 @@ fn count(word: &str) -> Result<usize, String> {
 }
 
 #[derive(Debug, clap::Args)]
-pub(super) struct RopewayWords {
+pub(super) struct RopewayArgs {
     /// The ropeway file, such as cases/ropeway/span_80.toml.
     #[arg(value_name = "CASE")]
     pub(super) file: PathBuf,
@@ -274,7 +271,7 @@ pub(super) struct RopewayWords {
 }
 
 #[derive(Debug, clap::Args)]
-pub(super) struct SectionWords {
+pub(super) struct SectionArgs {
     /// The section file, such as cases/umbilical/section.toml.
     #[arg(value_name = "CASE")]
     pub(super) file: PathBuf,
@@ -287,7 +284,7 @@ pub(super) struct SectionWords {
     #[arg(long, requires = "output")]
     pub(super) force: bool,
 
-    /// Tension to share out over the layers, in N; the allowable one unless given.
+    /// Tension to distribute over the layers, in N; by default the allowable tension.
     #[arg(long, value_name = "TENSION", value_parser = tension)]
     pub(super) tension_n: Option<f64>,
 
@@ -296,7 +293,7 @@ pub(super) struct SectionWords {
     pub(super) ascii: bool,
 }
 
-/// A tension worth sharing out.
+/// A positive tension.
 fn tension(word: &str) -> Result<f64, String> {
     match word.parse::<f64>() {
         Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
@@ -305,16 +302,16 @@ fn tension(word: &str) -> Result<f64, String> {
 }
 
 #[derive(Debug, clap::Args)]
-pub(super) struct RunWords {
+pub(super) struct RunArgs {
     /// The case file.
     #[arg(value_name = "CASE", required_unless_present = "resume")]
     pub(super) case: Option<PathBuf>,
 
-    /// Go on from where a stored run stands, in a new run: killed, stopped or complete.
+    /// Resume a stored run from its checkpoint, in a new run directory: it may be killed, stopped or complete.
     #[arg(long, value_name = "RUN_DIR", conflicts_with_all = ["case", "set", "solver"])]
     pub(super) resume: Option<PathBuf>,
 
-    /// Go on to this time, in s; to the end of the case unless given.
+    /// Resume up to this time, in s; by default to the end of the case.
     #[arg(long, value_name = "TIME", requires = "resume")]
     pub(super) until: Option<f64>,
 
@@ -322,11 +319,11 @@ pub(super) struct RunWords {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(super) set: Vec<String>,
 
-    /// The solver to use instead of the one the case names.
+    /// Solver to use in place of the case's.
     #[arg(long)]
-    pub(super) solver: Option<SolverWord>,
+    pub(super) solver: Option<SolverMethod>,
 
-    /// The directory to write, which must not exist yet; runs/CASE-TIME unless given.
+    /// Directory to write, which must not exist yet; by default runs/CASE-TIME.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
 
@@ -336,8 +333,8 @@ pub(super) struct RunWords {
 }
 
 #[derive(Debug, clap::Args)]
-pub(super) struct ValidateWords {
-    /// Case files, or directories with case files; all that come with the program unless given.
+pub(super) struct ValidateArgs {
+    /// Case files, or directories of them; by default all that come with the program.
     #[arg(value_name = "CASE")]
     pub(super) cases: Vec<PathBuf>,
 
@@ -347,7 +344,7 @@ pub(super) struct ValidateWords {
 }
 
 #[derive(Debug, clap::Args)]
-pub(super) struct ReportWords {
+pub(super) struct ReportArgs {
     /// The run directory.
     #[arg(value_name = "RUN_DIR")]
     pub(super) dir: PathBuf,
@@ -365,9 +362,9 @@ pub(super) struct ReportWords {
     pub(super) ascii: bool,
 }
 
-/// The sets of characters, as the command line names them.
+/// Sets of characters to draw with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum GlyphWord {
+pub(super) enum GlyphSet {
     /// Dot patterns: eight dots a character.
     Braille,
     /// ASCII only.
@@ -375,7 +372,7 @@ pub(super) enum GlyphWord {
 }
 
 #[derive(Debug, clap::Args)]
-pub(super) struct CatenaryWords {
+pub(super) struct CatenaryArgs {
     /// The table of lines, as CSV or JSON lines.
     #[arg(value_name = "IN")]
     pub(super) input: PathBuf,
@@ -389,9 +386,9 @@ pub(super) struct CatenaryWords {
     pub(super) force: bool,
 }
 
-/// The solvers, as the command line names them.
+/// Solvers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum SolverWord {
+pub(super) enum SolverMethod {
     /// Static equilibrium.
     Static,
     /// Quasi-static march: equilibrium of weight and drag at each instant.
@@ -404,9 +401,9 @@ pub(super) enum SolverWord {
     Auto,
 }
 
-impl SolverWord {
-    /// The word a case file uses for it.
-    pub(super) fn word(self) -> &'static str {
+impl SolverMethod {
+    /// The value of `solver.method` in a case file.
+    pub(super) fn key_value(self) -> &'static str {
         match self {
             Self::Static => "static",
             Self::Quasi => "quasi",
@@ -422,7 +419,7 @@ mod tests {
     use clap::CommandFactory;
 
     #[test]
-    fn the_words_are_consistent() {
+    fn the_arguments_are_consistent() {
         super::Args::command().debug_assert();
     }
 }

@@ -5,7 +5,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::Failure;
+use super::CommandError;
 use crate::{
     case::{self, Case, edit, shipped},
     kinds::Kind,
@@ -29,12 +29,9 @@ pub(super) struct Loaded {
 }
 
 /// Loads a case file.
-pub(super) fn load(path: &Path) -> Result<Loaded, Failure> {
+pub(super) fn load(path: &Path) -> Result<Loaded, CommandError> {
     let name = path.display().to_string();
-    let loaded = case::load(path).map_err(|diagnostics| Failure::Case {
-        text: fs::read_to_string(path).unwrap_or_default(),
-        diagnostics,
-    })?;
+    let loaded = case::load(path).map_err(CommandError::invalid_file(path))?;
     Ok(Loaded {
         file: file_name(&name),
         name,
@@ -44,23 +41,20 @@ pub(super) fn load(path: &Path) -> Result<Loaded, Failure> {
 }
 
 /// Reads a case from its text.
-pub(super) fn parse(text: &str, file: &str) -> Result<Case, Failure> {
-    let wrong = |diagnostics| Failure::Case {
-        text: text.to_owned(),
-        diagnostics,
-    };
+pub(super) fn parse(text: &str, file: &str) -> Result<Case, CommandError> {
+    let wrong = CommandError::invalid(text);
     case::parse(text, file).map_err(wrong)
 }
 
 /// Every `KEY=VALUE` as its two parts.
-pub(super) fn edits(words: &[String]) -> Result<Vec<(&str, &str)>, Failure> {
+pub(super) fn edits(words: &[String]) -> Result<Vec<(&str, &str)>, CommandError> {
     let mut edits = Vec::with_capacity(words.len());
     for word in words {
         let Some((key, value)) = word.split_once('=') else {
             let what = format!(
                 "`--set {word}` gives no value; write KEY=VALUE, for example current.speed_m_per_s=0.4."
             );
-            return Err(Failure::Usage(what));
+            return Err(CommandError::Usage(what));
         };
         edits.push((key.trim(), value.trim()));
     }
@@ -68,12 +62,9 @@ pub(super) fn edits(words: &[String]) -> Result<Vec<(&str, &str)>, Failure> {
 }
 
 /// Applies every `KEY=VALUE` to the text of a case.
-pub(super) fn set(text: &str, words: &[String]) -> Result<String, Failure> {
+pub(super) fn set(text: &str, words: &[String]) -> Result<String, CommandError> {
     let edits = edits(words)?;
-    let wrong = |diagnostics| Failure::Case {
-        text: text.to_owned(),
-        diagnostics,
-    };
+    let wrong = CommandError::invalid(text);
     edit::set_all(text, &edits).map_err(wrong)
 }
 
@@ -90,7 +81,7 @@ pub(super) struct Named {
 
 /// The cases named; without names, those below `cases` here, or else those that come with the
 /// program, as far as they state published values.
-pub(super) fn named_or_shipped(paths: &[PathBuf]) -> Result<Named, Failure> {
+pub(super) fn named_or_shipped(paths: &[PathBuf]) -> Result<Named, CommandError> {
     if !paths.is_empty() {
         return below(paths);
     }
@@ -116,7 +107,7 @@ pub(super) fn named_or_shipped(paths: &[PathBuf]) -> Result<Named, Failure> {
 
 /// The cases with trials among those named; without names, among those below `cases` here, or else among those that
 /// come with the program.
-pub(super) fn with_trials(paths: &[PathBuf]) -> Result<Vec<Loaded>, Failure> {
+pub(super) fn with_trials(paths: &[PathBuf]) -> Result<Vec<Loaded>, CommandError> {
     let folder = Path::new(FOLDER);
     let named = if !paths.is_empty() {
         below(paths)?
@@ -129,15 +120,15 @@ pub(super) fn with_trials(paths: &[PathBuf]) -> Result<Vec<Loaded>, Failure> {
     cases.retain(|loaded| !loaded.case.trial.is_empty());
     if cases.is_empty() {
         let what = "There is no case with trials; a hard case has at least one table [[trial]].";
-        return Err(Failure::Usage(what.to_owned()));
+        return Err(CommandError::Usage(what.to_owned()));
     }
     Ok(cases)
 }
 
-fn shipped() -> Result<Named, Failure> {
+fn shipped() -> Result<Named, CommandError> {
     let line = |(path, text): &(&str, &str)| {
         let case = parse(text, path)?;
-        Ok::<_, Failure>(Loaded {
+        Ok::<_, CommandError>(Loaded {
             file: file_name(path),
             name: format!("{FOLDER}/{path}"),
             text: (*text).to_owned(),
@@ -145,25 +136,19 @@ fn shipped() -> Result<Named, Failure> {
         })
     };
     let ropeway = |(path, text): &(&str, &str)| {
-        let wrong = |diagnostics| Failure::Case {
-            text: (*text).to_owned(),
-            diagnostics,
-        };
+        let wrong = CommandError::invalid(text);
         let name = format!("{FOLDER}/{path}");
         let loaded = ropeway::Loaded {
             worked: ropeway::parse(text, path).map_err(wrong)?,
             text: (*text).to_owned(),
             path: PathBuf::from(&name),
         };
-        Ok::<_, Failure>((name, loaded))
+        Ok::<_, CommandError>((name, loaded))
     };
     let ship = |(path, text): &(&str, &str)| {
-        let wrong = |diagnostics| Failure::Case {
-            text: (*text).to_owned(),
-            diagnostics,
-        };
+        let wrong = CommandError::invalid(text);
         let rest = ship::parse(text, path).map_err(wrong)?;
-        Ok::<_, Failure>((format!("{FOLDER}/{path}"), rest))
+        Ok::<_, CommandError>((format!("{FOLDER}/{path}"), rest))
     };
     Ok(Named {
         ships: shipped::SHIPS.iter().map(ship).collect::<Result<_, _>>()?,
@@ -179,17 +164,17 @@ fn shipped() -> Result<Named, Failure> {
 }
 
 /// Every file named, and every case file below every directory named.
-fn below(paths: &[PathBuf]) -> Result<Named, Failure> {
+fn below(paths: &[PathBuf]) -> Result<Named, CommandError> {
     let mut files = Vec::new();
     for path in paths {
         if path.is_dir() {
             let before = files.len();
             collect(path, &mut files).map_err(|error| {
-                Failure::Usage(format!("Listing {} failed: {error}", path.display()))
+                CommandError::Usage(format!("Listing {} failed: {error}", path.display()))
             })?;
             if files.len() == before {
                 let what = format!("There is no case file (*.toml) below {}.", path.display());
-                return Err(Failure::Usage(what));
+                return Err(CommandError::Usage(what));
             }
         } else {
             files.push(path.clone());
@@ -208,19 +193,13 @@ fn below(paths: &[PathBuf]) -> Result<Named, Failure> {
 }
 
 /// Loads a ropeway file.
-pub(super) fn load_ropeway(path: &Path) -> Result<ropeway::Loaded, Failure> {
-    ropeway::load(path).map_err(|diagnostics| Failure::Case {
-        text: fs::read_to_string(path).unwrap_or_default(),
-        diagnostics,
-    })
+pub(super) fn load_ropeway(path: &Path) -> Result<ropeway::Loaded, CommandError> {
+    ropeway::load(path).map_err(CommandError::invalid_file(path))
 }
 
 /// Loads a ship file, without the rope that it may name.
-fn load_ship(path: &Path) -> Result<ship::StaticAnalysis, Failure> {
-    let loaded = ship::load(path).map_err(|diagnostics| Failure::Case {
-        text: fs::read_to_string(path).unwrap_or_default(),
-        diagnostics,
-    })?;
+fn load_ship(path: &Path) -> Result<ship::StaticAnalysis, CommandError> {
+    let loaded = ship::load(path).map_err(CommandError::invalid_file(path))?;
     Ok(loaded.worked)
 }
 

@@ -3,19 +3,19 @@
 use std::{fs, process::ExitCode};
 
 use super::{
-    Failure, NOT_GOOD,
-    args::CatenaryWords,
+    CommandError, NOT_GOOD,
+    args::CatenaryArgs,
     output::{self, OutputFile},
 };
 use crate::study::lines;
 
-pub(super) fn catenary(words: &CatenaryWords) -> Result<ExitCode, Failure> {
-    let inputs = [words.input.clone()];
-    let file = OutputFile::check(words.output.as_deref(), words.force, &inputs)?;
-    let input = words.input.display();
-    let bytes = fs::read(&words.input)
-        .map_err(|e| Failure::Usage(format!("Reading {input} failed: {e}")))?;
-    let table = lines::solve(&bytes).map_err(|e| Failure::Usage(format!("{input}: {e}")))?;
+pub(super) fn catenary(args: &CatenaryArgs) -> Result<ExitCode, CommandError> {
+    let inputs = [args.input.clone()];
+    let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
+    let input = args.input.display();
+    let bytes = fs::read(&args.input)
+        .map_err(|e| CommandError::Usage(format!("Reading {input} failed: {e}")))?;
+    let table = lines::solve(&bytes).map_err(|e| CommandError::Usage(format!("{input}: {e}")))?;
     match file {
         None => output::bytes(&table.text)?,
         Some(file) => file.write(&table.text)?,

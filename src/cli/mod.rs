@@ -8,7 +8,7 @@
 mod args;
 mod cases;
 mod catenary;
-mod failure;
+mod error;
 mod inputs;
 mod modes;
 mod output;
@@ -28,7 +28,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use args::{Args, Command};
-use failure::Failure;
+use error::CommandError;
 
 /// A result is not good: a row outside its tolerance, a solver that gave up.
 const NOT_GOOD: u8 = 1;
@@ -41,15 +41,15 @@ pub fn main() -> ExitCode {
     let args = Args::parse();
     let done = match &args.command {
         None => workbench::open(args),
-        Some(Command::Run(words)) => run::run(words),
-        Some(Command::Validate(words)) => validate::validate(words),
-        Some(Command::Report(words)) => report::report(words),
-        Some(Command::Catenary(words)) => catenary::catenary(words),
-        Some(Command::Section(words)) => section::section(words),
-        Some(Command::Ship(words)) => ship::ship(words),
-        Some(Command::Modes(words)) => modes::modes(words),
-        Some(Command::Ropeway(words)) => ropeway::ropeway(words),
-        Some(Command::Study(words)) => study::study(words),
+        Some(Command::Run(args)) => run::run(args),
+        Some(Command::Validate(args)) => validate::validate(args),
+        Some(Command::Report(args)) => report::report(args),
+        Some(Command::Catenary(args)) => catenary::catenary(args),
+        Some(Command::Section(args)) => section::section(args),
+        Some(Command::Ship(args)) => ship::ship(args),
+        Some(Command::Modes(args)) => modes::modes(args),
+        Some(Command::Ropeway(args)) => ropeway::ropeway(args),
+        Some(Command::Study(args)) => study::study(args),
     };
-    done.unwrap_or_else(Failure::tell)
+    done.unwrap_or_else(CommandError::report)
 }

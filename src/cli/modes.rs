@@ -3,30 +3,27 @@
 use std::process::ExitCode;
 
 use super::{
-    Failure, NOT_GOOD,
-    args::ModesWords,
+    CommandError, NOT_GOOD,
+    args::ModesArgs,
     cases,
     output::{self, OutputFile},
 };
 use crate::{
     modes,
-    report::{
-        chart::{self, Glyphs},
-        modes as views,
-    },
+    report::{chart, modes as views},
 };
 
 /// Columns and lines of the page.
 const WIDTH: usize = 108;
 const HEIGHT: usize = 22;
 
-pub(super) fn modes(words: &ModesWords) -> Result<ExitCode, Failure> {
-    let inputs = [words.case.clone()];
-    let file = OutputFile::check(words.output.as_deref(), words.force, &inputs)?;
-    let loaded = cases::load(&words.case)?;
-    let text = cases::set(&loaded.text, &words.set)?;
+pub(super) fn modes(args: &ModesArgs) -> Result<ExitCode, CommandError> {
+    let inputs = [args.case.clone()];
+    let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
+    let loaded = cases::load(&args.case)?;
+    let text = cases::set(&loaded.text, &args.set)?;
     let case = cases::parse(&text, &loaded.name)?;
-    let found = match modes::of_case(&case, words.count) {
+    let found = match modes::of_case(&case, args.count) {
         Ok(found) => found,
         Err(why) => {
             output::message(&format!("error: There are no modes to tell: {why}"));
@@ -36,18 +33,14 @@ pub(super) fn modes(words: &ModesWords) -> Result<ExitCode, Failure> {
     if let Some(file) = file {
         file.write(views::csv(&found).as_bytes())?;
     }
-    let glyphs = if words.ascii {
-        Glyphs::Ascii
-    } else {
-        Glyphs::Braille
-    };
-    let shown: Vec<usize> = if words.shape.is_empty() {
+    let glyphs = output::glyphs(args.ascii);
+    let shown: Vec<usize> = if args.shape.is_empty() {
         (0..found.modes.len().min(3)).collect()
     } else {
-        words.shape.iter().map(|number| number - 1).collect()
+        args.shape.iter().map(|number| number - 1).collect()
     };
     if let Some(beyond) = shown.iter().find(|number| **number >= found.modes.len()) {
-        return Err(Failure::Usage(format!(
+        return Err(CommandError::Usage(format!(
             "There is no mode {}: {} were found; ask for more with --count.",
             beyond + 1,
             found.modes.len()
@@ -60,6 +53,6 @@ pub(super) fn modes(words: &ModesWords) -> Result<ExitCode, Failure> {
         views::table(&found).to_text(WIDTH),
         picture.to_text()
     );
-    output::results(&page, words.ascii)?;
+    output::results(&page, args.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

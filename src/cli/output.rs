@@ -5,14 +5,14 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{Failure, inputs};
+use super::{CommandError, inputs};
 use crate::{
     files::{Existing, Target},
-    report::plain,
+    report::{chart::Glyphs, plain},
 };
 
 /// Prints results.
-pub(super) fn results(text: &str, ascii: bool) -> Result<(), Failure> {
+pub(super) fn results(text: &str, ascii: bool) -> Result<(), CommandError> {
     let text = if ascii {
         plain::ascii(text)
     } else {
@@ -21,11 +21,13 @@ pub(super) fn results(text: &str, ascii: bool) -> Result<(), Failure> {
     bytes(text.as_bytes())
 }
 
-/// Prints results as they are. A reader that has left, as `head` does, is no trouble.
-pub(super) fn bytes(bytes: &[u8]) -> Result<(), Failure> {
+/// Prints results as they are. A reader that leaves early, as `head` does, is not an error.
+pub(super) fn bytes(bytes: &[u8]) -> Result<(), CommandError> {
     let mut out = io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
-        Err(source) if source.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(source)),
+        Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
+            Err(CommandError::Output(source))
+        }
         _ => Ok(()),
     }
 }
@@ -45,7 +47,7 @@ impl<'a> OutputFile<'a> {
         path: Option<&'a Path>,
         force: bool,
         inputs: &[PathBuf],
-    ) -> Result<Option<Self>, Failure> {
+    ) -> Result<Option<Self>, CommandError> {
         Self::check_option("--output", path, force, inputs)
     }
 
@@ -55,7 +57,7 @@ impl<'a> OutputFile<'a> {
         path: Option<&'a Path>,
         force: bool,
         inputs: &[PathBuf],
-    ) -> Result<Option<Self>, Failure> {
+    ) -> Result<Option<Self>, CommandError> {
         let Some(path) = path else { return Ok(None) };
         let file = Self {
             option,
@@ -64,14 +66,14 @@ impl<'a> OutputFile<'a> {
             inputs: inputs::inputs(inputs),
         };
         let checked = file.target().check();
-        checked.map_err(|source| Failure::Write { option, source })?;
+        checked.map_err(|source| CommandError::Write { option, source })?;
         Ok(Some(file))
     }
 
     /// Writes the file.
-    pub(super) fn write(&self, contents: &[u8]) -> Result<(), Failure> {
+    pub(super) fn write(&self, contents: &[u8]) -> Result<(), CommandError> {
         let written = self.target().write(contents);
-        written.map_err(|source| Failure::Write {
+        written.map_err(|source| CommandError::Write {
             option: self.option,
             source,
         })
@@ -90,7 +92,16 @@ impl<'a> OutputFile<'a> {
     }
 }
 
-/// Tells the user something; when nobody can hear it, nothing is lost.
+/// Prints a message on standard error. A closed standard error is not an error.
 pub(super) fn message(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
+}
+
+/// The characters to draw with.
+pub(super) fn glyphs(ascii: bool) -> Glyphs {
+    if ascii {
+        Glyphs::Ascii
+    } else {
+        Glyphs::Braille
+    }
 }

@@ -42,8 +42,8 @@ impl Line {
         }
     }
 
-    /// Shows words at once.
-    pub(super) fn words(&mut self, text: &str) {
+    /// Shows a text at once.
+    pub(super) fn show(&mut self, text: &str) {
         if self.terminal {
             self.put(text);
         }

@@ -3,33 +3,29 @@
 use std::process::ExitCode;
 
 use super::{
-    Failure,
-    args::ReportWords,
+    CommandError,
+    args::ReportArgs,
     cases,
     output::{self, OutputFile},
 };
 use crate::{
     reference,
-    report::{chart::Glyphs, plain, text},
+    report::{plain, text},
     run::store,
 };
 
-pub(super) fn report(words: &ReportWords) -> Result<ExitCode, Failure> {
-    let inputs = [words.dir.clone()];
-    let file = OutputFile::check(words.output.as_deref(), words.force, &inputs)?;
-    let run = store::read(&words.dir)?;
+pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
+    let inputs = [args.dir.clone()];
+    let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
+    let run = store::read(&args.dir)?;
     let case = cases::parse(&run.case_text, &run.info.case_file)?;
     let rows = reference::rows_of_run(&run, &case);
-    let glyphs = if words.ascii {
-        Glyphs::Ascii
-    } else {
-        Glyphs::Braille
-    };
+    let glyphs = output::glyphs(args.ascii);
     let text = text::report(&run, &case, &rows, glyphs);
     match file {
-        None => output::results(&text, words.ascii)?,
+        None => output::results(&text, args.ascii)?,
         Some(file) => {
-            let text = if words.ascii {
+            let text = if args.ascii {
                 plain::ascii(&text)
             } else {
                 text.into()

@@ -3,45 +3,33 @@
 use std::process::ExitCode;
 
 use super::{
-    Failure,
-    args::RopewayWords,
+    CommandError,
+    args::RopewayArgs,
     cases,
     output::{self, OutputFile},
 };
 use crate::{
-    report::{self, chart::Glyphs},
+    report,
     ropeway::{self, ModelResults, SolvedRopeway, edit, elastic::Carrier, line},
 };
 
-pub(super) fn ropeway(words: &RopewayWords) -> Result<ExitCode, Failure> {
-    let inputs = [words.file.clone()];
-    let file = OutputFile::check_option("--line", words.line.as_deref(), words.force, &inputs)?;
-    let loaded = cases::load_ropeway(&words.file)?;
-    let edits = cases::edits(&words.set)?;
-    let text = edit::set_all(&loaded.text, &edits).map_err(|diagnostics| Failure::Case {
-        text: loaded.text.clone(),
-        diagnostics,
-    })?;
-    let worked =
-        ropeway::parse(&text, &words.file.display().to_string()).map_err(|diagnostics| {
-            Failure::Case {
-                text: text.clone(),
-                diagnostics,
-            }
-        })?;
+pub(super) fn ropeway(args: &RopewayArgs) -> Result<ExitCode, CommandError> {
+    let inputs = [args.file.clone()];
+    let file = OutputFile::check_option("--line", args.line.as_deref(), args.force, &inputs)?;
+    let loaded = cases::load_ropeway(&args.file)?;
+    let edits = cases::edits(&args.set)?;
+    let text = edit::set_all(&loaded.text, &edits).map_err(CommandError::invalid(&loaded.text))?;
+    let worked = ropeway::parse(&text, &args.file.display().to_string())
+        .map_err(CommandError::invalid(&text))?;
     let results = worked
         .results(worked.ropeway.cargo.position)
-        .map_err(|error| Failure::Usage(format!("The ropeway has no solution: {error}.")))?;
+        .map_err(|error| CommandError::Usage(format!("The ropeway has no solution: {error}.")))?;
     if let Some(file) = file {
         write(&file, &worked, &results)?;
     }
-    let glyphs = if words.ascii {
-        Glyphs::Ascii
-    } else {
-        Glyphs::Braille
-    };
+    let glyphs = output::glyphs(args.ascii);
     let text = report::ropeway::report(&worked, &results, &text, glyphs);
-    output::results(&text, words.ascii)?;
+    output::results(&text, args.ascii)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -50,9 +38,9 @@ fn write(
     file: &OutputFile<'_>,
     worked: &SolvedRopeway,
     results: &ModelResults,
-) -> Result<(), Failure> {
+) -> Result<(), CommandError> {
     if results.exact.carrier != Carrier::Rope {
-        return Err(Failure::Usage(
+        return Err(CommandError::Usage(
             "The cargo hangs on a support, so there is no line with a cargo to write; set cargo.position between 0 and 1."
                 .to_owned(),
         ));

@@ -2,7 +2,7 @@
 
 use std::{path::Path, process::ExitCode};
 
-use super::{Failure, NOT_GOOD, args::RunWords, cases, output, progress, signals::Stop};
+use super::{CommandError, NOT_GOOD, args::RunArgs, cases, output, progress, signals::Stop};
 use crate::{
     case,
     report::text,
@@ -14,17 +14,16 @@ use crate::{
     },
 };
 
-pub(super) fn run(words: &RunWords) -> Result<ExitCode, Failure> {
-    let (mut request, from) = match &words.resume {
+pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
+    let (mut request, from) = match &args.resume {
         Some(dir) => {
-            let (request, from) = resume_request(dir, words.until).map_err(Failure::Usage)?;
+            let (request, from) = resume_request(dir, args.until).map_err(CommandError::Usage)?;
             (request, Some(from))
         }
-        None => (request(words)?, None),
+        None => (request(args)?, None),
     };
-    let stop =
-        Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
-    let place = match &words.out {
+    let stop = Stop::listen()?;
+    let place = match &args.out {
         Some(dir) => RunLocation::Exactly(dir.clone()),
         None => RunLocation::Below(store::DEFAULT_ROOT.into()),
     };
@@ -35,8 +34,8 @@ pub(super) fn run(words: &RunWords) -> Result<ExitCode, Failure> {
     )?;
     writer.id().clone_into(&mut request.id);
 
-    let (run, trouble) = compute(&request, from.as_ref(), &stop, &mut writer);
-    if let Some(error) = trouble {
+    let (run, store_error) = compute(&request, from.as_ref(), &stop, &mut writer);
+    if let Some(error) = store_error {
         return Err(error.into());
     }
     let dir = writer.finish(&run)?;
@@ -47,15 +46,18 @@ pub(super) fn run(words: &RunWords) -> Result<ExitCode, Failure> {
     if let Some(damping) = text::numerical_damping(&run.info.settings) {
         text.push_str(&format!("\nNumerical damping: {damping}\n"));
     }
-    output::results(&text, words.ascii)?;
+    output::results(&text, args.ascii)?;
     Ok(status(&run, &stop))
 }
 
 /// The case with every `--set` and `--solver` applied, in their order.
-fn request(words: &RunWords) -> Result<Request, Failure> {
-    let loaded = cases::load(words.case.as_deref().unwrap_or(Path::new("")))?;
-    let mut overrides = words.set.clone();
-    overrides.extend(words.solver.map(|s| format!("solver.method={}", s.word())));
+fn request(args: &RunArgs) -> Result<Request, CommandError> {
+    let loaded = cases::load(args.case.as_deref().unwrap_or(Path::new("")))?;
+    let mut overrides = args.set.clone();
+    overrides.extend(
+        args.solver
+            .map(|s| format!("solver.method={}", s.key_value())),
+    );
     let text = cases::set(&loaded.text, &overrides)?;
     let case = cases::parse(&text, &loaded.name)?;
     Ok(Request {
@@ -67,7 +69,7 @@ fn request(words: &RunWords) -> Result<Request, Failure> {
     })
 }
 
-/// Computes while everything that comes out goes to disk. When the disk refuses, the run is cancelled.
+/// Computes, and writes every result to disk as it comes. The run is cancelled if writing fails.
 fn compute(
     request: &Request,
     from: Option<&Resume>,
@@ -75,21 +77,21 @@ fn compute(
     writer: &mut Writer,
 ) -> (Run, Option<StoreError>) {
     let mut line = progress::Line::new();
-    let mut trouble = None;
+    let mut store_error = None;
     let run = job::execute_from(request, from, stop.cancel(), &mut |event: Event| {
         match &event {
             Event::Frame(frame) => line.run(&frame.progress),
-            Event::Estimating => line.words("Estimating the numerical errors"),
+            Event::Estimating => line.show("Estimating the numerical errors"),
             Event::Started { .. } | Event::Checkpoint(_) | Event::Finished(_) => {}
         }
-        if trouble.is_none() {
-            trouble = writer.event(&event).err();
-            if trouble.is_some() {
-                stop.ask();
+        if store_error.is_none() {
+            store_error = writer.event(&event).err();
+            if store_error.is_some() {
+                stop.request();
             }
         }
     });
-    (run, trouble)
+    (run, store_error)
 }
 
 fn status(run: &Run, stop: &Stop) -> ExitCode {
@@ -99,7 +101,7 @@ fn status(run: &Run, stop: &Stop) -> ExitCode {
     match run.info.state {
         RunState::Done => ExitCode::SUCCESS,
         RunState::Cancelled | RunState::Partial => {
-            output::message("The run was stopped before its end; what it had is kept.");
+            output::message("The run was stopped before its end; its results so far are kept.");
             stop.status().unwrap_or(ExitCode::from(NOT_GOOD))
         }
         RunState::Failed => {

@@ -1,4 +1,4 @@
-//! SIGINT and SIGTERM ask a run to stop; what it has is kept. A second one ends the program at once.
+//! SIGINT and SIGTERM stop a run, which keeps what it has computed. A second one ends the program at once.
 
 use std::{
     io,
@@ -9,12 +9,13 @@ use std::{
     },
 };
 
+use super::CommandError;
 use signal_hook::{
     consts::{SIGINT, SIGTERM},
     flag,
 };
 
-/// What shells expect of a program ended by signal `n`: 128 + n.
+/// Exit status of a program ended by signal `n`, less n.
 const BY_SIGNAL: i32 = 128;
 
 /// Set when the user or the system asks the program to stop.
@@ -26,7 +27,12 @@ pub(super) struct Stop {
 
 impl Stop {
     /// Listens to both signals from now on.
-    pub(super) fn listen() -> io::Result<Self> {
+    pub(super) fn listen() -> Result<Self, CommandError> {
+        let caught = Self::register();
+        caught.map_err(|e| CommandError::Usage(format!("Signals cannot be caught: {e}")))
+    }
+
+    fn register() -> io::Result<Self> {
         let stop = Self::default();
         for signal in [SIGINT, SIGTERM] {
             let again = BY_SIGNAL + signal;
@@ -38,17 +44,17 @@ impl Stop {
         Ok(stop)
     }
 
-    /// For those who compute.
+    /// The flag that a computation watches.
     pub(super) fn cancel(&self) -> &AtomicBool {
         &self.cancel
     }
 
-    /// Asks for a stop from within.
-    pub(super) fn ask(&self) {
+    /// Requests a stop from within the program.
+    pub(super) fn request(&self) {
         self.cancel.store(true, Ordering::SeqCst);
     }
 
-    /// The exit status for the signal that came, if one did.
+    /// The exit status of the signal that was caught, if any.
     pub(super) fn status(&self) -> Option<ExitCode> {
         let code = match i32::try_from(self.signal.load(Ordering::SeqCst)) {
             Ok(0) | Err(_) => return None,

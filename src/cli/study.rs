@@ -3,15 +3,15 @@
 use std::{io, path::Path, process::ExitCode, sync::Mutex};
 
 use super::{
-    Failure, NOT_GOOD,
-    args::{HardWords, SpeedWords, StepsWords, StudyWords},
+    CommandError, NOT_GOOD,
+    args::{HardArgs, SpeedArgs, StepsArgs, StudyArgs},
     cases::{self, Loaded},
     output::{self, OutputFile},
     progress,
     signals::Stop,
 };
 use crate::case::Case;
-use crate::report::chart::{Glyphs, draw};
+use crate::report::chart::draw;
 use crate::report::table::Table;
 use crate::study::{
     hard::{self, Computed, Hard},
@@ -25,20 +25,19 @@ const WIDTH: usize = 160;
 /// Columns and rows of the chart.
 const PLOT: (usize, usize) = (80, 24);
 
-pub(super) fn study(words: &StudyWords) -> Result<ExitCode, Failure> {
-    match words {
-        StudyWords::HardCases(words) => hard_cases(words),
-        StudyWords::Speed(words) => speed_of(words),
-        StudyWords::Steps(words) => steps_of(words),
+pub(super) fn study(args: &StudyArgs) -> Result<ExitCode, CommandError> {
+    match args {
+        StudyArgs::HardCases(args) => hard_cases(args),
+        StudyArgs::Speed(args) => speed_of(args),
+        StudyArgs::Steps(args) => steps_of(args),
     }
 }
 
-fn hard_cases(words: &HardWords) -> Result<ExitCode, Failure> {
-    let file = OutputFile::check(words.output.as_deref(), words.force, &words.cases)?;
-    let loaded = cases::with_trials(&words.cases)?;
+fn hard_cases(args: &HardArgs) -> Result<ExitCode, CommandError> {
+    let file = OutputFile::check(args.output.as_deref(), args.force, &args.cases)?;
+    let loaded = cases::with_trials(&args.cases)?;
     let cases: Vec<Hard> = loaded.into_iter().map(hard_case).collect();
-    let stop =
-        Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
+    let stop = Stop::listen()?;
     let computed = compute(&cases, &stop);
     if let Some(status) = stop.status() {
         output::message("Stopped before all trials were computed; nothing was judged.");
@@ -48,7 +47,7 @@ fn hard_cases(words: &HardWords) -> Result<ExitCode, Failure> {
     let table = hard::table(&findings);
     write_csv(&table, file.as_ref())?;
     let tally = tally(&findings);
-    output::results(&format!("{}\n{tally}\n", table.to_text(WIDTH)), words.ascii)?;
+    output::results(&format!("{}\n{tally}\n", table.to_text(WIDTH)), args.ascii)?;
     Ok(if tally.holds() {
         ExitCode::SUCCESS
     } else {
@@ -57,49 +56,50 @@ fn hard_cases(words: &HardWords) -> Result<ExitCode, Failure> {
 }
 
 /// Writes a table to a file, where one is asked for.
-fn write_csv(table: &Table, file: Option<&OutputFile<'_>>) -> Result<(), Failure> {
+fn write_csv(table: &Table, file: Option<&OutputFile<'_>>) -> Result<(), CommandError> {
     let Some(file) = file else { return Ok(()) };
     let mut text = Vec::new();
     let written = table.write_csv(&mut text).map_err(io::Error::other);
-    written.map_err(Failure::Output)?;
+    written.map_err(CommandError::Output)?;
     file.write(&text)
 }
 
-fn speed_of(words: &SpeedWords) -> Result<ExitCode, Failure> {
-    let inputs = [words.case.clone()];
-    let file = OutputFile::check(words.output.as_deref(), words.force, &inputs)?;
-    let (name, case) = case_of(&words.case, &words.set)?;
-    let stop =
-        Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
-    let usage = |why: SpeedError| Failure::Usage(format!("{name}: {why}."));
+fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
+    let inputs = [args.case.clone()];
+    let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
+    let (name, case) = case_of(&args.case, &args.set)?;
+    let stop = Stop::listen()?;
+    let usage = |why: SpeedError| CommandError::Usage(format!("{name}: {why}."));
     let plan = speed::plan(&case).map_err(usage)?;
     let mut line = progress::Line::new();
-    let mut tell = |begun: usize, of: usize, what: &str| {
-        line.words(&format!("{begun} of {of}: {what}"));
+    let mut report_progress = |begun: usize, of: usize, what: &str| {
+        line.show(&format!("{begun} of {of}: {what}"));
     };
-    let study = match speed::compute(&case, plan, words.repeats, stop.cancel(), &mut tell) {
+    let study = match speed::compute(
+        &case,
+        plan,
+        args.repeats,
+        stop.cancel(),
+        &mut report_progress,
+    ) {
         Ok(study) => study,
         Err(why) => return stopped(&stop, usage(why)),
     };
     drop(line);
     let table = speed::table(&study);
     write_csv(&table, file.as_ref())?;
-    let glyphs = if words.ascii {
-        Glyphs::Ascii
-    } else {
-        Glyphs::Braille
-    };
+    let glyphs = output::glyphs(args.ascii);
     let chart = draw(&speed::chart(&study), PLOT.0, PLOT.1, glyphs).to_text();
     let mesh = speed::mesh_table(&study).to_text(WIDTH);
     output::results(
         &format!("{}\n{chart}\n{mesh}", table.to_text(WIDTH)),
-        words.ascii,
+        args.ascii,
     )?;
     Ok(ExitCode::SUCCESS)
 }
 
 /// The case of a file with what is set on top of it, and its name.
-fn case_of(file: &Path, set: &[String]) -> Result<(String, Case), Failure> {
+fn case_of(file: &Path, set: &[String]) -> Result<(String, Case), CommandError> {
     let loaded = cases::load(file)?;
     let text = cases::set(&loaded.text, set)?;
     let case = cases::parse(&text, &loaded.file)?;
@@ -107,30 +107,29 @@ fn case_of(file: &Path, set: &[String]) -> Result<(String, Case), Failure> {
 }
 
 /// How a study ends that did not come to its end: stopped by a signal, or in failure.
-fn stopped(stop: &Stop, failure: Failure) -> Result<ExitCode, Failure> {
+fn stopped(stop: &Stop, failure: CommandError) -> Result<ExitCode, CommandError> {
     let status = stop.status().ok_or(failure)?;
     output::message("Stopped before all points were computed.");
     Ok(status)
 }
 
-fn steps_of(words: &StepsWords) -> Result<ExitCode, Failure> {
-    let inputs = [words.case.clone()];
-    let file = OutputFile::check(words.output.as_deref(), words.force, &inputs)?;
-    let (name, case) = case_of(&words.case, &words.set)?;
-    let stop =
-        Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
+fn steps_of(args: &StepsArgs) -> Result<ExitCode, CommandError> {
+    let inputs = [args.case.clone()];
+    let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
+    let (name, case) = case_of(&args.case, &args.set)?;
+    let stop = Stop::listen()?;
     let mut line = progress::Line::new();
-    let mut tell = |begun: usize, of: usize, what: &str| {
-        line.words(&format!("{begun} of {of}: {what}"));
+    let mut report_progress = |begun: usize, of: usize, what: &str| {
+        line.show(&format!("{begun} of {of}: {what}"));
     };
-    let rows = match speed::compare(&case, words.variants, stop.cancel(), &mut tell) {
+    let rows = match speed::compare(&case, args.variants, stop.cancel(), &mut report_progress) {
         Ok(rows) => rows,
-        Err(why) => return stopped(&stop, Failure::Usage(format!("{name}: {why}."))),
+        Err(why) => return stopped(&stop, CommandError::Usage(format!("{name}: {why}."))),
     };
     drop(line);
-    let table = speed::comparison_table(&rows, words.variants);
+    let table = speed::comparison_table(&rows, args.variants);
     write_csv(&table, file.as_ref())?;
-    output::results(&table.to_text(WIDTH), words.ascii)?;
+    output::results(&table.to_text(WIDTH), args.ascii)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -147,7 +146,7 @@ fn compute(cases: &[Hard], stop: &Stop) -> Vec<Option<Computed>> {
     let line = Mutex::new(progress::Line::new());
     hard::compute_all(cases, stop.cancel(), &|all, done| {
         if let Ok(mut line) = line.lock() {
-            line.words(&format!("{done} of {} trials computed", all.len()));
+            line.show(&format!("{done} of {} trials computed", all.len()));
         }
     })
 }

@@ -9,8 +9,8 @@ use std::{
 use rayon::prelude::*;
 
 use super::{
-    Failure, NOT_GOOD,
-    args::ValidateWords,
+    CommandError, NOT_GOOD,
+    args::ValidateArgs,
     cases::{self, Loaded},
     output, progress,
     signals::Stop,
@@ -27,12 +27,11 @@ use crate::{
     ship,
 };
 
-pub(super) fn validate(words: &ValidateWords) -> Result<ExitCode, Failure> {
-    let named = cases::named_or_shipped(&words.cases)?;
+pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
+    let named = cases::named_or_shipped(&args.cases)?;
     let cases = named.lines;
     let variants = variants(&cases)?;
-    let stop =
-        Stop::listen().map_err(|e| Failure::Usage(format!("Signals cannot be caught: {e}")))?;
+    let stop = Stop::listen()?;
     let runs = compute(&variants, &stop);
     if let Some(status) = stop.status() {
         output::message("Stopped before all variants were computed; nothing was judged.");
@@ -63,7 +62,7 @@ pub(super) fn validate(words: &ValidateWords) -> Result<ExitCode, Failure> {
             ship::validation::rows(&rest.ship, ship::MotionAnalysis::of(rest, folder).as_ref()),
         ));
     }
-    output::results(&text(&tables), words.ascii)?;
+    output::results(&text(&tables), args.ascii)?;
     let holds = total(&tables).holds();
     Ok(if holds {
         ExitCode::SUCCESS
@@ -79,7 +78,7 @@ struct Variant {
     request: Request,
 }
 
-fn variants(cases: &[Loaded]) -> Result<Vec<Variant>, Failure> {
+fn variants(cases: &[Loaded]) -> Result<Vec<Variant>, CommandError> {
     let mut variants = Vec::new();
     for (i, loaded) in cases.iter().enumerate() {
         for at in reference::plan(&loaded.case) {
@@ -94,11 +93,8 @@ fn variants(cases: &[Loaded]) -> Result<Vec<Variant>, Failure> {
     Ok(variants)
 }
 
-fn request(loaded: &Loaded, at: Option<&At>) -> Result<Request, Failure> {
-    let wrong = |diagnostics| Failure::Case {
-        text: loaded.text.clone(),
-        diagnostics,
-    };
+fn request(loaded: &Loaded, at: Option<&At>) -> Result<Request, CommandError> {
+    let wrong = CommandError::invalid(&loaded.text);
     let (text, overrides) = match at {
         None => (loaded.text.clone(), Vec::new()),
         Some(at) => {
@@ -122,7 +118,7 @@ fn compute(variants: &[Variant], stop: &Stop) -> Vec<Run> {
     let done = AtomicUsize::new(0);
     let say = |count: usize| {
         if let Ok(mut line) = line.lock() {
-            line.words(&format!("{count} of {} variants computed", variants.len()));
+            line.show(&format!("{count} of {} variants computed", variants.len()));
         }
     };
     say(0);

@@ -6,28 +6,28 @@ use clap::CommandFactory;
 use strsim::levenshtein;
 
 use super::{
-    Failure,
-    args::{Args, GlyphWord},
+    CommandError,
+    args::{Args, GlyphSet},
 };
 use crate::{
     report::chart::Glyphs,
     tui::{self, Options},
 };
 
-pub(super) fn open(args: Args) -> Result<ExitCode, Failure> {
+pub(super) fn open(args: Args) -> Result<ExitCode, CommandError> {
     if let Some(path) = args.path.as_deref().filter(|path| !path.exists()) {
-        return Err(Failure::Usage(absent(path)));
+        return Err(CommandError::Usage(absent(path)));
     }
     let options = Options {
         path: args.path,
         glyphs: match args.glyphs {
-            Some(GlyphWord::Braille) => Some(Glyphs::Braille),
-            Some(GlyphWord::Ascii) => Some(Glyphs::Ascii),
+            Some(GlyphSet::Braille) => Some(Glyphs::Braille),
+            Some(GlyphSet::Ascii) => Some(Glyphs::Ascii),
             None => args.ascii.then_some(Glyphs::Ascii),
         },
         slow_link: args.slow_link,
     };
-    tui::open(&options).map_err(Failure::Screen)?;
+    tui::open(&options).map_err(CommandError::Screen)?;
     Ok(ExitCode::SUCCESS)
 }
 
