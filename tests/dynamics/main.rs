@@ -15,6 +15,7 @@ mod agreement;
 mod closed_forms;
 mod convergence_orders;
 mod envelopes;
+mod examples;
 mod independent_program;
 mod invariance;
 mod modes;

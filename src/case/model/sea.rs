@@ -56,6 +56,33 @@ pub struct Waves {
     pub gauge_m: Option<[f64; 2]>,
 }
 
+impl Waves {
+    /// Regular waves of this height \[m\] and period \[s\] along x; all else as in a file that leaves it out.
+    #[must_use]
+    pub fn regular(height_m: f64, period_s: f64) -> Self {
+        Self {
+            kind: WaveKind::Regular,
+            height_m: Some(height_m),
+            period_s: Some(period_s),
+            phase_deg: 0.0,
+            significant_height_m: None,
+            peak_period_s: None,
+            spectrum: SpectrumName::default(),
+            gamma: gamma(),
+            components: components(),
+            seed: seed(),
+            direction_deg: 0.0,
+            depth_m: None,
+            ramp_s: 0.0,
+            stretching: StretchingName::default(),
+            decay: DecayName::default(),
+            decay_depth_m: decay_depth(),
+            load: WaveLoadName::default(),
+            gauge_m: None,
+        }
+    }
+}
+
 pub(super) fn gamma() -> f64 {
     3.3
 }

@@ -213,6 +213,26 @@ pub struct Seabed {
     pub slip_speed_m_per_s: f64,
 }
 
+impl Seabed {
+    /// A level bed at this depth \[m\] without friction; all else as in a file that leaves it out.
+    #[must_use]
+    pub fn level(depth_m: f64) -> Self {
+        Self {
+            depth_m,
+            depth_at_m: [0.0; 2],
+            slope_deg: 0.0,
+            slope_azimuth_deg: 0.0,
+            stiffness_n_per_m3: bed_stiffness(),
+            damping_n_s_per_m3: 0.0,
+            friction: None,
+            friction_lateral: None,
+            friction_law: FrictionLaw::default(),
+            grip_stiffness_n_per_m3: None,
+            slip_speed_m_per_s: slip_speed(),
+        }
+    }
+}
+
 /// How friction of the bed acts.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum FrictionLaw {
