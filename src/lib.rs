@@ -22,7 +22,7 @@
 //! * [`reference`](mod@reference): published data and how a run is held against it.
 //! * [`study`]: hard cases, computed by every method that applies and judged.
 //! * [`report`]: tables and charts as text, shared by every view.
-//! * [`files`]: the one way to write a file.
+//! * [`files`]: the one way to write a file; [`visible`]: the one way out for text.
 //! * [`tui`], [`cli`]: the screen and the command line.
 //!
 //! Conventions: SI inside, z up with z = 0 at still water, arc length from end A to end B in the
@@ -47,3 +47,4 @@ pub mod solve;
 pub mod statics;
 pub mod study;
 pub mod tui;
+pub mod visible;

@@ -3,9 +3,9 @@
 use std::{fs, process::ExitCode};
 
 use super::{
-    CommandError, NOT_GOOD,
+    BAD_RESULT, CommandError,
     args::CatenaryArgs,
-    output::{self, OutputFile},
+    output::{self, Format, OutputFile},
 };
 use crate::study::lines;
 
@@ -16,9 +16,13 @@ pub(super) fn catenary(args: &CatenaryArgs) -> Result<ExitCode, CommandError> {
     let bytes = fs::read(&args.input)
         .map_err(|e| CommandError::Usage(format!("Reading {input} failed: {e}")))?;
     let table = lines::solve(&bytes).map_err(|e| CommandError::Usage(format!("{input}: {e}")))?;
+    let format = match table.text.trim_ascii_start().first() {
+        Some(b'{') => Format::Json,
+        _ => Format::Text,
+    };
     match file {
-        None => output::bytes(&table.text)?,
-        Some(file) => file.write(&table.text)?,
+        None => output::document(&table.text, format)?,
+        Some(file) => file.write(&table.text, format)?,
     }
     if table.refused == 0 {
         return Ok(ExitCode::SUCCESS);
@@ -27,5 +31,5 @@ pub(super) fn catenary(args: &CatenaryArgs) -> Result<ExitCode, CommandError> {
         "{} of {} lines have no answer; the column status says why.",
         table.refused, table.rows
     ));
-    Ok(ExitCode::from(NOT_GOOD))
+    Ok(ExitCode::from(BAD_RESULT))
 }

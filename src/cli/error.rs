@@ -7,7 +7,7 @@ use std::{
     process::ExitCode,
 };
 
-use super::{BAD_INPUT, NOT_GOOD, output};
+use super::{BAD_INPUT, BAD_RESULT, output};
 use crate::{case::Diagnostic, files::WriteError, run::store::StoreError, tui::OpenError};
 
 /// Why a command failed.
@@ -62,7 +62,9 @@ impl CommandError {
             Self::Invalid { text, diagnostics } => {
                 let color = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
                 for diagnostic in &diagnostics {
-                    output::message(diagnostic.render(&text, color).trim_end());
+                    let [plain, coloured] =
+                        [false, color].map(|color| diagnostic.render(&text, color));
+                    output::coloured_message(plain.trim_end(), coloured.trim_end());
                 }
                 ExitCode::from(BAD_INPUT)
             }
@@ -73,13 +75,13 @@ impl CommandError {
                 &format!("Writing standard output failed: {source}"),
                 BAD_INPUT,
             ),
-            Self::Screen(error @ OpenError::Terminal(_)) => fail(&error.to_string(), NOT_GOOD),
+            Self::Screen(error @ OpenError::Terminal(_)) => fail(&error.to_string(), BAD_RESULT),
             Self::Screen(error) => fail(&error.to_string(), BAD_INPUT),
         }
     }
 }
 
-/// What to do about a file that was not written.
+/// The message about a file that was not written, with its remedy.
 fn not_written(option: &str, source: &WriteError) -> String {
     let remedy = match source {
         WriteError::Exists(_) => " and is left as it is; give --force to replace it",

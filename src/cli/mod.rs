@@ -1,8 +1,8 @@
 //! The command line: the same core as the screen, no terminal needed.
 //!
-//! Results go to standard output, progress and messages to standard error. Exit status: 0 when all
-//! is well, 1 when a result is not good (a row outside its tolerance, a solver that gave up), 2 when
-//! the work could not be done (bad input, a file that cannot be read or written), 130 and 143 when
+//! Results go to standard output, progress and messages to standard error. Exit status: 0 for
+//! success, 1 for a bad result (a row outside its tolerance, a solver that failed), 2 when
+//! the command could not be carried out (bad input, a file that cannot be read or written), 130 and 143 when
 //! stopped by SIGINT and SIGTERM.
 
 mod args;
@@ -23,22 +23,26 @@ mod study;
 mod validate;
 mod workbench;
 
-use std::process::ExitCode;
+use std::{panic, process::ExitCode};
 
 use clap::Parser;
 
 use args::{Args, Command};
 use error::CommandError;
 
-/// A result is not good: a row outside its tolerance, a solver that gave up.
-const NOT_GOOD: u8 = 1;
-/// The work could not be done.
+/// Exit status of a bad result: a row outside its tolerance, a solver that failed.
+const BAD_RESULT: u8 = 1;
+/// Exit status of a command that could not be carried out.
 const BAD_INPUT: u8 = 2;
 
-/// Parses the command line, does what it says and gives the exit status.
+/// Parses the command line, runs the command and returns the exit status.
 #[must_use]
 pub fn main() -> ExitCode {
-    let args = Args::parse();
+    panic::set_hook(Box::new(output::report_panic));
+    let args = match Args::try_parse() {
+        Ok(args) => args,
+        Err(error) => return output::usage(&error),
+    };
     let done = match &args.command {
         None => workbench::open(args),
         Some(Command::Run(args)) => run::run(args),

@@ -3,14 +3,15 @@
 use std::process::ExitCode;
 
 use super::{
-    CommandError, NOT_GOOD,
+    BAD_RESULT, CommandError,
     args::ModesArgs,
     cases,
-    output::{self, OutputFile},
+    output::{self, Format, OutputFile},
 };
 use crate::{
     modes,
     report::{chart, modes as views},
+    visible,
 };
 
 /// Columns and lines of the page.
@@ -26,12 +27,12 @@ pub(super) fn modes(args: &ModesArgs) -> Result<ExitCode, CommandError> {
     let found = match modes::of_case(&case, args.count) {
         Ok(found) => found,
         Err(why) => {
-            output::message(&format!("error: There are no modes to tell: {why}"));
-            return Ok(ExitCode::from(NOT_GOOD));
+            output::message(&format!("error: No modes were computed: {why}"));
+            return Ok(ExitCode::from(BAD_RESULT));
         }
     };
     if let Some(file) = file {
-        file.write(views::csv(&found).as_bytes())?;
+        file.write(views::csv(&found).as_bytes(), Format::Text)?;
     }
     let glyphs = output::glyphs(args.ascii);
     let shown: Vec<usize> = if args.shape.is_empty() {
@@ -49,7 +50,7 @@ pub(super) fn modes(args: &ModesArgs) -> Result<ExitCode, CommandError> {
     let picture = chart::draw(&views::chart(&found, &shown), WIDTH, HEIGHT, glyphs);
     let page = format!(
         "Natural modes of {}\n\n{}\n{}",
-        case.case.title,
+        visible::line(&case.case.title),
         views::table(&found).to_text(WIDTH),
         picture.to_text()
     );

@@ -1,30 +1,45 @@
 //! Standard output and standard error.
 
 use std::{
+    backtrace::{Backtrace, BacktraceStatus},
+    borrow::Cow,
     io::{self, Write},
+    panic::PanicHookInfo,
     path::{Path, PathBuf},
+    process::ExitCode,
 };
 
-use super::{CommandError, inputs};
+use super::{BAD_INPUT, CommandError, inputs};
 use crate::{
     files::{Existing, Target},
     report::{chart::Glyphs, plain},
+    visible,
 };
 
 /// Prints results.
 pub(super) fn results(text: &str, ascii: bool) -> Result<(), CommandError> {
-    let text = if ascii {
-        plain::ascii(text)
-    } else {
-        text.into()
-    };
-    bytes(text.as_bytes())
+    print(&page(text, ascii))
 }
 
-/// Prints results as they are. A reader that leaves early, as `head` does, is not an error.
-pub(super) fn bytes(bytes: &[u8]) -> Result<(), CommandError> {
+/// A page as it is printed or written to a file: nothing invisible in it, and only ASCII where wanted.
+pub(super) fn page(text: &str, ascii: bool) -> String {
+    let text = visible::text(text);
+    if ascii {
+        plain::ascii(&text).into_owned()
+    } else {
+        text.into_owned()
+    }
+}
+
+/// Prints a table in a format that other programs read.
+pub(super) fn document(text: &[u8], format: Format) -> Result<(), CommandError> {
+    print(&format.visible(text))
+}
+
+/// Prints text without invisible characters. A reader that leaves early, as `head` does, is not an error.
+fn print(text: &str) -> Result<(), CommandError> {
     let mut out = io::stdout().lock();
-    match out.write_all(bytes).and_then(|()| out.flush()) {
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
             Err(CommandError::Output(source))
         }
@@ -71,8 +86,8 @@ impl<'a> OutputFile<'a> {
     }
 
     /// Writes the file.
-    pub(super) fn write(&self, contents: &[u8]) -> Result<(), CommandError> {
-        let written = self.target().write(contents);
+    pub(super) fn write(&self, text: &[u8], format: Format) -> Result<(), CommandError> {
+        let written = self.target().write(format.visible(text).as_bytes());
         written.map_err(|source| CommandError::Write {
             option: self.option,
             source,
@@ -92,9 +107,69 @@ impl<'a> OutputFile<'a> {
     }
 }
 
+/// The formats of files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Format {
+    /// Text to read, and CSV.
+    Text,
+    /// TOML.
+    Toml,
+    /// JSON lines.
+    Json,
+}
+
+impl Format {
+    /// The text with its invisible characters escaped as the format escapes them.
+    fn visible(self, text: &[u8]) -> String {
+        let text = String::from_utf8_lossy(text);
+        match self {
+            Self::Text => visible::text(&text),
+            Self::Toml => visible::toml(&text),
+            Self::Json => visible::json(&text),
+        }
+        .into_owned()
+    }
+}
+
 /// Prints a message on standard error. A closed standard error is not an error.
 pub(super) fn message(text: &str) {
-    let _ = writeln!(io::stderr().lock(), "{text}");
+    let _ = writeln!(io::stderr().lock(), "{}", visible::text(text));
+}
+
+/// Prints a message with the program's own colours, `plain` without. If invisible characters came into it, the colours
+/// are left out, since escapes of the text and of the program are the same bytes.
+pub(super) fn coloured_message(plain: &str, coloured: &str) {
+    match visible::text(plain) {
+        Cow::Borrowed(_) => {
+            let _ = writeln!(io::stderr().lock(), "{coloured}");
+        }
+        Cow::Owned(text) => message(&text),
+    }
+}
+
+/// Shows one line of progress over the previous one; an empty one removes it.
+pub(super) fn progress(text: &str) {
+    let mut err = io::stderr().lock();
+    let _ = write!(err, "\r\x1b[K{}", visible::line(text)).and_then(|()| err.flush());
+}
+
+/// Prints what clap has to report: help, the version, or what is wrong with the arguments. Gives the exit status.
+pub(super) fn usage(error: &clap::Error) -> ExitCode {
+    match visible::text(&error.render().to_string()) {
+        Cow::Borrowed(_) => drop(error.print()),
+        // The error repeats an argument with invisible characters.
+        Cow::Owned(text) => message(text.trim_end()),
+    }
+    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(BAD_INPUT))
+}
+
+/// Prints where and why the program panicked.
+pub(super) fn report_panic(info: &PanicHookInfo<'_>) {
+    message(&format!("seacable has a fault: {info}"));
+    let trace = Backtrace::capture();
+    if trace.status() == BacktraceStatus::Captured {
+        message(&trace.to_string());
+    }
 }
 
 /// The characters to draw with.

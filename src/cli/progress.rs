@@ -1,10 +1,11 @@
 //! How far a run is, on one line of the terminal that is written over and wiped at the end.
 
 use std::{
-    io::{self, IsTerminal, Write},
+    io::{self, IsTerminal},
     time::{Duration, Instant},
 };
 
+use super::output;
 use crate::{report::number::duration, run::Progress};
 
 /// How often the line changes.
@@ -55,15 +56,14 @@ impl Line {
 
     fn put(&mut self, text: &str) {
         self.shown = Some(Instant::now());
-        let mut err = io::stderr().lock();
-        let _ = write!(err, "\r\x1b[K{text}").and_then(|()| err.flush());
+        output::progress(text);
     }
 }
 
 impl Drop for Line {
     fn drop(&mut self) {
         if self.terminal && self.shown.is_some() {
-            let _ = write!(io::stderr().lock(), "\r\x1b[K");
+            output::progress("");
         }
     }
 }

@@ -6,13 +6,9 @@ use super::{
     CommandError,
     args::ReportArgs,
     cases,
-    output::{self, OutputFile},
+    output::{self, Format, OutputFile},
 };
-use crate::{
-    reference,
-    report::{plain, text},
-    run::store,
-};
+use crate::{reference, report::text, run::store};
 
 pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.dir.clone()];
@@ -25,12 +21,8 @@ pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
     match file {
         None => output::results(&text, args.ascii)?,
         Some(file) => {
-            let text = if args.ascii {
-                plain::ascii(&text)
-            } else {
-                text.into()
-            };
-            file.write(text.as_bytes())?;
+            let page = output::page(&text, args.ascii);
+            file.write(page.as_bytes(), Format::Text)?;
         }
     }
     Ok(ExitCode::SUCCESS)

@@ -6,7 +6,7 @@ use super::{
     CommandError,
     args::RopewayArgs,
     cases,
-    output::{self, OutputFile},
+    output::{self, Format, OutputFile},
 };
 use crate::{
     report,
@@ -46,5 +46,5 @@ fn write(
         ));
     }
     let text = line::static_case_file(&worked.ropeway, results.length_m, results.exact.arc_m);
-    file.write(text.as_bytes())
+    file.write(text.as_bytes(), Format::Toml)
 }

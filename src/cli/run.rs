@@ -2,7 +2,7 @@
 
 use std::{path::Path, process::ExitCode};
 
-use super::{CommandError, NOT_GOOD, args::RunArgs, cases, output, progress, signals::Stop};
+use super::{BAD_RESULT, CommandError, args::RunArgs, cases, output, progress, signals::Stop};
 use crate::{
     case,
     report::text,
@@ -102,12 +102,12 @@ fn status(run: &Run, stop: &Stop) -> ExitCode {
         RunState::Done => ExitCode::SUCCESS,
         RunState::Cancelled | RunState::Partial => {
             output::message("The run was stopped before its end; its results so far are kept.");
-            stop.status().unwrap_or(ExitCode::from(NOT_GOOD))
+            stop.status().unwrap_or(ExitCode::from(BAD_RESULT))
         }
         RunState::Failed => {
             let why = run.info.failure.as_deref().unwrap_or("no reason was given");
             output::message(&format!("error: The run failed: {why}"));
-            ExitCode::from(NOT_GOOD)
+            ExitCode::from(BAD_RESULT)
         }
     }
 }

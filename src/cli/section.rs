@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use super::{
     CommandError,
     args::SectionArgs,
-    output::{self, OutputFile},
+    output::{self, Format, OutputFile},
 };
 use crate::{
     report::{self, plain},
@@ -27,7 +27,7 @@ pub(super) fn section(args: &SectionArgs) -> Result<ExitCode, CommandError> {
         } else {
             text
         };
-        file.write(text.as_bytes())?;
+        file.write(text.as_bytes(), Format::Toml)?;
     }
     let text = report::section::report(&loaded.worked, WIDTH, glyphs, args.tension_n);
     output::results(&text, args.ascii)?;

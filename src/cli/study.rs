@@ -1,12 +1,12 @@
-//! `seacable study`: hard cases held against what must come out; speed against error; varying steps beside constant ones.
+//! `seacable study`: hard cases against expected results, work against error, error-controlled against constant steps.
 
 use std::{io, path::Path, process::ExitCode, sync::Mutex};
 
 use super::{
-    CommandError, NOT_GOOD,
+    BAD_RESULT, CommandError,
     args::{HardArgs, SpeedArgs, StepsArgs, StudyArgs},
     cases::{self, Loaded},
-    output::{self, OutputFile},
+    output::{self, Format, OutputFile},
     progress,
     signals::Stop,
 };
@@ -51,7 +51,7 @@ fn hard_cases(args: &HardArgs) -> Result<ExitCode, CommandError> {
     Ok(if tally.holds() {
         ExitCode::SUCCESS
     } else {
-        ExitCode::from(NOT_GOOD)
+        ExitCode::from(BAD_RESULT)
     })
 }
 
@@ -61,7 +61,7 @@ fn write_csv(table: &Table, file: Option<&OutputFile<'_>>) -> Result<(), Command
     let mut text = Vec::new();
     let written = table.write_csv(&mut text).map_err(io::Error::other);
     written.map_err(CommandError::Output)?;
-    file.write(&text)
+    file.write(&text, Format::Text)
 }
 
 fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {

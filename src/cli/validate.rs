@@ -1,4 +1,4 @@
-//! `seacable validate`: cases held against the published values they state.
+//! `seacable validate`: cases compared with the published values they state.
 
 use std::{
     path::Path,
@@ -9,7 +9,7 @@ use std::{
 use rayon::prelude::*;
 
 use super::{
-    CommandError, NOT_GOOD,
+    BAD_RESULT, CommandError,
     args::ValidateArgs,
     cases::{self, Loaded},
     output, progress,
@@ -24,7 +24,7 @@ use crate::{
         Run,
         job::{self, Request},
     },
-    ship,
+    ship, visible,
 };
 
 pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
@@ -47,16 +47,20 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
                 .map(|(_, run)| run)
         };
         let rows = reference::rows(&loaded.case, &lookup);
-        tables.push(Held::new(&loaded.case.case.title, &loaded.name, rows));
+        tables.push(ValidatedFile::new(
+            &loaded.case.case.title,
+            &loaded.name,
+            rows,
+        ));
     }
     for (name, loaded) in &named.ropeways {
         let rows = validation::rows(&loaded.worked, &loaded.text);
         let title = &loaded.worked.ropeway.about.title;
-        tables.push(Held::new(title, name, rows));
+        tables.push(ValidatedFile::new(title, name, rows));
     }
     for (name, rest) in &named.ships {
         let folder = Path::new(name).parent().unwrap_or(Path::new(""));
-        tables.push(Held::new(
+        tables.push(ValidatedFile::new(
             &rest.ship.particulars.title,
             name,
             ship::validation::rows(&rest.ship, ship::MotionAnalysis::of(rest, folder).as_ref()),
@@ -67,7 +71,7 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
     Ok(if holds {
         ExitCode::SUCCESS
     } else {
-        ExitCode::from(NOT_GOOD)
+        ExitCode::from(BAD_RESULT)
     })
 }
 
@@ -130,32 +134,32 @@ fn compute(variants: &[Variant], stop: &Stop) -> Vec<Run> {
     variants.par_iter().map(one).collect()
 }
 
-/// A file held against what it states.
-struct Held {
+/// A file with the rows of its validation.
+struct ValidatedFile {
     /// Its title and its name.
     head: String,
     rows: Vec<ValidationRow>,
 }
 
-impl Held {
+impl ValidatedFile {
     fn new(title: &str, name: &str, rows: Vec<ValidationRow>) -> Self {
         Self {
-            head: format!("{title} ({name})"),
+            head: visible::line(&format!("{title} ({name})")).into_owned(),
             rows,
         }
     }
 }
 
-fn total(tables: &[Held]) -> OutcomeCounts {
+fn total(tables: &[ValidatedFile]) -> OutcomeCounts {
     tables
         .iter()
-        .map(|held| reference::count_outcomes(&held.rows))
+        .map(|file| reference::count_outcomes(&file.rows))
         .fold(OutcomeCounts::default(), |a, b| a + b)
 }
 
-fn text(tables: &[Held]) -> String {
+fn text(tables: &[ValidatedFile]) -> String {
     let mut out = String::new();
-    for Held { head, rows } in tables {
+    for ValidatedFile { head, rows } in tables {
         out.push_str(&format!("{head}\n{}\n", "=".repeat(head.chars().count())));
         if rows.is_empty() {
             out.push_str("The case states no published values.\n\n");
@@ -166,7 +170,7 @@ fn text(tables: &[Held]) -> String {
     }
     let differing = tables
         .iter()
-        .flat_map(|held| &held.rows)
+        .flat_map(|file| &file.rows)
         .filter(|r| r.outcome == Outcome::Differs);
     let differing = differing.count();
     if differing > 0 {

@@ -3,6 +3,7 @@
 use unicode_width::UnicodeWidthChar;
 
 use super::AxisRange;
+use crate::visible;
 
 /// What a character of a picture is part of; the screen chooses colours by it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -165,8 +166,7 @@ impl Picture {
     /// Writes text from a column on, at most to the picture's edge; returns the column after it.
     pub(super) fn write(&mut self, column: usize, row: usize, text: &str, ink: Ink) -> usize {
         let mut at = column;
-        for ch in text.chars() {
-            let ch = if ch.is_control() { '?' } else { ch };
+        for ch in visible::line(text).chars() {
             let wide = ch.width().unwrap_or(0);
             if wide == 0 {
                 continue;

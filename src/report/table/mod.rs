@@ -7,6 +7,10 @@ mod export;
 mod layout;
 mod wrap;
 
+use std::borrow::Cow;
+
+use crate::visible;
+
 pub use columns::{Columns, Comparison, Format};
 pub use layout::{Layout, Line, LineKind, Piece};
 
@@ -114,14 +118,14 @@ pub enum CellInk {
 }
 
 impl Table {
-    /// The cell at a place as it may be shown: empty where the row is short, one line, without the
-    /// control characters that would steer a terminal.
+    /// The cell at a place as it may be shown: empty where the row is short, one line, with its
+    /// invisible characters escaped.
     #[must_use]
     pub fn cell(&self, row: usize, column: usize) -> Cell {
         let cell = self.rows.get(row).and_then(|row| row.get(column));
         let mut cell = cell.cloned().unwrap_or_default();
-        if cell.text.chars().any(char::is_control) {
-            cell.text = cell.text.replace(char::is_control, " ");
+        if let Cow::Owned(text) = visible::line(&cell.text.replace('\n', " ")) {
+            cell.text = text;
         }
         cell
     }

@@ -2,13 +2,14 @@
 
 use unicode_width::UnicodeWidthStr;
 
+use crate::visible;
+
 /// The text in lines no wider than `width`, broken between words. A word that is wider is broken
 /// inside, unless it holds a digit: numbers are never cut.
 pub(super) fn wrap(text: &str, width: usize) -> Vec<String> {
     let mut lines = Vec::new();
     for paragraph in text.split('\n') {
-        // What would steer a terminal is no part of a table.
-        let paragraph = paragraph.replace(char::is_control, " ");
+        let paragraph = visible::text(paragraph);
         let mut line = String::new();
         for word in paragraph.split_whitespace() {
             if !line.is_empty() && line.width() + 1 + word.width() > width {

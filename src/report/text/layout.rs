@@ -2,6 +2,8 @@
 
 use unicode_width::UnicodeWidthStr;
 
+use crate::visible;
+
 /// Characters a line.
 pub(crate) const WIDTH: usize = 80;
 
@@ -32,7 +34,7 @@ impl Page {
 
     /// One line as it is.
     pub(crate) fn line(&mut self, words: &str) {
-        self.text.push_str(words.trim_end());
+        self.text.push_str(visible::text(words).trim_end());
         self.text.push('\n');
     }
 
@@ -83,7 +85,7 @@ impl Page {
 pub(crate) fn wrap(words: &str, width: usize) -> Vec<String> {
     let mut lines = Vec::new();
     let mut line = String::new();
-    for word in words.split_whitespace() {
+    for word in visible::text(words).split_whitespace() {
         if !line.is_empty() && line.width() + 1 + word.width() > width {
             lines.push(std::mem::take(&mut line));
         }

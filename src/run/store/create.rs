@@ -15,6 +15,7 @@ use super::{
     timestamp::stamp,
 };
 use crate::run::{RunInfo, RunState};
+use crate::visible;
 
 /// Where a run directory goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -155,10 +156,11 @@ fn fill(hidden: &Path, info: &RunInfo, case_text: &str) -> Result<(), StoreError
 
 /// `run.toml` as text.
 pub(super) fn info_text(dir: &Path, info: &RunInfo) -> Result<String, StoreError> {
-    toml::to_string(info).map_err(|error| StoreError::Damaged {
+    let text = toml::to_string(info).map_err(|error| StoreError::Damaged {
         file: dir.join(RUN),
         reason: error.to_string(),
-    })
+    })?;
+    Ok(visible::toml(&text).into_owned())
 }
 
 /// Writes a file beside its name, syncs it and renames it: a reader sees the old or the new one whole.

@@ -9,13 +9,14 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::report::chart::Glyphs;
 use crate::report::plain::ascii;
+use crate::visible;
 
 /// Writes text from a column on, at most so many columns; returns the column after it.
 pub(super) fn text(buf: &mut Buffer, at: (u16, u16), width: u16, words: &str, style: Style) -> u16 {
     if !buf.area().contains(at.into()) {
         return at.0;
     }
-    let (x, _) = buf.set_stringn(at.0, at.1, words, width.into(), style);
+    let (x, _) = buf.set_stringn(at.0, at.1, visible::line(words), width.into(), style);
     x
 }
 
@@ -70,7 +71,7 @@ pub(super) fn framed(
     let block = Block::bordered()
         .border_set(border(glyphs))
         .border_style(style)
-        .title(format!(" {title} "));
+        .title(format!(" {} ", visible::line(title)));
     let inside = block.inner(area);
     block.render(area, buf);
     inside

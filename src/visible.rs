@@ -1,0 +1,127 @@
+//! Makes invisible characters visible in text from outside: titles, names, paths, excerpts of files, arguments.
+//!
+//! A control character steers a terminal, a bidirectional one reorders what is read, and others show nothing at all. All
+//! of them are written as escapes such as `\u{202e}` wherever text leaves the program: standard output and standard
+//! error, the screen, reports and tables. The program's own colours are added after this step.
+
+use std::borrow::Cow;
+
+/// Whether a character shows nothing, or changes how its neighbours are shown: controls (C0, DEL, C1), bidirectional
+/// controls, separators of lines, fillers, zero-width and other format characters, tags.
+#[must_use]
+pub fn is_invisible(c: char) -> bool {
+    c.is_control()
+        || matches!(
+            c,
+            '\u{ad}'
+                | '\u{34f}'
+                | '\u{61c}'
+                | '\u{115f}'..='\u{1160}'
+                | '\u{17b4}'..='\u{17b5}'
+                | '\u{180b}'..='\u{180f}'
+                | '\u{200b}'..='\u{200f}'
+                | '\u{2028}'..='\u{202e}'
+                | '\u{2060}'..='\u{206f}'
+                | '\u{3164}'
+                | '\u{feff}'
+                | '\u{ffa0}'
+                | '\u{fff0}'..='\u{fffb}'
+                | '\u{1bca0}'..='\u{1bca3}'
+                | '\u{1d173}'..='\u{1d17a}'
+                | '\u{e0000}'..='\u{e0fff}'
+        )
+}
+
+/// The text with its invisible characters escaped. Line feeds and tabs stay.
+#[must_use]
+pub fn text(text: &str) -> Cow<'_, str> {
+    let hidden = |c| is_invisible(c) && !matches!(c, '\n' | '\t');
+    escape(text, hidden, |c| c.escape_unicode().to_string())
+}
+
+/// Text that belongs on one line, with its invisible characters escaped, line feeds and tabs as well.
+#[must_use]
+pub fn line(text: &str) -> Cow<'_, str> {
+    escape(text, is_invisible, |c| match c {
+        '\n' | '\t' | '\r' => c.escape_default().to_string(),
+        _ => c.escape_unicode().to_string(),
+    })
+}
+
+/// A TOML document with its invisible characters as TOML's own escapes, which read back to the same text inside strings.
+#[must_use]
+pub fn toml(document: &str) -> Cow<'_, str> {
+    let hidden = |c| is_invisible(c) && !matches!(c, '\n' | '\t');
+    escape(document, hidden, |c| match u32::from(c) {
+        code @ 0..=0xffff => format!("\\u{code:04x}"),
+        code => format!("\\U{code:08x}"),
+    })
+}
+
+/// A JSON document with its invisible characters as JSON's own escapes, which read back to the same text.
+#[must_use]
+pub fn json(document: &str) -> Cow<'_, str> {
+    let hidden = |c| is_invisible(c) && !matches!(c, '\n' | '\t' | '\r');
+    escape(document, hidden, |c| {
+        let mut units = [0; 2];
+        let units = c.encode_utf16(&mut units).iter();
+        units.map(|unit| format!("\\u{unit:04x}")).collect()
+    })
+}
+
+fn escape<'a>(
+    text: &'a str,
+    hidden: impl Fn(char) -> bool,
+    escaped: impl Fn(char) -> String,
+) -> Cow<'a, str> {
+    if !text.contains(&hidden) {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::with_capacity(text.len() + 16);
+    for c in text.chars() {
+        if hidden(c) {
+            out.push_str(&escaped(c));
+        } else {
+            out.push(c);
+        }
+    }
+    Cow::Owned(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_steers_or_hides_is_escaped() {
+        assert_eq!(
+            text("a\u{1b}[31m\u{7f}\u{9b}2J\u{202e}b\u{200f}\u{61c}\u{2069}"),
+            "a\\u{1b}[31m\\u{7f}\\u{9b}2J\\u{202e}b\\u{200f}\\u{61c}\\u{2069}"
+        );
+        assert_eq!(
+            text("\u{feff}\u{200b}\u{2028}\r"),
+            "\\u{feff}\\u{200b}\\u{2028}\\u{d}"
+        );
+        assert_eq!(text("a\n\tb"), "a\n\tb");
+        assert_eq!(line("a\n\tb\u{7}"), "a\\n\\tb\\u{7}");
+    }
+
+    #[test]
+    fn what_people_write_stays() {
+        for plain in ["m²/s ± 漢字 ελληνικά", "שלום", "سلام", "é e\u{301}", "⠿│─"]
+        {
+            assert!(matches!(text(plain), Cow::Borrowed(same) if same == plain));
+            assert!(matches!(line(plain), Cow::Borrowed(_)));
+        }
+    }
+
+    #[test]
+    fn documents_read_back_to_the_same_text() {
+        let name = "a\u{202e}b\u{9b}\u{e0001}";
+        let document = toml(&format!("name = \"{name}\"\n")).into_owned();
+        assert!(!document.chars().any(|c| is_invisible(c) && c != '\n'));
+        let table: ::toml::Table = document.parse().unwrap();
+        assert_eq!(table["name"].as_str(), Some(name));
+        assert_eq!(json("\"\u{202e}\u{e0001}\""), "\"\\u202e\\udb40\\udc01\"");
+    }
+}
