@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::msg::Msg;
 use super::state::Level;
 
-/// Writes beside the file and renames, so that no kill tabs half a case.
+/// Writes beside the file and renames, so that no kill leaves half a case.
 pub(super) fn save_case(path: PathBuf, text: String, expected: Option<&str>, new: bool) -> Msg {
     if new && path.symlink_metadata().is_ok() {
         return Msg::NotSaved(format!("{} exists already.", path.display()));

@@ -202,7 +202,7 @@ impl PlotPane {
     }
 
     /// The cursor begins in the middle, stays within the chart's whole range, and takes the view
-    /// along when it tabs it.
+    /// along when it leaves it.
     fn move_cursor(&mut self, way: f64, stride: Stride, base: &Chart, frame: PlotFrame) {
         let span = frame.x.1 - frame.x.0;
         let step = match stride {
@@ -232,7 +232,7 @@ impl PlotPane {
         self.cursor = self.cursor.or_else(|| Some(middle(frame.x)));
     }
 
-    /// Moves the view by parts of itself; never so far that it tabs the data.
+    /// Moves the view by parts of itself; never so far that it leaves the data.
     fn pan(&mut self, across: f64, up: f64, base: &Chart, frame: PlotFrame) {
         let (x, y) = self.whole(base);
         if across.abs() > 0.0 {

@@ -1,7 +1,7 @@
 //! What outlives a session without being the user's files: unsaved changes, and answers given.
 //!
 //! Changes are kept at every edit and not only when the program ends badly: so they also survive a
-//! kill that tabs no time for anything.
+//! kill that leaves no time for anything.
 
 use std::fs;
 use std::io;

@@ -47,7 +47,7 @@ impl Curves {
         self.streamed.append(&later.streamed);
     }
 
-    /// Takes what was streamed so far, if anything, and tabs the channels.
+    /// Takes what was streamed so far, if anything, and leaves the channels.
     pub fn take(&mut self) -> Option<Self> {
         let channels = &self.streamed.history().channels;
         if self.streamed.history().time.is_empty() {

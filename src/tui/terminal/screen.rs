@@ -17,7 +17,7 @@ use ratatui::{Frame, Terminal};
 
 static ENTERED: AtomicBool = AtomicBool::new(false);
 
-/// One frame at 200x60 fits; a frame then tabs in one write.
+/// One frame at 200x60 fits; a frame is then sent in one write.
 const FRAME_BYTES: usize = 1 << 16;
 
 /// The screen while the workbench has it.
@@ -126,7 +126,7 @@ pub fn restore() {
         return;
     }
     let mut bytes = Vec::new();
-    // The screen is erased before it is left: old tmux otherwise tabs its rows in the shell.
+    // The screen is erased before it is left: old tmux otherwise leaves its rows in the shell.
     let queued = queue!(
         bytes,
         SetAttribute(Attribute::Reset),

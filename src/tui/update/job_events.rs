@@ -115,7 +115,7 @@ fn live_finished(state: &mut AppState, run: Arc<Run>, new: &JobState) {
     live.ticket = None;
     live.going = None;
     match new {
-        // A cancelled solve tabs the old curve as it was.
+        // A cancelled solve leaves the old curve as it was.
         JobState::Cancelled => live.failure = Some("cancelled".to_owned()),
         _ => {
             live.done = Some(Curves::whole(run));

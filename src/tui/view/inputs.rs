@@ -186,7 +186,7 @@ impl Painter<'_> {
             Some(problem) => (format!("Refused: {problem}"), self.theme.error()),
             None => (
                 format!(
-                    "{}\nEnter takes it, Esc tabs it as it was{}.",
+                    "{}\nEnter takes it, Esc leaves it as it was{}.",
                     range_words(field),
                     if self.state.open.is_some() && can_go(field) {
                         "; nothing typed: not given"

@@ -123,7 +123,7 @@ impl Painter<'_> {
                         DynamicStability::Divergence { .. } | DynamicStability::Fishtailing { .. }
                     )
                 );
-                let verb = if grows { "doubling_time" } else { "half_life" };
+                let verb = if grows { "doubles" } else { "halves" };
                 say(format!("swings in {}", seconds(period)));
                 say(format!("{verb} in {}", seconds(time)));
             }
