@@ -23,10 +23,10 @@ pub fn parse(text: &str, file: &str) -> Result<Case, String> {
 /// Reads a text as the case of a file, which may name others beside it.
 ///
 /// # Errors
-/// As [`parse`].
-pub fn parse_at(text: &str, path: &Path, file: &str) -> Result<Case, String> {
+/// All that is wrong.
+pub fn parse_at(text: &str, path: &Path, file: &str) -> Result<Case, Vec<case::Diagnostic>> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    case::parse_beside(text, file, folder).map_err(|all| first(&all, file))
+    case::parse_beside(text, file, folder)
 }
 
 /// The fields of the editor.

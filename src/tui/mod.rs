@@ -21,6 +21,7 @@ pub mod key;
 pub mod line_tables;
 pub mod msg;
 pub mod pane;
+pub mod panes;
 pub mod plot_pane;
 pub mod plots;
 pub mod recovery;

@@ -41,11 +41,9 @@ pub enum Msg {
     JobFailed(Ticket, String),
     /// The cases of a directory.
     CasesRead(PathBuf, Vec<CaseEntry>),
-    /// A case file was read; with edits that an earlier session left behind.
-    CaseRead(Box<CaseRead>),
-    /// A file of another kind was read.
+    /// A file was read; with edits that an earlier session left behind.
     FileRead(Box<FileRead>),
-    /// A ship at sea was worked out, by the thread that this stops; nothing where it was stopped or failed.
+    /// A ship at sea was computed, by the thread that this stops; nothing where it was stopped or failed.
     ShipComputed(Arc<AtomicBool>, Option<Arc<DynamicAnalysis>>),
     /// A case file cannot be opened: title, and all that is wrong.
     CaseRejected(String, String),
@@ -67,27 +65,14 @@ pub enum Msg {
     Say(Level, String),
 }
 
-/// A case file as read.
-#[derive(Debug, Clone)]
-pub struct CaseRead {
-    /// Where it is.
-    pub path: PathBuf,
-    /// Its text.
-    pub text: String,
-    /// Its meaning.
-    pub case: Case,
-    /// Unsaved text of an earlier session.
-    pub recovered: Option<String>,
-}
-
-/// A file of another kind as read.
+/// A file as read.
 #[derive(Debug, Clone)]
 pub struct FileRead {
     /// Where it is.
     pub path: PathBuf,
     /// Its text.
     pub text: String,
-    /// What it comes to.
+    /// The result of its text.
     pub content: Content,
     /// Unsaved text of an earlier session.
     pub recovered: Option<String>,
@@ -133,7 +118,7 @@ pub enum Effect {
     },
     /// Cancel a job.
     Cancel(Ticket),
-    /// Work a ship at sea out, from the folder of its file, on a thread of its own that the last stops.
+    /// Compute a ship at sea, from the folder of its file, on a thread of its own that the last stops.
     ComputeShip(Box<StaticAnalysis>, PathBuf, Arc<AtomicBool>),
     /// Give the terminal to the user's editor with this file, and take it back.
     EditFile(PathBuf),

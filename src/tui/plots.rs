@@ -1,6 +1,6 @@
 //! The charts of the open case: which runs are on them, and which of their curves.
 
-use super::state::{ChartKind, Curves, OpenCase};
+use super::state::{ChartKind, Curves, LineView};
 use crate::case::ChannelQuantity;
 use crate::report::chart::{AxisRange, Chart};
 use crate::report::figures::{
@@ -29,9 +29,9 @@ impl<'a> Shown<'a> {
 }
 
 /// The runs on the charts, older results first.
-fn shown(open: &OpenCase) -> Vec<Shown<'_>> {
+fn shown(line: &LineView) -> Vec<Shown<'_>> {
     let mut list = Vec::new();
-    let live = &open.live;
+    let live = &line.live;
     if !live.hidden {
         // The old curve stays, dimmed, until the new one is complete.
         let landed = live.going.as_ref().is_some_and(|g| g.progress.estimating);
@@ -51,7 +51,7 @@ fn shown(open: &OpenCase) -> Vec<Shown<'_>> {
             dimmed: false,
         }));
     }
-    list.extend(open.runs.iter().filter(|s| s.shown).map(|slot| Shown {
+    list.extend(line.runs.iter().filter(|s| s.shown).map(|slot| Shown {
         label: if slot.label.is_empty() {
             &slot.id
         } else {
@@ -65,29 +65,29 @@ fn shown(open: &OpenCase) -> Vec<Shown<'_>> {
 
 /// How many runs are on the charts in full ink.
 #[must_use]
-pub fn runs_shown(open: &OpenCase) -> usize {
-    shown(open).iter().filter(|s| !s.dimmed).count()
+pub fn runs_shown(line: &LineView) -> usize {
+    shown(line).iter().filter(|s| !s.dimmed).count()
 }
 
 /// The chart of this kind as the user has it: with zoom, cursor and marks.
 #[must_use]
-pub fn viewed(open: &OpenCase, kind: ChartKind) -> Chart {
-    open.views[kind.index()].chart(&chart(open, kind))
+pub fn viewed(line: &LineView, kind: ChartKind) -> Chart {
+    line.views[kind.index()].chart(&chart(line, kind))
 }
 
 /// The chart of this kind as the case stands.
 #[must_use]
-pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
+pub fn chart(line: &LineView, kind: ChartKind) -> Chart {
     if kind == ChartKind::Study {
-        return study(open);
+        return study(line);
     }
-    let sources: Vec<PlottedRun> = shown(open).iter().map(Shown::source).collect();
-    let newest = time_range(open).map_or(0.0, |(_, last)| last);
-    let instant = open.instant.unwrap_or(newest);
+    let sources: Vec<PlottedRun> = shown(line).iter().map(Shown::source).collect();
+    let newest = time_range(line).map_or(0.0, |(_, last)| last);
+    let instant = line.instant.unwrap_or(newest);
     let mut chart = match kind {
         ChartKind::Tensions => tensions(&sources),
         ChartKind::Payload => payload_position(&sources),
-        ChartKind::Path => trajectory(&sources, open.instant),
+        ChartKind::Path => trajectory(&sources, line.instant),
         ChartKind::Shape => line_shape(&sources, instant),
         ChartKind::Plan => line_from_above(&sources, instant),
         ChartKind::Front => line_from_ahead(&sources, instant),
@@ -106,8 +106,8 @@ pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
         ChartKind::Amplitudes => wave_amplitudes(&sources),
         ChartKind::Wavelengths => wavelengths(&sources),
         ChartKind::Map => {
-            let of = open.series.and_then(|i| ResponseMapKind::ALL.get(i + 1));
-            let from = open.case.output.response_from_s;
+            let of = line.series.and_then(|i| ResponseMapKind::ALL.get(i + 1));
+            let from = line.case.output.response_from_s;
             return response_map(
                 &sources,
                 from,
@@ -115,11 +115,11 @@ pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
             );
         }
     };
-    let names = series_names(open, kind);
-    let only = match open.series {
+    let names = series_names(line, kind);
+    let only = match line.series {
         Some(i) => names.get(i.min(names.len().saturating_sub(1))),
         // Every curve of every run would be too many to tell apart.
-        None if runs_shown(open) > 1 => names.last(),
+        None if runs_shown(line) > 1 => names.last(),
         None => None,
     };
     if let Some(only) = only {
@@ -129,16 +129,16 @@ pub fn chart(open: &OpenCase, kind: ChartKind) -> Chart {
 }
 
 /// The charts of what the case states: along its studies, then its published curves.
-fn stated(open: &OpenCase) -> Vec<Chart> {
-    let mut charts = along_studies(&open.case, &open.checks);
-    charts.extend(published_curves(&open.checks));
+fn stated(line: &LineView) -> Vec<Chart> {
+    let mut charts = along_studies(&line.case, &line.checks);
+    charts.extend(published_curves(&line.checks));
     charts
 }
 
 /// The chosen one of the charts of what the case states, the first when none is.
-fn study(open: &OpenCase) -> Chart {
-    let mut charts = stated(open);
-    let chosen = open.series.unwrap_or(0).min(charts.len().max(1) - 1);
+fn study(line: &LineView) -> Chart {
+    let mut charts = stated(line);
+    let chosen = line.series.unwrap_or(0).min(charts.len().max(1) - 1);
     if charts.is_empty() {
         return Chart {
             title: "Along the studies".to_owned(),
@@ -168,19 +168,19 @@ fn keep_only(chart: &mut Chart, name: &str) {
 
 /// Names of the curves of one run, among which the user leafs.
 #[must_use]
-pub fn series_names(open: &OpenCase, kind: ChartKind) -> Vec<String> {
+pub fn series_names(line: &LineView, kind: ChartKind) -> Vec<String> {
     let fixed = |names: &[&str]| names.iter().map(|n| (*n).to_owned()).collect();
     match kind {
-        ChartKind::Tensions => places(open, ChannelQuantity::Tension),
-        ChartKind::Speed => places(open, ChannelQuantity::Speed),
-        ChartKind::Tilt => places(open, ChannelQuantity::Tilt),
+        ChartKind::Tensions => places(line, ChannelQuantity::Tension),
+        ChartKind::Speed => places(line, ChannelQuantity::Speed),
+        ChartKind::Tilt => places(line, ChannelQuantity::Tilt),
         ChartKind::Study => {
-            let charts = stated(open);
+            let charts = stated(line);
             charts.into_iter().map(|chart| chart.title).collect()
         }
-        ChartKind::MeanLoad => places(open, ChannelQuantity::MeanLoad),
-        ChartKind::Deviation => places(open, ChannelQuantity::LoadDeviation),
-        ChartKind::Stiffness => places(open, ChannelQuantity::Stiffness),
+        ChartKind::MeanLoad => places(line, ChannelQuantity::MeanLoad),
+        ChartKind::Deviation => places(line, ChannelQuantity::LoadDeviation),
+        ChartKind::Stiffness => places(line, ChannelQuantity::Stiffness),
         ChartKind::Payload => fixed(&["x", "z"]),
         ChartKind::Amplitudes => fixed(&["motion", "towards A", "towards B", "WKB, no drag"]),
         ChartKind::Wavelengths => fixed(&["computed", "WKB"]),
@@ -189,7 +189,7 @@ pub fn series_names(open: &OpenCase, kind: ChartKind) -> Vec<String> {
             .map(|of| of.name().to_owned())
             .collect(),
         // Lines at rest have one curve each, whose legend names the run.
-        _ if shown(open).iter().all(|run| run.source().at_rest()) => Vec::new(),
+        _ if shown(line).iter().all(|run| run.source().at_rest()) => Vec::new(),
         ChartKind::Profile | ChartKind::StiffnessAlong => {
             fixed(&["at the end", "smallest", "greatest"])
         }
@@ -204,8 +204,8 @@ pub fn series_names(open: &OpenCase, kind: ChartKind) -> Vec<String> {
 }
 
 /// Where the runs shown recorded a quantity.
-fn places(open: &OpenCase, quantity: ChannelQuantity) -> Vec<String> {
-    let runs = shown(open);
+fn places(line: &LineView, quantity: ChannelQuantity) -> Vec<String> {
+    let runs = shown(line);
     let histories = runs.iter().map(|run| run.curves.history());
     let names = figures::places(histories, quantity);
     names.into_iter().map(str::to_owned).collect()
@@ -213,8 +213,8 @@ fn places(open: &OpenCase, quantity: ChannelQuantity) -> Vec<String> {
 
 /// First and last instant of the runs shown.
 #[must_use]
-pub fn time_range(open: &OpenCase) -> Option<AxisRange> {
-    let runs = shown(open);
+pub fn time_range(line: &LineView) -> Option<AxisRange> {
+    let runs = shown(line);
     let ends = runs.iter().filter_map(|s| {
         let time = &s.curves.history().time;
         Some((*time.first()?, *time.last()?))

@@ -2,10 +2,10 @@
 
 pub mod case_list;
 pub mod curves;
+pub mod document;
 pub mod jobs;
+pub mod line;
 pub mod modes;
-pub mod open_case;
-pub mod open_file;
 pub mod overlay;
 pub mod parameter_editor;
 pub mod ropeway;
@@ -15,9 +15,9 @@ pub mod trials;
 
 pub use case_list::{CaseEntry, CaseList};
 pub use curves::{Curves, RunEntry, RunOrigin, RunStatus};
+pub use document::{Content, Document, DocumentKind};
 pub use jobs::{JobLine, JobState, Jobs, Purpose, Ticket, Waiting};
-pub use open_case::{ChartKind, OpenCase};
-pub use open_file::{Content, FileView, OpenFile};
+pub use line::{ChartKind, LineView};
 pub use overlay::{Choice, Overlay, Question};
 pub use parameter_editor::{Editing, ParameterEditor};
 pub use ropeway::RopewayView;
@@ -36,10 +36,8 @@ pub struct AppState {
     pub capabilities: Capabilities,
     /// The list of cases.
     pub cases: CaseList,
-    /// The case that is open.
-    pub open: Option<OpenCase>,
-    /// The file of another kind that is open; then no case is.
-    pub file: Option<OpenFile>,
+    /// The document that is open.
+    pub document: Option<Document>,
     /// Trials of hard cases, over whatever else is open.
     pub trials: Option<trials::Trials>,
     /// Jobs that run, wait or have ended.
@@ -82,8 +80,7 @@ impl AppState {
             size,
             capabilities,
             cases: CaseList::default(),
-            open: None,
-            file: None,
+            document: None,
             trials: None,
             jobs: Jobs::default(),
             overlay: None,
@@ -99,58 +96,45 @@ impl AppState {
         if self.trials.as_ref().is_some_and(|t| t.shown) {
             return PaneId::Trials;
         }
-        match (&self.file, &self.open) {
-            (Some(file), _) => file.pane,
-            (None, Some(open)) => open.pane,
-            (None, None) => PaneId::Cases,
-        }
+        let document = self.document.as_ref();
+        document.map_or(PaneId::Cases, |document| document.pane)
     }
 
-    /// Whether the natural modes are seen beside the inputs.
+    /// The line case that is open.
     #[must_use]
-    pub fn modes_beside(&self) -> bool {
-        self.open.as_ref().is_some_and(|open| open.modes.beside)
+    pub fn line(&self) -> Option<&LineView> {
+        self.document.as_ref()?.line()
     }
 
-    /// The panes of what is open, in the order of their numbers; those of a line case where nothing is.
+    /// The line case that is open, to be changed.
+    pub fn line_mut(&mut self) -> Option<&mut LineView> {
+        self.document.as_mut()?.line_mut()
+    }
+
+    /// The panes of what is open, in the order of their numbers.
     #[must_use]
     pub fn panes(&self) -> &'static [PaneId] {
-        match &self.file {
-            Some(file) => file.content.view().panes(),
-            None => &PaneId::PANES,
-        }
+        let document = self.document.as_ref();
+        document.map_or(&[], |document| document.kind().panes())
     }
 
-    /// The file in the parameter editor, of whatever kind.
+    /// The text and fields of what is open.
     #[must_use]
     pub fn editor(&self) -> Option<&ParameterEditor> {
-        match (&self.file, &self.open) {
-            (Some(file), _) => Some(&file.editor),
-            (None, Some(open)) => Some(&open.editor),
-            (None, None) => None,
-        }
+        self.document.as_ref().map(|document| &document.editor)
     }
 
-    /// The file in the parameter editor, to be changed.
+    /// The text and fields of what is open, to be changed.
     pub fn editor_mut(&mut self) -> Option<&mut ParameterEditor> {
-        match (&mut self.file, &mut self.open) {
-            (Some(file), _) => Some(&mut file.editor),
-            (None, Some(open)) => Some(&mut open.editor),
-            (None, None) => None,
-        }
+        self.document.as_mut().map(|document| &mut document.editor)
     }
 
-    /// Leaves what is open, and stops what it does in the background.
+    /// Closes what is open, and stops what it computes in the background.
     pub fn close(&mut self) {
-        self.open = None;
-        if let Some(OpenFile {
-            content: Content::Ship(ship),
-            ..
-        }) = &mut self.file
-        {
-            ship.stop();
+        if let Some(document) = &mut self.document {
+            document.content.kind_mut().stop();
         }
-        self.file = None;
+        self.document = None;
     }
 
     /// Says something and keeps it in the log.

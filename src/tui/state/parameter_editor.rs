@@ -4,8 +4,7 @@ use std::path::PathBuf;
 
 use tui_input::Input;
 
-use crate::case::Case;
-use crate::tui::facade::{self, FieldRow};
+use crate::tui::facade::FieldRow;
 
 /// What follows a save that was asked for on the way out.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -60,14 +59,6 @@ pub struct ParameterEditor {
 }
 
 impl ParameterEditor {
-    /// What a text of this file says as a case.
-    ///
-    /// # Errors
-    /// The first thing wrong, as one line with file, line and column.
-    pub fn case_of(&self, text: &str) -> Result<Case, String> {
-        facade::parse_at(text, &self.path, &self.file)
-    }
-
     /// A file as read, with its fields still to be listed.
     #[must_use]
     pub fn new(path: PathBuf, text: String) -> Self {
@@ -89,6 +80,12 @@ impl ParameterEditor {
             filtering: false,
             editing: None,
         }
+    }
+
+    /// The name of the file without its ending.
+    #[must_use]
+    pub fn stem(&self) -> &str {
+        self.file.trim_end_matches(".toml")
     }
 
     /// True when the text differs from the file.

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use super::open_file::{FileView, message_table};
+use super::document::{DocumentKind, message_table};
+use super::parameter_editor::ParameterEditor;
 use crate::case::{Diagnostic, kind};
 use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, Glyphs};
@@ -12,11 +13,8 @@ use crate::ropeway::elastic::Carrier;
 use crate::ropeway::{
     self, ModelResults, RopewayError, RopewayFile, SolvedRopeway, line, validation,
 };
-use crate::tui::facade::FieldRow;
+use crate::tui::facade::{self, FieldRow};
 use crate::tui::pane::PaneId;
-
-/// Spans that the workbench steps through \[m\]: those of the paper.
-pub const SPANS: [f64; 3] = [40.0, 60.0, 80.0];
 
 /// A ropeway.
 #[derive(Debug, Clone)]
@@ -27,6 +25,8 @@ pub struct RopewayView {
     pub position: f64,
     /// The results there.
     pub results: Result<ModelResults, RopewayError>,
+    /// The validation table.
+    pub checks: Vec<ValidationRow>,
 }
 
 impl RopewayView {
@@ -38,6 +38,7 @@ impl RopewayView {
             results: worked.results(position),
             worked,
             position,
+            checks: Vec::new(),
         }
     }
 
@@ -61,9 +62,9 @@ impl RopewayView {
     }
 }
 
-impl FileView for RopewayView {
-    fn word(&self) -> &'static str {
-        "ropeway"
+impl DocumentKind for RopewayView {
+    fn word(&self) -> String {
+        "ropeway".to_owned()
     }
 
     fn title(&self) -> &str {
@@ -72,10 +73,10 @@ impl FileView for RopewayView {
 
     fn panes(&self) -> &'static [PaneId] {
         &[
-            PaneId::Keys,
+            PaneId::Inputs,
             PaneId::Ropeway,
             PaneId::Tables,
-            PaneId::Checks,
+            PaneId::Validation,
         ]
     }
 
@@ -99,20 +100,20 @@ impl FileView for RopewayView {
         }
     }
 
-    fn rows(&self, text: &str) -> Vec<FieldRow> {
+    fn rows(&self, text: &str, _: &ParameterEditor) -> Vec<FieldRow> {
         kind::rows::<RopewayFile>(text)
     }
 
-    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, Vec<Diagnostic>> {
-        ropeway::edit::set(text, key, value)
+    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {
+        ropeway::edit::set(text, key, value).map_err(|all| facade::refusal(key, &all))
     }
 
-    fn passes(&self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>> {
-        ropeway::parse(text, file).map(drop)
+    fn check(&self, text: &str, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
+        ropeway::parse(text, &source.file).map(drop)
     }
 
-    fn take(&mut self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>> {
-        let worked = ropeway::parse(text, file)?;
+    fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
+        let worked = ropeway::parse(&source.text, &source.file)?;
         // Where the file's own place changes, the cargo goes there.
         let moved = self.worked.ropeway.cargo.position != worked.ropeway.cargo.position;
         let position = if moved {
@@ -125,8 +126,12 @@ impl FileView for RopewayView {
         Ok(())
     }
 
-    fn checks(&self, text: &str) -> Vec<ValidationRow> {
-        validation::rows(&self.worked, text)
+    fn validate(&mut self, source: &ParameterEditor) {
+        self.checks = validation::rows(&self.worked, &source.text);
+    }
+
+    fn checks(&self) -> &[ValidationRow] {
+        &self.checks
     }
 
     fn report(&self, text: &str, glyphs: Glyphs) -> Option<String> {
@@ -134,7 +139,7 @@ impl FileView for RopewayView {
         Some(views::report(&self.worked, results, text, glyphs))
     }
 
-    fn hand_over(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {
+    fn line_input(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {
         let results = self.results.as_ref().ok();
         let on_rope = results.filter(|results| results.exact.carrier == Carrier::Rope);
         let text = on_rope.map(|results| {

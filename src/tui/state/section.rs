@@ -2,14 +2,15 @@
 
 use std::path::PathBuf;
 
-use super::open_file::FileView;
+use super::document::DocumentKind;
+use super::parameter_editor::ParameterEditor;
 use crate::case::{Diagnostic, kind};
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::section::{self as views, tables};
 use crate::report::table::Table;
 use crate::section::stiffness::Twist;
 use crate::section::{self, Design, SectionFile};
-use crate::tui::facade::FieldRow;
+use crate::tui::facade::{self, FieldRow};
 use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::PlotPane;
 
@@ -36,9 +37,9 @@ impl SectionView {
     }
 }
 
-impl FileView for SectionView {
-    fn word(&self) -> &'static str {
-        "cross-section"
+impl DocumentKind for SectionView {
+    fn word(&self) -> String {
+        "cross-section".to_owned()
     }
 
     fn title(&self) -> &str {
@@ -46,7 +47,11 @@ impl FileView for SectionView {
     }
 
     fn panes(&self) -> &'static [PaneId] {
-        &[PaneId::Keys, PaneId::Drawing, PaneId::Tables]
+        &[PaneId::Inputs, PaneId::Drawing, PaneId::Tables]
+    }
+
+    fn first_pane(&self) -> PaneId {
+        PaneId::Inputs
     }
 
     fn tabs(&self) -> &'static [&'static str] {
@@ -67,24 +72,24 @@ impl FileView for SectionView {
         (None, table)
     }
 
-    fn rows(&self, text: &str) -> Vec<FieldRow> {
+    fn rows(&self, text: &str, _: &ParameterEditor) -> Vec<FieldRow> {
         kind::rows::<SectionFile>(text)
     }
 
-    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, Vec<Diagnostic>> {
-        section::edit::set(text, key, value)
+    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {
+        section::edit::set(text, key, value).map_err(|all| facade::refusal(key, &all))
     }
 
-    fn passes(&self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>> {
-        section::parse(text, file).map(drop)
+    fn check(&self, text: &str, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
+        section::parse(text, &source.file).map(drop)
     }
 
-    fn take(&mut self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>> {
-        self.design = section::parse(text, file)?;
+    fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
+        self.design = section::parse(&source.text, &source.file)?;
         Ok(())
     }
 
-    fn paper(&self) -> (&'static str, &'static str) {
+    fn report_name(&self) -> (&'static str, &'static str) {
         ("tables", "The cross-section with its tables")
     }
 
@@ -92,7 +97,11 @@ impl FileView for SectionView {
         Some(views::report(&self.design, PAPER_WIDTH, glyphs, None))
     }
 
-    fn hand_over(&self, _stem: &str) -> (PathBuf, Option<String>, &'static str) {
+    fn copy(&self) -> Option<String> {
+        Some(section::fragment(&self.design))
+    }
+
+    fn line_input(&self, _stem: &str) -> (PathBuf, Option<String>, &'static str) {
         let name = &self.design.section.about.name;
         (
             PathBuf::from(format!("{name}-material.txt")),

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::open_file::{FileView, message_table};
+use super::document::{DocumentKind, message_table};
+use super::parameter_editor::ParameterEditor;
 use crate::case::{Diagnostic, kind};
 use crate::numerics::V3;
 use crate::reference::ValidationRow;
@@ -14,7 +15,7 @@ use crate::report::ship::{charts, coupled, motion, rope, statics, text};
 use crate::report::table::Table;
 use crate::ship::rope::RopeAnalysis;
 use crate::ship::{self, DynamicAnalysis, MotionAnalysis, ShipFile, StaticAnalysis, validation};
-use crate::tui::facade::FieldRow;
+use crate::tui::facade::{self, FieldRow};
 use crate::tui::pane::PaneId;
 
 /// A ship.
@@ -22,7 +23,7 @@ use crate::tui::pane::PaneId;
 pub struct ShipView {
     /// The ship at rest.
     pub rest: StaticAnalysis,
-    /// The ship at sea, of the newest text that was worked out.
+    /// The ship at sea, of the newest text computed.
     pub sea: Option<Arc<DynamicAnalysis>>,
     /// What stops the thread that works the newest text out; nothing once it has answered.
     pub working: Option<Arc<AtomicBool>>,
@@ -30,6 +31,8 @@ pub struct ShipView {
     pub equilibrium: usize,
     /// The motion that is drawn alone; none: all six.
     pub trace: Option<usize>,
+    /// The validation table.
+    pub checks: Vec<ValidationRow>,
 }
 
 impl ShipView {
@@ -42,13 +45,7 @@ impl ShipView {
             sea: None,
             working: None,
             trace: None,
-        }
-    }
-
-    /// Stops what is worked out in the background.
-    pub fn stop(&mut self) {
-        if let Some(working) = self.working.take() {
-            working.store(true, Ordering::Relaxed);
+            checks: Vec::new(),
         }
     }
 
@@ -58,7 +55,7 @@ impl ShipView {
         of: impl Fn(&'a DynamicAnalysis) -> Option<T>,
         none: &str,
     ) -> Result<T, Table> {
-        let wait = || message_table("The ship at sea is still being worked out.");
+        let wait = || message_table("The ship at sea is still being computed.");
         let sea = self.sea.as_ref().ok_or_else(wait)?;
         of(sea).ok_or_else(|| message_table(none))
     }
@@ -122,9 +119,9 @@ impl ShipView {
     }
 }
 
-impl FileView for ShipView {
-    fn word(&self) -> &'static str {
-        "ship"
+impl DocumentKind for ShipView {
+    fn word(&self) -> String {
+        "ship".to_owned()
     }
 
     fn title(&self) -> &str {
@@ -132,7 +129,12 @@ impl FileView for ShipView {
     }
 
     fn panes(&self) -> &'static [PaneId] {
-        &[PaneId::Keys, PaneId::Ship, PaneId::Tables, PaneId::Checks]
+        &[
+            PaneId::Inputs,
+            PaneId::Ship,
+            PaneId::Tables,
+            PaneId::Validation,
+        ]
     }
 
     fn tabs(&self) -> &'static [&'static str] {
@@ -163,20 +165,20 @@ impl FileView for ShipView {
         }
     }
 
-    fn rows(&self, text: &str) -> Vec<FieldRow> {
+    fn rows(&self, text: &str, _: &ParameterEditor) -> Vec<FieldRow> {
         kind::rows::<ShipFile>(text)
     }
 
-    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, Vec<Diagnostic>> {
-        ship::edit::set(text, key, value)
+    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {
+        ship::edit::set(text, key, value).map_err(|all| facade::refusal(key, &all))
     }
 
-    fn passes(&self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>> {
-        ship::parse(text, file).map(drop)
+    fn check(&self, text: &str, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
+        ship::parse(text, &source.file).map(drop)
     }
 
-    fn take(&mut self, text: &str, file: &str) -> Result<(), Vec<Diagnostic>> {
-        let rest = ship::parse(text, file)?;
+    fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
+        let rest = ship::parse(&source.text, &source.file)?;
         let count = |rest: &StaticAnalysis| rest.equilibria.as_ref().map_or(0, Vec::len);
         if count(&rest) != count(&self.rest) {
             self.equilibrium = text::chosen(&rest);
@@ -185,9 +187,19 @@ impl FileView for ShipView {
         Ok(())
     }
 
-    fn checks(&self, _text: &str) -> Vec<ValidationRow> {
+    fn validate(&mut self, _: &ParameterEditor) {
         let motion = self.sea.as_ref().and_then(|sea| sea.motion.as_ref());
-        validation::rows(&self.rest.ship, motion)
+        self.checks = validation::rows(&self.rest.ship, motion);
+    }
+
+    fn checks(&self) -> &[ValidationRow] {
+        &self.checks
+    }
+
+    fn stop(&mut self) {
+        if let Some(working) = self.working.take() {
+            working.store(true, Ordering::Relaxed);
+        }
     }
 
     fn busy(&self) -> Option<&'static str> {
@@ -198,7 +210,7 @@ impl FileView for ShipView {
         Some(text::text(&self.rest, self.sea.as_deref(), words, glyphs))
     }
 
-    fn hand_over(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {
+    fn line_input(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {
         let arm = self.rest.ship.motion.as_ref().map(|m| m.hang_point_m);
         let table = self.motion().ok().zip(arm).map(|(motion, arm)| {
             let mut table = String::from("time_s,x_m,y_m,z_m\n");

@@ -2,28 +2,13 @@
 
 use std::path::PathBuf;
 
+use super::motion::moved;
 use super::text_input::type_key;
-use super::{edit, jobs, moved, runs};
+use super::{edit, jobs, runs, ship};
 use crate::tui::case_library::FIRST;
-use crate::tui::command::Id;
 use crate::tui::key::Key;
-use crate::tui::line_tables::LineTable;
-use crate::tui::msg::{CaseRead, Effect};
-use crate::tui::pane::PaneId;
-use crate::tui::state::modes::ModesView;
-use crate::tui::state::open_case::Live;
-use crate::tui::state::{
-    AppState, CaseEntry, ChartKind, Level, OpenCase, Overlay, ParameterEditor, Question,
-};
-use crate::tui::table_pane::TablePane;
-
-pub(super) fn command(state: &mut AppState, id: Id) -> Vec<Effect> {
-    match (id, state.cases.current()) {
-        (Id::Open, Some(entry)) => vec![Effect::ReadCase(entry.path.clone())],
-        (Id::Reload, _) => vec![Effect::ReadCases],
-        _ => Vec::new(),
-    }
-}
+use crate::tui::msg::{Effect, FileRead};
+use crate::tui::state::{AppState, CaseEntry, Document, Level, Overlay, ParameterEditor, Question};
 
 /// Keys while the filter is typed.
 pub(super) fn typing_key(state: &mut AppState, key: Key) -> Option<Vec<Effect>> {
@@ -77,42 +62,15 @@ pub(super) fn rejected(state: &mut AppState, title: String, text: String) -> Vec
     Vec::new()
 }
 
-pub(super) fn opened(state: &mut AppState, read: CaseRead) -> Vec<Effect> {
-    let CaseRead {
-        path,
-        text,
-        case,
-        recovered,
-    } = read;
-    let editor = ParameterEditor::new(path, text);
-    let chart = ChartKind::of(&case)
-        .first()
-        .copied()
-        .unwrap_or(ChartKind::Shape);
+pub(super) fn opened(state: &mut AppState, read: FileRead) -> Vec<Effect> {
     state.close();
-    state.open = Some(OpenCase {
-        editor,
-        case,
-        pane: PaneId::Inputs,
-        chart,
-        views: Default::default(),
-        series: None,
-        instant: None,
-        live: Live::default(),
-        runs: Vec::new(),
-        run: 0,
-        checks: Vec::new(),
-        checks_pane: TablePane::default(),
-        line_table: LineTable::default(),
-        nodes_pane: TablePane::default(),
-        modes: ModesView::default(),
-        report: None,
-        report_scroll: (0, 0),
-    });
+    let editor = ParameterEditor::new(read.path, read.text);
+    state.document = Some(Document::new(editor, read.content));
     edit::refresh(state);
     let mut effects = jobs::resolve(state);
-    effects.extend(state.open.as_ref().map(runs::list));
-    if let Some(text) = recovered {
+    effects.extend(ship::resolve(state));
+    effects.extend(runs::list(state));
+    if let Some(text) = read.recovered {
         state.overlay = Some(Overlay::Ask(Question::Recover { text }));
     }
     effects

@@ -2,37 +2,23 @@
 
 use tui_input::Input;
 
+use super::motion::moved;
+use super::notice::{info, warn};
 use super::text_input::type_key;
-use super::{info, jobs, moved, runs};
+use super::{jobs, runs};
 use crate::case::fields::Absent;
-use crate::tui::command::Id;
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Editing, Level, ParameterEditor};
+use crate::tui::state::{AppState, Editing, Level};
 
 const METHODS: [&str; 4] = ["static", "quasi", "rk4", "alpha"];
 
 /// More steps back than anyone takes, and still a small file each.
 const UNDO_DEPTH: usize = 200;
 
-pub(super) fn command(state: &mut AppState, id: Id) -> Vec<Effect> {
-    match id {
-        Id::Edit => begin(state),
-        Id::Reset => reset(state),
-        Id::Undo => undo(state),
-        Id::Redo => redo(state),
-        Id::NextGroup => group(state, true),
-        Id::PreviousGroup => group(state, false),
-        Id::Method => next_method(state),
-        Id::ExternalEditor => state.editor().map_or_else(Vec::new, |editor| {
-            vec![Effect::EditFile(editor.path.clone())]
-        }),
-        _ => Vec::new(),
-    }
-}
-
-fn begin(state: &mut AppState) -> Vec<Effect> {
+/// Begins to edit the value under the cursor.
+pub fn begin(state: &mut AppState) {
     if let Some(editor) = state.editor_mut()
         && let Some(row) = editor.current_field()
     {
@@ -42,7 +28,6 @@ fn begin(state: &mut AppState) -> Vec<Effect> {
             problem: None,
         });
     }
-    Vec::new()
 }
 
 /// Keys while a value or the filter of the fields is typed.
@@ -85,59 +70,52 @@ pub(super) fn typing_key(state: &mut AppState, key: Key) -> Option<Vec<Effect>> 
     Some(Vec::new())
 }
 
-/// A text of the kind that is open, with a key set.
-fn with(state: &AppState, text: &str, key: &str, value: &str) -> Result<String, String> {
-    match &state.file {
-        Some(file) => {
-            let set = file.content.view().set(text, key, value);
-            set.map_err(|all| facade::refusal(key, &all))
-        }
-        None => facade::set(text, key, value),
-    }
+/// Sets a key as if it had been typed; a value that is refused is reported.
+pub fn set(state: &mut AppState, key: &str, value: &str) -> Vec<Effect> {
+    let Some(document) = &state.document else {
+        return Vec::new();
+    };
+    let text = document.kind().set(&document.editor.text, key, value);
+    take(state, text)
 }
 
-/// Sets a key as if it had been typed; what is refused is told.
-pub(super) fn set(state: &mut AppState, key: &str, value: &str) -> Vec<Effect> {
-    match state
-        .editor()
-        .map(|editor| with(state, &editor.text, key, value))
-    {
-        Some(Ok(text)) => change(state, text),
-        Some(Err(problem)) => super::overlay::warn(state, problem),
-        None => Vec::new(),
+/// Takes a text as an edit, or reports why there is none.
+fn take(state: &mut AppState, text: Result<String, String>) -> Vec<Effect> {
+    match text {
+        Ok(text) => change(state, text),
+        Err(problem) => warn(state, problem),
     }
 }
 
 fn accept(state: &mut AppState) -> Vec<Effect> {
-    let Some(editing) = state.editor_mut().and_then(|editor| editor.editing.take()) else {
+    let Some(document) = &mut state.document else {
+        return Vec::new();
+    };
+    let Some(editing) = document.editor.editing.take() else {
         return Vec::new();
     };
     let value = editing.input.value().trim();
-    let editor = state.editor();
-    let text = editor.map(|editor| editor.text.clone()).unwrap_or_default();
-    let row = editor.and_then(|s| s.rows.iter().find(|row| row.path == editing.path));
-    let goes = value.is_empty() && state.open.is_some() && row.is_some_and(can_go);
-    let taken = if goes {
-        facade::unset(&text, &editing.path)
-    } else {
-        with(state, &text, &editing.path, value)
-    };
-    match taken {
+    let (editor, kind) = (&document.editor, document.kind());
+    let mut rows = editor.rows.iter();
+    let row = rows.find(|row| row.path == editing.path);
+    let removed = row.filter(|row| value.is_empty() && optional(row));
+    let text = removed.and_then(|_| kind.unset(&editor.text, &editing.path));
+    let text = text.unwrap_or_else(|| kind.set(&editor.text, &editing.path, value));
+    match text {
         Ok(text) => change(state, text),
         Err(problem) => {
-            if let Some(editor) = state.editor_mut() {
-                editor.editing = Some(Editing {
-                    problem: Some(problem),
-                    ..editing
-                });
-            }
+            document.editor.editing = Some(Editing {
+                problem: Some(problem),
+                ..editing
+            });
             Vec::new()
         }
     }
 }
 
 /// Whether a field is one that the file gives and may leave out.
-pub(in crate::tui) fn can_go(row: &FieldRow) -> bool {
+#[must_use]
+pub fn optional(row: &FieldRow) -> bool {
     row.given && row.field.absent != Absent::Required
 }
 
@@ -158,7 +136,7 @@ fn change(state: &mut AppState, text: String) -> Vec<Effect> {
     changed(state)
 }
 
-fn undo(state: &mut AppState) -> Vec<Effect> {
+pub(super) fn undo(state: &mut AppState) -> Vec<Effect> {
     if let Some(editor) = state.editor_mut()
         && let Some(text) = editor.undo.pop()
     {
@@ -170,7 +148,7 @@ fn undo(state: &mut AppState) -> Vec<Effect> {
     Vec::new()
 }
 
-fn redo(state: &mut AppState) -> Vec<Effect> {
+pub(super) fn redo(state: &mut AppState) -> Vec<Effect> {
     if let Some(editor) = state.editor_mut()
         && let Some(text) = editor.redo.pop()
     {
@@ -202,13 +180,11 @@ pub(super) fn edited(state: &mut AppState, read: Result<String, String>) -> Vec<
     }
 }
 
-/// What every change of the text entails: fields and table anew, the draft kept, a re-solve.
+/// What follows every change of the text: fields and result updated, the text kept for recovery, a new solve.
 fn changed(state: &mut AppState) -> Vec<Effect> {
     refresh(state);
     let mut effects = keep_recovery(state);
-    if state.open.is_some() {
-        effects.extend(jobs::resolve(state));
-    }
+    effects.extend(jobs::resolve(state));
     effects.extend(super::ship::resolve(state));
     effects
 }
@@ -227,75 +203,49 @@ pub(super) fn keep_recovery(state: &AppState) -> Vec<Effect> {
 
 /// Reads what is open, and the fields, from the text again.
 pub(super) fn refresh(state: &mut AppState) {
-    // Edits are checked before they are taken; an old text that no longer passes is told, and
-    // the fields stay as they were.
-    let mut problem = None;
-    if let Some(file) = &mut state.file {
-        if let Err(all) = file.refresh() {
-            problem = Some(facade::first(&all, &file.editor.file));
-        }
-    } else if let Some(open) = &mut state.open {
-        match open.editor.case_of(&open.editor.text) {
-            Ok(case) => {
-                open.editor.rows = facade::rows(&open.editor.text, &case);
-                open.case = case;
-            }
-            Err(why) => problem = Some(why),
-        }
-    }
-    if let Some(problem) = problem {
+    let Some(document) = &mut state.document else {
+        return;
+    };
+    // Edits are checked before they are taken; where an old text is no longer valid, the fields stay as they were.
+    let read = document.refresh();
+    let editor = &mut document.editor;
+    editor.field = editor.field.min(editor.fields().count().saturating_sub(1));
+    if let Err(all) = read {
+        let problem = facade::first(&all, &editor.file);
         state.say(Level::Error, problem);
     }
-    if let Some(editor) = state.editor_mut() {
-        editor.field = editor.field.min(editor.fields().count().saturating_sub(1));
-    }
-    if state.open.is_some() {
-        runs::check(state);
-    }
-}
-
-/// The fields of a text, of the kind of file that is open; none when it does not pass.
-fn rows_of(state: &AppState, text: &str, editor: &ParameterEditor) -> Vec<FieldRow> {
-    match &state.file {
-        Some(file) => file.content.view().rows(text),
-        None => {
-            (editor.case_of(text)).map_or_else(|_| Vec::new(), |case| facade::rows(text, &case))
-        }
-    }
+    runs::check(state);
 }
 
 /// Puts the field back to what the file says.
-fn reset(state: &mut AppState) -> Vec<Effect> {
-    let Some(editor) = state.editor() else {
+pub fn reset(state: &mut AppState) -> Vec<Effect> {
+    let Some(document) = &state.document else {
         return Vec::new();
     };
-    let Some(path) = editor.current_field().map(|row| row.path.clone()) else {
+    let (editor, kind) = (&document.editor, document.kind());
+    let Some(row) = editor.current_field() else {
         return Vec::new();
     };
-    let of_file = rows_of(state, &editor.saved, editor)
-        .into_iter()
-        .find(|row| row.path == path);
-    let left_out = of_file.as_ref().is_some_and(|row| !row.given);
-    let given_now = editor.current_field().is_some_and(can_go);
-    if left_out && given_now && state.open.is_some() {
-        return match facade::unset(&editor.text, &path) {
-            Ok(text) => change(state, text),
-            Err(problem) => super::overlay::warn(state, problem),
-        };
+    let saved = kind.rows(&editor.saved, editor);
+    let saved = saved.iter().find(|saved| saved.path == row.path);
+    let added = saved.is_some_and(|saved| !saved.given) && optional(row);
+    if added && let Some(text) = kind.unset(&editor.text, &row.path) {
+        return take(state, text);
     }
-    let Some(row) = of_file.filter(|row| !row.value.is_empty()) else {
-        return info(
+    match saved.filter(|saved| !saved.value.is_empty()) {
+        Some(saved) => {
+            let text = kind.set(&editor.text, &saved.path, &saved.value);
+            take(state, text)
+        }
+        None => info(
             state,
             "The file gives no value here; `u` undoes the edits one by one.",
-        );
-    };
-    match with(state, &editor.text, &path, &row.value) {
-        Ok(text) => change(state, text),
-        Err(problem) => super::overlay::warn(state, problem),
+        ),
     }
 }
 
-fn group(state: &mut AppState, forward: bool) -> Vec<Effect> {
+/// Moves the cursor to the next or the previous group of fields.
+pub fn next_group(state: &mut AppState, forward: bool) {
     if let Some(editor) = state.editor_mut() {
         let groups: Vec<String> = editor.fields().map(|row| row.group.clone()).collect();
         let begins = |i: &usize| *i == 0 || groups[*i] != groups[*i - 1];
@@ -307,49 +257,40 @@ fn group(state: &mut AppState, forward: bool) -> Vec<Effect> {
         };
         editor.field = found.unwrap_or(at);
     }
-    Vec::new()
 }
 
 /// The solver is an input like any other: it is written to the text, and can be undone.
-fn next_method(state: &mut AppState) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
+pub(super) fn next_method(state: &mut AppState) -> Vec<Effect> {
+    let Some(line) = state.line() else {
         return Vec::new();
     };
-    let now = facade::method_word(open.case.solver.method);
+    let now = facade::method_word(line.case.solver.method);
     let at = METHODS.iter().position(|m| *m == now).unwrap_or(0);
     let next = METHODS[(at + 1) % METHODS.len()];
-    match facade::set(&open.editor.text, "solver.method", next) {
-        Ok(text) => {
-            let effects = change(state, text);
-            info(state, format!("The solver is now `{next}`."));
-            effects
-        }
-        Err(problem) => super::overlay::warn(state, problem),
+    let effects = set(state, "solver.method", next);
+    if !effects.is_empty() {
+        info(state, format!("The solver is now `{next}`."));
     }
+    effects
 }
 
 /// Brings back the edits of an earlier session.
 pub(super) fn recover(state: &mut AppState, text: String) -> Vec<Effect> {
-    let Some(editor) = state.editor() else {
+    let Some(document) = &state.document else {
         return Vec::new();
     };
+    let editor = &document.editor;
     let path = editor.path.clone();
-    let passes = match &state.file {
-        Some(file) => {
-            let passes = file.content.view().passes(&text, &editor.file);
-            passes.map_err(|all| facade::first(&all, &editor.file))
-        }
-        None => editor.case_of(&text).map(drop),
-    };
-    if let Err(problem) = passes {
-        return super::overlay::warn(
+    if let Err(all) = document.kind().check(&text, editor) {
+        let problem = facade::first(&all, &editor.file);
+        return warn(
             state,
-            format!("The kept edits no longer pass and stay where they are: {problem}"),
+            format!("The kept edits are no longer valid and stay where they are: {problem}"),
         );
     }
     let mut effects = change(state, text);
     effects.push(Effect::DropRecovery(path));
-    // The draft of this session is written after the old one is dropped.
+    // The edits of this session are kept after those of the earlier one are dropped.
     effects.extend(keep_recovery(state));
     info(
         state,

@@ -18,10 +18,7 @@ pub(super) fn event(state: &mut AppState, ticket: Ticket, event: Event) -> Vec<E
     {
         return Vec::new();
     }
-    let live = state
-        .open
-        .as_ref()
-        .is_some_and(|o| o.live.ticket == Some(ticket));
+    let live = is_live(state, ticket);
     match event {
         Event::Finished(run) => return finished(state, ticket, Arc::from(run), live),
         Event::Started { channels } => {
@@ -60,10 +57,7 @@ pub(super) fn recorded(state: &mut AppState, ticket: Ticket, later: &Curves) -> 
         ..later.progress
     };
     let progress = line.progress;
-    let live = state
-        .open
-        .as_ref()
-        .is_some_and(|o| o.live.ticket == Some(ticket));
+    let live = is_live(state, ticket);
     if let Some(curves) = curves(state, ticket, live) {
         curves.append(later);
         curves.progress = progress;
@@ -71,9 +65,16 @@ pub(super) fn recorded(state: &mut AppState, ticket: Ticket, later: &Curves) -> 
     Vec::new()
 }
 
+/// Whether a job is the live solve of what is open.
+fn is_live(state: &AppState, ticket: Ticket) -> bool {
+    state
+        .line()
+        .is_some_and(|line| line.live.ticket == Some(ticket))
+}
+
 fn curves(state: &mut AppState, ticket: Ticket, live: bool) -> Option<&mut Curves> {
     if live {
-        return state.open.as_mut()?.live.going.as_mut();
+        return state.line_mut()?.live.going.as_mut();
     }
     Some(&mut slot(state, ticket)?.curves)
 }
@@ -108,10 +109,10 @@ fn finished(state: &mut AppState, ticket: Ticket, run: Arc<Run>, live: bool) -> 
 }
 
 fn live_finished(state: &mut AppState, run: Arc<Run>, new: &JobState) {
-    let Some(open) = &mut state.open else {
+    let Some(line) = state.line_mut() else {
         return;
     };
-    let live = &mut open.live;
+    let live = &mut line.live;
     live.ticket = None;
     live.going = None;
     match new {
@@ -165,12 +166,12 @@ pub(super) fn failed(state: &mut AppState, ticket: Ticket, reason: String) -> Ve
         return Vec::new();
     }
     set_state(state, ticket, JobState::Failed(reason.clone()));
-    if let Some(open) = &mut state.open
-        && open.live.ticket == Some(ticket)
+    if is_live(state, ticket)
+        && let Some(line) = state.line_mut()
     {
-        open.live.ticket = None;
-        open.live.going = None;
-        open.live.failure = Some(reason.clone());
+        line.live.ticket = None;
+        line.live.going = None;
+        line.live.failure = Some(reason.clone());
     }
     state.say(Level::Error, reason);
     let mut effects = start_waiting(state);

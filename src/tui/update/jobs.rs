@@ -1,48 +1,36 @@
 //! Jobs: the live re-solve, runs asked for; starting and cancelling them.
 
-use super::{info, studies, trials};
+use super::notice::info;
+use super::trials;
 use crate::case::{At, Case};
 use crate::run::Resume;
 use crate::run::job::Request;
-use crate::tui::command::Id;
-use crate::tui::facade;
+use crate::tui::facade::{self, FieldRow};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::{
-    AppState, Curves, JobLine, JobState, OpenCase, Purpose, RunEntry, RunOrigin, RunStatus, Ticket,
-    Waiting,
+    AppState, Curves, Document, DocumentKind, JobLine, JobState, LineView, ParameterEditor,
+    Purpose, RunEntry, RunOrigin, RunStatus, Ticket, Waiting,
 };
-
-pub(super) fn command(state: &mut AppState, id: Id) -> Vec<Effect> {
-    match id {
-        Id::Run => run(state),
-        Id::Study => studies::ask(state),
-        Id::Validate => studies::validate(state),
-        Id::CancelJob => {
-            let ticket = state.jobs.lines.get(state.jobs.cursor).map(|l| l.ticket);
-            ticket.map_or_else(Vec::new, |t| cancel(state, t))
-        }
-        _ => Vec::new(),
-    }
-}
 
 /// Solves the case as it stands in the background; the newest wins.
 pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
     let mut effects = Vec::new();
     let ticket = state.jobs.ticket();
-    let Some(open) = &mut state.open else {
+    let document = state.document.as_mut();
+    let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
         return effects;
     };
-    let request = request(open, &open.editor.text, open.case.clone(), "live");
-    let live = &mut open.live;
+    let request = request(line, editor, &editor.text, line.case.clone(), "live");
+    let live = &mut line.live;
     live.going = Some(Curves::default());
-    live.going_text.clone_from(&open.editor.text);
+    live.going_text.clone_from(&editor.text);
     live.failure = None;
     live.hidden = false;
     let name = format!(
         "live: {} ({})",
-        open.editor.file,
-        facade::method_word(open.case.solver.method)
+        editor.file,
+        facade::method_word(line.case.solver.method)
     );
     if let Some(old) = live.ticket.replace(ticket) {
         effects.push(Effect::Cancel(old));
@@ -52,7 +40,7 @@ pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
     state
         .jobs
         .lines
-        .insert(0, line(ticket, name, Purpose::Live, JobState::Running));
+        .insert(0, job_line(ticket, name, Purpose::Live, JobState::Running));
     effects.push(Effect::Start {
         ticket,
         request: Box::new(request),
@@ -62,7 +50,7 @@ pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
     effects
 }
 
-pub(super) fn line(ticket: Ticket, name: String, purpose: Purpose, state: JobState) -> JobLine {
+pub(super) fn job_line(ticket: Ticket, name: String, purpose: Purpose, state: JobState) -> JobLine {
     JobLine {
         ticket,
         name,
@@ -72,47 +60,41 @@ pub(super) fn line(ticket: Ticket, name: String, purpose: Purpose, state: JobSta
     }
 }
 
-fn request(open: &OpenCase, text: &str, case: Case, id: &str) -> Request {
+fn request(line: &LineView, editor: &ParameterEditor, text: &str, case: Case, id: &str) -> Request {
     Request {
         case,
         text: text.to_owned(),
-        file: open.editor.file.clone(),
-        overrides: overrides(open, text),
+        file: editor.file.clone(),
+        overrides: overrides(line, editor, text),
         id: id.to_owned(),
     }
 }
 
 /// The keys in which a text differs from the file, as `key=value`.
-fn overrides(open: &OpenCase, text: &str) -> Vec<String> {
-    if text == open.editor.saved {
+fn overrides(line: &LineView, editor: &ParameterEditor, text: &str) -> Vec<String> {
+    if text == editor.saved {
         return Vec::new();
     }
-    let rows = |text: &str| {
-        (open.editor.case_of(text)).map_or_else(|_| Vec::new(), |case| facade::rows(text, &case))
+    let saved = line.rows(&editor.saved, editor);
+    let changed = |row: &FieldRow| {
+        let old = saved.iter().find(|old| old.path == row.path);
+        old.is_none_or(|old| old.value != row.value)
     };
-    let of_file = rows(&open.editor.saved);
-    rows(text)
-        .into_iter()
-        .filter(|row| {
-            of_file
-                .iter()
-                .find(|old| old.path == row.path)
-                .is_none_or(|old| old.value != row.value)
-        })
+    let rows = line.rows(text, editor).into_iter();
+    rows.filter(changed)
         .map(|row| format!("{}={}", row.path, row.value))
         .collect()
 }
 
-fn run(state: &mut AppState) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
+/// Runs the case as it stands, and stores the run.
+pub(super) fn run(state: &mut AppState) -> Vec<Effect> {
+    let document = state.document.as_mut();
+    let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
         return Vec::new();
     };
-    let (text, case) = (open.editor.text.clone(), open.case.clone());
     // The same curves twice would only hide each other.
-    open.live.hidden = true;
-    for slot in &mut open.runs {
-        slot.shown = false;
-    }
+    line.hide_runs();
+    let (text, case) = (editor.text.clone(), line.case.clone());
     enqueue(state, &text, case, None, true);
     let effects = start_newest(state);
     info(
@@ -124,22 +106,22 @@ fn run(state: &mut AppState) -> Vec<Effect> {
 
 /// Puts the cursor on the newest run, and starts what waits.
 pub(super) fn start_newest(state: &mut AppState) -> Vec<Effect> {
-    if let Some(open) = &mut state.open {
-        open.run = open.runs.len();
+    if let Some(line) = state.line_mut() {
+        line.run = line.runs.len();
     }
     start_waiting(state)
 }
 
 /// Puts a run of the open case at the end of the queue.
 pub(super) fn enqueue(state: &mut AppState, text: &str, case: Case, at: Option<At>, shown: bool) {
-    let Some(open) = &state.open else {
+    let document = state.document.as_mut();
+    let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
         return;
     };
     let label = at
         .as_ref()
-        .map_or_else(String::new, |at| facade::at_label(&open.case, at));
-    let stem = open.editor.file.trim_end_matches(".toml");
-    let request = request(open, text, case, stem);
+        .map_or_else(String::new, |at| facade::at_label(&line.case, at));
+    let request = request(line, editor, text, case, editor.stem());
     queue(state, request, None, label, at, shown);
 }
 
@@ -153,14 +135,14 @@ pub(super) fn queue(
     shown: bool,
 ) {
     let ticket = state.jobs.ticket();
-    let Some(open) = &mut state.open else {
+    let Some(line) = state.line_mut() else {
         return;
     };
     let method = facade::method_word(request.case.solver.method).to_owned();
     let stem = request.file.trim_end_matches(".toml");
     let name = joined_label(&[stem, &label, &method]);
     let text = request.text.clone();
-    open.runs.push(RunEntry {
+    line.runs.push(RunEntry {
         ticket: Some(ticket),
         id: name.clone(),
         label,
@@ -177,7 +159,7 @@ pub(super) fn queue(
     state
         .jobs
         .lines
-        .push(line(ticket, name, Purpose::Run, JobState::Queued));
+        .push(job_line(ticket, name, Purpose::Run, JobState::Queued));
     state.jobs.waiting.push_back(Waiting {
         ticket,
         request: Box::new(request),
@@ -223,10 +205,10 @@ pub(super) fn cancel_focused(state: &mut AppState) -> Vec<Effect> {
         .lines
         .get(cursor)
         .filter(|l| state.focus() == PaneId::Jobs && l.state.is_open());
-    let in_runs = state.open.as_ref().and_then(|open| {
-        let ticket = open.current_run()?.ticket?;
+    let in_runs = state.line().and_then(|line| {
+        let ticket = line.current_run()?.ticket?;
         let line = state.jobs.lines.iter().find(|l| l.ticket == ticket)?;
-        (open.pane == PaneId::Runs && line.state.is_open()).then_some(line)
+        (state.focus() == PaneId::Runs && line.state.is_open()).then_some(line)
     });
     let newest = |purpose: Purpose| {
         let mut lines = state.jobs.lines.iter();
@@ -250,7 +232,8 @@ pub(super) fn cancel_focused(state: &mut AppState) -> Vec<Effect> {
     }
 }
 
-fn cancel(state: &mut AppState, ticket: Ticket) -> Vec<Effect> {
+/// Cancels a job.
+pub fn cancel(state: &mut AppState, ticket: Ticket) -> Vec<Effect> {
     if state.trials.as_ref().is_some_and(|t| t.ticket == ticket) {
         return trials::stop(state);
     }
@@ -282,7 +265,7 @@ pub(super) fn set_state(state: &mut AppState, ticket: Ticket, new: JobState) {
 }
 
 pub(super) fn slot(state: &mut AppState, ticket: Ticket) -> Option<&mut RunEntry> {
-    let runs = &mut state.open.as_mut()?.runs;
+    let runs = &mut state.line_mut()?.runs;
     runs.iter_mut().find(|s| s.ticket == Some(ticket))
 }
 

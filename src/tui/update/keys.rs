@@ -1,10 +1,11 @@
 //! Keys and pastes: first to what is typed, then to what lies over the screen, then to the table.
 
+use super::notice::info;
 use super::text_input::type_text;
-use super::{cases, edit, info, overlay, quit};
-use crate::tui::command;
+use super::{cases, edit, overlay, quit};
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
+use crate::tui::panes;
 use crate::tui::state::{AppState, Level, Overlay};
 
 pub(super) fn key(state: &mut AppState, key: Key) -> Vec<Effect> {
@@ -23,7 +24,7 @@ pub(super) fn key(state: &mut AppState, key: Key) -> Vec<Effect> {
     if let Some(effects) = cases::typing_key(state, key) {
         return effects;
     }
-    match command::find(state.focus(), key) {
+    match panes::find(state, key) {
         Some(found) => overlay::run_command(state, found.id),
         None if key == Key::Esc => Vec::new(),
         None => info(

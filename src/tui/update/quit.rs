@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use tui_input::Input;
 
+use super::notice::{info, warn};
 use super::text_input::type_key;
-use super::{edit, info, jobs};
+use super::{edit, jobs};
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
 use crate::tui::state::parameter_editor::AfterSave;
@@ -41,9 +42,9 @@ pub(super) fn back(state: &mut AppState) -> Vec<Effect> {
         return Vec::new();
     }
     if state.jobs.open() > 0 {
-        return super::overlay::warn(
+        return warn(
             state,
-            "Runs of this case are still going on. Ctrl-C cancels them; the case list comes back when they have ended.",
+            "Runs of this case are still running. Ctrl-C cancels them; the case list comes back when they have ended.",
         );
     }
     close(state)
@@ -59,23 +60,23 @@ fn close(state: &mut AppState) -> Vec<Effect> {
     effects
 }
 
+/// Writes the text to its file, unless that has changed on disk.
 pub(super) fn save(state: &mut AppState) -> Vec<Effect> {
-    state.editor().map_or_else(Vec::new, |editor| {
-        vec![Effect::SaveCase {
-            path: editor.path.clone(),
-            text: editor.text.clone(),
-            expected: Some(editor.saved.clone()),
-            new: false,
-        }]
-    })
+    let expected = state.editor().map(|editor| editor.saved.clone());
+    write(state, expected)
 }
 
+/// Writes the text to its file, whatever that holds.
 pub(super) fn overwrite(state: &mut AppState) -> Vec<Effect> {
+    write(state, None)
+}
+
+fn write(state: &AppState, expected: Option<String>) -> Vec<Effect> {
     state.editor().map_or_else(Vec::new, |editor| {
         vec![Effect::SaveCase {
             path: editor.path.clone(),
             text: editor.text.clone(),
-            expected: None,
+            expected,
             new: false,
         }]
     })
@@ -143,7 +144,7 @@ pub(super) fn changed_on_disk(state: &mut AppState) -> Vec<Effect> {
 /// Asks for another file name.
 pub(super) fn ask_name(state: &mut AppState, why: &str) -> Vec<Effect> {
     if let Some(editor) = state.editor() {
-        let stem = editor.file.trim_end_matches(".toml");
+        let stem = editor.stem();
         state.overlay = Some(Overlay::SaveAs {
             input: Input::new(format!("{stem}-copy.toml")),
             why: why.to_owned(),

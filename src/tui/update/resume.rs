@@ -1,11 +1,11 @@
-//! A stored run gone on with: until when is asked for, and it joins the queue as a run of its own.
+//! Resuming a stored run: the end is asked for, and it joins the queue as a run of its own.
 
 use std::path::PathBuf;
 
 use tui_input::Input;
 
-use super::info;
 use super::jobs::{queue, start_newest};
+use super::notice::info;
 use super::text_input::type_key;
 use crate::run::Resume;
 use crate::run::job::Request;
@@ -14,15 +14,15 @@ use crate::tui::key::Key;
 use crate::tui::msg::Effect;
 use crate::tui::state::{AppState, Overlay, RunStatus};
 
-/// Asks for the time up to which the run under the cursor is to go on.
-pub(super) fn ask(state: &mut AppState) -> Vec<Effect> {
-    let Some(open) = &state.open else {
+/// Asks for the end of the run under the cursor.
+pub fn ask(state: &mut AppState) -> Vec<Effect> {
+    let (Some(line), Some(editor)) = (state.line(), state.editor()) else {
         return Vec::new();
     };
-    let Some((slot, dir)) = open.current_run().and_then(|s| Some((s, s.dir.clone()?))) else {
+    let Some((slot, dir)) = line.current_run().and_then(|s| Some((s, s.dir.clone()?))) else {
         return Vec::new();
     };
-    let end = facade::parse(&slot.text, &open.editor.file).map(|case| case.solver.duration_s);
+    let end = facade::parse(&slot.text, &editor.file).map(|case| case.solver.duration_s);
     let whole = slot.state == RunStatus::Done;
     // A run that was stopped goes on to its own end, a whole one as far again.
     let offer = end.map_or_else(
@@ -30,9 +30,9 @@ pub(super) fn ask(state: &mut AppState) -> Vec<Effect> {
         |end| format!("{}", if whole { 2.0 * end } else { end }),
     );
     let words = if whole {
-        "The run is complete. It goes on as a run of its own, to the same bits as if it had never stopped."
+        "The run is complete. It is resumed as a run of its own, to the same bits as if it had never stopped."
     } else {
-        "The run was stopped. It goes on from its last checkpoint, as a run of its own, to the same bits as \
+        "The run was stopped. It is resumed from its last checkpoint, as a run of its own, to the same bits as \
          if it had never stopped."
     };
     state.overlay = Some(Overlay::Until {
@@ -55,8 +55,7 @@ pub(super) fn key(
         Key::Esc => return Vec::new(),
         Key::Enter => match input.value().trim().parse::<f64>() {
             Ok(until) if until.is_finite() => return vec![Effect::PrepareResume(dir, until)],
-            _ => "That is no time. Type seconds of simulated time, such as 1800."
-                .clone_into(&mut words),
+            _ => "The time must be a number of seconds, such as 1800.".clone_into(&mut words),
         },
         _ => {
             type_key(&mut input, key);
@@ -81,21 +80,18 @@ pub(super) fn found(
             return Vec::new();
         }
     };
-    let Some(open) = &mut state.open else {
+    let Some(line) = state.line_mut() else {
         return Vec::new();
     };
-    open.live.hidden = true;
-    for slot in &mut open.runs {
-        slot.shown = false;
-    }
+    line.hide_runs();
     request.id = request.file.trim_end_matches(".toml").to_owned();
     let label = format!("to {until} s");
-    let stands = from.checkpoint.place.time;
+    let time = from.checkpoint.place.time;
     queue(state, request, Some(from), label, None, true);
     let effects = start_newest(state);
     info(
         state,
-        format!("The run goes on from {stands} s. `2` shows its curves, `6` the jobs."),
+        format!("The run is resumed from {time} s. `2` shows its curves, `6` the jobs."),
     );
     effects
 }

@@ -3,77 +3,58 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{export, info, moved};
+use super::export;
+use super::motion::moved;
+use super::notice::info;
 use crate::run::{Run, RunState};
-use crate::tui::command::Id;
 use crate::tui::facade;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::{
-    AppState, Curves, Level, OpenCase, Overlay, Question, RunEntry, RunOrigin, RunStatus, Ticket,
+    AppState, Curves, Document, Level, LineView, RunEntry, RunOrigin, RunStatus, Ticket,
 };
 
-pub(super) fn command(state: &mut AppState, id: Id) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
-        return Vec::new();
-    };
-    match id {
-        Id::Keep => {
-            let run = open.live.done.as_ref().and_then(|d| d.run.clone());
-            run.map(Effect::KeepRun).into_iter().collect()
-        }
-        Id::ShowAlone => show_alone(state),
-        Id::Select => select(open),
-        Id::SelectNone => {
-            open.runs.iter_mut().for_each(|slot| slot.shown = false);
-            open.live.hidden = false;
-            Vec::new()
-        }
-        Id::Delete => {
-            if let Some(slot) = open.current_run()
-                && let Some(dir) = slot.dir.clone()
-            {
-                let id = slot.id.clone();
-                state.overlay = Some(Overlay::Ask(Question::DeleteRun { dir, id }));
-            }
-            Vec::new()
-        }
-        _ => Vec::new(),
-    }
+/// Stores the live run.
+pub(super) fn keep(state: &AppState) -> Vec<Effect> {
+    let done = state.line().and_then(|line| line.live.done.as_ref());
+    let run = done.and_then(|done| done.run.clone());
+    run.map(Effect::KeepRun).into_iter().collect()
 }
 
-fn show_alone(state: &mut AppState) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
+/// Shows the run under the cursor alone.
+pub fn show_alone(state: &mut AppState) -> Vec<Effect> {
+    let Some(line) = state.line_mut() else {
         return Vec::new();
     };
-    let at = open.run;
-    open.live.hidden = at > 0;
-    for (i, slot) in open.runs.iter_mut().enumerate() {
+    let at = line.run;
+    line.live.hidden = at > 0;
+    for (i, slot) in line.runs.iter_mut().enumerate() {
         slot.shown = i + 1 == at;
     }
-    let name = open
+    let name = line
         .current_run()
         .map_or_else(|| "the live run".to_owned(), |r| r.id.clone());
     let effects = at
         .checked_sub(1)
-        .and_then(|i| open.runs.get(i))
+        .and_then(|i| line.runs.get(i))
         .map_or_else(Vec::new, load);
     info(state, format!("Charts and report now show {name}."));
     effects
 }
 
-fn select(open: &mut OpenCase) -> Vec<Effect> {
-    let effects = match open.run.checked_sub(1).and_then(|i| open.runs.get_mut(i)) {
+/// Shows the run under the cursor beside the others, or takes it off.
+pub fn select(line: &mut LineView) -> Vec<Effect> {
+    let effects = match line.run.checked_sub(1).and_then(|i| line.runs.get_mut(i)) {
         Some(slot) => {
             slot.shown = !slot.shown;
             if slot.shown { load(slot) } else { Vec::new() }
         }
         None => {
-            open.live.hidden = !open.live.hidden;
+            line.live.hidden = !line.live.hidden;
             Vec::new()
         }
     };
-    open.run = moved(open.run, 1, open.runs.len() + 1);
+    line.run = moved(line.run, 1, line.runs.len() + 1);
     effects
 }
 
@@ -88,8 +69,8 @@ pub(super) fn load(slot: &RunEntry) -> Vec<Effect> {
 }
 
 pub(super) fn stored(state: &mut AppState, ticket: Ticket, dir: PathBuf) -> Vec<Effect> {
-    if let Some(open) = &mut state.open
-        && let Some(slot) = open.runs.iter_mut().find(|s| s.ticket == Some(ticket))
+    if let Some(line) = state.line_mut()
+        && let Some(slot) = line.runs.iter_mut().find(|s| s.ticket == Some(ticket))
     {
         if let Some(name) = dir.file_name() {
             slot.id = name.to_string_lossy().into_owned();
@@ -100,15 +81,15 @@ pub(super) fn stored(state: &mut AppState, ticket: Ticket, dir: PathBuf) -> Vec<
 }
 
 pub(super) fn kept(state: &mut AppState, dir: &Path, run: Arc<Run>) -> Vec<Effect> {
-    if let Some(open) = &mut state.open {
+    if let Some(line) = state.line_mut() {
         let mut slot = slot_of(&run);
         if let Some(name) = dir.file_name() {
             slot.id = name.to_string_lossy().into_owned();
         }
         slot.dir = Some(dir.to_owned());
         slot.curves = Curves::whole(run);
-        open.runs.push(slot);
-        open.live.kept = Some(dir.to_owned());
+        line.runs.push(slot);
+        line.live.kept = Some(dir.to_owned());
     }
     info(state, format!("Kept in {}.", dir.display()))
 }
@@ -137,34 +118,25 @@ fn slot_of(run: &Run) -> RunEntry {
     }
 }
 
-/// Asks for the stored runs of a case, and of those beside it.
-pub(super) fn list(open: &OpenCase) -> Effect {
-    let mut files = vec![open.editor.file.clone()];
-    files.extend(open.case.case.beside.iter().flatten().cloned());
-    Effect::ListRuns(files)
+/// Asks for the stored runs of a line case, and of those beside it.
+pub(super) fn list(state: &AppState) -> Option<Effect> {
+    let (line, editor) = (state.line()?, state.editor()?);
+    let mut files = vec![editor.file.clone()];
+    files.extend(line.case.case.beside.iter().flatten().cloned());
+    Some(Effect::ListRuns(files))
 }
 
 /// Stored runs join the list; those that the validation table needs are read.
 pub(super) fn listed(state: &mut AppState, slots: Vec<RunEntry>) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
+    let document = state.document.as_mut();
+    let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
         return Vec::new();
     };
-    let needed: Vec<_> = facade::plan(&open.case)
-        .into_iter()
-        .filter_map(|at| {
-            let found = facade::variant(
-                &open.editor.text,
-                &open.case,
-                at.as_ref(),
-                &open.editor.file,
-            );
-            Some((at, found.ok()?.0))
-        })
-        .collect();
+    let needed = line.needed(editor);
     let mut effects = Vec::new();
     for mut slot in slots {
         let same = |s: &&mut RunEntry| s.dir.is_some() && s.dir == slot.dir;
-        if let Some(known) = open.runs.iter_mut().find(same) {
+        if let Some(known) = line.runs.iter_mut().find(same) {
             if known.state != slot.state && known.kind == RunOrigin::Stored {
                 slot.shown = known.shown;
                 slot.at = known.at.take();
@@ -184,21 +156,21 @@ pub(super) fn listed(state: &mut AppState, slots: Vec<RunEntry>) -> Vec<Effect> 
         {
             slot.label = at
                 .as_ref()
-                .map_or_else(String::new, |at| facade::at_label(&open.case, at));
+                .map_or_else(String::new, |at| facade::at_label(&line.case, at));
             slot.at.clone_from(at);
             effects.extend(load(&slot));
         }
-        open.runs.push(slot);
+        line.runs.push(slot);
     }
     effects
 }
 
 pub(super) fn read(state: &mut AppState, dir: &Path, run: Result<Arc<Run>, String>) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
+    let Some(line) = state.line_mut() else {
         return Vec::new();
     };
     let mut problem = None;
-    if let Some(slot) = open.runs.iter_mut().find(|s| s.dir.as_deref() == Some(dir)) {
+    if let Some(slot) = line.runs.iter_mut().find(|s| s.dir.as_deref() == Some(dir)) {
         match run {
             Ok(run) => slot.curves = Curves::whole(run),
             Err(why) => {
@@ -216,66 +188,23 @@ pub(super) fn read(state: &mut AppState, dir: &Path, run: Result<Arc<Run>, Strin
 }
 
 pub(super) fn deleted(state: &mut AppState, dir: &Path) -> Vec<Effect> {
-    if let Some(open) = &mut state.open {
-        open.runs.retain(|s| s.dir.as_deref() != Some(dir));
-        open.run = open.run.min(open.runs.len());
-        if open.live.kept.as_deref() == Some(dir) {
-            open.live.kept = None;
+    if let Some(line) = state.line_mut() {
+        line.runs.retain(|s| s.dir.as_deref() != Some(dir));
+        line.run = line.run.min(line.runs.len());
+        if line.live.kept.as_deref() == Some(dir) {
+            line.live.kept = None;
         }
     }
     check(state);
     info(state, format!("Deleted {}.", dir.display()))
 }
 
-/// Makes the validation table anew from the runs that answer for the case as it stands.
+/// Updates the validation table from the runs that answer for the case as it stands, and the report where it is seen.
 pub(super) fn check(state: &mut AppState) {
-    let Some(open) = &mut state.open else {
-        return;
-    };
-    let variants: Vec<_> = facade::plan(&open.case)
-        .into_iter()
-        .filter_map(|at| {
-            let (text, _) = facade::variant(
-                &open.editor.text,
-                &open.case,
-                at.as_ref(),
-                &open.editor.file,
-            )
-            .ok()?;
-            let run = answering(open, &text)?;
-            Some((at, run))
-        })
-        .collect();
-    open.checks = facade::checks(&open.case, &variants);
-    if open.pane == PaneId::Report {
-        export::write_report(state);
+    if let Some(document) = &mut state.document {
+        document.content.kind_mut().validate(&document.editor);
+        if document.pane == PaneId::Report {
+            export::make_report(document);
+        }
     }
-}
-
-/// The newest complete run of exactly this text.
-fn answering(open: &OpenCase, text: &str) -> Option<Arc<Run>> {
-    let done = |run: &&Arc<Run>| run.info.state == RunState::Done;
-    let live = open
-        .live
-        .done
-        .as_ref()
-        .filter(|_| open.live.done_text == text);
-    let slots = open.runs.iter().rev().filter(|s| s.text == text);
-    slots
-        .map(|s| &s.curves)
-        .chain(live)
-        .filter_map(|c| c.run.as_ref())
-        .find(done)
-        .cloned()
-}
-
-/// The run that the report is about: the one under the cursor of the list, else the live one.
-pub(in crate::tui) fn reported(open: &OpenCase) -> Option<(String, Arc<Run>, Option<PathBuf>)> {
-    if let Some(slot) = open.current_run()
-        && let Some(run) = &slot.curves.run
-    {
-        return Some((slot.id.clone(), Arc::clone(run), slot.dir.clone()));
-    }
-    let run = open.live.done.as_ref()?.run.clone()?;
-    Some(("live".to_owned(), run, open.live.kept.clone()))
 }

@@ -1,53 +1,32 @@
-//! A ship on the screen: which heading and which motion are shown, and the thread that works it out at sea.
+//! A ship: which motion is drawn, and the thread that computes it at sea.
 
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use super::{info, moved};
 use crate::physics::sea::DEGREES;
 use crate::ship::DynamicAnalysis;
-use crate::tui::command::Id;
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Content, FileView, ShipView};
+use crate::tui::state::{AppState, Content, Document, DocumentKind, ShipView};
 
-fn open(state: &mut AppState) -> Option<&mut ShipView> {
-    match &mut state.file.as_mut()?.content {
+fn ship(document: &mut Document) -> Option<&mut ShipView> {
+    match &mut document.content {
         Content::Ship(ship) => Some(ship),
         _ => None,
     }
 }
 
-/// What a command does to a ship alone; absent: the same as to every file.
-pub(super) fn command(state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
-    let ship = open(state)?;
-    match id {
-        Id::NextTrace => {
-            ship.trace = match ship.trace {
-                None => Some(0),
-                Some(last) if last + 1 >= DEGREES.len() => None,
-                Some(trace) => Some(trace + 1),
-            };
-        }
-        Id::Write | Id::HandOver if ship.working.is_some() => {
-            let words = "The ship at sea is still being worked out; it can be written in a moment.";
-            return Some(info(state, words));
-        }
-        _ => return None,
-    }
-    Some(Vec::new())
+/// Draws the next motion alone; after the last: all of them.
+pub fn next_motion(ship: &mut ShipView) {
+    let next = ship.trace.map_or(0, |trace| trace + 1);
+    ship.trace = (next < DEGREES.len()).then_some(next);
 }
 
-/// Shows another heading in full.
-pub(super) fn choose(ship: &mut ShipView, by: isize) {
-    let count = ship.rest.equilibria.as_ref().map_or(0, Vec::len);
-    ship.equilibrium = moved(ship.equilibrium, by, count);
-}
-
-/// Works the ship out at sea, as its text now says; what is under way is stopped.
+/// Computes the ship of the text at sea; what is being computed is stopped.
 pub(super) fn resolve(state: &mut AppState) -> Option<Effect> {
-    let path = state.editor().map(|editor| editor.path.clone())?;
-    let ship = open(state)?;
+    let document = state.document.as_mut()?;
+    let path = document.editor.path.clone();
+    let ship = ship(document)?;
     ship.stop();
     let stop = Arc::new(AtomicBool::new(false));
     ship.working = Some(Arc::clone(&stop));
@@ -59,28 +38,19 @@ pub(super) fn resolve(state: &mut AppState) -> Option<Effect> {
     ))
 }
 
-/// Takes a ship at sea over, unless the text has changed since.
-pub(super) fn worked(
+/// Takes over a ship at sea, unless the text has changed since.
+pub(super) fn computed(
     state: &mut AppState,
     by: &Arc<AtomicBool>,
     sea: Option<Arc<DynamicAnalysis>>,
-) -> Vec<Effect> {
-    let text = state.editor().map(|editor| editor.text.clone());
-    let Some(ship) = open(state) else {
-        return Vec::new();
-    };
-    let newest = ship
-        .working
-        .as_ref()
-        .is_some_and(|own| Arc::ptr_eq(own, by));
-    if !newest {
-        return Vec::new();
+) -> Option<()> {
+    let document = state.document.as_mut()?;
+    let ship = ship(document)?;
+    if !Arc::ptr_eq(ship.working.as_ref()?, by) {
+        return None;
     }
     ship.working = None;
     ship.sea = sea;
-    let checks = ship.checks(&text.unwrap_or_default());
-    if let Some(file) = &mut state.file {
-        file.checks = checks;
-    }
-    Vec::new()
+    document.content.kind_mut().validate(&document.editor);
+    Some(())
 }

@@ -1,22 +1,23 @@
 //! Studies and validation: the variants of a case that they need, as jobs.
 
 use super::jobs::{enqueue, start_waiting};
-use super::{info, runs};
+use super::notice::info;
+use super::runs;
 use crate::case::At;
 use crate::tui::facade;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
-use crate::tui::state::{AppState, Choice, Level, Overlay, RunEntry, RunStatus};
+use crate::tui::state::{AppState, Choice, Document, Level, Overlay, RunEntry, RunStatus};
 
 /// Runs the study of the case, or asks which.
 pub(super) fn ask(state: &mut AppState) -> Vec<Effect> {
-    let Some(open) = &state.open else {
+    let Some(line) = state.line() else {
         return Vec::new();
     };
-    if open.case.study.len() == 1 {
+    if line.case.study.len() == 1 {
         return study(state, 0);
     }
-    let items = open
+    let items = line
         .case
         .study
         .iter()
@@ -35,16 +36,13 @@ pub(super) fn ask(state: &mut AppState) -> Vec<Effect> {
 
 /// Runs all variants of a study and overlays them.
 pub(super) fn study(state: &mut AppState, index: usize) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
+    let Some(line) = state.line_mut() else {
         return Vec::new();
     };
-    let Some(study) = open.case.study.get(index).cloned() else {
+    let Some(study) = line.case.study.get(index).cloned() else {
         return Vec::new();
     };
-    open.live.hidden = true;
-    for slot in &mut open.runs {
-        slot.shown = false;
-    }
+    line.hide_runs();
     let points = study.values.iter().map(|value| {
         Some(At {
             study: study.name.clone(),
@@ -52,19 +50,21 @@ pub(super) fn study(state: &mut AppState, index: usize) -> Vec<Effect> {
         })
     });
     let effects = variants(state, points.collect(), true);
-    if let Some(open) = &mut state.open {
-        open.pane = PaneId::Charts;
+    if let Some(document) = &mut state.document {
+        document.pane = PaneId::Charts;
     }
     effects
 }
 
 /// Runs all that the published values of the case need.
 pub(super) fn validate(state: &mut AppState) -> Vec<Effect> {
-    let Some(open) = &mut state.open else {
+    let Some(document) = &mut state.document else {
         return Vec::new();
     };
-    open.pane = PaneId::Validation;
-    let plan = facade::plan(&open.case);
+    document.pane = PaneId::Validation;
+    let plan = document
+        .line()
+        .map_or_else(Vec::new, |line| facade::plan(&line.case));
     variants(state, plan, false)
 }
 
@@ -73,22 +73,19 @@ fn variants(state: &mut AppState, points: Vec<Option<At>>, shown: bool) -> Vec<E
     let mut effects = Vec::new();
     let mut begun = 0;
     for at in points {
-        let Some(open) = &mut state.open else {
+        let document = state.document.as_mut();
+        let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
             break;
         };
-        let (text, case) = match facade::variant(
-            &open.editor.text,
-            &open.case,
-            at.as_ref(),
-            &open.editor.file,
-        ) {
-            Ok(found) => found,
-            Err(problem) => {
-                state.say(Level::Error, problem);
-                continue;
-            }
-        };
-        if let Some(slot) = open
+        let (text, case) =
+            match facade::variant(&editor.text, &line.case, at.as_ref(), &editor.file) {
+                Ok(found) => found,
+                Err(problem) => {
+                    state.say(Level::Error, problem);
+                    continue;
+                }
+            };
+        if let Some(slot) = line
             .runs
             .iter_mut()
             .rev()
@@ -97,12 +94,12 @@ fn variants(state: &mut AppState, points: Vec<Option<At>>, shown: bool) -> Vec<E
             slot.at.clone_from(&at);
             slot.label = at
                 .as_ref()
-                .map_or_else(String::new, |at| facade::at_label(&open.case, at));
+                .map_or_else(String::new, |at| facade::at_label(&line.case, at));
             slot.shown |= shown;
             effects.extend(runs::load(slot));
             continue;
         }
-        let live = &open.live;
+        let live = &line.live;
         if at.is_none() && !shown && (live.done_text == text || live.going_text == text) {
             // The live run answers for the case as it stands.
             continue;

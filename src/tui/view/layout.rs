@@ -59,8 +59,11 @@ pub fn framed(screen: Rect) -> bool {
 #[must_use]
 pub fn panes(screen: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
     let body = areas(screen).body;
-    let (focus, modes) = (state.focus(), state.modes_beside());
-    if state.file.is_some() {
+    let (focus, modes) = (
+        state.focus(),
+        state.line().is_some_and(|line| line.modes.beside),
+    );
+    if state.line().is_none() {
         return file_panes(screen, body, focus, state.panes());
     }
     if screen.width < WIDE {
@@ -117,18 +120,18 @@ fn file_panes(
     if screen.width < WIDE {
         return vec![(focus, body)];
     }
-    let drawing = panes.get(1).copied().unwrap_or(PaneId::Keys);
+    let drawing = panes.get(1).copied().unwrap_or(PaneId::Inputs);
     let full = screen.width >= FULL.0 && screen.height >= FULL.1;
     let keys = if full { 66 } else { 58 };
     let [left, right] =
         Layout::horizontal([Constraint::Length(keys), Constraint::Min(0)]).areas(body);
     if !full {
-        let other = if focus == PaneId::Keys {
+        let other = if focus == PaneId::Inputs {
             drawing
         } else {
             focus
         };
-        return vec![(PaneId::Keys, left), (other, right)];
+        return vec![(PaneId::Inputs, left), (other, right)];
     }
     // A cross-section is round, and needs the height more than its tables do.
     let shares = if drawing == PaneId::Drawing {
@@ -138,12 +141,12 @@ fn file_panes(
     };
     let [upper, lower] =
         Layout::vertical([Constraint::Fill(shares.0), Constraint::Fill(shares.1)]).areas(right);
-    let below = if focus == PaneId::Checks {
+    let below = if focus == PaneId::Validation {
         focus
     } else {
         PaneId::Tables
     };
-    vec![(PaneId::Keys, left), (drawing, upper), (below, lower)]
+    vec![(PaneId::Inputs, left), (drawing, upper), (below, lower)]
 }
 
 /// Where a cross-section is drawn.
@@ -230,16 +233,16 @@ fn together(area: Rect, page: &[ChartKind]) -> Vec<(ChartKind, Rect)> {
 #[must_use]
 pub fn chart_area(state: &AppState) -> Rect {
     let screen = Rect::new(0, 0, state.size.0, state.size.1);
-    let Some(open) = &state.open else {
+    let Some(line) = state.line() else {
         return Rect::default();
     };
     panes(screen, state)
         .into_iter()
         .find(|(place, _)| *place == PaneId::Charts)
         .and_then(|(_, pane)| {
-            let kinds = ChartKind::of(&open.case);
-            let charts = charts(inside(screen, pane), &kinds, open.chart).charts;
-            charts.into_iter().find(|(kind, _)| *kind == open.chart)
+            let kinds = ChartKind::of(&line.case);
+            let charts = charts(inside(screen, pane), &kinds, line.chart).charts;
+            charts.into_iter().find(|(kind, _)| *kind == line.chart)
         })
         .map_or_else(Rect::default, |(_, area)| area)
 }

@@ -1,40 +1,21 @@
 //! What the state looks like. Nothing here changes anything.
 
-mod cases;
-mod chart_pane;
-mod file;
-mod inputs;
 pub mod layout;
-mod lists;
-mod modes;
 mod overlay;
-mod paint;
-mod results;
-mod ropeway;
-mod ship;
-mod text;
-mod trials;
+pub(super) mod paint;
+pub mod painter;
 
 use ratatui::Frame;
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::command::{self, Command, Id};
+use self::painter::Painter;
+use super::command::{Command, Id};
 use super::pane::PaneId;
+use super::panes;
 use super::state::{AppState, JobState, Level, Purpose};
 use super::theme::Theme;
-use super::update::enabled;
 use crate::report::chart::Glyphs;
 use crate::report::number;
-
-/// What drawing a pane needs.
-struct Painter<'a> {
-    state: &'a AppState,
-    theme: Theme,
-    buf: &'a mut Buffer,
-    /// Where the terminal's own cursor goes, when something is typed.
-    cursor: Option<(u16, u16)>,
-}
 
 /// Draws the whole screen.
 pub fn draw(state: &AppState, frame: &mut Frame) {
@@ -59,28 +40,19 @@ impl Painter<'_> {
     fn screen(&mut self, screen: Rect) {
         let (width, height) = layout::SMALLEST;
         if screen.width < width || screen.height < height {
-            let style = self.theme.plain();
-            paint::text(
-                self.buf,
-                (0, 0),
-                screen.width,
-                &format!("need {width}x{height}"),
-                style,
-            );
+            let words = format!("need {width}x{height}");
+            self.text(screen, &words, self.theme.plain());
             return;
         }
         let areas = layout::areas(screen);
         self.head(areas.head);
         let focus = self.state.focus();
-        let trials = self.state.trials.as_ref().filter(|t| t.shown);
-        if let Some(trials) = trials {
-            self.trials(areas.tabs.union(areas.body), trials);
-        } else if focus == PaneId::Cases {
-            self.cases(areas.tabs.union(areas.body));
+        if matches!(focus, PaneId::Cases | PaneId::Trials) {
+            panes::pane(focus).view(self, areas.tabs.union(areas.body));
         } else {
-            self.tabs(areas.tabs);
-            for (place, area) in layout::panes(screen, self.state) {
-                self.pane(screen, place, area);
+            self.pane_tabs(areas.tabs);
+            for (id, area) in layout::panes(screen, self.state) {
+                self.pane(screen, id, area);
             }
         }
         self.note(areas.note);
@@ -90,98 +62,44 @@ impl Painter<'_> {
         }
     }
 
-    fn pane(&mut self, screen: Rect, place: PaneId, area: Rect) {
-        let focused = self.state.focus() == place;
+    fn pane(&mut self, screen: Rect, id: PaneId, area: Rect) {
+        let pane = panes::pane(id);
         let inside = if layout::framed(screen) {
-            let style = if focused {
-                self.theme.head()
+            let focused = self.state.focus() == id;
+            let (style, mark) = if focused {
+                (self.theme.head(), "*")
             } else {
-                self.theme.faint()
+                (self.theme.faint(), "")
             };
-            let number = self
-                .state
-                .panes()
-                .iter()
-                .position(|p| *p == place)
-                .map_or(0, |i| i + 1);
-            let mark = if focused { "*" } else { "" };
-            let title = format!("{number} {}{mark}", place.title());
-            paint::framed(
-                self.buf,
-                area,
-                &title,
-                self.state.capabilities.glyphs,
-                style,
-            )
+            let mut panes = self.state.panes().iter();
+            let number = panes.position(|other| *other == id).map_or(0, |i| i + 1);
+            let title = format!("{number} {}{mark}", pane.title());
+            let glyphs = self.glyphs();
+            paint::framed(self.buf, area, &title, glyphs, style)
         } else {
             area
         };
-        let state = self.state;
-        if let Some(file) = &state.file {
-            self.file(place, inside, file);
-        }
-        let Some(open) = &state.open else {
-            return;
-        };
-        match place {
-            PaneId::Inputs => self.inputs(inside, &open.editor),
-            PaneId::Charts => self.charts(inside, open),
-            PaneId::Runs => self.runs(inside, open),
-            PaneId::Validation => self.validation(inside, open),
-            PaneId::Report => self.report(inside, open),
-            PaneId::Jobs => self.jobs(inside),
-            PaneId::Nodes => self.nodes(inside, open),
-            PaneId::Modes => self.modes(inside, open),
-            _ => {}
-        }
+        pane.view(self, inside);
     }
 
+    /// The file that is open, and what is being computed.
     fn head(&mut self, line: Rect) {
-        let mut x = paint::text(
-            self.buf,
-            (line.x, line.y),
-            line.width,
-            "seacable",
-            self.theme.head(),
-        );
-        if let Some(open) = &self.state.open {
-            let unsaved = if open.editor.unsaved() {
-                " *unsaved"
-            } else {
-                ""
-            };
-            let method = super::facade::method_word(open.case.solver.method);
-            let words = format!("  {}{unsaved}  solver {method}", open.editor.file);
-            x = paint::text(
-                self.buf,
-                (x, line.y),
-                line.right() - x,
-                &words,
-                self.theme.strong(),
-            );
-        } else if let Some(file) = &self.state.file {
-            let editor = &file.editor;
-            let unsaved = if editor.unsaved() { " *unsaved" } else { "" };
-            let kind = file.content.view().word();
-            let words = format!("  {}{unsaved}  {kind}", editor.file);
-            let room = line.right() - x;
-            x = paint::text(self.buf, (x, line.y), room, &words, self.theme.strong());
-        } else {
-            let words = format!("  {}", self.state.cases.dir.display());
-            x = paint::text(
-                self.buf,
-                (x, line.y),
-                line.right() - x,
-                &words,
-                self.theme.plain(),
-            );
-        }
-        let room = line.right().saturating_sub(x + 2);
-        let busy = self
-            .state
-            .file
-            .as_ref()
-            .and_then(|f| f.content.view().busy());
+        let state = self.state;
+        let rest = self.text(line, "seacable", self.theme.head());
+        let rest = match &state.document {
+            Some(document) => {
+                let editor = &document.editor;
+                let unsaved = if editor.unsaved() { " *unsaved" } else { "" };
+                let words = format!("  {}{unsaved}  {}", editor.file, document.kind().word());
+                self.text(rest, &words, self.theme.strong())
+            }
+            None => {
+                let words = format!("  {}", state.cases.dir.display());
+                self.text(rest, &words, self.theme.plain())
+            }
+        };
+        let room = rest.width.saturating_sub(2);
+        let busy = state.document.as_ref().and_then(|d| d.kind().busy());
         let words = match busy {
             Some(words) => fitting(room.into(), &[words.to_owned()]),
             None => self.progress(room.into()),
@@ -230,33 +148,17 @@ impl Painter<'_> {
         )
     }
 
-    fn tabs(&mut self, line: Rect) {
-        let mut x = line.x;
-        for (i, place) in self.state.panes().iter().enumerate() {
-            let style = if *place == self.state.focus() {
-                self.theme.selected()
-            } else {
-                self.theme.plain()
-            };
-            let words = format!(" {} {} ", i + 1, place.title());
-            x = paint::text(
-                self.buf,
-                (x, line.y),
-                line.right().saturating_sub(x),
-                &words,
-                style,
-            );
-        }
-        let room = line.right().saturating_sub(x + 2);
-        let rest = Rect::new(line.right() - room, line.y, room, 1);
+    fn pane_tabs(&mut self, line: Rect) {
         let state = self.state;
-        let title = match (&state.file, &state.open) {
-            (Some(file), _) => file.content.view().title(),
-            (None, Some(open)) => &open.case.case.title,
-            (None, None) => return,
-        };
-        if room > 20 {
-            paint::text(self.buf, (rest.x, rest.y), room, title, self.theme.faint());
+        let panes = state.panes();
+        let selected = panes.iter().position(|id| *id == state.focus());
+        let names = panes.iter().enumerate();
+        let names = names.map(|(i, id)| format!("{} {}", i + 1, panes::pane(*id).title()));
+        let rest = self.tabs(line, names, selected);
+        let room = rest.width.saturating_sub(2);
+        if let Some(document) = state.document.as_ref().filter(|_| room > 20) {
+            let rest = Rect::new(line.right() - room, line.y, room, 1);
+            self.text(rest, document.kind().title(), self.theme.faint());
         }
     }
 
@@ -270,44 +172,44 @@ impl Painter<'_> {
             Level::Error => ("Error: ", self.theme.error()),
         };
         let words = format!("{word}{}", note.text.replace('\n', " "));
-        paint::text(self.buf, (line.x, line.y), line.width, &words, style);
+        self.text(line, &words, style);
     }
 
-    /// The keys of the place, from the table: those that work now, then `?` and `q`.
+    /// The keys that work now, then `?` and `q`.
     fn foot(&mut self, line: Rect) {
-        let place = self.state.focus();
-        let last = |c: &Command| matches!(c.id, Id::Help | Id::Quit);
-        let ends: Vec<&Command> = command::at(place).filter(|c| last(c)).collect();
-        let room: u16 = ends.iter().map(|c| key_width(c)).sum();
-        let mut x = line.x;
-        let limit = line.right().saturating_sub(room);
-        let labelled = command::at(place).filter(|c| !c.label.is_empty() && !last(c));
-        for command in labelled.filter(|c| enabled(self.state, c.id).is_ok()) {
-            if x + key_width(command) > limit {
-                break;
-            }
-            x = self.key(x, line.y, command);
+        let (ends, others): (Vec<Command>, Vec<Command>) = panes::commands(self.state)
+            .into_iter()
+            .filter(|command| !command.label.is_empty())
+            .partition(|command| matches!(command.id, Id::Help | Id::Quit));
+        let mut room = line.width.saturating_sub(ends.iter().map(key_width).sum());
+        let mut rest = line;
+        let now = others
+            .iter()
+            .filter(|c| panes::enabled(self.state, c.id).is_ok());
+        for command in now.take_while(|command| {
+            let fits = key_width(command) <= room;
+            room = room.saturating_sub(key_width(command));
+            fits
+        }) {
+            rest = self.key(rest, command);
         }
-        for command in ends {
-            x = self.key(x, line.y, command);
+        for command in &ends {
+            rest = self.key(rest, command);
         }
     }
 
-    fn key(&mut self, x: u16, y: u16, command: &Command) -> u16 {
+    fn key(&mut self, line: Rect, command: &Command) -> Rect {
         let Some(key) = command.keys.first() else {
-            return x;
+            return line;
         };
-        let room = self.buf.area().right().saturating_sub(x);
-        let next = paint::text(self.buf, (x, y), room, key, self.theme.selected());
-        let room = self.buf.area().right().saturating_sub(next);
-        let next = paint::text(
-            self.buf,
-            (next, y),
-            room,
-            &format!(" {}", command.label),
-            self.theme.plain(),
-        );
-        next + 2
+        let rest = self.text(line, key, self.theme.selected());
+        let rest = self.text(rest, &format!(" {}", command.label), self.theme.plain());
+        let x = rest.x + 2;
+        Rect {
+            x,
+            width: line.right().saturating_sub(x),
+            ..line
+        }
     }
 }
 

@@ -1,13 +1,14 @@
 //! What lies over the screen: help, palette, questions.
 
-use ratatui::layout::Rect;
+use ratatui::layout::{Constraint, Layout, Rect};
 use tui_input::Input;
 
-use super::Painter;
-use super::paint::{first_line, over, row, text, wrap};
-use crate::tui::command::{self, Command};
+use super::paint::{over, row, wrap};
+use super::painter::Painter;
+use crate::tui::command::Command;
+use crate::tui::panes;
 use crate::tui::state::{Overlay, Question};
-use crate::tui::update::{enabled, palette_matches};
+use crate::tui::update::palette_matches;
 
 impl Painter<'_> {
     pub(super) fn overlay(&mut self, screen: Rect, overlay: &Overlay) {
@@ -29,122 +30,86 @@ impl Painter<'_> {
             }
             Overlay::Until { dir, input, words } => {
                 let name = dir.file_name().unwrap_or_default().to_string_lossy();
-                let title = format!("Go on with {name}");
+                let title = format!("Resume {name}");
                 self.one_line(screen, &title, words, "Until [s]: ", input);
             }
         }
     }
 
     fn boxed(&mut self, screen: Rect, size: (u16, u16), title: &str) -> Rect {
-        let style = self.theme.head();
-        over(
-            self.buf,
-            screen,
-            size,
-            title,
-            self.state.capabilities.glyphs,
-            style,
-        )
+        let (glyphs, style) = (self.glyphs(), self.theme.head());
+        over(self.buf, screen, size, title, glyphs, style)
     }
 
-    fn lines(&mut self, area: Rect, lines: &[String], scroll: usize) {
-        let height = usize::from(area.height);
-        let first = scroll.min(lines.len().saturating_sub(height));
-        for (i, line) in lines.iter().skip(first).take(height).enumerate() {
-            let at = row(area, u16::try_from(i).unwrap_or(u16::MAX));
-            text(self.buf, (at.x, at.y), at.width, line, self.theme.plain());
-        }
+    fn scrolled(&mut self, area: Rect, lines: &[String], scroll: usize) {
+        let first = scroll.min(lines.len().saturating_sub(area.height.into()));
+        let plain = self.theme.plain();
+        self.lines(area, lines.iter().skip(first).map(|line| (line, plain)));
     }
 
     fn help(&mut self, screen: Rect, scroll: usize) {
-        let place = self.state.focus();
         let width = 96.min(screen.width);
         let mut lines = Vec::new();
-        for command in command::at(place).filter(|c| !c.keys.is_empty()) {
-            let words = match enabled(self.state, command.id) {
+        for command in panes::commands(self.state) {
+            if command.keys.is_empty() {
+                continue;
+            }
+            let words = match panes::enabled(self.state, command.id) {
                 Ok(()) => command.doc.to_owned(),
                 Err(why) => format!("{}. Not now: {why}", command.doc),
             };
-            for (i, part) in wrap(&words, usize::from(width.saturating_sub(21)))
-                .iter()
-                .enumerate()
-            {
-                let keys = if i == 0 {
-                    command.keys.join(" ")
-                } else {
-                    String::new()
-                };
-                lines.push(format!(" {keys:<16} {part}"));
-            }
+            let parts = wrap(&words, usize::from(width.saturating_sub(21)));
+            let keys =
+                std::iter::once(command.keys.join(" ")).chain(std::iter::repeat(String::new()));
+            lines.extend(
+                keys.zip(parts)
+                    .map(|(keys, part)| format!(" {keys:<16} {part}")),
+            );
         }
         let height = u16::try_from(lines.len() + 2).unwrap_or(u16::MAX);
         let title = format!(
             "Keys: {} (j and k scroll, any other key closes)",
-            place.title()
+            panes::pane(self.state.focus()).title()
         );
         let area = self.boxed(screen, (width, height), &title);
-        self.lines(area, &lines, scroll);
+        self.scrolled(area, &lines, scroll);
     }
 
     /// Keys and meaning; a command that cannot be done now says why.
     fn command_line(&mut self, at: Rect, command: &Command, selected: bool) {
-        let style = if selected {
-            self.theme.selected()
-        } else {
-            self.theme.plain()
-        };
+        let style = self.line_style(selected);
         self.buf.set_style(at, style);
-        let keys = command.keys.join(" ");
-        text(
-            self.buf,
-            (at.x + 1, at.y),
-            16,
-            &keys,
-            style.patch(self.theme.strong()),
-        );
-        let x = at.x + 18;
-        let room = at.right().saturating_sub(x);
-        match enabled(self.state, command.id) {
-            Ok(()) => text(self.buf, (x, at.y), room, command.doc, style),
+        let [_, keys, _, rest] = Layout::horizontal([
+            Constraint::Length(1),
+            Constraint::Length(16),
+            Constraint::Length(1),
+            Constraint::Min(0),
+        ])
+        .areas(at);
+        let strong = style.patch(self.theme.strong());
+        self.text(keys, &command.keys.join(" "), strong);
+        match panes::enabled(self.state, command.id) {
+            Ok(()) => self.text(rest, command.doc, style),
             Err(why) => {
                 let words = format!("{} (not now: {why})", command.doc);
-                text(
-                    self.buf,
-                    (x, at.y),
-                    room,
-                    &words,
-                    style.patch(self.theme.faint()),
-                )
+                self.text(rest, &words, style.patch(self.theme.faint()))
             }
         };
     }
 
     fn palette(&mut self, screen: Rect, input: &Input, cursor: usize) {
-        let found = palette_matches(self.state.focus(), input.value());
+        let found = palette_matches(self.state, input.value());
         let area = self.boxed(
             screen,
             (90, 18),
             "Commands (type a word, Enter does it, Esc closes)",
         );
-        self.prompt(row(area, 0), ":", input, true);
-        let list = Rect::new(
-            area.x,
-            area.y + 1,
-            area.width,
-            area.height.saturating_sub(1),
-        );
-        let height = usize::from(list.height);
-        let first = first_line(cursor, found.len(), height);
-        for (i, (n, command)) in found
-            .iter()
-            .enumerate()
-            .skip(first)
-            .take(height)
-            .enumerate()
-        {
-            let at = row(list, u16::try_from(i).unwrap_or(u16::MAX));
-            self.command_line(at, command, n == cursor);
-        }
+        let [head, list] =
+            Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
+        self.prompt(head, ":", input, true);
+        self.list(list, cursor, found.len(), |painter, at, i| {
+            painter.command_line(at, &found[i], i == cursor);
+        });
     }
 
     fn messages(&mut self, screen: Rect, scroll: usize) {
@@ -156,7 +121,7 @@ impl Painter<'_> {
             .rev()
             .flat_map(|note| wrap(&note.text, area.width.into()))
             .collect();
-        self.lines(area, &lines, scroll);
+        self.scrolled(area, &lines, scroll);
     }
 
     fn long_text(&mut self, screen: Rect, title: &str, words: &str, scroll: usize) {
@@ -164,7 +129,7 @@ impl Painter<'_> {
         let area = self.boxed(screen, (110, height), title);
         // Lines that point at a place in a file keep their columns.
         let lines: Vec<String> = words.lines().map(str::to_owned).collect();
-        self.lines(area, &lines, scroll);
+        self.scrolled(area, &lines, scroll);
     }
 
     fn ask(&mut self, screen: Rect, question: &Question) {
@@ -179,24 +144,11 @@ impl Painter<'_> {
             area.width.saturating_sub(2),
             area.height,
         );
-        self.lines(area, &lines, 0);
+        self.scrolled(area, &lines, 0);
         for (i, (key, meaning)) in answers.iter().enumerate() {
             let at = row(area, u16::try_from(lines.len() + 1 + i).unwrap_or(u16::MAX));
-            let x = text(
-                self.buf,
-                (at.x, at.y),
-                at.width,
-                &key.to_string(),
-                self.theme.selected(),
-            );
-            let room = at.right().saturating_sub(x);
-            text(
-                self.buf,
-                (x, at.y),
-                room,
-                &format!(" {meaning}"),
-                self.theme.plain(),
-            );
+            let rest = self.text(at, &key.to_string(), self.theme.selected());
+            self.text(rest, &format!(" {meaning}"), self.theme.plain());
         }
     }
 
@@ -207,23 +159,18 @@ impl Painter<'_> {
             (90, height),
             "Which study? Enter runs it, Esc closes",
         );
-        for (i, item) in items.iter().enumerate() {
-            let at = row(area, u16::try_from(i).unwrap_or(u16::MAX));
-            let style = if i == cursor {
-                self.theme.selected()
-            } else {
-                self.theme.plain()
-            };
-            self.buf.set_style(at, style);
-            text(self.buf, (at.x, at.y), at.width, item, style);
-        }
+        self.list(area, 0, items.len(), |painter, at, i| {
+            let style = painter.line_style(i == cursor);
+            painter.buf.set_style(at, style);
+            painter.text(at, &items[i], style);
+        });
     }
 
     /// Words, and a line to type.
     fn one_line(&mut self, screen: Rect, title: &str, words: &str, prompt: &str, input: &Input) {
         let area = self.boxed(screen, (76, 8), title);
         let lines = wrap(words, area.width.into());
-        self.lines(area, &lines, 0);
+        self.scrolled(area, &lines, 0);
         let used = u16::try_from(lines.len())
             .unwrap_or(0)
             .min(area.height.saturating_sub(1));

@@ -12,7 +12,13 @@ use crate::report::plain::ascii;
 use crate::visible;
 
 /// Writes text from a column on, at most so many columns; returns the column after it.
-pub(super) fn text(buf: &mut Buffer, at: (u16, u16), width: u16, words: &str, style: Style) -> u16 {
+pub(in crate::tui) fn text(
+    buf: &mut Buffer,
+    at: (u16, u16),
+    width: u16,
+    words: &str,
+    style: Style,
+) -> u16 {
     if !buf.area().contains(at.into()) {
         return at.0;
     }
@@ -21,7 +27,7 @@ pub(super) fn text(buf: &mut Buffer, at: (u16, u16), width: u16, words: &str, st
 }
 
 /// Writes text that ends at the right edge of a line.
-pub(super) fn right(buf: &mut Buffer, line: Rect, words: &str, style: Style) {
+pub(in crate::tui) fn right(buf: &mut Buffer, line: Rect, words: &str, style: Style) {
     let width = u16::try_from(words.width())
         .unwrap_or(u16::MAX)
         .min(line.width);
@@ -29,7 +35,7 @@ pub(super) fn right(buf: &mut Buffer, line: Rect, words: &str, style: Style) {
 }
 
 /// A row of an area, counted from the top.
-pub(super) fn row(area: Rect, index: u16) -> Rect {
+pub(in crate::tui) fn row(area: Rect, index: u16) -> Rect {
     if index >= area.height {
         return Rect::new(area.x, area.y, 0, 0);
     }
@@ -37,14 +43,14 @@ pub(super) fn row(area: Rect, index: u16) -> Rect {
 }
 
 /// The first line to show so that the cursor is seen, with lines around it where there are any.
-pub(super) fn first_line(cursor: usize, lines: usize, height: usize) -> usize {
+pub(in crate::tui) fn first_line(cursor: usize, lines: usize, height: usize) -> usize {
     cursor
         .saturating_sub(height / 2)
         .min(lines.saturating_sub(height))
 }
 
 /// The characters of frames.
-pub(super) fn border(glyphs: Glyphs) -> border::Set<'static> {
+pub(in crate::tui) fn border(glyphs: Glyphs) -> border::Set<'static> {
     match glyphs {
         Glyphs::Braille => border::PLAIN,
         Glyphs::Ascii => border::Set {
@@ -61,7 +67,7 @@ pub(super) fn border(glyphs: Glyphs) -> border::Set<'static> {
 }
 
 /// A frame with a title; returns its inside.
-pub(super) fn framed(
+pub(in crate::tui) fn framed(
     buf: &mut Buffer,
     area: Rect,
     title: &str,
@@ -78,7 +84,7 @@ pub(super) fn framed(
 }
 
 /// A box over the middle of the screen, at most so large; returns its inside.
-pub(super) fn over(
+pub(in crate::tui) fn over(
     buf: &mut Buffer,
     screen: Rect,
     size: (u16, u16),
@@ -98,7 +104,7 @@ pub(super) fn over(
 }
 
 /// Breaks text into lines of a width, between words where it can.
-pub(super) fn wrap(words: &str, width: usize) -> Vec<String> {
+pub(in crate::tui) fn wrap(words: &str, width: usize) -> Vec<String> {
     let width = width.max(1);
     let mut lines = Vec::new();
     for paragraph in words.lines() {
@@ -129,7 +135,7 @@ pub(super) fn wrap(words: &str, width: usize) -> Vec<String> {
 }
 
 /// Replaces what ASCII lacks, on the whole screen: text of case files may hold anything.
-pub(super) fn only_ascii(buf: &mut Buffer) {
+pub(in crate::tui) fn only_ascii(buf: &mut Buffer) {
     for cell in &mut buf.content {
         if !cell.symbol().is_ascii() {
             let first = ascii(cell.symbol()).chars().next().unwrap_or('?');

@@ -4,23 +4,23 @@ use std::path::Path;
 
 use seacable::case;
 use seacable::tui::Msg;
-use seacable::tui::msg::CaseRead;
+use seacable::tui::msg::FileRead;
 
-use super::desk::{CASE, Desk};
+use super::desk::{CASE, Desk, content_of};
 use super::{SMALL, said};
 
 /// The body's vessel swings by a table.
-fn write(folder: &Path) -> CaseRead {
+fn write(folder: &Path) -> FileRead {
     let table = "time_s,x_m,y_m,z_m\n0,0,0,0\n10,1,0,0\n600,0,0,0\n";
     std::fs::write(folder.join("swing.csv"), table).unwrap();
     let moving = "kind = \"moving\"\nmotion = \"table\"\nmotion_file = \"swing.csv\"";
     let path = folder.join("body.toml");
     std::fs::write(&path, CASE.replacen("kind = \"fixed\"", moving, 1)).unwrap();
     let loaded = case::load(&path).unwrap();
-    CaseRead {
+    FileRead {
         path,
         text: loaded.text,
-        case: loaded.case,
+        content: content_of(loaded.case),
         recovered: None,
     }
 }
@@ -29,7 +29,7 @@ fn write(folder: &Path) -> CaseRead {
 fn the_files_a_case_names_are_found_from_another_folder() {
     let folder = tempfile::tempdir().unwrap();
     let mut desk = Desk::new(SMALL);
-    desk.tell(Msg::CaseRead(Box::new(write(folder.path()))));
+    desk.tell(Msg::FileRead(Box::new(write(folder.path()))));
     desk.started();
     // An edit is taken and computed.
     desk.keys("/");

@@ -16,8 +16,8 @@ use seacable::run::{
     RunInfo, RunState, Settings, VERSION, Work,
 };
 use seacable::tui::key::Key;
-use seacable::tui::msg::CaseRead;
-use seacable::tui::state::{CaseEntry, Ticket};
+use seacable::tui::msg::FileRead;
+use seacable::tui::state::{CaseEntry, Content, LineView, Ticket};
 use seacable::tui::terminal::capabilities::Capabilities;
 use seacable::tui::{AppState, Effect, Msg, draw, update};
 
@@ -36,6 +36,11 @@ pub(crate) fn looks(glyphs: Glyphs, colour: bool) -> Capabilities {
         colour,
         unsure: false,
     }
+}
+
+/// A line case as the content of a document.
+pub(crate) fn content_of(case: case::Case) -> Content {
+    Content::Line(Box::new(LineView::new(case)))
 }
 
 impl Desk {
@@ -83,10 +88,10 @@ impl Desk {
     /// The case open, with its live solve on its way.
     pub(crate) fn opening(size: (u16, u16)) -> Self {
         let mut desk = Self::new(size);
-        desk.tell(Msg::CaseRead(Box::new(CaseRead {
+        desk.tell(Msg::FileRead(Box::new(FileRead {
             path: PathBuf::from("cases/body.toml"),
             text: CASE.to_owned(),
-            case: case::parse(CASE, "body.toml").unwrap(),
+            content: content_of(case::parse(CASE, "body.toml").unwrap()),
             recovered: None,
         })));
         desk

@@ -19,13 +19,14 @@ mod umbilical;
 
 use std::path::PathBuf;
 
-use desk::{Desk, looks, run, shared};
+use desk::{Desk, content_of, looks, run, shared};
 use seacable::report::chart::Glyphs;
 use seacable::run::RunState;
 use seacable::run::job::Event;
-use seacable::tui::command::COMMANDS;
-use seacable::tui::pane::PaneId;
+use seacable::tui::key::Key;
+use seacable::tui::panes;
 use seacable::tui::state::{JobState, Level, Overlay, Question};
+use seacable::tui::update::palette_matches;
 use seacable::tui::{Effect, Msg};
 
 const SMALL: (u16, u16) = (80, 24);
@@ -128,14 +129,13 @@ fn a_bad_value_is_refused_with_its_reason_and_a_good_one_solves_again() {
     assert_eq!(started.len(), 1);
     assert!(started[0].1.text.contains("speed_m_per_s = 0.8  # along x"));
     assert_eq!(started[0].1.overrides, ["current.speed_m_per_s=0.8"]);
-    let open = desk.state.open.as_ref().unwrap();
-    assert!(open.editor.unsaved());
+    assert!(desk.state.editor().unwrap().unsaved());
     desk.keys("u");
-    assert!(!desk.state.open.as_ref().unwrap().editor.unsaved());
+    assert!(!desk.state.editor().unwrap().unsaved());
     desk.keys("U");
-    assert!(desk.state.open.as_ref().unwrap().editor.unsaved());
+    assert!(desk.state.editor().unwrap().unsaved());
     desk.keys("r");
-    assert!(!desk.state.open.as_ref().unwrap().editor.unsaved());
+    assert!(!desk.state.editor().unwrap().unsaved());
 }
 
 #[test]
@@ -163,8 +163,8 @@ fn the_newest_solve_wins_and_the_old_curve_stays_dimmed_until_it_lands() {
         second.0,
         Box::new(Event::Finished(Box::new(whole))),
     ));
-    let open = desk.state.open.as_ref().unwrap();
-    assert!(open.live.going.is_none() && open.live.done_text == open.editor.text);
+    let open = desk.state.line().unwrap();
+    assert!(open.live.going.is_none() && open.live.done_text == desk.state.editor().unwrap().text);
 }
 
 #[test]
@@ -176,7 +176,7 @@ fn a_run_is_stored_validated_and_reported() {
         Effect::Start { store: true, .. }
     )));
     desk.finish_jobs();
-    let open = desk.state.open.as_ref().unwrap();
+    let open = desk.state.line().unwrap();
     assert_eq!(open.runs.len(), 1);
     assert_eq!(open.checks.len(), 2);
     desk.keys("5 w");
@@ -213,25 +213,22 @@ fn runs_can_be_overlaid_shown_alone_and_deleted_after_a_question() {
     desk.keys("S");
     desk.finish_jobs();
     desk.keys("3 g space");
-    assert!(!desk.state.open.as_ref().unwrap().live.hidden);
+    assert!(!desk.state.line().unwrap().live.hidden);
     desk.keys("enter");
-    let open = desk.state.open.as_ref().unwrap();
+    let open = desk.state.line().unwrap();
     assert!(open.live.hidden && open.runs[0].shown && !open.runs[1].shown);
     desk.keys("d");
     snapshot("tui_delete_80x24", &desk);
     desk.keys("esc");
     assert!(!has(&desk, |e| matches!(e, Effect::DeleteRun(_))));
     desk.keys("d d");
-    let dir = desk.state.open.as_ref().unwrap().runs[0]
-        .dir
-        .clone()
-        .unwrap();
+    let dir = desk.state.line().unwrap().runs[0].dir.clone().unwrap();
     assert!(has(
         &desk,
         |e| matches!(e, Effect::DeleteRun(d) if *d == dir)
     ));
     desk.tell(Msg::RunDeleted(dir));
-    assert_eq!(desk.state.open.as_ref().unwrap().runs.len(), 1);
+    assert_eq!(desk.state.line().unwrap().runs.len(), 1);
 }
 
 #[test]
@@ -316,18 +313,17 @@ fn a_file_that_cannot_be_written_offers_another_name() {
 fn edits_of_an_earlier_session_are_offered() {
     let mut desk = Desk::new(SMALL);
     let edited = desk::CASE.replace("= 0.3", "= 0.7");
-    desk.tell(Msg::CaseRead(Box::new(seacable::tui::msg::CaseRead {
+    desk.tell(Msg::FileRead(Box::new(seacable::tui::msg::FileRead {
         path: PathBuf::from("cases/body.toml"),
         text: desk::CASE.to_owned(),
-        case: seacable::case::parse(desk::CASE, "body.toml").unwrap(),
+        content: content_of(seacable::case::parse(desk::CASE, "body.toml").unwrap()),
         recovered: Some(edited.clone()),
     })));
     desk.keys("r");
-    let open = desk.state.open.as_ref().unwrap();
-    assert_eq!(open.editor.text, edited);
-    assert!(open.editor.unsaved());
+    assert_eq!(desk.state.editor().unwrap().text, edited);
+    assert!(desk.state.editor().unwrap().unsaved());
     desk.keys("u");
-    assert_eq!(desk.state.open.as_ref().unwrap().editor.text, desk::CASE);
+    assert_eq!(desk.state.editor().unwrap().text, desk::CASE);
 }
 
 #[test]
@@ -361,13 +357,7 @@ fn a_paste_goes_to_the_field_and_never_to_the_commands() {
     desk.tell(Msg::Paste("9.81\n".to_owned()));
     desk.keys("enter");
     assert_eq!(
-        desk.state
-            .open
-            .as_ref()
-            .unwrap()
-            .case
-            .environment
-            .gravity_m_per_s2,
+        desk.state.line().unwrap().case.environment.gravity_m_per_s2,
         9.81
     );
 }
@@ -388,24 +378,45 @@ fn the_live_run_can_be_kept() {
 fn the_charts_share_one_instant() {
     let mut desk = Desk::with_case(LARGE);
     desk.keys("2 l pgdn");
-    let open = desk.state.open.as_ref().unwrap();
+    let open = desk.state.line().unwrap();
     let at = open.instant.unwrap();
     assert!((300.0..420.0).contains(&at), "{at}");
     assert!(desk.screen().contains("line at 400 s"));
     desk.keys("0");
-    assert_eq!(desk.state.open.as_ref().unwrap().instant, None);
+    assert_eq!(desk.state.line().unwrap().instant, None);
 }
 
 #[test]
 fn every_command_can_be_reached_by_a_key_or_by_its_name() {
-    for place in PaneId::ALL {
-        let mut desk = Desk::with_case(SMALL);
-        if let Some(open) = &mut desk.state.open {
-            open.pane = place;
-        }
-        for command in COMMANDS.iter().filter(|c| c.places.contains(&place)) {
-            let found = seacable::tui::update::palette_matches(place, command.doc);
-            assert!(found.iter().any(|c| c.id == command.id), "{}", command.doc);
+    let desks = [
+        Desk::new(SMALL),
+        Desk::with_case(SMALL),
+        Desk::with_section(SMALL),
+        Desk::with_ropeway(SMALL),
+        Desk::with_ship(SMALL),
+    ];
+    let eaten = ["ctrl+a", "ctrl+b", "ctrl+s", "ctrl+q"];
+    for mut desk in desks {
+        for id in desk.state.panes().iter().copied().map(Some).chain([None]) {
+            if let (Some(id), Some(document)) = (id, &mut desk.state.document) {
+                document.pane = id;
+            }
+            let mut seen = std::collections::BTreeMap::new();
+            for command in panes::commands(&desk.state) {
+                assert!(!command.doc.is_empty(), "{command:?}");
+                let found = palette_matches(&desk.state, command.doc);
+                assert!(found.iter().any(|c| c.id == command.id), "{}", command.doc);
+                for key in command.keys {
+                    let spelled = key.parse::<Key>().map(|k| k.to_string());
+                    assert_eq!(spelled.as_deref(), Ok(*key));
+                    assert!(
+                        !eaten.contains(key),
+                        "multiplexers and flow control take `{key}`"
+                    );
+                    let other = seen.insert(key, command.id);
+                    assert_eq!(other, None, "`{key}` at {id:?} is also {:?}", command.id);
+                }
+            }
         }
     }
 }

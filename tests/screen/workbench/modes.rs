@@ -7,22 +7,22 @@ use std::sync::atomic::AtomicBool;
 use seacable::case;
 use seacable::modes;
 use seacable::study::hard::{self, Computed, Hard};
-use seacable::tui::msg::CaseRead;
+use seacable::tui::msg::FileRead;
 use seacable::tui::pane::PaneId;
 use seacable::tui::state::modes::COUNT;
 use seacable::tui::state::trials::{TrialProgress, TrialsOf};
 use seacable::tui::{Effect, Msg};
 
-use super::desk::Desk;
+use super::desk::{Desk, content_of};
 use super::{LARGE, SMALL, said, snapshot};
 
 /// A case that comes with the program, open.
 fn open(size: (u16, u16), file: &str, text: &str) -> Desk {
     let mut desk = Desk::new(size);
-    desk.tell(Msg::CaseRead(Box::new(CaseRead {
+    desk.tell(Msg::FileRead(Box::new(FileRead {
         path: PathBuf::from("cases").join(file),
         text: text.to_owned(),
-        case: case::parse(text, file).unwrap(),
+        content: content_of(case::parse(text, file).unwrap()),
         recovered: None,
     })));
     desk
@@ -51,7 +51,7 @@ fn answer_modes(desk: &mut Desk) -> usize {
 fn modes_are_found_in_the_background_drawn_and_followed() {
     let mut desk = open(SMALL, "hanging_line.toml", CATENARY);
     desk.keys("8");
-    assert!(desk.screen().contains("looked for in the background"));
+    assert!(desk.screen().contains("computed in the background"));
     assert_eq!(answer_modes(&mut desk), 1);
     desk.keys("j");
     snapshot("tui_modes_80x24", &desk);
@@ -59,14 +59,17 @@ fn modes_are_found_in_the_background_drawn_and_followed() {
     snapshot("tui_modes_over_the_line_80x24", &desk);
     // One search at a time: an edit while one is going on is followed when that one has ended.
     let frequency = |desk: &Desk| {
-        let view = &desk.state.open.as_ref().unwrap().modes;
+        let view = &desk.state.line().unwrap().modes;
         let found = view.found.as_ref().unwrap().as_ref().unwrap();
         found.modes[0].mode.frequency_hz()
     };
     let before = frequency(&desk);
     desk.keys("1 / l e n g t h enter enter ctrl+u 8 0 0 enter");
     assert_eq!(frequency(&desk).to_bits(), before.to_bits());
-    assert!(desk.state.modes_beside(), "seen beside the inputs");
+    assert!(
+        desk.state.line().unwrap().modes.beside,
+        "seen beside the inputs"
+    );
     assert_eq!(answer_modes(&mut desk), 1);
     assert!(
         frequency(&desk) < 0.9 * before,
@@ -78,7 +81,7 @@ fn modes_are_found_in_the_background_drawn_and_followed() {
     assert!(desk.asked.iter().any(wrote));
     // The charts take the place beside the inputs back.
     desk.keys("2");
-    assert!(!desk.state.modes_beside());
+    assert!(!desk.state.line().unwrap().modes.beside);
 }
 
 #[test]

@@ -5,11 +5,11 @@ use std::sync::atomic::AtomicBool;
 
 use seacable::case;
 use seacable::run::job::{self, Event};
-use seacable::tui::msg::CaseRead;
+use seacable::tui::msg::FileRead;
 use seacable::tui::state::ChartKind;
 use seacable::tui::{Effect, Msg};
 
-use super::desk::Desk;
+use super::desk::{Desk, content_of};
 use super::{LARGE, SMALL, looks, snapshot};
 use seacable::report::chart::Glyphs;
 
@@ -23,9 +23,9 @@ fn cable(size: (u16, u16)) -> Desk {
         .replace("segments = 120", "segments = 30")
         .replace("segments = 100", "segments = 25");
     let mut desk = Desk::new(size);
-    desk.tell(Msg::CaseRead(Box::new(CaseRead {
+    desk.tell(Msg::FileRead(Box::new(FileRead {
         path: PathBuf::from("cases/regular_wave.toml"),
-        case: case::parse(&text, "regular_wave.toml").unwrap(),
+        content: content_of(case::parse(&text, "regular_wave.toml").unwrap()),
         text,
         recovered: None,
     })));
@@ -41,7 +41,7 @@ fn cable(size: (u16, u16)) -> Desk {
 fn show(desk: &mut Desk, kind: ChartKind) {
     desk.keys("2");
     for _ in 0..ChartKind::ALL.len() {
-        if desk.state.open.as_ref().unwrap().chart == kind {
+        if desk.state.line().unwrap().chart == kind {
             return;
         }
         desk.keys("]");

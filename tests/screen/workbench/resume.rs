@@ -26,7 +26,7 @@ fn a_stored_run_goes_on_from_the_list() {
     desk.keys("ctrl+u");
     desk.type_text("ten");
     desk.keys("enter");
-    assert!(desk.screen().contains("That is no time"));
+    assert!(desk.screen().contains("must be a number"));
     desk.keys("ctrl+u");
     desk.type_text("4");
     desk.asked.clear();
@@ -63,6 +63,6 @@ fn a_stored_run_goes_on_from_the_list() {
     let started = desk.started();
     assert_eq!(started.len(), 1);
     assert_eq!(started[0].1.case.solver.duration_s, 4.0);
-    let runs = &desk.state.open.as_ref().unwrap().runs;
+    let runs = &desk.state.line().unwrap().runs;
     assert_eq!(runs.last().map(|r| r.label.as_str()), Some("to 4 s"));
 }

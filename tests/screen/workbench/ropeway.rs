@@ -6,7 +6,7 @@ use seacable::report::chart::Glyphs;
 use seacable::ropeway as core;
 use seacable::tui::msg::FileRead;
 use seacable::tui::pane::PaneId;
-use seacable::tui::state::{Content, OpenFile, RopewayView};
+use seacable::tui::state::{Content, Document, RopewayView};
 use seacable::tui::{Effect, Msg};
 
 use super::desk::{Desk, looks};
@@ -30,8 +30,8 @@ impl Desk {
     }
 }
 
-fn open(desk: &Desk) -> &OpenFile {
-    desk.state.file.as_ref().unwrap()
+fn open(desk: &Desk) -> &Document {
+    desk.state.document.as_ref().unwrap()
 }
 
 fn ropeway(desk: &Desk) -> &RopewayView {
@@ -91,17 +91,21 @@ fn the_cargo_slides_and_everything_follows_without_an_edit() {
 }
 
 #[test]
-fn the_spans_of_the_paper_are_a_key_away_and_can_be_undone() {
+fn another_span_is_an_edit_like_any_other() {
     let mut desk = Desk::with_ropeway(SMALL);
-    desk.keys("]");
-    assert!((ropeway(&desk).worked.rope.geometry.span_m - 40.0).abs() < 1e-12);
-    assert!(desk.screen().contains("40.0 m"));
-    desk.keys("] ]");
-    assert!(!open(&desk).editor.unsaved());
-    desk.keys("[");
-    assert!((ropeway(&desk).worked.rope.geometry.span_m - 60.0).abs() < 1e-12);
-    desk.keys("u");
-    assert!((ropeway(&desk).worked.rope.geometry.span_m - 80.0).abs() < 1e-12);
+    desk.keys("1 /");
+    desk.type_text("ropeway.span_m");
+    desk.keys("enter");
+    for (typed, span) in [("40", 40.0), ("60", 60.0)] {
+        desk.keys("enter ctrl+u");
+        desk.type_text(typed);
+        desk.keys("enter");
+        assert!((ropeway(&desk).worked.rope.geometry.span_m - span).abs() < 1e-12);
+        assert!(open(&desk).editor.unsaved());
+        desk.keys("u");
+        assert!((ropeway(&desk).worked.rope.geometry.span_m - 80.0).abs() < 1e-12);
+        assert!(!open(&desk).editor.unsaved());
+    }
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use seacable::section;
 use seacable::tui::msg::FileRead;
 use seacable::tui::pane::PaneId;
-use seacable::tui::state::{Content, OpenFile, Overlay, Question, SectionView};
+use seacable::tui::state::{Content, Document, Overlay, Question, SectionView};
 use seacable::tui::{Effect, Msg};
 
 use super::desk::Desk;
@@ -29,8 +29,8 @@ impl Desk {
     }
 }
 
-fn open(desk: &Desk) -> &OpenFile {
-    desk.state.file.as_ref().unwrap()
+fn open(desk: &Desk) -> &Document {
+    desk.state.document.as_ref().unwrap()
 }
 
 fn section(desk: &Desk) -> &SectionView {

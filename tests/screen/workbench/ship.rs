@@ -1,4 +1,4 @@
-//! A ship on the screen: its headings chosen, its motions drawn, worked out at sea without the screen waiting.
+//! A ship on the screen: its headings chosen, its motions drawn, computed at sea without the screen waiting.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -8,7 +8,7 @@ use seacable::report::chart::Glyphs;
 use seacable::ship::{self, DynamicAnalysis};
 use seacable::tui::msg::FileRead;
 use seacable::tui::pane::PaneId;
-use seacable::tui::state::{Content, OpenFile, ShipView};
+use seacable::tui::state::{Content, Document, ShipView};
 use seacable::tui::{Effect, Msg};
 
 use super::desk::{Desk, looks};
@@ -16,14 +16,14 @@ use super::{LARGE, SMALL, has, said, snapshot};
 
 const TEXT: &str = include_str!("../../../cases/ship/anchored.toml");
 
-/// The ship that comes with the program, with a record and few seeds that are worked out quickly.
+/// The ship that comes with the program, with a record and few seeds that are computed quickly.
 fn text() -> String {
     TEXT.replace("duration_s = 10800.0", "duration_s = 600.0")
         .replace("records = 10", "records = 3")
 }
 
 impl Desk {
-    /// The anchored ship, open, still to be worked out at sea.
+    /// The anchored ship, open, still to be computed at sea.
     pub(crate) fn with_ship(size: (u16, u16)) -> Self {
         let mut desk = Self::new(size);
         let rest = ship::parse(&text(), "anchored.toml").unwrap();
@@ -49,8 +49,8 @@ impl Desk {
     }
 }
 
-fn open(desk: &Desk) -> &OpenFile {
-    desk.state.file.as_ref().unwrap()
+fn open(desk: &Desk) -> &Document {
+    desk.state.document.as_ref().unwrap()
 }
 
 fn ship(desk: &Desk) -> &ShipView {
@@ -70,7 +70,7 @@ fn the_panes_of_a_ship() {
         desk.screen()
     );
     desk.keys("3 ]");
-    assert!(desk.screen().contains("still being worked out"));
+    assert!(desk.screen().contains("still being computed"));
     desk.sail();
     snapshot("tui_ship_motions_80x24", &desk);
     desk.keys("2");
@@ -146,7 +146,7 @@ fn report_hang_point_and_validation_are_written_once_worked_out() {
     let mut desk = Desk::with_ship(SMALL);
     desk.keys("w");
     assert!(
-        said(&desk).contains("still being worked out"),
+        said(&desk).contains("still being computed"),
         "{}",
         said(&desk)
     );

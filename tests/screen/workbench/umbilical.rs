@@ -5,11 +5,11 @@ use std::sync::atomic::AtomicBool;
 
 use seacable::case;
 use seacable::run::job::{self, Event};
-use seacable::tui::msg::CaseRead;
+use seacable::tui::msg::FileRead;
 use seacable::tui::state::ChartKind;
 use seacable::tui::{Effect, Msg};
 
-use super::desk::Desk;
+use super::desk::{Desk, content_of};
 use super::{SMALL, snapshot};
 
 const WAVE: &str = include_str!("../../../cases/umbilical/steep_wave.toml");
@@ -17,10 +17,10 @@ const WAVE: &str = include_str!("../../../cases/umbilical/steep_wave.toml");
 /// The case open with its live solve complete, computed for real: statics are quick.
 fn wave(size: (u16, u16)) -> Desk {
     let mut desk = Desk::new(size);
-    desk.tell(Msg::CaseRead(Box::new(CaseRead {
+    desk.tell(Msg::FileRead(Box::new(FileRead {
         path: PathBuf::from("cases/steep_wave.toml"),
         text: WAVE.to_owned(),
-        case: case::parse(WAVE, "steep_wave.toml").unwrap(),
+        content: content_of(case::parse(WAVE, "steep_wave.toml").unwrap()),
         recovered: None,
     })));
     compute(&mut desk);
@@ -62,12 +62,12 @@ fn a_line_at_rest_at_80x24() {
 #[test]
 fn the_charts_are_those_that_have_something_to_show() {
     let mut desk = wave(SMALL);
-    let open = desk.state.open.as_ref().unwrap();
+    let open = desk.state.line().unwrap();
     assert_eq!(open.chart, ChartKind::Shape);
     assert_eq!(ChartKind::of(&open.case).len(), 7);
     // Without bending stiffness there is no curvature to show, and with time there is a history.
     desk.keys("2 [");
-    assert_eq!(desk.state.open.as_ref().unwrap().chart, ChartKind::Study);
+    assert_eq!(desk.state.line().unwrap().chart, ChartKind::Study);
     let text = case::edit::set(WAVE, "materials.umbilical.ei_n_m2", "0.0").unwrap();
     let bare = case::parse(&text, "bare").unwrap();
     assert_eq!(ChartKind::of(&bare).len(), 5);

@@ -1,14 +1,19 @@
-//! A case that is open: its text and edits, its runs, and what the panes show.
+//! A line case that is open: its live solve, its runs, and what the panes show.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use super::curves::{Curves, RunEntry};
+use super::document::DocumentKind;
 use super::jobs::Ticket;
 use super::modes::ModesView;
 use super::parameter_editor::ParameterEditor;
-use crate::case::{self, Case, ChannelQuantity, ChannelSpec, End, Method, OneOrMany, Site};
-use crate::run::response;
-use crate::tui::facade::ValidationRow;
+use crate::case::{
+    self, At, Case, ChannelQuantity, ChannelSpec, Diagnostic, End, Method, OneOrMany, Site,
+};
+use crate::run::{Run, RunState, response};
+use crate::tui::command::{Command, Id, LINE};
+use crate::tui::facade::{self, FieldRow, ValidationRow};
 use crate::tui::line_tables::LineTable;
 use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::PlotPane;
@@ -207,7 +212,7 @@ fn spatial(case: &Case) -> bool {
 
 /// The re-solve after an edit.
 #[derive(Debug, Clone, Default)]
-pub struct Live {
+pub struct LiveSolve {
     /// The job that computes now.
     pub ticket: Option<Ticket>,
     /// Its curves so far.
@@ -226,15 +231,26 @@ pub struct Live {
     pub hidden: bool,
 }
 
-/// A case that is open.
+impl LiveSolve {
+    /// Why the last complete solve cannot be stored as a run.
+    fn why_not_kept(&self) -> Option<&'static str> {
+        if self.kept.is_some() {
+            Some("The live run is already kept.")
+        } else if self.ticket.is_some() {
+            Some("The live run is still being computed; it can be kept when it is complete.")
+        } else if self.done.as_ref().is_none_or(|done| done.run.is_none()) {
+            Some("There is no live run to keep.")
+        } else {
+            None
+        }
+    }
+}
+
+/// A line case that is open.
 #[derive(Debug, Clone)]
-pub struct OpenCase {
-    /// Its text and fields.
-    pub editor: ParameterEditor,
+pub struct LineView {
     /// What the text says.
     pub case: Case,
-    /// Where the keys go.
-    pub pane: PaneId,
     /// The chart shown.
     pub chart: ChartKind,
     /// Zoom, cursor and marks of each chart.
@@ -244,15 +260,13 @@ pub struct OpenCase {
     /// The instant that all charts show \[s\]; absent: the newest.
     pub instant: Option<f64>,
     /// The re-solve after an edit.
-    pub live: Live,
+    pub live: LiveSolve,
     /// Runs of the case, the oldest first.
     pub runs: Vec<RunEntry>,
     /// Cursor among the runs; 0 is the live one.
     pub run: usize,
     /// The validation table, made anew when a run lands.
     pub checks: Vec<ValidationRow>,
-    /// Selection, sorting and scrolling of the validation table.
-    pub checks_pane: TablePane,
     /// The table of the line that is shown.
     pub line_table: LineTable,
     /// Selection, sorting and scrolling of that table.
@@ -265,10 +279,159 @@ pub struct OpenCase {
     pub report_scroll: (usize, usize),
 }
 
-impl OpenCase {
-    /// The run under the cursor; the live one is none.
+impl LineView {
+    /// A case as read, before its first solve.
+    #[must_use]
+    pub fn new(case: Case) -> Self {
+        let charts = ChartKind::of(&case);
+        Self {
+            chart: charts.first().copied().unwrap_or(ChartKind::Shape),
+            case,
+            views: Default::default(),
+            series: None,
+            instant: None,
+            live: LiveSolve::default(),
+            runs: Vec::new(),
+            run: 0,
+            checks: Vec::new(),
+            line_table: LineTable::default(),
+            nodes_pane: TablePane::default(),
+            modes: ModesView::default(),
+            report: None,
+            report_scroll: (0, 0),
+        }
+    }
+
+    /// The run under the cursor; nothing for the live solve.
     #[must_use]
     pub fn current_run(&self) -> Option<&RunEntry> {
         self.run.checked_sub(1).and_then(|i| self.runs.get(i))
+    }
+
+    /// The run that tables and report show: the one under the cursor of the list, else the live solve.
+    #[must_use]
+    pub fn reported(&self) -> Option<(String, Arc<Run>, Option<PathBuf>)> {
+        if let Some(entry) = self.current_run()
+            && let Some(run) = &entry.curves.run
+        {
+            return Some((entry.id.clone(), Arc::clone(run), entry.dir.clone()));
+        }
+        let run = self.live.done.as_ref()?.run.clone()?;
+        Some(("live".to_owned(), run, self.live.kept.clone()))
+    }
+
+    /// The points of the studies that the validation table needs, with the text of each.
+    #[must_use]
+    pub fn needed(&self, source: &ParameterEditor) -> Vec<(Option<At>, String)> {
+        let variant = |at: Option<At>| {
+            let found = facade::variant(&source.text, &self.case, at.as_ref(), &source.file);
+            Some((at, found.ok()?.0))
+        };
+        let points = facade::plan(&self.case).into_iter();
+        points.filter_map(variant).collect()
+    }
+
+    /// Takes all runs off the charts.
+    pub fn hide_runs(&mut self) {
+        self.live.hidden = true;
+        self.runs.iter_mut().for_each(|entry| entry.shown = false);
+    }
+
+    /// The newest complete run of exactly this text.
+    fn complete_run(&self, text: &str) -> Option<Arc<Run>> {
+        let live = self.live.done.as_ref();
+        let live = live.filter(|_| self.live.done_text == text);
+        let entries = self.runs.iter().rev().filter(|entry| entry.text == text);
+        let curves = entries.map(|entry| &entry.curves).chain(live);
+        curves
+            .filter_map(|curves| curves.run.as_ref())
+            .find(|run| run.info.state == RunState::Done)
+            .cloned()
+    }
+}
+
+impl DocumentKind for LineView {
+    fn word(&self) -> String {
+        format!("solver {}", facade::method_word(self.case.solver.method))
+    }
+
+    fn title(&self) -> &str {
+        &self.case.case.title
+    }
+
+    fn panes(&self) -> &'static [PaneId] {
+        &[
+            PaneId::Inputs,
+            PaneId::Charts,
+            PaneId::Runs,
+            PaneId::Validation,
+            PaneId::Report,
+            PaneId::Jobs,
+            PaneId::Nodes,
+            PaneId::Modes,
+        ]
+    }
+
+    fn commands(&self) -> &'static [Command] {
+        LINE
+    }
+
+    fn reason(&self, id: Id) -> Option<&'static str> {
+        let when = |condition: bool, reason: &'static str| condition.then_some(reason);
+        let case = &self.case;
+        match id {
+            Id::Study => when(
+                case.study.is_empty(),
+                "This case has no study. A `[[study]]` table in its file makes one.",
+            ),
+            Id::Validate => when(
+                case.published.is_empty()
+                    && case.trend.is_empty()
+                    && case.published_curve.is_empty(),
+                "This case states no published values to compare with.",
+            ),
+            Id::Keep => self.live.why_not_kept(),
+            Id::Trials => when(
+                case.trial.is_empty(),
+                "This case has no trials. A `[[trial]]` table in its file makes one; in the list of cases `T` computes all.",
+            ),
+            _ => None,
+        }
+    }
+
+    fn first_pane(&self) -> PaneId {
+        PaneId::Inputs
+    }
+
+    fn rows(&self, text: &str, source: &ParameterEditor) -> Vec<FieldRow> {
+        let case = facade::parse_at(text, &source.path, &source.file);
+        case.map_or_else(|_| Vec::new(), |case| facade::rows(text, &case))
+    }
+
+    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {
+        facade::set(text, key, value)
+    }
+
+    fn unset(&self, text: &str, key: &str) -> Option<Result<String, String>> {
+        Some(facade::unset(text, key))
+    }
+
+    fn check(&self, text: &str, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
+        facade::parse_at(text, &source.path, &source.file).map(drop)
+    }
+
+    fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
+        self.case = facade::parse_at(&source.text, &source.path, &source.file)?;
+        Ok(())
+    }
+
+    fn validate(&mut self, source: &ParameterEditor) {
+        let needed = self.needed(source).into_iter();
+        let runs = needed.filter_map(|(at, text)| Some((at, self.complete_run(&text)?)));
+        self.checks = facade::checks(&self.case, &runs.collect::<Vec<_>>());
+    }
+
+    fn checks(&self) -> &[ValidationRow] {
+        &self.checks
     }
 }

@@ -1,0 +1,143 @@
+//! The list of cases.
+
+use ratatui::layout::{Constraint, Layout, Rect};
+
+use super::Pane;
+use crate::report::chart::Glyphs;
+use crate::tui::command::{self, Command, FILTER, Id, LIST, main, other};
+use crate::tui::msg::Effect;
+use crate::tui::state::{AppState, CaseEntry};
+use crate::tui::update::motion::{moved, step};
+use crate::tui::update::trials;
+use crate::tui::view::paint::wrap;
+use crate::tui::view::painter::Painter;
+
+#[rustfmt::skip] // a table: one command a line
+const COMMANDS: &[Command] = &[
+    main(Id::Open, &["enter", "l", "right"], "open", "Open the case under the cursor"),
+    FILTER,
+    other(Id::Trials, &["T"], "trials", "Compute the trials of all hard cases listed, and compare them with the results required"),
+    other(Id::Reload, &["ctrl+r"], "", "Read the list of cases again"),
+    command::DOWN,
+];
+
+pub(super) struct Cases;
+
+impl Pane for Cases {
+    fn title(&self) -> &'static str {
+        "Cases"
+    }
+
+    fn commands(&self) -> &'static [&'static [Command]] {
+        &[COMMANDS, LIST]
+    }
+
+    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
+        (id == Id::Open && state.cases.current().is_none())
+            .then_some("There is no case here. `ctrl+r` reads the directory again.")
+    }
+
+    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+        match id {
+            Id::Open => {
+                let entry = state.cases.current()?;
+                Some(vec![Effect::ReadCase(entry.path.clone())])
+            }
+            Id::Reload => Some(vec![Effect::ReadCases]),
+            Id::Trials => Some(trials::show(state)),
+            Id::Filter => {
+                state.cases.typing = true;
+                Some(Vec::new())
+            }
+            _ => {
+                let by = step(state, id)?;
+                let lines = state.cases.shown().count();
+                state.cases.cursor = moved(state.cases.cursor, by, lines);
+                Some(Vec::new())
+            }
+        }
+    }
+
+    fn view(&self, painter: &mut Painter, area: Rect) {
+        let [head, list, rule, about] = Layout::vertical([
+            Constraint::Length(1),
+            Constraint::Min(3),
+            Constraint::Length(1),
+            Constraint::Length(if area.height > 16 { 6 } else { 3 }),
+        ])
+        .areas(area);
+        let cases = &painter.state.cases;
+        if cases.typing || !cases.filter.value().is_empty() {
+            painter.prompt(head, "filter: ", &cases.filter, cases.typing);
+        } else {
+            let words = format!("Cases ({})", cases.entries.len());
+            painter.text(head, &words, painter.theme.strong());
+        }
+        let entries: Vec<&CaseEntry> = cases.shown().collect();
+        if entries.is_empty() {
+            let words = if cases.entries.is_empty() {
+                "There is no case file (*.toml) here. `seacable DIR` opens another directory."
+            } else {
+                "No case passes the filter. `/` and Esc drop it."
+            };
+            painter.paragraph(list, words);
+        }
+        let widths = entries.iter().map(|entry| entry.name.chars().count());
+        let widest = u16::try_from(widths.max().unwrap_or(0)).unwrap_or(30);
+        let name_width = widest.clamp(16, 40).min(area.width / 2);
+        painter.list(list, cases.cursor, entries.len(), |painter, line, i| {
+            case_line(painter, line, entries[i], i == cases.cursor, name_width);
+        });
+        let rule_char = match painter.glyphs() {
+            Glyphs::Braille => "─",
+            Glyphs::Ascii => "-",
+        };
+        let words = rule_char.repeat(rule.width.into());
+        painter.text(rule, &words, painter.theme.faint());
+        if let Some(entry) = entries.get(cases.cursor) {
+            about_case(painter, about, entry);
+        }
+    }
+}
+
+fn case_line(painter: &mut Painter, line: Rect, entry: &CaseEntry, selected: bool, width: u16) {
+    let style = painter.line_style(selected);
+    painter.buf.set_style(line, style);
+    let name = Rect {
+        x: line.x + 1,
+        width,
+        ..line
+    };
+    painter.text(name, &entry.name, style);
+    let x = line.x + width + 3;
+    let rest = Rect {
+        x,
+        width: line.right().saturating_sub(x),
+        ..line
+    };
+    match &entry.about {
+        Ok((title, _)) => painter.text(rest, title, style),
+        Err((problem, _)) => {
+            let words = format!("cannot be read: {problem}");
+            painter.text(rest, &words, style.patch(painter.theme.error()))
+        }
+    };
+}
+
+/// More about the case under the cursor.
+fn about_case(painter: &mut Painter, area: Rect, entry: &CaseEntry) {
+    let words = match &entry.about {
+        Ok((title, source)) if source.is_empty() => title.clone(),
+        Ok((title, source)) => format!("{title}\nSource: {source}"),
+        Err((_, whole)) => whole.clone(),
+    };
+    let plain = painter.theme.plain();
+    let lines = words.lines().flat_map(|line| {
+        if line.starts_with(' ') {
+            vec![line.to_owned()]
+        } else {
+            wrap(line, area.width.into())
+        }
+    });
+    painter.lines(area, lines.map(|line| (line, plain)));
+}

@@ -1,0 +1,305 @@
+//! The charts of a line case: one with tabs, or all at once where there is room.
+
+use std::path::PathBuf;
+
+use ratatui::layout::Rect;
+use unicode_width::UnicodeWidthStr;
+
+use super::Pane;
+use crate::report::chart::{self, Map};
+use crate::report::number;
+use crate::tui::command::{self, Command, Id, main, other};
+use crate::tui::msg::Effect;
+use crate::tui::pane::PaneId;
+use crate::tui::plot_pane::{PlotPane, PlotVerb};
+use crate::tui::plots;
+use crate::tui::state::{AppState, ChartKind, LineView};
+use crate::tui::update::export::{self, TEXT_WIDTH};
+use crate::tui::update::motion::plot_verb;
+use crate::tui::update::notice::info;
+use crate::tui::view::layout;
+use crate::tui::view::paint::right;
+use crate::tui::view::painter::Painter;
+
+/// Small and large steps of the instant across the run, on charts without a time axis.
+const INSTANTS: (f64, f64) = (60.0, 10.0);
+
+#[rustfmt::skip] // a table: one command a line
+const COMMANDS: &[Command] = &[
+    main(Id::NextChart, &["]", "n"], "chart", "Show the next chart"),
+    main(Id::NextSeries, &["j", "down"], "curve", "Show the next joint or component alone; after the last: all of them"),
+    main(Id::CursorRight, &["l", "right"], "cursor", "Move the cursor right; on the line's shape: a later instant"),
+    main(Id::ZoomIn, &["+", "="], "zoom", "Zoom in about the cursor"),
+    command::write("Write the chart to a text file, a map also as CSV"),
+    other(Id::Fit, &["0"], "fit", "Show everything again, at the newest instant"),
+    other(Id::Freeze, &["f"], "freeze", "Hold the curves still while the job continues, or let them continue"),
+    other(Id::PreviousChart, &["[", "p"], "", "Show the previous chart"),
+    other(Id::PreviousSeries, &["k", "up"], "", "Show the previous joint or component alone"),
+    other(Id::CursorLeft, &["h", "left"], "", "Move the cursor left; on the line's shape: an earlier instant"),
+    other(Id::LeapRight, &["pgdn", "ctrl+d"], "", "Move the cursor right by a tenth of the chart"),
+    other(Id::LeapLeft, &["pgup", "ctrl+u"], "", "Move the cursor left by a tenth of the chart"),
+    other(Id::ZoomOut, &["-"], "", "Zoom out about the cursor"),
+    other(Id::PanRight, &["L"], "", "Pan right"),
+    other(Id::PanLeft, &["H"], "", "Pan left"),
+    other(Id::PanUp, &["}"], "", "Pan up; on the map: read the place above"),
+    other(Id::PanDown, &["{"], "", "Pan down; on the map: read the place below"),
+    other(Id::FitHeight, &["z"], "", "Fit the height to what is seen"),
+    other(Id::Mark, &["m"], "", "Set a mark at the cursor, or remove the mark there"),
+    other(Id::Copy, &["y"], "", "Copy the values at the cursor to the clipboard of your terminal, and write them to a file"),
+];
+
+pub(super) struct Charts;
+
+impl Pane for Charts {
+    fn title(&self) -> &'static str {
+        "Charts"
+    }
+
+    fn go(&self) -> &'static str {
+        "Go to the charts"
+    }
+
+    fn commands(&self) -> &'static [&'static [Command]] {
+        &[COMMANDS]
+    }
+
+    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+        let glyphs = state.capabilities.glyphs;
+        let area = layout::chart_area(state);
+        let stem = state.editor()?.stem().to_owned();
+        let line = state.line_mut()?;
+        match id {
+            Id::NextChart => line.chart = line.chart.beside(&ChartKind::of(&line.case), true),
+            Id::PreviousChart => line.chart = line.chart.beside(&ChartKind::of(&line.case), false),
+            Id::NextSeries => next_series(line, true),
+            Id::PreviousSeries => next_series(line, false),
+            Id::Freeze => return Some(freeze(state)),
+            Id::Copy => return Some(copy(state)),
+            Id::Write => return Some(write(line, &stem, glyphs)),
+            _ => match (instant_step(id), plot_verb(id)) {
+                (Some((way, parts)), _) if line.chart.in_space() => move_instant(line, way, parts),
+                (_, verb) => act(
+                    line,
+                    &verb?,
+                    (area.width.into(), area.height.into()),
+                    glyphs,
+                ),
+            },
+        }
+        Some(Vec::new())
+    }
+
+    fn view(&self, painter: &mut Painter, area: Rect) {
+        let state = painter.state;
+        let Some(line) = state.line() else {
+            return;
+        };
+        let parts = layout::charts(area, &ChartKind::of(&line.case), line.chart);
+        let all = parts.charts.len() > 1;
+        if !all {
+            chart_tabs(painter, parts.tabs, line);
+        }
+        for (kind, place) in &parts.charts {
+            let mut chart = plots::viewed(line, *kind);
+            if all && *kind == line.chart && state.focus() == PaneId::Charts {
+                chart.title = format!("> {} <", chart.title);
+            }
+            if !chart.is_empty() {
+                painter.chart(&chart, *place);
+            } else if *kind == ChartKind::Study {
+                let words = "`V` computes what the case states along its studies.";
+                painter.titled(*place, &chart.title, words);
+            } else {
+                painter.titled(*place, &chart.title, &nothing_yet(line));
+            }
+        }
+        readout(painter, parts.readout, line);
+    }
+}
+
+/// All, then one series after the other, then all again.
+fn next_series(line: &mut LineView, forward: bool) {
+    let count = plots::series_names(line, line.chart).len();
+    line.series = match (line.series, forward) {
+        (None, true) => (count > 0).then_some(0),
+        (None, false) => count.checked_sub(1),
+        (Some(i), true) => (i + 1 < count).then_some(i + 1),
+        (Some(i), false) => i.checked_sub(1),
+    };
+}
+
+fn instant_step(id: Id) -> Option<(f64, f64)> {
+    Some(match id {
+        Id::CursorRight => (1.0, INSTANTS.0),
+        Id::CursorLeft => (-1.0, INSTANTS.0),
+        Id::LeapRight => (1.0, INSTANTS.1),
+        Id::LeapLeft => (-1.0, INSTANTS.1),
+        _ => return None,
+    })
+}
+
+/// True for charts against time, whose cursor is the instant that all charts share.
+fn against_time(kind: ChartKind) -> bool {
+    matches!(
+        kind,
+        ChartKind::Tensions
+            | ChartKind::Payload
+            | ChartKind::Speed
+            | ChartKind::Tilt
+            | ChartKind::MeanLoad
+            | ChartKind::Deviation
+            | ChartKind::Stiffness
+            | ChartKind::Map
+            | ChartKind::Elevation
+    )
+}
+
+fn act(line: &mut LineView, verb: &PlotVerb, size: (usize, usize), glyphs: chart::Glyphs) {
+    let base = plots::chart(line, line.chart);
+    let mut view = std::mem::take(&mut line.views[line.chart.index()]);
+    if against_time(line.chart) {
+        view.set_cursor(line.instant);
+    }
+    let frame = chart::frame(&view.chart(&base), size.0, size.1, glyphs);
+    view.act(verb, &base, frame);
+    if against_time(line.chart) {
+        line.instant = view.cursor();
+    }
+    if *verb == PlotVerb::Fit {
+        line.instant = None;
+        view.set_cursor(None);
+    }
+    line.views[line.chart.index()] = view;
+    share_instant(line);
+}
+
+/// The views of the charts against time all show the same instant.
+fn share_instant(line: &mut LineView) {
+    for kind in ChartKind::ALL.into_iter().filter(|k| against_time(*k)) {
+        line.views[kind.index()].set_cursor(line.instant);
+    }
+}
+
+fn move_instant(line: &mut LineView, way: f64, parts: f64) {
+    let Some((low, high)): Option<chart::AxisRange> = plots::time_range(line) else {
+        return;
+    };
+    let from = line.instant.unwrap_or(if way > 0.0 { low } else { high });
+    let high = high.max(low);
+    line.instant = Some((from + way * (high - low) / parts).clamp(low, high));
+    share_instant(line);
+}
+
+/// All charts are held still together, so that they show the same instant.
+fn freeze(state: &mut AppState) -> Vec<Effect> {
+    let Some(line) = state.line_mut() else {
+        return Vec::new();
+    };
+    let frozen = line.views.iter().any(PlotPane::is_frozen);
+    for kind in ChartKind::ALL {
+        let base = plots::chart(line, kind);
+        let frame = chart::PlotFrame::default();
+        let view = &mut line.views[kind.index()];
+        if view.is_frozen() == frozen {
+            view.act(&PlotVerb::Freeze, &base, frame);
+        }
+    }
+    info(
+        state,
+        if frozen {
+            "The curves continue."
+        } else {
+            "The curves are held still. `f` lets them continue."
+        },
+    )
+}
+
+/// What the cursor reads, one entry a series.
+fn readout_words(line: &LineView, kind: ChartKind) -> Vec<String> {
+    let base = plots::chart(line, kind);
+    let read = line.views[kind.index()].readout(&base);
+    read.into_iter().map(|r| r.words(&base.x.unit)).collect()
+}
+
+fn copy(state: &mut AppState) -> Vec<Effect> {
+    let Some(line) = state.line() else {
+        return Vec::new();
+    };
+    let words = readout_words(line, line.chart);
+    let chart = plots::viewed(line, line.chart);
+    match chart.cursor {
+        Some(at) if !words.is_empty() => {
+            let head = format!(
+                "{}: {} = {}",
+                chart.title,
+                chart.x.label,
+                number::si(at, &chart.x.unit)
+            );
+            vec![Effect::Copy(format!("{head}\n{}\n", words.join("\n")))]
+        }
+        _ => info(
+            state,
+            "There is no cursor on this chart yet; `h` and `l` move it on charts with an axis of time or length.",
+        ),
+    }
+}
+
+/// The chart as text, and a map also as numbers.
+fn write(line: &LineView, stem: &str, glyphs: chart::Glyphs) -> Vec<Effect> {
+    let shown = plots::viewed(line, line.chart);
+    let text = chart::draw(&shown, TEXT_WIDTH, 30, glyphs).to_text();
+    let name = line.chart.title().to_lowercase();
+    let path = |end: &str| PathBuf::from(format!("{stem}-{name}.{end}"));
+    let mut effects = export::write(path("txt"), Some(text), "The chart");
+    let csv = shown.map.as_ref().map(Map::csv);
+    effects.extend(export::write(path("csv"), csv, "The map"));
+    effects
+}
+
+fn chart_tabs(painter: &mut Painter, tabs: Rect, line: &LineView) {
+    let kinds = ChartKind::of(&line.case);
+    let selected = kinds.iter().position(|kind| *kind == line.chart);
+    let rest = painter.tabs(tabs, kinds.iter().map(|kind| kind.title()), selected);
+    if line.views.iter().any(PlotPane::is_frozen) {
+        right(painter.buf, rest, "frozen", painter.theme.warning());
+    }
+}
+
+fn nothing_yet(line: &LineView) -> String {
+    match (&line.live.failure, plots::runs_shown(line)) {
+        (Some(why), _) => format!("The last solve gave nothing: {why}"),
+        (None, 0) => "No run is shown. `3` goes to the runs, space shows one.".to_owned(),
+        (None, _) => "Nothing to draw yet.".to_owned(),
+    }
+}
+
+/// The position of the cursor and every value there, as many lines as the area has.
+fn readout(painter: &mut Painter, area: Rect, line: &LineView) {
+    let chart = plots::viewed(line, line.chart);
+    let mut words = readout_words(line, line.chart);
+    let at = match chart.cursor {
+        Some(x) if !words.is_empty() => Some(number::si(x, &chart.x.unit)),
+        _ => line.instant.map(|t| format!("t = {t:.1} s")),
+    };
+    if let Some(at) = at {
+        words.insert(0, at);
+    }
+    let plain = painter.theme.plain();
+    let lines = wrapped(&words, usize::from(area.width));
+    painter.lines(area, lines.into_iter().map(|line| (line, plain)));
+}
+
+/// Words on lines of this width, three spaces apart, none broken.
+fn wrapped(words: &[String], width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words {
+        match lines.last_mut() {
+            Some(line) if line.width() + 3 + word.width() <= width => {
+                line.push_str("   ");
+                line.push_str(word);
+            }
+            _ => lines.push(word.clone()),
+        }
+    }
+    lines
+}

@@ -1,0 +1,241 @@
+//! The parameter editor.
+
+use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::style::Style;
+
+use super::Pane;
+use crate::case::Standing;
+use crate::tui::command::{self, Command, FILTER, Id, LIST, main, other};
+use crate::tui::facade::FieldRow;
+use crate::tui::msg::Effect;
+use crate::tui::state::{AppState, Document, ParameterEditor};
+use crate::tui::update::edit::{self, optional};
+use crate::tui::update::motion::{moved, step};
+use crate::tui::view::paint::{row, wrap};
+use crate::tui::view::painter::Painter;
+
+#[rustfmt::skip] // a table: one command a line
+const COMMANDS: &[Command] = &[
+    main(Id::Edit, &["enter", "e"], "edit", "Edit the value under the cursor"),
+    FILTER,
+    other(Id::ExternalEditor, &["E"], "editor", "Open the file in $VISUAL or $EDITOR, and read it again afterwards"),
+    other(Id::Reset, &["r"], "reset", "Put the field back to the value of the file"),
+    other(Id::NextGroup, &["]"], "", "Go to the next group of fields"),
+    other(Id::PreviousGroup, &["["], "", "Go to the previous group of fields"),
+    command::DOWN,
+];
+
+pub(super) struct Inputs;
+
+impl Pane for Inputs {
+    fn title(&self) -> &'static str {
+        "Inputs"
+    }
+
+    fn go(&self) -> &'static str {
+        "Go to the inputs"
+    }
+
+    fn commands(&self) -> &'static [&'static [Command]] {
+        &[COMMANDS, LIST]
+    }
+
+    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+        let by = step(state, id);
+        match id {
+            Id::Edit => edit::begin(state),
+            Id::Reset => return Some(edit::reset(state)),
+            Id::NextGroup => edit::next_group(state, true),
+            Id::PreviousGroup => edit::next_group(state, false),
+            Id::ExternalEditor => {
+                let path = state.editor()?.path.clone();
+                return Some(vec![Effect::EditFile(path)]);
+            }
+            Id::Filter => state.editor_mut()?.filtering = true,
+            _ => {
+                let editor = state.editor_mut()?;
+                editor.field = moved(editor.field, by?, editor.fields().count());
+            }
+        }
+        Some(Vec::new())
+    }
+
+    fn view(&self, painter: &mut Painter, area: Rect) {
+        let Some(document) = &painter.state.document else {
+            return;
+        };
+        let editor = &document.editor;
+        let help_rows = if area.height > 14 { 5 } else { 3 };
+        let [list, help] =
+            Layout::vertical([Constraint::Min(0), Constraint::Length(help_rows)]).areas(area);
+        let list = filter_line(painter, list, editor);
+        fields(painter, list, editor);
+        if editor.editing.is_some() {
+            edit_lines(painter, help, document);
+        } else {
+            help_lines(painter, help, editor);
+        }
+    }
+}
+
+fn filter_line(painter: &mut Painter, list: Rect, editor: &ParameterEditor) -> Rect {
+    if !editor.filtering && editor.filter.value().is_empty() {
+        return list;
+    }
+    let [line, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(list);
+    painter.prompt(line, "filter: ", &editor.filter, editor.filtering);
+    rest
+}
+
+/// A line of the list.
+enum Line<'a> {
+    Group(&'a str),
+    Field(usize, &'a FieldRow),
+}
+
+fn fields(painter: &mut Painter, list: Rect, editor: &ParameterEditor) {
+    let mut lines = Vec::new();
+    let mut group = "";
+    let mut cursor = 0;
+    for (i, field) in editor.fields().enumerate() {
+        if field.group != group {
+            group = &field.group;
+            lines.push(Line::Group(group));
+        }
+        if i == editor.field {
+            cursor = lines.len();
+        }
+        lines.push(Line::Field(i, field));
+    }
+    if lines.is_empty() {
+        painter.text(list, "No field passes the filter.", painter.theme.plain());
+    }
+    painter.list(list, cursor, lines.len(), |painter, at, i| match lines[i] {
+        Line::Group(name) => {
+            painter.text(at, name, painter.theme.head());
+        }
+        Line::Field(i, field) => field_line(painter, at, field, i == editor.field),
+    });
+}
+
+/// The word for where a value comes from.
+fn standing_word(standing: Standing) -> &'static str {
+    match standing {
+        Standing::Published => "published",
+        Standing::Derived => "derived",
+        Standing::Calibrated => "calibrated",
+        Standing::Assumed => "assumed",
+    }
+}
+
+/// Label, value, unit, and where the value comes from.
+fn field_line(painter: &mut Painter, line: Rect, field: &FieldRow, selected: bool) {
+    let theme = painter.theme;
+    let base = painter.line_style(selected);
+    painter.buf.set_style(line, base);
+    let note = match &field.standing {
+        Some(mark) => standing_word(mark.status),
+        None if !field.applies => "no effect",
+        None if !field.given => "default",
+        None => "",
+    };
+    let note_width = 11.min(line.width / 4);
+    let unit_width = 9.min(line.width / 6);
+    let room = line.width.saturating_sub(note_width + unit_width + 4);
+    let label_width = 25.min(room / 2);
+    let value_width = room - label_width;
+    let (value, style) = match field.absent {
+        Some(words) if field.value.is_empty() => (words, base.patch(theme.faint())),
+        _ if !field.applies => (field.value.as_str(), base.patch(theme.faint())),
+        _ if field.given => (field.value.as_str(), base.patch(theme.strong())),
+        _ => (field.value.as_str(), base),
+    };
+    let note_style = match field.standing {
+        Some(_) => base.patch(theme.warning()),
+        None => base.patch(theme.faint()),
+    };
+    let unit_x = 3 + label_width + value_width;
+    let cells: [(u16, u16, &str, Style); 4] = [
+        (2, label_width.saturating_sub(1), field.label, base),
+        (2 + label_width, value_width, value, style),
+        (unit_x, unit_width, field.unit, base),
+        (unit_x + unit_width + 1, line.width, note, note_style),
+    ];
+    for (from, width, words, style) in cells {
+        let width = width.min(line.width.saturating_sub(from));
+        let cell = Rect {
+            x: line.x + from,
+            width,
+            ..line
+        };
+        painter.text(cell, words, style);
+    }
+}
+
+/// Help, range, and why a value is assumed.
+fn help_lines(painter: &mut Painter, area: Rect, editor: &ParameterEditor) {
+    let Some(field) = editor.current_field() else {
+        return;
+    };
+    let mut words = format!("{}: {}\n{}", field.path, field.help, range_words(field));
+    if let Some(mark) = &field.standing {
+        let standing = standing_word(mark.status);
+        words.push_str(&format!("\n{standing}: {}", mark.reason));
+    }
+    let (plain, faint) = (painter.theme.plain(), painter.theme.faint());
+    let styles = std::iter::once(plain).chain(std::iter::repeat(faint));
+    painter.lines(
+        area,
+        wrap(&words, area.width.into()).into_iter().zip(styles),
+    );
+}
+
+/// The value being typed, and why it is refused.
+fn edit_lines(painter: &mut Painter, area: Rect, document: &Document) {
+    let editor = &document.editor;
+    let (Some(editing), Some(field)) = (&editor.editing, editor.current_field()) else {
+        return;
+    };
+    let line = row(area, 0);
+    let unit = if field.unit.is_empty() {
+        String::new()
+    } else {
+        format!(" [{}]", field.unit)
+    };
+    let prompt = format!("{}{unit} = ", field.label);
+    let half = Rect {
+        width: line.width / 2,
+        ..line
+    };
+    let x = painter.text(half, &prompt, painter.theme.strong()).x;
+    let rest = Rect {
+        x,
+        width: line.right().saturating_sub(x),
+        ..line
+    };
+    painter.input(rest, &editing.input, true);
+    let (words, style) = match &editing.problem {
+        Some(problem) => (format!("Refused: {problem}"), painter.theme.error()),
+        None => {
+            let empty = if document.line().is_some() && optional(field) {
+                "; nothing typed: not given"
+            } else {
+                ""
+            };
+            let range = range_words(field);
+            let words = format!("{range}\nEnter takes it, Esc leaves it as it was{empty}.");
+            (words, painter.theme.faint())
+        }
+    };
+    let [_, below] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
+    let lines = wrap(&words, area.width.into());
+    painter.lines(below, lines.into_iter().map(|line| (line, style)));
+}
+
+fn range_words(field: &FieldRow) -> String {
+    if field.range.is_empty() {
+        String::new()
+    } else {
+        format!("May be: {}", field.range)
+    }
+}

@@ -1,0 +1,104 @@
+//! The jobs.
+
+use ratatui::layout::Rect;
+
+use super::Pane;
+use crate::report::number;
+use crate::tui::command::{self, Command, Id, LIST, main};
+use crate::tui::msg::Effect;
+use crate::tui::pane::PaneId;
+use crate::tui::state::{AppState, JobLine, JobState, Purpose};
+use crate::tui::update::jobs;
+use crate::tui::update::motion::{moved, step};
+use crate::tui::view::painter::Painter;
+
+const COMMANDS: &[Command] = &[
+    main(
+        Id::CancelJob,
+        &["x", "d"],
+        "cancel",
+        "Cancel the job under the cursor",
+    ),
+    command::DOWN,
+];
+
+pub(super) struct Jobs;
+
+impl Pane for Jobs {
+    fn title(&self) -> &'static str {
+        "Jobs"
+    }
+
+    fn go(&self) -> &'static str {
+        "Go to the jobs"
+    }
+
+    fn commands(&self) -> &'static [&'static [Command]] {
+        &[COMMANDS, LIST]
+    }
+
+    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
+        let line = state.jobs.lines.get(state.jobs.cursor);
+        let open = line.is_some_and(|line| line.state.is_open());
+        (id == Id::CancelJob && !open).then_some("There is no running job under the cursor.")
+    }
+
+    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+        if id == Id::CancelJob {
+            let ticket = state.jobs.lines.get(state.jobs.cursor)?.ticket;
+            return Some(jobs::cancel(state, ticket));
+        }
+        let by = step(state, id)?;
+        state.jobs.cursor = moved(state.jobs.cursor, by, state.jobs.lines.len());
+        Some(Vec::new())
+    }
+
+    fn view(&self, painter: &mut Painter, area: Rect) {
+        let state = painter.state;
+        let jobs = &state.jobs;
+        if jobs.lines.is_empty() {
+            painter.text(area, "No jobs yet.", painter.theme.faint());
+            return;
+        }
+        let focused = state.focus() == PaneId::Jobs;
+        painter.list(area, jobs.cursor, jobs.lines.len(), |painter, at, i| {
+            let line = &jobs.lines[i];
+            let style = painter.line_style(i == jobs.cursor && focused);
+            painter.buf.set_style(at, style);
+            let half = (area.width / 2).max(20);
+            let name = Rect {
+                width: half.saturating_sub(1),
+                ..at
+            };
+            painter.text(name, &line.name, style);
+            let x = at.x + half;
+            let rest = Rect {
+                x,
+                width: at.right().saturating_sub(x),
+                ..at
+            };
+            painter.text(rest, &job_words(line), style);
+        });
+    }
+}
+
+fn job_words(line: &JobLine) -> String {
+    let p = line.progress;
+    match &line.state {
+        JobState::Running if line.purpose == Purpose::Trials => {
+            format!("{:.0} of {:.0} trials", p.time, p.duration)
+        }
+        JobState::Running if p.estimating => "estimating errors".to_owned(),
+        JobState::Running if p.steps == 0 => "starting".to_owned(),
+        JobState::Running => {
+            let left = p.remaining_s();
+            let left = left.map_or_else(String::new, |s| format!(", {} left", number::duration(s)));
+            format!(
+                "step {}, {:.0} of {:.0} s{left}",
+                p.steps, p.time, p.duration
+            )
+        }
+        JobState::Failed(why) => format!("failed: {why}"),
+        other => other.word().to_owned(),
+    }
+}

@@ -1,0 +1,140 @@
+//! The panes: each has its title, its commands, when they can be done, what they do, and how it is drawn, in one file.
+//! A new pane is a file here, a line in [`PaneId`], a line in [`pane`], and a place among the panes of a kind of file.
+
+mod cases;
+mod charts;
+mod drawing;
+mod inputs;
+mod jobs;
+mod modes;
+mod nodes;
+mod report;
+mod ropeway;
+mod runs;
+mod ship;
+mod tables;
+mod trials;
+mod validation;
+
+use ratatui::layout::Rect;
+
+use super::command::{self, Command, Id};
+use super::key::Key;
+use super::msg::Effect;
+use super::pane::PaneId;
+use super::state::{AppState, ParameterEditor};
+use super::view::painter::Painter;
+
+/// A pane of the screen.
+pub trait Pane: Sync {
+    /// The name on its frame and tab.
+    fn title(&self) -> &'static str;
+
+    /// What its number key does, for the help.
+    fn go(&self) -> &'static str {
+        ""
+    }
+
+    /// Its own commands, and the tables of those that it shares with others.
+    fn commands(&self) -> &'static [&'static [Command]];
+
+    /// Why a command cannot be done now.
+    fn reason(&self, _state: &AppState, _id: Id) -> Option<&'static str> {
+        None
+    }
+
+    /// Does a command; nothing where it is none of this pane.
+    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>>;
+
+    /// Draws it.
+    fn view(&self, painter: &mut Painter, area: Rect);
+}
+
+/// A pane by its name.
+#[must_use]
+pub fn pane(id: PaneId) -> &'static dyn Pane {
+    match id {
+        PaneId::Cases => &cases::Cases,
+        PaneId::Inputs => &inputs::Inputs,
+        PaneId::Charts => &charts::Charts,
+        PaneId::Runs => &runs::Runs,
+        PaneId::Validation => &validation::Validation,
+        PaneId::Report => &report::Report,
+        PaneId::Jobs => &jobs::Jobs,
+        PaneId::Trials => &trials::TrialsPane,
+        PaneId::Nodes => &nodes::Nodes,
+        PaneId::Modes => &modes::Modes,
+        PaneId::Tables => &tables::Tables,
+        PaneId::Drawing => &drawing::Drawing,
+        PaneId::Ropeway => &ropeway::Ropeway,
+        PaneId::Ship => &ship::Ship,
+    }
+}
+
+/// The commands that apply now, in the order of footer and help.
+#[must_use]
+pub fn commands(state: &AppState) -> Vec<Command> {
+    let focus = state.focus();
+    let mut all: Vec<Command> = pane(focus).commands().concat();
+    if let Some(document) = state.document.as_ref().filter(|_| focus != PaneId::Trials) {
+        let kind = document.kind();
+        all.extend(kind.commands());
+        all.extend(command::DOCUMENT);
+        let numbered = (1..).zip(kind.panes());
+        all.extend(numbered.filter_map(|(n, id)| command::pane(n, pane(*id).go())));
+    }
+    all.extend(command::EVERYWHERE);
+    all.sort_by_key(|command| command.order);
+    // The first of several for one thing is the one of the pane.
+    let mut seen = Vec::new();
+    all.retain(|command| {
+        let new = !seen.contains(&command.id);
+        seen.push(command.id);
+        new
+    });
+    all
+}
+
+/// The command of a key.
+#[must_use]
+pub fn find(state: &AppState, key: Key) -> Option<Command> {
+    let name = key.to_string();
+    let all = commands(state);
+    all.into_iter().find(|c| c.keys.contains(&name.as_str()))
+}
+
+/// Nothing, or the reason why the command cannot be done now.
+///
+/// # Errors
+/// The reason, as a full sentence.
+pub fn enabled(state: &AppState, id: Id) -> Result<(), String> {
+    let focus = state.focus();
+    let reason = pane(focus).reason(state, id);
+    let reason = reason.or_else(|| {
+        let document = state
+            .document
+            .as_ref()
+            .filter(|_| focus != PaneId::Trials)?;
+        in_editor(&document.editor, id).or_else(|| document.kind().reason(id))
+    });
+    reason.map_or(Ok(()), |reason| Err(reason.to_owned()))
+}
+
+/// What the editor of every kind of file cannot do now.
+fn in_editor(editor: &ParameterEditor, id: Id) -> Option<&'static str> {
+    let when = |condition: bool, reason: &'static str| condition.then_some(reason);
+    match id {
+        Id::Undo => when(editor.undo.is_empty(), "There is nothing to undo."),
+        Id::Redo => when(editor.redo.is_empty(), "There is nothing to redo."),
+        Id::ExternalEditor => when(
+            editor.unsaved(),
+            "There are changes that the file does not hold; `s` saves them first.",
+        ),
+        Id::Save => when(!editor.unsaved(), "The file already holds everything."),
+        Id::Edit | Id::Reset => when(
+            editor.current_field().is_none(),
+            "No field passes the filter. `/` and Esc drop it.",
+        ),
+        _ => None,
+    }
+}

@@ -1,0 +1,156 @@
+//! Natural modes: their table, and the shape of the one selected.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use ratatui::layout::{Constraint, Layout, Rect};
+
+use super::Pane;
+use crate::modes::LineModes;
+use crate::report::modes as views;
+use crate::report::table::Table;
+use crate::tui::command::{Command, Id, LIST, WIDE, main, other};
+use crate::tui::msg::Effect;
+use crate::tui::state::{AppState, LineView};
+use crate::tui::update::export;
+use crate::tui::update::motion::table_verb;
+use crate::tui::view::painter::Painter;
+
+/// From this room on both pictures are seen at once.
+const BOTH: (u16, u16) = (110, 24);
+
+#[rustfmt::skip] // a table: one command a line
+const COMMANDS: &[Command] = &[
+    main(Id::Down, &["j", "down"], "mode", "Select the next mode"),
+    main(Id::NextChart, &["]", "n"], "picture", "Show the mode along the line, or over the line at rest"),
+    main(Id::Write, &["w"], "write", "Write the modes with their shapes as CSV"),
+    other(Id::PreviousChart, &["[", "p"], "", "Show the mode along the line, or over the line at rest"),
+];
+
+pub(super) struct Modes;
+
+/// The modes computed last, if any.
+fn computed(line: &LineView) -> Option<Arc<LineModes>> {
+    match &line.modes.found {
+        Some(Ok(found)) => Some(Arc::clone(found)),
+        _ => None,
+    }
+}
+
+impl Pane for Modes {
+    fn title(&self) -> &'static str {
+        "Modes"
+    }
+
+    fn go(&self) -> &'static str {
+        "Go to the natural modes"
+    }
+
+    fn commands(&self) -> &'static [&'static [Command]] {
+        &[COMMANDS, LIST, WIDE]
+    }
+
+    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
+        let none = computed(state.line()?).is_none();
+        (id == Id::Write && none).then_some("There are no modes to write.")
+    }
+
+    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+        let verb = table_verb(state, id);
+        let (line, editor) = state.document.as_mut()?.line_and_editor()?;
+        match id {
+            Id::NextChart | Id::PreviousChart => line.modes.over = !line.modes.over,
+            Id::Write => {
+                let path = PathBuf::from(format!("{}-modes.csv", editor.stem()));
+                let text = computed(line).map(|modes| views::csv(&modes));
+                return Some(export::write(path, text, "The table of modes"));
+            }
+            _ => {
+                let verb = verb?;
+                let modes = computed(line)?;
+                line.modes.pane.act(verb, &views::table(&modes));
+            }
+        }
+        Some(Vec::new())
+    }
+
+    fn view(&self, painter: &mut Painter, area: Rect) {
+        let (Some(line), Some(editor)) = (painter.state.line(), painter.state.editor()) else {
+            return;
+        };
+        let modes = match &line.modes.found {
+            Some(Ok(modes)) => modes,
+            Some(Err(why)) => {
+                return painter.paragraph(area, &format!("There are no modes: {why}"));
+            }
+            None => return painter.paragraph(area, "The modes are computed in the background."),
+        };
+        let both = area.width >= BOTH.0 && area.height >= BOTH.1;
+        let lines = u16::try_from(modes.modes.len() + 2).unwrap_or(u16::MAX);
+        let most = if both {
+            area.height / 2
+        } else {
+            area.height * 9 / 20
+        };
+        let [table, note, pictures] = Layout::vertical([
+            Constraint::Length(lines.min(most)),
+            Constraint::Length(1),
+            Constraint::Min(0),
+        ])
+        .areas(area);
+        let whole = if area.width < BOTH.0 {
+            views::narrow(modes)
+        } else {
+            views::table(modes)
+        };
+        let bare = Table {
+            notes: Vec::new(),
+            ..whole
+        };
+        painter.table(&line.modes.pane, &bare, table);
+        about(
+            painter,
+            note,
+            line.modes.text != editor.text,
+            &views::troubles(modes),
+        );
+        let number = line.modes.pane.selected(&bare).unwrap_or(0);
+        shapes(painter, pictures, modes, number, both, line.modes.over);
+    }
+}
+
+/// What must be known of the modes, the most pressing first.
+fn about(painter: &mut Painter, line: Rect, old: bool, problems: &[String]) {
+    let (words, style) = match (old, problems.first()) {
+        (true, _) => (
+            "Of the case before the last edit; being computed again.",
+            painter.theme.warning(),
+        ),
+        (false, Some(note)) => (note.as_str(), painter.theme.warning()),
+        (false, None) => (
+            "About the line at rest; added mass in, drag out; errors from half the mesh.",
+            painter.theme.faint(),
+        ),
+    };
+    painter.text(line, words, style);
+}
+
+fn shapes(
+    painter: &mut Painter,
+    area: Rect,
+    modes: &LineModes,
+    number: usize,
+    both: bool,
+    over: bool,
+) {
+    let along = views::chart(modes, &[number]);
+    let shape = views::over_line(modes, number);
+    if both {
+        let [left, right] =
+            Layout::horizontal([Constraint::Fill(1), Constraint::Fill(1)]).areas(area);
+        painter.chart(&along, left);
+        painter.chart(&shape, right);
+    } else {
+        painter.chart(if over { &shape } else { &along }, area);
+    }
+}

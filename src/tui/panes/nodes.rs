@@ -1,0 +1,148 @@
+//! The line node by node: the tables of a run's line, and what its sections bear.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use ratatui::layout::{Constraint, Layout, Rect};
+
+use super::Pane;
+use crate::report::limits as limits_table;
+use crate::report::table::Table;
+use crate::run::{Run, limits};
+use crate::tui::command::{self, Command, DOWN, Id, LIST, SORT, WIDE, main, other};
+use crate::tui::facade;
+use crate::tui::line_tables::LineTable;
+use crate::tui::msg::Effect;
+use crate::tui::state::{AppState, LineView};
+use crate::tui::table_pane::TablePane;
+use crate::tui::update::export;
+use crate::tui::update::motion::table_verb;
+use crate::tui::view::painter::Painter;
+
+const COMMANDS: &[Command] = &[
+    main(
+        Id::NextTable,
+        &["]", "n"],
+        "table",
+        "Show the next table of the line",
+    ),
+    command::write("Write the table to a CSV file"),
+    SORT,
+    other(
+        Id::PreviousTable,
+        &["[", "p"],
+        "",
+        "Show the previous table of the line",
+    ),
+    DOWN,
+];
+
+pub(super) struct Nodes;
+
+impl Pane for Nodes {
+    fn title(&self) -> &'static str {
+        "Nodes"
+    }
+
+    fn go(&self) -> &'static str {
+        "Go to the line node by node"
+    }
+
+    fn commands(&self) -> &'static [&'static [Command]] {
+        &[COMMANDS, LIST, WIDE]
+    }
+
+    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
+        let none = state.line()?.reported().is_none();
+        (id == Id::Write && none)
+            .then_some("There is no finished run to write the nodes of. `R` runs the case.")
+    }
+
+    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+        let verb = table_verb(state, id);
+        let (line, editor) = state.document.as_mut()?.line_and_editor()?;
+        match id {
+            Id::NextTable => next_table(line, true),
+            Id::PreviousTable => next_table(line, false),
+            Id::Write => {
+                let (_, run, _) = line.reported()?;
+                let table = line.line_table.or_nodes(&run);
+                let path = PathBuf::from(format!("{}-{}.csv", editor.stem(), table.name()));
+                return Some(export::write(path, Some(table.csv(&run)), "The table"));
+            }
+            _ => {
+                let verb = verb?;
+                if let Some(table) = line_table(line) {
+                    line.nodes_pane.act(verb, &table);
+                }
+            }
+        }
+        Some(Vec::new())
+    }
+
+    fn view(&self, painter: &mut Painter, area: Rect) {
+        let Some(line) = painter.state.line() else {
+            return;
+        };
+        let Some((name, run, _)) = line.reported() else {
+            return painter.paragraph(area, "There is no finished run yet. `R` runs the case.");
+        };
+        let below = limits_above(painter, area, &run);
+        let which = line.line_table.or_nodes(&run);
+        let mut table = which.table(&run);
+        table.title = match (which, LineTable::of(&run).len()) {
+            (LineTable::Nodes, 1) => format!("Nodes of {name}; `w` writes them as CSV."),
+            (which, count) => {
+                let number = 1 + which as usize;
+                let what = which.title();
+                format!(
+                    "{what} of {name}, table {number} of {count}; `]` shows the next, `w` writes it."
+                )
+            }
+        };
+        painter.table(&line.nodes_pane, &table, below);
+    }
+}
+
+/// The table of the line that is shown of the chosen run.
+fn line_table(line: &LineView) -> Option<Table> {
+    let (_, run, _) = line
+        .reported()
+        .filter(|(_, run, _)| !run.profile.nodes.is_empty())?;
+    Some(line.line_table.or_nodes(&run).table(&run))
+}
+
+fn next_table(line: &mut LineView, forward: bool) {
+    if let Some((_, run, _)) = line.reported() {
+        line.line_table = line.line_table.or_nodes(&run).beside(&run, forward);
+        line.nodes_pane = TablePane::default();
+    }
+}
+
+/// What the sections bear, where the case states limits and there is room; returns the area below.
+fn limits_above(painter: &mut Painter, area: Rect, run: &Arc<Run>) -> Rect {
+    // A stored run may be of another text than the one that is open.
+    let case = facade::parse(&run.case_text, &run.info.case_file);
+    let table = case.ok().and_then(|case| {
+        let checks = limits::check(&case, &run.profile);
+        limits_table::table(&checks)
+    });
+    let lines = table.map_or_else(String::new, |table| table.to_text(area.width.into()));
+    let height = u16::try_from(lines.lines().count()).unwrap_or(u16::MAX);
+    // The nodes keep at least half of the room.
+    if height == 0 || height >= area.height / 2 {
+        return area;
+    }
+    let theme = painter.theme;
+    let style = |line: &str| {
+        if line.contains(limits_table::EXCEEDED) {
+            theme.error()
+        } else {
+            theme.plain()
+        }
+    };
+    painter.lines(area, lines.lines().map(|line| (line, style(line))));
+    let [_, below] =
+        Layout::vertical([Constraint::Length(height + 1), Constraint::Min(0)]).areas(area);
+    below
+}

@@ -1,0 +1,86 @@
+//! The text report of a run.
+
+use std::path::PathBuf;
+
+use ratatui::layout::{Constraint, Layout, Rect};
+
+use super::Pane;
+use crate::tui::command::{self, Command, DOWN, Id, LIST, WIDE};
+use crate::tui::msg::Effect;
+use crate::tui::state::AppState;
+use crate::tui::update::export;
+use crate::tui::update::motion::{moved, step};
+use crate::tui::view::painter::Painter;
+
+/// Columns that a key scrolls sideways, and the last column to scroll to.
+const SIDEWAYS: isize = 8;
+const LAST_COLUMN: usize = 400;
+
+const COMMANDS: &[Command] = &[
+    command::write("Write the report to a text file, of a stored run into its directory"),
+    DOWN,
+];
+
+pub(super) struct Report;
+
+impl Pane for Report {
+    fn title(&self) -> &'static str {
+        "Report"
+    }
+
+    fn go(&self) -> &'static str {
+        "Go to the report"
+    }
+
+    fn commands(&self) -> &'static [&'static [Command]] {
+        &[COMMANDS, LIST, WIDE]
+    }
+
+    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
+        let none = state.line()?.report.is_none();
+        (id == Id::Write && none)
+            .then_some("There is no finished run to report on. `R` runs the case.")
+    }
+
+    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+        let by = step(state, id);
+        let (line, editor) = state.document.as_mut()?.line_and_editor()?;
+        let across = &mut line.report_scroll.1;
+        match id {
+            Id::Write => {
+                let beside = format!("{}-report.txt", editor.stem());
+                let dir = line.reported().and_then(|(_, _, dir)| dir);
+                let path = dir.map_or_else(|| PathBuf::from(beside), |dir| dir.join("report.txt"));
+                let text = line.report.as_ref().map(|(_, text)| text.clone());
+                return Some(export::write(path, text, "The report"));
+            }
+            Id::ScrollRight => *across = moved(*across, SIDEWAYS, LAST_COLUMN),
+            Id::ScrollLeft => *across = moved(*across, -SIDEWAYS, LAST_COLUMN),
+            _ => {
+                let report = line.report.as_ref();
+                let lines = report.map_or(0, |(_, text)| text.lines().count());
+                line.report_scroll.0 = moved(line.report_scroll.0, by?, lines);
+            }
+        }
+        Some(Vec::new())
+    }
+
+    fn view(&self, painter: &mut Painter, area: Rect) {
+        let Some(line) = painter.state.line() else {
+            return;
+        };
+        let Some((name, report)) = &line.report else {
+            let words = "There is no finished run to report on yet. `R` runs the case.";
+            return painter.paragraph(area, words);
+        };
+        let [head, below] =
+            Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
+        let words = format!("Report on {name}; `w` saves it.");
+        painter.text(head, &words, painter.theme.strong());
+        let (down, across) = line.report_scroll;
+        let plain = painter.theme.plain();
+        let lines = report.lines().skip(down);
+        let seen = lines.map(|line| (line.chars().skip(across).collect::<String>(), plain));
+        painter.lines(below, seen);
+    }
+}

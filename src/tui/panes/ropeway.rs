@@ -1,0 +1,161 @@
+//! A ropeway: the slider that moves its cargo, its picture, the results.
+
+use ratatui::layout::{Constraint, Layout, Rect};
+
+use super::Pane;
+use crate::report::chart::Glyphs;
+use crate::report::number::{percent, rounded};
+use crate::report::ropeway::{drawing, tables};
+use crate::report::table::Table;
+use crate::ropeway::ModelResults;
+use crate::ropeway::elastic::Carrier;
+use crate::tui::command::{Command, Id, main, other};
+use crate::tui::msg::Effect;
+use crate::tui::state::{AppState, Content, Document, RopewayView};
+use crate::tui::update::edit;
+use crate::tui::view::painter::Painter;
+
+/// Lines that the results take: head, rule, and a line each.
+const RESULTS: u16 = 9;
+
+/// Parts of the span that the cargo moves at a key, and at a key for large steps.
+const STEP: f64 = 0.01;
+const LEAP: f64 = 0.1;
+
+#[rustfmt::skip] // a table: one command a line
+const COMMANDS: &[Command] = &[
+    main(Id::CursorRight, &["l", "right"], "to ship", "Move the cargo towards the ship"),
+    main(Id::CursorLeft, &["h", "left"], "to platform", "Move the cargo towards the platform"),
+    main(Id::Fit, &["0"], "file's place", "Put the cargo back to its position in the file"),
+    main(Id::KeepPosition, &["K"], "keep place", "Set cargo.position in the file to the position of the cargo"),
+    other(Id::LeapRight, &["L", "pgdn"], "", "Move the cargo towards the ship by a tenth of the span"),
+    other(Id::LeapLeft, &["H", "pgup"], "", "Move the cargo towards the platform by a tenth of the span"),
+];
+
+pub(super) struct Ropeway;
+
+/// The ropeway that is open.
+fn ropeway(document: &mut Document) -> Option<&mut RopewayView> {
+    match &mut document.content {
+        Content::Ropeway(ropeway) => Some(ropeway),
+        _ => None,
+    }
+}
+
+impl Pane for Ropeway {
+    fn title(&self) -> &'static str {
+        "Ropeway"
+    }
+
+    fn go(&self) -> &'static str {
+        "Go to the drawing"
+    }
+
+    fn commands(&self) -> &'static [&'static [Command]] {
+        &[COMMANDS]
+    }
+
+    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+        let ropeway = ropeway(state.document.as_mut()?)?;
+        match id {
+            Id::CursorLeft => ropeway.put(ropeway.position - STEP),
+            Id::CursorRight => ropeway.put(ropeway.position + STEP),
+            Id::LeapLeft => ropeway.put(ropeway.position - LEAP),
+            Id::LeapRight => ropeway.put(ropeway.position + LEAP),
+            Id::Fit => ropeway.put(ropeway.worked.ropeway.cargo.position),
+            Id::KeepPosition => {
+                let value = format!("{:?}", (ropeway.position * 1e4).round() / 1e4);
+                return Some(edit::set(state, "cargo.position", &value));
+            }
+            _ => return None,
+        }
+        Some(Vec::new())
+    }
+
+    fn view(&self, painter: &mut Painter, area: Rect) {
+        let document = painter.state.document.as_ref();
+        let Some(Content::Ropeway(ropeway)) = document.map(|document| &document.content) else {
+            return;
+        };
+        let results = match &ropeway.results {
+            Ok(results) => results,
+            Err(error) => {
+                let words = format!("No solution with the cargo here: {error}.");
+                painter.text(area, &words, painter.theme.warning());
+                return;
+            }
+        };
+        let [bar, drawing, readout, table] = Layout::vertical([
+            Constraint::Length(1),
+            Constraint::Min(4),
+            Constraint::Length(1),
+            Constraint::Length(RESULTS),
+        ])
+        .areas(area);
+        slider(painter, bar, ropeway);
+        let mut chart = drawing::chart(&ropeway.worked, results);
+        // Its title is beside the tabs; every line counts here.
+        chart.title.clear();
+        painter.chart(&chart, drawing);
+        rope_readout(painter, readout, ropeway, results);
+        let bare = Table {
+            title: String::new(),
+            notes: Vec::new(),
+            ..tables::models(&ropeway.worked, results)
+        };
+        let plain = painter.theme.plain();
+        let lines = bare.to_text(table.width.into());
+        painter.lines(table, lines.lines().map(|line| (line, plain)));
+    }
+}
+
+/// Where the cargo is between platform and ship.
+fn slider(painter: &mut Painter, line: Rect, ropeway: &RopewayView) {
+    let span = ropeway.worked.rope.geometry.span_m;
+    let words = format!(
+        " ship  cargo {} m of {} m, {}",
+        rounded(ropeway.position * span, 2),
+        rounded(span, 1),
+        percent(ropeway.position)
+    );
+    let head = "platform ";
+    let used = head.len() + words.len();
+    let room = usize::from(line.width).saturating_sub(used).max(3);
+    let (bar, mark) = match painter.glyphs() {
+        Glyphs::Braille => ('─', '█'),
+        Glyphs::Ascii => ('-', '#'),
+    };
+    let at = (ropeway.position * (room - 1) as f64).round() as usize;
+    let rail: String = (0..room)
+        .map(|i| if i == at { mark } else { bar })
+        .collect();
+    let rest = painter.text(line, head, painter.theme.plain());
+    let rest = painter.text(rest, &rail, painter.theme.strong());
+    painter.text(rest, &words, painter.theme.plain());
+}
+
+/// The exact rope in a line, and whether the cargo is dry.
+fn rope_readout(painter: &mut Painter, line: Rect, ropeway: &RopewayView, results: &ModelResults) {
+    let exact = &results.exact;
+    let clear = ropeway.worked.clearance_m(exact);
+    let words = format!(
+        "exact: platform {} N  ship {} N  sag {} m  ",
+        rounded(exact.platform_n(), 1),
+        rounded(exact.ship_n(), 1),
+        rounded(exact.sag_m, 2)
+    );
+    let (state, style) = match exact.carrier {
+        Carrier::Rope if clear < 0.0 => (
+            format!("IN THE WATER by {} m", rounded(-clear, 2)),
+            painter.theme.error(),
+        ),
+        Carrier::Rope => (
+            format!("clear by {} m", rounded(clear, 2)),
+            painter.theme.good(),
+        ),
+        Carrier::Platform => ("on the platform".to_owned(), painter.theme.plain()),
+        Carrier::Ship => ("on the ship".to_owned(), painter.theme.plain()),
+    };
+    let rest = painter.text(line, &words, painter.theme.strong());
+    painter.text(rest, &state, style);
+}

@@ -1,0 +1,72 @@
+//! The validation table, of every kind of file.
+
+use std::path::PathBuf;
+
+use ratatui::layout::Rect;
+
+use super::Pane;
+use crate::reference;
+use crate::report::text;
+use crate::tui::command::{self, Command, DOWN, Id, LIST, SORT, WIDE};
+use crate::tui::msg::Effect;
+use crate::tui::state::AppState;
+use crate::tui::update::export::{self, TEXT_WIDTH};
+use crate::tui::update::motion::table_verb;
+use crate::tui::view::painter::Painter;
+
+/// What is shown in the place of a validation table that would be empty.
+const NO_PUBLISHED_VALUES: &str = "This file states no published values to compare with.";
+
+const COMMANDS: &[Command] = &[
+    command::write("Write the validation table to a text file"),
+    SORT,
+    DOWN,
+];
+
+pub(super) struct Validation;
+
+impl Pane for Validation {
+    fn title(&self) -> &'static str {
+        "Validation"
+    }
+
+    fn go(&self) -> &'static str {
+        "Go to the validation table"
+    }
+
+    fn commands(&self) -> &'static [&'static [Command]] {
+        &[COMMANDS, LIST, WIDE]
+    }
+
+    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
+        let empty = state.document.as_ref()?.kind().checks().is_empty();
+        (id == Id::Write && empty).then_some(NO_PUBLISHED_VALUES)
+    }
+
+    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+        let verb = table_verb(state, id);
+        let document = state.document.as_mut()?;
+        let checks = document.content.kind().checks();
+        if id == Id::Write {
+            let words = match document.line() {
+                Some(_) => reference::table(checks).to_text(TEXT_WIDTH),
+                None => text::validation(checks),
+            };
+            let path = PathBuf::from(format!("{}-validation.txt", document.editor.stem()));
+            return Some(export::write(path, Some(words), "The validation table"));
+        }
+        document.checks_pane.act(verb?, &reference::table(checks));
+        Some(Vec::new())
+    }
+
+    fn view(&self, painter: &mut Painter, area: Rect) {
+        let Some(document) = &painter.state.document else {
+            return;
+        };
+        let checks = document.kind().checks();
+        if checks.is_empty() {
+            return painter.paragraph(area, NO_PUBLISHED_VALUES);
+        }
+        painter.table(&document.checks_pane, &reference::table(checks), area);
+    }
+}

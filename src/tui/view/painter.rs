@@ -1,0 +1,141 @@
+//! What panes draw with: text in lines, lists, tables, charts, and a line that is typed into.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::style::Style;
+use tui_input::Input;
+
+use super::paint::{first_line, row, text, wrap};
+use crate::report::chart::{Chart, Glyphs};
+use crate::report::table::Table;
+use crate::tui::plot_pane::draw_chart;
+use crate::tui::state::AppState;
+use crate::tui::table_pane::TablePane;
+use crate::tui::theme::Theme;
+
+/// What drawing a pane needs.
+pub struct Painter<'a> {
+    /// What is drawn.
+    pub state: &'a AppState,
+    /// Styles by meaning.
+    pub theme: Theme,
+    /// Where it is drawn.
+    pub buf: &'a mut Buffer,
+    /// Where the terminal's own cursor goes, when something is typed.
+    pub cursor: Option<(u16, u16)>,
+}
+
+impl Painter<'_> {
+    /// Characters of charts and frames.
+    #[must_use]
+    pub fn glyphs(&self) -> Glyphs {
+        self.state.capabilities.glyphs
+    }
+
+    /// Writes text at the left of a line; returns the rest of the line.
+    pub fn text(&mut self, line: Rect, words: &str, style: Style) -> Rect {
+        let x = text(self.buf, (line.x, line.y), line.width, words, style);
+        Rect {
+            x,
+            width: line.right().saturating_sub(x),
+            ..line
+        }
+    }
+
+    /// Writes lines from the top of an area down, as many as it has.
+    pub fn lines<T: AsRef<str>>(
+        &mut self,
+        area: Rect,
+        lines: impl IntoIterator<Item = (T, Style)>,
+    ) {
+        let rows = (0..area.height).map(|i| row(area, i));
+        for (line, (words, style)) in rows.zip(lines) {
+            self.text(line, words.as_ref(), style);
+        }
+    }
+
+    /// Plain words in an area, broken between words, as many lines as it has.
+    pub fn paragraph(&mut self, area: Rect, words: &str) {
+        let plain = self.theme.plain();
+        let lines = wrap(words, area.width.into());
+        self.lines(area, lines.into_iter().map(|line| (line, plain)));
+    }
+
+    /// A title with words below it, one line apart.
+    pub fn titled(&mut self, area: Rect, title: &str, words: &str) {
+        self.text(area, title, self.theme.strong());
+        let [_, below] = Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(area);
+        self.paragraph(below, words);
+    }
+
+    /// The style of a line of a list.
+    #[must_use]
+    pub fn line_style(&self, selected: bool) -> Style {
+        if selected {
+            self.theme.selected()
+        } else {
+            self.theme.plain()
+        }
+    }
+
+    /// The lines of a list around its cursor: `draw` gets area and number of each.
+    pub fn list(
+        &mut self,
+        area: Rect,
+        cursor: usize,
+        count: usize,
+        mut draw: impl FnMut(&mut Self, Rect, usize),
+    ) {
+        let first = first_line(cursor, count, area.height.into());
+        for (i, number) in (0..area.height).zip(first..count) {
+            draw(self, row(area, i), number);
+        }
+    }
+
+    /// Names beside each other, one of them selected; returns the rest of the line.
+    pub fn tabs<T: AsRef<str>>(
+        &mut self,
+        line: Rect,
+        names: impl IntoIterator<Item = T>,
+        selected: Option<usize>,
+    ) -> Rect {
+        let mut rest = line;
+        for (i, name) in names.into_iter().enumerate() {
+            let style = self.line_style(Some(i) == selected);
+            rest = self.text(rest, &format!(" {} ", name.as_ref()), style);
+        }
+        rest
+    }
+
+    /// A chart over an area.
+    pub fn chart(&mut self, chart: &Chart, area: Rect) {
+        draw_chart(chart, area, self.buf, self.glyphs(), self.theme);
+    }
+
+    /// A table over an area.
+    pub fn table(&mut self, pane: &TablePane, table: &Table, area: Rect) {
+        pane.draw(table, area, self.buf, self.glyphs(), self.theme);
+    }
+
+    /// What is typed after a prompt, scrolled to the cursor; the terminal's own cursor is there while `typing`.
+    pub fn prompt(&mut self, line: Rect, prompt: &str, input: &Input, typing: bool) {
+        let rest = self.text(line, prompt, self.theme.strong());
+        self.input(rest, input, typing);
+    }
+
+    /// What is typed, scrolled to the cursor.
+    pub fn input(&mut self, line: Rect, input: &Input, typing: bool) {
+        let room = line.width.saturating_sub(1);
+        let scroll = input.visual_scroll(room.into());
+        let value: String = input.value().chars().skip(scroll).collect();
+        let field = Rect {
+            width: room,
+            ..line
+        };
+        self.text(field, &value, self.theme.plain());
+        if typing {
+            let at = u16::try_from(input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
+            self.cursor = Some((line.x.saturating_add(at), line.y));
+        }
+    }
+}
