@@ -4,9 +4,11 @@
 use std::ops::Range;
 
 use super::StudyValue;
-use super::check::{check, check_value, fields_here, join, split, unknown_path, value_text};
+use super::check::{check, fields_here, unknown_path};
 use super::diagnostic::{Diagnostic, Finding, count};
-use super::fields::{Absent, CASE, Field, Kind, Schema, TableShape, field_at};
+use super::fields::{
+    Absent, CASE, Field, Kind, Schema, TableShape, check_value, field_at, join, split, value_text,
+};
 use super::read::tree_of;
 use super::tree::{Data, Entry, Form, Node};
 
@@ -161,7 +163,7 @@ pub fn get(text: &str, key_path: &str) -> Option<String> {
 
 /// Sets one key of a file, checking key and value but not the file as a whole.
 pub(crate) fn put(
-    schema: &Schema,
+    schema: &'static Schema,
     text: &str,
     key_path: &str,
     value: &str,
@@ -196,7 +198,7 @@ pub(crate) fn put(
 }
 
 /// The field that a key path means; of several, the one that its table has.
-fn field_of(schema: &Schema, root: &Node, parts: &[String]) -> Option<&'static Field> {
+fn field_of(schema: &'static Schema, root: &Node, parts: &[String]) -> Option<&'static Field> {
     let (_, table) = parts.split_last()?;
     let has = |field: &Field| {
         let node = root.find(table);
@@ -262,7 +264,7 @@ fn no_key() -> CatenaryError {
 
 /// Adds a key that the file leaves out.
 fn inserted(
-    schema: &Schema,
+    schema: &'static Schema,
     text: &str,
     root: &Node,
     parts: &[String],
@@ -317,7 +319,7 @@ fn holds_tables(node: &Node) -> bool {
 
 /// Adds a table that the file leaves out, with one key, at the end of the file.
 fn new_table(
-    schema: &Schema,
+    schema: &'static Schema,
     text: &str,
     root: &Node,
     table: &[String],

@@ -18,6 +18,7 @@ pub(crate) mod kind;
 mod misfit;
 pub mod model;
 mod read;
+mod schema;
 pub mod shipped;
 mod tree;
 mod write;
@@ -35,7 +36,7 @@ pub use read::{Loaded, load, parse, parse_beside};
 pub use write::write;
 
 // What another kind of file needs to be read, checked and complained about in the same way.
-pub(crate) use check::{join, nearest, split};
 pub(crate) use diagnostic::Finding;
+pub(crate) use fields::{join, nearest, split};
 
 pub(crate) use tree::Node;

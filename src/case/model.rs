@@ -1,12 +1,15 @@
-//! A case as the user words it: one struct a table of the file, one field a key.
+//! A case file as types: one struct a table, one field a key, each declared once with unit, range, default and help.
 //!
-//! Units stand in the field names, exactly as in the file. Nothing here computes; `scene` turns a
-//! [`Case`] into numbers for the solvers. Optional keys are `Option` where "not given" means
-//! something, and carry their default otherwise.
+//! A key has the unit in which its name ends. Ranges are wide: they catch slips (millimetres typed as metres, a lost minus
+//! sign), not unusual cables. Optional keys are `Option` where "not given" means something, and have a default otherwise.
+//! `scene` turns a [`Case`] into numbers for the solvers.
 
 use std::collections::BTreeMap;
 
-use serde::{Deserialize, Serialize};
+use crate::case::Node;
+use crate::case::fields::Kind::{self, NumberOrList};
+use crate::case::fields::{of, positive};
+use crate::case::schema::{FromDefault, Value, table};
 
 mod claims;
 mod construct;
@@ -19,7 +22,9 @@ pub use claims::{
     At, Direction, Mark, Published, PublishedCurve, Standing, Statistic, Study, StudyValue, Trend,
     Trial,
 };
-pub use ends::{Carried, End, EndKind, Ends, MotionName, Payload, Rotation, Shape};
+pub use ends::{
+    BoxShape, Carried, End, EndKind, Ends, MotionName, Payload, Rotation, Shape, SphereAndCylinder,
+};
 pub use line::{
     Clump, DragLaw, DragLawName, DragWidth, DynamicStiffness, Floats, Material, Modules, Section,
     Traveller,
@@ -31,177 +36,132 @@ pub use settings::{
     EnvelopeOf, FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartShape,
 };
 
-/// Everything a case file says.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Case {
-    /// What the case is, for people.
-    pub case: About,
+table! {
+    /// Everything a case file says.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Case => CaseKeys {}
+    tables {
+        /// What the case is, for people.
+        case: About;
+        /// Water and gravity.
+        environment: Environment, optional;
+        /// The current; absent means still water.
+        current: Option<Current>;
+        /// Waves; absent means a calm sea.
+        waves: Option<Waves>;
+        /// The sea bed under the line, level or sloping.
+        seabed: Option<Seabed>;
+        /// What the sections of the line are made of, by name.
+        materials: BTreeMap<String, Material>, required;
+        /// The sections of the line, from end A to end B.
+        line: Vec<Section>, required;
+        /// The two ends of the line.
+        ends: Ends;
+        /// The body hung on an end of kind payload.
+        payload: Option<Payload>;
+        /// Floats spread evenly over a stretch of a section.
+        floats: Vec<Floats>;
+        /// A body hung on the line at one place: a clump weight, or a buoy.
+        clumps: Vec<Clump>;
+        /// A body that travels along the line at a given speed.
+        traveller: Option<Traveller>;
+        /// Buoyancy modules clamped on a stretch of a section, one a pitch.
+        modules: Vec<Modules>;
+        /// Files that the case names, carried with it, by their names.
+        files: BTreeMap<String, Carried>;
+        /// Where the line is at time zero, at rest.
+        start: Start, optional;
+        /// Which solver, and its settings.
+        solver: Solver, optional;
+        /// What is recorded and how often.
+        output: Output, optional;
+        /// Natural modes about the static shape, told beside the results of a run.
+        modes: Option<Modes>;
+        /// Where an input comes from when the source does not print it, by key path.
+        marks: BTreeMap<String, Mark>;
+        /// One key varied over a list of values.
+        study: Vec<Study>;
+        /// A published value the case is held against.
+        published: Vec<Published>;
+        /// A published curve over time that a channel is held against.
+        published_curve: Vec<PublishedCurve>;
+        /// A published statement of trend, checked along a study.
+        trend: Vec<Trend>;
+        /// One way in which a hard case is computed, and what must come of it.
+        trial: Vec<Trial>;
+    }
+}
+
+table! {
+    /// What a case is, for people.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct About => AboutKeys {
+        /// One line that says what the case is.
+        title: String, "title";
+        /// Where the data come from.
+        source: String = "", "source";
+        /// The scene, what the source leaves out, what was decided.
+        notes: String = "", "notes";
+        /// Names of other case files whose stored runs are listed here too, to be laid over this case's.
+        beside: Option<Vec<String>>, "beside", absent "none";
+    }
+}
+
+table! {
     /// Water and gravity.
-    #[serde(default)]
-    pub environment: Environment,
-    /// The current; absent means still water.
-    pub current: Option<Current>,
-    /// Waves; absent means a calm sea.
-    pub waves: Option<Waves>,
-    /// The sea bed; absent means water without end.
-    pub seabed: Option<Seabed>,
-    /// Materials by name, referred to by the sections of the line.
-    pub materials: BTreeMap<String, Material>,
-    /// Sections of the line, from end A to end B.
-    pub line: Vec<Section>,
-    /// The two ends.
-    pub ends: Ends,
-    /// The body hung on an end of kind `payload`.
-    pub payload: Option<Payload>,
-    /// Floats spread over stretches of the line.
-    #[serde(default)]
-    pub floats: Vec<Floats>,
-    /// Bodies hung on the line, each at one place.
-    #[serde(default)]
-    pub clumps: Vec<Clump>,
-    /// A body that travels along the line; absent: there is none.
-    pub traveller: Option<Traveller>,
-    /// Buoyancy modules clamped on stretches of the line.
-    #[serde(default)]
-    pub modules: Vec<Modules>,
-    /// Files that the case names, by their names, so that it needs nothing else.
-    #[serde(default)]
-    pub files: BTreeMap<String, Carried>,
-    /// Where the line is at time zero.
-    #[serde(default)]
-    pub start: Start,
-    /// Which solver, and its settings.
-    #[serde(default)]
-    pub solver: Solver,
-    /// What is recorded and how often.
-    #[serde(default)]
-    pub output: Output,
-    /// Natural modes that a run tells beside its results; absent: none.
-    pub modes: Option<Modes>,
-    /// Where inputs come from, by key path (`"payload.drag_area_m2"`): published inputs need no mark.
-    #[serde(default)]
-    pub marks: BTreeMap<String, Mark>,
-    /// Studies: one key varied over a list of values.
-    #[serde(default)]
-    pub study: Vec<Study>,
-    /// Published values the case is held against.
-    #[serde(default)]
-    pub published: Vec<Published>,
-    /// Published curves over time that channels are held against.
-    #[serde(default)]
-    pub published_curve: Vec<PublishedCurve>,
-    /// Published statements of trend, checked along a study.
-    #[serde(default)]
-    pub trend: Vec<Trend>,
-    /// Ways in which a hard case is computed, for `seacable study hard-cases`.
-    #[serde(default)]
-    pub trial: Vec<Trial>,
-}
-
-impl Case {
-    /// A case of this title with these ends, without materials and sections; all else as in a file that leaves it out.
-    #[must_use]
-    pub fn new(title: &str, ends: Ends) -> Self {
-        Self {
-            case: About {
-                title: title.to_owned(),
-                source: String::new(),
-                notes: String::new(),
-                beside: None,
-            },
-            environment: Environment::default(),
-            current: None,
-            waves: None,
-            seabed: None,
-            materials: BTreeMap::new(),
-            line: Vec::new(),
-            ends,
-            payload: None,
-            floats: Vec::new(),
-            clumps: Vec::new(),
-            traveller: None,
-            modules: Vec::new(),
-            files: BTreeMap::new(),
-            start: Start::default(),
-            solver: Solver::default(),
-            output: Output::default(),
-            modes: None,
-            marks: BTreeMap::new(),
-            study: Vec::new(),
-            published: Vec::new(),
-            published_curve: Vec::new(),
-            trend: Vec::new(),
-            trial: Vec::new(),
-        }
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Environment => EnvironmentKeys {
+        /// Acceleration of gravity, downwards.
+        gravity_m_per_s2: f64 = 9.80665, "gravity", range of(0.0, 100.0);
+        /// Density of the water; it sets buoyancy, drag and added mass.
+        water_density_kg_per_m3: f64 = 1025.0, "water density", range of(0.0, 2e4);
+        /// Kinematic viscosity of the water, for Reynolds numbers.
+        kinematic_viscosity_m2_per_s: f64 = 1.19e-6, "kinematic viscosity", range positive(1.0);
+        /// Whether the line leaves the water: with ignored all of it counts as under water, at any height.
+        water_surface: WaterSurface = WaterSurface::Ignored, "water surface";
     }
 }
 
-/// What a case is, for people.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct About {
-    /// One line.
-    pub title: String,
-    /// Where the data come from.
-    #[serde(default)]
-    pub source: String,
-    /// A few sentences: the scene, what is missing in the source, what was decided.
-    #[serde(default)]
-    pub notes: String,
-    /// Names of other case files whose stored runs are listed with those of this one.
-    pub beside: Option<Vec<String>>,
-}
-
-/// Water and gravity.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Environment {
-    /// Gravity \[m/s²\].
-    pub gravity_m_per_s2: f64,
-    /// Density of the water \[kg/m³\].
-    pub water_density_kg_per_m3: f64,
-    /// Kinematic viscosity of the water \[m²/s\], for Reynolds numbers.
-    pub kinematic_viscosity_m2_per_s: f64,
-    /// Whether the line leaves the water where it is above the surface.
-    pub water_surface: WaterSurface,
-}
-
-impl Default for Environment {
-    fn default() -> Self {
-        Self {
-            gravity_m_per_s2: 9.80665,
-            water_density_kg_per_m3: 1025.0,
-            kinematic_viscosity_m2_per_s: 1.19e-6,
-            water_surface: WaterSurface::Ignored,
-        }
+table! {
+    /// A current: uniform (`speed_m_per_s` one number) or a table over depth (lists of equal length).
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Current => CurrentKeys {
+        /// Speed of the current: one number, or one for each depth.
+        speed_m_per_s: OneOrMany, "current speed", kind NumberOrList, range of(-20.0, 20.0);
+        /// Where the water flows to, from +x towards +y: one number, or one for each depth.
+        direction_deg: OneOrMany = 0.0, "current direction", kind NumberOrList, range of(-360.0, 360.0);
+        /// Depths below still water, increasing; linear in between, constant beyond.
+        depth_m: Option<Vec<f64>>, "current depths", range of(0.0, 2e4), absent "the same at every depth";
     }
-}
-
-/// A current: uniform (`speed_m_per_s` one number) or a table over depth (lists of equal length).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Current {
-    /// Speed \[m/s\]: one number, or one for each depth.
-    pub speed_m_per_s: OneOrMany,
-    /// Direction the water flows to, from +x towards +y \[deg\]: one number, or one for each depth.
-    #[serde(default = "zero")]
-    pub direction_deg: OneOrMany,
-    /// Depths below still water \[m\], increasing; needed when speed or direction is a list. Linear
-    /// in between (by components), constant above the first and below the last.
-    pub depth_m: Option<Vec<f64>>,
-}
-
-fn zero() -> OneOrMany {
-    OneOrMany::One(0.0)
 }
 
 /// One number, or a list of numbers.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum OneOrMany {
     /// One number.
     One(f64),
     /// A list.
     Many(Vec<f64>),
+}
+
+impl Value for OneOrMany {
+    const KIND: Kind = NumberOrList;
+
+    fn read(node: &Node) -> Option<Self> {
+        let one = node.number().map(Self::One);
+        one.or_else(|| node.numbers().map(Self::Many))
+    }
+
+    fn write(&self) -> toml_edit::Value {
+        match self {
+            Self::One(value) => value.write(),
+            Self::Many(values) => values.write(),
+        }
+    }
+}
+
+impl FromDefault<f64> for OneOrMany {
+    fn from_default(declared: f64) -> Self {
+        Self::One(declared)
+    }
 }

@@ -12,6 +12,7 @@ use super::check::check;
 use super::diagnostic::{Diagnostic, Finding};
 use super::fields::{CASE, Schema};
 use super::model::Case;
+use super::schema::{Place, TableType};
 use super::tree::Node;
 
 /// A case with the text and the file it came from.
@@ -63,7 +64,8 @@ pub fn parse_beside(text: &str, file: &str, folder: &Path) -> Result<Case, Vec<D
     if !found.is_empty() {
         return Err(diagnose(found, text, file));
     }
-    let mut case: Case = words_of(text).map_err(|finding| diagnose(vec![finding], text, file))?;
+    let case = Case::from_keys(&Case::keys(&Place::root(&tree)));
+    let mut case = case.map_err(|finding| diagnose(vec![finding], text, file))?;
     gather(&mut case, &tree, text, (file, folder))
         .and_then(|()| began::gather(&mut case, &tree, text, (file, folder)))
         .map_err(|diagnostic| vec![diagnostic])?;

@@ -50,6 +50,14 @@ impl Node {
         Ok(table(document.as_table(), &(0..0)))
     }
 
+    /// A table without keys.
+    pub(crate) fn empty_table() -> Self {
+        Self {
+            span: 0..0,
+            data: Data::Table(Form::Lines, Vec::new()),
+        }
+    }
+
     /// A value written alone, as a user types it into a field.
     pub(crate) fn parse_value(text: &str) -> Option<Self> {
         let value: Value = text.parse().ok()?;

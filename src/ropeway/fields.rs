@@ -8,9 +8,9 @@ use crate::case::fields::{Field, Range, STANDINGS, Schema, Table, TableShape, fi
 pub static ROPEWAY: Schema = Schema {
     what: "ropeway",
     least: "a ropeway has at least [ropeway] with a title and a span, [[rope]], [platform], [ship], [cargo] and [setting]",
-    fields: FIELDS,
-    parts: &[],
-    tables: TABLES,
+    fields: std::borrow::Cow::Borrowed(FIELDS),
+    parts: std::borrow::Cow::Borrowed(&[]),
+    tables: std::borrow::Cow::Borrowed(TABLES),
 };
 
 const ANY: Range = Range::ANY;

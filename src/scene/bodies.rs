@@ -169,16 +169,16 @@ pub(super) fn rigid_payload(case: &Case, node: usize) -> Result<Option<RigidPayl
 
 fn form(shape: &case::Shape) -> Form {
     match *shape {
-        case::Shape::Box {
+        case::Shape::Box(case::BoxShape {
             length_m,
             breadth_m,
             height_m,
-        } => box_form(length_m, breadth_m, height_m),
-        case::Shape::SphereAndCylinder {
+        }) => box_form(length_m, breadth_m, height_m),
+        case::Shape::SphereAndCylinder(case::SphereAndCylinder {
             sphere_diameter_m,
             cylinder_diameter_m,
             cylinder_length_m,
-        } => sphere_and_cylinder(sphere_diameter_m, cylinder_diameter_m, cylinder_length_m),
+        }) => sphere_and_cylinder(sphere_diameter_m, cylinder_diameter_m, cylinder_length_m),
     }
 }
 

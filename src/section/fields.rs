@@ -8,9 +8,9 @@ use crate::case::fields::{Field, Range, Schema, Table, TableShape, field, only, 
 pub static SECTION: Schema = Schema {
     what: "section",
     least: "a section has at least [section] with a name and a title, [units.<name>], and a [centre] or a [[layer]]",
-    fields: FIELDS,
-    parts: &[],
-    tables: TABLES,
+    fields: std::borrow::Cow::Borrowed(FIELDS),
+    parts: std::borrow::Cow::Borrowed(&[]),
+    tables: std::borrow::Cow::Borrowed(TABLES),
 };
 
 const ANY: Range = Range::ANY;

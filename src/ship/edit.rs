@@ -13,11 +13,11 @@ pub fn rows(text: &str) -> Vec<FieldRow> {
 pub(super) fn list(lister: &Lister<'_>) -> Vec<FieldRow> {
     let mut rows = lister.table("ship", &["ship"], "ship");
     let others = lister.schema.tables.iter().filter(|table| {
-        !matches!(table.path, "ship" | "marks" | "published")
-            && lister.root.get(table.path).is_some()
+        !matches!(&*table.path, "ship" | "marks" | "published")
+            && lister.root.get(&*table.path).is_some()
     });
     for table in others {
-        rows.extend(lister.table(table.path, &[table.path], table.path));
+        rows.extend(lister.table(&*table.path, &[&*table.path], &*table.path));
     }
     rows
 }

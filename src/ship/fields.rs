@@ -8,9 +8,9 @@ use crate::case::fields::{Field, Range, STANDINGS, Schema, Table, TableShape, fi
 pub static SHIP: Schema = Schema {
     what: "ship",
     least: "a ship has at least [ship] with a title, length_m and draft_m, and one of [wind], [current], [drift]",
-    fields: FIELDS,
-    parts: &[],
-    tables: TABLES,
+    fields: std::borrow::Cow::Borrowed(FIELDS),
+    parts: std::borrow::Cow::Borrowed(&[]),
+    tables: std::borrow::Cow::Borrowed(TABLES),
 };
 
 const ANY: Range = Range::ANY;

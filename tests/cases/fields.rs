@@ -1,6 +1,6 @@
 //! The table of fields says what the reader of the file does: defaults, words, units, rows.
 
-use seacable::case::fields::{self, Absent, FIELDS, Field, Kind, field_at, rows};
+use seacable::case::fields::{Absent, CASE, Field, Kind, field_at, rows};
 use seacable::case::{self, Case, Standing, Statistic};
 
 /// A case that gives nothing that has a default, but holds every table.
@@ -38,49 +38,64 @@ fn bare() -> Case {
     case::parse(BARE, "bare").unwrap_or_else(|faults| panic!("{faults:#?}"))
 }
 
-/// The value that the parsed case holds at a field's path, `*` being the one name there is.
-fn held<'a>(root: &'a toml::Value, field: &Field) -> Option<&'a toml::Value> {
-    field
-        .path
-        .split('.')
-        .try_fold(root, |value, part| match (part, value) {
-            ("*", toml::Value::Array(list)) => list.first(),
-            ("*", toml::Value::Table(table)) => table.values().next(),
-            (part, value) => value.get(part),
-        })
-}
-
-fn number(value: &toml::Value) -> Option<f64> {
-    value
-        .as_float()
-        .or_else(|| value.as_integer().map(|whole| whole as f64))
+/// The bare case with a key added to the table of its field.
+fn with(field: &Field, written: &str) -> String {
+    let named = |part: &str, name: &str| part.replace('*', name);
+    let path = match field.table() {
+        "ends.*" => "ends.a".to_owned(),
+        "materials.*" => named(field.table(), "m"),
+        "line.*" => named(field.table(), "s"),
+        table => {
+            let list = table.split('.').next().unwrap();
+            let name = match list {
+                "floats" | "modules" => "s",
+                "clumps" => "c",
+                "study" => "t",
+                "published" => "p",
+                "trend" => "q",
+                "trial" => "w",
+                "files" => "\"f.csv\"",
+                "marks" => "\"materials.m.ea_n\"",
+                _ => "",
+            };
+            named(table, name)
+        }
+    };
+    let key = format!("{path}.{}", field.key());
+    case::edit::set(BARE, &key, written).unwrap_or_else(|fault| panic!("{key}: {fault}"))
 }
 
 #[test]
-fn every_default_of_the_table_is_the_default_of_the_reader() {
-    let root = toml::Value::try_from(bare()).unwrap();
-    for field in FIELDS {
-        let held = held(&root, field);
-        match field.absent {
-            Absent::Default(written) => {
-                let document: toml::Table = format!("value = {written}").parse().unwrap();
-                let held = held.unwrap_or_else(|| panic!("{} is not held", field.path));
-                let same = match (number(held), number(&document["value"])) {
-                    (Some(a), Some(b)) => (a - b).abs() <= 1e-12 * a.abs(),
-                    _ => *held == document["value"],
-                };
-                assert!(same, "{}: {held} and {written}", field.path);
-            }
-            Absent::Means(_) if !BARE.contains(field.key()) => {
-                assert_eq!(held, None, "{}", field.path);
-            }
-            _ => {}
+fn a_key_that_is_given_its_default_changes_nothing() {
+    let bare = bare();
+    // Defaults that the checks refuse as without effect beside the other keys of the bare case.
+    let idle = [
+        "waves.spectrum",
+        "waves.gamma",
+        "waves.components",
+        "waves.seed",
+        "waves.decay_depth_m",
+        "seabed.friction_law",
+        "seabed.slip_speed_m_per_s",
+        "published_curve.*.window_s",
+    ];
+    let mut tried = 0;
+    for field in CASE
+        .fields
+        .iter()
+        .filter(|field| !idle.contains(&&*field.path))
+    {
+        if let Absent::Default(written) = field.absent {
+            let again = case::parse(&with(field, written), "default");
+            assert_eq!(again.as_ref(), Ok(&bare), "{}", field.path);
+            tried += 1;
         }
     }
+    assert!(tried > 60, "{tried}");
 }
 
 #[test]
-fn every_key_of_the_reader_is_in_the_table() {
+fn every_key_of_a_written_case_is_a_field() {
     fn visit(value: &toml::Value, path: &mut Vec<String>, found: &mut Vec<Vec<String>>) {
         let mut inner = |part: &str, value: &toml::Value| {
             path.push(part.to_owned());
@@ -95,10 +110,10 @@ fn every_key_of_the_reader_is_in_the_table() {
             _ => found.push(path.clone()),
         }
     }
-    let root = toml::Value::try_from(bare()).unwrap();
+    let root: toml::Table = case::write(&bare()).parse().unwrap();
     let mut found = Vec::new();
-    visit(&root, &mut Vec::new(), &mut found);
-    assert!(found.len() > 60);
+    visit(&toml::Value::Table(root), &mut Vec::new(), &mut found);
+    assert!(found.len() > 50, "{}", found.len());
     for path in found {
         assert!(field_at(&path).is_some(), "{path:?}");
     }
@@ -258,7 +273,7 @@ fn every_row_with_a_value_can_be_set_to_it_again() {
 
 #[test]
 fn help_is_written_for_every_field() {
-    for field in FIELDS {
+    for field in CASE.fields.iter() {
         assert!(field.help.ends_with('.'), "{}", field.path);
         assert!(
             !field.label.is_empty() && field.help.len() < 130,
@@ -266,5 +281,5 @@ fn help_is_written_for_every_field() {
             field.path
         );
     }
-    assert!(fields::TABLES.iter().all(|table| table.help.ends_with('.')));
+    assert!(CASE.tables.iter().all(|table| table.help.ends_with('.')));
 }

@@ -1,7 +1,7 @@
 //! Whatever stands in a file, reading and editing it ends with a case or with diagnostics.
 
 use proptest::prelude::*;
-use seacable::case::{self, edit, fields::FIELDS, fields::rows};
+use seacable::case::{self, edit, fields::CASE, fields::rows};
 
 const MANIFOLD: &str = include_str!("../../cases/pendulous/manifold.toml");
 const MODULE: &str = include_str!("../../cases/pendulous/module.toml");
@@ -99,7 +99,7 @@ proptest! {
 
     #[test]
     fn any_value_for_any_key_is_set_or_refused(
-        field in prop::sample::select(FIELDS),
+        field in prop::sample::select(CASE.fields.to_vec()),
         name in prop::sample::select(&["chain", "polyester", "wire", "payload.drag_area_m2", "current"][..]),
         value in prop_oneof!["\\PC{0,12}", "-?[0-9]{1,4}(\\.[0-9]{1,3})?", "\\[[0-9., ]{0,12}\\]"],
     ) {

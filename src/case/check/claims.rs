@@ -4,14 +4,14 @@
 use super::line::unknown_name;
 use super::paths::{existing, named};
 use super::spans::{stretch, suits, window};
-use super::value;
-use super::words::join;
 use crate::case::along::{AlongLine, STEADY};
 use crate::case::channels::{
     LineEnd, body_channels, elevation_channel, energy_channel, force_channels, joint_channels,
     motion_channels, rope_channels, tilt_channel, traveller_channels,
 };
 use crate::case::diagnostic::Finding;
+use crate::case::fields::check_value;
+use crate::case::fields::join;
 use crate::case::fields::{Field, Kind, number};
 use crate::case::model::{EndKind, Modes};
 use crate::case::tree::{Data, Node};
@@ -115,7 +115,7 @@ fn varied(root: &Node, key: &str) -> Result<&'static Field, (String, String)> {
 fn study_values(study: &Node, field: &Field, name: &str) -> Vec<Finding> {
     let items = study.get("values").map_or(&[] as &[Node], Node::items);
     let wrong = items.iter().filter_map(|item| {
-        let fault = value::check(field, item)
+        let fault = check_value(field, item)
             .err()
             .filter(|_| item.number().is_some() || item.text().is_some())?;
         Some(Finding::new(

@@ -1,10 +1,10 @@
 //! Every table and value of a file against the fields of its kind: unknown keys, missing units,
 //! wrong types, numbers out of range, required keys that are not there.
 
-use super::value;
-use super::words::{join, unknown_key};
 use crate::case::diagnostic::Finding;
+use crate::case::fields::check_value;
 use crate::case::fields::{Absent, Field, Schema, Table, TableShape};
+use crate::case::fields::{join, unknown_key};
 use crate::case::tree::{Entry, Node, element_names};
 
 /// Checks the whole document.
@@ -52,7 +52,7 @@ impl Walk {
     }
 
     fn value(&mut self, field: &Field, entry: &Entry, path: &[String]) {
-        if let Err(fault) = value::check(field, &entry.node) {
+        if let Err(fault) = check_value(field, &entry.node) {
             let finding = Finding::new(&fault.span, join(path), fault.problem, fault.remedy);
             self.found.push(finding);
         }
@@ -143,7 +143,7 @@ impl Walk {
             return None;
         }
         let tables: Vec<&str> = subtables_of(self.schema, pattern)
-            .map(|table| last(table.path))
+            .map(|table| last(&table.path))
             .collect();
         let said = unknown_key(self.schema, &entry.key, known, &tables);
         self.found.push(Finding::new(
@@ -170,7 +170,7 @@ impl Walk {
 
     fn missing_tables(&mut self, node: &Node, pattern: &str, path: &mut Vec<String>) {
         for table in subtables_of(self.schema, pattern) {
-            let key = last(table.path);
+            let key = last(&table.path);
             if table.required && node.get(key).is_none() {
                 path.push(key.to_owned());
                 let remedy = format!("add {}: {}", header(table), table.help);
@@ -183,7 +183,11 @@ impl Walk {
 }
 
 /// The fields a table of this pattern has, given what its own keys say.
-pub(crate) fn fields_here(schema: &Schema, node: &Node, pattern: &str) -> Vec<&'static Field> {
+pub(crate) fn fields_here(
+    schema: &'static Schema,
+    node: &Node,
+    pattern: &str,
+) -> Vec<&'static Field> {
     schema
         .fields_of(pattern)
         .filter(|field| exists(schema, field, node) != Some(false))
@@ -192,7 +196,7 @@ pub(crate) fn fields_here(schema: &Schema, node: &Node, pattern: &str) -> Vec<&'
 
 /// Whether this table has the field at all; nothing when the key that decides it is itself wrong or missing. A key that is
 /// left out decides by its default.
-fn exists(schema: &Schema, field: &Field, node: &Node) -> Option<bool> {
+fn exists(schema: &'static Schema, field: &Field, node: &Node) -> Option<bool> {
     let Some((key, wanted)) = field.only_if else {
         return Some(true);
     };
@@ -201,7 +205,7 @@ fn exists(schema: &Schema, field: &Field, node: &Node) -> Option<bool> {
         .find(|other| other.key() == key)?;
     match (node.get(key), decides.absent) {
         (Some(deciding), _) => {
-            value::check(decides, deciding).ok()?;
+            check_value(decides, deciding).ok()?;
             Some(deciding.text() == Some(wanted))
         }
         (None, Absent::Default(value)) => Some(value.trim_matches('"') == wanted),
@@ -209,7 +213,7 @@ fn exists(schema: &Schema, field: &Field, node: &Node) -> Option<bool> {
     }
 }
 
-fn subtables_of(schema: &Schema, pattern: &str) -> impl Iterator<Item = &'static Table> {
+fn subtables_of(schema: &'static Schema, pattern: &str) -> impl Iterator<Item = &'static Table> {
     schema
         .tables
         .iter()
@@ -219,8 +223,8 @@ fn subtables_of(schema: &Schema, pattern: &str) -> impl Iterator<Item = &'static
         })
 }
 
-fn subtable(schema: &Schema, pattern: &str, key: &str) -> Option<&'static Table> {
-    subtables_of(schema, pattern).find(|table| last(table.path) == key)
+fn subtable(schema: &'static Schema, pattern: &str, key: &str) -> Option<&'static Table> {
+    subtables_of(schema, pattern).find(|table| last(&table.path) == key)
 }
 
 fn last(path: &str) -> &str {

@@ -1,8 +1,8 @@
 //! The line as a whole: materials its sections name, names of sections and ends, what holds the
 //! ends and whether the line reaches, floats and bodies inside their section.
 
-use super::words::nearest;
 use crate::case::diagnostic::Finding;
+use crate::case::fields::nearest;
 use crate::case::fields::{either, quantity};
 use crate::case::tree::{Node, element_names};
 

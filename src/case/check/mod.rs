@@ -14,8 +14,6 @@ mod spans;
 mod start;
 mod trials;
 mod turning;
-mod value;
-mod words;
 
 use super::diagnostic::Finding;
 use super::fields::CASE;
@@ -23,8 +21,6 @@ use super::tree::Node;
 
 pub(crate) use keys::{check as check_keys, fields_here};
 pub(crate) use paths::unknown_path;
-pub(crate) use value::{check as check_value, text as value_text};
-pub(crate) use words::{join, nearest, split};
 
 /// Everything wrong with the file, in the order of its lines.
 pub(crate) fn check(root: &Node) -> Vec<Finding> {

@@ -1,7 +1,7 @@
 //! Key paths of a case: those that stand in it, and what was meant by one that does not.
 
-use super::words::{join, nearest, split, unknown_key};
-use crate::case::fields::{Absent, CASE, FIELDS, Field, field_at};
+use crate::case::fields::{Absent, CASE, Field, field_at};
+use crate::case::fields::{join, nearest, split, unknown_key};
 use crate::case::tree::{Data, Node, element_names};
 
 /// The field of a key path whose table stands in the file.
@@ -39,7 +39,7 @@ pub(crate) fn unknown_path(root: &Node, path: &str) -> (String, String) {
 /// The remedy for a last part that its table does not know, when the table is there.
 fn right_key(root: &Node, parts: &[String]) -> Option<String> {
     let (key, table) = parts.split_last()?;
-    let known = FIELDS.iter().filter(|field| {
+    let known = CASE.fields.iter().filter(|field| {
         let mut path = table.to_vec();
         path.push(field.key().to_owned());
         field_at(&path).is_some_and(|found| found.path == field.path)
@@ -62,10 +62,10 @@ fn near_path(path: &str, here: &[String]) -> String {
 fn given_or_defaulted(root: &Node) -> Vec<String> {
     let mut list = Vec::new();
     collect(root, &mut Vec::new(), &mut list);
-    for field in FIELDS {
+    for field in CASE.fields.iter() {
         let plain = !field.path.contains('*') && matches!(field.absent, Absent::Default(_));
-        if plain && !list.iter().any(|known| known == field.path) {
-            list.push(field.path.to_owned());
+        if plain && !list.iter().any(|known| *known == field.path) {
+            list.push(field.path.to_string());
         }
     }
     for (table, names) in [
@@ -74,7 +74,7 @@ fn given_or_defaulted(root: &Node) -> Vec<String> {
         ("clumps", names_of(root, "clumps")),
         ("modules", names_of(root, "modules")),
     ] {
-        let defaults = FIELDS.iter().filter(|field| {
+        let defaults = CASE.fields.iter().filter(|field| {
             field.table() == format!("{table}.*") && matches!(field.absent, Absent::Default(_))
         });
         for field in defaults {

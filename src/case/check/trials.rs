@@ -2,9 +2,9 @@
 
 use super::line::unknown_name;
 use super::paths::unknown_path;
-use super::words::{join, split};
 use crate::case::diagnostic::Finding;
 use crate::case::fields::field_at;
+use crate::case::fields::{join, split};
 use crate::case::tree::{Node, element_names};
 
 /// Checks of the trials.

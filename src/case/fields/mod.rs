@@ -5,73 +5,116 @@
 //! `materials.*.ea_n`, `line.*.length_m` (sections by their `name`), `floats.*.lift_kg` (by their
 //! `section`), `ends.*.kind`. A coordinate of a position goes by its letter: `ends.b.position_m.x`.
 
-mod applies;
-mod components;
 mod range;
 mod rows;
-mod table;
 mod tables;
+mod value;
+mod words;
 
-use components::COMPONENTS;
+use std::borrow::Cow;
+use std::sync::LazyLock;
+
+use super::model::Case;
+use super::schema::{Declared, TableType};
 pub use range::Range;
-pub(crate) use range::{number, quantity};
+pub(crate) use range::{number, of, positive, quantity};
 pub(crate) use rows::Lister;
 pub use rows::{FieldRow, rows};
-pub use table::FIELDS;
 pub(crate) use tables::table;
-pub use tables::{TABLES, Table, TableShape};
+pub use tables::{Table, TableShape};
+pub(crate) use value::{check as check_value, text as value_text};
+pub(crate) use words::{join, nearest, split, unknown_key};
 
 /// A kind of file: what it is called, and every table and field it can have.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Schema {
     /// What a file of this kind is, in a word: "case".
     pub what: &'static str,
     /// What it holds at the least, as a sentence for somebody with an empty one.
     pub least: &'static str,
     /// Its fields.
-    pub fields: &'static [Field],
+    pub fields: Cow<'static, [Field]>,
     /// The numbers within values that can be set one by one.
-    pub parts: &'static [Field],
+    pub parts: Cow<'static, [Field]>,
     /// Its tables.
-    pub tables: &'static [Table],
+    pub tables: Cow<'static, [Table]>,
 }
 
 /// The case file.
-pub static CASE: Schema = Schema {
-    what: "case",
-    least: "a case has at least [case], [materials.<name>], [[line]] and [ends.a], [ends.b]",
-    fields: FIELDS,
-    parts: COMPONENTS,
-    tables: TABLES,
-};
+pub static CASE: LazyLock<Schema> = LazyLock::new(|| {
+    let least = "a case has at least [case], [materials.<name>], [[line]] and [ends.a], [ends.b]";
+    Schema::of::<Case>("case", least).with_coordinates("ends.*.position_m")
+});
 
 impl Schema {
+    /// The schema of a kind of file, of the declaration of its tables.
+    pub(crate) fn of<T: TableType>(what: &'static str, least: &'static str) -> Self {
+        let mut declared = Declared::default();
+        T::declare("", &mut declared);
+        Self {
+            what,
+            least,
+            fields: declared.fields.into(),
+            parts: Cow::Borrowed(&[]),
+            tables: declared.tables.into(),
+        }
+    }
+
+    /// The same, with key paths for each coordinate of a field that takes three.
+    fn with_coordinates(mut self, path: &str) -> Self {
+        let whole = self.fields.iter().find(|field| field.path == path);
+        let parts = whole.map_or_else(Vec::new, |whole| {
+            let parts = [
+                ("x", "position x"),
+                ("y", "position y"),
+                ("z", "position z"),
+            ];
+            let part = |(axis, label)| Field {
+                path: format!("{path}.{axis}").into(),
+                label,
+                kind: Kind::Number,
+                absent: Absent::Required,
+                help: "Coordinate of the position.",
+                ..whole.clone()
+            };
+            parts.map(part).to_vec()
+        });
+        self.parts = parts.into();
+        self
+    }
+
     /// The fields of a table, by the table's pattern.
-    pub fn fields_of(&self, table: &str) -> impl Iterator<Item = &'static Field> {
+    pub fn fields_of(&'static self, table: &str) -> impl Iterator<Item = &'static Field> {
         self.fields
             .iter()
             .filter(move |field| field.table() == table)
     }
 
     /// The fields that a key path may mean; more than one where tables of several kinds share a key.
-    pub fn fields_at<S: AsRef<str>>(&self, path: &[S]) -> impl Iterator<Item = &'static Field> {
-        self.fields.iter().chain(self.parts).filter(move |field| {
-            let mut pattern = field.path.split('.');
-            let same = path.iter().all(|part| {
-                pattern
-                    .next()
-                    .is_some_and(|p| p == "*" || p == part.as_ref())
-            });
-            same && pattern.next().is_none()
-        })
+    pub fn fields_at<S: AsRef<str>>(
+        &'static self,
+        path: &[S],
+    ) -> impl Iterator<Item = &'static Field> {
+        self.fields
+            .iter()
+            .chain(self.parts.iter())
+            .filter(move |field| {
+                let mut pattern = field.path.split('.');
+                let same = path.iter().all(|part| {
+                    pattern
+                        .next()
+                        .is_some_and(|p| p == "*" || p == part.as_ref())
+                });
+                same && pattern.next().is_none()
+            })
     }
 }
 
 /// A key of a file.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Field {
     /// Path pattern: `materials.*.ea_n`.
-    pub path: &'static str,
+    pub path: Cow<'static, str>,
     /// What it is, in a few words.
     pub label: &'static str,
     /// What may be written.
@@ -87,7 +130,13 @@ pub struct Field {
     /// A key of the same table and the value it needs for this field to exist: the dimensions of a
     /// payload's shape depend on its `kind`.
     pub only_if: Option<(&'static str, &'static str)>,
+    /// Keys of the same table and the words of which each must be one for this field to have an effect: the motion of an
+    /// end that does not move has no period. Such a key may be given all the same.
+    pub matters: Needs,
 }
+
+/// What a key needs: each of these keys of its table, as one of these words.
+pub type Needs = &'static [(&'static str, &'static [&'static str])];
 
 /// A field known to every table of its pattern.
 pub(crate) const fn field(
@@ -100,7 +149,7 @@ pub(crate) const fn field(
     help: &'static str,
 ) -> Field {
     Field {
-        path,
+        path: Cow::Borrowed(path),
         label,
         kind,
         unit,
@@ -108,6 +157,7 @@ pub(crate) const fn field(
         absent,
         help,
         only_if: None,
+        matters: &[],
     }
 }
 
@@ -155,6 +205,22 @@ pub enum Kind {
     NumbersOrWords,
 }
 
+impl Kind {
+    /// Whether it is made of numbers.
+    fn holds_numbers(self) -> bool {
+        !matches!(
+            self,
+            Self::Boolean
+                | Self::Text
+                | Self::Name
+                | Self::Choice(_)
+                | Self::Words
+                | Self::NumberOrText
+                | Self::NumbersOrWords
+        )
+    }
+}
+
 /// What holds when a key is absent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Absent {
@@ -168,22 +234,94 @@ pub enum Absent {
     Means(&'static str),
 }
 
+/// A field as it is declared, piece by piece.
+impl Field {
+    /// A required field without a range, known by its key alone; its unit is the one in which the key ends.
+    pub(crate) fn new(
+        key: &'static str,
+        kind: Kind,
+        label: &'static str,
+        help: &'static str,
+    ) -> Self {
+        let unit = match unit_of_key(key) {
+            Some(unit) if kind.holds_numbers() => unit,
+            None if kind.holds_numbers() => "-",
+            _ => "",
+        };
+        field(key, kind, unit, Range::ANY, Absent::Required, label, help)
+    }
+
+    /// The same field in tables of this pattern.
+    pub(crate) fn below(&self, pattern: &str) -> Self {
+        let mut field = self.clone();
+        if !pattern.is_empty() {
+            field.path = format!("{pattern}.{}", self.path).into();
+        }
+        field
+    }
+
+    pub(crate) fn default(mut self, text: &'static str) -> Self {
+        self.absent = Absent::Default(text);
+        self
+    }
+
+    pub(crate) fn kind(mut self, kind: Kind) -> Self {
+        self.kind = kind;
+        self
+    }
+
+    pub(crate) fn unit(mut self, unit: &'static str) -> Self {
+        self.unit = unit;
+        self
+    }
+
+    pub(crate) fn range(mut self, range: Range) -> Self {
+        self.range = range;
+        self
+    }
+
+    pub(crate) fn absent(mut self, means: &'static str) -> Self {
+        self.absent = Absent::Means(means);
+        self
+    }
+
+    pub(crate) fn unless(mut self, other: &'static str) -> Self {
+        self.absent = Absent::RequiredWithout(other);
+        self
+    }
+
+    pub(crate) fn only(mut self, tag: (&'static str, &'static str)) -> Self {
+        self.only_if = Some(tag);
+        self
+    }
+
+    pub(crate) fn needed(mut self, tag: (&'static str, &'static str)) -> Self {
+        self.absent = Absent::Required;
+        self.only(tag)
+    }
+
+    pub(crate) fn matters(mut self, needs: Needs) -> Self {
+        self.matters = needs;
+        self
+    }
+}
+
 impl Field {
     /// The last part of the path: the key itself.
     #[must_use]
-    pub fn key(&self) -> &'static str {
-        self.path.rsplit('.').next().unwrap_or(self.path)
+    pub fn key(&self) -> &str {
+        self.path.rsplit('.').next().unwrap_or(&self.path)
     }
 
     /// The pattern of the table it stands in.
     #[must_use]
-    pub fn table(&self) -> &'static str {
+    pub fn table(&self) -> &str {
         self.path.rsplit_once('.').map_or("", |(table, _)| table)
     }
 
     /// The key without its unit: `length` for `length_m`.
     #[must_use]
-    pub fn stem(&self) -> &'static str {
+    pub fn stem(&self) -> &str {
         let key = self.key();
         unit_suffix(self.unit)
             .and_then(|suffix| key.strip_suffix(suffix)?.strip_suffix('_'))
@@ -256,6 +394,18 @@ pub fn unit_suffix(unit: &str) -> Option<&'static str> {
         .iter()
         .find(|(shown, _)| *shown == unit)
         .map(|(_, suffix)| *suffix)
+}
+
+/// The unit of a key, by its end: the longest that fits.
+fn unit_of_key(key: &str) -> Option<&'static str> {
+    let ends = |(_, suffix): &&(&str, &str)| {
+        let stem = key.strip_suffix(suffix);
+        stem.is_some_and(|stem| stem.is_empty() || stem.ends_with('_'))
+    };
+    let fitting = UNITS.iter().filter(ends);
+    fitting
+        .max_by_key(|(_, suffix)| suffix.len())
+        .map(|(unit, _)| *unit)
 }
 
 /// Units as shown, and as they stand in key names.

@@ -69,6 +69,16 @@ impl Range {
     }
 }
 
+/// From `min` to `max`, both allowed.
+pub(crate) const fn of(min: f64, max: f64) -> Range {
+    Range::of(min, max)
+}
+
+/// Greater than 0, up to `max`.
+pub(crate) const fn positive(max: f64) -> Range {
+    Range::positive(max)
+}
+
 /// A number with its unit, short: `1e5 m`, `0.4`.
 pub(crate) fn quantity(value: f64, unit: &str) -> String {
     match unit {

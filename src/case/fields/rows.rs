@@ -2,9 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::applies::applies;
-use super::{Absent, CASE, Field, Schema};
-use crate::case::check::{fields_here, join, value_text};
+use super::{Absent, CASE, Field, Schema, join, value_text};
+use crate::case::check::fields_here;
 use crate::case::model::{Case, Mark};
 use crate::case::tree::{Node, element_names};
 
@@ -67,7 +66,7 @@ pub fn rows(text: &str, case: &Case) -> Vec<FieldRow> {
 /// Lists the fields of a file.
 pub(crate) struct Lister<'a> {
     /// Kind of the file.
-    pub(crate) schema: &'a Schema,
+    pub(crate) schema: &'static Schema,
     /// Its text.
     pub(crate) text: &'a str,
     /// The text as a tree.
@@ -185,4 +184,17 @@ impl Lister<'_> {
             field,
         }
     }
+}
+
+/// Whether the field matters in this table of a file, which may leave the table out.
+fn applies(schema: &'static Schema, field: &Field, table: Option<&Node>) -> bool {
+    field.matters.iter().all(|(key, words)| {
+        let given = table.and_then(|node| node.get(key)).and_then(Node::text);
+        let default = schema.fields_of(field.table()).find(|f| f.key() == *key);
+        let default = default.and_then(|f| match f.absent {
+            Absent::Default(value) => Some(value.trim_matches('"')),
+            _ => None,
+        });
+        given.or(default).is_none_or(|word| words.contains(&word))
+    })
 }

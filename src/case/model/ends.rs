@@ -1,218 +1,202 @@
 //! What holds the ends, and the payload.
 
-use serde::{Deserialize, Serialize};
+use crate::case::fields::Kind::{Name, NumberOrTriple};
+use crate::case::fields::{Needs, of, positive};
+use crate::case::schema::{table, variants, words};
 
 use super::OneOrMany;
-use super::sea::{components, gamma, seed};
 
-/// The two ends of the line.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Ends {
-    /// Where arc length is zero.
-    pub a: End,
-    /// Where arc length is greatest.
-    pub b: End,
-}
-
-/// One end of the line.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct End {
-    /// Name, used in channel names (`tension_n[vessel|chain]`).
-    pub name: String,
-    /// What holds it.
-    pub kind: EndKind,
-    /// Position \[m\] as \[x, y, z\], z up from still water. Needed for held ends; a free or payload
-    /// end may leave it out, the start shape then gives it.
-    pub position_m: Option<[f64; 3]>,
-    /// Amplitude of prescribed motion along x, y, z \[m\].
-    #[serde(default)]
-    pub amplitude_m: [f64; 3],
-    /// Period of prescribed motion \[s\].
-    pub period_s: Option<f64>,
-    /// Phase of prescribed motion along x, y, z \[deg\]: x = x0 + A sin(2πt/T + phase).
-    #[serde(default)]
-    pub phase_deg: [f64; 3],
-    /// The motion grows smoothly from nothing over this time \[s\].
-    #[serde(default)]
-    pub ramp_s: f64,
-    /// A held end is let go at this time \[s\]; absent: never.
-    pub release_s: Option<f64>,
-    /// How a moving end moves.
-    #[serde(default)]
-    pub motion: MotionName,
-    /// The file that the motion is read from, beside the case: places over time, or a vessel's responses.
-    pub motion_file: Option<String>,
-    /// Root mean square of an irregular motion along x, y, z \[m\].
-    pub rms_m: Option<[f64; 3]>,
-    /// Period of the peak of its spectrum \[s\].
-    pub peak_period_s: Option<f64>,
-    /// Peak enhancement of its JONSWAP spectrum \[-\].
-    #[serde(default = "gamma")]
-    pub gamma: f64,
-    /// Number of harmonics it is made of along each axis.
-    #[serde(default = "components")]
-    pub components: usize,
-    /// Seed of its random frequencies and phases.
-    #[serde(default = "seed")]
-    pub seed: u64,
-    /// Where the vessel points, from +x towards +y \[deg\].
-    #[serde(default)]
-    pub heading_deg: f64,
-    /// Where the line hangs from the vessel, from the point that its responses are about: forward, to port, up \[m\].
-    #[serde(default)]
-    pub hang_point_m: [f64; 3],
-    /// Clamps the end: angle of the line there above the horizontal, going from A to B \[deg\]; absent: hinged.
-    pub clamp_elevation_deg: Option<f64>,
-    /// Direction of a clamped end in plan, from +x towards +y, going from A to B \[deg\].
-    #[serde(default)]
-    pub clamp_azimuth_deg: f64,
-}
-
-impl End {
-    /// An end of this name and kind at a position \[m\]; all else as in a file that leaves it out.
-    #[must_use]
-    pub fn new(name: &str, kind: EndKind, position_m: Option<[f64; 3]>) -> Self {
-        Self {
-            name: name.to_owned(),
-            kind,
-            position_m,
-            amplitude_m: [0.0; 3],
-            period_s: None,
-            phase_deg: [0.0; 3],
-            ramp_s: 0.0,
-            release_s: None,
-            motion: MotionName::default(),
-            motion_file: None,
-            rms_m: None,
-            peak_period_s: None,
-            gamma: gamma(),
-            components: components(),
-            seed: seed(),
-            heading_deg: 0.0,
-            hang_point_m: [0.0; 3],
-            clamp_elevation_deg: None,
-            clamp_azimuth_deg: 0.0,
-        }
+table! {
+    /// The two ends of the line.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Ends => EndsKeys {}
+    tables {
+        /// The end where the first section begins.
+        a: End, alike;
+        /// The end where the last section stops.
+        b: End, alike;
     }
 }
 
-/// How a moving end moves about its place.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum MotionName {
-    /// In harmonics of one period.
-    #[default]
-    Harmonic,
-    /// Along a table of places over time.
-    Table,
-    /// Irregularly, to a root mean square along each axis.
-    Irregular,
-    /// As a vessel does in the waves of the case.
-    Vessel,
+/// Ends that are held, and so may move, be clamped, or be let go.
+const HELD: Needs = &[("kind", &["fixed", "anchor", "moving"])];
+const MOVING: Needs = &[("kind", &["moving"])];
+const HARMONIC: Needs = &[("kind", &["moving"]), ("motion", &["harmonic"])];
+const IRREGULAR: Needs = &[("kind", &["moving"]), ("motion", &["irregular"])];
+const FROM_FILE: Needs = &[("kind", &["moving"]), ("motion", &["table", "vessel"])];
+const VESSEL: Needs = &[("kind", &["moving"]), ("motion", &["vessel"])];
+
+table! {
+    /// One end of the line.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct End => EndKeys {
+        /// Name of the end, used in channel names.
+        name: String, "name", kind Name;
+        /// What holds the end.
+        kind: EndKind, "kind";
+        /// Position, z up from still water; held ends need it.
+        position_m: Option<[f64; 3]>, "position", range of(-1e6, 1e6), absent "given by the start shape";
+        /// Amplitude of the prescribed motion of a moving end.
+        amplitude_m: [f64; 3] = [0.0, 0.0, 0.0], "motion amplitude", range of(-1e4, 1e4), matters HARMONIC;
+        /// Period of the prescribed motion; a moving end needs it.
+        period_s: Option<f64>, "motion period", range positive(1e5), absent "no motion", matters HARMONIC;
+        /// Phase of the prescribed motion.
+        phase_deg: [f64; 3] = [0.0, 0.0, 0.0], "motion phase", range of(-360.0, 360.0), matters HARMONIC;
+        /// The prescribed motion grows smoothly from nothing over this time.
+        ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters MOVING;
+        /// A held end is let go at this time.
+        release_s: Option<f64>, "release", range of(0.0, 1e6), absent "never", matters HELD;
+        /// How a moving end moves: in harmonics, along a table, irregularly, or as a vessel in the waves.
+        motion: MotionName = MotionName::Harmonic, "motion", matters MOVING;
+        /// CSV file beside the case: time_s,x_m,y_m,z_m from the position, or a vessel's responses over period_s.
+        motion_file: Option<String>, "motion file", absent "not used", matters FROM_FILE;
+        /// Root mean square of an irregular motion along x, y, z.
+        rms_m: Option<[f64; 3]>, "motion rms", range of(0.0, 1e3), absent "not used", matters IRREGULAR;
+        /// Period of the peak of an irregular motion's spectrum.
+        peak_period_s: Option<f64>, "motion peak period", range positive(1e5), absent "not used", matters IRREGULAR;
+        /// Gamma of an irregular motion's JONSWAP spectrum.
+        gamma: f64 = 3.3, "motion peak enhancement", range of(1.0, 20.0), matters IRREGULAR;
+        /// Harmonics an irregular motion is made of along each axis.
+        components: usize = 100, "motion components", range of(1.0, 1e4), matters IRREGULAR;
+        /// Of an irregular motion: the same seed, the same motion.
+        seed: u64 = 1, "motion seed", range of(0.0, 9e15), matters IRREGULAR;
+        /// Where the vessel points, from +x towards +y.
+        heading_deg: f64 = 0.0, "vessel heading", range of(-360.0, 360.0), matters VESSEL;
+        /// Where the line hangs from the vessel's reference point: forward, to port, up.
+        hang_point_m: [f64; 3] = [0.0, 0.0, 0.0], "hang point", range of(-1e3, 1e3), matters VESSEL;
+        /// Clamps the end: angle of the line there above the horizontal, going from A to B.
+        clamp_elevation_deg: Option<f64>, "clamp elevation", range of(-90.0, 90.0), absent "hinged", matters HELD;
+        /// Direction of a clamped end in plan, from +x towards +y, going from A to B.
+        clamp_azimuth_deg: f64 = 0.0, "clamp azimuth", range of(-360.0, 360.0), matters HELD;
+    }
 }
 
-/// A file that goes with the case.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Carried {
-    /// Its text.
-    pub text: String,
+words! {
+    /// How a moving end moves about its place.
+    #[derive(Default)]
+    pub enum MotionName {
+        /// In harmonics of one period.
+        #[default]
+        Harmonic = "harmonic",
+        /// Along a table of places over time.
+        Table = "table",
+        /// Irregularly, to a root mean square along each axis.
+        Irregular = "irregular",
+        /// As a vessel does in the waves of the case.
+        Vessel = "vessel",
+    }
 }
 
-/// What holds an end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum EndKind {
-    /// Held at its position (a vessel taken as fixed, a platform).
-    Fixed,
-    /// Held at its position on the sea bed.
-    Anchor,
-    /// Carries the payload; otherwise free.
-    Payload,
-    /// Follows a prescribed motion about its position.
-    Moving,
-    /// Free.
-    Free,
+table! {
+    /// A file that goes with the case.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Carried => CarriedKeys {
+        /// The text of a file that the case names.
+        text: String, "carried file";
+    }
 }
 
-/// A body at the end of the line; a point, unless it has a rotation.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Payload {
-    /// Mass in air \[kg\].
-    pub dry_mass_kg: f64,
-    /// Weight in water as mass \[kg\]. Give this or `volume_m3`, or let the shape give the volume.
-    pub wet_mass_kg: Option<f64>,
-    /// Displaced volume \[m³\].
-    pub volume_m3: Option<f64>,
-    /// Drag coefficient times area \[m²\]: one number, or along x, y, z. Absent: from the shape.
-    pub drag_area_m2: Option<OneOrMany>,
-    /// Added mass \[kg\]: one number, or along x, y, z. Absent: from the shape.
-    pub added_mass_kg: Option<OneOrMany>,
-    /// It is cut off the line at this time \[s\]; absent: never.
-    pub release_s: Option<f64>,
-    /// Its form, for what the keys above leave out.
-    pub shape: Option<Shape>,
-    /// How it turns about its hang point; absent: it is a point, and does not.
-    pub rotation: Option<Rotation>,
+words! {
+    /// What holds an end.
+    pub enum EndKind {
+        /// Held at its position (a vessel taken as fixed, a platform).
+        Fixed = "fixed",
+        /// Held at its position on the sea bed.
+        Anchor = "anchor",
+        /// Carries the payload; otherwise free.
+        Payload = "payload",
+        /// Follows a prescribed motion about its position.
+        Moving = "moving",
+        /// Free.
+        Free = "free",
+    }
 }
 
-/// A payload that turns about the end of the line: symmetric about an axis through its hang point.
-/// Drag area and added mass along z are then those along the axis, along x and y those across.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Rotation {
-    /// From the hang point to the centre of gravity \[m\].
-    pub centre_of_gravity_m: f64,
-    /// Moment of inertia about an axis across, through the centre of gravity \[kg m²\].
-    pub inertia_kg_m2: f64,
-    /// From the hang point to the centre of buoyancy, where the added mass sits too \[m\]; absent: the centre of
-    /// gravity.
-    pub centre_of_buoyancy_m: Option<f64>,
-    /// From the hang point to where drag acts \[m\]; absent: the centre of buoyancy.
-    pub centre_of_drag_m: Option<f64>,
-    /// Length of the axis, about the centre of drag, over which drag is spread evenly \[m\]; 0: it acts there.
-    #[serde(default)]
-    pub drag_length_m: f64,
-    /// Added moment of inertia about an axis across, through the centre of buoyancy \[kg m²\].
-    #[serde(default)]
-    pub added_inertia_kg_m2: f64,
-    /// Angle of the axis from straight down at time zero \[deg\].
-    #[serde(default)]
-    pub start_tilt_deg: f64,
-    /// Which way it is tilted, from +x towards +y \[deg\].
-    #[serde(default)]
-    pub start_azimuth_deg: f64,
-    /// How fast it spins about its axis \[deg/s\], positive by the right hand with the thumb away from the hang point: for
-    /// good, as a line without torsion transmits no torque.
-    #[serde(default)]
-    pub spin_deg_per_s: f64,
-    /// Moment of inertia about its axis \[kg m²\]; needed where it spins.
-    pub spin_inertia_kg_m2: Option<f64>,
+table! {
+    /// A body at the end of the line; a point, unless it has a rotation.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Payload => PayloadKeys {
+        /// Mass in air.
+        dry_mass_kg: f64, "dry mass", range positive(1e10);
+        /// Weight in water, as mass. Give this or volume_m3.
+        wet_mass_kg: Option<f64>, "wet mass", range of(-1e10, 1e10), absent "from the volume";
+        /// Displaced volume. Give this or wet_mass_kg.
+        volume_m3: Option<f64>, "volume", range of(0.0, 1e7), absent "from the wet mass or the shape";
+        /// Drag coefficient times area: one number, or along x, y, z.
+        drag_area_m2: Option<OneOrMany>, "drag area", kind NumberOrTriple, range of(0.0, 1e6), absent "from the shape";
+        /// Added mass: one number, or along x, y, z.
+        added_mass_kg: Option<OneOrMany>, "added mass", kind NumberOrTriple, range of(0.0, 1e10), absent "from the shape";
+        /// The payload is cut off the line at this time.
+        release_s: Option<f64>, "release", range of(0.0, 1e6), absent "never";
+    }
+    tables {
+        /// The form of the payload, for what its other keys leave out.
+        shape: Option<Shape>;
+        /// How the payload turns about the end of the line; absent means that it is a point.
+        rotation: Option<Rotation>;
+    }
 }
 
-/// The form of a payload.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields, tag = "kind")]
-pub enum Shape {
+table! {
+    /// A payload that turns about the end of the line: symmetric about an axis through its hang point.
+    /// Drag area and added mass along z are then those along the axis, along x and y those across.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Rotation => RotationKeys {
+        /// From the hang point down the axis of the body, about which it is symmetric.
+        centre_of_gravity_m: f64, "centre of gravity", range positive(1e3);
+        /// About an axis across, through the centre of gravity.
+        inertia_kg_m2: f64, "moment of inertia", range of(0.0, 1e14);
+        /// From the hang point down the axis; the added mass sits there too.
+        centre_of_buoyancy_m: Option<f64>, "centre of buoyancy", range of(0.0, 1e3), absent "at the centre of gravity";
+        /// From the hang point down the axis.
+        centre_of_drag_m: Option<f64>, "centre of drag", range of(0.0, 1e3), absent "at the centre of buoyancy";
+        /// Stretch of the axis, about the centre of drag, that drag is spread over: it then resists turning too.
+        drag_length_m: f64 = 0.0, "length of drag", range of(0.0, 1e3);
+        /// Of the water, about an axis across, through the centre of buoyancy.
+        added_inertia_kg_m2: f64 = 0.0, "added moment of inertia", range of(0.0, 1e14);
+        /// Angle of the axis from straight down at time zero, unless the start is an equilibrium.
+        start_tilt_deg: f64 = 0.0, "start tilt", range of(-180.0, 180.0);
+        /// Which way it is tilted, from +x towards +y.
+        start_azimuth_deg: f64 = 0.0, "start azimuth", range of(-360.0, 360.0);
+        /// How fast it spins about its axis, for good: the line transmits no torque.
+        spin_deg_per_s: f64 = 0.0, "spin", range of(-36e3, 36e3);
+        /// Moment of inertia about its own axis; needed where it spins.
+        spin_inertia_kg_m2: Option<f64>, "spin inertia", range of(0.0, 1e14), absent "needed where it spins";
+    }
+}
+
+variants! {
+    /// The form of a payload.
+    pub enum Shape => ShapeKeys by kind, "shape", "Form of the payload." {
+        /// A box.
+        Box(BoxShape) = "box",
+        /// A sphere and an upright cylinder.
+        SphereAndCylinder(SphereAndCylinder) = "sphere-and-cylinder",
+    }
+}
+
+table! {
     /// A box: length along x, breadth along y, height along z.
-    Box {
-        /// Length \[m\].
-        length_m: f64,
-        /// Breadth \[m\].
-        breadth_m: f64,
-        /// Height \[m\].
-        height_m: f64,
-    },
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct BoxShape => BoxShapeKeys {
+        /// Length, along x.
+        length_m: f64, "box length", range positive(1e3);
+        /// Breadth, along y.
+        breadth_m: f64, "box breadth", range positive(1e3);
+        /// Height, along z.
+        height_m: f64, "box height", range positive(1e3);
+    }
+}
+
+table! {
     /// A sphere and an upright cylinder.
-    SphereAndCylinder {
-        /// Diameter of the sphere \[m\].
-        sphere_diameter_m: f64,
-        /// Diameter of the cylinder \[m\].
-        cylinder_diameter_m: f64,
-        /// Length of the cylinder \[m\].
-        cylinder_length_m: f64,
-    },
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct SphereAndCylinder => SphereAndCylinderKeys {
+        /// Diameter of the sphere.
+        sphere_diameter_m: f64, "sphere diameter", range positive(1e3);
+        /// Diameter of the upright cylinder.
+        cylinder_diameter_m: f64, "cylinder diameter", range positive(1e3);
+        /// Length of the upright cylinder.
+        cylinder_length_m: f64, "cylinder length", range positive(1e3);
+    }
 }

@@ -1,121 +1,79 @@
 //! The line: materials, sections, floats.
 
-use serde::{Deserialize, Serialize};
-
 use super::OneOrMany;
+use crate::case::Node;
+use crate::case::fields::Kind::{self, Name, NumberOrChoice, NumberOrTriple};
+use crate::case::fields::{of, positive};
+use crate::case::schema::{FromDefault, Value, table, words};
 
-/// What a stretch of line is made of.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Material {
-    /// Hydrodynamic (outer) diameter \[m\].
-    pub diameter_m: f64,
-    /// Mass per unstretched length \[kg/m\].
-    pub mass_kg_per_m: f64,
-    /// Weight in water as mass per unstretched length \[kg/m\]; absent: from mass, diameter and water density.
-    pub wet_weight_kg_per_m: Option<f64>,
-    /// Axial stiffness EA \[N\]; absent: from the table below.
-    pub ea_n: Option<f64>,
-    /// Strains of a tension-strain table \[-\], rising from 0; absent: tension is EA times strain.
-    pub strain: Option<Vec<f64>>,
-    /// Tensions at those strains \[N\], rising from 0.
-    pub tension_n: Option<Vec<f64>>,
-    /// How the stiffness of a fibre rope depends on how it was loaded before.
-    #[serde(default)]
-    pub dynamic_stiffness: DynamicStiffness,
-    /// alpha of `EA / breaking load = alpha + beta Lm - gamma La` \[-\].
-    pub dynamic_alpha: Option<f64>,
-    /// beta, per percent of mean load \[-\].
-    #[serde(default)]
-    pub dynamic_beta: f64,
-    /// gamma, per percent of deviation from the mean load \[-\].
-    #[serde(default)]
-    pub dynamic_gamma: f64,
-    /// Time over which the past tension is averaged \[s\]; absent: all of the past.
-    pub mean_window_s: Option<f64>,
-    /// Bending stiffness EI \[N m²\]; 0 for ropes and chains. A material that bends also bears compression.
-    #[serde(default)]
-    pub ei_n_m2: f64,
-    /// Axial damping \[N s\]: tension per strain rate. At most one of this and the ratio.
-    pub axial_damping_n_s: Option<f64>,
-    /// Axial damping as a fraction of critical of a segment's highest axial mode \[-\].
-    pub axial_damping_ratio: Option<f64>,
-    /// Normal drag on the diameter: a coefficient or a named law \[-\].
-    #[serde(default = "no_drag")]
-    pub drag_normal: DragLaw,
-    /// Tangential drag, on the width chosen below: a coefficient or a named law \[-\].
-    #[serde(default = "no_drag")]
-    pub drag_tangential: DragLaw,
-    /// Reference width of tangential drag: `diameter` (Jia et al. 2019, eq. 3) or `perimeter`.
-    #[serde(default)]
-    pub drag_tangential_width: DragWidth,
-    /// Normal added-mass coefficient on the displaced volume \[-\].
-    #[serde(default = "one")]
-    pub added_mass_normal: f64,
-    /// Tangential added-mass coefficient on the displaced volume \[-\].
-    #[serde(default)]
-    pub added_mass_tangential: f64,
-    /// Minimum breaking load \[N\], for checks.
-    pub break_load_n: Option<f64>,
-    /// Smallest radius it may be bent to \[m\], for checks.
-    pub min_bend_radius_m: Option<f64>,
-}
+const NORMAL_DRAG: Kind = NumberOrChoice(&["jia-2019-normal"]);
+const TANGENTIAL_DRAG: Kind = NumberOrChoice(&["jia-2019-tangential"]);
 
-impl Material {
-    /// A material of this diameter \[m\], mass per length \[kg/m\] and axial stiffness EA \[N\]; all else as in a file
-    /// that leaves it out.
-    #[must_use]
-    pub fn new(diameter_m: f64, mass_kg_per_m: f64, ea_n: f64) -> Self {
-        Self {
-            diameter_m,
-            mass_kg_per_m,
-            wet_weight_kg_per_m: None,
-            ea_n: Some(ea_n),
-            strain: None,
-            tension_n: None,
-            dynamic_stiffness: DynamicStiffness::default(),
-            dynamic_alpha: None,
-            dynamic_beta: 0.0,
-            dynamic_gamma: 0.0,
-            mean_window_s: None,
-            ei_n_m2: 0.0,
-            axial_damping_n_s: None,
-            axial_damping_ratio: None,
-            drag_normal: no_drag(),
-            drag_tangential: no_drag(),
-            drag_tangential_width: DragWidth::default(),
-            added_mass_normal: one(),
-            added_mass_tangential: 0.0,
-            break_load_n: None,
-            min_bend_radius_m: None,
-        }
+table! {
+    /// What a stretch of line is made of.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Material => MaterialKeys {
+        /// Outer diameter, which drag, buoyancy and added mass refer to.
+        diameter_m: f64, "diameter", range positive(10.0);
+        /// Mass in air per unstretched length.
+        mass_kg_per_m: f64, "mass", range positive(1e6);
+        /// Weight in water, as mass per unstretched length; negative floats.
+        wet_weight_kg_per_m: Option<f64>, "wet weight", range of(-1e6, 1e6), absent "mass less displaced water";
+        /// Tension per strain.
+        ea_n: Option<f64>, "axial stiffness EA", range positive(1e13), unless strain;
+        /// Strains of a table in the place of ea_n, rising from 0; smooth in between, straight on beyond the last.
+        strain: Option<Vec<f64>>, "table of strains", range of(0.0, 10.0), absent "tension is EA times strain";
+        /// Tensions at those strains, rising from 0.
+        tension_n: Option<Vec<f64>>, "table of tensions", range of(0.0, 1e13), absent "tension is EA times strain";
+        /// Stiffness of a fibre rope that goes with its past tension: through the origin, or about the mean state.
+        dynamic_stiffness: DynamicStiffness = DynamicStiffness::None, "dynamic stiffness";
+        /// alpha of EA by breaking load = alpha + beta Lm - gamma La, in motion.
+        dynamic_alpha: Option<f64>, "alpha", range positive(1e4), absent "not used";
+        /// beta, by the mean of the past tension Lm in percent of the breaking load.
+        dynamic_beta: f64 = 0.0, "beta", range of(0.0, 1e3);
+        /// gamma, by the deviation La of the tension from its mean in percent of the breaking load.
+        dynamic_gamma: f64 = 0.0, "gamma", range of(0.0, 1e3);
+        /// Time over which the past tension is averaged.
+        mean_window_s: Option<f64>, "window of the mean", range positive(1e6), absent "all of the past";
+        /// Moment per curvature; 0 for ropes and chains. What bends also bears compression.
+        ei_n_m2: f64 = 0.0, "bending stiffness EI", range of(0.0, 1e12);
+        /// Tension per strain rate. Give this or axial_damping_ratio.
+        axial_damping_n_s: Option<f64>, "axial damping", range of(0.0, 1e13), absent "no axial damping";
+        /// Fraction of critical of a segment's highest axial mode. Give this or axial_damping_n_s.
+        axial_damping_ratio: Option<f64>, "axial damping ratio", range of(0.0, 10.0), absent "no axial damping";
+        /// Coefficient on the diameter, or a law of the Reynolds number by name.
+        drag_normal: DragLaw = 0.0, "normal drag", kind NORMAL_DRAG, range of(0.0, 100.0);
+        /// Coefficient on the width below, or a law of the Reynolds number by name.
+        drag_tangential: DragLaw = 0.0, "tangential drag", kind TANGENTIAL_DRAG, range of(0.0, 100.0);
+        /// What tangential drag refers to: the diameter D, or the perimeter pi D.
+        drag_tangential_width: DragWidth = DragWidth::Diameter, "tangential drag width";
+        /// Coefficient on the displaced volume, across the line.
+        added_mass_normal: f64 = 1.0, "normal added mass", range of(0.0, 100.0);
+        /// Coefficient on the displaced volume, along the line.
+        added_mass_tangential: f64 = 0.0, "tangential added mass", range of(0.0, 100.0);
+        /// Minimum breaking load; the run warns where the tension comes to more.
+        break_load_n: Option<f64>, "breaking load", range positive(1e12), absent "not used";
+        /// Smallest radius it may be bent to; the run warns where it is bent more sharply.
+        min_bend_radius_m: Option<f64>, "least bending radius", range positive(1e5), absent "not used";
     }
 }
 
-fn no_drag() -> DragLaw {
-    DragLaw::Constant(0.0)
-}
-
-fn one() -> f64 {
-    1.0
-}
-
-/// How dynamic stiffness (Zhu, Yin and Shen 2017, eq. 1) makes a tension.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum DynamicStiffness {
-    /// Not at all: the static stiffness holds in motion too.
-    #[default]
-    None,
-    /// As a secant through the origin of strain, as in the paper.
-    Secant,
-    /// About the mean state, up to which the static stiffness holds.
-    AboutTheMean,
+words! {
+    /// How dynamic stiffness (Zhu, Yin and Shen 2017, eq. 1) makes a tension.
+    #[derive(Default)]
+    pub enum DynamicStiffness {
+        /// Not at all: the static stiffness holds in motion too.
+        #[default]
+        None = "none",
+        /// As a secant through the origin of strain, as in the paper.
+        Secant = "secant",
+        /// About the mean state, up to which the static stiffness holds.
+        AboutTheMean = "about-the-mean",
+    }
 }
 
 /// A drag coefficient, constant or from a named law of the Reynolds number.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum DragLaw {
     /// The same at every Reynolds number.
     Constant(f64),
@@ -123,144 +81,154 @@ pub enum DragLaw {
     Named(DragLawName),
 }
 
-/// The drag laws known by name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum DragLawName {
-    /// Normal drag of Jia et al. 2019, eq. (4).
-    #[serde(rename = "jia-2019-normal")]
-    Jia2019Normal,
-    /// Tangential drag of Jia et al. 2019, eq. (5).
-    #[serde(rename = "jia-2019-tangential")]
-    Jia2019Tangential,
+impl Value for DragLaw {
+    const KIND: Kind = NumberOrChoice(&["jia-2019-normal", "jia-2019-tangential"]);
+
+    fn read(node: &Node) -> Option<Self> {
+        let constant = node.number().map(Self::Constant);
+        constant.or_else(|| DragLawName::read(node).map(Self::Named))
+    }
+
+    fn write(&self) -> toml_edit::Value {
+        match self {
+            Self::Constant(value) => value.write(),
+            Self::Named(law) => law.write(),
+        }
+    }
 }
 
-/// The width that tangential drag is referred to.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum DragWidth {
-    /// The diameter D.
-    #[default]
-    Diameter,
-    /// The perimeter πD.
-    Perimeter,
+impl FromDefault<f64> for DragLaw {
+    fn from_default(declared: f64) -> Self {
+        Self::Constant(declared)
+    }
 }
 
-/// A section of the line.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Section {
-    /// Name, used in channel names and key paths (`line.polyester.length_m`).
-    pub name: String,
-    /// Name of its material.
-    pub material: String,
-    /// Unstretched length \[m\].
-    pub length_m: f64,
-    /// Number of segments it is divided into.
-    pub segments: usize,
+words! {
+    /// The drag laws known by name.
+    pub enum DragLawName {
+        /// Normal drag of Jia et al. 2019, eq. (4).
+        Jia2019Normal = "jia-2019-normal",
+        /// Tangential drag of Jia et al. 2019, eq. (5).
+        Jia2019Tangential = "jia-2019-tangential",
+    }
 }
 
-/// Floats spread evenly over a stretch of a section.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Floats {
-    /// The section they sit on.
-    pub section: String,
-    /// Where the stretch begins, from the section's end nearer to A \[m\].
-    #[serde(default)]
-    pub from_m: f64,
-    /// Where it ends \[m\]; absent: the section's end.
-    pub to_m: Option<f64>,
-    /// Net lift of all of them as mass \[kg\] (buoyancy less their own weight).
-    pub lift_kg: f64,
-    /// Mass of all of them \[kg\].
-    #[serde(default)]
-    pub mass_kg: f64,
-    /// Normal drag coefficient times area of all of them \[m²\].
-    #[serde(default)]
-    pub drag_area_m2: f64,
-    /// Normal added mass of all of them \[kg\].
-    #[serde(default)]
-    pub added_mass_kg: f64,
+words! {
+    /// The width that tangential drag is referred to.
+    #[derive(Default)]
+    pub enum DragWidth {
+        /// The diameter D.
+        #[default]
+        Diameter = "diameter",
+        /// The perimeter πD.
+        Perimeter = "perimeter",
+    }
 }
 
-/// A body hung on the line at one place: a clump weight, or a buoy where its weight in water is negative.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Clump {
-    /// Name, used in channel names (`x_m[clump]`).
-    pub name: String,
-    /// The section it hangs on.
-    pub section: String,
-    /// Where, from the section's end nearer to A \[m\]; it hangs at the node nearest to that.
-    pub at_m: f64,
-    /// Mass in air \[kg\].
-    pub mass_kg: f64,
-    /// Weight in water as mass \[kg\]; negative for a buoy.
-    pub wet_mass_kg: f64,
-    /// Drag coefficient times area \[m²\]: one number, or along x, y, z.
-    #[serde(default = "nothing")]
-    pub drag_area_m2: OneOrMany,
-    /// Added mass \[kg\]: one number, or along x, y, z.
-    #[serde(default = "nothing")]
-    pub added_mass_kg: OneOrMany,
+table! {
+    /// A section of the line.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Section => SectionKeys {
+        /// Name of the section, used in channel names and key paths.
+        name: String, "name", kind Name;
+        /// Name of its material.
+        material: String, "material";
+        /// Unstretched length.
+        length_m: f64, "length", range positive(1e5);
+        /// Number of segments the section is divided into.
+        segments: usize, "segments", range of(1.0, 1e4);
+    }
 }
 
-pub(super) fn nothing() -> OneOrMany {
-    OneOrMany::One(0.0)
+table! {
+    /// Floats spread evenly over a stretch of a section.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Floats => FloatsKeys {
+        /// The section they sit on.
+        section: String, "section";
+        /// Where the stretch begins, from the section's end nearer to A.
+        from_m: f64 = 0.0, "from", range of(0.0, 1e5);
+        /// Where the stretch ends, from the section's end nearer to A.
+        to_m: Option<f64>, "to", range positive(1e5), absent "the section's end";
+        /// Buoyancy less own weight of all of them, as mass.
+        lift_kg: f64, "net lift", range of(-1e9, 1e9);
+        /// Mass of all of them.
+        mass_kg: f64 = 0.0, "mass", range of(0.0, 1e9);
+        /// Drag coefficient times area of all of them, across the line.
+        drag_area_m2: f64 = 0.0, "drag area", range of(0.0, 1e6);
+        /// Added mass of all of them, across the line.
+        added_mass_kg: f64 = 0.0, "added mass", range of(0.0, 1e9);
+    }
 }
 
-/// A body that travels along the line, at a given speed: a cargo on a ropeway, a crawler.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Traveller {
-    /// Name, used in channel names (`x_m[cargo]`).
-    pub name: String,
-    /// Mass in air \[kg\].
-    pub mass_kg: f64,
-    /// Weight in water as mass \[kg\].
-    pub wet_mass_kg: f64,
-    /// Drag coefficient times area \[m²\]: one number, or along x, y, z.
-    #[serde(default = "nothing")]
-    pub drag_area_m2: OneOrMany,
-    /// Unstretched length from end A at which it begins \[m\].
-    #[serde(default)]
-    pub from_m: f64,
-    /// Unstretched length from end A at which it stays \[m\]; absent: end B.
-    pub to_m: Option<f64>,
-    /// Speed along the unstretched line \[m/s\].
-    pub speed_m_per_s: f64,
-    /// Time at which it sets out \[s\].
-    #[serde(default)]
-    pub start_s: f64,
-    /// Time in which it comes to its speed \[s\].
-    #[serde(default)]
-    pub ramp_s: f64,
+table! {
+    /// A body hung on the line at one place: a clump weight, or a buoy where its weight in water is negative.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Clump => ClumpKeys {
+        /// Name of the body, used in channel names.
+        name: String, "name", kind Name;
+        /// The section it hangs on.
+        section: String, "section";
+        /// Where it hangs, from the section's end nearer to A; at the node nearest to that.
+        at_m: f64, "place", range of(0.0, 1e5);
+        /// Mass in air.
+        mass_kg: f64, "mass", range of(0.0, 1e10);
+        /// Weight in water, as mass; negative for a buoy.
+        wet_mass_kg: f64, "wet mass", range of(-1e10, 1e10);
+        /// Drag coefficient times area: one number, or along x, y, z.
+        drag_area_m2: OneOrMany = 0.0, "drag area", kind NumberOrTriple, range of(0.0, 1e6);
+        /// Added mass: one number, or along x, y, z.
+        added_mass_kg: OneOrMany = 0.0, "added mass", kind NumberOrTriple, range of(0.0, 1e10);
+    }
 }
 
-/// Buoyancy modules clamped on a stretch of a section, one a pitch. Their volume, mass and drag are spread over the
-/// stretch (Lin, Guo, Niu and Zhang 2016, eqs 20 and 21).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Modules {
-    /// The section they sit on.
-    pub section: String,
-    /// Where the stretch begins, from the section's end nearer to A \[m\].
-    #[serde(default)]
-    pub from_m: f64,
-    /// Where it ends \[m\]; absent: the section's end.
-    pub to_m: Option<f64>,
-    /// Outer diameter of a module \[m\].
-    pub diameter_m: f64,
-    /// Length of a module \[m\].
-    pub length_m: f64,
-    /// Distance from one module to the next \[m\].
-    pub pitch_m: f64,
-    /// Density of a module's material \[kg/m³\].
-    pub density_kg_per_m3: f64,
-    /// Mass of what holds each module in place \[kg\].
-    #[serde(default)]
-    pub fittings_kg: f64,
-    /// Normal drag coefficient of a module on its diameter \[-\].
-    #[serde(default)]
-    pub drag_normal: f64,
+table! {
+    /// A body that travels along the line, at a given speed: a cargo on a ropeway, a crawler.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Traveller => TravellerKeys {
+        /// Name of the body, used in channel names.
+        name: String, "name", kind Name;
+        /// Mass in air.
+        mass_kg: f64, "mass", range of(0.0, 1e10);
+        /// Weight in water, as mass.
+        wet_mass_kg: f64, "wet mass", range of(-1e10, 1e10);
+        /// Drag coefficient times area: one number, or along x, y, z.
+        drag_area_m2: OneOrMany = 0.0, "drag area", kind NumberOrTriple, range of(0.0, 1e6);
+        /// Unstretched length from end A at which it begins.
+        from_m: f64 = 0.0, "from", range of(0.0, 1e5);
+        /// Unstretched length from end A at which it stays.
+        to_m: Option<f64>, "to", range of(0.0, 1e5), absent "end B";
+        /// Speed along the unstretched line.
+        speed_m_per_s: f64, "speed", range of(0.0, 1e3);
+        /// Time at which it sets out.
+        start_s: f64 = 0.0, "start", range of(0.0, 1e7);
+        /// Time in which it comes to its speed.
+        ramp_s: f64 = 0.0, "ramp", range of(0.0, 1e7);
+    }
+}
+
+table! {
+    /// Buoyancy modules clamped on a stretch of a section, one a pitch. Their volume, mass and drag are spread over the
+    /// stretch (Lin, Guo, Niu and Zhang 2016, eqs 20 and 21).
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Modules => ModulesKeys {
+        /// The section they sit on.
+        section: String, "section";
+        /// Where the stretch begins, from the section's end nearer to A.
+        from_m: f64 = 0.0, "from", range of(0.0, 1e5);
+        /// Where the stretch ends, from the section's end nearer to A.
+        to_m: Option<f64>, "to", range positive(1e5), absent "the section's end";
+        /// Outer diameter of a module.
+        diameter_m: f64, "diameter", range positive(50.0);
+        /// Length of a module along the line.
+        length_m: f64, "length", range positive(100.0);
+        /// Distance from one module to the next; at least a module's length.
+        pitch_m: f64, "pitch", range positive(1e3);
+        /// Density of a module's material.
+        density_kg_per_m3: f64, "density", range positive(2e4);
+        /// Mass of what holds a module in place, each.
+        fittings_kg: f64 = 0.0, "fittings", range of(0.0, 1e6);
+        /// Normal drag coefficient of a module on its diameter.
+        drag_normal: f64 = 0.0, "normal drag", range of(0.0, 20.0);
+    }
 }

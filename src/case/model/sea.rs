@@ -1,171 +1,123 @@
 //! Waves, and the surface of the water.
 
-use serde::{Deserialize, Serialize};
+use crate::case::fields::{of, positive};
+use crate::case::schema::{table, words};
 
-/// Long-crested waves, regular or irregular, by Airy's linear theory.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Waves {
-    /// Regular, or irregular from a spectrum.
-    pub kind: WaveKind,
-    /// Height of regular waves from trough to crest \[m\].
-    pub height_m: Option<f64>,
-    /// Period of regular waves \[s\].
-    pub period_s: Option<f64>,
-    /// Phase of regular waves \[deg\]: the surface over x = y = 0 is `H/2 cos(2πt/T + phase)`.
-    #[serde(default)]
-    pub phase_deg: f64,
-    /// Significant height of irregular waves \[m\].
-    pub significant_height_m: Option<f64>,
-    /// Period of the spectrum's peak \[s\].
-    pub peak_period_s: Option<f64>,
-    /// The spectrum of irregular waves.
-    #[serde(default)]
-    pub spectrum: SpectrumName,
-    /// Peak enhancement of a JONSWAP spectrum \[-\].
-    #[serde(default = "gamma")]
-    pub gamma: f64,
-    /// Number of regular components that irregular waves are made of.
-    #[serde(default = "components")]
-    pub components: usize,
-    /// Seed of the random frequencies and phases: the same seed, the same waves.
-    #[serde(default = "seed")]
-    pub seed: u64,
-    /// Direction the waves run to, from +x towards +y \[deg\].
-    #[serde(default)]
-    pub direction_deg: f64,
-    /// Depth of the sea \[m\]; absent: that of the sea bed, or deep water where there is none.
-    pub depth_m: Option<f64>,
-    /// The waves grow smoothly from nothing over this time \[s\].
-    #[serde(default)]
-    pub ramp_s: f64,
-    /// How kinematics is carried up to the surface.
-    #[serde(default)]
-    pub stretching: StretchingName,
-    /// How it falls with depth.
-    #[serde(default)]
-    pub decay: DecayName,
-    /// Depth below which nothing moves, for the decays that end \[m\].
-    #[serde(default = "decay_depth")]
-    pub decay_depth_m: f64,
-    /// What of the water's motion reaches the line.
-    #[serde(default)]
-    pub load: WaveLoadName,
-    /// Where the height of the waves is recorded, x and y \[m\]; absent: over end B where it has a position, else over
-    /// end A.
-    pub gauge_m: Option<[f64; 2]>,
-}
-
-impl Waves {
-    /// Regular waves of this height \[m\] and period \[s\] along x; all else as in a file that leaves it out.
-    #[must_use]
-    pub fn regular(height_m: f64, period_s: f64) -> Self {
-        Self {
-            kind: WaveKind::Regular,
-            height_m: Some(height_m),
-            period_s: Some(period_s),
-            phase_deg: 0.0,
-            significant_height_m: None,
-            peak_period_s: None,
-            spectrum: SpectrumName::default(),
-            gamma: gamma(),
-            components: components(),
-            seed: seed(),
-            direction_deg: 0.0,
-            depth_m: None,
-            ramp_s: 0.0,
-            stretching: StretchingName::default(),
-            decay: DecayName::default(),
-            decay_depth_m: decay_depth(),
-            load: WaveLoadName::default(),
-            gauge_m: None,
-        }
+table! {
+    /// Long-crested waves, regular or irregular, by Airy's linear theory.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Waves => WavesKeys {
+        /// Regular waves, or irregular ones from a spectrum.
+        kind: WaveKind, "waves";
+        /// Height of regular waves from trough to crest.
+        height_m: Option<f64>, "wave height", range of(0.0, 100.0), only kind "regular";
+        /// Period of regular waves.
+        period_s: Option<f64>, "wave period", range of(0.1, 1e3), only kind "regular";
+        /// Lead of the crest over x = y = 0 at time zero.
+        phase_deg: f64 = 0.0, "wave phase", range of(-360.0, 360.0), only kind "regular";
+        /// Four times the root mean square elevation.
+        significant_height_m: Option<f64>, "significant height", range of(0.0, 50.0), only kind "irregular";
+        /// Period of the spectrum's peak.
+        peak_period_s: Option<f64>, "peak period", range of(0.1, 1e3), only kind "irregular";
+        /// How the energy of irregular waves is spread over frequency.
+        spectrum: SpectrumName = SpectrumName::Jonswap, "spectrum", only kind "irregular";
+        /// Gamma of a JONSWAP spectrum; 1 is Pierson-Moskowitz.
+        gamma: f64 = 3.3, "peak enhancement", range of(1.0, 20.0), only kind "irregular";
+        /// Regular components that irregular waves are made of, of equal energy.
+        components: usize = 100, "components", range of(1.0, 1e4), only kind "irregular";
+        /// Of the random frequencies and phases: the same seed, the same waves.
+        seed: u64 = 1, "seed", range of(0.0, 9e15), only kind "irregular";
+        /// Where the waves run to, from +x towards +y.
+        direction_deg: f64 = 0.0, "wave direction", range of(-360.0, 360.0);
+        /// Depth that the waves feel, where there is no [seabed].
+        depth_m: Option<f64>, "sea depth", range positive(2e4), absent "that of the sea bed, or deep water";
+        /// The waves grow smoothly from nothing over this time.
+        ramp_s: f64 = 0.0, "wave ramp", range of(0.0, 1e6);
+        /// Above still water: the formula as it stands, as at still water, still water moved to the surface (Wheeler), or a straight line.
+        stretching: StretchingName = StretchingName::Vertical, "stretching";
+        /// Airy's theory, the same ending at decay_depth_m, or 1 - ln(1 + (e - 1) d / decay_depth_m).
+        decay: DecayName = DecayName::Airy, "decay with depth";
+        /// Depth below which nothing moves, where the decay is not airy.
+        decay_depth_m: f64 = 200.0, "decay depth", range positive(2e4);
+        /// Where the height of the waves is recorded, x and y.
+        gauge_m: Option<[f64; 2]>, "gauge", range of(-1e6, 1e6), absent "over end B where it has a position, else over end A";
+        /// Of the water's motion: velocity and acceleration, or the acceleration alone, with drag as in water that the waves leave still.
+        load: WaveLoadName = WaveLoadName::Morison, "load";
     }
 }
 
-pub(super) fn gamma() -> f64 {
-    3.3
+words! {
+    /// The kinds of waves.
+    pub enum WaveKind {
+        /// One component.
+        Regular = "regular",
+        /// Many, from a spectrum.
+        Irregular = "irregular",
+    }
 }
 
-pub(super) fn components() -> usize {
-    100
+words! {
+    /// The spectra known by name.
+    #[derive(Default)]
+    pub enum SpectrumName {
+        /// JONSWAP (Hasselmann et al. 1973).
+        #[default]
+        Jonswap = "jonswap",
+        /// Pierson and Moskowitz 1964.
+        PiersonMoskowitz = "pierson-moskowitz",
+    }
 }
 
-pub(super) fn seed() -> u64 {
-    1
+words! {
+    /// How kinematics is carried up to the surface.
+    #[derive(Default)]
+    pub enum StretchingName {
+        /// The formula as it stands.
+        None = "none",
+        /// Above still water as at it.
+        #[default]
+        Vertical = "vertical",
+        /// Still water moved to the surface (Wheeler 1970).
+        Wheeler = "wheeler",
+        /// Above still water in a straight line.
+        Linear = "linear",
+    }
 }
 
-fn decay_depth() -> f64 {
-    200.0
+words! {
+    /// How the motion of the water falls with depth.
+    #[derive(Default)]
+    pub enum DecayName {
+        /// Airy's theory.
+        #[default]
+        Airy = "airy",
+        /// The same down to a depth, nothing below.
+        AiryCut = "airy-cut",
+        /// The logarithm that ends at a depth.
+        Logarithmic = "logarithmic",
+    }
 }
 
-/// The kinds of waves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum WaveKind {
-    /// One component.
-    Regular,
-    /// Many, from a spectrum.
-    Irregular,
+words! {
+    /// What of the water's motion reaches the line.
+    #[derive(Default)]
+    pub enum WaveLoadName {
+        /// Velocity and acceleration.
+        #[default]
+        Morison = "morison",
+        /// The acceleration alone.
+        Inertia = "inertia",
+    }
 }
 
-/// The spectra known by name.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SpectrumName {
-    /// JONSWAP (Hasselmann et al. 1973).
-    #[default]
-    Jonswap,
-    /// Pierson and Moskowitz 1964.
-    PiersonMoskowitz,
-}
-
-/// How kinematics is carried up to the surface.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum StretchingName {
-    /// The formula as it stands.
-    None,
-    /// Above still water as at it.
-    #[default]
-    Vertical,
-    /// Still water moved to the surface (Wheeler 1970).
-    Wheeler,
-    /// Above still water in a straight line.
-    Linear,
-}
-
-/// How the motion of the water falls with depth.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum DecayName {
-    /// Airy's theory.
-    #[default]
-    Airy,
-    /// The same down to a depth, nothing below.
-    AiryCut,
-    /// The logarithm that ends at a depth.
-    Logarithmic,
-}
-
-/// What of the water's motion reaches the line.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum WaveLoadName {
-    /// Velocity and acceleration.
-    #[default]
-    Morison,
-    /// The acceleration alone.
-    Inertia,
-}
-
-/// Whether the line leaves the water.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum WaterSurface {
-    /// All of the line counts as under water, at any height.
-    #[default]
-    Ignored,
-    /// Above the surface the line has its weight in air, and no drag nor added mass.
-    Crossed,
+words! {
+    /// Whether the line leaves the water.
+    #[derive(Default)]
+    pub enum WaterSurface {
+        /// All of the line counts as under water, at any height.
+        #[default]
+        Ignored = "ignored",
+        /// Above the surface the line has its weight in air, and no drag nor added mass.
+        Crossed = "crossed",
+    }
 }

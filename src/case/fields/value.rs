@@ -3,7 +3,7 @@
 use std::ops::Range as Span;
 
 use super::words::{is_name_letter, nearest};
-use crate::case::fields::{Field, Kind, either, number, quantity};
+use super::{Field, Kind, either, number, quantity};
 use crate::case::tree::{Data, Node};
 
 /// What is wrong with a value, and where.

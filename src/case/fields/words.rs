@@ -1,6 +1,6 @@
 //! Key paths, and the words of a message about a key that nobody knows.
 
-use crate::case::fields::{self, Field, Schema};
+use super::{Field, Schema, either, unit_suffix};
 
 /// A key path as its parts; parts with dots stand in quotes. Nothing when it is malformed.
 pub(crate) fn split(path: &str) -> Option<Vec<String>> {
@@ -115,7 +115,7 @@ pub(crate) fn unknown_key(
             .collect();
         format!(
             "the keys known here are {}",
-            fields::either(&names).replace(" or ", " and ")
+            either(&names).replace(" or ", " and ")
         )
     });
     Unknown {
@@ -199,7 +199,7 @@ fn is_unit(schema: &Schema, suffix: &str) -> bool {
     let known = schema
         .fields
         .iter()
-        .any(|field| fields::unit_suffix(field.unit) == Some(suffix));
+        .any(|field| unit_suffix(field.unit) == Some(suffix));
     known || OTHERS.contains(&suffix)
 }
 
@@ -252,19 +252,25 @@ mod tests {
 
     #[test]
     fn a_unit_left_out_or_wrong_names_the_right_key() {
-        let known: Vec<_> = fields::fields_of("line.*").collect();
-        let bare = unknown_key(&fields::CASE, "length", &known, &[]);
+        let known: Vec<_> = crate::case::fields::fields_of("line.*").collect();
+        let bare = unknown_key(&crate::case::fields::CASE, "length", &known, &[]);
         assert_eq!(bare.remedy, "write `length_m`, with the value in m");
         assert_eq!(bare.meant, Some("length_m"));
-        let wrong = unknown_key(&fields::CASE, "length_ft", &known, &[]);
+        let wrong = unknown_key(&crate::case::fields::CASE, "length_ft", &known, &[]);
         assert_eq!(wrong.problem, "has the wrong unit in its name");
-        let known: Vec<_> = fields::fields_of("materials.*").collect();
+        let known: Vec<_> = crate::case::fields::fields_of("materials.*").collect();
         assert_eq!(
-            unknown_key(&fields::CASE, "mass_kg", &known, &[]).meant,
+            unknown_key(&crate::case::fields::CASE, "mass_kg", &known, &[]).meant,
             Some("mass_kg_per_m")
         );
         assert_eq!(
-            unknown_key(&fields::CASE, "wet_weight_n_per_m", &known, &[]).meant,
+            unknown_key(
+                &crate::case::fields::CASE,
+                "wet_weight_n_per_m",
+                &known,
+                &[]
+            )
+            .meant,
             Some("wet_weight_kg_per_m")
         );
     }
