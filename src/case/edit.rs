@@ -343,7 +343,7 @@ fn new_table(
         .any(|known| known.shape == TableShape::One && known.path == join(table));
     let mark = parent.first().is_some_and(|parent| parent == "marks");
     if !one && !mark {
-        let known: Vec<String> = root.find(parent).map_or(Vec::new(), names);
+        let known: Vec<String> = root.find(parent).map_or(Vec::new(), Node::names);
         return Err((
             format!("there is no `{name}` in {}", join(parent)),
             format!("{} has {}", join(parent), known.join(", ")),
@@ -356,17 +356,6 @@ fn new_table(
         end
     };
     Ok(format!("{text}{gap}{end}[{}]{end}{line}{end}", join(table)))
-}
-
-fn names(node: &Node) -> Vec<String> {
-    if node.is_table() {
-        node.entries()
-            .iter()
-            .map(|entry| entry.key.clone())
-            .collect()
-    } else {
-        super::tree::element_names(node.items())
-    }
 }
 
 /// Puts a line after the line in which `offset` stands.

@@ -22,9 +22,14 @@ pub use claims::{
     At, Direction, Mark, Published, PublishedCurve, Standing, Statistic, Study, StudyValue, Trend,
     Trial,
 };
+pub(crate) use claims::{
+    AtKeys, PublishedCurveKeys, PublishedKeys, StudyKeys, TrendKeys, TrialKeys,
+};
 pub use ends::{
     BoxShape, Carried, End, EndKind, Ends, MotionName, Payload, Rotation, Shape, SphereAndCylinder,
 };
+pub(crate) use ends::{EndKeys, PayloadKeys, RotationKeys, ShapeKeys};
+pub(crate) use line::MaterialKeys;
 pub use line::{
     Clump, DragLaw, DragLawName, DragWidth, DynamicStiffness, Floats, Material, Modules, Section,
     Traveller,
@@ -35,6 +40,7 @@ pub use sea::{
 pub use settings::{
     EnvelopeOf, FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartShape,
 };
+pub(crate) use settings::{SeabedKeys, StartKeys};
 
 table! {
     /// Everything a case file says.

@@ -136,6 +136,14 @@ impl Node {
         }
     }
 
+    /// The names of what a table or a list of tables holds: keys, or the names of the elements.
+    pub(crate) fn names(&self) -> Vec<String> {
+        match &self.data {
+            Data::Table(_, entries) => entries.iter().map(|entry| entry.key.clone()).collect(),
+            _ => element_names(self.items()),
+        }
+    }
+
     /// The value at a key path. Elements of lists of tables go by their name (or, for floats, their
     /// section), or by their number from 1; those of lists of numbers by the letter of their axis.
     pub(crate) fn find<S: AsRef<str>>(&self, path: &[S]) -> Option<&Self> {

@@ -1,22 +1,26 @@
-//! Checks of a case file. [`keys`] holds every table and value against the table of fields;
-//! [`mod@line`], [`rope`], [`loads`], [`turning`], [`sea`], [`start`], [`claims`] and [`trials`] hold values against each
-//! other. Every check works on the tree of the file and passes over what is missing or malformed, so that all faults are told at once,
-//! each at its place.
+//! Checks of a case file. [`keys`] holds every table and value against its declaration; [`mod@line`], [`ends`], [`rope`],
+//! [`loads`], [`payload`], [`sea`], [`start`], [`claims`] and [`trials`] hold typed values against each other. They pass
+//! over what is missing or faulty, so that everything is reported at once, each at its place.
 
 mod claims;
+mod ends;
 mod keys;
 mod line;
 mod loads;
+mod names;
 mod paths;
+mod payload;
+mod recorded;
 mod rope;
 mod sea;
-mod spans;
 mod start;
+mod taken;
 mod trials;
-mod turning;
 
 use super::diagnostic::Finding;
 use super::fields::CASE;
+use super::model::{Case, CaseKeys};
+use super::schema::{Place, TableType};
 use super::tree::Node;
 
 pub(crate) use keys::{check as check_keys, fields_here};
@@ -24,15 +28,20 @@ pub(crate) use paths::unknown_path;
 
 /// Everything wrong with the file, in the order of its lines.
 pub(crate) fn check(root: &Node) -> Vec<Finding> {
+    const CHECKS: [fn(&CaseKeys<'_>) -> Vec<Finding>; 9] = [
+        line::check,
+        ends::check,
+        rope::check,
+        loads::check,
+        payload::check,
+        sea::check,
+        start::check,
+        claims::check,
+        trials::check,
+    ];
+    let case = Case::keys(&Place::root(root));
     let mut found = keys::check(&CASE, root);
-    found.extend(line::check(root));
-    found.extend(rope::check(root));
-    found.extend(loads::check(root));
-    found.extend(turning::check(root));
-    found.extend(sea::check(root));
-    found.extend(start::check(root));
-    found.extend(claims::check(root));
-    found.extend(trials::check(root));
+    found.extend(CHECKS.iter().flat_map(|check| check(&case)));
     found.sort_by_key(|finding| finding.span.start);
     found
 }

@@ -62,42 +62,23 @@ fn near_path(path: &str, here: &[String]) -> String {
 fn given_or_defaulted(root: &Node) -> Vec<String> {
     let mut list = Vec::new();
     collect(root, &mut Vec::new(), &mut list);
-    for field in CASE.fields.iter() {
-        let plain = !field.path.contains('*') && matches!(field.absent, Absent::Default(_));
-        if plain && !list.iter().any(|known| *known == field.path) {
-            list.push(field.path.to_string());
-        }
-    }
-    for (table, names) in [
-        ("materials", material_names(root)),
-        ("floats", names_of(root, "floats")),
-        ("clumps", names_of(root, "clumps")),
-        ("modules", names_of(root, "modules")),
-    ] {
-        let defaults = CASE.fields.iter().filter(|field| {
-            field.table() == format!("{table}.*") && matches!(field.absent, Absent::Default(_))
-        });
-        for field in defaults {
-            list.extend(
-                names
-                    .iter()
-                    .map(|name| join(&[table, name.as_str(), field.key()])),
-            );
+    let defaults = CASE.fields.iter();
+    for field in defaults.filter(|field| matches!(field.absent, Absent::Default(_))) {
+        match field.table().strip_suffix(".*") {
+            Some(table @ ("materials" | "floats" | "clumps" | "modules")) => {
+                let names = names(root, table);
+                list.extend(names.iter().map(|name| join(&[table, name, field.key()])));
+            }
+            None if !field.path.contains('*') => list.push(field.path.to_string()),
+            _ => {}
         }
     }
     list
 }
 
-pub(super) fn material_names(root: &Node) -> Vec<String> {
-    let materials = root.get("materials").map_or(&[] as &[_], Node::entries);
-    materials.iter().map(|entry| entry.key.clone()).collect()
-}
-
-fn names_of(root: &Node, list: &str) -> Vec<String> {
-    named(root, list)
-        .into_iter()
-        .map(|(name, _)| name)
-        .collect()
+/// The names by which the tables below a key go.
+pub(super) fn names(root: &Node, table: &str) -> Vec<String> {
+    root.get(table).map_or_else(Vec::new, Node::names)
 }
 
 fn collect(node: &Node, path: &mut Vec<String>, list: &mut Vec<String>) {
@@ -118,9 +99,4 @@ fn collect(node: &Node, path: &mut Vec<String>, list: &mut Vec<String>) {
         }
         _ => list.push(join(path)),
     }
-}
-
-pub(super) fn named<'a>(root: &'a Node, list: &str) -> Vec<(String, &'a Node)> {
-    let items = root.get(list).map_or(&[] as &[Node], Node::items);
-    element_names(items).into_iter().zip(items).collect()
 }

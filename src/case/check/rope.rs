@@ -1,167 +1,143 @@
-//! How materials stretch: by one stiffness or by a table, whose strains and tensions rise from nought.
+//! How materials stretch: by one stiffness or by a table, whose strains and tensions rise from 0.
 
 use crate::case::diagnostic::Finding;
 use crate::case::fields::number;
-use crate::case::tree::{Data, Entry, Node};
+use crate::case::model::{CaseKeys, DynamicStiffness, MaterialKeys};
+use crate::case::schema::{Key, Value};
 
-/// Keys that mean nothing without `dynamic_stiffness`.
-const OF_DYNAMIC: [&str; 4] = [
-    "dynamic_alpha",
-    "dynamic_beta",
-    "dynamic_gamma",
-    "mean_window_s",
-];
+/// Checks of every material's elasticity and axial damping.
+pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
+    case.materials
+        .iter()
+        .flat_map(|(_, material)| of_material(material))
+        .collect()
+}
 
-/// Checks of every material's elasticity.
-pub(crate) fn check(root: &Node) -> Vec<Finding> {
-    let materials = root.get("materials").map_or(&[] as &[_], Node::entries);
-    let mut found = Vec::new();
-    for entry in materials {
-        let name = format!("materials.{}", entry.key);
-        found.extend(given_once(&entry.node, &name));
-        found.extend(table(&entry.node, &name));
-        found.extend(dynamic(&entry.node, &name));
-    }
+fn of_material(material: &MaterialKeys<'_>) -> Vec<Finding> {
+    let mut found = table(material);
+    found.extend(given_once(
+        &material.ea_n,
+        &material.strain,
+        "the stiffness is given twice, by ea_n and by a table of strain and tension_n",
+    ));
+    found.extend(given_once(
+        &material.axial_damping_n_s,
+        &material.axial_damping_ratio,
+        "the axial damping is given twice, by axial_damping_n_s and by axial_damping_ratio",
+    ));
+    found.extend(dynamic(material));
     found
 }
 
-/// Stiffness and table say the same thing.
-fn given_once(material: &Node, name: &str) -> Option<Finding> {
-    let stiffness = material.entry("ea_n")?;
-    let table = material.entry("strain")?;
-    let (second, key) = if table.key_span.start > stiffness.key_span.start {
-        (table, "strain")
+/// Two keys that say the same thing: a finding at the later one.
+fn given_once<A: Value, B: Value>(
+    one: &Key<'_, A>,
+    other: &Key<'_, B>,
+    problem: &str,
+) -> Option<Finding> {
+    let remedy = "keep one of the two";
+    let one_is_later = one.start()? > other.start()?;
+    Some(if one_is_later {
+        one.finding_at_name(problem, remedy)
     } else {
-        (stiffness, "ea_n")
-    };
-    Some(Finding::new(
-        &second.key_span,
-        format!("{name}.{key}"),
-        "the stiffness is given twice, by ea_n and by a table of strain and tension_n",
-        "keep one of the two",
-    ))
+        other.finding_at_name(problem, remedy)
+    })
 }
 
 /// Dynamic stiffness comes with alpha and a breaking load, on a rope that does not bend; its numbers come with it.
-fn dynamic(material: &Node, name: &str) -> Vec<Finding> {
-    let Some(reading) = material.entry("dynamic_stiffness") else {
+fn dynamic(material: &MaterialKeys<'_>) -> Vec<Finding> {
+    if !material.dynamic_stiffness.is_given() {
+        let numbers = [
+            &material.dynamic_alpha,
+            &material.dynamic_beta,
+            &material.dynamic_gamma,
+            &material.mean_window_s,
+        ];
         // A number that is the default says no more than no number.
-        let said = |entry: &&Entry| entry.node.number().is_none_or(|value| value != 0.0);
-        let lost = OF_DYNAMIC.iter().filter_map(|key| material.entry(key));
-        let lost = lost.filter(said);
-        let lost = lost.map(|entry| {
-            Finding::new(
-                &entry.key_span,
-                format!("{name}.{}", entry.key),
-                "has no effect: dynamic_stiffness is not given",
-                "add `dynamic_stiffness = \"secant\"` or \"about-the-mean\", or remove it",
-            )
-        });
-        return lost.collect();
-    };
-    if !matches!(reading.node.text(), Some("secant" | "about-the-mean")) {
+        let idle = numbers
+            .into_iter()
+            .filter(|key| key.is_given() && !key.is(&0.0));
+        let problem = "has no effect: dynamic_stiffness is not given";
+        let remedy = "add `dynamic_stiffness = \"secant\"` or \"about-the-mean\", or remove it";
+        return idle
+            .map(|key| key.finding_at_name(problem, remedy))
+            .collect();
+    }
+    let of_motion = [DynamicStiffness::Secant, DynamicStiffness::AboutTheMean];
+    if !of_motion
+        .iter()
+        .any(|reading| material.dynamic_stiffness.is(reading))
+    {
         return Vec::new();
     }
-    let mut found = Vec::new();
-    for (key, what) in [
-        ("dynamic_alpha", "alpha of the stiffness it stands for"),
-        (
-            "break_load_n",
-            "the breaking load that the stiffness refers to",
-        ),
-    ] {
-        if material.get(key).is_none() {
-            let remedy = format!("add `{key} = ...`: {what}");
-            found.push(Finding::new(
-                &material.span,
-                format!("{name}.{key}"),
-                "is missing",
-                remedy,
-            ));
-        }
+    let alpha = "add `dynamic_alpha = ...`: alpha of the stiffness it stands for";
+    let load = "add `break_load_n = ...`: the breaking load that the stiffness refers to";
+    let bends = material.ei_n_m2.get().is_some_and(|ei| *ei > 0.0);
+    let bending = bends.then(|| {
+        let remedy = "set it to 0, or dynamic_stiffness to \"none\"";
+        material
+            .ei_n_m2
+            .finding("a rope with dynamic stiffness does not bend", remedy)
+    });
+    let missing = [
+        material.dynamic_alpha.if_missing(alpha),
+        material.break_load_n.if_missing(load),
+    ];
+    missing.into_iter().chain([bending]).flatten().collect()
+}
+
+/// Both lists, equally long, at least two points, rising from 0.
+fn table(material: &MaterialKeys<'_>) -> Vec<Finding> {
+    let (strain, tension) = (&material.strain, &material.tension_n);
+    match (strain.is_given(), tension.is_given()) {
+        (false, false) => return Vec::new(),
+        (true, false) => return vec![half(strain, tension)],
+        (false, true) => return vec![half(tension, strain)],
+        (true, true) => {}
     }
-    if let Some(bending) = material
-        .get("ei_n_m2")
-        .filter(|node| node.number().is_some_and(|ei| ei > 0.0))
+    let mut found: Vec<Finding> = [strain, tension].into_iter().filter_map(rising).collect();
+    if let (true, Some(strains), Some(tensions)) = (found.is_empty(), strain.get(), tension.get())
+        && strains.len() != tensions.len()
     {
-        found.push(Finding::new(
-            &bending.span,
-            format!("{name}.ei_n_m2"),
-            "a rope with dynamic stiffness does not bend",
-            "set it to 0, or dynamic_stiffness to \"none\"",
-        ));
+        let problem = format!(
+            "has {} values for {} strains",
+            tensions.len(),
+            strains.len()
+        );
+        found.push(tension.finding(problem, "give one tension for each strain"));
     }
     found
 }
 
-/// Both lists, equally long, at least two points, rising from nought.
-fn table(material: &Node, name: &str) -> Vec<Finding> {
-    let (strain, tension) = (material.entry("strain"), material.entry("tension_n"));
-    let (strain, tension) = match (strain, tension) {
-        (None, None) => return Vec::new(),
-        (Some(alone), None) => return vec![half(&alone.key_span, name, "strain", "tension_n")],
-        (None, Some(alone)) => return vec![half(&alone.key_span, name, "tension_n", "strain")],
-        (Some(strain), Some(tension)) => (&strain.node, &tension.node),
-    };
-    let mut found = Vec::new();
-    for (node, key) in [(strain, "strain"), (tension, "tension_n")] {
-        found.extend(rising(node, &format!("{name}.{key}")));
-    }
-    let count = |node: &Node| matches!(node.data, Data::List(_)).then(|| node.items().len());
-    if found.is_empty()
-        && let (Some(strains), Some(tensions)) = (count(strain), count(tension))
-        && strains != tensions
-    {
-        found.push(Finding::new(
-            &tension.span,
-            format!("{name}.tension_n"),
-            format!("has {tensions} values for {strains} strains"),
-            "give one tension for each strain",
-        ));
-    }
-    found
-}
-
-fn half(span: &std::ops::Range<usize>, name: &str, given: &str, missing: &str) -> Finding {
-    Finding::new(
-        span,
-        format!("{name}.{given}"),
+fn half(given: &Key<'_, Vec<f64>>, missing: &Key<'_, Vec<f64>>) -> Finding {
+    let (given_name, missing) = (given.name(), missing.name());
+    given.finding_at_name(
         format!("is half a table: {missing} is missing"),
-        format!("add `{missing} = [0.0, ...]`, as long as {given}, or remove {given}"),
+        format!("add `{missing} = [0.0, ...]`, as long as {given_name}, or remove {given_name}"),
     )
 }
 
-/// A list that begins at nought and rises.
-fn rising(node: &Node, key: &str) -> Option<Finding> {
-    let values = node.numbers()?;
-    let items = node.items();
-    let first = values.first()?;
-    if *first != 0.0 {
-        return Some(Finding::new(
-            &items[0].span,
-            key,
-            format!("begins at {}", number(*first)),
-            "begin at 0: a rope that is not stretched has no tension",
-        ));
+/// A list that begins at 0 and rises.
+fn rising(key: &Key<'_, Vec<f64>>) -> Option<Finding> {
+    let values = key.get()?;
+    let first = values.first().copied()?;
+    if first != 0.0 {
+        let remedy = "begin at 0: a rope that is not stretched has no tension";
+        return Some(key.finding_at_item(0, format!("begins at {}", number(first)), remedy));
     }
     if values.len() < 2 {
         let remedy = "give at least two values, the first of them 0";
-        return Some(Finding::new(
-            &node.span,
-            key,
-            "is a table of one point",
-            remedy,
-        ));
+        return Some(key.finding("is a table of one point", remedy));
     }
     let back = values.windows(2).position(|pair| pair[1] <= pair[0])?;
-    Some(Finding::new(
-        &items[back + 1].span,
-        key,
-        format!(
-            "does not rise: {} comes after {}",
-            number(values[back + 1]),
-            number(values[back])
-        ),
+    let problem = format!(
+        "does not rise: {} comes after {}",
+        number(values[back + 1]),
+        number(values[back])
+    );
+    Some(key.finding_at_item(
+        back + 1,
+        problem,
         "give values that grow from one to the next",
     ))
 }

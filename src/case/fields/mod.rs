@@ -295,11 +295,6 @@ impl Field {
         self
     }
 
-    pub(crate) fn needed(mut self, tag: (&'static str, &'static str)) -> Self {
-        self.absent = Absent::Required;
-        self.only(tag)
-    }
-
     pub(crate) fn matters(mut self, needs: Needs) -> Self {
         self.matters = needs;
         self

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{Absent, CASE, Field, Schema, join, value_text};
 use crate::case::check::fields_here;
 use crate::case::model::{Case, Mark};
-use crate::case::tree::{Node, element_names};
+use crate::case::tree::Node;
 
 /// A field of one case with its value.
 #[derive(Debug, Clone, PartialEq)]
@@ -120,14 +120,7 @@ impl Lister<'_> {
         let Some(node) = self.root.get(table) else {
             return Vec::new();
         };
-        let names: Vec<String> = if node.is_table() {
-            node.entries()
-                .iter()
-                .map(|entry| entry.key.clone())
-                .collect()
-        } else {
-            element_names(node.items())
-        };
+        let names = node.names();
         let each = names.iter().flat_map(|name| {
             self.table(
                 &format!("{table}.*"),

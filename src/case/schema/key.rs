@@ -114,6 +114,11 @@ impl<'a, T: Value> Key<'a, T> {
         self.entry.is_some()
     }
 
+    /// The elements of a list, as they stand in the file.
+    pub(crate) fn items(&self) -> &'a [Node] {
+        self.entry.map_or(&[], |entry| entry.node.items())
+    }
+
     /// The path of the key.
     pub(crate) fn path(&self) -> String {
         self.table.key(self.name)
@@ -154,6 +159,20 @@ impl<'a, T: Value> Key<'a, T> {
     ) -> Finding {
         let item = self.entry.and_then(|entry| entry.node.items().get(index));
         self.finding_at(item.map(|node| &node.span), problem, remedy)
+    }
+
+    /// A finding at the table, whether the key is given or not.
+    pub(crate) fn finding_at_table(
+        &self,
+        problem: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Finding {
+        self.finding_at(None, problem, remedy)
+    }
+
+    /// A finding at the table where the key is not given.
+    pub(crate) fn if_missing(&self, remedy: impl Into<String>) -> Option<Finding> {
+        self.entry.is_none().then(|| self.missing(remedy))
     }
 
     /// A finding at the table: this key is not given.

@@ -29,7 +29,6 @@
 /// - `absent "…"`: what holds without it, in words;
 /// - `unless other`: required unless this other key is given;
 /// - `only key "word"`: the key exists only in tables where that other key is that word;
-/// - `needed key "word"`: the same, and it is required there; its default is for the other tables;
 /// - `matters needs`: the key matters only where other keys of its table are certain words.
 ///
 /// A key is required that has neither a default nor `absent`. Tables in the table follow: their type says how many there
@@ -48,7 +47,6 @@ macro_rules! table {
                 $(, absent $absent:expr)?
                 $(, unless $unless:ident)?
                 $(, only $tag:ident $word:literal)?
-                $(, needed $needed_tag:ident $needed_word:literal)?
                 $(, matters $needs:expr)?;
             )*
         }
@@ -95,7 +93,6 @@ macro_rules! table {
                         $( .absent($absent) )?
                         $( .unless(stringify!($unless)) )?
                         $( .only((stringify!($tag), $word)) )?
-                        $( .needed((stringify!($needed_tag), $needed_word)) )?
                         $( .matters($needs) )?,
                     )*
                 ]);
@@ -131,7 +128,11 @@ macro_rules! table {
                 Ok(Self {
                     $( $key: $crate::case::schema::Held::hold(keys.$key.value())
                         .ok_or_else(|| keys.place.faulty(stringify!($key)))?, )*
-                    $($( $table: <$table_type as $crate::case::schema::SubTable>::from_keys(&keys.$table)?, )*)?
+                    $($( $table: <$table_type as $crate::case::schema::SubTable>::from_keys(
+                        &keys.$table,
+                        &keys.place,
+                        stringify!($table),
+                    )?, )*)?
                 })
             }
 

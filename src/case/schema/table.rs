@@ -143,8 +143,8 @@ pub(crate) trait SubTable: Sized {
     /// Reads what can be read of the tables below a key.
     fn keys<'a>(place: &Place<'a>, key: &str) -> Self::Keys<'a>;
 
-    /// The tables, of keys without faults.
-    fn from_keys(keys: &Self::Keys<'_>) -> Result<Self, Finding>;
+    /// The tables below a key, of keys without faults.
+    fn from_keys(keys: &Self::Keys<'_>, place: &Place<'_>, key: &str) -> Result<Self, Finding>;
 
     /// The tables as TOML, if there are any.
     fn write(&self, written: Written) -> Option<Item>;
@@ -161,10 +161,10 @@ impl<T: TableType> SubTable for T {
         Some(T::keys(&place.inner(node, key)))
     }
 
-    fn from_keys(keys: &Self::Keys<'_>) -> Result<Self, Finding> {
+    fn from_keys(keys: &Self::Keys<'_>, place: &Place<'_>, key: &str) -> Result<Self, Finding> {
         match keys {
             Some(keys) => T::from_keys(keys),
-            None => defaults(),
+            None => defaults().ok_or_else(|| place.faulty(key)),
         }
     }
 
@@ -173,10 +173,10 @@ impl<T: TableType> SubTable for T {
     }
 }
 
-/// The table that holds where the file leaves it out; a finding where it has keys without default.
-pub(crate) fn defaults<T: TableType>() -> Result<T, Finding> {
+/// The table that holds where the file leaves it out; nothing where it has keys without default.
+pub(crate) fn defaults<T: TableType>() -> Option<T> {
     let nothing = Node::empty_table();
-    T::from_keys(&T::keys(&Place::root(&nothing)))
+    T::from_keys(&T::keys(&Place::root(&nothing))).ok()
 }
 
 impl<T: TableType> SubTable for Option<T> {
@@ -188,7 +188,7 @@ impl<T: TableType> SubTable for Option<T> {
         <T as SubTable>::keys(place, key)
     }
 
-    fn from_keys(keys: &Self::Keys<'_>) -> Result<Self, Finding> {
+    fn from_keys(keys: &Self::Keys<'_>, _: &Place<'_>, _: &str) -> Result<Self, Finding> {
         match keys {
             Some(keys) => T::from_keys(keys).map(Some),
             None => Ok(None),
@@ -220,7 +220,7 @@ impl<T: TableType> SubTable for BTreeMap<String, T> {
             .collect()
     }
 
-    fn from_keys(keys: &Self::Keys<'_>) -> Result<Self, Finding> {
+    fn from_keys(keys: &Self::Keys<'_>, _: &Place<'_>, _: &str) -> Result<Self, Finding> {
         let named = keys
             .iter()
             .map(|(name, keys)| Ok((name.clone(), T::from_keys(keys)?)));
@@ -257,7 +257,7 @@ impl<T: TableType> SubTable for Vec<T> {
             .collect()
     }
 
-    fn from_keys(keys: &Self::Keys<'_>) -> Result<Self, Finding> {
+    fn from_keys(keys: &Self::Keys<'_>, _: &Place<'_>, _: &str) -> Result<Self, Finding> {
         keys.iter().map(|(_, keys)| T::from_keys(keys)).collect()
     }
 

@@ -1,0 +1,53 @@
+//! Words that must be the name of something in the case.
+
+use crate::case::diagnostic::Finding;
+use crate::case::fields::{either, nearest};
+use crate::case::schema::Key;
+
+/// A finding where a key names something that is not among those known.
+pub(super) fn unknown<S: AsRef<str>>(
+    key: &Key<'_, String>,
+    known: &[S],
+    what: &str,
+) -> Option<Finding> {
+    let (problem, remedy) = unknown_name(key.get()?, known, what)?;
+    Some(key.finding(problem, remedy))
+}
+
+/// Problem and remedy of a word that is not among those known: the nearest one.
+pub(super) fn unknown_name<S: AsRef<str>>(
+    word: &str,
+    known: &[S],
+    what: &str,
+) -> Option<(String, String)> {
+    let known: Vec<&str> = known.iter().map(AsRef::as_ref).collect();
+    if known.contains(&word) {
+        return None;
+    }
+    let problem = format!("there is no {what} named \"{}\"", word.escape_default());
+    let remedy = match nearest(word, known.iter().copied()) {
+        Some(near) => format!("did you mean \"{near}\"?"),
+        None if known.is_empty() => format!("the case has no {what} yet; add one"),
+        None => format!("the case has {}", either(&known).replace(" or ", " and ")),
+    };
+    Some((problem, remedy))
+}
+
+/// Findings where a name is used twice.
+pub(super) fn used_twice<'k, 'a: 'k>(
+    keys: impl Iterator<Item = &'k Key<'a, String>>,
+    remedy: &str,
+) -> Vec<Finding> {
+    let mut taken: Vec<&str> = Vec::new();
+    let mut found = Vec::new();
+    for key in keys {
+        let Some(name) = key.get() else {
+            continue;
+        };
+        if taken.contains(&name.as_str()) {
+            found.push(key.finding(format!("the name \"{name}\" is used twice"), remedy));
+        }
+        taken.push(name);
+    }
+    found
+}
