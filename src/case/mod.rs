@@ -32,7 +32,7 @@ pub use diagnostic::{Diagnostic, render_all};
 pub use kind::Opened;
 pub use misfit::Misfit;
 pub use model::*;
-pub use read::{Loaded, load, parse, parse_beside};
+pub use read::{Loaded, load, parse, parse_beside, parse_keys};
 pub use write::write;
 
 // What another kind of file needs to be read, checked and complained about in the same way.

@@ -153,6 +153,10 @@ pub enum OneOrMany {
 impl Value for OneOrMany {
     const KIND: Kind = NumberOrList;
 
+    fn blank() -> Self {
+        Self::One(0.0)
+    }
+
     fn read(node: &Node) -> Option<Self> {
         let one = node.number().map(Self::One);
         one.or_else(|| node.numbers().map(Self::Many))

@@ -8,7 +8,7 @@ use toml::de::DeTable;
 
 use super::began;
 use super::carried::gather;
-use super::check::check;
+use super::check::{check, check_keys};
 use super::diagnostic::{Diagnostic, Finding};
 use super::fields::{CASE, Schema};
 use super::model::Case;
@@ -70,6 +70,22 @@ pub fn parse_beside(text: &str, file: &str, folder: &Path) -> Result<Case, Vec<D
         .and_then(|()| began::gather(&mut case, &tree, text, (file, folder)))
         .map_err(|diagnostic| vec![diagnostic])?;
     Ok(case)
+}
+
+/// Reads the text of a case key by key, without checking values against each other and without the files that it names: for
+/// tests of what computes.
+///
+/// # Errors
+///
+/// Faults of the TOML syntax, or every fault of a key.
+pub fn parse_keys(text: &str) -> Result<Case, Vec<Diagnostic>> {
+    let tree = said(text, "case", &CASE)?;
+    let found = check_keys(&CASE, &tree);
+    if !found.is_empty() {
+        return Err(diagnose(found, text, "case"));
+    }
+    let case = Case::from_keys(&Case::keys(&Place::root(&tree)));
+    case.map_err(|finding| diagnose(vec![finding], text, "case"))
 }
 
 /// The tree of a text that says something, in TOML.

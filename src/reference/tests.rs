@@ -54,7 +54,7 @@ source = "fig. 9"
 "#;
 
 fn case(parts: &[&str]) -> Case {
-    toml::from_str(&format!("{CASE}{}", parts.concat())).unwrap()
+    crate::case::parse_keys(&format!("{CASE}{}", parts.concat())).unwrap()
 }
 
 fn run(quantities: &[(&str, f64, f64)]) -> Run {

@@ -53,7 +53,7 @@ mod tests {
         let text = format!(
             "[case]\ntitle = \"t\"\n[materials.r]\ndiameter_m = 0.1\nmass_kg_per_m = 1.0\nea_n = 1.0\n[[line]]\nname = \"rope\"\nmaterial = \"r\"\nlength_m = 90.0\nsegments = 9\n{clumps}[ends.a]\nname = \"a\"\nkind = \"free\"\n[ends.b]\nname = \"b\"\nkind = \"free\"\n"
         );
-        toml::from_str(&text).unwrap()
+        crate::case::parse_keys(&text).unwrap()
     }
 
     #[test]

@@ -169,7 +169,7 @@ mod tests {
     "#;
 
     fn told(text: &str) -> Vec<String> {
-        remarks(&toml::from_str::<Case>(text).unwrap())
+        remarks(&crate::case::parse_keys(text).unwrap())
     }
 
     #[test]

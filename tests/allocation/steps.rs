@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use allocation_counter::measure;
-use seacable::case::{self, Case, Rotation};
+use seacable::case::{self, Case, Rotation, Seabed};
 use seacable::dynamics::generalized_alpha::{ErrorLimits, GeneralizedAlpha};
 use seacable::dynamics::quasi_static::QuasiStatic;
 use seacable::dynamics::rk4::Rk4;
@@ -154,8 +154,13 @@ fn a_quasi_static_step_allocates_nothing() {
 #[test]
 fn a_bed_with_friction_allocates_nothing() {
     let bed = |case: &mut Case| {
-        let words = "depth_m = 1000.0\nfriction = 0.5\nfriction_lateral = 0.8\nslope_deg = 3.0";
-        case.seabed = Some(toml::from_str(words).unwrap());
+        case.seabed = Some(Seabed {
+            depth_m: 1000.0,
+            friction: Some(0.5),
+            friction_lateral: Some(0.8),
+            slope_deg: 3.0,
+            ..Seabed::default()
+        });
     };
     check_changed(bed, Rk4::new(NODES), 1000, 0.003);
     check_changed(bed, GeneralizedAlpha::new(NODES, 0.4, 1e-6, 30), 500, 0.1);

@@ -20,7 +20,7 @@ fn line(material: &str, section: &str, ends: [&str; 2], tables: &str) -> Scene {
          [ends.a]\nname = \"a\"\n{}\n[ends.b]\nname = \"b\"\n{}\n{tables}",
         ends[0], ends[1]
     );
-    let case: Case = toml::from_str(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+    let case: Case = seacable::case::parse_keys(&text).unwrap_or_else(|e| panic!("{e:?}\n{text}"));
     scene::build(&case, 1).unwrap()
 }
 

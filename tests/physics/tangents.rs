@@ -3,7 +3,6 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use proptest::prelude::*;
-use seacable::case::Case;
 use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
 use seacable::solve::{Factors, State, System};
@@ -68,7 +67,7 @@ elevation_deg = -50.0
 
 fn line(normal: &str) -> Scene {
     let text = LINE.replace("\"NORMAL\"", normal);
-    scene::build(&toml::from_str::<Case>(&text).unwrap(), 1).unwrap()
+    scene::build(&seacable::case::parse_keys(&text).unwrap(), 1).unwrap()
 }
 
 /// The same with dynamic stiffness in the rope: at rest, or remembering the tensions that it had when straight.
@@ -79,7 +78,7 @@ fn line_of_fibre(reading: &str) -> Scene {
     );
     let text = LINE.replace("\"NORMAL\"", "1.2");
     let text = text.replacen("ea_n = 1.0e6", &fibre, 1);
-    scene::build(&toml::from_str::<Case>(&text).unwrap(), 1).unwrap()
+    scene::build(&seacable::case::parse_keys(&text).unwrap(), 1).unwrap()
 }
 
 /// The same with a rope whose tension follows a table.
@@ -87,7 +86,7 @@ fn line_of_table() -> Scene {
     let table = "strain = [0.0, 0.01, 0.04, 0.08]\ntension_n = [0.0, 2e3, 3e4, 2e5]";
     let text = LINE.replace("\"NORMAL\"", "1.2");
     let text = text.replacen("ea_n = 1.0e6", table, 1);
-    scene::build(&toml::from_str::<Case>(&text).unwrap(), 1).unwrap()
+    scene::build(&seacable::case::parse_keys(&text).unwrap(), 1).unwrap()
 }
 
 /// The same line in irregular waves, its upper end 12 m above still water, leaving the water there or not.
@@ -100,7 +99,7 @@ fn line_at_sea(surface: &str, stretching: &str, depth: &str) -> Scene {
          significant_height_m = 5.0\npeak_period_s = 8.0\ncomponents = 20\ndirection_deg = 40.0\n\
          stretching = \"{stretching}\"\n{depth}\n"
     );
-    scene::build(&toml::from_str::<Case>(&(text + &sea)).unwrap(), 1).unwrap()
+    scene::build(&seacable::case::parse_keys(&(text + &sea)).unwrap(), 1).unwrap()
 }
 
 /// A state near the straight start, displaced, moving and accelerating at random.
@@ -233,7 +232,7 @@ fn tangent_on_a_rough_slope() {
             "[seabed]\ndepth_m = 20.0\nslope_deg = 9.0\nslope_azimuth_deg = 70.0\nstiffness_n_per_m3 = 1e4\ndamping_n_s_per_m3 = 500.0\n{friction}\n[ends.a]"
         );
         let text = LINE.replace("\"NORMAL\"", "1.2").replace("[ends.a]", &bed);
-        let scene = scene::build(&toml::from_str::<Case>(&text).unwrap(), 1).unwrap();
+        let scene = scene::build(&seacable::case::parse_keys(&text).unwrap(), 1).unwrap();
         for (laid, speed) in [(false, 0.05), (true, 0.05), (false, 0.9)] {
             let mut state = state(&scene, &[0.3, -0.7, 0.5, 0.1, -0.2, 0.6, -0.9], 0.03, speed);
             for grip in &mut state.memory.grips {

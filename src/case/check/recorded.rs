@@ -69,7 +69,12 @@ fn channel_names(case: &CaseKeys<'_>) -> Option<Vec<String>> {
             channels.extend(rope_channels(index, section.name.get()?));
         }
     }
-    Some(channels.into_iter().map(|channel| channel.name).collect())
+    Some(
+        channels
+            .into_iter()
+            .map(|channel| channel.id.to_string())
+            .collect(),
+    )
 }
 
 /// Names of what a run gives of natural modes.

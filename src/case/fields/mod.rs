@@ -474,7 +474,7 @@ mod tests {
 
     #[test]
     fn every_unit_stands_in_its_key() {
-        for field in all().iter().flat_map(|schema| schema.fields) {
+        for field in all().iter().flat_map(|schema| schema.fields.iter()) {
             match unit_suffix(field.unit) {
                 Some(suffix) => assert!(field.key().ends_with(suffix), "{}", field.path),
                 None => assert!(matches!(field.unit, "" | "-"), "{}", field.path),

@@ -75,6 +75,10 @@ impl StudyValue {
 impl Value for StudyValue {
     const KIND: Kind = Kind::NumberOrText;
 
+    fn blank() -> Self {
+        Self::Number(0.0)
+    }
+
     fn read(node: &Node) -> Option<Self> {
         let number = node.number().map(Self::Number);
         number.or_else(|| String::read(node).map(Self::Word))

@@ -19,8 +19,40 @@
 
 use std::fmt::Write;
 
-use super::line::nothing;
-use super::{Carried, Clump, End, EndKind, MotionName, Section, Traveller};
+use super::{
+    About, Carried, Case, Clump, End, EndKind, Ends, Material, MotionName, Seabed, Section,
+    Traveller, WaveKind, Waves,
+};
+
+impl Case {
+    /// A case of this title with these ends, without materials and sections; all else as in a file that leaves it out.
+    #[must_use]
+    pub fn new(title: &str, ends: Ends) -> Self {
+        let case = About {
+            title: title.to_owned(),
+            ..About::default()
+        };
+        Self {
+            case,
+            ends,
+            ..Self::default()
+        }
+    }
+}
+
+impl Material {
+    /// A material of this diameter \[m\], mass per length \[kg/m\] and axial stiffness EA \[N\]; all else as in a file
+    /// that leaves it out.
+    #[must_use]
+    pub fn new(diameter_m: f64, mass_kg_per_m: f64, ea_n: f64) -> Self {
+        Self {
+            diameter_m,
+            mass_kg_per_m,
+            ea_n: Some(ea_n),
+            ..Self::default()
+        }
+    }
+}
 
 impl Section {
     /// A section of a material, its unstretched length \[m\] divided into segments.
@@ -36,6 +68,17 @@ impl Section {
 }
 
 impl End {
+    /// An end of this name and kind at a position \[m\]; all else as in a file that leaves it out.
+    #[must_use]
+    pub fn new(name: &str, kind: EndKind, position_m: Option<[f64; 3]>) -> Self {
+        Self {
+            name: name.to_owned(),
+            kind,
+            position_m,
+            ..Self::default()
+        }
+    }
+
     /// An end fixed at a position \[m\].
     #[must_use]
     pub fn fixed(name: &str, position_m: [f64; 3]) -> Self {
@@ -55,6 +98,30 @@ impl End {
     }
 }
 
+impl Waves {
+    /// Regular waves of this height \[m\] and period \[s\] along x; all else as in a file that leaves it out.
+    #[must_use]
+    pub fn regular(height_m: f64, period_s: f64) -> Self {
+        Self {
+            kind: WaveKind::Regular,
+            height_m: Some(height_m),
+            period_s: Some(period_s),
+            ..Self::default()
+        }
+    }
+}
+
+impl Seabed {
+    /// A level bed at this depth \[m\] without friction; all else as in a file that leaves it out.
+    #[must_use]
+    pub fn level(depth_m: f64) -> Self {
+        Self {
+            depth_m,
+            ..Self::default()
+        }
+    }
+}
+
 impl Clump {
     /// A body of a mass \[kg\] hanging in air at a distance from the start of a section \[m\].
     #[must_use]
@@ -65,8 +132,7 @@ impl Clump {
             at_m,
             mass_kg,
             wet_mass_kg: mass_kg,
-            drag_area_m2: nothing(),
-            added_mass_kg: nothing(),
+            ..Self::default()
         }
     }
 }
@@ -84,12 +150,10 @@ impl Traveller {
             name: name.to_owned(),
             mass_kg,
             wet_mass_kg: mass_kg,
-            drag_area_m2: nothing(),
             from_m,
             to_m: Some(to_m),
             speed_m_per_s,
-            start_s: 0.0,
-            ramp_s: 0.0,
+            ..Self::default()
         }
     }
 }

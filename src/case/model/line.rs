@@ -84,6 +84,10 @@ pub enum DragLaw {
 impl Value for DragLaw {
     const KIND: Kind = NumberOrChoice(&["jia-2019-normal", "jia-2019-tangential"]);
 
+    fn blank() -> Self {
+        Self::Constant(0.0)
+    }
+
     fn read(node: &Node) -> Option<Self> {
         let constant = node.number().map(Self::Constant);
         constant.or_else(|| DragLawName::read(node).map(Self::Named))

@@ -100,6 +100,18 @@ macro_rules! table {
             }
         }
 
+        /// The defaults; a required key holds 0, nothing or the first of its words.
+        impl Default for $name {
+            fn default() -> Self {
+                Self {
+                    $( $key: $crate::case::schema::Held::or_blank(
+                        None $( .or(Some($crate::case::schema::FromDefault::from_default($default))) )?,
+                    ), )*
+                    $($( $table: Default::default(), )*)?
+                }
+            }
+        }
+
         impl $crate::case::schema::TableType for $name {
             type Keys<'a> = $keys<'a>;
 
@@ -200,6 +212,10 @@ macro_rules! words {
 
         impl $crate::case::schema::Value for $name {
             const KIND: $crate::case::fields::Kind = $crate::case::fields::Kind::Choice(&[$($word),*]);
+
+            fn blank() -> Self {
+                Self::ALL[0]
+            }
 
             fn read(node: &$crate::case::Node) -> Option<Self> {
                 match node.text()? {

@@ -10,6 +10,9 @@ pub(crate) trait Value: Sized + Clone {
     /// What may be written for it.
     const KIND: Kind;
 
+    /// 0, nothing, or the first of some words.
+    fn blank() -> Self;
+
     /// The value in a file; nothing where it is of another type.
     fn read(node: &Node) -> Option<Self>;
 
@@ -35,6 +38,9 @@ pub(crate) trait Held: Sized {
     /// The field of what a key holds; nothing where a value is needed and there is none.
     fn hold(given: Option<Self::Given>) -> Option<Self>;
 
+    /// The field of a value, or a blank one.
+    fn or_blank(value: Option<Self::Given>) -> Self;
+
     /// The value that the field holds.
     fn given(&self) -> Option<&Self::Given>;
 }
@@ -44,6 +50,10 @@ impl<T: Value> Held for T {
 
     fn hold(given: Option<T>) -> Option<Self> {
         given.or_else(T::absent)
+    }
+
+    fn or_blank(value: Option<T>) -> Self {
+        value.unwrap_or_else(T::blank)
     }
 
     fn given(&self) -> Option<&T> {
@@ -56,6 +66,10 @@ impl<T: Value> Held for Option<T> {
 
     fn hold(given: Option<T>) -> Option<Self> {
         Some(given)
+    }
+
+    fn or_blank(value: Option<T>) -> Self {
+        value
     }
 
     fn given(&self) -> Option<&T> {
@@ -89,6 +103,10 @@ own_default!(f64, bool, usize, u32, u64, [f64; 2], [f64; 3]);
 impl Value for f64 {
     const KIND: Kind = Kind::Number;
 
+    fn blank() -> Self {
+        0.0
+    }
+
     fn read(node: &Node) -> Option<Self> {
         node.number()
     }
@@ -102,6 +120,10 @@ macro_rules! whole_number {
     ($($type:ty),*) => { $(
         impl Value for $type {
             const KIND: Kind = Kind::Integer;
+
+            fn blank() -> Self {
+                0
+            }
 
             fn read(node: &Node) -> Option<Self> {
                 match node.data {
@@ -122,6 +144,10 @@ whole_number!(usize, u32, u64);
 impl Value for bool {
     const KIND: Kind = Kind::Boolean;
 
+    fn blank() -> Self {
+        false
+    }
+
     fn read(node: &Node) -> Option<Self> {
         match node.data {
             Data::Boolean(value) => Some(value),
@@ -136,6 +162,10 @@ impl Value for bool {
 
 impl Value for String {
     const KIND: Kind = Kind::Text;
+
+    fn blank() -> Self {
+        Self::new()
+    }
 
     fn read(node: &Node) -> Option<Self> {
         node.text().map(str::to_owned)
@@ -160,6 +190,10 @@ fn items<T: Value>(node: &Node) -> Option<Vec<T>> {
 impl Value for [f64; 2] {
     const KIND: Kind = Kind::Pair;
 
+    fn blank() -> Self {
+        [0.0; 2]
+    }
+
     fn read(node: &Node) -> Option<Self> {
         node.numbers()?.try_into().ok()
     }
@@ -171,6 +205,10 @@ impl Value for [f64; 2] {
 
 impl Value for [f64; 3] {
     const KIND: Kind = Kind::Triple;
+
+    fn blank() -> Self {
+        [0.0; 3]
+    }
 
     fn read(node: &Node) -> Option<Self> {
         node.numbers()?.try_into().ok()
@@ -196,6 +234,10 @@ impl Listed for String {
 
 impl<T: Listed> Value for Vec<T> {
     const KIND: Kind = T::LIST;
+
+    fn blank() -> Self {
+        Self::new()
+    }
 
     /// Another key gives the list in another way.
     fn absent() -> Option<Self> {

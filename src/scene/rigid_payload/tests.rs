@@ -1,7 +1,6 @@
 //! The body against finite differences, and its accelerations against its residual.
 
 use super::*;
-use crate::case::Case;
 use crate::scene;
 use crate::solve::System;
 
@@ -32,7 +31,7 @@ const BODY: &str = r#"
 "#;
 
 fn scene() -> Scene {
-    scene::build(&toml::from_str::<Case>(BODY).unwrap(), 1).unwrap()
+    scene::build(&crate::case::parse_keys(BODY).unwrap(), 1).unwrap()
 }
 
 /// The same in waves, hung so that it is partly out of the water.
@@ -44,7 +43,7 @@ fn at_sea(surface: &str) -> Scene {
          environment.water_surface = \"{surface}\"\n"
     );
     let text = text.replace("case.title", &format!("{more}case.title"));
-    scene::build(&toml::from_str::<Case>(&text).unwrap(), 1).unwrap()
+    scene::build(&crate::case::parse_keys(&text).unwrap(), 1).unwrap()
 }
 
 fn scenes() -> [Scene; 3] {
