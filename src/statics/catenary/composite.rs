@@ -1,24 +1,23 @@
 //! Lines of several sections: which of them rest on the bed, and the shape that follows.
 //!
-//! The resting places are found as an active set: solve, look for the deepest point under the bed, let
-//! the run of sunk sections around it rest, let go of runs that the bed would have to pull
-//! down; again. A sunk run is bent upwards everywhere, so it rests in one piece. A pattern that does
-//! not settle is refused.
+//! The grounded runs are found as an active set: solve, ground the run of sinking sections around the deepest point under
+//! the bed, release the runs that the bed would have to pull down, and repeat. A sinking run curves upwards everywhere, so
+//! it is grounded in one piece. A pattern that does not converge is an error.
 
-use super::chain::{Bay, Chain, Run};
-use super::descent::{State, lift, settle};
+use super::composite_touchdown;
+use super::convex_newton::{BayUnknowns, minimise, offset_for_rise};
+use super::elements::{Bay, Elements, Run};
 use super::error::CatenaryError;
-use super::free;
-use super::laid;
 use super::line::{Bed, Line};
-use super::place::place;
+use super::local_frame::in_local_frame;
 use super::single::ON_BED;
 use super::solution::{Frame, Solution};
 use super::span::length;
+use super::suspended;
 
-/// A line in the solver's plane.
-pub(super) struct Problem {
-    pub chain: Chain,
+/// A line of several sections in the local frame.
+pub(super) struct CompositeLine {
+    pub chain: Elements,
     pub x: f64,
     pub z: f64,
     /// Depth of the bed below A.
@@ -26,56 +25,56 @@ pub(super) struct Problem {
     pub frame: Frame,
 }
 
-/// A solved pattern.
-pub(super) struct Pattern {
-    pub resting: Vec<Run>,
+/// The equilibrium with given grounded runs.
+pub(super) struct ContactPattern {
+    pub grounded: Vec<Run>,
     pub bays: Vec<Bay>,
-    pub state: State,
+    pub state: BayUnknowns,
     pub slack: bool,
-    pub looks: u32,
+    pub evaluations: u32,
 }
 
 /// Solves a line of any number of sections.
 pub(super) fn solve(line: &Line<'_>) -> Result<Solution, CatenaryError> {
-    let problem = place(line)?;
+    let problem = in_local_frame(line)?;
     if let Some(bed) = line.bed.filter(|bed| bed.slope_rad != 0.0) {
         return over_slope(&problem, bed);
     }
-    let pattern = problem.settle()?;
+    let pattern = problem.contact_pattern()?;
     if let Some(bed) = line.bed.filter(|bed| bed.friction > 0.0)
         && !pattern.slack
-        && problem.lying(&pattern) > 0.0
+        && problem.grounded_length(&pattern) > 0.0
     {
-        return over_rough(&problem, bed);
+        return over_rough_bed(&problem, bed);
     }
     let solution = problem.finish(&pattern)?;
     if let (Some(_), Some(above)) = (line.bed, line.surface_above_a_m)
         && problem.highest(&solution) > above * (1.0 + 1e-9) + 1e-9
     {
-        return Err(CatenaryError::Pattern(
+        return Err(CatenaryError::UnsupportedContact(
             "a line of several sections comes up to the surface while there is a bed as well; one of the two is solved",
         ));
     }
     Ok(solution)
 }
 
-/// On a rough, level bed: as laid from A.
-fn over_rough(problem: &Problem, bed: Bed) -> Result<Solution, CatenaryError> {
+/// On a level bed with friction: as laid from A.
+fn over_rough_bed(problem: &CompositeLine, bed: Bed) -> Result<Solution, CatenaryError> {
     if bed.below_a_m > ON_BED * problem.chain.length {
         return Err(CatenaryError::FrictionUndetermined);
     }
-    laid::solve(problem, bed)?.ok_or(laid::SEVERAL)
+    composite_touchdown::solve(problem, bed)?.ok_or(composite_touchdown::SEVERAL_TOUCHDOWNS)
 }
 
-/// Over a sloping bed: lying from A, or clear of it.
-fn over_slope(problem: &Problem, bed: Bed) -> Result<Solution, CatenaryError> {
+/// Over a sloping bed: grounded from A, or clear of it.
+fn over_slope(problem: &CompositeLine, bed: Bed) -> Result<Solution, CatenaryError> {
     let slip = ON_BED * (problem.chain.length + problem.z.abs());
     if bed.below_a_m <= slip
-        && let Some(lies) = laid::solve(problem, bed)?
+        && let Some(lies) = composite_touchdown::solve(problem, bed)?
     {
         return Ok(lies);
     }
-    let pattern = problem.settle()?;
+    let pattern = problem.contact_pattern()?;
     let clear = pattern
         .bays
         .iter()
@@ -83,31 +82,37 @@ fn over_slope(problem: &Problem, bed: Bed) -> Result<Solution, CatenaryError> {
         .all(|(bay, offset)| {
             let parts = problem.chain.parts(bay, *offset);
             let tan = bed.slope_rad.tan();
-            !laid::sinks(problem, parts, pattern.state.h, bed.below_a_m, tan)
+            !composite_touchdown::passes_below_bed(
+                problem,
+                parts,
+                pattern.state.h,
+                bed.below_a_m,
+                tan,
+            )
         });
     if clear {
         return problem.finish(&pattern);
     }
     Err(if bed.below_a_m <= slip {
-        laid::SEVERAL
+        composite_touchdown::SEVERAL_TOUCHDOWNS
     } else {
         CatenaryError::SlopeBelowA
     })
 }
 
-impl Problem {
+impl CompositeLine {
     pub(super) fn last(&self) -> usize {
         self.chain.elements.len() - 1
     }
 
-    /// The bays between resting places.
-    fn bays(&self, resting: &[Run]) -> Vec<Bay> {
+    /// The bays between grounded runs.
+    fn bays(&self, grounded: &[Run]) -> Vec<Bay> {
         let depth = self.bed.unwrap_or(0.0);
-        let n = resting.len();
+        let n = grounded.len();
         let mut bays = Vec::with_capacity(n + 1);
         for k in 0..=n {
-            let from = (k > 0).then(|| resting[k - 1]);
-            let onto = (k < n).then(|| resting[k]);
+            let from = (k > 0).then(|| grounded[k - 1]);
+            let onto = (k < n).then(|| grounded[k]);
             let down = if from.is_none() { depth } else { 0.0 };
             let rise = match (from, onto) {
                 (None, None) => self.z,
@@ -136,99 +141,99 @@ impl Problem {
         bays
     }
 
-    /// The maximal run of sunk elements around one, if that one is sunk.
+    /// The maximal run of sinking elements around one, if that one sinks.
     pub(super) fn run(&self, at: usize) -> Run {
-        let sunk = |i: &usize| self.chain.elements[*i].total() >= 0.0;
-        let first = (0..=at).rev().take_while(sunk).last().unwrap_or(at);
-        let last = (at..=self.last()).take_while(sunk).last().unwrap_or(at);
+        let sinks = |i: &usize| self.chain.elements[*i].total() >= 0.0;
+        let first = (0..=at).rev().take_while(sinks).last().unwrap_or(at);
+        let last = (at..=self.last()).take_while(sinks).last().unwrap_or(at);
         (first, last)
     }
 
-    /// Finds the resting places.
-    fn settle(&self) -> Result<Pattern, CatenaryError> {
-        let mut resting = Vec::new();
+    /// Finds the grounded runs.
+    fn contact_pattern(&self) -> Result<ContactPattern, CatenaryError> {
+        let mut grounded = Vec::new();
         let (h, offset) = self.guess();
         if self.bed == Some(0.0) && self.chain.elements[0].total() > 0.0 {
-            resting.push(self.run(0));
+            grounded.push(self.run(0));
         }
-        let bays = self.bays(&resting);
-        let mut state = State {
+        let bays = self.bays(&grounded);
+        let mut state = BayUnknowns {
             h,
             offsets: vec![offset; bays.len()],
         };
-        let mut looks = 0;
+        let mut evaluations = 0;
         for _ in 0..4 * self.chain.elements.len() + 8 {
-            let pattern = self.rest(resting.clone(), state, &mut looks)?;
-            if let Some(idle) = self.pulled_down(&pattern) {
-                (resting, state) = without(&pattern, idle);
+            let pattern = self.equilibrium(grounded.clone(), state, &mut evaluations)?;
+            if let Some(released) = self.held_down(&pattern) {
+                (grounded, state) = without(&pattern, released);
                 continue;
             }
             let Some((at, offset, bay)) = self.deepest(&pattern) else {
                 return Ok(pattern);
             };
             let run = self.run(at);
-            if pattern.resting.contains(&run) {
+            if pattern.grounded.contains(&run) {
                 break;
             }
-            (resting, state) = with(&pattern, run, bay, offset);
+            (grounded, state) = with(&pattern, run, bay, offset);
             // Bays of ends that now lie on the bed fall away.
-            let bays = self.bays(&resting).len();
+            let bays = self.bays(&grounded).len();
             if state.offsets.len() > bays && self.z + self.bed.unwrap_or(0.0) == 0.0 {
                 state.offsets.truncate(bays);
             }
             state.offsets.resize(bays, offset);
         }
-        Err(CatenaryError::Pattern(
+        Err(CatenaryError::UnsupportedContact(
             "which sections rest on the bed could not be settled for this line",
         ))
     }
 
-    /// A start: a uniform line of the same weight and give.
+    /// A start: a uniform line of the same weight and compliance.
     pub(super) fn guess(&self) -> (f64, f64) {
         let chain = &self.chain;
         let all: f64 = chain.elements.iter().map(|e| e.total().abs()).sum();
         let w = (chain.weight.abs().max(0.05 * all) / chain.length).max(1e-200);
-        let ea = chain.length / chain.give.max(1e-200);
+        let ea = chain.length / chain.compliance.max(1e-200);
         let up = if chain.weight < 0.0 { -1.0 } else { 1.0 };
-        let free = free::solve(self.x, up * self.z, chain.length, w, ea, None);
+        let free = suspended::solve(self.x, up * self.z, chain.length, w, ea, None);
         let (h, v) = free.map_or((all, 0.0), |f| (f.h, up * f.v_mean));
         (h.max(1e-3 * all).max(1e-200), v - 0.5 * chain.weight)
     }
 
-    /// Equilibrium for given resting places.
-    fn rest(
+    /// Equilibrium for given grounded runs.
+    fn equilibrium(
         &self,
-        resting: Vec<Run>,
-        start: State,
-        looks: &mut u32,
-    ) -> Result<Pattern, CatenaryError> {
-        let bays = self.bays(&resting);
-        if let Some(state) = self.slack(&resting, &bays, &start) {
-            return Ok(Pattern {
-                resting,
+        grounded: Vec<Run>,
+        start: BayUnknowns,
+        evaluations: &mut u32,
+    ) -> Result<ContactPattern, CatenaryError> {
+        let bays = self.bays(&grounded);
+        if let Some(state) = self.slack(&grounded, &bays, &start) {
+            return Ok(ContactPattern {
+                grounded,
                 bays,
                 state,
                 slack: true,
-                looks: *looks,
+                evaluations: *evaluations,
             });
         }
         let start = self.off_the_bed(&bays, start);
-        let (state, spent) = settle(&self.chain, &bays, start, self.x, |s| self.top(&bays, s));
-        *looks += spent;
-        Ok(Pattern {
-            resting,
+        let (state, spent) = minimise(&self.chain, &bays, start, self.x, |s| self.top(&bays, s));
+        *evaluations += spent;
+        Ok(ContactPattern {
+            grounded,
             bays,
             state,
             slack: false,
-            looks: *looks,
+            evaluations: *evaluations,
         })
     }
 
-    /// A start in which no bay lies flat: there its rise would not answer to its offset.
-    fn off_the_bed(&self, bays: &[Bay], mut start: State) -> State {
+    /// A start in which no bay lies flat: its rise would not depend on its offset there.
+    fn off_the_bed(&self, bays: &[Bay], mut start: BayUnknowns) -> BayUnknowns {
         for (bay, offset) in bays.iter().zip(&mut start.offsets) {
             if self.chain.parts(bay, *offset).next().is_none()
-                && let Some(better) = lift(&self.chain, bay, start.h, *offset)
+                && let Some(better) = offset_for_rise(&self.chain, bay, start.h, *offset)
             {
                 *offset = better;
             }
@@ -236,15 +241,15 @@ impl Problem {
         start
     }
 
-    /// Everything hanging straight, if that leaves enough length on the bed (or needs none).
-    fn slack(&self, resting: &[Run], bays: &[Bay], start: &State) -> Option<State> {
-        if resting.is_empty() && self.x > 1e-120 * self.chain.length {
+    /// Everything suspended vertically, if that leaves enough length on the bed (or needs none).
+    fn slack(&self, grounded: &[Run], bays: &[Bay], start: &BayUnknowns) -> Option<BayUnknowns> {
+        if grounded.is_empty() && self.x > 1e-120 * self.chain.length {
             return None;
         }
         let mut offsets = Vec::with_capacity(bays.len());
         let mut room = self.chain.length - self.x;
         for (bay, guess) in bays.iter().zip(&start.offsets) {
-            let offset = lift(&self.chain, bay, 0.0, *guess)?;
+            let offset = offset_for_rise(&self.chain, bay, 0.0, *guess)?;
             room -= self
                 .chain
                 .parts(bay, offset)
@@ -252,12 +257,12 @@ impl Problem {
                 .sum::<f64>();
             offsets.push(offset);
         }
-        let loose = resting.is_empty() || room >= 0.0;
-        loose.then_some(State { h: 0.0, offsets })
+        let loose = grounded.is_empty() || room >= 0.0;
+        loose.then_some(BayUnknowns { h: 0.0, offsets })
     }
 
     /// Largest tension anywhere.
-    pub(super) fn top(&self, bays: &[Bay], state: &State) -> f64 {
+    pub(super) fn top(&self, bays: &[Bay], state: &BayUnknowns) -> f64 {
         let v = bays
             .iter()
             .zip(&state.offsets)
@@ -272,10 +277,10 @@ impl Problem {
         length(state.h, v)
     }
 
-    /// A resting place that the bed would have to hold down: the offset may only fall across it.
-    fn pulled_down(&self, pattern: &Pattern) -> Option<usize> {
+    /// A grounded run that the bed would have to hold down: the offset may only fall across it.
+    fn held_down(&self, pattern: &ContactPattern) -> Option<usize> {
         let slip = 1e-12 * self.top(&pattern.bays, &pattern.state);
-        pattern.resting.iter().position(|run| {
+        pattern.grounded.iter().position(|run| {
             let offset = |pick: &dyn Fn(&Bay) -> bool| {
                 let bay = pattern.bays.iter().position(pick)?;
                 pattern.state.offsets.get(bay).copied()
@@ -287,7 +292,7 @@ impl Problem {
     }
 
     /// The deepest point under the bed: its element, the offset there, and its bay.
-    fn deepest(&self, pattern: &Pattern) -> Option<(usize, f64, usize)> {
+    fn deepest(&self, pattern: &ContactPattern) -> Option<(usize, f64, usize)> {
         let bed = self.bed?;
         let mut worst = -1e-9 * (self.chain.length + self.z.abs());
         let mut found = None;
@@ -318,7 +323,7 @@ impl Problem {
     }
 
     /// Unstretched length on the bed.
-    pub(super) fn lying(&self, pattern: &Pattern) -> f64 {
+    pub(super) fn grounded_length(&self, pattern: &ContactPattern) -> f64 {
         let off: f64 = pattern
             .bays
             .iter()
@@ -326,7 +331,7 @@ impl Problem {
             .flat_map(|(bay, offset)| self.chain.parts(bay, *offset))
             .map(|part| part.length)
             .sum();
-        if pattern.resting.is_empty() {
+        if pattern.grounded.is_empty() {
             return 0.0;
         }
         let lying = self.chain.length - off;
@@ -344,26 +349,26 @@ impl Problem {
     }
 }
 
-/// The pattern with one resting place more, cutting `bay` in two at its lowest point.
-fn with(pattern: &Pattern, run: Run, bay: usize, offset: f64) -> (Vec<Run>, State) {
-    let mut resting = pattern.resting.clone();
-    let place = resting.partition_point(|other| other.0 < run.0);
-    resting.insert(place, run);
+/// The pattern with one grounded run more, cutting `bay` in two at its lowest point.
+fn with(pattern: &ContactPattern, run: Run, bay: usize, offset: f64) -> (Vec<Run>, BayUnknowns) {
+    let mut grounded = pattern.grounded.clone();
+    let place = grounded.partition_point(|other| other.0 < run.0);
+    grounded.insert(place, run);
     let mut state = pattern.state.clone();
     state.offsets.insert(bay, offset);
     state.h = state.h.max(1e-3 * offset.abs()).max(1e-200);
-    (resting, state)
+    (grounded, state)
 }
 
-/// The pattern with one resting place less, joining the bays on its sides.
-fn without(pattern: &Pattern, idle: usize) -> (Vec<Run>, State) {
-    let run = pattern.resting[idle];
-    let mut resting = pattern.resting.clone();
-    resting.remove(idle);
+/// The pattern with one grounded run less, joining the bays on its sides.
+fn without(pattern: &ContactPattern, released: usize) -> (Vec<Run>, BayUnknowns) {
+    let run = pattern.grounded[released];
+    let mut grounded = pattern.grounded.clone();
+    grounded.remove(released);
     let mut state = pattern.state.clone();
     if let Some(bay) = pattern.bays.iter().position(|bay| bay.from == Some(run)) {
         state.offsets.remove(bay);
     }
     state.h = state.h.max(1e-200);
-    (resting, state)
+    (grounded, state)
 }

@@ -1,19 +1,19 @@
-//! Why a line was not solved.
+//! Why a line is not solved.
 
 use thiserror::Error;
 
-/// A line that has no answer, no single answer, or none that could be verified.
+/// A line without an equilibrium, without a unique one, or with one that fails its verification.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CatenaryError {
-    /// A number that no line can have.
+    /// An invalid number.
     #[error("{quantity} is {value}; it must be {needs}")]
     Input {
         /// Which quantity, with its unit.
         quantity: &'static str,
-        /// What was given.
+        /// The number given.
         value: f64,
-        /// What would be right.
+        /// The valid numbers.
         needs: &'static str,
     },
     /// An end lies under the bed.
@@ -41,13 +41,13 @@ pub enum CatenaryError {
         /// The coefficient that would hold it: the tangent of the slope.
         needed: f64,
     },
-    /// Friction on a stretch lying between two hanging ones.
+    /// Friction on a grounded part between two suspended ones.
     #[error(
         "the line lies on the bed between two hanging parts; with friction its tension there depends on how \
          it was laid, so the end positions do not determine it; without friction they do"
     )]
     FrictionUndetermined,
-    /// A line that comes down on a sloping bed below end A.
+    /// Touchdown on a sloping bed below end A.
     #[error(
         "the line comes down on a sloping bed below end A, which is not covered; A must be on the sloping bed"
     )]
@@ -62,13 +62,13 @@ pub enum CatenaryError {
         "the line cannot stretch and is {short_m:.6} m shorter than the distance between its ends"
     )]
     TooShort {
-        /// What is missing \[m\].
+        /// Missing length \[m\].
         short_m: f64,
     },
-    /// Sections of this line would rest on the bed in a pattern that is not covered.
+    /// A pattern of contact with the bed that is not covered.
     #[error("{0}")]
-    Pattern(&'static str),
-    /// The forces found do not lead back to the end position closely enough to be believed.
+    UnsupportedContact(&'static str),
+    /// The forces found do not reproduce the position of the end closely enough.
     #[error(
         "not solved: the forces found would put the end where the line pulls with an error of {error:.1e} of its \
          end tension (after {iterations} iterations)"

@@ -1,4 +1,4 @@
-//! What a line is, as the user words it.
+//! A line as given: ends, sections, bed.
 
 use super::error::CatenaryError;
 
@@ -22,12 +22,12 @@ impl Ends {
     }
 }
 
-/// A uniform section of a line and what hangs at its end.
+/// A uniform section of a line and the body at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SectionProps {
     /// Unstretched length \[m\].
     pub length_m: f64,
-    /// Weight in water per unstretched length \[N/m\]; negative when it floats.
+    /// Weight in water per unstretched length \[N/m\]; negative when it is buoyant.
     pub weight_n_per_m: f64,
     /// Axial stiffness EA \[N\]; infinite for a section that cannot stretch.
     pub ea_n: f64,
@@ -37,7 +37,7 @@ pub struct SectionProps {
 }
 
 impl SectionProps {
-    /// A section with nothing hung at its end.
+    /// A section without a body at its end.
     #[must_use]
     pub fn new(length_m: f64, weight_n_per_m: f64, ea_n: f64) -> Self {
         Self {
@@ -56,8 +56,8 @@ pub struct Bed {
     pub below_a_m: f64,
     /// Slope \[rad\], positive when it rises from A towards B.
     pub slope_rad: f64,
-    /// Axial Coulomb friction: tension lost per unit of weight carried by the bed \[-\]. The line is
-    /// taken as having been pulled towards B.
+    /// Axial Coulomb friction: tension lost per unit of weight carried by the bed \[-\]. The line
+    /// slides towards B.
     pub friction: f64,
 }
 
@@ -70,11 +70,11 @@ pub struct Line<'a> {
     pub sections: &'a [SectionProps],
     /// The bed under the line, if there is one in reach.
     pub bed: Option<Bed>,
-    /// Height above A of a flat, frictionless surface that floating line comes to rest against \[m\].
+    /// Height above A of a flat, frictionless surface against which a buoyant line comes to rest \[m\].
     pub surface_above_a_m: Option<f64>,
 }
 
-/// `Ok` when the number is what it must be.
+/// `Ok` when the number is valid.
 fn need(
     ok: bool,
     quantity: &'static str,
@@ -91,7 +91,7 @@ fn need(
     })
 }
 
-/// Largest magnitude taken for any input: squares and products of three must stay finite.
+/// Greatest magnitude of any input: squares and products of three must stay finite.
 const HUGE: f64 = 1e60;
 
 impl Ends {

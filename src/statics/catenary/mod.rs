@@ -1,8 +1,8 @@
 //! Marine lines at rest in still water, in closed form.
 //!
 //! A line is elastic, without bending stiffness, and uniform by sections; the bed is rigid. Forces are
-//! found to rounding, not to a tolerance in metres, and every answer has been put back into the
-//! equations with 30 digits before it is given out; otherwise there is a [`CatenaryError`] in words.
+//! found to rounding, not to a tolerance in metres, and every answer is put back into the equations with
+//! 30 digits before it is returned; otherwise [`Line::solve`] fails with a [`CatenaryError`].
 //!
 //! ```
 //! use seacable::statics::catenary::{Bed, Ends, Line, SectionProps, Shape};
@@ -25,36 +25,40 @@
 //! ```
 //!
 //! Signs: `h` is the horizontal part of the tension; `v_b` pulls B down and `v_a` pulls A up when
-//! positive. Where the equations come from stands beside them: hanging stretches in `span`, the free
-//! line in `free`, lines on the bed in `incline` and `trough`, several sections in `composite`, those on a slope or with
-//! friction in `laid`.
+//! positive. The equations and their sources: the elastic catenary in `span`, the suspended line in `suspended`,
+//! touchdown on a level or sloping bed with friction in `touchdown`, a grounded length between two suspended spans in
+//! `grounded_span`, several sections in `composite`, those with touchdown on a slope or with friction in
+//! `composite_touchdown`.
 //!
 //! Sources: H. M. Irvine, *Cable Structures*, MIT Press 1981, chapter 1 (elastic catenary); J. M. Jonkman,
 //! *Dynamics Modeling and Loads Analysis of an Offshore Floating Wind Turbine*, NREL/TP-500-41958,
 //! 2007, section 2.6 (form of the case on the bed, with friction).
 
-mod assemble;
-mod build;
-mod build_bed;
-mod chain;
+mod candidate;
 mod composite;
-mod descent;
+mod composite_solution;
+mod composite_touchdown;
+mod convex_newton;
+mod elements;
 mod error;
-mod free;
-mod incline;
-mod laid;
-mod laid_shown;
+mod grounded_solution;
+mod grounded_span;
+mod laid_profile;
 mod line;
-mod place;
+mod local_frame;
+mod profile;
 mod single;
+mod slope;
 mod solution;
 mod span;
-
-mod trough;
+mod suspended;
+mod suspended_solution;
+mod touchdown;
 
 pub use error::CatenaryError;
 pub use line::{Bed, Ends, Line, SectionProps};
-pub use solution::{Point, Shape, Solution};
+pub use profile::Point;
+pub use solution::{Shape, Solution};
 
 use solution::Seed;
 
@@ -62,13 +66,13 @@ impl Line<'_> {
     /// The line at rest.
     ///
     /// # Errors
-    /// [`CatenaryError`]: inputs that no line can have, lines without an answer or without a single one, and
-    /// answers that could not be verified. Never a number that is not an answer.
+    /// [`CatenaryError`]: invalid inputs, lines without an equilibrium or without a unique one, and solutions that fail
+    /// their verification.
     pub fn solve(&self) -> Result<Solution, CatenaryError> {
         self.start(Seed::None)
     }
 
-    /// The line at rest, started from the solution of one much like it; quicker, and the same answer.
+    /// The line at rest, started from the solution of a similar line; quicker, with the same result.
     ///
     /// # Errors
     /// As [`Line::solve`].

@@ -1,20 +1,21 @@
-//! A line of one section: brought into the solver's plane, its regime found, its answer verified.
+//! A line of one section: transformed to the local frame, its regime found, its solution verified.
 //!
-//! The solver's plane has A at the origin, B to the right and the weight pulling down: lines to the left
-//! are mirrored, floating lines turned upside down (the surface above becomes a bed below).
+//! The local frame has A at the origin, B to the right and the weight pulling down: lines to the left
+//! are mirrored, buoyant lines turned upside down (the surface above becomes a bed below).
 
-use super::build;
-use super::build_bed;
 use super::error::CatenaryError;
-use super::free;
-use super::incline::{Incline, Outcome};
+use super::grounded_solution;
+use super::grounded_span::GroundedSpan;
 use super::line::{Bed, Ends, SectionProps};
+use super::slope::Slope;
 use super::solution::{Frame, Seed, Solution};
-use super::trough::Trough;
+use super::suspended;
+use super::suspended_solution;
+use super::touchdown::{BedContact, TouchdownLine};
 
-/// A line of one section in the solver's plane.
+/// A line of one section in the local frame.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Plane {
+pub(super) struct PlanarLine {
     pub x: f64,
     pub z: f64,
     pub length: f64,
@@ -41,26 +42,26 @@ pub(super) fn solve(
         bed.check()?;
         ends_above(&bed, ends.x_m, ends.z_m, section.length_m)?;
     }
-    let plane = plane(ends, section, bed, surface_above_a)?;
-    if let Some(straight) = build::straight(&plane)? {
+    let line = planar_line(ends, section, bed, surface_above_a)?;
+    if let Some(straight) = suspended_solution::straight(&line)? {
         return Ok(straight);
     }
-    match (plane.bed, seed) {
-        (None, _) => hanging(&plane, seed),
-        (Some(bed), Seed::Free(_)) => match hanging(&plane, seed) {
-            Ok(found) if !touches(&plane, &bed, &found) => Ok(found),
-            _ => over_bed(&plane, bed, Seed::None),
+    match (line.bed, seed) {
+        (None, _) => suspended_line(&line, seed),
+        (Some(bed), Seed::Suspended(_)) => match suspended_line(&line, seed) {
+            Ok(found) if !touches(&line, &bed, &found) => Ok(found),
+            _ => over_bed(&line, bed, Seed::None),
         },
-        (Some(bed), _) => over_bed(&plane, bed, seed),
+        (Some(bed), _) => over_bed(&line, bed, seed),
     }
 }
 
-fn plane(
+fn planar_line(
     ends: Ends,
     section: SectionProps,
     bed: Option<Bed>,
     surface_above_a: Option<f64>,
-) -> Result<Plane, CatenaryError> {
+) -> Result<PlanarLine, CatenaryError> {
     let floats = section.weight_n_per_m < 0.0;
     let up = if floats { -1.0 } else { 1.0 };
     let bed = if floats {
@@ -68,7 +69,7 @@ fn plane(
     } else {
         bed
     };
-    Ok(Plane {
+    Ok(PlanarLine {
         x: ends.x_m.abs(),
         z: up * ends.z_m,
         length: section.length_m,
@@ -114,72 +115,68 @@ pub(super) fn ends_above(bed: &Bed, x: f64, z: f64, length: f64) -> Result<(), C
     Ok(())
 }
 
-/// The line as if there were no bed.
-fn hanging(plane: &Plane, seed: Seed) -> Result<Solution, CatenaryError> {
+/// The suspended line, as if there were no bed.
+fn suspended_line(line: &PlanarLine, seed: Seed) -> Result<Solution, CatenaryError> {
     let start = match seed {
-        Seed::Free(xi) => Some(xi),
+        Seed::Suspended(xi) => Some(xi),
         _ => None,
     };
-    let found = free::solve(plane.x, plane.z, plane.length, plane.w, plane.ea, start);
+    let found = suspended::solve(line.x, line.z, line.length, line.w, line.ea, start);
     let found = found.ok_or(CatenaryError::NotVerified {
         error: f64::INFINITY,
         iterations: 200,
     })?;
-    build::hanging(plane, found)
+    suspended_solution::suspended(line, found)
 }
 
-/// Whether a free line would pass under the bed.
-fn touches(plane: &Plane, bed: &Bed, found: &Solution) -> bool {
+/// Whether a suspended line would pass under the bed.
+fn touches(line: &PlanarLine, bed: &Bed, found: &Solution) -> bool {
     let tan = bed.slope_rad.tan();
-    // In the solver's plane; the line runs along the bed's slope where V = H tan θ.
-    let up = plane.frame.up;
+    // In the local frame; the line runs along the bed's slope where V = H tan θ.
+    let up = line.frame.up;
     let va = if up > 0.0 { found.v_a_n } else { -found.v_a_n };
     let along = found.h_a_n * tan - va;
-    let s = along / plane.w;
-    if !(along > 0.0 && s < plane.length) {
+    let s = along / line.w;
+    if !(along > 0.0 && s < line.length) {
         return false;
     }
     let low = found.at(s);
     let height = bed.below_a_m + up * low.z_m - low.x_m.abs() * tan;
-    height < -1e-9 * (plane.length + plane.z.abs())
+    height < -1e-9 * (line.length + line.z.abs())
 }
 
 /// A line over a bed.
-fn over_bed(plane: &Plane, bed: Bed, seed: Seed) -> Result<Solution, CatenaryError> {
+fn over_bed(line: &PlanarLine, bed: Bed, seed: Seed) -> Result<Solution, CatenaryError> {
     // Without friction on a level bed even the shortest leg down from A is a leg.
     let legless = if bed.friction > 0.0 || bed.slope_rad != 0.0 {
-        ON_BED * plane.length
+        ON_BED * line.length
     } else {
         0.0
     };
     if bed.below_a_m <= legless {
-        on_incline(plane, bed, seed)
+        on_bed_through_a(line, bed, seed)
     } else if bed.slope_rad != 0.0 {
-        let found = hanging(plane, seed)?;
-        if touches(plane, &bed, &found) {
+        let found = suspended_line(line, seed)?;
+        if touches(line, &bed, &found) {
             return Err(CatenaryError::SlopeBelowA);
         }
         Ok(found)
     } else {
-        over_trough(plane, bed, seed)
+        over_level_bed(line, bed, seed)
     }
 }
 
-fn on_incline(plane: &Plane, bed: Bed, seed: Seed) -> Result<Solution, CatenaryError> {
-    let (sin, cos) = bed.slope_rad.sin_cos();
-    let tan = bed.slope_rad.tan();
-    let height = plane.z - plane.x * tan;
-    let slip = ON_BED * (plane.length + plane.z.abs());
-    let incline = Incline {
-        x: plane.x,
-        z: plane.z,
-        length: plane.length,
-        w: plane.w,
-        ea: plane.ea,
-        sin,
-        cos,
-        tan,
-        friction: bed.friction,
+fn on_bed_through_a(line: &PlanarLine, bed: Bed, seed: Seed) -> Result<Solution, CatenaryError> {
+    let slope = Slope::new(&bed);
+    let height = line.z - line.x * slope.tan;
+    let slip = ON_BED * (line.length + line.z.abs());
+    let touchdown = TouchdownLine {
+        x: line.x,
+        z: line.z,
+        length: line.length,
+        w: line.w,
+        ea: line.ea,
+        slope,
         height: if height <= slip && bed.slope_rad != 0.0 {
             0.0
         } else {
@@ -187,42 +184,44 @@ fn on_incline(plane: &Plane, bed: Bed, seed: Seed) -> Result<Solution, CatenaryE
         },
     };
     let start = match seed {
-        Seed::Leg(beta) => Some(beta),
+        Seed::Touchdown(beta) => Some(beta),
         _ => None,
     };
-    match incline.solve(start)? {
-        Outcome::Lifted => lifted(plane, &bed, seed),
-        Outcome::Partly(state, iterations) => build_bed::partly(plane, &incline, state, iterations),
-        Outcome::Wholly(tension) => build_bed::wholly(plane, &incline, tension),
-        Outcome::Slack(straight) => build_bed::slack(plane, &incline, straight),
+    match touchdown.solve(start)? {
+        BedContact::Clear => clear_of_bed(line, &bed, seed),
+        BedContact::Partial(state, iterations) => {
+            grounded_solution::partial_contact(line, &touchdown, state, iterations)
+        }
+        BedContact::Full(tension) => grounded_solution::full_contact(line, &touchdown, tension),
+        BedContact::Slack(straight) => grounded_solution::slack_contact(line, &touchdown, straight),
     }
 }
 
-fn over_trough(plane: &Plane, bed: Bed, seed: Seed) -> Result<Solution, CatenaryError> {
-    let trough = Trough {
-        x: plane.x,
-        length: plane.length,
-        w: plane.w,
-        ea: plane.ea,
-        rise: [bed.below_a_m, (bed.below_a_m + plane.z).max(0.0)],
+fn over_level_bed(line: &PlanarLine, bed: Bed, seed: Seed) -> Result<Solution, CatenaryError> {
+    let grounded = GroundedSpan {
+        x: line.x,
+        length: line.length,
+        w: line.w,
+        ea: line.ea,
+        rise: [bed.below_a_m, (bed.below_a_m + line.z).max(0.0)],
     };
     let start = match seed {
-        Seed::Trough(h) => Some(h),
+        Seed::GroundedSpan(h) => Some(h),
         _ => None,
     };
-    let Some(lying) = trough.solve(start) else {
-        return lifted(plane, &bed, seed);
+    let Some(forces) = grounded.solve(start) else {
+        return clear_of_bed(line, &bed, seed);
     };
-    if bed.friction > 0.0 && lying.h > 0.0 {
+    if bed.friction > 0.0 && forces.h > 0.0 {
         return Err(CatenaryError::FrictionUndetermined);
     }
-    build_bed::trough(plane, &trough, &lying)
+    grounded_solution::grounded_span(line, &grounded, &forces)
 }
 
-/// The bed said "not reached": the free line must agree.
-fn lifted(plane: &Plane, bed: &Bed, seed: Seed) -> Result<Solution, CatenaryError> {
-    let found = hanging(plane, seed)?;
-    if touches(plane, bed, &found) {
+/// The line is clear of the bed: the suspended line must confirm that.
+fn clear_of_bed(line: &PlanarLine, bed: &Bed, seed: Seed) -> Result<Solution, CatenaryError> {
+    let found = suspended_line(line, seed)?;
+    if touches(line, bed, &found) {
         return Err(CatenaryError::NotVerified {
             error: f64::INFINITY,
             iterations: found.iterations,

@@ -1,29 +1,29 @@
 //! A line at rest: forces at its ends, and shape and tension anywhere on it.
 
-use super::span::{Span, length};
+use super::profile::{Pieces, Point};
 
-/// What a line looks like.
+/// The form of a line at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
     /// Straight and weightless.
     Straight,
-    /// Touching nothing between its ends.
+    /// Suspended: it touches nothing between its ends.
     Hanging,
     /// Straight up or down under tension.
     Vertical,
     /// The ends above each other, more line than distance: it hangs doubled over.
     HangingDouble,
-    /// Lying from A, then rising to B.
+    /// Grounded from A, then suspended to B.
     PartlyOnBed,
-    /// Lying from end to end.
+    /// Grounded from end to end.
     WhollyOnBed,
-    /// More line than needed lies at A; it rises straight to B.
+    /// Slack on the bed from A, then vertical to B.
     SlackOnBed,
-    /// Down from A, along the bed, up to B.
+    /// Suspended from A, grounded, suspended to B.
     TroughOnBed,
-    /// Straight down from A, surplus on the bed, straight up to B.
+    /// Vertical from A, slack on the bed, vertical to B.
     SlackTroughOnBed,
-    /// Several stretches on the bed with arches between.
+    /// Grounded in several places with suspended bays between.
     ManyOnBed,
 }
 
@@ -45,7 +45,7 @@ impl Shape {
         }
     }
 
-    /// The shape in words for a floating line held down by the surface.
+    /// The shape in words for a buoyant line under the surface.
     #[must_use]
     pub fn name_against_surface(self) -> &'static str {
         match self {
@@ -59,26 +59,13 @@ impl Shape {
     }
 }
 
-/// A point of the line, seen from end A.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Point {
-    /// Unstretched arc length from A \[m\].
-    pub arc_m: f64,
-    /// Horizontal position \[m\].
-    pub x_m: f64,
-    /// Height above A \[m\].
-    pub z_m: f64,
-    /// Tension \[N\].
-    pub tension_n: f64,
-}
-
-/// Where a solution came from, to start a neighbouring line from.
+/// The unknown of a solution, to start a neighbouring line from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Seed {
     None,
-    Free(f64),
-    Leg(f64),
-    Trough(f64),
+    Suspended(f64),
+    Touchdown(f64),
+    GroundedSpan(f64),
 }
 
 /// A line at rest.
@@ -94,14 +81,14 @@ pub struct Solution {
     pub v_b_n: f64,
     /// Unstretched length resting on the bed, or against the surface \[m\].
     pub on_bed_m: f64,
-    /// What it looks like.
+    /// Its form.
     pub shape: Shape,
     /// Whether `on_bed_m` rests against the surface above instead.
     pub against_surface: bool,
     /// Evaluations of the line spent on it.
     pub iterations: u32,
-    /// Error of force that the miss of end B stands for, over the larger end tension \[-\]; measured
-    /// afterwards, from the forces back to the position, by other formulas.
+    /// Error of force over the larger end tension \[-\]: the residual of the position of B, from the forces by formulas
+    /// other than those that found them, times the stiffness.
     pub residual: f64,
     /// Change of (`h_b_n`, `v_b_n`) per metre that B moves along (x, z), A held \[N/m\]:
     /// \[\[h/x, h/z\], \[v/x, v/z\]\]. x counts as positive away from A.
@@ -111,139 +98,13 @@ pub struct Solution {
     pub(super) seed: Seed,
 }
 
-/// How the plane the solver worked in lies in the user's.
+/// The local frame in that of the user.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Frame {
     /// 1, or -1 when B lies on the other side of A.
     pub along: f64,
-    /// 1, or -1 for a floating line solved upside down.
+    /// 1, or -1 for a buoyant line solved upside down.
     pub up: f64,
-}
-
-/// Stretches of a line in order from A; without allocation for a line of one section.
-#[derive(Debug, Clone, PartialEq)]
-#[expect(
-    clippy::large_enum_variant,
-    reason = "a line of one section is solved without allocation"
-)]
-pub(super) enum Pieces {
-    Few([Piece; 3], usize),
-    Many(Vec<Piece>),
-}
-
-impl Pieces {
-    fn slice(&self) -> &[Piece] {
-        match self {
-            Self::Few(few, n) => &few[..*n],
-            Self::Many(many) => many,
-        }
-    }
-}
-
-/// A stretch of line with one law of shape.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Piece {
-    /// Unstretched arc length where it begins, and its own unstretched length.
-    pub from: f64,
-    pub length: f64,
-    /// Where it begins.
-    pub x: f64,
-    pub z: f64,
-    pub kind: Kind,
-}
-
-/// The laws of shape.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Kind {
-    /// Hanging, with the force at its beginning.
-    Hanging { h: f64, va: f64, w: f64, ea: f64 },
-    /// Lying: tension at its end, lost by `loss` per metre towards its beginning but never below zero.
-    Lying {
-        end: f64,
-        loss: f64,
-        cos: f64,
-        sin: f64,
-        ea: f64,
-    },
-    /// More line than room, without tension, spread evenly up to this x and z.
-    Heap { x: f64, z: f64 },
-}
-
-impl Default for Piece {
-    fn default() -> Self {
-        Self {
-            from: 0.0,
-            length: 0.0,
-            x: 0.0,
-            z: 0.0,
-            kind: Kind::Heap { x: 0.0, z: 0.0 },
-        }
-    }
-}
-
-/// Tension summed over the last `n` of a lying stretch whose end carries `end`.
-pub(super) fn lying_sum(end: f64, loss: f64, n: f64) -> f64 {
-    let n = if loss > 0.0 { n.min(end / loss) } else { n };
-    n * (end - 0.5 * loss * n)
-}
-
-impl Piece {
-    fn point(&self, arc: f64) -> Point {
-        let u = (arc - self.from).clamp(0.0, self.length);
-        let (dx, dz, tension_n) = match self.kind {
-            Kind::Hanging { h, va, w, ea } => {
-                let span = Span {
-                    length: u,
-                    weight: w,
-                    ea,
-                };
-                let (dx, dz) = span.reach(h, va);
-                (dx, dz, length(h, va + w * u))
-            }
-            Kind::Lying {
-                end,
-                loss,
-                cos,
-                sin,
-                ea,
-            } => {
-                let rest = self.length - u;
-                let sum = lying_sum(end, loss, self.length) - lying_sum(end, loss, rest);
-                let along = u + sum / ea;
-                (along * cos, along * sin, (end - loss * rest).max(0.0))
-            }
-            Kind::Heap { x, z } => {
-                let part = if self.length > 0.0 {
-                    u / self.length
-                } else {
-                    0.0
-                };
-                (part * (x - self.x), part * (z - self.z), 0.0)
-            }
-        };
-        Point {
-            arc_m: arc,
-            x_m: self.x + dx,
-            z_m: self.z + dz,
-            tension_n,
-        }
-    }
-
-    /// The lowest point of this stretch.
-    fn lowest(&self) -> Point {
-        let (begin, end) = (self.point(self.from), self.point(self.from + self.length));
-        let mut low = if end.z_m < begin.z_m { end } else { begin };
-        if let Kind::Hanging { va, w, .. } = self.kind
-            && va * w < 0.0
-            && -va / w < self.length
-        {
-            let inner = self.point(self.from - va / w);
-            if inner.z_m < low.z_m {
-                low = inner;
-            }
-        }
-        low
-    }
 }
 
 impl Solution {
@@ -270,7 +131,7 @@ impl Solution {
 
     /// The line at an unstretched arc length from A \[m\], kept within the line; seen from A.
     ///
-    /// Line lying slack is shown spread evenly over the room it has.
+    /// Slack line is spread evenly over its room on the bed.
     #[must_use]
     pub fn at(&self, arc_m: f64) -> Point {
         let pieces = self.pieces.slice();
@@ -291,7 +152,7 @@ impl Solution {
             low = end;
         }
         for piece in self.pieces.slice() {
-            // An upside-down line is lowest where its mirror image is highest: at ends of stretches.
+            // An upside-down line is lowest where its mirror image is highest: at ends of pieces.
             let point = if self.frame.up > 0.0 {
                 self.shown(piece.lowest())
             } else {
@@ -314,7 +175,7 @@ impl Solution {
         }
     }
 
-    /// From the solver's plane to the user's.
+    /// From the local frame to that of the user.
     fn shown(&self, point: Point) -> Point {
         Point {
             x_m: self.frame.along * point.x_m,

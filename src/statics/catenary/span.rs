@@ -1,7 +1,7 @@
-//! A stretch of uniform elastic line hanging in still water: from the force at its lower-numbered end
-//! to where the other end is. Everything else in this room inverts these two formulas.
+//! The elastic catenary: a span of uniform line suspended in still water, from the force at its end towards A to the position of
+//! its other end. The other modules invert these two formulas.
 //!
-//! Take a stretch of unstretched length `L`, weight `w` per unstretched length, stiffness `EA`,
+//! For a span of unstretched length `L`, weight `w` per unstretched length, stiffness `EA`,
 //! horizontal force `H`, vertical force `V(s) = V_a + w s`, tension `T = sqrt(H² + V²)`. A piece `ds`
 //! stretches to `(1 + T/EA) ds` and points along the force, so (Irvine, *Cable Structures*, 1981, ch. 1)
 //!
@@ -22,7 +22,7 @@
 use crate::numerics::double_double::DoubleDouble;
 use crate::numerics::hyperbolic::atanh_ratio_minus_1;
 
-/// A uniform stretch of line.
+/// A uniform span of line.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Span {
     /// Unstretched length.
@@ -33,7 +33,7 @@ pub(super) struct Span {
     pub ea: f64,
 }
 
-/// The forces in a stretch and what is derived from them once.
+/// The forces in a span with quantities derived from them.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Forces {
     va: f64,
@@ -48,7 +48,7 @@ pub(super) struct Forces {
     delta: f64,
 }
 
-/// How far one end moves for a force on it: symmetric, per newton.
+/// Displacement of one end per force on it; symmetric \[m/N\].
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Compliance {
     /// ∂x/∂H
@@ -60,10 +60,10 @@ pub(super) struct Compliance {
 }
 
 impl Span {
-    /// The forces along a sunk (w >= 0) stretch whose lower-numbered end carries (`h`, `va`).
+    /// The forces along a sinking (w >= 0) span whose end towards A carries (`h`, `va`).
     fn forces(&self, h: f64, va: f64) -> Forces {
         let load = self.weight * self.length;
-        // Where a stretch ends level its force there is zero, not the rounding of the difference: without
+        // Where a span ends level its force there is zero, not the rounding of the difference: without
         // horizontal force the sign of that rounding would decide which way the line points.
         let sum = va + load;
         let vb = if sum.abs() > 4.0 * f64::EPSILON * load {
@@ -145,9 +145,9 @@ impl Span {
         (x, per_tension * vm * (strain + 1.0))
     }
 
-    /// How the far end gives way to a force on it, the near end held.
+    /// Displacement of the far end per force on it, the near end held.
     ///
-    /// The integrals of `V²/T³`, `HV/T³` and `H²/T³` over the stretch, plus `L/EA`; each written so that
+    /// The integrals of `V²/T³`, `HV/T³` and `H²/T³` over the span, plus `L/EA`; each written so that
     /// no difference of nearly equal numbers is left when the line is taut.
     pub(super) fn compliance(&self, h: f64, va: f64) -> Compliance {
         if self.weight < 0.0 {

@@ -1,14 +1,15 @@
-//! A line of several sections checked and brought into the solver's plane.
+//! A line of several sections, checked, in the local frame: A at the origin, B to the right, a surface above turned into a
+//! bed below.
 
-use super::chain::{Chain, Element};
-use super::composite::Problem;
+use super::composite::CompositeLine;
+use super::elements::{Element, Elements};
 use super::error::CatenaryError;
 use super::line::{Bed, Line, SectionProps};
 use super::single::ends_above;
 use super::solution::Frame;
 
-/// The line in the solver's plane: A at the origin, B to the right, a surface above turned into a bed below.
-pub(super) fn place(line: &Line<'_>) -> Result<Problem, CatenaryError> {
+/// The line in the local frame.
+pub(super) fn in_local_frame(line: &Line<'_>) -> Result<CompositeLine, CatenaryError> {
     line.ends.check()?;
     if line.sections.is_empty() {
         return Err(CatenaryError::Input {
@@ -53,11 +54,11 @@ pub(super) fn place(line: &Line<'_>) -> Result<Problem, CatenaryError> {
             },
         )?;
     }
-    Ok(Problem {
-        chain: Chain::new(elements(line.sections, up)),
+    Ok(CompositeLine {
+        chain: Elements::new(elements(line.sections, up)),
         x: line.ends.x_m.abs(),
         z: up * line.ends.z_m,
-        // A slope is looked at apart.
+        // Sloping beds are treated separately.
         bed: bed
             .filter(|_| line.bed.is_none_or(|bed| bed.slope_rad == 0.0))
             .map(|depth| depth.max(0.0)),

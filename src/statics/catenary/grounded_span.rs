@@ -1,6 +1,7 @@
-//! A line that hangs down from A, lies on a flat, frictionless bed and rises to B.
+//! A grounded span: a line of one section suspended from A, grounded in the middle on a level, frictionless bed, and
+//! suspended to B.
 //!
-//! Along the bed and in both hanging legs the horizontal force H is the same. A leg that leaves the
+//! Along the bed and in both suspended legs the horizontal force H is the same. A leg that leaves the
 //! bed level and rises by `d` carries at its top the vertical force `v = w s`; with `y = T - H`,
 //!
 //! ```text
@@ -21,9 +22,9 @@ use crate::numerics::double_double::DoubleDouble;
 use crate::numerics::hyperbolic::{asinh_minus_sine, x_minus_asinh};
 use crate::numerics::log_newton::{Sample, increasing_root};
 
-/// The line in the solver's plane: sunk, B to the right, both ends above the bed.
+/// The line in the local frame: weight downwards, B to the right, both ends above the bed.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Trough {
+pub(super) struct GroundedSpan {
     pub x: f64,
     pub length: f64,
     pub w: f64,
@@ -43,7 +44,7 @@ pub(super) struct Leg {
 
 /// Forces of the line on the bed.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Lying {
+pub(super) struct GroundedForces {
     /// Horizontal force; zero when slack.
     pub h: f64,
     /// Legs at A and at B.
@@ -51,7 +52,7 @@ pub(super) struct Lying {
     pub iterations: u32,
 }
 
-impl Trough {
+impl GroundedSpan {
     /// The leg rising by `d` at horizontal force `h`.
     pub(super) fn leg(&self, h: f64, d: f64) -> Leg {
         let p = 1.0 + h / self.ea;
@@ -67,48 +68,48 @@ impl Trough {
         self.rise.map(|d| self.leg(h, d))
     }
 
-    /// Unstretched length off the bed.
-    fn hanging(&self, legs: &[Leg; 2]) -> f64 {
+    /// Suspended length.
+    fn suspended_length(&self, legs: &[Leg; 2]) -> f64 {
         (legs[0].v + legs[1].v) / self.w
     }
 
     /// The forces, or `None` when the line does not come down to the bed.
-    pub(super) fn solve(&self, seed: Option<f64>) -> Option<Lying> {
+    pub(super) fn solve(&self, seed: Option<f64>) -> Option<GroundedForces> {
         let straight = self.legs(0.0);
-        let hanging = self.hanging(&straight);
+        let hanging = self.suspended_length(&straight);
         if hanging > self.length {
             return None;
         }
         let surplus = self.length - self.x - hanging;
         if surplus >= 0.0 {
-            return Some(Lying {
+            return Some(GroundedForces {
                 h: 0.0,
                 legs: straight,
                 iterations: 0,
             });
         }
         let guess = seed.unwrap_or_else(|| self.guess(&straight, surplus));
-        let mut lifted = false;
+        let mut clear = false;
         let root = increasing_root(guess, f64::INFINITY, |h| {
             let legs = self.legs(h);
             let mut found = self.value(h, &legs);
-            // Too much line off the bed already and the force still too small.
-            if found.value < 0.0 && self.hanging(&legs) > self.length {
-                lifted = true;
+            // More than the whole line is suspended, and the force is still too small.
+            if found.value < 0.0 && self.suspended_length(&legs) > self.length {
+                clear = true;
                 found.value = f64::NAN;
             }
             found
         });
-        let root = root.filter(|_| !lifted)?;
+        let root = root.filter(|_| !clear)?;
         let legs = self.legs(root.x);
-        (self.hanging(&legs) <= self.length).then_some(Lying {
+        (self.suspended_length(&legs) <= self.length).then_some(GroundedForces {
             h: root.x,
             legs,
             iterations: root.evaluations,
         })
     }
 
-    /// Length in hand less length lost to sag.
+    /// Length beyond the distance less length taken out by sag.
     fn value(&self, h: f64, legs: &[Leg; 2]) -> Sample {
         let spare = self.length - self.x;
         let mut value = spare + h * self.length / self.ea;
@@ -140,7 +141,7 @@ impl Trough {
         let flat = soft.min((sag / spare).powi(2));
         let v = straight[0].v.max(straight[1].v);
         if flat < 0.3 * v {
-            // Σ (H/w) asinh(v/H) = what is missing to being slack
+            // Σ (H/w) asinh(v/H) = length short of being slack
             let legs = self.rise.iter().filter(|d| **d > 0.0).count().max(1);
             let each = -surplus * self.w / f64::from(u32::try_from(legs).unwrap_or(1));
             let first = each / (2.0 + 2.0 * v / each).ln();
@@ -150,20 +151,20 @@ impl Trough {
     }
 }
 
-/// A leg's answer to small changes of H and of its own length, and how far it misses its height.
-struct Answer {
+/// The response of a leg to small changes of H and of its own length, and the residual of its height.
+struct LegResponse {
     /// Change of reach x - s with length and with H.
     x_s: f64,
     x_h: f64,
     /// Change of rise with length and with H.
     z_s: f64,
     z_h: f64,
-    /// Height asked for less height reached.
+    /// Height of the end minus height reached.
     miss: f64,
 }
 
-impl Trough {
-    fn answer(&self, h: f64, leg: &Leg, rise: f64) -> (Answer, DoubleDouble) {
+impl GroundedSpan {
+    fn response(&self, h: f64, leg: &Leg, rise: f64) -> (LegResponse, DoubleDouble) {
         let s = leg.v / self.w;
         let t = length(h, leg.v);
         let span = Span {
@@ -174,52 +175,53 @@ impl Trough {
         let (dx, dz) = span.reach_exactly(h, 0.0.into());
         // H/T - 1 without the difference
         let fall = -leg.v * leg.v / (t * (t + h));
-        let answer = Answer {
+        let response = LegResponse {
             x_s: fall,
             x_h: asinh_minus_sine(leg.v / h) / self.w,
             z_s: leg.v / self.ea + leg.v / t,
             z_h: fall / self.w,
             miss: (-dz + rise).value(),
         };
-        (answer, dx)
+        (response, dx)
     }
 
-    /// Error of force over end tension that the misses stand for, and the stiffness of end B.
-    pub(super) fn verify(&self, lying: &Lying) -> (f64, [[f64; 2]; 2]) {
+    /// Error of force over end tension from the residuals of position, and the stiffness of end B.
+    pub(super) fn verify(&self, lying: &GroundedForces) -> (f64, [[f64; 2]; 2]) {
         let h = lying.h;
         let on_bed = DoubleDouble::from(self.length)
             + -(lying.legs[0].v / self.w)
             + -(lying.legs[1].v / self.w);
         let bed = on_bed * (DoubleDouble::from(h) / DoubleDouble::from(self.ea) + 1.0);
-        let (mut reached, mut answers) = (bed, [None, None]);
+        let (mut reached, mut responses) = (bed, [None, None]);
         let mut by_h = self.length / self.ea;
         let bed_stretch = (lying.legs[0].v + lying.legs[1].v) / self.w / self.ea;
         by_h -= bed_stretch;
         for (i, leg) in lying.legs.iter().enumerate().filter(|(_, leg)| leg.v > 0.0) {
-            let (answer, dx) = self.answer(h, leg, self.rise[i]);
+            let (response, dx) = self.response(h, leg, self.rise[i]);
             reached = reached + dx;
-            by_h += answer.x_h + leg.v / self.w / self.ea - answer.x_s * answer.z_h / answer.z_s;
-            answers[i] = Some(answer);
+            by_h += response.x_h + leg.v / self.w / self.ea
+                - response.x_s * response.z_h / response.z_s;
+            responses[i] = Some(response);
         }
         let miss = (-reached + self.x).value();
         // Legs keep their heights by changing length: ds = (dz - z_h dH)/z_s.
         let force = |x: f64, rise: [f64; 2]| {
             let give = |i: usize| {
-                let answer: &Option<Answer> = &answers[i];
-                answer.as_ref().map_or(0.0, |a| a.x_s * rise[i] / a.z_s)
+                let response: &Option<LegResponse> = &responses[i];
+                response.as_ref().map_or(0.0, |a| a.x_s * rise[i] / a.z_s)
             };
             let dh = (x - give(0) - give(1)) / by_h;
             let dv = |i: usize| {
-                let answer: &Option<Answer> = &answers[i];
-                answer
+                let response: &Option<LegResponse> = &responses[i];
+                response
                     .as_ref()
                     .map_or(0.0, |a| self.w * (rise[i] - a.z_h * dh) / a.z_s)
             };
             (dh, dv(0), dv(1))
         };
         let missed = |i: usize| {
-            let answer: &Option<Answer> = &answers[i];
-            answer.as_ref().map_or(0.0, |a| a.miss)
+            let response: &Option<LegResponse> = &responses[i];
+            response.as_ref().map_or(0.0, |a| a.miss)
         };
         let (dh, dva, dvb) = force(miss, [missed(0), missed(1)]);
         let top = length(h, lying.legs[0].v.max(lying.legs[1].v));

@@ -1,61 +1,61 @@
-//! Newton's method on the convex energy of `chain`, with a line search that cannot be fooled.
+//! Newton's method on the convex energy of `elements`, with a line search on its slope.
 //!
 //! Along any direction the derivative of a convex function only rises. A step is taken when the
 //! derivative at its end is no more than half of what it was at its beginning, turned round; otherwise the step is
-//! shortened by the secant. That needs no energy values, only the misses, and drives every start
-//! to the one minimum. What comes out is verified by the caller, so running out of steps is told.
+//! shortened by the secant. That needs no energy values, only the residuals, and converges from every start
+//! to the one minimum. The caller verifies the result, so a search that runs out of steps is detected.
 
-use super::chain::{Bay, Chain, Spread};
+use super::elements::{Bay, BayReach, Elements};
 use crate::numerics::log_newton::{Sample, increasing_root};
 
-/// The unknowns.
+/// Horizontal force and vertical offsets.
 #[derive(Debug, Clone)]
-pub(super) struct State {
+pub(super) struct BayUnknowns {
     pub h: f64,
     /// One for each bay.
     pub offsets: Vec<f64>,
 }
 
-/// The misses at a state and what answers them.
-pub(super) struct Misses {
-    /// Distance asked for less reached; and the same for the rise of each bay.
+/// The residuals at a state with their derivatives.
+pub(super) struct Residuals {
+    /// Distance given minus reached, and the same for the rise of each bay.
     pub x: f64,
     pub z: Vec<f64>,
-    spreads: Vec<Spread>,
-    /// ∂x/∂H of what lies
-    give: f64,
+    spreads: Vec<BayReach>,
+    /// ∂x/∂H of the grounded line
+    compliance: f64,
 }
 
-/// Steps enough for any line met; each costs one look at the line.
+/// Greatest number of evaluations of the line.
 const LIMIT: u32 = 60;
 
-pub(super) fn misses(chain: &Chain, bays: &[Bay], state: &State, x: f64) -> Misses {
-    let mut miss = x - chain.length - state.h * chain.give;
+pub(super) fn residuals(chain: &Elements, bays: &[Bay], state: &BayUnknowns, x: f64) -> Residuals {
+    let mut miss = x - chain.length - state.h * chain.compliance;
     let mut spreads = Vec::with_capacity(bays.len());
     let mut z = Vec::with_capacity(bays.len());
     for (bay, offset) in bays.iter().zip(&state.offsets) {
-        let spread = chain.spread(bay, state.h, *offset);
+        let spread = chain.bay_reach(bay, state.h, *offset);
         miss -= spread.x;
         z.push(bay.rise - spread.z);
         spreads.push(spread);
     }
-    Misses {
+    Residuals {
         x: miss,
         z,
         spreads,
-        give: chain.give,
+        compliance: chain.compliance,
     }
 }
 
-impl Misses {
+impl Residuals {
     /// ∂x/∂H with every bay keeping its rise.
     fn by_h(&self) -> f64 {
-        let kept = |s: &Spread| s.hh - s.hv * s.hv / s.vv;
-        self.give + self.spreads.iter().map(kept).sum::<f64>()
+        let kept = |s: &BayReach| s.hh - s.hv * s.hv / s.vv;
+        self.compliance + self.spreads.iter().map(kept).sum::<f64>()
     }
 
-    /// Changes of H and of the offsets that answer a miss.
-    pub(super) fn step(&self, x: f64, z: &[f64]) -> State {
+    /// Changes of H and of the offsets that remove a residual.
+    pub(super) fn step(&self, x: f64, z: &[f64]) -> BayUnknowns {
         let by_h = self.by_h();
         let mut rest = x;
         for (spread, z) in self.spreads.iter().zip(z) {
@@ -68,23 +68,23 @@ impl Misses {
             .zip(z)
             .map(|(spread, z)| (z - spread.hv * h) / spread.vv)
             .collect();
-        State { h, offsets }
+        BayUnknowns { h, offsets }
     }
 
-    /// Whether every bay is off the bed, so that its rise answers to its offset.
-    fn answers(&self) -> bool {
+    /// Whether every bay is off the bed, so that its rise depends on its offset.
+    fn is_regular(&self) -> bool {
         self.spreads.iter().all(|spread| spread.vv > 0.0)
     }
 
-    /// Derivative of the energy along a step: less than zero while it pays to go on.
-    fn along(&self, step: &State) -> f64 {
+    /// Derivative of the energy along a step: negative while the energy falls.
+    fn along(&self, step: &BayUnknowns) -> f64 {
         let z: f64 = self.z.iter().zip(&step.offsets).map(|(a, b)| a * b).sum();
         -(self.x * step.h + z)
     }
 }
 
-fn moved(state: &State, step: &State, part: f64) -> State {
-    State {
+fn moved(state: &BayUnknowns, step: &BayUnknowns, part: f64) -> BayUnknowns {
+    BayUnknowns {
         h: state.h + part * step.h,
         offsets: state
             .offsets
@@ -96,45 +96,50 @@ fn moved(state: &State, step: &State, part: f64) -> State {
 }
 
 /// Size of a step over the size of the forces at the bays' ends.
-pub(super) fn relative(step: &State, state: &State, top: f64) -> f64 {
-    // A sum of squares, so that what is not a number stays so.
+pub(super) fn relative(step: &BayUnknowns, state: &BayUnknowns, top: f64) -> f64 {
+    // A sum of squares, so that NaN is kept.
     let squares: f64 = step.offsets.iter().map(|v| v * v).sum();
     (step.h * step.h + squares).sqrt() / top.max(state.h).max(1e-200)
 }
 
-/// From `start` to the minimum; the number of looks at the line taken. By Newton's method, and where that
-/// dawdles (nearly slack lines are all corners) by bisection within bisection, which cannot.
-pub(super) fn settle(
-    chain: &Chain,
+/// From `start` to the minimum; with the number of evaluations. By Newton's method, and where that
+/// converges slowly (nearly slack lines have corners everywhere) by bisection within bisection.
+pub(super) fn minimise(
+    chain: &Elements,
     bays: &[Bay],
-    start: State,
+    start: BayUnknowns,
     x: f64,
-    top: impl Fn(&State) -> f64,
-) -> (State, u32) {
-    let (state, looks, done) = descend(chain, bays, start, x, top);
+    top: impl Fn(&BayUnknowns) -> f64,
+) -> (BayUnknowns, u32) {
+    let (state, evaluations, done) = newton(chain, bays, start, x, top);
     if done {
-        return (state, looks);
+        return (state, evaluations);
     }
-    match nested(chain, bays, &state, x) {
-        Some((state, more)) => (state, looks + more),
-        None => (state, looks),
+    match nested_bisection(chain, bays, &state, x) {
+        Some((state, more)) => (state, evaluations + more),
+        None => (state, evaluations),
     }
 }
 
 /// For every H the offsets that give the rises; then the reach rises with H alone.
-fn nested(chain: &Chain, bays: &[Bay], start: &State, x: f64) -> Option<(State, u32)> {
+fn nested_bisection(
+    chain: &Elements,
+    bays: &[Bay],
+    start: &BayUnknowns,
+    x: f64,
+) -> Option<(BayUnknowns, u32)> {
     let mut offsets = start.offsets.clone();
     let mut at = |h: f64| {
         for (bay, offset) in bays.iter().zip(&mut offsets) {
-            *offset = lift(chain, bay, h, *offset).unwrap_or(f64::NAN);
+            *offset = offset_for_rise(chain, bay, h, *offset).unwrap_or(f64::NAN);
         }
-        State {
+        BayUnknowns {
             h,
             offsets: offsets.clone(),
         }
     };
     let root = increasing_root(start.h.max(1e-200), f64::INFINITY, |h| {
-        let here = misses(chain, bays, &at(h), x);
+        let here = residuals(chain, bays, &at(h), x);
         Sample {
             value: -here.x,
             log_slope: h * here.by_h(),
@@ -144,24 +149,24 @@ fn nested(chain: &Chain, bays: &[Bay], start: &State, x: f64) -> Option<(State, 
     Some((at(root.x), root.evaluations))
 }
 
-/// Newton's method; tells whether it arrived.
-fn descend(
-    chain: &Chain,
+/// Newton's method, and whether it converged.
+fn newton(
+    chain: &Elements,
     bays: &[Bay],
-    start: State,
+    start: BayUnknowns,
     x: f64,
-    top: impl Fn(&State) -> f64,
-) -> (State, u32, bool) {
+    top: impl Fn(&BayUnknowns) -> f64,
+) -> (BayUnknowns, u32, bool) {
     let mut state = start;
-    let mut here = misses(chain, bays, &state, x);
-    let mut looks = 1;
+    let mut here = residuals(chain, bays, &state, x);
+    let mut evaluations = 1;
     let mut before = f64::INFINITY;
-    while looks < LIMIT {
+    while evaluations < LIMIT {
         let step = here.step(here.x, &here.z);
         let size = relative(&step, &state, top(&state));
-        // Rounding: steps no longer shrink, or are nothing.
+        // Rounding: steps no longer shrink, or vanish.
         if size.is_nan() || size <= 1e-15 || (size < 1e-9 && size > 0.3 * before) {
-            return (state, looks, size < 1e-9);
+            return (state, evaluations, size < 1e-9);
         }
         before = size;
         let slope = here.along(&step);
@@ -171,11 +176,11 @@ fn descend(
         }
         loop {
             let next = moved(&state, &step, part);
-            let there = misses(chain, bays, &next, x);
-            looks += 1;
+            let there = residuals(chain, bays, &next, x);
+            evaluations += 1;
             let slope_there = there.along(&step);
-            let good = slope_there <= -0.5 * slope && there.answers();
-            if good || size < 1e-9 || looks >= LIMIT {
+            let good = slope_there <= -0.5 * slope && there.is_regular();
+            if good || size < 1e-9 || evaluations >= LIMIT {
                 state = next;
                 here = there;
                 break;
@@ -186,28 +191,28 @@ fn descend(
             }
         }
     }
-    (state, looks, false)
+    (state, evaluations, false)
 }
 
 /// The offset at which a bay has its rise for a given H, zero included; the rise grows with the offset.
-pub(super) fn lift(chain: &Chain, bay: &Bay, h: f64, guess: f64) -> Option<f64> {
-    climb(chain, guess, |at| {
-        let spread = chain.spread(bay, h, at);
+pub(super) fn offset_for_rise(chain: &Elements, bay: &Bay, h: f64, guess: f64) -> Option<f64> {
+    decreasing_root(chain, guess, |at| {
+        let spread = chain.bay_reach(bay, h, at);
         (bay.rise - spread.z, spread.vv)
     })
 }
 
-/// The offset at which a miss that falls with it is zero; `look` gives the miss and how fast it falls.
-pub(super) fn climb(
-    chain: &Chain,
+/// The offset at which a residual that decreases with it is zero; `eval` gives the residual and minus its slope.
+pub(super) fn decreasing_root(
+    chain: &Elements,
     guess: f64,
-    mut look: impl FnMut(f64) -> (f64, f64),
+    mut eval: impl FnMut(f64) -> (f64, f64),
 ) -> Option<f64> {
     let weight: f64 = chain.elements.iter().map(|e| e.total().abs()).sum();
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     let (mut at, mut reach) = (guess, weight);
     for _ in 0..2000 {
-        let (miss, slope) = look(at);
+        let (miss, slope) = eval(at);
         if miss > 0.0 {
             low = at;
         } else {

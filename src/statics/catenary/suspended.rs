@@ -1,4 +1,4 @@
-//! The line that hangs free between its ends.
+//! The suspended line: an elastic catenary that touches nothing between its ends.
 //!
 //! Two equations in the unknown forces (see `span`) become one. With `ξ = atanh(w L/(T_a + T_b))`, that
 //! is `T_m = (wL/2) coth ξ`, the formulas for dx and dz give the mean forces straight away,
@@ -13,7 +13,7 @@
 //! (x/L)² (g² - 1) + (z/L)² (k² - 1) = 1 - (x² + z²)/L²,   g = cosh ξ/(c + e),   k = 1/(1 + e)
 //! ```
 //!
-//! g and k both rise with ξ (e falls, and tanh ξ exceeds the relative growth of c), so there is one root.
+//! g and k both increase with ξ (e falls, and tanh ξ exceeds the relative growth of c), so there is one root.
 //! `g² - 1` is sag and `k² - 1` is stretch; written as differences from 1 they keep their digits
 //! however taut or stiff the line, and the right side is formed with 32 digits. For EA → ∞ this is the
 //! textbook `sqrt(L² - z²) = (2H/w) sinh(wx/2H)`.
@@ -22,9 +22,9 @@ use crate::numerics::double_double::DoubleDouble;
 use crate::numerics::hyperbolic::hyperbolic;
 use crate::numerics::log_newton::{Root, Sample, increasing_root};
 
-/// The forces of a free line: horizontal, and the mean of the vertical ones.
+/// The forces of a suspended line: horizontal, and the mean of the vertical ones.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Free {
+pub(super) struct SuspendedForces {
     pub h: f64,
     pub v_mean: f64,
     /// The root ξ, to start a neighbouring line from.
@@ -32,19 +32,19 @@ pub(super) struct Free {
     pub iterations: u32,
 }
 
-/// A sunk line made dimensionless.
+/// A sinking line made dimensionless.
 #[derive(Debug, Clone, Copy)]
-struct Problem {
+struct Dimensionless {
     /// x/L, z/L
     x: f64,
     z: f64,
     /// wL/(2 EA)
     kappa: f64,
     /// 1 - (x² + z²)/L²
-    spare: f64,
+    excess: f64,
 }
 
-/// Ends nearer to plumb than this part of the length are plumb.
+/// Ends nearer to a vertical than this share of the length are above each other.
 const PLUMB: f64 = 1e-120;
 /// No root lies beyond: cosh ξ would exceed what [`PLUMB`] allows.
 const STEEPEST: f64 = 300.0;
@@ -59,12 +59,12 @@ pub(super) fn solve(
     w: f64,
     ea: f64,
     seed: Option<f64>,
-) -> Option<Free> {
-    let p = Problem {
+) -> Option<SuspendedForces> {
+    let p = Dimensionless {
         x: x / length,
         z: z / length,
         kappa: 0.5 * w * length / ea,
-        spare: spare(x, z, length),
+        excess: excess(x, z, length),
     };
     if p.x < PLUMB {
         return Some(plumb(z, length, w, ea));
@@ -74,10 +74,10 @@ pub(super) fn solve(
 }
 
 /// A line with one end straight above the other: taut, or doubled over with its parts hanging straight.
-fn plumb(z: f64, length: f64, w: f64, ea: f64) -> Free {
+fn plumb(z: f64, length: f64, w: f64, ea: f64) -> SuspendedForces {
     let half = 0.5 * w * length;
     let taut = ea * ((z.abs() - length) / length);
-    Free {
+    SuspendedForces {
         h: 0.0,
         v_mean: if taut >= half {
             taut.copysign(z)
@@ -90,12 +90,12 @@ fn plumb(z: f64, length: f64, w: f64, ea: f64) -> Free {
 }
 
 /// `1 - (x² + z²)/L²` without cancellation.
-fn spare(x: f64, z: f64, length: f64) -> f64 {
+fn excess(x: f64, z: f64, length: f64) -> f64 {
     let square = |a: f64| DoubleDouble::from(a) * a;
     (square(length) - square(x) - square(z)).value() / (length * length)
 }
 
-impl Problem {
+impl Dimensionless {
     fn root(&self, seed: Option<f64>) -> Option<Root> {
         let guess = seed.unwrap_or_else(|| self.guess());
         increasing_root(guess, STEEPEST, |xi| self.value(xi))
@@ -124,9 +124,9 @@ impl Problem {
         let dlng = xi * sh / ch - (de + dc) / (c + e);
         let stretch_term = self.z * self.z * stretch;
         Sample {
-            value: sag_term + stretch_term - self.spare,
+            value: sag_term + stretch_term - self.excess,
             log_slope: 2.0 * (xg * xg * dlng - zk * zk * k * de),
-            scale: sag_term.abs() - stretch_term + self.spare.abs(),
+            scale: sag_term.abs() - stretch_term + self.excess.abs(),
         }
     }
 
@@ -141,15 +141,15 @@ impl Problem {
         } else {
             stiff_guess(cube / 15.0)
         };
-        let guess = if self.spare > 0.0 {
-            stiff_guess(self.spare / x2).max(at_rest)
+        let guess = if self.excess > 0.0 {
+            stiff_guess(self.excess / x2).max(at_rest)
         } else {
-            let strain = -self.spare / (1.0 + (1.0 - self.spare).sqrt());
+            let strain = -self.excess / (1.0 + (1.0 - self.excess).sqrt());
             let ratio = self.kappa / strain;
             if ratio < 0.95 {
                 ratio.atanh().min(at_rest)
             } else {
-                // Stretched by little more than its own weight: as steep as the spare length allows.
+                // Stretched by little more than its own weight: as steep as the excess length allows.
                 let hung = 1.0 + self.kappa;
                 stiff_guess(((hung * hung - z2) / x2).max(1.0)).min(at_rest.max(2.0))
             }
@@ -157,7 +157,7 @@ impl Problem {
         guess.min(most)
     }
 
-    fn forces(&self, root: Root, load: f64) -> Free {
+    fn forces(&self, root: Root, load: f64) -> SuspendedForces {
         let f = hyperbolic(root.x);
         let coth = if root.x < 30.0 {
             (1.0 + f.cosh_minus_1) / f.sinh
@@ -166,7 +166,7 @@ impl Problem {
         };
         let tm = 0.5 * load * coth;
         let e = self.kappa * coth;
-        Free {
+        SuspendedForces {
             h: self.x * tm / (root.x * coth + e),
             v_mean: self.z * tm / (1.0 + e),
             xi: root.x,
@@ -198,8 +198,13 @@ mod tests {
             (0.9, 0.9, 0.1),
             (1e-4, 0.3, 2.0),
         ] {
-            let spare = 1.0 - x * x - z * z;
-            let p = Problem { x, z, kappa, spare };
+            let excess = 1.0 - x * x - z * z;
+            let p = Dimensionless {
+                x,
+                z,
+                kappa,
+                excess,
+            };
             for xi in [1e-3_f64, 0.1, 0.9, 1.1, 5.0, 12.0] {
                 let d = 1e-5;
                 let (up, down) = (p.value(xi * (1.0 + d)).value, p.value(xi * (1.0 - d)).value);

@@ -1,22 +1,23 @@
 //! From a settled pattern of a composite line to a verified solution, and its drawing.
 
-use super::build::BELIEVED;
-use super::chain::{Chain, Part};
-use super::composite::{Pattern, Problem};
-use super::descent::{Misses, State, misses, relative};
+use super::candidate::Candidate;
+use super::composite::{CompositeLine, ContactPattern};
+use super::convex_newton::{BayUnknowns, Residuals, relative, residuals};
+use super::elements::{Elements, SuspendedPart};
 use super::error::CatenaryError;
-use super::solution::{Kind, Piece, Pieces, Seed, Shape, Solution};
+use super::profile::{PieceLaw, Pieces, ProfileBuilder};
+use super::solution::{Seed, Shape, Solution};
 
-impl Problem {
+impl CompositeLine {
     /// Newton steps on the misses with 30 digits until they are rounding; the error left.
-    fn verify(&self, pattern: &Pattern) -> (State, f64, [[f64; 2]; 2]) {
+    fn verify(&self, pattern: &ContactPattern) -> (BayUnknowns, f64, [[f64; 2]; 2]) {
         let (chain, bays) = (&self.chain, &pattern.bays);
         let mut best = (pattern.state.clone(), f64::INFINITY);
         let mut state = pattern.state.clone();
         let mut stiffness = [[0.0; 2]; 2];
         for _ in 0..3 {
-            let here = misses(chain, bays, &state, self.x);
-            let (mut x, z) = chain.misses(bays, state.h, &state.offsets, self.x);
+            let here = residuals(chain, bays, &state, self.x);
+            let (mut x, z) = chain.residuals(bays, state.h, &state.offsets, self.x);
             // Lying all the way, exactly as long as its bed: the rounding of the length is no stretch.
             let rounding = 4.0 * f64::EPSILON * chain.length;
             if pattern.slack || (bays.is_empty() && x.abs() <= rounding) {
@@ -41,7 +42,7 @@ impl Problem {
     }
 
     /// Change of (H, V) at B per metre of B; along the bed only when B lies on it.
-    fn stiffness(&self, pattern: &Pattern, here: &Misses) -> [[f64; 2]; 2] {
+    fn stiffness(&self, pattern: &ContactPattern, here: &Residuals) -> [[f64; 2]; 2] {
         let mut z = vec![0.0; pattern.bays.len()];
         let by_x = here.step(if pattern.slack { 0.0 } else { 1.0 }, &z);
         let to_b = pattern.bays.last().is_some_and(|bay| bay.onto.is_none());
@@ -54,9 +55,9 @@ impl Problem {
         [[by_x.h, by_z.h], [by_x.offsets[last], by_z.offsets[last]]]
     }
 
-    pub(super) fn finish(&self, pattern: &Pattern) -> Result<Solution, CatenaryError> {
+    pub(super) fn finish(&self, pattern: &ContactPattern) -> Result<Solution, CatenaryError> {
         let (state, residual, stiffness) = self.verify(pattern);
-        let on_bed = self.lying(pattern);
+        let on_bed = self.grounded_length(pattern);
         let first = pattern.bays.first().zip(state.offsets.first());
         let v_a = first.map_or(0.0, |(bay, offset)| {
             if bay.from.is_none() {
@@ -73,35 +74,21 @@ impl Problem {
                 (offset + self.chain.weight).min(0.0)
             }
         });
-        let sound = state.h.is_finite() && v_a.is_finite() && v_b.is_finite();
-        if !(sound && residual <= BELIEVED) {
-            return Err(CatenaryError::NotVerified {
-                error: residual,
-                iterations: pattern.looks,
-            });
-        }
-        let up = self.frame.up;
-        let [[xx, xz], [zx, zz]] = stiffness;
-        Ok(Solution {
-            h_a_n: state.h,
-            v_a_n: up * v_a,
-            h_b_n: state.h,
-            v_b_n: up * v_b,
-            on_bed_m: on_bed,
+        let candidate = Candidate {
+            ends: [(state.h, v_a), (state.h, v_b)],
+            on_bed,
             shape: self.shape(pattern, on_bed),
-            against_surface: up < 0.0 && on_bed > 0.0,
-            iterations: pattern.looks,
+            iterations: pattern.evaluations,
             residual,
-            stiffness_n_per_m: [[xx, up * xz], [up * zx, zz]],
-            frame: self.frame,
-            pieces: Pieces::Many(self.pieces(pattern, &state)),
+            stiffness,
             seed: Seed::None,
-        })
+        };
+        candidate.verified(self.frame, self.pieces(pattern, &state))
     }
 
-    fn shape(&self, pattern: &Pattern, on_bed: f64) -> Shape {
+    fn shape(&self, pattern: &ContactPattern, on_bed: f64) -> Shape {
         let from_a = pattern.bays.first().is_none_or(|bay| bay.from.is_some());
-        match (pattern.resting.len(), pattern.slack) {
+        match (pattern.grounded.len(), pattern.slack) {
             (0, true) => Shape::HangingDouble,
             (0, false) => Shape::Hanging,
             _ if on_bed <= 0.0 && from_a => Shape::Hanging,
@@ -119,70 +106,51 @@ impl Problem {
         }
     }
 
-    /// Hanging and lying stretches in order.
-    fn pieces(&self, pattern: &Pattern, state: &State) -> Vec<Piece> {
-        let mut drawing = Drawing::new(self, pattern, state.h);
+    /// Suspended and grounded parts in order.
+    fn pieces(&self, pattern: &ContactPattern, state: &BayUnknowns) -> Pieces {
+        let mut profile = CompositeProfile::new(self, pattern, state.h);
         for (bay, offset) in pattern.bays.iter().zip(&state.offsets) {
             for part in self.chain.parts(bay, *offset) {
-                drawing.lie_until(part.element, part.begin);
-                drawing.hang(&part);
+                profile.ground_until(part.element, part.begin);
+                profile.suspend(&part);
             }
         }
-        drawing.lie_until(self.last() + 1, 0.0);
-        drawing.pieces
+        profile.ground_until(self.last() + 1, 0.0);
+        profile.builder.pieces()
     }
 }
 
-/// Places stretches one after the other.
-struct Drawing<'a> {
-    chain: &'a Chain,
+/// The profile of a line up to a point of one of its elements.
+struct CompositeProfile<'a> {
+    chain: &'a Elements,
     h: f64,
-    /// How much of the room on the bed a slack metre takes up.
+    /// Distance on the bed that a slack metre takes up.
     crowding: f64,
     /// Element reached and how far into it.
     element: usize,
     within: f64,
-    arc: f64,
-    x: f64,
-    z: f64,
-    pieces: Vec<Piece>,
+    builder: ProfileBuilder,
 }
 
-impl<'a> Drawing<'a> {
-    fn new(problem: &'a Problem, pattern: &Pattern, h: f64) -> Self {
-        let lying = problem.lying(pattern);
+impl<'a> CompositeProfile<'a> {
+    fn new(line: &'a CompositeLine, pattern: &ContactPattern, h: f64) -> Self {
+        let grounded = line.grounded_length(pattern);
         Self {
-            chain: &problem.chain,
+            chain: &line.chain,
             h,
-            crowding: if pattern.slack && lying > 0.0 {
-                problem.x / lying
+            crowding: if pattern.slack && grounded > 0.0 {
+                line.x / grounded
             } else {
                 1.0
             },
             element: 0,
             within: 0.0,
-            arc: 0.0,
-            x: 0.0,
-            z: 0.0,
-            pieces: Vec::new(),
+            builder: ProfileBuilder::default(),
         }
     }
 
-    fn push(&mut self, length: f64, kind: Kind, dx: f64, dz: f64) {
-        self.pieces.push(Piece {
-            from: self.arc,
-            length,
-            x: self.x,
-            z: self.z,
-            kind,
-        });
-        self.arc += length;
-        self.x += dx;
-        self.z += dz;
-    }
-
-    /// What lies between here and the given place.
-    fn lie_until(&mut self, element: usize, within: f64) {
+    /// The grounded part from here to the given point.
+    fn ground_until(&mut self, element: usize, within: f64) {
         while self.element < element || (self.element == element && self.within < within) {
             let Some(section) = self.chain.elements.get(self.element) else {
                 return;
@@ -192,24 +160,7 @@ impl<'a> Drawing<'a> {
             } else {
                 section.length
             };
-            let length = end - self.within;
-            if length > 0.0 && self.h > 0.0 {
-                let kind = Kind::Lying {
-                    end: self.h,
-                    loss: 0.0,
-                    cos: 1.0,
-                    sin: 0.0,
-                    ea: section.ea,
-                };
-                self.push(length, kind, length * (1.0 + self.h / section.ea), 0.0);
-            } else if length > 0.0 {
-                let dx = length * self.crowding;
-                let kind = Kind::Heap {
-                    x: self.x + dx,
-                    z: self.z,
-                };
-                self.push(length, kind, dx, 0.0);
-            }
+            self.ground(end - self.within, section.ea);
             if self.element == element {
                 self.within = within;
             } else {
@@ -219,16 +170,26 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    fn hang(&mut self, part: &Part) {
+    fn ground(&mut self, length: f64, ea: f64) {
+        if length > 0.0 && self.h > 0.0 {
+            let law = PieceLaw::Grounded {
+                end: self.h,
+                loss: 0.0,
+                cos: 1.0,
+                sin: 0.0,
+                ea,
+            };
+            let dx = length * (1.0 + self.h / ea);
+            self.builder.push(length, law, (dx, 0.0));
+        } else if length > 0.0 {
+            let (dx, z) = (length * self.crowding, self.builder.z());
+            self.builder.slack(length, (dx, 0.0), z);
+        }
+    }
+
+    fn suspend(&mut self, part: &SuspendedPart) {
         let span = self.chain.part_span(part);
-        let (dx, dz) = span.reach(self.h, part.va);
-        let kind = Kind::Hanging {
-            h: self.h,
-            va: part.va,
-            w: span.weight,
-            ea: span.ea,
-        };
-        self.push(span.length, kind, dx, dz);
+        self.builder.suspend(&span, self.h, part.va);
         self.element = part.element;
         self.within = part.begin + part.length;
     }

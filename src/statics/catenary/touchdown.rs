@@ -1,4 +1,5 @@
-//! A line that lies on the bed from A and rises to B; the bed flat or evenly sloping, with friction.
+//! Touchdown: a line of one section grounded from A to the touchdown point and suspended from there to B, on a level or
+//! sloping bed with friction.
 //!
 //! The slope is `θ`, `tan θ = sinh a`. The line leaves the bed along it, so with `β` the growth of
 //! `asinh(V/H)` from there to B everything hangs on H and β (V = H sinh(a + β) at B):
@@ -9,61 +10,58 @@
 //! x/cos θ = L + e_bed + H s cosh a/EA - (H/w) R   R = sinh(a+β) - sinh a - β cosh a = sinh a (cosh β - 1) + cosh a (sinh β - β)
 //! ```
 //!
-//! where s is the hanging length and ζ the height of B above the bed's line, measured vertically. The
-//! second is quadratic in H, so β is the only unknown; the third falls with β. `R` is the length that
-//! sag takes out, free of cancellation. On a level bed (a = 0) these are Jonkman's (2007) eqs 2-37, 2-38.
+//! where s is the suspended length and ζ the height of B above the bed's line, measured vertically. The
+//! second is quadratic in H, so β is the only unknown; the third falls with β. `R`, the length that
+//! sag takes out, is free of cancellation. On a level bed (a = 0) these are Jonkman's (2007) eqs 2-37, 2-38.
 //!
 //! On the bed tension falls from `T_0 = H cosh a` towards A by `w (sin θ + μ cos θ)` per metre and, where
 //! friction can hold the line (μ >= |tan θ|), stays at zero once it gets there.
 
 use super::error::CatenaryError;
-use super::solution::lying_sum;
+use super::profile::grounded_tension_sum;
+use super::slope::Slope;
 use super::span::Span;
 use crate::numerics::double_double::DoubleDouble;
 use crate::numerics::hyperbolic::hyperbolic;
 use crate::numerics::log_newton::{Sample, increasing_root};
 
-/// The line in the solver's plane: sunk, B to the right, A on the bed.
+/// The line in the local frame: weight downwards, B to the right, A on the bed.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Incline {
+pub(super) struct TouchdownLine {
     pub x: f64,
     pub z: f64,
     pub length: f64,
     pub w: f64,
     pub ea: f64,
-    /// Of the slope.
-    pub sin: f64,
-    pub cos: f64,
-    pub tan: f64,
-    pub friction: f64,
+    pub slope: Slope,
     /// Height of B above the bed's line.
     pub height: f64,
 }
 
-/// What the line does.
+/// How the line touches the bed.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Outcome {
-    /// Lies on the bed, then rises.
-    Partly(State, u32),
-    /// Lies all the way, with this tension at B.
-    Wholly(f64),
-    /// Hangs straight down from B with this length; the rest lies slack.
+pub(super) enum BedContact {
+    /// Grounded from A to the touchdown point, then suspended.
+    Partial(TouchdownUnknowns, u32),
+    /// Grounded from end to end, with this tension at B.
+    Full(f64),
+    /// Suspended vertically from B over this length; the rest is slack on the bed.
     Slack(f64),
-    /// Does not touch the bed but at A.
-    Lifted,
+    /// Clear of the bed but at A.
+    Clear,
 }
 
-/// The two unknowns.
+/// Horizontal force at B, and the growth β of asinh(V/H) from touchdown to B.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct State {
+pub(super) struct TouchdownUnknowns {
     pub h: f64,
     pub beta: f64,
 }
 
-/// Everything at one state, with derivatives by (H, β).
+/// The suspended leg and the line's reach, with derivatives by (H, β).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Leg {
-    /// Hanging length.
+    /// Suspended length.
     pub s: f64,
     /// Along-bed gain e_bed + H s cosh a/EA - (H/w) R, so that x/cos θ = L + gain.
     gain: f64,
@@ -77,42 +75,26 @@ pub(super) struct Leg {
 /// Beyond this β the horizontal force is 1e-130 of the weight.
 const STEEPEST: f64 = 300.0;
 
-impl Incline {
+impl TouchdownLine {
     fn cosh_a(&self) -> f64 {
-        1.0 / self.cos
-    }
-
-    /// 1/cos θ - 1
-    pub(super) fn longer(&self) -> f64 {
-        self.tan * self.tan / (1.0 + self.cosh_a())
+        1.0 / self.slope.cos
     }
 
     /// Unstretched length beyond the distance along the bed.
-    pub(super) fn spare(&self) -> f64 {
-        (self.length - self.x) - self.x * self.longer()
+    pub(super) fn excess_length(&self) -> f64 {
+        (self.length - self.x) - self.x * self.slope.secant_minus_1()
     }
 
     /// Loss of tension per metre of bed towards A.
     pub(super) fn loss(&self) -> f64 {
-        self.w * (self.sin + self.friction * self.cos)
+        self.w * self.slope.drop()
     }
 
-    /// Whether friction holds slack line on the slope.
-    fn holds(&self) -> bool {
-        self.friction >= self.tan.abs()
-    }
-
-    fn slides(&self) -> CatenaryError {
-        CatenaryError::SlackOnSlope {
-            needed: self.tan.abs(),
-        }
-    }
-
-    /// Tension summed along the bed, and its derivatives by the tension at the lift-off and by the
-    /// length on the bed. Without enough friction tension may run negative here; refused afterwards.
+    /// Tension integrated along the bed, with its derivatives by the tension at touchdown and by the grounded length. Where
+    /// friction does not hold the line this tension may be negative; the caller refuses that.
     fn bed_sum(&self, t0: f64, on_bed: f64) -> (f64, f64, f64) {
         let loss = self.loss();
-        if self.holds() && loss > 0.0 && t0 < loss * on_bed {
+        if self.slope.holds() && loss > 0.0 && t0 < loss * on_bed {
             return (0.5 * t0 * t0 / loss, t0 / loss, 0.0);
         }
         (
@@ -125,17 +107,17 @@ impl Incline {
     /// The horizontal force that lifts B to its height at this β.
     fn force(&self, beta: f64) -> f64 {
         let f = hyperbolic(beta);
-        let (ca, sa) = (self.cosh_a(), self.tan);
+        let (ca, sa) = (self.cosh_a(), self.slope.tan);
         let q = sa * f.cosh_minus_1 + ca * f.sinh;
         let p = ca * f.cosh_minus_1 + sa * f.sinh_minus_x;
         let load = 2.0 * self.height * self.w;
         load / (p + (p * p + load / self.ea * q * q).sqrt())
     }
 
-    pub(super) fn leg(&self, state: State) -> Leg {
-        let State { h, beta } = state;
+    pub(super) fn leg(&self, state: TouchdownUnknowns) -> Leg {
+        let TouchdownUnknowns { h, beta } = state;
         let f = hyperbolic(beta);
-        let (ca, sa, w, ea) = (self.cosh_a(), self.tan, self.w, self.ea);
+        let (ca, sa, w, ea) = (self.cosh_a(), self.slope.tan, self.w, self.ea);
         let q = sa * f.cosh_minus_1 + ca * f.sinh;
         let p = ca * f.cosh_minus_1 + sa * f.sinh_minus_x;
         let r = sa * f.cosh_minus_1 + ca * f.sinh_minus_x;
@@ -161,38 +143,38 @@ impl Incline {
         }
     }
 
-    /// What the line does; `seed` is a β to start from.
-    pub(super) fn solve(&self, seed: Option<f64>) -> Result<Outcome, CatenaryError> {
+    /// The contact with the bed; `seed` is a β to start from.
+    pub(super) fn solve(&self, seed: Option<f64>) -> Result<BedContact, CatenaryError> {
         if self.height <= 0.0 {
             return self.wholly();
         }
-        // Hanging straight: w ζ = v + v²/(2EA)
+        // Suspended vertically: w ζ = v + v²/(2EA)
         let load = 2.0 * self.w * self.height;
         let straight = load / (1.0 + (1.0 + load / self.ea).sqrt()) / self.w;
         if straight <= self.length {
             let on_bed = self.length - straight;
-            let slack = self.spare() - straight + self.bed_sum(0.0, on_bed).0 / self.ea;
+            let slack = self.excess_length() - straight + self.bed_sum(0.0, on_bed).0 / self.ea;
             if slack >= 0.0 {
-                return if self.holds() {
-                    Ok(Outcome::Slack(straight))
+                return if self.slope.holds() {
+                    Ok(BedContact::Slack(straight))
                 } else {
-                    Err(self.slides())
+                    Err(self.slope.slides())
                 };
             }
         }
         self.partly(seed.unwrap_or_else(|| self.guess(straight)))
     }
 
-    fn partly(&self, guess: f64) -> Result<Outcome, CatenaryError> {
-        let spare = self.spare();
-        let mut lifted = false;
+    fn partly(&self, guess: f64) -> Result<BedContact, CatenaryError> {
+        let excess = self.excess_length();
+        let mut clear = false;
         let root = increasing_root(guess, STEEPEST, |beta| {
             let h = self.force(beta);
-            let leg = self.leg(State { h, beta });
-            let value = -spare - leg.gain;
-            // Too much line off the bed already, and tauter takes more. (Not so down a steep slope.)
-            if value > 0.0 && leg.s > self.length && self.sin >= 0.0 {
-                lifted = true;
+            let leg = self.leg(TouchdownUnknowns { h, beta });
+            let value = -excess - leg.gain;
+            // More than the whole line is suspended, and a greater β suspends more (not so down a steep slope).
+            if value > 0.0 && leg.s > self.length && self.slope.sin >= 0.0 {
+                clear = true;
                 return Sample {
                     value: f64::NAN,
                     log_slope: 1.0,
@@ -204,12 +186,12 @@ impl Incline {
             Sample {
                 value,
                 log_slope: slope,
-                scale: spare.abs() + leg.gain.abs(),
+                scale: excess.abs() + leg.gain.abs(),
             }
         });
         let Some(root) = root else {
-            return if lifted {
-                Ok(Outcome::Lifted)
+            return if clear {
+                Ok(BedContact::Clear)
             } else {
                 Err(CatenaryError::NotVerified {
                     error: f64::INFINITY,
@@ -217,49 +199,49 @@ impl Incline {
                 })
             };
         };
-        let state = State {
+        let state = TouchdownUnknowns {
             h: self.force(root.x),
             beta: root.x,
         };
         let s = self.leg(state).s;
         if s > self.length {
-            return Ok(Outcome::Lifted);
+            return Ok(BedContact::Clear);
         }
         let at_a = state.h * self.cosh_a() - self.loss() * (self.length - s);
-        if at_a < 0.0 && !self.holds() {
-            return Err(self.slides());
+        if at_a < 0.0 && !self.slope.holds() {
+            return Err(self.slope.slides());
         }
-        Ok(Outcome::Partly(state, root.evaluations))
+        Ok(BedContact::Partial(state, root.evaluations))
     }
 
-    /// B on the bed: a bar on a slope.
-    fn wholly(&self) -> Result<Outcome, CatenaryError> {
-        let stretch = -self.ea * self.spare();
+    /// B on the bed: a bar on a slope, with friction.
+    fn wholly(&self) -> Result<BedContact, CatenaryError> {
+        let stretch = -self.ea * self.excess_length();
         let loss = self.loss();
         let whole = stretch / self.length + 0.5 * loss * self.length;
         if whole >= loss * self.length && whole >= 0.0 {
-            return Ok(Outcome::Wholly(whole));
+            return Ok(BedContact::Full(whole));
         }
-        if !self.holds() {
-            return Err(self.slides());
+        if !self.slope.holds() {
+            return Err(self.slope.slides());
         }
         if stretch > 0.0 {
-            return Ok(Outcome::Wholly((2.0 * loss * stretch).sqrt()));
+            return Ok(BedContact::Full((2.0 * loss * stretch).sqrt()));
         }
-        Ok(Outcome::Slack(0.0))
+        Ok(BedContact::Slack(0.0))
     }
 
-    /// Start: parabola when flat, exponential when steep, stretch when too short.
+    /// A starting β: parabola when flat, exponential when steep, stretch when too short.
     fn guess(&self, straight: f64) -> f64 {
-        let spare = self.spare() / straight;
+        let excess = self.excess_length() / straight;
         let soft = 2.0 * self.w * self.height * self.length / self.ea;
         let taut = (3.0 * soft / straight).cbrt();
-        if spare <= 0.0 {
-            let short = -self.spare();
+        if excess <= 0.0 {
+            let short = -self.excess_length();
             return taut.min((soft / short).sqrt()).clamp(1e-150, 20.0);
         }
         // R/P goes from tanh a + β/3 to 1, where it lacks 2(β - 1) exp(-β).
-        let part = ((spare - self.sin) / (1.0 - self.sin)).clamp(0.0, 1.0);
+        let part = ((excess - self.slope.sin) / (1.0 - self.slope.sin)).clamp(0.0, 1.0);
         let slack = if part < 0.6 {
             3.0 * part * (1.0 + 0.4 * part)
         } else {
@@ -269,39 +251,39 @@ impl Incline {
         slack.max(taut.min(3.0)).clamp(1e-150, 290.0)
     }
 
-    /// How far the forces of `state` miss the end, to 30 digits on a level bed.
-    pub(super) fn miss(&self, state: State, leg: &Leg) -> (f64, f64) {
-        let va = DoubleDouble::from(state.h) * self.tan;
+    /// Distance from the end that the forces of `state` reach to B, to 30 digits on a level bed.
+    pub(super) fn residual(&self, state: TouchdownUnknowns, leg: &Leg) -> (f64, f64) {
+        let va = DoubleDouble::from(state.h) * self.slope.tan;
         let span = Span {
             length: leg.s,
             weight: self.w,
             ea: self.ea,
         };
         let (dx, dz) = span.reach_exactly(state.h, va);
-        let t0 = state.h / self.cos;
+        let t0 = state.h / self.slope.cos;
         let on_bed = self.length - leg.s;
         let along = DoubleDouble::from(self.length) + -leg.s + self.bed_sum(t0, on_bed).0 / self.ea;
         // cos θ = 1 - (1/cos θ - 1) cos θ
-        let x = dx + along + -(along.value() * self.longer() * self.cos) + -self.x;
-        let z = dz + along * self.sin + -self.z;
+        let x =
+            dx + along + -(along.value() * self.slope.secant_minus_1() * self.slope.cos) + -self.x;
+        let z = dz + along * self.slope.sin + -self.z;
         (x.value(), z.value())
     }
 
-    /// Force that the rounding of the slope's sine and cosine stands for: on a slope end B is where it is
-    /// asked for only to 16 digits of the distance.
-    pub(super) fn blur(&self, state: State, leg: &Leg) -> f64 {
-        if self.sin == 0.0 {
+    /// Error of force from the rounding of the slope's sine and cosine: on a slope the position of B has 16 digits.
+    pub(super) fn slope_rounding(&self, state: TouchdownUnknowns, leg: &Leg) -> f64 {
+        if self.slope.sin == 0.0 {
             return 0.0;
         }
-        let size = f64::EPSILON * self.x * self.longer();
-        let step = self.step(leg, size * self.cos, size * self.sin);
+        let size = f64::EPSILON * self.x * self.slope.secant_minus_1();
+        let step = self.step(leg, size * self.slope.cos, size * self.slope.sin);
         let (h, v) = Self::force_step(state, leg, step);
         (h * h + v * v).sqrt()
     }
 
     /// Changes of H and β that move B by (x, z).
     pub(super) fn step(&self, leg: &Leg, x: f64, z: f64) -> (f64, f64) {
-        let (along, height) = (x * self.cosh_a(), z - x * self.tan);
+        let (along, height) = (x * self.cosh_a(), z - x * self.slope.tan);
         let [[a, b], [c, d]] = leg.jacobian;
         let det = a * d - b * c;
         (
@@ -311,22 +293,22 @@ impl Incline {
     }
 
     /// Change of (H, V) at B for a step of (H, β).
-    pub(super) fn force_step(state: State, leg: &Leg, step: (f64, f64)) -> (f64, f64) {
+    pub(super) fn force_step(state: TouchdownUnknowns, leg: &Leg, step: (f64, f64)) -> (f64, f64) {
         (step.0, leg.sinh_b * step.0 + state.h * leg.cosh_b * step.1)
     }
 
     /// Vertical force at B.
-    pub(super) fn v_b(&self, state: State, leg: &Leg) -> f64 {
-        self.tan * state.h + self.w * leg.s
+    pub(super) fn v_b(&self, state: TouchdownUnknowns, leg: &Leg) -> f64 {
+        self.slope.tan * state.h + self.w * leg.s
     }
 
-    /// Tension at A of the lying part whose upper end carries `t0`.
+    /// Tension at A of the grounded part whose end towards B carries `t0`.
     pub(super) fn tension_a(&self, t0: f64, on_bed: f64) -> f64 {
         (t0 - self.loss() * on_bed).max(0.0)
     }
 
-    /// Stretched length of the lying part.
-    pub(super) fn lying_length(&self, t0: f64, on_bed: f64) -> f64 {
-        on_bed + lying_sum(t0, self.loss(), on_bed) / self.ea
+    /// Stretched length of the grounded part.
+    pub(super) fn grounded_length(&self, t0: f64, on_bed: f64) -> f64 {
+        on_bed + grounded_tension_sum(t0, self.loss(), on_bed) / self.ea
     }
 }

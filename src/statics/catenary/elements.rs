@@ -1,15 +1,15 @@
 //! A line of several sections with bodies between them, cut where it rests on the bed.
 //!
 //! On a flat, frictionless bed the horizontal force is one number H along the whole line, and where the
-//! line rests its vertical force is zero. Between two resting places the line is a *bay*: there
+//! line is grounded its vertical force is zero. Between two grounded runs the line is a suspended *bay*: there
 //! V(s) = offset + W(s), with W the weight from A up to s, as long as the line is off the bed. In the run
-//! of sunk sections where a bay begins, V counts only while positive; in the run where it ends, only
-//! while negative: that clipping is the touch-down point, and the unknowns are H and one offset a bay.
+//! of sinking sections where a bay begins, V counts only while positive; in the run where it ends, only
+//! while negative: that clipping is the touchdown point, and the unknowns are H and one offset a bay.
 //!
 //! The line's complementary energy `Σ ∫ T + T²/(2EA) ds`, with that clipping, is a convex function of
 //! those unknowns; its derivatives are the reach in x (by H) and the rise of each bay (by its
-//! offset). Equilibrium is its minimum less the work of the given positions: one answer, and every
-//! bay touches the others only through H (an arrow-shaped Hessian, solved by elimination).
+//! offset). Equilibrium is its minimum less the work of the given positions: it is unique, and every
+//! bay is coupled to the others only through H (an arrow-shaped Hessian, solved by elimination).
 
 use super::span::Span;
 use crate::numerics::double_double::DoubleDouble;
@@ -43,32 +43,32 @@ impl Element {
 /// Elements from the first to the last, both included.
 pub(super) type Run = (usize, usize);
 
-/// A bay: from where the line leaves one resting place (or A) to the next (or B).
+/// A suspended bay: from where the line leaves one grounded run (or A) to the next (or B).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bay {
-    /// Elements it can reach over.
+    /// Elements it can extend over.
     pub over: Run,
     /// Run it rises from, and run it comes down on; none at A and at B.
     pub from: Option<Run>,
     pub onto: Option<Run>,
-    /// How much higher its end is than its beginning.
+    /// Height of its end above its beginning.
     pub rise: f64,
 }
 
 /// The line with W at the beginning of every element.
 #[derive(Debug, Clone)]
-pub(super) struct Chain {
+pub(super) struct Elements {
     pub elements: Vec<Element>,
     pub weight_before: Vec<f64>,
     pub length: f64,
     /// Σ L/EA
-    pub give: f64,
+    pub compliance: f64,
     pub weight: f64,
 }
 
-/// A hanging stretch of an element in a bay.
+/// The suspended part of an element in a bay.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Part {
+pub(super) struct SuspendedPart {
     pub element: usize,
     /// Where in the element it begins.
     pub begin: f64,
@@ -77,9 +77,9 @@ pub(super) struct Part {
     pub va: f64,
 }
 
-/// Reach and rise of one bay with their derivatives; reach is beyond lying flat.
+/// Reach and rise of one bay with their derivatives; reach beyond that of line on the bed.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Spread {
+pub(super) struct BayReach {
     /// Σ dx - s (1 + H/EA)
     pub x: f64,
     pub z: f64,
@@ -92,7 +92,7 @@ fn within(run: Option<Run>, element: usize) -> bool {
     run.is_some_and(|(first, last)| (first..=last).contains(&element))
 }
 
-impl Chain {
+impl Elements {
     pub(super) fn new(elements: Vec<Element>) -> Self {
         let mut weight = 0.0;
         let weight_before = elements
@@ -105,7 +105,7 @@ impl Chain {
             .collect();
         Self {
             length: elements.iter().map(|e| e.length).sum(),
-            give: elements
+            compliance: elements
                 .iter()
                 .filter(|e| e.length > 0.0)
                 .map(|e| e.length / e.ea)
@@ -116,16 +116,16 @@ impl Chain {
         }
     }
 
-    /// The hanging parts of a bay in order.
+    /// The suspended parts of a bay in order.
     pub(super) fn parts<'a>(
         &'a self,
         bay: &'a Bay,
         offset: f64,
-    ) -> impl Iterator<Item = Part> + 'a {
+    ) -> impl Iterator<Item = SuspendedPart> + 'a {
         (bay.over.0..=bay.over.1).filter_map(move |index| {
             let element = &self.elements[index];
             let va = offset + self.weight_before[index];
-            let whole = Part {
+            let whole = SuspendedPart {
                 element: index,
                 begin: 0.0,
                 length: element.length,
@@ -137,7 +137,7 @@ impl Chain {
             let vb = va + element.total();
             if within(bay.from, index) && va < 0.0 {
                 let length = if vb > 0.0 { vb / element.weight } else { 0.0 };
-                return (length > 0.0).then_some(Part {
+                return (length > 0.0).then_some(SuspendedPart {
                     begin: element.length - length,
                     length,
                     va: 0.0,
@@ -149,7 +149,7 @@ impl Chain {
             }
             if within(bay.onto, index) && vb > 0.0 {
                 let length = if va < 0.0 { -va / element.weight } else { 0.0 };
-                return (length > 0.0).then_some(Part { length, ..whole });
+                return (length > 0.0).then_some(SuspendedPart { length, ..whole });
             }
             if within(bay.onto, index) && element.weight <= 0.0 && va >= 0.0 {
                 return None;
@@ -158,12 +158,12 @@ impl Chain {
         })
     }
 
-    pub(super) fn part_span(&self, part: &Part) -> Span {
+    pub(super) fn part_span(&self, part: &SuspendedPart) -> Span {
         self.elements[part.element].span(part.length)
     }
 
-    pub(super) fn spread(&self, bay: &Bay, h: f64, offset: f64) -> Spread {
-        let mut sum = Spread::default();
+    pub(super) fn bay_reach(&self, bay: &Bay, h: f64, offset: f64) -> BayReach {
+        let mut sum = BayReach::default();
         for part in self.parts(bay, offset) {
             let span = self.part_span(&part);
             let (dx, dz) = span.reach(h, part.va);
@@ -178,8 +178,14 @@ impl Chain {
         sum
     }
 
-    /// Reach of the whole line and rises of its bays with 30 digits: what they miss.
-    pub(super) fn misses(&self, bays: &[Bay], h: f64, offsets: &[f64], x: f64) -> (f64, Vec<f64>) {
+    /// Reach of the whole line and rises of its bays with 30 digits: given positions minus those reached.
+    pub(super) fn residuals(
+        &self,
+        bays: &[Bay],
+        h: f64,
+        offsets: &[f64],
+        x: f64,
+    ) -> (f64, Vec<f64>) {
         let one_more = |ea: f64| DoubleDouble::from(h) / DoubleDouble::from(ea) + 1.0;
         let mut reach = DoubleDouble::from(-x);
         for element in self.elements.iter().filter(|e| e.length > 0.0) {
