@@ -20,7 +20,7 @@ use crate::numerics::lanes::{self, Number, Two, TwoM3, TwoV3, dot, outer, plus_d
 
 /// Drag of a material.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Profile {
+pub struct DragProperties {
     /// Reynolds number per speed, D / nu \[s/m\].
     pub reynolds: f64,
     /// `1/2 rho D` \[kg/m²\], force per length, coefficient and speed squared.
@@ -91,7 +91,7 @@ impl Split {
     }
 }
 
-impl Profile {
+impl DragProperties {
     /// Drag of both halves of a segment side by side, each of this length \[m\], with tangent t, at the relative velocities of
     /// the water at its two nodes \[m/s\]; with the normal coefficients `held`, where they are.
     #[inline(always)]

@@ -26,12 +26,12 @@ pub struct Friction {
     /// Coefficient across the line \[-\].
     pub lateral: f64,
     /// How it acts.
-    pub law: Law,
+    pub law: FrictionModel,
 }
 
 /// How friction acts.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Law {
+pub enum FrictionModel {
     /// By a grip that holds and is dragged along; its stiffness per area \[N/m³\].
     Grip(f64),
     /// Against the velocity, in full above this speed \[m/s\] and in proportion below it.
@@ -57,7 +57,7 @@ pub struct Grip {
 
 /// Friction on a node and its derivatives.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Held {
+pub struct FrictionForce {
     /// Force \[N\].
     pub force: V3,
     /// Derivative by the node's position \[N/m\].
@@ -117,11 +117,11 @@ impl Friction {
     /// Force by the grip, with its exact derivatives: where the node slides the limit moves with the push, which makes
     /// them unsymmetric.
     #[must_use]
-    pub fn grip(&self, c: &Contact<'_>, grip: &Grip) -> Held {
+    pub fn grip(&self, c: &Contact<'_>, grip: &Grip) -> FrictionForce {
         let (force, slides) = self.grip_force(c, grip);
         let limit = c.push.force;
         if limit <= 0.0 {
-            return Held {
+            return FrictionForce {
                 force,
                 by_position: M3::zeros(),
                 by_velocity: M3::zeros(),
@@ -142,7 +142,7 @@ impl Friction {
             by_pull = (by_pull - pull * (turned / (s * s)).transpose()) * (limit / s);
         }
         let by_push = by_limit * c.normal.transpose();
-        Held {
+        FrictionForce {
             force,
             by_position: by_push * c.push.by_height - by_pull * grip.stiffness,
             by_velocity: by_push * c.push.by_speed - by_pull * grip.damping,
@@ -207,7 +207,7 @@ impl Friction {
 
     /// Force by the regularised law, with its derivatives.
     #[must_use]
-    pub fn regularised(&self, c: &Contact<'_>, slip: f64) -> Held {
+    pub fn regularised(&self, c: &Contact<'_>, slip: f64) -> FrictionForce {
         let v = c.along_bed(c.v);
         let speed = v.norm();
         let (slides, size) = (speed > slip, speed.max(slip));
@@ -217,7 +217,7 @@ impl Friction {
             by_v -= v * v.transpose() / (speed * speed);
         }
         let by_push = share * c.normal.transpose();
-        Held {
+        FrictionForce {
             force: share * c.push.force,
             by_position: by_push * c.push.by_height,
             by_velocity: by_push * c.push.by_speed - by_v * (self.axial * c.push.force / size),
@@ -248,7 +248,7 @@ mod tests {
     }
 
     /// The largest difference between the derivatives and central differences, by the largest derivative.
-    fn mismatch(force: impl Fn(&V3, &V3) -> Held, x: V3, v: V3) -> f64 {
+    fn mismatch(force: impl Fn(&V3, &V3) -> FrictionForce, x: V3, v: V3) -> f64 {
         let held = force(&x, &v);
         let size = held.by_position.amax().max(held.by_velocity.amax());
         let mut worst = 0.0_f64;
@@ -271,7 +271,7 @@ mod tests {
             let friction = Friction {
                 axial,
                 lateral,
-                law: Law::Grip(1e4),
+                law: FrictionModel::Grip(1e4),
             };
             for (off, slides, laid) in [
                 (1e-3, false, false),
@@ -324,7 +324,7 @@ mod tests {
         let friction = Friction {
             axial: 0.5,
             lateral: 0.5,
-            law: Law::Grip(1e4),
+            law: FrictionModel::Grip(1e4),
         };
         let x = -normal * (bed.height(&V3::zeros()) + 0.1);
         let v = V3::zeros();

@@ -14,7 +14,7 @@ use crate::numerics::{M3, V3};
 
 /// Added mass and added moment of inertia.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Entrained {
+pub struct KirchhoffAddedMass {
     /// Across the axis \[kg\].
     pub normal: f64,
     /// Along the axis \[kg\].
@@ -25,7 +25,7 @@ pub struct Entrained {
 
 /// How the body moves. Of both rates of the axis only the part across it counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Moving {
+pub struct RelativeMotion {
     /// The axis, a unit vector.
     pub t: V3,
     /// Velocity of the centre relative to the water \[m/s\].
@@ -38,9 +38,9 @@ pub struct Moving {
     pub gain: V3,
 }
 
-/// Derivatives of a force or a couple by what [`Moving`] tells, each as if it were free.
+/// Derivatives of a force or a couple by what [`RelativeMotion`] tells, each as if it were free.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Slopes {
+pub struct MotionDerivatives {
     /// By the axis.
     pub t: M3,
     /// By the velocity.
@@ -53,7 +53,7 @@ pub struct Slopes {
     pub gain: M3,
 }
 
-impl Entrained {
+impl KirchhoffAddedMass {
     /// The added mass alone.
     #[must_use]
     pub fn mass(&self) -> AddedMass {
@@ -75,7 +75,7 @@ impl Entrained {
 
     /// Force at the centre \[N\] and couple \[N m\] that the motion needs.
     #[must_use]
-    pub fn needs(&self, of: &Moving) -> (V3, V3) {
+    pub fn needs(&self, of: &RelativeMotion) -> (V3, V3) {
         let (force, couple) = self.by_speed(of);
         let gain = of.gain - of.t * of.t.dot(&of.gain);
         (
@@ -86,7 +86,7 @@ impl Entrained {
 
     /// What of that comes of velocities alone: `(A_t - A_n) [(t'.v) t + (t.v) t']` and Munk's couple.
     #[must_use]
-    pub fn by_speed(&self, of: &Moving) -> (V3, V3) {
+    pub fn by_speed(&self, of: &RelativeMotion) -> (V3, V3) {
         let (t, more) = (&of.t, self.excess());
         let ahead = t.dot(&of.v);
         let (aside, turn) = (of.v - t * ahead, of.turn - t * t.dot(&of.turn));
@@ -98,15 +98,15 @@ impl Entrained {
 
     /// Kinetic energy of the water \[J\].
     #[must_use]
-    pub fn energy(&self, of: &Moving) -> f64 {
+    pub fn energy(&self, of: &RelativeMotion) -> f64 {
         let turn = of.turn - of.t * of.t.dot(&of.turn);
         0.5 * of.v.dot(&(self.matrix(&of.t) * of.v)) + 0.5 * self.inertia * turn.norm_squared()
     }
 
     /// Derivatives of force and couple.
     #[must_use]
-    pub fn slopes(&self, of: &Moving) -> [Slopes; 2] {
-        let Moving {
+    pub fn slopes(&self, of: &RelativeMotion) -> [MotionDerivatives; 2] {
+        let RelativeMotion {
             t,
             v,
             a,
@@ -124,14 +124,14 @@ impl Entrained {
             + eye(t.dot(a))
             + t * a.transpose();
         let couple_t = (eye(ahead) + t * v.transpose()) * ahead - aside * v.transpose();
-        let force = Slopes {
+        let force = MotionDerivatives {
             t: force_t * more,
             v: (t * turned.transpose() + turned * t.transpose()) * more,
             a: self.matrix(t),
             turn: (t * aside.transpose() + across * ahead) * more,
             gain: M3::zeros(),
         };
-        let couple = Slopes {
+        let couple = MotionDerivatives {
             t: couple_t * more - (eye(t.dot(gain)) + t * gain.transpose()) * self.inertia,
             v: (aside * t.transpose() + across * ahead) * -more,
             a: M3::zeros(),
@@ -146,14 +146,14 @@ impl Entrained {
 mod tests {
     use super::*;
 
-    const WATER: Entrained = Entrained {
+    const WATER: KirchhoffAddedMass = KirchhoffAddedMass {
         normal: 700.0,
         tangential: 250.0,
         inertia: 180.0,
     };
 
-    fn moving() -> Moving {
-        Moving {
+    fn moving() -> RelativeMotion {
+        RelativeMotion {
             t: V3::new(0.48, -0.6, 0.64),
             v: V3::new(0.3, -0.7, 1.1),
             a: V3::new(-1.0, 0.4, 0.2),
@@ -168,7 +168,7 @@ mod tests {
         for j in 0..3 {
             let mut h = V3::zeros();
             h[j] = 1e-6;
-            let shifted: [fn(&mut Moving, V3); 5] = [
+            let shifted: [fn(&mut RelativeMotion, V3); 5] = [
                 |m, h| m.t += h,
                 |m, h| m.v += h,
                 |m, h| m.a += h,
@@ -214,7 +214,7 @@ mod tests {
     #[test]
     fn a_body_held_askew_feels_munks_moment() {
         let angle = 0.4_f64;
-        let held = Moving {
+        let held = RelativeMotion {
             t: V3::x(),
             v: V3::new(-angle.cos(), -angle.sin(), 0.0) * 3.0,
             a: V3::zeros(),

@@ -13,18 +13,18 @@ pub struct EndMotion {
     /// The place it moves about \[m\].
     pub position: V3,
     /// How it moves about it.
-    pub course: Course,
+    pub course: MotionPath,
     /// The motion grows from nothing over this time \[s\].
     pub ramp: f64,
 }
 
 /// How an end moves about its place.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Course {
+pub enum MotionPath {
     /// Not at all.
     Still,
     /// In harmonics of one period.
-    Swing(Swing),
+    Harmonic(HarmonicMotion),
     /// Along a table of places over time.
     Table(Spline),
     /// In a sum of harmonics: an irregular motion, or that of a vessel in waves.
@@ -33,7 +33,7 @@ pub enum Course {
 
 /// Harmonic motion along each axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Swing {
+pub struct HarmonicMotion {
     /// Amplitudes along x, y, z \[m\].
     pub amplitude: V3,
     /// Angular frequency \[rad/s\].
@@ -48,7 +48,7 @@ impl EndMotion {
     pub fn still(position: V3) -> Self {
         Self {
             position,
-            course: Course::Still,
+            course: MotionPath::Still,
             ramp: 0.0,
         }
     }
@@ -58,10 +58,10 @@ impl EndMotion {
     #[must_use]
     pub fn at(&self, t: f64) -> (V3, V3, V3) {
         let (d, v, a) = match &self.course {
-            Course::Still => return (self.position, V3::zeros(), V3::zeros()),
-            Course::Swing(swing) => swing.at(t),
-            Course::Table(spline) => spline.at(t),
-            Course::Sum(harmonics) => harmonics.at(t),
+            MotionPath::Still => return (self.position, V3::zeros(), V3::zeros()),
+            MotionPath::Harmonic(swing) => swing.at(t),
+            MotionPath::Table(spline) => spline.at(t),
+            MotionPath::Sum(harmonics) => harmonics.at(t),
         };
         let (r, r1, r2) = growth(t, self.ramp);
         (
@@ -76,15 +76,15 @@ impl EndMotion {
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         match &self.course {
-            Course::Still => None,
-            Course::Swing(swing) => (swing.omega > 0.0).then(|| TAU / swing.omega),
-            Course::Table(spline) => Some(2.0 * spline.finest()),
-            Course::Sum(harmonics) => harmonics.middle_of_acceleration().map(|w| TAU / w),
+            MotionPath::Still => None,
+            MotionPath::Harmonic(swing) => (swing.omega > 0.0).then(|| TAU / swing.omega),
+            MotionPath::Table(spline) => Some(2.0 * spline.finest()),
+            MotionPath::Sum(harmonics) => harmonics.middle_of_acceleration().map(|w| TAU / w),
         }
     }
 }
 
-impl Swing {
+impl HarmonicMotion {
     /// `A sin(omega t + phase)` and its derivatives.
     fn at(&self, t: f64) -> (V3, V3, V3) {
         let w = self.omega;
@@ -108,7 +108,7 @@ mod tests {
 
     #[test]
     fn velocity_and_acceleration_are_derivatives() {
-        let swing = Swing {
+        let swing = HarmonicMotion {
             amplitude: V3::new(1.0, 0.5, 2.0),
             omega: 0.7,
             phase: V3::new(0.0, 1.0, 2.0),
@@ -120,9 +120,9 @@ mod tests {
             .collect();
         let spline = Spline::through(&points).unwrap();
         for course in [
-            Course::Swing(swing),
-            Course::Sum(sum),
-            Course::Table(spline),
+            MotionPath::Harmonic(swing),
+            MotionPath::Sum(sum),
+            MotionPath::Table(spline),
         ] {
             let motion = EndMotion {
                 position: V3::new(1.0, 2.0, 3.0),

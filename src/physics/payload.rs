@@ -41,7 +41,7 @@ impl Body {
 
 /// What the form of a body gives: displaced volume, drag areas and added mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Form {
+pub struct FormCoefficients {
     /// Displaced volume \[m³\].
     pub volume: f64,
     /// Drag coefficient times projected area along x, y, z \[m²\].
@@ -54,10 +54,10 @@ pub struct Form {
 /// `C_D = 1.10 + 0.02 (L/B + B/L)`, the common fit for a plate of sides L and B; added mass of each face
 /// as that of a square plate of its area, `0.579 * pi/4 * a³` (the usual tabulated coefficient).
 #[must_use]
-pub fn box_form(length: f64, breadth: f64, height: f64) -> Form {
+pub fn box_form(length: f64, breadth: f64, height: f64) -> FormCoefficients {
     let face = |a: f64, b: f64| (1.10 + 0.02 * (a / b + b / a)) * a * b;
     let plate = |a: f64, b: f64| 0.579 * PI / 4.0 * (a * b).powf(1.5);
-    Form {
+    FormCoefficients {
         volume: length * breadth * height,
         drag_area: V3::new(
             face(breadth, height),
@@ -76,7 +76,7 @@ pub fn box_form(length: f64, breadth: f64, height: f64) -> Form {
 /// short cylinder (Hoerner 1965); added mass half the volume of the sphere, once the volume of the
 /// cylinder across and a sphere's of its diameter along.
 #[must_use]
-pub fn sphere_and_cylinder(sphere: f64, diameter: f64, length: f64) -> Form {
+pub fn sphere_and_cylinder(sphere: f64, diameter: f64, length: f64) -> FormCoefficients {
     let ball = PI / 6.0 * sphere.powi(3);
     let drum = PI / 4.0 * diameter.powi(2) * length;
     let disc = |d: f64| PI / 4.0 * d * d;
@@ -84,7 +84,7 @@ pub fn sphere_and_cylinder(sphere: f64, diameter: f64, length: f64) -> Form {
     // Seen from above the two hide each other: the greater one counts.
     let along = (0.5 * disc(sphere)).max(0.9 * disc(diameter));
     let along_added = 0.5 * ball + PI / 12.0 * diameter.powi(3);
-    Form {
+    FormCoefficients {
         volume: ball + drum,
         drag_area: V3::new(across, across, along),
         added_volume: V3::new(0.5 * ball + drum, 0.5 * ball + drum, along_added),

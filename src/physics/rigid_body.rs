@@ -6,7 +6,7 @@
 //! `d = J/S`, `m2 = S/d`, `m1 = M - m2`, with `M` the mass, `S = M c` and `J = I + M c²`. Neither couples to
 //! the other but through the rod, so the body is one more node and one more segment of the line. Weight and buoyancy act at
 //! their own centres: split between the two
-//! nodes by the lever they give the same force and the same moment. The water that goes with the body is [`Entrained`].
+//! nodes by the lever they give the same force and the same moment. The water that goes with the body is [`KirchhoffAddedMass`].
 //!
 //! A line without torsion transmits no torque, so the body spins about its axis as fast as it did at first, with the angular
 //! momentum h along the axis. As the axis turns at the rate t', that takes the moment `h t'` (Goldstein 2002, sec. 5.7).
@@ -15,7 +15,7 @@
 //! along the axis t, u the velocity of the water past the strip: spread evenly over a length of the axis about a centre of
 //! its own, it resists turning too. Gauss's rule takes four strips on either side of the centre.
 
-use super::kirchhoff::Entrained;
+use super::kirchhoff::KirchhoffAddedMass;
 use super::tension::Axial;
 use crate::numerics::{M3, V3};
 
@@ -48,7 +48,7 @@ const STRIPS: [(f64, f64); 8] = {
 
 /// A body as a case tells it, in SI; places along its axis from the hang point, positive towards the centre of gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Measures {
+pub struct RigidBodyProperties {
     /// Mass in air \[kg\].
     pub mass: f64,
     /// Weight in air \[N\].
@@ -66,7 +66,7 @@ pub struct Measures {
     /// Moment of inertia about an axis across, through the centre of gravity \[kg m²\].
     pub inertia: f64,
     /// Added mass, and added moment of inertia about an axis across, through the centre of buoyancy.
-    pub added: Entrained,
+    pub added: KirchhoffAddedMass,
     /// `1/2 rho C_D A` across and along the axis \[kg/m\].
     pub drag: [f64; 2],
     /// Angular momentum of the spin about the axis \[kg m²/s\], positive by the right hand with the thumb away from the
@@ -94,7 +94,7 @@ pub struct RigidBody {
     /// Buoyancy \[N\], of the weights already.
     pub buoyancy: f64,
     /// The water that goes with it.
-    pub added: Entrained,
+    pub added: KirchhoffAddedMass,
     /// Angular momentum of its spin \[kg m²/s\].
     pub spin: f64,
 }
@@ -103,7 +103,7 @@ impl RigidBody {
     /// The two masses; nothing where the body hangs from its centre, which no rod can tell from a point, or is not
     /// finite.
     #[must_use]
-    pub fn new(of: &Measures) -> Option<Self> {
+    pub fn new(of: &RigidBodyProperties) -> Option<Self> {
         let first = of.mass * of.gravity_at;
         let second = of.inertia + first * of.gravity_at;
         let reach = second / first;
@@ -187,7 +187,7 @@ impl RigidBody {
         2.0 * self.drag[0].max(self.drag[1]) * speed * lightness
     }
 
-    /// The couple that the spin needs where the axis t turns at this rate \[1/s\], as [`Entrained`] tells couples
+    /// The couple that the spin needs where the axis t turns at this rate \[1/s\], as [`KirchhoffAddedMass`] tells couples
     /// \[N m\], and its derivatives by the axis and by the rate.
     #[must_use]
     pub fn gyroscopic(&self, t: &V3, turn: &V3) -> (V3, [M3; 2]) {
@@ -205,8 +205,8 @@ impl RigidBody {
 mod tests {
     use super::*;
 
-    fn measures() -> Measures {
-        Measures {
+    fn measures() -> RigidBodyProperties {
+        RigidBodyProperties {
             mass: 469e3,
             weight: 469e3 * GRAVITY,
             buoyancy: 85e3 * GRAVITY,
@@ -215,7 +215,7 @@ mod tests {
             drag_at: 3.5,
             drag_length: 6.0,
             inertia: 2.1e6,
-            added: Entrained {
+            added: KirchhoffAddedMass {
                 normal: 42e3,
                 tangential: 30e3,
                 inertia: 1e5,
@@ -243,13 +243,13 @@ mod tests {
 
     #[test]
     fn a_body_on_a_strop_is_a_point_and_one_hung_from_its_centre_is_none() {
-        let strop = Measures {
+        let strop = RigidBodyProperties {
             inertia: 0.0,
             ..measures()
         };
         let body = RigidBody::new(&strop).unwrap();
         assert!((body.reach - 4.4).abs() < 1e-14 && body.mass[0] < 1e-9 * body.mass[1]);
-        let centred = Measures {
+        let centred = RigidBodyProperties {
             gravity_at: 0.0,
             ..measures()
         };

@@ -4,7 +4,7 @@ use super::{End, Scene};
 use crate::case::{self, FrictionLaw};
 use crate::numerics::{BlockBand, V3};
 use crate::physics::Seabed;
-use crate::physics::friction::{Contact, Friction, Grip, Held, Law};
+use crate::physics::friction::{Contact, Friction, FrictionForce, FrictionModel, Grip};
 use crate::physics::seabed::Push;
 use crate::solve::{Factors, State, System};
 
@@ -27,11 +27,11 @@ pub(super) fn seabed(bed: &case::Seabed) -> Seabed {
             axial,
             lateral: bed.friction_lateral.unwrap_or(axial),
             law: match bed.friction_law {
-                FrictionLaw::Grip => Law::Grip(
+                FrictionLaw::Grip => FrictionModel::Grip(
                     bed.grip_stiffness_n_per_m3
                         .unwrap_or(bed.stiffness_n_per_m3),
                 ),
-                FrictionLaw::Zhu2017 => Law::Regularised(bed.slip_speed_m_per_s),
+                FrictionLaw::Zhu2017 => FrictionModel::Regularised(bed.slip_speed_m_per_s),
             },
         }),
     }
@@ -42,8 +42,8 @@ impl Scene {
     #[must_use]
     pub fn slip_speed(&self) -> Option<f64> {
         match self.bed?.friction?.law {
-            Law::Regularised(slip) => Some(slip),
-            Law::Grip(_) => None,
+            FrictionModel::Regularised(slip) => Some(slip),
+            FrictionModel::Grip(_) => None,
         }
     }
 
@@ -106,19 +106,25 @@ impl Scene {
     /// Friction on node i, which the bed pushes \[N\].
     fn friction(&self, friction: &Friction, c: &Contact<'_>, i: usize, state: &State) -> V3 {
         match friction.law {
-            Law::Grip(_) => match state.memory.grips.get(i) {
+            FrictionModel::Grip(_) => match state.memory.grips.get(i) {
                 Some(grip) => friction.grip_force(c, grip).0,
                 None => V3::zeros(),
             },
-            Law::Regularised(slip) => friction.regularised(c, slip).force,
+            FrictionModel::Regularised(slip) => friction.regularised(c, slip).force,
         }
     }
 
     /// The same with its derivatives; nothing where the bed has no hold.
-    fn held(&self, friction: &Friction, c: &Contact<'_>, i: usize, state: &State) -> Option<Held> {
+    fn held(
+        &self,
+        friction: &Friction,
+        c: &Contact<'_>,
+        i: usize,
+        state: &State,
+    ) -> Option<FrictionForce> {
         match friction.law {
-            Law::Grip(_) => Some(friction.grip(c, state.memory.grips.get(i)?)),
-            Law::Regularised(slip) => Some(friction.regularised(c, slip)),
+            FrictionModel::Grip(_) => Some(friction.grip(c, state.memory.grips.get(i)?)),
+            FrictionModel::Regularised(slip) => Some(friction.regularised(c, slip)),
         }
     }
 
@@ -128,7 +134,7 @@ impl Scene {
         let Some(friction) = &bed.friction else {
             return;
         };
-        let Law::Grip(stiffness) = friction.law else {
+        let FrictionModel::Grip(stiffness) = friction.law else {
             return;
         };
         let normal = bed.normal();
@@ -150,7 +156,7 @@ impl Scene {
             return Vec::new();
         };
         let Some(Friction {
-            law: Law::Grip(stiffness),
+            law: FrictionModel::Grip(stiffness),
             ..
         }) = bed.friction
         else {
@@ -274,7 +280,7 @@ impl Scene {
         let along = match bed.friction {
             Some(Friction {
                 axial,
-                law: Law::Regularised(slip),
+                law: FrictionModel::Regularised(slip),
                 ..
             }) => axial * push.force / slip,
             _ => 0.0,
@@ -287,7 +293,7 @@ impl Scene {
         self.bed.map_or(0.0, |bed| {
             let along = match bed.friction {
                 Some(Friction {
-                    law: Law::Grip(stiffness),
+                    law: FrictionModel::Grip(stiffness),
                     ..
                 }) => stiffness,
                 _ => 0.0,

@@ -4,9 +4,9 @@ use super::line::{AttachedBody, Joint};
 use super::{RigidPayload, SceneError};
 use crate::case::{self, Case, EndKind, OneOrMany};
 use crate::numerics::V3;
-use crate::physics::kirchhoff::Entrained;
-use crate::physics::payload::{Form, box_form, sphere_and_cylinder};
-use crate::physics::rigid_body::Measures;
+use crate::physics::kirchhoff::KirchhoffAddedMass;
+use crate::physics::payload::{FormCoefficients, box_form, sphere_and_cylinder};
+use crate::physics::rigid_body::RigidBodyProperties;
 use crate::physics::{Body, RigidBody};
 
 /// The bodies, clumps in the order of the case and then the payload, and what is to be said of their places.
@@ -145,7 +145,7 @@ pub(super) fn rigid_payload(case: &Case, node: usize) -> Result<Option<RigidPayl
     let weight = body.mass * case.environment.gravity_m_per_s2;
     let gravity_at = rotation.centre_of_gravity_m;
     let buoyancy_at = rotation.centre_of_buoyancy_m.unwrap_or(gravity_at);
-    let measures = Measures {
+    let measures = RigidBodyProperties {
         mass: body.mass,
         weight,
         buoyancy: weight - body.weight,
@@ -154,7 +154,7 @@ pub(super) fn rigid_payload(case: &Case, node: usize) -> Result<Option<RigidPayl
         drag_at: rotation.centre_of_drag_m.unwrap_or(buoyancy_at),
         drag_length: rotation.drag_length_m,
         inertia: rotation.inertia_kg_m2,
-        added: Entrained {
+        added: KirchhoffAddedMass {
             normal: body.added.x,
             tangential: body.added.z,
             inertia: rotation.added_inertia_kg_m2,
@@ -167,7 +167,7 @@ pub(super) fn rigid_payload(case: &Case, node: usize) -> Result<Option<RigidPayl
     Ok(Some(RigidPayload { node, body }))
 }
 
-fn form(shape: &case::Shape) -> Form {
+fn form(shape: &case::Shape) -> FormCoefficients {
     match *shape {
         case::Shape::Box(case::BoxShape {
             length_m,

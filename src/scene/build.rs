@@ -11,8 +11,8 @@ use super::{
 use crate::case::{self, Case, DragWidth, OneOrMany, StartShape};
 use crate::numerics::V3;
 use crate::physics::added_mass::AddedMass;
-use crate::physics::drag::Profile;
-use crate::physics::rope::Law;
+use crate::physics::drag::DragProperties;
+use crate::physics::rope::TensionLaw;
 use crate::physics::tension::Axial;
 use crate::physics::{Current, DragLaw};
 
@@ -152,7 +152,7 @@ fn add_section(
     coarsening: usize,
     segments: &mut Vec<Segment>,
     arc: &mut Vec<f64>,
-    laws: &mut Vec<Law>,
+    laws: &mut Vec<TensionLaw>,
 ) -> Result<(), SceneError> {
     let section = &case.line[index];
     let material = case
@@ -226,7 +226,7 @@ fn bare_segment(
         axial: Axial::new(length, elasticity.steepest, damping)
             .as_rod(material.ei_n_m2 > 0.0)
             .by_law(elasticity.law),
-        drag: Profile {
+        drag: DragProperties {
             reynolds: material.diameter_m / water.kinematic_viscosity_m2_per_s,
             normal: half_pressure,
             tangential: half_pressure * width,

@@ -2,7 +2,7 @@
 
 use super::build::SceneError;
 use crate::case::{DynamicStiffness, Material};
-use crate::physics::rope::{Dynamic, Law, Reading, Static, Table};
+use crate::physics::rope::{FibreRope, StaticElasticity, StiffnessForm, TensionLaw, TensionTable};
 
 /// The elasticity of the segments of one section.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,11 +22,11 @@ pub(super) struct Elasticity {
 pub(super) fn elasticity(
     name: &str,
     material: &Material,
-    laws: &mut Vec<Law>,
+    laws: &mut Vec<TensionLaw>,
 ) -> Result<Elasticity, SceneError> {
     let slow = match (table(name, material)?, material.ea_n) {
-        (Some(table), _) => Static::Table(table),
-        (None, Some(ea)) => Static::Linear(ea),
+        (Some(table), _) => StaticElasticity::TensionTable(table),
+        (None, Some(ea)) => StaticElasticity::Linear(ea),
         (None, None) => {
             return Err(SceneError::Missing {
                 key: format!("materials.{name}.ea_n"),
@@ -35,29 +35,29 @@ pub(super) fn elasticity(
         }
     };
     let ea = match &slow {
-        Static::Linear(ea) => *ea,
-        Static::Table(table) => table.overall(),
+        StaticElasticity::Linear(ea) => *ea,
+        StaticElasticity::TensionTable(table) => table.overall(),
     };
     let reading = match (material.dynamic_stiffness, slow) {
-        (DynamicStiffness::None, Static::Linear(ea)) => {
+        (DynamicStiffness::None, StaticElasticity::Linear(ea)) => {
             return Ok(Elasticity {
                 steepest: ea,
                 ea,
                 law: None,
             });
         }
-        (DynamicStiffness::None, Static::Table(table)) => {
-            return Ok(by_law(Law::Table(table), ea, laws));
+        (DynamicStiffness::None, StaticElasticity::TensionTable(table)) => {
+            return Ok(by_law(TensionLaw::TensionTable(table), ea, laws));
         }
-        (DynamicStiffness::Secant, _) => Reading::Secant,
-        (DynamicStiffness::AboutTheMean, slow) => Reading::AboutTheMean(slow),
+        (DynamicStiffness::Secant, _) => StiffnessForm::Secant,
+        (DynamicStiffness::AboutTheMean, slow) => StiffnessForm::AboutTheMean(slow),
     };
-    let law = Law::Dynamic(dynamic(name, material, reading)?);
+    let law = TensionLaw::FibreRope(dynamic(name, material, reading)?);
     Ok(by_law(law, ea, laws))
 }
 
 /// Elasticity by a law, which is added to those of the line.
-fn by_law(law: Law, ea: f64, laws: &mut Vec<Law>) -> Elasticity {
+fn by_law(law: TensionLaw, ea: f64, laws: &mut Vec<TensionLaw>) -> Elasticity {
     Elasticity {
         steepest: law.steepest(),
         ea,
@@ -66,14 +66,18 @@ fn by_law(law: Law, ea: f64, laws: &mut Vec<Law>) -> Elasticity {
 }
 
 /// The dynamic stiffness of a material.
-fn dynamic(name: &str, material: &Material, reading: Reading) -> Result<Dynamic, SceneError> {
+fn dynamic(
+    name: &str,
+    material: &Material,
+    reading: StiffnessForm,
+) -> Result<FibreRope, SceneError> {
     let needed = |value: Option<f64>, key: &str| {
         value.ok_or_else(|| SceneError::Missing {
             key: format!("materials.{name}.{key}"),
             why: "dynamic stiffness goes with it",
         })
     };
-    Ok(Dynamic {
+    Ok(FibreRope {
         alpha: needed(material.dynamic_alpha, "dynamic_alpha")?,
         beta: material.dynamic_beta,
         gamma: material.dynamic_gamma,
@@ -84,12 +88,12 @@ fn dynamic(name: &str, material: &Material, reading: Reading) -> Result<Dynamic,
 }
 
 /// The tension-strain table of a material, if it has one.
-fn table(name: &str, material: &Material) -> Result<Option<Table>, SceneError> {
+fn table(name: &str, material: &Material) -> Result<Option<TensionTable>, SceneError> {
     let Some(strain) = &material.strain else {
         return Ok(None);
     };
     let tension = material.tension_n.as_deref().unwrap_or_default();
-    let table = Table::new(strain, tension).ok_or_else(|| SceneError::Impossible {
+    let table = TensionTable::new(strain, tension).ok_or_else(|| SceneError::Impossible {
         key: format!("materials.{name}.strain"),
         why: "strains and tensions must be equally many, and rise from 0",
     })?;
@@ -97,7 +101,7 @@ fn table(name: &str, material: &Material) -> Result<Option<Table>, SceneError> {
 }
 
 /// The number of a law among those of the line, to which it is added where no section had it before.
-fn number(law: Law, laws: &mut Vec<Law>) -> u16 {
+fn number(law: TensionLaw, laws: &mut Vec<TensionLaw>) -> u16 {
     let place = laws.iter().position(|known| *known == law);
     let place = place.unwrap_or_else(|| {
         laws.push(law);

@@ -9,7 +9,7 @@ use crate::case::{self, Case, EndKind, MotionName};
 use crate::numerics::V3;
 use crate::numerics::spline::Spline;
 use crate::physics::EndMotion;
-use crate::physics::motion::{self, Course, Swing};
+use crate::physics::motion::{self, HarmonicMotion, MotionPath};
 use crate::physics::sea::{Component, Harmonics, Rao, Spectrum, Waves, synthesise};
 
 /// Share of a sea's energy beyond a table of responses from which that is told.
@@ -55,15 +55,15 @@ fn missing(table: &str, key: &str, why: &'static str) -> SceneError {
     }
 }
 
-fn swing(end: &case::End, key: &str) -> Result<Course, SceneError> {
+fn swing(end: &case::End, key: &str) -> Result<MotionPath, SceneError> {
     let why = "a moving end needs the period of its motion";
     let period = end.period_s.filter(|p| *p > 0.0);
     let period = period.ok_or_else(|| missing(key, "period_s", why))?;
     let amplitude = V3::from(end.amplitude_m);
     if amplitude == V3::zeros() {
-        return Ok(Course::Still);
+        return Ok(MotionPath::Still);
     }
-    Ok(Course::Swing(Swing {
+    Ok(MotionPath::Harmonic(HarmonicMotion {
         amplitude,
         omega: motion::omega(period),
         phase: V3::from(end.phase_deg).map(f64::to_radians),
@@ -86,7 +86,7 @@ fn rows(
         .map_err(|fault| SceneError::File(fault.to_string()))
 }
 
-fn table(case: &Case, end: &case::End, key: &str) -> Result<Course, SceneError> {
+fn table(case: &Case, end: &case::End, key: &str) -> Result<MotionPath, SceneError> {
     let columns = case::carried::PLACES.map(str::to_owned);
     let points: Vec<(f64, V3)> = rows(case, end, key, &columns)?
         .iter()
@@ -102,11 +102,11 @@ fn table(case: &Case, end: &case::End, key: &str) -> Result<Course, SceneError> 
             case.solver.duration_s
         )));
     }
-    Ok(Course::Table(spline))
+    Ok(MotionPath::Table(spline))
 }
 
 /// The axes take the streams of the seed after the one of the waves.
-fn irregular(end: &case::End, key: &str) -> Result<Course, SceneError> {
+fn irregular(end: &case::End, key: &str) -> Result<MotionPath, SceneError> {
     let why = "an irregular motion is made to its root mean square and peak period";
     let rms = end.rms_m.ok_or_else(|| missing(key, "rms_m", why))?;
     let period = end.peak_period_s;
@@ -115,7 +115,7 @@ fn irregular(end: &case::End, key: &str) -> Result<Course, SceneError> {
         let record = record(end, axis, rms[axis], period);
         record.map_or_else(Vec::new, |(_, components)| components)
     });
-    Ok(Course::Sum(Harmonics::along_axes(&axes)))
+    Ok(MotionPath::Sum(Harmonics::along_axes(&axes)))
 }
 
 /// The record of one axis; nothing where it does not move.
@@ -157,7 +157,7 @@ fn vessel(
     place: &V3,
     waves: Option<&Waves>,
     remarks: &mut Vec<String>,
-) -> Result<Course, SceneError> {
+) -> Result<MotionPath, SceneError> {
     let why = "a vessel moves in the waves of the case";
     let waves = waves.ok_or_else(|| missing("waves", "kind", why))?;
     let columns = case::carried::response_columns();
@@ -182,7 +182,7 @@ fn vessel(
             end.motion_file.as_deref().unwrap_or_default()
         ));
     }
-    Ok(Course::Sum(rao.motion_at(&sea, heading, &arm)))
+    Ok(MotionPath::Sum(rao.motion_at(&sea, heading, &arm)))
 }
 
 /// A row of a table of responses: angular frequency and complex responses.

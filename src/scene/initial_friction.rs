@@ -11,7 +11,7 @@
 
 use super::Scene;
 use crate::numerics::V3;
-use crate::physics::friction::{Friction, Grip, Law};
+use crate::physics::friction::{Friction, FrictionModel, Grip};
 
 /// Stiffness of the hold on a line just laid, in stiffnesses of its segments.
 const HOLD: f64 = 10.0;
@@ -31,7 +31,7 @@ impl Scene {
         let remark = match self.bed.as_ref().and_then(|bed| bed.friction) {
             None => None,
             Some(Friction {
-                law: Law::Regularised(_),
+                law: FrictionModel::Regularised(_),
                 ..
             }) => Some(
                 "friction by `zhu-2017` holds nothing at rest: it is left out of the equilibrium"

@@ -3,7 +3,7 @@
 
 use super::{End, Scene};
 use crate::numerics::V3;
-use crate::physics::friction::{Friction, Law};
+use crate::physics::friction::{Friction, FrictionModel};
 use crate::solve::State;
 use crate::statics::catenary::{Bed, CatenaryError, Ends, Line, SectionProps, Solution};
 
@@ -171,7 +171,7 @@ impl Scene {
                 friction: match bed.friction {
                     Some(Friction {
                         axial,
-                        law: Law::Grip(_),
+                        law: FrictionModel::Grip(_),
                         ..
                     }) => axial,
                     _ => 0.0,

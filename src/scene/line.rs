@@ -3,8 +3,8 @@
 use crate::numerics::V3;
 use crate::numerics::lanes::Two;
 use crate::physics::added_mass::AddedMass;
-use crate::physics::drag::{Drag, Profile};
-use crate::physics::rope::Law;
+use crate::physics::drag::{Drag, DragProperties};
+use crate::physics::rope::TensionLaw;
 use crate::physics::tension::{Axial, Chord};
 use crate::physics::{Body, Current, EndMotion, Grip, Seabed};
 
@@ -18,7 +18,7 @@ pub struct Segment {
     /// Axial constants.
     pub axial: Axial,
     /// Drag per length.
-    pub drag: Profile,
+    pub drag: DragProperties,
     /// Added mass of half the segment.
     pub added: AddedMass,
     /// Mass of half the segment \[kg\].
@@ -64,7 +64,7 @@ pub struct Scene {
     /// Segments from A to B, then the rod of a payload that turns; node i lies before segment i.
     pub segments: Vec<Segment>,
     /// How tension follows from strain where a material does not have it in proportion; see [`Axial::law`].
-    pub laws: Vec<Law>,
+    pub laws: Vec<TensionLaw>,
     /// Masses of the nodes without added mass, bodies included \[kg\].
     pub mass: Vec<f64>,
     /// Weights of the nodes in water, bodies included \[N\], positive down.

@@ -15,7 +15,7 @@ use nalgebra::{Matrix6, Vector6};
 use super::Scene;
 use crate::numerics::{BlockBand, M3, V3};
 use crate::physics::RigidBody;
-use crate::physics::kirchhoff::Moving;
+use crate::physics::kirchhoff::RelativeMotion;
 use crate::solve::{Factors, State};
 use hydrodynamics::WaterAround;
 
@@ -45,9 +45,9 @@ impl RigidPayload {
     }
 
     /// How the body moves in the water, at these accelerations of both nodes.
-    fn moving(&self, there: &WaterAround, state: &State, a: [V3; 2]) -> Moving {
+    fn moving(&self, there: &WaterAround, state: &State, a: [V3; 2]) -> RelativeMotion {
         let (at, inverse) = (self.body.buoyancy_at, 1.0 / self.body.reach);
-        Moving {
+        RelativeMotion {
             t: there.axis.tangent,
             v: self.at(&state.v, at) - there.flow.0,
             a: a[0] * (1.0 - at) + a[1] * at - there.carried.0,

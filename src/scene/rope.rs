@@ -1,7 +1,7 @@
 //! Tensions of segments, whichever law their material follows, and what ropes remember.
 
 use super::Scene;
-use crate::physics::rope::{Elastic, Law, Mean};
+use crate::physics::rope::{Elastic, MeanState, TensionLaw};
 use crate::physics::tension::{Axial, Chord, Tension};
 use crate::solve::{RopeHistory, State};
 
@@ -152,7 +152,7 @@ impl Scene {
         for i in 0..self.segments.len() {
             let axial = &self.segments[i].axial;
             let law = axial.law.map(|law| &self.laws[usize::from(law)]);
-            let Some(rope) = law.and_then(Law::dynamic) else {
+            let Some(rope) = law.and_then(TensionLaw::dynamic) else {
                 continue;
             };
             let chord = self.chord(i, state);
@@ -203,10 +203,10 @@ impl Scene {
 /// The mean that segment i swings about at time t, moved on from the last accepted step at the rate it had there, so
 /// that a step of second order stays one; nothing at rest.
 #[inline(always)]
-fn mean(i: usize, t: f64, state: &State) -> Option<Mean> {
+fn mean(i: usize, t: f64, state: &State) -> Option<MeanState> {
     let past = state.memory.ropes.get(i)?;
     let since = t - state.memory.time;
-    Some(Mean {
+    Some(MeanState {
         tension: past.mean + past.tension_rate * since,
         strain: past.strain + past.strain_rate * since,
     })

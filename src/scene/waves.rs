@@ -8,7 +8,8 @@ use crate::case::{
 };
 use crate::numerics::V3;
 use crate::physics::sea::{
-    Component, Decay, Setting, Spectrum, Stretching, WaveLoad, Waves, synthesise, wave_number,
+    Component, DepthDecay, Spectrum, Stretching, WaveLoad, WaveSettings, Waves, synthesise,
+    wave_number,
 };
 
 /// Waves of more than this share of the greatest steepness are far from what a linear theory describes.
@@ -135,7 +136,7 @@ fn components(waves: &case::Waves) -> Result<Vec<Component>, SceneError> {
 }
 
 fn waves(case: &Case, said: &case::Waves) -> Result<Waves, SceneError> {
-    let setting = Setting {
+    let setting = WaveSettings {
         direction: said.direction_deg.to_radians(),
         depth: depth(case, said),
         gravity: case.environment.gravity_m_per_s2,
@@ -146,9 +147,9 @@ fn waves(case: &Case, said: &case::Waves) -> Result<Waves, SceneError> {
             StretchingName::Linear => Stretching::Linear,
         },
         decay: match said.decay {
-            DecayName::Airy => Decay::Airy,
-            DecayName::AiryCut => Decay::AiryAbove(said.decay_depth_m),
-            DecayName::Logarithmic => Decay::Logarithmic(said.decay_depth_m),
+            DecayName::Airy => DepthDecay::Airy,
+            DecayName::AiryCut => DepthDecay::AiryAbove(said.decay_depth_m),
+            DecayName::Logarithmic => DepthDecay::Logarithmic(said.decay_depth_m),
         },
         ramp: said.ramp_s,
         load: match said.load {

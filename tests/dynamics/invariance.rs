@@ -10,7 +10,7 @@ use seacable::case;
 use seacable::dynamics::Stepper;
 use seacable::numerics::V3;
 use seacable::physics::Current;
-use seacable::physics::motion::Course;
+use seacable::physics::motion::MotionPath;
 use seacable::run::job::{Request, execute};
 use seacable::scene::{End, Scene};
 use seacable::solve::State;
@@ -69,7 +69,7 @@ fn mapped(scene: &Scene, place: impl Fn(&V3) -> V3, turn: impl Fn(&V3) -> V3) ->
     for end in &mut scene.ends {
         if let End::Prescribed(motion) = end {
             motion.position = place(&motion.position);
-            if let Course::Swing(swing) = &mut motion.course {
+            if let MotionPath::Harmonic(swing) = &mut motion.course {
                 swing.amplitude = turn(&swing.amplitude);
             }
         }

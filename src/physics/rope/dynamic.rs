@@ -18,11 +18,11 @@
 //! `T = Tm + k MBL (e - e_m)`. With `B = alpha + beta Lm` and `D = e - e_m`: `T = Tm + MBL B D / (1 + c D)`. A line
 //! at rest has its static tensions.
 
-use super::{Elastic, Table};
+use super::{Elastic, TensionTable};
 
 /// A fibre rope with dynamic stiffness.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Dynamic {
+pub struct FibreRope {
     /// alpha \[-\].
     pub alpha: f64,
     /// beta, per percent of the breaking load \[-\].
@@ -32,32 +32,32 @@ pub struct Dynamic {
     /// Breaking load MBL \[N\].
     pub strength: f64,
     /// How the stiffness makes a tension.
-    pub reading: Reading,
+    pub reading: StiffnessForm,
     /// Time over which the past tension is averaged \[s\]; infinity: all of the past.
     pub window: f64,
 }
 
 /// How the dynamic stiffness makes a tension.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Reading {
+pub enum StiffnessForm {
     /// Through the origin of strain.
     Secant,
     /// About the mean state, up to which this holds.
-    AboutTheMean(Static),
+    AboutTheMean(StaticElasticity),
 }
 
 /// Elasticity of a rope that is loaded slowly.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Static {
+pub enum StaticElasticity {
     /// This stiffness EA \[N\].
     Linear(f64),
     /// A table.
-    Table(Table),
+    TensionTable(TensionTable),
 }
 
 /// The mean state that a segment swings about.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Mean {
+pub struct MeanState {
     /// Mean tension \[N\].
     pub tension: f64,
     /// Strain under that tension, loaded slowly \[-\].
@@ -67,10 +67,10 @@ pub struct Mean {
 /// Tension in percent of the breaking load beyond which the curve at rest goes on straight: the rope has parted.
 const PARTED: f64 = 100.0;
 
-/// Mean tension in percent of the breaking load up to which [`Dynamic::steepest`] holds.
+/// Mean tension in percent of the breaking load up to which [`FibreRope::steepest`] holds.
 const WORKING: f64 = 50.0;
 
-impl Dynamic {
+impl FibreRope {
     /// A tension in percent of the breaking load.
     #[must_use]
     pub fn percent(&self, tension: f64) -> f64 {
@@ -87,8 +87,8 @@ impl Dynamic {
     #[must_use]
     pub fn at_rest(&self, strain: f64) -> Elastic {
         match &self.reading {
-            Reading::AboutTheMean(curve) => curve.at(strain),
-            Reading::Secant => {
+            StiffnessForm::AboutTheMean(curve) => curve.at(strain),
+            StiffnessForm::Secant => {
                 let strain_in = strain.clamp(0.0, self.strain_parted());
                 let left = 1.0 - 100.0 * self.beta * strain_in;
                 let by_strain = self.strength * self.alpha / (left * left);
@@ -103,7 +103,7 @@ impl Dynamic {
 
     /// Tension and slope about a mean. A strain at which the rope is slack has the straight continuation.
     #[must_use]
-    pub fn in_motion(&self, strain: f64, mean: &Mean) -> Elastic {
+    pub fn in_motion(&self, strain: f64, mean: &MeanState) -> Elastic {
         let (from, stiffness, start) = self.branch(mean);
         let c = 100.0 * self.gamma;
         let slack = self.slack(mean);
@@ -120,8 +120,8 @@ impl Dynamic {
     #[must_use]
     pub fn strain_at(&self, tension: f64) -> f64 {
         match &self.reading {
-            Reading::AboutTheMean(curve) => curve.strain_at(tension),
-            Reading::Secant => {
+            StiffnessForm::AboutTheMean(curve) => curve.strain_at(tension),
+            StiffnessForm::Secant => {
                 let percent = self.percent(tension);
                 let inside = percent.clamp(0.0, PARTED);
                 let strain = inside / (100.0 * (self.alpha + self.beta * inside));
@@ -141,9 +141,11 @@ impl Dynamic {
     #[must_use]
     pub fn stored_at_rest(&self, strain: f64) -> f64 {
         match &self.reading {
-            Reading::AboutTheMean(Static::Linear(ea)) => 0.5 * ea * strain * strain,
-            Reading::AboutTheMean(Static::Table(table)) => table.stored(strain),
-            Reading::Secant => {
+            StiffnessForm::AboutTheMean(StaticElasticity::Linear(ea)) => 0.5 * ea * strain * strain,
+            StiffnessForm::AboutTheMean(StaticElasticity::TensionTable(table)) => {
+                table.stored(strain)
+            }
+            StiffnessForm::Secant => {
                 let inside = strain.clamp(0.0, self.strain_parted());
                 let (edge, beyond) = (self.at_rest(inside), strain - inside);
                 self.strength * self.alpha * bend(-100.0 * self.beta, inside)
@@ -155,7 +157,7 @@ impl Dynamic {
     /// Energy stored per unstretched length about a mean \[N\], and how it grows with the mean tension at the same
     /// strain \[-\]: what the rope takes up or gives back as it forgets.
     #[must_use]
-    pub fn stored_in_motion(&self, strain: f64, mean: &Mean) -> (f64, f64) {
+    pub fn stored_in_motion(&self, strain: f64, mean: &MeanState) -> (f64, f64) {
         let (from, stiffness, start) = self.branch(mean);
         let (here, slack) = (strain - from, self.slack(mean));
         if here <= slack {
@@ -165,8 +167,8 @@ impl Dynamic {
         let bent = bend(c, here) - bend(c, slack);
         let stored = start * (here - slack) + stiffness * bent;
         let by_mean = match self.reading {
-            Reading::Secant => 100.0 * (self.beta + self.gamma) * bent,
-            Reading::AboutTheMean(_) => {
+            StiffnessForm::Secant => 100.0 * (self.beta + self.gamma) * bent,
+            StiffnessForm::AboutTheMean(_) => {
                 here - slack + 100.0 * self.beta * bent
                     - self.compliance(mean.strain) * self.in_motion(strain, mean).tension
             }
@@ -180,8 +182,8 @@ impl Dynamic {
         let full = self.alpha + (self.beta + self.gamma) * WORKING;
         let about = self.stiffness(WORKING, 0.0);
         match &self.reading {
-            Reading::Secant => self.strength * full,
-            Reading::AboutTheMean(curve) => {
+            StiffnessForm::Secant => self.strength * full,
+            StiffnessForm::AboutTheMean(curve) => {
                 curve.steepest().max(self.strength * full * full / about)
             }
         }
@@ -191,21 +193,21 @@ impl Dynamic {
     #[must_use]
     pub fn overall(&self) -> f64 {
         match &self.reading {
-            Reading::Secant => self.strength * self.stiffness(15.0, 0.0),
-            Reading::AboutTheMean(Static::Linear(ea)) => *ea,
-            Reading::AboutTheMean(Static::Table(table)) => table.overall(),
+            StiffnessForm::Secant => self.strength * self.stiffness(15.0, 0.0),
+            StiffnessForm::AboutTheMean(StaticElasticity::Linear(ea)) => *ea,
+            StiffnessForm::AboutTheMean(StaticElasticity::TensionTable(table)) => table.overall(),
         }
     }
 
     /// Where the branch of a mean begins, its stiffness there \[N\] and its tension there \[N\].
-    fn branch(&self, mean: &Mean) -> (f64, f64, f64) {
+    fn branch(&self, mean: &MeanState) -> (f64, f64, f64) {
         let percent = self.percent(mean.tension);
         match self.reading {
-            Reading::Secant => {
+            StiffnessForm::Secant => {
                 let stiffness = self.alpha + (self.beta + self.gamma) * percent;
                 (0.0, self.strength * stiffness, 0.0)
             }
-            Reading::AboutTheMean(_) => {
+            StiffnessForm::AboutTheMean(_) => {
                 let stiffness = self.strength * self.stiffness(percent, 0.0);
                 (mean.strain, stiffness, mean.tension)
             }
@@ -213,10 +215,10 @@ impl Dynamic {
     }
 
     /// The strain, from where the branch begins, at which the rope goes slack.
-    fn slack(&self, mean: &Mean) -> f64 {
+    fn slack(&self, mean: &MeanState) -> f64 {
         match self.reading {
-            Reading::Secant => 0.0,
-            Reading::AboutTheMean(_) => {
+            StiffnessForm::Secant => 0.0,
+            StiffnessForm::AboutTheMean(_) => {
                 let percent = self.percent(mean.tension);
                 let full = self.alpha + (self.beta + self.gamma) * percent;
                 -0.01 * percent / full
@@ -230,7 +232,7 @@ impl Dynamic {
     }
 }
 
-impl Static {
+impl StaticElasticity {
     /// Tension and slope at a strain.
     #[must_use]
     pub fn at(&self, strain: f64) -> Elastic {
@@ -239,7 +241,7 @@ impl Static {
                 tension: ea * strain,
                 by_strain: *ea,
             },
-            Self::Table(table) => table.at(strain),
+            Self::TensionTable(table) => table.at(strain),
         }
     }
 
@@ -248,14 +250,14 @@ impl Static {
     pub fn strain_at(&self, tension: f64) -> f64 {
         match self {
             Self::Linear(ea) => tension / ea,
-            Self::Table(table) => table.strain_at(tension),
+            Self::TensionTable(table) => table.strain_at(tension),
         }
     }
 
     fn steepest(&self) -> f64 {
         match self {
             Self::Linear(ea) => *ea,
-            Self::Table(table) => table.steepest(),
+            Self::TensionTable(table) => table.steepest(),
         }
     }
 }
@@ -275,8 +277,8 @@ fn bend(c: f64, e: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn polyester(reading: Reading) -> Dynamic {
-        Dynamic {
+    fn polyester(reading: StiffnessForm) -> FibreRope {
+        FibreRope {
             alpha: 14.469,
             beta: 0.2113,
             gamma: 0.2697,
@@ -286,18 +288,18 @@ mod tests {
         }
     }
 
-    fn readings() -> [Dynamic; 3] {
-        let curve = Table::new(&[0.0, 0.01, 0.05], &[0.0, 1.8e6, 12.0e6]).unwrap();
+    fn readings() -> [FibreRope; 3] {
+        let curve = TensionTable::new(&[0.0, 0.01, 0.05], &[0.0, 1.8e6, 12.0e6]).unwrap();
         [
-            Reading::Secant,
-            Reading::AboutTheMean(Static::Linear(12.2 * 14.715e6)),
-            Reading::AboutTheMean(Static::Table(curve)),
+            StiffnessForm::Secant,
+            StiffnessForm::AboutTheMean(StaticElasticity::Linear(12.2 * 14.715e6)),
+            StiffnessForm::AboutTheMean(StaticElasticity::TensionTable(curve)),
         ]
         .map(polyester)
     }
 
-    fn mean_of(rope: &Dynamic, tension: f64) -> Mean {
-        Mean {
+    fn mean_of(rope: &FibreRope, tension: f64) -> MeanState {
+        MeanState {
             tension,
             strain: rope.strain_at(tension),
         }
@@ -306,7 +308,7 @@ mod tests {
     /// Zhu, Yin and Shen 2017, sec. 3: Lm from 13.47 to 14.06, stiffness about 17.315 and 17.44 at the two ends.
     #[test]
     fn stiffness_is_as_printed() {
-        let rope = polyester(Reading::Secant);
+        let rope = polyester(StiffnessForm::Secant);
         assert!((rope.stiffness(13.47, 0.0) - 17.315).abs() < 1e-3);
         assert!((rope.stiffness(14.06, 0.0) - 17.440).abs() < 1e-3);
     }
@@ -315,7 +317,7 @@ mod tests {
     fn tension_is_the_stiffness_times_the_strain() {
         let mean = 2.0e6;
         for strain in [0.004, 0.0078, 0.012] {
-            let secant = polyester(Reading::Secant);
+            let secant = polyester(StiffnessForm::Secant);
             let tension = secant.in_motion(strain, &mean_of(&secant, mean)).tension;
             let deviation = secant.percent(tension - mean);
             let k = secant.stiffness(secant.percent(mean), deviation);

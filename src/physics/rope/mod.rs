@@ -4,8 +4,8 @@
 pub mod dynamic;
 pub mod table;
 
-pub use dynamic::{Dynamic, Mean, Reading, Static};
-pub use table::Table;
+pub use dynamic::{FibreRope, MeanState, StaticElasticity, StiffnessForm};
+pub use table::TensionTable;
 
 /// Elastic tension of a rope, and its slope.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,32 +18,32 @@ pub struct Elastic {
 
 /// How the elastic tension of a material follows from its strain, where that is not in proportion.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Law {
+pub enum TensionLaw {
     /// By a table.
-    Table(Table),
+    TensionTable(TensionTable),
     /// With dynamic stiffness.
-    Dynamic(Dynamic),
+    FibreRope(FibreRope),
 }
 
-impl Law {
+impl TensionLaw {
     /// Tension and slope at a strain \[-\]; about a mean, or at rest where there is none.
     #[inline]
     #[must_use]
-    pub fn at(&self, strain: f64, mean: Option<&Mean>) -> Elastic {
+    pub fn at(&self, strain: f64, mean: Option<&MeanState>) -> Elastic {
         match (self, mean) {
-            (Self::Table(table), _) => table.at(strain),
-            (Self::Dynamic(rope), None) => rope.at_rest(strain),
-            (Self::Dynamic(rope), Some(mean)) => rope.in_motion(strain, mean),
+            (Self::TensionTable(table), _) => table.at(strain),
+            (Self::FibreRope(rope), None) => rope.at_rest(strain),
+            (Self::FibreRope(rope), Some(mean)) => rope.in_motion(strain, mean),
         }
     }
 
     /// Energy stored per unstretched length at a strain \[N\], and how it grows with the mean tension \[-\].
     #[must_use]
-    pub fn stored(&self, strain: f64, mean: Option<&Mean>) -> (f64, f64) {
+    pub fn stored(&self, strain: f64, mean: Option<&MeanState>) -> (f64, f64) {
         match (self, mean) {
-            (Self::Table(table), _) => (table.stored(strain), 0.0),
-            (Self::Dynamic(rope), None) => (rope.stored_at_rest(strain), 0.0),
-            (Self::Dynamic(rope), Some(mean)) => rope.stored_in_motion(strain, mean),
+            (Self::TensionTable(table), _) => (table.stored(strain), 0.0),
+            (Self::FibreRope(rope), None) => (rope.stored_at_rest(strain), 0.0),
+            (Self::FibreRope(rope), Some(mean)) => rope.stored_in_motion(strain, mean),
         }
     }
 
@@ -51,8 +51,8 @@ impl Law {
     #[must_use]
     pub fn strain_at(&self, tension: f64) -> f64 {
         match self {
-            Self::Table(table) => table.strain_at(tension),
-            Self::Dynamic(rope) => rope.strain_at(tension),
+            Self::TensionTable(table) => table.strain_at(tension),
+            Self::FibreRope(rope) => rope.strain_at(tension),
         }
     }
 
@@ -60,8 +60,8 @@ impl Law {
     #[must_use]
     pub fn overall(&self) -> f64 {
         match self {
-            Self::Table(table) => table.overall(),
-            Self::Dynamic(rope) => rope.overall(),
+            Self::TensionTable(table) => table.overall(),
+            Self::FibreRope(rope) => rope.overall(),
         }
     }
 
@@ -70,17 +70,17 @@ impl Law {
     #[must_use]
     pub fn steepest(&self) -> f64 {
         match self {
-            Self::Table(table) => table.steepest(),
-            Self::Dynamic(rope) => rope.steepest(),
+            Self::TensionTable(table) => table.steepest(),
+            Self::FibreRope(rope) => rope.steepest(),
         }
     }
 
     /// The dynamic stiffness, if that is what it has.
     #[must_use]
-    pub fn dynamic(&self) -> Option<&Dynamic> {
+    pub fn dynamic(&self) -> Option<&FibreRope> {
         match self {
-            Self::Dynamic(rope) => Some(rope),
-            Self::Table(_) => None,
+            Self::FibreRope(rope) => Some(rope),
+            Self::TensionTable(_) => None,
         }
     }
 }

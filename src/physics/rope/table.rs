@@ -9,7 +9,7 @@ use crate::numerics::roots::Bracket;
 
 /// Tension of a rope over its strain.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Table {
+pub struct TensionTable {
     strain: Vec<f64>,
     tension: Vec<f64>,
     /// Slope at the points \[N\].
@@ -18,7 +18,7 @@ pub struct Table {
     stored: Vec<f64>,
 }
 
-impl Table {
+impl TensionTable {
     /// From strains \[-\] and tensions \[N\], both rising from zero; nothing where they are not, or fewer than two.
     #[must_use]
     pub fn new(strain: &[f64], tension: &[f64]) -> Option<Self> {
@@ -169,8 +169,8 @@ impl Table {
 mod tests {
     use super::*;
 
-    fn nylon() -> Table {
-        Table::new(&[0.0, 0.02, 0.05, 0.12], &[0.0, 1e4, 6e4, 4e5]).unwrap()
+    fn nylon() -> TensionTable {
+        TensionTable::new(&[0.0, 0.02, 0.05, 0.12], &[0.0, 1e4, 6e4, 4e5]).unwrap()
     }
 
     #[test]
@@ -208,7 +208,7 @@ mod tests {
 
     #[test]
     fn two_points_are_a_straight_line() {
-        let table = Table::new(&[0.0, 0.1], &[0.0, 5e5]).unwrap();
+        let table = TensionTable::new(&[0.0, 0.1], &[0.0, 5e5]).unwrap();
         for strain in [-0.02, 0.0, 0.03, 0.1, 0.2] {
             let here = table.at(strain);
             assert!((here.tension - 5e6 * strain).abs() < 1e-6);
@@ -227,7 +227,7 @@ mod tests {
             (vec![0.0, 0.1], vec![0.0, 1.0, 2.0]),
             (vec![0.0, f64::NAN], vec![0.0, 1.0]),
         ] {
-            assert!(Table::new(&strain, &tension).is_none());
+            assert!(TensionTable::new(&strain, &tension).is_none());
         }
     }
 }

@@ -2,7 +2,7 @@
 
 /// The law by which it falls.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Decay {
+pub enum DepthDecay {
     /// Airy's linear theory at the depth of the sea.
     Airy,
     /// The same, and nothing below this depth \[m\]. Over the last tenth above it the motion fades, so that no
@@ -28,7 +28,7 @@ pub(super) struct Share {
 /// Part of the depth over which a cut-off motion fades.
 const FADE: f64 = 0.1;
 
-impl Decay {
+impl DepthDecay {
     /// The height \[m\] below which nothing moves.
     pub(super) fn reach(&self) -> f64 {
         match *self {
@@ -115,9 +115,9 @@ mod tests {
     #[test]
     fn slopes_are_derivatives_and_nothing_jumps() {
         let laws = [
-            Decay::Airy,
-            Decay::AiryAbove(50.0),
-            Decay::Logarithmic(50.0),
+            DepthDecay::Airy,
+            DepthDecay::AiryAbove(50.0),
+            DepthDecay::Logarithmic(50.0),
         ];
         for law in laws {
             for (k, depth) in [(0.05, 30.0), (0.05, 100.0), (0.3, 500.0)] {
@@ -143,18 +143,20 @@ mod tests {
 
     #[test]
     fn the_bed_lets_nothing_through_and_the_literal_law_ends_at_its_depth() {
-        assert!(Decay::Airy.share(0.1, 30.0, -30.0).up.abs() < 1e-16);
-        let shallow = Decay::Airy.share(0.1, 30.0, 0.0);
+        assert!(DepthDecay::Airy.share(0.1, 30.0, -30.0).up.abs() < 1e-16);
+        let shallow = DepthDecay::Airy.share(0.1, 30.0, 0.0);
         assert!((shallow.up - 1.0).abs() < 1e-14);
         assert!((shallow.across - 1.0 / 3.0_f64.tanh()).abs() < 1e-14);
         assert!(
-            Decay::Logarithmic(200.0)
+            DepthDecay::Logarithmic(200.0)
                 .share(0.1, 1e3, -200.0)
                 .across
                 .abs()
                 < 1e-15
         );
-        let half = Decay::Logarithmic(200.0).share(0.1, 1e3, -100.0).across;
+        let half = DepthDecay::Logarithmic(200.0)
+            .share(0.1, 1e3, -100.0)
+            .across;
         assert!((half - 0.379_885).abs() < 1e-6);
     }
 }

@@ -22,11 +22,11 @@ mod synthesis;
 mod waves;
 
 pub use component::{Component, Moments};
-pub use decay::Decay;
+pub use decay::DepthDecay;
 pub use dispersion::wave_number;
 pub use harmonics::{Harmonic, Harmonics};
 pub use rao::{DEGREES, Rao, RaoError, Response};
 pub use spectrum::Spectrum;
 pub use stretching::Stretching;
 pub use synthesis::synthesise;
-pub use waves::{Flow, Load as WaveLoad, Setting, Waves};
+pub use waves::{Flow, Load as WaveLoad, WaveSettings, Waves};

@@ -10,7 +10,7 @@
 //! 30 to 60 ns each on the machines at hand. So a line takes the water once a step, not in every iteration
 //! ([`Flow`] goes on from there to first order), and leaves out components that do not reach down to a node.
 
-use super::decay::{Decay, Share};
+use super::decay::{DepthDecay, Share};
 use super::stretching::{Reading, Stretching};
 use super::{Component, wave_number};
 use crate::numerics::{M3, V3};
@@ -31,7 +31,7 @@ pub struct Waves {
     /// Depth of the sea \[m\], infinite where it is deep.
     depth: f64,
     stretching: Stretching,
-    decay: Decay,
+    decay: DepthDecay,
     /// They grow from nothing over this time \[s\].
     ramp: f64,
     load: Load,
@@ -50,7 +50,7 @@ pub enum Load {
 
 /// How waves are carried up to the surface and down to the bed, and how they begin.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Setting {
+pub struct WaveSettings {
     /// Direction they run to, from +x towards +y \[rad\].
     pub direction: f64,
     /// Depth of the sea \[m\], infinite where it is deep.
@@ -60,7 +60,7 @@ pub struct Setting {
     /// Near the surface.
     pub stretching: Stretching,
     /// With depth.
-    pub decay: Decay,
+    pub decay: DepthDecay,
     /// They grow from nothing over this time \[s\].
     pub ramp: f64,
     /// What of the water's motion reaches the line.
@@ -124,7 +124,7 @@ struct Sums {
 impl Waves {
     /// Waves of these components, as they pass the origin, frequencies rising.
     #[must_use]
-    pub fn new(components: Vec<Component>, setting: &Setting) -> Self {
+    pub fn new(components: Vec<Component>, setting: &WaveSettings) -> Self {
         let numbers = components
             .iter()
             .map(|c| wave_number(c.omega, setting.gravity, setting.depth));
@@ -222,7 +222,7 @@ impl Waves {
     /// The sums over all components that reach down to where the formula is read.
     fn sums(&self, t: f64, along: f64, reading: &Reading) -> Sums {
         let mut sums = Sums::default();
-        let decays = !matches!(self.decay, Decay::Logarithmic(_));
+        let decays = !matches!(self.decay, DepthDecay::Logarithmic(_));
         for (c, k) in self.components.iter().zip(&self.numbers) {
             if decays && k * reading.z < FAINT {
                 break;
@@ -293,19 +293,19 @@ mod tests {
     use super::*;
     use crate::physics::sea::{Spectrum, synthesise};
 
-    fn setting(depth: f64) -> Setting {
-        Setting {
+    fn setting(depth: f64) -> WaveSettings {
+        WaveSettings {
             direction: 0.6,
             depth,
             gravity: 9.81,
             stretching: Stretching::Vertical,
-            decay: Decay::Airy,
+            decay: DepthDecay::Airy,
             ramp: 0.0,
             load: Load::Morison,
         }
     }
 
-    fn irregular(setting: &Setting) -> Waves {
+    fn irregular(setting: &WaveSettings) -> Waves {
         let spectrum = Spectrum::jonswap(4.0, 9.0, 3.3);
         Waves::new(synthesise(&spectrum, 30, 3, 0), setting)
     }
@@ -336,7 +336,7 @@ mod tests {
     #[test]
     fn the_load_of_inertia_leaves_out_the_speed_alone() {
         let whole = irregular(&setting(300.0));
-        let part = irregular(&Setting {
+        let part = irregular(&WaveSettings {
             load: Load::Inertia,
             ..setting(300.0)
         });
@@ -354,9 +354,9 @@ mod tests {
     #[test]
     fn derivatives_by_place_are_those_of_every_law() {
         let decays = [
-            Decay::Airy,
-            Decay::AiryAbove(30.0),
-            Decay::Logarithmic(30.0),
+            DepthDecay::Airy,
+            DepthDecay::AiryAbove(30.0),
+            DepthDecay::Logarithmic(30.0),
         ];
         let stretchings = [
             Stretching::None,
@@ -368,7 +368,7 @@ mod tests {
             for decay in decays {
                 for stretching in stretchings {
                     let ramp = 20.0;
-                    let waves = irregular(&Setting {
+                    let waves = irregular(&WaveSettings {
                         stretching,
                         decay,
                         ramp,
@@ -411,7 +411,7 @@ mod tests {
 
     #[test]
     fn growing_waves_have_the_acceleration_of_their_growth() {
-        let waves = irregular(&Setting {
+        let waves = irregular(&WaveSettings {
             ramp: 30.0,
             ..setting(40.0)
         });

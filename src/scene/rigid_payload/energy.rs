@@ -2,7 +2,7 @@
 
 use super::RigidPayload;
 use crate::numerics::V3;
-use crate::physics::kirchhoff::Moving;
+use crate::physics::kirchhoff::RelativeMotion;
 use crate::scene::{Scene, Water, submergence};
 use crate::solve::State;
 
@@ -24,8 +24,8 @@ impl RigidPayload {
     }
 
     /// How it moves, as if the water were still.
-    fn in_still_water(&self, scene: &Scene, state: &State) -> Moving {
-        Moving {
+    fn in_still_water(&self, scene: &Scene, state: &State) -> RelativeMotion {
+        RelativeMotion {
             t: scene.chord(self.node, state).tangent,
             v: self.at(&state.v, self.body.buoyancy_at),
             a: V3::zeros(),

@@ -1,7 +1,7 @@
 //! Tension-strain tables.
 
 use seacable::dynamics::Stepper;
-use seacable::physics::rope::Table;
+use seacable::physics::rope::TensionTable;
 use seacable::scene::Scene;
 use seacable::solve::State;
 
@@ -25,7 +25,7 @@ const WORDS: &str = "strain = [0.0, 0.01, 0.03, 0.06], tension_n = [0.0, 2e3, 1.
 fn a_hanging_rope_is_as_long_as_its_table_says() {
     let scene = hung(WORDS, "");
     let state = rest::at_rest(&scene);
-    let table = Table::new(&STRAIN, &TENSION).unwrap();
+    let table = TensionTable::new(&STRAIN, &TENSION).unwrap();
     let mut z = 0.0;
     for i in 0..10 {
         let tension = 9.80665 * (1000.0 + 2.0 * (95.0 - 10.0 * f64::from(i)));
@@ -110,7 +110,7 @@ fn small_swings_go_at_the_slope() {
         },
     );
     let period = (crossings[crossings.len() - 1] - crossings[0]) / (crossings.len() - 1) as f64;
-    let table = Table::new(&STRAIN, &TENSION).unwrap();
+    let table = TensionTable::new(&STRAIN, &TENSION).unwrap();
     let slope = table.at(table.strain_at(1000.0 * 9.80665)).by_strain;
     let exact = std::f64::consts::TAU * (1000.0 * 100.0 / slope).sqrt();
     assert!((period / exact - 1.0).abs() < 1e-3, "{period} {exact}");
@@ -121,7 +121,7 @@ fn small_swings_go_at_the_slope() {
 fn the_explicit_limit_knows_the_steepest_part() {
     let scene = hung(WORDS, "line.segments = 10");
     let (limit, _) = scene.explicit_limit();
-    let steepest = Table::new(&STRAIN, &TENSION).unwrap().steepest();
+    let steepest = TensionTable::new(&STRAIN, &TENSION).unwrap().steepest();
     let exact = 2.785 / (2.0 * 2.0 * steepest / 10.0 / 20.0).sqrt();
     assert!((limit / exact - 1.0).abs() < 1e-9, "{limit} {exact}");
 }
