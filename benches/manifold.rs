@@ -18,7 +18,7 @@ use seacable::case::{self, Case, Method};
 use seacable::numerics::{BlockBand, V3};
 use seacable::run::{History, Run, job};
 use seacable::scene::{self, Scene};
-use seacable::solve::{Factors, State, System};
+use seacable::solve::{ExplicitRhs, Factors, Kinematics, Residual, State};
 
 const MANIFOLD: &str = include_str!("../cases/pendulous/manifold.toml");
 

@@ -1,15 +1,19 @@
-//! Lines in motion: explicit Runge-Kutta, implicit generalized-alpha, and the march that leaves
-//! inertia out. All three take a [`System`](crate::solve::System) and pour into a
-//! [`Sink`](crate::solve::Sink); none knows a case, a file or a screen.
+//! Time integration: classical Runge-Kutta, generalized-alpha, and the quasi-static march without inertia. All take a
+//! system by the traits of [`solve`](crate::solve) and report to a [`Sink`](crate::solve::Sink); none knows a case, a file
+//! or a screen.
 
 pub mod generalized_alpha;
 pub mod march;
 pub mod method_state;
 pub mod numerical_damping;
+pub mod progress;
 pub mod quasi_static;
 pub mod rk4;
+pub mod step_control;
+pub mod stepper;
 
-pub use march::{
-    Grid, March, MarchError, MarchProgress, MarchSummary, StepError, Stepper, TimeStep, WorkCounts,
-};
+pub use march::{March, MarchSummary, TimeGrid};
 pub use method_state::MethodState;
+pub use progress::MarchProgress;
+pub use step_control::MarchError;
+pub use stepper::{Integrator, StepError, Stepper, TimeStep, WorkCounts};

@@ -1,27 +1,28 @@
-//! Classical Runge-Kutta of order 4: the independent reference for accuracy, and the method for short,
-//! snappy lines. Stable up to 2.785 / omega of the fastest axial mode, which is known beforehand, and to 2.785 / lambda
-//! of the fastest decay by drag, which grows with speed: a step longer than that is refused and halved.
+//! Classical Runge-Kutta of order 4: the independent reference for accuracy, and the method for short lines that snap.
+//!
+//! Stable up to `h omega = 2.785` for the fastest axial mode, known beforehand, and to `h lambda = 2.785` for the fastest
+//! decay by drag, which grows with velocity: a longer step is rejected and halved.
 
-use super::march::ROOM_TO_DOUBLE;
-use super::{MethodState, StepError, Stepper, TimeStep, WorkCounts};
+use super::step_control::DOUBLING_ERROR;
+use super::{Integrator, MethodState, StepError, Stepper, TimeStep, WorkCounts};
 use crate::numerics::V3;
-use crate::solve::{NewtonError, State, System};
+use crate::solve::{ExplicitRhs, NewtonError, State};
 
-/// Where the stability region ends on the negative real axis.
-const REAL_AXIS: f64 = 2.785;
+/// Stability limit on the negative real axis.
+const REAL_AXIS_LIMIT: f64 = 2.785;
 
-/// Scratch for one line; allocates only when made.
+/// The method and its work arrays; allocates only in [`Rk4::new`].
 #[derive(Debug, Clone)]
 pub struct Rk4 {
     stage: State,
     next: State,
-    /// The fastest decay at the end of the last step \[1/s\] and its node, once it is known.
+    /// The fastest decay at the end of the last step \[1/s\] and its node, once known.
     decay: Option<(f64, usize)>,
     work_counts: WorkCounts,
 }
 
 impl Rk4 {
-    /// Scratch for a line of `nodes` nodes.
+    /// For a system of `nodes` nodes.
     #[must_use]
     pub fn new(nodes: usize) -> Self {
         let state = State::at_rest(vec![V3::zeros(); nodes]);
@@ -34,7 +35,7 @@ impl Rk4 {
     }
 
     /// Evaluates the stage and adds its derivative, times `weight`, to the next state.
-    fn add_stage<S: System + ?Sized>(&mut self, system: &S, t: f64, weight: f64) {
+    fn add_stage<S: ExplicitRhs>(&mut self, system: &S, t: f64, weight: f64) {
         system.prescribe(t, &mut self.stage);
         system.update_wave_kinematics(t, &mut self.stage);
         system.accelerate(t, &mut self.stage);
@@ -45,18 +46,17 @@ impl Rk4 {
         }
     }
 
-    /// Sets the stage to the state moved along its own last derivative by h.
-    fn move_stage<S: System + ?Sized>(&mut self, system: &S, state: &State, h: f64) {
+    /// Sets the stage to `state + h * derivative of the stage before`.
+    fn move_stage<S: ExplicitRhs>(&mut self, system: &S, state: &State, h: f64) {
         for i in system.free() {
             self.stage.x[i] = state.x[i] + self.stage.v[i] * h;
             self.stage.v[i] = state.v[i] + self.stage.a[i] * h;
         }
     }
 
-    /// Refuses a step in which a number is not finite (accelerations too: what goes astray shows in them first), and
-    /// one that is too long for the decay by drag at either end of it. Returns a share of error that leaves room for a
-    /// step twice as long where the decay bears that. The end of one step is the beginning of the next.
-    fn check<S: System + ?Sized>(
+    /// Rejects a step with a number that is not finite (divergence shows in accelerations first), and one too long for the
+    /// decay by drag at its start or end. Returns an error ratio that allows doubling where the decay does.
+    fn check<S: ExplicitRhs>(
         &mut self,
         system: &S,
         h: f64,
@@ -64,32 +64,27 @@ impl Rk4 {
     ) -> Result<f64, NewtonError> {
         let finite = |p: &V3| p.iter().all(|c| c.is_finite());
         let next = &self.next;
-        let spoilt = |i: usize| !finite(&next.x[i]) || !finite(&next.v[i]) || !finite(&next.a[i]);
-        if let Some(node) = system.free().find(|&i| spoilt(i)) {
+        let diverged = |i: usize| !finite(&next.x[i]) || !finite(&next.v[i]) || !finite(&next.a[i]);
+        if let Some(node) = system.free().find(|&i| diverged(i)) {
             return Err(NewtonError::NotFinite { node });
         }
-        let mut share = 0.0_f64;
-        let begin = self.decay.unwrap_or_else(|| system.fastest_decay(state));
-        self.decay = Some(begin);
+        let mut ratio = 0.0_f64;
+        let start = self.decay.unwrap_or_else(|| system.fastest_decay(state));
+        self.decay = Some(start);
         let end = system.fastest_decay(next);
-        for (rate, node) in [end, begin] {
-            if h * rate > REAL_AXIS {
+        for (rate, node) in [end, start] {
+            if h * rate > REAL_AXIS_LIMIT {
                 return Err(NewtonError::Unstable { node });
             }
-            share = share.max(2.0 * ROOM_TO_DOUBLE * h * rate / REAL_AXIS);
+            ratio = ratio.max(2.0 * DOUBLING_ERROR * h * rate / REAL_AXIS_LIMIT);
         }
         self.decay = Some(end);
-        Ok(share)
+        Ok(ratio)
     }
 }
 
-impl Stepper for Rk4 {
-    fn step<S: System + ?Sized>(
-        &mut self,
-        system: &S,
-        at: TimeStep,
-        state: &mut State,
-    ) -> Result<f64, StepError> {
+impl<S: ExplicitRhs> Stepper<S> for Rk4 {
+    fn step(&mut self, system: &S, at: TimeStep, state: &mut State) -> Result<f64, StepError> {
         let TimeStep { t, dt, .. } = at;
         self.stage.copy_from(state);
         self.next.copy_from(state);
@@ -103,13 +98,21 @@ impl Stepper for Rk4 {
         self.add_stage(system, t + dt, dt / 6.0);
         system.prescribe(t + dt, &mut self.next);
         system.update_wave_kinematics(t + dt, &mut self.next);
-        // The acceleration of the last stage is at the end of the step: good for what is read off.
+        // The acceleration of the last stage is that at the end of the step: good for output.
         self.next.a.copy_from_slice(&self.stage.a);
-        let share = self.check(system, dt, state)?;
+        let ratio = self.check(system, dt, state)?;
         state.copy_from(&self.next);
-        Ok(share)
+        Ok(ratio)
     }
 
+    fn restart(&mut self, system: &S, t: f64, state: &mut State) {
+        system.update_wave_kinematics(t, state);
+        system.accelerate(t, state);
+        self.decay = None;
+    }
+}
+
+impl Integrator for Rk4 {
     fn method_state(&self) -> MethodState {
         MethodState {
             decay: self.decay,
@@ -118,15 +121,9 @@ impl Stepper for Rk4 {
         }
     }
 
-    fn restore(&mut self, carried: &MethodState) {
-        self.decay = carried.decay;
-        self.work_counts = carried.work_counts;
-    }
-
-    fn restart<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &mut State) {
-        system.update_wave_kinematics(t, state);
-        system.accelerate(t, state);
-        self.decay = None;
+    fn restore(&mut self, saved: &MethodState) {
+        self.decay = saved.decay;
+        self.work_counts = saved.work_counts;
     }
 
     fn work_counts(&self) -> WorkCounts {

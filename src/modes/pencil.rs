@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::numerics::{BlockBand, M3, SingularBlock, V3};
 use crate::scene::Scene;
-use crate::solve::{Factors, State, System};
+use crate::solve::{Factors, Kinematics, Residual, State};
 
 const STIFFNESS: Factors = Factors {
     mass: 0.0,

@@ -12,7 +12,7 @@ use crate::case::{
 use crate::run::job::{self, Request};
 use crate::run::{QuantityId, Run, RunState, Subject};
 use crate::scene;
-use crate::solve::{State, System};
+use crate::solve::{Kinematics, State};
 use crate::statics::equilibrium::EquilibriumSearch;
 
 /// Equilibrium of the discretised line.

@@ -8,7 +8,7 @@ use super::response::Response;
 use super::store::{Rows, Shapes, StoreError};
 use super::touchdown_speed::TouchdownSpeed;
 use super::{LineShape, Profile};
-use crate::dynamics::{Grid, MarchProgress, MethodState};
+use crate::dynamics::{MarchProgress, MethodState, TimeGrid};
 use crate::solve::State;
 
 /// A run on its way, at an output time.
@@ -50,7 +50,7 @@ pub struct Checkpoint {
 impl Checkpoint {
     /// Whether a march with these times goes on where this one stands.
     #[must_use]
-    pub fn fits(&self, grid: &Grid) -> bool {
+    pub fn fits(&self, grid: &TimeGrid) -> bool {
         self.whole_step_s.to_bits() == grid.dt.to_bits() && self.per_output == grid.per_output
     }
 }

@@ -21,7 +21,7 @@ use crate::dynamics::generalized_alpha::{ErrorLimits, GeneralizedAlpha};
 use crate::dynamics::quasi_static::QuasiStatic;
 use crate::dynamics::rk4::Rk4;
 use crate::scene::{self, Scene};
-use crate::solve::{Instant, Progressing, Sink, State, System};
+use crate::solve::{ExplicitRhs, Instant, Kinematics, Progressing, Sink, State};
 
 /// What one computation gave.
 #[derive(Debug, Clone)]

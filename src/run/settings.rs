@@ -4,7 +4,7 @@ use super::Settings;
 use crate::case::{Case, Method};
 use crate::dynamics::numerical_damping::NumericalDamping;
 use crate::scene::{End, Scene};
-use crate::solve::System;
+use crate::solve::{Kinematics, StaticSearch};
 
 /// Share of the stability limit that explicit steps take when left open: the companion that estimates the
 /// time error takes twice that and must still be stable.

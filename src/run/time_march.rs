@@ -8,7 +8,7 @@ use super::store::StoreError;
 use super::{Checkpoint, Resume, RunState, Settings, Work};
 use crate::dynamics::{March, MarchError, MarchProgress, MethodState, Stepper, WorkCounts};
 use crate::scene::Scene;
-use crate::solve::{Instant, Progressing, Sink, State, System};
+use crate::solve::{Hysteresis, Instant, Kinematics, Progressing, Sink, State};
 
 /// How a computation ended.
 pub(super) struct MarchResult {
@@ -46,7 +46,7 @@ pub(super) struct From<'a> {
 }
 
 /// Marches a line through all its phases.
-pub(super) fn march<'a, M: Stepper>(
+pub(super) fn march<'a, M: Stepper<Scene>>(
     mut method: M,
     settings: &Settings,
     phases: &'a [Scene],
@@ -131,7 +131,7 @@ pub(super) fn march<'a, M: Stepper>(
     clippy::too_many_arguments,
     reason = "the parts of one march, used nowhere else"
 )]
-fn run_phase<'a, M: Stepper>(
+fn run_phase<'a, M: Stepper<Scene>>(
     march: &March,
     place: &mut MarchProgress,
     until: f64,
@@ -163,7 +163,7 @@ fn run_phase<'a, M: Stepper>(
 }
 
 /// Begins at time zero: what the line remembers of its start, and the first row.
-fn set_out<'a, M: Stepper>(
+fn set_out<'a, M: Stepper<Scene>>(
     method: &mut M,
     scene: &'a Scene,
     state: &mut State,
@@ -187,7 +187,7 @@ fn set_out<'a, M: Stepper>(
 }
 
 /// Sets everything as it stood at a checkpoint.
-fn take_up<'a, M: Stepper>(
+fn take_up<'a, M: Stepper<Scene>>(
     resume: &Resume,
     method: &mut M,
     phases: &'a [Scene],

@@ -6,7 +6,7 @@ use crate::dynamics::{MethodState, WorkCounts};
 use crate::numerics::V3;
 use crate::numerics::interpolation::{interval_closed_above, share};
 use crate::scene::Scene;
-use crate::solve::{State, System};
+use crate::solve::{Kinematics, State};
 
 /// How far an end may be from where the run left it, as a share of the line's length: what more is would be a jerk.
 const APART: f64 = 1e-6;

@@ -6,7 +6,7 @@ use crate::numerics::{BlockBand, V3};
 use crate::physics::Seabed;
 use crate::physics::friction::{Contact, Friction, FrictionForce, FrictionModel, Grip};
 use crate::physics::seabed::Push;
-use crate::solve::{Factors, State, System};
+use crate::solve::{Factors, Kinematics, State};
 
 /// The bed of the case.
 pub(super) fn seabed(bed: &case::Seabed) -> Seabed {

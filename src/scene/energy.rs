@@ -8,7 +8,7 @@
 use super::water::BodyInWater;
 use super::{AttachedBody, End, Scene};
 use crate::numerics::V3;
-use crate::solve::{State, System};
+use crate::solve::{Kinematics, State};
 
 impl Scene {
     /// Kinetic, potential and elastic energy \[J\]: weight in water, and in air of what is above still water where the line

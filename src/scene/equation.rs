@@ -6,9 +6,11 @@ use super::water::BodyInWater;
 use super::{AttachedBody, End, Scene};
 use crate::numerics::{BlockBand, M3, V3};
 use crate::physics::seabed::Seabed;
-use crate::solve::{Factors, State, System};
+use crate::solve::{
+    ExplicitRhs, Factors, Hysteresis, Kinematics, MidstepBalance, Residual, State, StaticSearch,
+};
 
-impl System for Scene {
+impl Kinematics for Scene {
     fn nodes(&self) -> usize {
         self.mass.len()
     }
@@ -18,36 +20,6 @@ impl System for Scene {
         held(0)..self.nodes() - held(1)
     }
 
-    fn is_pentadiagonal(&self) -> bool {
-        self.flexure.is_some() || self.traveller.is_some()
-    }
-
-    fn kinked_node(&self, state: &State) -> Option<usize> {
-        self.flexure.as_ref()?.kinked_node(self, state)
-    }
-
-    fn with_clamps(&self, start: &State, share: f64) -> Option<Box<dyn System + '_>> {
-        let flexure = self.flexure.as_ref()?.with_clamps(self, start, share)?;
-        let mut scene = self.clone();
-        scene.flexure = Some(flexure);
-        Some(Box::new(scene))
-    }
-
-    fn without_friction(&self) -> Option<Box<dyn System + '_>> {
-        let rough = self.bed.filter(|bed| bed.friction.is_some())?;
-        let mut scene = self.clone();
-        scene.bed = Some(Seabed {
-            friction: None,
-            ..rough
-        });
-        scene.start_grips.clear();
-        Some(Box::new(scene))
-    }
-
-    fn reset_friction(&self, state: &mut State) {
-        state.memory.grips = self.grips_at(&state.x);
-    }
-
     fn prescribe(&self, t: f64, state: &mut State) {
         let last = self.nodes() - 1;
         for (end, node) in [(0, 0), (1, last)] {
@@ -55,6 +27,16 @@ impl System for Scene {
                 (state.x[node], state.v[node], state.a[node]) = motion.at(t);
             }
         }
+    }
+
+    fn update_wave_kinematics(&self, t: f64, state: &mut State) {
+        self.write_wave_kinematics(t, state);
+    }
+}
+
+impl Residual for Scene {
+    fn is_pentadiagonal(&self) -> bool {
+        self.flexure.is_some() || self.traveller.is_some()
     }
 
     fn residual(&self, t: f64, state: &State, r: &mut [V3]) {
@@ -103,14 +85,47 @@ impl System for Scene {
         }
     }
 
-    fn update_wave_kinematics(&self, t: f64, state: &mut State) {
-        self.write_wave_kinematics(t, state);
+    fn extrapolate_tensions(&self, d: &[V3], state: &mut State) {
+        self.extrapolate_segment_tensions(d, state);
+    }
+
+    fn force_norm_displacement(&self, d: &[V3], state: &State) -> f64 {
+        self.force_norm_displacement(d, state)
+    }
+}
+
+impl ExplicitRhs for Scene {
+    fn accelerate(&self, t: f64, state: &mut State) {
+        self.accelerations(t, state);
+        self.accelerate_rigid_payload(state);
+        self.accelerate_traveller(t, state);
     }
 
     fn fastest_decay(&self, state: &State) -> (f64, usize) {
         self.fastest_drag_decay(state)
     }
+}
 
+impl Hysteresis for Scene {
+    fn commit(&self, t: f64, dt: f64, state: &mut State) {
+        self.update_grips(state);
+        self.remember_ropes(t, dt, state);
+    }
+
+    fn freeze_drag_coefficients(&self, state: &mut State) {
+        let segments = self.segments.len();
+        state.memory.drag_coefficients.resize(segments, [0.0; 2]);
+        for i in 0..self.segments.len() {
+            let u = self.relative_velocities(i, state);
+            let tangent = self.chord(i, state).tangent;
+            state.memory.drag_coefficients[i] = self.segments[i]
+                .drag
+                .normal_coefficients(&tangent, [&u[0], &u[1]]);
+        }
+    }
+}
+
+impl MidstepBalance for Scene {
     fn correct_chord_lengths(&self, share: f64, before: &State, end: &mut State) {
         self.chord_corrections(share, before, end);
     }
@@ -118,42 +133,9 @@ impl System for Scene {
     fn snap_acceleration(&self, between: &State, end: &State) -> f64 {
         self.acceleration_by_snaps(between, end)
     }
+}
 
-    fn freeze_drag_coefficients(&self, state: &mut State) {
-        let segments = self.segments.len();
-        state.memory.held_drag.resize(segments, [0.0; 2]);
-        for i in 0..self.segments.len() {
-            let u = self.relative_velocities(i, state);
-            let tangent = self.chord(i, state).tangent;
-            state.memory.held_drag[i] = self.segments[i]
-                .drag
-                .normal_coefficients(&tangent, [&u[0], &u[1]]);
-        }
-    }
-
-    fn commit(&self, t: f64, dt: f64, state: &mut State) {
-        self.update_grips(state);
-        self.remember_ropes(t, dt, state);
-    }
-
-    fn initialise_tensions(&self, state: &mut State) {
-        self.initial_segment_tensions(state);
-    }
-
-    fn extrapolate_tensions(&self, d: &[V3], state: &mut State) {
-        self.extrapolate_segment_tensions(d, state);
-    }
-
-    fn accelerate(&self, t: f64, state: &mut State) {
-        self.accelerations(t, state);
-        self.accelerate_rigid_payload(state);
-        self.accelerate_traveller(t, state);
-    }
-
-    fn force_norm_displacement(&self, d: &[V3], state: &State) -> f64 {
-        self.force_norm_displacement(d, state)
-    }
-
+impl StaticSearch for Scene {
     fn force_scale(&self) -> f64 {
         self.force_scale
     }
@@ -164,5 +146,35 @@ impl System for Scene {
 
     fn position_tolerance(&self, relative: f64) -> f64 {
         (relative * self.force_scale / self.stiffest()).max(self.rounding())
+    }
+
+    fn initialise_tensions(&self, state: &mut State) {
+        self.initial_segment_tensions(state);
+    }
+
+    fn kinked_node(&self, state: &State) -> Option<usize> {
+        self.flexure.as_ref()?.kinked_node(self, state)
+    }
+
+    fn with_clamps(&self, start: &State, fraction: f64) -> Option<Self> {
+        let flexure = self.flexure.as_ref()?.with_clamps(self, start, fraction)?;
+        let mut scene = self.clone();
+        scene.flexure = Some(flexure);
+        Some(scene)
+    }
+
+    fn without_friction(&self) -> Option<Self> {
+        let rough = self.bed.filter(|bed| bed.friction.is_some())?;
+        let mut scene = self.clone();
+        scene.bed = Some(Seabed {
+            friction: None,
+            ..rough
+        });
+        scene.start_grips.clear();
+        Some(scene)
+    }
+
+    fn reset_friction(&self, state: &mut State) {
+        state.memory.grips = self.grips_at(&state.x);
     }
 }

@@ -4,7 +4,7 @@
 use super::{End, Scene};
 use crate::case::Case;
 use crate::numerics::V3;
-use crate::solve::{State, System};
+use crate::solve::{Kinematics, State};
 
 /// A change of the line at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]

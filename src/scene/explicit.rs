@@ -3,7 +3,7 @@
 use super::water::BodyInWater;
 use super::{AttachedBody, End, Scene};
 use crate::numerics::{M3, V3};
-use crate::solve::{State, System};
+use crate::solve::{Kinematics, State};
 
 impl Scene {
     /// Accelerations of the free nodes, `a = M(x)^-1 f(x, v)`: the mass of a node is a 3 x 3 block of its

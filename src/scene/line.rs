@@ -10,7 +10,7 @@ use crate::physics::{Body, Current, EndMotion, Grip, Seabed};
 
 use super::submergence::Submergence;
 use super::{Event, Flexure, RigidPayload, Traveller, Water};
-use crate::solve::{State, System};
+use crate::solve::{Kinematics, State};
 
 /// A segment between two nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -176,7 +176,7 @@ impl Scene {
             &chord.tangent,
             [&u[0], &u[1]],
             0.5 * length,
-            state.memory.held_drag.get(i),
+            state.memory.drag_coefficients.get(i),
         )
     }
 

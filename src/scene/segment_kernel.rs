@@ -64,7 +64,7 @@ impl Scene {
             && self.laws.is_empty()
             && state.wave_flow.is_empty()
             && state.extrapolated_tension.is_empty()
-            && state.memory.held_drag.is_empty()
+            && state.memory.drag_coefficients.is_empty()
     }
 
     #[inline(always)]
@@ -133,7 +133,7 @@ impl Scene {
         if PLAIN {
             return (None, profile.drag(&chord.tangent, u, length, None));
         }
-        let held = state.memory.held_drag.get(i);
+        let held = state.memory.drag_coefficients.get(i);
         let full = profile.drag(&chord.tangent, u, length, held);
         match self.wet(i, state) {
             None => (None, full),

@@ -13,7 +13,7 @@ mod path;
 
 use super::{Scene, submergence};
 use crate::numerics::{BlockBand, M3, V3};
-use crate::solve::{Factors, State, System};
+use crate::solve::{Factors, Kinematics, State};
 use path::PathPoint;
 
 /// A body that travels along the line.

@@ -1,9 +1,13 @@
-//! Between physics and numerics: what a solver may ask of a line, and the one Newton loop.
+//! Between the model and the methods: states, the traits that solvers ask for, and the one Newton iteration.
 
 pub mod newton;
 pub mod sink;
+pub mod state;
 pub mod system;
 
 pub use newton::{Newton, NewtonError};
 pub use sink::{Instant, Progressing, Sink};
-pub use system::{Factors, Memory, RopeHistory, State, System};
+pub use state::{Memory, RopeHistory, State};
+pub use system::{
+    ExplicitRhs, Factors, Hysteresis, Kinematics, MidstepBalance, Residual, StaticSearch,
+};

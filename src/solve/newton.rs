@@ -10,7 +10,7 @@
 //! makes hardly any force, a step whose error is controlled may bear more than along it. An iteration that goes in a circle, as
 //! between two sides of a kink, may be given up early: a march halves its step sooner and loses less.
 
-use super::{Factors, State, System};
+use super::{Factors, Residual, State};
 use crate::numerics::{BlockBand, V3};
 
 /// Newton's memory for one line: scratch and the measured rate. Allocates only when made, and
@@ -141,7 +141,7 @@ impl Newton {
     ///
     /// # Errors
     /// [`NewtonError`]; `state` then holds the last iterate.
-    pub fn solve<S: System + ?Sized>(
+    pub fn solve<S: Residual>(
         &mut self,
         system: &S,
         t: f64,
@@ -188,7 +188,7 @@ impl Newton {
     }
 
     /// The displacement just made, no node's more than `moved`, as the stopping rule counts it \[m\].
-    fn measured<S: System + ?Sized>(&self, system: &S, state: &State, moved: f64) -> f64 {
+    fn measured<S: Residual>(&self, system: &S, state: &State, moved: f64) -> f64 {
         // A force that goes steeply with velocity does so in every direction.
         if self.transverse_tolerance <= self.tolerance || self.velocity_tolerance.is_finite() {
             return moved;
@@ -202,7 +202,7 @@ impl Newton {
     ///
     /// # Errors
     /// [`NewtonError::Singular`] and [`NewtonError::NotFinite`].
-    pub fn iterate<S: System + ?Sized>(
+    pub fn iterate<S: Residual>(
         &mut self,
         system: &S,
         t: f64,
@@ -249,7 +249,7 @@ impl Newton {
     }
 
     /// Tells a tangent that nothing holds from one spoilt by a number that is not finite.
-    fn why_unsolved<S: System + ?Sized>(
+    fn why_unsolved<S: Residual>(
         &mut self,
         system: &S,
         t: f64,
@@ -266,7 +266,7 @@ impl Newton {
     }
 
     /// The largest residual of a free node \[N\], and its node.
-    pub fn largest_residual<S: System + ?Sized>(
+    pub fn largest_residual<S: Residual>(
         &mut self,
         system: &S,
         t: f64,

@@ -1,230 +1,147 @@
-//! What a solver may ask of a line.
+//! What each solver needs of a discretised system, as one small trait each.
+//!
+//! | trait | used by |
+//! |---|---|
+//! | [`Kinematics`] | all |
+//! | [`Residual`] | Newton: statics and every implicit step |
+//! | [`ExplicitRhs`] | Runge-Kutta; the first acceleration of generalized-alpha |
+//! | [`Hysteresis`] | the time march, after every accepted step |
+//! | [`MidstepBalance`] | generalized-alpha, which balances forces between two steps |
+//! | [`StaticSearch`] | the search for an equilibrium |
+//!
+//! No function of these changes the system. None allocates, except for the memory of a state at its first use.
 
 use std::ops::Range;
 
-use serde::{Deserialize, Serialize};
-
+use super::State;
 use crate::numerics::{BlockBand, V3};
-use crate::physics::Grip;
-use crate::physics::sea::Flow;
 
-/// What a line remembers of the steps accepted so far. It changes in [`System::commit`] and [`System::freeze_drag_coefficients`] only,
-/// never while a step is being tried: every trial of a step sees the same past.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Memory {
-    /// Normal drag coefficients of both halves of every segment, where a method holds them over a step: see
-    /// [`System::freeze_drag_coefficients`]. One entry a segment, or none at all.
-    pub held_drag: Vec<[f64; 2]>,
-    /// Where a bed with friction has hold of every node. One entry a node, or none at all.
-    pub grips: Vec<Grip>,
-    /// What ropes with dynamic stiffness remember, see [`System::commit`]. One entry a segment, or none at all: such a
-    /// rope is then at rest.
-    pub ropes: Vec<RopeHistory>,
-    /// Time of the last accepted step \[s\], where ropes remember.
-    pub time: f64,
-}
-
-/// What a segment of rope remembers of the tensions of accepted steps.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct RopeHistory {
-    /// Their mean \[N\].
-    pub mean: f64,
-    /// Strain that goes with that mean, loaded slowly \[-\].
-    pub strain: f64,
-    /// How fast the mean moves \[N/s\].
-    pub tension_rate: f64,
-    /// How fast its strain moves \[1/s\].
-    pub strain_rate: f64,
-    /// The last of them \[N\].
-    pub tension: f64,
-}
-
-impl Memory {
-    /// Takes over another line's memory, without allocating where the sizes agree.
-    pub fn copy_from(&mut self, other: &Self) {
-        self.held_drag.clone_from(&other.held_drag);
-        self.grips.clone_from(&other.grips);
-        self.ropes.clone_from(&other.ropes);
-        self.time = other.time;
-    }
-}
-
-/// Position \[m\], velocity \[m/s\] and acceleration \[m/s²\] of every node, from end A to end B.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct State {
-    /// Positions.
-    pub x: Vec<V3>,
-    /// Velocities.
-    pub v: Vec<V3>,
-    /// Accelerations.
-    pub a: Vec<V3>,
-    /// What the line remembers of its past.
-    pub memory: Memory,
-    /// What waves make of the water at every node, where there are waves and the line is on its way: see
-    /// [`System::update_wave_kinematics`]. One entry a node, or none at all.
-    #[serde(skip)]
-    pub wave_flow: Vec<Flow>,
-    /// Tensions of the segments as the iteration before foretold them \[N\], for the stiffness across the line: see
-    /// [`System::extrapolate_tensions`]. One entry a segment, or none at all: tensions are then those of the stretch.
-    #[serde(rename = "foretold")]
-    pub extrapolated_tension: Vec<f64>,
-    /// How much longer the segments are than their tensions tell \[m\], where a method takes forces between two states: see
-    /// [`System::correct_chord_lengths`]. One entry a segment, or none at all.
-    #[serde(default, rename = "excess")]
-    pub chord_correction: Vec<f64>,
-}
-
-impl State {
-    /// At rest at the given positions.
-    #[must_use]
-    pub fn at_rest(x: Vec<V3>) -> Self {
-        let n = x.len();
-        Self {
-            x,
-            v: vec![V3::zeros(); n],
-            a: vec![V3::zeros(); n],
-            memory: Memory::default(),
-            wave_flow: Vec::new(),
-            extrapolated_tension: Vec::new(),
-            chord_correction: Vec::new(),
-        }
-    }
-
-    /// Takes over another state of the same size without allocating.
-    pub fn copy_from(&mut self, other: &Self) {
-        self.x.copy_from_slice(&other.x);
-        self.v.copy_from_slice(&other.v);
-        self.a.copy_from_slice(&other.a);
-        self.memory.copy_from(&other.memory);
-        self.wave_flow.clone_from(&other.wave_flow);
-        self.extrapolated_tension
-            .clone_from(&other.extrapolated_tension);
-        self.chord_correction.clone_from(&other.chord_correction);
-    }
-
-    /// Whether every number is finite.
-    #[must_use]
-    pub fn is_finite(&self) -> bool {
-        let finite = |list: &[V3]| list.iter().all(|p| p.iter().all(|c| c.is_finite()));
-        finite(&self.x) && finite(&self.v) && finite(&self.a)
-    }
-}
-
-/// How much of mass, damping and stiffness enters a tangent: statics, quasi-statics and every
-/// implicit time step differ in nothing else.
+/// Weights of mass, damping and stiffness in a tangent. Statics, quasi-statics and the implicit time steps differ in
+/// these only.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Factors {
     /// Change of acceleration per change of position \[1/s²\].
     pub mass: f64,
     /// Change of velocity per change of position \[1/s\].
     pub damping: f64,
-    /// Change of position per change of position \[-\]; 1 but for tests.
+    /// Change of position per change of position \[-\]; 1 but for tests and modes.
     pub stiffness: f64,
 }
 
-/// A discretised line, as a solver sees it. The residual is `R = M(x) a - f(t, x, v)` \[N\], a vector
-/// a node; none of these functions changes the line or allocates.
-pub trait System: Sync {
+/// The nodes of a system, and what is prescribed of them.
+pub trait Kinematics: Sync {
     /// Number of nodes, both ends counted.
     fn nodes(&self) -> usize;
 
-    /// The nodes that move by their equation of motion; the others are prescribed.
+    /// The nodes that follow the equation of motion; the others are prescribed.
     fn free(&self) -> Range<usize>;
-
-    /// Whether nodes two apart are coupled: the tangent then needs its far blocks.
-    fn is_pentadiagonal(&self) -> bool;
 
     /// Sets position, velocity and acceleration of the prescribed nodes at time t \[s\].
     fn prescribe(&self, t: f64, state: &mut State);
 
-    /// Writes into the state what moves the water at its nodes at time t \[s\], the same for all that is asked of the
-    /// line in that state and near it. A method calls it once for every state whose forces it wants, when the positions
-    /// are known or foretold; a line at rest, and statics, never. Allocates at the first call only.
+    /// Writes the wave kinematics at the nodes at time t \[s\] into the state, for all evaluations at and near that
+    /// state. A method calls it once for every state at which it evaluates forces, when positions are known or predicted;
+    /// statics never does. Allocates at the first call only.
     fn update_wave_kinematics(&self, _t: f64, _state: &mut State) {}
+}
 
-    /// The residual of every node.
+/// The residual `R = M(x) a - f(t, x, v)` \[N\], three rows a node, and its tangent.
+pub trait Residual: Kinematics {
+    /// Whether nodes two apart are coupled: the tangent is then block-pentadiagonal.
+    fn is_pentadiagonal(&self) -> bool;
+
+    /// Sets the residual of every node.
     fn residual(&self, t: f64, state: &State, r: &mut [V3]);
 
-    /// The residual, and its tangent `mass dR/da + damping dR/dv + stiffness dR/dx`.
+    /// Sets the residual, and its tangent `mass dR/da + damping dR/dv + stiffness dR/dx`.
     fn linearise(&self, t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockBand);
 
-    /// Accelerations of the free nodes from positions and velocities, `a = M(x)^-1 f(t, x, v)`. Those
-    /// of the prescribed nodes are left as they are.
-    fn accelerate(&self, t: f64, state: &mut State);
-
-    /// The fastest rate at which drag slows a free node that moves as it does \[1/s\], or more, and the node: what an
-    /// explicit step must be short for. None unless a line tells one.
-    fn fastest_decay(&self, _state: &State) -> (f64, usize) {
-        (0.0, 0)
-    }
-
-    /// The acceleration by which parts of the line jolt a node at `end` that do not pull yet at `between` \[m/s²\]: what a
-    /// method that balances forces between its steps has not seen. None unless a line tells one.
-    fn snap_acceleration(&self, _between: &State, _end: &State) -> f64 {
-        0.0
-    }
-
-    /// Writes into the state at the end of a step how much longer its segments are than their tensions tell. A method that
-    /// balances forces at a mix of two states, `share` of the one before, mixes chords: of a segment that turns the mix is
-    /// shorter than both, so that the balance makes both longer, and the tension read at the end of the step too high by
-    /// `EA share (1 - share) (omega h)² / 2`. Allocates at the first call only.
-    fn correct_chord_lengths(&self, _share: f64, _before: &State, _end: &mut State) {}
-
-    /// Writes what the line is to remember of an accepted state at time t \[s\], `dt` after the one before, into that
-    /// state's memory: once at the start with `dt` 0, then after every accepted step. Allocates at the start only.
-    fn commit(&self, _t: f64, _dt: f64, _state: &mut State) {}
-
-    /// Writes the normal drag coefficients of both halves of every segment into the state's memory, where they stay as
-    /// they are until the next step is accepted. A method that leaves inertia out needs it where the coefficient
-    /// jumps: without inertia nothing carries a node across a force that falls while its speed rises.
-    fn freeze_drag_coefficients(&self, state: &mut State);
-
-    /// Writes into the state the tensions to begin with, from its stretch or, where that is nothing a line at rest
-    /// could have, from the first guess.
-    fn initialise_tensions(&self, _state: &mut State) {}
-
-    /// Writes into the state the tensions that displacements `-d` make of it, to first order, before they are made. A
-    /// stiff line that turns also stretches, to second order, by a strain that means little and a tension that means a
-    /// lot; with foretold tensions in the stiffness across the line, Newton does not see those, and takes
-    /// a few iterations to the same answer however stiff the line (the mixed iteration of Magisano, Leonetti and Garcea,
-    /// 2017).
+    /// Extrapolates the tensions in the state to first order over the displacements `-d`, before these are made.
+    ///
+    /// A stiff segment that turns stretches at second order: a small strain, but a large tension. With extrapolated
+    /// tensions in the geometric stiffness the iteration does not see it, and needs a few iterations however stiff the line
+    /// (mixed iteration: Magisano, Leonetti and Garcea 2017).
     fn extrapolate_tensions(&self, _d: &[V3], _state: &mut State) {}
 
-    /// The displacement \[m\] of a node, along the stiffest part of the line, that would change a force as much as these
-    /// displacements do at most, inertia and drag left out: across a line they are felt far less than along it. A line
-    /// that does not tell counts every direction alike.
+    /// The displacement \[m\] of a node along the stiffest part of the line that would change a force as much as the
+    /// displacements d do at most, without inertia and drag: Newton's norm of convergence on force. The default counts all
+    /// directions alike.
     fn force_norm_displacement(&self, d: &[V3], _state: &State) -> f64 {
         d.iter().map(V3::amax).fold(0.0, f64::max)
     }
+}
 
-    /// A node at which the line is folded back on itself, if there is one. Bending forces vanish at such a fold, so
-    /// that forces may balance there, but no line stays so: an equilibrium with a fold is none to be told.
+/// Accelerations from positions and velocities.
+pub trait ExplicitRhs: Kinematics {
+    /// Sets the accelerations of the free nodes, `a = M(x)^-1 f(t, x, v)`; those of prescribed nodes stay.
+    fn accelerate(&self, t: f64, state: &mut State);
+
+    /// An upper bound of the rate at which damping slows a free node \[1/s\], and the node: it limits the explicit step.
+    fn fastest_decay(&self, _state: &State) -> (f64, usize) {
+        (0.0, 0)
+    }
+}
+
+/// History variables: friction of the bed, mean tension of ropes, drag coefficients frozen over a step.
+pub trait Hysteresis: Kinematics {
+    /// Updates the history by an accepted state at time t \[s\], `dt` after the one before: at the start with `dt` 0,
+    /// then after every accepted step. Allocates at the start only.
+    fn commit(&self, _t: f64, _dt: f64, _state: &mut State) {}
+
+    /// Freezes the normal drag coefficients at the velocities of the state until the next step is accepted. A method
+    /// without inertia needs this where the coefficient jumps: nothing else carries a node across a force that falls while
+    /// its speed rises.
+    fn freeze_drag_coefficients(&self, _state: &mut State) {}
+}
+
+/// Corrections for a method that balances forces at a mix of the states before and after a step.
+pub trait MidstepBalance: Residual {
+    /// Writes into the state at the end of a step by how much its chords exceed the lengths that belong to the tensions.
+    /// `fraction` is that of the state before in the mix. The chord of a segment that turns is shorter in the mix than before
+    /// and after, so that the balance makes both too long, and the tension read at the end of the step too high by
+    /// `EA fraction (1 - fraction) (omega h)² / 2`. Allocates at the first call only.
+    fn correct_chord_lengths(&self, _fraction: f64, _before: &State, _end: &mut State) {}
+
+    /// The greatest acceleration \[m/s²\] of a node by segments that are slack at `between` and taut at `end`: the balance
+    /// has not seen their pull.
+    fn snap_acceleration(&self, _between: &State, _end: &State) -> f64 {
+        0.0
+    }
+}
+
+/// Scales and auxiliary systems for the search for an equilibrium.
+pub trait StaticSearch: Residual + Sized {
+    /// A force typical of the system \[N\], to which residuals are relative.
+    fn force_scale(&self) -> f64;
+
+    /// The force that the rounding of positions makes \[N\]: no residual can be smaller.
+    fn rounding_force(&self) -> f64;
+
+    /// The displacement of a node \[m\] below which no force changes by more than `relative` times
+    /// [`force_scale`](Self::force_scale).
+    fn position_tolerance(&self, relative: f64) -> f64;
+
+    /// Writes the tensions from which the mixed iteration starts into the state: those of its strain or, where these are
+    /// out of all proportion, those of the initial guess.
+    fn initialise_tensions(&self, _state: &mut State) {}
+
+    /// A node at which the line folds back on itself, if there is one. The bending moment vanishes at a fold, so that forces
+    /// may balance there, but no such equilibrium is stable.
     fn kinked_node(&self, _state: &State) -> Option<usize> {
         None
     }
 
-    /// The same with its clamps turned only a `share` of the way from where the line goes in `start` to where they
-    /// are; nothing where nothing is clamped.
-    fn with_clamps(&self, _start: &State, _share: f64) -> Option<Box<dyn System + '_>> {
+    /// The system with its clamps turned by a fraction of the angle from the direction of the line in `start` to their
+    /// own; none without clamps.
+    fn with_clamps(&self, _start: &State, _fraction: f64) -> Option<Self> {
         None
     }
 
-    /// The same on a bed without friction; nothing where there is none anyway.
-    fn without_friction(&self) -> Option<Box<dyn System + '_>> {
+    /// The system on a bed without friction; none if there is no friction.
+    fn without_friction(&self) -> Option<Self> {
         None
     }
 
-    /// Has a rough bed hold the line as it lies, with no force yet.
+    /// Attaches the friction springs at the present positions, without force.
     fn reset_friction(&self, _state: &mut State) {}
-
-    /// A force typical of this line \[N\]: residuals are measured against it.
-    fn force_scale(&self) -> f64;
-
-    /// The force that rounding of positions makes of nothing \[N\]: no residual can be asked to be smaller.
-    fn rounding_force(&self) -> f64;
-
-    /// The displacement of a node \[m\] below which no force of the line changes by more than
-    /// `relative` times [`System::force_scale`]: what "converged on force" means for positions.
-    fn position_tolerance(&self, relative: f64) -> f64;
 }

@@ -6,7 +6,7 @@
 //! every step from the equilibrium before; where a turn makes it snap to another shape, it creeps there.
 
 use super::equilibrium::{Equilibrium, EquilibriumSearch};
-use crate::solve::{Newton, State, System};
+use crate::solve::{Newton, State, StaticSearch};
 
 /// Shares of the turn a step: the first and longest, one from which the line may creep, and the shortest.
 const LONGEST: f64 = 0.125;
@@ -15,7 +15,7 @@ const SHORTEST: f64 = 1e-3;
 
 impl EquilibriumSearch {
     /// Moves `state` to an equilibrium through those with the clamps on their way; leaves it where there is none.
-    pub(super) fn continue_clamps<S: System + ?Sized>(
+    pub(super) fn continue_clamps<S: StaticSearch>(
         &self,
         system: &S,
         t: f64,
@@ -31,10 +31,10 @@ impl EquilibriumSearch {
             let turned = system.with_clamps(&start, next)?;
             let mut trial = here.clone();
             steps += 1;
-            let mut found = self.finish(&*turned, t, newton, &mut trial, steps).ok();
+            let mut found = self.finish(&turned, t, newton, &mut trial, steps).ok();
             if found.is_none() && step <= SHORT {
                 trial.copy_from(&here);
-                found = self.pseudo_transient(&*turned, t, newton, &mut trial, size);
+                found = self.pseudo_transient(&turned, t, newton, &mut trial, size);
             }
             match found {
                 Some(found) if next >= 1.0 => {

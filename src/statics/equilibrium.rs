@@ -1,6 +1,6 @@
 //! Static equilibrium of the discretised line by Newton on the nodes, with the exact tangent.
 //!
-//! Newton first, from the guess given, with foretold tensions (see [`System::extrapolate_tensions`]), and then without, which
+//! Newton first, from the guess given, with foretold tensions (see [`Residual::extrapolate_tensions`]), and then without, which
 //! suits a line that is slack somewhere. Where neither converges, the line creeps: one iteration a step of pseudo-time,
 //! backward Euler from rest (`M (x - x_k) / h² = f(x)`), which takes all kinetic energy out and so cannot swing; h
 //! grows while steps are short and shrinks where they are long, and Newton finishes. A rod clamped at odds with the way it
@@ -9,7 +9,7 @@
 //! a fold in a line that bends: Newton finds such shapes, in which forces balance, and no line stays in them.
 
 use crate::numerics::{BlockBand, V3};
-use crate::solve::{Factors, Newton, NewtonError, State, System};
+use crate::solve::{Factors, Newton, NewtonError, Residual, State, StaticSearch};
 
 /// Settings of the search.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,7 +91,7 @@ impl EquilibriumSearch {
     ///
     /// # Errors
     /// [`EquilibriumError`]; `state` is then the best shape reached.
-    pub fn run<S: System + ?Sized>(
+    pub fn run<S: StaticSearch>(
         &self,
         system: &S,
         t: f64,
@@ -136,7 +136,7 @@ impl EquilibriumSearch {
 
     /// Slack line on a rough bed may rest in many shapes, and where it has none as it was laid, it has the one of a smooth bed,
     /// which friction then holds.
-    fn friction_released<S: System + ?Sized>(
+    fn friction_released<S: StaticSearch>(
         &self,
         system: &S,
         t: f64,
@@ -145,7 +145,7 @@ impl EquilibriumSearch {
     ) -> Option<(State, Equilibrium)> {
         let smooth = system.without_friction()?;
         start.memory.grips.clear();
-        let there = self.run(&*smooth, t, &mut start).ok()?;
+        let there = self.run(&smooth, t, &mut start).ok()?;
         system.reset_friction(&mut start);
         let found = self.accept(system, t, newton, &start, there.steps)?;
         let iterations = found.iterations + there.iterations;
@@ -161,7 +161,7 @@ impl EquilibriumSearch {
 
     /// What Newton found from a guess, moved into the state; for a clamped rod that would not stay there, the shape that it
     /// comes to as its clamps turn, if it would stay in that.
-    fn stable_branch<S: System + ?Sized>(
+    fn stable_branch<S: StaticSearch>(
         &self,
         system: &S,
         t: f64,
@@ -184,7 +184,7 @@ impl EquilibriumSearch {
     }
 
     /// Newton to the end, accepted on the residual.
-    pub(super) fn finish<S: System + ?Sized>(
+    pub(super) fn finish<S: StaticSearch>(
         &self,
         system: &S,
         t: f64,
@@ -200,7 +200,7 @@ impl EquilibriumSearch {
     }
 
     /// The state as it is, if the forces left are small enough.
-    fn accept<S: System + ?Sized>(
+    fn accept<S: StaticSearch>(
         &self,
         system: &S,
         t: f64,
@@ -222,7 +222,7 @@ impl EquilibriumSearch {
     }
 
     /// One iteration a step of pseudo-time, tensions foretold, until Newton finishes.
-    pub(super) fn pseudo_transient<S: System + ?Sized>(
+    pub(super) fn pseudo_transient<S: StaticSearch>(
         &self,
         system: &S,
         t: f64,
@@ -264,7 +264,7 @@ impl EquilibriumSearch {
     }
 
     /// Steps of pseudo-time, each converged, until Newton finishes or nothing is left to move the line.
-    fn dynamic_relaxation<S: System + ?Sized>(
+    fn dynamic_relaxation<S: StaticSearch>(
         &self,
         system: &S,
         t: f64,
@@ -330,7 +330,7 @@ fn pseudo_time(h: f64) -> Factors {
 /// In how many independent ways a line at rest would leave its shape by itself: 0 where it is stable. Counts the
 /// negative pivots of the tangent, which in still water are as many as its negative eigenvalues. Nothing where the tangent
 /// is singular, as where line lies slack.
-pub fn instabilities<S: System + ?Sized>(system: &S, t: f64, state: &State) -> Option<usize> {
+pub fn instabilities<S: Residual>(system: &S, t: f64, state: &State) -> Option<usize> {
     let mut residual = vec![V3::zeros(); system.nodes()];
     let mut tangent = BlockBand::new(system.nodes());
     if system.is_pentadiagonal() {

@@ -14,7 +14,10 @@ use seacable::dynamics::rk4::Rk4;
 use seacable::dynamics::{March, Stepper, TimeStep};
 use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
-use seacable::solve::{Factors, Instant, Progressing, State, System};
+use seacable::solve::{
+    ExplicitRhs, Factors, Hysteresis, Instant, Kinematics, MidstepBalance, Progressing, Residual,
+    State,
+};
 
 /// A line whose force is not finite at two successive calls of many (a quasi-static step tries twice), so that a step
 /// is refused.
@@ -30,37 +33,47 @@ impl Spoilt {
     }
 }
 
-impl System for Spoilt {
+impl Kinematics for Spoilt {
     fn nodes(&self) -> usize {
         self.scene.nodes()
     }
+
     fn free(&self) -> Range<usize> {
         self.scene.free()
     }
-    fn is_pentadiagonal(&self) -> bool {
-        self.scene.is_pentadiagonal()
-    }
-    fn rounding_force(&self) -> f64 {
-        self.scene.rounding_force()
-    }
+
     fn prescribe(&self, t: f64, state: &mut State) {
         self.scene.prescribe(t, state);
     }
+}
+
+impl Residual for Spoilt {
+    fn is_pentadiagonal(&self) -> bool {
+        self.scene.is_pentadiagonal()
+    }
+
     fn residual(&self, t: f64, state: &State, r: &mut [V3]) {
         self.scene.residual(t, state, r);
     }
+
     fn linearise(&self, t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
         self.scene.linearise(t, state, c, r, tangent);
         if self.spoils() {
             r[3].x = f64::NAN;
         }
     }
+}
+
+impl ExplicitRhs for Spoilt {
     fn accelerate(&self, t: f64, state: &mut State) {
         self.scene.accelerate(t, state);
         if self.spoils() {
             state.a[3].x = f64::NAN;
         }
     }
+}
+
+impl Hysteresis for Spoilt {
     fn commit(&self, t: f64, dt: f64, state: &mut State) {
         self.scene.commit(t, dt, state);
     }
@@ -68,21 +81,22 @@ impl System for Spoilt {
     fn freeze_drag_coefficients(&self, state: &mut State) {
         self.scene.freeze_drag_coefficients(state);
     }
-    fn force_scale(&self) -> f64 {
-        self.scene.force_scale()
-    }
-    fn position_tolerance(&self, relative: f64) -> f64 {
-        self.scene.position_tolerance(relative)
-    }
 }
 
+impl MidstepBalance for Spoilt {}
+
 /// Marches the manifold's line, two calls spoilt, and counts what is allocated meanwhile.
-fn check(method: impl Stepper, spoilt: u64, step: f64) {
+fn check(method: impl Stepper<Spoilt>, spoilt: u64, step: f64) {
     check_changed(|_| {}, method, spoilt, step);
 }
 
 /// The same with the case changed.
-fn check_changed(change: impl Fn(&mut Case), mut method: impl Stepper, spoilt: u64, step: f64) {
+fn check_changed(
+    change: impl Fn(&mut Case),
+    mut method: impl Stepper<Spoilt>,
+    spoilt: u64,
+    step: f64,
+) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/pendulous/manifold.toml");
     let mut case = case::load(&path).unwrap().case;
     change(&mut case);
@@ -102,7 +116,7 @@ fn check_changed(change: impl Fn(&mut Case), mut method: impl Stepper, spoilt: u
         t: 0.0,
         // Short: the line begins straight and without tension.
         dt: 0.1 * step,
-        refuse: false,
+        reject: false,
     };
     method.step(&system, first, &mut state).unwrap();
     let mut seen = 0_u64;

@@ -4,11 +4,11 @@ use seacable::dynamics::generalized_alpha::GeneralizedAlpha;
 use seacable::dynamics::rk4::Rk4;
 use seacable::dynamics::{March, Stepper};
 use seacable::scene::Scene;
-use seacable::solve::{Instant, Progressing, State, System};
+use seacable::solve::{ExplicitRhs, Instant, Kinematics, Progressing, State};
 
 /// Marches in steps of `step`, showing every step.
 pub(crate) fn march(
-    mut method: impl Stepper,
+    mut method: impl Stepper<Scene>,
     scene: &Scene,
     state: &mut State,
     (duration, step): (f64, f64),

@@ -9,7 +9,7 @@ use seacable::case::{self, Case, Method};
 use seacable::dynamics::quasi_static::QuasiStatic;
 use seacable::run::job::{Request, execute};
 use seacable::run::{History, Run, RunState};
-use seacable::solve::{State, System};
+use seacable::solve::{Kinematics, State};
 
 fn run(case: Case) -> Run {
     let request = Request {

@@ -107,7 +107,7 @@ const PENDULUM: &str = r#"
     start.shape = "straight"
 "#;
 
-fn pendulum(method: impl Stepper, scene: &Scene, periods: f64, step: f64) -> f64 {
+fn pendulum(method: impl Stepper<Scene>, scene: &Scene, periods: f64, step: f64) -> f64 {
     let mut state = scene.initial_state();
     // Stretched to carry its load at once: no bounce to begin with.
     let along = -state.x[1].z / state.x[1].norm();

@@ -6,9 +6,9 @@
 use crate::elastic_catenary::Catenary;
 use crate::{march, rest};
 use seacable::dynamics::quasi_static::QuasiStatic;
-use seacable::dynamics::{StepError, Stepper, TimeStep, WorkCounts};
+use seacable::dynamics::{Integrator, StepError, Stepper, TimeStep, WorkCounts};
 use seacable::scene::Scene;
-use seacable::solve::{State, System};
+use seacable::solve::{Kinematics, State};
 
 /// Slopes of log error over log step: over all by least squares, then between neighbours.
 fn slopes(points: &[(f64, f64)]) -> (f64, Vec<f64>) {
@@ -57,7 +57,7 @@ const SWUNG: &str = r#"
 const DURATION: f64 = 16.0;
 
 /// The state of the swung line at the end.
-fn swung(scene: &Scene, method: impl Stepper, step: f64) -> State {
+fn swung(scene: &Scene, method: impl Stepper<Scene>, step: f64) -> State {
     let mut state = rest::at_rest(scene);
     march::march(method, scene, &mut state, (DURATION, step), |_, s| {
         for i in 0..scene.segments.len() {
@@ -122,13 +122,8 @@ fn tensions_at_nodes_are_of_order_two() {
 /// Every step in two parts, one twice as long as the other.
 struct Uneven<M>(M);
 
-impl<M: Stepper> Stepper for Uneven<M> {
-    fn step<S: System + ?Sized>(
-        &mut self,
-        system: &S,
-        at: TimeStep,
-        state: &mut State,
-    ) -> Result<f64, StepError> {
+impl<S, M: Stepper<S>> Stepper<S> for Uneven<M> {
+    fn step(&mut self, system: &S, at: TimeStep, state: &mut State) -> Result<f64, StepError> {
         let third = at.dt / 3.0;
         self.0.step(system, TimeStep { dt: third, ..at }, state)?;
         let rest = TimeStep {
@@ -138,9 +133,12 @@ impl<M: Stepper> Stepper for Uneven<M> {
         };
         self.0.step(system, rest, state)
     }
-    fn restart<S: System + ?Sized>(&mut self, system: &S, t: f64, state: &mut State) {
+    fn restart(&mut self, system: &S, t: f64, state: &mut State) {
         self.0.restart(system, t, state);
     }
+}
+
+impl<M: Integrator> Integrator for Uneven<M> {
     fn work_counts(&self) -> WorkCounts {
         self.0.work_counts()
     }

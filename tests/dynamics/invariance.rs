@@ -83,7 +83,7 @@ fn mapped(scene: &Scene, place: impl Fn(&V3) -> V3, turn: impl Fn(&V3) -> V3) ->
 const STEPS: (f64, f64) = (20.0, 0.01);
 
 /// Tensions of all nodes at all steps [N].
-fn tensions(scene: &Scene, method: impl Stepper) -> Vec<Vec<f64>> {
+fn tensions(scene: &Scene, method: impl Stepper<Scene>) -> Vec<Vec<f64>> {
     let mut all = Vec::new();
     march::march(
         method,

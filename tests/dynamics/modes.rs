@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use seacable::case::Case;
 use seacable::modes::{LineModes, Medium, ModeKind, Pencil, lowest, of_case};
 use seacable::numerics::{BlockBand, V3};
-use seacable::solve::{Factors, System};
+use seacable::solve::{Factors, Kinematics, Residual};
 
 use crate::lines::line;
 

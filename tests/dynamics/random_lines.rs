@@ -11,7 +11,7 @@ use seacable::case::Method;
 use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
 use seacable::scene;
-use seacable::solve::{Newton, System};
+use seacable::solve::{Kinematics, Newton, StaticSearch};
 use seacable::statics::equilibrium::EquilibriumSearch;
 
 prop_compose! {

@@ -7,11 +7,11 @@ use std::sync::atomic::AtomicBool;
 
 use crate::march::{alpha, march, rk4};
 use crate::rest::{at_rest, build};
-use seacable::dynamics::{March, StepError, Stepper, TimeStep, WorkCounts};
+use seacable::dynamics::{Integrator, March, StepError, Stepper, TimeStep, WorkCounts};
 use seacable::numerics::V3;
 use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
-use seacable::solve::{Instant, NewtonError, Progressing, State, System};
+use seacable::solve::{Instant, NewtonError, Progressing, State};
 
 fn run(changes: &str) -> Run {
     let request = Request {
@@ -100,7 +100,7 @@ fn the_stability_limit_is_one() {
                         TimeStep {
                             t,
                             dt,
-                            refuse: false,
+                            reject: false,
                         },
                         &mut state,
                     )
@@ -189,13 +189,8 @@ struct Choosy {
     taken: Vec<(f64, f64)>,
 }
 
-impl Stepper for Choosy {
-    fn step<S: System + ?Sized>(
-        &mut self,
-        _: &S,
-        at: TimeStep,
-        _: &mut State,
-    ) -> Result<f64, StepError> {
+impl<S> Stepper<S> for Choosy {
+    fn step(&mut self, _: &S, at: TimeStep, _: &mut State) -> Result<f64, StepError> {
         if at.dt > self.longest {
             return Err(NewtonError::NotConverged {
                 iterations: 9,
@@ -207,7 +202,10 @@ impl Stepper for Choosy {
         self.taken.push((at.t, at.dt));
         Ok(self.share)
     }
-    fn restart<S: System + ?Sized>(&mut self, _system: &S, _t: f64, _state: &mut State) {}
+    fn restart(&mut self, _system: &S, _t: f64, _state: &mut State) {}
+}
+
+impl Integrator for Choosy {
     fn work_counts(&self) -> WorkCounts {
         WorkCounts::default()
     }

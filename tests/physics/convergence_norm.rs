@@ -9,7 +9,7 @@ use seacable::numerics::V3;
 use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
 use seacable::scene::Scene;
-use seacable::solve::System;
+use seacable::solve::{Kinematics, Residual, StaticSearch};
 
 /// The residual of a line displaced by `d`, at rest.
 fn forces(scene: &Scene, d: &[V3]) -> Vec<V3> {

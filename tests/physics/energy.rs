@@ -8,7 +8,7 @@ use seacable::case;
 use seacable::dynamics::Stepper;
 use seacable::numerics::V3;
 use seacable::scene::{self, Scene};
-use seacable::solve::{State, System};
+use seacable::solve::{Kinematics, State};
 
 /// Kinetic energy that the line would have at velocities `v` with the added mass it has in this state \[J\].
 fn kinetic(scene: &Scene, state: &State, v: &[V3]) -> f64 {
@@ -22,7 +22,12 @@ fn kinetic(scene: &Scene, state: &State, v: &[V3]) -> f64 {
 /// What the books are out by at most, as a share of all that goes through them: energy gained, less the work of ends and
 /// waves and of what takes energy out, summed over the steps by the trapezoidal rule, and less `v' dM v / 2`, the
 /// growth of the added mass as it turns and gets wet, which is no force's work. The other number is the same without that.
-fn out_by(scene: &Scene, method: impl Stepper, state: &mut State, time: (f64, f64)) -> (f64, f64) {
+fn out_by(
+    scene: &Scene,
+    method: impl Stepper<Scene>,
+    state: &mut State,
+    time: (f64, f64),
+) -> (f64, f64) {
     let mut last: Option<(f64, f64, f64, State)> = None;
     let (mut given, mut grown, mut through) = (0.0, 0.0, 0.0);
     let (mut worst, mut worst_without): (f64, f64) = (0.0, 0.0);
@@ -159,7 +164,7 @@ fn the_books_of_every_scene_balance() {
 
 /// Energy that a swing of 1000 s without drag loses, as a share of its kinetic energy at first: a bob on five
 /// segments, pushed to 10 m/s from rest, which swings it to 18 degrees and pulls the line taut and less taut.
-fn lost_in_a_long_swing(scene: &Scene, method: impl Stepper, step: f64) -> f64 {
+fn lost_in_a_long_swing(scene: &Scene, method: impl Stepper<Scene>, step: f64) -> f64 {
     let mut state = rest::at_rest(scene);
     for (v, s) in state.v.iter_mut().zip(&scene.arc) {
         v.x = 0.1 * s;

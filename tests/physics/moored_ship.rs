@@ -11,7 +11,7 @@ use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
 use seacable::ship::coupled::forcing::Forcing;
 use seacable::ship::coupled::moored_ship::{MooredShip, ShipBody};
-use seacable::solve::{Factors, Instant, Progressing, State, System};
+use seacable::solve::{ExplicitRhs, Factors, Instant, Kinematics, Progressing, Residual, State};
 use seacable::statics::equilibrium::EquilibriumSearch;
 
 /// A chain from an anchor on the bed, 10 m down, to a fairlead at (x, 0, 0), without drag.

@@ -7,7 +7,7 @@ use crate::march::{alpha, march, rk4};
 use seacable::case::Case;
 use seacable::numerics::V3;
 use seacable::scene::{self, Scene};
-use seacable::solve::{State, System};
+use seacable::solve::{Kinematics, Residual, State};
 use seacable::statics::equilibrium::EquilibriumSearch;
 
 const G: f64 = 9.80665;

@@ -7,7 +7,7 @@ use seacable::dynamics::quasi_static::QuasiStatic;
 use seacable::dynamics::{March, Stepper};
 use seacable::numerics::V3;
 use seacable::scene::Scene;
-use seacable::solve::{Instant, Progressing, State, System};
+use seacable::solve::{Instant, Kinematics, Progressing, State};
 use seacable::statics::catenary::{Bed, Ends, Line, SectionProps, Solution};
 use seacable::statics::equilibrium::EquilibriumSearch;
 
@@ -448,7 +448,7 @@ fn the_final_shape_does_not_depend_on_the_step() {
         seabed = { depth_m = 50.0, friction = 0.5, damping_n_s_per_m3 = 1e4 }
         "#,
     );
-    fn end(scene: &Scene, method: impl Stepper, step: f64) -> State {
+    fn end(scene: &Scene, method: impl Stepper<Scene>, step: f64) -> State {
         let mut state = scene.initial_state();
         march::march(method, scene, &mut state, (80.0, step), |_, _| {});
         state

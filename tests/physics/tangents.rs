@@ -5,7 +5,9 @@
 use proptest::prelude::*;
 use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
-use seacable::solve::{Factors, State, System};
+use seacable::solve::{
+    ExplicitRhs, Factors, Hysteresis, Kinematics, Residual, State, StaticSearch,
+};
 
 /// Two materials, floats, a payload, a current sheared over depth.
 const LINE: &str = r#"

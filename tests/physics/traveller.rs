@@ -7,7 +7,7 @@ use crate::{march, rest};
 use seacable::case;
 use seacable::numerics::{BlockBand, V3};
 use seacable::scene::Scene;
-use seacable::solve::{Factors, State, System};
+use seacable::solve::{ExplicitRhs, Factors, Kinematics, Residual, State};
 
 /// 80 m of rope between level ends, stretched to about 20 kN, with a cargo on its way.
 fn taut(segments: usize, traveller: &str) -> Scene {

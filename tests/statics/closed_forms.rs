@@ -11,7 +11,7 @@ use crate::elastic_catenary::Catenary;
 use crate::rest;
 use seacable::numerics::V3;
 use seacable::scene::Scene;
-use seacable::solve::{State, System};
+use seacable::solve::{State, StaticSearch};
 use seacable::statics::equilibrium::EquilibriumSearch;
 
 const G: f64 = 9.80665;

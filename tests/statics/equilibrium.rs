@@ -5,7 +5,7 @@ use crate::lines;
 use crate::lines::line;
 use seacable::numerics::V3;
 use seacable::scene::{self, Scene};
-use seacable::solve::{State, System};
+use seacable::solve::{Kinematics, Residual, State};
 use seacable::statics::equilibrium::{EquilibriumSearch, instabilities};
 
 fn build(changes: &str) -> Scene {

@@ -5,7 +5,7 @@
 use crate::lines::line;
 use seacable::numerics::V3;
 use seacable::scene::{self, Scene};
-use seacable::solve::{State, System};
+use seacable::solve::{State, StaticSearch};
 use seacable::statics::catenary::{Ends, Line, SectionProps};
 use seacable::statics::equilibrium::{Equilibrium, EquilibriumSearch, instabilities};
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::scene;
-use crate::solve::System;
+use crate::solve::{ExplicitRhs, Kinematics, Residual};
 
 const BODY: &str = r#"
     line = [{ name = "rope", material = "rope", length_m = 20.0, segments = 2 }]

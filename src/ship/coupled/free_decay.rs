@@ -11,7 +11,7 @@ use crate::dynamics::March;
 use crate::dynamics::generalized_alpha::GeneralizedAlpha;
 use crate::numerics::V3;
 use crate::ship::stability::PlanarDynamics;
-use crate::solve::{Instant, Progressing, System};
+use crate::solve::{ExplicitRhs, Instant, Kinematics, Progressing};
 
 /// The ship let go.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -17,14 +17,14 @@ use self::free_decay::{FreeDecay, decay};
 use self::model::CoupledModel;
 use self::moored_ship::{MooredShip, MooredShipError};
 use crate::dynamics::generalized_alpha::GeneralizedAlpha;
-use crate::dynamics::{March, MarchError, Stepper};
+use crate::dynamics::{Integrator, March, MarchError};
 use crate::numerics::V3;
 use crate::numerics::statistics::Statistics;
 use crate::ship::model::CoupledSettings;
 use crate::ship::motion::rigid_displacement;
 use crate::ship::motion_analysis::MotionAnalysis;
 use crate::ship::static_analysis::StaticAnalysis;
-use crate::solve::{Instant, Progressing, State, System};
+use crate::solve::{ExplicitRhs, Instant, Kinematics, Progressing, State};
 
 /// Damping of the method at the highest frequencies: enough for a line that snaps taut.
 const RHO: f64 = 0.4;

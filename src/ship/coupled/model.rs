@@ -11,7 +11,7 @@ use crate::scene::{self, Scene};
 use crate::ship::model::{CoupledSettings, Mooring};
 use crate::ship::mooring::MooringSolution;
 use crate::ship::static_analysis::{Equilibrium, StaticAnalysis};
-use crate::solve::{State, System};
+use crate::solve::{Kinematics, State};
 use crate::statics::equilibrium::EquilibriumSearch;
 
 /// How far the line sinks into the bed under its own weight \[m\].

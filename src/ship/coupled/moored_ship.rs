@@ -21,7 +21,7 @@ use nalgebra::{Matrix6, Vector6};
 use super::forcing::Forcing;
 use crate::numerics::{BlockBand, M3, V3};
 use crate::scene::Scene;
-use crate::solve::{Factors, State, System};
+use crate::solve::{ExplicitRhs, Factors, Hysteresis, Kinematics, MidstepBalance, Residual, State};
 
 /// A ship as a rigid body about its reference point, in the axes of the case: surge, sway, heave, roll, pitch, yaw as
 /// displacements along and turns about x, y, z.
@@ -217,18 +217,13 @@ fn stacked(upper: V3, lower: V3) -> Vector6<f64> {
     Vector6::new(upper.x, upper.y, upper.z, lower.x, lower.y, lower.z)
 }
 
-impl System for MooredShip {
+impl Kinematics for MooredShip {
     fn nodes(&self) -> usize {
         self.line.nodes() + 2
     }
 
     fn free(&self) -> Range<usize> {
         1..self.nodes()
-    }
-
-    fn is_pentadiagonal(&self) -> bool {
-        // Rows reach two nodes, as those of a line that bends.
-        true
     }
 
     fn prescribe(&self, t: f64, state: &mut State) {
@@ -241,6 +236,13 @@ impl System for MooredShip {
 
     fn update_wave_kinematics(&self, t: f64, state: &mut State) {
         self.line.update_wave_kinematics(t, state);
+    }
+}
+
+impl Residual for MooredShip {
+    fn is_pentadiagonal(&self) -> bool {
+        // Rows reach two nodes, as those of a line that bends.
+        true
     }
 
     fn residual(&self, t: f64, state: &State, r: &mut [V3]) {
@@ -256,7 +258,9 @@ impl System for MooredShip {
         self.tie(t, state, r);
         self.tie_tangent(state, c, tangent);
     }
+}
 
+impl ExplicitRhs for MooredShip {
     /// The added mass of the last half segment counts as that of the line's mass there, in all directions alike; no
     /// solver carries that on but an explicit one.
     fn accelerate(&self, t: f64, state: &mut State) {
@@ -286,7 +290,9 @@ impl System for MooredShip {
         state.a[f + 2] = turn * length;
         state.a[f] = shift + turn.cross(&arm);
     }
+}
 
+impl Hysteresis for MooredShip {
     fn commit(&self, t: f64, dt: f64, state: &mut State) {
         self.line.commit(t, dt, state);
     }
@@ -294,18 +300,6 @@ impl System for MooredShip {
     fn freeze_drag_coefficients(&self, state: &mut State) {
         self.line.freeze_drag_coefficients(state);
     }
-
-    fn force_scale(&self) -> f64 {
-        self.line
-            .force_scale()
-            .max(self.ship.load.fixed_rows::<3>(0).norm())
-    }
-
-    fn rounding_force(&self) -> f64 {
-        self.line.rounding_force()
-    }
-
-    fn position_tolerance(&self, relative: f64) -> f64 {
-        self.line.position_tolerance(relative)
-    }
 }
+
+impl MidstepBalance for MooredShip {}

@@ -2,7 +2,7 @@
 
 use seacable::dynamics::Stepper;
 use seacable::scene::Scene;
-use seacable::solve::System;
+use seacable::solve::{ExplicitRhs, Hysteresis, Kinematics, Residual};
 
 use crate::{march, rest};
 
@@ -173,7 +173,7 @@ fn small_swings_go_at_the_slope_of_the_reading() {
 }
 
 /// Where the body comes to after a push, by a method in steps of h.
-fn after_a_push(scene: &Scene, method: impl Stepper, h: f64) -> f64 {
+fn after_a_push(scene: &Scene, method: impl Stepper<Scene>, h: f64) -> f64 {
     let mut state = rest::at_rest(scene);
     state.v[1].z = 0.3;
     march::march(method, scene, &mut state, (8.0, h), |_, _| ());

@@ -1,0 +1,27 @@
+//! How far a march has come, for checkpoints and for the step control.
+
+use serde::{Deserialize, Serialize};
+
+/// Greatest number of times a step that cannot be solved is halved.
+pub(super) const MAX_HALVINGS: u32 = 14;
+
+/// Step lengths of a march: the whole step, and halved up to [`MAX_HALVINGS`] times.
+const LENGTHS: usize = MAX_HALVINGS as usize + 1;
+
+/// How far a march has come.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct MarchProgress {
+    /// Time \[s\].
+    pub time: f64,
+    /// Whole steps completed.
+    pub whole: u64,
+    /// How many times whole steps are halved at present.
+    pub level: u32,
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejections: u64,
+    /// Accepted steps of each length, halved 0, 1, 2 ... times.
+    #[serde(default)]
+    pub halved: [u64; LENGTHS],
+}

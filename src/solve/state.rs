@@ -1,0 +1,111 @@
+//! Positions, velocities and accelerations of the nodes, and the history on which forces depend.
+
+use serde::{Deserialize, Serialize};
+
+use crate::numerics::V3;
+use crate::physics::Grip;
+use crate::physics::sea::Flow;
+
+/// History variables of the accepted steps. They change in [`Hysteresis`](super::Hysteresis) only, never while a step is
+/// tried: all trials of a step start from the same history.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Memory {
+    /// Normal drag coefficients of both halves of every segment, where a method freezes them over a step
+    /// ([`freeze_drag_coefficients`](super::Hysteresis::freeze_drag_coefficients)). One entry a segment, or empty.
+    #[serde(rename = "held_drag")]
+    pub drag_coefficients: Vec<[f64; 2]>,
+    /// Friction springs of the bed. One entry a node, or empty.
+    pub grips: Vec<Grip>,
+    /// Tension history of ropes with dynamic stiffness. One entry a segment, or empty: the rope is then static.
+    pub ropes: Vec<RopeHistory>,
+    /// Time of the last accepted step \[s\], where ropes have a history.
+    pub time: f64,
+}
+
+/// Tension history of a segment of rope over the accepted steps.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct RopeHistory {
+    /// Mean tension \[N\].
+    pub mean: f64,
+    /// Strain at that mean under slow loading \[-\].
+    pub strain: f64,
+    /// Rate of the mean tension \[N/s\].
+    pub tension_rate: f64,
+    /// Rate of the strain at the mean \[1/s\].
+    pub strain_rate: f64,
+    /// Last tension \[N\].
+    pub tension: f64,
+}
+
+impl Memory {
+    /// Copies another memory; allocates only where sizes differ.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.drag_coefficients.clone_from(&other.drag_coefficients);
+        self.grips.clone_from(&other.grips);
+        self.ropes.clone_from(&other.ropes);
+        self.time = other.time;
+    }
+}
+
+/// Position \[m\], velocity \[m/s\] and acceleration \[m/s²\] of every node, from end A to end B.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct State {
+    /// Positions.
+    pub x: Vec<V3>,
+    /// Velocities.
+    pub v: Vec<V3>,
+    /// Accelerations.
+    pub a: Vec<V3>,
+    /// History variables.
+    pub memory: Memory,
+    /// Wave kinematics at every node, written by
+    /// [`update_wave_kinematics`](super::Kinematics::update_wave_kinematics). One entry a node, or empty.
+    #[serde(skip)]
+    pub wave_flow: Vec<Flow>,
+    /// Tensions of the segments \[N\] extrapolated from the iteration before, for the geometric stiffness
+    /// ([`extrapolate_tensions`](super::Residual::extrapolate_tensions)). One entry a segment, or empty: tensions then
+    /// follow from strain.
+    #[serde(rename = "foretold")]
+    pub extrapolated_tension: Vec<f64>,
+    /// Excess of the chord lengths over those that belong to the tensions \[m\]
+    /// ([`correct_chord_lengths`](super::MidstepBalance::correct_chord_lengths)). One entry a segment, or empty.
+    #[serde(default, rename = "excess")]
+    pub chord_correction: Vec<f64>,
+}
+
+impl State {
+    /// At rest at the given positions.
+    #[must_use]
+    pub fn at_rest(x: Vec<V3>) -> Self {
+        let n = x.len();
+        Self {
+            x,
+            v: vec![V3::zeros(); n],
+            a: vec![V3::zeros(); n],
+            memory: Memory::default(),
+            wave_flow: Vec::new(),
+            extrapolated_tension: Vec::new(),
+            chord_correction: Vec::new(),
+        }
+    }
+
+    /// Copies another state of the same size without allocating.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.x.copy_from_slice(&other.x);
+        self.v.copy_from_slice(&other.v);
+        self.a.copy_from_slice(&other.a);
+        self.memory.copy_from(&other.memory);
+        self.wave_flow.clone_from(&other.wave_flow);
+        self.extrapolated_tension
+            .clone_from(&other.extrapolated_tension);
+        self.chord_correction.clone_from(&other.chord_correction);
+    }
+
+    /// Whether every number is finite.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        let finite = |list: &[V3]| list.iter().all(|p| p.iter().all(|c| c.is_finite()));
+        finite(&self.x) && finite(&self.v) && finite(&self.a)
+    }
+}
