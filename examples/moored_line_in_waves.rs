@@ -12,7 +12,7 @@ use seacable::case::{Case, DragLaw, End, EndKind, Ends, Material, Seabed, Sectio
 use seacable::dynamics::March;
 use seacable::dynamics::generalized_alpha::GeneralizedAlpha;
 use seacable::scene;
-use seacable::solve::{Instant, Progressing, System};
+use seacable::solve::{ExplicitRhs, Instant, Kinematics, Progressing};
 use seacable::statics::equilibrium::EquilibriumSearch;
 
 const WAVE_HEIGHT_M: f64 = 4.0;

@@ -3,7 +3,7 @@
 use crate::case::{ChannelQuantity, LineEnd, Site};
 use crate::numerics::V3;
 use crate::scene::Scene;
-use crate::solve::{State, System};
+use crate::solve::{Kinematics, State};
 
 /// A state from which channels are read; the force on an end is computed once for its three components.
 pub(super) struct ChannelReading<'a> {

@@ -14,7 +14,7 @@ use super::{
 };
 use crate::case::{self, Case, ChannelSpec};
 use crate::scene::Scene;
-use crate::solve::{Instant, Kinematics, Progressing, Sink, State};
+use crate::solve::{Instant, Progressing, Sink, State};
 
 /// Records a run. Between output times a step costs it a few tensions and no allocation.
 pub(super) struct Recorder<'a> {
