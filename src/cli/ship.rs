@@ -15,7 +15,7 @@ pub(super) fn ship(args: &ShipArgs) -> Result<ExitCode, CommandError> {
     let rest = ship::parse(&text, &args.file.display().to_string())
         .map_err(CommandError::invalid(&text))?;
     let folder = args.file.parent().unwrap_or(Path::new(""));
-    let sea = DynamicAnalysis::of(&rest, folder, &AtomicBool::new(false));
+    let sea = DynamicAnalysis::new(&rest, folder, &AtomicBool::new(false));
     if let Some(Some(Err(MotionError::File(diagnostic)))) = sea.as_ref().map(|sea| &sea.motion) {
         let invalid = CommandError::invalid_file(Path::new(&diagnostic.file));
         return Err(invalid(vec![diagnostic.clone()]));

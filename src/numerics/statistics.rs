@@ -54,6 +54,13 @@ impl Statistics {
     }
 }
 
+/// Root mean square difference of two records.
+#[must_use]
+pub fn rms_difference(a: &[f64], b: &[f64]) -> f64 {
+    let squares: f64 = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum();
+    (squares / a.len().max(1) as f64).sqrt()
+}
+
 /// A greatest value to expect, and by how much it scatters from one record to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExpectedMaximum {

@@ -1,5 +1,5 @@
-//! A ship in its sea: what takes longer than a key stroke to work out. The ship at rest ([`StaticAnalysis`]) comes first and is enough
-//! to draw; this is for a thread of its own, and stops when asked.
+//! Dynamic analysis of a ship in waves, which takes seconds: motions, coupled analysis, rope. It runs in a thread of its own
+//! after the [`StaticAnalysis`] and stops on request.
 
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -9,36 +9,37 @@ use super::model::Follows;
 use super::motion_analysis::{MotionAnalysis, MotionError};
 use super::rope::{HangOffMotion, RopeAnalysis};
 use super::static_analysis::StaticAnalysis;
-use crate::numerics::V3;
 
-/// A ship in its sea.
+/// Why an analysis that needs the motion is missing.
+const NO_MOTION: &str = "the motion analysis failed";
+
+/// The dynamic analysis of a ship.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DynamicAnalysis {
-    /// Its six motions; absent where the file gives none.
+    /// Its six motions; absent without `[motion]`.
     pub motion: Option<Result<MotionAnalysis, MotionError>>,
-    /// The ship and its anchor line in time; absent where the file does not ask for it.
+    /// Ship and anchor line in the time domain; absent without `[coupled]`.
     pub coupled: Option<Result<CoupledAnalysis, CoupledError>>,
-    /// The rope that follows it, or why it cannot; absent where the file names none.
+    /// The rope that follows it; absent without `[rope]`.
     pub rope: Option<Result<RopeAnalysis, String>>,
 }
 
 impl DynamicAnalysis {
-    /// Works a ship at sea out; absent once `stop` was set. `folder` is that of the ship's file.
+    /// Analyses a ship; none once `stop` is set. `folder` is that of the ship's file.
     #[must_use]
-    pub fn of(statics: &StaticAnalysis, folder: &Path, stop: &AtomicBool) -> Option<Self> {
-        let going = || (!stop.load(Ordering::Relaxed)).then_some(());
+    pub fn new(statics: &StaticAnalysis, folder: &Path, stop: &AtomicBool) -> Option<Self> {
+        let unless_stopped = || (!stop.load(Ordering::Relaxed)).then_some(());
         let motion = MotionAnalysis::of(statics, folder);
-        going()?;
+        unless_stopped()?;
         let computed = motion.as_ref().and_then(|motion| motion.as_ref().ok());
-        let asked = statics.ship.coupled.is_some();
-        let coupled = asked.then(|| match &motion {
-            Some(Err(_)) => Err(CoupledError::Missing("the ship has no such motion")),
+        let coupled = statics.ship.coupled.is_some().then(|| match &motion {
+            Some(Err(_)) => Err(CoupledError::Missing(NO_MOTION)),
             _ => CoupledAnalysis::new(statics, computed, stop),
         });
-        going()?;
+        unless_stopped()?;
         let rope = hang_off_motion(statics, computed, coupled.as_ref())
-            .map(|hang_off| hang_off.and_then(|hang_off| hang_off.follow(folder)));
-        going()?;
+            .map(|hang_off| RopeAnalysis::load(&hang_off?, folder));
+        unless_stopped()?;
         Some(Self {
             motion,
             coupled,
@@ -47,31 +48,25 @@ impl DynamicAnalysis {
     }
 }
 
-/// Where the rope's hang point goes, or why nowhere; absent where the file names no rope.
+/// Motion of the rope's hang-off point; absent without `[rope]`.
 fn hang_off_motion<'a>(
     statics: &'a StaticAnalysis,
-    motion: Option<&'a MotionAnalysis>,
+    analysis: Option<&'a MotionAnalysis>,
     coupled: Option<&Result<CoupledAnalysis, CoupledError>>,
 ) -> Option<Result<HangOffMotion<'a>, String>> {
     let rope = statics.ship.rope.as_ref()?;
     let settings = statics.ship.motion.as_ref();
-    Some(match rope.follows {
-        Follows::Motion => settings
-            .zip(motion)
-            .map(|(settings, motion)| HangOffMotion::of_ship(rope, settings, motion))
-            .ok_or_else(|| "the ship has no such motion".to_owned()),
-        Follows::Coupled => match coupled {
-            Some(Ok(coupled)) => {
-                let hang_off = settings.map_or([0.0; 3], |settings| settings.hang_point_m);
-                Ok(HangOffMotion {
-                    rope,
-                    places: coupled.point_displacements(&V3::from(hang_off)),
-                    step: coupled.step,
-                    others: None,
-                })
-            }
-            Some(Err(why)) => Err(format!("ship and anchor line have no motion: {why}")),
-            None => Err("the file has no [coupled] to follow".to_owned()),
-        },
+    Some(match (rope.follows, coupled) {
+        (Follows::Motion, _) => settings
+            .zip(analysis)
+            .map(|(settings, analysis)| HangOffMotion::of_motion(rope, settings, analysis))
+            .ok_or_else(|| NO_MOTION.to_owned()),
+        (Follows::Coupled, Some(Ok(coupled))) => {
+            Ok(HangOffMotion::of_coupled(rope, settings, coupled))
+        }
+        (Follows::Coupled, Some(Err(error))) => {
+            Err(format!("the coupled analysis failed: {error}"))
+        }
+        (Follows::Coupled, None) => Err("the file has no [coupled] to follow".to_owned()),
     })
 }

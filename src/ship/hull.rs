@@ -1,5 +1,5 @@
-//! The ship as a rigid body: its matrices of mass, added mass, damping and restoring, eq. (4) of the ropeway paper, and what
-//! of them no ship can have.
+//! The ship as a rigid body: matrices of mass, added mass, damping and hydrostatic restoring, eq. (4) of the ropeway paper, and
+//! their validation.
 
 use nalgebra::{Matrix3, Matrix6, SymmetricEigen};
 
@@ -7,24 +7,24 @@ use super::model::{CoupledSettings, Hull};
 use crate::case::Misfit;
 use crate::numerics::{M3, V3};
 
-/// A ship's matrices about its reference point, in its own axes: surge, sway, heave, roll, pitch, yaw.
+/// Matrices about the reference point in ship axes: surge, sway, heave, roll, pitch, yaw.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HullMatrices {
-    /// Mass and added mass \[kg, kg m, kg m²\].
+    /// Rigid-body and added mass \[kg, kg m, kg m²\].
     pub mass: Matrix6<f64>,
-    /// Damping per velocity, beside that of wind and current.
+    /// Linear damping, without that of wind and current.
     pub damping: Matrix6<f64>,
-    /// Restoring per displacement, without the mooring.
+    /// Restoring stiffness, without the mooring.
     pub restoring: Matrix6<f64>,
 }
 
 impl HullMatrices {
-    /// Those of a hull that has been checked.
+    /// The matrices of a hull that has passed validation.
     #[must_use]
     pub fn of(hull: &Hull) -> Self {
         let matrix = |list: &[f64]| matrix(list).unwrap_or_else(Matrix6::zeros);
         Self {
-            mass: own(hull) + matrix(&hull.added_mass_si),
+            mass: rigid_body_mass(hull) + matrix(&hull.added_mass_si),
             damping: matrix(&hull.damping_si),
             restoring: matrix(&hull.restoring_si),
         }
@@ -38,8 +38,8 @@ impl HullMatrices {
     }
 }
 
-/// The ship's own mass about its reference point: `[m, -m S(g); m S(g), I - m S(g)²]`, I about the centre of gravity g.
-fn own(hull: &Hull) -> Matrix6<f64> {
+/// Rigid-body mass matrix about the reference point: `[m, -m S(g); m S(g), I - m S(g)²]`, I the inertia about the centre of gravity g.
+fn rigid_body_mass(hull: &Hull) -> Matrix6<f64> {
     let m = hull.mass_kg;
     let centre: M3 = V3::from(hull.centre_m).cross_matrix();
     let inertia = M3::from_diagonal(&V3::from(hull.gyration_m).map(|k| m * k * k));
@@ -54,7 +54,7 @@ fn own(hull: &Hull) -> Matrix6<f64> {
     mass
 }
 
-/// A matrix from nothing, its diagonal, or its rows.
+/// A matrix from an empty list, its diagonal, or its rows.
 fn matrix(list: &[f64]) -> Option<Matrix6<f64>> {
     match list.len() {
         0 => Some(Matrix6::zeros()),
@@ -66,7 +66,7 @@ fn matrix(list: &[f64]) -> Option<Matrix6<f64>> {
     }
 }
 
-/// What of a hull cannot be.
+/// Matrices that are not physical.
 pub(super) fn misfits(hull: &Hull, coupled: Option<&CoupledSettings>) -> Vec<Misfit> {
     let mut wrong = Vec::new();
     for (key, list) in [
@@ -86,23 +86,23 @@ pub(super) fn misfits(hull: &Hull, coupled: Option<&CoupledSettings>) -> Vec<Mis
         return wrong;
     }
     let all = HullMatrices::of(hull);
-    if skew(&all.mass) > 1e-9 {
+    if asymmetry(&all.mass) > 1e-9 {
         wrong.push(Misfit::at(
             "hull.added_mass_si",
             "is not symmetric",
-            "give a matrix that is the same when its rows are read as columns",
+            "give a matrix that equals its transpose",
         ));
     } else if all.mass.cholesky().is_none() {
         wrong.push(Misfit::at(
             "hull.added_mass_si",
-            "leaves some motion of the ship without inertia: mass and added mass together are singular or negative",
-            "give added mass that is not less than none",
+            "the sum of mass and added mass is not positive definite",
+            "give added mass that is positive semidefinite",
         ));
     }
-    if least(&all.damping) < -1e-9 * all.damping.abs().max() {
+    if smallest_eigenvalue(&all.damping) < -1e-9 * all.damping.abs().max() {
         wrong.push(Misfit::at(
             "hull.damping_si",
-            "gives the ship energy in some motion instead of taking it",
+            "feeds energy into some motion: its symmetric part is not positive semidefinite",
             "give damping that is not negative in any motion",
         ));
     }
@@ -112,16 +112,16 @@ pub(super) fn misfits(hull: &Hull, coupled: Option<&CoupledSettings>) -> Vec<Mis
         if symmetric.cholesky().is_none() {
             wrong.push(Misfit::at(
                 "hull.restoring_si",
-                "does not hold the ship up in heave, roll and pitch",
-                "give restoring in heave, roll and pitch that is positive: the ship would sink or capsize",
+                "is not positive definite in heave, roll and pitch",
+                "give positive restoring in heave, roll and pitch: otherwise the ship sinks or capsizes",
             ));
         }
     }
     wrong
 }
 
-/// How far a matrix is from symmetric, as a share of its diagonal.
-fn skew(matrix: &Matrix6<f64>) -> f64 {
+/// Asymmetry of a matrix relative to its diagonal.
+fn asymmetry(matrix: &Matrix6<f64>) -> f64 {
     let scale = |i: usize, j: usize| (matrix[(i, i)] * matrix[(j, j)]).abs().sqrt();
     let off = |i: usize, j: usize| {
         (matrix[(i, j)] - matrix[(j, i)]).abs() / scale(i, j).max(f64::MIN_POSITIVE)
@@ -130,8 +130,8 @@ fn skew(matrix: &Matrix6<f64>) -> f64 {
     pairs.map(|(i, j)| off(i, j)).fold(0.0, f64::max)
 }
 
-/// The least eigenvalue of the symmetric part.
-fn least(matrix: &Matrix6<f64>) -> f64 {
+/// The smallest eigenvalue of the symmetric part.
+fn smallest_eigenvalue(matrix: &Matrix6<f64>) -> f64 {
     let symmetric = (matrix + matrix.transpose()) * 0.5;
     SymmetricEigen::new(symmetric).eigenvalues.min()
 }

@@ -1,60 +1,62 @@
-//! Coefficients of a load against the angle between ship and flow: periodic curves, as a Fourier series or as a table
-//! with straight lines or a periodic cubic spline between its points.
+//! Periodic functions of an angle, for load coefficients against the angle of attack: a Fourier series, or a table with linear
+//! or periodic cubic spline interpolation.
 
 use std::f64::consts::{PI, TAU};
 
 use nalgebra::{DMatrix, DVector};
 
-/// A coefficient against an angle \[rad\], periodic over a full turn.
+use super::model::Interpolation;
+
+/// A function of an angle \[rad\] with period 2π.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PeriodicCurve {
     /// `Σ cos[n] cos(n α) + sin[n] sin(n α)`, n from 0.
     Fourier {
-        /// Amplitudes of the cosines, the mean first.
+        /// Cosine amplitudes, the mean first.
         cos: Vec<f64>,
-        /// Amplitudes of the sines; that of n = 0 has no effect.
+        /// Sine amplitudes; that of n = 0 has no effect.
         sin: Vec<f64>,
     },
-    /// Points on a full turn, with straight lines or a spline between.
-    Points {
-        /// Angles, rising from 0, all below a full turn \[rad\].
+    /// A table over 2π, interpolated linearly or by a cubic spline.
+    Table {
+        /// Angles, ascending from 0, all below 2π \[rad\].
         at: Vec<f64>,
         /// Values at the angles.
         value: Vec<f64>,
-        /// Second derivatives at the angles; all nought for straight lines.
-        bend: Vec<f64>,
+        /// Second derivatives at the angles; all zero for linear interpolation.
+        second_derivative: Vec<f64>,
     },
 }
 
-/// What lies between the points of a table.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Between {
-    /// Straight lines.
-    Linear,
-    /// The cubic spline that is periodic with its first and second derivative.
-    Cubic,
-}
-
-/// How a table over half a turn goes on beyond it.
+/// Symmetry by which a table over 0 to π extends to 2π.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parity {
-    /// The same to port and starboard, as the force along the ship.
+    /// Even, as the surge force.
     Even,
-    /// The opposite to port and starboard, as side force and yaw moment.
+    /// Odd, as the sway force and the yaw moment.
     Odd,
 }
 
 impl PeriodicCurve {
-    /// A curve through points. Angles \[rad\] rise from 0, and end at half a turn (the other half then follows by
-    /// `parity`) or below a full one.
+    /// Interpolates points. Angles \[rad\] ascend from 0 and end at π (the other half then follows by `parity`) or below
+    /// 2π.
     #[must_use]
-    pub fn through(angles: &[f64], values: &[f64], parity: Parity, between: Between) -> Self {
-        let (at, value) = full_turn(angles, values, parity);
-        let bend = match between {
-            Between::Linear => vec![0.0; at.len()],
-            Between::Cubic => periodic_spline(&at, &value),
+    pub fn through(
+        angles: &[f64],
+        values: &[f64],
+        parity: Parity,
+        interpolation: Interpolation,
+    ) -> Self {
+        let (at, value) = extended(angles, values, parity);
+        let second_derivative = match interpolation {
+            Interpolation::Linear => vec![0.0; at.len()],
+            Interpolation::Cubic => periodic_spline(&at, &value),
         };
-        Self::Points { at, value, bend }
+        Self::Table {
+            at,
+            value,
+            second_derivative,
+        }
     }
 
     /// Value and first derivative by the angle \[rad\].
@@ -75,12 +77,16 @@ impl PeriodicCurve {
                 }
                 sum
             }
-            Self::Points { at, value, bend } => {
+            Self::Table {
+                at,
+                value,
+                second_derivative,
+            } => {
                 let angle = angle.rem_euclid(TAU);
-                let (i, j, h) = piece(at, angle);
+                let (i, j, h) = interval(at, angle);
                 let s = angle - at[i];
                 let (left, right) = (h - s, s);
-                let (m, n) = (bend[i] / 6.0, bend[j] / 6.0);
+                let (m, n) = (second_derivative[i] / 6.0, second_derivative[j] / 6.0);
                 let (p, q) = (value[i] / h - m * h, value[j] / h - n * h);
                 (
                     (m * left.powi(3) + n * right.powi(3)) / h + p * left + q * right,
@@ -90,7 +96,7 @@ impl PeriodicCurve {
         }
     }
 
-    /// A bound of the second derivative's size on the piece that holds an angle.
+    /// Upper bound of the magnitude of the second derivative on the interval around an angle.
     #[must_use]
     pub fn second_derivative_bound(&self, angle: f64) -> f64 {
         match self {
@@ -101,34 +107,38 @@ impl PeriodicCurve {
                 };
                 of(cos) + of(sin)
             }
-            Self::Points { at, bend, .. } => {
-                let (i, j, _) = piece(at, angle.rem_euclid(TAU));
-                bend[i].abs().max(bend[j].abs())
+            Self::Table {
+                at,
+                second_derivative,
+                ..
+            } => {
+                let (i, j, _) = interval(at, angle.rem_euclid(TAU));
+                second_derivative[i].abs().max(second_derivative[j].abs())
             }
         }
     }
 
-    /// A bound of the value's size, reached or nearly.
+    /// Bound of the magnitude: the sum of the amplitudes, or the largest value of the table.
     #[must_use]
-    pub fn size(&self) -> f64 {
+    pub fn bound(&self) -> f64 {
         match self {
             Self::Fourier { cos, sin } => cos.iter().chain(sin).map(|a| a.abs()).sum(),
-            Self::Points { value, .. } => value.iter().fold(0.0, |m, v| m.max(v.abs())),
+            Self::Table { value, .. } => value.iter().fold(0.0, |m, v| m.max(v.abs())),
         }
     }
 
-    /// The angles at which the curve is not smooth \[rad\].
+    /// Angles at which the curve is not smooth \[rad\].
     #[must_use]
     pub fn knots(&self) -> &[f64] {
         match self {
             Self::Fourier { .. } => &[],
-            Self::Points { at, .. } => at,
+            Self::Table { at, .. } => at,
         }
     }
 }
 
-/// The piece that holds an angle within the turn: its first point, its second, its width.
-fn piece(at: &[f64], angle: f64) -> (usize, usize, f64) {
+/// The interval of the table around an angle: its first point, its second, its width \[rad\].
+fn interval(at: &[f64], angle: f64) -> (usize, usize, f64) {
     let after = at.partition_point(|a| *a <= angle);
     let first = after.saturating_sub(1);
     if after < at.len() {
@@ -138,8 +148,8 @@ fn piece(at: &[f64], angle: f64) -> (usize, usize, f64) {
     }
 }
 
-/// Points on the whole turn from points on it or on half of it.
-fn full_turn(angles: &[f64], values: &[f64], parity: Parity) -> (Vec<f64>, Vec<f64>) {
+/// Points over 2π from points over 2π or over π.
+fn extended(angles: &[f64], values: &[f64], parity: Parity) -> (Vec<f64>, Vec<f64>) {
     let (mut at, mut value) = (angles.to_vec(), values.to_vec());
     let last = at.last().copied().unwrap_or(0.0);
     if (last - PI).abs() > 1e-9 {
@@ -156,7 +166,7 @@ fn full_turn(angles: &[f64], values: &[f64], parity: Parity) -> (Vec<f64>, Vec<f
     (at, value)
 }
 
-/// Second derivatives of the periodic cubic spline through points on a full turn.
+/// Second derivatives of the periodic cubic spline through points over 2π.
 fn periodic_spline(at: &[f64], value: &[f64]) -> Vec<f64> {
     let n = at.len();
     if n < 3 {
@@ -179,7 +189,7 @@ fn periodic_spline(at: &[f64], value: &[f64]) -> Vec<f64> {
         matrix[(i, after)] += h1 / 6.0;
         right[i] = (value[after] - value[i]) / h1 - (value[i] - value[before]) / h0;
     }
-    // Diagonally dominant: it always has a solution.
+    // Diagonally dominant, hence regular.
     let solved = matrix.lu().solve(&right);
     solved.map_or_else(|| vec![0.0; n], |m| m.iter().copied().collect())
 }
@@ -197,7 +207,7 @@ mod tests {
         let error = |n: usize| {
             let at = grid(n);
             let values: Vec<f64> = at.iter().map(|a| a.sin()).collect();
-            let curve = PeriodicCurve::through(&at, &values, Parity::Odd, Between::Cubic);
+            let curve = PeriodicCurve::through(&at, &values, Parity::Odd, Interpolation::Cubic);
             (0..997)
                 .map(|i| 0.0123 + f64::from(i) * TAU / 997.0)
                 .map(|a| (curve.at(a).0 - a.sin()).abs())
@@ -212,8 +222,8 @@ mod tests {
         let at = grid(6);
         let values = [1.0, 0.7, 0.2, -0.1, -0.4, -0.9, -1.1];
         let curves = [
-            PeriodicCurve::through(&at, &values, Parity::Even, Between::Cubic),
-            PeriodicCurve::through(&at, &values, Parity::Even, Between::Linear),
+            PeriodicCurve::through(&at, &values, Parity::Even, Interpolation::Cubic),
+            PeriodicCurve::through(&at, &values, Parity::Even, Interpolation::Linear),
             PeriodicCurve::Fourier {
                 cos: vec![0.1, 0.9, 0.2],
                 sin: vec![0.0, 0.3, -0.4, 0.1],
@@ -237,8 +247,12 @@ mod tests {
     #[test]
     fn a_table_over_half_a_turn_is_mirrored() {
         let at = grid(4);
-        let odd =
-            PeriodicCurve::through(&at, &[0.0, 0.8, 1.0, 0.6, 0.0], Parity::Odd, Between::Cubic);
+        let odd = PeriodicCurve::through(
+            &at,
+            &[0.0, 0.8, 1.0, 0.6, 0.0],
+            Parity::Odd,
+            Interpolation::Cubic,
+        );
         for i in 1..30 {
             let a = 0.1 * f64::from(i);
             assert!((odd.at(a).0 + odd.at(-a).0).abs() < 1e-14);

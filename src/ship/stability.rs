@@ -1,10 +1,10 @@
-//! Whether a moored ship stays at its heading once it moves: surge, sway and yaw linearised about an equilibrium,
-//! `M q̈ + D q̇ + K q = 0` (eq. 4 of the ropeway paper with the mooring's stiffness in K, in the plane), and the eigenvalues
-//! of it. A real one that is positive diverges, a pair with positive real part is a ship that fishtails. Stiffness alone
-//! does not tell the latter: it needs inertia and the damping by wind and current on the moving ship.
+//! Dynamic stability of a moored ship in the horizontal plane: surge, sway and yaw linearised about an equilibrium,
+//! `M q̈ + D q̇ + K q = 0` (eq. 4 of the ropeway paper with the mooring stiffness in K), and its eigenvalues. A positive real
+//! eigenvalue is divergence (static instability), a complex pair with positive real part is fishtailing (a Hopf bifurcation),
+//! which depends on inertia and on the damping by wind and current on the moving ship as well as on stiffness.
 //!
-//! All in axes along the ship as it lies, about its reference point. The line is taken as quasi-static: `along` along
-//! itself, pull over reach across; the moment that its pull has about the reference point turns with the ship.
+//! Axes along the ship at equilibrium, about its reference point. The line is quasi-static: its own stiffness in its
+//! direction, pull over horizontal extent across; the moment of its pull about the reference point turns with the ship.
 
 use std::f64::consts::{LN_2, TAU};
 
@@ -15,24 +15,24 @@ use super::loads::EnvironmentalLoads;
 use super::mooring::MooringSolution;
 use super::yaw_equilibria::YawEquilibrium;
 
-/// What becomes of a small disturbance.
+/// Response to a small disturbance, by the eigenvalue of largest real part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DynamicStability {
-    /// It dies away; the mode that takes longest, its period where it swings, and the time to half.
+    /// All modes decay; period and half-life of the mode that decays slowest.
     Stable {
-        /// Period \[s\]; absent where it creeps back.
+        /// Period \[s\]; absent where it is overdamped.
         period: Option<f64>,
         /// Time to half the amplitude \[s\].
         half_life: f64,
     },
-    /// It neither grows nor dies away.
+    /// It neither grows nor decays.
     Neutral,
-    /// It grows without swinging.
+    /// It grows without oscillation.
     Divergence {
         /// Time to twice the amplitude \[s\].
         doubling_time: f64,
     },
-    /// It swings and grows.
+    /// It grows in oscillations.
     Fishtailing {
         /// Period \[s\].
         period: f64,
@@ -53,7 +53,7 @@ impl DynamicStability {
         }
     }
 
-    /// Its period where it swings, and the time to half or double the amplitude \[s\].
+    /// Period of an oscillation, and the half-life or doubling time of the amplitude \[s\].
     #[must_use]
     pub fn times(self) -> (Option<f64>, Option<f64>) {
         match self {
@@ -68,47 +68,47 @@ impl DynamicStability {
     }
 }
 
-/// Surge, sway and yaw about an equilibrium, linearised.
+/// Surge, sway and yaw linearised about an equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanarDynamics {
     /// Mass and added mass.
     pub mass: Matrix3<f64>,
-    /// Damping: the ship's own, and that of wind and current on the moving ship.
+    /// Damping of the hull, and of wind and current on the moving ship.
     pub damping: Matrix3<f64>,
-    /// Stiffness: mooring, and loads that turn with the ship.
+    /// Stiffness of mooring, hydrostatics, and loads that vary with the heading.
     pub stiffness: Matrix3<f64>,
 }
 
-/// Real parts below this share of the fastest rate are rounding.
-const NOTHING: f64 = 1e-9;
+/// Real parts below this fraction of the largest eigenvalue are rounding.
+const ROUNDING: f64 = 1e-9;
 
 impl PlanarDynamics {
-    /// Particulars a heading in balance, on a line that reaches.
+    /// About a yaw equilibrium, on the mooring line at its pull.
     #[must_use]
     pub fn new(
         hull: &HullMatrices,
         loads: &EnvironmentalLoads,
-        balance: &YawEquilibrium,
-        reach: &MooringSolution,
+        yaw: &YawEquilibrium,
+        line: &MooringSolution,
     ) -> Self {
-        let moving = loads.moving(balance.heading, 0.0, [0.0; 2]);
-        let slope = moving.by_turn;
+        let linearised = loads.linearised(yaw.heading, 0.0, [0.0; 2]);
+        let slope = linearised.by_yaw;
         let by_load = Matrix3::from_columns(&[Vector3::zeros(), Vector3::zeros(), slope.into()]);
         let by_velocity = Matrix3::from_columns(&[
-            moving.by_velocity[0].into(),
-            moving.by_velocity[1].into(),
+            linearised.by_velocity[0].into(),
+            linearised.by_velocity[1].into(),
             Vector3::zeros(),
         ]);
         Self {
             mass: HullMatrices::planar(&hull.mass),
             damping: HullMatrices::planar(&hull.damping) - by_velocity,
             stiffness: HullMatrices::planar(&hull.restoring) - by_load
-                + held(loads.arm, balance, reach),
+                + mooring_stiffness(loads.arm, yaw, line),
         }
     }
 
-    /// Eigenvalues \[1/s\], by falling real part: roots of `det(M λ² + D λ + K)`. Absent where the mass is singular or they
-    /// are not found.
+    /// Eigenvalues \[1/s\] by descending real part: roots of `det(M λ² + D λ + K)`. None where the mass matrix is singular or
+    /// they are not finite.
     #[must_use]
     pub fn eigenvalues(&self) -> Option<Vec<Complex<f64>>> {
         let inverse = self.mass.try_inverse()?;
@@ -124,20 +124,20 @@ impl PlanarDynamics {
         let found = companion.complex_eigenvalues();
         let mut list: Vec<Complex<f64>> = found.iter().copied().collect();
         list.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
-        let sane = list.iter().all(|l| l.re.is_finite() && l.im.is_finite());
-        sane.then_some(list)
+        let finite = list.iter().all(|l| l.re.is_finite() && l.im.is_finite());
+        finite.then_some(list)
     }
 
-    /// What becomes of a small disturbance: the fate of the mode that grows fastest or dies last.
+    /// Stability of the mode that grows fastest or decays slowest.
     #[must_use]
-    pub fn dynamic_stability(&self) -> Option<DynamicStability> {
+    pub fn stability(&self) -> Option<DynamicStability> {
         let list = self.eigenvalues()?;
         let fastest = list.iter().map(|l| l.norm()).fold(0.0, f64::max);
         let last = list.first()?;
-        let nothing = NOTHING * fastest;
-        let swings = last.im.abs() > nothing.max(1e-6 * last.re.abs());
-        let period = swings.then(|| TAU / last.im.abs());
-        Some(if last.re.abs() <= nothing {
+        let rounding = ROUNDING * fastest;
+        let oscillates = last.im.abs() > rounding.max(1e-6 * last.re.abs());
+        let period = oscillates.then(|| TAU / last.im.abs());
+        Some(if last.re.abs() <= rounding {
             DynamicStability::Neutral
         } else if last.re < 0.0 {
             DynamicStability::Stable {
@@ -157,16 +157,16 @@ impl PlanarDynamics {
     }
 }
 
-/// Stiffness of the mooring at the bow, about the reference point.
-fn held(arm: f64, balance: &YawEquilibrium, reach: &MooringSolution) -> Matrix3<f64> {
-    let (sin, cos) = (balance.force_direction - balance.heading).sin_cos();
+/// Stiffness of the mooring line at the bow, about the reference point.
+fn mooring_stiffness(arm: f64, yaw: &YawEquilibrium, line: &MooringSolution) -> Matrix3<f64> {
+    let (sin, cos) = (yaw.force_direction - yaw.heading).sin_cos();
     let away = Vector2::new(cos, sin);
-    let line = away * away.transpose() * reach.along
-        + (Matrix2::identity() - away * away.transpose()) * reach.across;
-    // Shift of the bow by surge, sway and yaw.
+    let stiffness_at_bow = away * away.transpose() * line.stiffness_along
+        + (Matrix2::identity() - away * away.transpose()) * line.stiffness_across;
+    // Displacement of the bow by surge, sway and yaw.
     let bow = nalgebra::Matrix2x3::new(1.0, 0.0, 0.0, 0.0, 1.0, arm);
-    let force = line * bow;
-    let ahead = -balance.pull * cos;
+    let force = stiffness_at_bow * bow;
+    let ahead = -yaw.pull * cos;
     let mut stiffness = Matrix3::zeros();
     for j in 0..3 {
         stiffness[(0, j)] = force[(0, j)];
@@ -213,9 +213,9 @@ mod tests {
         let Some(DynamicStability::Stable {
             period: Some(p),
             half_life,
-        }) = one.dynamic_stability()
+        }) = one.stability()
         else {
-            panic!("{:?}", one.dynamic_stability());
+            panic!("{:?}", one.stability());
         };
         assert!((half_life - LN_2 / 0.1).abs() < 1e-9, "{half_life}");
         let expected = [(4.0 - 0.01_f64).sqrt()];
@@ -223,13 +223,13 @@ mod tests {
     }
 
     #[test]
-    fn a_stiffness_that_turns_is_flutter_and_a_negative_one_diverges() {
-        // Two motions of unit mass with k ± c coupled skew: λ² = -k ± i c.
+    fn a_skew_stiffness_is_fishtailing_and_a_negative_one_is_divergence() {
+        // Two motions of unit mass with skew coupling k ± c: λ² = -k ± i c.
         let mut stiffness = Matrix3::identity() * 4.0;
         stiffness[(1, 2)] = 0.5;
         stiffness[(2, 1)] = -0.5;
         let dynamic_stability = planar([1.0; 3], Matrix3::zeros(), stiffness)
-            .dynamic_stability()
+            .stability()
             .unwrap();
         let root = Complex::new(-4.0, 0.5).sqrt();
         let DynamicStability::Fishtailing {
@@ -242,22 +242,22 @@ mod tests {
         assert!((period - TAU / f64::abs(root.im)).abs() < 1e-9);
         assert!((doubling_time - LN_2 / f64::abs(root.re)).abs() < 1e-9);
         let down = planar([1.0; 3], Matrix3::zeros(), Matrix3::identity() * -4.0);
-        let Some(DynamicStability::Divergence { doubling_time }) = down.dynamic_stability() else {
-            panic!("{:?}", down.dynamic_stability());
+        let Some(DynamicStability::Divergence { doubling_time }) = down.stability() else {
+            panic!("{:?}", down.stability());
         };
         assert!((doubling_time - LN_2 / 2.0).abs() < 1e-12);
         let still = planar([1.0; 3], Matrix3::zeros(), Matrix3::identity());
-        assert_eq!(still.dynamic_stability(), Some(DynamicStability::Neutral));
+        assert_eq!(still.stability(), Some(DynamicStability::Neutral));
         assert_eq!(
-            planar([1.0, 0.0, 1.0], Matrix3::zeros(), stiffness).dynamic_stability(),
+            planar([1.0, 0.0, 1.0], Matrix3::zeros(), stiffness).stability(),
             None
         );
     }
 
     proptest! {
-        /// Sway and yaw against the criterion of Routh and Hurwitz on their quartic.
+        /// Sway and yaw against the Routh-Hurwitz criterion on their quartic.
         #[test]
-        fn the_fate_is_that_of_routh_and_hurwitz(
+        fn stability_is_that_of_the_routh_hurwitz_criterion(
             d in prop::array::uniform4(-1.0..3.0f64), k in prop::array::uniform4(-2.0..4.0f64),
         ) {
             let mut damping = Matrix3::identity();
@@ -266,7 +266,7 @@ mod tests {
                 damping[(i, j)] = d[at];
                 stiffness[(i, j)] = k[at];
             }
-            let dynamic_stability = planar([1.0; 3], damping, stiffness).dynamic_stability().unwrap();
+            let dynamic_stability = planar([1.0; 3], damping, stiffness).stability().unwrap();
             // det(λ² + Dλ + K) = λ⁴ + a1 λ³ + a2 λ² + a3 λ + a4.
             let a1 = d[0] + d[3];
             let a2 = d[0] * d[3] - d[1] * d[2] + k[0] + k[3];

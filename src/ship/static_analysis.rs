@@ -1,70 +1,69 @@
-//! A ship at rest: its loads, every heading in balance, and how far it then lies from its anchor.
+//! Static analysis of a moored ship: environmental loads, yaw equilibria, mooring line and dynamic stability at each.
 
 use super::hull::HullMatrices;
 use super::loads::EnvironmentalLoads;
 use super::model::Ship;
-use super::mooring::{MooringError, MooringSolution, reach};
+use super::mooring::{MooringError, MooringSolution, solve_mooring};
 use super::stability::{DynamicStability, PlanarDynamics};
 use super::yaw_equilibria::{YawEquilibrium, YawEquilibriumError, YawStability, yaw_equilibria};
 
-/// A ship at rest.
+/// The static analysis of a ship.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StaticAnalysis {
-    /// The words.
+    /// The ship as read from its file.
     pub ship: Ship,
-    /// What acts on it.
+    /// Environmental loads.
     pub loads: EnvironmentalLoads,
-    /// Its matrices; absent where the file gives no hull.
+    /// Mass, damping and restoring matrices; absent without `[hull]`.
     pub hull: Option<HullMatrices>,
-    /// Every heading in balance, from -180 to 180 degrees, with the reach of the mooring there; absent where the file
-    /// names no mooring.
+    /// Every equilibrium, by ascending heading.
     pub equilibria: Result<Vec<Equilibrium>, YawEquilibriumError>,
 }
 
-/// A heading in balance, and where the ship then lies.
+/// An equilibrium of ship and mooring.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equilibrium {
-    /// The heading.
+    /// Heading, loads and static stability.
     pub yaw: YawEquilibrium,
-    /// The mooring line, where the file names one.
-    pub reach: Option<Result<MooringSolution, MooringError>>,
-    /// The ship's small motions there, linearised; absent without hull or a mooring that reaches.
-    pub planar: Option<PlanarDynamics>,
+    /// The mooring line at the pull of this heading; absent without `[mooring]`.
+    pub line: Option<Result<MooringSolution, MooringError>>,
+    /// Linearised surge, sway and yaw; absent without `[hull]` or a mooring solution.
+    pub dynamics: Option<PlanarDynamics>,
 }
 
 impl Equilibrium {
-    /// What becomes of a small disturbance there; absent without hull or a mooring that reaches.
+    /// Dynamic stability; absent without `[hull]` or a mooring solution.
     #[must_use]
     pub fn dynamic_stability(&self) -> Option<DynamicStability> {
-        self.planar.as_ref()?.dynamic_stability()
+        self.dynamics.as_ref()?.stability()
     }
 
-    /// Where the mooring point and the ship's centre lie from the anchor, in the axes of the case \[m\]; absent without a
-    /// mooring line that reaches.
+    /// Positions of the mooring point and of the ship's centre from the anchor, in global axes \[m\]; absent without a
+    /// mooring solution.
     #[must_use]
-    pub fn offset(&self, arm: f64) -> Option<[(f64, f64); 2]> {
-        let reach = self.reach.as_ref()?.as_ref().ok()?;
+    pub fn positions(&self, arm: f64) -> Option<[(f64, f64); 2]> {
+        let line = self.line.as_ref()?.as_ref().ok()?;
         let (sin, cos) = self.yaw.force_direction.sin_cos();
-        let bow = (reach.distance * cos, reach.distance * sin);
+        let bow = (line.distance * cos, line.distance * sin);
         let (sin, cos) = self.yaw.heading.sin_cos();
         Some([bow, (bow.0 - arm * cos, bow.1 - arm * sin)])
     }
 }
 
 impl StaticAnalysis {
-    /// Works a ship out. The words are taken as checked.
+    /// Analyses a ship that has passed validation.
     #[must_use]
     pub fn new(ship: Ship) -> Self {
         let loads = EnvironmentalLoads::new(&ship);
         let hull = ship.hull.as_ref().map(HullMatrices::of);
         let equilibrium = |yaw: YawEquilibrium| {
             let mooring = ship.mooring.as_ref();
-            let reach = mooring.map(|mooring| reach(&ship.particulars, mooring, yaw.pull));
-            let held = reach.as_ref().and_then(|reach| reach.as_ref().ok());
-            let planar = hull.as_ref().zip(held);
+            let line = mooring.map(|mooring| solve_mooring(&ship.particulars, mooring, yaw.pull));
+            let solved = line.as_ref().and_then(|line| line.as_ref().ok());
+            let planar = hull.as_ref().zip(solved);
             Equilibrium {
-                planar: planar.map(|(hull, reach)| PlanarDynamics::new(hull, &loads, &yaw, reach)),
-                reach,
+                dynamics: planar.map(|(hull, line)| PlanarDynamics::new(hull, &loads, &yaw, line)),
+                line,
                 yaw,
             }
         };
@@ -78,15 +77,15 @@ impl StaticAnalysis {
         }
     }
 
-    /// The stable heading under the greatest stiffness in yaw: where the ship is most likely found.
+    /// The governing equilibrium: the statically stable one of greatest yaw stiffness.
     #[must_use]
     pub fn governing(&self) -> Option<&Equilibrium> {
         let equilibria = self.equilibria.as_ref().ok()?;
         let stable = equilibria
             .iter()
-            .filter(|s| s.yaw.stability == YawStability::Stable);
+            .filter(|one| one.yaw.stability == YawStability::Stable);
         stable.max_by(|a, b| {
-            let stiffness = |s: &Equilibrium| s.yaw.yaw_stiffness;
+            let stiffness = |one: &Equilibrium| one.yaw.yaw_stiffness;
             stiffness(a).total_cmp(&stiffness(b))
         })
     }

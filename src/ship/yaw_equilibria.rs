@@ -1,76 +1,76 @@
-//! The headings at which a ship at a single-point mooring is in balance: all isolate_roots of the moment about the mooring point,
-//! eq. (2), with what holds the ship there and whether it stays.
+//! Yaw equilibria of a ship at a single-point mooring: all zeros of the moment about the mooring point, eq. (2), with the
+//! mooring force and the static stability in yaw of each.
 //!
-//! The line runs from the anchor along the total force, so the bow lies downstream of the anchor by the line's reach at
-//! that pull. With the line drawn away from the anchor, the stiffness of the moored ship against small motions of the
-//! mooring point along the line, across it, and of the heading is triangular: loads depend on the heading alone. Its
-//! eigenvalues are the stiffness of the line along itself, pull over reach across it, and `-dM/dψ` in yaw: the ship
-//! stays where all three are positive. Oscillations that grow, as of a ship that fishtails, are not told by
-//! stiffness: [`fishtail`](super::fishtail) tells them.
+//! The line runs from the anchor along the total force, so the bow lies in that direction from the anchor, at the horizontal
+//! extent of the line under that pull. The stiffness of the moored ship against small displacements of the mooring point along
+//! and across the line and against small yaw angles is triangular, because the loads depend on the heading alone. Its
+//! eigenvalues are the stiffness of the line in its own direction, pull over horizontal extent across it, and `-dM/dψ` in yaw:
+//! the equilibrium is statically stable where all three are positive. Dynamic instability, such as fishtailing, is the subject
+//! of [`stability`](super::stability).
 
 use std::f64::consts::{PI, TAU};
 
 use super::loads::{EnvironmentalLoads, PlanarLoad};
 use crate::numerics::root_isolation::{BoundedCurvature, Root, isolate_roots};
 
-/// A heading at which the ship is in balance.
+/// A heading at which the moment about the mooring point vanishes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct YawEquilibrium {
-    /// Heading, where the bow points, from +x towards +y, within half a turn of +x \[rad\].
+    /// Heading of the bow, from +x towards +y, in (-π, π] \[rad\].
     pub heading: f64,
-    /// Width of the range of headings that cannot be told from this one; nought at a simple zero \[rad\].
+    /// Width of the range of headings over which the moment vanishes; zero at a simple root \[rad\].
     pub width: f64,
-    /// Whether the ship returns after a small turn.
+    /// Static stability in yaw.
     pub stability: YawStability,
     /// Stiffness in yaw about the mooring point, `-dM/dψ` \[N m/rad\].
     pub yaw_stiffness: f64,
-    /// Total load on the ship in its own axes.
+    /// Total load, in ship axes.
     pub load: PlanarLoad,
-    /// Pull of the mooring: the size of the total force \[N\].
+    /// Horizontal mooring force, the magnitude of the total force \[N\].
     pub pull: f64,
-    /// Where the total force points, from +x towards +y \[rad\]; the bow lies this way from the anchor.
+    /// Direction of the total force, from +x towards +y, and of the bow from the anchor \[rad\].
     pub force_direction: f64,
 }
 
-/// Whether the ship returns after a small turn.
+/// Static stability in yaw, by the sign of the moment to either side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum YawStability {
-    /// It returns.
+    /// The moment restores the heading.
     Stable,
-    /// It turns further away.
+    /// The moment diverges from the heading.
     Unstable,
-    /// It returns from one side only: the moment touches zero.
-    OneSided,
-    /// Nothing turns it over a range of headings.
-    Indifferent,
+    /// The moment touches zero: it restores from one side only.
+    SemiStable,
+    /// The moment vanishes over a range of headings.
+    Neutral,
 }
 
 impl YawStability {
-    /// In words.
+    /// In a word.
     #[must_use]
     pub fn label(self) -> &'static str {
         match self {
             Self::Stable => "stable",
             Self::Unstable => "unstable",
-            Self::OneSided => "one-sided",
-            Self::Indifferent => "indifferent",
+            Self::SemiStable => "semi-stable",
+            Self::Neutral => "neutral",
         }
     }
 }
 
-/// Why headings cannot be told.
+/// Why there are no yaw equilibria.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum YawEquilibriumError {
-    /// No heading is in balance.
+    /// The moment has no root.
     #[error(
-        "the moment about the mooring point never vanishes: the ship turns for ever, and has no heading to rest at"
+        "the moment about the mooring point never vanishes: the ship rotates without end and has no equilibrium heading"
     )]
     None,
-    /// The moment is not a number somewhere, or cannot be bounded.
+    /// The moment is not finite, or its second derivative is too large.
     #[error(
-        "the moment about the mooring point is not a number at every heading, or changes too fast to be followed"
+        "the moment about the mooring point is not finite at every heading, or varies too fast for its roots to be isolated"
     )]
-    Wild,
+    Unbounded,
 }
 
 struct Moment<'a> {
@@ -92,33 +92,34 @@ impl BoundedCurvature for Moment<'_> {
     }
 }
 
-/// All headings in balance, from -π to π, none missed.
+/// All equilibrium headings in (-π, π], none missed.
 ///
 /// # Errors
-/// [`YawEquilibriumError`] when there is none, or the moment cannot be followed.
+/// [`YawEquilibriumError`] where there is none, or the moment is not bounded.
 pub fn yaw_equilibria(
     loads: &EnvironmentalLoads,
 ) -> Result<Vec<YawEquilibrium>, YawEquilibriumError> {
     let rounding = 1e-13 * loads.moment_bound();
     let moment = Moment { loads, rounding };
-    let found = isolate_roots(&moment, &loads.cuts()).ok_or(YawEquilibriumError::Wild)?;
-    let mut yaw_equilibria: Vec<YawEquilibrium> = around(found)
+    let found =
+        isolate_roots(&moment, &loads.breakpoints()).ok_or(YawEquilibriumError::Unbounded)?;
+    let mut equilibria: Vec<YawEquilibrium> = merged_at_pi(found)
         .into_iter()
-        .map(|(from, to)| balance(loads, from, to))
+        .map(|(from, to)| equilibrium(loads, from, to))
         .collect();
-    if yaw_equilibria.is_empty() {
+    if equilibria.is_empty() {
         return Err(YawEquilibriumError::None);
     }
-    yaw_equilibria.sort_by(|a, b| a.heading.total_cmp(&b.heading));
-    Ok(yaw_equilibria)
+    equilibria.sort_by(|a, b| a.heading.total_cmp(&b.heading));
+    Ok(equilibria)
 }
 
-/// Zeros as ranges of headings; one that goes over ±π is one.
-fn around(found: Vec<Root>) -> Vec<(f64, f64)> {
+/// Roots as intervals of headings; one that crosses ±π is one interval.
+fn merged_at_pi(found: Vec<Root>) -> Vec<(f64, f64)> {
     const SAME: f64 = 1e-9;
     let mut ranges: Vec<(f64, f64)> = found
         .into_iter()
-        .map(|zero| match zero {
+        .map(|root| match root {
             Root::Point(x) => (x, x),
             Root::Interval(a, b) => (a, b),
         })
@@ -134,15 +135,15 @@ fn around(found: Vec<Root>) -> Vec<(f64, f64)> {
     ranges
 }
 
-fn balance(loads: &EnvironmentalLoads, from: f64, to: f64) -> YawEquilibrium {
+fn equilibrium(loads: &EnvironmentalLoads, from: f64, to: f64) -> YawEquilibrium {
     let middle = 0.5 * (from + to);
     let (load, _) = loads.total(middle);
     let (sin, cos) = middle.sin_cos();
     let force = (load[0] * cos - load[1] * sin, load[0] * sin + load[1] * cos);
-    let (stability, yaw_stiffness) = standing(loads, from, to);
+    let (stability, yaw_stiffness) = static_stability(loads, from, to);
     let heading = (middle + PI).rem_euclid(TAU) - PI;
     YawEquilibrium {
-        // Headings of -180 and 180 degrees are the same; the latter is told.
+        // Of the equal headings -180 and 180 degrees the latter is reported.
         heading: if heading + PI < 1e-9 {
             heading + TAU
         } else {
@@ -157,20 +158,20 @@ fn balance(loads: &EnvironmentalLoads, from: f64, to: f64) -> YawEquilibrium {
     }
 }
 
-/// By the moment a little to either side, which also tells at a kink and where the slope vanishes.
-fn standing(loads: &EnvironmentalLoads, from: f64, to: f64) -> (YawStability, f64) {
+/// Stability and stiffness by the moment on either side, which also decides at a kink and at a multiple root.
+fn static_stability(loads: &EnvironmentalLoads, from: f64, to: f64) -> (YawStability, f64) {
     const WIDE: f64 = 1e-3;
     const ASIDE: f64 = 1e-6;
     let stiffness = -loads.moment(0.5 * (from + to)).1;
     if to - from > WIDE {
-        return (YawStability::Indifferent, 0.0);
+        return (YawStability::Neutral, 0.0);
     }
     let aside = ASIDE.max(4.0 * (to - from));
     let (before, after) = (loads.moment(from - aside).0, loads.moment(to + aside).0);
     let stability = match (before > 0.0, after > 0.0) {
         (true, false) => YawStability::Stable,
         (false, true) => YawStability::Unstable,
-        _ => YawStability::OneSided,
+        _ => YawStability::SemiStable,
     };
     (stability, stiffness)
 }
@@ -182,13 +183,13 @@ mod tests {
     use crate::ship::periodic_curve::PeriodicCurve;
     use proptest::prelude::*;
 
-    /// A load of this sway amplitude on sin α, at an arm of one metre: the moment is `-a sin(towards - ψ)`.
+    /// A load with these sway amplitudes on sin α, at an arm of one metre: the moment is `-a sin(towards - ψ)`.
     fn side(towards: f64, sines: Vec<f64>) -> EnvironmentalLoad {
         let sines = std::iter::once(0.0).chain(sines).collect();
         EnvironmentalLoad {
             name: "wind",
             towards,
-            scale: [1.0; 3],
+            reference: [1.0; 3],
             curves: [
                 PeriodicCurve::Fourier {
                     cos: vec![0.0, 1.0],
@@ -208,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn one_flow_swings_the_bow_into_it() {
+    fn one_flow_turns_the_bow_into_it() {
         for towards in [-3.0, -1.0, 0.0, 0.5, PI] {
             let loads = EnvironmentalLoads {
                 each: vec![side(towards, vec![2.0])],
@@ -264,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn none_everywhere_and_touching_are_said() {
+    fn no_root_a_vanishing_moment_and_a_double_root_are_classified() {
         let mut turning = side(0.0, vec![0.0]);
         turning.curves[2] = PeriodicCurve::Fourier {
             cos: vec![2.0, 1.0],
@@ -279,24 +280,24 @@ mod tests {
         assert_eq!(with(turning.clone()), Err(YawEquilibriumError::None));
         let calm = with(side(0.0, vec![0.0])).unwrap();
         assert_eq!(calm.len(), 1);
-        assert_eq!(calm[0].stability, YawStability::Indifferent);
+        assert_eq!(calm[0].stability, YawStability::Neutral);
         turning.curves[2] = PeriodicCurve::Fourier {
             cos: vec![1.0, 1.0],
             sin: vec![],
         };
         let touching = with(turning).unwrap();
         assert_eq!(touching.len(), 1, "{touching:?}");
-        assert_eq!(touching[0].stability, YawStability::OneSided);
+        assert_eq!(touching[0].stability, YawStability::SemiStable);
         assert!((touching[0].heading - PI).abs() < 1e-5);
     }
 
     proptest! {
-        /// A trigonometric polynomial made from its isolate_roots has those isolate_roots and no others.
+        /// A trigonometric polynomial built from its roots has those roots and no others.
         #[test]
         fn no_root_is_missed(mut roots in prop::collection::vec(-3.1..3.1f64, 1..4), towards in -3.0..3.0f64) {
             roots.sort_by(f64::total_cmp);
             roots.dedup_by(|a, b| (*a - *b).abs() < 1e-3);
-            // Π sin((x - r)/2) over pairs (r, r + π): Π ½ sin(x - r) has isolate_roots at r and r + π.
+            // Π sin((x - r)/2) over pairs (r, r + π): Π ½ sin(x - r) has roots at r and r + π.
             let product = |x: f64| roots.iter().map(|r| (x - r).sin()).product::<f64>();
             let n = roots.len();
             let points = 4 * n + 4;

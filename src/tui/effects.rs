@@ -171,7 +171,7 @@ impl EffectRunner {
             }
             Effect::ComputeShip(rest, folder, stop) => self.aside(move || {
                 // It always answers: a fault of it is told by the panic hook.
-                let work = AssertUnwindSafe(|| DynamicAnalysis::of(&rest, &folder, &stop));
+                let work = AssertUnwindSafe(|| DynamicAnalysis::new(&rest, &folder, &stop));
                 let sea = catch_unwind(work).ok().flatten().map(Arc::new);
                 Msg::ShipComputed(stop, sea)
             }),

@@ -38,7 +38,7 @@ fn rest(line: &Scene) -> State {
     state
 }
 
-/// A ship of this mass, held up by stiff water, its fairlead at an arm; its load yaw_equilibria the line at rest.
+/// A ship of this mass, held up by stiff water, its fairlead at an arm; its load balances the line at rest.
 fn ship(line: &Scene, state: &State, mass: f64, arm: V3) -> ShipBody {
     let last = line.nodes() - 1;
     let pull = line.end_force(last, state);
@@ -64,7 +64,7 @@ fn ship(line: &Scene, state: &State, mass: f64, arm: V3) -> ShipBody {
         )),
         load: -Vector6::new(pull.x, pull.y, pull.z, turn.x, turn.y, turn.z),
         forcing: Forcing::default(),
-        place: state.x[last] - arm,
+        origin: state.x[last] - arm,
         arm,
         length: 25.0,
     }

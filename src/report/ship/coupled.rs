@@ -1,109 +1,88 @@
-//! The ship and its anchor line in time, in charts and tables.
+//! Coupled analysis of ship and anchor line in charts and tables.
 
+use super::motion::DRAWN;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::number::{digits, percent};
-use crate::report::table::{Cell, Column, Table};
-use crate::ship::coupled::free_decay::FreeDecay;
+use crate::report::table::{Format, Table};
 use crate::ship::coupled::{CHANNELS, CoupledAnalysis};
 
-/// Time that is drawn \[s\].
-const MINUTES: f64 = 300.0;
-
-/// Channels on the chart of the ship, and of the line.
+/// Channels of the charts of ship and line.
 const SHIP: [usize; 3] = [0, 1, 5];
 const LINE: [usize; 2] = [9, 10];
 
-/// The slow motions of the ship over the first minutes that count.
+/// Surge, sway and yaw over the first minutes of the statistics.
 #[must_use]
 pub fn motions(coupled: &CoupledAnalysis) -> Chart {
-    drawn(
-        coupled,
-        &SHIP,
-        "Ship on its anchor line: motions in the plane",
-        "motion",
-        "",
-    )
+    let label = |(name, unit): (&str, &str)| format!("{name} [{unit}]");
+    Chart {
+        title: "Ship on its anchor line: motions in the horizontal plane".to_owned(),
+        y: Axis::new("motion", ""),
+        ..chart(coupled, &SHIP, label)
+    }
 }
 
-/// The tension of the anchor line over the same time.
+/// Tension of the anchor line over the same time.
 #[must_use]
 pub fn tension(coupled: &CoupledAnalysis) -> Chart {
-    drawn(coupled, &LINE, "Tension of the anchor line", "tension", "N")
+    Chart {
+        title: "Tension of the anchor line".to_owned(),
+        y: Axis::new("tension", "N"),
+        ..chart(coupled, &LINE, |(name, _)| name.to_owned())
+    }
 }
 
-fn drawn(
+fn chart(
     coupled: &CoupledAnalysis,
     channels: &[usize],
-    title: &str,
-    axis: &str,
-    unit: &str,
+    label: impl Fn((&str, &str)) -> String,
 ) -> Chart {
     let from = (coupled.settings.from_s / coupled.step).round() as usize;
-    let count = (MINUTES / coupled.step) as usize;
+    let count = (DRAWN / coupled.step) as usize;
     let series = channels.iter().enumerate().map(|(slot, channel)| {
         let record = coupled.records.get(*channel).map_or(&[][..], Vec::as_slice);
-        let shown = record.iter().enumerate().skip(from).take(count + 1);
-        let points = shown.map(|(i, value)| (coupled.step * i as f64, *value));
-        let (name, of) = CHANNELS[*channel];
-        let label = if unit.is_empty() {
-            format!("{name} [{of}]")
-        } else {
-            name.to_owned()
-        };
-        Series::new(&label, slot, points.collect())
+        let drawn = record.iter().enumerate().skip(from).take(count + 1);
+        let points = drawn.map(|(i, value)| (coupled.step * i as f64, *value));
+        Series::new(&label(CHANNELS[*channel]), slot, points.collect())
     });
     Chart {
-        title: title.to_owned(),
         x: Axis::new("time", "s"),
-        y: Axis::new(axis, unit),
         series: series.collect(),
         legend: true,
         ..Chart::default()
     }
 }
 
-/// Statistics of every channel, with the errors of step and mesh.
+/// Statistics of every channel with time-step and mesh errors.
 #[must_use]
 pub fn statistics(coupled: &CoupledAnalysis) -> Table {
-    let row = |(i, (name, unit)): (usize, &(&str, &str))| {
-        let of = &coupled.statistics[i];
-        let error = |errors: &Option<Vec<f64>>| {
-            errors
-                .as_ref()
-                .map_or_else(|| "-".to_owned(), |list| digits(list[i], 2))
-        };
-        let mut cells = vec![Cell::plain(format!("{name} [{unit}]"))];
-        let values = [of.mean, of.deviation, of.min, of.max];
-        cells.extend(values.map(|value| Cell::plain(digits(value, 4))));
-        cells.push(Cell::plain(error(&coupled.time_errors)));
-        cells.push(Cell::plain(error(&coupled.mesh_errors)));
-        cells
-    };
-    Table {
-        title: format!(
-            "Ship and anchor line in time, from {} s to {} s",
-            digits(coupled.settings.from_s, 6),
-            digits(coupled.settings.duration_s, 6)
-        ),
-        columns: vec![
-            Column::left("channel"),
-            Column::decimal("mean"),
-            Column::decimal("deviation"),
-            Column::decimal("least"),
-            Column::decimal("greatest"),
-            Column::decimal("step error"),
-            Column::decimal("mesh error"),
-        ],
-        rows: CHANNELS.iter().enumerate().map(row).collect(),
-        notes: notes(coupled),
-    }
+    const FOUR: Format = Format::Digits(4, "");
+    const TWO: Format = Format::Digits(2, "");
+    let title = format!(
+        "Ship and anchor line in the time domain, from {} s to {} s",
+        digits(coupled.settings.from_s, 6),
+        digits(coupled.settings.duration_s, 6)
+    );
+    let channels: Vec<usize> = (0..CHANNELS.len()).collect();
+    let of = |i: &usize| &coupled.statistics[*i];
+    let error = |errors: &Option<Vec<f64>>, i: usize| errors.as_ref().map(|errors| errors[i]);
+    Table::of(title, &channels)
+        .text("channel", |i| {
+            format!("{} [{}]", CHANNELS[*i].0, CHANNELS[*i].1)
+        })
+        .number("mean", FOUR, |i| of(i).mean)
+        .number("std dev", FOUR, |i| of(i).deviation)
+        .number("min", FOUR, |i| of(i).min)
+        .number("max", FOUR, |i| of(i).max)
+        .number("time error", TWO, |i| error(&coupled.time_errors, *i))
+        .number("mesh error", TWO, |i| error(&coupled.mesh_errors, *i))
+        .build()
+        .noted(notes(coupled))
 }
 
 fn notes(coupled: &CoupledAnalysis) -> Vec<String> {
-    let settings = &coupled.settings;
-    let work = &coupled.work;
+    let (settings, work) = (&coupled.settings, &coupled.work);
     let mut notes = vec![
-        "Displacements are from the place at which the ship rests, along and across its heading there. Errors are root mean squares over the record, by a companion with half the step and one with half the segments (Richardson, order two).".to_owned(),
+        "Displacements from the equilibrium position, along and across the equilibrium heading. Errors are root mean squares over the record, by Richardson extrapolation from half the step and from half the segments (second order).".to_owned(),
         format!(
             "Step {} s, {} segments: {} steps, {} of them halved, {} Newton iterations.",
             digits(settings.step_s, 4),
@@ -112,65 +91,48 @@ fn notes(coupled: &CoupledAnalysis) -> Vec<String> {
             work.halved,
             work.iterations
         ),
-        "Ship and line are solved in one Newton. Rotations are of first order; wind, current and drift act by their coefficients on the ship as it turns and moves; the line hangs in still water.".to_owned(),
+        "Ship and line are solved in one Newton iteration. Rotations are of first order; wind, current and drift act by their coefficients on the moving ship; the line is in still water.".to_owned(),
+        if coupled.waves {
+            "First-order wave loads are those that give the free ship its RAOs."
+        } else {
+            "No wave loads: they need [motion] by responses."
+        }
+        .to_owned(),
     ];
-    notes.push(if coupled.waves {
-        "Waves act by the loads that make the free ship answer them as its responses say."
-            .to_owned()
-    } else {
-        "No waves act: [motion] made from responses brings them.".to_owned()
-    });
     if coupled.time_errors.is_none() || coupled.mesh_errors.is_none() {
-        notes.push("WARNING: a companion gave up, so that not all errors are told.".to_owned());
+        notes.push(
+            "WARNING: a run for the error estimate failed; its errors are missing.".to_owned(),
+        );
     }
     notes
 }
 
-/// The free decay against the linearised equations.
+/// Free decay against the linearised equations.
 #[must_use]
 pub fn decay(coupled: &CoupledAnalysis) -> Table {
-    let columns = vec![
-        Column::left("slowest swinging motion"),
-        Column::decimal("period"),
-        Column::decimal("left after a period"),
-    ];
-    let title = "Free decay: the ship let go, no waves".to_owned();
-    let FreeDecay {
-        linear_s,
-        measured_s,
-        linear_left,
-        measured_left,
-    } = match &coupled.decay {
-        Ok(decay) => *decay,
-        Err(why) => {
-            return Table {
-                title,
-                notes: vec![format!("No check: {why}.")],
+    let title = "Free decay in the slowest oscillating mode, no waves";
+    let decay = match &coupled.decay {
+        Ok(decay) => decay,
+        Err(error) => {
+            let table = Table {
+                title: title.to_owned(),
                 ..Table::default()
             };
+            return table.noted([format!("No free decay: {error}.")]);
         }
     };
-    let row = |name: &str, period: f64, left: f64| {
-        vec![
-            Cell::plain(name),
-            Cell::plain(format!("{} s", digits(period, 5))),
-            Cell::plain(percent(left)),
-        ]
-    };
-    Table {
-        title,
-        columns,
-        rows: vec![
-            row("linearised, closed form", linear_s, linear_left),
-            row("ship and line in time", measured_s, measured_left),
-            vec![
-                Cell::plain("off by"),
-                Cell::plain(percent(measured_s / linear_s - 1.0)),
-                Cell::plain(""),
-            ],
-        ],
-        notes: vec![
-            "Linearised: surge, sway and yaw on a quasi-static line (eq. 4). In time the line has its own inertia and drag, and its mesh.".to_owned(),
-        ],
-    }
+    let error = decay.measured_s / decay.linear_s - 1.0;
+    let rows = [
+        ("linearised (eq. 4)", decay.linear_s, decay.linear_ratio),
+        ("time domain", decay.measured_s, decay.measured_ratio),
+    ];
+    Table::of(title, &rows)
+        .text("model", |row| row.0)
+        .number("period", Format::Digits(5, "s"), |row| row.1)
+        .number("amplitude ratio of a period", Format::Percent, |row| row.2)
+        .build()
+        .noted([
+            format!("The periods differ by {}.", percent(error)),
+            "Linearised: surge, sway and yaw on a quasi-static line. In the time domain the line has inertia, drag and a mesh.".to_owned(),
+        ])
 }

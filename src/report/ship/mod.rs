@@ -1,6 +1,5 @@
 //! A ship at a single-point mooring in charts, tables and a text report.
 
-pub mod charts;
 pub mod coupled;
 pub mod motion;
 pub mod plan;

@@ -1,178 +1,202 @@
-//! The ship's motion in tables: statistics asked for and made, spectra, and what to expect in the time of a record.
+//! Motion analysis of a ship in a chart and tables: motions in time, target and realised statistics, spectra.
+
+use std::f64::consts::TAU;
 
 use crate::numerics::statistics::{Statistics, expected_gaussian_maximum};
 use crate::physics::sea::{DEGREES, Moments};
-use crate::report::number::{digits, percent, rounded};
-use crate::report::table::{Cell, CellInk, Column, Table};
-use crate::ship::MotionAnalysis;
+use crate::report::chart::{Axis, Chart, Series};
+use crate::report::number::{digits, percent};
+use crate::report::table::{Align, Cell, CellInk, Format, Table};
 use crate::ship::motion::DegreeOfFreedom;
-use crate::ship::motion::spectral_band::MotionRms;
+use crate::ship::quantities::{UNITS, scale};
+use crate::ship::{MotionAnalysis, WaveRealisation};
 
-/// Units of a degree of freedom's displacement, velocity, acceleration.
-const UNITS: [[&str; 3]; 2] = [["m", "m/s", "m/s²"], ["deg", "deg/s", "deg/s²"]];
+/// Time that is drawn \[s\].
+pub(super) const DRAWN: f64 = 300.0;
 
-fn scale(degree: usize) -> f64 {
-    if degree < 3 {
-        1.0
-    } else {
-        1.0_f64.to_degrees()
-    }
-}
+/// Fraction of wave energy beyond the periods of the RAOs that deserves a warning.
+const ENERGY_OUTSIDE: f64 = 0.02;
 
-/// Root mean squares asked for and made, means, extremes, and the greatest to expect.
+const FOUR: Format = Format::Digits(4, "");
+
+/// The motions over the first minutes of the record: all six, or one alone.
 #[must_use]
-pub fn statistics(motion: &MotionAnalysis, seed: u64) -> Table {
-    let mut rows = Vec::new();
-    for (i, degree) in motion.motions.degrees.iter().enumerate() {
-        for (rate, unit) in UNITS[i / 3].into_iter().enumerate() {
-            let asked = asked(&degree.asked, degree.mean, rate);
-            let name = format!("{} [{unit}]", DEGREES[i]);
-            rows.push(row(
-                &name,
-                asked * scale(i),
-                &motion.statistics[i][rate],
-                scale(i),
-            ));
+pub fn motions(analysis: &MotionAnalysis, alone: Option<usize>) -> Chart {
+    let motion = &analysis.motion;
+    let drawn = motion.instants.min((DRAWN / motion.step) as usize + 1);
+    let series = DEGREES.iter().enumerate().map(|(degree, name)| {
+        let values = &analysis.records[degree].x;
+        let points = (0..drawn).map(|i| (motion.time(i), scale(degree) * values[i]));
+        let label = format!("{name} [{}]", UNITS[degree / 3][0]);
+        Series {
+            visible: alone.is_none_or(|one| one == degree),
+            ..Series::new(&label, degree, points.collect())
         }
-    }
-    let duration = motion.motions.time(motion.motions.instants);
-    Table {
-        title: format!(
-            "Motion over {} s, seed {seed}: what is asked for and what is made",
-            digits(duration, 6)
-        ),
-        columns: vec![
-            Column::left("motion"),
-            Column::decimal("rms asked"),
-            Column::decimal("rms made"),
-            Column::decimal("off by"),
-            Column::decimal("mean"),
-            Column::decimal("least"),
-            Column::decimal("greatest"),
-            Column::decimal("to expect"),
-        ],
-        rows,
-        notes: vec![
-            "Root mean squares are about nothing, the mean counted in. To expect is the mean, over many records of this length, of a Gaussian record's greatest, and its scatter from record to record (Cartwright and Longuet-Higgins 1956), from the moments asked for.".to_owned(),
-            if motion.sea.is_some() {
-                "Made by the ship's responses to one sea. Asked for are the moments of its spectrum times the square of the response."
-            } else {
-                "Motions in different degrees of freedom are independent: statistics of each alone do not tell their phases."
-            }
-            .to_owned(),
-        ],
+    });
+    Chart {
+        title: "Motion of the ship".to_owned(),
+        x: Axis::new("time", "s"),
+        y: Axis::new("motion", ""),
+        series: series.collect(),
+        legend: true,
+        ..Chart::default()
     }
 }
 
-fn asked(scatter: &MotionRms, mean: f64, rate: usize) -> f64 {
-    match rate {
-        0 => scatter.displacement.hypot(mean),
-        1 => scatter.velocity,
-        _ => scatter.acceleration,
-    }
+/// Target and realised statistics of a displacement, velocity or acceleration.
+struct Realised<'a> {
+    name: String,
+    scale: f64,
+    target_rms: f64,
+    record: &'a Statistics,
 }
 
-fn row(name: &str, asked: f64, made: &Statistics, scale: f64) -> Vec<Cell> {
-    let with = |value: f64| digits(value * scale, 4);
-    let off = made.rms * scale / asked - 1.0;
-    let crossings = made.crossings as f64;
-    let greatest = expected_gaussian_maximum(made.deviation, crossings);
-    let off = if asked > 0.0 {
-        let ink = if off.abs() < 0.01 {
+impl Realised<'_> {
+    fn scaled(&self, value: f64) -> f64 {
+        value * self.scale
+    }
+
+    fn error(&self) -> Cell {
+        let target = self.scaled(self.target_rms);
+        if target <= 0.0 {
+            return Cell::none();
+        }
+        let error = self.scaled(self.record.rms) / target - 1.0;
+        let ink = if error.abs() < 0.01 {
             CellInk::Good
         } else {
             CellInk::Warn
         };
-        Cell::new(apart(off), ink)
-    } else {
-        Cell::plain("-")
-    };
-    vec![
-        Cell::plain(name),
-        Cell::plain(digits(asked, 4)),
-        Cell::plain(with(made.rms)),
-        off,
-        Cell::plain(if made.mean.abs() < 1e-3 * made.rms {
-            "0".to_owned()
+        Cell::new(relative(error), ink)
+    }
+
+    /// The mean, zero where it is small beside the root mean square.
+    fn mean(&self) -> f64 {
+        let zero = self.record.mean.abs() < 1e-3 * self.record.rms;
+        if zero {
+            0.0
         } else {
-            with(made.mean)
-        }),
-        Cell::plain(with(made.min)),
-        Cell::plain(with(made.max)),
+            self.scaled(self.record.mean)
+        }
+    }
+
+    fn expected_maximum(&self) -> Cell {
+        let upcrossings = self.record.crossings as f64;
+        let maximum = expected_gaussian_maximum(self.record.deviation, upcrossings);
         Cell::plain(format!(
             "{} ± {}",
-            with(made.mean + greatest.expected),
-            digits(greatest.spread * scale, 2)
-        )),
-    ]
+            digits(self.scaled(self.record.mean + maximum.expected), 4),
+            digits(self.scaled(maximum.spread), 2)
+        ))
+    }
 }
 
-/// A relative difference; what rounding makes of none is none.
-fn apart(difference: f64) -> String {
-    percent(if difference.abs() < 1e-6 {
-        0.0
+/// Target and realised root mean squares, means, extremes and the expected maximum of each motion and its derivatives.
+#[must_use]
+pub fn statistics(analysis: &MotionAnalysis, seed: u64) -> Table {
+    let motion = &analysis.motion;
+    let degrees = motion.degrees.iter().enumerate();
+    let rows: Vec<Realised<'_>> = degrees
+        .flat_map(|(i, degree)| {
+            (0..3).map(move |rate| Realised {
+                name: format!("{} [{}]", DEGREES[i], UNITS[i / 3][rate]),
+                scale: scale(i),
+                target_rms: degree.target_rms(rate),
+                record: &analysis.statistics[i][rate],
+            })
+        })
+        .collect();
+    let title = format!(
+        "Motion over {} s, seed {seed}: target and record",
+        digits(motion.time(motion.instants), 6)
+    );
+    let source = if analysis.waves.is_some() {
+        "Motions are the response to one sea by the RAOs of the ship. Targets are the moments of the wave spectrum times the squared response."
     } else {
-        difference
-    })
+        "Motions of different degrees of freedom are independent: their statistics do not determine their phases."
+    };
+    Table::of(title, &rows)
+        .text("motion", |row| row.name.as_str())
+        .number("target rms", FOUR, |row| row.scaled(row.target_rms))
+        .number("rms", FOUR, |row| row.scaled(row.record.rms))
+        .cell("error", Align::Decimal, Realised::error)
+        .number("mean", FOUR, Realised::mean)
+        .number("min", FOUR, |row| row.scaled(row.record.min))
+        .number("max", FOUR, |row| row.scaled(row.record.max))
+        .cell("expected max", Align::Decimal, Realised::expected_maximum)
+        .build()
+        .noted([
+            "Root mean squares are about zero, the mean included. The expected maximum is the mean, over many records of this length, of the maximum of a Gaussian record, with its standard deviation from record to record (Cartwright and Longuet-Higgins 1956).",
+            source,
+        ])
 }
 
-/// A line of the test of the spectra: what is asked for and what is made.
-struct Tested<'a> {
+/// A relative error, zero where it is rounding.
+fn relative(error: f64) -> String {
+    percent(if error.abs() < 1e-6 { 0.0 } else { error })
+}
+
+/// Target and realised moments of a spectrum.
+struct Spectrum<'a> {
     name: String,
-    asked: Moments,
-    made: Moments,
+    target: Moments,
+    realised: Moments,
     record: &'a Statistics,
 }
 
-/// The test of the spectra: bands, variance asked for and made, mean periods, and how far the records are from Gaussian; with
-/// the sea first where the ship answers one.
+/// Zero-upcrossing period Tz = 2π √(m0/m2) \[s\]; none without motion.
+fn period(moments: &Moments) -> Option<f64> {
+    (moments.m2 > 0.0).then(|| moments.crossing_period())
+}
+
+/// Target and realised variance and mean period of every motion, and how far the records are from Gaussian; of the waves
+/// first where the motion is a response to them.
 #[must_use]
-pub fn spectra(motion: &MotionAnalysis) -> Table {
-    let mut rows = Vec::new();
-    if let Some(sea) = &motion.sea {
-        rows.push(tested(&Tested {
-            name: "waves".to_owned(),
-            asked: sea.asked,
-            made: sea.made,
-            record: &sea.elevation,
-        }));
-    }
-    let degrees = motion.motions.degrees.iter().zip(&motion.statistics);
-    rows.extend(degrees.enumerate().map(|(i, (degree, made))| {
+pub fn spectra(analysis: &MotionAnalysis) -> Table {
+    const MOMENT: Format = Format::With(|m0| format!("{m0:.4e}"));
+    const THREE: Format = Format::Decimals(3, "");
+    let waves = analysis.waves.iter().map(|waves| Spectrum {
+        name: "waves".to_owned(),
+        target: waves.target,
+        realised: waves.realised,
+        record: &waves.elevation,
+    });
+    let degrees = analysis.motion.degrees.iter().zip(&analysis.statistics);
+    let motions = degrees.enumerate().map(|(i, (degree, record))| {
         let square = scale(i).powi(2);
         let moments = |x: f64, v: f64| Moments {
             m0: x * x * square,
             m2: v * v * square,
         };
-        tested(&Tested {
+        Spectrum {
             name: format!("{}{}", DEGREES[i], bands(degree)),
-            asked: moments(degree.asked.displacement, degree.asked.velocity),
-            made: moments(made[0].deviation, made[1].deviation),
-            record: &made[0],
-        })
-    }));
-    Table {
-        title: "Test of the spectra".to_owned(),
-        columns: vec![
-            Column::left("motion"),
-            Column::decimal("m0 asked"),
-            Column::decimal("m0 made"),
-            Column::decimal("off by"),
-            Column::decimal("Tz asked"),
-            Column::decimal("Tz made"),
-            Column::decimal("skewness"),
-            Column::decimal("excess"),
-            Column::right("crossings"),
-        ],
-        rows,
-        notes: notes(motion),
-    }
+            target: moments(degree.target.displacement, degree.target.velocity),
+            realised: moments(record[0].deviation, record[1].deviation),
+            record: &record[0],
+        }
+    });
+    let rows: Vec<Spectrum<'_>> = waves.chain(motions).collect();
+    let error =
+        |row: &Spectrum<'_>| (row.target.m0 > 0.0).then(|| row.realised.m0 / row.target.m0 - 1.0);
+    Table::of("Spectra: target and record", &rows)
+        .text("motion", |row| row.name.as_str())
+        .number("target m0", MOMENT, |row| row.target.m0)
+        .number("m0", MOMENT, |row| row.realised.m0)
+        .number("error", Format::With(relative), error)
+        .number("target Tz", FOUR, |row| period(&row.target))
+        .number("Tz", FOUR, |row| period(&row.realised))
+        .number("skewness", THREE, |row| row.record.skewness)
+        .number("excess", THREE, |row| row.record.excess)
+        .count("crossings", |row| row.record.crossings)
+        .build()
+        .noted(notes(analysis))
 }
 
+/// The periods of the bands of a motion.
 fn bands(degree: &DegreeOfFreedom) -> String {
     let intervals = degree.bands.iter().map(|band| {
         let (low, high) = band.edges();
-        let period = |omega: f64| digits(std::f64::consts::TAU / omega, 3);
+        let period = |omega: f64| digits(TAU / omega, 3);
         format!("{}-{}", period(high), period(low))
     });
     let intervals = intervals.collect::<Vec<_>>().join(", ");
@@ -183,68 +207,48 @@ fn bands(degree: &DegreeOfFreedom) -> String {
     }
 }
 
-fn tested(row: &Tested<'_>) -> Vec<Cell> {
-    let period = |moments: &Moments| {
-        if moments.m2 > 0.0 {
-            digits(moments.crossing_period(), 4)
-        } else {
-            "-".to_owned()
-        }
-    };
-    let off = if row.asked.m0 > 0.0 {
-        apart(row.made.m0 / row.asked.m0 - 1.0)
-    } else {
-        "-".to_owned()
-    };
-    vec![
-        Cell::plain(&row.name),
-        Cell::plain(format!("{:.4e}", row.asked.m0)),
-        Cell::plain(format!("{:.4e}", row.made.m0)),
-        Cell::plain(off),
-        Cell::plain(period(&row.asked)),
-        Cell::plain(period(&row.made)),
-        Cell::plain(rounded(row.record.skewness, 3)),
-        Cell::plain(rounded(row.record.excess, 3)),
-        Cell::plain(row.record.crossings.to_string()),
-    ]
+fn notes(analysis: &MotionAnalysis) -> Vec<String> {
+    const GAUSSIAN: &str = "m0 in m² and deg²; Tz = 2 pi sqrt(m0/m2) in s. A Gaussian record has zero skewness and excess kurtosis; of n independent cycles their standard errors are sqrt(6/n) and sqrt(24/n).";
+    match &analysis.waves {
+        Some(waves) => wave_notes(analysis, waves, GAUSSIAN),
+        None => vec![
+            format!(
+                "Component frequencies are multiples of that of the record, so that its moments are the targets. {GAUSSIAN}"
+            ),
+            "Spectra are constant over their bands: three moments of each motion are known, the shape is not."
+                .to_owned(),
+        ],
+    }
 }
 
-fn notes(motion: &MotionAnalysis) -> Vec<String> {
-    let gauss = "m0 in m² and deg²; Tz is 2 pi sqrt(m0/m2), in s. A Gaussian record has skewness and excess (kurtosis less 3) near nought; of n independent swings their standard errors are sqrt(6/n) and sqrt(24/n).";
-    let Some(sea) = &motion.sea else {
-        return vec![
-            format!("The record is of the seed told above; its frequencies are whole multiples of its own, so that the moments asked for are those of this record. {gauss}"),
-            "Spectra are flat over their bands: three moments of each motion are known, the shape is not.".to_owned(),
-        ];
+fn wave_notes(analysis: &MotionAnalysis, waves: &WaveRealisation, gaussian: &str) -> Vec<String> {
+    let response = &waves.response;
+    let degrees = |radians: f64| format!("{} deg", digits(radians.to_degrees(), 4));
+    let sea = |moments: &Moments| {
+        format!(
+            "{} m and {} s",
+            digits(moments.significant_height(), 4),
+            digits(moments.crossing_period(), 4)
+        )
     };
-    let answer = &sea.answer;
     let mut notes = vec![
         format!(
-            "Significant height {} m asked, {} m made; mean period {} s asked, {} s made; waves meet the ship {} from the bow (180 deg: from ahead), heading {}; {} components.",
-            digits(sea.asked.significant_height(), 4),
-            digits(sea.made.significant_height(), 4),
-            digits(sea.asked.crossing_period(), 4),
-            digits(sea.made.crossing_period(), 4),
-            degrees(answer.angle),
-            degrees(answer.heading),
-            motion.motions.sea.len()
+            "Significant height and mean period: target {}, record {}. Wave direction {} from the bow (180 deg: head seas), heading {}; {} components.",
+            sea(&waves.target),
+            sea(&waves.realised),
+            degrees(response.relative_direction),
+            degrees(response.heading),
+            analysis.motion.waves.len()
         ),
         format!(
-            "Asked for are the integrals of the spectrum, and of it times the square of the response; made is the record of the seed told above. A record of three hours is some thousand waves: m0 scatters by some per cent. {gauss}"
+            "Targets are integrals of the wave spectrum, and of it times the squared response. A record of three hours holds about a thousand waves: its m0 scatters by some per cent. {gaussian}"
         ),
     ];
-    if answer.beyond > MUCH_BEYOND {
+    if response.energy_outside > ENERGY_OUTSIDE {
         notes.push(format!(
-            "WARNING: {} of the energy of the waves lies beyond the periods of the responses; the last response holds there.",
-            percent(answer.beyond)
+            "WARNING: {} of the wave energy is outside the periods of the RAOs; the RAO of the nearest period applies there.",
+            percent(response.energy_outside)
         ));
     }
     notes
-}
-
-/// Share of a sea beyond the periods of the responses that is worth a warning.
-const MUCH_BEYOND: f64 = 0.02;
-
-fn degrees(radians: f64) -> String {
-    format!("{} deg", digits(radians.to_degrees(), 4))
 }

@@ -1,21 +1,21 @@
-//! The ship from above: its anchor, every heading at which it rests, and where wind, current and waves go.
+//! Plan view of a ship: its anchor, every equilibrium position, and the directions of wind, current and waves.
 
 use crate::report::chart::{Axis, Chart, Series, extent};
 use crate::ship::loads::EnvironmentalLoad;
 use crate::ship::yaw_equilibria::YawStability;
 use crate::ship::{Equilibrium, StaticAnalysis};
 
-/// Breadth of the outline, as a share of the length: that of a small ship, drawn only.
+/// Breadth of the drawn outline as a fraction of the length.
 const BREADTH: f64 = 0.18;
 
-/// Where the arrows of the flows lie, as shares of the picture's reach: their tails and their heads.
+/// Tails and heads of the arrows of the flows, as fractions of the radius of the picture.
 const TAIL: f64 = 1.35;
 const HEAD: f64 = 1.02;
 
-/// Points of an outline; what is not a number ends one.
+/// Points of an outline; NaN separates two.
 type Points = Vec<(f64, f64)>;
 
-/// The ship at every heading in balance, in metres from the anchor, +x to the right; the station chosen in full ink.
+/// The ship at every equilibrium, in metres from the anchor, +x to the right; all but the chosen one dimmed.
 #[must_use]
 pub fn chart(statics: &StaticAnalysis, chosen: usize) -> Chart {
     let equilibria = statics.equilibria.as_deref().unwrap_or_default();
@@ -25,30 +25,30 @@ pub fn chart(statics: &StaticAnalysis, chosen: usize) -> Chart {
             "{} {:.1} deg {}",
             i + 1,
             equilibrium.yaw.heading.to_degrees(),
-            word(equilibrium)
+            stability(equilibrium)
         );
         series.push(Series {
             dimmed: i != chosen,
             ..Series::new(&label, i, ship(statics, equilibrium))
         });
     }
-    let round = Round::of(&series, statics.ship.particulars.length_m);
-    let anchor = cross(0.04 * round.reach);
+    let frame = Frame::of(&series, statics.ship.particulars.length_m);
+    let anchor = cross(0.04 * frame.radius);
     series.push(Series::new("anchor", equilibria.len(), anchor));
     for (i, load) in statics.loads.each.iter().enumerate() {
-        let aside = (i as f64 - 1.0) * 0.14 * round.reach;
-        let points = round.arrow(load.towards, aside);
+        let aside = (i as f64 - 1.0) * 0.14 * frame.radius;
+        let points = frame.arrow(load.towards, aside);
         series.push(Series::new(name(load), equilibria.len() + 1 + i, points));
     }
-    let room = 1.42 * round.reach;
+    let room = 1.42 * frame.radius;
     let axis = |name: &str, middle: f64| Axis {
         range: Some((middle - room, middle + room)),
         ..Axis::new(name, "m")
     };
     Chart {
-        title: "From above; the anchor at the origin".to_owned(),
-        x: axis("x", round.middle.0),
-        y: axis("y", round.middle.1),
+        title: "Plan view; the anchor at the origin".to_owned(),
+        x: axis("x", frame.middle.0),
+        y: axis("y", frame.middle.1),
         series,
         equal_scale: true,
         legend: true,
@@ -56,7 +56,7 @@ pub fn chart(statics: &StaticAnalysis, chosen: usize) -> Chart {
     }
 }
 
-/// What a load is called on the picture.
+/// Label of the flow of a load.
 #[must_use]
 pub fn name(load: &EnvironmentalLoad) -> &'static str {
     if load.name == "drift" {
@@ -66,9 +66,9 @@ pub fn name(load: &EnvironmentalLoad) -> &'static str {
     }
 }
 
-/// How a heading stands, at rest and once the ship moves.
+/// Label of the stability of an equilibrium: dynamic where it is known and statically stable.
 #[must_use]
-pub fn word(equilibrium: &Equilibrium) -> &'static str {
+pub fn stability(equilibrium: &Equilibrium) -> &'static str {
     match (equilibrium.yaw.stability, equilibrium.dynamic_stability()) {
         (YawStability::Stable, Some(dynamic_stability)) => dynamic_stability.label(),
         (stability, _) => stability.label(),
@@ -76,12 +76,12 @@ pub fn word(equilibrium: &Equilibrium) -> &'static str {
 }
 
 /// A circle around everything drawn.
-struct Round {
+struct Frame {
     middle: (f64, f64),
-    reach: f64,
+    radius: f64,
 }
 
-impl Round {
+impl Frame {
     fn of(ships: &[Series], length: f64) -> Self {
         let points = || ships.iter().flat_map(|one| &one.points);
         let (x, y) = (
@@ -90,11 +90,11 @@ impl Round {
         );
         Self {
             middle: (0.5 * (x.0 + x.1), 0.5 * (y.0 + y.1)),
-            reach: (0.5 * (x.1 - x.0).hypot(y.1 - y.0)).max(length),
+            radius: (0.5 * (x.1 - x.0).hypot(y.1 - y.0)).max(length),
         }
     }
 
-    /// An arrow on the side that a flow comes from, pointing where it goes.
+    /// An arrow on the upstream side of a flow, in its direction.
     fn arrow(&self, towards: f64, aside: f64) -> Points {
         let (sin, cos) = towards.sin_cos();
         let place = |along: f64, across: f64| {
@@ -104,7 +104,7 @@ impl Round {
                 self.middle.1 + along * sin + across * cos,
             )
         };
-        let (tail, head) = (-TAIL * self.reach, -HEAD * self.reach);
+        let (tail, head) = (-TAIL * self.radius, -HEAD * self.radius);
         let barb = 0.3 * (head - tail);
         vec![
             place(tail, 0.0),
@@ -117,10 +117,10 @@ impl Round {
     }
 }
 
-/// Where the mooring point lies; a ship's length downstream of the anchor where no line tells.
+/// Position of the mooring point; a ship's length from the anchor without a mooring solution.
 fn bow(statics: &StaticAnalysis, equilibrium: &Equilibrium) -> (f64, f64) {
-    let told = equilibrium.offset(statics.loads.arm).map(|[bow, _]| bow);
-    told.unwrap_or_else(|| {
+    let solved = equilibrium.positions(statics.loads.arm);
+    solved.map(|[bow, _]| bow).unwrap_or_else(|| {
         let (sin, cos) = equilibrium.yaw.force_direction.sin_cos();
         let length = statics.ship.particulars.length_m;
         (length * cos, length * sin)
@@ -130,13 +130,13 @@ fn bow(statics: &StaticAnalysis, equilibrium: &Equilibrium) -> (f64, f64) {
 /// The mooring line and the outline of the ship.
 fn ship(statics: &StaticAnalysis, equilibrium: &Equilibrium) -> Points {
     let length = statics.ship.particulars.length_m;
-    let held = bow(statics, equilibrium);
+    let bow = bow(statics, equilibrium);
     let (sin, cos) = equilibrium.yaw.heading.sin_cos();
     let place = |(forward, port): (f64, f64)| {
-        // Forward of the point that the mooring holds.
+        // From the mooring point, forward.
         let x = forward * length - statics.loads.arm;
         let y = port * length;
-        (held.0 + x * cos - y * sin, held.1 + x * sin + y * cos)
+        (bow.0 + x * cos - y * sin, bow.1 + x * sin + y * cos)
     };
     let half = 0.5 * BREADTH;
     let outline = [
@@ -147,7 +147,7 @@ fn ship(statics: &StaticAnalysis, equilibrium: &Equilibrium) -> Points {
         (0.3, -half),
         (0.5, 0.0),
     ];
-    let mut points = vec![(0.0, 0.0), held, (f64::NAN, f64::NAN)];
+    let mut points = vec![(0.0, 0.0), bow, (f64::NAN, f64::NAN)];
     points.extend(outline.map(place));
     points
 }

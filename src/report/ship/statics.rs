@@ -1,225 +1,240 @@
-//! A ship at rest in tables.
+//! Static analysis of a ship in tables and a chart: equilibrium headings, dynamic stability, loads, mooring line.
+
+use std::f64::consts::PI;
 
 use nalgebra::Complex;
 
+use crate::report::chart::{Axis, Chart, Limit, LimitLine, Series};
 use crate::report::number::{digits, si};
-use crate::report::table::{Cell, CellInk, Column, Table};
+use crate::report::table::{Align, Cell, CellInk, Format, Table};
 use crate::ship::loads::PlanarLoad;
 use crate::ship::mooring::MooringSolution;
-use crate::ship::stability::{self, DynamicStability};
+use crate::ship::stability::{DynamicStability, PlanarDynamics};
 use crate::ship::yaw_equilibria::YawStability;
 use crate::ship::{Equilibrium, StaticAnalysis};
 
-/// The headings in balance.
+/// Points of a curve over all headings.
+const POINTS: u32 = 720;
+
+const DEGREES: Format = Format::With(degrees);
+const SECONDS: Format = Format::Si("s");
+const FORCE: Format = Format::Si("N");
+const MOMENT: Format = Format::Si("N m");
+const STIFFNESS: Format = Format::Si("N/m");
+
+/// An angle \[rad\] as text: `-12.3 deg`.
+fn degrees(radians: f64) -> String {
+    format!("{} deg", digits(radians.to_degrees(), 5))
+}
+
+/// Moment about the mooring point against heading, of each load and in total, with every equilibrium marked.
+#[must_use]
+pub fn moments(statics: &StaticAnalysis) -> Chart {
+    let loads = &statics.loads;
+    let curve = |label: &str, slot: usize, moment: &dyn Fn(f64) -> f64| {
+        let heading = |i: u32| -PI + 2.0 * PI * f64::from(i) / f64::from(POINTS);
+        let points = (0..=POINTS).map(|i| (heading(i).to_degrees(), moment(heading(i))));
+        Series::new(label, slot, points.collect())
+    };
+    let mut series = vec![curve("total", 0, &|heading| loads.moment(heading).0)];
+    series.extend(loads.each.iter().enumerate().map(|(i, load)| {
+        curve(load.name, i + 1, &|heading| {
+            let (value, _) = load.at(heading);
+            value[2] - value[1] * loads.arm
+        })
+    }));
+    Chart {
+        title: "Moment about the mooring point; zero at equilibrium".to_owned(),
+        x: Axis {
+            range: Some((-180.0, 180.0)),
+            ..Axis::new("heading", "deg")
+        },
+        y: Axis::new("moment", "N m"),
+        series,
+        limits: marks(statics),
+        legend: true,
+        ..Chart::default()
+    }
+}
+
+fn marks(statics: &StaticAnalysis) -> Vec<Limit> {
+    let mark = |label: &str, line: LimitLine| Limit {
+        label: label.to_owned(),
+        line,
+    };
+    let equilibria = statics.equilibria.as_deref().unwrap_or_default();
+    let headings = equilibria.iter().map(|one| {
+        let heading = LimitLine::Vertical(one.yaw.heading.to_degrees());
+        mark(one.yaw.stability.label(), heading)
+    });
+    std::iter::once(mark("", LimitLine::Horizontal(0.0)))
+        .chain(headings)
+        .collect()
+}
+
+/// The equilibrium headings with their stability and mooring line.
 #[must_use]
 pub fn headings(statics: &StaticAnalysis) -> Table {
-    let mut notes = vec![
-        "Headings are where the bow points, from +x towards +y. All zeros of the moment about the mooring point are here: between them the moment is proven to keep its sign, by a bound of its second derivative.".to_owned(),
-        "The eigenvalues of the stiffness at the mooring point are those of the line along and across, and -dM/dpsi in yaw; at rest the ship stays where all are positive. Whether it also stays once it moves is told by the small motions, which need [hull] and [mooring]: a ship that fishtails swings further and further.".to_owned(),
-    ];
-    let rows = match &statics.equilibria {
-        Ok(equilibria) => equilibria
-            .iter()
-            .map(|one| heading_row(statics, one))
-            .collect(),
-        Err(why) => {
-            notes.insert(0, format!("No heading in balance: {why}."));
-            Vec::new()
-        }
-    };
-    Table {
-        title: "Headings in balance (eqs. 1 and 2)".to_owned(),
-        columns: vec![
-            Column::decimal("heading"),
-            Column::left("at rest"),
-            Column::left("small motions"),
-            Column::decimal("yaw stiffness"),
-            Column::decimal("pull"),
-            Column::decimal("drifts towards"),
-            Column::decimal("bow from anchor"),
-            Column::decimal("line along"),
-            Column::decimal("line across"),
-        ],
-        rows,
-        notes,
-    }
+    let equilibria = statics.equilibria.as_deref().unwrap_or_default();
+    Table::of("Equilibrium headings (eqs. 1 and 2)", equilibria)
+        .number("heading", DEGREES, |one| one.yaw.heading)
+        .cell("static stability", Align::Left, |one| static_stability(one.yaw.stability))
+        .cell("dynamic stability", Align::Left, |one| dynamic_stability(one.dynamic_stability()))
+        .number("yaw stiffness", Format::Si("N m/rad"), |one| one.yaw.yaw_stiffness)
+        .number("pull", FORCE, |one| one.yaw.pull)
+        .number("bow towards", DEGREES, |one| one.yaw.force_direction)
+        .number("bow from anchor", Format::Si("m"), |one| Some(line(one)?.distance))
+        .number("stiffness along", STIFFNESS, |one| Some(line(one)?.stiffness_along))
+        .number("stiffness across", STIFFNESS, |one| Some(line(one)?.stiffness_across))
+        .build()
+        .noted(heading_warnings(statics))
+        .noted([
+            "Headings of the bow, from +x towards +y. The list is complete: between neighbouring roots the moment about the mooring point keeps its sign, by a bound of its second derivative.",
+            "Static stability: the stiffness of the mooring line along and across, and -dM/dpsi in yaw, are all positive. Dynamic stability, which excludes fishtailing, needs [hull] and [mooring].",
+        ])
 }
 
-fn heading_row(statics: &StaticAnalysis, one: &Equilibrium) -> Vec<Cell> {
-    let balance = &one.yaw;
-    let ink = match balance.stability {
+/// The solved mooring line of an equilibrium.
+fn line(one: &Equilibrium) -> Option<&MooringSolution> {
+    one.line.as_ref()?.as_ref().ok()
+}
+
+fn heading_warnings(statics: &StaticAnalysis) -> Vec<String> {
+    let equilibria = match &statics.equilibria {
+        Ok(equilibria) => equilibria,
+        Err(error) => return vec![format!("No equilibrium heading: {error}.")],
+    };
+    if statics.ship.mooring.is_none() {
+        return vec!["No mooring line is given.".to_owned()];
+    }
+    let warning = |one: &Equilibrium| {
+        let error = one.line.as_ref()?.as_ref().err()?;
+        Some(format!(
+            "WARNING: at {}: {error}.",
+            degrees(one.yaw.heading)
+        ))
+    };
+    equilibria.iter().filter_map(warning).collect()
+}
+
+fn static_stability(stability: YawStability) -> Cell {
+    let ink = match stability {
         YawStability::Stable => CellInk::Good,
         YawStability::Unstable => CellInk::Dim,
-        YawStability::OneSided | YawStability::Indifferent => CellInk::Warn,
+        YawStability::SemiStable | YawStability::Neutral => CellInk::Warn,
     };
-    let mut cells = vec![
-        Cell::plain(degrees(balance.heading)),
-        Cell::new(balance.stability.label(), ink),
-        fate_cell(one.dynamic_stability()),
-        Cell::plain(si(balance.yaw_stiffness, "N m/rad")),
-        Cell::plain(si(balance.pull, "N")),
-        Cell::plain(degrees(balance.force_direction)),
-    ];
-    match &one.reach {
-        Some(Ok(reach)) => cells.extend([
-            Cell::plain(si(reach.distance, "m")),
-            Cell::plain(si(reach.along, "N/m")),
-            Cell::plain(si(reach.across, "N/m")),
-        ]),
-        Some(Err(why)) => cells.push(Cell::new(why.to_string(), CellInk::Bad)),
-        None if statics.ship.mooring.is_none() => cells.push(Cell::plain("no mooring line given")),
-        None => {}
-    }
-    cells
+    Cell::new(stability.label(), ink)
 }
 
-fn fate_cell(dynamic_stability: Option<DynamicStability>) -> Cell {
-    let ink = match dynamic_stability {
-        None => CellInk::Dim,
-        Some(DynamicStability::Stable { .. }) => CellInk::Good,
-        Some(DynamicStability::Neutral) => CellInk::Warn,
-        Some(DynamicStability::Divergence { .. } | DynamicStability::Fishtailing { .. }) => {
-            CellInk::Bad
-        }
+fn dynamic_stability(stability: Option<DynamicStability>) -> Cell {
+    let Some(stability) = stability else {
+        return Cell::none();
     };
-    Cell::new(dynamic_stability.map_or("-", DynamicStability::label), ink)
+    let ink = match stability {
+        DynamicStability::Stable { .. } => CellInk::Good,
+        DynamicStability::Neutral => CellInk::Warn,
+        DynamicStability::Divergence { .. } | DynamicStability::Fishtailing { .. } => CellInk::Bad,
+    };
+    Cell::new(stability.label(), ink)
 }
 
-/// What becomes of small motions about every heading; absent without hull and mooring.
+/// Eigenvalues and stability about every equilibrium; absent without hull and mooring.
 #[must_use]
-pub fn small_motions(statics: &StaticAnalysis) -> Option<Table> {
+pub fn eigenvalues(statics: &StaticAnalysis) -> Option<Table> {
     let equilibria = statics.equilibria.as_ref().ok()?;
-    if !equilibria.iter().any(|one| one.planar.is_some()) {
-        return None;
-    }
-    let row = |one: &Equilibrium| {
-        let dynamic_stability = one.dynamic_stability();
-        let (period, time) = dynamic_stability.map_or((None, None), DynamicStability::times);
-        let seconds =
-            |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| si(value, "s"));
-        let roots = one
-            .planar
-            .as_ref()
-            .and_then(stability::PlanarDynamics::eigenvalues);
-        vec![
-            Cell::plain(degrees(one.yaw.heading)),
-            fate_cell(dynamic_stability),
-            Cell::plain(seconds(period)),
-            Cell::plain(seconds(time)),
-            Cell::plain(roots.map_or_else(|| "-".to_owned(), |list| words_of(&list))),
-        ]
+    equilibria.iter().find(|one| one.dynamics.is_some())?;
+    let times = |one: &Equilibrium| one.dynamic_stability().map(DynamicStability::times);
+    let roots = |one: &Equilibrium| {
+        let roots = one.dynamics.as_ref().and_then(PlanarDynamics::eigenvalues);
+        roots.map_or_else(|| "-".to_owned(), |roots| complex(&roots))
     };
-    Some(Table {
-        title: "Small motions about each heading (eq. 4 in the plane)".to_owned(),
-        columns: vec![
-            Column::decimal("heading"),
-            Column::left("small motions"),
-            Column::decimal("period"),
-            Column::decimal("half or double"),
-            Column::left("eigenvalues [1/s]"),
-        ],
-        rows: equilibria.iter().map(row).collect(),
-        notes: vec![
-            "Surge, sway and yaw linearised: mass and added mass, damping of the hull and of wind and current on the moving ship, stiffness of the line and of loads that turn with the ship. The period is that of the motion that grows fastest or dies last, beside its time to half or to double the amplitude; no period: it creeps.".to_owned(),
-            "Fishtailing: swings that grow until what is not linear holds them. What turning alone makes of the current is not in the coefficients; hull.damping_si has it.".to_owned(),
-        ],
-    })
+    let table = Table::of("Dynamic stability of each heading (eq. 4 in the horizontal plane)", equilibria)
+        .number("heading", DEGREES, |one| one.yaw.heading)
+        .cell("dynamic stability", Align::Left, |one| dynamic_stability(one.dynamic_stability()))
+        .number("period", SECONDS, |one| times(one)?.0)
+        .number("half or double", SECONDS, |one| times(one)?.1)
+        .text("eigenvalues [1/s]", roots)
+        .build()
+        .noted([
+            "Surge, sway and yaw linearised: mass and added mass, damping of the hull and of wind and current on the moving ship, stiffness of the line and of loads that vary with the heading. The period, and the time to half or double the amplitude, are those of the mode that grows fastest or decays slowest; without period it is overdamped.",
+            "Fishtailing: oscillations that grow until nonlinearity limits them. Damping by the yaw rate in the current is not in the coefficients; hull.damping_si gives it.",
+        ]);
+    Some(table)
 }
 
-/// Eigenvalues in words, a pair once.
-fn words_of(list: &[Complex<f64>]) -> String {
-    let told = list.iter().filter(|l| l.im >= 0.0).map(|l| {
-        if l.im > 1e-9 * l.norm() {
-            format!("{} ± {}i", digits(l.re, 3), digits(l.im, 3))
+/// Eigenvalues as text, a conjugate pair once.
+fn complex(roots: &[Complex<f64>]) -> String {
+    let upper = roots.iter().filter(|root| root.im >= 0.0).map(|root| {
+        if root.im > 1e-9 * root.norm() {
+            format!("{} ± {}i", digits(root.re, 3), digits(root.im, 3))
         } else {
-            digits(l.re, 3)
+            digits(root.re, 3)
         }
     });
-    told.collect::<Vec<_>>().join(", ")
+    upper.collect::<Vec<_>>().join(", ")
 }
 
-/// What acts on the ship at its heading.
+/// Environmental loads at the governing equilibrium.
 #[must_use]
 pub fn loads(statics: &StaticAnalysis) -> Option<Table> {
-    let equilibrium = statics.governing()?;
-    let heading = equilibrium.yaw.heading;
-    let arm = statics.loads.arm;
-    let row = |name: &str, load: PlanarLoad| {
-        vec![
-            Cell::plain(name),
-            Cell::plain(si(load[0], "N")),
-            Cell::plain(si(load[1], "N")),
-            Cell::plain(si(load[2], "N m")),
-            Cell::plain(si(load[2] - load[1] * arm, "N m")),
-        ]
-    };
-    let mut rows: Vec<Vec<Cell>> = statics
-        .loads
+    let heading = statics.governing()?.yaw.heading;
+    let loads = &statics.loads;
+    let each = loads
         .each
         .iter()
-        .map(|load| row(load.name, load.at(heading).0))
-        .collect();
-    let (total, _) = statics.loads.total(heading);
-    let mut last = row("together", total);
-    // The total vanishes but for rounding.
-    let nothing = 1e-6 * statics.loads.moment_bound();
-    if let Some(cell) = last.last_mut()
-        && (total[2] - total[1] * arm).abs() < nothing
-    {
-        *cell = Cell::plain("0 N m");
-    }
-    rows.push(last);
-    Some(Table {
-        title: format!("What acts on the ship at {}", degrees(heading)),
-        columns: vec![
-            Column::left("load"),
-            Column::decimal("forward"),
-            Column::decimal("to port"),
-            Column::decimal("yaw, about the centre"),
-            Column::decimal("yaw, about the mooring"),
-        ],
-        rows,
-        notes: vec![format!(
-            "The mooring holds the ship {} forward of its centre.",
-            si(arm, "m")
-        )],
-    })
+        .map(|load| (load.name, load.at(heading).0));
+    let total = ("total", loads.total(heading).0);
+    let rows: Vec<(&str, PlanarLoad)> = each.chain([total]).collect();
+    // At equilibrium the total moment vanishes but for rounding.
+    let rounding = 1e-6 * loads.moment_bound();
+    let about_mooring = |(name, load): &(&str, PlanarLoad)| {
+        let moment = load[2] - load[1] * loads.arm;
+        let vanishes = *name == "total" && moment.abs() < rounding;
+        if vanishes { 0.0 } else { moment }
+    };
+    let table = Table::of(
+        format!("Environmental loads at {}", degrees(heading)),
+        &rows,
+    )
+    .text("load", |row| row.0)
+    .number("surge", FORCE, |row| row.1[0])
+    .number("sway", FORCE, |row| row.1[1])
+    .number("yaw, about the centre", MOMENT, |row| row.1[2])
+    .number("yaw, about the mooring", MOMENT, about_mooring)
+    .build()
+    .noted([format!(
+        "The mooring point is {} forward of the ship's centre.",
+        si(loads.arm, "m")
+    )]);
+    Some(table)
 }
 
-/// The mooring line at the ship's heading.
+/// The mooring line at the governing equilibrium.
 #[must_use]
 pub fn mooring(statics: &StaticAnalysis) -> Option<Table> {
     let equilibrium = statics.governing()?;
-    let reach = equilibrium.reach.as_ref()?.as_ref().ok()?;
-    let [bow, centre] = equilibrium.offset(statics.loads.arm)?;
-    let place = |(x, y): (f64, f64)| format!("x {} m, y {} m", digits(x, 4), digits(y, 4));
-    let fact = |name: &str, value: String| vec![Cell::plain(name), Cell::plain(value)];
-    Some(Table {
-        title: format!("The mooring line at {}", degrees(equilibrium.yaw.heading)),
-        columns: vec![Column::left("quantity"), Column::left("value")],
-        rows: vec![
-            fact("horizontal pull", si(equilibrium.yaw.pull, "N")),
-            fact("tension at the ship", si(reach.tension, "N")),
-            fact("angle below the horizontal", degrees(reach.angle)),
-            fact("length on the bed", si(reach.grounded_length, "m")),
-            fact("mooring point from the anchor", place(bow)),
-            fact("ship's centre from the anchor", place(centre)),
-        ],
-        notes: lifted(reach),
-    })
-}
-
-fn lifted(reach: &MooringSolution) -> Vec<String> {
-    if reach.anchor_uplift > 0.0 {
-        return vec![format!(
-            "WARNING: the line lifts its anchor with {}; an anchor that is lifted may drag.",
-            si(reach.anchor_uplift, "N")
-        )];
-    }
-    Vec::new()
-}
-
-/// An angle for people: `-12.3 deg`.
-pub(super) fn degrees(radians: f64) -> String {
-    format!("{} deg", digits(radians.to_degrees(), 5))
+    let line = line(equilibrium)?;
+    let [bow, centre] = equilibrium.positions(statics.loads.arm)?;
+    let position = |(x, y): (f64, f64)| format!("x {} m, y {} m", digits(x, 4), digits(y, 4));
+    let facts = [
+        ("horizontal pull", si(equilibrium.yaw.pull, "N")),
+        ("tension at the fairlead", si(line.tension, "N")),
+        ("angle below the horizontal", degrees(line.angle)),
+        ("length on the seabed", si(line.grounded_length, "m")),
+        ("mooring point from the anchor", position(bow)),
+        ("ship's centre from the anchor", position(centre)),
+    ];
+    let uplift = (line.anchor_uplift > 0.0).then(|| {
+        format!(
+            "WARNING: vertical force on the anchor: {}; a drag anchor may drag.",
+            si(line.anchor_uplift, "N")
+        )
+    });
+    let title = format!("Mooring line at {}", degrees(equilibrium.yaw.heading));
+    let table = Table::of(title, &facts)
+        .text("quantity", |fact| fact.0)
+        .text("value", |fact| fact.1.clone())
+        .build()
+        .noted(uplift);
+    Some(table)
 }

@@ -1,6 +1,6 @@
 //! A ship as a text report on 80 columns.
 
-use super::{charts, coupled, motion, plan, rope, statics};
+use super::{coupled, motion, plan, rope, statics};
 use crate::report::chart::{Chart, Glyphs, draw};
 use crate::report::table::Table;
 use crate::report::text::{self, Page, WIDTH, inputs};
@@ -8,17 +8,17 @@ use crate::ship::rope::RopeAnalysis;
 use crate::ship::{DynamicAnalysis, Equilibrium, MotionAnalysis, StaticAnalysis};
 use crate::ship::{edit, validation};
 
-/// Lines of a chart, and of the ship from above.
+/// Lines of a chart, and of the plan view.
 const LINES: usize = 18;
 const PLAN: usize = 34;
 
-/// The report of a ship: from above, headings in balance with what becomes of small motions, loads, mooring; its motions and
-/// spectra; ship and anchor line in time; the rope; validation; inputs with their standing. `text` is that of the file; what
-/// is still to be worked out at sea is said to be.
+/// The report of a ship: plan view, equilibrium headings with their stability, loads, mooring; motions and spectra; ship and
+/// anchor line in the time domain; the rope; validation; inputs with their provenance. `text` is that of the file; without a
+/// dynamic analysis the report says that it is still running.
 #[must_use]
 pub fn text(
     statics: &StaticAnalysis,
-    sea: Option<&DynamicAnalysis>,
+    dynamic: Option<&DynamicAnalysis>,
     text: &str,
     glyphs: Glyphs,
 ) -> String {
@@ -31,26 +31,12 @@ pub fn text(
             page.paragraph(prose);
         }
     }
-    page.heading("At rest");
-    page.line("");
-    page.block(&draw(&plan::chart(statics, chosen(statics)), WIDTH, PLAN, glyphs).to_text());
-    chart(&mut page, &charts::moments(statics), glyphs);
-    table(&mut page, &statics::headings(statics));
-    for one in [
-        statics::small_motions(statics),
-        statics::loads(statics),
-        statics::mooring(statics),
-    ]
-    .into_iter()
-    .flatten()
-    {
-        table(&mut page, &one);
+    static_section(&mut page, statics, glyphs);
+    match dynamic {
+        Some(dynamic) => dynamic_sections(&mut page, statics, dynamic, glyphs),
+        None => page.paragraph("The dynamic analysis is still running."),
     }
-    match sea {
-        Some(sea) => at_sea(&mut page, statics, sea, glyphs),
-        None => page.paragraph("The ship at sea is still being worked out."),
-    }
-    let motion = sea.and_then(|sea| sea.motion.as_ref());
+    let motion = dynamic.and_then(|dynamic| dynamic.motion.as_ref());
     if !statics.ship.published.is_empty() {
         page.heading("Validation");
         page.line("");
@@ -64,26 +50,50 @@ pub fn text(
     page.finish()
 }
 
-/// The place of the heading at which the ship is most likely found, among all.
+/// The index of the governing equilibrium.
 #[must_use]
-pub fn chosen(statics: &StaticAnalysis) -> usize {
+pub fn governing(statics: &StaticAnalysis) -> usize {
     let equilibria = statics.equilibria.as_deref().unwrap_or_default();
-    let found = statics.governing();
-    let same = |one: &Equilibrium| found.is_some_and(|found| std::ptr::eq(one, found));
+    let governing = statics.governing();
+    let same = |one: &Equilibrium| governing.is_some_and(|governing| std::ptr::eq(one, governing));
     equilibria.iter().position(same).unwrap_or(0)
 }
 
-fn at_sea(page: &mut Page, statics: &StaticAnalysis, sea: &DynamicAnalysis, glyphs: Glyphs) {
-    match (&sea.motion, &statics.ship.motion) {
-        (Some(Ok(motion)), Some(settings)) => motion_section(page, motion, settings.seed(), glyphs),
-        (Some(Err(why)), _) => {
+fn static_section(page: &mut Page, statics: &StaticAnalysis, glyphs: Glyphs) {
+    page.heading("Static analysis");
+    page.line("");
+    let plan = plan::chart(statics, governing(statics));
+    page.block(&draw(&plan, WIDTH, PLAN, glyphs).to_text());
+    chart(page, &statics::moments(statics), glyphs);
+    let tables = [
+        Some(statics::headings(statics)),
+        statics::eigenvalues(statics),
+        statics::loads(statics),
+        statics::mooring(statics),
+    ];
+    for one in tables.into_iter().flatten() {
+        table(page, &one);
+    }
+}
+
+fn dynamic_sections(
+    page: &mut Page,
+    statics: &StaticAnalysis,
+    dynamic: &DynamicAnalysis,
+    glyphs: Glyphs,
+) {
+    match (&dynamic.motion, &statics.ship.motion) {
+        (Some(Ok(analysis)), Some(settings)) => {
+            motion_section(page, analysis, settings.seed(), glyphs);
+        }
+        (Some(Err(error)), _) => {
             page.heading("Motion");
-            page.hanging("! ", &format!("The ship has no such motion: {why}."));
+            page.hanging("! ", &format!("The motion analysis failed: {error}."));
         }
         _ => {}
     }
-    if let Some(coupled) = &sea.coupled {
-        page.heading("Ship and anchor line in time");
+    if let Some(coupled) = &dynamic.coupled {
+        page.heading("Ship and anchor line in the time domain");
         match coupled {
             Ok(coupled) => {
                 chart(page, &coupled::motions(coupled), glyphs);
@@ -91,24 +101,24 @@ fn at_sea(page: &mut Page, statics: &StaticAnalysis, sea: &DynamicAnalysis, glyp
                 table(page, &coupled::statistics(coupled));
                 table(page, &coupled::decay(coupled));
             }
-            Err(why) => page.hanging("! ", &format!("No answer: {why}.")),
+            Err(error) => page.hanging("! ", &format!("The coupled analysis failed: {error}.")),
         }
     }
-    if let Some(rope) = &sea.rope {
-        page.heading("The rope at the moving ship");
+    if let Some(rope) = &dynamic.rope {
+        page.heading("Rope at the moving ship");
         match rope {
             Ok(rope) => rope_section(page, rope, glyphs),
-            Err(why) => page.hanging("! ", &format!("The rope does not follow the ship: {why}.")),
+            Err(error) => page.hanging("! ", &format!("The rope analysis failed: {error}.")),
         }
     }
 }
 
-/// The motion: first minutes drawn, statistics, spectra.
-fn motion_section(page: &mut Page, motion: &MotionAnalysis, seed: u64, glyphs: Glyphs) {
+/// The motion: first minutes, statistics, spectra.
+fn motion_section(page: &mut Page, analysis: &MotionAnalysis, seed: u64, glyphs: Glyphs) {
     page.heading("Motion");
-    chart(page, &charts::motions(motion, None), glyphs);
-    table(page, &motion::statistics(motion, seed));
-    table(page, &motion::spectra(motion));
+    chart(page, &motion::motions(analysis, None), glyphs);
+    table(page, &motion::statistics(analysis, seed));
+    table(page, &motion::spectra(analysis));
 }
 
 fn rope_section(page: &mut Page, rope: &RopeAnalysis, glyphs: Glyphs) {
@@ -117,8 +127,8 @@ fn rope_section(page: &mut Page, rope: &RopeAnalysis, glyphs: Glyphs) {
     if let Some(over) = rope::dynamic_chart(rope) {
         chart(page, &over, glyphs);
     }
-    if let Some(beside) = rope::dynamic_table(rope) {
-        table(page, &beside);
+    if let Some(against) = rope::dynamic_table(rope) {
+        table(page, &against);
     }
 }
 

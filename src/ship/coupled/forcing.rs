@@ -1,5 +1,5 @@
-//! What acts on a ship in time: wind, current and drift by their coefficients on the ship as it turns and moves, and the
-//! loads of waves.
+//! Loads on a ship in the time domain: wind, current and mean drift by their coefficients on the moving ship, and first-order
+//! wave loads.
 
 use nalgebra::{Complex, Matrix6, Vector6};
 
@@ -13,14 +13,14 @@ use crate::solve::Factors;
 /// Degrees of freedom that wind, current and drift act on.
 const PLANAR: [usize; 3] = [0, 1, 5];
 
-/// What acts on a ship in time, in axes along the heading that it rests at.
+/// Loads on a ship in the time domain, in axes along a fixed heading.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Forcing {
-    /// Wind, current and drift, and the heading \[rad\] that the axes lie along.
-    pub flows: Option<(EnvironmentalLoads, f64)>,
-    /// Loads of waves.
+    /// Wind, current and drift, and the heading of the axes \[rad\].
+    pub environment: Option<(EnvironmentalLoads, f64)>,
+    /// First-order wave loads.
     pub waves: Vec<WaveLoad>,
-    /// The waves grow from nothing over this time \[s\].
+    /// Time over which the waves grow from zero \[s\].
     pub ramp: f64,
 }
 
@@ -35,13 +35,16 @@ pub struct WaveLoad {
     pub sine: Vector6<f64>,
 }
 
-/// The loads of a sea that make a free ship answer it as its responses say: `(-ω² M + i ω D + K) u`, eq. (4) of the ropeway
-/// paper without the mooring.
+/// Wave loads that give the free ship its RAOs u: `(-ω² M + i ω D + K) u`, eq. (4) of the ropeway paper without mooring.
 #[must_use]
-pub fn wave_loads(hull: &HullMatrices, answer: &WaveResponse, sea: &[Component]) -> Vec<WaveLoad> {
+pub fn wave_loads(
+    hull: &HullMatrices,
+    response: &WaveResponse,
+    waves: &[Component],
+) -> Vec<WaveLoad> {
     let load = |wave: &Component| {
         let w = wave.omega;
-        let response = answer.rao.response(w);
+        let response = response.rao.response(w);
         let amplitude = Complex::from_polar(wave.amplitude, wave.phase);
         let real = hull.restoring - hull.mass * (w * w);
         let imaginary = hull.damping * w;
@@ -56,11 +59,11 @@ pub fn wave_loads(hull: &HullMatrices, answer: &WaveResponse, sea: &[Component])
             sine: Vector6::from_fn(|i, _| -each[i].im),
         }
     };
-    sea.iter().map(load).collect()
+    waves.iter().map(load).collect()
 }
 
 impl Forcing {
-    /// Force \[N\] and moment \[N m\] at a time \[s\] on a ship displaced by its six motions, going with their rates.
+    /// Force \[N\] and moment \[N m\] at a time \[s\] on a ship of displacements `q` and velocities `v`.
     #[must_use]
     pub fn at(&self, time: f64, q: &Vector6<f64>, v: &Vector6<f64>) -> Vector6<f64> {
         let mut load = Vector6::zeros();
@@ -71,25 +74,25 @@ impl Forcing {
         if !self.waves.is_empty() {
             load *= growth(time, self.ramp).0;
         }
-        if let Some((loads, heading)) = &self.flows {
-            let moving = loads.moving(*heading, q[5], [v[0], v[1]]);
-            for (value, i) in moving.load.iter().zip(PLANAR) {
+        if let Some((loads, heading)) = &self.environment {
+            let linearised = loads.linearised(*heading, q[5], [v[0], v[1]]);
+            for (value, i) in linearised.load.iter().zip(PLANAR) {
                 load[i] += value;
             }
         }
         load
     }
 
-    /// Its derivative, by displacements and by rates as these factors weigh them.
+    /// Its derivatives by displacements and velocities, weighted by these factors.
     #[must_use]
     pub fn tangent(&self, q: &Vector6<f64>, v: &Vector6<f64>, c: Factors) -> Matrix6<f64> {
         let mut tangent = Matrix6::zeros();
-        if let Some((loads, heading)) = &self.flows {
-            let moving = loads.moving(*heading, q[5], [v[0], v[1]]);
+        if let Some((loads, heading)) = &self.environment {
+            let linearised = loads.linearised(*heading, q[5], [v[0], v[1]]);
             for (row, i) in PLANAR.into_iter().enumerate() {
-                tangent[(i, 5)] += moving.by_turn[row] * c.stiffness;
-                tangent[(i, 0)] += moving.by_velocity[0][row] * c.damping;
-                tangent[(i, 1)] += moving.by_velocity[1][row] * c.damping;
+                tangent[(i, 5)] += linearised.by_yaw[row] * c.stiffness;
+                tangent[(i, 0)] += linearised.by_velocity[0][row] * c.damping;
+                tangent[(i, 1)] += linearised.by_velocity[1][row] * c.damping;
             }
         }
         tangent
@@ -105,7 +108,7 @@ mod tests {
         let text = include_str!("../../../cases/ship/anchored.toml");
         let rest = crate::ship::parse(text, "ship.toml").unwrap();
         let forcing = Forcing {
-            flows: Some((rest.loads, 0.4)),
+            environment: Some((rest.loads, 0.4)),
             ..Forcing::default()
         };
         let q = Vector6::new(0.1, 0.2, 0.0, 0.0, 0.0, 0.3);

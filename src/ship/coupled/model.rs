@@ -1,39 +1,40 @@
-//! What the equations of a ship and its anchor line are made from: the ship where it rests, the line built and laid.
+//! The model of a ship and its anchor line: the ship at its governing equilibrium, the line built and in equilibrium.
 
 use nalgebra::Vector6;
 
 use super::CoupledError;
 use super::forcing::Forcing;
 use super::moored_ship::{MooredShip, ShipBody};
-use crate::case;
+use crate::case::{Case, DragLaw, End, EndKind, Ends, Material, Seabed, Section};
 use crate::numerics::V3;
 use crate::scene::{self, Scene};
+use crate::ship::hull::HullMatrices;
 use crate::ship::model::{CoupledSettings, Mooring};
 use crate::ship::mooring::MooringSolution;
 use crate::ship::static_analysis::{Equilibrium, StaticAnalysis};
 use crate::solve::{Kinematics, State};
 use crate::statics::equilibrium::EquilibriumSearch;
 
-/// How far the line sinks into the bed under its own weight \[m\].
-const SUNK: f64 = 1e-3;
+/// Penetration of the line into the seabed under its own weight \[m\].
+const PENETRATION: f64 = 1e-3;
 
-/// What the equations of ship and line are made from.
+/// A ship at its governing equilibrium, and its anchor line.
 #[derive(Debug, Clone, Copy)]
 pub struct CoupledModel<'a> {
-    /// The ship at rest.
+    /// Static analysis of the ship.
     pub statics: &'a StaticAnalysis,
-    /// Its words on the run.
+    /// Settings of the coupled analysis.
     pub settings: &'a CoupledSettings,
-    /// The heading at which it lies.
+    /// The governing equilibrium.
     pub equilibrium: &'a Equilibrium,
-    /// The line that holds it.
+    /// The mooring line.
     pub mooring: &'a Mooring,
-    /// The line's reach there.
-    pub reach: &'a MooringSolution,
+    /// Its solution at the equilibrium.
+    pub line: &'a MooringSolution,
 }
 
 impl<'a> CoupledModel<'a> {
-    /// Of a file that says everything needed.
+    /// The model of a ship with all inputs.
     ///
     /// # Errors
     /// [`CoupledError::Missing`].
@@ -41,11 +42,12 @@ impl<'a> CoupledModel<'a> {
         let missing = CoupledError::Missing;
         let settings = statics.ship.coupled.as_ref();
         let equilibrium = statics.governing();
-        let equilibrium = equilibrium.ok_or(missing("there is no stable heading to begin from"))?;
-        let reach = equilibrium
-            .reach
+        let equilibrium =
+            equilibrium.ok_or(missing("there is no stable equilibrium to start from"))?;
+        let line = equilibrium
+            .line
             .as_ref()
-            .and_then(|reach| reach.as_ref().ok());
+            .and_then(|line| line.as_ref().ok());
         Ok(Self {
             statics,
             settings: settings.ok_or(missing("the file has no [coupled]"))?,
@@ -55,25 +57,44 @@ impl<'a> CoupledModel<'a> {
                 .mooring
                 .as_ref()
                 .ok_or(missing("the file has no [mooring]"))?,
-            reach: reach.ok_or(missing("the mooring line does not reach the ship"))?,
+            line: line.ok_or(missing("the mooring line has no solution"))?,
         })
     }
 
-    /// From the ship's reference point to its fairlead \[m\].
+    /// Fairlead from the ship's reference point \[m\].
     #[must_use]
     pub fn arm(&self) -> V3 {
         let height = self.mooring.fairlead_z_m;
         V3::new(self.statics.loads.arm, 0.0, height)
     }
 
-    /// The line, of so many segments, at rest with its fairlead shifted \[m\].
+    /// Hang-off point of the rope from the ship's reference point \[m\].
+    #[must_use]
+    pub fn hang_off(&self) -> V3 {
+        let motion = self.statics.ship.motion.as_ref();
+        V3::from(motion.map_or([0.0; 3], |motion| motion.hang_point_m))
+    }
+
+    /// Matrices of the hull.
+    ///
+    /// # Errors
+    /// [`CoupledError::Missing`].
+    pub fn hull(&self) -> Result<&HullMatrices, CoupledError> {
+        let missing = CoupledError::Missing("the file has no [hull]");
+        self.statics.hull.as_ref().ok_or(missing)
+    }
+
+    /// The line, of so many segments, in equilibrium with its fairlead displaced by `offset` \[m\].
     ///
     /// # Errors
     /// [`CoupledError::Line`].
-    pub fn line(&self, segments: usize, shift: &V3) -> Result<(Scene, State), CoupledError> {
-        let failed = |why: String| CoupledError::Line(why);
-        let case = case::parse(&self.line_text(segments, shift), "anchor line")
-            .map_err(|all| failed(all.first().map_or_else(String::new, ToString::to_string)))?;
+    pub fn line_at_rest(
+        &self,
+        segments: usize,
+        offset: &V3,
+    ) -> Result<(Scene, State), CoupledError> {
+        let failed = CoupledError::Line;
+        let case = self.line_case(segments, offset);
         let scene = scene::build(&case, 1).map_err(|error| failed(error.to_string()))?;
         let mut state = scene.initial_state();
         EquilibriumSearch::default()
@@ -82,48 +103,50 @@ impl<'a> CoupledModel<'a> {
         Ok((scene, state))
     }
 
-    fn line_text(&self, segments: usize, shift: &V3) -> String {
-        let (particulars, mooring, settings) =
-            (&self.statics.ship.particulars, self.mooring, self.settings);
-        let balance = &self.equilibrium.yaw;
-        let (sin, cos) = (balance.force_direction - balance.heading).sin_cos();
+    /// The line from the anchor to the fairlead displaced by `offset` \[m\], in axes along the equilibrium heading.
+    fn line_case(&self, segments: usize, offset: &V3) -> Case {
+        const LINE: &str = "line";
+        let (particulars, mooring) = (&self.statics.ship.particulars, self.mooring);
+        let yaw = &self.equilibrium.yaw;
+        let (sin, cos) = (yaw.force_direction - yaw.heading).sin_cos();
         let arm = self.arm();
         let (x, y) = (
-            arm.x - self.reach.distance * cos,
-            arm.y - self.reach.distance * sin,
+            arm.x - self.line.distance * cos,
+            arm.y - self.line.distance * sin,
         );
-        let ship = arm + shift;
-        format!(
-            "[case]\ntitle = \"anchor line\"\n\
-             [environment]\ngravity_m_per_s2 = {:?}\nwater_density_kg_per_m3 = {:?}\n\
-             [seabed]\ndepth_m = {:?}\nstiffness_n_per_m3 = {:?}\n\
-             [materials.line]\ndiameter_m = {:?}\nmass_kg_per_m = {:?}\nwet_weight_kg_per_m = {:?}\nea_n = {:?}\n\
-             drag_normal = {:?}\ndrag_tangential = {:?}\nadded_mass_normal = {:?}\n\
-             [[line]]\nname = \"line\"\nmaterial = \"line\"\nlength_m = {:?}\nsegments = {segments}\n\
-             [ends.a]\nname = \"anchor\"\nkind = \"anchor\"\nposition_m = [{x:?}, {y:?}, {:?}]\n\
-             [ends.b]\nname = \"ship\"\nkind = \"fixed\"\nposition_m = [{:?}, {:?}, {:?}]\n",
-            particulars.gravity_m_per_s2,
-            particulars.water_density_kg_per_m3,
-            mooring.depth_m,
-            // As hard as the flat bed of the closed form, nearly: the line sinks in by a millimetre.
-            mooring.wet_weight_kg_per_m * particulars.gravity_m_per_s2
-                / (settings.line_diameter_m * SUNK),
-            settings.line_diameter_m,
-            settings.line_mass_kg_per_m,
-            mooring.wet_weight_kg_per_m,
-            mooring.ea_n,
-            settings.drag_normal,
-            settings.drag_tangential,
-            settings.added_mass_normal,
-            mooring.length_m,
-            -mooring.depth_m,
-            ship.x,
-            ship.y,
-            ship.z,
-        )
+        let mut case = Case::new("anchor line", "");
+        case.environment.gravity_m_per_s2 = particulars.gravity_m_per_s2;
+        case.environment.water_density_kg_per_m3 = particulars.water_density_kg_per_m3;
+        // Nearly rigid, as the seabed of the catenary: the line penetrates it by a millimetre.
+        let stiffness = mooring.wet_weight_kg_per_m * particulars.gravity_m_per_s2
+            / (self.settings.line_diameter_m * PENETRATION);
+        case.seabed = Some(Seabed::flat(mooring.depth_m, stiffness));
+        case.materials.insert(LINE.to_owned(), self.line_material());
+        case.line = vec![Section::new(LINE, LINE, mooring.length_m, segments)];
+        let anchor = [x, y, -mooring.depth_m];
+        case.ends = Ends {
+            a: End::new("anchor", EndKind::Anchor, Some(anchor)),
+            b: End::fixed("ship", (arm + offset).into()),
+        };
+        case
     }
 
-    /// Ship and line as one system, with the line at rest where the ship lies.
+    fn line_material(&self) -> Material {
+        let (mooring, settings) = (self.mooring, self.settings);
+        Material {
+            wet_weight_kg_per_m: Some(mooring.wet_weight_kg_per_m),
+            drag_normal: DragLaw::Constant(settings.drag_normal),
+            drag_tangential: DragLaw::Constant(settings.drag_tangential),
+            added_mass_normal: settings.added_mass_normal,
+            ..Material::elastic(
+                settings.line_diameter_m,
+                settings.line_mass_kg_per_m,
+                mooring.ea_n,
+            )
+        }
+    }
+
+    /// Ship and line as one system, with the equilibrium of the line.
     ///
     /// # Errors
     /// [`CoupledError`].
@@ -132,46 +155,45 @@ impl<'a> CoupledModel<'a> {
         segments: usize,
         forcing: Forcing,
     ) -> Result<(MooredShip, State), CoupledError> {
-        let (scene, state) = self.line(segments, &V3::zeros())?;
-        let moored = self.moored(scene, &state, forcing)?;
+        let (scene, state) = self.line_at_rest(segments, &V3::zeros())?;
+        let moored = self.moored_ship(scene, &state, forcing)?;
         Ok((moored, state))
     }
 
-    /// The ship on a line, its weight and trim balanced with the line at rest as given.
+    /// The ship on a line, with weight and trim that balance the line in this equilibrium.
     ///
     /// # Errors
     /// [`CoupledError`].
-    pub fn moored(
+    pub fn moored_ship(
         &self,
         scene: Scene,
         rest: &State,
         forcing: Forcing,
     ) -> Result<MooredShip, CoupledError> {
-        let missing = CoupledError::Missing("the file has no [hull]");
-        let hull = self.statics.hull.as_ref().ok_or(missing)?;
+        let hull = self.hull()?;
         let arm = self.arm();
         let pull = scene.end_force(scene.nodes() - 1, rest);
-        let turn = arm.cross(&pull);
-        // What holds the ship in the plane are wind, current and drift; the water holds up what the line pulls down.
-        let load = -Vector6::new(0.0, 0.0, pull.z, turn.x, turn.y, 0.0);
+        let moment = arm.cross(&pull);
+        // Wind, current and drift balance the line in the horizontal plane, buoyancy in the others.
+        let load = -Vector6::new(0.0, 0.0, pull.z, moment.x, moment.y, 0.0);
         let body = ShipBody {
             mass: hull.mass,
             damping: hull.damping,
             restoring: hull.restoring,
             load,
             forcing,
-            place: V3::zeros(),
+            origin: V3::zeros(),
             arm,
             length: 0.5 * self.statics.ship.particulars.length_m,
         };
         Ok(MooredShip::new(scene, body)?)
     }
 
-    /// Wind, current and drift in time, along the heading at rest.
+    /// Wind, current and drift in axes along the equilibrium heading.
     #[must_use]
-    pub fn flows(&self) -> Forcing {
+    pub fn environment(&self) -> Forcing {
         Forcing {
-            flows: Some((self.statics.loads.clone(), self.equilibrium.yaw.heading)),
+            environment: Some((self.statics.loads.clone(), self.equilibrium.yaw.heading)),
             ..Forcing::default()
         }
     }

@@ -1,18 +1,16 @@
-//! A ship as a rigid body at the end of a line, both in one system of equations (eqs. 4 and 5 of the ropeway paper): the
-//! solvers see a line whose last two nodes are the ship.
+//! A ship as a rigid body at the end of a line, both in one system of equations (eqs. 4 and 5 of the ropeway paper): to the
+//! solvers it is a line whose last two nodes are the ship.
 //!
 //! # Unknowns
-//! The nodes of the line, the last of them the fairlead; then one for the ship's translation, the place of its reference
-//! point, and one for its rotation from the heading it lies at, times a length. Rotations are of first order, as in the
-//! paper's equation (4): constant mass, damping and restoring. Loads are constant, or a [`Forcing`]: wind, current and drift
-//! on the ship as it turns and moves, and waves.
+//! The nodes of the line, the last of them the fairlead; then the position of the ship's reference point, and its rotation from
+//! the equilibrium heading times a length. Rotations are of first order, as in the paper's equation (4): constant mass, damping
+//! and restoring. Loads are constant, or a [`Forcing`]: wind, current and drift on the moving ship, and waves.
 //!
 //! # Equations
-//! The rows of the line are its own. That of the fairlead ties it to the ship, `x_f = X + r + θ × r`, which is linear, so
-//! that any method of time integration keeps it for velocities and accelerations as well. The line's end pulls at the ship
-//! in the row of translation; the row of rotation is taken about the fairlead, `moment - r × force`, where that pull has no
-//! arm: so each row reaches two nodes back at most, and the whole is solved as one block-banded system, in one Newton, with
-//! the exact tangent and the order of the method.
+//! The rows of the line are unchanged. The row of the fairlead is the constraint `x_f = X + r + θ × r`, which is linear, so that
+//! any time integration preserves it for velocities and accelerations. The line force on the ship is in the row of translation;
+//! the row of rotation is taken about the fairlead, `moment - r × force`, where that force has no arm: each row then couples to
+//! at most two preceding nodes, and the whole is one block-banded system with its exact tangent.
 
 use std::ops::Range;
 
@@ -23,25 +21,25 @@ use crate::numerics::{BlockBand, M3, V3};
 use crate::scene::Scene;
 use crate::solve::{ExplicitRhs, Factors, Hysteresis, Kinematics, MidstepBalance, Residual, State};
 
-/// A ship as a rigid body about its reference point, in the axes of the case: surge, sway, heave, roll, pitch, yaw as
-/// displacements along and turns about x, y, z.
+/// A ship as a rigid body about its reference point, in global axes: surge, sway, heave, roll, pitch, yaw are displacements
+/// along and rotations about x, y, z.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShipBody {
     /// Mass and added mass \[kg, kg m, kg m²\]; symmetric.
     pub mass: Matrix6<f64>,
-    /// Damping per velocity.
+    /// Damping matrix.
     pub damping: Matrix6<f64>,
-    /// Restoring per displacement.
+    /// Restoring stiffness matrix.
     pub restoring: Matrix6<f64>,
     /// Constant load: force \[N\] and moment about the reference point \[N m\].
     pub load: Vector6<f64>,
-    /// What acts beside it: flows on the ship as it turns and moves, and waves.
+    /// Further loads: environment and waves.
     pub forcing: Forcing,
-    /// Where the reference point is when nothing restores \[m\].
-    pub place: V3,
+    /// Position of the reference point at zero restoring force \[m\].
+    pub origin: V3,
     /// From the reference point to the fairlead \[m\].
     pub arm: V3,
-    /// A length of the ship, by which rotations are told in metres \[m\].
+    /// Length by which rotations are scaled to metres \[m\].
     pub length: f64,
 }
 
@@ -50,61 +48,65 @@ pub struct ShipBody {
 pub struct MooredShip {
     line: Scene,
     ship: ShipBody,
-    /// Stiffness by which the tie of the fairlead is told as a force \[N/m\].
-    tie: f64,
+    /// Scale of the constraint of the fairlead to a force \[N/m\].
+    constraint: f64,
 }
 
-/// Why a line cannot hold a ship.
+/// Why a line cannot be coupled to a ship.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum MooredShipError {
-    /// Bending reaches over three nodes.
-    #[error("a line with bending stiffness cannot hold a ship; leave EI out")]
-    Bends,
-    /// The line's own end is not held.
-    #[error("both ends of the line must be held: A by the anchor, B by the ship")]
-    Loose,
+    /// Bending couples five nodes.
+    #[error("a line with bending stiffness cannot be coupled to a ship; omit EI")]
+    Bending,
+    /// An end of the line is not fixed.
+    #[error("both ends of the line must be fixed: A at the anchor, B at the ship")]
+    FreeEnd,
 }
 
 impl MooredShip {
-    /// Ties a ship to end B of a line.
+    /// Couples a ship to end B of a line.
     ///
     /// # Errors
     /// [`MooredShipError`].
     pub fn new(line: Scene, ship: ShipBody) -> Result<Self, MooredShipError> {
         if line.is_pentadiagonal() {
-            return Err(MooredShipError::Bends);
+            return Err(MooredShipError::Bending);
         }
         if line.free() != (1..line.nodes() - 1) {
-            return Err(MooredShipError::Loose);
+            return Err(MooredShipError::FreeEnd);
         }
-        let tie = line.force_scale / ship.length;
-        Ok(Self { line, ship, tie })
+        let constraint = line.force_scale / ship.length;
+        Ok(Self {
+            line,
+            ship,
+            constraint,
+        })
     }
 
-    /// The line's state with the ship at rest where its fairlead holds the line's end.
+    /// A state of the line with the ship at rest at its end.
     #[must_use]
     pub fn at_rest(&self, line: &State) -> State {
-        self.turned(line, V3::zeros())
+        self.rotated(line, V3::zeros())
     }
 
-    /// The same, the ship turned \[rad\] about its fairlead.
+    /// The same, the ship rotated \[rad\] about its fairlead.
     #[must_use]
-    pub fn turned(&self, line: &State, turn: V3) -> State {
+    pub fn rotated(&self, line: &State, rotation: V3) -> State {
         let mut state = line.clone();
         let fairlead = state.x[self.fairlead()];
-        let centre = fairlead - self.ship.arm - turn.cross(&self.ship.arm);
-        state.x.extend([centre, turn * self.ship.length]);
+        let centre = fairlead - self.ship.arm - rotation.cross(&self.ship.arm);
+        state.x.extend([centre, rotation * self.ship.length]);
         state.v.resize(state.x.len(), V3::zeros());
         state.a.resize(state.x.len(), V3::zeros());
         state
     }
 
-    /// Surge, sway, heave from the ship's place \[m\], roll, pitch, yaw \[rad\].
+    /// Surge, sway, heave from the origin \[m\], roll, pitch, yaw \[rad\].
     #[must_use]
     pub fn motion(&self, state: &State) -> Vector6<f64> {
         let t = self.fairlead() + 1;
         stacked(
-            state.x[t] - self.ship.place,
+            state.x[t] - self.ship.origin,
             state.x[t + 1] / self.ship.length,
         )
     }
@@ -121,20 +123,20 @@ impl MooredShip {
         self.line.tension_at(0, state)
     }
 
-    /// Sets the ship going with these velocities \[m/s, rad/s\], and the line with it as a straight stretch would go.
-    pub fn set_going(&self, velocity: &Vector6<f64>, state: &mut State) {
+    /// Sets the velocities of the ship \[m/s, rad/s\], and those of the line linear between anchor and fairlead.
+    pub fn set_velocity(&self, velocity: &Vector6<f64>, state: &mut State) {
         let f = self.fairlead();
-        let parts = velocity.fixed_rows::<3>(0).into_owned();
-        let turn: V3 = velocity.fixed_rows::<3>(3).into_owned();
-        let fairlead = parts + turn.cross(&self.ship.arm);
+        let translation = velocity.fixed_rows::<3>(0).into_owned();
+        let rotation: V3 = velocity.fixed_rows::<3>(3).into_owned();
+        let fairlead = translation + rotation.cross(&self.ship.arm);
         for (i, v) in state.v.iter_mut().enumerate().take(f + 1) {
             *v = fairlead * (i as f64 / f as f64);
         }
-        state.v[f + 1] = parts;
-        state.v[f + 2] = turn * self.ship.length;
+        state.v[f + 1] = translation;
+        state.v[f + 2] = rotation * self.ship.length;
     }
 
-    /// Energy of line and ship, its constant load counted as potential and any other forcing left out \[J\].
+    /// Energy of line and ship, with the potential of the constant load and without that of the forcing \[J\].
     #[must_use]
     pub fn energy(&self, state: &State) -> f64 {
         let (q, v) = (self.motion(state), self.velocity(state));
@@ -142,14 +144,14 @@ impl MooredShip {
         self.line.energy(state) + own - q.dot(&self.ship.load)
     }
 
-    /// Power that the ship's damping takes \[W\].
+    /// Power dissipated by the ship's damping \[W\].
     #[must_use]
     pub fn dissipation(&self, state: &State) -> f64 {
         let v = self.velocity(state);
         v.dot(&(self.ship.damping * v))
     }
 
-    /// The rates of its six motions \[m/s, rad/s\].
+    /// Velocities of the six motions \[m/s, rad/s\].
     #[must_use]
     pub fn velocity(&self, state: &State) -> Vector6<f64> {
         let t = self.fairlead() + 1;
@@ -160,8 +162,8 @@ impl MooredShip {
         self.line.nodes() - 1
     }
 
-    /// Force and moment that the ship's own equation leaves, `M a + C v + K q - F`.
-    fn own(&self, time: f64, state: &State) -> (V3, V3) {
+    /// Residual force and moment of the ship alone, `M a + C v + K q - F`.
+    fn ship_residual(&self, time: f64, state: &State) -> (V3, V3) {
         let t = self.fairlead() + 1;
         let a = stacked(state.a[t], state.a[t + 1] / self.ship.length);
         let (q, v) = (self.motion(state), self.velocity(state));
@@ -175,20 +177,20 @@ impl MooredShip {
     }
 
     /// The rows of fairlead and ship, from that of the line's end.
-    fn tie(&self, time: f64, state: &State, r: &mut [V3]) {
+    fn couple(&self, time: f64, state: &State, r: &mut [V3]) {
         let (f, arm) = (self.fairlead(), &self.ship.arm);
         let pull = r[f];
-        let (force, moment) = self.own(time, state);
-        let turn = state.x[f + 2] / self.ship.length;
-        let hangs = state.x[f + 1] + arm + turn.cross(arm);
-        r[f] = (state.x[f] - hangs) * self.tie;
+        let (force, moment) = self.ship_residual(time, state);
+        let rotation = state.x[f + 2] / self.ship.length;
+        let fairlead = state.x[f + 1] + arm + rotation.cross(arm);
+        r[f] = (state.x[f] - fairlead) * self.constraint;
         r[f + 1] = force + pull;
         r[f + 2] = (moment - arm.cross(&force)) / self.ship.length;
     }
 
-    fn tie_tangent(&self, state: &State, c: Factors, tangent: &mut BlockBand) {
+    fn couple_tangent(&self, state: &State, c: Factors, tangent: &mut BlockBand) {
         let (f, length) = (self.fairlead(), self.ship.length);
-        let own = self.ship.mass * c.mass
+        let ship = self.ship.mass * c.mass
             + self.ship.damping * c.damping
             + self.ship.restoring * c.stiffness
             - self
@@ -196,18 +198,18 @@ impl MooredShip {
                 .forcing
                 .tangent(&self.motion(state), &self.velocity(state), c);
         let block =
-            |i: usize, j: usize| -> M3 { own.fixed_view::<3, 3>(3 * i, 3 * j).into_owned() };
+            |i: usize, j: usize| -> M3 { ship.fixed_view::<3, 3>(3 * i, 3 * j).into_owned() };
         let arm = self.ship.arm.cross_matrix();
-        let tie = self.tie * c.stiffness;
-        // The row of the line's end becomes part of the row of translation.
+        let constraint = self.constraint * c.stiffness;
+        // The row of the line's end is added to the row of translation.
         tangent.far_lower[f + 1] = tangent.lower[f];
         tangent.lower[f + 1] = tangent.diag[f];
         tangent.diag[f + 1] = block(0, 0);
         tangent.upper[f + 1] = block(0, 1) / length;
         tangent.lower[f] = M3::zeros();
-        tangent.diag[f] = M3::identity() * tie;
-        tangent.upper[f] = M3::identity() * -tie;
-        tangent.far_upper[f] = arm * (tie / length);
+        tangent.diag[f] = M3::identity() * constraint;
+        tangent.upper[f] = M3::identity() * -constraint;
+        tangent.far_upper[f] = arm * (constraint / length);
         tangent.lower[f + 2] = (block(1, 0) - arm * block(0, 0)) / length;
         tangent.diag[f + 2] = (block(1, 1) - arm * block(0, 1)) / (length * length);
     }
@@ -227,7 +229,7 @@ impl Kinematics for MooredShip {
     }
 
     fn prescribe(&self, t: f64, state: &mut State) {
-        // The ship holds its end of the line, whatever the line's case says of it.
+        // The ship moves its end of the line, whatever the case of the line prescribes.
         let f = self.fairlead();
         let held = (state.x[f], state.v[f], state.a[f]);
         self.line.prescribe(t, state);
@@ -241,13 +243,13 @@ impl Kinematics for MooredShip {
 
 impl Residual for MooredShip {
     fn is_pentadiagonal(&self) -> bool {
-        // Rows reach two nodes, as those of a line that bends.
+        // Rows couple to two neighbours on either side, as those of a line with bending stiffness.
         true
     }
 
     fn residual(&self, t: f64, state: &State, r: &mut [V3]) {
         self.line.residual(t, state, &mut r[..=self.fairlead()]);
-        self.tie(t, state, r);
+        self.couple(t, state, r);
     }
 
     fn linearise(&self, t: f64, state: &State, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
@@ -255,14 +257,14 @@ impl Residual for MooredShip {
         tangent.far_lower.fill(M3::zeros());
         tangent.far_upper.fill(M3::zeros());
         self.line.linearise(t, state, c, &mut r[..=f], tangent);
-        self.tie(t, state, r);
-        self.tie_tangent(state, c, tangent);
+        self.couple(t, state, r);
+        self.couple_tangent(state, c, tangent);
     }
 }
 
 impl ExplicitRhs for MooredShip {
-    /// The added mass of the last half segment counts as that of the line's mass there, in all directions alike; no
-    /// solver carries that on but an explicit one.
+    /// The mass of the last half segment, with its added mass, is taken as isotropic; only explicit solvers keep these
+    /// accelerations.
     fn accelerate(&self, t: f64, state: &mut State) {
         let f = self.fairlead();
         state.a[f] = V3::zeros();
@@ -270,7 +272,7 @@ impl ExplicitRhs for MooredShip {
         let (arm, length) = (self.ship.arm, self.ship.length);
         state.a[f + 1] = V3::zeros();
         state.a[f + 2] = V3::zeros();
-        let (force, moment) = self.own(t, state);
+        let (force, moment) = self.ship_residual(t, state);
         let pull = self.line.end_force(f, state);
         let right = stacked(pull - force, arm.cross(&pull) - moment);
         let mut mass = self.ship.mass;
@@ -285,10 +287,10 @@ impl ExplicitRhs for MooredShip {
         add(1, 0, cross);
         add(1, 1, -cross * cross);
         let a = mass.lu().solve(&right).unwrap_or_else(Vector6::zeros);
-        let (shift, turn) = (V3::new(a[0], a[1], a[2]), V3::new(a[3], a[4], a[5]));
-        state.a[f + 1] = shift;
-        state.a[f + 2] = turn * length;
-        state.a[f] = shift + turn.cross(&arm);
+        let (linear, angular) = (V3::new(a[0], a[1], a[2]), V3::new(a[3], a[4], a[5]));
+        state.a[f + 1] = linear;
+        state.a[f + 2] = angular * length;
+        state.a[f] = linear + angular.cross(&arm);
     }
 }
 

@@ -113,22 +113,22 @@ impl Motion {
 
     /// Mean and root mean squares of a degree of freedom, 0 to 5 \[m or rad\].
     #[must_use]
-    pub fn asked(&self, degree: usize) -> (f64, MotionRms) {
+    pub fn target(&self, degree: usize) -> (f64, MotionRms) {
         let i = degree % 3;
         if degree < 3 {
-            let scatter = MotionRms {
+            let rms = MotionRms {
                 displacement: self.translation_rms_m[i],
                 velocity: self.translation_velocity_rms_m_per_s[i],
                 acceleration: self.translation_acceleration_rms_m_per_s2[i],
             };
-            return (self.translation_mean_m[i], scatter);
+            return (self.translation_mean_m[i], rms);
         }
-        let scatter = MotionRms {
+        let rms = MotionRms {
             displacement: self.rotation_rms_deg[i].to_radians(),
             velocity: self.rotation_velocity_rms_deg_per_s[i].to_radians(),
             acceleration: self.rotation_acceleration_rms_deg_per_s2[i].to_radians(),
         };
-        (self.rotation_mean_deg[i].to_radians(), scatter)
+        (self.rotation_mean_deg[i].to_radians(), rms)
     }
 }
 

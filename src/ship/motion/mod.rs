@@ -1,9 +1,10 @@
-//! The six motions of a ship in a sea, and the motion of a point fixed to it.
+//! The six motions of a ship in waves, and the displacement of a point fixed to it.
 //!
-//! Made to have given statistics, motions in different degrees of freedom are independent of each other: their phases are
-//! not known from statistics of each alone. Made from [`responses`], they belong to one sea. Axes of the ship: x forward,
-//! y to port, z up; rotations by the right hand, of first order.
+//! Motions by published statistics are independent of each other in different degrees of freedom: their statistics do not
+//! determine their phases. Motions by [`wave_response`] respond to one sea. Ship axes: x forward, y to port, z up; right-handed
+//! rotations of first order.
 
+pub mod rao_file;
 pub mod record;
 pub mod spectral_band;
 pub mod wave_response;
@@ -11,23 +12,35 @@ pub mod wave_response;
 use rayon::prelude::*;
 
 use self::record::MotionRecord;
-use self::spectral_band::{MotionRms, SpectralBand, SpectralBandError, bands};
+use self::spectral_band::{MotionRms, SpectralBand, SpectralBandError, fit_bands};
 use self::wave_response::WaveResponse;
 use super::model::Motion;
 use crate::numerics::V3;
 use crate::physics::sea::Component;
 
-/// What is known of one degree of freedom.
+/// A degree of freedom.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DegreeOfFreedom {
     /// Mean \[m or rad\].
     pub mean: f64,
-    /// What the scatter about the mean is asked to be \[m or rad\].
-    pub asked: MotionRms,
-    /// The bands that have it.
+    /// Target root mean squares about the mean \[m or rad\].
+    pub target: MotionRms,
+    /// Spectral bands with these root mean squares.
     pub bands: Vec<SpectralBand>,
-    /// The bands as regular components.
+    /// Regular components.
     pub components: Vec<Component>,
+}
+
+impl DegreeOfFreedom {
+    /// Target root mean square of displacement about zero (`rate` 0), velocity (1) or acceleration (2).
+    #[must_use]
+    pub fn target_rms(&self, rate: usize) -> f64 {
+        match rate {
+            0 => self.target.displacement.hypot(self.mean),
+            1 => self.target.velocity,
+            _ => self.target.acceleration,
+        }
+    }
 }
 
 /// The six motions of a ship: surge, sway, heave, roll, pitch, yaw.
@@ -35,38 +48,40 @@ pub struct DegreeOfFreedom {
 pub struct ShipMotion {
     /// Each degree of freedom.
     pub degrees: [DegreeOfFreedom; 6],
-    /// The waves at the ship's reference point; none where the motions are made to statistics.
-    pub sea: Vec<Component>,
+    /// The waves at the ship's reference point; none for motions by published statistics.
+    pub waves: Vec<Component>,
     /// Step of a record \[s\].
     pub step: f64,
     /// Instants of a record.
     pub instants: usize,
 }
 
-/// A degree of freedom whose statistics no motion has.
+/// Statistics of a degree of freedom that no motion has.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{why}")]
 pub struct MotionStatisticsError {
-    /// Which, 0 to 5.
+    /// Degree of freedom, 0 to 5.
     pub degree: usize,
     /// Why.
     pub why: String,
 }
 
 impl ShipMotion {
-    /// The motions of a seed: the ship's answer to the sea of that seed where there is one, else made to statistics, which are
-    /// the same for every seed while the records differ.
+    /// The motions of a seed: the response to the waves of that seed, or motions by published statistics, which are the same
+    /// for every seed while the records differ.
     ///
     /// # Errors
     /// [`MotionStatisticsError`] for statistics that no motion has.
     pub fn new(
         settings: &Motion,
-        answer: Option<&WaveResponse>,
+        response: Option<&WaveResponse>,
         seed: u64,
     ) -> Result<Self, MotionStatisticsError> {
-        let sea = answer.map_or_else(Vec::new, |answer| answer.sea(settings.components, seed));
-        let degrees = match answer {
-            Some(answer) => answer.degrees(&sea),
+        let waves = response.map_or_else(Vec::new, |response| {
+            response.waves(settings.components, seed)
+        });
+        let degrees = match response {
+            Some(response) => response.degrees(&waves),
             None => (0..6)
                 .map(|degree| Self::degree(settings, degree, seed))
                 .collect::<Result<_, _>>()?,
@@ -78,7 +93,7 @@ impl ShipMotion {
             })?;
         Ok(Self {
             degrees,
-            sea,
+            waves,
             step: settings.step_s,
             instants: settings.instants(),
         })
@@ -89,24 +104,26 @@ impl ShipMotion {
         degree: usize,
         seed: u64,
     ) -> Result<DegreeOfFreedom, MotionStatisticsError> {
-        let (mean, rms) = settings.asked(degree);
+        let (mean, rms) = settings.target(degree);
         let square = rms.displacement.powi(2) - mean * mean;
         if square < 0.0 {
             return Err(MotionStatisticsError {
                 degree,
-                why: "the root mean square is less than the mean alone".to_owned(),
+                why: "the root mean square, which includes the mean, is less than the mean"
+                    .to_owned(),
             });
         }
-        let asked = MotionRms {
+        let target = MotionRms {
             displacement: square.sqrt(),
             ..rms
         };
-        let bands = bands(asked, settings.slow_period_s).map_err(|why: SpectralBandError| {
-            MotionStatisticsError {
-                degree,
-                why: why.to_string(),
-            }
-        })?;
+        let bands =
+            fit_bands(target, settings.slow_period_s).map_err(|why: SpectralBandError| {
+                MotionStatisticsError {
+                    degree,
+                    why: why.to_string(),
+                }
+            })?;
         let streams = bands.iter().zip(2 * degree as u64..);
         let duration = settings.step_s * settings.instants() as f64;
         let components = streams
@@ -114,13 +131,13 @@ impl ShipMotion {
             .collect();
         Ok(DegreeOfFreedom {
             mean,
-            asked,
+            target,
             bands,
             components,
         })
     }
 
-    /// The records of all six, each summed in its own order whatever the number of threads.
+    /// The records of all six, the same for any number of threads.
     #[must_use]
     pub fn records(&self) -> Vec<MotionRecord> {
         let each = self.degrees.par_iter();
@@ -135,16 +152,16 @@ impl ShipMotion {
     }
 }
 
-/// Displacement of a point at `arm` \[m\] in the axes of the ship, at an instant of the six records.
+/// Displacement of a point at `arm` \[m\] in ship axes, at an instant of the six records.
 #[must_use]
-pub fn point(records: &[MotionRecord], arm: &V3, instant: usize) -> V3 {
+pub fn point_displacement(records: &[MotionRecord], arm: &V3, instant: usize) -> V3 {
     rigid_displacement(std::array::from_fn(|i| records[i].x[instant]), arm)
 }
 
-/// Displacement of a point at `arm` \[m\] by six motions: the shift, and the turn times the arm.
+/// Displacement of a point at `arm` \[m\] by six motions: translation plus rotation × arm.
 #[must_use]
 pub fn rigid_displacement(motions: [f64; 6], arm: &V3) -> V3 {
     let q = |degree: usize| motions[degree];
-    let (shift, turn) = (V3::new(q(0), q(1), q(2)), V3::new(q(3), q(4), q(5)));
-    shift + turn.cross(arm)
+    let (translation, rotation) = (V3::new(q(0), q(1), q(2)), V3::new(q(3), q(4), q(5)));
+    translation + rotation.cross(arm)
 }

@@ -1,4 +1,4 @@
-//! A record of a motion: components summed at equal steps of time.
+//! A record of a motion: the sum of regular components at equal time steps.
 
 use crate::physics::sea::Component;
 
@@ -14,8 +14,8 @@ pub struct MotionRecord {
 }
 
 impl MotionRecord {
-    /// `instants` instants a `step` \[s\] apart of components about a mean. Each component is turned on from instant to
-    /// instant rather than by its cosine: rounding grows with the instants, to 1e-11 of the amplitude over a million.
+    /// `instants` instants a `step` \[s\] apart of components about a mean. Each component is rotated from instant to instant
+    /// instead of by its cosine: rounding grows with the instants, to 1e-11 of the amplitude over a million.
     #[must_use]
     pub fn new(components: &[Component], mean: f64, step: f64, instants: usize) -> Self {
         let mut record = Self {
@@ -31,7 +31,7 @@ impl MotionRecord {
 
     fn add(&mut self, component: &Component, step: f64) {
         let w = component.omega;
-        let (turn_sin, turn_cos) = (w * step).sin_cos();
+        let (step_sin, step_cos) = (w * step).sin_cos();
         let (sin, cos) = component.phase.sin_cos();
         let (mut sin, mut cos) = (component.amplitude * sin, component.amplitude * cos);
         let rates = self.v.iter_mut().zip(&mut self.a);
@@ -40,8 +40,8 @@ impl MotionRecord {
             *v -= w * sin;
             *a -= w * w * cos;
             (sin, cos) = (
-                sin * turn_cos + cos * turn_sin,
-                cos * turn_cos - sin * turn_sin,
+                sin * step_cos + cos * step_sin,
+                cos * step_cos - sin * step_sin,
             );
         }
     }
@@ -52,7 +52,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn turning_on_is_the_cosine_with_its_rates() {
+    fn rotation_gives_the_cosine_and_its_derivatives() {
         let component = Component {
             omega: 1.3,
             amplitude: 0.7,

@@ -1,15 +1,15 @@
 //! A random motion with given root mean squares of displacement, velocity and acceleration.
 //!
-//! The three are the square roots of the spectral moments m0, m2 and m4. The plainest spectrum that has them is flat over a
-//! band of frequencies; where the moments are wider than a band of waves can be, as in a ship that also swings slowly at
-//! its mooring, a slow band beside the band of waves. Beyond its three moments the shape is a choice, not a finding.
+//! The three are the square roots of the spectral moments m0, m2 and m4. The simplest spectrum with these moments is constant
+//! over a band of frequencies; where the moments are wider than a band of waves can be, as for a ship with slow-drift motion at
+//! its mooring, a low-frequency band beside the wave-frequency band. The shape beyond the three moments is an assumption.
 
 use std::f64::consts::TAU;
 
 use crate::numerics::random::Random;
 use crate::physics::sea::{Component, Moments};
 
-/// Root mean squares of a motion with no mean.
+/// Root mean squares of a motion about its mean.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MotionRms {
     /// Of the displacement.
@@ -20,26 +20,26 @@ pub struct MotionRms {
     pub acceleration: f64,
 }
 
-/// A flat spectrum over a band.
+/// A spectrum that is constant over a band.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpectralBand {
     /// Variance of the displacement.
     pub variance: f64,
-    /// Middle of the band \[rad/s\].
+    /// Centre frequency \[rad/s\].
     pub middle: f64,
-    /// Half its width, as a share of the middle \[-\].
+    /// Half width relative to the centre frequency \[-\].
     pub half_width: f64,
 }
 
-/// Why no bands have these root mean squares.
+/// Why no bands have given root mean squares.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum SpectralBandError {
-    /// A moment that is nothing beside others that are something.
-    #[error("displacement, velocity and acceleration must all move, or none")]
-    Part,
-    /// No motion has them.
+    /// Some root mean squares are zero, others are not.
+    #[error("displacement, velocity and acceleration must be all zero or all positive")]
+    Mixed,
+    /// They violate the Cauchy-Schwarz inequality m2² <= m0 m4.
     #[error(
-        "no motion has them: the square of the velocity, {velocity2:.4e}, is more than displacement times acceleration, {product:.4e}"
+        "no motion has these root mean squares: the square of the velocity, {velocity2:.4e}, exceeds displacement times acceleration, {product:.4e}"
     )]
     Impossible {
         /// Mean square velocity.
@@ -47,36 +47,37 @@ pub enum SpectralBandError {
         /// Displacement times acceleration.
         product: f64,
     },
-    /// The slow band is too fast.
-    #[error("the slow period is too short for them; more than {shortest:.4} s is needed")]
+    /// The low-frequency band is too close to the wave-frequency band.
+    #[error(
+        "slow_period_s is too short for these root mean squares; more than {shortest:.4} s is needed"
+    )]
     Slow {
-        /// No shorter slow period has them \[s\].
+        /// Lower limit of the slow period \[s\].
         shortest: f64,
     },
 }
 
-/// The widest band that is taken for waves: half its width as a share of its middle.
-const WIDEST: f64 = 0.6;
+/// Half width of the widest wave-frequency band, relative to its centre.
+const MAX_HALF_WIDTH: f64 = 0.6;
 
-/// Half the width of bands beside each other, as a share of the middle.
-const USUAL: f64 = 0.3;
+/// Half width of each of two bands, relative to its centre.
+const HALF_WIDTH: f64 = 0.3;
 
-/// How far beyond what is possible rounding of printed numbers may lie.
+/// Violation of the inequality that rounding of published numbers explains.
 const ROUNDING: f64 = 0.01;
 
 impl SpectralBand {
     /// Variances of displacement, velocity and acceleration.
     #[must_use]
     pub fn moments(&self) -> [f64; 3] {
-        let (second, fourth) = shape(self.half_width);
+        let (second, fourth) = relative_moments(self.half_width);
         let w2 = self.middle * self.middle;
         [1.0, second * w2, fourth * w2 * w2].map(|m| m * self.variance)
     }
 
-    /// The band as regular components of equal energy and random phase, `count` at most, for a record of this duration
-    /// \[s\]: their frequencies are whole multiples of its own, one drawn from each part of the band, or all there are. So
-    /// the variance of that record, and of its rates, is the band's, not only that of an endless one; after the duration
-    /// it repeats.
+    /// At most `count` regular components of equal energy and random phase, for a record of this duration \[s\]. Their
+    /// frequencies are multiples of that of the record, one drawn from each part of the band, or all of them, so that the
+    /// variances of the record and of its derivatives are those of the band. The record is periodic.
     #[must_use]
     pub fn components(
         &self,
@@ -97,7 +98,7 @@ impl SpectralBand {
         each.collect()
     }
 
-    /// The multiples of a frequency that the components take.
+    /// Frequencies of the components as multiples of `line`.
     fn multiples(&self, count: usize, line: f64, random: &mut Random) -> Vec<f64> {
         let (low, high) = self.edges();
         let (first, last) = ((low / line).ceil().max(1.0), (high / line).floor());
@@ -116,7 +117,7 @@ impl SpectralBand {
         each.collect()
     }
 
-    /// From the lowest frequency to the highest \[rad/s\].
+    /// Lowest and highest frequency \[rad/s\].
     #[must_use]
     pub fn edges(&self) -> (f64, f64) {
         let half = self.middle * self.half_width;
@@ -124,25 +125,24 @@ impl SpectralBand {
     }
 }
 
-/// Second and fourth moment of a flat band about no frequency, in powers of its middle.
-fn shape(half_width: f64) -> (f64, f64) {
+/// Second and fourth spectral moment of a constant band of unit variance, in powers of its centre frequency.
+fn relative_moments(half_width: f64) -> (f64, f64) {
     let q = half_width * half_width;
     (1.0 + q / 3.0, 1.0 + 2.0 * q + q * q / 5.0)
 }
 
-/// The bands of a motion, none for one that does not move. `slow_period` \[s\] is that of the slow band, where one is
-/// needed.
+/// The bands of a motion, none where all root mean squares are zero. `slow_period` \[s\] is that of the low-frequency band,
+/// where one is needed.
 ///
 /// # Errors
 /// [`SpectralBandError`].
-pub fn bands(scatter: MotionRms, slow_period: f64) -> Result<Vec<SpectralBand>, SpectralBandError> {
-    let [m0, m2, m4] =
-        [scatter.displacement, scatter.velocity, scatter.acceleration].map(|s| s * s);
+pub fn fit_bands(rms: MotionRms, slow_period: f64) -> Result<Vec<SpectralBand>, SpectralBandError> {
+    let [m0, m2, m4] = [rms.displacement, rms.velocity, rms.acceleration].map(|s| s * s);
     if m0 + m2 + m4 <= 0.0 {
         return Ok(Vec::new());
     }
     if m0 <= 0.0 || m2 <= 0.0 || m4 <= 0.0 {
-        return Err(SpectralBandError::Part);
+        return Err(SpectralBandError::Mixed);
     }
     let spread = m0 * m4 / (m2 * m2);
     if spread < (1.0 - ROUNDING).powi(2) {
@@ -151,20 +151,20 @@ pub fn bands(scatter: MotionRms, slow_period: f64) -> Result<Vec<SpectralBand>, 
             product: (m0 * m4).sqrt(),
         });
     }
-    let (second, fourth) = shape(WIDEST);
+    let (second, fourth) = relative_moments(MAX_HALF_WIDTH);
     if spread <= fourth / (second * second) {
         return Ok(vec![one_band(m0, m2, spread)]);
     }
     two_bands(m0, m2, m4, TAU / slow_period)
 }
 
-/// One band as wide as the moments ask; one frequency where they are as narrow as can be.
+/// One band of the width that the moments require.
 fn one_band(m0: f64, m2: f64, spread: f64) -> SpectralBand {
     // (1 + 2q + q²/5) = spread (1 + q/3)², for the square q of the half width.
     let (a, b, c) = (0.2 - spread / 9.0, 2.0 - 2.0 * spread / 3.0, 1.0 - spread);
     let q = (-2.0 * c / (b + (b * b - 4.0 * a * c).max(0.0).sqrt())).max(0.0);
     let half_width = q.sqrt().max(1e-3);
-    let (second, _) = shape(half_width);
+    let (second, _) = relative_moments(half_width);
     SpectralBand {
         variance: m0,
         middle: (m2 / (m0 * second)).sqrt(),
@@ -172,9 +172,9 @@ fn one_band(m0: f64, m2: f64, spread: f64) -> SpectralBand {
     }
 }
 
-/// A slow band about a frequency, and a band of waves that takes what is left of the moments.
+/// A low-frequency band about `slow` \[rad/s\], and a wave-frequency band with the rest of the moments.
 fn two_bands(m0: f64, m2: f64, m4: f64, slow: f64) -> Result<Vec<SpectralBand>, SpectralBandError> {
-    let (second, fourth) = shape(USUAL);
+    let (second, fourth) = relative_moments(HALF_WIDTH);
     let s2 = slow * slow;
     let too_fast = SpectralBandError::Slow {
         shortest: TAU * (m0 * second / m2).sqrt(),
@@ -184,24 +184,24 @@ fn two_bands(m0: f64, m2: f64, m4: f64, slow: f64) -> Result<Vec<SpectralBand>, 
     if a <= 0.0 || b <= 0.0 {
         return Err(too_fast);
     }
-    // With V of the variance in waves of frequency w: a = V (w² - s²), b = V (w⁴ - s⁴).
+    // With variance V at wave frequency w: a = V (w² - s²), b = V (w⁴ - s⁴).
     let w2 = b / a - s2;
     let variance = a / (w2 - s2);
-    let apart = slow * (1.0 + USUAL) < w2.max(0.0).sqrt() * (1.0 - USUAL);
-    if !apart || variance > m0 {
+    let separate = slow * (1.0 + HALF_WIDTH) < w2.max(0.0).sqrt() * (1.0 - HALF_WIDTH);
+    if !separate || variance > m0 {
         return Err(too_fast);
     }
     let band = |variance: f64, middle: f64| SpectralBand {
         variance,
         middle,
-        half_width: USUAL,
+        half_width: HALF_WIDTH,
     };
     Ok(vec![band(m0 - variance, slow), band(variance, w2.sqrt())])
 }
 
-/// Motion of components: the root mean squares of an endless record.
+/// Root mean squares of components, over an infinite record.
 #[must_use]
-pub fn scatter(components: &[Component]) -> MotionRms {
+pub fn rms_of(components: &[Component]) -> MotionRms {
     let moments = Moments::of(components);
     let fourth = components
         .iter()
@@ -235,12 +235,12 @@ mod tests {
             (0.4093, 0.08904, 0.1153, 100.0),
             (1.0, 2.0, 4.0001, 100.0),
         ] {
-            let scatter = MotionRms {
+            let rms = MotionRms {
                 displacement: x,
                 velocity: v,
                 acceleration: a,
             };
-            let found = of(&bands(scatter, slow).unwrap());
+            let found = of(&fit_bands(rms, slow).unwrap());
             for (f, e) in found.iter().zip([x, v, a]) {
                 assert!((f / e - 1.0).abs() < 1e-6, "{found:?} {x} {v} {a}");
             }
@@ -248,9 +248,9 @@ mod tests {
     }
 
     #[test]
-    fn what_no_motion_has_is_refused() {
+    fn impossible_root_mean_squares_are_errors() {
         let with = |displacement, velocity, acceleration, slow| {
-            bands(
+            fit_bands(
                 MotionRms {
                     displacement,
                     velocity,
@@ -260,7 +260,7 @@ mod tests {
             )
         };
         assert_eq!(with(0.0, 0.0, 0.0, 9.0), Ok(Vec::new()));
-        assert_eq!(with(1.0, 0.0, 1.0, 9.0), Err(SpectralBandError::Part));
+        assert_eq!(with(1.0, 0.0, 1.0, 9.0), Err(SpectralBandError::Mixed));
         assert!(matches!(
             with(1.0, 2.0, 1.0, 9.0),
             Err(SpectralBandError::Impossible { .. })
@@ -282,18 +282,18 @@ mod tests {
             };
             for seed in 0..20 {
                 let components = band.components(count, 10_800.0, seed, 3);
-                let turns = |c: &Component| c.omega * 10_800.0 / TAU;
+                let cycles = |c: &Component| c.omega * 10_800.0 / TAU;
                 assert!(
                     components
                         .iter()
-                        .all(|c| (turns(c) - turns(c).round()).abs() < 1e-9)
+                        .all(|c| (cycles(c) - cycles(c).round()).abs() < 1e-9)
                 );
                 assert!(
                     components
                         .windows(2)
                         .all(|pair| pair[0].omega < pair[1].omega)
                 );
-                let made = scatter(&components);
+                let made = rms_of(&components);
                 let asked = band.moments().map(f64::sqrt);
                 let made = [made.displacement, made.velocity, made.acceleration];
                 for (m, a) in made.iter().zip(asked) {
@@ -305,11 +305,11 @@ mod tests {
 
     proptest! {
         #[test]
-        fn bands_have_the_moments_or_say_why_not(
+        fn fitted_bands_have_the_moments(
             x in 1e-3..10.0f64, v in 1e-3..10.0f64, a in 1e-3..10.0f64, slow in 1.0..500.0f64,
         ) {
-            let scatter = MotionRms { displacement: x, velocity: v, acceleration: a };
-            if let Ok(bands) = bands(scatter, slow) {
+            let rms = MotionRms { displacement: x, velocity: v, acceleration: a };
+            if let Ok(bands) = fit_bands(rms, slow) {
                 let found = of(&bands);
                 // Narrower than possible by rounding: the acceleration gives way.
                 for (f, e) in found.iter().zip([x, v, a]) {

@@ -1,4 +1,4 @@
-//! A ship from above, with every equilibrium heading beside it.
+//! Plan view of a ship, with a list of its equilibria.
 
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
@@ -39,7 +39,7 @@ impl Pane for Ship {
     fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
         let by = step(state, id)?;
         if let Content::Ship(ship) = &mut state.document.as_mut()?.content {
-            let count = ship.rest.equilibria.as_ref().map_or(0, Vec::len);
+            let count = ship.statics.equilibria.as_ref().map_or(0, Vec::len);
             ship.equilibrium = moved(ship.equilibrium, by, count);
         }
         Some(Vec::new())
@@ -52,7 +52,7 @@ impl Pane for Ship {
         };
         let [drawing, list] =
             Layout::horizontal([Constraint::Min(0), Constraint::Length(LIST)]).areas(area);
-        let mut chart = plan::chart(&ship.rest, ship.equilibrium);
+        let mut chart = plan::chart(&ship.statics, ship.equilibrium);
         // The list beside it names the ships; every line counts here.
         chart.title.clear();
         chart.legend = false;
@@ -65,7 +65,7 @@ impl Pane for Ship {
 fn headings(theme: Theme, ship: &ShipView) -> Vec<(String, Style)> {
     let mut lines: Vec<(String, Style)> = Vec::new();
     let plain = theme.plain();
-    match &ship.rest.equilibria {
+    match &ship.statics.equilibria {
         Ok(equilibria) => {
             for (i, equilibrium) in equilibria.iter().enumerate() {
                 lines.extend(equilibrium_lines(
@@ -76,15 +76,15 @@ fn headings(theme: Theme, ship: &ShipView) -> Vec<(String, Style)> {
                 ));
             }
         }
-        Err(why) => {
-            let words = wrap(&format!("No heading in balance: {why}."), LIST.into());
+        Err(error) => {
+            let words = wrap(&format!("No equilibrium heading: {error}."), LIST.into());
             lines.extend(words.into_iter().map(|line| (line, theme.error())));
         }
     }
     lines.push((String::new(), plain));
-    let count = ship.rest.equilibria.as_ref().map_or(0, Vec::len);
+    let count = ship.statics.equilibria.as_ref().map_or(0, Vec::len);
     let names = ["anchor"].into_iter().map(str::to_owned);
-    let flows = ship.rest.loads.each.iter().map(|load| {
+    let flows = ship.statics.loads.each.iter().map(|load| {
         let name = plan::name(load);
         format!(
             "{name} towards {} deg",
@@ -97,15 +97,15 @@ fn headings(theme: Theme, ship: &ShipView) -> Vec<(String, Style)> {
     lines
 }
 
-/// What is said of a heading: itself and how it stands, and of the one chosen, what holds the ship there.
+/// Lines on an equilibrium: heading and stability, and of the chosen one mooring and dynamics.
 fn equilibrium_lines(
     theme: Theme,
     i: usize,
     equilibrium: &Equilibrium,
     chosen: bool,
 ) -> Vec<(String, Style)> {
-    let balance = &equilibrium.yaw;
-    let style = match (balance.stability, equilibrium.dynamic_stability()) {
+    let yaw = &equilibrium.yaw;
+    let style = match (yaw.stability, equilibrium.dynamic_stability()) {
         (YawStability::Stable, None | Some(DynamicStability::Stable { .. })) => theme.good(),
         (
             YawStability::Stable,
@@ -119,8 +119,8 @@ fn equilibrium_lines(
             "{head}{} {} {} deg {}",
             i + 1,
             marker(i),
-            digits(balance.heading.to_degrees(), 5),
-            plan::word(equilibrium)
+            digits(yaw.heading.to_degrees(), 5),
+            plan::stability(equilibrium)
         ),
         style,
     )];
@@ -128,16 +128,16 @@ fn equilibrium_lines(
         return lines;
     }
     let mut say = |words: String| lines.push((format!("    {words}"), theme.plain()));
-    say(format!("at rest {}", balance.stability.label()));
-    say(format!("pull {}", si(balance.pull, "N")));
-    match &equilibrium.reach {
-        Some(Ok(reach)) => {
-            say(format!("bow {} from anchor", si(reach.distance, "m")));
-            if reach.anchor_uplift > 0.0 {
-                say(format!("LIFTS ANCHOR by {}", si(reach.anchor_uplift, "N")));
+    say(format!("statically {}", yaw.stability.label()));
+    say(format!("pull {}", si(yaw.pull, "N")));
+    match &equilibrium.line {
+        Some(Ok(line)) => {
+            say(format!("bow {} from anchor", si(line.distance, "m")));
+            if line.anchor_uplift > 0.0 {
+                say(format!("ANCHOR UPLIFT {}", si(line.anchor_uplift, "N")));
             }
         }
-        Some(Err(_)) => say("the line does not reach".to_owned()),
+        Some(Err(_)) => say("no mooring solution".to_owned()),
         None => say("no mooring line given".to_owned()),
     }
     match equilibrium.dynamic_stability().map(DynamicStability::times) {
@@ -147,11 +147,11 @@ fn equilibrium_lines(
                 equilibrium.dynamic_stability(),
                 Some(DynamicStability::Divergence { .. } | DynamicStability::Fishtailing { .. })
             );
-            let verb = if grows { "doubles" } else { "halves" };
-            say(format!("swings in {}", seconds(period)));
-            say(format!("{verb} in {}", seconds(time)));
+            let name = if grows { "doubling time" } else { "half-life" };
+            say(format!("period {}", seconds(period)));
+            say(format!("{name} {}", seconds(time)));
         }
-        None => say("small motions: give [hull]".to_owned()),
+        None => say("dynamic stability: give [hull]".to_owned()),
     }
     lines
 }

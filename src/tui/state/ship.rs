@@ -1,4 +1,4 @@
-//! A ship on the screen: at rest at once, and at sea from a thread of its own.
+//! A ship on the screen: its static analysis at once, its dynamic analysis from a thread of its own.
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -11,7 +11,7 @@ use crate::case::{Diagnostic, kind};
 use crate::numerics::V3;
 use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, Glyphs};
-use crate::report::ship::{charts, coupled, motion, rope, statics, text};
+use crate::report::ship::{coupled, motion, rope, statics, text};
 use crate::report::table::Table;
 use crate::ship::rope::RopeAnalysis;
 use crate::ship::{self, DynamicAnalysis, MotionAnalysis, ShipFile, StaticAnalysis, validation};
@@ -21,13 +21,13 @@ use crate::tui::pane::PaneId;
 /// A ship.
 #[derive(Debug, Clone)]
 pub struct ShipView {
-    /// The ship at rest.
-    pub rest: StaticAnalysis,
-    /// The ship at sea, of the newest text computed.
-    pub sea: Option<Arc<DynamicAnalysis>>,
-    /// What stops the thread that works the newest text out; nothing once it has answered.
-    pub working: Option<Arc<AtomicBool>>,
-    /// The heading shown in full, among all in balance.
+    /// Its static analysis.
+    pub statics: StaticAnalysis,
+    /// Its dynamic analysis, of the newest text that was analysed.
+    pub dynamic: Option<Arc<DynamicAnalysis>>,
+    /// Stops the dynamic analysis of the newest text; none once it is complete.
+    pub running: Option<Arc<AtomicBool>>,
+    /// Index of the equilibrium shown in full.
     pub equilibrium: usize,
     /// The motion that is drawn alone; none: all six.
     pub trace: Option<usize>,
@@ -36,52 +36,54 @@ pub struct ShipView {
 }
 
 impl ShipView {
-    /// A ship as read, at rest.
+    /// A ship as read, without a dynamic analysis yet.
     #[must_use]
-    pub fn new(rest: StaticAnalysis) -> Self {
+    pub fn new(statics: StaticAnalysis) -> Self {
         Self {
-            equilibrium: text::chosen(&rest),
-            rest,
-            sea: None,
-            working: None,
+            equilibrium: text::governing(&statics),
+            statics,
+            dynamic: None,
+            running: None,
             trace: None,
             checks: Vec::new(),
         }
     }
 
-    /// Something of the ship at sea, or why there is none yet.
-    fn at_sea<'a, T>(
+    /// A part of the dynamic analysis, or why there is none.
+    fn part<'a, T>(
         &'a self,
         of: impl Fn(&'a DynamicAnalysis) -> Option<T>,
         none: &str,
     ) -> Result<T, Table> {
-        let wait = || message_table("The ship at sea is still being computed.");
-        let sea = self.sea.as_ref().ok_or_else(wait)?;
-        of(sea).ok_or_else(|| message_table(none))
+        let wait = || message_table("The dynamic analysis is still running.");
+        let dynamic = self.dynamic.as_ref().ok_or_else(wait)?;
+        of(dynamic).ok_or_else(|| message_table(none))
     }
 
     fn motion(&self) -> Result<&MotionAnalysis, Table> {
-        let none = "The file gives the ship no motion; [motion] does.";
-        match self.at_sea(|sea| sea.motion.as_ref(), none)? {
+        let none = "No motion analysis: the file has no [motion].";
+        match self.part(|dynamic| dynamic.motion.as_ref(), none)? {
             Ok(motion) => Ok(motion),
-            Err(why) => Err(message_table(&format!("No such motion: {why}."))),
-        }
-    }
-
-    fn rope(&self) -> Result<&RopeAnalysis, Table> {
-        let none = "The file names no rope; [rope] does.";
-        match self.at_sea(|sea| sea.rope.as_ref(), none)? {
-            Ok(rope) => Ok(rope),
-            Err(why) => Err(message_table(&format!(
-                "The rope does not follow the ship: {why}."
+            Err(error) => Err(message_table(&format!(
+                "The motion analysis failed: {error}."
             ))),
         }
     }
 
-    /// Charts and table of the ship at sea, or why there are none.
-    fn sailing(&self, tab: usize) -> Result<(Option<Chart>, Table), Table> {
+    fn rope(&self) -> Result<&RopeAnalysis, Table> {
+        let none = "No rope analysis: the file has no [rope].";
+        match self.part(|dynamic| dynamic.rope.as_ref(), none)? {
+            Ok(rope) => Ok(rope),
+            Err(error) => Err(message_table(&format!(
+                "The rope analysis failed: {error}."
+            ))),
+        }
+    }
+
+    /// Chart and table of the dynamic analysis, or why there are none.
+    fn dynamic_tab(&self, tab: usize) -> Result<(Option<Chart>, Table), Table> {
         let seed = self
-            .rest
+            .statics
             .ship
             .motion
             .as_ref()
@@ -90,7 +92,7 @@ impl ShipView {
             1 => {
                 let analysis = self.motion()?;
                 let table = motion::statistics(analysis, seed);
-                (Some(charts::motions(analysis, self.trace)), table)
+                (Some(motion::motions(analysis, self.trace)), table)
             }
             2 => (None, motion::spectra(self.motion()?)),
             3 => {
@@ -99,20 +101,23 @@ impl ShipView {
             }
             4 => {
                 let rope = self.rope()?;
-                let none = || message_table("The rope made fast has no answer.");
+                let none = || message_table("The rope made fast has no solution.");
                 let table = rope::dynamic_table(rope).unwrap_or_else(none);
                 (rope::dynamic_chart(rope), table)
             }
             _ => {
-                let none =
-                    "The file does not ask for ship and anchor line in time; [coupled] does.";
-                match self.at_sea(|sea| sea.coupled.as_ref(), none)? {
+                let none = "No coupled analysis: the file has no [coupled].";
+                match self.part(|dynamic| dynamic.coupled.as_ref(), none)? {
                     Ok(coupled) if tab == 5 => (
                         Some(coupled::motions(coupled)),
                         coupled::statistics(coupled),
                     ),
                     Ok(coupled) => (Some(coupled::tension(coupled)), coupled::decay(coupled)),
-                    Err(why) => return Err(message_table(&format!("No answer: {why}."))),
+                    Err(error) => {
+                        return Err(message_table(&format!(
+                            "The coupled analysis failed: {error}."
+                        )));
+                    }
                 }
             }
         })
@@ -125,7 +130,7 @@ impl DocumentKind for ShipView {
     }
 
     fn title(&self) -> &str {
-        &self.rest.ship.particulars.title
+        &self.statics.ship.particulars.title
     }
 
     fn panes(&self) -> &'static [PaneId] {
@@ -139,28 +144,36 @@ impl DocumentKind for ShipView {
 
     fn tabs(&self) -> &'static [&'static str] {
         &[
-            "Headings", "Motion", "Spectra", "Rope", "Inertia", "Time", "Decay", "Swings", "Loads",
+            "Headings",
+            "Motion",
+            "Spectra",
+            "Rope",
+            "Inertia",
+            "Coupled",
+            "Decay",
+            "Stability",
+            "Loads",
             "Mooring",
         ]
     }
 
     fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
-        let rest = &self.rest;
+        let statics = &self.statics;
         let or = |table: Option<Table>, words: &str| table.unwrap_or_else(|| message_table(words));
         match tab {
-            0 => (Some(charts::moments(rest)), statics::headings(rest)),
-            1..=6 => self.sailing(tab).unwrap_or_else(|table| (None, table)),
+            0 => (Some(statics::moments(statics)), statics::headings(statics)),
+            1..=6 => self.dynamic_tab(tab).unwrap_or_else(|table| (None, table)),
             7 => {
-                let words = "Small motions need [hull], and a [mooring] that reaches.";
-                (None, or(statics::small_motions(rest), words))
+                let words = "Dynamic stability needs [hull], and [mooring] with a solution.";
+                (None, or(statics::eigenvalues(statics), words))
             }
             8 => (
                 None,
-                or(statics::loads(rest), "There is no stable heading."),
+                or(statics::loads(statics), "There is no stable equilibrium."),
             ),
             _ => {
-                let words = "There is no stable heading, or no [mooring] that reaches.";
-                (None, or(statics::mooring(rest), words))
+                let words = "There is no stable equilibrium, or no [mooring] with a solution.";
+                (None, or(statics::mooring(statics), words))
             }
         }
     }
@@ -178,18 +191,21 @@ impl DocumentKind for ShipView {
     }
 
     fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
-        let rest = ship::parse(&source.text, &source.file)?;
-        let count = |rest: &StaticAnalysis| rest.equilibria.as_ref().map_or(0, Vec::len);
-        if count(&rest) != count(&self.rest) {
-            self.equilibrium = text::chosen(&rest);
+        let statics = ship::parse(&source.text, &source.file)?;
+        let count = |statics: &StaticAnalysis| statics.equilibria.as_ref().map_or(0, Vec::len);
+        if count(&statics) != count(&self.statics) {
+            self.equilibrium = text::governing(&statics);
         }
-        self.rest = rest;
+        self.statics = statics;
         Ok(())
     }
 
     fn validate(&mut self, _: &ParameterEditor) {
-        let motion = self.sea.as_ref().and_then(|sea| sea.motion.as_ref());
-        self.checks = validation::rows(&self.rest.ship, motion);
+        let motion = self
+            .dynamic
+            .as_ref()
+            .and_then(|dynamic| dynamic.motion.as_ref());
+        self.checks = validation::rows(&self.statics.ship, motion);
     }
 
     fn checks(&self) -> &[ValidationRow] {
@@ -197,21 +213,26 @@ impl DocumentKind for ShipView {
     }
 
     fn stop(&mut self) {
-        if let Some(working) = self.working.take() {
-            working.store(true, Ordering::Relaxed);
+        if let Some(running) = self.running.take() {
+            running.store(true, Ordering::Relaxed);
         }
     }
 
     fn busy(&self) -> Option<&'static str> {
-        self.working.as_ref().map(|_| "at sea: working")
+        self.running.as_ref().map(|_| "dynamic analysis: running")
     }
 
     fn report(&self, words: &str, glyphs: Glyphs) -> Option<String> {
-        Some(text::text(&self.rest, self.sea.as_deref(), words, glyphs))
+        Some(text::text(
+            &self.statics,
+            self.dynamic.as_deref(),
+            words,
+            glyphs,
+        ))
     }
 
     fn line_input(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {
-        let arm = self.rest.ship.motion.as_ref().map(|m| m.hang_point_m);
+        let arm = self.statics.ship.motion.as_ref().map(|m| m.hang_point_m);
         let table = self.motion().ok().zip(arm).map(|(motion, arm)| {
             let mut table = String::from("time_s,x_m,y_m,z_m\n");
             for (i, at) in motion
@@ -219,16 +240,16 @@ impl DocumentKind for ShipView {
                 .iter()
                 .enumerate()
             {
-                let t = motion.motions.time(i);
+                let t = motion.motion.time(i);
                 // Writing to a text does not fail.
                 let _ = writeln!(table, "{t:?},{:?},{:?},{:?}", at.x, at.y, at.z);
             }
             table
         });
         (
-            PathBuf::from(format!("{stem}-hang-point.csv")),
+            PathBuf::from(format!("{stem}-hang-off-point.csv")),
             table,
-            "The motion of the hang point, a table for the moving end of a line case,",
+            "The motion of the hang-off point, a table for the moving end of a line case,",
         )
     }
 }

@@ -1,4 +1,4 @@
-//! A ship: which motion is drawn, and the thread that computes it at sea.
+//! A ship: which motion is drawn, and the thread of its dynamic analysis.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -22,35 +22,35 @@ pub fn next_motion(ship: &mut ShipView) {
     ship.trace = (next < DEGREES.len()).then_some(next);
 }
 
-/// Computes the ship of the text at sea; what is being computed is stopped.
+/// Starts the dynamic analysis of the current text, and stops the one that is running.
 pub(super) fn resolve(state: &mut AppState) -> Option<Effect> {
     let document = state.document.as_mut()?;
     let path = document.editor.path.clone();
     let ship = ship(document)?;
     ship.stop();
     let stop = Arc::new(AtomicBool::new(false));
-    ship.working = Some(Arc::clone(&stop));
+    ship.running = Some(Arc::clone(&stop));
     let folder = path.parent().map_or_else(PathBuf::new, PathBuf::from);
     Some(Effect::ComputeShip(
-        Box::new(ship.rest.clone()),
+        Box::new(ship.statics.clone()),
         folder,
         stop,
     ))
 }
 
-/// Takes over a ship at sea, unless the text has changed since.
+/// Takes a dynamic analysis over, unless the text has changed since.
 pub(super) fn computed(
     state: &mut AppState,
     by: &Arc<AtomicBool>,
-    sea: Option<Arc<DynamicAnalysis>>,
+    dynamic: Option<Arc<DynamicAnalysis>>,
 ) -> Option<()> {
     let document = state.document.as_mut()?;
     let ship = ship(document)?;
-    if !Arc::ptr_eq(ship.working.as_ref()?, by) {
+    if !Arc::ptr_eq(ship.running.as_ref()?, by) {
         return None;
     }
-    ship.working = None;
-    ship.sea = sea;
+    ship.running = None;
+    ship.dynamic = dynamic;
     document.content.kind_mut().validate(&document.editor);
     Some(())
 }

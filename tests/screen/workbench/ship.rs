@@ -44,7 +44,7 @@ impl Desk {
         });
         let (rest, stop) = asked.unwrap();
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/ship");
-        let sea = DynamicAnalysis::of(&rest, &folder, &stop).map(Arc::new);
+        let sea = DynamicAnalysis::new(&rest, &folder, &stop).map(Arc::new);
         self.tell(Msg::ShipComputed(stop, sea));
     }
 }
@@ -65,12 +65,12 @@ fn the_panes_of_a_ship() {
     let mut desk = Desk::with_ship(SMALL);
     assert_eq!(desk.state.focus(), PaneId::Ship);
     assert!(
-        desk.screen().contains("at sea: working"),
+        desk.screen().contains("dynamic analysis: running"),
         "{}",
         desk.screen()
     );
     desk.keys("3 ]");
-    assert!(desk.screen().contains("still being computed"));
+    assert!(desk.screen().contains("dynamic analysis is still running"));
     desk.sail();
     snapshot("tui_ship_motions_80x24", &desk);
     desk.keys("2");
@@ -113,15 +113,15 @@ fn headings_are_chosen_and_motions_drawn_one_by_one() {
 #[test]
 fn an_edit_is_live_at_rest_and_only_the_newest_text_is_taken_at_sea() {
     let mut desk = Desk::with_ship(SMALL);
-    let stale = ship(&desk).working.clone().unwrap();
-    let before = ship(&desk).rest.clone();
+    let stale = ship(&desk).running.clone().unwrap();
+    let before = ship(&desk).statics.clone();
     desk.keys("1 /");
     desk.type_text("current.speed");
     desk.keys("enter enter ctrl+u");
     desk.type_text("0.4");
     desk.keys("enter");
     assert!(open(&desk).editor.unsaved());
-    assert_ne!(ship(&desk).rest.equilibria, before.equilibria);
+    assert_ne!(ship(&desk).statics.equilibria, before.equilibria);
     // What was under way was told to stop, and its answer is dropped.
     assert!(stale.load(Ordering::Relaxed));
     let old = DynamicAnalysis {
@@ -130,9 +130,9 @@ fn an_edit_is_live_at_rest_and_only_the_newest_text_is_taken_at_sea() {
         rope: None,
     };
     desk.tell(Msg::ShipComputed(stale, Some(Arc::new(old))));
-    assert!(ship(&desk).sea.is_none() && ship(&desk).working.is_some());
+    assert!(ship(&desk).dynamic.is_none() && ship(&desk).running.is_some());
     desk.sail();
-    assert!(ship(&desk).sea.is_some() && ship(&desk).working.is_none());
+    assert!(ship(&desk).dynamic.is_some() && ship(&desk).running.is_none());
     desk.keys("u");
     assert!(!open(&desk).editor.unsaved());
     desk.keys("1 enter ctrl+u");
@@ -146,7 +146,7 @@ fn report_hang_point_and_validation_are_written_once_worked_out() {
     let mut desk = Desk::with_ship(SMALL);
     desk.keys("w");
     assert!(
-        said(&desk).contains("still being computed"),
+        said(&desk).contains("dynamic analysis is still running"),
         "{}",
         said(&desk)
     );
