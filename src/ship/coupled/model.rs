@@ -114,20 +114,22 @@ impl<'a> CoupledModel<'a> {
             arm.x - self.line.distance * cos,
             arm.y - self.line.distance * sin,
         );
-        let mut case = Case::new("anchor line", "");
+        let ends = Ends {
+            a: End::new("anchor", EndKind::Anchor, Some([x, y, -mooring.depth_m])),
+            b: End::fixed("ship", (arm + offset).into()),
+        };
+        let mut case = Case::new("anchor line", ends);
         case.environment.gravity_m_per_s2 = particulars.gravity_m_per_s2;
         case.environment.water_density_kg_per_m3 = particulars.water_density_kg_per_m3;
         // Nearly rigid, as the seabed of the catenary: the line penetrates it by a millimetre.
-        let stiffness = mooring.wet_weight_kg_per_m * particulars.gravity_m_per_s2
+        let stiffness_n_per_m3 = mooring.wet_weight_kg_per_m * particulars.gravity_m_per_s2
             / (self.settings.line_diameter_m * PENETRATION);
-        case.seabed = Some(Seabed::flat(mooring.depth_m, stiffness));
+        case.seabed = Some(Seabed {
+            stiffness_n_per_m3,
+            ..Seabed::level(mooring.depth_m)
+        });
         case.materials.insert(LINE.to_owned(), self.line_material());
         case.line = vec![Section::new(LINE, LINE, mooring.length_m, segments)];
-        let anchor = [x, y, -mooring.depth_m];
-        case.ends = Ends {
-            a: End::new("anchor", EndKind::Anchor, Some(anchor)),
-            b: End::fixed("ship", (arm + offset).into()),
-        };
         case
     }
 
@@ -138,7 +140,7 @@ impl<'a> CoupledModel<'a> {
             drag_normal: DragLaw::Constant(settings.drag_normal),
             drag_tangential: DragLaw::Constant(settings.drag_tangential),
             added_mass_normal: settings.added_mass_normal,
-            ..Material::elastic(
+            ..Material::new(
                 settings.line_diameter_m,
                 settings.line_mass_kg_per_m,
                 mooring.ea_n,
