@@ -21,7 +21,7 @@ pub(super) fn section(args: &SectionArgs) -> Result<ExitCode, CommandError> {
     let loaded = section::load(&args.file).map_err(CommandError::invalid_file(&args.file))?;
     let glyphs = output::glyphs(args.ascii);
     if let Some(file) = file {
-        let text = section::fragment(&loaded.worked);
+        let text = section::material_table(&loaded.worked);
         let text = if args.ascii {
             plain::ascii(&text).into_owned()
         } else {

@@ -7,39 +7,39 @@
 //! ```
 //!
 //! with the lay angle α to the axis (Costello counts it from the plane of the section). Every unit
-//! bends about its own axis: all slip freely. That is the least the bending stiffness can be, and
-//! what it comes to at large curvature. Sheaths go all around and cannot slip: they are added.
+//! bends about its own axis: full slip, the lower bound of the bending stiffness, reached at large
+//! curvature. Sheaths are closed tubes and cannot slip: their stiffness is added.
 //!
-//! The most it can be is with nothing slipping: plane sections then stay plane, a helical unit is
+//! The upper bound is full stick: plane sections stay plane, a helical unit is
 //! strained by κ R cos²α times the cosine of its place around the cable, and the layer adds
 //! ½ Σ E A R² cos³α.
 
 use super::layout::Layout;
 
-/// Bending stiffness of a section, by what it comes from \[N m²\].
+/// Bending stiffness of a section, by its parts \[N m²\].
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Bending {
     /// The helical layers.
     pub helices: f64,
-    /// The middle with its jacket.
+    /// The centre with its jacket.
     pub centre: f64,
     /// The sheaths.
     pub sheaths: f64,
-    /// What the helical layers would add if nothing slipped.
+    /// Increase by the helical layers at full stick.
     pub friction: f64,
 }
 
 impl Bending {
-    /// All together, units slipping freely: the least it can be \[N m²\].
+    /// Sum at full slip, the lower bound \[N m²\].
     #[must_use]
-    pub fn total(&self) -> f64 {
+    pub fn full_slip(&self) -> f64 {
         self.helices + self.centre + self.sheaths
     }
 
-    /// All together, nothing slipping: the most it can be \[N m²\].
+    /// Sum at full stick, the upper bound \[N m²\].
     #[must_use]
-    pub fn stuck(&self) -> f64 {
-        self.total() + self.friction
+    pub fn full_stick(&self) -> f64 {
+        self.full_slip() + self.friction
     }
 }
 

@@ -1,60 +1,60 @@
-//! A section with all that follows from it.
+//! The design of a section: geometry, weight, stiffness, strength.
 
 use super::bending::{Bending, bending};
-use super::lay::lay_out;
+use super::lay_out::lay_out;
 use super::layout::Layout;
-use super::misfit::Misfit;
 use super::model::{Core, Section};
-use super::stiffness::{Matrix, Twist, matrix};
+use super::stiffness::{EndRotation, StiffnessMatrix, matrix};
 use super::strength::{Strength, strength};
 use super::units::unused;
 use super::weight::{Weight, weight};
 use crate::case::Material;
+use crate::case::Misfit;
 
-/// A section with all that follows from it.
+/// The design of a section.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Design {
-    /// The words.
+    /// The keys of its file.
     pub section: Section,
-    /// Where everything lies.
+    /// Geometry.
     pub layout: Layout,
-    /// What it weighs.
+    /// Weight.
     pub weight: Weight,
-    /// Tension and torsion with a rigid middle.
-    pub rigid: Matrix,
-    /// Tension and torsion with a middle that keeps its volume.
-    pub incompressible: Matrix,
+    /// Tension and torsion with a rigid core.
+    pub rigid: StiffnessMatrix,
+    /// Tension and torsion with an incompressible core.
+    pub incompressible: StiffnessMatrix,
     /// Bending.
     pub bending: Bending,
-    /// What the sheaths would add to EA \[N\] and to GJ \[N m²\]; eqs. (16)-(17) leave them out.
+    /// Contributions of the sheaths to EA \[N\] and GJ \[N m²\], which eqs. (16)-(17) neglect.
     pub sheaths: (f64, f64),
-    /// The tension it stands; absent when no unit that carries has a known strength.
+    /// Strength; absent where no load-carrying unit has a known strength.
     pub strength: Option<Strength>,
 }
 
 impl Design {
-    /// The stiffness matrix for one kind of middle.
+    /// The stiffness matrix of one core model.
     #[must_use]
-    pub fn matrix(&self, core: Core) -> &Matrix {
+    pub fn matrix(&self, core: Core) -> &StiffnessMatrix {
         match core {
             Core::Rigid => &self.rigid,
             Core::Incompressible => &self.incompressible,
         }
     }
 
-    /// Axial stiffness handed to a line: ends kept from turning, the middle as the section says \[N\].
+    /// Axial stiffness of the line material: fixed ends, the core model of the file \[N\].
     #[must_use]
     pub fn ea(&self) -> f64 {
-        self.matrix(self.section.about.core).ea(Twist::Held)
+        self.matrix(self.section.about.core).ea(EndRotation::Fixed)
     }
 
-    /// The section as a material of a line case, its bending stiffness that of full slip. Its drag is left at nothing: it depends on the
-    /// flow, not on the make-up.
+    /// The section as a material of a line case, its bending stiffness that of full slip, without drag,
+    /// which depends on the flow.
     #[must_use]
     pub fn material(&self) -> Material {
         Material {
             wet_weight_kg_per_m: Some(self.weight.in_water),
-            ei_n_m2: self.bending.total(),
+            ei_n_m2: self.bending.full_slip(),
             break_load_n: self.strength.as_ref().map(|s| s.break_load),
             ..Material::new(
                 2.0 * self.layout.outer_radius,
@@ -65,11 +65,11 @@ impl Design {
     }
 }
 
-/// Works a section out. Fast enough to follow every keystroke.
+/// Computes the design of a section; fast enough for every keystroke.
 ///
 /// # Errors
 ///
-/// Everything that cannot be as the section says, each with its key, the reason and a remedy.
+/// Every violation of geometry, with its key, the reason and a remedy.
 pub fn design(section: &Section) -> Result<Design, Vec<Misfit>> {
     let mut layout = lay_out(section)?;
     layout.warnings.extend(unused(section));

@@ -1,4 +1,4 @@
-//! One unit or wire as the theories see it: how thick, how heavy, how stiff, how strong.
+//! One unit or wire: size, mass, stiffness, strength.
 
 use std::f64::consts::PI;
 
@@ -9,13 +9,13 @@ use super::model::{Armour, Rod, Tube, Unit, Whole};
 pub struct Element {
     /// Name of the unit, or of the layer for a wire.
     pub name: String,
-    /// What it is: "steel tube", "wire".
+    /// Kind: "tube", "wire".
     pub what: &'static str,
     /// Outer radius \[m\].
     pub radius: f64,
-    /// Radius of the bore of a tube; nought for others \[m\].
+    /// Radius of the bore of a tube; 0 for others \[m\].
     pub bore_radius: f64,
-    /// Mass per length of its own, contents included \[kg/m\].
+    /// Mass per length, contents included \[kg/m\].
     pub mass: f64,
     /// Axial stiffness \[N\].
     pub ea: f64,
@@ -25,9 +25,9 @@ pub struct Element {
     pub gj: f64,
     /// Poisson's ratio \[-\].
     pub poisson: f64,
-    /// Cross-section that carries, where it is known \[m²\].
+    /// Load-carrying cross-section, where it is known \[m²\].
     pub area: Option<f64>,
-    /// Axial force it stands, where it is known \[N\].
+    /// Axial strength, where it is known \[N\].
     pub strength: Option<f64>,
 }
 
@@ -139,7 +139,7 @@ impl Element {
     }
 }
 
-/// A breaking load is measured, a strength times area is not: the load goes before.
+/// The breaking load, which is measured, takes precedence over strength times area.
 fn strength(load: Option<f64>, stress: Option<f64>, area: f64) -> Option<f64> {
     load.or_else(|| stress.map(|stress| stress * area))
 }

@@ -1,33 +1,33 @@
-//! Where everything lies: a section as circles.
+//! Geometry of a section: circles and helices.
 
 use std::f64::consts::TAU;
 
 use super::element::{Element, disc, second_moment, shear_modulus};
-use super::misfit::Misfit;
 use super::model::{Centre, Sheath};
+use crate::case::Misfit;
 
 /// A section laid out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layout {
-    /// What runs in the middle.
-    pub centre: Option<Middle>,
+    /// The unit in the centre.
+    pub centre: Option<CentreCylinder>,
     /// The layers, from the inside out.
     pub shells: Vec<Shell>,
     /// Outer radius of the whole \[m\].
     pub outer_radius: f64,
-    /// What fits but should be looked at.
+    /// Warnings about the geometry.
     pub warnings: Vec<Misfit>,
 }
 
-/// The unit in the middle with its jacket.
+/// The unit in the centre with its jacket.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Middle {
+pub struct CentreCylinder {
     /// The unit.
     pub element: Element,
     /// Outer radius, over the jacket \[m\].
     pub radius: f64,
-    /// What the section says of it.
-    pub words: Centre,
+    /// Its keys in the file.
+    pub input: Centre,
 }
 
 /// Stiffness of a round tube of one material.
@@ -56,19 +56,19 @@ impl Solid {
     }
 }
 
-impl Middle {
+impl CentreCylinder {
     /// The jacket.
     #[must_use]
     pub fn jacket(&self) -> Solid {
-        let words = &self.words;
-        let (youngs, poisson) = (words.jacket_youngs_modulus_pa, words.jacket_poisson_ratio);
+        let input = &self.input;
+        let (youngs, poisson) = (input.jacket_youngs_modulus_pa, input.jacket_poisson_ratio);
         Solid::of(self.element.radius, self.radius, youngs, poisson)
     }
 
     /// Mass per length \[kg/m\].
     #[must_use]
     pub fn mass(&self) -> f64 {
-        self.element.mass + self.jacket().area * self.words.jacket_density_kg_per_m3
+        self.element.mass + self.jacket().area * self.input.jacket_density_kg_per_m3
     }
 }
 
@@ -76,14 +76,14 @@ impl SheathTube {
     /// Its stiffness.
     #[must_use]
     pub fn solid(&self) -> Solid {
-        let (youngs, poisson) = (self.words.youngs_modulus_pa, self.words.poisson_ratio);
+        let (youngs, poisson) = (self.input.youngs_modulus_pa, self.input.poisson_ratio);
         Solid::of(self.inner_radius, self.outer_radius, youngs, poisson)
     }
 
     /// Mass per length \[kg/m\].
     #[must_use]
     pub fn mass(&self) -> f64 {
-        self.solid().area * self.words.density_kg_per_m3
+        self.solid().area * self.input.density_kg_per_m3
     }
 }
 
@@ -105,26 +105,26 @@ pub struct Helix {
     pub armour: bool,
     /// The units, in order around the layer.
     pub elements: Vec<Element>,
-    /// The angle at which each of them lies in the section \[rad\].
+    /// Angular position of each of them in the section \[rad\].
     pub places: Vec<f64>,
     /// Lay angle to the axis, positive for a right-handed helix \[rad\].
     pub angle: f64,
     /// Radius of the helix \[m\].
     pub pitch_radius: f64,
-    /// The smallest that would hold the units \[m\].
+    /// Smallest radius on which the units fit \[m\].
     pub smallest_radius: f64,
-    /// Radius of what lies inside \[m\].
+    /// Outer radius of the layers inside \[m\].
     pub inner_radius: f64,
     /// Radius over the layer \[m\].
     pub outer_radius: f64,
-    /// Share of the full turn that the units take \[-\].
+    /// LoadShare of the full turn that the units take \[-\].
     pub coverage: f64,
-    /// Share of the gaps that filler ropes take, and their density \[kg/m³\].
+    /// LoadShare of the gaps that filler ropes take, and their density \[kg/m³\].
     pub filler: (f64, f64),
 }
 
 impl Helix {
-    /// Length of the cable in which a unit goes round once \[m\].
+    /// Lay length: length of cable in which a unit makes one turn \[m\].
     #[must_use]
     pub fn lay_length(&self) -> f64 {
         TAU * self.pitch_radius / self.angle.abs().tan()
@@ -138,7 +138,7 @@ impl Helix {
         units / self.angle.cos() + self.gaps() * fraction * density
     }
 
-    /// The gaps between the units and what lies inside and around \[m²\].
+    /// Area of the gaps between the units and the layers inside and outside \[m²\].
     #[must_use]
     pub fn gaps(&self) -> f64 {
         let filled = self.elements.iter().map(|unit| disc(unit.radius));
@@ -150,8 +150,8 @@ impl Helix {
 /// A sheath laid out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SheathTube {
-    /// What the section says of it.
-    pub words: Sheath,
+    /// Its keys in the file.
+    pub input: Sheath,
     /// Inner radius \[m\].
     pub inner_radius: f64,
     /// Outer radius \[m\].

@@ -1,21 +1,21 @@
-//! The cross-section designer: from units, layers, armour and sheaths to the stiffness and weight of
-//! a cable, for a line case to use.
+//! The cross-section designer: stiffness, weight and strength of a cable from its units, layers, armour and sheaths, as a
+//! material of a line case.
 //!
-//! [`model`] holds the words of a section file, [`fields`] its keys with unit, range, default and
-//! help, [`parse`] and [`load`] check it. [`design`](design()) lays the section out
-//! ([`layout`], by the [`packing`] of helices) and works out [`stiffness`], [`bending`],
-//! [`weight`] and [`strength`]. [`material`] and [`fragment`](fragment()) hand it to a line case. [`edit`] lists its keys for an editor
-//! and sets them.
+//! [`model`] holds the keys of a section file as data, [`fields`] declares them, [`parse`] and [`load`] read and check a
+//! file. [`design`](design()) lays out the geometry ([`layout`], by the [`packing`] of helices) and computes
+//! [`stiffness`], [`bending`], [`weight`] and [`strength`]. [`material`] and [`material_table`](material_table()) give
+//! the material. [`edit`] lists and sets single keys.
 
 pub mod bending;
 mod design;
 pub mod edit;
 mod element;
 pub mod fields;
-mod fragment;
-mod lay;
+mod format;
+mod lay_out;
+mod layer_checks;
 pub mod layout;
-mod misfit;
+mod material_table;
 pub mod model;
 pub mod packing;
 mod read;
@@ -26,10 +26,10 @@ pub mod weight;
 
 pub use design::{Design, design, material};
 pub use element::Element;
-pub use fragment::{FRAGMENT_HEAD, fragment};
-pub use lay::{LAY_ANGLES, MOST_ARMOUR, MOST_UNITS, lay_out};
-pub use layout::{Helix, Layout, Middle, SheathTube, Shell};
-pub use misfit::Misfit;
+pub use lay_out::{MOST_UNITS, lay_out};
+pub use layer_checks::{LAY_ANGLES, MOST_ARMOUR};
+pub use layout::{CentreCylinder, Helix, Layout, SheathTube, Shell};
+pub use material_table::material_table;
 pub use model::Section;
 pub(crate) use read::SectionFile;
 pub(crate) use read::is_section;

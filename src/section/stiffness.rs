@@ -10,75 +10,74 @@
 //!
 //! with the strain ε of the cable, its twist per length τ, the lay angle α to the axis (positive
 //! for right-handed layers), the pitch radius R, and the radius R_c of the central cylinder. A
-//! rigid middle has Θ = 0; one that keeps its volume, Θ = 1, shrinks by ε R_c/2 under strain, and
+//! rigid core has Θ = 0; an incompressible one, Θ = 1, contracts by ε R_c/2 under strain, and
 //! all layers follow it inwards. Sheaths carry nothing here.
 //!
-//! With Θ = 0 the matrix is symmetric, as Maxwell's theorem asks. With Θ = 1 it is not: the wires'
-//! tension is counted, the pressure they put on the middle is not. Wires of force t squeeze it with
-//! p A_c = Σ t (R_c/2R) sin²α/cos α; [`ea_with_pressure`] takes that off, and is what virtual work
-//! gives.
+//! With Θ = 0 the matrix is symmetric, as Maxwell's reciprocity requires. With Θ = 1 it is not: the equations count the
+//! tension of the wires but not their pressure on the core, p A_c = Σ t (R_c/2R) sin²α/cos α for wires of force t;
+//! [`ea_with_core_pressure`] subtracts it, which agrees with virtual work.
 
 use super::layout::Layout;
 use super::model::Core;
 
 /// Tension F and torque M from strain ε and twist per length τ.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Matrix {
-    /// F from ε \[N\]: the axial stiffness EA when the ends cannot turn.
+pub struct StiffnessMatrix {
+    /// F from ε \[N\]: the axial stiffness EA with fixed ends.
     pub tension_strain: f64,
     /// F from τ \[N m\].
     pub tension_twist: f64,
     /// M from ε \[N m\].
     pub torque_strain: f64,
-    /// M from τ \[N m²\]: the torsional stiffness GJ when the length is held.
+    /// M from τ \[N m²\]: the torsional stiffness GJ at fixed length.
     pub torque_twist: f64,
 }
 
-/// Whether the ends are kept from turning.
+/// Whether the ends of the cable may rotate about its axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Twist {
-    /// They are: τ = 0.
-    Held,
-    /// They are not: M = 0.
+pub enum EndRotation {
+    /// No rotation: τ = 0.
+    Fixed,
+    /// Free rotation: M = 0.
     Free,
 }
 
-impl Matrix {
+impl StiffnessMatrix {
     /// Axial stiffness \[N\].
     #[must_use]
-    pub fn ea(&self, twist: Twist) -> f64 {
+    pub fn ea(&self, twist: EndRotation) -> f64 {
         match twist {
-            Twist::Held => self.tension_strain,
-            Twist::Free => self.tension_strain + self.tension_twist * self.turn(),
+            EndRotation::Fixed => self.tension_strain,
+            EndRotation::Free => self.tension_strain + self.tension_twist * self.twist_per_strain(),
         }
     }
 
-    /// Torsional stiffness at held length \[N m²\].
+    /// Torsional stiffness at fixed length \[N m²\].
     #[must_use]
-    pub fn gj_held_length(&self) -> f64 {
+    pub fn gj_fixed_length(&self) -> f64 {
         self.torque_twist
     }
 
-    /// Torsional stiffness without tension, the length free \[N m²\].
+    /// Torsional stiffness without tension, at free length \[N m²\].
     #[must_use]
     pub fn gj_free_length(&self) -> f64 {
         self.torque_twist - self.torque_strain * ratio(self.tension_twist, self.tension_strain)
     }
 
-    /// Strain and twist per length \[rad/m\] under a tension \[N\]; nothing when nothing carries.
+    /// Strain and twist per length \[rad/m\] under a tension \[N\]; `None` without axial stiffness.
     #[must_use]
-    pub fn stretched(&self, tension: f64, twist: Twist) -> Option<(f64, f64)> {
+    pub fn strain_and_twist(&self, tension: f64, twist: EndRotation) -> Option<(f64, f64)> {
         let ea = self.ea(twist);
         let strain = tension / ea;
-        let turn = match twist {
-            Twist::Held => 0.0,
-            Twist::Free => self.turn(),
+        let twist_per_strain = match twist {
+            EndRotation::Fixed => 0.0,
+            EndRotation::Free => self.twist_per_strain(),
         };
-        (ea > 0.0 && strain.is_finite()).then_some((strain, strain * turn))
+        (ea > 0.0 && strain.is_finite()).then_some((strain, strain * twist_per_strain))
     }
 
-    /// Twist per length by strain when there is no torque \[rad/m\].
-    fn turn(&self) -> f64 {
+    /// EndRotation per length by strain when there is no torque \[rad/m\].
+    fn twist_per_strain(&self) -> f64 {
         -ratio(self.torque_strain, self.torque_twist)
     }
 }
@@ -87,17 +86,17 @@ fn ratio(of: f64, by: f64) -> f64 {
     if by > 0.0 { of / by } else { 0.0 }
 }
 
-/// How much a unit of a layer is strained, for a cable strained by 1: cos²α − Θ (R_c/2R) sin²α \[-\].
+/// Strain of a unit of a layer by strain of the cable: cos²α − Θ (R_c/2R) sin²α \[-\].
 pub(super) fn unit_strain(layout: &Layout, pitch_radius: f64, angle: f64, core: Core) -> f64 {
-    let squeezed = layout.centre.as_ref().map_or(0.0, |centre| centre.radius);
-    let shrink = core.theta() * squeezed / (2.0 * pitch_radius);
-    angle.cos().powi(2) - shrink * angle.sin().powi(2)
+    let core_radius = layout.centre.as_ref().map_or(0.0, |centre| centre.radius);
+    let contraction = core.theta() * core_radius / (2.0 * pitch_radius);
+    angle.cos().powi(2) - contraction * angle.sin().powi(2)
 }
 
 /// The stiffness matrix of a section.
 #[must_use]
-pub fn matrix(layout: &Layout, core: Core) -> Matrix {
-    let mut sum = Matrix::default();
+pub fn matrix(layout: &Layout, core: Core) -> StiffnessMatrix {
+    let mut sum = StiffnessMatrix::default();
     if let Some(centre) = &layout.centre {
         let jacket = centre.jacket();
         sum.tension_strain += centre.element.ea + jacket.ea;
@@ -116,10 +115,10 @@ pub fn matrix(layout: &Layout, core: Core) -> Matrix {
     sum
 }
 
-/// Axial stiffness with ends held and an incompressible middle whose pressure is counted, which
-/// eq. (16) does not do: Σ E A (cos²α − (R_c/2R) sin²α)²/cos α + E_c A_c \[N\].
+/// Axial stiffness with fixed ends and an incompressible core, including the core pressure that eq. (16)
+/// neglects: Σ E A (cos²α − (R_c/2R) sin²α)²/cos α + E_c A_c \[N\].
 #[must_use]
-pub fn ea_with_pressure(layout: &Layout) -> f64 {
+pub fn ea_with_core_pressure(layout: &Layout) -> f64 {
     let centre = layout.centre.as_ref();
     let centre = centre.map_or(0.0, |centre| centre.element.ea + centre.jacket().ea);
     let helices = layout.helices().map(|helix| {

@@ -1,20 +1,20 @@
-//! Who carries a tension, and how much tension that lets the cable have.
+//! Load sharing between the units under tension, and the strength of the cable.
 
 use super::element::Element;
 use super::layout::Layout;
 use super::model::Core;
-use super::stiffness::{Twist, matrix, unit_strain};
+use super::stiffness::{EndRotation, matrix, unit_strain};
 
-/// What one kind of unit of one layer carries.
+/// Load carried by one kind of unit of one layer.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Share {
-    /// The layer; the middle is called "centre".
+pub struct LoadShare {
+    /// The layer; "centre" for the centre.
     pub layer: String,
     /// The unit.
     pub unit: String,
-    /// How many there are.
+    /// Number of units.
     pub count: usize,
-    /// Share of the cable's tension that all of them carry along the cable's axis \[-\].
+    /// LoadShare of the cable's tension that all of them carry along the cable's axis \[-\].
     pub share: f64,
     /// Strain of the unit along its own axis \[-\].
     pub strain: f64,
@@ -22,17 +22,22 @@ pub struct Share {
     pub force: f64,
     /// Stress in it, where its area is known \[Pa\].
     pub stress: Option<f64>,
-    /// Force by what it stands, where that is known \[-\].
+    /// Force relative to its strength, where that is known \[-\].
     pub utilisation: Option<f64>,
 }
 
-/// What each kind of unit carries under a tension \[N\]; empty when nothing carries.
+/// Load of each kind of unit under a tension \[N\]; empty without axial stiffness.
 ///
-/// From the strains that eqs. (16)-(17) of Lin et al. 2016 rest on; see [`super::stiffness`].
+/// From the strains behind eqs. (16)-(17) of Lin et al. 2016; see [`super::stiffness`].
 #[must_use]
-pub fn shares(layout: &Layout, core: Core, twist: Twist, tension: f64) -> Vec<Share> {
+pub fn load_shares(
+    layout: &Layout,
+    core: Core,
+    twist: EndRotation,
+    tension: f64,
+) -> Vec<LoadShare> {
     let stiffness = matrix(layout, core);
-    let Some((strain, turn)) = stiffness.stretched(tension, twist) else {
+    let Some((strain, turn)) = stiffness.strain_and_twist(tension, twist) else {
         return Vec::new();
     };
     let along = |force: f64| {
@@ -55,7 +60,10 @@ pub fn shares(layout: &Layout, core: Core, twist: Twist, tension: f64) -> Vec<Sh
         let first = list.len();
         for unit in &helix.elements {
             let all = list.get_mut(first..).unwrap_or_default();
-            if let Some(same) = all.iter_mut().find(|s: &&mut Share| s.unit == unit.name) {
+            if let Some(same) = all
+                .iter_mut()
+                .find(|s: &&mut LoadShare| s.unit == unit.name)
+            {
                 same.count += 1;
             } else {
                 list.push(share(&helix.name, unit, own));
@@ -68,9 +76,9 @@ pub fn shares(layout: &Layout, core: Core, twist: Twist, tension: f64) -> Vec<Sh
     list
 }
 
-fn share(layer: &str, unit: &Element, strain: f64) -> Share {
+fn share(layer: &str, unit: &Element, strain: f64) -> LoadShare {
     let force = unit.ea * strain;
-    Share {
+    LoadShare {
         layer: layer.to_owned(),
         unit: unit.name.clone(),
         count: 1,
@@ -85,27 +93,27 @@ fn share(layer: &str, unit: &Element, strain: f64) -> Share {
     }
 }
 
-/// The tension that a cable stands.
+/// Strength of a cable.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Strength {
     /// Tension at which the first unit reaches its strength \[N\].
     pub break_load: f64,
     /// That times the usage factor \[N\].
     pub allowable: f64,
-    /// The layer and the unit that reach it first.
+    /// The layer and the unit that reach their strength first.
     pub weakest: (String, String),
-    /// How the middle behaves then, and whether the ends are held.
-    pub when: (Core, Twist),
+    /// The core model and end rotation at which they do.
+    pub governing: (Core, EndRotation),
 }
 
-/// The tension at which the first unit reaches its strength, over both kinds of middle and ends
-/// held or free, whichever is least; nothing when no unit that carries has a known strength.
+/// The least tension at which a unit reaches its strength, over both core models and both end rotations; `None` where no
+/// load-carrying unit has a known strength.
 #[must_use]
 pub fn strength(layout: &Layout, usage_factor: f64) -> Option<Strength> {
     let mut weakest: Option<Strength> = None;
     for core in Core::BOTH {
-        for twist in [Twist::Held, Twist::Free] {
-            for share in shares(layout, core, twist, 1.0) {
+        for twist in [EndRotation::Fixed, EndRotation::Free] {
+            for share in load_shares(layout, core, twist, 1.0) {
                 let Some(used) = share.utilisation.filter(|used| *used > 0.0) else {
                     continue;
                 };
@@ -115,7 +123,7 @@ pub fn strength(layout: &Layout, usage_factor: f64) -> Option<Strength> {
                         break_load: load,
                         allowable: load * usage_factor,
                         weakest: (share.layer, share.unit),
-                        when: (core, twist),
+                        governing: (core, twist),
                     });
                 }
             }

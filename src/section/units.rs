@@ -1,7 +1,8 @@
-//! The units of a section: that they can be made, and that those named are there.
+//! Checks of the units of a section: possible sizes, known names.
 
-use super::misfit::{Misfit, at_most, mm};
+use super::format::{at_most, mm};
 use super::model::{Layer, Section, Tube, Unit};
+use crate::case::Misfit;
 use crate::case::fields::either;
 use crate::case::nearest;
 
@@ -10,7 +11,7 @@ pub(super) fn unit_named<'a>(section: &'a Section, name: &str) -> Option<&'a Uni
     section.units.get(name)
 }
 
-/// Units that cannot be made, and names that no unit has.
+/// Violations: impossible units, unknown names.
 pub(super) fn known_units(section: &Section) -> Vec<Misfit> {
     let mut wrong: Vec<Misfit> = Vec::new();
     for (name, unit) in &section.units {
@@ -23,10 +24,10 @@ pub(super) fn known_units(section: &Section) -> Vec<Misfit> {
     }
     for layer in &section.layers {
         let Layer::Units(layer) = layer else { continue };
-        let mut told: Vec<&str> = Vec::new();
+        let mut reported: Vec<&str> = Vec::new();
         for name in &layer.units {
-            if !told.contains(&name.as_str()) {
-                told.push(name);
+            if !reported.contains(&name.as_str()) {
+                reported.push(name);
                 wrong.extend(unknown(section, name, &["layer", &layer.name, "units"]));
             }
         }
@@ -51,7 +52,7 @@ fn unknown(section: &Section, name: &str, path: &[&str]) -> Option<Misfit> {
     Some(Misfit::new(path, problem, remedy))
 }
 
-/// A tube has a bore, and fits into its jacket.
+/// A tube without a bore, or larger than its jacket.
 fn possible(name: &str, tube: &Tube) -> Option<Misfit> {
     let outer = tube.tube_diameter_m.unwrap_or(tube.diameter_m);
     if outer > tube.diameter_m {

@@ -1,21 +1,21 @@
-//! What a metre of cable weighs, in air and in water.
+//! Mass and weight of the cable per length, in air and in water.
 
 use super::element::disc;
 use super::layout::{Layout, Shell};
 use super::model::{About, Voids};
 
-/// Weight of a metre of cable.
+/// Mass and weight per length.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Weight {
-    /// Mass in air, the gaps empty \[kg/m\].
+    /// Mass in air with empty gaps \[kg/m\].
     pub in_air: f64,
-    /// Mass that moves with the cable in water: water in flooded gaps counts \[kg/m\].
+    /// Mass in water, including water in flooded gaps \[kg/m\].
     pub moving: f64,
     /// Weight in water as mass \[kg/m\].
     pub in_water: f64,
     /// Weight in water as force \[N/m\].
     pub in_water_force: f64,
-    /// Gaps that nothing fills \[m²\].
+    /// Area of the gaps without filler \[m²\].
     pub voids: f64,
 }
 
@@ -26,7 +26,10 @@ pub fn weight(layout: &Layout, about: &About) -> Weight {
         Shell::Helix(helix) => helix.mass(),
         Shell::Tube(tube) => tube.mass(),
     });
-    let centre = layout.centre.as_ref().map_or(0.0, super::Middle::mass);
+    let centre = layout
+        .centre
+        .as_ref()
+        .map_or(0.0, super::CentreCylinder::mass);
     let in_air = centre + shells.sum::<f64>();
     let voids = layout
         .helices()
@@ -34,7 +37,7 @@ pub fn weight(layout: &Layout, about: &About) -> Weight {
         .sum::<f64>();
     let water = about.water_density_kg_per_m3;
     let outside = disc(layout.outer_radius);
-    // Water in the gaps floats in water: it neither weighs nor lifts.
+    // Water in the gaps is neutrally buoyant.
     let (moving, displaced) = match about.voids {
         Voids::Dry => (in_air, outside),
         Voids::Flooded => (in_air + voids * water, outside - voids),

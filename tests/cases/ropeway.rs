@@ -269,8 +269,8 @@ fn the_command_line_reports_validates_and_points_the_way() {
     let words = String::from_utf8(report.stdout).unwrap();
     assert!(report.status.success() && words.is_ascii());
     for part in [
-        "30.0 % of the way",
-        "paper's model",
+        "30.0 % of the span",
+        "inextensible",
         "Hauling",
         "winch",
         "eq. 12",

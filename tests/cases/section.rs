@@ -13,9 +13,9 @@ use seacable::case::{self, Diagnostic};
 use seacable::report::chart::Glyphs;
 use seacable::report::section::{drawing, report};
 use seacable::section::model::{Core, Layer, Sense};
-use seacable::section::stiffness::{Twist, ea_with_pressure, matrix};
-use seacable::section::strength::shares;
-use seacable::section::{self, Design, Section, fragment};
+use seacable::section::stiffness::{EndRotation, ea_with_core_pressure, matrix};
+use seacable::section::strength::load_shares;
+use seacable::section::{self, Design, Section, material_table};
 
 fn shipped(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/umbilical");
@@ -79,8 +79,13 @@ fn the_umbilical_has_the_size_and_weight_worked_out_for_it() {
 fn the_umbilical_has_the_stiffness_worked_out_for_it() {
     let design = umbilical();
     let (rigid, soft) = (design.rigid, design.incompressible);
-    near(rigid.ea(Twist::Held), 3.023e8, 2e-4, "EA, rigid");
-    near(soft.ea(Twist::Held), 2.956e8, 2e-4, "EA, incompressible");
+    near(rigid.ea(EndRotation::Fixed), 3.023e8, 2e-4, "EA, rigid");
+    near(
+        soft.ea(EndRotation::Fixed),
+        2.956e8,
+        2e-4,
+        "EA, incompressible",
+    );
     near(rigid.tension_twist, -6.79e4, 2e-3, "coupling");
     near(
         design.bending.helices + design.bending.centre,
@@ -89,10 +94,10 @@ fn the_umbilical_has_the_stiffness_worked_out_for_it() {
         "EI of metal",
     );
     near(design.bending.sheaths, 1.38e3, 3e-3, "EI of polymer");
-    near(design.bending.total(), 2.86e3, 2e-3, "EI");
+    near(design.bending.full_slip(), 2.86e3, 2e-3, "EI");
     // Theirs leaves out the middle tube, which eq. (17) counts.
     let middle = design.layout.centre.as_ref().unwrap().element.gj;
-    near(rigid.gj_held_length() - middle, 4.47e4, 1e-3, "GJ");
+    near(rigid.gj_fixed_length() - middle, 4.47e4, 1e-3, "GJ");
     near(
         design.ea(),
         rigid.tension_strain,
@@ -128,14 +133,14 @@ fn a_single_straight_tube_is_a_beam() {
     let area = PI * (0.1f64.powi(2) - 0.08f64.powi(2));
     let inertia = PI / 4.0 * (0.1f64.powi(4) - 0.08f64.powi(4));
     for core in Core::BOTH {
-        for twist in [Twist::Held, Twist::Free] {
+        for twist in [EndRotation::Fixed, EndRotation::Free] {
             near(design.matrix(core).ea(twist), 2.07e11 * area, 1e-14, "EA");
         }
     }
-    near(design.bending.total(), 2.07e11 * inertia, 1e-14, "EI");
-    near(design.bending.stuck(), 2.07e11 * inertia, 1e-14, "EI");
+    near(design.bending.full_slip(), 2.07e11 * inertia, 1e-14, "EI");
+    near(design.bending.full_stick(), 2.07e11 * inertia, 1e-14, "EI");
     let gj = 2.07e11 / 2.6 * 2.0 * inertia;
-    near(design.rigid.gj_held_length(), gj, 1e-14, "GJ, held");
+    near(design.rigid.gj_fixed_length(), gj, 1e-14, "GJ, held");
     near(design.rigid.gj_free_length(), gj, 1e-14, "GJ, free");
     let mass = 7850.0 * area + 900.0 * PI * 0.08f64.powi(2);
     near(design.weight.in_air, mass, 1e-14, "mass");
@@ -167,7 +172,7 @@ fn at_small_lay_angles_stiffness_adds_up() {
     let ea: f64 = each().map(|unit| unit.ea).sum();
     let ei: f64 = each().map(|unit| unit.ei).sum();
     for core in Core::BOTH {
-        near(design.matrix(core).ea(Twist::Held), ea, 2e-4, "EA");
+        near(design.matrix(core).ea(EndRotation::Fixed), ea, 2e-4, "EA");
     }
     near(
         design.bending.helices + design.bending.centre,
@@ -218,7 +223,7 @@ fn mirrored_lays_mirror_the_coupling_and_opposite_ones_cancel() {
         assert!(right.tension_twist > 0.0 && right.torque_strain > 0.0);
         assert_eq!(right.tension_twist, -left.tension_twist);
         assert_eq!(right.torque_strain, -left.torque_strain);
-        assert_eq!(right.ea(Twist::Free), left.ea(Twist::Free));
+        assert_eq!(right.ea(EndRotation::Free), left.ea(EndRotation::Free));
         assert_eq!(right.gj_free_length(), left.gj_free_length());
     }
     // Two layers of opposite lay whose EA R sin α cos²α agree leave no torque.
@@ -234,7 +239,7 @@ fn mirrored_lays_mirror_the_coupling_and_opposite_ones_cancel() {
         coupling.abs() < 1e-12 * first.rigid.torque_twist,
         "{coupling}"
     );
-    let (held, free) = (Twist::Held, Twist::Free);
+    let (held, free) = (EndRotation::Fixed, EndRotation::Free);
     near(
         balanced.rigid.ea(free),
         balanced.rigid.ea(held),
@@ -249,8 +254,8 @@ fn with_a_rigid_core_the_coupling_is_symmetric() {
         let rigid = load(name).rigid;
         near(rigid.tension_twist, rigid.torque_strain, 1e-12, "Maxwell");
         // A free end lets the cable be softer, and what is stored stays positive.
-        assert!(rigid.ea(Twist::Free) < rigid.ea(Twist::Held));
-        assert!(rigid.ea(Twist::Free) > 0.0 && rigid.gj_free_length() > 0.0);
+        assert!(rigid.ea(EndRotation::Free) < rigid.ea(EndRotation::Fixed));
+        assert!(rigid.ea(EndRotation::Free) > 0.0 && rigid.gj_free_length() > 0.0);
     }
     // With an incompressible one it is not, in these equations; see `section::stiffness`.
     let soft = umbilical().incompressible;
@@ -263,7 +268,7 @@ fn the_pressure_of_the_core_takes_its_part_of_the_tension() {
     let layout = &design.layout;
     // Wire forces at a strain of 1 press on the core: p A_c = Σ t (R_c/2R) sin²α/cos α.
     let tension = design.incompressible.tension_strain;
-    let list = shares(layout, Core::Incompressible, Twist::Held, tension);
+    let list = load_shares(layout, Core::Incompressible, EndRotation::Fixed, tension);
     let core = layout.centre.as_ref().unwrap().radius;
     let pressed: f64 = layout
         .helices()
@@ -274,7 +279,12 @@ fn the_pressure_of_the_core_takes_its_part_of_the_tension() {
             force * core / (2.0 * helix.pitch_radius) * sin * sin / cos
         })
         .sum();
-    near(ea_with_pressure(layout), tension - pressed, 1e-12, "EA");
+    near(
+        ea_with_core_pressure(layout),
+        tension - pressed,
+        1e-12,
+        "EA",
+    );
     assert!(pressed > 0.0);
 }
 
@@ -283,8 +293,8 @@ fn shares_of_a_tension_add_up_to_it() {
     for name in ["section.toml", "section_power_cable.toml"] {
         let design = load(name);
         for core in Core::BOTH {
-            for twist in [Twist::Held, Twist::Free] {
-                let list = shares(&design.layout, core, twist, 3.0e5);
+            for twist in [EndRotation::Fixed, EndRotation::Free] {
+                let list = load_shares(&design.layout, core, twist, 3.0e5);
                 let sum: f64 = list.iter().map(|share| share.share).sum();
                 near(sum, 1.0, 1e-12, name);
             }
@@ -292,7 +302,7 @@ fn shares_of_a_tension_add_up_to_it() {
     }
     // Held ends, rigid core: a wire of the outer armour is strained by cos²α of the cable's strain.
     let design = umbilical();
-    let list = shares(&design.layout, Core::Rigid, Twist::Held, 1e5);
+    let list = load_shares(&design.layout, Core::Rigid, EndRotation::Fixed, 1e5);
     let wire = list.iter().find(|s| s.layer == "outer-armour").unwrap();
     let strain = 1e5 / design.rigid.tension_strain * 20f64.to_radians().cos().powi(2);
     near(wire.strain, strain, 1e-12, "strain");
@@ -304,8 +314,8 @@ fn shares_of_a_tension_add_up_to_it() {
 fn the_breaking_load_strains_the_weakest_unit_to_its_strength() {
     let design = umbilical();
     let strength = design.strength.unwrap();
-    let (core, twist) = strength.when;
-    let list = shares(&design.layout, core, twist, strength.break_load);
+    let (core, twist) = strength.governing;
+    let list = load_shares(&design.layout, core, twist, strength.break_load);
     let most = list.iter().filter_map(|share| share.utilisation);
     near(most.fold(0.0, f64::max), 1.0, 1e-12, "use");
     near(
@@ -408,7 +418,7 @@ fn a_layer_inside_another_is_refused() {
     tells(
         &fault,
         "layer.bundle.pitch_radius_m",
-        "the layer lies inside another: it reaches in to a radius of 15.47 mm, and what lies inside reaches out to 20 mm",
+        "the layer overlaps another: its inner radius is 15.47 mm, and the outer radius of the layers inside 20 mm",
         "give pitch_radius_m = 0.0278 or more",
     );
 }
@@ -419,14 +429,14 @@ fn lay_angles_that_are_no_helix_are_refused() {
     tells(
         &flat,
         "layer.bundle.lay_angle_deg",
-        "is no helix",
-        "belongs in the middle",
+        "is too small: straight units",
+        "belongs in the centre",
     );
     let hoop = spoilt("lay_angle_deg = 20.0", "lay_angle_deg = 90.0");
     tells(
         &hoop,
         "layer.inner-armour.lay_angle_deg",
-        "is a hoop",
+        "is too large: a hoop",
         "usually 5 to 30",
     );
     let wide = spoilt("lay_angle_deg = 20.0", "lay_angle_deg = -20.0");
@@ -654,7 +664,7 @@ fn the_material_goes_into_a_line_case() {
     let pendulum = include_str!("../../cases/basics/pendulum.toml");
     for name in ["section.toml", "section_power_cable.toml"] {
         let design = load(name);
-        let piece = fragment(&design);
+        let piece = material_table(&design);
         let case = case::parse(&format!("{pendulum}\n{piece}"), "merged.toml").unwrap();
         let ours = design.material();
         assert_eq!(ours, section::material(&design.section).unwrap());
@@ -701,7 +711,7 @@ fn the_command_prints_and_writes() {
         .stdout(
             contains("302.3 MN")
                 .and(contains("295.6 MN"))
-                .and(contains("Who carries 100 kN")),
+                .and(contains("Load sharing at 100 kN")),
         )
         .stdout(predicate::function(str::is_ascii));
     let written = std::fs::read_to_string(dir.path().join("umbilical.toml")).unwrap();
@@ -806,10 +816,10 @@ proptest! {
             }
         };
         let (weight, rigid) = (design.weight, design.rigid);
-        for value in [weight.in_air, weight.moving, weight.in_water, rigid.ea(Twist::Free), rigid.gj_free_length(), design.bending.total()] {
+        for value in [weight.in_air, weight.moving, weight.in_water, rigid.ea(EndRotation::Free), rigid.gj_free_length(), design.bending.full_slip()] {
             prop_assert!(value.is_finite());
         }
-        prop_assert!(rigid.ea(Twist::Held) >= rigid.ea(Twist::Free) * (1.0 - 1e-9));
+        prop_assert!(rigid.ea(EndRotation::Fixed) >= rigid.ea(EndRotation::Free) * (1.0 - 1e-9));
         prop_assert!(weight.voids >= 0.0 && design.layout.outer_radius > 0.0);
         for helix in design.layout.helices() {
             let units: Vec<_> = helix.elements.iter().zip(&helix.places).collect();
@@ -825,7 +835,7 @@ proptest! {
         }
         let again = matrix(&design.layout, Core::Rigid);
         prop_assert_eq!(again, rigid);
-        prop_assert!(fragment(&design).contains("[materials.umbilical]"));
+        prop_assert!(material_table(&design).contains("[materials.umbilical]"));
     }
 
     #[test]

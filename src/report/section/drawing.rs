@@ -54,7 +54,7 @@ fn series(design: &Design) -> Vec<Series> {
             Shell::Tube(tube) => {
                 let mut points = ellipse(0.0, 0.0, tube.inner_radius, tube.inner_radius);
                 points.extend(ellipse(0.0, 0.0, tube.outer_radius, tube.outer_radius));
-                outlines.push((tube.words.name.clone(), points));
+                outlines.push((tube.input.name.clone(), points));
             }
         }
     }

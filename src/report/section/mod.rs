@@ -6,21 +6,19 @@ pub mod tables;
 use crate::report::chart::Glyphs;
 use crate::report::table::Table;
 use crate::section::Design;
-use crate::section::stiffness::Twist;
+use crate::section::stiffness::EndRotation;
 
-/// Tension shown when no strength is known \[N\].
+/// Tension of the load sharing where no strength is known \[N\].
 const SAMPLE: f64 = 1e5;
 
-/// The tension that is shared out when none is named \[N\]: the allowable one, or 100 kN when that is
-/// not known.
+/// Default tension of the load sharing \[N\]: the allowable tension, or 100 kN where that is unknown.
 #[must_use]
 pub fn tension(design: &Design) -> f64 {
     let allowable = design.strength.as_ref().map(|s| s.allowable);
     allowable.unwrap_or(SAMPLE)
 }
 
-/// The whole design as text of this width. `tension` is the one to share out \[N\]; absent: the
-/// allowable one, or 100 kN when that is not known.
+/// The design as text of this width. `tension` is that of the load sharing \[N\], [`tension`](tension()) by default.
 #[must_use]
 pub fn report(design: &Design, width: usize, glyphs: Glyphs, tension: Option<f64>) -> String {
     let about = &design.section.about;
@@ -37,9 +35,10 @@ pub fn report(design: &Design, width: usize, glyphs: Glyphs, tension: Option<f64
         parts.push(warnings(design).to_text(width));
     }
     parts.push(tables::layers(design).to_text(width));
-    parts.push(tables::whole(design).to_text(width));
+    parts.push(tables::summary(design).to_text(width));
     parts.push(tables::stiffness(design).to_text(width));
-    parts.push(tables::carried(design, about.core, Twist::Held, tension).to_text(width));
+    parts
+        .push(tables::load_sharing(design, about.core, EndRotation::Fixed, tension).to_text(width));
     parts.join("\n")
 }
 
@@ -51,7 +50,7 @@ fn paragraph(words: &str, width: usize) -> String {
     table.to_text(width)
 }
 
-/// What fits but should be looked at.
+/// Warnings about the geometry.
 fn warnings(design: &Design) -> Table {
     Table {
         title: "Warnings".to_owned(),

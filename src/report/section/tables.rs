@@ -1,10 +1,10 @@
-//! A cross-section in tables: layers, stiffness, weight, who carries a tension.
+//! A cross-section in tables: layers, stiffness, weight and strength, load sharing.
 
 use crate::report::number::{digits, percent, si};
 use crate::report::table::{Align, Cell, Format, Table};
 use crate::section::model::{Core, Voids};
-use crate::section::stiffness::{Matrix, Twist, ea_with_pressure};
-use crate::section::strength::shares;
+use crate::section::stiffness::{EndRotation, StiffnessMatrix, ea_with_core_pressure};
+use crate::section::strength::load_shares;
 use crate::section::{Design, Helix, Shell};
 
 /// A length in millimetres.
@@ -77,8 +77,8 @@ fn layer(shell: &Shell) -> Layer<'_> {
             }
         }
         Shell::Tube(tube) => Layer {
-            name: &tube.words.name,
-            made_of: format!("sheath of {}", mm(tube.words.thickness_m)),
+            name: &tube.input.name,
+            made_of: format!("sheath of {}", mm(tube.input.thickness_m)),
             angle: "-".to_owned(),
             helix: None,
             outer_radius: tube.outer_radius,
@@ -104,11 +104,11 @@ fn made_of(helix: &Helix) -> String {
             mm(2.0 * wire.radius)
         );
     }
-    let words: Vec<String> = kinds
+    let input: Vec<String> = kinds
         .iter()
         .map(|(name, count)| format!("{count} {name}"))
         .collect();
-    words.join(", ")
+    input.join(", ")
 }
 
 /// A stiffness with a rigid and an incompressible core.
@@ -144,11 +144,19 @@ fn tension_and_torsion(design: &Design) -> Vec<Stiffness> {
     const N: Format = Format::Si("N");
     const NM: Format = Format::Si("N m");
     let has_core = design.layout.centre.is_some();
-    let quantities: [(_, _, fn(&Matrix) -> f64); 6] = [
-        ("EA, ends held from turning", N, |m| m.ea(Twist::Held)),
-        ("EA, ends free to turn", N, |m| m.ea(Twist::Free)),
-        ("GJ, length held", STIFFNESS, Matrix::gj_held_length),
-        ("GJ, length free", STIFFNESS, Matrix::gj_free_length),
+    let quantities: [(_, _, fn(&StiffnessMatrix) -> f64); 6] = [
+        ("EA, ends fixed", N, |m| m.ea(EndRotation::Fixed)),
+        ("EA, ends free to rotate", N, |m| m.ea(EndRotation::Free)),
+        (
+            "GJ, length fixed",
+            STIFFNESS,
+            StiffnessMatrix::gj_fixed_length,
+        ),
+        (
+            "GJ, length free",
+            STIFFNESS,
+            StiffnessMatrix::gj_free_length,
+        ),
         ("tension by twist per length", NM, |m| m.tension_twist),
         ("torque by strain", NM, |m| m.torque_strain),
     ];
@@ -161,7 +169,7 @@ fn tension_and_torsion(design: &Design) -> Vec<Stiffness> {
             spread: if has_core {
                 spread(rigid, soft)
             } else {
-                "not known".to_owned()
+                "unknown".to_owned()
             },
             theory: "Knapp, eqs. (16)-(17)",
         }
@@ -173,20 +181,20 @@ fn bending(design: &Design) -> [Stiffness; 4] {
     let bending = &design.bending;
     let rows = [
         (
-            "EI, all slips",
-            bending.total(),
-            "the two rows below together",
+            "EI, full slip",
+            bending.full_slip(),
+            "sum of the two rows below",
         ),
         (
-            "EI of units, wires, middle",
+            "EI of units, wires, centre",
             bending.helices + bending.centre,
             "Costello, eqs. (18)-(19)",
         ),
         ("EI of the sheaths", bending.sheaths, "E I of a tube"),
         (
-            "EI, nothing slips",
-            bending.stuck(),
-            "plane sections stay plane",
+            "EI, full stick",
+            bending.full_stick(),
+            "plane sections remain plane",
         ),
     ];
     rows.map(|(name, value, theory)| Stiffness {
@@ -198,7 +206,7 @@ fn bending(design: &Design) -> [Stiffness; 4] {
     })
 }
 
-/// How far the two kinds of core are apart.
+/// Relative difference between the core models.
 fn spread(rigid: f64, soft: f64) -> String {
     // A difference of a few parts in 1e12 is rounding.
     let apart = (rigid - soft).abs();
@@ -213,26 +221,26 @@ fn spread(rigid: f64, soft: f64) -> String {
 fn stiffness_notes(design: &Design) -> Vec<String> {
     let mut notes = vec![
         "Equations as numbered in Lin et al. 2016, Periodical of Ocean University of China 46(12), 111-116; tension and torsion after Knapp 1979, bending after Costello and Phillips 1976.".to_owned(),
-        "Model error: the spread between a core that keeps its diameter and one that keeps its volume. A real core lies between them, or is softer. The arithmetic itself is exact to rounding.".to_owned(),
+        "Model error: the difference between a core of constant diameter and one of constant volume. A real core lies between them, or is softer. Rounding errors are negligible.".to_owned(),
     ];
     if design.layout.centre.is_some() {
         notes.push(format!(
-            "With an incompressible core the coupling is not symmetric, as eqs. (16)-(17) count the tension of the wires but not the pressure in the core. With that pressure, EA with ends held would be {}.",
-            si(ea_with_pressure(&design.layout), "N")
+            "With an incompressible core the coupling is not symmetric, as eqs. (16)-(17) count the tension of the wires but not the pressure in the core. With that pressure, EA with fixed ends is {}.",
+            si(ea_with_core_pressure(&design.layout), "N")
         ));
     } else {
-        notes.push("There is no central cylinder to squeeze, so both columns agree, and the model error is not known.".to_owned());
+        notes.push(
+            "Without a central cylinder both columns agree, and the model error is unknown."
+                .to_owned(),
+        );
     }
-    notes.push(
-        "Positive coupling: under tension the cable wants to unwind its right-handed layers."
-            .to_owned(),
-    );
-    notes.push("EI lies between its two values: a cable is stiff until its layers slip, and soft at large curvature. The spread between them is a model error; where friction lets the layers slip is not worked out. A line takes the value of full slip.".to_owned());
+    notes.push("Positive coupling: tension unwinds right-handed layers.".to_owned());
+    notes.push("EI lies between full stick at small curvature and full slip at large curvature. Their difference is a model error; the curvature at which friction is overcome is not computed. The material takes the value of full slip.".to_owned());
 
     let (ea, gj) = design.sheaths;
     if ea > 0.0 {
         notes.push(format!(
-            "Not in EA and GJ, as eqs. (16)-(17) leave sheaths out: the sheaths alone would add {} and {}.",
+            "EA and GJ are without the sheaths, which eqs. (16)-(17) neglect: these add {} and {}.",
             si(ea, "N"),
             si(gj, "N m²")
         ));
@@ -240,12 +248,12 @@ fn stiffness_notes(design: &Design) -> Vec<String> {
     notes
 }
 
-/// A quantity, its value in words, and where it comes from.
+/// A quantity, its value and its basis.
 type Fact = (&'static str, String, String);
 
-/// Size, weight, strength: what else a line needs.
+/// Size, weight and strength.
 #[must_use]
-pub fn whole(design: &Design) -> Table {
+pub fn summary(design: &Design) -> Table {
     let weight = &design.weight;
     let gaps = match design.section.about.voids {
         Voids::Dry => "gaps dry",
@@ -263,11 +271,7 @@ pub fn whole(design: &Design) -> Table {
             si(weight.in_air, "kg/m"),
             "gaps empty, tubes as filled".to_owned(),
         ),
-        (
-            "mass that moves in water",
-            si(weight.moving, "kg/m"),
-            gaps(),
-        ),
+        ("mass including flooding", si(weight.moving, "kg/m"), gaps()),
         ("weight in water", si(weight.in_water_force, "N/m"), gaps()),
         (
             "weight in water, as mass",
@@ -277,14 +281,14 @@ pub fn whole(design: &Design) -> Table {
         (
             "gaps",
             format!("{} mm²", digits(1e6 * weight.voids, 4)),
-            "what no unit, filler or sheath takes".to_owned(),
+            "area without unit, filler or sheath".to_owned(),
         ),
     ];
     facts.extend(strength(design));
     Table::of("The cable as a whole", &facts)
         .text("quantity", |fact| fact.0)
         .cell("value", Align::Decimal, |fact| Cell::plain(&fact.1))
-        .text("how", |fact| &fact.2)
+        .text("basis", |fact| &fact.2)
         .build()
 }
 
@@ -292,8 +296,8 @@ fn strength(design: &Design) -> Vec<Fact> {
     let Some(strength) = &design.strength else {
         return vec![(
             "breaking load",
-            "not known".to_owned(),
-            "no unit that carries has a strength or breaking load".to_owned(),
+            "unknown".to_owned(),
+            "no load-carrying unit has a strength or breaking load".to_owned(),
         )];
     };
     let (layer, unit) = &strength.weakest;
@@ -302,7 +306,7 @@ fn strength(design: &Design) -> Vec<Fact> {
     } else {
         format!("{unit} in {layer}")
     };
-    let (core, twist) = strength.when;
+    let (core, twist) = strength.governing;
     let ends = ends(twist);
     let used = percent(design.section.about.usage_factor);
     vec![
@@ -314,40 +318,39 @@ fn strength(design: &Design) -> Vec<Fact> {
         (
             "allowable tension",
             si(strength.allowable, "N"),
-            format!("{used} of it may be used"),
+            format!("usage factor {used}"),
         ),
     ]
 }
 
-fn ends(twist: Twist) -> &'static str {
+fn ends(twist: EndRotation) -> &'static str {
     match twist {
-        Twist::Held => "held from turning",
-        Twist::Free => "free to turn",
+        EndRotation::Fixed => "fixed",
+        EndRotation::Free => "free to rotate",
     }
 }
 
-/// Who carries a tension \[N\].
+/// Load sharing under a tension \[N\].
 #[must_use]
-pub fn carried(design: &Design, core: Core, twist: Twist, tension: f64) -> Table {
+pub fn load_sharing(design: &Design, core: Core, twist: EndRotation, tension: f64) -> Table {
     let title = format!(
-        "Who carries {} ({core} core, ends {})",
+        "Load sharing at {} ({core} core, ends {})",
         si(tension, "N"),
         ends(twist)
     );
-    let known =
-        |value: Option<String>| Cell::plain(value.unwrap_or_else(|| "not known".to_owned()));
-    Table::of(title, &shares(&design.layout, core, twist, tension))
+    let known = |value: Option<String>| Cell::plain(value.unwrap_or_else(|| "unknown".to_owned()));
+    Table::of(title, &load_shares(&design.layout, core, twist, tension))
         .text("layer", |share| &share.layer)
         .text("unit", |share| &share.unit)
         .count("count", |share| share.count)
         .number("share", Format::Percent, |share| share.share)
-        .number("force in one", Format::Si("N"), |share| share.force)
+        .number("force per unit", Format::Si("N"), |share| share.force)
         .cell("stress", Align::Decimal, |share| {
             known(share.stress.map(|stress| si(stress, "Pa")))
         })
-        .cell("use of its strength", Align::Decimal, |share| {
+        .cell("utilisation", Align::Decimal, |share| {
             match share.utilisation {
-                Some(used) if used > 1.0 => Cell::bad_if(true, percent(used) + " TOO MUCH"),
+                Some(used) if used > 1.0 => Cell::bad_if(true, percent(used) + " EXCEEDED"),
                 used => known(used.map(percent)),
             }
         })

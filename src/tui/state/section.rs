@@ -8,7 +8,7 @@ use crate::case::{Diagnostic, kind};
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::section::{self as views, tables};
 use crate::report::table::Table;
-use crate::section::stiffness::Twist;
+use crate::section::stiffness::EndRotation;
 use crate::section::{self, Design, SectionFile};
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::pane::PaneId;
@@ -62,11 +62,11 @@ impl DocumentKind for SectionView {
         let design = &self.design;
         let table = match tab {
             0 => tables::layers(design),
-            1 => tables::whole(design),
+            1 => tables::summary(design),
             2 => tables::stiffness(design),
             _ => {
                 let core = design.section.about.core;
-                tables::carried(design, core, Twist::Held, views::tension(design))
+                tables::load_sharing(design, core, EndRotation::Fixed, views::tension(design))
             }
         };
         (None, table)
@@ -98,14 +98,14 @@ impl DocumentKind for SectionView {
     }
 
     fn copy(&self) -> Option<String> {
-        Some(section::fragment(&self.design))
+        Some(section::material_table(&self.design))
     }
 
     fn line_input(&self, _stem: &str) -> (PathBuf, Option<String>, &'static str) {
         let name = &self.design.section.about.name;
         (
             PathBuf::from(format!("{name}-material.txt")),
-            Some(section::fragment(&self.design)),
+            Some(section::material_table(&self.design)),
             "The table [materials] for a line case",
         )
     }

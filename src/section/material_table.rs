@@ -1,37 +1,37 @@
-//! A design as a piece of a line case, ready to be pasted into one.
+//! A design as the material table of a line case.
 
 use super::design::Design;
-use super::stiffness::Twist;
+use super::stiffness::EndRotation;
 use crate::report::number::si;
 
-/// How every such piece begins.
-pub const FRAGMENT_HEAD: &str = "# Material of a line, made by `seacable section`";
+/// First words of every such table.
+const MATERIAL_HEADER: &str = "# Material of a line, made by `seacable section`";
 
-/// The table `[materials.<name>]` of a line case, with what the table has no key for in comments.
+/// The table `[materials.<name>]` of a line case, with further results in comments.
 #[must_use]
-pub fn fragment(design: &Design) -> String {
+pub fn material_table(design: &Design) -> String {
     let about = &design.section.about;
     let material = design.material();
-    let other = |core: super::model::Core| si(design.matrix(core).ea(Twist::Held), "N");
-    let mut lines = format!("{FRAGMENT_HEAD} {}.\n", env!("CARGO_PKG_VERSION"));
+    let other = |core: super::model::Core| si(design.matrix(core).ea(EndRotation::Fixed), "N");
+    let mut lines = format!("{MATERIAL_HEADER} {}.\n", env!("CARGO_PKG_VERSION"));
     lines += &comment(&format!("{}.", about.title.trim_end_matches('.')));
     if !about.source.is_empty() {
         lines += &comment(&format!("Source: {}", about.source));
     }
     lines += &comment(&format!(
-        "EA with ends held from turning (Knapp 1979; Lin et al. 2016, eqs. (16)-(17)): {} with a rigid core, {} with an incompressible one; their spread is a model error. Taken here: {}.",
+        "EA with fixed ends (Knapp 1979; Lin et al. 2016, eqs. (16)-(17)): {} with a rigid core, {} with an incompressible one; the difference is a model error. Used here: {}.",
         other(super::model::Core::Rigid),
         other(super::model::Core::Incompressible),
         about.core
     ));
     lines += &comment(&format!(
-        "EI = {} with full slip (Costello 1976, eqs. (18)-(19)), sheaths added; {} if nothing slipped.",
-        si(design.bending.total(), "N m²"),
-        si(design.bending.stuck(), "N m²")
+        "EI = {} at full slip (Costello 1976, eqs. (18)-(19)), sheaths added; {} at full stick.",
+        si(design.bending.full_slip(), "N m²"),
+        si(design.bending.full_stick(), "N m²")
     ));
     lines += &comment(&format!(
-        "GJ = {} at held length (eq. (17)).",
-        si(design.matrix(about.core).gj_held_length(), "N m²")
+        "GJ = {} at fixed length (eq. (17)).",
+        si(design.matrix(about.core).gj_fixed_length(), "N m²")
     ));
     if let Some(strength) = &design.strength {
         lines += &comment(&format!(
@@ -41,7 +41,7 @@ pub fn fragment(design: &Design) -> String {
             si(strength.allowable, "N")
         ));
     }
-    lines += &comment("Drag is not a matter of the section: add drag_normal and drag_tangential.");
+    lines += &comment("A section has no drag coefficients: add drag_normal and drag_tangential.");
     lines += &format!("[materials.{}]\n", crate::case::join(&[&about.name]));
     lines += &key("diameter_m", material.diameter_m);
     lines += &key("mass_kg_per_m", material.mass_kg_per_m);
