@@ -14,7 +14,7 @@ use crate::case::Case;
 use crate::report::chart::draw;
 use crate::report::table::Table;
 use crate::study::{
-    hard::{self, Computed, Hard},
+    hard_cases::{self, HardCase, TrialRun},
     speed::{self, SpeedError},
     tally,
 };
@@ -36,15 +36,15 @@ pub(super) fn study(args: &StudyArgs) -> Result<ExitCode, CommandError> {
 fn hard_cases(args: &HardArgs) -> Result<ExitCode, CommandError> {
     let file = OutputFile::check(args.output.as_deref(), args.force, &args.cases)?;
     let loaded = cases::with_trials(&args.cases)?;
-    let cases: Vec<Hard> = loaded.into_iter().map(hard_case).collect();
+    let cases: Vec<HardCase> = loaded.into_iter().map(hard_case).collect();
     let stop = Stop::listen()?;
     let computed = compute(&cases, &stop);
     if let Some(status) = stop.status() {
         output::message("Stopped before all trials were computed; nothing was judged.");
         return Ok(status);
     }
-    let findings = hard::findings(&cases, &computed);
-    let table = hard::table(&findings);
+    let findings = hard_cases::verdicts(&cases, &computed);
+    let table = hard_cases::table(&findings);
     write_csv(&table, file.as_ref())?;
     let tally = tally(&findings);
     output::results(&format!("{}\n{tally}\n", table.to_text(WIDTH)), args.ascii)?;
@@ -133,8 +133,8 @@ fn steps_of(args: &StepsArgs) -> Result<ExitCode, CommandError> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn hard_case(loaded: Loaded) -> Hard {
-    Hard {
+fn hard_case(loaded: Loaded) -> HardCase {
+    HardCase {
         file: loaded.file,
         text: loaded.text,
         case: loaded.case,
@@ -142,9 +142,9 @@ fn hard_case(loaded: Loaded) -> Hard {
 }
 
 /// Every trial on its own core.
-fn compute(cases: &[Hard], stop: &Stop) -> Vec<Option<Computed>> {
+fn compute(cases: &[HardCase], stop: &Stop) -> Vec<Option<TrialRun>> {
     let line = Mutex::new(progress::Line::new());
-    hard::compute_all(cases, stop.cancel(), &|all, done| {
+    hard_cases::compute_all(cases, stop.cancel(), &|all, done| {
         if let Ok(mut line) = line.lock() {
             line.show(&format!("{done} of {} trials computed", all.len()));
         }

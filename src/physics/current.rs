@@ -1,4 +1,4 @@
-//! The current: uniform, or a table over depth with straight lines in between.
+//! The current: uniform, or a table over depth with linear in between.
 
 use crate::numerics::V3;
 
@@ -19,7 +19,7 @@ pub enum Current {
 impl Current {
     /// Greatest speed at any depth \[m/s\].
     #[must_use]
-    pub fn fastest(&self) -> f64 {
+    pub fn max_speed(&self) -> f64 {
         match self {
             Self::Uniform(u) => u.norm(),
             Self::Table { velocity, .. } => velocity.iter().map(V3::norm).fold(0.0, f64::max),

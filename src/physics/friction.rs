@@ -13,7 +13,7 @@
 //! The **regularised** law of Zhu, Yin and Shen (2017, Journal of Harbin Engineering University, eq. 9 as rebuilt from its
 //! symbols), `F = -mu N v/max(|v|, v_lim)`, remembers nothing and holds nothing: a node under load creeps.
 
-use super::seabed::Push;
+use super::bed_reaction::BedReaction;
 use serde::{Deserialize, Serialize};
 
 use crate::numerics::{M3, V3};
@@ -68,7 +68,7 @@ pub struct FrictionForce {
     pub slides: bool,
 }
 
-/// A coefficient below this is as good as none.
+/// A coefficient below this counts as zero.
 const LEAST: f64 = 1e-9;
 
 /// What the bed and the node are like.
@@ -77,7 +77,7 @@ pub struct Contact<'a> {
     /// Normal of the bed.
     pub normal: &'a V3,
     /// Push of the bed.
-    pub push: &'a Push,
+    pub push: &'a BedReaction,
     /// Position of the node \[m\].
     pub x: &'a V3,
     /// Velocity of the node \[m/s\].
@@ -150,10 +150,10 @@ impl Friction {
         }
     }
 
-    /// Where the bed has hold of the node once its force stands: where it was, or dragged along. `hold` and `damping` are
+    /// The grip after an accepted step: unchanged, or slid to the limit of friction. `hold` and `damping` are
     /// the stiffness \[N/m\] and damping \[N s/m\] of the grip from now on.
     #[must_use]
-    pub fn drag_along(
+    pub fn slide_grip(
         &self,
         c: &Contact<'_>,
         grip: &Grip,
@@ -175,7 +175,7 @@ impl Friction {
         }
     }
 
-    /// Unit vector of the line's direction in the bed, or the one before where the line stands upright.
+    /// Unit vector of the line's direction in the bed, or the one before where the line is vertical.
     fn axis(&self, normal: &V3, along: &V3, before: &V3) -> V3 {
         let flat = along - normal * normal.dot(along);
         flat.try_normalize(1e-6).unwrap_or(*before)
@@ -196,7 +196,7 @@ impl Friction {
 
     /// Whether a grip bears more than friction does: only one that was laid may.
     #[must_use]
-    pub fn is_overborne(&self, c: &Contact<'_>, grip: &Grip) -> bool {
+    pub fn exceeds_friction(&self, c: &Contact<'_>, grip: &Grip) -> bool {
         let free = Grip {
             laid: false,
             ..*grip
@@ -347,7 +347,7 @@ mod tests {
             let (force, slid) = friction.grip_force(&contact, &grip);
             assert_eq!(slid, slides);
             assert!(force.norm() <= 0.5 * push.force * (1.0 + 1e-12));
-            let next = friction.drag_along(&contact, &grip, (1e4, 0.0), &along);
+            let next = friction.slide_grip(&contact, &grip, (1e4, 0.0), &along);
             assert_eq!(next.at == grip.at, !slides);
             let again = friction.grip_force(&contact, &next).0;
             assert!(

@@ -2,11 +2,11 @@
 //!
 //! The kinetic energy of that water is `T = 1/2 A_n |v|² + 1/2 (A_t - A_n) (t.v)² + 1/2 I |t'|²`, with v the velocity of the
 //! centre of the added mass relative to the water, t the axis and t' its rate (Lamb 1932, art. 124; Fossen 2011, sec. 6.3.1).
-//! What the body must push with follows by Lagrange's equations: at that centre the rate of the momentum
+//! The force and couple on the body follow by Lagrange's equations: at that centre the rate of the momentum
 //! `A_n v + (A_t - A_n) (t.v) t`, and about it the couple `I t''` across the axis less Munk's `(A_t - A_n) (t.v) v`, which
 //! turns an elongated body across the flow. A sphere, with one added mass in all directions, has none of it.
 //!
-//! A couple is told as the vector C across the axis that its moment `t x C` is of \[N m\]: forces -C/d and C/d on the ends of a
+//! A couple is given as the vector C across the axis that its moment `t x C` is of \[N m\]: forces -C/d and C/d on the ends of a
 //! rod of length d.
 
 use super::added_mass::AddedMass;
@@ -38,7 +38,7 @@ pub struct RelativeMotion {
     pub gain: V3,
 }
 
-/// Derivatives of a force or a couple by what [`RelativeMotion`] tells, each as if it were free.
+/// Derivatives of a force or a couple by each quantity of [`RelativeMotion`], taken as independent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MotionDerivatives {
     /// By the axis.
@@ -75,8 +75,8 @@ impl KirchhoffAddedMass {
 
     /// Force at the centre \[N\] and couple \[N m\] that the motion needs.
     #[must_use]
-    pub fn needs(&self, of: &RelativeMotion) -> (V3, V3) {
-        let (force, couple) = self.by_speed(of);
+    pub fn force_and_couple(&self, of: &RelativeMotion) -> (V3, V3) {
+        let (force, couple) = self.velocity_terms(of);
         let gain = of.gain - of.t * of.t.dot(&of.gain);
         (
             force + self.mass().force(&of.t, &of.a),
@@ -84,9 +84,9 @@ impl KirchhoffAddedMass {
         )
     }
 
-    /// What of that comes of velocities alone: `(A_t - A_n) [(t'.v) t + (t.v) t']` and Munk's couple.
+    /// The terms of that in velocities alone: `(A_t - A_n) [(t'.v) t + (t.v) t']` and Munk's couple.
     #[must_use]
-    pub fn by_speed(&self, of: &RelativeMotion) -> (V3, V3) {
+    pub fn velocity_terms(&self, of: &RelativeMotion) -> (V3, V3) {
         let (t, more) = (&of.t, self.excess());
         let ahead = t.dot(&of.v);
         let (aside, turn) = (of.v - t * ahead, of.turn - t * t.dot(&of.turn));
@@ -105,7 +105,7 @@ impl KirchhoffAddedMass {
 
     /// Derivatives of force and couple.
     #[must_use]
-    pub fn slopes(&self, of: &RelativeMotion) -> [MotionDerivatives; 2] {
+    pub fn derivatives(&self, of: &RelativeMotion) -> [MotionDerivatives; 2] {
         let RelativeMotion {
             t,
             v,
@@ -164,7 +164,7 @@ mod tests {
 
     #[test]
     fn slopes_are_finite_differences() {
-        let slopes = WATER.slopes(&moving());
+        let slopes = WATER.derivatives(&moving());
         for j in 0..3 {
             let mut h = V3::zeros();
             h[j] = 1e-6;
@@ -179,7 +179,7 @@ mod tests {
                 let (mut up, mut down) = (moving(), moving());
                 shift(&mut up, h);
                 shift(&mut down, -h);
-                let (up, down) = (WATER.needs(&up), WATER.needs(&down));
+                let (up, down) = (WATER.force_and_couple(&up), WATER.force_and_couple(&down));
                 for (slopes, column) in slopes
                     .iter()
                     .zip([(up.0 - down.0) / 2e-6, (up.1 - down.1) / 2e-6])
@@ -205,7 +205,7 @@ mod tests {
             WATER.energy(&then)
         };
         let rate = (later(1e-6) - later(-1e-6)) / 2e-6;
-        let (force, couple) = WATER.needs(&of);
+        let (force, couple) = WATER.force_and_couple(&of);
         let work = force.dot(&of.v) + couple.dot(&of.turn);
         assert!((rate - work).abs() < 1e-5 * work.abs(), "{rate} {work}");
     }
@@ -221,7 +221,7 @@ mod tests {
             turn: V3::zeros(),
             gain: V3::zeros(),
         };
-        let (force, couple) = WATER.needs(&held);
+        let (force, couple) = WATER.force_and_couple(&held);
         assert_eq!(force, V3::zeros());
         let munk = (700.0 - 250.0) * 9.0 * angle.sin() * angle.cos();
         assert!((couple - V3::y() * munk).norm() < 1e-9, "{couple}");

@@ -1,16 +1,18 @@
-//! Forces on a line, one file a force: each gives its value and its exact tangent. No solver is known
-//! here, and no case file: numbers in SI.
+//! Forces on a line, one file a law: each gives its value and its exact tangent, in SI, without reference to a solver or a
+//! case file.
 
 pub mod added_mass;
+pub mod bed_reaction;
 pub mod bending;
 pub mod current;
 pub mod drag;
 pub mod drag_law;
 pub mod friction;
-pub mod growth;
+
 pub mod kirchhoff;
 pub mod motion;
 pub mod payload;
+pub mod ramp;
 pub mod rigid_body;
 pub mod rope;
 pub mod sea;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::growth::growth;
+use super::ramp::smooth_ramp;
 use super::sea::Harmonics;
 use crate::numerics::V3;
 use crate::numerics::spline::Spline;
@@ -63,7 +63,7 @@ impl EndMotion {
             MotionPath::Table(spline) => spline.at(t),
             MotionPath::Sum(harmonics) => harmonics.at(t),
         };
-        let (r, r1, r2) = growth(t, self.ramp);
+        let (r, r1, r2) = smooth_ramp(t, self.ramp);
         (
             self.position + d * r,
             v * r + d * r1,

@@ -46,7 +46,7 @@ const STRIPS: [(f64, f64); 8] = {
     ]
 };
 
-/// A body as a case tells it, in SI; places along its axis from the hang point, positive towards the centre of gravity.
+/// A rigid body, in SI; places along its axis from the hang point, positive towards the centre of gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigidBodyProperties {
     /// Mass in air \[kg\].
@@ -100,7 +100,7 @@ pub struct RigidBody {
 }
 
 impl RigidBody {
-    /// The two masses; nothing where the body hangs from its centre, which no rod can tell from a point, or is not
+    /// The two masses; nothing where the body hangs from its centre, which makes it a point, or is not
     /// finite.
     #[must_use]
     pub fn new(of: &RigidBodyProperties) -> Option<Self> {
@@ -138,7 +138,7 @@ impl RigidBody {
         let ea = (near + far) * GRAVITY / STRETCH;
         let together = near * far / (near + far);
         let damping = 2.0 * RINGING * (ea * self.reach * together).sqrt();
-        Axial::new(self.reach, ea, damping).as_rod(true)
+        Axial::new(self.reach, ea, damping).bearing_compression(true)
     }
 
     /// Shares of the two nodes in what acts at a place on the rod.
@@ -167,7 +167,7 @@ impl RigidBody {
 
     /// Derivatives of the drag by u \[N s/m\] and by the axis \[N\].
     #[must_use]
-    pub fn drag_slopes(&self, t: &V3, u: &V3) -> (M3, M3) {
+    pub fn drag_derivatives(&self, t: &V3, u: &V3) -> (M3, M3) {
         let [across, along] = self.drag;
         let (speed, more, ahead) = (u.norm(), along - across, t.dot(u));
         let direction = if speed > 0.0 { u / speed } else { V3::zeros() };
@@ -181,13 +181,13 @@ impl RigidBody {
     /// The fastest rate at which drag on a strip slows either node \[1/s\], at a relative speed \[m/s\], with what else they
     /// weigh \[kg\]: that of a push there on both, which is no less.
     #[must_use]
-    pub fn decay(&self, place: f64, speed: f64, mass: [f64; 2]) -> f64 {
+    pub fn damping_rate(&self, place: f64, speed: f64, mass: [f64; 2]) -> f64 {
         let shares = Self::shares(place);
         let lightness: f64 = shares.iter().zip(mass).map(|(w, m)| w * w / m).sum();
         2.0 * self.drag[0].max(self.drag[1]) * speed * lightness
     }
 
-    /// The couple that the spin needs where the axis t turns at this rate \[1/s\], as [`KirchhoffAddedMass`] tells couples
+    /// The couple that the spin needs where the axis t turns at this rate \[1/s\], as couples of [`KirchhoffAddedMass`]
     /// \[N m\], and its derivatives by the axis and by the rate.
     #[must_use]
     pub fn gyroscopic(&self, t: &V3, turn: &V3) -> (V3, [M3; 2]) {
@@ -260,7 +260,7 @@ mod tests {
     fn the_slopes_of_the_drag_are_its_finite_differences() {
         let body = RigidBody::new(&measures()).unwrap();
         let (t, u) = (V3::new(0.48, -0.6, 0.64), V3::new(0.3, -0.7, 1.1));
-        let (by_velocity, by_axis) = body.drag_slopes(&t, &u);
+        let (by_velocity, by_axis) = body.drag_derivatives(&t, &u);
         for j in 0..3 {
             let mut h = V3::zeros();
             h[j] = 1e-6;
@@ -270,7 +270,7 @@ mod tests {
             assert!((column - by_axis.column(j)).norm() < 1e-4);
         }
         assert_eq!(body.drag(&t, &V3::zeros()), V3::zeros());
-        assert!(body.drag_slopes(&t, &V3::zeros()).0.norm() == 0.0);
+        assert!(body.drag_derivatives(&t, &V3::zeros()).0.norm() == 0.0);
     }
 
     /// About its centre of drag: `k omega |omega| L³ / 32`; about an end of the stretch: `k omega |omega| L³ / 4`.

@@ -5,6 +5,7 @@
 //! slopes: k is the bed's stiffness per area times the diameter and length of line that the node stands for. Along
 //! the bed acts [`Friction`], where there is any.
 
+use super::bed_reaction::BedReaction;
 use super::friction::Friction;
 use crate::numerics::V3;
 
@@ -21,17 +22,6 @@ pub struct Seabed {
     pub damping: f64,
     /// What holds the line along the bed, if anything.
     pub friction: Option<Friction>,
-}
-
-/// Push of the bed on a node, away from it, and its derivatives.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Push {
-    /// Force \[N\].
-    pub force: f64,
-    /// Derivative by the height above the bed, along its normal \[N/m\].
-    pub by_height: f64,
-    /// Derivative by the speed away from the bed \[N s/m\].
-    pub by_speed: f64,
 }
 
 impl Seabed {
@@ -67,34 +57,34 @@ impl Seabed {
         self.slope.is_none() && self.friction.is_none()
     }
 
-    /// Push on a node at x \[m\] that moves at v \[m/s\], on an area \[m²\].
+    /// BedReaction on a node at x \[m\] that moves at v \[m/s\], on an area \[m²\].
     #[inline]
     #[must_use]
-    pub fn push(&self, x: &V3, v: &V3, area: f64) -> Push {
+    pub fn push(&self, x: &V3, v: &V3, area: f64) -> BedReaction {
         let speed = self.slope.map_or(v.z, |normal| normal.dot(v));
         self.push_at(-self.height(x), speed, area)
     }
 
-    /// Push on a node at a depth below the bed \[m\] that leaves it at a speed \[m/s\]. As with the tension of a
+    /// BedReaction on a node at a depth below the bed \[m\] that leaves it at a speed \[m/s\]. As with the tension of a
     /// segment, damping is held between plus and minus the elastic part, so that the force begins at zero.
     #[inline]
     #[must_use]
-    pub fn push_at(&self, depth: f64, speed: f64, area: f64) -> Push {
+    pub fn push_at(&self, depth: f64, speed: f64, area: f64) -> BedReaction {
         if depth <= 0.0 {
-            return Push::default();
+            return BedReaction::default();
         }
         let (k, c) = (self.stiffness * area, self.damping * area);
         let (elastic, viscous) = (k * depth, -c * speed);
         if viscous > elastic {
-            Push {
+            BedReaction {
                 force: 2.0 * elastic,
                 by_height: -2.0 * k,
                 by_speed: 0.0,
             }
         } else if viscous < -elastic {
-            Push::default()
+            BedReaction::default()
         } else {
-            Push {
+            BedReaction {
                 force: elastic + viscous,
                 by_height: -k,
                 by_speed: -c,
@@ -118,7 +108,7 @@ mod tests {
     #[test]
     fn pushes_up_below_and_not_above_and_never_pulls() {
         let push = |z: f64, speed: f64| BED.push(&(V3::z() * z), &(V3::z() * speed), 2.0);
-        assert_eq!(push(-9.0, 0.0), Push::default());
+        assert_eq!(push(-9.0, 0.0), BedReaction::default());
         assert!((push(-10.5, 0.0).force - 100.0).abs() < 1e-12);
         assert!(push(-10.5, 100.0).force >= 0.0);
         assert!((push(-10.5, -100.0).force - 200.0).abs() < 1e-12);

@@ -92,13 +92,13 @@ impl Axial {
 
     /// The same, bearing compression or not.
     #[must_use]
-    pub fn as_rod(self, rod: bool) -> Self {
+    pub fn bearing_compression(self, rod: bool) -> Self {
         Self { rod, ..self }
     }
 
     /// The same, its elastic tension following a law.
     #[must_use]
-    pub fn by_law(self, law: Option<u16>) -> Self {
+    pub fn with_law(self, law: Option<u16>) -> Self {
         Self { law, ..self }
     }
 
@@ -123,7 +123,7 @@ impl Axial {
 
     /// The tension of a segment whose elastic part is given.
     #[must_use]
-    pub fn tension_by(&self, chord: &Chord, elastic: Elastic) -> Tension {
+    pub fn tension_from(&self, chord: &Chord, elastic: Elastic) -> Tension {
         if elastic.tension <= 0.0 && !self.rod {
             return Tension::NONE;
         }

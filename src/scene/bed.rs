@@ -4,8 +4,8 @@ use super::{End, Scene};
 use crate::case::{self, FrictionLaw};
 use crate::numerics::{BlockBand, V3};
 use crate::physics::Seabed;
+use crate::physics::bed_reaction::BedReaction;
 use crate::physics::friction::{Contact, Friction, FrictionForce, FrictionModel, Grip};
-use crate::physics::seabed::Push;
 use crate::solve::{Factors, Kinematics, State};
 
 /// The bed of the case.
@@ -86,7 +86,7 @@ impl Scene {
 
     /// Push of the bed on node i.
     #[inline]
-    pub(super) fn push(&self, bed: &Seabed, i: usize, state: &State) -> Push {
+    pub(super) fn push(&self, bed: &Seabed, i: usize, state: &State) -> BedReaction {
         bed.push(&state.x[i], &state.v[i], self.footprint[i])
     }
 
@@ -145,7 +145,7 @@ impl Scene {
             let area = self.footprint[i];
             let hold = (stiffness * area, bed.damping * area);
             let c = contact(&normal, &push, i, state);
-            let grip = friction.drag_along(&c, &state.memory.grips[i], hold, &along);
+            let grip = friction.slide_grip(&c, &state.memory.grips[i], hold, &along);
             state.memory.grips[i] = grip;
         }
     }
@@ -265,7 +265,7 @@ impl Scene {
             let grip = state.memory.grips.get(i);
             push.force > 0.0
                 && grip.is_some_and(|grip| {
-                    friction.is_overborne(&contact(&normal, &push, i, state), grip)
+                    friction.exceeds_friction(&contact(&normal, &push, i, state), grip)
                 })
         })
     }
@@ -304,7 +304,7 @@ impl Scene {
 }
 
 /// Node i on the bed.
-fn contact<'a>(normal: &'a V3, push: &'a Push, i: usize, state: &'a State) -> Contact<'a> {
+fn contact<'a>(normal: &'a V3, push: &'a BedReaction, i: usize, state: &'a State) -> Contact<'a> {
     Contact {
         normal,
         push,

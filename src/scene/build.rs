@@ -224,8 +224,8 @@ fn bare_segment(
     };
     Segment {
         axial: Axial::new(length, elasticity.steepest, damping)
-            .as_rod(material.ei_n_m2 > 0.0)
-            .by_law(elasticity.law),
+            .bearing_compression(material.ei_n_m2 > 0.0)
+            .with_law(elasticity.law),
         drag: DragProperties {
             reynolds: material.diameter_m / water.kinematic_viscosity_m2_per_s,
             normal: half_pressure,

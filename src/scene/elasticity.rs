@@ -36,7 +36,7 @@ pub(super) fn elasticity(
     };
     let ea = match &slow {
         StaticElasticity::Linear(ea) => *ea,
-        StaticElasticity::TensionTable(table) => table.overall(),
+        StaticElasticity::TensionTable(table) => table.representative_stiffness(),
     };
     let reading = match (material.dynamic_stiffness, slow) {
         (DynamicStiffness::None, StaticElasticity::Linear(ea)) => {
@@ -47,19 +47,19 @@ pub(super) fn elasticity(
             });
         }
         (DynamicStiffness::None, StaticElasticity::TensionTable(table)) => {
-            return Ok(by_law(TensionLaw::TensionTable(table), ea, laws));
+            return Ok(with_law(TensionLaw::TensionTable(table), ea, laws));
         }
         (DynamicStiffness::Secant, _) => StiffnessForm::Secant,
         (DynamicStiffness::AboutTheMean, slow) => StiffnessForm::AboutTheMean(slow),
     };
     let law = TensionLaw::FibreRope(dynamic(name, material, reading)?);
-    Ok(by_law(law, ea, laws))
+    Ok(with_law(law, ea, laws))
 }
 
 /// Elasticity by a law, which is added to those of the line.
-fn by_law(law: TensionLaw, ea: f64, laws: &mut Vec<TensionLaw>) -> Elasticity {
+fn with_law(law: TensionLaw, ea: f64, laws: &mut Vec<TensionLaw>) -> Elasticity {
     Elasticity {
-        steepest: law.steepest(),
+        steepest: law.max_stiffness(),
         ea,
         law: Some(number(law, laws)),
     }

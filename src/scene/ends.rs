@@ -173,7 +173,7 @@ fn vessel(
     // The reference point in plan: the line hangs at the arm from it, turned with the ship.
     let (sin, cos) = heading.sin_cos();
     let turned = V3::new(arm.x * cos - arm.y * sin, arm.x * sin + arm.y * cos, arm.z);
-    let sea = waves.passing(&(place - turned));
+    let sea = waves.at_point(&(place - turned));
     let beyond = rao.energy_beyond(&sea);
     if beyond > MUCH_BEYOND {
         remarks.push(format!(

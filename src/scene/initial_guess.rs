@@ -141,7 +141,7 @@ impl Scene {
             let mine = |i: &usize| self.segments[*i].axial.law.map(usize::from) == Some(number);
             let segments: Vec<usize> = (0..self.segments.len()).filter(mine).collect();
             let (Some(guess), Some(first)) = (guess, segments.first()) else {
-                return self.laws[number].overall();
+                return self.laws[number].representative_stiffness();
             };
             let sum: f64 = segments.iter().map(|i| guess.tension[*i]).sum();
             self.stiffness_at_tension(*first, sum / segments.len() as f64)

@@ -216,7 +216,7 @@ impl Scene {
 
     /// What the drag of the line could be in the fastest current there is, all of it across that or along \[N\].
     pub(super) fn greatest_drag(&self) -> f64 {
-        let speed = self.current.fastest();
+        let speed = self.current.max_speed();
         let per_square = |s: &Segment| s.axial.length * s.drag.greatest(speed);
         speed * speed * self.segments.iter().map(per_square).sum::<f64>()
     }

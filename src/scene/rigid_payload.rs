@@ -60,7 +60,7 @@ impl RigidPayload {
     fn balance(&self, scene: &Scene, state: &State, a: [V3; 2]) -> [V3; 2] {
         let there = self.water_around(scene, state);
         let moving = self.moving(&there, state, a);
-        let (force, couple) = self.body.added.needs(&moving);
+        let (force, couple) = self.body.added.force_and_couple(&moving);
         let spin = self.body.gyroscopic(&moving.t, &moving.turn).0;
         let load = force * there.wet.0 - self.lift(&there);
         let pull = (couple * there.wet.0 + spin) / self.body.reach;
@@ -111,8 +111,8 @@ impl RigidPayload {
     fn inertia_blocks(&self, there: &WaterAround, state: &State, c: Factors) -> Blocks {
         let moving = self.moving(there, state, [state.a[self.node], state.a[self.node + 1]]);
         let (needs, [force, couple]) = (
-            self.body.added.needs(&moving),
-            self.body.added.slopes(&moving),
+            self.body.added.force_and_couple(&moving),
+            self.body.added.derivatives(&moving),
         );
         let (spin_t, spin_turn) = self.body.gyroscopic(&moving.t, &moving.turn).1.into();
         let (share, by_place) = there.wet;
@@ -156,7 +156,7 @@ impl RigidPayload {
         let (share, by_place) = there.wet;
         let b = RigidBody::shares(self.body.buoyancy_at);
         for strip in self.strips(scene, state) {
-            let (by_velocity, by_axis) = self.body.drag_slopes(t, &strip.u);
+            let (by_velocity, by_axis) = self.body.drag_derivatives(t, &strip.u);
             let own = by_velocity
                 * (M3::from_diagonal_element(c.damping) - strip.gradient * c.stiffness)
                 * share;
@@ -205,7 +205,7 @@ impl RigidPayload {
         let mass = [scene.mass[self.node], scene.mass[self.node + 1]];
         let strips = self.strips(scene, state);
         strips
-            .map(|strip| strip.part * self.body.decay(strip.place, strip.u.norm(), mass))
+            .map(|strip| strip.part * self.body.damping_rate(strip.place, strip.u.norm(), mass))
             .sum()
     }
 }

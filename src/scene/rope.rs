@@ -24,7 +24,7 @@ impl Scene {
         let axial = &self.segments[i].axial;
         match axial.law {
             None => axial.tension(chord),
-            Some(law) => axial.tension_by(chord, self.elastic_by(law, i, axial, chord, t, state)),
+            Some(law) => axial.tension_from(chord, self.elastic_by(law, i, axial, chord, t, state)),
         }
     }
 
@@ -51,10 +51,12 @@ impl Scene {
         t: f64,
         state: &State,
     ) -> Tension {
-        let axial = self.segments[i].axial.as_rod(true);
+        let axial = self.segments[i].axial.bearing_compression(true);
         match axial.law {
             None => axial.tension(chord),
-            Some(law) => axial.tension_by(chord, self.elastic_by(law, i, &axial, chord, t, state)),
+            Some(law) => {
+                axial.tension_from(chord, self.elastic_by(law, i, &axial, chord, t, state))
+            }
         }
     }
 

@@ -1,10 +1,10 @@
-//! Studies over many lines: hard cases, each computed by every method that applies and held against what must come out;
+//! Studies over many lines: hard cases, each computed by every method that applies and compared with expected values;
 //! tables of lines at rest; speed against error of one case.
 
-pub mod hard;
-mod judge;
+pub mod hard_cases;
 pub mod lines;
 pub mod speed;
-mod table;
+mod verdict;
+mod verdict_table;
 
-pub use judge::{Finding, Outcome, Tally, tally};
+pub use verdict::{TrialOutcome, TrialTally, TrialVerdict, tally};

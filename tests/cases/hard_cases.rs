@@ -5,13 +5,13 @@ use std::sync::atomic::AtomicBool;
 
 use rayon::prelude::*;
 use seacable::case;
-use seacable::study::hard::{self, Computed, Hard, Task};
-use seacable::study::{Finding, Outcome, tally};
+use seacable::study::hard_cases::{self, HardCase, TrialRun, TrialTask};
+use seacable::study::{TrialOutcome, TrialVerdict, tally};
 
-fn compute(cases: &[Hard], tasks: &[Task]) -> Vec<Option<Computed>> {
-    let one = |task: &Task| {
+fn compute(cases: &[HardCase], tasks: &[TrialTask]) -> Vec<Option<TrialRun>> {
+    let one = |task: &TrialTask| {
         let hard = &cases[task.case];
-        Some(hard::compute(
+        Some(hard_cases::compute(
             hard,
             &hard.case.trial[task.trial],
             &AtomicBool::new(false),
@@ -20,11 +20,11 @@ fn compute(cases: &[Hard], tasks: &[Task]) -> Vec<Option<Computed>> {
     tasks.par_iter().map(one).collect()
 }
 
-fn findings(cases: &[Hard]) -> Vec<Finding> {
-    hard::findings(cases, &compute(cases, &hard::tasks(cases)))
+fn findings(cases: &[HardCase]) -> Vec<TrialVerdict> {
+    hard_cases::verdicts(cases, &compute(cases, &hard_cases::tasks(cases)))
 }
 
-fn told(finding: &Finding) -> String {
+fn told(finding: &TrialVerdict) -> String {
     format!(
         "{}, {}: {} {:?} {:?}",
         finding.file,
@@ -37,7 +37,7 @@ fn told(finding: &Finding) -> String {
 
 #[test]
 fn every_trial_comes_out_as_it_must() {
-    let cases = hard::shipped().unwrap();
+    let cases = hard_cases::shipped().unwrap();
     assert!(cases.len() >= 20);
     let findings = findings(&cases);
     let off: Vec<String> = findings
@@ -64,7 +64,7 @@ fn every_trial_comes_out_as_it_must() {
 
 #[test]
 fn the_table_does_not_depend_on_the_number_of_threads() {
-    let mut cases = hard::shipped().unwrap();
+    let mut cases = hard_cases::shipped().unwrap();
     cases.retain(|hard| {
         ["hard/stop.toml", "hard/taut.toml", "hard/coincident.toml"].contains(&hard.file.as_str())
     });
@@ -83,7 +83,7 @@ fn the_table_does_not_depend_on_the_number_of_threads() {
 }
 
 /// A case of one hanging rope, its trials added.
-fn small(trials: &str) -> Vec<Finding> {
+fn small(trials: &str) -> Vec<TrialVerdict> {
     let text = format!(
         r#"
         case.title = "small"
@@ -98,7 +98,7 @@ fn small(trials: &str) -> Vec<Finding> {
     );
     let case = case::parse(&text, "small.toml").unwrap();
     let file = "small.toml".to_owned();
-    findings(&[Hard { file, text, case }])
+    findings(&[HardCase { file, text, case }])
 }
 
 #[test]
@@ -116,10 +116,10 @@ fn what_is_wrong_reads_wrong() {
         ]
         "#,
     );
-    use Outcome::{Ok, Refused, Wrong};
-    let outcomes: Vec<Outcome> = found.iter().map(|f| f.outcome).collect();
+    use TrialOutcome::{Ok, Refused, Wrong};
+    let outcomes: Vec<TrialOutcome> = found.iter().map(|f| f.outcome).collect();
     assert_eq!(outcomes, [Ok, Wrong, Wrong, Wrong, Refused, Wrong, Ok]);
-    let expected: Vec<bool> = found.iter().map(Finding::is_as_expected).collect();
+    let expected: Vec<bool> = found.iter().map(TrialVerdict::is_as_expected).collect();
     assert_eq!(expected, [true, false, false, false, false, false, true]);
     let tally = tally(&found);
     assert_eq!(

@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use assert_cmd::Command;
 use seacable::case::{self, Case, Method};
 use seacable::report::chart::{Glyphs, draw};
-use seacable::study::speed::{self, Plan, SpeedError, Study};
+use seacable::study::speed::{self, SpeedError, SpeedPlan, SpeedStudy};
 
 fn pendulum() -> Case {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/basics/pendulum.toml");
@@ -16,7 +16,7 @@ fn pendulum() -> Case {
     case
 }
 
-fn computed(case: &Case, plan: Plan) -> Study {
+fn computed(case: &Case, plan: SpeedPlan) -> SpeedStudy {
     let mut told = Vec::new();
     let mut tell = |begun: usize, of: usize, what: &str| told.push(format!("{begun} {of} {what}"));
     let study = speed::compute(case, plan, 1, &AtomicBool::new(false), &mut tell).unwrap();
@@ -143,7 +143,7 @@ fn varying_steps_stand_beside_constant_ones_of_the_same_error() {
     }
     assert!(
         rows.iter()
-            .flat_map(speed::Beside::ratios)
+            .flat_map(speed::WorkComparison::ratios)
             .flatten()
             .count()
             > 0

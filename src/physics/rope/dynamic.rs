@@ -67,7 +67,7 @@ pub struct MeanState {
 /// Tension in percent of the breaking load beyond which the curve at rest goes on straight: the rope has parted.
 const PARTED: f64 = 100.0;
 
-/// Mean tension in percent of the breaking load up to which [`FibreRope::steepest`] holds.
+/// Mean tension in percent of the breaking load up to which [`FibreRope::max_stiffness`] holds.
 const WORKING: f64 = 50.0;
 
 impl FibreRope {
@@ -178,24 +178,26 @@ impl FibreRope {
 
     /// A slope that tensions do not exceed while the mean stays below half the breaking load \[N\].
     #[must_use]
-    pub fn steepest(&self) -> f64 {
+    pub fn max_stiffness(&self) -> f64 {
         let full = self.alpha + (self.beta + self.gamma) * WORKING;
         let about = self.stiffness(WORKING, 0.0);
         match &self.reading {
             StiffnessForm::Secant => self.strength * full,
-            StiffnessForm::AboutTheMean(curve) => {
-                curve.steepest().max(self.strength * full * full / about)
-            }
+            StiffnessForm::AboutTheMean(curve) => curve
+                .max_stiffness()
+                .max(self.strength * full * full / about),
         }
     }
 
-    /// A stiffness that stands for the rope at rest \[N\].
+    /// A representative stiffness of the rope at rest \[N\].
     #[must_use]
-    pub fn overall(&self) -> f64 {
+    pub fn representative_stiffness(&self) -> f64 {
         match &self.reading {
             StiffnessForm::Secant => self.strength * self.stiffness(15.0, 0.0),
             StiffnessForm::AboutTheMean(StaticElasticity::Linear(ea)) => *ea,
-            StiffnessForm::AboutTheMean(StaticElasticity::TensionTable(table)) => table.overall(),
+            StiffnessForm::AboutTheMean(StaticElasticity::TensionTable(table)) => {
+                table.representative_stiffness()
+            }
         }
     }
 
@@ -254,15 +256,15 @@ impl StaticElasticity {
         }
     }
 
-    fn steepest(&self) -> f64 {
+    fn max_stiffness(&self) -> f64 {
         match self {
             Self::Linear(ea) => *ea,
-            Self::TensionTable(table) => table.steepest(),
+            Self::TensionTable(table) => table.max_stiffness(),
         }
     }
 }
 
-/// The integral of `e / (1 + c e)` from nought: `(c e - ln(1 + c e)) / c²`, by its series where c e is small.
+/// The integral of `e / (1 + c e)` from zero: `(c e - ln(1 + c e)) / c²`, by its series where c e is small.
 fn bend(c: f64, e: f64) -> f64 {
     let x = c * e;
     if x.abs() < 1e-2 {
@@ -326,8 +328,8 @@ mod tests {
                 let from = mean_of(about, mean);
                 let tension = about.in_motion(strain, &from).tension;
                 let k = about.stiffness(about.percent(mean), about.percent(tension - mean));
-                let told = mean + k * about.strength * (strain - from.strain);
-                assert!(tension <= 0.0 || (told / tension - 1.0).abs() < 1e-12);
+                let expected = mean + k * about.strength * (strain - from.strain);
+                assert!(tension <= 0.0 || (expected / tension - 1.0).abs() < 1e-12);
             }
         }
     }
@@ -383,15 +385,15 @@ mod tests {
     }
 
     #[test]
-    fn energy_grows_with_the_mean_as_told() {
+    fn energy_grows_with_the_mean_as_expected() {
         for rope in readings() {
             for strain in [0.003, 0.008, 0.02] {
                 let stored = |tension: f64| rope.stored_in_motion(strain, &mean_of(&rope, tension));
                 let (m, h) = (2.1e6, 10.0);
                 let slope = (stored(m + h).0 - stored(m - h).0) / (2.0 * h);
-                let told = stored(m).1;
+                let expected = stored(m).1;
                 assert!(
-                    (slope - told).abs() < 1e-6 * (1.0 + told.abs()),
+                    (slope - expected).abs() < 1e-6 * (1.0 + expected.abs()),
                     "{rope:?} {strain}"
                 );
             }
@@ -405,7 +407,7 @@ mod tests {
                 let mean = mean_of(&rope, 0.01 * percent * rope.strength);
                 for i in 0..100 {
                     let here = rope.in_motion(f64::from(i) * 5e-4, &mean);
-                    assert!(here.by_strain <= rope.steepest() * (1.0 + 1e-12));
+                    assert!(here.by_strain <= rope.max_stiffness() * (1.0 + 1e-12));
                 }
             }
         }

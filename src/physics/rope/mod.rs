@@ -56,22 +56,22 @@ impl TensionLaw {
         }
     }
 
-    /// A stiffness that stands for the whole law \[N\].
+    /// A representative stiffness of the whole law \[N\].
     #[must_use]
-    pub fn overall(&self) -> f64 {
+    pub fn representative_stiffness(&self) -> f64 {
         match self {
-            Self::TensionTable(table) => table.overall(),
-            Self::FibreRope(rope) => rope.overall(),
+            Self::TensionTable(table) => table.representative_stiffness(),
+            Self::FibreRope(rope) => rope.representative_stiffness(),
         }
     }
 
     /// A slope that the tension does not exceed \[N\], with dynamic stiffness up to half the breaking load: what
     /// explicit steps and tolerances must be small for.
     #[must_use]
-    pub fn steepest(&self) -> f64 {
+    pub fn max_stiffness(&self) -> f64 {
         match self {
-            Self::TensionTable(table) => table.steepest(),
-            Self::FibreRope(rope) => rope.steepest(),
+            Self::TensionTable(table) => table.max_stiffness(),
+            Self::FibreRope(rope) => rope.max_stiffness(),
         }
     }
 

@@ -121,7 +121,7 @@ impl TensionTable {
     /// A slope that none of the curve exceeds \[N\]: between two points a cubic of this kind is nowhere steeper than its
     /// ends and one and a half times its mean.
     #[must_use]
-    pub fn steepest(&self) -> f64 {
+    pub fn max_stiffness(&self) -> f64 {
         let inside = (0..self.last()).map(|i| {
             let (h, rise, d) = self.shape(i);
             d[0].max(d[1]).max(1.5 * rise / h)
@@ -129,9 +129,9 @@ impl TensionTable {
         inside.fold(0.0, f64::max)
     }
 
-    /// Tension by strain at the last point \[N\]: a stiffness that stands for the whole table.
+    /// Tension by strain at the last point \[N\]: a representative stiffness of the table.
     #[must_use]
-    pub fn overall(&self) -> f64 {
+    pub fn representative_stiffness(&self) -> f64 {
         self.tension[self.last()] / self.strain[self.last()]
     }
 
@@ -183,7 +183,7 @@ mod tests {
         for i in -99..2000 {
             let here = table.at(f64::from(i) * 1e-4);
             assert!(here.tension > before.tension && here.by_strain > 0.0);
-            assert!(here.by_strain <= table.steepest());
+            assert!(here.by_strain <= table.max_stiffness());
             before = here;
         }
     }
@@ -214,7 +214,7 @@ mod tests {
             assert!((here.tension - 5e6 * strain).abs() < 1e-6);
             assert!((here.by_strain - 5e6).abs() < 1e-6);
         }
-        assert!((table.overall() - 5e6).abs() < 1e-6);
+        assert!((table.representative_stiffness() - 5e6).abs() < 1e-6);
     }
 
     #[test]

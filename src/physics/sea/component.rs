@@ -21,7 +21,7 @@ impl Component {
     }
 }
 
-/// What a spectrum, or a set of components, comes to.
+/// Spectral moments of a spectrum or of a set of components.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Moments {
     /// Variance \[unit²\].

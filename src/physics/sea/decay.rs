@@ -1,6 +1,6 @@
-//! How the motion of the water falls with depth.
+//! Decay of the water's motion with depth.
 
-/// The law by which it falls.
+/// The law of decay.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DepthDecay {
     /// Airy's linear theory at the depth of the sea.

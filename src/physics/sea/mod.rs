@@ -1,11 +1,11 @@
-//! The sea: spectra, irregular records made from them, waves at finite depth, and how a ship answers.
+//! The sea: spectra, irregular records made from them, waves at finite depth, and the response of a vessel.
 //!
 //! * [`Spectrum`]: JONSWAP and Pierson-Moskowitz, by significant height or by root mean square.
 //! * [`synthesise`]: a spectrum into regular [`Component`]s, the same for the same seed.
 //! * [`wave_number`]: dispersion at any depth.
-//! * [`Waves`]: velocity and acceleration of the water, with how both change from place to place.
-//! * [`Rao`]: the answer of a ship to a regular wave in six degrees of freedom.
-//! * [`Harmonics`]: a motion in space as a sum of harmonics, which is what all of these become in the end.
+//! * [`Waves`]: velocity and acceleration of the water, with their gradients.
+//! * [`Rao`]: the response of a vessel to a regular wave in six degrees of freedom.
+//! * [`Harmonics`]: a motion in space as a sum of harmonics, the form in which motions of ends are computed.
 //!
 //! Conventions: angular frequencies omega \[rad/s\]; a component is `a cos(omega t + phase)`, so a phase is a
 //! lead; a wave that runs along the unit vector d is `a cos(omega t - k d.x + phase)` at the place x. Waves are

@@ -1,4 +1,4 @@
-//! Response amplitude operators: how a ship moves in a regular wave of unit amplitude.
+//! Response amplitude operators: how a vessel moves in a regular wave of unit amplitude.
 //!
 //! # The table
 //! For one heading of the ship to the waves, at rising frequencies: amplitude per wave amplitude and phase of
@@ -8,7 +8,7 @@
 //!
 //! # Between and beyond its frequencies
 //! Real and imaginary part are linear in angular frequency in between. Beyond either end the last entry holds;
-//! [`Rao::energy_beyond`] tells how much of a sea lies there.
+//! [`Rao::energy_beyond`] gives the share of a sea's energy there.
 
 use nalgebra::Complex;
 

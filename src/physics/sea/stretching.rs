@@ -1,10 +1,10 @@
-//! Where, near the surface, the linear theory is read off: it knows no water above z = 0.
+//! Stretching: the kinematics of linear waves, defined up to z = 0, carried to the instantaneous surface.
 
 /// How kinematics is carried up to the surface.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Stretching {
-    /// The formula as it stands, up to the surface; above the surface as at it. Short waves on long ones come out
-    /// much too fast.
+    /// The formula extrapolated to the surface; above it as at the surface. Overestimates the speed of short waves on
+    /// long ones.
     None,
     /// Above still water as at still water.
     #[default]
@@ -17,7 +17,7 @@ pub enum Stretching {
 
 /// The height at which the formula is read, and what the place of a node does to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Reading {
+pub(super) struct StretchedHeight {
     /// Height at which the formula is read \[m\].
     pub(super) z: f64,
     /// Its change with the node's height \[-\].
@@ -28,7 +28,7 @@ pub(super) struct Reading {
     pub(super) beyond: f64,
 }
 
-impl Reading {
+impl StretchedHeight {
     fn plain(z: f64) -> Self {
         Self {
             z,
@@ -49,40 +49,40 @@ impl Reading {
 }
 
 impl Stretching {
-    /// Whether the height of the surface has a say.
+    /// Whether the height of the surface matters.
     pub(super) fn needs_elevation(self) -> bool {
         matches!(self, Self::None | Self::Wheeler)
     }
 
     /// For a node at height z \[m\] where the surface is at `eta` over this depth \[m\].
-    pub(super) fn read(self, z: f64, eta: f64, depth: f64) -> Reading {
+    pub(super) fn read(self, z: f64, eta: f64, depth: f64) -> StretchedHeight {
         match self {
-            Self::None if z > eta => Reading::fixed(eta, 1.0),
-            Self::None => Reading::plain(z),
-            Self::Vertical if z > 0.0 => Reading::fixed(0.0, 0.0),
-            Self::Linear if z > 0.0 => Reading {
+            Self::None if z > eta => StretchedHeight::fixed(eta, 1.0),
+            Self::None => StretchedHeight::plain(z),
+            Self::Vertical if z > 0.0 => StretchedHeight::fixed(0.0, 0.0),
+            Self::Linear if z > 0.0 => StretchedHeight {
                 beyond: z,
-                ..Reading::fixed(0.0, 0.0)
+                ..StretchedHeight::fixed(0.0, 0.0)
             },
-            Self::Vertical | Self::Linear => Reading::plain(z),
+            Self::Vertical | Self::Linear => StretchedHeight::plain(z),
             Self::Wheeler => wheeler(z, eta, depth),
         }
     }
 }
 
-fn wheeler(z: f64, eta: f64, depth: f64) -> Reading {
+fn wheeler(z: f64, eta: f64, depth: f64) -> StretchedHeight {
     if z > eta {
-        return Reading::fixed(0.0, 0.0);
+        return StretchedHeight::fixed(0.0, 0.0);
     }
     // A trough that reaches the bed leaves no water to be stretched.
     if depth.is_infinite() || depth + eta <= 0.0 {
-        return Reading {
+        return StretchedHeight {
             by_elevation: -1.0,
-            ..Reading::plain(z - eta)
+            ..StretchedHeight::plain(z - eta)
         };
     }
     let ratio = depth / (depth + eta);
-    Reading {
+    StretchedHeight {
         z: ratio * (z + depth) - depth,
         by_z: ratio,
         by_elevation: -ratio * (z + depth) / (depth + eta),

@@ -6,15 +6,15 @@
 //! acceleration is the local one, by time at a fixed place, as belongs to a linear theory.
 //!
 //! # Cost
-//! One sine and cosine, one exponential (two where the bed is felt) and a few multiplications a component and node:
+//! One sine and cosine, one exponential (two in water of finite depth) and a few multiplications a component and node:
 //! 30 to 60 ns each on the machines at hand. So a line takes the water once a step, not in every iteration
 //! ([`Flow`] goes on from there to first order), and leaves out components that do not reach down to a node.
 
 use super::decay::{DepthDecay, Share};
-use super::stretching::{Reading, Stretching};
+use super::stretching::{StretchedHeight, Stretching};
 use super::{Component, wave_number};
 use crate::numerics::{M3, V3};
-use crate::physics::growth::growth;
+use crate::physics::ramp::smooth_ramp;
 
 /// A component that is weaker than this at a node has no part in it; `exp(-25)`, below what any solver resolves.
 const FAINT: f64 = -25.0;
@@ -149,7 +149,7 @@ impl Waves {
 
     /// The components as they pass a place \[m\].
     #[must_use]
-    pub fn passing(&self, place: &V3) -> Vec<Component> {
+    pub fn at_point(&self, place: &V3) -> Vec<Component> {
         let along = self.direction.dot(place);
         let pairs = self.components.iter().zip(&self.numbers);
         pairs
@@ -181,14 +181,14 @@ impl Waves {
     /// Height of the surface above still water \[m\] at time t \[s\] over a place.
     #[must_use]
     pub fn elevation(&self, t: f64, place: &V3) -> f64 {
-        growth(t, self.ramp).0 * self.surface(t, self.direction.dot(place)).0
+        smooth_ramp(t, self.ramp).0 * self.surface(t, self.direction.dot(place)).0
     }
 
     /// What they make of the water at a place at time t \[s\]; with the height of the surface only where `surface`
     /// or the stretching asks for it.
     #[must_use]
     pub fn flow(&self, t: f64, place: &V3, surface: bool) -> Flow {
-        let (r, r1, _) = growth(t, self.ramp);
+        let (r, r1, _) = smooth_ramp(t, self.ramp);
         let along = self.direction.dot(place);
         let (eta, slope) = if surface || self.stretching.needs_elevation() {
             let (eta, slope) = self.surface(t, along);
@@ -220,7 +220,7 @@ impl Waves {
     }
 
     /// The sums over all components that reach down to where the formula is read.
-    fn sums(&self, t: f64, along: f64, reading: &Reading) -> Sums {
+    fn sums(&self, t: f64, along: f64, reading: &StretchedHeight) -> Sums {
         let mut sums = Sums::default();
         let decays = !matches!(self.decay, DepthDecay::Logarithmic(_));
         for (c, k) in self.components.iter().zip(&self.numbers) {
@@ -237,7 +237,7 @@ impl Waves {
     }
 
     /// Velocity (`which` 0) or acceleration (1) along the axes of the case, and its derivative by the place.
-    fn turned(&self, sums: &Sums, reading: &Reading, slope: f64, which: usize) -> (V3, M3) {
+    fn turned(&self, sums: &Sums, reading: &StretchedHeight, slope: f64, which: usize) -> (V3, M3) {
         let d = &self.direction;
         let (across, up) = (sums.across[which], sums.up[which]);
         // By the distance along the waves: through theta, and through the height of the surface.
@@ -429,7 +429,7 @@ mod tests {
     fn what_passes_a_place_is_its_surface() {
         let waves = irregular(&setting(40.0));
         let place = V3::new(30.0, -20.0, 0.0);
-        let passing: f64 = waves.passing(&place).iter().map(|c| c.at(8.0)).sum();
+        let passing: f64 = waves.at_point(&place).iter().map(|c| c.at(8.0)).sum();
         assert!((passing - waves.elevation(8.0, &place)).abs() < 1e-12);
     }
 }

@@ -2,6 +2,8 @@
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
+use time::OffsetDateTime;
+
 /// `2026-11-21T06:11:26Z` (RFC 3339, UTC).
 #[must_use]
 pub fn rfc3339(at: SystemTime) -> String {
@@ -16,28 +18,12 @@ pub fn stamp(at: SystemTime) -> String {
     format!("{year:04}{month:02}{day:02}-{hour:02}{minute:02}{second:02}")
 }
 
-/// Year, month, day, hour, minute, second of the Gregorian calendar; clocks before 1970 read as 1970.
-fn civil(at: SystemTime) -> [u64; 6] {
-    let seconds = at.duration_since(UNIX_EPOCH).map_or(0, |d| d.as_secs());
-    let (days, rest) = (seconds / 86_400, seconds % 86_400);
-
-    // Counted from 1 March of the year 0, leap days fall at the end of a year and every month
-    // but the last follows the pattern 31, 30, 31, 30, 31 of five months in 153 days.
-    let shifted = days + 719_468;
-    let (era, day_of_era) = (shifted / 146_097, shifted % 146_097);
-    let year_of_era =
-        (day_of_era - day_of_era / 1_460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
-    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
-    let shifted_month = (5 * day_of_year + 2) / 153;
-    let day = day_of_year - (153 * shifted_month + 2) / 5 + 1;
-    let month = if shifted_month < 10 {
-        shifted_month + 3
-    } else {
-        shifted_month - 9
-    };
-    let year = era * 400 + year_of_era + u64::from(month <= 2);
-
-    [year, month, day, rest / 3600, rest / 60 % 60, rest % 60]
+/// Year, month, day, hour, minute, second in UTC; clocks before 1970 read as 1970.
+fn civil(at: SystemTime) -> [i32; 6] {
+    let at = OffsetDateTime::from(at.max(UNIX_EPOCH));
+    let (year, month, day) = at.to_calendar_date();
+    let [day, hour, minute, second] = [day, at.hour(), at.minute(), at.second()].map(i32::from);
+    [year, i32::from(u8::from(month)), day, hour, minute, second]
 }
 
 #[cfg(test)]

@@ -17,7 +17,7 @@ impl RigidPayload {
         });
         let relative = self.moving(&there, state, [V3::zeros(); 2]);
         let own = self.in_still_water(scene, state);
-        let [streaming, still] = [relative, own].map(|m| self.body.added.by_speed(&m));
+        let [streaming, still] = [relative, own].map(|m| self.body.added.velocity_terms(&m));
         let by_current =
             (streaming.0 - still.0).dot(&own.v) + (streaming.1 - still.1).dot(&own.turn);
         (by_current - drag.sum::<f64>()) * there.wet.0

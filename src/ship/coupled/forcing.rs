@@ -3,7 +3,7 @@
 
 use nalgebra::{Complex, Matrix6, Vector6};
 
-use crate::physics::growth::growth;
+use crate::physics::ramp::smooth_ramp;
 use crate::physics::sea::Component;
 use crate::ship::hull::HullMatrices;
 use crate::ship::loads::EnvironmentalLoads;
@@ -72,7 +72,7 @@ impl Forcing {
             load += wave.cosine * cos + wave.sine * sin;
         }
         if !self.waves.is_empty() {
-            load *= growth(time, self.ramp).0;
+            load *= smooth_ramp(time, self.ramp).0;
         }
         if let Some((loads, heading)) = &self.environment {
             let linearised = loads.linearised(*heading, q[5], [v[0], v[1]]);

@@ -1,17 +1,17 @@
 //! Speed against error of any case: every method at several settings, its cost beside its error in time.
 //!
-//! Errors are held against a reference of another method in much finer steps, whose own error is told; a point that is
-//! no better known than ten times that error is marked. The error of the mesh is a matter of its own and stands apart. Cost is
+//! Errors are held against a reference of another method in much finer steps, whose own error is estimated; a point with
+//! an error below ten times that is marked. The error of the mesh is listed separately. Cost is
 //! CPU time, the least of several repeats on one thread, and counts of work that no machine changes (Hairer and Wanner
 //! 1996 call the picture of both a work-precision diagram).
 
-mod equal;
+mod equal_error;
 mod error;
 mod view;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-pub use equal::{Beside, Median, compare, comparison_table};
+pub use equal_error::{MedianPoint, WorkComparison, compare, comparison_table};
 pub use error::Errors;
 pub use view::{chart, mesh_table, table};
 
@@ -22,20 +22,20 @@ use crate::scene;
 
 /// What is to be measured.
 #[derive(Debug, Clone)]
-pub struct Plan {
+pub struct SpeedPlan {
     /// The points, method by method, the coarsest setting first.
-    pub points: Vec<Setting>,
+    pub points: Vec<SpeedSetting>,
     /// The reference.
-    pub reference: Setting,
-    /// The same in steps of twice its length, which tells its own error.
-    pub coarser: Setting,
+    pub reference: SpeedSetting,
+    /// The same in steps of twice its length, for the error of the reference.
+    pub coarser: SpeedSetting,
     /// What was left out and why, in words.
     pub left_out: Vec<String>,
 }
 
 /// A method at one setting.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Setting {
+pub struct SpeedSetting {
     /// The curve it is a point of: `alpha, steps vary`.
     pub solver: String,
     /// What sets its accuracy: `tolerance 2e-5`.
@@ -46,22 +46,22 @@ pub struct Setting {
 
 /// A point of the table.
 #[derive(Debug, Clone)]
-pub struct Point {
+pub struct SpeedPoint {
     /// What was computed.
-    pub setting: Setting,
+    pub setting: SpeedSetting,
     /// The run, the cheapest of its repeats.
     pub run: Run,
     /// Its errors against the reference; absent where it failed.
     pub errors: Option<Errors>,
 }
 
-/// What came out.
+/// The results.
 #[derive(Debug, Clone)]
-pub struct Study {
+pub struct SpeedStudy {
     /// The points.
-    pub points: Vec<Point>,
+    pub points: Vec<SpeedPoint>,
     /// What they are held against.
-    pub reference: Point,
+    pub reference: SpeedPoint,
     /// Single numbers of the case as it stands, with their errors in time and by half the mesh.
     pub mesh: Vec<Quantity>,
     /// What was left out and why, in words.
@@ -109,7 +109,7 @@ const EXPLICIT: [f64; 2] = [0.9, 0.45];
 ///
 /// # Errors
 /// [`SpeedError`] where the case is static or no line can be made of it.
-pub fn plan(case: &Case) -> Result<Plan, SpeedError> {
+pub fn plan(case: &Case) -> Result<SpeedPlan, SpeedError> {
     if case.solver.method == Method::Static {
         return Err(SpeedError::Static);
     }
@@ -121,13 +121,13 @@ pub fn plan(case: &Case) -> Result<Plan, SpeedError> {
         let tolerance = rounded(case.solver.step_tolerance * share);
         let mut case = with(case, Method::Alpha, None);
         case.solver.step_tolerance = tolerance;
-        points.push(Setting {
+        points.push(SpeedSetting {
             solver: "alpha, steps vary".to_owned(),
             setting: format!("tolerance {tolerance:.1e}"),
             case,
         });
     }
-    let constant = |solver: &str, method, step: f64| Setting {
+    let constant = |solver: &str, method, step: f64| SpeedSetting {
         solver: solver.to_owned(),
         setting: format!("step {step:.2e} s"),
         case: with(case, method, Some(step)),
@@ -160,7 +160,7 @@ pub fn plan(case: &Case) -> Result<Plan, SpeedError> {
     if !explicit.iter().all(affordable) {
         left_out.push("rk4: its stable steps are too many to wait for".to_owned());
     }
-    Ok(Plan {
+    Ok(SpeedPlan {
         points,
         reference: constant(solver, method, fine),
         coarser: constant(solver, method, 2.0 * fine),
@@ -168,22 +168,22 @@ pub fn plan(case: &Case) -> Result<Plan, SpeedError> {
     })
 }
 
-/// Computes a plan, telling before each run what it is about to compute, and how many of how many.
+/// Computes a plan, reporting each run before it begins: its number, how many there are, its name.
 ///
 /// # Errors
 /// [`SpeedError`] where the reference fails or the user stops it.
 pub fn compute(
     case: &Case,
-    plan: Plan,
+    plan: SpeedPlan,
     repeats: usize,
     cancel: &AtomicBool,
-    tell: &mut dyn FnMut(usize, usize, &str),
-) -> Result<Study, SpeedError> {
+    progress: &mut dyn FnMut(usize, usize, &str),
+) -> Result<SpeedStudy, SpeedError> {
     let total = plan.points.len() + 3;
     let mut begun = 0;
-    let mut run = |setting: &Setting, repeats| {
+    let mut run = |setting: &SpeedSetting, repeats| {
         begun += 1;
-        tell(
+        progress(
             begun,
             total,
             &format!("{}, {}", setting.solver, setting.setting),
@@ -207,7 +207,7 @@ pub fn compute(
     for setting in plan.points {
         let run = run(&setting, repeats)?;
         let errors = error::errors(&run, &reference);
-        points.push(Point {
+        points.push(SpeedPoint {
             setting,
             run,
             errors,
@@ -215,15 +215,15 @@ pub fn compute(
     }
     let mut estimated = case.clone();
     estimated.solver.error_estimate = true;
-    let as_it_stands = Setting {
+    let unchanged = SpeedSetting {
         solver: "as the case stands".to_owned(),
         setting: "and with half the segments".to_owned(),
         case: estimated,
     };
-    let mesh = run(&as_it_stands, 1)?.summary;
-    Ok(Study {
+    let mesh = run(&unchanged, 1)?.summary;
+    Ok(SpeedStudy {
         points,
-        reference: Point {
+        reference: SpeedPoint {
             setting: plan.reference,
             run: reference,
             errors: own,

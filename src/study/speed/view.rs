@@ -1,18 +1,18 @@
 //! Speed against error as tables and as a chart.
 
-use super::{Errors, Point, Study};
+use super::{Errors, SpeedPoint, SpeedStudy};
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::number::{digits, with_error};
 use crate::report::table::{Cell, CellInk, Column, Table};
 use crate::run::RunState;
 
-/// Errors within this many times the reference's own are not told from it.
-const TOLD_APART: f64 = 10.0;
+/// Errors within this many times that of the reference are not significant.
+const SIGNIFICANT: f64 = 10.0;
 
 /// The table: a row a point, the reference last with its own error. Numbers are bare, their units in the heads, so that
 /// the same table serves as CSV.
 #[must_use]
-pub fn table(study: &Study) -> Table {
+pub fn table(study: &SpeedStudy) -> Table {
     let mut notes = Vec::new();
     let mut rows: Vec<Vec<Cell>> = Vec::new();
     for point in &study.points {
@@ -48,7 +48,7 @@ pub fn table(study: &Study) -> Table {
     }
 }
 
-fn row(point: &Point, study: &Study, notes: &mut Vec<String>) -> Vec<Cell> {
+fn row(point: &SpeedPoint, study: &SpeedStudy, notes: &mut Vec<String>) -> Vec<Cell> {
     let (info, work) = (&point.run.info, &point.run.info.work);
     let counted = (work.iterations.max(work.evaluations) * info.settings.nodes as u64).max(1);
     let mut cells = vec![
@@ -93,15 +93,15 @@ fn row(point: &Point, study: &Study, notes: &mut Vec<String>) -> Vec<Cell> {
     cells
 }
 
-/// Whether errors are not told from the reference's own.
-fn is_near(errors: &Errors, study: &Study) -> bool {
+/// Whether errors are not significant beside that of the reference.
+fn is_near(errors: &Errors, study: &SpeedStudy) -> bool {
     study.reference.errors.is_none_or(|own| {
-        errors.tension_rms < TOLD_APART * own.tension_rms
-            || errors.position_rms < TOLD_APART * own.position_rms
+        errors.tension_rms < SIGNIFICANT * own.tension_rms
+            || errors.position_rms < SIGNIFICANT * own.position_rms
     })
 }
 
-fn explanations(study: &Study) -> Vec<String> {
+fn explanations(study: &SpeedStudy) -> Vec<String> {
     let mut notes = vec![
         "Errors are those of the time step alone, at output times (positions: stored shapes), against the reference on the \
          same mesh; the reference's own is its distance from a run in twice its steps, and what is within ten times \
@@ -115,7 +115,7 @@ fn explanations(study: &Study) -> Vec<String> {
     let reference = &study.reference.setting.solver;
     if study.points.iter().any(|p| p.setting.solver == *reference) {
         notes.push(format!(
-            "Rows of `{reference}` are of the reference's own method: their errors are told by one method alone."
+            "Rows of `{reference}` are of the reference's own method: their errors rest on one method alone."
         ));
     }
     notes.extend(
@@ -130,7 +130,7 @@ fn explanations(study: &Study) -> Vec<String> {
 /// Error of the mesh: single numbers of the case as it stands, with their errors in time and by a companion of half the
 /// segments.
 #[must_use]
-pub fn mesh_table(study: &Study) -> Table {
+pub fn mesh_table(study: &SpeedStudy) -> Table {
     let told = study.mesh.iter().filter(|q| q.mesh_error.is_some());
     let part = |error: Option<f64>, unit: &str| {
         let bare = error.map(|e| format!("{} {unit}", digits(e, 2)));
@@ -160,7 +160,7 @@ pub fn mesh_table(study: &Study) -> Table {
 
 /// Cost over error of the tensions, both in powers of ten; a curve a method, a point a setting. What failed is not on it.
 #[must_use]
-pub fn chart(study: &Study) -> Chart {
+pub fn chart(study: &SpeedStudy) -> Chart {
     let mut series: Vec<Series> = Vec::new();
     for point in &study.points {
         let Some(errors) = point

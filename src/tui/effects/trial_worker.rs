@@ -7,7 +7,7 @@ use crossbeam_channel::Sender;
 
 use crate::case;
 use crate::kinds::Kind;
-use crate::study::hard::{self, Computed, Hard};
+use crate::study::hard_cases::{self, HardCase, TrialRun};
 use crate::tui::msg::Msg;
 use crate::tui::state::Ticket;
 use crate::tui::state::trials::{TrialProgress, TrialsOf};
@@ -19,17 +19,17 @@ pub(super) fn compute_trials(
     cancel: &AtomicBool,
     out: &Sender<Msg>,
 ) -> Msg {
-    let cases: Vec<Hard> = match of {
+    let cases: Vec<HardCase> = match of {
         TrialsOf::Case { file, text } => {
             let case = case::parse(&text, &file).ok();
-            let hard = case.map(|case| Hard { file, text, case });
+            let hard = case.map(|case| HardCase { file, text, case });
             hard.into_iter().collect()
         }
         TrialsOf::Files(paths) => paths.iter().filter_map(|path| hard_case(path)).collect(),
     };
-    let tell = |all: &[Option<Computed>], done: usize, over: bool| {
+    let tell = |all: &[Option<TrialRun>], done: usize, over: bool| {
         let progress = TrialProgress {
-            findings: hard::findings(&cases, all),
+            findings: hard_cases::verdicts(&cases, all),
             done,
             all: all.len(),
             over,
@@ -41,7 +41,7 @@ pub(super) fn compute_trials(
         .num_threads(cores.saturating_sub(1).max(1))
         .build();
     let compute = || {
-        hard::compute_all(&cases, cancel, &|all, done| {
+        hard_cases::compute_all(&cases, cancel, &|all, done| {
             drop(out.send(tell(all, done, false)));
         })
     };
@@ -54,13 +54,13 @@ pub(super) fn compute_trials(
 }
 
 /// A case file with trials.
-fn hard_case(path: &Path) -> Option<Hard> {
+fn hard_case(path: &Path) -> Option<HardCase> {
     if Kind::of(path) != Kind::Line {
         return None;
     }
     let loaded = case::load(path).ok()?;
     let file = path.file_name()?.to_string_lossy().into_owned();
-    (!loaded.case.trial.is_empty()).then_some(Hard {
+    (!loaded.case.trial.is_empty()).then_some(HardCase {
         file,
         text: case::stand_alone(&loaded.text, &loaded.case).into_owned(),
         case: loaded.case,

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::Pane;
-use crate::study::{hard, tally};
+use crate::study::{hard_cases, tally};
 use crate::tui::command::{Command, DOWN, Id, LIST, WIDE, main};
 use crate::tui::msg::Effect;
 use crate::tui::state::AppState;
@@ -109,7 +109,7 @@ impl Pane for TrialsPane {
         if narrow && let Some(finding) = trials.selected(&table) {
             let (strong, plain) = (painter.theme.strong(), painter.theme.plain());
             let styles = std::iter::once(strong).chain(std::iter::repeat(plain));
-            let story = hard::story(finding);
+            let story = hard_cases::description(finding);
             let lines = story
                 .iter()
                 .flat_map(|line| wrap(line, detail.width.into()));

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::Ticket;
 use crate::report::table::Table;
-use crate::study::{Finding, hard};
+use crate::study::{TrialVerdict, hard_cases};
 use crate::tui::table_pane::TablePane;
 
 /// Whose trials.
@@ -25,7 +25,7 @@ pub enum TrialsOf {
 #[derive(Debug, Clone, Default)]
 pub struct TrialProgress {
     /// What came out so far, in the order of the cases.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<TrialVerdict>,
     /// Trials computed.
     pub done: usize,
     /// Trials in all.
@@ -59,15 +59,15 @@ impl Trials {
     #[must_use]
     pub fn table(&self, columns: u16) -> Table {
         if columns < WIDE {
-            hard::compact(&self.progress.findings)
+            hard_cases::compact_table(&self.progress.findings)
         } else {
-            hard::table(&self.progress.findings)
+            hard_cases::table(&self.progress.findings)
         }
     }
 
     /// The trial selected in the table of a row a trial.
     #[must_use]
-    pub fn selected(&self, table: &Table) -> Option<&Finding> {
+    pub fn selected(&self, table: &Table) -> Option<&TrialVerdict> {
         self.progress.findings.get(self.pane.selected(table)?)
     }
 

@@ -121,7 +121,9 @@ fn small_swings_go_at_the_slope() {
 fn the_explicit_limit_knows_the_steepest_part() {
     let scene = hung(WORDS, "line.segments = 10");
     let (limit, _) = scene.explicit_limit();
-    let steepest = TensionTable::new(&STRAIN, &TENSION).unwrap().steepest();
+    let steepest = TensionTable::new(&STRAIN, &TENSION)
+        .unwrap()
+        .max_stiffness();
     let exact = 2.785 / (2.0 * 2.0 * steepest / 10.0 / 20.0).sqrt();
     assert!((limit / exact - 1.0).abs() < 1e-9, "{limit} {exact}");
 }

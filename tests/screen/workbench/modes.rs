@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 
 use seacable::case;
 use seacable::modes;
-use seacable::study::hard::{self, Computed, Hard};
+use seacable::study::hard_cases::{self, HardCase, TrialRun};
 use seacable::tui::msg::FileRead;
 use seacable::tui::pane::PaneId;
 use seacable::tui::state::modes::COUNT;
@@ -96,14 +96,14 @@ const FALLING: &str = include_str!("../../../cases/hard/falling.toml");
 
 /// Computes the trials of a case, telling of the first so many, then of all.
 fn trialled(first: usize) -> (TrialProgress, TrialProgress) {
-    let hard = [Hard {
+    let hard = [HardCase {
         file: "falling.toml".to_owned(),
         text: FALLING.to_owned(),
         case: case::parse(FALLING, "falling.toml").unwrap(),
     }];
-    let all = hard::compute_all(&hard, &AtomicBool::new(false), &|_, _| {});
-    let of = |computed: &[Option<Computed>], over| TrialProgress {
-        findings: hard::findings(&hard, computed),
+    let all = hard_cases::compute_all(&hard, &AtomicBool::new(false), &|_, _| {});
+    let of = |computed: &[Option<TrialRun>], over| TrialProgress {
+        findings: hard_cases::verdicts(&hard, computed),
         done: computed.iter().flatten().count(),
         all: all.len(),
         over,

@@ -1,4 +1,4 @@
-//! Hard cases: case files with trials, each a way to compute the case, and what must come of it.
+//! Hard cases: case files with trials, each a way to compute the case with an expected result.
 //!
 //! Trials are computed side by side, each on one thread from its own text alone, so that the table does not depend on
 //! how many threads there are.
@@ -8,26 +8,26 @@ use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use super::judge::{Finding, finding};
-pub use super::table::{compact, story, table};
+use super::verdict::{TrialVerdict, verdict};
+pub use super::verdict_table::{compact_table, description, table};
 use crate::case::{self, Case, Diagnostic, Trial, edit};
 use crate::run::Run;
 use crate::run::job::{self, Request};
 
 /// A case with trials.
 #[derive(Debug, Clone)]
-pub struct Hard {
+pub struct HardCase {
     /// File name of the case.
     pub file: String,
     /// Its text.
     pub text: String,
-    /// What it says.
+    /// The case.
     pub case: Case,
 }
 
 /// One trial of one case, to be computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Task {
+pub struct TrialTask {
     /// The case, by its place in the list.
     pub case: usize,
     /// The trial, by its place in the case.
@@ -35,22 +35,22 @@ pub struct Task {
 }
 
 /// A trial as computed: a run, or the reason why its case was refused.
-pub type Computed = Result<Run, String>;
+pub type TrialRun = Result<Run, String>;
 
 /// The hard cases that come with the program.
 ///
 /// # Errors
 /// What is wrong with a case, which a test of the program excludes.
-pub fn shipped() -> Result<Vec<Hard>, Vec<Diagnostic>> {
+pub fn shipped() -> Result<Vec<HardCase>, Vec<Diagnostic>> {
     let with_trials = case::shipped::SHIPPED.iter().map(|(path, text)| {
         let case = case::parse(text, path)?;
-        Ok(Hard {
+        Ok(HardCase {
             file: (*path).to_owned(),
             text: (*text).to_owned(),
             case,
         })
     });
-    let all: Result<Vec<Hard>, Vec<Diagnostic>> = with_trials.collect();
+    let all: Result<Vec<HardCase>, Vec<Diagnostic>> = with_trials.collect();
     Ok(all?
         .into_iter()
         .filter(|hard| !hard.case.trial.is_empty())
@@ -59,10 +59,12 @@ pub fn shipped() -> Result<Vec<Hard>, Vec<Diagnostic>> {
 
 /// Everything to be computed, in the order of the table.
 #[must_use]
-pub fn tasks(cases: &[Hard]) -> Vec<Task> {
+pub fn tasks(cases: &[HardCase]) -> Vec<TrialTask> {
     let numbered = cases.iter().enumerate();
     numbered
-        .flat_map(|(case, hard)| (0..hard.case.trial.len()).map(move |trial| Task { case, trial }))
+        .flat_map(|(case, hard)| {
+            (0..hard.case.trial.len()).map(move |trial| TrialTask { case, trial })
+        })
         .collect()
 }
 
@@ -70,17 +72,17 @@ pub fn tasks(cases: &[Hard]) -> Vec<Task> {
 ///
 /// # Errors
 /// The reason for which the case of the trial is refused before anything is computed.
-pub fn compute(hard: &Hard, trial: &Trial, cancel: &AtomicBool) -> Computed {
+pub fn compute(hard: &HardCase, trial: &Trial, cancel: &AtomicBool) -> TrialRun {
     let request = request(hard, trial).map_err(|faults| {
-        let told = faults.iter().map(|d| format!("{}: {}", d.key, d.problem));
-        told.collect::<Vec<_>>().join("; ")
+        let problems = faults.iter().map(|d| format!("{}: {}", d.key, d.problem));
+        problems.collect::<Vec<_>>().join("; ")
     })?;
     Ok(job::execute(&request, cancel, &mut |_| {}))
 }
 
-/// The case with the keys of a trial set, without companion runs: the error of a trial is its distance from what must
-/// come out.
-fn request(hard: &Hard, trial: &Trial) -> Result<Request, Vec<Diagnostic>> {
+/// The case with the keys of a trial set, without companion runs: the error of a trial is its distance from the expected
+/// value.
+fn request(hard: &HardCase, trial: &Trial) -> Result<Request, Vec<Diagnostic>> {
     let mut overrides = vec!["solver.error_estimate=false".to_owned()];
     overrides.extend(trial.set.iter().flatten().cloned());
     let edits: Vec<(&str, &str)> = overrides
@@ -99,16 +101,16 @@ fn request(hard: &Hard, trial: &Trial) -> Result<Request, Vec<Diagnostic>> {
     })
 }
 
-/// Computes all trials side by side, on the threads of the caller's pool. After each one `told` is given what has been
+/// Computes all trials side by side, on the threads of the caller's pool. After each one `progress` receives what has been
 /// computed so far, in the order of [`tasks`], and how many that is. Once `cancel` is set no further one begins, and one
 /// that was stopped is left out.
 pub fn compute_all(
-    cases: &[Hard],
+    cases: &[HardCase],
     cancel: &AtomicBool,
-    told: &(dyn Fn(&[Option<Computed>], usize) + Sync),
-) -> Vec<Option<Computed>> {
+    progress: &(dyn Fn(&[Option<TrialRun>], usize) + Sync),
+) -> Vec<Option<TrialRun>> {
     let tasks = tasks(cases);
-    let all: Vec<Option<Computed>> = tasks.iter().map(|_| None).collect();
+    let all: Vec<Option<TrialRun>> = tasks.iter().map(|_| None).collect();
     let so_far = Mutex::new((all, 0));
     let stopped = || cancel.load(Ordering::Relaxed);
     tasks.par_iter().enumerate().for_each(|(place, task)| {
@@ -124,16 +126,16 @@ pub fn compute_all(
         if let Some(one) = all.get_mut(place).filter(|_| !stopped()) {
             *one = Some(computed);
             *done += 1;
-            told(all, *done);
+            progress(all, *done);
         }
     });
     let (all, _) = so_far.into_inner().unwrap_or_else(PoisonError::into_inner);
     all
 }
 
-/// Judges what has been computed so far, in the order of [`tasks`]; what is missing is left out.
+/// The verdicts on what has been computed so far, in the order of [`tasks`].
 #[must_use]
-pub fn findings(cases: &[Hard], computed: &[Option<Computed>]) -> Vec<Finding> {
+pub fn verdicts(cases: &[HardCase], computed: &[Option<TrialRun>]) -> Vec<TrialVerdict> {
     let mut list = Vec::new();
     let mut from = 0;
     for hard in cases {
@@ -146,7 +148,7 @@ pub fn findings(cases: &[Hard], computed: &[Option<Computed>]) -> Vec<Finding> {
                 let at = trials.iter().position(|t| t.name == *name)?;
                 of_case.get(at)?.as_ref()?.as_ref().ok()
             });
-            list.push(finding(hard, trial, result, other));
+            list.push(verdict(hard, trial, result, other));
         }
     }
     list

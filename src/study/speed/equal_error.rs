@@ -8,7 +8,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::{
-    STEPS, Setting, SpeedError, TOLERANCES, cheapest, error, longest_step, plan, rounded, with,
+    STEPS, SpeedError, SpeedSetting, TOLERANCES, cheapest, error, longest_step, plan, rounded, with,
 };
 use crate::case::{Case, Method};
 use crate::report::number::digits;
@@ -24,7 +24,7 @@ const APART: f64 = 1e-3;
 
 /// Work and errors of one setting: medians over the variants.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Median {
+pub struct MedianPoint {
     /// Newton iterations.
     pub work: f64,
     /// Errors of the tension as in [`super::Errors`], root mean square and greatest \[-\].
@@ -33,19 +33,19 @@ pub struct Median {
 
 /// Steps of varying length at one setting, beside constant ones.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Beside {
+pub struct WorkComparison {
     /// Spectral radius.
     pub rho: f64,
     /// Error allowed in a step.
     pub tolerance: f64,
-    /// What it came to.
-    pub median: Median,
+    /// Its work and errors.
+    pub median: MedianPoint,
     /// Iterations that the best constant step needs for the same error, root mean square and greatest; absent where
     /// none of those measured is as good, or as bad.
     pub constant: [Option<f64>; 2],
 }
 
-impl Beside {
+impl WorkComparison {
     /// Iterations by those of the best constant step at the same error.
     #[must_use]
     pub fn ratios(&self) -> [Option<f64>; 2] {
@@ -55,9 +55,9 @@ impl Beside {
 }
 
 /// Constant steps at one spectral radius, the longest first.
-type Curve = Vec<Median>;
+type Curve = Vec<MedianPoint>;
 
-/// Computes `variants` variants of the case at every setting, telling before each what it is about to compute.
+/// Computes `variants` variants of the case at every setting, reporting each before it begins.
 ///
 /// # Errors
 /// As [`super::compute`].
@@ -65,15 +65,15 @@ pub fn compare(
     case: &Case,
     variants: usize,
     cancel: &AtomicBool,
-    tell: &mut dyn FnMut(usize, usize, &str),
-) -> Result<Vec<Beside>, SpeedError> {
+    progress: &mut dyn FnMut(usize, usize, &str),
+) -> Result<Vec<WorkComparison>, SpeedError> {
     let settings = settings(case)?;
     let exact = plan(case)?.reference;
     let total = variants * (settings.len() + 1);
     let mut begun = 0;
-    let mut run = |setting: &Setting| {
+    let mut run = |setting: &SpeedSetting| {
         begun += 1;
-        tell(
+        progress(
             begun,
             total,
             &format!("{}, {}", setting.solver, setting.setting),
@@ -101,12 +101,12 @@ pub fn compare(
             }
         }
     }
-    let medians: Vec<Option<Median>> = points.iter().map(|points| median_of(points)).collect();
-    Ok(beside(&settings, &medians))
+    let medians: Vec<Option<MedianPoint>> = points.iter().map(|points| median_of(points)).collect();
+    Ok(comparisons(&settings, &medians))
 }
 
 /// Varying and constant steps at every radius, the coarsest setting first.
-fn settings(case: &Case) -> Result<Vec<Setting>, SpeedError> {
+fn settings(case: &Case) -> Result<Vec<SpeedSetting>, SpeedError> {
     if case.solver.method == Method::Static {
         return Err(SpeedError::Static);
     }
@@ -118,7 +118,7 @@ fn settings(case: &Case) -> Result<Vec<Setting>, SpeedError> {
             let mut case = with(case, Method::Alpha, step);
             case.solver.rho_inf = rho;
             case.solver.step_tolerance = tolerance;
-            settings.push(Setting {
+            settings.push(SpeedSetting {
                 solver: format!("rho {rho}"),
                 setting,
                 case,
@@ -141,7 +141,7 @@ fn settings(case: &Case) -> Result<Vec<Setting>, SpeedError> {
 }
 
 /// A setting for the variant of this number: gravity as it is, a little more, a little less, a little more than that ...
-fn varied(mut setting: Setting, number: usize) -> Setting {
+fn varied(mut setting: SpeedSetting, number: usize) -> SpeedSetting {
     let away = number.div_ceil(2) as f64 * APART;
     let away = if number.is_multiple_of(2) {
         -away
@@ -152,10 +152,10 @@ fn varied(mut setting: Setting, number: usize) -> Setting {
     setting
 }
 
-fn median_of(points: &[(f64, error::Errors)]) -> Option<Median> {
+fn median_of(points: &[(f64, error::Errors)]) -> Option<MedianPoint> {
     let of =
         |pick: &dyn Fn(&(f64, error::Errors)) -> f64| median(points.iter().map(pick).collect());
-    Some(Median {
+    Some(MedianPoint {
         work: of(&|p| p.0)?,
         errors: [of(&|p| p.1.tension_rms)?, of(&|p| p.1.tension_max)?],
     })
@@ -170,7 +170,7 @@ fn median(mut values: Vec<f64>) -> Option<f64> {
 }
 
 /// Every point of varying steps, beside the cheapest constant ones.
-fn beside(settings: &[Setting], medians: &[Option<Median>]) -> Vec<Beside> {
+fn comparisons(settings: &[SpeedSetting], medians: &[Option<MedianPoint>]) -> Vec<WorkComparison> {
     let constant = |rho: f64| -> Curve {
         let all = settings.iter().zip(medians);
         let of = all
@@ -187,7 +187,7 @@ fn beside(settings: &[Setting], medians: &[Option<Median>]) -> Vec<Beside> {
             let works = works.filter_map(|c| work_at(c, which, median.errors[which]));
             works.reduce(f64::min)
         };
-        Some(Beside {
+        Some(WorkComparison {
             rho: setting.case.solver.rho_inf,
             tolerance: setting.case.solver.step_tolerance,
             median,
@@ -198,8 +198,8 @@ fn beside(settings: &[Setting], medians: &[Option<Median>]) -> Vec<Beside> {
 }
 
 /// Work along a curve where its error is this, between neighbours by their logarithms; the least where there are several.
-fn work_at(curve: &[Median], which: usize, error: f64) -> Option<f64> {
-    let between = |pair: &[Median]| {
+fn work_at(curve: &[MedianPoint], which: usize, error: f64) -> Option<f64> {
+    let between = |pair: &[MedianPoint]| {
         let ((a, w), (b, v)) = (
             (pair[0].errors[which].ln(), pair[0].work.ln()),
             (pair[1].errors[which].ln(), pair[1].work.ln()),
@@ -213,18 +213,18 @@ fn work_at(curve: &[Median], which: usize, error: f64) -> Option<f64> {
 }
 
 /// The middle ratio over all settings of a radius, of root mean square and greatest error together.
-fn middle(rows: &[Beside], rho: f64) -> Option<f64> {
+fn middle(rows: &[WorkComparison], rho: f64) -> Option<f64> {
     let of = rows.iter().filter(|row| row.rho == rho);
-    median(of.flat_map(Beside::ratios).flatten().collect())
+    median(of.flat_map(WorkComparison::ratios).flatten().collect())
 }
 
 /// The table: a row a setting, bare numbers with their units in the heads.
 #[must_use]
-pub fn comparison_table(rows: &[Beside], variants: usize) -> Table {
+pub fn comparison_table(rows: &[WorkComparison], variants: usize) -> Table {
     let of = |value: Option<f64>, count: i32| {
         Cell::plain(value.map_or_else(|| "-".to_owned(), |v| digits(v, count)))
     };
-    let row = |row: &Beside| {
+    let row = |row: &WorkComparison| {
         let mut cells = vec![
             Cell::plain(row.rho.to_string()),
             Cell::plain(format!("{:.1e}", row.tolerance)),
@@ -272,8 +272,8 @@ pub fn comparison_table(rows: &[Beside], variants: usize) -> Table {
 mod tests {
     use super::*;
 
-    fn point(work: f64, error: f64) -> Median {
-        Median {
+    fn point(work: f64, error: f64) -> MedianPoint {
+        MedianPoint {
             work,
             errors: [error, error],
         }

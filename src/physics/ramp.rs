@@ -2,7 +2,7 @@
 
 /// The growth r at time t \[s\] over `ramp` seconds, a quintic from 0 to 1, and its two derivatives by time.
 #[must_use]
-pub fn growth(t: f64, ramp: f64) -> (f64, f64, f64) {
+pub fn smooth_ramp(t: f64, ramp: f64) -> (f64, f64, f64) {
     if t >= ramp {
         return (1.0, 0.0, 0.0);
     }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::judge::{Finding, Number, Outcome};
+use super::verdict::{CheckedNumber, TrialOutcome, TrialVerdict};
 use crate::report::number::{digits, si};
 use crate::report::table::{Cell, CellInk, Column, Table};
 use crate::run::Settings;
@@ -10,7 +10,7 @@ use crate::run::Settings;
 /// The table of hard cases: a row a number of every trial, the trial's own words on its first row. The notes give the
 /// reasons of what was refused or is wrong, by the number of the trial.
 #[must_use]
-pub fn table(findings: &[Finding]) -> Table {
+pub fn table(findings: &[TrialVerdict]) -> Table {
     let mut rows = Vec::new();
     let mut notes = Vec::new();
     for (index, finding) in findings.iter().enumerate() {
@@ -47,7 +47,7 @@ pub fn table(findings: &[Finding]) -> Table {
 
 /// The same with a row a trial, on 80 columns: its number that is nearest to the limit or beyond, and its work.
 #[must_use]
-pub fn compact(findings: &[Finding]) -> Table {
+pub fn compact_table(findings: &[TrialVerdict]) -> Table {
     let rows = findings.iter().enumerate().map(|(i, finding)| {
         let stem = Path::new(&finding.file).file_stem().unwrap_or_default();
         let worst = finding
@@ -91,7 +91,7 @@ pub fn compact(findings: &[Finding]) -> Table {
 
 /// All that a trial says, in sentences.
 #[must_use]
-pub fn story(finding: &Finding) -> Vec<String> {
+pub fn description(finding: &TrialVerdict) -> Vec<String> {
     let how = finding.settings.as_ref().map_or_else(String::new, solver);
     let title = finding.case.trim_end_matches('.');
     let mut lines = vec![format!("{title}: {}; {how}", finding.trial)];
@@ -117,7 +117,7 @@ pub fn story(finding: &Finding) -> Vec<String> {
     lines
 }
 
-fn rows_of(finding: &Finding, number: usize, before: Option<&Finding>) -> Vec<Vec<Cell>> {
+fn rows_of(finding: &TrialVerdict, number: usize, before: Option<&TrialVerdict>) -> Vec<Vec<Cell>> {
     let first_of_case = before.is_none_or(|other| other.file != finding.file);
     let work = &finding.work;
     let count = |n: u64| {
@@ -173,16 +173,16 @@ fn solver(settings: &Settings) -> String {
     words
 }
 
-fn outcome(finding: &Finding) -> Cell {
+fn outcome(finding: &TrialVerdict) -> Cell {
     let ink = match finding.outcome {
-        Outcome::Wrong => CellInk::Bad,
+        TrialOutcome::Wrong => CellInk::Bad,
         _ if !finding.is_as_expected() => CellInk::Warn,
-        Outcome::Ok | Outcome::Refused => CellInk::Good,
+        TrialOutcome::Ok | TrialOutcome::Refused => CellInk::Good,
     };
     Cell::new(finding.outcome.word(), ink)
 }
 
-fn cells(number: &Number) -> Vec<Cell> {
+fn cells(number: &CheckedNumber) -> Vec<Cell> {
     let unit = number.unit.as_str();
     let shown = |value: f64| Cell::plain(si(value, unit));
     let missing = || Cell::new("-", CellInk::Dim);
@@ -198,7 +198,7 @@ fn cells(number: &Number) -> Vec<Cell> {
 }
 
 /// A difference: relative to the number where that is not nothing, else in its unit.
-fn size(difference: f64, number: &Number) -> String {
+fn size(difference: f64, number: &CheckedNumber) -> String {
     if number.expected == 0.0 {
         si(difference.abs(), &number.unit)
     } else {

@@ -1,22 +1,22 @@
-//! A trial held against what must come out: computed and right, refused with a reason, or wrong.
+//! The verdict on a trial: computed within tolerance, refused with a reason, or wrong.
 
-use super::hard::{Computed, Hard};
+use super::hard_cases::{HardCase, TrialRun};
 use crate::case::{Case, Trial};
 use crate::reference::{self, ValidationRow};
 use crate::run::{Run, RunState, Settings, Work};
 
-/// How a trial came out.
+/// The outcome of a trial.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outcome {
+pub enum TrialOutcome {
     /// Every number within its tolerance.
     Ok,
-    /// Not computed, and the reason told.
+    /// Not computed, with the reason.
     Refused,
     /// A number outside its tolerance, or one where none may be.
     Wrong,
 }
 
-impl Outcome {
+impl TrialOutcome {
     /// The word for it.
     #[must_use]
     pub const fn word(self) -> &'static str {
@@ -30,23 +30,23 @@ impl Outcome {
 
 /// A number of a trial.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Number {
+pub struct CheckedNumber {
     /// What it is.
     pub name: String,
-    /// What must come out.
+    /// Expected value.
     pub expected: f64,
-    /// What came out; absent where the run does not hold it.
+    /// Computed value; absent where the run does not hold it.
     pub computed: Option<f64>,
-    /// How far off it may be.
+    /// Greatest difference allowed.
     pub tolerance: f64,
     /// Unit of all three.
     pub unit: String,
-    /// Where the expected number is from.
+    /// Source of the expected value.
     pub source: String,
 }
 
-impl Number {
-    /// How far off it is, as a share of what it may be.
+impl CheckedNumber {
+    /// Difference over tolerance.
     pub(super) fn share(&self) -> f64 {
         let off = self
             .computed
@@ -60,9 +60,9 @@ impl Number {
     }
 }
 
-/// A trial and how it came out.
+/// A trial with its outcome.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Finding {
+pub struct TrialVerdict {
     /// Title of the case.
     pub case: String,
     /// File of the case.
@@ -73,35 +73,35 @@ pub struct Finding {
     pub settings: Option<Settings>,
     /// The work it took.
     pub work: Work,
-    /// How it came out.
-    pub outcome: Outcome,
+    /// Its outcome.
+    pub outcome: TrialOutcome,
     /// Why it was refused, or what is wrong.
     pub reason: Option<String>,
-    /// Whether being refused is what must come out.
-    pub to_be_refused: bool,
+    /// Whether a refusal is expected.
+    pub expect_refusal: bool,
     /// Its numbers; none where it was refused.
-    pub numbers: Vec<Number>,
+    pub numbers: Vec<CheckedNumber>,
 }
 
-impl Finding {
-    /// Whether the trial came out as it must: right where it is to be computed, refused where it is to be refused.
+impl TrialVerdict {
+    /// Whether the outcome is the expected one.
     #[must_use]
     pub fn is_as_expected(&self) -> bool {
         match self.outcome {
-            Outcome::Ok => !self.to_be_refused,
-            Outcome::Refused => self.to_be_refused,
-            Outcome::Wrong => false,
+            TrialOutcome::Ok => !self.expect_refusal,
+            TrialOutcome::Refused => self.expect_refusal,
+            TrialOutcome::Wrong => false,
         }
     }
 }
 
-/// Holds a trial against what must come out; `other` is the run whose numbers must come out again.
-pub(super) fn finding(
-    hard: &Hard,
+/// Compares a trial with its expected result; `other` is the run whose numbers it must reproduce.
+pub(super) fn verdict(
+    hard: &HardCase,
     trial: &Trial,
-    computed: &Computed,
+    computed: &TrialRun,
     other: Option<&Run>,
-) -> Finding {
+) -> TrialVerdict {
     let run = computed.as_ref().ok();
     let done = run.filter(|run| run.info.state == RunState::Done);
     let refusal = match computed {
@@ -109,18 +109,18 @@ pub(super) fn finding(
         Ok(run) => run.info.failure.clone(),
     };
     let numbers = done.map_or_else(Vec::new, |run| numbers(hard, trial, run, other));
-    let untold = trial.told.as_ref().filter(|words| {
+    let unwarned = trial.told.as_ref().filter(|words| {
         let warned = |run: &Run| run.info.warnings.iter().any(|w| w.contains(words.as_str()));
         done.is_some_and(|run| !warned(run))
     });
-    let (outcome, reason) = match untold {
+    let (outcome, reason) = match unwarned {
         Some(words) => {
-            let why = format!("It must be told of (`{words}`), and was not.");
-            (Outcome::Wrong, Some(why))
+            let why = format!("A warning (`{words}`) is expected, and there is none.");
+            (TrialOutcome::Wrong, Some(why))
         }
-        None => judge(trial, refusal, done.is_some(), &numbers),
+        None => outcome_of(trial, refusal, done.is_some(), &numbers),
     };
-    Finding {
+    TrialVerdict {
         case: hard.case.case.title.clone(),
         file: hard.file.clone(),
         trial: trial.name.clone(),
@@ -128,17 +128,17 @@ pub(super) fn finding(
         work: run.map_or_else(Work::default, |run| run.info.work),
         outcome,
         reason,
-        to_be_refused: trial.refused.is_some(),
+        expect_refusal: trial.refused.is_some(),
         numbers,
     }
 }
 
-fn judge(
+fn outcome_of(
     trial: &Trial,
     refusal: Option<String>,
     done: bool,
-    numbers: &[Number],
-) -> (Outcome, Option<String>) {
+    numbers: &[CheckedNumber],
+) -> (TrialOutcome, Option<String>) {
     let off: Vec<&str> = numbers
         .iter()
         .filter(|n| !n.is_right())
@@ -146,29 +146,30 @@ fn judge(
         .collect();
     match (&trial.refused, refusal) {
         (Some(words), Some(reason)) if !reason.contains(words.as_str()) => {
-            let why = format!("It must be refused for another reason (`{words}`) than: {reason}");
-            (Outcome::Wrong, Some(why))
+            let why =
+                format!("A refusal for another reason (`{words}`) is expected, not: {reason}");
+            (TrialOutcome::Wrong, Some(why))
         }
-        (_, Some(reason)) => (Outcome::Refused, Some(reason)),
+        (_, Some(reason)) => (TrialOutcome::Refused, Some(reason)),
         (Some(words), None) if done => {
-            let why = format!("It must be refused (`{words}`), and was computed.");
-            (Outcome::Wrong, Some(why))
+            let why = format!("A refusal (`{words}`) is expected, and it was computed.");
+            (TrialOutcome::Wrong, Some(why))
         }
-        (_, None) if !done => (Outcome::Refused, Some("It was stopped.".to_owned())),
+        (_, None) if !done => (TrialOutcome::Refused, Some("It was stopped.".to_owned())),
         _ if numbers.is_empty() => (
-            Outcome::Wrong,
-            Some("There is no number to hold it against.".to_owned()),
+            TrialOutcome::Wrong,
+            Some("There is no expected number to compare with.".to_owned()),
         ),
-        _ if off.is_empty() => (Outcome::Ok, None),
+        _ if off.is_empty() => (TrialOutcome::Ok, None),
         _ => (
-            Outcome::Wrong,
+            TrialOutcome::Wrong,
             Some(format!("Outside the tolerance: {}.", off.join(", "))),
         ),
     }
 }
 
-/// The numbers a trial is held against: those of the closed form, or those of another trial.
-fn numbers(hard: &Hard, trial: &Trial, run: &Run, other: Option<&Run>) -> Vec<Number> {
+/// The expected numbers of a trial: those of the closed form, or those of another trial.
+fn numbers(hard: &HardCase, trial: &Trial, run: &Run, other: Option<&Run>) -> Vec<CheckedNumber> {
     let of = |run: &Run| rows(&hard.case, trial, run);
     let here = of(run);
     match (&trial.same_as, other) {
@@ -184,7 +185,7 @@ fn numbers(hard: &Hard, trial: &Trial, run: &Run, other: Option<&Run>) -> Vec<Nu
     }
 }
 
-/// The published values that a trial names; without names, those of the case as it stands.
+/// The published values that a trial names; without names, those of the case itself.
 fn rows(case: &Case, trial: &Trial, run: &Run) -> Vec<ValidationRow> {
     let all = reference::rows(case, &|_| Some(run));
     let wanted = |row: &ValidationRow| match &trial.rows {
@@ -194,8 +195,8 @@ fn rows(case: &Case, trial: &Trial, run: &Run) -> Vec<ValidationRow> {
     all.into_iter().filter(wanted).collect()
 }
 
-fn by_closed_form(row: ValidationRow) -> Option<Number> {
-    Some(Number {
+fn by_closed_form(row: ValidationRow) -> Option<CheckedNumber> {
+    Some(CheckedNumber {
         expected: row.published?,
         computed: row.computed,
         tolerance: row.tolerance?,
@@ -205,9 +206,14 @@ fn by_closed_form(row: ValidationRow) -> Option<Number> {
     })
 }
 
-fn by_twin(row: ValidationRow, twin: &ValidationRow, share: f64, name: &str) -> Option<Number> {
+fn by_twin(
+    row: ValidationRow,
+    twin: &ValidationRow,
+    share: f64,
+    name: &str,
+) -> Option<CheckedNumber> {
     let expected = twin.computed?;
-    Some(Number {
+    Some(CheckedNumber {
         expected,
         computed: row.computed,
         tolerance: share * expected.abs(),
@@ -219,12 +225,12 @@ fn by_twin(row: ValidationRow, twin: &ValidationRow, share: f64, name: &str) -> 
 
 /// Trials counted by outcome.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Tally {
+pub struct TrialTally {
     /// Right.
     pub ok: usize,
-    /// Refused with a reason, as must be.
+    /// Refused with a reason, as expected.
     pub refused: usize,
-    /// Refused with a reason where a number was to come out.
+    /// Refused with a reason where a number is expected.
     pub refused_too_much: usize,
     /// Wrong.
     pub wrong: usize,
@@ -232,28 +238,28 @@ pub struct Tally {
 
 /// Counts trials by outcome.
 #[must_use]
-pub fn tally(findings: &[Finding]) -> Tally {
-    let mut tally = Tally::default();
+pub fn tally(findings: &[TrialVerdict]) -> TrialTally {
+    let mut tally = TrialTally::default();
     for finding in findings {
         *match finding.outcome {
-            Outcome::Ok => &mut tally.ok,
-            Outcome::Refused if finding.to_be_refused => &mut tally.refused,
-            Outcome::Refused => &mut tally.refused_too_much,
-            Outcome::Wrong => &mut tally.wrong,
+            TrialOutcome::Ok => &mut tally.ok,
+            TrialOutcome::Refused if finding.expect_refusal => &mut tally.refused,
+            TrialOutcome::Refused => &mut tally.refused_too_much,
+            TrialOutcome::Wrong => &mut tally.wrong,
         } += 1;
     }
     tally
 }
 
-impl Tally {
-    /// True when every trial came out as it must.
+impl TrialTally {
+    /// True when every outcome is the expected one.
     #[must_use]
     pub const fn holds(&self) -> bool {
         self.wrong == 0 && self.refused_too_much == 0
     }
 }
 
-impl std::fmt::Display for Tally {
+impl std::fmt::Display for TrialTally {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self {
             ok,
