@@ -9,6 +9,7 @@ mod sample;
 mod small;
 
 mod cli;
+mod documents;
 mod hostile_text;
 mod output_files;
 mod signals;
