@@ -68,7 +68,7 @@ fn held(case: &Case, run: &Run) -> Vec<ValidationRow> {
 }
 
 #[test]
-fn a_curve_from_a_file_is_followed_with_its_error_told_and_drawn() {
+fn a_curve_from_a_file_is_followed_with_its_error_and_drawn() {
     let case = bouncing(r#"points_file = "steady.csv", period_s = 4.0"#, &exact());
     assert_eq!(case.published_curve[0].time_s.len(), 80);
     let run = run(case.clone());
@@ -78,14 +78,14 @@ fn a_curve_from_a_file_is_followed_with_its_error_told_and_drawn() {
     let (off, error) = (row.difference.unwrap(), row.error.unwrap());
     assert!(off < 0.5 && error > 0.0 && error < 0.5, "{off} % {error} %");
     // Only the curve that belongs to the case as it stands is in the run's own numbers.
-    let told: Vec<String> = run
+    let reported: Vec<String> = run
         .summary
         .iter()
         .map(seacable::run::Quantity::name)
         .collect();
     assert!(
         run.quantity("tension_n[rope|bob].from_curve_1").is_some(),
-        "{told:?}"
+        "{reported:?}"
     );
     assert!(run.quantity("tension_n[rope|bob].from_curve_2").is_none());
     // Drawn over the window of the run, three periods of it, as it fits best.

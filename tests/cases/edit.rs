@@ -238,7 +238,7 @@ fn an_optional_key_is_left_out_and_comments_stay() {
     assert!(refused("line.l.length_m").contains("is needed"));
     assert!(refused("solver.rho_inf").contains("is not given"));
     assert!(refused("solver.rho").contains("is not given"));
-    // What contradicts without it is told as a fault of the file.
+    // A contradiction without it is reported as a fault of the file.
     let fault = without("ends.a.period_s").unwrap_err();
     assert!(fault.key.starts_with("ends.a"), "{fault}");
     // Left out and given again, the case says the same.

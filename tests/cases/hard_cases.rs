@@ -24,7 +24,7 @@ fn findings(cases: &[HardCase]) -> Vec<TrialVerdict> {
     hard_cases::verdicts(cases, &compute(cases, &hard_cases::tasks(cases)))
 }
 
-fn told(finding: &TrialVerdict) -> String {
+fn reported(finding: &TrialVerdict) -> String {
     format!(
         "{}, {}: {} {:?} {:?}",
         finding.file,
@@ -43,7 +43,7 @@ fn every_trial_comes_out_as_it_must() {
     let off: Vec<String> = findings
         .iter()
         .filter(|f| !f.is_as_expected())
-        .map(told)
+        .map(reported)
         .collect();
     assert!(off.is_empty(), "{}", off.join("\n"));
     let chosen = |trial: &str| {

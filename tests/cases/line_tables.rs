@@ -90,7 +90,7 @@ fn composite_lines_come_back_with_what_they_were_given() {
 }
 
 #[test]
-fn what_is_wrong_in_a_line_is_told_with_its_place_and_stops_no_other() {
+fn an_error_in_a_line_is_reported_with_its_place_and_stops_no_other() {
     let input = r#"{"sections": [[100, 1e3]], "x_m": 1, "z_m": 2}
 {"sections": [[100, 1e3, 1e9]], "x_m": "a", "z_m": 2}
 {"sections": [[100, 1e3, 1e9]], "z_m": 2}

@@ -1,4 +1,4 @@
-//! The ropeway: its paper's tables, files that are wrong, answers at the edges, and nothing that is no number.
+//! The ropeway: its paper's tables, files that are wrong, answers at the limits, and no NaN.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
@@ -102,7 +102,7 @@ fn a_rope_set_by_tension_keeps_it_wherever_the_cargo_hangs() {
 }
 
 #[test]
-fn a_winch_without_limits_keeps_the_tension_and_one_with_limits_tells() {
+fn a_winch_without_limits_keeps_the_tension_and_one_with_limits_reports_it() {
     let free = with(
         TENSION,
         &[("winch.speed_m_per_s", "50.0"), ("winch.power_w", "1e6")],

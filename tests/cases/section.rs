@@ -26,7 +26,7 @@ fn text_of(name: &str) -> String {
     std::fs::read_to_string(shipped(name)).unwrap()
 }
 
-fn told(faults: &[Diagnostic]) -> String {
+fn messages(faults: &[Diagnostic]) -> String {
     let lines: Vec<String> = faults.iter().map(ToString::to_string).collect();
     lines.join("\n")
 }
@@ -38,7 +38,7 @@ fn umbilical() -> Design {
 fn load(name: &str) -> Design {
     match section::load(&shipped(name)) {
         Ok(loaded) => loaded.worked,
-        Err(faults) => panic!("{}", told(&faults)),
+        Err(faults) => panic!("{}", messages(&faults)),
     }
 }
 
@@ -364,18 +364,18 @@ fn as_many_wires_as_fit_close_the_layer() {
     }
 }
 
-// What is wrong is told, with its place, the reason and a remedy.
+// Errors are reported with place, reason and remedy.
 
 /// The one fault of the umbilical with `old` replaced by `new`.
 fn spoilt(old: &str, new: &str) -> Diagnostic {
     let text = text_of("section.toml");
     assert!(text.contains(old), "`{old}` must stand there");
     let mut found = section::parse(&text.replacen(old, new, 1), "bad.toml").unwrap_err();
-    assert_eq!(found.len(), 1, "{}", told(&found));
+    assert_eq!(found.len(), 1, "{}", messages(&found));
     found.remove(0)
 }
 
-fn tells(fault: &Diagnostic, key: &str, problem: &str, remedy: &str) {
+fn assert_fault(fault: &Diagnostic, key: &str, problem: &str, remedy: &str) {
     assert_eq!(fault.key, key, "{fault}");
     assert!(fault.problem.contains(problem), "{fault}");
     assert!(fault.remedy.contains(remedy), "{fault}");
@@ -385,7 +385,7 @@ fn tells(fault: &Diagnostic, key: &str, problem: &str, remedy: &str) {
 #[test]
 fn overlapping_units_are_refused() {
     let fault = spoilt("pitch_radius_m = 0.02327", "pitch_radius_m = 0.0230");
-    tells(
+    assert_fault(
         &fault,
         "layer.bundle.pitch_radius_m",
         "the units overlap: 9 of them at 10 deg need a pitch radius of 23.12 mm or more, and it is 23 mm",
@@ -404,7 +404,7 @@ fn overlapping_units_are_refused() {
 #[test]
 fn too_many_wires_are_refused() {
     let fault = spoilt("count = 51 ", "count = 54 ");
-    tells(
+    assert_fault(
         &fault,
         "layer.inner-armour.count",
         "the wires overlap: 54 of 4 mm at 20 deg need a pitch radius of",
@@ -415,7 +415,7 @@ fn too_many_wires_are_refused() {
 #[test]
 fn a_layer_inside_another_is_refused() {
     let fault = spoilt("jacket_diameter_m = 0.0309", "jacket_diameter_m = 0.0400");
-    tells(
+    assert_fault(
         &fault,
         "layer.bundle.pitch_radius_m",
         "the layer overlaps another: its inner radius is 15.47 mm, and the outer radius of the layers inside 20 mm",
@@ -426,21 +426,21 @@ fn a_layer_inside_another_is_refused() {
 #[test]
 fn lay_angles_that_are_no_helix_are_refused() {
     let flat = spoilt("lay_angle_deg = 10.0", "lay_angle_deg = 0");
-    tells(
+    assert_fault(
         &flat,
         "layer.bundle.lay_angle_deg",
         "is too small: straight units",
         "belongs in the centre",
     );
     let hoop = spoilt("lay_angle_deg = 20.0", "lay_angle_deg = 90.0");
-    tells(
+    assert_fault(
         &hoop,
         "layer.inner-armour.lay_angle_deg",
         "is too large: a hoop",
         "usually 5 to 30",
     );
     let wide = spoilt("lay_angle_deg = 20.0", "lay_angle_deg = -20.0");
-    tells(
+    assert_fault(
         &wide,
         "layer.inner-armour.lay_angle_deg",
         "out of range",
@@ -451,28 +451,28 @@ fn lay_angles_that_are_no_helix_are_refused() {
 #[test]
 fn tubes_that_cannot_be_made_are_refused() {
     let fault = spoilt("wall_m = 0.00165", "wall_m = 0.0064");
-    tells(
+    assert_fault(
         &fault,
         "units.tube.wall_m",
         "leaves no bore",
         "less than 0.00635",
     );
     let fault = spoilt("wall_m = 0.00165", "wall_m = -0.001");
-    tells(
+    assert_fault(
         &fault,
         "units.tube.wall_m",
         "out of range: -0.001 m",
         "greater than 0 m",
     );
     let fault = spoilt("tube_diameter_m = 0.0127", "tube_diameter_m = 0.0160");
-    tells(
+    assert_fault(
         &fault,
         "units.tube.tube_diameter_m",
         "thicker than the whole unit",
         "0.0156 or less",
     );
     let fault = spoilt("jacket_diameter_m = 0.0309", "jacket_diameter_m = 0.0150");
-    tells(
+    assert_fault(
         &fault,
         "centre.jacket_diameter_m",
         "thinner than the unit inside",
@@ -485,8 +485,8 @@ fn a_fifth_armour_layer_is_refused() {
     let text = text_of("section_power_cable.toml");
     let fifth = "\n[[layer]]\nname = \"armour-5\"\nkind = \"armour\"\nwire_diameter_m = 0.005\nlay_angle_deg = 12.0\nsense = \"left\"\n";
     let found = section::parse(&(text + fifth), "bad.toml").unwrap_err();
-    assert_eq!(found.len(), 1, "{}", told(&found));
-    tells(
+    assert_eq!(found.len(), 1, "{}", messages(&found));
+    assert_fault(
         &found[0],
         "layer.armour-5.kind",
         "at most 4",
@@ -497,44 +497,44 @@ fn a_fifth_armour_layer_is_refused() {
 #[test]
 fn names_and_keys_are_held_against_what_there_is() {
     let fault = spoilt("unit = \"tube\"", "unit = \"tub\"");
-    tells(
+    assert_fault(
         &fault,
         "centre.unit",
         "there is no unit named \"tub\"",
         "did you mean `tube`?".replace('`', "\"").as_str(),
     );
     let fault = spoilt("thickness_m = 0.003", "thickness = 0.003");
-    tells(
+    assert_fault(
         &fault,
         "layer.inner-sheath.thickness",
         "no unit in its name",
         "`thickness_m`",
     );
     let fault = spoilt("thickness_m = 0.003", "thickness_m = 0.003\nwall_m = 1.0");
-    tells(
+    assert_fault(
         &fault,
         "layer.inner-sheath.wall_m",
         "not a known key",
         "belongs in `units`",
     );
     let fault = spoilt("thickness_m = 0.003", "thickness_m = 0.003\ncount = 3");
-    tells(
+    assert_fault(
         &fault,
         "layer.inner-sheath.count",
         "kind = \"armour\"",
         "remove it",
     );
     let fault = spoilt("name = \"inner-armour\"", "name = \"bundle\"");
-    tells(&fault, "layer.3.name", "is used twice", "a name of its own");
+    assert_fault(&fault, "layer.3.name", "is used twice", "a name of its own");
     let fault = spoilt("kind = \"armour\"", "kind = \"armor\"");
-    tells(
+    assert_fault(
         &fault,
         "layer.inner-armour.kind",
         "is not known",
         "did you mean \"armour\"?",
     );
     let fault = spoilt("[\"tube\", \"tube\",", "[\"tube\", 3,");
-    tells(
+    assert_fault(
         &fault,
         "layer.bundle.units",
         "text in quotes",
@@ -543,26 +543,26 @@ fn names_and_keys_are_held_against_what_there_is() {
 }
 
 #[test]
-fn a_section_and_a_line_case_are_told_apart() {
+fn a_section_and_a_line_case_are_distinguished() {
     let case = include_str!("../../cases/basics/pendulum.toml");
     let found = section::parse(case, "pendulum.toml").unwrap_err();
     assert!(
-        told(&found).contains("this is a line case, not a cross-section"),
+        messages(&found).contains("this is a line case, not a cross-section"),
         "{}",
-        told(&found)
+        messages(&found)
     );
     let found = case::parse(&text_of("section.toml"), "section.toml").unwrap_err();
     assert!(
-        told(&found).contains("`seacable section`"),
+        messages(&found).contains("`seacable section`"),
         "{}",
-        told(&found)
+        messages(&found)
     );
     assert_eq!(found.len(), 1);
     let found = section::parse("# nothing\n", "empty.toml").unwrap_err();
     assert!(
-        told(&found).contains("it holds no section"),
+        messages(&found).contains("it holds no section"),
         "{}",
-        told(&found)
+        messages(&found)
     );
     assert!(section::load(Path::new("/nowhere.toml")).is_err());
 }
@@ -571,20 +571,28 @@ fn a_section_and_a_line_case_are_told_apart() {
 fn nothing_that_carries_and_nothing_at_all_are_refused() {
     let empty = "[section]\nname = \"a\"\ntitle = \"b\"\n";
     let found = section::parse(empty, "a.toml").unwrap_err();
-    assert!(told(&found).contains("holds nothing"), "{}", told(&found));
+    assert!(
+        messages(&found).contains("holds nothing"),
+        "{}",
+        messages(&found)
+    );
     let soft = format!(
         "{empty}[units.r]\nkind = \"filler\"\ndiameter_m = 0.1\ndensity_kg_per_m3 = 900.0\n[centre]\nunit = \"r\"\n"
     );
     let found = section::parse(&soft, "a.toml").unwrap_err();
-    assert!(told(&found).contains("carries tension"), "{}", told(&found));
+    assert!(
+        messages(&found).contains("carries tension"),
+        "{}",
+        messages(&found)
+    );
     let bare = format!(
         "{empty}[[layer]]\nname = \"s\"\nkind = \"sheath\"\nthickness_m = 0.01\n[[layer]]\nname = \"w\"\nkind = \"armour\"\nwire_diameter_m = 0.004\nlay_angle_deg = 10.0\nsense = \"left\"\n"
     );
     let found = section::parse(&bare, "a.toml").unwrap_err();
     assert!(
-        told(&found).contains("a sheath around nothing"),
+        messages(&found).contains("a sheath around nothing"),
         "{}",
-        told(&found)
+        messages(&found)
     );
 }
 

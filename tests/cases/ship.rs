@@ -95,15 +95,15 @@ fn straight_lines_and_spline_agree_at_the_points_and_differ_between() {
 }
 
 #[test]
-fn what_cannot_be_is_told_with_its_key() {
-    let told = |text: &str| {
+fn impossible_values_are_reported_with_their_key() {
+    let reported = |text: &str| {
         let faults = ship::parse(text, "ship.toml").unwrap_err();
         let lines: Vec<String> = faults.iter().map(ToString::to_string).collect();
         lines.join("\n")
     };
     let changed = |from: &str, to: &str| {
         assert!(TEXT.contains(from), "{from}");
-        told(&TEXT.replacen(from, to, 1))
+        reported(&TEXT.replacen(from, to, 1))
     };
     for (from, to, says) in [
         (
@@ -158,15 +158,15 @@ fn what_cannot_be_is_told_with_its_key() {
         assert!(lines.starts_with("ship.toml:"), "{lines}");
     }
     let bare = "[ship]\ntitle = \"x\"\nlength_m = 50.0\ndraft_m = 2.0\n";
-    assert!(told(bare).contains("nothing acts on the ship"));
+    assert!(reported(bare).contains("nothing acts on the ship"));
     assert!(
-        told(&format!(
+        reported(&format!(
             "{bare}[current]\nspeed_m_per_s = 1.0\ntowards_deg = 0.0\n"
         ))
         .contains("current: has no coefficients")
     );
-    assert!(told("[case]\ntitle = \"x\"\n").contains("this is a line case, not a ship"));
-    assert!(told("").contains("it holds no ship"));
+    assert!(reported("[case]\ntitle = \"x\"\n").contains("this is a line case, not a ship"));
+    assert!(reported("").contains("it holds no ship"));
 }
 
 #[test]

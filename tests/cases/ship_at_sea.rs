@@ -138,7 +138,7 @@ fn the_error_of_the_mesh_falls_with_the_segments() {
         let made = coupled(&[&LET_GO[..], &[("coupled.segments", segments)]].concat());
         made.mesh_errors.unwrap()
     };
-    // Where the line touches down moves over whole segments, so that the order is told over a span of them.
+    // Where the line touches down moves over whole segments, so that the order is measured over a range of them.
     let (coarse, fine) = (errors("20"), errors("160"));
     for channel in [0, 9] {
         let order = (coarse[channel] / fine[channel]).log2() / 3.0;
@@ -147,7 +147,7 @@ fn the_error_of_the_mesh_falls_with_the_segments() {
 }
 
 #[test]
-fn let_go_it_swings_with_the_period_of_the_linearised_equations() {
+fn released_it_swings_with_the_period_of_the_linearised_equations() {
     let made = coupled(&[&LET_GO[..], &[("coupled.segments", "160")]].concat());
     let decay = made.decay.unwrap();
     assert!(
@@ -180,7 +180,7 @@ fn a_ship_at_rest_without_waves_stays_and_its_rope_follows() {
     ]);
     let sea = DynamicAnalysis::new(&rest(&text), &folder(), &AtomicBool::new(false)).unwrap();
     let made = sea.coupled.unwrap().unwrap();
-    // Off its place by no more than what the mesh makes of the pull.
+    // Off its place by no more than the mesh error of the pull.
     assert!(
         made.statistics[0].max.abs() < 0.02,
         "{:?}",
@@ -231,8 +231,8 @@ fn damping_decides_whether_the_ship_fishtails() {
 }
 
 #[test]
-fn what_cannot_be_is_told_with_its_key() {
-    let told = |edits: &[(&str, &str)]| {
+fn impossible_values_are_reported_with_their_key() {
+    let reported = |edits: &[(&str, &str)]| {
         let faults = edit::set_all(TEXT, edits).unwrap_err();
         faults
             .iter()
@@ -263,7 +263,7 @@ fn what_cannot_be_is_told_with_its_key() {
         ),
         (&[("motion.peak_period_s", "0.0")], "out of range"),
     ] {
-        let lines = told(edits);
+        let lines = reported(edits);
         assert!(lines.contains(says), "{says}\n{lines}");
     }
     let parse = |text: &str| {
@@ -294,7 +294,7 @@ fn what_cannot_be_is_told_with_its_key() {
 }
 
 #[test]
-fn responses_that_are_none_are_told_with_file_line_and_column() {
+fn invalid_responses_are_reported_with_file_line_and_column() {
     let dir = tempfile::tempdir().unwrap();
     std::fs::write(
         dir.path().join("ship.toml"),

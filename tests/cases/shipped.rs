@@ -36,8 +36,8 @@ fn shipped() -> Vec<Loaded> {
         .map(|path| match case::load(path) {
             Ok(loaded) => loaded,
             Err(faults) => {
-                let told: Vec<String> = faults.iter().map(ToString::to_string).collect();
-                panic!("{}", told.join("\n"))
+                let reported: Vec<String> = faults.iter().map(ToString::to_string).collect();
+                panic!("{}", reported.join("\n"))
             }
         })
         .collect()

@@ -138,11 +138,11 @@ fn numerical_errors_are_ten_times_smaller_than_the_tolerances() {
             if share > allowed(path, row) {
                 coarse.push(format!("{path}: {}: {share:.3}", row.name));
             }
-            let told = row
+            let reported = row
                 .reason
                 .as_deref()
                 .is_some_and(|r| r.contains("more than a tenth"));
-            assert_eq!(told, share > 0.1, "{path}: {row:#?}");
+            assert_eq!(reported, share > 0.1, "{path}: {row:#?}");
         }
     }
     assert!(coarse.is_empty(), "{coarse:#?}");
@@ -233,7 +233,7 @@ fn a_module_that_turns_travels_as_far_as_one_that_does_not() {
 }
 
 #[test]
-fn a_single_run_is_held_against_the_rows_it_stands_at() {
+fn a_single_run_is_compared_with_its_own_rows() {
     let (path, text) = SHIPPED
         .iter()
         .find(|(path, _)| path.ends_with("module.toml"))

@@ -169,7 +169,7 @@ impl Pty {
             let left = until.saturating_duration_since(Instant::now());
             assert!(
                 !left.is_zero() && !now.closed,
-                "waited in vain for: {what}\nlast screen:\n{}",
+                "timed out waiting for: {what}\nlast screen:\n{}",
                 now.parser.screen().contents()
             );
             now = self.seen.1.wait_timeout(now, left).unwrap().0;

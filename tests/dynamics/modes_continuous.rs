@@ -62,7 +62,7 @@ fn second_order(what: &str, errors: &[f64], last: f64) {
 }
 
 /// `(T y')' + m omega² y = 0` from the payload, `T y' = -M omega² y`, up to the top, where y = 0: the equation of a hung line
-/// (in Bessel functions of order nought), integrated by RK4. T goes with the stretched line, along which mass is thinner.
+/// (in Bessel functions of order zero), integrated by RK4. T goes with the stretched line, along which mass is thinner.
 #[test]
 fn a_payload_swings_on_its_line() {
     let (w, m) = (1.2 * 9.81, 2.0 + 1000.0 * PI / 4.0 * 0.04_f64.powi(2));
@@ -111,9 +111,9 @@ fn a_payload_bounces_on_its_line() {
 }
 
 /// Where a line comes down on the bed the mesh knows to half a segment, and frequencies in its plane go with that, up and down
-/// as it is refined: the error told must cover it.
+/// as it is refined: the error estimate must cover it.
 #[test]
-fn the_error_told_covers_the_place_of_the_touchdown() {
+fn the_error_estimate_covers_the_place_of_the_touchdown() {
     let on = |segments: usize| {
         let case = line(&format!(
             r#"
@@ -136,13 +136,16 @@ fn the_error_told_covers_the_place_of_the_touchdown() {
             .iter()
             .filter(|m| m.mode.kind == ModeKind::InPlane);
         for (named, exact) in within.zip(&fine) {
-            let (told, frequency) = (named.error_hz.unwrap(), named.mode.frequency_hz());
+            let (reported, frequency) = (named.error_hz.unwrap(), named.mode.frequency_hz());
             let off = (frequency - exact).abs();
             assert!(
-                off < 1.5 * told,
-                "{segments}: {frequency} Hz, told {told}, off {off}"
+                off < 1.5 * reported,
+                "{segments}: {frequency} Hz, reported {reported}, off {off}"
             );
-            assert!(told < 0.05 * frequency, "{segments}: {told} of {frequency}");
+            assert!(
+                reported < 0.05 * frequency,
+                "{segments}: {reported} of {frequency}"
+            );
         }
     }
 }

@@ -66,7 +66,7 @@ fn assert_same(whole: &Run, resumed: &Run) {
 }
 
 #[test]
-fn goes_on_to_the_same_bits_before_and_after_an_event() {
+fn resumes_to_the_same_bits_before_and_after_an_event() {
     for method in ["alpha", "rk4", "quasi"] {
         let (whole, _) = run(&request(method, 8.0), None);
         for stop in [3.0, 6.0] {
@@ -82,9 +82,9 @@ fn goes_on_to_the_same_bits_before_and_after_an_event() {
     }
 }
 
-/// Killed after it had recorded more than its last checkpoint: what came after that is computed again.
+/// Killed after it had recorded more than its last checkpoint: everything after that is computed again.
 #[test]
-fn a_killed_run_goes_on_from_its_last_checkpoint() {
+fn a_killed_run_resumes_from_its_last_checkpoint() {
     let place = tempfile::tempdir().unwrap();
     let dir = place.path().join("killed");
     let whole = request("alpha", 8.0);
@@ -105,19 +105,20 @@ fn a_killed_run_goes_on_from_its_last_checkpoint() {
     assert!(store::is_locked(&dir));
     let refused = seacable::run::resume_request(&dir, None).unwrap_err();
     assert!(refused.contains("still being computed"), "{refused}");
-    let told = store::read(&dir).unwrap().info.warnings;
+    let reported = store::read(&dir).unwrap().info.warnings;
     assert!(
-        told.iter().any(|w| w.contains("still computing it")),
-        "{told:?}"
+        reported.iter().any(|w| w.contains("still computing it")),
+        "{reported:?}"
     );
     // A writer that is gone holds nothing, however it went.
     drop(writer);
     assert!(!store::is_locked(&dir));
-    let told = store::read(&dir).unwrap().info.warnings;
+    let reported = store::read(&dir).unwrap().info.warnings;
     assert!(
-        told.iter()
+        reported
+            .iter()
             .any(|w| w.contains("was stopped while it computed")),
-        "{told:?}"
+        "{reported:?}"
     );
     let (partial, from) = (store::read(&dir).unwrap(), store::resume(&dir).unwrap());
     assert_eq!(partial.info.state, RunState::Partial);

@@ -67,7 +67,7 @@ fn a_step_left_open_is_stable_and_so_is_twice_that() {
     );
 }
 
-/// A uniform line without damping bears the limit and no more; with damping the limit told is on the safe side.
+/// A uniform line without damping bears the limit and no more; with damping the given limit is on the safe side.
 /// Generalized-alpha bears ten times the limit.
 #[test]
 fn the_stability_limit_is_one() {
@@ -271,7 +271,7 @@ fn a_step_that_fails_at_every_length_ends_the_march_with_time_and_node() {
 
 /// A line that comes taut with a jerk, and too few iterations for it.
 #[test]
-fn a_real_step_that_fails_is_halved_and_the_run_goes_on() {
+fn a_real_step_that_fails_is_halved_and_the_run_continues() {
     let snap = r#"
         ends.b = { name = "bob", kind = "payload" }
         payload = { dry_mass_kg = 1000.0, volume_m3 = 0.0, drag_area_m2 = 0.0, added_mass_kg = 0.0 }
@@ -302,17 +302,17 @@ fn bounce(solver: &str) -> (f64, f64) {
         output.interval_s = 0.05
         "#
     ));
-    let mut told = run.summary.iter();
-    let told = told
+    let mut reported = run.summary.iter();
+    let reported = reported
         .find(|q| q.name() == "tension_n[top|rope].final")
         .unwrap();
-    (told.value, told.time_error.unwrap())
+    (reported.value, reported.time_error.unwrap())
 }
 
 /// Whole steps divide the output interval: a companion of twice the step would be the run itself where one step spans
 /// the interval, and not twice as long where three do. Told is at least half of what the steps are off by.
 #[test]
-fn the_time_error_is_told_where_the_output_interval_sets_the_steps() {
+fn the_time_error_is_estimated_where_the_output_interval_sets_the_steps() {
     let (true_value, rest) = bounce("time_step_s = 0.0005");
     assert!(rest < 0.1, "{rest}");
     for solver in [
@@ -325,7 +325,7 @@ fn the_time_error_is_told_where_the_output_interval_sets_the_steps() {
         let off = (value - true_value).abs();
         assert!(
             error > 0.5 * off && error < 4.0 * off,
-            "{solver}: {error} N told, {off} N off"
+            "{solver}: {error} N estimated, {off} N off"
         );
     }
 }

@@ -50,7 +50,7 @@ fn worst(rho: f64, step: f64) -> f64 {
 }
 
 #[test]
-fn a_stiff_line_that_swings_tells_its_tension() {
+fn a_stiff_swinging_line_has_its_tension() {
     // By the stretch of the end state alone it would be off by 10 % (rho 0.4, 0.03 s): EA s (1 - s) (omega h)² / 2.
     for rho in [0.0, 0.4] {
         for step in [0.02, 0.03] {

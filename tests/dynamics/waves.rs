@@ -208,10 +208,10 @@ fn a_taut_string_has_its_first_frequency() {
     );
 }
 
-/// What generalized-alpha makes of a string's first mode is what it is told to make of it: period and decay over some
+/// Generalized-alpha gives a string's first mode its predicted period and decay over some
 /// ten cycles.
 #[test]
-fn a_taut_string_swings_as_the_method_is_told_to_make_it() {
+fn a_taut_string_swings_with_the_period_and_decay_of_the_method() {
     let n = 20;
     let scene = build(
         r#"

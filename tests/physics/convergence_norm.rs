@@ -149,9 +149,9 @@ fn the_error_falls_with_the_tolerance_and_steps_take_one_iteration() {
     // Steps are halved and doubled: the fall is ragged from one tolerance to the next, not over a wide range.
     let (coarse, fine) = (3.2e-4, 6.25e-7);
     let fall = error(coarse) / error(fine);
-    let foretold = (coarse / fine).powf(2.0 / 3.0);
+    let predicted = (coarse / fine).powf(2.0 / 3.0);
     assert!(
-        (0.5..=2.0).contains(&(fall / foretold)),
-        "{fall} {foretold}"
+        (0.5..=2.0).contains(&(fall / predicted)),
+        "{fall} {predicted}"
     );
 }

@@ -325,7 +325,7 @@ fn the_jumper_of_lowe_and_langley_pulls_as_published() {
     }
 }
 
-/// A rope from an end that moves as told to an anchor.
+/// A rope from an end with this motion to an anchor.
 const LED: &str = r#"
 [case]
 title = "led"
@@ -382,7 +382,7 @@ fn a_table_beside_the_case_goes_with_it() {
     let again = seacable::case::parse(&kept, "elsewhere/case.toml").unwrap();
     assert_eq!(again, loaded.case);
     assert_eq!(seacable::case::stand_alone(&kept, &again), kept);
-    // What is wrong in the table is told where it stands there.
+    // An error in the table is reported at its place there.
     std::fs::write(
         dir.path().join("path.csv"),
         "time_s,x_m,y_m,z_m\n0,0,0,0\n2,1,o,0\n",
@@ -407,7 +407,7 @@ fn a_table_that_ends_before_the_run_makes_no_scene() {
 }
 
 #[test]
-fn an_irregular_motion_has_the_root_mean_square_it_is_told() {
+fn an_irregular_motion_has_its_given_root_mean_square() {
     let motion = "motion = \"irregular\"\nrms_m = [0.8, 0.0, 0.4]\npeak_period_s = 9.0\nseed = 7";
     let case = seacable::case::parse(&led(motion, ""), "case.toml").unwrap();
     let scene = scene::build(&case, 1).unwrap();

@@ -358,13 +358,17 @@ fn its_channels_are_recorded_and_its_keys_checked() {
         assert!(names.iter().any(|known| known == name), "{name}");
     }
     let beyond = text.replace("to_m = 77.6", "to_m = 90.0");
-    let told = case::parse(&beyond, "crossing").unwrap_err();
+    let reported = case::parse(&beyond, "crossing").unwrap_err();
     assert!(
-        told[0].to_string().contains("lies beyond the line"),
+        reported[0].to_string().contains("lies beyond the line"),
         "{}",
-        told[0]
+        reported[0]
     );
     let twice = text.replace("name = \"cargo\"", "name = \"ship\"");
-    let told = case::parse(&twice, "crossing").unwrap_err();
-    assert!(told[0].to_string().contains("used twice"), "{}", told[0]);
+    let reported = case::parse(&twice, "crossing").unwrap_err();
+    assert!(
+        reported[0].to_string().contains("used twice"),
+        "{}",
+        reported[0]
+    );
 }

@@ -281,7 +281,7 @@ fn validation_sets_the_exit_status() {
 }
 
 #[test]
-fn a_reader_that_leaves_is_no_trouble() {
+fn a_reader_that_leaves_is_not_an_error() {
     let dir = place(SMALL);
     seacable(dir.path())
         .args(["run", "small.toml", "--out", "r"])

@@ -114,12 +114,12 @@ fn such_a_run_needs_nothing_but_itself() {
     let (text, case) = from(&first, &[("solver.error_estimate", "true")]).unwrap();
     let run = stored(&request(text, case), &second);
     assert_eq!(run.info.state, RunState::Done, "{:?}", run.info.failure);
-    let told = run
+    let reported = run
         .summary
         .iter()
         .find(|q| q.name() == "z_m[payload].final")
         .unwrap();
-    let (time, mesh) = (told.time_error.unwrap(), told.mesh_error.unwrap());
+    let (time, mesh) = (reported.time_error.unwrap(), reported.mesh_error.unwrap());
     assert!(time < 0.1 && mesh < 0.5, "{time} {mesh}");
     std::fs::remove_dir_all(&first).unwrap();
     let text = store::case_text(&second).unwrap();
@@ -129,37 +129,43 @@ fn such_a_run_needs_nothing_but_itself() {
 }
 
 #[test]
-fn what_does_not_agree_is_told_with_its_place() {
+fn a_mismatch_is_reported_with_its_place() {
     let place = tempfile::tempdir().unwrap();
     let dir = place.path().join("first");
     let plain = text(&[]);
     let case = case::parse(&plain, "small.toml").unwrap();
     stored(&request(plain, case), &dir);
     let fault = |dir: &Path, keys: &[(&str, &str)]| from(dir, keys).unwrap_err();
-    let told = fault(&dir, &[("line.rope.segments", "5")]);
+    let reported = fault(&dir, &[("line.rope.segments", "5")]);
     assert!(
-        told.starts_with("small.toml:") && told.contains("start.from_run"),
-        "{told}"
+        reported.starts_with("small.toml:") && reported.contains("start.from_run"),
+        "{reported}"
     );
     assert!(
-        told.contains("5 nodes over 20 m, this one 6 nodes over 20 m"),
-        "{told}"
+        reported.contains("5 nodes over 20 m, this one 6 nodes over 20 m"),
+        "{reported}"
     );
-    let told = fault(&dir, &[("line.rope.length_m", "21.0")]);
-    assert!(told.contains("this one 5 nodes over 21 m"), "{told}");
-    let told = fault(&place.path().join("nowhere"), &[]);
-    assert!(told.contains("checkpoint.toml cannot be read"), "{told}");
-    let told = fault(&dir, &[("start.velocity_m_per_s", "[1.0, 0.0, 0.0]")]);
+    let reported = fault(&dir, &[("line.rope.length_m", "21.0")]);
     assert!(
-        told.contains("start.velocity_m_per_s") && told.contains("starts from a run"),
-        "{told}"
+        reported.contains("this one 5 nodes over 21 m"),
+        "{reported}"
     );
-    // An end elsewhere is no fault of the file alone, and told by the run.
+    let reported = fault(&place.path().join("nowhere"), &[]);
+    assert!(
+        reported.contains("checkpoint.toml cannot be read"),
+        "{reported}"
+    );
+    let reported = fault(&dir, &[("start.velocity_m_per_s", "[1.0, 0.0, 0.0]")]);
+    assert!(
+        reported.contains("start.velocity_m_per_s") && reported.contains("starts from a run"),
+        "{reported}"
+    );
+    // An end elsewhere is not a fault of the file alone, and reported by the run.
     let (text, case) = from(&dir, &[("ends.a.position_m", "[1.0, 0.0, -10.0]")]).unwrap();
     let run = job::execute(&request(text, case), &AtomicBool::new(false), &mut |_| {});
     let why = run.info.failure.unwrap();
     assert!(why.contains("end a begins 1.000 m from where"), "{why}");
     std::fs::write(dir.join("checkpoint.toml"), "?").unwrap();
-    let told = fault(&dir, &[]);
-    assert!(told.contains("cannot be understood"), "{told}");
+    let reported = fault(&dir, &[]);
+    assert!(reported.contains("cannot be understood"), "{reported}");
 }

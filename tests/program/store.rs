@@ -154,14 +154,18 @@ fn a_history_cut_anywhere_reads_up_to_the_cut() {
         assert_eq!(back.history.time[..], whole.history.time[..n]);
         let lines = bytes[..cut].iter().filter(|b| **b == b'\n').count();
         assert_eq!(n, lines.saturating_sub(1), "cut at byte {cut}");
-        let told = back.info.warnings.iter().any(|w| w.contains("history.csv"));
+        let reported = back.info.warnings.iter().any(|w| w.contains("history.csv"));
         let clean = cut > 0 && bytes[cut - 1] == b'\n';
-        assert_eq!(told, !clean, "cut at byte {cut}: {:?}", back.info.warnings);
+        assert_eq!(
+            reported, !clean,
+            "cut at byte {cut}: {:?}",
+            back.info.warnings
+        );
     }
 }
 
 #[test]
-fn damage_is_told_by_file_and_line() {
+fn damage_is_reported_by_file_and_line() {
     let root = tempfile::tempdir().unwrap();
     let check = |name: &str, damage: &dyn Fn(String) -> String, expected: &str| {
         let dir = saved(root.path());

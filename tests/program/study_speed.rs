@@ -17,15 +17,16 @@ fn pendulum() -> Case {
 }
 
 fn computed(case: &Case, plan: SpeedPlan) -> SpeedStudy {
-    let mut told = Vec::new();
-    let mut tell = |begun: usize, of: usize, what: &str| told.push(format!("{begun} {of} {what}"));
+    let mut reported = Vec::new();
+    let mut tell =
+        |begun: usize, of: usize, what: &str| reported.push(format!("{begun} {of} {what}"));
     let study = speed::compute(case, plan, 1, &AtomicBool::new(false), &mut tell).unwrap();
-    assert_eq!(told.len(), study.points.len() + 3, "{told:?}");
+    assert_eq!(reported.len(), study.points.len() + 3, "{reported:?}");
     study
 }
 
 #[test]
-fn errors_fall_with_the_step_and_are_held_against_another_method() {
+fn errors_fall_with_the_step_and_are_compared_with_another_method() {
     let case = pendulum();
     let plan = speed::plan(&case).unwrap();
     assert_eq!(plan.reference.case.solver.method, Method::Rk4);
@@ -130,7 +131,7 @@ fn the_command_prints_and_writes_the_table() {
 }
 
 #[test]
-fn varying_steps_stand_beside_constant_ones_of_the_same_error() {
+fn varying_steps_are_compared_with_constant_ones_of_the_same_error() {
     let mut case = pendulum();
     case.solver.duration_s = 2.0;
     let cancel = AtomicBool::new(false);

@@ -64,7 +64,7 @@ fn sigterm_and_sighup_give_the_terminal_back() {
 }
 
 #[test]
-fn a_panic_gives_the_terminal_back_before_it_is_told() {
+fn a_panic_restores_the_terminal_before_its_message() {
     let mut pty = Start {
         vars: &[("LANG", "C.UTF-8"), ("SEACABLE_MAY_PANIC", "1")],
         ..Start::default()
@@ -91,12 +91,12 @@ fn a_hang_up_without_a_signal_ends_the_program_at_once() {
     wait_gone(process);
     let status = pty.dir.path().join("status");
     let until = std::time::Instant::now() + Duration::from_secs(60);
-    let mut told = String::new();
-    while told.is_empty() && std::time::Instant::now() < until {
-        told = std::fs::read_to_string(&status).unwrap_or_default();
+    let mut reported = String::new();
+    while reported.is_empty() && std::time::Instant::now() < until {
+        reported = std::fs::read_to_string(&status).unwrap_or_default();
         std::thread::sleep(Duration::from_millis(5));
     }
-    assert_eq!(told.trim(), "129");
+    assert_eq!(reported.trim(), "129");
 }
 
 #[test]
@@ -147,7 +147,7 @@ fn control_z_without_a_shell_behind_says_why_it_does_not_stop() {
 }
 
 #[test]
-fn a_terminal_of_any_size_that_changes_while_a_run_goes_on() {
+fn a_terminal_of_any_size_that_changes_during_a_run() {
     let mut pty = Start {
         size: (39, 9),
         ..Start::default()
@@ -247,7 +247,7 @@ fn without_a_locale_the_user_is_asked_once() {
 }
 
 #[test]
-fn a_dumb_terminal_is_told_what_to_do_instead() {
+fn on_a_dumb_terminal_the_alternative_is_named() {
     let pty = Start {
         vars: &[("LANG", "C.UTF-8"), ("TERM", "dumb")],
         ..Start::default()

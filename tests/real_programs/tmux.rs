@@ -118,7 +118,7 @@ fn from_the_list_to_a_saved_report_at_200x60() {
 
 #[test]
 #[ignore = "left out: needs tmux; .ci/run runs it"]
-fn a_run_goes_on_through_resizes_and_while_nobody_is_attached() {
+fn a_run_continues_through_resizes_and_while_nobody_is_attached() {
     let mut tmux = Tmux::start((80, 24));
     tmux.pty.send(&format!("seacable {ENDLESS}\r"));
     tmux.pty.wait_for("solver alpha");

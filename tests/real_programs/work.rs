@@ -57,7 +57,7 @@ pub(crate) fn installed(name: &str) -> PathBuf {
 pub(crate) fn until(what: &str, holds: impl Fn() -> bool) {
     let end = Instant::now() + PATIENCE;
     while !holds() {
-        assert!(Instant::now() < end, "waited in vain for: {what}");
+        assert!(Instant::now() < end, "timed out waiting for: {what}");
         std::thread::sleep(POLL);
     }
 }

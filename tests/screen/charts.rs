@@ -131,7 +131,7 @@ fn waves(back: f64) -> Chart {
 }
 
 #[test]
-fn stripes_lean_where_waves_travel_and_stand_upright_where_they_stand() {
+fn stripes_lean_where_waves_travel_and_are_upright_where_they_stand() {
     let mut all = String::new();
     for (back, glyphs) in [
         (0.0, Glyphs::Braille),

@@ -94,7 +94,7 @@ fn a_wide_table_is_flat_and_a_narrow_one_is_stacked() {
 }
 
 #[test]
-fn points_stand_below_each_other() {
+fn points_are_below_each_other() {
     let numbers = ["1.5", "-12.25", "300", "none", "0.001 m"];
     let table = Table {
         columns: vec![Column::decimal("a long head above numbers")],

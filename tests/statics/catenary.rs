@@ -440,7 +440,7 @@ mod tables {
     }
 
     #[test]
-    fn a_table_without_its_columns_is_told_which_are_missing() {
+    fn the_missing_columns_of_a_table_are_named() {
         let fault = solve(b"x_m,z_m,length_m\n1,2,3\n").unwrap_err();
         assert!(
             matches!(&fault, TableError::Missing(missing) if missing == "ea_n, weight_n_per_m")
@@ -483,13 +483,13 @@ mod command {
     }
 
     #[test]
-    fn a_refused_row_and_a_missing_file_are_told() {
+    fn a_refused_row_and_a_missing_file_are_reported() {
         let dir = tempfile::tempdir().unwrap();
         let input = dir.path().join("in.csv");
         let head = "x_m,z_m,length_m,ea_n,weight_n_per_m,bed_below_a_m\n";
         std::fs::write(&input, format!("{head}80,-20,100,1e9,1000,0\n")).unwrap();
-        let told = seacable().arg("catenary").arg(&input).assert().code(1);
-        let output = told.get_output();
+        let reported = seacable().arg("catenary").arg(&input).assert().code(1);
+        let output = reported.get_output();
         assert!(String::from_utf8_lossy(&output.stdout).contains("below the bed"));
         assert!(String::from_utf8_lossy(&output.stderr).contains("1 of 1 lines"));
         seacable()

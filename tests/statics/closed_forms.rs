@@ -2,7 +2,7 @@
 //! program but the case.
 //!
 //! A lumped line is off by terms of the second order in segment length. So each shape is found on two meshes, and
-//! what Richardson's extrapolation makes of them, `fine + (fine - coarse)/3`, must meet the independent answer far
+//! Richardson's extrapolation of them, `fine + (fine - coarse)/3`, must meet the independent answer far
 //! closer than either: to terms of the fourth order, `(l/a)²` of the change between the meshes, with l the segment
 //! length and a the smallest radius of the line.
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]

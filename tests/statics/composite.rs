@@ -173,7 +173,7 @@ fn a_lazy_wave_rests_rises_over_its_buoys_and_hangs() {
 }
 
 #[test]
-fn a_body_heavier_than_its_buoy_stands_on_the_bed_between_two_rests() {
+fn a_body_heavier_than_its_buoy_rests_on_the_bed_between_two_equilibria() {
     let mooring = [
         SectionProps {
             clump_n: -6e4,

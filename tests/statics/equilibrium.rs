@@ -134,7 +134,7 @@ fn a_pure_bend_is_a_quarter_circle() {
 /// A rod that stands on its clamp under a weight: Euler's load of it is pi² EI / (4 L²) = 2.467 N. Above it the straight
 /// rod is still an equilibrium, and one that it leaves in two directions.
 #[test]
-fn an_unstable_equilibrium_is_told_from_a_stable_one() {
+fn an_unstable_equilibrium_is_distinguished_from_a_stable_one() {
     for (load, ways) in [(2.4, 0), (2.55, 2)] {
         let mut scene = build(
             r#"

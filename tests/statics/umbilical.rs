@@ -140,7 +140,7 @@ fn the_catenary_lies_on_the_bed_and_rises_to_the_vessel() {
 }
 
 #[test]
-fn limits_that_are_exceeded_are_told() {
+fn exceeded_limits_are_reported() {
     let run = |edits: &[(&str, &str)]| {
         let text = edit::set_all(WAVE, edits).unwrap();
         let request = Request {
@@ -157,15 +157,15 @@ fn limits_that_are_exceeded_are_told() {
         ("materials.umbilical.break_load_n", "1e4"),
         ("materials.umbilical.min_bend_radius_m", "15.0"),
     ]);
-    let told = &run.info.warnings;
-    assert_eq!(told.len(), 2, "{told:?}");
+    let reported = &run.info.warnings;
+    assert_eq!(reported.len(), 2, "{reported:?}");
     assert!(
-        told[0].contains("section `buoyant` is bent more sharply"),
-        "{told:?}"
+        reported[0].contains("section `buoyant` is bent more sharply"),
+        "{reported:?}"
     );
     assert!(
-        told[1].contains("section `upper` is loaded beyond"),
-        "{told:?}"
+        reported[1].contains("section `upper` is loaded beyond"),
+        "{reported:?}"
     );
     let named = |name: &str| run.quantity(name).unwrap();
     let (radius, curvature) = (named("bend_radius_m.min"), named("curvature_per_m.max"));

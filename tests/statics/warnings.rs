@@ -1,4 +1,4 @@
-//! What is told of a line at rest: that it may rest elsewhere as well, that nothing gives it a shape, that it has no rest at
+//! Warnings about a line at rest: that it may rest elsewhere as well, that nothing gives it a shape, that it has no rest at
 //! all, that a clamp does nothing.
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
@@ -34,7 +34,7 @@ fn a_bowed_rod_has_two_shapes_and_a_sagging_one_has_one() {
             "#
         ))
     };
-    let told = |run: &Run| {
+    let reported = |run: &Run| {
         run.info
             .warnings
             .iter()
@@ -42,7 +42,7 @@ fn a_bowed_rod_has_two_shapes_and_a_sagging_one_has_one() {
     };
     let bowed = rod(0.1, 1e4);
     assert_eq!(bowed.info.state, RunState::Done, "{:?}", bowed.info.failure);
-    assert!(told(&bowed), "{:?}", bowed.info.warnings);
+    assert!(reported(&bowed), "{:?}", bowed.info.warnings);
     assert!(
         bowed
             .info
@@ -59,7 +59,7 @@ fn a_bowed_rod_has_two_shapes_and_a_sagging_one_has_one() {
         "{:?}",
         sagging.info.failure
     );
-    assert!(!told(&sagging), "{:?}", sagging.info.warnings);
+    assert!(!reported(&sagging), "{:?}", sagging.info.warnings);
 }
 
 const SLACK: &str = r#"
@@ -115,14 +115,14 @@ fn slack_line_afloat_lies_in_one_of_many_shapes() {
             "#
         ))
     };
-    let told = |run: &Run| {
+    let reported = |run: &Run| {
         let warned = run.info.warnings.iter();
         warned
             .chain(&run.info.failure)
             .any(|w| w.contains("float on the surface"))
     };
     let calm = afloat("");
-    assert!(told(&calm), "{:?}", calm.info);
+    assert!(reported(&calm), "{:?}", calm.info);
     let streaming = afloat("current = { speed_m_per_s = 0.5, direction_deg = 90.0 }");
     assert_eq!(
         streaming.info.state,
@@ -130,7 +130,7 @@ fn slack_line_afloat_lies_in_one_of_many_shapes() {
         "{:?}",
         streaming.info.failure
     );
-    assert!(!told(&streaming), "{:?}", streaming.info.warnings);
+    assert!(!reported(&streaming), "{:?}", streaming.info.warnings);
 }
 
 /// On a slope slack line is held by friction, as much as the slope asks for; without any it hangs downhill from the anchor.
@@ -164,7 +164,7 @@ fn slack_line_on_a_slope_needs_friction() {
 }
 
 #[test]
-fn a_clamp_without_bending_stiffness_is_told_of() {
+fn a_clamp_without_bending_stiffness_is_reported() {
     let run =
         computed("ends.a = { clamp_elevation_deg = -30.0 }\nmaterials.rope.drag_normal = 1.0");
     assert!(

@@ -1,4 +1,4 @@
-//! Start, release, traveller, rotation and trials, and keys that have no effect: every fault as it is told.
+//! Start, release, traveller, rotation and trials, and keys that have no effect: every fault as it is reported.
 
 use super::{GOOD, faults};
 use std::fmt::Write;
@@ -39,7 +39,7 @@ fn end_a(keys: &str) -> String {
 }
 
 #[test]
-fn every_fault_of_bodies_starts_and_trials_is_told() {
+fn every_fault_of_bodies_starts_and_trials_is_reported() {
     let spoilt = [
         start("x_m = [0.0, 1.0]"),
         start("shape = \"given\""),
@@ -86,15 +86,15 @@ fn every_fault_of_bodies_starts_and_trials_is_told() {
             "wet_mass_kg = 800.0\nrelease_s = 3.0",
         ),
     ];
-    let mut told = String::new();
+    let mut reported = String::new();
     for text in &spoilt {
         let found = faults(text);
         assert_eq!(found.len(), 1, "{found:#?}");
-        writeln!(told, "{}\n", found[0].render(text, false)).unwrap();
+        writeln!(reported, "{}\n", found[0].render(text, false)).unwrap();
     }
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"));
     settings.set_omit_expression(true);
     settings.set_prepend_module_to_snapshot(false);
-    settings.bind(|| insta::assert_snapshot!("bad_cases_of_bodies", told));
+    settings.bind(|| insta::assert_snapshot!("bad_cases_of_bodies", reported));
 }

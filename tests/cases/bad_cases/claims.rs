@@ -1,6 +1,6 @@
 //! Studies, published values, trends and marks.
 
-use super::{GOOD, faults, spoilt, tells};
+use super::{GOOD, assert_fault, faults, spoilt};
 
 #[test]
 fn study_of_a_key_that_is_not_there() {
@@ -8,7 +8,7 @@ fn study_of_a_key_that_is_not_there() {
         "key = \"materials.chain.diameter_m\"",
         "key = \"materials.chain.diametr_m\"",
     );
-    tells(
+    assert_fault(
         &fault,
         (53, 7),
         "study.current.key",
@@ -19,7 +19,7 @@ fn study_of_a_key_that_is_not_there() {
         "key = \"materials.chain.diameter_m\"",
         "key = \"case.title\"",
     );
-    tells(
+    assert_fault(
         &fault,
         (53, 7),
         "study.current.key",
@@ -27,7 +27,7 @@ fn study_of_a_key_that_is_not_there() {
         "takes one number",
     );
     let fault = spoilt("values = [0.05, 0.1]", "values = [0.05, -0.1]");
-    tells(
+    assert_fault(
         &fault,
         (54, 17),
         "study.current.values",
@@ -42,7 +42,7 @@ fn published_value_of_a_channel_that_is_not_recorded() {
         "channel = \"tension_n[lower|load]\"",
         "channel = \"tension_n[lower|loda]\"",
     );
-    tells(
+    assert_fault(
         &fault,
         (58, 11),
         "published.\"tension at the load\".channel",
@@ -50,7 +50,7 @@ fn published_value_of_a_channel_that_is_not_recorded() {
         "did you mean \"tension_n[lower|load]\"?",
     );
     let fault = spoilt("channel = \"x_m[load]\"", "channel = \"x_m[vessel]\"");
-    tells(
+    assert_fault(
         &fault,
         (70, 11),
         "trend.\"thicker, more drag\".channel",
@@ -62,7 +62,7 @@ fn published_value_of_a_channel_that_is_not_recorded() {
 #[test]
 fn published_value_without_tolerance() {
     let fault = spoilt("tolerance_rel = 0.03\n", "");
-    tells(
+    assert_fault(
         &fault,
         (56, 1),
         "published.\"tension at the load\".tolerance_rel",
@@ -74,7 +74,7 @@ fn published_value_without_tolerance() {
 #[test]
 fn window_that_runs_backward() {
     let fault = spoilt("window_s = [0.0, 200.0]", "window_s = [200.0, 0.0]");
-    tells(
+    assert_fault(
         &fault,
         (60, 12),
         "published.\"tension at the load\".window_s",
@@ -86,7 +86,7 @@ fn window_that_runs_backward() {
 #[test]
 fn point_of_a_study_that_is_not_there() {
     let fault = spoilt("at = { study = \"current\"", "at = { study = \"curent\"");
-    tells(
+    assert_fault(
         &fault,
         (65, 16),
         "published.\"tension at the load\".at.study",
@@ -94,7 +94,7 @@ fn point_of_a_study_that_is_not_there() {
         "did you mean \"current\"?",
     );
     let fault = spoilt("value = 0.05 }", "value = 0.06 }");
-    tells(
+    assert_fault(
         &fault,
         (65, 35),
         "published.\"tension at the load\".at.value",
@@ -102,7 +102,7 @@ fn point_of_a_study_that_is_not_there() {
         "0.05, 0.1",
     );
     let fault = spoilt("study = \"current\"\n", "study = \"weight\"\n");
-    tells(
+    assert_fault(
         &fault,
         (69, 9),
         "trend.\"thicker, more drag\".study",
@@ -114,7 +114,7 @@ fn point_of_a_study_that_is_not_there() {
 #[test]
 fn mark_of_a_key_that_is_not_there() {
     let fault = spoilt("\"payload.drag_area_m2\" =", "\"payload.drag_aera_m2\" =");
-    tells(
+    assert_fault(
         &fault,
         (49, 1),
         "marks.\"payload.drag_aera_m2\"",
@@ -124,7 +124,7 @@ fn mark_of_a_key_that_is_not_there() {
 }
 
 #[test]
-fn all_faults_are_told_at_once_in_the_order_of_lines() {
+fn all_faults_are_reported_at_once_in_the_order_of_lines() {
     let text = GOOD
         .replace("length_m = 80.0", "length_m = -80.0")
         .replace("ea_n = 1e9", "ea = 1e9")
@@ -143,7 +143,7 @@ fn all_faults_are_told_at_once_in_the_order_of_lines() {
 }
 
 #[test]
-fn statistics_over_time_and_over_length_are_told_apart() {
+fn statistics_over_time_and_over_length_are_distinguished() {
     let row = "\n[[trend]]\nname = \"n\"\nstudy = \"t\"\nexpect = \"rises\"\nsource = \"s\"\n";
     let first = |channel: &str, statistic: &str, more: &str| {
         let text =

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use seacable::case::{self, Diagnostic};
 
-use super::{GOOD, faults, tells};
+use super::{GOOD, assert_fault, faults};
 
 fn load(path: &Path) -> Diagnostic {
     let mut found = case::load(path).unwrap_err();
@@ -17,9 +17,9 @@ fn syntax_that_is_not_toml() {
     let text = "[case]\ntitle = \nsource = ?\n[line\n";
     let found = faults(text);
     assert!(found.len() >= 2, "{found:#?}");
-    tells(&found[0], (2, 9), "", "this is not TOML", "key = value");
+    assert_fault(&found[0], (2, 9), "", "this is not TOML", "key = value");
     let last = found.last().unwrap();
-    tells(
+    assert_fault(
         last,
         (4, 6),
         "",
@@ -35,7 +35,7 @@ fn no_such_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("none.toml");
     let fault = load(&path);
-    tells(
+    assert_fault(
         &fault,
         (1, 1),
         "",
@@ -48,7 +48,7 @@ fn no_such_file() {
 #[test]
 fn a_directory() {
     let folder = tempfile::tempdir().unwrap();
-    tells(
+    assert_fault(
         &load(folder.path()),
         (1, 1),
         "",
@@ -63,7 +63,7 @@ fn an_empty_file() {
     let path = folder.path().join("empty.toml");
     for text in ["", " \n\n", "# only a comment\n"] {
         std::fs::write(&path, text).unwrap();
-        tells(&load(&path), (1, 1), "", "the file is empty", "[case]");
+        assert_fault(&load(&path), (1, 1), "", "the file is empty", "[case]");
     }
 }
 
@@ -72,7 +72,7 @@ fn a_binary_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("binary.toml");
     std::fs::write(&path, b"[case]\nt\xff\xfe\x00").unwrap();
-    tells(
+    assert_fault(
         &load(&path),
         (2, 2),
         "",
@@ -112,7 +112,7 @@ fn a_byte_order_mark_is_no_fault_and_moves_no_column() {
     let edited = case::edit::set(&text, "case.title", "Other").unwrap();
     assert_eq!(edited, text.replace("\"Test\"", "\"Other\""));
     let found = faults(&text.replace("length_m = 80.0", "length_m = -80.0"));
-    tells(
+    assert_fault(
         &found[0],
         (18, 12),
         "line.upper.length_m",

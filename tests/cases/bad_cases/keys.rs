@@ -1,11 +1,11 @@
 //! Keys that no table knows, lack their unit, or are missing.
 
-use super::{spoilt, tells};
+use super::{assert_fault, spoilt};
 
 #[test]
 fn unknown_key() {
     let fault = spoilt("lift_kg = 100.0", "lift_kg = 100.0\ncolour = 3");
-    tells(
+    assert_fault(
         &fault,
         (47, 1),
         "floats.upper.colour",
@@ -17,7 +17,7 @@ fn unknown_key() {
 #[test]
 fn misspelt_key_names_the_right_one_and_is_not_missing_too() {
     let fault = spoilt("length_m = 80.0", "lenght_m = 80.0");
-    tells(
+    assert_fault(
         &fault,
         (18, 1),
         "line.upper.lenght_m",
@@ -29,7 +29,7 @@ fn misspelt_key_names_the_right_one_and_is_not_missing_too() {
 #[test]
 fn key_of_another_table() {
     let fault = spoilt("drag_area_m2 = 2.0", "drag_area_m2 = 2.0\nduration_s = 5.0");
-    tells(
+    assert_fault(
         &fault,
         (40, 1),
         "payload.duration_s",
@@ -41,7 +41,7 @@ fn key_of_another_table() {
 #[test]
 fn unknown_table() {
     let fault = spoilt("[current]", "[curent]");
-    tells(
+    assert_fault(
         &fault,
         (4, 2),
         "curent",
@@ -53,7 +53,7 @@ fn unknown_table() {
 #[test]
 fn missing_key() {
     let fault = spoilt("ea_n = 1e9\n", "");
-    tells(
+    assert_fault(
         &fault,
         (8, 1),
         "materials.chain.ea_n",
@@ -65,13 +65,13 @@ fn missing_key() {
 #[test]
 fn missing_table() {
     let fault = spoilt("[case]\ntitle = \"Test\"\n", "");
-    tells(&fault, (1, 1), "case", "is missing", "add [case]");
+    assert_fault(&fault, (1, 1), "case", "is missing", "add [case]");
 }
 
 #[test]
 fn missing_unit() {
     let fault = spoilt("length_m = 80.0", "length = 80.0");
-    tells(
+    assert_fault(
         &fault,
         (18, 1),
         "line.upper.length",
@@ -83,7 +83,7 @@ fn missing_unit() {
 #[test]
 fn wrong_unit() {
     let fault = spoilt("diameter_m = 0.1", "diameter_mm = 100.0");
-    tells(
+    assert_fault(
         &fault,
         (9, 1),
         "materials.chain.diameter_mm",
@@ -91,7 +91,7 @@ fn wrong_unit() {
         "write `diameter_m`, with the value in m",
     );
     let fault = spoilt("dry_mass_kg = 1000.0", "dry_mass_t = 1.0");
-    tells(
+    assert_fault(
         &fault,
         (37, 1),
         "payload.dry_mass_t",
@@ -103,5 +103,5 @@ fn wrong_unit() {
 #[test]
 fn key_given_twice() {
     let fault = spoilt("ea_n = 1e9", "ea_n = 1e9\nea_n = 2e9");
-    tells(&fault, (12, 1), "", "duplicate key", "key = value");
+    assert_fault(&fault, (12, 1), "", "duplicate key", "key = value");
 }

@@ -2,7 +2,7 @@
 
 use seacable::case;
 
-use super::{GOOD, faults, spoilt, tells};
+use super::{GOOD, assert_fault, faults, spoilt};
 
 #[test]
 fn unknown_material() {
@@ -10,7 +10,7 @@ fn unknown_material() {
         "name = \"upper\"\nmaterial = \"chain\"",
         "name = \"upper\"\nmaterial = \"chian\"",
     );
-    tells(
+    assert_fault(
         &fault,
         (17, 12),
         "line.upper.material",
@@ -22,7 +22,7 @@ fn unknown_material() {
 #[test]
 fn name_used_twice() {
     let fault = spoilt("name = \"vessel\"", "name = \"upper\"");
-    tells(
+    assert_fault(
         &fault,
         (28, 8),
         "ends.a.name",
@@ -37,7 +37,7 @@ fn end_off_the_lines_reach() {
         "kind = \"payload\"",
         "kind = \"payload\"\nposition_m = [0.0, 0.0, -1000.0]",
     );
-    tells(
+    assert_fault(
         &fault,
         (35, 14),
         "ends.b.position_m",
@@ -54,7 +54,7 @@ fn end_off_the_lines_reach() {
 #[test]
 fn held_end_without_position() {
     let fault = spoilt("position_m = [0.0, 0.0, 0.0]\n", "");
-    tells(
+    assert_fault(
         &fault,
         (27, 1),
         "ends.a.position_m",
@@ -69,7 +69,7 @@ fn moving_end_without_period() {
         "kind = \"fixed\"",
         "kind = \"moving\"\namplitude_m = [0.0, 0.0, 1.0]",
     );
-    tells(
+    assert_fault(
         &fault,
         (27, 1),
         "ends.a.period_s",
@@ -81,7 +81,7 @@ fn moving_end_without_period() {
 #[test]
 fn nothing_holds_the_line() {
     let fault = spoilt("kind = \"fixed\"", "kind = \"free\"");
-    tells(
+    assert_fault(
         &fault,
         (34, 8),
         "ends.b.kind",
@@ -93,7 +93,7 @@ fn nothing_holds_the_line() {
 #[test]
 fn payload_without_an_end_and_end_without_payload() {
     let text = GOOD.replace("kind = \"payload\"", "kind = \"free\"");
-    tells(
+    assert_fault(
         &faults(&text)[0],
         (36, 1),
         "payload",
@@ -102,7 +102,7 @@ fn payload_without_an_end_and_end_without_payload() {
     );
     let payload = "[payload]\ndry_mass_kg = 1000.0\nwet_mass_kg = 800.0\ndrag_area_m2 = 2.0\nadded_mass_kg = 500.0\n";
     let found = faults(&GOOD.replace(payload, ""));
-    tells(
+    assert_fault(
         &found[0],
         (34, 8),
         "ends.b.kind",
@@ -113,7 +113,7 @@ fn payload_without_an_end_and_end_without_payload() {
         "kind = \"fixed\"\nposition_m = [0.0, 0.0, 0.0]\n",
         "kind = \"payload\"\nposition_m = [0.0, 0.0, 0.0]\n[start]\nshape = \"straight\"\n",
     );
-    tells(
+    assert_fault(
         &fault,
         (36, 8),
         "ends.b.kind",
@@ -129,7 +129,7 @@ fn payload_without_an_end_and_end_without_payload() {
             "kind = \"fixed\"\nposition_m = [0.0, 0.0, 0.0]",
             "kind = \"payload\"",
         );
-    tells(
+    assert_fault(
         &faults(&turned)[0],
         (29, 8),
         "ends.a.kind",
@@ -141,7 +141,7 @@ fn payload_without_an_end_and_end_without_payload() {
 #[test]
 fn floats_off_their_section() {
     let fault = spoilt("to_m = 30.0", "to_m = 90.0");
-    tells(
+    assert_fault(
         &fault,
         (45, 8),
         "floats.upper.to_m",
@@ -149,7 +149,7 @@ fn floats_off_their_section() {
         "section \"upper\" is 80 m long",
     );
     let fault = spoilt("from_m = 10.0", "from_m = 40.0");
-    tells(
+    assert_fault(
         &fault,
         (44, 10),
         "floats.upper.from_m",
@@ -157,7 +157,7 @@ fn floats_off_their_section() {
         "begin before it ends",
     );
     let fault = spoilt("section = \"upper\"", "section = \"middle\"");
-    tells(
+    assert_fault(
         &fault,
         (43, 11),
         "floats.middle.section",
@@ -177,7 +177,7 @@ fn bodies_off_their_section_or_without_a_name_of_their_own() {
     assert!(case::parse(&with("weight", 20.0), "good.toml").is_ok());
     let found = faults(&with("weight", 81.0));
     assert_eq!(found.len(), 1, "{found:#?}");
-    tells(
+    assert_fault(
         &found[0],
         (45, 8),
         "clumps.weight.at_m",
@@ -186,7 +186,7 @@ fn bodies_off_their_section_or_without_a_name_of_their_own() {
     );
     let found = faults(&with("vessel", 20.0));
     assert_eq!(found.len(), 1, "{found:#?}");
-    tells(
+    assert_fault(
         &found[0],
         (43, 8),
         "clumps.vessel.name",

@@ -1,11 +1,11 @@
 //! Current, damping, payload and output.
 
-use super::{spoilt, tells};
+use super::{assert_fault, spoilt};
 
 #[test]
 fn current_table() {
     let fault = spoilt("depth_m = [0.0, 100.0]\n", "");
-    tells(
+    assert_fault(
         &fault,
         (5, 17),
         "current.speed_m_per_s",
@@ -13,7 +13,7 @@ fn current_table() {
         "with 2 depths in m",
     );
     let fault = spoilt("depth_m = [0.0, 100.0]", "depth_m = [0.0, 50.0, 100.0]");
-    tells(
+    assert_fault(
         &fault,
         (5, 17),
         "current.speed_m_per_s",
@@ -21,7 +21,7 @@ fn current_table() {
         "one value for each depth",
     );
     let fault = spoilt("depth_m = [0.0, 100.0]", "depth_m = [100.0, 0.0]");
-    tells(
+    assert_fault(
         &fault,
         (6, 19),
         "current.depth_m",
@@ -29,7 +29,7 @@ fn current_table() {
         "from the surface down",
     );
     let fault = spoilt("speed_m_per_s = [0.5, 0.2]", "speed_m_per_s = 0.5");
-    tells(
+    assert_fault(
         &fault,
         (6, 11),
         "current.depth_m",
@@ -47,7 +47,7 @@ fn friction_without_effect() {
         )
     };
     let fault = with("friction_law = \"zhu-2017\"");
-    tells(
+    assert_fault(
         &fault,
         (10, 16),
         "seabed.friction_law",
@@ -55,7 +55,7 @@ fn friction_without_effect() {
         "add `friction = ...`",
     );
     let fault = with("friction = 0.5\nslip_speed_m_per_s = 0.1");
-    tells(
+    assert_fault(
         &fault,
         (11, 22),
         "seabed.slip_speed_m_per_s",
@@ -63,7 +63,7 @@ fn friction_without_effect() {
         "choose the other law",
     );
     let fault = with("friction = 0.5\nfriction_law = \"zhu-2017\"\nfriction_lateral = 0.7");
-    tells(
+    assert_fault(
         &fault,
         (12, 20),
         "seabed.friction_lateral",
@@ -92,20 +92,20 @@ fn a_payload_that_turns_without_an_axis() {
         faults(&case("drag_area_m2 = 2.0\nadded_mass_kg = [3, 3, 1]")),
         []
     );
-    let told = faults(&case("drag_area_m2 = [2.0, 3.0, 1.0]\nadded_mass_kg = 1.0"));
-    assert_eq!(told.len(), 1, "{told:?}");
+    let reported = faults(&case("drag_area_m2 = [2.0, 3.0, 1.0]\nadded_mass_kg = 1.0"));
+    assert_eq!(reported.len(), 1, "{reported:?}");
     assert_eq!(
-        (told[0].line, told[0].key.as_str()),
+        (reported[0].line, reported[0].key.as_str()),
         (9, "payload.drag_area_m2")
     );
     assert!(
-        told[0].problem.contains("symmetric about its axis"),
-        "{told:?}"
+        reported[0].problem.contains("symmetric about its axis"),
+        "{reported:?}"
     );
     let shape = "shape = { kind = \"box\", length_m = 3.0, breadth_m = 2.0, height_m = 1.0 }";
-    let told = faults(&case(&format!("drag_area_m2 = 2.0\n{shape}")));
-    assert_eq!(told.len(), 1, "{told:?}");
-    assert_eq!(told[0].key, "payload.shape");
+    let reported = faults(&case(&format!("drag_area_m2 = 2.0\n{shape}")));
+    assert_eq!(reported.len(), 1, "{reported:?}");
+    assert_eq!(reported[0].key, "payload.shape");
     assert_eq!(
         faults(&case(&format!(
             "drag_area_m2 = 2.0\nadded_mass_kg = 1.0\n{shape}"
@@ -120,7 +120,7 @@ fn damping_given_twice() {
         "axial_damping_ratio = 0.02",
         "axial_damping_ratio = 0.02\naxial_damping_n_s = 1e5",
     );
-    tells(
+    assert_fault(
         &fault,
         (13, 1),
         "materials.chain.axial_damping_n_s",
@@ -135,7 +135,7 @@ fn payload_weight() {
         "wet_mass_kg = 800.0",
         "wet_mass_kg = 800.0\nvolume_m3 = 0.2",
     );
-    tells(
+    assert_fault(
         &fault,
         (39, 13),
         "payload.volume_m3",
@@ -143,7 +143,7 @@ fn payload_weight() {
         "keep one",
     );
     let fault = spoilt("wet_mass_kg = 800.0", "wet_mass_kg = 1800.0");
-    tells(
+    assert_fault(
         &fault,
         (38, 15),
         "payload.wet_mass_kg",
@@ -151,7 +151,7 @@ fn payload_weight() {
         "less the mass of the displaced water",
     );
     let fault = spoilt("wet_mass_kg = 800.0\n", "");
-    tells(
+    assert_fault(
         &fault,
         (36, 1),
         "payload.wet_mass_kg",
@@ -164,7 +164,7 @@ fn payload_weight() {
 fn payload_shape_of_another_kind() {
     let shape = "added_mass_kg = 500.0\nshape = { kind = \"box\", length_m = 1.0, breadth_m = 1.0, height_m = 1.0, sphere_diameter_m = 2.0 }";
     let fault = spoilt("added_mass_kg = 500.0", shape);
-    tells(
+    assert_fault(
         &fault,
         (41, 74),
         "payload.shape.sphere_diameter_m",
@@ -174,7 +174,7 @@ fn payload_shape_of_another_kind() {
     let shape =
         "added_mass_kg = 500.0\nshape = { kind = \"box\", length_m = 1.0, breadth_m = 1.0 }";
     let fault = spoilt("added_mass_kg = 500.0", shape);
-    tells(
+    assert_fault(
         &fault,
         (41, 9),
         "payload.shape.height_m",
@@ -186,7 +186,7 @@ fn payload_shape_of_another_kind() {
 #[test]
 fn more_output_than_a_disk_holds() {
     let fault = spoilt("[marks]", "[output]\ninterval_s = 1e-6\n[marks]");
-    tells(
+    assert_fault(
         &fault,
         (49, 14),
         "output.interval_s",

@@ -1,4 +1,4 @@
-//! Bad case files, one by one: each fault is told with line, column, key, reason and remedy.
+//! Bad case files, one by one: each fault is reported with line, column, key, reason and remedy.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
@@ -107,7 +107,7 @@ fn spoilt(old: &str, new: &str) -> Diagnostic {
 }
 
 /// Holds a fault against where it must be and what it must say.
-fn tells(fault: &Diagnostic, at: (u32, u32), key: &str, problem: &str, remedy: &str) {
+fn assert_fault(fault: &Diagnostic, at: (u32, u32), key: &str, problem: &str, remedy: &str) {
     assert_eq!((fault.line, fault.column), at, "{fault}");
     assert_eq!(fault.key, key, "{fault}");
     assert!(fault.problem.contains(problem), "{fault}");

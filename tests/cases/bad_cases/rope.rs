@@ -1,13 +1,13 @@
 //! Materials whose stiffness is given twice, by half or by a table that does not rise.
 
-use super::{spoilt, tells};
+use super::{assert_fault, spoilt};
 
 const TABLE: &str = "strain = [0.0, 0.1, 0.2]\ntension_n = [0.0, 1e5, 4e5]";
 
 #[test]
 fn stiffness_given_twice() {
     let fault = spoilt("ea_n = 1e9", &format!("ea_n = 1e9\n{TABLE}"));
-    tells(
+    assert_fault(
         &fault,
         (12, 1),
         "materials.chain.strain",
@@ -19,7 +19,7 @@ fn stiffness_given_twice() {
 #[test]
 fn half_a_table() {
     let fault = spoilt("ea_n = 1e9", "ea_n = 1e9\ntension_n = [0.0, 1e5]");
-    tells(
+    assert_fault(
         &fault,
         (12, 1),
         "materials.chain.tension_n",
@@ -27,7 +27,7 @@ fn half_a_table() {
         "add `strain = [0.0, ...]`, as long as tension_n, or remove tension_n",
     );
     let fault = spoilt("ea_n = 1e9", "strain = [0.0, 0.1]");
-    tells(
+    assert_fault(
         &fault,
         (11, 1),
         "materials.chain.strain",
@@ -39,7 +39,7 @@ fn half_a_table() {
 #[test]
 fn lists_of_unlike_length() {
     let fault = spoilt("ea_n = 1e9", &TABLE.replace(", 4e5", ""));
-    tells(
+    assert_fault(
         &fault,
         (12, 13),
         "materials.chain.tension_n",
@@ -49,9 +49,9 @@ fn lists_of_unlike_length() {
 }
 
 #[test]
-fn tables_that_do_not_rise_from_nought() {
+fn tables_that_do_not_rise_from_zero() {
     let fault = spoilt("ea_n = 1e9", &TABLE.replace("1e5", "5e5"));
-    tells(
+    assert_fault(
         &fault,
         (12, 24),
         "materials.chain.tension_n",
@@ -62,7 +62,7 @@ fn tables_that_do_not_rise_from_nought() {
         "ea_n = 1e9",
         &TABLE.replace("[0.0, 0.1, 0.2]", "[0.01, 0.1, 0.2]"),
     );
-    tells(
+    assert_fault(
         &fault,
         (11, 11),
         "materials.chain.strain",
@@ -70,7 +70,7 @@ fn tables_that_do_not_rise_from_nought() {
         "begin at 0",
     );
     let fault = spoilt("ea_n = 1e9", "strain = [0.0]\ntension_n = [0.0, 1.0]");
-    tells(
+    assert_fault(
         &fault,
         (11, 10),
         "materials.chain.strain",
@@ -83,7 +83,7 @@ fn tables_that_do_not_rise_from_nought() {
 fn dynamic_stiffness_without_its_numbers() {
     let words = "ea_n = 1e9\ndynamic_stiffness = \"secant\"\nbreak_load_n = 1e7";
     let fault = spoilt("ea_n = 1e9", words);
-    tells(
+    assert_fault(
         &fault,
         (8, 1),
         "materials.chain.dynamic_alpha",
@@ -92,7 +92,7 @@ fn dynamic_stiffness_without_its_numbers() {
     );
     let words = "ea_n = 1e9\ndynamic_stiffness = \"secant\"\ndynamic_alpha = 14.0";
     let fault = spoilt("ea_n = 1e9", words);
-    tells(
+    assert_fault(
         &fault,
         (8, 1),
         "materials.chain.break_load_n",
@@ -104,7 +104,7 @@ fn dynamic_stiffness_without_its_numbers() {
 #[test]
 fn numbers_of_a_dynamic_stiffness_that_is_not_there() {
     let fault = spoilt("ea_n = 1e9", "ea_n = 1e9\ndynamic_gamma = 0.3");
-    tells(
+    assert_fault(
         &fault,
         (12, 1),
         "materials.chain.dynamic_gamma",
@@ -112,7 +112,7 @@ fn numbers_of_a_dynamic_stiffness_that_is_not_there() {
         "add `dynamic_stiffness = \"secant\"`",
     );
     let fault = spoilt("ea_n = 1e9", "ea_n = 1e9\ndynamic_stiffness = \"cosecant\"");
-    tells(
+    assert_fault(
         &fault,
         (12, 21),
         "materials.chain.dynamic_stiffness",
@@ -125,7 +125,7 @@ fn numbers_of_a_dynamic_stiffness_that_is_not_there() {
 fn a_rope_with_dynamic_stiffness_does_not_bend() {
     let words = "ea_n = 1e9\ndynamic_stiffness = \"secant\"\ndynamic_alpha = 14.0\nbreak_load_n = 1e7\nei_n_m2 = 1e3";
     let fault = spoilt("ea_n = 1e9", words);
-    tells(
+    assert_fault(
         &fault,
         (15, 11),
         "materials.chain.ei_n_m2",

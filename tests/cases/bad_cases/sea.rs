@@ -1,6 +1,6 @@
 //! Waves.
 
-use super::{spoilt, tells};
+use super::{assert_fault, spoilt};
 
 /// The good case with waves of these keys before its first line of line.
 fn waves(keys: &str) -> seacable::case::Diagnostic {
@@ -12,7 +12,7 @@ fn waves(keys: &str) -> seacable::case::Diagnostic {
 fn heights_of_the_wrong_kind() {
     let fault =
         waves("kind = \"regular\"\nheight_m = 2.0\nsignificant_height_m = 2.0\nperiod_s = 8.0");
-    tells(
+    assert_fault(
         &fault,
         (11, 1),
         "waves.significant_height_m",
@@ -20,7 +20,7 @@ fn heights_of_the_wrong_kind() {
         "remove it",
     );
     let fault = waves("kind = \"irregular\"\nsignificant_height_m = 2.0");
-    tells(
+    assert_fault(
         &fault,
         (8, 1),
         "waves.peak_period_s",
@@ -35,9 +35,9 @@ fn keys_without_effect() {
     let fault = waves(&format!(
         "{irregular}spectrum = \"pierson-moskowitz\"\ngamma = 2.0"
     ));
-    tells(&fault, (13, 9), "waves.gamma", "has no effect", "jonswap");
+    assert_fault(&fault, (13, 9), "waves.gamma", "has no effect", "jonswap");
     let fault = waves(&format!("{irregular}decay_depth_m = 100.0"));
-    tells(
+    assert_fault(
         &fault,
         (12, 17),
         "waves.decay_depth_m",
@@ -47,7 +47,7 @@ fn keys_without_effect() {
     let fault = waves(&format!(
         "{irregular}depth_m = 100.0\n[seabed]\ndepth_m = 100.0"
     ));
-    tells(
+    assert_fault(
         &fault,
         (12, 11),
         "waves.depth_m",
@@ -56,7 +56,7 @@ fn keys_without_effect() {
     );
 }
 
-/// The good case with its vessel moving as told.
+/// The good case with this motion of its vessel.
 fn moving(keys: &str) -> seacable::case::Diagnostic {
     spoilt(
         "kind = \"fixed\"\nposition_m = [0.0, 0.0, 0.0]",
@@ -67,7 +67,7 @@ fn moving(keys: &str) -> seacable::case::Diagnostic {
 #[test]
 fn motions_without_what_they_need() {
     let fault = moving("motion = \"table\"");
-    tells(
+    assert_fault(
         &fault,
         (31, 10),
         "ends.a.motion_file",
@@ -75,7 +75,7 @@ fn motions_without_what_they_need() {
         "time_s,x_m,y_m,z_m",
     );
     let fault = moving("motion = \"irregular\"\nrms_m = [1.0, 0.0, 0.5]");
-    tells(
+    assert_fault(
         &fault,
         (31, 10),
         "ends.a.peak_period_s",
@@ -83,7 +83,7 @@ fn motions_without_what_they_need() {
         "in s",
     );
     let fault = moving("motion = \"vessel\"\nmotion_file = \"rao.csv\"");
-    tells(
+    assert_fault(
         &fault,
         (31, 10),
         "ends.a.motion",
@@ -91,7 +91,7 @@ fn motions_without_what_they_need() {
         "add [waves]",
     );
     let fault = moving("motion = \"table\"\nmotion_file = \"no_such_file.csv\"");
-    tells(
+    assert_fault(
         &fault,
         (32, 15),
         "ends.a.motion_file",

@@ -1,11 +1,11 @@
 //! Values of the wrong type, out of range, or not finite.
 
-use super::{GOOD, faults, spoilt, tells};
+use super::{GOOD, assert_fault, faults, spoilt};
 
 #[test]
 fn wrong_type() {
     let fault = spoilt("length_m = 80.0", "length_m = true");
-    tells(
+    assert_fault(
         &fault,
         (18, 12),
         "line.upper.length_m",
@@ -13,7 +13,7 @@ fn wrong_type() {
         "greater than 0 m",
     );
     let fault = spoilt("segments = 8", "segments = 8.0");
-    tells(
+    assert_fault(
         &fault,
         (19, 12),
         "line.upper.segments",
@@ -21,7 +21,7 @@ fn wrong_type() {
         "a whole number from 1 to 10000",
     );
     let fault = spoilt("title = \"Test\"", "title = 5");
-    tells(
+    assert_fault(
         &fault,
         (2, 9),
         "case.title",
@@ -33,7 +33,7 @@ fn wrong_type() {
 #[test]
 fn unit_in_the_value() {
     let fault = spoilt("length_m = 80.0", "length_m = \"80 m\"");
-    tells(
+    assert_fault(
         &fault,
         (18, 12),
         "line.upper.length_m",
@@ -48,7 +48,7 @@ fn table_written_as_a_value() {
         "[marks]\n\"payload.drag_area_m2\" = { status = \"assumed\", reason = \"a guess\" }",
         "[marks]\n\"payload.drag_area_m2\" = \"assumed\"",
     );
-    tells(
+    assert_fault(
         &fault,
         (49, 26),
         "marks.\"payload.drag_area_m2\"",
@@ -61,7 +61,7 @@ fn table_written_as_a_value() {
 fn list_written_as_a_table() {
     let text = GOOD.replace("[[floats]]", "[floats]");
     let found = faults(&text);
-    tells(
+    assert_fault(
         &found[0],
         (42, 1),
         "floats",
@@ -73,7 +73,7 @@ fn list_written_as_a_table() {
 #[test]
 fn negative_length() {
     let fault = spoilt("length_m = 80.0", "length_m = -80.0");
-    tells(
+    assert_fault(
         &fault,
         (18, 12),
         "line.upper.length_m",
@@ -85,7 +85,7 @@ fn negative_length() {
 #[test]
 fn zero_segments() {
     let fault = spoilt("segments = 8", "segments = 0");
-    tells(
+    assert_fault(
         &fault,
         (19, 12),
         "line.upper.segments",
@@ -97,7 +97,7 @@ fn zero_segments() {
 #[test]
 fn not_a_number_and_infinite() {
     let fault = spoilt("ea_n = 1e9", "ea_n = nan");
-    tells(
+    assert_fault(
         &fault,
         (11, 8),
         "materials.chain.ea_n",
@@ -105,7 +105,7 @@ fn not_a_number_and_infinite() {
         "greater than 0 N",
     );
     let fault = spoilt("ea_n = 1e9", "ea_n = inf");
-    tells(
+    assert_fault(
         &fault,
         (11, 8),
         "materials.chain.ea_n",
@@ -116,7 +116,7 @@ fn not_a_number_and_infinite() {
         "position_m = [0.0, 0.0, 0.0]",
         "position_m = [0.0, nan, 0.0]",
     );
-    tells(
+    assert_fault(
         &fault,
         (30, 20),
         "ends.a.position_m",
@@ -128,7 +128,7 @@ fn not_a_number_and_infinite() {
 #[test]
 fn wrong_count() {
     let fault = spoilt("position_m = [0.0, 0.0, 0.0]", "position_m = [0.0, 0.0]");
-    tells(
+    assert_fault(
         &fault,
         (30, 14),
         "ends.a.position_m",
@@ -140,7 +140,7 @@ fn wrong_count() {
 #[test]
 fn unknown_word() {
     let fault = spoilt("kind = \"fixed\"", "kind = \"fixd\"");
-    tells(
+    assert_fault(
         &fault,
         (29, 8),
         "ends.a.kind",
@@ -148,7 +148,7 @@ fn unknown_word() {
         "did you mean \"fixed\"?",
     );
     let fault = spoilt("drag_normal = 1.2", "drag_normal = \"jia\"");
-    tells(
+    assert_fault(
         &fault,
         (13, 15),
         "materials.chain.drag_normal",
@@ -160,7 +160,7 @@ fn unknown_word() {
 #[test]
 fn name_that_channels_cannot_carry() {
     let fault = spoilt("name = \"vessel\"", "name = \"the|vessel\"");
-    tells(
+    assert_fault(
         &fault,
         (28, 8),
         "ends.a.name",

@@ -1,4 +1,4 @@
-//! Dynamic stiffness: what a rope remembers, and what it makes of it.
+//! Dynamic stiffness: history of a rope and the stiffness that follows.
 
 use seacable::dynamics::Stepper;
 use seacable::scene::Scene;
@@ -34,11 +34,11 @@ fn a_rope_at_rest_has_the_stiffness_of_its_own_tension() {
             let tension = 9.80665 * (1000.0 + 2.0 * (5.0 + 10.0 * f64::from(beyond)));
             let node = usize::try_from(i).unwrap();
             let strain = (state.x[node + 1] - state.x[node]).norm() / 10.0 - 1.0;
-            let told = scene.rope_reading(node, &state).unwrap();
-            assert!((told.mean_load - 100.0 * tension / STRENGTH).abs() < 1e-6);
-            assert_eq!(told.deviation, 0.0);
-            let k = ALPHA + BETA * told.mean_load;
-            assert!((told.stiffness - k).abs() < 1e-12);
+            let found = scene.rope_reading(node, &state).unwrap();
+            assert!((found.mean_load - 100.0 * tension / STRENGTH).abs() < 1e-6);
+            assert_eq!(found.deviation, 0.0);
+            let k = ALPHA + BETA * found.mean_load;
+            assert!((found.stiffness - k).abs() < 1e-12);
             let stiffness = if reading == "secant" {
                 k * STRENGTH
             } else {
@@ -92,7 +92,7 @@ fn driven(reading: &str, window: Option<f64>) -> Scene {
     ))
 }
 
-/// The mean is the integral of the past tension by its time, the deviation what is left, and k what the formula makes of
+/// The mean is the integral of the past tension by its time, the deviation the remainder, and k what the formula gives for
 /// both, at every step; a window forgets exponentially.
 #[test]
 fn the_mean_is_that_of_the_past() {
@@ -111,8 +111,8 @@ fn the_mean_is_that_of_the_past() {
             &mut state,
             (40.0, 0.01),
             |t, s| {
-                let told = scene.rope_reading(2, s).unwrap();
-                let tension = (told.mean_load + told.deviation) * 0.01 * STRENGTH;
+                let found = scene.rope_reading(2, s).unwrap();
+                let tension = (found.mean_load + found.deviation) * 0.01 * STRENGTH;
                 mean = match before {
                     None => tension,
                     Some((last, was)) => {
@@ -122,11 +122,11 @@ fn the_mean_is_that_of_the_past() {
                 };
                 before = Some((t, tension));
                 assert!(
-                    (told.mean_load * 0.01 * STRENGTH / mean - 1.0).abs() < 2e-4,
+                    (found.mean_load * 0.01 * STRENGTH / mean - 1.0).abs() < 2e-4,
                     "{reading} {t}"
                 );
-                let k = ALPHA + BETA * told.mean_load - GAMMA * told.deviation;
-                assert!((told.stiffness - k).abs() < 1e-12);
+                let k = ALPHA + BETA * found.mean_load - GAMMA * found.deviation;
+                assert!((found.stiffness - k).abs() < 1e-12);
             },
         );
     }

@@ -136,9 +136,9 @@ fn a_peak_between_output_times_breaks_the_rope() {
     );
     let greatest = run.profile.tension_max.iter().copied().fold(0.0, f64::max);
     assert!((greatest / top.peak.0 - 1.0).abs() < 1e-3, "{greatest}");
-    let told = |word: &&String| word.contains("beyond its breaking load");
+    let reported = |word: &&String| word.contains("beyond its breaking load");
     assert!(
-        run.info.warnings.iter().any(|w| told(&w)),
+        run.info.warnings.iter().any(|w| reported(&w)),
         "{:?}",
         run.info.warnings
     );

@@ -256,7 +256,7 @@ fn control_c_cancels_first_and_quits_second() {
 }
 
 #[test]
-fn quitting_asks_while_runs_go_on_and_goes_on_when_they_end() {
+fn quitting_asks_while_jobs_run_and_proceeds_when_they_end() {
     let mut desk = Desk::with_case(SMALL);
     desk.keys("R q");
     assert!(matches!(

@@ -13,7 +13,7 @@ use super::{said, snapshot};
 
 /// A stored run goes on: the time is asked for, a time that will not do is asked for again, and the run joins the queue.
 #[test]
-fn a_stored_run_goes_on_from_the_list() {
+fn a_stored_run_is_resumed_from_the_list() {
     let place = tempfile::tempdir().unwrap();
     let dir = place.path().join("short");
     let mut desk = Desk::with_case((80, 24));

@@ -122,7 +122,7 @@ fn an_edit_is_live_at_rest_and_only_the_newest_text_is_taken_at_sea() {
     desk.keys("enter");
     assert!(open(&desk).editor.unsaved());
     assert_ne!(ship(&desk).statics.equilibria, before.equilibria);
-    // What was under way was told to stop, and its answer is dropped.
+    // The computation under way was stopped, and its answer is dropped.
     assert!(stale.load(Ordering::Relaxed));
     let old = DynamicAnalysis {
         motion: None,
