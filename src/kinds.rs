@@ -1,4 +1,4 @@
-//! The kinds of file that seacable opens, told apart by what a file begins with.
+//! The kinds of file that seacable opens, distinguished by their first table.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use crate::ship::is_ship;
 /// What a TOML file describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// A line case: [`crate::case`]. Also every file that is nothing else, so that its faults are told as those of a case.
+    /// A line case: [`crate::case`]. Also every file of no other kind, whose errors are then reported as those of a case.
     Line,
     /// A cross-section: [`crate::section`].
     Section,
