@@ -3,27 +3,28 @@
 
 use std::path::{Path, PathBuf};
 
-use serde::de::DeserializeOwned;
-
 use super::check::check_keys;
-use super::diagnostic::Diagnostic;
+use super::diagnostic::{Diagnostic, Finding};
 use super::edit::put;
 use super::fields::{FieldRow, Lister, Schema};
 use super::misfit::Misfit;
 use super::model::Mark;
-use super::read::{diagnose, said, text_of, words_of};
+use super::read::{diagnose, said, text_of};
 use super::tree::Node;
 use std::collections::BTreeMap;
 
 /// A kind of file.
 pub(crate) trait FileKind {
     /// Its words as plain data.
-    type Words: DeserializeOwned;
+    type Words;
     /// What they come to.
     type Worked;
 
     /// Its tables and fields.
     fn schema() -> &'static Schema;
+
+    /// Reads the words of a text that has passed the checks of the schema.
+    fn words(text: &str, tree: &Node) -> Result<Self::Words, Finding>;
 
     /// Works the words out, which have passed the checks of the schema; or all that cannot be as they say.
     fn work(words: Self::Words, tree: &Node) -> Result<Self::Worked, Vec<Misfit>>;
@@ -77,7 +78,7 @@ pub(crate) fn parse<K: FileKind>(text: &str, file: &str) -> Result<K::Worked, Ve
     let mut found = check_keys(K::schema(), &tree);
     if found.is_empty() {
         let words: K::Words =
-            words_of(text).map_err(|finding| diagnose(vec![finding], text, file))?;
+            K::words(text, &tree).map_err(|finding| diagnose(vec![finding], text, file))?;
         match K::work(words, &tree) {
             Ok(worked) => return Ok(worked),
             Err(wrong) => found = wrong.iter().map(|misfit| misfit.found(&tree)).collect(),
@@ -92,7 +93,7 @@ pub(crate) fn rows<K: FileKind>(text: &str) -> Vec<FieldRow> {
     let Ok(root) = Node::parse(text) else {
         return Vec::new();
     };
-    let marks = words_of::<K::Words>(text).map_or_else(|_| BTreeMap::new(), |w| K::marks(&w));
+    let marks = K::words(text, &root).map_or_else(|_| BTreeMap::new(), |w| K::marks(&w));
     K::list(&Lister {
         schema: K::schema(),
         text,

@@ -61,7 +61,7 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
     for (name, rest) in &named.ships {
         let folder = Path::new(name).parent().unwrap_or(Path::new(""));
         tables.push(ValidatedFile::new(
-            &rest.ship.particulars.title,
+            &rest.ship.ship.title,
             name,
             ship::validation::rows(&rest.ship, ship::MotionAnalysis::of(rest, folder).as_ref()),
         ));

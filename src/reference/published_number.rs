@@ -4,31 +4,34 @@
 use serde::Deserialize;
 
 use super::{ReferenceValue, ValidationRow, compare, tolerance};
+use crate::case::fields::of;
+use crate::case::schema::table;
 use crate::case::{Misfit, Standing};
 
-/// A published value and how what was worked out is held against it.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PublishedNumber {
-    /// What it is, in words.
-    pub name: String,
-    /// The quantity: `model.max_tension_n`, `pitch.velocity.rms`.
-    pub quantity: String,
-    /// The published value, in the unit of the quantity.
-    pub value: f64,
-    /// Tolerance relative to the value \[-\]. One of the two tolerances is needed; the wider one counts.
-    pub tolerance_rel: Option<f64>,
-    /// Tolerance in the unit of the value.
-    pub tolerance_abs: Option<f64>,
-    /// Where it is printed.
-    pub source: String,
-    /// Standing of the inputs behind the computed value, at worst.
-    pub inputs: Standing,
-    /// True when an input was fitted to this very number: agreement is then no evidence.
-    #[serde(default)]
-    pub fitted: bool,
-    /// Why the number is out of reach; the row then reads DIFFERS instead of FAIL.
-    pub out_of_reach: Option<String>,
+table! {
+    /// A published value and its comparison with the computed one.
+    #[derive(Debug, Clone, PartialEq, Deserialize)]
+    #[serde(deny_unknown_fields, default)]
+    pub struct PublishedNumber => PublishedNumberKeys {
+        /// What it is, in words.
+        name: String, "name";
+        /// The quantity, such as model.max_tension_n or pitch.velocity.rms.
+        quantity: String, "quantity";
+        /// The published value, in the unit of the quantity.
+        value: f64, "value", unit "";
+        /// Tolerance relative to the value; of two tolerances the wider one counts.
+        tolerance_rel: Option<f64>, "tolerance", range of(0.0, 10.0), absent "no relative tolerance";
+        /// Tolerance in the unit of the value.
+        tolerance_abs: Option<f64>, "tolerance", unit "", range of(0.0, 1e9), absent "no absolute tolerance";
+        /// Where it is printed.
+        source: String, "source";
+        /// Standing of the inputs behind the computed value, at worst.
+        inputs: Standing, "inputs";
+        /// True when an input was fitted to this very number: agreement is then no evidence.
+        fitted: bool = false, "fitted";
+        /// Why the number is out of reach; the row then reads DIFFERS instead of FAIL.
+        out_of_reach: Option<String>, "out of reach", absent "within reach";
+    }
 }
 
 impl PublishedNumber {

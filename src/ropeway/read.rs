@@ -10,7 +10,8 @@ use super::quantities::{self, QUANTITIES};
 use super::solve::{SolvedRopeway, solve};
 use crate::case::fields::{FieldRow, Lister, Schema, either};
 use crate::case::kind::{self, FileKind};
-use crate::case::{self, Diagnostic, Mark, Misfit, Node};
+use crate::case::read::words_of;
+use crate::case::{self, Diagnostic, Finding, Mark, Misfit, Node};
 use crate::reference::published_number;
 
 /// A ropeway with the text and the file it came from.
@@ -25,6 +26,10 @@ impl FileKind for RopewayFile {
 
     fn schema() -> &'static Schema {
         &ROPEWAY
+    }
+
+    fn words(text: &str, _: &Node) -> Result<Ropeway, Finding> {
+        words_of(text)
     }
 
     fn work(words: Ropeway, _tree: &Node) -> Result<SolvedRopeway, Vec<Misfit>> {

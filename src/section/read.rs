@@ -7,7 +7,8 @@ use super::fields::SECTION;
 use super::model::Section;
 use crate::case::fields::{FieldRow, Lister, Schema};
 use crate::case::kind::{self, FileKind};
-use crate::case::{Diagnostic, Misfit, Node};
+use crate::case::read::words_of;
+use crate::case::{Diagnostic, Finding, Misfit, Node};
 
 /// A design with the text and the file it came from.
 pub type Loaded = crate::case::Opened<Design>;
@@ -21,6 +22,10 @@ impl FileKind for SectionFile {
 
     fn schema() -> &'static Schema {
         &SECTION
+    }
+
+    fn words(text: &str, _: &Node) -> Result<Section, Finding> {
+        words_of(text)
     }
 
     fn work(words: Section, _tree: &Node) -> Result<Design, Vec<Misfit>> {

@@ -1,7 +1,7 @@
 //! The keys of a ship file as an editor lists and sets them.
 
 use super::read::ShipFile;
-use crate::case::fields::{FieldRow, Lister};
+use crate::case::fields::FieldRow;
 use crate::case::{Diagnostic, kind};
 
 /// Every key the file can have, given or not, table by table. A text that is not TOML gives no rows.
@@ -10,20 +10,8 @@ pub fn rows(text: &str) -> Vec<FieldRow> {
     kind::rows::<ShipFile>(text)
 }
 
-pub(super) fn list(lister: &Lister<'_>) -> Vec<FieldRow> {
-    let mut rows = lister.table("ship", &["ship"], "ship");
-    let others = lister.schema.tables.iter().filter(|table| {
-        !matches!(&*table.path, "ship" | "marks" | "published")
-            && lister.root.get(&*table.path).is_some()
-    });
-    for table in others {
-        rows.extend(lister.table(&*table.path, &[&*table.path], &*table.path));
-    }
-    rows
-}
-
-/// The text of the ship with one key set to a value, given as a user types it: a TOML value, or a bare word where the
-/// field takes words. Nothing but the value changes; a key that the file leaves out is added to its table.
+/// The text of the ship with one key set to a value as a user types it: a TOML value, or a bare word where the key takes words.
+/// Nothing but the value changes; a key that the file leaves out is added to its table.
 ///
 /// # Errors
 ///
@@ -32,7 +20,7 @@ pub fn set(text: &str, key_path: &str, value: &str) -> Result<String, Vec<Diagno
     set_all(text, &[(key_path, value)])
 }
 
-/// The text with several keys set one after the other; the ship is worked out once all are set.
+/// The text with several keys set one after the other; the ship is checked once all are set.
 ///
 /// # Errors
 /// As [`set`].

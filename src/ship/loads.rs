@@ -129,21 +129,25 @@ impl EnvironmentalLoads {
     /// The loads of a ship that has passed validation.
     #[must_use]
     pub fn new(ship: &Ship) -> Self {
-        let particulars = &ship.particulars;
+        let particulars = &ship.ship;
         let (l, t) = (particulars.length_m, particulars.draft_m);
         let mut each = Vec::new();
         if let Some(wind) = &ship.wind {
             let q = 0.5 * particulars.air_density_kg_per_m3 * wind.speed_m_per_s.powi(2);
             let side = q * wind.lateral_area_m2;
             let reference = [q * wind.frontal_area_m2, side, side * l];
-            let load = load("wind", wind.towards_deg, reference, &wind.coefficients);
+            let load = load("wind", wind.towards_deg, reference, &wind.coefficients());
             each.push(load.with_speed(wind.speed_m_per_s));
         }
         if let Some(current) = &ship.current {
             let q = 0.5 * particulars.water_density_kg_per_m3 * current.speed_m_per_s.powi(2);
             let reference = [q * l * t, q * l * t, q * l * l * t];
-            let settings = &current.coefficients;
-            let load = load("current", current.towards_deg, reference, settings);
+            let load = load(
+                "current",
+                current.towards_deg,
+                reference,
+                &current.coefficients(),
+            );
             each.push(load.with_speed(current.speed_m_per_s));
         }
         if let Some(drift) = &ship.drift {
@@ -153,7 +157,7 @@ impl EnvironmentalLoads {
                 "drift",
                 drift.towards_deg,
                 reference,
-                &drift.coefficients,
+                &drift.coefficients(),
             ));
         }
         Self {
@@ -252,13 +256,13 @@ fn load(
     name: &'static str,
     towards_deg: f64,
     reference: PlanarLoad,
-    settings: &Coefficients,
+    coefficients: &Coefficients<'_>,
 ) -> EnvironmentalLoad {
     EnvironmentalLoad {
         name,
         towards: towards_deg.to_radians(),
         reference,
-        curves: curves(settings),
+        curves: curves(coefficients),
         speed: None,
     }
 }
@@ -274,30 +278,32 @@ impl EnvironmentalLoad {
 }
 
 /// Coefficient curves, from a table or from Fourier series.
-fn curves(settings: &Coefficients) -> [PeriodicCurve; 3] {
-    if settings.angle_deg.is_empty() {
+fn curves(coefficients: &Coefficients<'_>) -> [PeriodicCurve; 3] {
+    if coefficients.angle_deg.is_empty() {
+        let [surge, sway, yaw] = coefficients.series;
         let sines = |list: &[f64]| PeriodicCurve::Fourier {
             cos: Vec::new(),
             sin: std::iter::once(0.0).chain(list.iter().copied()).collect(),
         };
-        let forward = PeriodicCurve::Fourier {
-            cos: settings.surge_cosines.clone(),
+        let cosines = PeriodicCurve::Fourier {
+            cos: surge.to_vec(),
             sin: Vec::new(),
         };
-        return [
-            forward,
-            sines(&settings.sway_sines),
-            sines(&settings.yaw_sines),
-        ];
+        return [cosines, sines(sway), sines(yaw)];
     }
-    let angles: Vec<f64> = settings.angle_deg.iter().map(|a| a.to_radians()).collect();
+    let angles: Vec<f64> = coefficients
+        .angle_deg
+        .iter()
+        .map(|a| a.to_radians())
+        .collect();
     let through = |values: &[f64], parity| {
-        PeriodicCurve::through(&angles, values, parity, settings.interpolation)
+        PeriodicCurve::through(&angles, values, parity, coefficients.interpolation)
     };
+    let [surge, sway, yaw] = coefficients.table;
     [
-        through(&settings.surge, Parity::Even),
-        through(&settings.sway, Parity::Odd),
-        through(&settings.yaw, Parity::Odd),
+        through(surge, Parity::Even),
+        through(sway, Parity::Odd),
+        through(yaw, Parity::Odd),
     ]
 }
 

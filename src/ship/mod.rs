@@ -1,7 +1,7 @@
 //! A ship at a single-point mooring.
 //!
-//! [`model`] holds the settings of a ship file, [`fields`] its keys with unit, range, default and help; [`parse`] and
-//! [`load`] read and check it, [`edit`] lists and sets its keys.
+//! [`model`] declares the keys of a ship file with type, unit, range, default and help; [`parse`] and [`load`] read and check
+//! it, [`edit`] lists and sets its keys.
 //!
 //! [`StaticAnalysis`]: [`loads`] of wind, current and mean wave drift, with coefficients that are [`periodic_curve`]s of the
 //! angle of attack; [`yaw_equilibria`], isolated by [`roots`]; [`mooring`], the catenary at the pull of each; [`stability`] of
@@ -15,7 +15,6 @@ mod check;
 pub mod coupled;
 mod dynamic_analysis;
 pub mod edit;
-pub mod fields;
 pub mod hull;
 pub mod loads;
 pub mod model;
@@ -36,5 +35,5 @@ pub use model::Ship;
 pub use motion_analysis::{MotionAnalysis, MotionError, WaveRealisation};
 pub(crate) use read::ShipFile;
 pub(crate) use read::is_ship;
-pub use read::{Loaded, load, parse};
+pub use read::{Loaded, SHIP, load, parse};
 pub use static_analysis::{Equilibrium, StaticAnalysis};

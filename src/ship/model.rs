@@ -1,75 +1,71 @@
-//! A ship at a single-point mooring as the user words it: one struct a table of the file, one field a key.
+//! A ship at a single-point mooring as its file gives it: one struct a table of the file, one field a key.
 
+mod loads;
 mod motion;
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
-
+pub use loads::{Coefficients, Current, Drift, Interpolation, Wind};
 pub use motion::{Motion, MotionSource, SpectrumKind};
 
 use crate::case::Mark;
+use crate::case::fields::{of, positive};
+use crate::case::schema::{table, words};
 use crate::reference::PublishedNumber;
 
-/// Everything a ship file says.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Ship {
-    /// The ship, and what holds for it as a whole.
-    #[serde(rename = "ship")]
-    pub particulars: Particulars,
-    /// The wind, and the ship's coefficients in it.
-    pub wind: Option<Wind>,
-    /// The current, and the ship's coefficients in it.
-    pub current: Option<Current>,
-    /// The waves' mean drift, and the ship's coefficients for it.
-    pub drift: Option<Drift>,
-    /// The line that holds the ship at its bow.
-    pub mooring: Option<Mooring>,
-    /// The ship's mass, and what the water adds to it.
-    pub hull: Option<Hull>,
-    /// The ship's motion in its sea.
-    pub motion: Option<Motion>,
-    /// The ship and its anchor line in time.
-    pub coupled: Option<CoupledSettings>,
-    /// The rope to a platform that follows the motion.
-    pub rope: Option<Rope>,
-    /// What the source printed of the motion.
-    #[serde(default)]
-    pub published: Vec<PublishedNumber>,
-    /// Where the inputs come from that the source does not print.
-    #[serde(default)]
-    pub marks: BTreeMap<String, Mark>,
+table! {
+    /// A ship file.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Ship => ShipKeys {}
+    tables {
+        /// The ship, water, air and gravity.
+        ship: Particulars;
+        /// The wind, and the ship's coefficients in it.
+        wind: Option<Wind>;
+        /// The current, and the ship's coefficients in it.
+        current: Option<Current>;
+        /// Mean wave drift, and the ship's coefficients for it.
+        drift: Option<Drift>;
+        /// The mooring line at the bow, from an anchor on a flat seabed.
+        mooring: Option<Mooring>;
+        /// Mass, added mass, damping and restoring; matrices in SI units, six numbers for a diagonal or thirty-six by rows.
+        hull: Option<Hull>;
+        /// The ship's motion in waves, by the statistics of each degree of freedom or by its RAOs.
+        motion: Option<Motion>;
+        /// The coupled analysis of the ship as a rigid body and its anchor line in the time domain.
+        coupled: Option<CoupledSettings>;
+        /// The rope to a platform that follows the motion.
+        rope: Option<Rope>;
+        /// Published results of the motion.
+        published: Vec<PublishedNumber>;
+        /// Where an input comes from when the source does not print it, by key path.
+        marks: BTreeMap<String, Mark>;
+    }
 }
 
-/// The ship, and what holds for it as a whole.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Particulars {
-    /// One line.
-    pub title: String,
-    /// Where the data come from.
-    #[serde(default)]
-    pub source: String,
-    /// A few sentences: what is missing in the source, what was decided.
-    #[serde(default)]
-    pub notes: String,
-    /// Length over all \[m\].
-    pub length_m: f64,
-    /// Draught \[m\].
-    pub draft_m: f64,
-    /// Where the mooring holds the ship, forward of its centre, in shares of the length over all \[-\].
-    #[serde(default = "arm")]
-    pub arm_fraction: f64,
-    /// Density of the water \[kg/m³\].
-    #[serde(default = "sea_water")]
-    pub water_density_kg_per_m3: f64,
-    /// Density of the air \[kg/m³\].
-    #[serde(default = "air")]
-    pub air_density_kg_per_m3: f64,
-    /// Gravity \[m/s²\].
-    #[serde(default = "standard_gravity")]
-    pub gravity_m_per_s2: f64,
+table! {
+    /// The ship, water, air and gravity.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Particulars => ParticularsKeys {
+        /// What the ship is, in one line.
+        title: String, "title";
+        /// Where the data come from.
+        source: String = "", "source";
+        /// What is missing in the source, what was decided.
+        notes: String = "", "notes";
+        /// Length over all.
+        length_m: f64, "length", range positive(1000.0);
+        /// Draught.
+        draft_m: f64, "draught", range positive(100.0);
+        /// Mooring point forward of the ship's centre, as a fraction of the length.
+        arm_fraction: f64 = 0.48, "arm", range of(-1.0, 1.0);
+        /// Density of the water.
+        water_density_kg_per_m3: f64 = 1025.0, "water density", range of(0.0, 3000.0);
+        /// Density of the air.
+        air_density_kg_per_m3: f64 = 1.225, "air density", range of(0.0, 100.0);
+        /// Gravity.
+        gravity_m_per_s2: f64 = 9.80665, "gravity", range of(0.0, 100.0);
+    }
 }
 
 impl Particulars {
@@ -80,232 +76,96 @@ impl Particulars {
     }
 }
 
-/// The wind, and the ship's coefficients in it.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-pub struct Wind {
-    /// Speed \[m/s\].
-    pub speed_m_per_s: f64,
-    /// Where it blows to, from +x towards +y \[deg\].
-    pub towards_deg: f64,
-    /// Area seen from ahead \[m²\].
-    pub frontal_area_m2: f64,
-    /// Area seen from the side \[m²\].
-    pub lateral_area_m2: f64,
-    /// Coefficients against the angle.
-    #[serde(flatten)]
-    pub coefficients: Coefficients,
+table! {
+    /// The mooring line at the bow, from an anchor on a flat seabed.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Mooring => MooringKeys {
+        /// Unstretched length of the line.
+        length_m: f64, "length", range positive(1e5);
+        /// Weight in water, as mass.
+        wet_weight_kg_per_m: f64, "wet weight", range positive(1e5);
+        /// Axial stiffness EA of the line.
+        ea_n: f64, "axial stiffness", range positive(1e13);
+        /// Depth of the flat seabed below still water.
+        depth_m: f64, "depth", range positive(1e4);
+        /// Height of the fairlead above still water.
+        fairlead_z_m: f64 = 0.0, "fairlead height", range of(-100.0, 100.0);
+    }
 }
 
-/// The current, and the ship's coefficients in it.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-pub struct Current {
-    /// Speed over the draught \[m/s\].
-    pub speed_m_per_s: f64,
-    /// Where it runs to, from +x towards +y \[deg\].
-    pub towards_deg: f64,
-    /// Coefficients against the angle.
-    #[serde(flatten)]
-    pub coefficients: Coefficients,
+table! {
+    /// Mass, added mass, damping and restoring about the ship's reference point: amidships, on the centre line, in the still water
+    /// line. Matrices are in SI units, in the order surge, sway, heave, roll, pitch, yaw: six numbers are the diagonal,
+    /// thirty-six the rows.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Hull => HullKeys {
+        /// Mass of the ship.
+        mass_kg: f64, "mass", range positive(1e10);
+        /// Radii of gyration in roll, pitch and yaw about the centre of gravity.
+        gyration_m: [f64; 3], "radii of gyration", range positive(1000.0);
+        /// Centre of gravity from the reference point: forward, to port, up.
+        centre_m: [f64; 3] = [0.0, 0.0, 0.0], "centre of gravity", range of(-1000.0, 1000.0);
+        /// Added mass in SI units, surge to yaw: six numbers for the diagonal, or thirty-six by rows.
+        added_mass_si: Vec<f64>, "added mass", unit "", absent "none";
+        /// Damping in SI units, without that of wind and current on the moving ship: six numbers, or thirty-six by rows.
+        damping_si: Vec<f64>, "damping", unit "", absent "none";
+        /// Hydrostatic restoring in SI units, without the mooring: six numbers, or thirty-six by rows.
+        restoring_si: Vec<f64>, "restoring", unit "", absent "none";
+    }
 }
 
-/// The waves' mean drift, and the ship's coefficients for it.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-pub struct Drift {
-    /// Significant wave height \[m\].
-    pub significant_height_m: f64,
-    /// Where the waves run to, from +x towards +y \[deg\].
-    pub towards_deg: f64,
-    /// Coefficients against the angle.
-    #[serde(flatten)]
-    pub coefficients: Coefficients,
+table! {
+    /// The coupled analysis of the ship and its anchor line in the time domain.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct CoupledSettings => CoupledSettingsKeys {
+        /// Simulated time.
+        duration_s: f64 = 1800.0, "duration", range positive(1e5);
+        /// Time step.
+        step_s: f64 = 0.1, "step", range of(0.001, 10.0);
+        /// Segments of the anchor line; an even number, because half of them give the mesh error.
+        segments: usize = 40, "segments", range of(8.0, 1000.0);
+        /// Time over which the waves grow from zero.
+        ramp_s: f64 = 60.0, "ramp", range of(0.0, 1e5);
+        /// Time from which statistics count.
+        from_s: f64 = 300.0, "statistics from", range of(0.0, 1e5);
+        /// Initial yaw angle about the fairlead, bow to port.
+        start_yaw_deg: f64 = 0.0, "initial yaw", range of(-30.0, 30.0);
+        /// Mass of the anchor line in air.
+        line_mass_kg_per_m: f64, "line mass", range positive(1e5);
+        /// Diameter of the anchor line, for drag and added mass.
+        line_diameter_m: f64, "line diameter", range positive(10.0);
+        /// Normal drag coefficient of the line.
+        drag_normal: f64 = 0.0, "normal drag", range of(0.0, 100.0);
+        /// Tangential drag coefficient of the line.
+        drag_tangential: f64 = 0.0, "tangential drag", range of(0.0, 100.0);
+        /// Normal added mass coefficient of the line.
+        added_mass_normal: f64 = 1.0, "normal added mass", range of(0.0, 100.0);
+    }
 }
 
-/// Coefficients of a load along the ship, across it, and in yaw, against the angle from where the bow points to where the
-/// flow goes: 0 with the flow from astern. Either a table (`angle_deg`, `surge`, `sway`, `yaw`) or Fourier series.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
-pub struct Coefficients {
-    /// Angles of the table, rising from 0: up to 180, the other side by symmetry, or to less than 360 \[deg\].
-    #[serde(default)]
-    pub angle_deg: Vec<f64>,
-    /// Coefficients forward \[-\].
-    #[serde(default)]
-    pub surge: Vec<f64>,
-    /// Coefficients to port \[-\].
-    #[serde(default)]
-    pub sway: Vec<f64>,
-    /// Coefficients in yaw, bow to port \[-\].
-    #[serde(default)]
-    pub yaw: Vec<f64>,
-    /// What lies between the points of the table.
-    #[serde(default)]
-    pub interpolation: Interpolation,
-    /// Amplitudes of cos(0), cos(α), cos(2α), ... forward \[-\].
-    #[serde(default)]
-    pub surge_cosines: Vec<f64>,
-    /// Amplitudes of sin(α), sin(2α), ... to port \[-\].
-    #[serde(default)]
-    pub sway_sines: Vec<f64>,
-    /// Amplitudes of sin(α), sin(2α), ... in yaw \[-\].
-    #[serde(default)]
-    pub yaw_sines: Vec<f64>,
+table! {
+    /// The rope to a platform that follows the motion.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Rope => RopeKeys {
+        /// The ropeway's file, relative to the folder of this one.
+        ropeway: String, "ropeway";
+        /// Bearing of the platform from the hang-off point, from the bow to port: 0 ahead, 90 abeam to port.
+        bearing_deg: f64, "bearing", range of(-360.0, 360.0);
+        /// Motion that the rope's end follows: that of [motion], or that of the coupled analysis.
+        follows: Follows = Follows::Motion, "follows";
+        /// Records, of as many seeds, for the expected maximum tension.
+        records: usize = 10, "records", range of(2.0, 1000.0);
+    }
 }
 
-/// What lies between the points of a table.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Interpolation {
-    /// Straight lines.
-    Linear,
-    /// The cubic spline that is periodic with its first and second derivative.
-    #[default]
-    Cubic,
-}
-
-/// The line that holds the ship at its bow, from the anchor on a flat bed.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Mooring {
-    /// Length \[m\].
-    pub length_m: f64,
-    /// Weight in water, as mass \[kg/m\].
-    pub wet_weight_kg_per_m: f64,
-    /// Axial stiffness EA \[N\].
-    pub ea_n: f64,
-    /// Depth of the bed below still water \[m\].
-    pub depth_m: f64,
-    /// Height of the point that the ship holds the line by, above still water \[m\].
-    #[serde(default)]
-    pub fairlead_z_m: f64,
-}
-
-/// The ship's mass and what the water adds to it, about the ship's reference point: amidships, on the centre line, in the still
-/// water line. Matrices are in SI units, in the order surge, sway, heave, roll, pitch, yaw: six numbers are the diagonal,
-/// thirty-six the rows.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Hull {
-    /// Mass \[kg\].
-    pub mass_kg: f64,
-    /// Radii of gyration in roll, pitch and yaw, about the centre of gravity \[m\].
-    pub gyration_m: [f64; 3],
-    /// Centre of gravity from the reference point, forward, to port, up \[m\].
-    #[serde(default)]
-    pub centre_m: [f64; 3],
-    /// Added mass.
-    #[serde(default)]
-    pub added_mass_si: Vec<f64>,
-    /// Damping, beside that of wind and current on the moving ship.
-    #[serde(default)]
-    pub damping_si: Vec<f64>,
-    /// Restoring by water and weight, without the mooring.
-    #[serde(default)]
-    pub restoring_si: Vec<f64>,
-}
-
-/// The ship and its anchor line in time, both in one system of equations.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CoupledSettings {
-    /// Time that is followed \[s\].
-    #[serde(default = "half_hour")]
-    pub duration_s: f64,
-    /// Step \[s\].
-    #[serde(default = "tenth")]
-    pub step_s: f64,
-    /// Segments of the line.
-    #[serde(default = "forty")]
-    pub segments: usize,
-    /// The waves grow smoothly from nothing over this time \[s\].
-    #[serde(default = "minute")]
-    pub ramp_s: f64,
-    /// Statistics count from here on \[s\].
-    #[serde(default = "five_minutes")]
-    pub from_s: f64,
-    /// The ship is let go turned by this about its fairlead \[deg\].
-    #[serde(default)]
-    pub start_yaw_deg: f64,
-    /// Mass of the anchor line in air \[kg/m\].
-    pub line_mass_kg_per_m: f64,
-    /// Diameter of the anchor line, for drag and added mass \[m\].
-    pub line_diameter_m: f64,
-    /// Drag coefficient across the line \[-\].
-    #[serde(default)]
-    pub drag_normal: f64,
-    /// Drag coefficient along the line \[-\].
-    #[serde(default)]
-    pub drag_tangential: f64,
-    /// Added mass coefficient across the line \[-\].
-    #[serde(default = "one")]
-    pub added_mass_normal: f64,
-}
-
-/// The rope to a platform that follows the motion.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Rope {
-    /// The ropeway's file, from the folder of the ship's.
-    pub ropeway: String,
-    /// Where the platform lies from the hang point, from the bow to port \[deg\].
-    pub bearing_deg: f64,
-    /// Which motion the rope's end follows.
-    #[serde(default)]
-    pub follows: Follows,
-    /// Records, of as many seeds, for the greatest tension to expect.
-    #[serde(default = "ten")]
-    pub records: usize,
-}
-
-/// Which motion of the ship its rope follows.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Follows {
-    /// That of `[motion]`.
-    #[default]
-    Motion,
-    /// That of the ship coupled with its anchor line.
-    Coupled,
-}
-
-fn arm() -> f64 {
-    0.48
-}
-
-fn sea_water() -> f64 {
-    1025.0
-}
-
-fn air() -> f64 {
-    1.225
-}
-
-fn standard_gravity() -> f64 {
-    9.80665
-}
-
-fn ten() -> usize {
-    10
-}
-
-fn half_hour() -> f64 {
-    1800.0
-}
-
-fn tenth() -> f64 {
-    0.1
-}
-
-fn forty() -> usize {
-    40
-}
-
-fn minute() -> f64 {
-    60.0
-}
-
-fn five_minutes() -> f64 {
-    300.0
-}
-
-fn one() -> f64 {
-    1.0
+words! {
+    /// Motion that the rope's end follows.
+    #[derive(Default)]
+    pub enum Follows {
+        /// That of `[motion]`.
+        #[default]
+        Motion = "motion",
+        /// That of the coupled analysis.
+        Coupled = "coupled",
+    }
 }

@@ -105,7 +105,11 @@ mod tests {
     use super::*;
 
     fn particulars() -> Particulars {
-        toml_edit::de::from_str("title = \"\"\nlength_m = 50.0\ndraft_m = 2.0\n").unwrap()
+        Particulars {
+            length_m: 50.0,
+            draft_m: 2.0,
+            ..Particulars::default()
+        }
     }
 
     fn mooring() -> Mooring {

@@ -1,20 +1,27 @@
-//! From a ship file to a ship at rest.
+//! From a ship file to its static analysis.
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use super::check::misfits;
-use super::fields::SHIP;
 use super::model::Ship;
 use super::static_analysis::StaticAnalysis;
 use crate::case::fields::{FieldRow, Lister, Schema};
 use crate::case::kind::{self, FileKind};
-use crate::case::{Diagnostic, Mark, Misfit, Node, Opened};
+use crate::case::schema::{Place, TableType};
+use crate::case::{Diagnostic, Finding, Mark, Misfit, Node, Opened};
 
-/// A ship at rest with the text and the file it came from.
+/// The ship file.
+pub static SHIP: LazyLock<Schema> = LazyLock::new(|| {
+    let least = "a ship has at least [ship] with a title, length_m and draft_m, and one of [wind], [current], [drift]";
+    Schema::of::<Ship>("ship", least)
+});
+
+/// A static analysis with the text and the file it came from.
 pub type Loaded = Opened<StaticAnalysis>;
 
-/// The ship file as a kind.
+/// The ship file as a kind of file.
 pub(crate) enum ShipFile {}
 
 impl FileKind for ShipFile {
@@ -25,41 +32,51 @@ impl FileKind for ShipFile {
         &SHIP
     }
 
-    fn work(settings: Ship, tree: &Node) -> Result<StaticAnalysis, Vec<Misfit>> {
-        let wrong = misfits(&settings, tree);
+    fn words(_: &str, tree: &Node) -> Result<Ship, Finding> {
+        Ship::from_keys(&Ship::keys(&Place::root(tree)))
+    }
+
+    fn work(ship: Ship, tree: &Node) -> Result<StaticAnalysis, Vec<Misfit>> {
+        let wrong = misfits(&ship, tree);
         if wrong.is_empty() {
-            Ok(StaticAnalysis::new(settings))
+            Ok(StaticAnalysis::new(ship))
         } else {
             Err(wrong)
         }
     }
 
-    fn marks(settings: &Ship) -> BTreeMap<String, Mark> {
-        settings.marks.clone()
+    fn marks(ship: &Ship) -> BTreeMap<String, Mark> {
+        ship.marks.clone()
     }
 
     fn list(lister: &Lister<'_>) -> Vec<FieldRow> {
-        super::edit::list(lister)
+        let given = lister.schema.tables.iter().filter(|table| {
+            let listed = !matches!(&*table.path, "marks" | "published");
+            listed && (table.path == "ship" || lister.root.get(&table.path).is_some())
+        });
+        given
+            .flat_map(|table| lister.table(&table.path, &[&table.path], &table.path))
+            .collect()
     }
 }
 
-/// Whether a file is a ship rather than a line case; the two may share a folder. A ropeway has a ship too, and is none.
+/// Whether a file is a ship rather than a line case; the two may share a folder. A ropeway file has `[ship]` too.
 #[must_use]
 pub(crate) fn is_ship(path: &Path) -> bool {
     kind::begins::<ShipFile>(path, &["ropeway"])
 }
 
-/// Reads, checks and works out a ship file, at rest: what takes its time is [`DynamicAnalysis`](super::DynamicAnalysis)'s.
+/// Reads, checks and statically analyses a ship file; the [`DynamicAnalysis`](super::DynamicAnalysis) takes longer.
 ///
 /// # Errors
 ///
-/// Everything that is wrong, at once: that there is no such file, that it is a directory, binary or empty, faults of the
-/// TOML syntax, every fault of keys and values, or everything that cannot be as the file says.
+/// Everything that is wrong, at once: a missing file, a directory, a binary or empty file, TOML syntax, or every invalid key and
+/// value.
 pub fn load(path: &Path) -> Result<Loaded, Vec<Diagnostic>> {
     kind::load::<ShipFile>(path)
 }
 
-/// Checks the text of a ship and works it out, at rest. `file` is the name the diagnostics carry.
+/// Checks the text of a ship and analyses it statically. `file` is the name in the diagnostics.
 ///
 /// # Errors
 ///

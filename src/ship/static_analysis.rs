@@ -58,7 +58,7 @@ impl StaticAnalysis {
         let hull = ship.hull.as_ref().map(HullMatrices::of);
         let equilibrium = |yaw: YawEquilibrium| {
             let mooring = ship.mooring.as_ref();
-            let line = mooring.map(|mooring| solve_mooring(&ship.particulars, mooring, yaw.pull));
+            let line = mooring.map(|mooring| solve_mooring(&ship.ship, mooring, yaw.pull));
             let solved = line.as_ref().and_then(|line| line.as_ref().ok());
             let planar = hull.as_ref().zip(solved);
             Equilibrium {

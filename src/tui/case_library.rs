@@ -96,7 +96,7 @@ fn entry(dir: &Path, path: PathBuf) -> CaseEntry {
             (format!("{ROPEWAY}: {}", about.title), about.source)
         }),
         Kind::Ship => ship::load(&path).map(|loaded| {
-            let about = loaded.worked.ship.particulars;
+            let about = loaded.worked.ship.ship;
             (format!("{SHIP}: {}", about.title), about.source)
         }),
     };

@@ -115,7 +115,7 @@ fn impossible_values_are_reported_with_their_key() {
         (
             "30.0, 60.0",
             "60.0, 30.0",
-            "wind.angle_deg: does not rise from 60 to 30 degrees",
+            "wind.angle_deg: does not ascend from 60 to 30 degrees",
         ),
         (
             "150.0, 180.0]",
@@ -135,7 +135,7 @@ fn impossible_values_are_reported_with_their_key() {
         (
             "0.45, 0.0]",
             "0.45, 0.2]",
-            "wind.sway: is not nought at 0 and at 180 degrees",
+            "wind.sway: must be zero at 0 and 180 degrees",
         ),
         (
             "[drift]",
@@ -158,7 +158,7 @@ fn impossible_values_are_reported_with_their_key() {
         assert!(lines.starts_with("ship.toml:"), "{lines}");
     }
     let bare = "[ship]\ntitle = \"x\"\nlength_m = 50.0\ndraft_m = 2.0\n";
-    assert!(reported(bare).contains("nothing acts on the ship"));
+    assert!(reported(bare).contains("no load acts on the ship"));
     assert!(
         reported(&format!(
             "{bare}[current]\nspeed_m_per_s = 1.0\ntowards_deg = 0.0\n"

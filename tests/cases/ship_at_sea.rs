@@ -259,7 +259,7 @@ fn impossible_values_are_reported_with_their_key() {
         (&[("coupled.segments", "41")], "is odd"),
         (
             &[("coupled.step_s", "0.001"), ("coupled.duration_s", "1e5")],
-            "makes more than",
+            "gives more than",
         ),
         (&[("motion.peak_period_s", "0.0")], "out of range"),
     ] {
@@ -282,9 +282,9 @@ fn impossible_values_are_reported_with_their_key() {
         text = text.lines().filter(marked).collect::<Vec<_>>().join("\n");
         text
     };
-    assert!(parse(&without("hull")).contains("has no [hull]"));
-    assert!(parse(&without("mooring")).contains("has no [mooring]"));
-    assert!(parse(&without("coupled")).contains("there is no [coupled]"));
+    assert!(parse(&without("hull")).contains("needs [hull]"));
+    assert!(parse(&without("mooring")).contains("needs [mooring]"));
+    assert!(parse(&without("coupled")).contains("needs [coupled]"));
     let stray = TEXT.replace("by = \"responses\"", "by = \"statistics\"");
     assert!(
         parse(&stray).contains("by = \"responses\""),

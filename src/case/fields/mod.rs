@@ -468,7 +468,7 @@ mod tests {
             &CASE,
             &section::fields::SECTION,
             &ropeway::fields::ROPEWAY,
-            &ship::fields::SHIP,
+            &ship::SHIP,
         ]
     }
 

@@ -32,7 +32,7 @@ pub fn chart(statics: &StaticAnalysis, chosen: usize) -> Chart {
             ..Series::new(&label, i, ship(statics, equilibrium))
         });
     }
-    let frame = Frame::of(&series, statics.ship.particulars.length_m);
+    let frame = Frame::of(&series, statics.ship.ship.length_m);
     let anchor = cross(0.04 * frame.radius);
     series.push(Series::new("anchor", equilibria.len(), anchor));
     for (i, load) in statics.loads.each.iter().enumerate() {
@@ -122,14 +122,14 @@ fn bow(statics: &StaticAnalysis, equilibrium: &Equilibrium) -> (f64, f64) {
     let solved = equilibrium.positions(statics.loads.arm);
     solved.map(|[bow, _]| bow).unwrap_or_else(|| {
         let (sin, cos) = equilibrium.yaw.force_direction.sin_cos();
-        let length = statics.ship.particulars.length_m;
+        let length = statics.ship.ship.length_m;
         (length * cos, length * sin)
     })
 }
 
 /// The mooring line and the outline of the ship.
 fn ship(statics: &StaticAnalysis, equilibrium: &Equilibrium) -> Points {
-    let length = statics.ship.particulars.length_m;
+    let length = statics.ship.ship.length_m;
     let bow = bow(statics, equilibrium);
     let (sin, cos) = equilibrium.yaw.heading.sin_cos();
     let place = |(forward, port): (f64, f64)| {

@@ -22,7 +22,7 @@ pub fn text(
     text: &str,
     glyphs: Glyphs,
 ) -> String {
-    let particulars = &statics.ship.particulars;
+    let particulars = &statics.ship.ship;
     let mut page = Page::default();
     page.title(&particulars.title);
     for prose in [&particulars.source, &particulars.notes] {

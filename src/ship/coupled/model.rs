@@ -106,7 +106,7 @@ impl<'a> CoupledModel<'a> {
     /// The line from the anchor to the fairlead displaced by `offset` \[m\], in axes along the equilibrium heading.
     fn line_case(&self, segments: usize, offset: &V3) -> Case {
         const LINE: &str = "line";
-        let (particulars, mooring) = (&self.statics.ship.particulars, self.mooring);
+        let (particulars, mooring) = (&self.statics.ship.ship, self.mooring);
         let yaw = &self.equilibrium.yaw;
         let (sin, cos) = (yaw.force_direction - yaw.heading).sin_cos();
         let arm = self.arm();
@@ -186,7 +186,7 @@ impl<'a> CoupledModel<'a> {
             forcing,
             origin: V3::zeros(),
             arm,
-            length: 0.5 * self.statics.ship.particulars.length_m,
+            length: 0.5 * self.statics.ship.ship.length_m,
         };
         Ok(MooredShip::new(scene, body)?)
     }

@@ -1,101 +1,82 @@
-//! The words of a ship's motion.
+//! Settings of a ship's motion.
 
-use serde::Deserialize;
-
+use crate::case::fields::{of, positive};
+use crate::case::schema::{table, words};
 use crate::ship::motion::spectral_band::MotionRms;
 
-/// The ship's motion in its sea: made to statistics, or its answer to the waves.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Motion {
+table! {
+    /// The ship's motion in waves: by published statistics, or by its RAOs.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Motion => MotionKeys {
+        /// Whether the motion has published statistics, or is the ship's response to a sea by its RAOs.
+        by: MotionSource = MotionSource::Statistics, "made from";
+        /// Seed of the records: the same seed gives the same record.
+        seed: u32 = 1, "seed", range of(0.0, 4_294_967_295.0);
+        /// Length of a record.
+        duration_s: f64 = 10800.0, "duration", range positive(1e5);
+        /// Time step of a record.
+        step_s: f64 = 0.25, "step", range of(0.01, 100.0);
+        /// Regular components: of each band of frequencies, or of the sea.
+        components: usize = 100, "components", range of(10.0, 2000.0);
+        /// Hang-off point of the rope from the ship's reference point: forward, to port, up.
+        hang_point_m: [f64; 3] = [0.0, 0.0, 0.0], "hang-off point", range of(-1000.0, 1000.0);
+        /// Period of the slow-drift motion at the mooring, where the statistics need one.
+        slow_period_s: f64 = 100.0, "slow period", range positive(1e4), only by "statistics";
+        /// Mean of surge, sway, heave.
+        translation_mean_m: [f64; 3] = [0.0, 0.0, 0.0], "mean translation", range of(-1000.0, 1000.0), only by "statistics";
+        /// Mean of roll, pitch, yaw.
+        rotation_mean_deg: [f64; 3] = [0.0, 0.0, 0.0], "mean rotation", range of(-90.0, 90.0), only by "statistics";
+        /// Root mean square of surge, sway, heave about zero, the mean included.
+        translation_rms_m: Option<[f64; 3]>, "translation, rms", range of(0.0, 1000.0), only by "statistics";
+        /// Root mean square of roll, pitch, yaw about zero, the mean included.
+        rotation_rms_deg: Option<[f64; 3]>, "rotation, rms", range of(0.0, 1000.0), only by "statistics";
+        /// Root mean square velocity of surge, sway, heave.
+        translation_velocity_rms_m_per_s: Option<[f64; 3]>, "velocity, rms", range of(0.0, 1000.0), only by "statistics";
+        /// Root mean square velocity of roll, pitch, yaw.
+        rotation_velocity_rms_deg_per_s: Option<[f64; 3]>, "angular velocity, rms", range of(0.0, 1000.0), only by "statistics";
+        /// Root mean square acceleration of surge, sway, heave.
+        translation_acceleration_rms_m_per_s2: Option<[f64; 3]>, "acceleration, rms", range of(0.0, 1000.0), only by "statistics";
+        /// Root mean square acceleration of roll, pitch, yaw.
+        rotation_acceleration_rms_deg_per_s2: Option<[f64; 3]>, "angular acceleration, rms", range of(0.0, 1000.0), only by "statistics";
+        /// CSV file of RAOs, relative to the folder of this one: heading_deg (optional), period_s, surge_m_per_m, surge_phase_deg and so on.
+        responses: Option<String>, "RAOs", only by "responses";
+        /// Spectrum of the waves.
+        spectrum: SpectrumKind = SpectrumKind::Jonswap, "spectrum", only by "responses";
+        /// Significant wave height.
+        significant_height_m: Option<f64>, "significant height", range of(0.0, 30.0), only by "responses";
+        /// Peak period of the waves.
+        peak_period_s: Option<f64>, "peak period", range of(0.5, 60.0), only by "responses";
+        /// Peak enhancement of a JONSWAP spectrum; a Pierson-Moskowitz spectrum has 1.
+        gamma: f64 = 3.3, "peak enhancement", range of(1.0, 20.0), only by "responses";
+        /// Direction that the waves run to, from +x towards +y.
+        waves_towards_deg: Option<f64>, "waves towards", range of(-360.0, 360.0), only by "responses";
+        /// Heading of the bow, from +x towards +y.
+        heading_deg: Option<f64>, "heading", range of(-360.0, 360.0), absent "the governing equilibrium heading", only by "responses";
+    }
+}
+
+words! {
     /// What the motion is made from.
-    #[serde(default)]
-    pub by: MotionSource,
-    /// Seed of the records.
-    #[serde(default = "seed")]
-    pub seed: u32,
-    /// Length of a record \[s\].
-    #[serde(default = "three_hours")]
-    pub duration_s: f64,
-    /// Step of a record \[s\].
-    #[serde(default = "quarter")]
-    pub step_s: f64,
-    /// Regular components: of each band of a statistic, or of the sea.
-    #[serde(default = "hundred")]
-    pub components: usize,
-    /// The point that the rope hangs from, from the ship's reference point forward, to port, up \[m\].
-    #[serde(default)]
-    pub hang_point_m: [f64; 3],
-    /// Period of the slow motion at the mooring, where the statistics need one \[s\].
-    #[serde(default = "slow")]
-    pub slow_period_s: f64,
-    /// Mean of surge, sway, heave \[m\].
-    #[serde(default)]
-    pub translation_mean_m: [f64; 3],
-    /// Mean of roll, pitch, yaw \[deg\].
-    #[serde(default)]
-    pub rotation_mean_deg: [f64; 3],
-    /// Root mean square of surge, sway, heave about nothing, the mean counted in \[m\].
-    #[serde(default)]
-    pub translation_rms_m: [f64; 3],
-    /// Root mean square of roll, pitch, yaw \[deg\].
-    #[serde(default)]
-    pub rotation_rms_deg: [f64; 3],
-    /// Root mean square of their velocities \[m/s\].
-    #[serde(default)]
-    pub translation_velocity_rms_m_per_s: [f64; 3],
-    /// Root mean square of their velocities \[deg/s\].
-    #[serde(default)]
-    pub rotation_velocity_rms_deg_per_s: [f64; 3],
-    /// Root mean square of their accelerations \[m/s²\].
-    #[serde(default)]
-    pub translation_acceleration_rms_m_per_s2: [f64; 3],
-    /// Root mean square of their accelerations \[deg/s²\].
-    #[serde(default)]
-    pub rotation_acceleration_rms_deg_per_s2: [f64; 3],
-    /// The file of the ship's responses, from the folder of the ship's.
-    #[serde(default)]
-    pub responses: String,
-    /// Spectrum of the waves.
-    #[serde(default)]
-    pub spectrum: SpectrumKind,
-    /// Significant wave height \[m\].
-    #[serde(default)]
-    pub significant_height_m: f64,
-    /// Peak period of the waves \[s\].
-    #[serde(default)]
-    pub peak_period_s: f64,
-    /// Peak enhancement of a JONSWAP spectrum \[-\].
-    #[serde(default = "gamma")]
-    pub gamma: f64,
-    /// Where the waves run to, from +x towards +y \[deg\].
-    #[serde(default)]
-    pub waves_towards_deg: f64,
-    /// Where the bow points, from +x towards +y; absent: the heading at which the ship rests \[deg\].
-    pub heading_deg: Option<f64>,
+    #[derive(Default)]
+    pub enum MotionSource {
+        /// Root mean squares of each degree of freedom.
+        #[default]
+        Statistics = "statistics",
+        /// RAOs and a sea.
+        Responses = "responses",
+    }
 }
 
-/// What a motion is made from.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum MotionSource {
-    /// Root mean squares of each degree of freedom.
-    #[default]
-    Statistics,
-    /// Responses to a sea.
-    Responses,
-}
-
-/// The spectra there are.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum SpectrumKind {
-    /// JONSWAP.
-    #[default]
-    Jonswap,
-    /// Pierson-Moskowitz.
-    #[serde(rename = "pierson-moskowitz")]
-    PiersonMoskowitz,
+words! {
+    /// Wave spectra.
+    #[derive(Default)]
+    pub enum SpectrumKind {
+        /// JONSWAP.
+        #[default]
+        Jonswap = "jonswap",
+        /// Pierson-Moskowitz.
+        PiersonMoskowitz = "pierson-moskowitz",
+    }
 }
 
 impl Motion {
@@ -105,53 +86,31 @@ impl Motion {
         u64::from(self.seed)
     }
 
-    /// Instants of a record, one a step; the next would be the first again.
+    /// Instants of a record, one a step; the next is the first again.
     #[must_use]
     pub fn instants(&self) -> usize {
         (self.duration_s / self.step_s).round().max(1.0) as usize
     }
 
-    /// Mean and root mean squares of a degree of freedom, 0 to 5 \[m or rad\].
+    /// Target mean and root mean squares of a degree of freedom, 0 to 5 \[m or rad\].
     #[must_use]
     pub fn target(&self, degree: usize) -> (f64, MotionRms) {
         let i = degree % 3;
-        if degree < 3 {
-            let rms = MotionRms {
-                displacement: self.translation_rms_m[i],
-                velocity: self.translation_velocity_rms_m_per_s[i],
-                acceleration: self.translation_acceleration_rms_m_per_s2[i],
-            };
-            return (self.translation_mean_m[i], rms);
-        }
-        let rms = MotionRms {
-            displacement: self.rotation_rms_deg[i].to_radians(),
-            velocity: self.rotation_velocity_rms_deg_per_s[i].to_radians(),
-            acceleration: self.rotation_acceleration_rms_deg_per_s2[i].to_radians(),
+        let of = |values: Option<[f64; 3]>| values.unwrap_or_default()[i];
+        let translation = MotionRms {
+            displacement: of(self.translation_rms_m),
+            velocity: of(self.translation_velocity_rms_m_per_s),
+            acceleration: of(self.translation_acceleration_rms_m_per_s2),
         };
-        (self.rotation_mean_deg[i].to_radians(), rms)
+        let rotation = MotionRms {
+            displacement: of(self.rotation_rms_deg).to_radians(),
+            velocity: of(self.rotation_velocity_rms_deg_per_s).to_radians(),
+            acceleration: of(self.rotation_acceleration_rms_deg_per_s2).to_radians(),
+        };
+        if degree < 3 {
+            (self.translation_mean_m[i], translation)
+        } else {
+            (self.rotation_mean_deg[i].to_radians(), rotation)
+        }
     }
-}
-
-fn seed() -> u32 {
-    1
-}
-
-fn three_hours() -> f64 {
-    10_800.0
-}
-
-fn quarter() -> f64 {
-    0.25
-}
-
-fn hundred() -> usize {
-    100
-}
-
-fn slow() -> f64 {
-    100.0
-}
-
-fn gamma() -> f64 {
-    3.3
 }

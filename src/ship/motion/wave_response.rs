@@ -31,7 +31,7 @@ impl WaveResponse {
     /// # Errors
     /// What is wrong with the file, with line and column.
     pub fn read(settings: &Motion, heading: f64, folder: &Path) -> Result<Self, Diagnostic> {
-        let path = folder.join(&settings.responses);
+        let path = folder.join(settings.responses.as_deref().unwrap_or_default());
         let file = path.display().to_string();
         let text = std::fs::read_to_string(&path).map_err(|error| {
             Diagnostic::whole_file(
@@ -41,8 +41,8 @@ impl WaveResponse {
             )
         })?;
         let raos = rao_file::read(&text, &file)?;
-        let relative_direction =
-            (settings.waves_towards_deg.to_radians() - heading).rem_euclid(TAU);
+        let direction = settings.waves_towards_deg.unwrap_or_default();
+        let relative_direction = (direction.to_radians() - heading).rem_euclid(TAU);
         let rao = rao_file::at_angle(&raos, relative_direction, &file)?;
         let spectrum = spectrum(settings);
         let (low, high) = rao.span();
@@ -103,5 +103,6 @@ fn spectrum(settings: &Motion) -> Spectrum {
         SpectrumKind::Jonswap => settings.gamma,
         SpectrumKind::PiersonMoskowitz => 1.0,
     };
-    Spectrum::jonswap(settings.significant_height_m, settings.peak_period_s, gamma)
+    let height = settings.significant_height_m.unwrap_or_default();
+    Spectrum::jonswap(height, settings.peak_period_s.unwrap_or_default(), gamma)
 }

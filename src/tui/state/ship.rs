@@ -130,7 +130,7 @@ impl DocumentKind for ShipView {
     }
 
     fn title(&self) -> &str {
-        &self.statics.ship.particulars.title
+        &self.statics.ship.ship.title
     }
 
     fn panes(&self) -> &'static [PaneId] {
