@@ -29,7 +29,7 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     };
     let mut writer = Writer::begin(
         &place,
-        request.beginning(),
+        request.initial_info(),
         &case::stand_alone(&request.text, &request.case),
     )?;
     writer.id().clone_into(&mut request.id);

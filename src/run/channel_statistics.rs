@@ -1,7 +1,7 @@
 //! Single numbers taken of channels while a run goes on, without its history: means, extremes, times. What needs the whole
 //! before it can be told (a last value, a mean level) reads its samples a second time, from a [`SpillBuffer`].
 
-use super::requested_statistics::{Of, RequestedStatistic};
+use super::requested_statistics::{RequestedStatistic, StatisticSource};
 use super::spill_buffer::SpillBuffer;
 use super::{Channel, Profile, cycles, line_statistics};
 use crate::case::Statistic;
@@ -14,6 +14,7 @@ pub(super) struct ChannelStatistics {
     series: Vec<Series>,
     /// The time of the last row \[s\].
     end: f64,
+    warnings: Vec<String>,
 }
 
 /// A channel within a window of time.
@@ -43,7 +44,9 @@ impl ChannelStatistics {
     pub(super) fn new(wanted: Vec<RequestedStatistic>) -> Self {
         let mut series: Vec<Series> = Vec::new();
         for w in &wanted {
-            let Of::Channel(channel) = w.of else { continue };
+            let StatisticSource::Channel(channel) = w.of else {
+                continue;
+            };
             let samples = reads_twice(w.statistic).then(SpillBuffer::default);
             let same = |s: &&mut Series| s.channel == channel && s.window == w.window;
             match series.iter_mut().find(same) {
@@ -60,12 +63,12 @@ impl ChannelStatistics {
             wanted,
             series,
             end: f64::NEG_INFINITY,
+            warnings: Vec::new(),
         }
     }
 
-    /// Adds a row. Samples that find no room on disk are given up, with their numbers: why is returned, once.
-    pub(super) fn add(&mut self, time: f64, values: &[f64]) -> Option<String> {
-        let mut trouble = None;
+    /// Adds a row. Samples for which there is no room on disk are dropped, with their statistics and a warning.
+    pub(super) fn add(&mut self, time: f64, values: &[f64]) {
         self.end = time;
         for series in &mut self.series {
             let Some(value) = values.get(series.channel).copied() else {
@@ -84,29 +87,28 @@ impl ChannelStatistics {
                 .map(|samples| samples.push(time, value));
             if let Some(Err(error)) = kept {
                 series.samples = None;
-                trouble = Some(format!(
+                self.warnings.push(format!(
                     "settling times, rise times and mean peaks are not all told: their samples find no room on disk ({error})"
                 ));
             }
         }
-        trouble
     }
 
-    /// What was wanted, and each number; `None` where the window holds no output time, the run ended before the window
-    /// does, or nothing of the kind was recorded. Extremes over a whole run are those of every step: of `channels`.
+    /// The statistics, and warnings. A statistic is `None` where its window holds no output time, the run ended before the
+    /// window does, or nothing of the kind was recorded. Extremes over a whole run are those of every step, from `channels`.
     pub(super) fn finish(
         self,
         channels: &[Channel],
         profile: &Profile,
-    ) -> (Vec<RequestedStatistic>, Vec<Option<f64>>) {
+    ) -> (Vec<(RequestedStatistic, Option<f64>)>, Vec<String>) {
         let number = |w: &RequestedStatistic| match w.of {
-            Of::Channel(index) => self.over_time(index, channels.get(index)?, w),
-            Of::Line(quantity) => {
+            StatisticSource::Channel(index) => self.over_time(index, channels.get(index)?, w),
+            StatisticSource::Line(quantity) => {
                 line_statistics::evaluate(profile, quantity, w.statistic, w.window)
             }
         };
-        let numbers = self.wanted.iter().map(number).collect();
-        (self.wanted, numbers)
+        let statistics = self.wanted.iter().map(|w| (w.clone(), number(w)));
+        (statistics.collect(), self.warnings)
     }
 
     fn over_time(
@@ -256,20 +258,22 @@ mod tests {
 
     fn take(values: &[f64], statistic: Statistic, window: Option<[f64; 2]>) -> Option<f64> {
         let wanted = RequestedStatistic {
-            of: Of::Channel(0),
+            of: StatisticSource::Channel(0),
             statistic,
             window,
         };
         let mut gather = ChannelStatistics::new(vec![wanted]);
         for (i, value) in values.iter().enumerate() {
-            assert_eq!(gather.add(i as f64, &[*value]), None);
+            gather.add(i as f64, &[*value]);
         }
         let channel = Channel {
             peak: (9.0, 2.25),
             trough: (-9.0, 3.25),
             ..Channel::new(ChannelQuantity::X.at("body"))
         };
-        gather.finish(&[channel], &Profile::default()).1[0]
+        let (statistics, warnings) = gather.finish(&[channel], &Profile::default());
+        assert_eq!(warnings, [""; 0]);
+        statistics[0].1
     }
 
     #[test]

@@ -55,6 +55,13 @@ impl DecimatedRecord {
         &mut self.history.channels
     }
 
+    /// Widens the extremes of the channels to those of a step.
+    pub(super) fn widen_extremes(&mut self, time: f64, values: &[f64]) {
+        for (channel, value) in self.history.channels.iter_mut().zip(values) {
+            widen(channel, *value, time);
+        }
+    }
+
     /// The shapes kept, oldest first.
     #[must_use]
     pub fn shapes(&self) -> &[LineShape] {
@@ -229,7 +236,7 @@ impl DecimatedRecord {
 }
 
 /// Widens the extremes of a channel.
-pub(super) fn widen(channel: &mut Channel, value: f64, time: f64) {
+fn widen(channel: &mut Channel, value: f64, time: f64) {
     if value > channel.peak.0 {
         channel.peak = (value, time);
     }

@@ -7,85 +7,173 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::compute::{Computed, StepScale, compute};
-use super::requested_statistics::{Of, RequestedStatistic};
+use super::compute::{Computed, Resolution, compute};
+use super::line_statistics;
+use super::requested_statistics::{RequestedStatistic, StatisticSource};
 use super::{Quantity, QuantityId, RunState, Subject};
-use super::{line_statistics, natural_modes, published_curve};
 use crate::case::{Case, DragLaw, DragLawName, Method};
 use crate::dynamics::march::March;
 use crate::numerics::interpolation::linear_clamped;
 
-/// Estimated errors, one a wanted number; absent where not estimated.
+/// The single numbers of a run with their estimated errors.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Estimates {
-    time: Vec<Option<f64>>,
-    mesh: Vec<Option<f64>>,
-    /// What is told of natural modes.
-    modes: Vec<Quantity>,
-    /// Differences from published curves.
-    curves: Vec<Quantity>,
+    /// The single numbers; errors are absent where they are not estimated.
+    pub(super) summary: Vec<Quantity>,
     /// Error of the root mean square displacements, node by node \[m\], time and mesh together.
     pub(super) rms: Vec<f64>,
-    /// How they were made, in words.
+    /// How the errors are estimated, in words.
     pub(super) method: String,
-    /// What went wrong, in words.
+    /// What the user should know.
     pub(super) warnings: Vec<String>,
 }
 
-/// Runs the companions, side by side where there are cores.
+/// A companion run, and the divisor that makes an error of a difference from it.
+#[derive(Clone, Copy)]
+struct Companion<'a> {
+    run: Option<&'a Computed>,
+    divisor: f64,
+}
+
+/// The single numbers without errors.
+pub(super) fn without_errors(run: &Computed) -> Estimates {
+    let lists = [statistics(run), run.curves.clone(), run.modes.clone()];
+    Estimates {
+        summary: lists.concat(),
+        ..Estimates::default()
+    }
+}
+
+/// Runs the companions, side by side where there are cores, and estimates the errors of all single numbers.
 pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Estimates {
     let order = order(case.solver.method);
-    let ratio = ratio_of_meshes(case);
-    let times = ratio_of_steps(run);
-    let companion = |coarsening, step| compute(case, coarsening, step, cancel, &mut |_| {});
-    let (other, coarse) = rayon::join(
-        || order.map(|_| companion(1, StepScale::Times(times))),
-        || (ratio > 1.0).then(|| companion(2, StepScale::AsSet)),
+    let mesh_ratio = mesh_ratio(case);
+    let step_ratio = step_ratio(run);
+    let companion = |coarsening, step_ratio| {
+        let resolution = Resolution {
+            coarsening,
+            step_ratio,
+        };
+        compute(case, resolution, None, cancel, &mut |_| {})
+    };
+    let (other_step, coarse) = rayon::join(
+        || order.map(|_| companion(1, step_ratio)),
+        || (mesh_ratio > 1.0).then(|| companion(2, 1.0)),
     );
-    let coarse_modes = coarse.as_ref().map_or(&[][..], |c| &c.modes);
-    let modes = natural_modes::with_errors(&run.modes, coarse_modes, ratio);
-    let by_step = (times.powi(order.unwrap_or(0)) - 1.0).abs();
-    let others = [(&other, by_step), (&coarse, ratio * ratio - 1.0)];
-    let others = others.map(|(other, by)| (other.as_ref(), by));
-    let rms = rms_error(run, others);
-    let assured = !has_crisis(case);
-    let curves = others.map(|(other, by)| (other, if assured { by } else { 1.0 }));
-    let curves = published_curve::with_errors(&run.curves, curves);
+    let time = Companion {
+        run: other_step.as_ref(),
+        divisor: (step_ratio.powi(order.unwrap_or(0)) - 1.0).abs(),
+    };
+    let mesh = Companion {
+        run: coarse.as_ref(),
+        divisor: mesh_ratio * mesh_ratio - 1.0,
+    };
     let mut warnings = Vec::new();
     if coarse.is_none() {
-        warnings
-            .push("every section is one segment: the mesh error cannot be estimated".to_owned());
+        let why = "every section is one segment: the mesh error cannot be estimated";
+        warnings.push(why.to_owned());
     }
-    let mut compare = |other: Option<Computed>, divisor: f64, what| {
-        let divisor = if assured { divisor } else { 1.0 };
-        other.map_or_else(Vec::new, |other| {
-            differences(run, &other, divisor, what, &mut warnings)
-        })
+    // Where a force jumps, the whole difference is the error.
+    let crisis = has_crisis(case);
+    let [by_time, by_mesh] = [time, mesh].map(|companion| Companion {
+        divisor: if crisis { 1.0 } else { companion.divisor },
+        ..companion
+    });
+    let mut finished = statistics(run);
+    add_errors(
+        &mut finished,
+        by_time
+            .finished("time", &mut warnings)
+            .map(|c| (statistics(c), by_time.divisor)),
+        by_mesh
+            .finished("mesh", &mut warnings)
+            .map(|c| (statistics(c), by_mesh.divisor)),
+    );
+    limit_resolution(&mut finished, run);
+    let of = |c: Companion<'_>, list: fn(&Computed) -> &Vec<Quantity>| {
+        c.run.map(|run| (list(run).clone(), c.divisor))
     };
-    let time = compare(other, by_step, "time");
-    let mut mesh = compare(coarse, ratio * ratio - 1.0, "mesh");
-    for (error, w) in mesh.iter_mut().zip(&run.wanted) {
-        *error = error.map(|e| e.max(line_statistics::resolution(&run.profile, w.statistic)));
-    }
+    let mut curves = run.curves.clone();
+    add_errors(
+        &mut curves,
+        of(by_time, |c| &c.curves),
+        of(by_mesh, |c| &c.curves),
+    );
+    let mut modes = run.modes.clone();
+    add_errors(&mut modes, None, of(mesh, |c| &c.modes));
     Estimates {
-        time,
-        mesh,
-        modes,
-        curves,
-        rms,
-        method: describe(case, order, times, ratio),
+        summary: [finished, curves, modes].concat(),
+        rms: rms_error(run, [time, mesh]),
+        method: describe(case, order, step_ratio, mesh_ratio),
         warnings,
     }
 }
 
+impl<'a> Companion<'a> {
+    /// The companion, if it came to its end; a warning where it did not.
+    fn finished(&self, what: &str, warnings: &mut Vec<String>) -> Option<&'a Computed> {
+        let run = self.run?;
+        if run.outcome.state == RunState::Done {
+            return Some(run);
+        }
+        let why = run.outcome.failure.as_deref().unwrap_or("it was stopped");
+        warnings.push(format!(
+            "the {what} error is not estimated, its companion run did not finish: {why}"
+        ));
+        None
+    }
+}
+
+/// The statistics of a run, without errors; those that cannot be taken are left out.
+fn statistics(run: &Computed) -> Vec<Quantity> {
+    let channels = &run.record.history.channels;
+    let quantity = |(wanted, number): &(RequestedStatistic, Option<f64>)| {
+        let of = match wanted.of {
+            StatisticSource::Channel(index) => Subject::Channel(channels.get(index)?.id.clone()),
+            StatisticSource::Line(quantity) => Subject::Line(quantity),
+        };
+        let id = QuantityId::new(of, wanted.statistic, wanted.window);
+        Some(Quantity::new(id, (*number)?))
+    };
+    run.record.statistics.iter().filter_map(quantity).collect()
+}
+
+/// Adds the errors: differences from the same numbers of the companions, each by its divisor.
+fn add_errors(
+    list: &mut [Quantity],
+    time: Option<(Vec<Quantity>, f64)>,
+    mesh: Option<(Vec<Quantity>, f64)>,
+) {
+    let error = |q: &Quantity, companion: &Option<(Vec<Quantity>, f64)>| {
+        let (others, divisor) = companion.as_ref()?;
+        let other = others.iter().find(|other| other.id == q.id)?;
+        Some((q.value - other.value).abs() / divisor)
+    };
+    for quantity in list {
+        quantity.time_error = error(quantity, &time);
+        quantity.mesh_error = error(quantity, &mesh);
+    }
+}
+
+/// A place along the line has at least the mesh error of half a segment.
+fn limit_resolution(list: &mut [Quantity], run: &Computed) {
+    for quantity in list {
+        if let QuantityId::Statistic { statistic, .. } = &quantity.id {
+            let least = line_statistics::resolution(&run.record.profile, *statistic);
+            quantity.mesh_error = quantity.mesh_error.map(|error| error.max(least));
+        }
+    }
+}
+
 /// Errors of the root mean square displacements: sums of the differences from the companions, each by its divisor.
-fn rms_error(run: &Computed, others: [(Option<&Computed>, f64); 2]) -> Vec<f64> {
-    let arc = &run.profile.arc;
-    let told = |other: &Computed| other.profile.rms.len() == other.profile.arc.len();
-    let others = others
-        .into_iter()
-        .filter_map(|(other, by)| Some((&other.filter(|o| told(o))?.profile, by)));
-    let others: Vec<_> = others.filter(|(other, _)| other.arc.len() > 1).collect();
+fn rms_error(run: &Computed, companions: [Companion<'_>; 2]) -> Vec<f64> {
+    let profile = &run.record.profile;
+    let others = companions.into_iter().filter_map(|companion| {
+        let other = &companion.run?.record.profile;
+        let recorded = other.rms.len() == other.arc.len() && other.arc.len() > 1;
+        recorded.then_some((other, companion.divisor))
+    });
+    let others: Vec<_> = others.collect();
     if others.is_empty() {
         return Vec::new();
     }
@@ -94,7 +182,7 @@ fn rms_error(run: &Computed, others: [(Option<&Computed>, f64); 2]) -> Vec<f64> 
         each.map(|(other, by)| (linear_clamped(&other.arc, &other.rms, *s) - rms).abs() / by)
             .sum()
     };
-    arc.iter().zip(&run.profile.rms).map(error).collect()
+    profile.arc.iter().zip(&profile.rms).map(error).collect()
 }
 
 /// How the errors are estimated, in words.
@@ -138,7 +226,7 @@ fn order(method: Method) -> Option<i32> {
 /// Length of the companion's steps by that of the run's: twice, where that is to be had. Whole steps divide the output
 /// interval, so that of an odd number of them the companion has more than half, and of one it has two. Steps that
 /// vary are as a rule so much shorter than the longest that their error sets them, whatever the interval.
-fn ratio_of_steps(run: &Computed) -> f64 {
+fn step_ratio(run: &Computed) -> f64 {
     let settings = &run.settings;
     let march = March {
         duration: settings.duration_s,
@@ -147,7 +235,7 @@ fn ratio_of_steps(run: &Computed) -> f64 {
     };
     let grid = march.grid();
     let varies = settings.step_tolerance.is_some();
-    if varies && run.work.steps >= 2 * grid.outputs * grid.per_output {
+    if varies && run.outcome.work.steps >= 2 * grid.outputs * grid.per_output {
         return 2.0;
     }
     match grid.per_output {
@@ -157,56 +245,7 @@ fn ratio_of_steps(run: &Computed) -> f64 {
 }
 
 /// Segment length of the coarse mesh by that of the fine one, over the whole line.
-fn ratio_of_meshes(case: &Case) -> f64 {
+fn mesh_ratio(case: &Case) -> f64 {
     let segments = |coarsening| crate::scene::mesh::segments(case, coarsening) as f64;
     segments(1) / segments(2)
-}
-
-fn differences(
-    run: &Computed,
-    companion: &Computed,
-    divisor: f64,
-    what: &str,
-    warnings: &mut Vec<String>,
-) -> Vec<Option<f64>> {
-    if companion.state != RunState::Done {
-        let why = companion.failure.as_deref().unwrap_or("it was stopped");
-        warnings.push(format!(
-            "the {what} error is not estimated, its companion run did not finish: {why}"
-        ));
-        return Vec::new();
-    }
-    // The same case wants the same numbers, in the same order.
-    let pairs = run.numbers.iter().zip(&companion.numbers);
-    pairs
-        .map(|(fine, coarse)| Some((fine.as_ref()? - coarse.as_ref()?).abs() / divisor))
-        .collect()
-}
-
-/// The single numbers of a run with their errors; those that cannot be taken are left out.
-pub(super) fn summary(run: &Computed, estimates: &Estimates) -> Vec<Quantity> {
-    let pick = |list: &[Option<f64>], i: usize| list.get(i).copied().flatten();
-    // Without companions their errors are unknown.
-    let or_bare = |told: &[Quantity], bare: &[Quantity]| {
-        let list = if told.is_empty() { bare } else { told };
-        list.to_vec()
-    };
-    let modes = or_bare(&estimates.modes, &run.modes);
-    let curves = or_bare(&estimates.curves, &run.curves);
-    let all = run.wanted.iter().zip(&run.numbers).enumerate();
-    all.filter_map(|(i, (w, number)): (usize, (&RequestedStatistic, _))| {
-        let of = match w.of {
-            Of::Channel(index) => Subject::Channel(run.history.channels.get(index)?.id.clone()),
-            Of::Line(quantity) => Subject::Line(quantity),
-        };
-        Some(Quantity {
-            id: QuantityId::new(of, w.statistic, w.window),
-            value: (*number)?,
-            time_error: pick(&estimates.time, i),
-            mesh_error: pick(&estimates.mesh, i),
-        })
-    })
-    .chain(curves)
-    .chain(modes)
-    .collect()
 }

@@ -14,7 +14,7 @@ const SHARP: f64 = 0.8;
 ///
 /// # Errors
 /// Why there is none, in words.
-pub(super) fn come_to_rest(
+pub(super) fn find_equilibrium(
     case: &Case,
     scene: &Scene,
     state: &mut State,
@@ -24,17 +24,17 @@ pub(super) fn come_to_rest(
     if !scene.start_in_equilibrium && case.solver.method != Method::Static {
         return Ok(());
     }
-    find_rest(scene, state, work, warnings)?;
+    search(scene, state, work, warnings)?;
     if let Some(node) = scene.sliding_node(state) {
         return Err(format!(
             "the line has no equilibrium: at node {node} it slides down the slope, which friction on the bed does not bear"
         ));
     }
-    tell_of_rest(scene, state, warnings)
+    check_equilibrium(scene, state, warnings)
 }
 
 /// Finds the equilibrium.
-fn find_rest(
+fn search(
     scene: &Scene,
     state: &mut State,
     work: &mut Work,
@@ -75,7 +75,11 @@ fn find_rest(
 ///
 /// # Errors
 /// That nothing at all holds the line in its shape.
-fn tell_of_rest(scene: &Scene, state: &State, warnings: &mut Vec<String>) -> Result<(), String> {
+fn check_equilibrium(
+    scene: &Scene,
+    state: &State,
+    warnings: &mut Vec<String>,
+) -> Result<(), String> {
     // Friction makes the tangent unsymmetric: its pivots then tell nothing.
     let rough = scene.bed.is_some_and(|bed| bed.friction.is_some());
     let ways = instabilities(scene, 0.0, state);

@@ -4,17 +4,19 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::time::SystemTime;
+use std::time::{Instant, SystemTime};
 
 use crossbeam_channel::Sender;
 
-use super::compute::{self, Computed};
+use super::compute::{Computed, Resolution, compute};
+pub use super::event::Event;
+use super::observer::Record;
 use super::store::rfc3339;
 use super::{
-    Checkpoint, Cost, Frame, Resume, Run, RunInfo, RunState, Settings, VERSION, Work,
-    error_estimate, limits, settings,
+    Cost, Quantity, Resume, Run, RunInfo, RunState, Settings, VERSION, Work, error_estimate,
+    limits, settings,
 };
-use crate::case::{Case, ChannelId, Method, stand_alone};
+use crate::case::{Case, Method, stand_alone};
 use crate::scene;
 
 /// What to compute.
@@ -35,7 +37,7 @@ pub struct Request {
 impl Request {
     /// What `run.toml` says while the run goes on.
     #[must_use]
-    pub fn beginning(&self) -> RunInfo {
+    pub fn initial_info(&self) -> RunInfo {
         RunInfo {
             id: self.id.clone(),
             title: self.case.case.title.clone(),
@@ -55,24 +57,6 @@ impl Request {
             cost: Cost::default(),
         }
     }
-}
-
-/// What a job says while it goes on.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Event {
-    /// The scene stands; these channels will be filled.
-    Started {
-        /// In the order of [`Frame::values`].
-        channels: Vec<ChannelId>,
-    },
-    /// An output instant.
-    Frame(Box<Frame>),
-    /// The run as it stands, to go on from later.
-    Checkpoint(Box<Checkpoint>),
-    /// The run is complete; companions now estimate its errors.
-    Estimating,
-    /// The end, whatever it was: see [`RunInfo::state`].
-    Finished(Box<Run>),
 }
 
 /// Names a job among all of this process.
@@ -139,33 +123,25 @@ pub fn execute_from(
     let started = rfc3339(SystemTime::now());
     let (chosen, reason) = chosen(request);
     let request = chosen.as_ref().unwrap_or(request);
-    let mut computed = compute::compute_from(&request.case, from, cancel, events);
-    computed.settings.method_reason = reason;
-    let done = computed.state == RunState::Done;
-    let companions = std::time::Instant::now();
-    let mut estimated = error_estimate::Estimates::default();
-    if done && request.case.solver.error_estimate {
+    let case = &request.case;
+    let mut computed = compute(case, Resolution::AS_SET, from, cancel, events);
+    let companions = Instant::now();
+    let done = computed.outcome.state == RunState::Done;
+    let estimates = if done && case.solver.error_estimate {
         events(Event::Estimating);
-        estimated = error_estimate::estimate(&request.case, &computed, cancel);
-    }
-    computed.settings.error_method = estimated.method.clone();
-    computed.profile.rms_error = std::mem::take(&mut estimated.rms);
-    let checks = limits::check(&request.case, &computed.profile);
+        error_estimate::estimate(case, &computed, cancel)
+    } else {
+        error_estimate::without_errors(&computed)
+    };
+    let checks = limits::check(case, &computed.record.profile);
     let exceeded = checks.iter().flat_map(limits::LimitCheck::warnings);
     computed.warnings.extend(exceeded);
-    let cost = Cost {
-        companions_wall_s: companions.elapsed().as_secs_f64(),
-        ..computed.cost
-    };
-    let summary = error_estimate::summary(&computed, &estimated);
-    assemble(
-        request,
-        computed,
-        started,
-        cost,
-        estimated.warnings,
-        summary,
-    )
+    computed.warnings.extend(estimates.warnings);
+    computed.record.profile.rms_error = estimates.rms;
+    computed.cost.companions_wall_s = companions.elapsed().as_secs_f64();
+    computed.settings.method_reason = reason;
+    computed.settings.error_method = estimates.method;
+    assemble(request, computed, started, estimates.summary)
 }
 
 /// The request with a method in place of the choice that its case leaves open, and why that one.
@@ -184,34 +160,28 @@ fn chosen(request: &Request) -> (Option<Request>, Option<String>) {
     (Some(request), Some(why))
 }
 
-fn assemble(
-    request: &Request,
-    computed: Computed,
-    started: String,
-    cost: Cost,
-    warnings: Vec<String>,
-    summary: Vec<super::Quantity>,
-) -> Run {
-    let info = RunInfo {
-        id: request.id.clone(),
-        title: request.case.case.title.clone(),
-        case_file: request.file.clone(),
-        state: computed.state,
-        version: VERSION.to_owned(),
-        started,
-        overrides: request.overrides.clone(),
-        failure: computed.failure,
-        warnings: computed.warnings.into_iter().chain(warnings).collect(),
-        settings: computed.settings,
-        work: computed.work,
-        cost,
-    };
+fn assemble(request: &Request, computed: Computed, started: String, summary: Vec<Quantity>) -> Run {
+    let Record {
+        history,
+        shapes,
+        profile,
+        ..
+    } = computed.record;
     Run {
-        info,
+        info: RunInfo {
+            state: computed.outcome.state,
+            started,
+            failure: computed.outcome.failure,
+            warnings: computed.warnings,
+            settings: computed.settings,
+            work: computed.outcome.work,
+            cost: computed.cost,
+            ..request.initial_info()
+        },
         case_text: stand_alone(&request.text, &request.case).into_owned(),
-        history: computed.history,
-        shapes: computed.shapes,
-        profile: computed.profile,
+        history,
+        shapes,
+        profile,
         summary,
     }
 }

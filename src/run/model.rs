@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{QuantityId, RopeProfile};
+use super::QuantityId;
 use crate::case::{ChannelId, ChannelQuantity};
 
 /// Version of the program, written into every run.
@@ -303,6 +303,34 @@ impl Profile {
             last
         };
         Some(told.into_iter().map(of).collect())
+    }
+}
+
+/// The segments of rope that have dynamic stiffness, from A to B, at the end of the run, and envelopes over the output
+/// times; empty where there are none.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct RopeProfile {
+    /// Unstretched arc length from A to the middles of the segments \[m\].
+    pub arc: Vec<f64>,
+    /// Lm at the end: mean of the past tension, in percent of the breaking load.
+    pub mean_load: Vec<f64>,
+    /// Smallest La: deviation of the tension from the mean, in percent of the breaking load.
+    pub deviation_min: Vec<f64>,
+    /// Greatest La, likewise.
+    pub deviation_max: Vec<f64>,
+    /// k at the end: stiffness EA by breaking load \[-\].
+    pub stiffness: Vec<f64>,
+    /// Smallest k \[-\].
+    pub stiffness_min: Vec<f64>,
+    /// Greatest k \[-\].
+    pub stiffness_max: Vec<f64>,
+}
+
+impl RopeProfile {
+    /// True where no rope has dynamic stiffness.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.arc.is_empty()
     }
 }
 

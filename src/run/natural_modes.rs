@@ -60,17 +60,3 @@ fn nearest(frequencies: &[f64], near: f64) -> Option<usize> {
     let best = all.min_by(|a, b| off(a.1).total_cmp(&off(b.1)));
     best.map(|(i, _)| i + 1)
 }
-
-/// The numbers with their errors: by the difference from a mesh coarser by this ratio (second order).
-pub(super) fn with_errors(fine: &[Quantity], coarse: &[Quantity], ratio: f64) -> Vec<Quantity> {
-    let error = |q: &Quantity| {
-        let other = coarse.iter().find(|c| c.id == q.id)?;
-        Some((q.value - other.value).abs() / (ratio * ratio - 1.0))
-    };
-    fine.iter()
-        .map(|q| Quantity {
-            mesh_error: error(q),
-            ..q.clone()
-        })
-        .collect()
-}

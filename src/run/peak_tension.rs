@@ -61,8 +61,8 @@ impl PeakTension {
         self.watched.iter().map(|w| w.longest).collect()
     }
 
-    /// Takes up what was watched before, and the state told last then.
-    pub(super) fn take_up(&mut self, longest: &[f64], state: &State) {
+    /// Continues with the greatest lengths so far and the last state before.
+    pub(super) fn restore(&mut self, longest: &[f64], state: &State) {
         for (watched, longest) in self.watched.iter_mut().zip(longest) {
             watched.longest = *longest;
             watched.latest = watched.squared_length(state);
@@ -71,7 +71,7 @@ impl PeakTension {
     }
 
     /// Takes a step in: what has passed its peak raises the greatest tensions of its nodes \[N\].
-    pub(super) fn widen(&mut self, scene: &Scene, state: &State, most: &mut [f64]) {
+    pub(super) fn update(&mut self, scene: &Scene, state: &State, most: &mut [f64]) {
         for watched in &mut self.watched {
             let length = watched.squared_length(state);
             if length > watched.longest {

@@ -1,7 +1,6 @@
 //! A run held against the published curves of its case: root mean square of the differences, in percent of the curve's
 //! greatest size, over the output times of a window.
 
-use super::compute::Computed;
 use super::{History, Quantity, QuantityId};
 use crate::case::{Case, PublishedCurve};
 
@@ -79,25 +78,6 @@ pub(super) fn differences(case: &Case, history: &History) -> Vec<Quantity> {
         Some(Quantity::new(difference_id(curve, number)?, percent))
     };
     here.filter_map(number).collect()
-}
-
-/// The same with their errors: from companions with other steps and on another mesh, each with the divisor that makes
-/// an error of the difference.
-pub(super) fn with_errors(
-    fine: &[Quantity],
-    [time, mesh]: [(Option<&Computed>, f64); 2],
-) -> Vec<Quantity> {
-    let error = |q: &Quantity, (other, divisor): (Option<&Computed>, f64)| {
-        let other = other?.curves.iter().find(|c| c.id == q.id)?;
-        Some((q.value - other.value).abs() / divisor)
-    };
-    fine.iter()
-        .map(|q| Quantity {
-            time_error: error(q, time),
-            mesh_error: error(q, mesh),
-            ..q.clone()
-        })
-        .collect()
 }
 
 /// Root mean square of the differences of the samples from a curve that is shifted by a time; nothing where they do not

@@ -6,7 +6,7 @@ use crate::case::{AlongLine, Case, ChannelSpec, Statistic};
 
 /// What a number is taken of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Of {
+pub enum StatisticSource {
     /// The channel of this index.
     Channel(usize),
     /// A quantity of the whole line.
@@ -17,7 +17,7 @@ pub enum Of {
 #[derive(Debug, Clone, PartialEq)]
 pub struct RequestedStatistic {
     /// What it is taken of.
-    pub of: Of,
+    pub of: StatisticSource,
     /// What is taken of it.
     pub statistic: Statistic,
     /// Over which window of time \[s\] or, of the whole line, which stretch \[m\]; absent: all of it.
@@ -35,10 +35,13 @@ pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatisti
         window: None,
     };
     let mut list: Vec<RequestedStatistic> = (0..channels.len())
-        .flat_map(|channel| [Max, Min, Mean, Final].map(|s| whole(Of::Channel(channel), s)))
+        .flat_map(|channel| {
+            [Max, Min, Mean, Final].map(|s| whole(StatisticSource::Channel(channel), s))
+        })
         .collect();
     list.extend(
-        line_statistics::ALWAYS.map(|(quantity, statistic)| whole(Of::Line(quantity), statistic)),
+        line_statistics::ALWAYS
+            .map(|(quantity, statistic)| whole(StatisticSource::Line(quantity), statistic)),
     );
     let published = case
         .published
@@ -54,9 +57,9 @@ pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatisti
         let of = match name.parse() {
             Ok(Subject::Channel(id)) => {
                 let index = channels.iter().position(|channel| channel.id == id);
-                index.map(Of::Channel)
+                index.map(StatisticSource::Channel)
             }
-            Ok(Subject::Line(quantity)) => Some(Of::Line(quantity)),
+            Ok(Subject::Line(quantity)) => Some(StatisticSource::Line(quantity)),
             _ => None,
         };
         let Some(of) = of else {

@@ -52,7 +52,7 @@ impl Response {
     }
 
     /// Takes in the nodes at an output time.
-    pub(super) fn take(&mut self, time: f64, nodes: &[V3]) {
+    pub(super) fn add(&mut self, time: f64, nodes: &[V3]) {
         if time < self.from * (1.0 - 1e-12) {
             return;
         }
@@ -212,7 +212,7 @@ mod tests {
                     p + V3::z() * (u + 7.0)
                 })
                 .collect();
-            response.take(t, &nodes);
+            response.add(t, &nodes);
         }
         let mut profile = Profile::default();
         response.finish(&vec![0.5; arc.len()], &mut profile);

@@ -96,7 +96,7 @@ fn forced_period(scene: &Scene) -> f64 {
 }
 
 /// Tells what generalized-alpha damped by itself, in steps of these lengths \[s\], so many of each.
-pub(super) fn tell_damping(settings: &mut Settings, scene: &Scene, steps: &[(f64, u64)]) {
+pub(super) fn set_numerical_damping(settings: &mut Settings, scene: &Scene, steps: &[(f64, u64)]) {
     if let (Some(rho), false) = (settings.rho_inf, steps.is_empty()) {
         let period = forced_period(scene);
         let omega = std::f64::consts::TAU / period;
@@ -111,7 +111,7 @@ const NOTABLE: f64 = 0.01;
 
 /// What generalized-alpha makes of the natural modes of these frequencies \[Hz\] in steps of these lengths \[s\], so many
 /// of each, where that is worth telling.
-pub(super) fn tell_of_modes(
+pub(super) fn damped_modes_warning(
     settings: &Settings,
     steps: &[(f64, u64)],
     hz: &[f64],

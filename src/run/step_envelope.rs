@@ -38,7 +38,7 @@ impl StepEnvelope {
     }
 
     /// Takes a step in; allocates nothing.
-    pub(super) fn widen(&self, scene: &Scene, state: &State, profile: &mut Profile) {
+    pub(super) fn update(&self, scene: &Scene, state: &State, profile: &mut Profile) {
         for i in self.whole.clone() {
             let (tension, z) = (scene.tension_at(i, state), state.x[i].z);
             profile.tension_min[i] = profile.tension_min[i].min(tension);

@@ -1,22 +1,34 @@
-//! The march of a run: from event to event, on the line as it is in between.
+//! The time march of a run from event to event, with the line as it is in between.
 
 use std::time::Duration;
 
-use super::compute::refused;
 use super::recorder::Recorder;
 use super::store::StoreError;
-use super::{Checkpoint, Resume, RunState, Settings, Work};
-use crate::dynamics::{March, MarchError, MarchProgress, MethodState, Stepper, WorkCounts};
+use super::{Checkpoint, Profile, Resume, RunState, Settings, Work};
+use crate::dynamics::{March, MarchError, MarchProgress, MethodState, Stepper};
 use crate::scene::Scene;
 use crate::solve::{Hysteresis, Instant, Kinematics, Progressing, Sink, State};
 
 /// How a computation ended.
+#[derive(Debug, Clone)]
 pub(super) struct MarchResult {
     pub(super) state: RunState,
     pub(super) failure: Option<String>,
     pub(super) work: Work,
     /// Lengths of the steps \[s\], and how many of each.
     pub(super) lengths: Vec<(f64, u64)>,
+}
+
+impl MarchResult {
+    /// A computation that failed before its first step.
+    pub(super) fn failed(failure: String, work: Work) -> Self {
+        Self {
+            state: RunState::Failed,
+            failure: Some(failure),
+            work,
+            lengths: Vec::new(),
+        }
+    }
 }
 
 /// The line as it is at first, and after each of its events.
@@ -30,202 +42,215 @@ pub(super) fn phases(scene: Scene) -> Vec<Scene> {
     phases
 }
 
-/// How much computing a run that is killed may lose, at an output time or the next one after.
+/// Least wall time between two checkpoints, which are sent at output times.
 const BETWEEN_CHECKPOINTS: Duration = Duration::from_secs(2);
 
-/// Where a march begins: at time zero, or where an earlier run stands.
-pub(super) struct From<'a> {
-    /// An earlier run.
+/// The start of a march: at time zero, or at the checkpoint of an earlier run.
+pub(super) struct MarchStart<'a> {
+    /// An earlier run to be resumed.
     pub(super) resume: Option<&'a Resume>,
-    /// Whether it begins where another run stands.
-    pub(super) began: bool,
-    /// What the method carries on from there.
-    pub(super) carried: Option<&'a MethodState>,
-    /// What the start gave to be said, for those who go on later.
+    /// Whether the initial state is that of another run.
+    pub(super) from_run: bool,
+    /// State of the method at the end of that run.
+    pub(super) method_state: Option<&'a MethodState>,
+    /// Warnings of the start, which a resumed run repeats.
     pub(super) warnings: &'a [String],
+    /// Work of the search for the start.
+    pub(super) work: Work,
 }
 
 /// Marches a line through all its phases.
 pub(super) fn march<'a, M: Stepper<Scene>>(
-    mut method: M,
+    method: M,
     settings: &Settings,
     phases: &'a [Scene],
     state: &mut State,
-    sink: &mut Recorder<'a>,
-    mut work: Work,
-    from: &From<'_>,
+    recorder: &mut Recorder<'a>,
+    start: &MarchStart<'_>,
 ) -> MarchResult {
-    let march = March {
-        duration: settings.duration_s,
-        step: settings.time_step_s,
-        output: settings.output_interval_s,
-    };
-    let (mut place, first) = match from.resume {
-        Some(resume) => match take_up(resume, &mut method, phases, state, sink) {
-            Ok(place) => (place, resume.checkpoint.phase),
-            Err(error) => return refused(error.to_string(), work),
+    let mut run = TimeMarch {
+        march: March {
+            duration: settings.duration_s,
+            step: settings.time_step_s,
+            output: settings.output_interval_s,
         },
-        None => (MarchProgress::default(), 0),
+        method,
+        position: MarchProgress::default(),
+        phase: 0,
+        recorder,
+        start,
     };
-    let mut result = Ok(match from.resume {
-        Some(_) => Progressing::Continue,
-        None => set_out(&mut method, &phases[0], state, sink, from),
-    });
-    for (phase, scene) in phases.iter().enumerate().skip(first) {
-        if !matches!(result, Ok(Progressing::Continue)) {
-            break;
+    match run.begin(phases, state) {
+        Ok(begun) => {
+            let result = run.all_phases(begun, phases, state);
+            run.result(&result)
         }
-        if phase > first {
-            sink.enter(scene);
-            method.restart(scene, place.time, state);
+        Err(error) => MarchResult::failed(error.to_string(), start.work),
+    }
+}
+
+/// A march through time under way.
+struct TimeMarch<'a, 'r, M> {
+    march: March,
+    method: M,
+    position: MarchProgress,
+    /// Events of the line so far.
+    phase: usize,
+    recorder: &'r mut Recorder<'a>,
+    start: &'r MarchStart<'r>,
+}
+
+impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
+    /// Begins at time zero or at the checkpoint.
+    fn begin(&mut self, phases: &'a [Scene], state: &mut State) -> Result<Progressing, StoreError> {
+        match self.start.resume {
+            None => Ok(self.begin_at_zero(&phases[0], state)),
+            Some(resume) => self
+                .restore(resume, phases, state)
+                .map(|()| Progressing::Continue),
         }
-        let until = scene.events.get(phase).map_or(f64::INFINITY, |e| e.time);
-        let mut keep =
-            |place: &MarchProgress, method: &M, state: &State, sink: &mut Recorder<'a>| {
-                let grid = march.grid();
-                sink.tell_checkpoint(Checkpoint {
-                    whole_step_s: grid.dt,
-                    per_output: grid.per_output,
-                    phase,
-                    start_iterations: work.iterations,
-                    peaks: sink.extremes(|c| c.peak),
-                    troughs: sink.extremes(|c| c.trough),
-                    longest: sink.longest(),
-                    front: Some(sink.front.clone()),
-                    warnings: from.warnings.to_vec(),
-                    place: *place,
-                    state: state.clone(),
-                    carried: method.method_state(),
-                    profile: sink.profile.clone(),
-                    response: sink.response().cloned(),
-                });
-            };
-        result = run_phase(
-            &march,
-            &mut place,
-            until,
-            &mut method,
-            scene,
+    }
+
+    /// Commits the memory of the initial state, and records the first row.
+    fn begin_at_zero(&mut self, scene: &'a Scene, state: &mut State) -> Progressing {
+        scene.update_wave_kinematics(0.0, state);
+        // The state of another run is committed already.
+        if !self.start.from_run {
+            scene.commit(0.0, 0.0, state);
+        }
+        if let Some(known) = self.start.method_state {
+            self.method.restore(known);
+        }
+        self.recorder.accept(Instant {
+            time: 0.0,
             state,
-            sink,
-            &mut keep,
-        );
-        if march.is_over(&place) {
-            break;
-        }
+            steps: 0,
+            output: true,
+        })
     }
-    let WorkCounts {
-        iterations,
-        evaluations,
-    } = method.work_counts();
-    work.iterations += iterations;
-    work.evaluations += evaluations;
-    MarchResult {
-        lengths: march.lengths(&place).collect(),
-        ..ended(result, &place, work)
-    }
-}
 
-/// Marches to the end of a phase, from output to output, and tells of the run as it stands now and then and at its end.
-#[expect(
-    clippy::too_many_arguments,
-    reason = "the parts of one march, used nowhere else"
-)]
-fn run_phase<'a, M: Stepper<Scene>>(
-    march: &March,
-    place: &mut MarchProgress,
-    until: f64,
-    method: &mut M,
-    scene: &'a Scene,
-    state: &mut State,
-    sink: &mut Recorder<'a>,
-    keep: &mut dyn FnMut(&MarchProgress, &M, &State, &mut Recorder<'a>),
-) -> Result<Progressing, MarchError> {
-    let grid = march.grid();
-    let mut kept = std::time::Instant::now();
-    while !march.is_over(place) && place.time < until {
-        let output = grid.output(place.whole / grid.per_output + 1);
-        let before = place.whole;
-        let going = march.advance(place, output.min(until), method, scene, state, sink)?;
-        if going == Progressing::Stop {
-            return Ok(going);
-        }
-        let at_output = place.whole.is_multiple_of(grid.per_output) && place.whole > before;
-        if at_output && (march.is_over(place) || kept.elapsed() >= BETWEEN_CHECKPOINTS) {
-            keep(place, method, state, sink);
-            kept = std::time::Instant::now();
-        }
-        if output >= until {
-            break;
-        }
+    /// Restores everything from a checkpoint.
+    fn restore(
+        &mut self,
+        resume: &Resume,
+        phases: &'a [Scene],
+        state: &mut State,
+    ) -> Result<(), StoreError> {
+        let from = &resume.checkpoint;
+        self.recorder.restore(resume)?;
+        let scene = &phases[from.phase.min(phases.len() - 1)];
+        self.recorder.enter(scene);
+        *state = from.state.clone();
+        scene.update_wave_kinematics(from.place.time, state);
+        self.method.restore(&from.carried);
+        (self.position, self.phase) = (from.place, from.phase);
+        Ok(())
     }
-    Ok(Progressing::Continue)
-}
 
-/// Begins at time zero: what the line remembers of its start, and the first row.
-fn set_out<'a, M: Stepper<Scene>>(
-    method: &mut M,
-    scene: &'a Scene,
-    state: &mut State,
-    sink: &mut Recorder<'a>,
-    from: &From<'_>,
-) -> Progressing {
-    scene.update_wave_kinematics(0.0, state);
-    // What another run remembers it has committed already.
-    if !from.began {
-        scene.commit(0.0, 0.0, state);
+    /// Marches from event to event.
+    fn all_phases(
+        &mut self,
+        begun: Progressing,
+        phases: &'a [Scene],
+        state: &mut State,
+    ) -> Result<Progressing, MarchError> {
+        let first = self.phase;
+        let mut going = begun;
+        for (phase, scene) in phases.iter().enumerate().skip(first) {
+            if going == Progressing::Stop {
+                break;
+            }
+            if phase > first {
+                self.recorder.enter(scene);
+                self.method.restart(scene, self.position.time, state);
+            }
+            self.phase = phase;
+            going = self.one_phase(scene, state)?;
+            if self.march.is_over(&self.position) {
+                break;
+            }
+        }
+        Ok(going)
     }
-    if let Some(carried) = from.carried {
-        method.restore(carried);
+
+    /// Marches to the next event, from output time to output time; sends checkpoints at intervals and at the end.
+    fn one_phase(
+        &mut self,
+        scene: &'a Scene,
+        state: &mut State,
+    ) -> Result<Progressing, MarchError> {
+        let event = scene.events.get(self.phase);
+        let until = event.map_or(f64::INFINITY, |event| event.time);
+        let grid = self.march.grid();
+        let mut saved = std::time::Instant::now();
+        while !self.march.is_over(&self.position) && self.position.time < until {
+            let before = self.position.whole;
+            let output = grid.output(before / grid.per_output + 1);
+            let to = output.min(until);
+            let (position, method) = (&mut self.position, &mut self.method);
+            let going = self
+                .march
+                .advance(position, to, method, scene, state, self.recorder)?;
+            if going == Progressing::Stop {
+                return Ok(going);
+            }
+            let whole = self.position.whole;
+            let at_output = whole.is_multiple_of(grid.per_output) && whole > before;
+            let over = self.march.is_over(&self.position);
+            if at_output && (over || saved.elapsed() >= BETWEEN_CHECKPOINTS) {
+                self.send_checkpoint(state);
+                saved = std::time::Instant::now();
+            }
+            if output >= until {
+                break;
+            }
+        }
+        Ok(Progressing::Continue)
     }
-    sink.accept(Instant {
-        time: 0.0,
-        state,
-        steps: 0,
-        output: true,
-    })
-}
 
-/// Sets everything as it stood at a checkpoint.
-fn take_up<'a, M: Stepper<Scene>>(
-    resume: &Resume,
-    method: &mut M,
-    phases: &'a [Scene],
-    state: &mut State,
-    sink: &mut Recorder<'a>,
-) -> Result<MarchProgress, StoreError> {
-    let from = &resume.checkpoint;
-    sink.take_up(resume)?;
-    let scene = &phases[from.phase.min(phases.len() - 1)];
-    sink.enter(scene);
-    *state = from.state.clone();
-    scene.update_wave_kinematics(from.place.time, state);
-    method.restore(&from.carried);
-    Ok(from.place)
-}
+    fn send_checkpoint(&mut self, state: &State) {
+        let grid = self.march.grid();
+        self.recorder.send_checkpoint(Checkpoint {
+            whole_step_s: grid.dt,
+            per_output: grid.per_output,
+            phase: self.phase,
+            start_iterations: self.start.work.iterations,
+            warnings: self.start.warnings.to_vec(),
+            place: self.position,
+            state: state.clone(),
+            carried: self.method.method_state(),
+            // The observers fill in the rest.
+            peaks: Vec::new(),
+            troughs: Vec::new(),
+            longest: Vec::new(),
+            front: None,
+            profile: Profile::default(),
+            response: None,
+        });
+    }
 
-fn ended(
-    result: Result<Progressing, MarchError>,
-    place: &MarchProgress,
-    work: Work,
-) -> MarchResult {
-    let (state, failure) = match &result {
-        Ok(Progressing::Stop) => (RunState::Cancelled, None),
-        Ok(Progressing::Continue) => (RunState::Done, None),
-        Err(error) => (
-            RunState::Failed,
-            Some(format!("{error}; {}", advice(error))),
-        ),
-    };
-    MarchResult {
-        state,
-        failure,
-        work: Work {
-            steps: place.steps,
-            rejections: place.rejections,
-            ..work
-        },
-        lengths: Vec::new(),
+    /// State, work and step lengths at the end.
+    fn result(&self, result: &Result<Progressing, MarchError>) -> MarchResult {
+        let (state, failure) = match result {
+            Ok(Progressing::Stop) => (RunState::Cancelled, None),
+            Ok(Progressing::Continue) => (RunState::Done, None),
+            Err(error) => {
+                let words = format!("{error}; {}", advice(error));
+                (RunState::Failed, Some(words))
+            }
+        };
+        let counts = self.method.work_counts();
+        MarchResult {
+            state,
+            failure,
+            work: Work {
+                steps: self.position.steps,
+                rejections: self.position.rejections,
+                iterations: self.start.work.iterations + counts.iterations,
+                evaluations: self.start.work.evaluations + counts.evaluations,
+            },
+            lengths: self.march.lengths(&self.position).collect(),
+        }
     }
 }
 

@@ -56,7 +56,7 @@ impl TouchdownSpeed {
     }
 
     /// Takes a step in; allocates nothing.
-    pub(super) fn watch(&mut self, scene: &Scene, t: f64, state: &State) {
+    pub(super) fn update(&mut self, scene: &Scene, t: f64, state: &State) {
         let Some(bed) = &scene.bed else { return };
         for i in 0..self.height.len() {
             let (before, now) = (self.height[i], bed.height(&state.x[i]));

@@ -298,7 +298,7 @@ fn relay(
 fn begin(request: &Request) -> Result<Writer, store::StoreError> {
     Writer::begin(
         &RunLocation::Below(PathBuf::from(store::DEFAULT_ROOT)),
-        request.beginning(),
+        request.initial_info(),
         &case::stand_alone(&request.text, &request.case),
     )
 }

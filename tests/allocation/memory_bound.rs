@@ -46,7 +46,7 @@ fn computed(request: &Request, dir: &Path) -> (Run, u64) {
         let computed = job::execute(request, &AtomicBool::new(false), &mut |event| {
             let writer = writer.get_or_insert_with(|| {
                 let place = RunLocation::Exactly(dir.to_owned());
-                Writer::begin(&place, request.beginning(), &request.text).unwrap()
+                Writer::begin(&place, request.initial_info(), &request.text).unwrap()
             });
             writer.event(&event).unwrap();
         });

@@ -47,7 +47,7 @@ fn run(request: &Request, from: Option<&Resume>) -> (Run, Checkpoint) {
 /// Runs a request into a directory.
 fn stored(request: &Request, from: Option<&Resume>, dir: &Path) -> Run {
     let place = RunLocation::Exactly(dir.to_owned());
-    let mut writer = Writer::begin(&place, request.beginning(), &request.text).unwrap();
+    let mut writer = Writer::begin(&place, request.initial_info(), &request.text).unwrap();
     let run = job::execute_from(request, from, &AtomicBool::new(false), &mut |event| {
         writer.event(&event).unwrap();
     });

@@ -38,7 +38,7 @@ fn request(text: String, case: Case) -> Request {
 fn stored(request: &Request, dir: &Path) -> Run {
     let whole = case::stand_alone(&request.text, &request.case).into_owned();
     let place = RunLocation::Exactly(dir.to_owned());
-    let mut writer = Writer::begin(&place, request.beginning(), &whole).unwrap();
+    let mut writer = Writer::begin(&place, request.initial_info(), &whole).unwrap();
     let run = job::execute(request, &AtomicBool::new(false), &mut |event| {
         writer.event(&event).unwrap();
     });

@@ -15,7 +15,7 @@ use super::{
     table::Csv,
 };
 use crate::case::ChannelId;
-use crate::run::{Checkpoint, Frame, LineShape, Run, RunInfo, job::Event};
+use crate::run::{Checkpoint, Frame, LineShape, Run, RunInfo, event::Event};
 
 /// How long rows may wait in memory.
 const FLUSH: Duration = Duration::from_secs(1);

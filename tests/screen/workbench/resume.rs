@@ -50,7 +50,7 @@ fn a_stored_run_is_resumed_from_the_list() {
     };
     let mut writer = Writer::begin(
         &RunLocation::Exactly(dir.clone()),
-        request.beginning(),
+        request.initial_info(),
         text,
     )
     .unwrap();

@@ -1,0 +1,22 @@
+//! What a job reports while it computes.
+
+use super::{Checkpoint, Frame, Run};
+use crate::case::ChannelId;
+
+/// What a job reports while it computes.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Event {
+    /// The computation begins; these channels will be recorded.
+    Started {
+        /// In the order of [`Frame::values`].
+        channels: Vec<ChannelId>,
+    },
+    /// An output time.
+    Frame(Box<Frame>),
+    /// The state of the computation, from which it can be resumed.
+    Checkpoint(Box<Checkpoint>),
+    /// The run is complete; companion runs now estimate its errors.
+    Estimating,
+    /// The end, whatever it was: see [`RunInfo::state`](super::RunInfo::state).
+    Finished(Box<Run>),
+}

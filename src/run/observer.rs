@@ -1,0 +1,81 @@
+//! What records something of a run: the trait that the time march drives, and what it is given.
+
+use super::requested_statistics::RequestedStatistic;
+use super::{Checkpoint, History, LineShape, Profile};
+use crate::case::Case;
+use crate::scene::Scene;
+use crate::solve::State;
+
+/// An accepted step.
+#[derive(Clone, Copy)]
+pub(super) struct Observation<'a> {
+    /// The line, as it is since its last event.
+    pub(super) scene: &'a Scene,
+    /// Time \[s\].
+    pub(super) time: f64,
+    /// The state at that time.
+    pub(super) state: &'a State,
+    /// Values of the channels.
+    pub(super) values: &'a [f64],
+}
+
+/// A row of the record, computed now or read back from an earlier run.
+#[derive(Clone, Copy)]
+pub(super) struct Row<'a> {
+    /// Time \[s\].
+    pub(super) time: f64,
+    /// Values of the channels.
+    pub(super) values: &'a [f64],
+    /// The shape of the line, at the times at which shapes are stored.
+    pub(super) shape: Option<&'a LineShape>,
+}
+
+/// A run that is over.
+#[derive(Clone, Copy)]
+pub(super) struct RunEnd<'a> {
+    /// The case.
+    pub(super) case: &'a Case,
+    /// The line at the start.
+    pub(super) initial: &'a Scene,
+    /// The line after its last event.
+    pub(super) last: &'a Scene,
+}
+
+/// All that is recorded of a run.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Record {
+    /// Channels against time.
+    pub(super) history: History,
+    /// Shapes of the line.
+    pub(super) shapes: Vec<LineShape>,
+    /// The line node by node.
+    pub(super) profile: Profile,
+    /// The statistics asked for; `None` where one cannot be taken.
+    pub(super) statistics: Vec<(RequestedStatistic, Option<f64>)>,
+    /// What the user should know.
+    pub(super) warnings: Vec<String>,
+}
+
+/// Records something of a run. The profile is shared: several observers widen its envelopes.
+pub(super) trait Observer {
+    /// Takes in an accepted step; must not allocate.
+    fn accepted_step(&mut self, _at: &Observation<'_>, _profile: &mut Profile) {}
+
+    /// Takes in an output time, after its step; `tension` is that of the nodes \[N\].
+    fn output(&mut self, _at: &Observation<'_>, _tension: &[f64], _profile: &mut Profile) {}
+
+    /// Takes in a row of the record.
+    fn row(&mut self, _row: &Row<'_>) {}
+
+    /// The line is about to change by an event.
+    fn line_changes(&mut self, _before: &Scene, _profile: &mut Profile) {}
+
+    /// Writes what it needs to be resumed.
+    fn save(&self, _checkpoint: &mut Checkpoint) {}
+
+    /// Continues from a checkpoint, after the rows recorded before it.
+    fn restore(&mut self, _checkpoint: &Checkpoint) {}
+
+    /// Completes the record once the run is over.
+    fn finish(self: Box<Self>, _end: &RunEnd<'_>, _record: &mut Record) {}
+}

@@ -1,0 +1,149 @@
+//! A simulation: brings the line to its start, then runs the method of the case.
+
+use super::initial_equilibrium::find_equilibrium;
+use super::recorder::Recorder;
+use super::settings::position_tolerance;
+use super::time_march::{MarchResult, MarchStart, march};
+use super::warm_start::warm_start;
+use super::{Resume, RunState, Settings, Work};
+use crate::case::{Case, Method};
+use crate::dynamics::generalized_alpha::{ErrorLimits, GeneralizedAlpha};
+use crate::dynamics::quasi_static::QuasiStatic;
+use crate::dynamics::rk4::Rk4;
+use crate::scene::Scene;
+use crate::solve::{ExplicitRhs, Instant, Kinematics, Progressing, Sink, State};
+
+/// Brings the line to its start and runs the method of the case. `phases` is the line at first and after each of its
+/// events.
+pub(super) fn simulate<'a>(
+    case: &Case,
+    phases: &'a [Scene],
+    settings: &Settings,
+    recorder: &mut Recorder<'a>,
+    warnings: &mut Vec<String>,
+    resume: Option<&Resume>,
+) -> MarchResult {
+    let scene = &phases[0];
+    let mut state = scene.initial_state();
+    let mut work = Work::default();
+    let earlier_warnings = warnings.len();
+    let warm = match warm_start(case, scene) {
+        Ok(warm) => warm.filter(|_| resume.is_none()),
+        Err(failure) => return MarchResult::failed(failure, work),
+    };
+    let from_run = warm.is_some() && case.solver.method != Method::Static;
+    let mut method_state = None;
+    if let Some(warm) = warm {
+        (state, method_state) = (warm.state, warm.carried);
+    }
+    if let Some(resume) = resume {
+        work.iterations = resume.checkpoint.start_iterations;
+        warnings.extend(resume.checkpoint.warnings.iter().cloned());
+    } else if !from_run
+        && let Err(failure) = find_equilibrium(case, scene, &mut state, &mut work, warnings)
+    {
+        record_single(recorder, &state);
+        return MarchResult::failed(failure, work);
+    }
+    scene.apply_start_velocity(&mut state);
+    let start = MarchStart {
+        resume,
+        from_run,
+        method_state: method_state.as_ref(),
+        warnings: &warnings[earlier_warnings..],
+        work,
+    };
+    run_method(case, settings, phases, &mut state, recorder, &start)
+}
+
+/// Runs the method of the case from the current state.
+fn run_method<'a>(
+    case: &Case,
+    settings: &Settings,
+    phases: &'a [Scene],
+    state: &mut State,
+    recorder: &mut Recorder<'a>,
+    start: &MarchStart<'_>,
+) -> MarchResult {
+    let scene = &phases[0];
+    let nodes = scene.nodes();
+    let tolerance = position_tolerance(case, scene);
+    let max_iterations = case.solver.max_iterations;
+    let accelerate = |state: &mut State| {
+        scene.update_wave_kinematics(0.0, state);
+        // A known acceleration stays: derived anew from the forces it would lose an order.
+        if start.method_state.is_none() {
+            scene.accelerate(0.0, state);
+        }
+    };
+    match case.solver.method {
+        Method::Static => {
+            record_single(recorder, state);
+            MarchResult {
+                state: RunState::Done,
+                failure: None,
+                work: start.work,
+                lengths: Vec::new(),
+            }
+        }
+        Method::Quasi => {
+            let method = QuasiStatic::new(nodes, tolerance, max_iterations);
+            march(method, settings, phases, state, recorder, start)
+        }
+        Method::Rk4 => {
+            let limit = settings.stability_limit_s;
+            if limit.is_some_and(|limit| settings.time_step_s > limit) {
+                return MarchResult::failed(unstable(settings), start.work);
+            }
+            accelerate(state);
+            march(Rk4::new(nodes), settings, phases, state, recorder, start)
+        }
+        Method::Alpha | Method::Auto => {
+            accelerate(state);
+            let method =
+                GeneralizedAlpha::new(nodes, case.solver.rho_inf, tolerance, max_iterations);
+            let method = match settings.step_tolerance {
+                Some(tolerance) => method.controlled(error_limits(case, scene, tolerance)),
+                None => method,
+            };
+            let method = match scene.slip_speed() {
+                Some(slip) => method.resolving(SHARE_OF_SLIP * slip),
+                None => method,
+            };
+            march(method, settings, phases, state, recorder, start)
+        }
+    }
+}
+
+/// Share of the slip speed to which velocities are resolved, and with them friction to the same share of its greatest.
+const SHARE_OF_SLIP: f64 = 1e-3;
+
+/// Errors allowed in a step, from the dimensionless tolerance of the case.
+fn error_limits(case: &Case, scene: &Scene, tolerance: f64) -> ErrorLimits {
+    let length = scene.arc.last().copied().unwrap_or(1.0);
+    let speed = (case.environment.gravity_m_per_s2 * length).sqrt();
+    ErrorLimits {
+        position: tolerance * length,
+        velocity: 2.0 * tolerance * speed,
+    }
+}
+
+/// Records a single state.
+fn record_single(recorder: &mut Recorder<'_>, state: &State) {
+    let _: Progressing = recorder.accept(Instant {
+        time: 0.0,
+        state,
+        steps: 0,
+        output: true,
+    });
+}
+
+fn unstable(settings: &Settings) -> String {
+    format!(
+        "time step {} s is above the stability limit of RK4, {:.3e} s, set by {}; \
+         choose a smaller step, leave it open, or use the solver `alpha`",
+        settings.time_step_s,
+        settings.stability_limit_s.unwrap_or_default(),
+        settings.stability_limit_at.as_deref().unwrap_or_default(),
+    )
+}
