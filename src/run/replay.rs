@@ -1,6 +1,6 @@
 //! The rows of an earlier run up to its checkpoint, read back from its directory.
 
-use super::store::{Rows, Shapes, StoreError};
+use super::store::{HistoryReader, ShapeReader, StoreError};
 use super::{LineShape, Resume};
 
 /// Receives a row of the record: time \[s\], values of the channels, and the shape at that time where there is one.
@@ -13,8 +13,8 @@ type RowReceiver<'a> = dyn FnMut(f64, &[f64], Option<LineShape>) + 'a;
 pub(super) fn replay(from: &Resume, receive: &mut RowReceiver<'_>) -> Result<(), StoreError> {
     let slop = 1e-9 * from.checkpoint.whole_step_s;
     let until = from.checkpoint.place.time + slop;
-    let mut rows = Rows::open(&from.dir);
-    let mut shapes = Shapes::open(&from.dir);
+    let mut rows = HistoryReader::open(&from.dir);
+    let mut shapes = ShapeReader::open(&from.dir);
     let mut shape = shapes.next();
     let mut reached = f64::NEG_INFINITY;
     while let Some((time, values)) = rows.next() {

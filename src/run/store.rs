@@ -21,14 +21,15 @@
 //!
 //! Numbers are written with the fewest digits that read back to the same bits.
 
+mod columns;
 mod complete;
 mod create;
 mod list;
 mod lock;
 mod number;
+mod profile;
 mod read;
 mod readers;
-mod ropes;
 mod shapes;
 mod table;
 mod timestamp;
@@ -40,7 +41,7 @@ pub use create::RunLocation;
 pub use list::{StoredRun, list};
 pub use lock::is_locked;
 pub use read::{case_text, read, read_info, resume};
-pub(in crate::run) use readers::{Rows, Shapes};
+pub(in crate::run) use readers::{HistoryReader, ShapeReader};
 pub use timestamp::{rfc3339, stamp};
 pub use writer::{Writer, save};
 

@@ -15,5 +15,6 @@ mod output_files;
 mod signals;
 mod start_from_run;
 mod store;
+mod stored_versions;
 mod study_speed;
 mod terminal;

@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use super::{
-    CASE, CHANNELS, ERRORS, HISTORY, PROFILE, ROPES, RUN, SHAPES, SUMMARY, StoreError,
+    CASE, CHANNELS, ERRORS, HISTORY, PROFILE, ROPES, RUN, SHAPES, SUMMARY, StoreError, columns,
     create::{info_text, replace, sync_dir},
     number::{text, text_or_empty},
-    ropes::ropes,
-    shapes::{self, SHAPE_COLUMNS, write_shape},
-    table::Csv,
+    profile::{PROFILE_COLUMNS, ROPE_COLUMNS},
+    shapes::{SHAPE_COLUMNS, write_shape},
+    table::CsvWriter,
 };
 use crate::case::ChannelId;
 use crate::run::{Channel, History, LineShape, Quantity, Run, RunInfo};
@@ -37,9 +37,14 @@ pub(super) fn all(dir: &Path, id: &str, run: &Run, streamed: bool) -> Result<(),
         replace(dir, HISTORY, &history(&run.history)?)?;
         replace(dir, SHAPES, &all_shapes(&run.shapes)?)?;
     }
-    replace(dir, PROFILE, &shapes::profile(&run.profile)?)?;
-    if !run.profile.ropes.is_empty() {
-        replace(dir, ROPES, &ropes(&run.profile.ropes)?)?;
+    let profile = &run.profile;
+    let nodes = profile.nodes.len();
+    let table = columns::write(&PROFILE_COLUMNS, profile, nodes)?;
+    replace(dir, PROFILE, &table)?;
+    if !profile.ropes.is_empty() {
+        let segments = profile.ropes.arc.len();
+        let table = columns::write(&ROPE_COLUMNS, &profile.ropes, segments)?;
+        replace(dir, ROPES, &table)?;
     }
     sync_dir(dir);
 
@@ -59,7 +64,7 @@ pub(super) fn all(dir: &Path, id: &str, run: &Run, streamed: bool) -> Result<(),
 }
 
 fn summary(quantities: &[Quantity]) -> Result<Vec<u8>, StoreError> {
-    let mut csv = Csv::new(SUMMARY_COLUMNS)?;
+    let mut csv = CsvWriter::new(SUMMARY_COLUMNS)?;
     for q in quantities {
         let error = text_or_empty(q.error_estimate());
         csv.row([q.name(), text(q.value), q.unit(), error])?;
@@ -68,7 +73,7 @@ fn summary(quantities: &[Quantity]) -> Result<Vec<u8>, StoreError> {
 }
 
 fn errors(quantities: &[Quantity]) -> Result<Vec<u8>, StoreError> {
-    let mut csv = Csv::new(ERROR_COLUMNS)?;
+    let mut csv = CsvWriter::new(ERROR_COLUMNS)?;
     for q in quantities {
         let (time, mesh) = (text_or_empty(q.time_error), text_or_empty(q.mesh_error));
         csv.row([q.name(), q.unit(), time, mesh])?;
@@ -77,7 +82,7 @@ fn errors(quantities: &[Quantity]) -> Result<Vec<u8>, StoreError> {
 }
 
 fn channels(channels: &[Channel]) -> Result<Vec<u8>, StoreError> {
-    let mut csv = Csv::new(CHANNEL_COLUMNS)?;
+    let mut csv = CsvWriter::new(CHANNEL_COLUMNS)?;
     for c in channels {
         let [max, max_time, min, min_time] = [c.peak.0, c.peak.1, c.trough.0, c.trough.1].map(text);
         csv.row([&c.name(), c.unit(), &max, &max_time, &min, &min_time])?;
@@ -87,7 +92,7 @@ fn channels(channels: &[Channel]) -> Result<Vec<u8>, StoreError> {
 
 /// `channels.csv` before any extreme is known.
 pub(super) fn channel_units(channels: &[ChannelId]) -> Result<Vec<u8>, StoreError> {
-    let mut csv = Csv::new(CHANNEL_COLUMNS)?;
+    let mut csv = CsvWriter::new(CHANNEL_COLUMNS)?;
     for id in channels {
         csv.row([&id.to_string(), id.quantity.unit(), "", "", "", ""])?;
     }
@@ -96,7 +101,7 @@ pub(super) fn channel_units(channels: &[ChannelId]) -> Result<Vec<u8>, StoreErro
 
 fn history(history: &History) -> Result<Vec<u8>, StoreError> {
     let names = history.channels.iter().map(Channel::name);
-    let mut csv = Csv::new(std::iter::once("time_s".to_owned()).chain(names))?;
+    let mut csv = CsvWriter::new(std::iter::once("time_s".to_owned()).chain(names))?;
     for (i, time) in history.time.iter().enumerate() {
         let values = history
             .channels
@@ -108,7 +113,7 @@ fn history(history: &History) -> Result<Vec<u8>, StoreError> {
 }
 
 fn all_shapes(shapes: &[LineShape]) -> Result<Vec<u8>, StoreError> {
-    let mut csv = Csv::new(SHAPE_COLUMNS)?;
+    let mut csv = CsvWriter::new(SHAPE_COLUMNS)?;
     for shape in shapes {
         write_shape(&mut csv, shape)?;
     }

@@ -3,18 +3,18 @@
 use std::{fs, io, path::Path};
 
 use super::{
-    CASE, CHANNELS, CHECKPOINT, ERRORS, PROFILE, ROPES, RUN, Rows, SUMMARY, Shapes, StoreError,
+    CASE, CHANNELS, CHECKPOINT, ERRORS, HistoryReader, PROFILE, ROPES, RUN, SUMMARY, ShapeReader,
+    StoreError, columns,
     complete::{CHANNEL_COLUMNS, ERROR_COLUMNS, SUMMARY_COLUMNS},
     is_locked,
     number::parse,
-    ropes::{ROPE_COLUMNS, read_ropes},
-    shapes::{self, BENDING_COLUMNS, PROFILE_COLUMNS, RESPONSE_COLUMNS},
-    table,
+    profile::{PROFILE_COLUMNS, ROPE_COLUMNS},
+    table::{CsvReader, not_a_number},
 };
 use crate::case::ChannelId;
 use crate::run::{
-    Channel, Checkpoint, DecimatedRecord, History, Profile, Quantity, Resume, Run, RunInfo,
-    RunState,
+    Channel, Checkpoint, DecimatedRecord, History, Profile, Quantity, QuantityId, Resume, Run,
+    RunInfo, RunState, VERSION,
 };
 
 /// Reads a run. What is damaged or missing is left out, and said in [`RunInfo::warnings`]; so is a
@@ -35,7 +35,13 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
     let case_text = reader.case_text();
     let (history, shapes) = reader.record().into_parts();
     let (profile, summary) = (reader.profile(), reader.summary());
-    let warnings = reader.warnings;
+    let mut warnings = reader.warnings;
+    if !warnings.is_empty() && info.version != VERSION {
+        let (theirs, ours) = (&info.version, VERSION);
+        warnings.push(format!(
+            "Version {theirs} wrote this run; this is version {ours}."
+        ));
+    }
 
     let mut run = Run {
         info,
@@ -64,10 +70,12 @@ pub fn resume(dir: &Path) -> Result<Resume, StoreError> {
         io::ErrorKind::NotFound => StoreError::NoCheckpoint(dir.to_owned()),
         _ => StoreError::io("Reading", &file)(error),
     })?;
-    let checkpoint: Checkpoint = toml::from_str(&text).map_err(|error| StoreError::Damaged {
+    let info = read_info(dir).ok();
+    let damaged = |error: toml::de::Error| StoreError::Damaged {
         file,
-        reason: error.to_string().trim_end().to_owned(),
-    })?;
+        reason: with_version(&error, info.as_ref().map(|info| info.version.as_str())),
+    };
+    let checkpoint: Checkpoint = toml::from_str(&text).map_err(damaged)?;
     let dir = dir.to_owned();
     Ok(Resume { checkpoint, dir })
 }
@@ -98,10 +106,26 @@ pub fn read_info(dir: &Path) -> Result<RunInfo, StoreError> {
         },
         _ => StoreError::io("Reading", &path)(error),
     })?;
-    toml::from_str(&text).map_err(|error| StoreError::Damaged {
-        file: path,
-        reason: error.to_string().trim_end().to_owned(),
+    toml::from_str(&text).map_err(|error| {
+        let table = text.parse::<toml::Table>().unwrap_or_default();
+        let version = table.get("version").and_then(toml::Value::as_str);
+        StoreError::Damaged {
+            file: path,
+            reason: with_version(&error, version),
+        }
     })
+}
+
+/// Why a file cannot be understood, and which version of the program wrote it.
+fn with_version(error: &toml::de::Error, version: Option<&str>) -> String {
+    let reason = error.to_string();
+    let reason = reason.trim_end();
+    match version {
+        Some(version) => {
+            format!("{reason}\nVersion {version} wrote it; this is version {VERSION}.")
+        }
+        None => reason.to_owned(),
+    }
 }
 
 /// Why a run is partial, and how far it is.
@@ -132,29 +156,29 @@ impl Reader<'_> {
         })
     }
 
-    /// A table with these columns; trouble is told, unless a partial run simply has not got there.
-    fn table(&mut self, name: &str, columns: Option<&[&str]>) -> table::Rows {
-        let mut table = table::read(self.dir, name);
-        if let Some(columns) = columns {
-            table.expect(name, columns);
-        }
-        table
+    /// Opens a table that needs the first of these columns, and knows the others.
+    fn table(&self, name: &str, columns: &[&str]) -> CsvReader {
+        let mut csv = CsvReader::open(self.dir, name);
+        csv.require(columns);
+        csv.note_unknown(|name| columns.contains(&name));
+        csv
     }
 
-    fn told(&mut self, trouble: Option<String>) {
-        self.warnings.extend(trouble.filter(|_| self.whole));
+    /// Reports a problem, unless a partial run simply has not got there.
+    fn report(&mut self, problem: Option<String>) {
+        self.warnings.extend(problem.filter(|_| self.whole));
     }
 
-    /// History and shapes, thinned where they are long.
+    /// History and shapes, decimated where they are long.
     fn record(&mut self) -> DecimatedRecord {
         let known = self.channels();
         let of = |id: &ChannelId| known.iter().find(|c| c.id == *id);
-        let mut rows = Rows::open(self.dir);
+        let mut rows = HistoryReader::open(self.dir);
         let mut kept = DecimatedRecord::new(rows.ids().iter().cloned());
         while let Some((time, values)) = rows.next() {
             kept.row(time, values);
         }
-        let mut shapes = Shapes::open(self.dir);
+        let mut shapes = ShapeReader::open(self.dir);
         while let Some(shape) = shapes.next() {
             kept.shape(shape);
         }
@@ -164,82 +188,84 @@ impl Reader<'_> {
                 (channel.peak, channel.trough) = (known.peak, known.trough);
             }
         }
-        self.told(rows.trouble());
-        self.told(shapes.trouble());
+        self.report(rows.problem());
+        self.report(shapes.problem());
         kept
     }
 
-    /// Channels by name with unit and extremes; extremes not known yet are NaN.
+    /// Channels with their extremes; extremes not known yet are NaN.
     fn channels(&mut self) -> Vec<Channel> {
-        let table = self.table(CHANNELS, Some(&CHANNEL_COLUMNS));
+        let mut csv = self.table(CHANNELS, &CHANNEL_COLUMNS);
+        let [name, _, max, max_time, min, min_time] = CHANNEL_COLUMNS.map(|c| csv.position(c));
         let mut channels = Vec::new();
-        for (_, fields) in &table.rows {
-            let [name, _, numbers @ ..] = fields.as_slice() else {
-                continue;
-            };
-            let at = |i: usize| numbers.get(i).and_then(|f| parse(f)).unwrap_or(f64::NAN);
-            let Ok(id) = name.parse() else { continue };
+        while let Some((_, fields)) = csv.next() {
+            let text = |place: Option<usize>| place.and_then(|at| fields.get(at)).unwrap_or("");
+            let number = |place| parse(text(place)).unwrap_or(f64::NAN);
+            let Ok(id) = text(name).parse() else { continue };
             channels.push(Channel {
-                peak: (at(0), at(1)),
-                trough: (at(2), at(3)),
+                peak: (number(max), number(max_time)),
+                trough: (number(min), number(min_time)),
                 ..Channel::new(id)
             });
         }
-        self.told(table.trouble);
+        self.report(csv.problem());
         channels
     }
 
     fn profile(&mut self) -> Profile {
-        let mut table = self.table(PROFILE, None);
-        let further = table.columns.len().saturating_sub(PROFILE_COLUMNS.len());
-        let mut columns = PROFILE_COLUMNS.to_vec();
-        // Bending has four columns and the response eleven.
-        if matches!(further, 4 | 15) {
-            columns.extend(BENDING_COLUMNS);
-        }
-        if matches!(further, 11 | 15) {
-            columns.extend(RESPONSE_COLUMNS);
-        }
-        table.expect(PROFILE, &columns);
-        let mut profile = shapes::read_profile(&mut table, PROFILE);
-        self.told(table.trouble);
+        let (mut profile, problem) = columns::read(&PROFILE_COLUMNS, self.dir, PROFILE);
+        self.report(problem);
         // Only a line with such ropes has the file.
         if self.dir.join(ROPES).exists() {
-            let mut table = self.table(ROPES, Some(&ROPE_COLUMNS));
-            profile.ropes = read_ropes(&mut table, ROPES);
-            self.told(table.trouble);
+            let (ropes, problem) = columns::read(&ROPE_COLUMNS, self.dir, ROPES);
+            profile.ropes = ropes;
+            self.report(problem);
         }
         profile
     }
 
-    /// Values from `summary.csv`, the two parts of their errors from `errors.csv`.
+    /// Values from `summary.csv`, the two parts of their errors from `errors.csv`. Quantities that this version does not
+    /// know are left out.
     fn summary(&mut self) -> Vec<Quantity> {
-        let mut table = self.table(SUMMARY, Some(&SUMMARY_COLUMNS));
-        let parts = self.table(ERRORS, Some(&ERROR_COLUMNS));
+        let mut csv = self.table(SUMMARY, &SUMMARY_COLUMNS);
+        let [name, value, ..] = SUMMARY_COLUMNS.map(|column| csv.position(column));
         let mut summary = Vec::new();
-        for (row, (line, fields)) in table.rows.iter().enumerate() {
-            let (Some(name), Some(value)) = (fields.first(), fields.get(1).and_then(|f| parse(f)))
-            else {
-                table.trouble = Some(format!(
-                    "{SUMMARY}, line {line} holds a value that is no number; read up to there."
-                ));
+        while let Some((line, fields)) = csv.next() {
+            let text = |place: Option<usize>| place.and_then(|at| fields.get(at)).unwrap_or("");
+            let Some(value) = parse(text(value)) else {
+                csv.give_up(not_a_number(SUMMARY, line));
                 break;
             };
-            // Both files list the quantities in the same order; look further only when one is damaged.
-            let same = |(_, other): &&(u64, Vec<String>)| other.first() == Some(name);
-            let part = parts.rows.get(row).filter(same);
-            let part = part.or_else(|| parts.rows.iter().find(same));
-            let error = |i: usize| part.and_then(|(_, f)| f.get(i)).and_then(|f| parse(f));
-            let Ok(id) = name.parse() else { continue };
-            summary.push(Quantity {
-                id,
-                value,
-                time_error: error(2),
-                mesh_error: error(3),
-            });
+            if let Ok(id) = text(name).parse() {
+                summary.push(Quantity::new(id, value));
+            }
         }
-        self.told(table.trouble);
-        self.told(parts.trouble);
+        self.report(csv.problem());
+        self.add_errors(&mut summary);
         summary
+    }
+
+    fn add_errors(&mut self, summary: &mut [Quantity]) {
+        let mut csv = self.table(ERRORS, &ERROR_COLUMNS);
+        let [name, _, time, mesh] = ERROR_COLUMNS.map(|column| csv.position(column));
+        let mut next = 0;
+        while let Some((_, fields)) = csv.next() {
+            let text = |place: Option<usize>| place.and_then(|at| fields.get(at)).unwrap_or("");
+            let Ok(id) = text(name).parse::<QuantityId>() else {
+                continue;
+            };
+            // Both files list the quantities in the same order; look further only when one is damaged.
+            let in_order = summary.get(next).is_some_and(|q| q.id == id);
+            let found = match in_order {
+                true => Some(next),
+                false => summary.iter().position(|q| q.id == id),
+            };
+            if let Some(at) = found {
+                summary[at].time_error = parse(text(time));
+                summary[at].mesh_error = parse(text(mesh));
+                next = at + 1;
+            }
+        }
+        self.report(csv.problem());
     }
 }

@@ -5,48 +5,40 @@ use std::path::Path;
 use super::{
     HISTORY, SHAPES, StoreError,
     number::parse,
-    shapes::{SHAPE_COLUMNS, numbers},
-    table::Stream,
+    shapes::SHAPE_COLUMNS,
+    table::{CsvReader, not_a_number},
 };
 use crate::case::ChannelId;
 use crate::run::LineShape;
 
 /// The rows of `history.csv`.
 #[derive(Debug)]
-pub(in crate::run) struct Rows {
-    table: Stream,
-    /// The channels, and the column of each.
+pub(in crate::run) struct HistoryReader {
+    csv: CsvReader,
     ids: Vec<ChannelId>,
+    /// Columns of the time and of the channels.
     columns: Vec<usize>,
-    /// Columns that are no channel this version knows.
-    unknown: Vec<String>,
     row: Vec<f64>,
 }
 
-impl Rows {
-    /// Of the run in this directory. What is wrong with the file ends it early, see [`Rows::trouble`].
+impl HistoryReader {
+    /// Of the run in this directory. What is wrong with the file ends it early, see [`HistoryReader::problem`].
     pub(in crate::run) fn open(dir: &Path) -> Self {
-        let mut table = Stream::open(dir, HISTORY);
-        if table.columns().first().is_some_and(|c| c != "time_s") {
-            table.give_up(format!(
-                "{HISTORY} does not begin with the column time_s; it was left out."
-            ));
-        }
-        let (mut ids, mut columns, mut unknown) = (Vec::new(), Vec::new(), Vec::new());
-        for (column, name) in table.columns().iter().enumerate().skip(1) {
-            match name.parse() {
-                Ok(id) => {
-                    ids.push(id);
-                    columns.push(column);
-                }
-                Err(_) => unknown.push(name.clone()),
+        let mut csv = CsvReader::open(dir, HISTORY);
+        let mut columns = csv.require(&["time_s"]);
+        let channel = |name: &str| name.parse::<ChannelId>();
+        csv.note_unknown(|name| name == "time_s" || channel(name).is_ok());
+        let mut ids = Vec::new();
+        for (column, name) in csv.columns().iter().enumerate() {
+            if let Ok(id) = channel(name) {
+                ids.push(id);
+                columns.push(column);
             }
         }
         Self {
-            table,
+            csv,
             ids,
             columns,
-            unknown,
             row: Vec::new(),
         }
     }
@@ -58,13 +50,12 @@ impl Rows {
 
     /// The next row: its time \[s\] and a value a channel.
     pub(in crate::run) fn next(&mut self) -> Option<(f64, &[f64])> {
-        let (line, fields) = self.table.next()?;
+        let (line, fields) = self.csv.next()?;
         self.row.clear();
-        let columns = std::iter::once(&0).chain(&self.columns);
-        let texts = columns.map_while(|column| fields.get(*column));
+        let texts = self.columns.iter().map_while(|column| fields.get(*column));
         self.row.extend(texts.map_while(parse));
-        if self.row.len() <= self.columns.len() {
-            self.table.give_up(not_a_number(HISTORY, line));
+        if self.row.len() < self.columns.len() {
+            self.csv.give_up(not_a_number(HISTORY, line));
             return None;
         }
         let (time, values) = self.row.split_first()?;
@@ -72,71 +63,73 @@ impl Rows {
     }
 
     /// What is wrong with the file, once it is read.
-    pub(super) fn trouble(self) -> Option<String> {
-        let unknown = (!self.unknown.is_empty()).then(|| {
-            let names = self.unknown.join(", ");
-            format!("{HISTORY} has columns that this version does not know, which were left out: {names}.")
-        });
-        self.table.trouble().or(unknown)
+    pub(super) fn problem(self) -> Option<String> {
+        self.csv.problem()
     }
 
     /// That the rows do not reach so far \[s\], and why.
     pub(in crate::run) fn short_of(self, dir: &Path, until: f64) -> StoreError {
-        let why = self.trouble().unwrap_or_default();
+        let why = self.problem().unwrap_or_default();
         StoreError::Damaged {
             file: dir.join(HISTORY),
-            reason: format!("it ends before {until} s, where the run is to go on. {why}"),
+            reason: format!("it ends before {until} s, from where the run is to be resumed. {why}"),
         }
     }
 }
 
 /// The shapes of `shapes.csv`.
 #[derive(Debug)]
-pub(in crate::run) struct Shapes {
-    table: Stream,
-    coming: Option<LineShape>,
+pub(in crate::run) struct ShapeReader {
+    csv: CsvReader,
+    /// Where the columns are, in the order of [`SHAPE_COLUMNS`].
+    columns: Vec<usize>,
+    /// The shape being read.
+    current: Option<LineShape>,
     /// Nodes of the first shape, once it is read.
-    full: usize,
+    nodes: usize,
 }
 
-impl Shapes {
-    /// Of the run in this directory. What is wrong with the file ends it early, see [`Shapes::trouble`].
+impl ShapeReader {
+    /// Of the run in this directory. What is wrong with the file ends it early, see [`ShapeReader::problem`].
     pub(in crate::run) fn open(dir: &Path) -> Self {
-        let mut table = Stream::open(dir, SHAPES);
-        table.expect(&SHAPE_COLUMNS);
+        let mut csv = CsvReader::open(dir, SHAPES);
+        csv.note_unknown(|name| SHAPE_COLUMNS.contains(&name));
         Self {
-            table,
-            coming: None,
-            full: 0,
+            columns: csv.require(&SHAPE_COLUMNS),
+            csv,
+            current: None,
+            nodes: 0,
         }
     }
 
     /// The next shape: a new one begins at node 0. A last shape with fewer nodes than the first is torn and left out.
     pub(in crate::run) fn next(&mut self) -> Option<LineShape> {
-        while let Some((line, fields)) = self.table.next() {
-            let Some([time, node, x, y, z, tension]) = numbers(fields.iter()) else {
-                self.table.give_up(not_a_number(SHAPES, line));
+        while let Some((line, fields)) = self.csv.next() {
+            let values = self.columns.iter().map(|at| parse(fields.get(*at)?));
+            let values: Option<Vec<f64>> = values.collect();
+            let Some(&[time, node, x, y, z, tension]) = values.as_deref() else {
+                self.csv.give_up(not_a_number(SHAPES, line));
                 break;
             };
             let begun = (node < 0.5).then(|| LineShape {
                 time,
                 ..LineShape::default()
             });
-            let whole = begun.and_then(|begun| self.coming.replace(begun));
-            if let Some(shape) = &mut self.coming {
+            let whole = begun.and_then(|begun| self.current.replace(begun));
+            if let Some(shape) = &mut self.current {
                 shape.nodes.push([x, y, z]);
                 shape.tension.push(tension);
             }
             if let Some(whole) = whole {
-                self.full = self
-                    .full
-                    .max(usize::from(self.full == 0) * whole.nodes.len());
+                if self.nodes == 0 {
+                    self.nodes = whole.nodes.len();
+                }
                 return Some(whole);
             }
         }
-        let last = self.coming.take()?;
-        if last.nodes.len() < self.full {
-            self.table.give_up(format!(
+        let last = self.current.take()?;
+        if last.nodes.len() < self.nodes {
+            self.csv.give_up(format!(
                 "{SHAPES} ends in the middle of a shape; that shape was left out."
             ));
             return None;
@@ -145,12 +138,7 @@ impl Shapes {
     }
 
     /// What is wrong with the file, once it is read.
-    pub(super) fn trouble(self) -> Option<String> {
-        self.table.trouble()
+    pub(super) fn problem(self) -> Option<String> {
+        self.csv.problem()
     }
-}
-
-/// That a line holds something else than numbers.
-pub(super) fn not_a_number(name: &str, line: u64) -> String {
-    format!("{name}, line {line} holds something that is no number; read up to there.")
 }

@@ -1,4 +1,4 @@
-//! Tables of the store as CSV text, and back as far as they can be trusted.
+//! Tables of the store as CSV text, and back as far as they can be read.
 
 use std::{
     fs::File,
@@ -8,12 +8,12 @@ use std::{
 
 use super::StoreError;
 
-/// CSV text being made.
-pub(super) struct Csv {
+/// CSV text being written.
+pub(super) struct CsvWriter {
     writer: csv::Writer<Vec<u8>>,
 }
 
-impl Csv {
+impl CsvWriter {
     /// A table with these column names.
     pub(super) fn new<I, S>(columns: I) -> Result<Self, StoreError>
     where
@@ -50,19 +50,21 @@ impl Csv {
 }
 
 /// A table being read, row by row: as many whole rows as there are, and why it stops where it does. A missing file, a torn
-/// last line or a broken row are told, never an error: what stands before them is still good.
+/// last line or a broken row is a problem that is reported, never an error: the rows before it are good.
 #[derive(Debug)]
-pub(super) struct Stream {
+pub(super) struct CsvReader {
     name: String,
     reader: Option<csv::Reader<Take<File>>>,
     columns: Vec<String>,
     fields: csv::StringRecord,
-    trouble: Option<String>,
-    /// What is told when all whole rows are read.
+    problem: Option<String>,
+    /// Columns that are not known, in words.
+    unknown: Option<String>,
+    /// The problem of a file all of whose whole rows are read.
     torn: Option<String>,
 }
 
-impl Stream {
+impl CsvReader {
     /// Opens a table, and reads its column names.
     pub(super) fn open(dir: &Path, name: &str) -> Self {
         let mut stream = Self {
@@ -70,7 +72,8 @@ impl Stream {
             reader: None,
             columns: Vec::new(),
             fields: csv::StringRecord::new(),
-            trouble: None,
+            problem: None,
+            unknown: None,
             torn: None,
         };
         match whole_lines(&dir.join(name)) {
@@ -86,14 +89,14 @@ impl Stream {
                 stream.reader = Some(builder.from_reader(lines));
             }
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                stream.trouble = Some(format!("{name} is missing."));
+                stream.problem = Some(format!("{name} is missing."));
             }
-            Err(error) => stream.trouble = Some(format!("{name} cannot be read: {error}.")),
+            Err(error) => stream.problem = Some(format!("{name} cannot be read: {error}.")),
         }
         if stream.read() {
             stream.columns = stream.fields.iter().map(str::to_owned).collect();
-        } else if stream.trouble.is_none() {
-            stream.trouble = stream.torn.take().or(Some(format!("{name} is empty.")));
+        } else if stream.problem.is_none() {
+            stream.problem = stream.torn.take().or(Some(format!("{name} is empty.")));
         }
         stream
     }
@@ -106,15 +109,15 @@ impl Stream {
     /// The next row, as long as the columns, with the number of its line.
     pub(super) fn next(&mut self) -> Option<(u64, &csv::StringRecord)> {
         if !self.read() {
-            if self.trouble.is_none() {
-                self.trouble = self.torn.take();
+            if self.problem.is_none() {
+                self.problem = self.torn.take();
             }
             return None;
         }
         let line = self.fields.position().map_or(0, csv::Position::line);
         if self.fields.len() != self.columns.len() {
             self.give_up(format!(
-                "{}, line {line}: {} fields where {} are due; the file was read up to there.",
+                "{}, line {line}: {} fields where {} are expected; the file was read up to there.",
                 self.name,
                 self.fields.len(),
                 self.columns.len()
@@ -127,19 +130,46 @@ impl Stream {
     /// Reads no further, for this reason.
     pub(super) fn give_up(&mut self, why: String) {
         self.reader = None;
-        self.trouble.get_or_insert(why);
+        self.problem.get_or_insert(why);
     }
 
-    /// Reads on only when the columns are exactly these.
-    pub(super) fn expect(&mut self, columns: &[&str]) {
-        if let Some(why) = unexpected(&self.name, &self.columns, columns) {
-            self.give_up(why);
+    /// Where the column of this name is.
+    pub(super) fn position(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|column| column == name)
+    }
+
+    /// Reads on only where all these columns are there; returns where they are.
+    pub(super) fn require(&mut self, names: &[&str]) -> Vec<usize> {
+        let missing = names.iter().find(|name| self.position(name).is_none());
+        if let (Some(missing), false) = (missing, self.columns.is_empty()) {
+            self.give_up(format!(
+                "{} has the columns `{}` and lacks `{missing}`; it was left out.",
+                self.name,
+                self.columns.join(",")
+            ));
         }
+        names
+            .iter()
+            .filter_map(|name| self.position(name))
+            .collect()
+    }
+
+    /// Notes the columns that are not known, which are left out.
+    pub(super) fn note_unknown(&mut self, known: impl Fn(&str) -> bool) {
+        let unknown = self.columns.iter().filter(|name| !known(name));
+        let unknown: Vec<&str> = unknown.map(String::as_str).collect();
+        self.unknown = (!unknown.is_empty()).then(|| {
+            format!(
+                "{} has columns that this version does not know, which were left out: {}.",
+                self.name,
+                unknown.join(", ")
+            )
+        });
     }
 
     /// What is wrong with the file, when something is.
-    pub(super) fn trouble(self) -> Option<String> {
-        self.trouble
+    pub(super) fn problem(self) -> Option<String> {
+        self.problem.or(self.unknown)
     }
 
     /// Reads a row, whatever its length.
@@ -187,49 +217,7 @@ fn whole_lines(path: &Path) -> io::Result<(Take<File>, bool)> {
     Ok((file.take(whole), whole < length))
 }
 
-/// Why columns are not those that are due; nothing where they are, or where there is no table.
-fn unexpected(name: &str, columns: &[String], due: &[&str]) -> Option<String> {
-    let same = columns.iter().map(String::as_str).eq(due.iter().copied());
-    (!same && !columns.is_empty()).then(|| {
-        format!(
-            "{name} has the columns `{}` where `{}` are due; it was left out.",
-            columns.join(","),
-            due.join(",")
-        )
-    })
-}
-
-/// A small table as read, whole.
-#[derive(Debug, Default)]
-pub(super) struct Rows {
-    /// Column names.
-    pub(super) columns: Vec<String>,
-    /// Rows, each as long as `columns`, with the number of its line.
-    pub(super) rows: Vec<(u64, Vec<String>)>,
-    /// What is wrong with the file, when something is.
-    pub(super) trouble: Option<String>,
-}
-
-/// Reads a table whole, as far as it can be read.
-pub(super) fn read(dir: &Path, name: &str) -> Rows {
-    let mut stream = Stream::open(dir, name);
-    let mut rows = Vec::new();
-    while let Some((line, fields)) = stream.next() {
-        rows.push((line, fields.iter().map(str::to_owned).collect()));
-    }
-    Rows {
-        columns: stream.columns,
-        rows,
-        trouble: stream.trouble,
-    }
-}
-
-impl Rows {
-    /// Drops the rows unless the columns are exactly these, and says so in `trouble`.
-    pub(super) fn expect(&mut self, name: &str, columns: &[&str]) {
-        if let Some(why) = unexpected(name, &self.columns, columns) {
-            self.rows.clear();
-            self.trouble = Some(why);
-        }
-    }
+/// That a line holds something else than numbers.
+pub(super) fn not_a_number(name: &str, line: u64) -> String {
+    format!("{name}, line {line} holds something that is no number; read up to there.")
 }

@@ -12,7 +12,7 @@ use super::{
     lock::DirectoryLock,
     number,
     shapes::{SHAPE_COLUMNS, write_shape},
-    table::Csv,
+    table::CsvWriter,
 };
 use crate::case::ChannelId;
 use crate::run::{Checkpoint, Frame, LineShape, Run, RunInfo, event::Event};
@@ -96,8 +96,8 @@ impl Writer {
         create::replace(&self.dir, CHANNELS, &complete::channel_units(channels)?)?;
         let names = channels.iter().map(ToString::to_string);
         let columns = std::iter::once("time_s".to_owned()).chain(names);
-        let history = self.stream(HISTORY, Csv::new(columns)?)?;
-        let shapes = self.stream(SHAPES, Csv::new(SHAPE_COLUMNS)?)?;
+        let history = self.stream(HISTORY, CsvWriter::new(columns)?)?;
+        let shapes = self.stream(SHAPES, CsvWriter::new(SHAPE_COLUMNS)?)?;
         self.streams = Some(Streams { history, shapes });
         Ok(())
     }
@@ -107,7 +107,7 @@ impl Writer {
     /// # Errors
     /// The system refuses.
     pub fn frame(&mut self, frame: &Frame) -> Result<(), StoreError> {
-        let mut row = Csv::headless();
+        let mut row = CsvWriter::headless();
         row.row(
             std::iter::once(&frame.time)
                 .chain(&frame.values)
@@ -179,7 +179,7 @@ impl Writer {
     }
 
     /// A file that grows while the run goes on.
-    fn stream(&self, name: &str, head: Csv) -> Result<BufWriter<File>, StoreError> {
+    fn stream(&self, name: &str, head: CsvWriter) -> Result<BufWriter<File>, StoreError> {
         let path = self.dir.join(name);
         let file = File::create(&path).map_err(StoreError::io("Writing", path.clone()))?;
         let mut stream = BufWriter::with_capacity(1 << 16, file);
@@ -193,7 +193,7 @@ impl Writer {
 }
 
 fn shape_rows(shape: &LineShape) -> Result<Vec<u8>, StoreError> {
-    let mut csv = Csv::headless();
+    let mut csv = CsvWriter::headless();
     write_shape(&mut csv, shape)?;
     csv.bytes()
 }
