@@ -10,19 +10,19 @@ use crate::reference::{PublishedNumber, TrendPoint, TrendStatement, ValidationRo
 /// Rows for every published value and every statement of trend of a ropeway, in the order of its file. `text` is the file's:
 /// trends are computed on variants of it.
 #[must_use]
-pub fn rows(worked: &SolvedRopeway, text: &str) -> Vec<ValidationRow> {
-    let results = worked.results(worked.ropeway.cargo.position);
+pub fn rows(solved: &SolvedRopeway, text: &str) -> Vec<ValidationRow> {
+    let results = solved.results(solved.ropeway.cargo.position);
     let row = |printed: &PublishedNumber| {
         let found = match &results {
-            Ok(results) => quantities::value(worked, results, &printed.quantity),
+            Ok(results) => quantities::value(solved, results, &printed.quantity),
             Err(error) => Err(format!("The ropeway has no solution: {error}.")),
         };
         // Closed forms are exact to rounding; the error of the discretised line is not estimated.
         let error = (!printed.quantity.starts_with("line.")).then_some(0.0);
         printed.held(unit(&printed.quantity), found.map(|value| (value, error)))
     };
-    let values = worked.ropeway.published.iter().map(row);
-    let trends = worked.ropeway.trend.iter().map(|t| trend_row(t, text));
+    let values = solved.ropeway.published.iter().map(row);
+    let trends = solved.ropeway.trend.iter().map(|t| trend_row(t, text));
     values.chain(trends).collect()
 }
 
@@ -55,9 +55,9 @@ fn at(trend: &Trend, text: &str, value: f64) -> Result<f64, String> {
         all.first().map_or_else(String::new, ToString::to_string)
     };
     let edited = edit::set(text, &trend.key, &format!("{value:?}")).map_err(first)?;
-    let worked = super::parse(&edited, "trend").map_err(first)?;
-    let results = worked
-        .results(worked.ropeway.cargo.position)
+    let solved = super::parse(&edited, "trend").map_err(first)?;
+    let results = solved
+        .results(solved.ropeway.cargo.position)
         .map_err(|error| error.to_string())?;
-    quantities::value(&worked, &results, &trend.quantity)
+    quantities::value(&solved, &results, &trend.quantity)
 }

@@ -15,13 +15,13 @@ const SECONDS: Format = Format::Decimals(3, "s");
 
 /// Motion of the cargo with one degree of freedom: periods, and ranges over the ship's motion.
 #[must_use]
-pub fn cargo(worked: &SolvedRopeway) -> Table {
-    let position = worked.ropeway.cargo.position;
-    let mass = worked.rope.weight_n_per_m / worked.ropeway.about.gravity_m_per_s2;
-    let share = worked.ropeway.cargo.mass_kg / (mass * worked.length_m);
-    let (rows, note) = match worked.oscillator() {
+pub fn cargo(solved: &SolvedRopeway) -> Table {
+    let position = solved.ropeway.cargo.position;
+    let mass = solved.rope.weight_n_per_m / solved.ropeway.about.gravity_m_per_s2;
+    let share = solved.ropeway.cargo.mass_kg / (mass * solved.length_m);
+    let (rows, note) = match solved.oscillator() {
         Ok(swing) if position > 0.0 && position < 1.0 => (
-            facts(worked, &swing, mass),
+            facts(solved, &swing, mass),
             format!(
                 "Eq. (12) assumes a weightless rope and constant horizontal tension; the mass of the cargo is {} of that of the rope.",
                 percent(share)
@@ -43,11 +43,11 @@ pub fn cargo(worked: &SolvedRopeway) -> Table {
 
 /// Names, formats and values of the motion; `mass` is that of the rope per length \[kg/m\].
 fn facts(
-    worked: &SolvedRopeway,
+    solved: &SolvedRopeway,
     swing: &CargoOscillator,
     mass: f64,
 ) -> Vec<(&'static str, Format, f64)> {
-    let hang = worked.cargo_position(worked.ropeway.cargo.position);
+    let hang = solved.cargo_position(solved.ropeway.cargo.position);
     let natural = swing.natural_rad_per_s(&hang);
     let mut facts = vec![
         ("horizontal tension, constant", NEWTONS, swing.horizontal_n),
@@ -69,8 +69,8 @@ fn facts(
             swing.equilibrium_depth_m(&hang),
         ),
     ]);
-    if worked.ropeway.motion.is_some()
-        && let Ok(swung) = worked.cargo_motion(worked.ropeway.dynamics.duration_s, 0.1)
+    if solved.ropeway.motion.is_some()
+        && let Ok(swung) = solved.cargo_motion(solved.ropeway.dynamics.duration_s, 0.1)
     {
         let (low, high) = range(swung.iter().map(|s| s.depth_m));
         let (least, greatest) = range(swung.iter().map(most));
@@ -121,15 +121,15 @@ impl Crossing {
 /// The crossing over the discretised line on the dynamic solver compared with eq. (12). It takes a fraction of a second, too
 /// long to repeat at every key.
 #[must_use]
-pub fn dynamic_crossing(worked: &SolvedRopeway) -> (Chart, Table) {
-    let mut chart = crossing_chart(worked);
-    let hauled = worked.dynamic_crossing();
+pub fn dynamic_crossing(solved: &SolvedRopeway) -> (Chart, Table) {
+    let mut chart = crossing_chart(solved);
+    let hauled = solved.dynamic_crossing();
     if let Ok(hauled) = &hauled {
         let path = hauled.iter().map(|h| (h.x_m, h.z_m)).collect();
         let series = Series::new("line, dynamic", 2, path);
         chart.series.push(series);
     }
-    let [one, line, rest] = crossings(worked, hauled.as_deref().unwrap_or_default());
+    let [one, line, rest] = crossings(solved, hauled.as_deref().unwrap_or_default());
     let models = [
         ("eq. (12)", Some(one)),
         ("line, dynamic", Some(line)),
@@ -151,15 +151,15 @@ pub fn dynamic_crossing(worked: &SolvedRopeway) -> (Chart, Table) {
 }
 
 /// The crossing by eq. (12), over the line, and at rest at the positions of the line.
-fn crossings(worked: &SolvedRopeway, hauled: &[CrossingState]) -> [Crossing; 3] {
-    let height = worked.ropeway.platform.height_m;
-    let position = worked.ropeway.cargo.position;
+fn crossings(solved: &SolvedRopeway, hauled: &[CrossingState]) -> [Crossing; 3] {
+    let height = solved.ropeway.platform.height_m;
+    let position = solved.ropeway.cargo.position;
     let inside = position > 0.0 && position < 1.0;
-    let swing = worked.oscillator().ok().filter(|_| inside);
-    let own = worked.oscillator_crossing(400).unwrap_or_default();
+    let swing = solved.oscillator().ok().filter(|_| inside);
+    let own = solved.oscillator_crossing(400).unwrap_or_default();
     let rest = hauled.iter().filter_map(|h| {
-        let rest = worked
-            .equilibrium(h.x_m / worked.rope.geometry.span_m)
+        let rest = solved
+            .equilibrium(h.x_m / solved.rope.geometry.span_m)
             .ok()?;
         Some((
             height + rest.cargo_m.1,
@@ -174,11 +174,11 @@ fn crossings(worked: &SolvedRopeway, hauled: &[CrossingState]) -> [Crossing; 3] 
     [
         Crossing {
             period_s: swing
-                .map(|swing| TAU / swing.natural_rad_per_s(&worked.cargo_position(position))),
+                .map(|swing| TAU / swing.natural_rad_per_s(&solved.cargo_position(position))),
             ..one
         },
         Crossing {
-            period_s: worked
+            period_s: solved
                 .line_frequency_hz(position)
                 .ok()
                 .map(|hz| TAU / (TAU * hz)),
@@ -190,15 +190,15 @@ fn crossings(worked: &SolvedRopeway, hauled: &[CrossingState]) -> [Crossing; 3] 
 
 /// Path of the cargo: by eq. (12) with the ship moving, by the elastic rope with the ship fixed.
 #[must_use]
-pub fn crossing_chart(worked: &SolvedRopeway) -> Chart {
-    let height = worked.ropeway.platform.height_m;
+pub fn crossing_chart(solved: &SolvedRopeway) -> Chart {
+    let height = solved.ropeway.platform.height_m;
     let at = |i: usize| {
-        let rest = worked.equilibrium(i as f64 / 40.0).ok()?;
+        let rest = solved.equilibrium(i as f64 / 40.0).ok()?;
         Some((rest.cargo_m.0, height + rest.cargo_m.1))
     };
     let rests = (1..40).filter_map(at).collect();
     let mut series = vec![Series::new("exact, static", 0, rests)];
-    if let Ok(swung) = worked.oscillator_crossing(400) {
+    if let Ok(swung) = solved.oscillator_crossing(400) {
         let points = swung.iter().map(|s| (s.position.x_m, height - s.depth_m));
         series.push(Series::new("eq. (12)", 1, points.collect()));
     }

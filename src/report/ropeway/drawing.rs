@@ -1,6 +1,6 @@
 //! Elevation of a ropeway as a chart: platform, ship, water, the rope and the cargo on it.
 
-use crate::report::chart::{Axis, Chart, Glyphs, Limit, LimitLine, Series, draw};
+use crate::report::chart::{Axis, Chart, Limit, LimitLine, Series};
 use crate::ropeway::unloaded::UnloadedRope;
 use crate::ropeway::{ModelResults, SolvedRopeway};
 
@@ -16,28 +16,28 @@ const BREAK: (f64, f64) = (f64::NAN, f64::NAN);
 
 /// The ropeway at the position of the results: x from the platform, heights above still water, not to equal scale.
 #[must_use]
-pub fn chart(worked: &SolvedRopeway, results: &ModelResults) -> Chart {
-    let (rope, cargo) = (rope(worked, results), cargo(worked, results));
+pub fn chart(solved: &SolvedRopeway, results: &ModelResults) -> Chart {
+    let (rope, cargo) = (rope(solved, results), cargo(solved, results));
     let lowest = rope.iter().chain(&cargo).map(|p| p.1);
     let low = lowest.filter(|z| z.is_finite()).fold(0.0, f64::min);
-    let top = worked
+    let top = solved
         .ropeway
         .platform
         .height_m
-        .max(worked.ropeway.ship.height_m);
+        .max(solved.ropeway.ship.height_m);
     let room = 0.12 * (top - low).max(1.0);
     let (from, to) = (low - room, top + room);
-    let span = worked.rope.geometry.span_m;
+    let span = solved.rope.geometry.span_m;
     let (left, right) = (-ASIDE * span, (1.0 + ASIDE) * span);
-    let mut unloaded_rope = Series::new("unloaded rope", 5, unloaded(worked));
+    let mut unloaded_rope = Series::new("unloaded rope", 5, unloaded(solved));
     unloaded_rope.dimmed = true;
-    let crest = worked.ropeway.water.crest_m;
+    let crest = solved.ropeway.water.crest_m;
     let crests = Limit {
         label: "wave crest".to_owned(),
         line: LimitLine::Horizontal(crest),
     };
     Chart {
-        title: worked.ropeway.about.title.clone(),
+        title: solved.ropeway.about.title.clone(),
         x: Axis {
             range: Some((left, right)),
             ..Axis::new("from the platform", "m")
@@ -49,8 +49,8 @@ pub fn chart(worked: &SolvedRopeway, results: &ModelResults) -> Chart {
         series: vec![
             unloaded_rope,
             Series::new("water", 3, vec![(left, 0.0), (right, 0.0)]),
-            Series::new("platform", 2, platform(worked, from)),
-            Series::new("ship", 4, ship(worked)),
+            Series::new("platform", 2, platform(solved, from)),
+            Series::new("ship", 4, ship(solved)),
             Series::new("rope", 0, rope),
             Series::new("cargo", 1, cargo),
         ],
@@ -64,19 +64,8 @@ pub fn chart(worked: &SolvedRopeway, results: &ModelResults) -> Chart {
     }
 }
 
-/// The drawing in characters, at most this wide and high.
-#[must_use]
-pub fn text(
-    worked: &SolvedRopeway,
-    results: &ModelResults,
-    size: (usize, usize),
-    glyphs: Glyphs,
-) -> String {
-    draw(&chart(worked, results), size.0, size.1, glyphs).to_text()
-}
-
-fn rope(worked: &SolvedRopeway, results: &ModelResults) -> Points {
-    let (rest, height) = (&results.exact, worked.ropeway.platform.height_m);
+fn rope(solved: &SolvedRopeway, results: &ModelResults) -> Points {
+    let (rest, height) = (&results.exact, solved.ropeway.platform.height_m);
     let at = |i: usize| {
         let point = rest.solution.at(rest.length_m * i as f64 / POINTS as f64);
         (point.x_m, height + point.z_m)
@@ -88,24 +77,24 @@ fn rope(worked: &SolvedRopeway, results: &ModelResults) -> Points {
 }
 
 /// The unloaded rope of the inextensible model.
-fn unloaded(worked: &SolvedRopeway) -> Points {
-    let Ok(inextensible) = &worked.inextensible else {
+fn unloaded(solved: &SolvedRopeway) -> Points {
+    let Ok(inextensible) = &solved.inextensible else {
         return Vec::new();
     };
     let rope: &UnloadedRope = &inextensible.rope;
     let at = |i: usize| {
         let x = rope.geometry.span_m * i as f64 / POINTS as f64;
-        (x, worked.ropeway.platform.height_m + rope.height_m(x))
+        (x, solved.ropeway.platform.height_m + rope.height_m(x))
     };
     (0..=POINTS).map(at).collect()
 }
 
 /// A box below the rope, at least 0.5 m high to be visible.
-fn cargo(worked: &SolvedRopeway, results: &ModelResults) -> Points {
+fn cargo(solved: &SolvedRopeway, results: &ModelResults) -> Points {
     let (x, below) = results.exact.cargo_m;
-    let z = worked.ropeway.platform.height_m + below;
-    let half = 0.012 * worked.rope.geometry.span_m;
-    let deep = worked.ropeway.cargo.drop_m.max(0.5);
+    let z = solved.ropeway.platform.height_m + below;
+    let half = 0.012 * solved.rope.geometry.span_m;
+    let deep = solved.ropeway.cargo.drop_m.max(0.5);
     let corners = [
         (0.0, 0.0),
         (half, -0.2 * deep),
@@ -118,10 +107,10 @@ fn cargo(worked: &SolvedRopeway, results: &ModelResults) -> Points {
 }
 
 /// A deck on two legs, beside the span.
-fn platform(worked: &SolvedRopeway, bottom: f64) -> Points {
+fn platform(solved: &SolvedRopeway, bottom: f64) -> Points {
     let (deck, wide) = (
-        worked.ropeway.platform.height_m,
-        ASIDE * worked.rope.geometry.span_m,
+        solved.ropeway.platform.height_m,
+        ASIDE * solved.rope.geometry.span_m,
     );
     vec![
         (-wide, deck),
@@ -136,8 +125,8 @@ fn platform(worked: &SolvedRopeway, bottom: f64) -> Points {
 }
 
 /// A hull with a mast that holds the rope, beside the span.
-fn ship(worked: &SolvedRopeway) -> Points {
-    let (span, top) = (worked.rope.geometry.span_m, worked.ropeway.ship.height_m);
+fn ship(solved: &SolvedRopeway) -> Points {
+    let (span, top) = (solved.rope.geometry.span_m, solved.ropeway.ship.height_m);
     let (deck, wide) = (0.35 * top, ASIDE * span);
     let keel = -0.25 * top;
     vec![

@@ -5,9 +5,8 @@ pub mod drawing;
 pub mod tables;
 pub mod winch;
 
-use crate::report::chart::{Chart, Glyphs, draw};
-use crate::report::table::Table;
-use crate::report::text::{Page, WIDTH, inputs};
+use crate::report::chart::Glyphs;
+use crate::report::text::{Page, inputs};
 use crate::ropeway::edit;
 use crate::ropeway::{ModelResults, SolvedRopeway};
 
@@ -18,23 +17,16 @@ const LINES: usize = 18;
 /// the cargo, inputs with their provenance. `text` is that of the file.
 #[must_use]
 pub fn report(
-    worked: &SolvedRopeway,
+    solved: &SolvedRopeway,
     results: &ModelResults,
     text: &str,
     glyphs: Glyphs,
 ) -> String {
-    let about = &worked.ropeway.about;
+    let about = &solved.ropeway.about;
     let mut page = Page::default();
-    page.title(&about.title);
-    for words in [&about.source, &about.notes] {
-        if !words.trim().is_empty() {
-            page.line("");
-            page.paragraph(words);
-        }
-    }
-    page.line("");
-    page.block(&drawing::text(worked, results, (WIDTH, LINES), glyphs));
-    let warnings = tables::warnings(worked, results);
+    page.head(&about.title, [&about.source, &about.notes]);
+    page.chart(&drawing::chart(solved, results), LINES, glyphs);
+    let warnings = tables::warnings(solved, results);
     if !warnings.is_empty() {
         page.heading("Warnings");
         for warning in &warnings {
@@ -42,21 +34,21 @@ pub fn report(
         }
     }
     page.heading("Models at rest");
-    table(&mut page, &tables::models(worked, results));
-    table(&mut page, &tables::crossing(worked, 10));
-    table(&mut page, &tables::ropes(worked, results));
-    if let Some(check) = tables::weight_check(worked) {
-        table(&mut page, &check);
+    page.table(&tables::models(solved, results));
+    page.table(&tables::crossing(solved, 10));
+    page.table(&tables::ropes(solved, results));
+    if let Some(check) = tables::weight_check(solved) {
+        page.table(&check);
     }
     page.heading("Hauling the rope out");
-    chart(&mut page, &winch::hauling_chart(worked), glyphs);
-    table(&mut page, &winch::hauling(worked));
-    moving_ship(&mut page, worked, glyphs);
+    page.chart(&winch::hauling_chart(solved), LINES, glyphs);
+    page.table(&winch::hauling(solved));
+    moving_ship(&mut page, solved, glyphs);
     page.heading("Motion of the cargo");
-    table(&mut page, &cargo::cargo(worked));
-    let (over, beside) = cargo::dynamic_crossing(worked);
-    chart(&mut page, &over, glyphs);
-    table(&mut page, &beside);
+    page.table(&cargo::cargo(solved));
+    let (over, beside) = cargo::dynamic_crossing(solved);
+    page.chart(&over, LINES, glyphs);
+    page.table(&beside);
     inputs(
         &mut page,
         &edit::rows(text),
@@ -65,27 +57,17 @@ pub fn report(
     page.finish()
 }
 
-fn moving_ship(page: &mut Page, worked: &SolvedRopeway, glyphs: Glyphs) {
+fn moving_ship(page: &mut Page, solved: &SolvedRopeway, glyphs: Glyphs) {
     page.heading("Motion of the ship");
-    let Some(series) = worked.ship_motion() else {
+    let Some(series) = solved.ship_motion() else {
         page.paragraph("The ship does not move; add [motion].");
         return;
     };
-    match worked.run_winch(&series) {
-        Ok(followed) => {
-            chart(page, &winch::winch_chart(&followed), glyphs);
-            table(page, &winch::winch(worked, &followed));
+    match solved.run_winch(&series) {
+        Ok(run) => {
+            page.chart(&winch::winch_chart(&run), LINES, glyphs);
+            page.table(&winch::winch(solved, &run));
         }
         Err(error) => page.paragraph(&format!("No solution: {error}.")),
     }
-}
-
-fn table(page: &mut Page, table: &Table) {
-    page.line("");
-    page.block(&table.to_text(WIDTH));
-}
-
-fn chart(page: &mut Page, chart: &Chart, glyphs: Glyphs) {
-    page.line("");
-    page.block(&draw(chart, WIDTH, LINES, glyphs).to_text());
 }

@@ -48,12 +48,12 @@ impl Summary {
 
 /// The models of the ropeway side by side, at the position of the results.
 #[must_use]
-pub fn models(worked: &SolvedRopeway, results: &ModelResults) -> Table {
+pub fn models(solved: &SolvedRopeway, results: &ModelResults) -> Table {
     let title = format!(
         "Models with the cargo at {} of the span from the platform",
         percent(results.position)
     );
-    let [model, parabola, exact, line] = summaries(worked, results);
+    let [model, parabola, exact, line] = summaries(solved, results);
     let models = [
         ("inextensible", model),
         ("parabola", parabola),
@@ -69,13 +69,13 @@ pub fn models(worked: &SolvedRopeway, results: &ModelResults) -> Table {
         .number("sag at the cargo", METRES, |m| m.sag_m)
         .number("clearance of the cargo", METRES, |m| m.clearance_m)
         .build()
-        .noted(notes(worked, results))
+        .noted(notes(solved, results))
 }
 
 /// The inextensible model, parabola theory, the elastic rope, and the discretised line.
-fn summaries(worked: &SolvedRopeway, results: &ModelResults) -> [Option<Summary>; 4] {
+fn summaries(solved: &SolvedRopeway, results: &ModelResults) -> [Option<Summary>; 4] {
     let exact = &results.exact;
-    let model = worked
+    let model = solved
         .inextensible
         .as_ref()
         .ok()
@@ -106,7 +106,7 @@ fn summaries(worked: &SolvedRopeway, results: &ModelResults) -> [Option<Summary>
     let with_clearance = |summary: Summary| Summary {
         clearance_m: summary
             .sag_m
-            .map(|sag| worked.clearance_m(exact) + exact.sag_m - sag),
+            .map(|sag| solved.clearance_m(exact) + exact.sag_m - sag),
         ..summary
     };
     [
@@ -117,7 +117,7 @@ fn summaries(worked: &SolvedRopeway, results: &ModelResults) -> [Option<Summary>
     ]
 }
 
-fn notes(worked: &SolvedRopeway, results: &ModelResults) -> Vec<String> {
+fn notes(solved: &SolvedRopeway, results: &ModelResults) -> Vec<String> {
     let mut notes = vec![
         "Inextensible: the paper's model, the unloaded rope with the weight of the cargo at one end at any position; its sag is \
          that of the unloaded rope at mid-span."
@@ -144,7 +144,7 @@ fn notes(worked: &SolvedRopeway, results: &ModelResults) -> Vec<String> {
     if let (Err(error), Carrier::Rope) = (&results.line, results.exact.carrier) {
         notes.push(format!("The line has no solution: {error}."));
     }
-    if let Err(error) = &worked.inextensible {
+    if let Err(error) = &solved.inextensible {
         notes.push(format!("The inextensible model has no solution: {error}."));
     }
     notes
@@ -152,24 +152,24 @@ fn notes(worked: &SolvedRopeway, results: &ModelResults) -> Vec<String> {
 
 /// Warnings: cargo or rope in the water, more rope than there is.
 #[must_use]
-pub fn warnings(worked: &SolvedRopeway, results: &ModelResults) -> Vec<String> {
+pub fn warnings(solved: &SolvedRopeway, results: &ModelResults) -> Vec<String> {
     let exact = &results.exact;
     let mut warnings = Vec::new();
-    let clear = worked.clearance_m(exact);
+    let clear = solved.clearance_m(exact);
     if clear < 0.0 && exact.carrier == Carrier::Rope {
         warnings.push(format!(
             "The cargo is in the water: its lower side hangs {} below the wave crests. The weight is that in air; raise the ends, increase the tension or reduce the span.",
             metres(-clear)
         ));
     }
-    let rope = worked.rope_clearance_m(exact);
+    let rope = solved.rope_clearance_m(exact);
     if rope < 0.0 {
         warnings.push(format!(
             "The rope reaches {} below the wave crests.",
             metres(-rope)
         ));
     }
-    if let Some((position, clear)) = worked.lowest_crossing(39)
+    if let Some((position, clear)) = solved.lowest_crossing(39)
         && clear < 0.0
     {
         warnings.push(format!(
@@ -185,7 +185,7 @@ pub fn warnings(worked: &SolvedRopeway, results: &ModelResults) -> Vec<String> {
             metres(-under)
         ));
     }
-    let stored = worked.ropeway.stored_m();
+    let stored = solved.ropeway.stored_m();
     if results.length_m > stored {
         warnings.push(format!(
             "The length between the ends is {}, and that of the shortest rope {}.",
@@ -198,16 +198,16 @@ pub fn warnings(worked: &SolvedRopeway, results: &ModelResults) -> Vec<String> {
 
 /// The crossing by the elastic rope at equally spaced positions.
 #[must_use]
-pub fn crossing(worked: &SolvedRopeway, places: usize) -> Table {
+pub fn crossing(solved: &SolvedRopeway, places: usize) -> Table {
     let positions = (0..=places).map(|i| i as f64 / places as f64);
     let rests: Vec<_> = positions
-        .filter_map(|p| worked.equilibrium(p).ok())
+        .filter_map(|p| solved.equilibrium(p).ok())
         .collect();
     Table::of("Crossing of the cargo (exact)", &rests)
         .number("from the platform", METRES, |rest| rest.cargo_m.0)
         .number("sag at the cargo", METRES, |rest| rest.sag_m)
         .cell("clearance", Align::Decimal, |rest| {
-            let clear = worked.clearance_m(rest);
+            let clear = solved.clearance_m(rest);
             Cell::bad_if(clear < 0.0 && rest.carrier == Carrier::Rope, metres(clear))
         })
         .number("horizontal tension", NEWTONS, |rest| rest.solution.h_b_n)
@@ -218,13 +218,13 @@ pub fn crossing(worked: &SolvedRopeway, places: usize) -> Table {
 
 /// The parallel ropes with their shares of the greatest tension.
 #[must_use]
-pub fn ropes(worked: &SolvedRopeway, results: &ModelResults) -> Table {
+pub fn ropes(solved: &SolvedRopeway, results: &ModelResults) -> Table {
     let most = results.exact.platform_n().max(results.exact.ship_n());
-    let ea = worked.rope.ea_n;
-    let sum: f64 = worked.ropeway.ropes.iter().map(|r| r.mass_kg_per_m).sum();
-    let used = worked.rope.weight_n_per_m / worked.ropeway.about.gravity_m_per_s2;
+    let ea = solved.rope.ea_n;
+    let sum: f64 = solved.ropeway.ropes.iter().map(|r| r.mass_kg_per_m).sum();
+    let used = solved.rope.weight_n_per_m / solved.ropeway.about.gravity_m_per_s2;
     let title = "Ropes, with their shares of the greatest tension";
-    Table::of(title, &worked.ropeway.ropes)
+    Table::of(title, &solved.ropeway.ropes)
         .text("rope", |rope| &rope.name)
         .number("diameter", Format::Decimals(1, "mm"), |rope| {
             1e3 * rope.diameter_m
@@ -249,8 +249,8 @@ pub fn ropes(worked: &SolvedRopeway, results: &ModelResults) -> Table {
 
 /// The difference between the finite-element check and the model, by its causes; absent without a check.
 #[must_use]
-pub fn weight_check(worked: &SolvedRopeway) -> Option<Table> {
-    let check = WeightCheck::of(worked).ok()?;
+pub fn weight_check(solved: &SolvedRopeway) -> Option<Table> {
+    let check = WeightCheck::of(solved).ok()?;
     let model_n = check.lighter.max_tension_n;
     let rows = [
         ("end tension of the check", check.tension_n),

@@ -14,8 +14,8 @@ const HAULS: usize = 80;
 
 /// End tension against distance from the platform, the length of the rope fixed.
 #[must_use]
-pub fn hauling_chart(worked: &SolvedRopeway) -> Chart {
-    let hauls = haul(&worked.rope, worked.length_m, HAULS);
+pub fn hauling_chart(solved: &SolvedRopeway) -> Chart {
+    let hauls = haul(&solved.rope, solved.length_m, HAULS);
     let series = |label: &str, slot: usize, of: fn(&HaulingPoint) -> f64| {
         let points = hauls.iter().map(|h| (h.distance_m, of(h)));
         Series::new(label, slot, points.collect())
@@ -35,12 +35,12 @@ pub fn hauling_chart(worked: &SolvedRopeway) -> Chart {
 
 /// The same in numbers.
 #[must_use]
-pub fn hauling(worked: &SolvedRopeway) -> Table {
+pub fn hauling(solved: &SolvedRopeway) -> Table {
     let title = format!(
         "Hauling the unloaded rope out to the ship, length {}",
-        metres(worked.length_m)
+        metres(solved.length_m)
     );
-    Table::of(title, &haul(&worked.rope, worked.length_m, 8))
+    Table::of(title, &haul(&solved.rope, solved.length_m, 8))
         .number("from the platform", METRES, |haul| haul.distance_m)
         .number("end tension", NEWTONS, |haul| haul.ship_n)
         .number("horizontal component", NEWTONS, |haul| haul.horizontal_n)
@@ -51,21 +51,21 @@ pub fn hauling(worked: &SolvedRopeway) -> Table {
 }
 
 /// The rope made fast and on the constant-tension winch; absent where it has no solution.
-fn ways(followed: &WinchRun) -> [Option<&[WinchSample]>; 2] {
-    let kept = followed
+fn ways(run: &WinchRun) -> [Option<&[WinchSample]>; 2] {
+    let kept = run
         .constant_tension
         .as_ref()
         .and_then(|kept| kept.as_deref().ok());
-    [followed.made_fast.as_deref().ok(), kept]
+    [run.made_fast.as_deref().ok(), kept]
 }
 
 /// Tension at the ship against time, made fast and on the winch.
 #[must_use]
-pub fn winch_chart(followed: &WinchRun) -> Chart {
+pub fn winch_chart(run: &WinchRun) -> Chart {
     let tension =
         |moments: &[WinchSample]| moments.iter().map(|m| (m.ship.time_s, m.ship_n)).collect();
     let labels = ["made fast", "on the winch"];
-    let ways = labels.into_iter().zip(ways(followed)).enumerate();
+    let ways = labels.into_iter().zip(ways(run)).enumerate();
     let series = ways
         .filter_map(|(slot, (label, moments))| Some(Series::new(label, slot, tension(moments?))));
     Chart {
@@ -80,10 +80,10 @@ pub fn winch_chart(followed: &WinchRun) -> Chart {
 
 /// Statistics of the rope over the ship's motion, made fast and on the winch, and the duty of the winch.
 #[must_use]
-pub fn winch(worked: &SolvedRopeway, followed: &WinchRun) -> Table {
+pub fn winch(solved: &SolvedRopeway, run: &WinchRun) -> Table {
     const SPEED: Format = Format::Si("m/s");
     const POWER: Format = Format::Si("W");
-    let [fast, kept] = ways(followed);
+    let [fast, kept] = ways(run);
     let ways = [("made fast", fast), ("on the winch", kept)];
     let ship = |m: &[WinchSample]| statistics(m, |x| x.ship_n);
     let length = |m: &[WinchSample]| statistics(m, |x| x.length_m);
@@ -111,23 +111,20 @@ pub fn winch(worked: &SolvedRopeway, followed: &WinchRun) -> Table {
         .number("hauling power, maximum", POWER, |m| power(m).max.max(0.0))
         .number("braking power, maximum", POWER, |m| -power(m).min.min(0.0))
         .build()
-        .noted(notes(followed))
-        .noted(breaks(worked, followed))
+        .noted(notes(run))
+        .noted(breaks(solved, run))
 }
 
-fn notes(followed: &WinchRun) -> Vec<String> {
+fn notes(run: &WinchRun) -> Vec<String> {
     let mut notes = Vec::new();
-    if let Err(error) = &followed.made_fast {
+    if let Err(error) = &run.made_fast {
         notes.push(format!("Made fast: {error}."));
     }
-    match &followed.constant_tension {
+    match &run.constant_tension {
         None => notes.push("The ropeway has no winch; add [winch].".to_owned()),
         Some(Err(error)) => notes.push(format!("On the winch: {error}.")),
         Some(Ok(kept)) => {
-            notes.push(format!(
-                "Constant tension: {}.",
-                newtons(followed.tension_n)
-            ));
+            notes.push(format!("Constant tension: {}.", newtons(run.tension_n)));
             notes.extend(limits(kept));
         }
     }
@@ -157,13 +154,11 @@ fn limits(kept: &[WinchSample]) -> impl Iterator<Item = String> {
 }
 
 /// That the maximum tension exceeds the breaking load of a rope.
-fn breaks(worked: &SolvedRopeway, followed: &WinchRun) -> impl Iterator<Item = String> {
-    let ways = ["Made fast", "On the winch"]
-        .into_iter()
-        .zip(ways(followed));
+fn breaks(solved: &SolvedRopeway, run: &WinchRun) -> impl Iterator<Item = String> {
+    let ways = ["Made fast", "On the winch"].into_iter().zip(ways(run));
     ways.filter_map(|(way, moments)| {
         let most = statistics(moments?, |m| m.ship_n.max(m.platform_n)).max;
-        let part = worked.breaking_load_ratio(most)?;
+        let part = solved.breaking_load_ratio(most)?;
         (part > 1.0).then(|| {
             format!(
                 "{way}, the ropes break: the maximum tension {} is {} of their breaking load.",

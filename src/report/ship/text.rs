@@ -1,9 +1,8 @@
 //! A ship as a text report on 80 columns.
 
 use super::{coupled, motion, plan, rope, statics};
-use crate::report::chart::{Chart, Glyphs, draw};
-use crate::report::table::Table;
-use crate::report::text::{self, Page, WIDTH, inputs};
+use crate::report::chart::Glyphs;
+use crate::report::text::{self, Page, inputs};
 use crate::ship::rope::RopeAnalysis;
 use crate::ship::{DynamicAnalysis, Equilibrium, MotionAnalysis, StaticAnalysis};
 use crate::ship::{edit, validation};
@@ -24,13 +23,10 @@ pub fn text(
 ) -> String {
     let particulars = &statics.ship.ship;
     let mut page = Page::default();
-    page.title(&particulars.title);
-    for prose in [&particulars.source, &particulars.notes] {
-        if !prose.trim().is_empty() {
-            page.line("");
-            page.paragraph(prose);
-        }
-    }
+    page.head(
+        &particulars.title,
+        [&particulars.source, &particulars.notes],
+    );
     static_section(&mut page, statics, glyphs);
     match dynamic {
         Some(dynamic) => dynamic_sections(&mut page, statics, dynamic, glyphs),
@@ -61,10 +57,8 @@ pub fn governing(statics: &StaticAnalysis) -> usize {
 
 fn static_section(page: &mut Page, statics: &StaticAnalysis, glyphs: Glyphs) {
     page.heading("Static analysis");
-    page.line("");
-    let plan = plan::chart(statics, governing(statics));
-    page.block(&draw(&plan, WIDTH, PLAN, glyphs).to_text());
-    chart(page, &statics::moments(statics), glyphs);
+    page.chart(&plan::chart(statics, governing(statics)), PLAN, glyphs);
+    page.chart(&statics::moments(statics), LINES, glyphs);
     let tables = [
         Some(statics::headings(statics)),
         statics::eigenvalues(statics),
@@ -72,7 +66,7 @@ fn static_section(page: &mut Page, statics: &StaticAnalysis, glyphs: Glyphs) {
         statics::mooring(statics),
     ];
     for one in tables.into_iter().flatten() {
-        table(page, &one);
+        page.table(&one);
     }
 }
 
@@ -96,10 +90,10 @@ fn dynamic_sections(
         page.heading("Ship and anchor line in the time domain");
         match coupled {
             Ok(coupled) => {
-                chart(page, &coupled::motions(coupled), glyphs);
-                chart(page, &coupled::tension(coupled), glyphs);
-                table(page, &coupled::statistics(coupled));
-                table(page, &coupled::decay(coupled));
+                page.chart(&coupled::motions(coupled), LINES, glyphs);
+                page.chart(&coupled::tension(coupled), LINES, glyphs);
+                page.table(&coupled::statistics(coupled));
+                page.table(&coupled::decay(coupled));
             }
             Err(error) => page.hanging("! ", &format!("The coupled analysis failed: {error}.")),
         }
@@ -116,28 +110,18 @@ fn dynamic_sections(
 /// The motion: first minutes, statistics, spectra.
 fn motion_section(page: &mut Page, analysis: &MotionAnalysis, seed: u64, glyphs: Glyphs) {
     page.heading("Motion");
-    chart(page, &motion::motions(analysis, None), glyphs);
-    table(page, &motion::statistics(analysis, seed));
-    table(page, &motion::spectra(analysis));
+    page.chart(&motion::motions(analysis, None), LINES, glyphs);
+    page.table(&motion::statistics(analysis, seed));
+    page.table(&motion::spectra(analysis));
 }
 
 fn rope_section(page: &mut Page, rope: &RopeAnalysis, glyphs: Glyphs) {
-    chart(page, &rope::chart(rope), glyphs);
-    table(page, &rope::table(rope));
+    page.chart(&rope::chart(rope), LINES, glyphs);
+    page.table(&rope::table(rope));
     if let Some(over) = rope::dynamic_chart(rope) {
-        chart(page, &over, glyphs);
+        page.chart(&over, LINES, glyphs);
     }
     if let Some(against) = rope::dynamic_table(rope) {
-        table(page, &against);
+        page.table(&against);
     }
-}
-
-fn table(page: &mut Page, table: &Table) {
-    page.line("");
-    page.block(&table.to_text(WIDTH));
-}
-
-fn chart(page: &mut Page, chart: &Chart, glyphs: Glyphs) {
-    page.line("");
-    page.block(&draw(chart, WIDTH, LINES, glyphs).to_text());
 }

@@ -1,8 +1,8 @@
-//! Setting a table into a width.
+//! Layout of a table in a width.
 //!
-//! Three ways: *flat*, a row a line, wide words wrapped; *two-storeyed*, the first column on a line of its own above
-//! the others; *records*, a line a cell, each with its head. Of the first two the shorter is taken, and the
-//! flat one of two that are alike; records only where neither fits. Numbers are never cut or wrapped in any of them.
+//! Three layouts: *flat*, one line per row with long text wrapped; *stacked*, the first column on a line of its own above
+//! the others; *records*, one line per cell with its heading. The shorter of the first two is used, flat where they are
+//! equal; records only where neither fits. Numbers are never cut or wrapped.
 
 use unicode_width::UnicodeWidthStr;
 
@@ -15,35 +15,35 @@ const GAP: usize = 2;
 /// Blanks between columns where the table does not fit otherwise.
 const NARROW_GAP: usize = 1;
 
-/// Words up to this width are not broken to make a table fit.
+/// Words up to this width are never broken.
 const WORD: usize = 10;
 
-/// A table set into lines.
+/// A table as lines.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Layout {
     /// The lines, from the top.
     pub lines: Vec<Line>,
-    /// Widest of the lines.
+    /// Width of the widest line.
     pub width: usize,
 }
 
 /// A line of a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Line {
-    /// What it is part of.
+    /// The part of the table it belongs to.
     pub kind: LineKind,
-    /// Its text, piece by piece, blanks included.
+    /// Its text in pieces, blanks included.
     pub pieces: Vec<Piece>,
 }
 
-/// What a line is part of.
+/// The part of a table that a line belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LineKind {
     /// The title.
     Title,
-    /// The heads of the columns.
+    /// The headings of the columns.
     Head,
-    /// The rule below the heads.
+    /// The rule below the headings.
     Rule,
     /// A row of the table, by its number.
     Row(usize),
@@ -53,17 +53,17 @@ pub enum LineKind {
     Note,
 }
 
-/// Text of one meaning.
+/// Text of one style.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Piece {
     /// The text, padded to its column.
     pub text: String,
-    /// How it is meant.
+    /// Its style.
     pub ink: CellInk,
 }
 
 impl Table {
-    /// Sets the table into a width.
+    /// Lays the table out in a width.
     #[must_use]
     pub fn layout(&self, width: usize) -> Layout {
         let width = width.max(1);
@@ -96,25 +96,25 @@ impl Table {
         let all: Vec<usize> = (0..self.columns.len()).collect();
         let flat = Grid::fit(self, &all, width, GAP).map(|grid| self.flat(&grid));
         let inner = width.saturating_sub(GAP);
-        let storeyed = || {
+        let stacked = || {
             let grid = Grid::fit(self, &all[1..], inner, GAP)
                 .or_else(|| Grid::fit(self, &all[1..], inner, NARROW_GAP))?;
-            Some(self.two_storeys(&grid, width))
+            Some(self.stacked(&grid, width))
         };
         let body = match flat {
-            // Nothing is shorter than a line a row.
+            // No layout is shorter than one line per row.
             Some(flat) if flat.iter().filter(|line| line.is_row()).count() == self.rows.len() => {
                 flat
             }
-            Some(flat) => storeyed()
-                .filter(|storeyed| storeyed.len() < flat.len())
+            Some(flat) => stacked()
+                .filter(|stacked| stacked.len() < flat.len())
                 .unwrap_or(flat),
-            None => storeyed().unwrap_or_else(|| self.records(width)),
+            None => stacked().unwrap_or_else(|| self.records(width)),
         };
         lines.extend(body);
     }
 
-    /// A row a line.
+    /// One line per row.
     fn flat(&self, grid: &Grid) -> Vec<Line> {
         let mut lines = Vec::new();
         grid.head(self, &mut lines);
@@ -124,8 +124,8 @@ impl Table {
         lines
     }
 
-    /// The first column above the others, which stand a little to the right.
-    fn two_storeys(&self, grid: &Grid, width: usize) -> Vec<Line> {
+    /// The first column above the others, which are indented.
+    fn stacked(&self, grid: &Grid, width: usize) -> Vec<Line> {
         let mut lines = Vec::new();
         self.add_text(&mut lines, LineKind::Head, &self.columns[0].head, width);
         let start = lines.len();
@@ -147,7 +147,7 @@ impl Table {
         lines
     }
 
-    /// A line a cell, `head: text`, a blank line between rows.
+    /// One line per cell, `heading: text`, a blank line between rows.
     fn records(&self, width: usize) -> Vec<Line> {
         let mut lines = Vec::new();
         for row in 0..self.rows.len() {
@@ -182,7 +182,7 @@ struct Grid {
     columns: Vec<GridColumn>,
 }
 
-/// A column with its place in the table and its measures.
+/// A column with its number in the table and its measures.
 struct GridColumn {
     number: usize,
     align: Align,
@@ -192,14 +192,14 @@ struct GridColumn {
 }
 
 impl Grid {
-    /// The columns made to fit; absent when they cannot.
+    /// The columns reduced to a width; `None` where they do not fit.
     fn fit(table: &Table, numbers: &[usize], width: usize, gap: usize) -> Option<Self> {
         let mut columns: Vec<GridColumn> = numbers.iter().map(|n| measure(table, *n)).collect();
         let least: Vec<usize> = columns.iter().map(|c| least(table, c)).collect();
         let gaps = gap * columns.len().saturating_sub(1);
         let total = |columns: &[GridColumn]| columns.iter().map(|c| c.width).sum::<usize>() + gaps;
         while total(&columns) > width {
-            // The widest of those that can still shrink gives way.
+            // Shrinks the widest of those that can.
             let candidates = columns.iter_mut().zip(&least);
             let shrinking = candidates.filter(|(column, least)| column.width > **least);
             let (column, _) = shrinking.max_by_key(|(column, _)| column.width)?;
@@ -208,7 +208,7 @@ impl Grid {
         Some(Self { gap, columns })
     }
 
-    /// The heads, bottom-aligned, and a rule.
+    /// The headings, bottom-aligned, and a rule.
     fn head(&self, table: &Table, lines: &mut Vec<Line>) {
         let heads: Vec<Vec<String>> = self
             .columns
@@ -239,7 +239,7 @@ impl Grid {
         });
     }
 
-    /// A row, as many lines as its tallest cell needs.
+    /// A row, of as many lines as its tallest cell.
     fn row(&self, table: &Table, row: usize, indent: usize, lines: &mut Vec<Line>) {
         let cells: Vec<(Vec<String>, CellInk)> = self
             .columns
@@ -297,7 +297,7 @@ impl GridColumn {
             Align::Decimal => {
                 let room = self.width.saturating_sub(text.width());
                 let at = self.width.saturating_sub(self.after);
-                // Words among numbers stand at the right.
+                // Words among numbers are right-aligned.
                 let before = point(text).map_or(room, |point| at.saturating_sub(point));
                 vec![padded(text, before.min(room), self.width)]
             }
@@ -305,7 +305,7 @@ impl GridColumn {
     }
 }
 
-/// A column as wide as it is when nothing is wrapped.
+/// A column at its width without wrapping.
 fn measure(table: &Table, number: usize) -> GridColumn {
     let column = &table.columns[number];
     let texts = Texts::of(table, number);
@@ -321,7 +321,7 @@ fn measure(table: &Table, number: usize) -> GridColumn {
     }
 }
 
-/// How narrow a column may become: words wrap, numbers do not, heads always.
+/// Least width of a column: text and headings wrap, numbers do not.
 fn least(table: &Table, column: &GridColumn) -> usize {
     let texts = Texts::of(table, column.number);
     let body = match column.align {
@@ -338,7 +338,7 @@ fn least(table: &Table, column: &GridColumn) -> usize {
 struct Texts {
     /// Widest cell.
     widest: usize,
-    /// Widest part that must not be broken.
+    /// Widest part that is never broken.
     least: usize,
     /// Widest part before a decimal point.
     before: usize,

@@ -1,4 +1,4 @@
-//! Tables as data, drawn the same on screen, in the report and on the command line.
+//! Tables as data, shown the same on screen, in reports and on the command line.
 //!
 //! A table is described by its columns with [`Table::of`], or by its rows with [`Table::compare`].
 
@@ -14,7 +14,7 @@ use crate::visible;
 pub use columns::{Columns, Comparison, Format};
 pub use layout::{Layout, Line, LineKind, Piece};
 
-/// A table: named columns, rows of cells, and what is to be said below.
+/// A table: columns, rows of cells, notes.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Table {
     /// One line above; empty for none.
@@ -27,29 +27,29 @@ pub struct Table {
     pub notes: Vec<String>,
 }
 
-/// A column: its head, and how its cells line up.
+/// A column: its heading and alignment.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Column {
-    /// Its name; may be wrapped onto several lines.
+    /// Its heading; may be wrapped onto several lines.
     pub head: String,
-    /// How its cells line up.
+    /// Alignment of its cells.
     pub align: Align,
 }
 
 impl Column {
-    /// A column of words.
+    /// A left-aligned column of words.
     #[must_use]
     pub fn left(head: &str) -> Self {
         Self::new(head, Align::Left)
     }
 
-    /// A column whose cells end below each other.
+    /// A right-aligned column.
     #[must_use]
     pub fn right(head: &str) -> Self {
         Self::new(head, Align::Right)
     }
 
-    /// A column of numbers with their points below each other.
+    /// A column of numbers aligned at their decimal points.
     #[must_use]
     pub fn decimal(head: &str) -> Self {
         Self::new(head, Align::Decimal)
@@ -63,7 +63,7 @@ impl Column {
     }
 }
 
-/// How the cells of a column line up. Only [`Align::Left`] cells are ever wrapped.
+/// Alignment of the cells of a column. Only [`Align::Left`] cells are ever wrapped.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Align {
     /// At the left: words.
@@ -75,17 +75,17 @@ pub enum Align {
     Decimal,
 }
 
-/// A cell: what it says, and how it is meant.
+/// A cell: its text and style.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Cell {
     /// The text.
     pub text: String,
-    /// How it is meant; the text must say it too.
+    /// Its style; the text must convey the same.
     pub ink: CellInk,
 }
 
 impl Cell {
-    /// A cell of this ink.
+    /// A cell of this style.
     #[must_use]
     pub fn new(text: impl Into<String>, ink: CellInk) -> Self {
         Self {
@@ -94,14 +94,14 @@ impl Cell {
         }
     }
 
-    /// A cell without further meaning.
+    /// A cell of plain style.
     #[must_use]
     pub fn plain(text: impl Into<String>) -> Self {
         Self::new(text, CellInk::Plain)
     }
 }
 
-/// How a cell is meant; the screen chooses colours by it.
+/// Style of a cell; the screen chooses its colour by it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum CellInk {
     /// As it is.

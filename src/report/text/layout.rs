@@ -2,6 +2,8 @@
 
 use unicode_width::UnicodeWidthStr;
 
+use crate::report::chart::{Chart, Glyphs, draw};
+use crate::report::table::Table;
 use crate::visible;
 
 /// Characters a line.
@@ -43,6 +45,27 @@ impl Page {
         for line in text.lines() {
             self.line(line);
         }
+    }
+
+    /// The title with source and notes below.
+    pub(crate) fn head(&mut self, title: &str, prose: [&str; 2]) {
+        self.title(title);
+        for prose in prose.iter().filter(|prose| !prose.trim().is_empty()) {
+            self.line("");
+            self.paragraph(prose);
+        }
+    }
+
+    /// A table, with space above.
+    pub(crate) fn table(&mut self, table: &Table) {
+        self.line("");
+        self.block(&table.to_text(WIDTH));
+    }
+
+    /// A chart of so many lines, with space above.
+    pub(crate) fn chart(&mut self, chart: &Chart, lines: usize, glyphs: Glyphs) {
+        self.line("");
+        self.block(&draw(chart, WIDTH, lines, glyphs).to_text());
     }
 
     /// Words broken into lines; line ends of the source that are not blank lines do not count.
