@@ -1,5 +1,4 @@
 //! What a run takes in memory does not grow with the time it simulates, nor does reading it back from disk.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;

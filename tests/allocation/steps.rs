@@ -1,6 +1,5 @@
 //! A step allocates nothing, whatever the method, and also when it is refused and halved: all memory is taken
 //! when the method is made, or at its first step (what a line remembers from step to step).
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::ops::Range;
 use std::path::Path;

@@ -1,5 +1,4 @@
 //! Published curves: their points from a file, their difference from a run with its numerical error, and the chart of both.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use crate::lines;
 use std::f64::consts::TAU;

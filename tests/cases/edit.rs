@@ -1,5 +1,4 @@
 //! Setting a key changes its value and no other byte.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use seacable::case::{self, edit};
 

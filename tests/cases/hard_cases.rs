@@ -1,5 +1,4 @@
 //! Hard cases: every trial comes out as it must, on any number of threads, and nothing is silently wrong.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::sync::atomic::AtomicBool;
 

@@ -1,5 +1,4 @@
 //! Tables of lines at rest from files: composite lines as JSON, lines in a current as JSON and CSV, and what is wrong in them.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use seacable::study::lines::solve;
 

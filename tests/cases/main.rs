@@ -1,5 +1,7 @@
 //! Case files of every kind: reading, checking, editing, and what the shipped ones compute.
 
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
 #[path = "../common/lines.rs"]
 mod lines;
 

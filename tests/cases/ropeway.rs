@@ -1,7 +1,5 @@
 //! The ropeway: its paper's tables, files that are wrong, answers at the limits, and no NaN.
 
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
-
 use std::path::Path;
 use std::process::{Command, Output};
 

@@ -1,8 +1,6 @@
 //! The cross-section designer: the numbers of a known section, limits with exact answers, layouts that
 //! are impossible, drawings, and no panic whatever is asked.
 
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
-
 use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
 

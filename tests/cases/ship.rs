@@ -1,7 +1,5 @@
 //! A ship at single-point mooring: every heading in balance, its words, and no panic whatever is asked.
 
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
-
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 

@@ -1,6 +1,5 @@
 //! A ship that answers a sea by its responses, and with its anchor line in time: spectra, orders, closed forms, and what
 //! cannot be.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;

@@ -1,7 +1,5 @@
 //! The cases that come with the program are free of faults.
 
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
-
 use std::path::{Path, PathBuf};
 
 use std::sync::atomic::AtomicBool;

@@ -1,5 +1,4 @@
 //! The shipped cases against the published values they state: what `seacable validate` promises.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::sync::{LazyLock, atomic::AtomicBool};
 

@@ -1,6 +1,5 @@
 //! The work of the shipped cases, in counts that no machine changes: a solver that needs more of it fails here,
 //! without any timing.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::fmt::Write;
 use std::path::Path;

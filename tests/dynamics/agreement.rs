@@ -1,5 +1,4 @@
 //! Independent methods on one line must tell the same, and a line at rest must stay there, whatever the method.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use crate::{march, rest};
 use std::path::Path;

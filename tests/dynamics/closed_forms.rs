@@ -2,7 +2,6 @@
 //! discretisation or of the closed form's assumptions, not a share that happened to pass.
 //!
 //! Sources: any text on mechanics. Vibrations and snaps are in `waves.rs`.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use std::f64::consts::PI;
 

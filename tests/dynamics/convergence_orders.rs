@@ -1,7 +1,6 @@
 //! Orders of convergence, in time and in the length of segments: by least squares over at least four steps, and
 //! every slope between neighbours besides. Constant drag coefficients, taut throughout, nothing that sets in with
 //! a kink: what is measured is the method.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use crate::elastic_catenary::Catenary;
 use crate::{march, rest};

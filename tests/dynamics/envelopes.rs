@@ -1,5 +1,4 @@
 //! Envelopes along the line over every step: a peak between two output times is not lost where the case asks for it.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use crate::lines;
 use std::sync::atomic::AtomicBool;

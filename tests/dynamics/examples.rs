@@ -1,5 +1,4 @@
 //! The examples of the library run, and their numbers are those of closed forms and of balances.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 #[path = "../../examples/hanging_line.rs"]
 mod hanging_line;

@@ -6,7 +6,6 @@
 //! 0.3 % of the peak on the chain and by 40 N under the load. `MoorDyn` 2.7.2 (rk4, dtM 0.5 to 2 ms, segment tensions taken
 //! on to the end) agrees with it on equal meshes within 0.03 % rms, 0.1 % at most, of the peak on the chain (80 segments) and
 //! 0.02 % under the load (56 segments).
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::sync::atomic::AtomicBool;
 

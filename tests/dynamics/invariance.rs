@@ -1,6 +1,5 @@
 //! The same line gives the same numbers however often it is computed, on however many threads, and wherever and
 //! whichever way round it lies.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use crate::{march, rest};
 use std::path::Path;

@@ -1,5 +1,7 @@
 //! Lines in motion: time integration, convergence, natural modes.
 
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
 #[path = "../common/elastic_catenary.rs"]
 mod elastic_catenary;
 #[path = "../common/lines.rs"]

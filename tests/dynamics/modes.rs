@@ -1,5 +1,4 @@
 //! Natural frequencies and mode shapes against closed forms, a dense solver, and themselves on other meshes and turned.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,6 +1,5 @@
 //! Natural frequencies of lines that carry a payload or come down on the bed, against the differential equations of the
 //! continuous line and against themselves on finer meshes.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,7 +1,6 @@
 //! What must never happen, on lines drawn at random from all that a case may say: a panic, a number that is not
 //! finite in a run that calls itself done, a failure that does not say where and when, an equilibrium with a force
 //! left over.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use crate::lines;
 use std::sync::atomic::AtomicBool;

@@ -1,5 +1,4 @@
 //! A run that goes on from a checkpoint is the run that never stopped, to the last bit.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;

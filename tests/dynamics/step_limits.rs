@@ -1,6 +1,5 @@
 //! Steps that are too long: refused before the run where the limit is known, halved and counted where a step fails,
 //! and given up in words that name time and node.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use crate::lines;
 use std::sync::atomic::AtomicBool;

@@ -1,6 +1,5 @@
 //! The tension of a very stiff line that swings fast, read at the ends of steps: no share of the step squared in it,
 //! although generalized-alpha balances forces between two states.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;

@@ -3,7 +3,6 @@
 //!
 //! Sources: Timoshenko, "Vibration problems in engineering", for bars and strings; Schrödinger, Annalen der
 //! Physik 349 (1914) 916, for the chain of masses and springs, whose velocities are Bessel functions.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use std::f64::consts::PI;
 

@@ -1,6 +1,5 @@
 //! What a displacement is felt as: no force of the line changes by more, and across the line next to nothing is felt.
 //! Newton may leave more across the line than along it where a step's error is controlled; nothing else may notice.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use crate::{lines, rest};
 use std::sync::atomic::AtomicBool;

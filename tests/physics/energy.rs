@@ -1,5 +1,4 @@
 //! Energy: what a line has, gains and loses adds up, and a swing without drag keeps what it has.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use crate::{march, rest};
 use std::path::Path;

@@ -1,5 +1,7 @@
 //! Forces and bodies: tangents, energy, closed forms and balances of one element at a time.
 
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
 #[path = "../common/lines.rs"]
 mod lines;
 #[path = "../common/march.rs"]

@@ -1,5 +1,4 @@
 //! A ship as a rigid body at the end of a line: its tangent, free decay against closed forms, energy.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::f64::consts::TAU;
 

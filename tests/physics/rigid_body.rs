@@ -1,7 +1,6 @@
 //! A payload that turns about the end of its line, against closed forms: the two modes of a body on a pendulum in air and
 //! in water and how drag damps them, its tilt at rest in a current, its energy, its precession while it spins, and the same
 //! whichever way round it lies.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use std::f64::consts::PI;
 

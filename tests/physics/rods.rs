@@ -1,5 +1,4 @@
 //! Lines that bend, against closed forms: the elastica, beams, buckling, clamps, and the order in segment length.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use seacable::case;
 use seacable::numerics::V3;

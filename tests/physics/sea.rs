@@ -1,5 +1,4 @@
 //! Waves and the surface of the water on lines: closed forms, balances, and what must not depend on anything.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 

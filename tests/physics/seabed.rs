@@ -1,6 +1,5 @@
 //! Lines on the sea bed, level and sloping, with friction and without: at rest against the closed form, and what holds and
 //! slides against balances of one line.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use crate::{march, rest};
 use seacable::dynamics::quasi_static::QuasiStatic;

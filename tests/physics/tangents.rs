@@ -1,6 +1,5 @@
 //! Every force's tangent against central differences, on lines that are taut, slack, moving, in a sheared
 //! current, astride the drag crisis.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use proptest::prelude::*;
 use seacable::numerics::{BlockBand, V3};

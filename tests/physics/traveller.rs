@@ -1,7 +1,6 @@
 //! A body that travels along the line: its tangent, its drag, its books of energy, the static influence line that a slow
 //! crossing comes to, a fast one against d'Alembert's waves and against the equation of a mass on a string without mass, and
 //! the two solvers against each other.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use crate::{march, rest};
 use seacable::case;

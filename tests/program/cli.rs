@@ -1,5 +1,4 @@
 //! The program as its users call it: words, output, exit status.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::{
     fs,

@@ -1,5 +1,4 @@
 //! Paths that the documents name exist.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::fs;
 use std::path::Path;

@@ -1,5 +1,4 @@
 //! Text from outside that would steer a terminal or reorder what is read: it leaves the program as visible escapes only.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::ffi::OsString;
 use std::fs;

@@ -1,5 +1,7 @@
 //! The program itself: command line, signals, terminal, stored runs.
 
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
 #[cfg(target_os = "linux")]
 #[path = "../common/pty.rs"]
 mod pty;

@@ -1,5 +1,4 @@
 //! Files that options name: never onto an input, never through a link, onto an existing file only with `--force`.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::fs;
 use std::os::unix::fs::{PermissionsExt, symlink};

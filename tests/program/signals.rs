@@ -1,5 +1,4 @@
 //! Signals and kills: what a run leaves when it is not let come to its end.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::{
     fs,

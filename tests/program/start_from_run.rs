@@ -1,9 +1,6 @@
 //! A case that starts where a stored run stands.
-#![expect(
-    clippy::unwrap_used,
-    clippy::float_cmp,
-    reason = "a test may panic, and compares numbers that are the same bits"
-)]
+
+#![expect(clippy::float_cmp, reason = "compares numbers that are the same bits")]
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;

@@ -1,5 +1,4 @@
 //! Runs on disk: what is written is what is read, whatever happens in between.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use crate::sample;
 use std::{

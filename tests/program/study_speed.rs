@@ -1,5 +1,4 @@
 //! `seacable study speed`: what its table says of a pendulum. Nothing here asks how long anything took.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;

@@ -1,7 +1,6 @@
 //! The program on a real pseudo-terminal: from start to report, and every way to end.
 
 #![cfg(target_os = "linux")]
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use crate::pty;
 use std::time::Duration;

@@ -1,5 +1,4 @@
 //! The text report as it is printed.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use crate::sample;
 use seacable::{

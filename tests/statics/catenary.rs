@@ -1,5 +1,4 @@
 //! Single lines at rest against independent answers, and the symmetries they must have.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use proptest::prelude::*;
 use seacable::statics::catenary::{Bed, CatenaryError, Ends, Line, SectionProps, Shape, Solution};

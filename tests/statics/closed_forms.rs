@@ -5,7 +5,6 @@
 //! Richardson's extrapolation of them, `fine + (fine - coarse)/3`, must meet the independent answer far
 //! closer than either: to terms of the fourth order, `(l/a)²` of the change between the meshes, with l the segment
 //! length and a the smallest radius of the line.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use crate::elastic_catenary::Catenary;
 use crate::rest;

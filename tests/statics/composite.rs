@@ -1,5 +1,4 @@
 //! Lines of several sections at rest against independent answers, and what must hold for any of them.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use proptest::prelude::*;
 use seacable::statics::catenary::{Bed, Ends, Line, SectionProps, Shape, Solution};

@@ -1,5 +1,4 @@
 //! Equilibrium of the discretised line: what it reports, and what it is held against.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use crate::lines;
 use crate::lines::line;

@@ -1,6 +1,5 @@
 //! Lines of several sections that lie from A on a rough or sloping bed, against independent answers and against lines
 //! of one section.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use proptest::prelude::*;
 use seacable::statics::catenary::{Bed, CatenaryError, Ends, Line, SectionProps, Shape, Solution};

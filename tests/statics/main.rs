@@ -1,5 +1,7 @@
 //! Lines at rest: the closed-form catenary and the discretised equilibrium.
 
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
 #[path = "../common/elastic_catenary.rs"]
 mod elastic_catenary;
 #[path = "../common/lines.rs"]

@@ -1,6 +1,5 @@
 //! Lines of every kind at random, from a fixed seed: the discretised line finds its equilibrium, and in still water it is
 //! the catenary's, to the order of the mesh.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use crate::lines::line;
 use seacable::numerics::V3;

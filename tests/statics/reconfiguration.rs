@@ -1,5 +1,4 @@
 //! The clamped rod in a current against its one-dimensional equation.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use seacable::case::{self, edit};
 use seacable::scene;

@@ -1,5 +1,4 @@
 //! The umbilical at rest: what its cases give, and how fast they converge.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::sync::atomic::AtomicBool;
 

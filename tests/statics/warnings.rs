@@ -1,6 +1,5 @@
 //! Warnings about a line at rest: that it may rest elsewhere as well, that nothing gives it a shape, that it has no rest at
 //! all, that a clamp does nothing.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use crate::lines;
 use std::sync::atomic::AtomicBool;

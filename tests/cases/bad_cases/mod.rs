@@ -1,7 +1,5 @@
 //! Bad case files, one by one: each fault is reported with line, column, key, reason and remedy.
 
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
-
 mod bodies;
 mod claims;
 mod files;

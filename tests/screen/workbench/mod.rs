@@ -1,10 +1,6 @@
 //! The screens without a terminal: what keys do, and what it looks like.
 
-#![expect(
-    clippy::unwrap_used,
-    clippy::float_cmp,
-    reason = "a test may panic, and compares numbers that are the same bits"
-)]
+#![expect(clippy::float_cmp, reason = "compares numbers that are the same bits")]
 
 mod beside;
 mod desk;
