@@ -15,6 +15,7 @@
 //! * [`numerics`]: block bands, roots, interpolation, statistics; no cable.
 //! * [`solve`]: what solvers ask of a system, and Newton's method.
 //! * [`statics`], [`dynamics`]: equilibrium, quasi-static march, RK4, generalized-alpha.
+//! * [`equations`]: the equations of all of these, with links to the functions that hold them.
 //! * [`modes`]: natural frequencies and mode shapes about the static shape.
 //! * [`run`]: a case computed: history, shapes, summary with errors, cost; jobs on threads; the store.
 //! * [`section`]: the cross-section designer: from units, layers and armour to the material of a line.
@@ -36,8 +37,7 @@
 pub mod case;
 pub mod cli;
 pub mod dynamics;
-#[doc = include_str!("../docs/EQUATIONS.md")]
-pub mod equations {}
+pub mod equations;
 pub mod files;
 pub mod kinds;
 pub mod modes;

@@ -60,9 +60,10 @@ pub fn of_case(case: &Case, count: usize) -> Result<LineModes, ModesError> {
     modes.truncate(count);
     // The estimate needs a mesh that differs, and may fail without taking the modes along.
     let coarse = on_mesh(case, 2, count + MORE).ok();
-    let coarse = coarse.filter(|(coarse, ..)| coarse.segments.len() < scene.segments.len());
+    let coarse =
+        coarse.filter(|(coarse, ..)| coarse.line.segments.len() < scene.line.segments.len());
     let ratio = coarse.as_ref().map_or(1.0, |(coarse, ..)| {
-        scene.segments.len() as f64 / coarse.segments.len() as f64
+        scene.line.segments.len() as f64 / coarse.line.segments.len() as f64
     });
     let touchdown = touchdown_share(&scene, &rest);
     let named = modes.iter().enumerate().map(|(i, mode)| {
@@ -92,8 +93,10 @@ pub fn of_case(case: &Case, count: usize) -> Result<LineModes, ModesError> {
 /// end, is as much longer or shorter, and frequencies in its plane go about as the inverse of that: their relative error, at the
 /// worst of all touchdowns.
 fn touchdown_share(scene: &Scene, rest: &State) -> f64 {
-    let Some(bed) = &scene.bed else { return 0.0 };
-    let lies: Vec<bool> = (0..=scene.segments.len())
+    let Some(bed) = &scene.elements.bed else {
+        return 0.0;
+    };
+    let lies: Vec<bool> = (0..=scene.line.segments.len())
         .map(|i| bed.height(&rest.x[i]) <= 0.0)
         .collect();
     let mut worst = 0.0_f64;
@@ -103,9 +106,9 @@ fn touchdown_share(scene: &Scene, rest: &State) -> f64 {
         let to = from + run.len();
         if !run[0] {
             let (first, last) = (from.saturating_sub(1), to.min(lies.len() - 1));
-            let length = scene.arc[last] - scene.arc[first];
+            let length = scene.line.arc[last] - scene.line.arc[first];
             let half = |beside: bool, i: usize| {
-                f64::from(u8::from(beside)) * 0.5 * scene.segments[i].axial.length
+                f64::from(u8::from(beside)) * 0.5 * scene.line.segments[i].axial.length
             };
             // The end of the line is no touchdown, even where it lies on the bed.
             let down = half(from > 1, first) + half(to + 1 < lies.len(), last.max(1) - 1);
@@ -131,13 +134,13 @@ fn on_mesh(
     count: usize,
 ) -> Result<(Scene, State, Vec<Mode>), ModesError> {
     let scene = scene::build(case, coarsening)?;
-    if scene.rigid_payload.is_some() {
+    if scene.elements.rigid_payload.is_some() {
         return Err(ModesError::RigidPayload);
     }
     let mut rest = scene.initial_state();
     equilibrium::EquilibriumSearch::default().run(&scene, 0.0, &mut rest)?;
     // Fibre ropes swing at their stiffness in motion.
-    scene.remember_ropes(0.0, 0.0, &mut rest);
+    scene.line.remember_ropes(0.0, 0.0, &mut rest);
     let mut pencil = Pencil::new(&scene, &rest);
     let pairs = lowest(&mut pencil, count)?;
     let points: Vec<V3> = rest.x.clone();

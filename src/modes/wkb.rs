@@ -77,7 +77,7 @@ impl Medium {
         let mass = |i: usize| across[i].dot(&(pencil.mass(i) * across[i])) / held(i);
         // What hangs at an end is no part of what the wave runs along.
         let inner = |i: usize| i.clamp(1, last.saturating_sub(1).max(1)).min(last);
-        let segment = |i: usize| scene.segments[i.min(last - 1)].ei;
+        let segment = |i: usize| scene.line.segments[i.min(last - 1)].ei;
         let stiffness = |i: usize| 0.5 * (segment(i.saturating_sub(1)) + segment(i));
         let medium = Self {
             tension: scene.tensions(rest),

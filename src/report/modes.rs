@@ -122,14 +122,14 @@ pub fn chart(found: &LineModes, numbers: &[usize]) -> Chart {
     let series = numbers.iter().enumerate().filter_map(|(slot, number)| {
         let named = found.modes.get(*number)?;
         let label = format!("mode {} {}", number + 1, named.mode.kind.words());
-        let points = found.scene.arc.iter().copied();
+        let points = found.scene.line.arc.iter().copied();
         let points = points.zip(named.mode.profile.iter().copied()).collect();
         Some(Series::new(&label, slot, points))
     });
     Chart {
         title: "Mode shapes along the line".to_owned(),
         x: Axis {
-            range: extent(found.scene.arc.iter().copied()).filter(|range| range.1 > range.0),
+            range: extent(found.scene.line.arc.iter().copied()).filter(|range| range.1 > range.0),
             ..Axis::new("arc length from end A", "m")
         },
         y: Axis {
@@ -152,7 +152,7 @@ pub fn csv(found: &LineModes) -> String {
             let _ = write!(text, ",{axis}[mode {} at {hz:.6} Hz]", i + 1);
         }
     }
-    for (node, (arc, place)) in found.scene.arc.iter().zip(&found.rest.x).enumerate() {
+    for (node, (arc, place)) in found.scene.line.arc.iter().zip(&found.rest.x).enumerate() {
         let _ = write!(text, "\n{arc},{},{},{}", place.x, place.y, place.z);
         for named in &found.modes {
             for value in named.mode.shape[node].iter() {

@@ -242,7 +242,7 @@ pub fn equilibrium(
 
 fn line_equilibrium(ropeway: &Ropeway, scene: &scene::Scene, state: &State) -> LineEquilibrium {
     let last = scene.nodes() - 1;
-    let cargo = scene.clumps.first().map_or(0, |node| *node);
+    let cargo = scene.labels.clumps.first().map_or(0, |node| *node);
     let at = state.x[cargo];
     let line = ropeway.platform.height_m + ElasticRope::of(ropeway).geometry.line_m(at.x);
     LineEquilibrium {

@@ -42,7 +42,7 @@ impl<'a> ChannelReading<'a> {
             Q::ForceX => self.end_force(site).map(|f| f[0]),
             Q::ForceY => self.end_force(site).map(|f| f[1]),
             Q::ForceZ => self.end_force(site).map(|f| f[2]),
-            Q::WaveElevation => Some(scene.elevation(self.time)),
+            Q::WaveElevation => Some(scene.line.elevation(self.time)),
             Q::Energy => {
                 let traveller = scene.traveller_energy(self.time, state);
                 Some(scene.energy(state) + traveller.map_or(0.0, |(energy, _)| energy))
@@ -54,7 +54,7 @@ impl<'a> ChannelReading<'a> {
     fn tension(&self, site: Site) -> Option<f64> {
         match site {
             Site::Joint(joint) => {
-                let node = self.scene.joints[joint].node;
+                let node = self.scene.labels.joints[joint].node;
                 Some(self.scene.tension_at(node, self.state))
             }
             Site::Traveller => self.scene.traveller_tension(self.time, self.state),
@@ -66,7 +66,7 @@ impl<'a> ChannelReading<'a> {
         match site {
             Site::End(LineEnd::A) => Some(self.state.x[0]),
             Site::End(LineEnd::B) => Some(self.scene.end_b_position(self.state)),
-            Site::Body(body) => Some(self.state.x[self.scene.clumps[body]]),
+            Site::Body(body) => Some(self.state.x[self.scene.labels.clumps[body]]),
             Site::Traveller => {
                 let at = self.scene.traveller_at(self.time, self.state);
                 at.map(|(place, _)| place)
@@ -92,12 +92,12 @@ impl<'a> ChannelReading<'a> {
         let Site::Section(section, end) = site else {
             return None;
         };
-        let joint = |index: usize| self.scene.joints[index].node;
+        let joint = |index: usize| self.scene.labels.joints[index].node;
         let segment = match end {
             LineEnd::A => joint(section),
             LineEnd::B => joint(section + 1) - 1,
         };
-        let reading = self.scene.rope_reading(segment, self.state);
+        let reading = self.scene.line.rope_reading(segment, self.state);
         let reading = reading.unwrap_or_default();
         match quantity {
             ChannelQuantity::MeanLoad => Some(reading.mean_load),

@@ -160,8 +160,8 @@ fn out_of_water(case: &Case, profile: &Profile) -> Option<String> {
 
 /// What the user should know before trusting the numbers.
 fn warnings(scene: &Scene, settings: &Settings) -> Vec<String> {
-    let mut list = scene.remarks.clone();
-    if settings.method == "quasi" && scene.weight.iter().sum::<f64>() > 0.0 {
+    let mut list = scene.labels.remarks.clone();
+    if settings.method == "quasi" && scene.line.weight.iter().sum::<f64>() > 0.0 {
         list.push(
             "quasi-static: inertia is left out; compare with `alpha` to see whether it matters"
                 .to_owned(),

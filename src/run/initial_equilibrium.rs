@@ -21,7 +21,7 @@ pub(super) fn find_equilibrium(
     work: &mut Work,
     warnings: &mut Vec<String>,
 ) -> Result<(), String> {
-    if !scene.start_in_equilibrium && case.solver.method != Method::Static {
+    if !scene.start.in_equilibrium && case.solver.method != Method::Static {
         return Ok(());
     }
     search(scene, state, work, warnings)?;
@@ -81,17 +81,21 @@ fn check_equilibrium(
     warnings: &mut Vec<String>,
 ) -> Result<(), String> {
     // Friction makes the tangent unsymmetric: its pivots then tell nothing.
-    let rough = scene.bed.is_some_and(|bed| bed.friction.is_some());
+    let rough = scene
+        .elements
+        .bed
+        .as_ref()
+        .is_some_and(|bed| bed.seabed.friction.is_some());
     let ways = instabilities(scene, 0.0, state);
     if ways.is_none() {
         let pulls = |i: usize| {
-            scene.segments[i]
+            scene.line.segments[i]
                 .axial
-                .tension(&scene.chord(i, state))
+                .tension(&scene.line.chord(i, state))
                 .value
                 != 0.0
         };
-        if !(0..scene.segments.len()).any(pulls) {
+        if !(0..scene.line.segments.len()).any(pulls) {
             return Err(
                 "the line is slack all along and nothing holds it in a shape: any other would do as well; give it \
                  weight or bending stiffness, or let a dynamic run begin with start.shape = \"given\""
@@ -139,7 +143,7 @@ fn many_shapes(scene: &Scene, state: &State) -> Option<String> {
 
 /// Says where a line that bends may rest as well: on the other side of its chord.
 fn other_side(scene: &Scene, state: &State) -> Option<String> {
-    scene.flexure.as_ref()?;
+    scene.elements.flexure.as_ref()?;
     let (mut other, node) = scene.mirrored(state)?;
     // What takes a long search is no neighbour of the mirror image.
     let short = EquilibriumSearch {
@@ -148,7 +152,7 @@ fn other_side(scene: &Scene, state: &State) -> Option<String> {
     };
     short.run(scene, 0.0, &mut other).ok()?;
     let apart = (other.x[node] - state.x[node]).norm();
-    let length = scene.arc.last().copied().unwrap_or(1.0);
+    let length = scene.line.arc.last().copied().unwrap_or(1.0);
     if apart < 1e-3 * length {
         return None;
     }

@@ -18,7 +18,7 @@ pub(super) fn frequencies(case: &Case, scene: &Scene) -> Result<Vec<Quantity>, S
     let Some(wanted) = &case.modes else {
         return Ok(Vec::new());
     };
-    if scene.rigid_payload.is_some() {
+    if scene.elements.rigid_payload.is_some() {
         return Err(ModesError::RigidPayload.to_string());
     }
     let mut rest = scene.initial_state();

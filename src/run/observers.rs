@@ -108,7 +108,7 @@ impl Observer for Option<Response> {
 
     fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut Record) {
         let Some(response) = *self else { return };
-        let segments = &end.last.segments;
+        let segments = &end.last.line.segments;
         let diameter = |i: usize| segments[i.min(segments.len() - 1)].diameter;
         let diameters: Vec<f64> = (0..record.profile.arc.len()).map(diameter).collect();
         response.finish(&diameters, &mut record.profile);

@@ -7,9 +7,13 @@ use crate::solve::State;
 /// The profile of a line before its first output time.
 pub(super) fn profile(scene: &Scene) -> Profile {
     let nodes = scene.line_nodes();
-    let bending = if scene.flexure.is_some() { nodes } else { 0 };
+    let bending = if scene.elements.flexure.is_some() {
+        nodes
+    } else {
+        0
+    };
     Profile {
-        arc: scene.arc[..nodes].to_vec(),
+        arc: scene.line.arc[..nodes].to_vec(),
         nodes: vec![[0.0; 3]; nodes],
         tension: vec![0.0; nodes],
         tension_min: vec![f64::INFINITY; nodes],
@@ -35,8 +39,8 @@ pub(super) fn update(p: &mut Profile, scene: &Scene, state: &State, tension: &[f
         p.z_max[i] = p.z_max[i].max(x.z);
     }
     update_ropes(&mut p.ropes, scene, state);
-    if let Some(flexure) = &scene.flexure {
-        let (mut curvature, mut moment) = flexure.bent(scene, state);
+    if let Some(flexure) = &scene.elements.flexure {
+        let (mut curvature, mut moment) = flexure.bent(&scene.line, state);
         curvature.truncate(tension.len());
         moment.truncate(tension.len());
         raise(&mut p.curvature_max, &curvature);
@@ -55,12 +59,12 @@ fn raise(greatest: &mut [f64], values: &[f64]) {
 /// Takes in the dynamic stiffness of every segment that has one.
 fn update_ropes(ropes: &mut RopeProfile, scene: &Scene, state: &State) {
     let mut known = 0;
-    for i in 0..scene.segments.len() {
-        let Some(reading) = scene.rope_reading(i, state) else {
+    for i in 0..scene.line.segments.len() {
+        let Some(reading) = scene.line.rope_reading(i, state) else {
             continue;
         };
         if known == ropes.arc.len() {
-            begin_segment(ropes, 0.5 * (scene.arc[i] + scene.arc[i + 1]));
+            begin_segment(ropes, 0.5 * (scene.line.arc[i] + scene.line.arc[i + 1]));
         }
         ropes.mean_load[known] = reading.mean_load;
         ropes.stiffness[known] = reading.stiffness;

@@ -41,7 +41,7 @@ impl PeakTension {
             let material = case.materials.get(&section.material);
             material.is_some_and(|m| m.break_load_n.is_some())
         };
-        let reaches = scene.joints.windows(2).zip(&case.line);
+        let reaches = scene.labels.joints.windows(2).zip(&case.line);
         let watched = reaches
             .filter(|(_, section)| limited(section))
             .flat_map(|(joints, _)| joints[0].node..joints[1].node)

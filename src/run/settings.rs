@@ -78,14 +78,20 @@ fn automatic_step(case: &Case, scene: &Scene, limit: Option<f64>) -> f64 {
 /// The shortest period that the scene forces \[s\]: of prescribed motion, or of the line and its payload bouncing.
 fn forced_period(scene: &Scene) -> f64 {
     let compliance: f64 = scene
+        .line
         .segments
         .iter()
         .map(|s| s.axial.length / s.axial.ea)
         .sum();
-    let mass = scene.mass.iter().sum::<f64>()
-        + scene.bodies.iter().map(|b| b.body.added.max()).sum::<f64>();
+    let mass = scene.line.mass.iter().sum::<f64>()
+        + scene
+            .line
+            .bodies
+            .iter()
+            .map(|b| b.body.added.max())
+            .sum::<f64>();
     let mut period = std::f64::consts::TAU * (mass * compliance).sqrt();
-    for end in &scene.ends {
+    for end in &scene.line.ends {
         if let End::Prescribed(motion) = end
             && let Some(own) = motion.period()
         {
@@ -196,6 +202,7 @@ pub(super) fn choose(case: &Case, scene: &Scene) -> (Method, String) {
 /// Name of the section that a segment belongs to.
 fn section_of(case: &Case, scene: &Scene, segment: usize) -> String {
     let index = scene
+        .labels
         .joints
         .iter()
         .take_while(|j| j.node <= segment)

@@ -120,7 +120,7 @@ const SHARE_OF_SLIP: f64 = 1e-3;
 
 /// Errors allowed in a step, from the dimensionless tolerance of the case.
 fn error_limits(case: &Case, scene: &Scene, tolerance: f64) -> ErrorLimits {
-    let length = scene.arc.last().copied().unwrap_or(1.0);
+    let length = scene.line.arc.last().copied().unwrap_or(1.0);
     let speed = (case.environment.gravity_m_per_s2 * length).sqrt();
     ErrorLimits {
         position: tolerance * length,

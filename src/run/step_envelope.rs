@@ -30,7 +30,7 @@ impl StepEnvelope {
         let limited = |i: &usize| bends || keeps_a_radius(case, scene, *i);
         Self {
             whole: if whole { nodes.clone() } else { 0..0 },
-            bent: match scene.flexure {
+            bent: match scene.elements.flexure {
                 Some(_) => nodes.filter(limited).collect(),
                 None => Vec::new(),
             },
@@ -46,11 +46,11 @@ impl StepEnvelope {
             profile.z_min[i] = profile.z_min[i].min(z);
             profile.z_max[i] = profile.z_max[i].max(z);
         }
-        let Some(flexure) = &scene.flexure else {
+        let Some(flexure) = &scene.elements.flexure else {
             return;
         };
         for i in &self.bent {
-            let (curvature, moment) = flexure.bent_at(*i, scene, state);
+            let (curvature, moment) = flexure.bent_at(*i, &scene.line, state);
             profile.curvature_max[*i] = profile.curvature_max[*i].max(curvature);
             profile.moment_max[*i] = profile.moment_max[*i].max(moment);
         }
@@ -71,6 +71,7 @@ fn extremes_asked(case: &Case, quantities: &[AlongLine]) -> bool {
 /// Whether a node lies in a section whose material has a least bending radius.
 fn keeps_a_radius(case: &Case, scene: &Scene, node: usize) -> bool {
     scene
+        .labels
         .joints
         .windows(2)
         .zip(&case.line)

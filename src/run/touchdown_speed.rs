@@ -42,7 +42,7 @@ struct TouchdownFront {
 impl TouchdownSpeed {
     /// For a line; watches nothing where there is no bed.
     pub(super) fn of(scene: &Scene) -> Self {
-        let nodes = if scene.bed.is_some() {
+        let nodes = if scene.elements.bed.is_some() {
             scene.line_nodes()
         } else {
             0
@@ -57,7 +57,9 @@ impl TouchdownSpeed {
 
     /// Takes a step in; allocates nothing.
     pub(super) fn update(&mut self, scene: &Scene, t: f64, state: &State) {
-        let Some(bed) = &scene.bed else { return };
+        let Some(bed) = &scene.elements.bed else {
+            return;
+        };
         for i in 0..self.height.len() {
             let (before, now) = (self.height[i], bed.height(&state.x[i]));
             self.height[i] = now;
@@ -90,11 +92,12 @@ impl TouchdownSpeed {
             return;
         };
         let passed = self.landed[i] - self.landed[from];
-        let front = (scene.arc[i] - scene.arc[from]).abs() / passed.max(f64::MIN_POSITIVE);
+        let front =
+            (scene.line.arc[i] - scene.line.arc[from]).abs() / passed.max(f64::MIN_POSITIVE);
         if front > wave && self.fastest.is_none_or(|f| front * f.wave > f.front * wave) {
             self.fastest = Some(TouchdownFront {
                 time: self.landed[i],
-                arc: scene.arc[i],
+                arc: scene.line.arc[i],
                 front,
                 wave,
             });
@@ -124,7 +127,7 @@ impl TouchdownSpeed {
 /// Mean length of the segments at a node \[m\].
 fn length_at(scene: &Scene, i: usize) -> f64 {
     let (first, last) = (i.saturating_sub(1), (i + 1).min(scene.line_nodes() - 1));
-    (scene.arc[last] - scene.arc[first]) / (last - first) as f64
+    (scene.line.arc[last] - scene.line.arc[first]) / (last - first) as f64
 }
 
 /// Speed of waves across the line at a node \[m/s\]; none where it is slack.

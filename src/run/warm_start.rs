@@ -31,7 +31,7 @@ pub(super) fn warm_start(case: &Case, scene: &Scene) -> Result<Option<WarmStart>
     let stands: Checkpoint = toml::from_str(text)
         .map_err(|error| format!("where {name} stands cannot be read: {}", error.message()))?;
     let there = &stands.profile.arc;
-    let here = &scene.arc[..scene.line_nodes()];
+    let here = &scene.line.arc[..scene.line_nodes()];
     let beyond = scene.nodes() - here.len();
     if stands.state.x.len() != there.len() + beyond {
         return Err(format!(

@@ -12,13 +12,13 @@ impl Scene {
     /// half wave of height a and length L carries `EI a (pi/L)⁴` a metre.
     #[must_use]
     pub fn mirrored(&self, state: &State) -> Option<(State, usize)> {
-        if self.ends.iter().any(|end| matches!(end, End::Free)) {
+        if self.line.ends.iter().any(|end| matches!(end, End::Free)) {
             return None;
         }
         let last = state.x.len() - 1;
         let from = state.x[0];
         let chord = state.x[last] - from;
-        let along = chord.try_normalize(1e-9 * self.arc[last])?;
+        let along = chord.try_normalize(1e-9 * self.line.arc[last])?;
         let aside = |x: &V3| {
             let d = x - from;
             d - along * along.dot(&d)
@@ -27,12 +27,12 @@ impl Scene {
         let (node, off) = offs
             .enumerate()
             .fold((0, 0.0), |a, b| if b.1 > a.1 { b } else { a });
-        if off < 1e-3 * self.arc[last] {
+        if off < 1e-3 * self.line.arc[last] {
             return None;
         }
-        let stiffest = self.segments.iter().map(|s| s.ei).fold(0.0, f64::max);
-        let carried = stiffest * off * (PI / self.arc[last]).powi(4);
-        if carried < 0.5 * self.weight.iter().sum::<f64>().abs() / self.arc[last] {
+        let stiffest = self.line.segments.iter().map(|s| s.ei).fold(0.0, f64::max);
+        let carried = stiffest * off * (PI / self.line.arc[last]).powi(4);
+        if carried < 0.5 * self.line.weight.iter().sum::<f64>().abs() / self.line.arc[last] {
             return None;
         }
         let side = aside(&state.x[node]) / off;
@@ -47,7 +47,7 @@ impl Scene {
     /// Length of line that lies on a bed without friction and bears no tension \[m\]: it may lie in any shape.
     #[must_use]
     pub fn untensioned_on_bed(&self, state: &State) -> f64 {
-        let Some(bed) = self.bed.filter(|bed| bed.friction.is_none()) else {
+        let Some(bed) = self.seabed().filter(|bed| bed.friction.is_none()) else {
             return 0.0;
         };
         self.untensioned(state, |i| {
@@ -58,7 +58,7 @@ impl Scene {
     /// Length of line that floats on the surface of the water and bears no tension \[m\]: it may lie in any shape.
     #[must_use]
     pub fn untensioned_afloat(&self, state: &State) -> f64 {
-        let Some(water) = self.water.as_ref().filter(|water| water.crossed) else {
+        let Some(water) = self.line.water.as_ref().filter(|water| water.crossed) else {
             return 0.0;
         };
         self.untensioned(state, |i| {
@@ -70,9 +70,12 @@ impl Scene {
     /// Length of the segments without tension among these \[m\].
     fn untensioned(&self, state: &State, among: impl Fn(usize) -> bool) -> f64 {
         let slack = |i: usize| {
-            self.tension_now(i, &self.chord(i, state), state).value <= 1e-6 * self.force_scale
+            self.line
+                .tension_now(i, &self.line.chord(i, state), state)
+                .value
+                <= 1e-6 * self.line.force_scale
         };
-        let lengths = self.segments.iter().enumerate();
+        let lengths = self.line.segments.iter().enumerate();
         lengths
             .filter(|(i, _)| among(*i) && slack(*i))
             .map(|(_, s)| s.axial.length)

@@ -1,6 +1,7 @@
 //! Bodies hung on the line: clumps along it, and the payload at its end.
 
-use super::line::{AttachedBody, Joint};
+use super::line::AttachedBody;
+use super::scene::Joint;
 use super::{RigidPayload, SceneError};
 use crate::case::{self, Case, EndKind, OneOrMany};
 use crate::numerics::V3;

@@ -1,9 +1,9 @@
 //! Lengths that come of balancing forces at a mix of two states: see [`crate::solve::System::correct_chord_lengths`].
 
-use super::Scene;
+use super::LumpedLine;
 use crate::solve::State;
 
-impl Scene {
+impl LumpedLine {
     /// Writes how much longer the segments are at the end of a step than their tensions tell \[m\], `share` of the state
     /// before in the mix.
     ///

@@ -1,6 +1,6 @@
 //! How a material stretches: in proportion, or by a law of its own.
 
-use super::build::SceneError;
+use super::error::SceneError;
 use crate::case::{DynamicStiffness, Material};
 use crate::physics::rope::{FibreRope, StaticElasticity, StiffnessForm, TensionLaw, TensionTable};
 

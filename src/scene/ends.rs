@@ -3,7 +3,7 @@
 use nalgebra::Complex;
 
 use super::End;
-use super::build::SceneError;
+use super::error::SceneError;
 use super::waves::Record;
 use crate::case::{self, Case, EndKind, MotionName};
 use crate::numerics::V3;

@@ -1,77 +1,68 @@
-//! The line's books of energy: what it has, what it loses, and what its ends and the waves put into it.
+//! Energy balance of the line:
+//! `d(energy)/dt = power of ends + power of waves - dissipation + growth of the added mass`.
 //!
-//! `d(energy)/dt = power of ends + power of waves - dissipation + growth of the added mass`. The last is no force's work:
-//! the added mass of a segment turns with it and grows as it gets wet, and the force by which the water resists is taken
-//! as `M a` (Morison), without what Lagrange's equations add for a mass that changes, `v' (dM/dt) v / 2`: some 1e-5 to 1e-4
-//! of what drag takes from a line under water.
+//! The last is the work of no force: the added mass of a segment rotates with it and grows as it submerges, and the reaction of
+//! the water is `M a` (Morison), without the term `v' (dM/dt) v / 2` of Lagrange's equations for a variable mass; some 1e-5 to
+//! 1e-4 of the dissipation by drag under water.
 
-use super::water::BodyInWater;
-use super::{AttachedBody, End, Scene};
+use super::{End, Scene};
 use crate::numerics::V3;
 use crate::solve::{Kinematics, State};
 
 impl Scene {
-    /// Kinetic, potential and elastic energy \[J\]: weight in water, and in air of what is above still water where the line
-    /// crosses the surface. Added mass counts as mass as far as it is wet. A traveller has its own, see
-    /// [`Scene::traveller_energy`].
+    /// Kinetic, potential and elastic energy \[J\]: submerged weight, and weight in air above still water where the line
+    /// crosses the surface. Added mass counts as far as it is wet. See [`Scene::traveller_energy`] for a traveller.
     #[must_use]
     pub fn energy(&self, state: &State) -> f64 {
-        let mut energy = self.surface_energy(state) + self.bed_energy(state);
+        let (line, elements) = (&self.line, &self.elements);
+        let payload = elements.rigid_payload.as_ref();
+        let lifted = payload.map_or(0.0, |payload| payload.surface_energy(line, state));
+        let bed = elements.bed.as_ref().map_or(0.0, |bed| bed.energy(state));
+        let mut energy = line.surface_energy(state) + lifted + bed;
         for i in 0..self.nodes() {
             energy +=
-                0.5 * self.mass[i] * state.v[i].norm_squared() + self.weight[i] * state.x[i].z;
+                0.5 * line.mass[i] * state.v[i].norm_squared() + line.weight[i] * state.x[i].z;
         }
-        for i in 0..self.segments.len() {
-            let chord = self.chord(i, state);
-            energy += self.elastic_energy(i, &chord, state);
-            let added = self.added(i, self.wet(i, state).as_ref());
+        for i in 0..line.segments.len() {
+            let chord = line.chord(i, state);
+            energy += line.elastic_energy(i, &chord, state);
+            let added = line.added(i, line.wet(i, state).as_ref());
             for (v, added) in state.v[i..].iter().zip(added) {
                 energy += 0.5 * v.dot(&added.force(&chord.tangent, v));
             }
         }
-        if let Some(flexure) = &self.flexure {
-            energy += flexure.energy(self, state);
-        }
-        for (number, AttachedBody { node, body }) in self.bodies.iter().enumerate() {
-            let (v, share) = (&state.v[*node], self.body_in_water(number, state).share);
-            energy += 0.5 * share * v.dot(&body.added.component_mul(v));
-        }
-        if let Some(rigid_payload) = &self.rigid_payload {
-            energy += rigid_payload.energy(self, state);
+        for element in elements.iter() {
+            element.add_energy(self.at(state.memory.time, state), &mut energy);
         }
         energy
     }
 
-    /// Power that drag, axial damping and the fading memory of ropes take out of the line \[W\], positive when energy is
-    /// lost. Drag in a current or in waves may give as well.
+    /// Power of drag, axial damping and the fading memory of ropes \[W\], positive if energy is lost. Drag in a current or in
+    /// waves may put energy in.
     #[must_use]
     pub fn dissipation(&self, state: &State) -> f64 {
+        let line = &self.line;
         let mut power = 0.0;
-        for i in 0..self.segments.len() {
-            let chord = self.chord(i, state);
-            let viscous = self.tension_now(i, &chord, state).value - self.elastic(i, &chord, state);
-            power += self.memory_dissipation(i, &chord, state);
+        for i in 0..line.segments.len() {
+            let chord = line.chord(i, state);
+            let viscous = line.tension_now(i, &chord, state).value - line.elastic(i, &chord, state);
+            power += line.memory_dissipation(i, &chord, state);
             power += viscous * chord.tangent.dot(&chord.opening);
-            let drag = self.drag(i, &chord, state).forces();
+            let drag = line.drag(i, &chord, state).forces();
             for (node, drag) in [i, i + 1].into_iter().zip(drag) {
                 power -= drag.dot(&state.v[node]);
             }
         }
-        power += self.bed_dissipation(state);
-        for (number, AttachedBody { node, body }) in self.bodies.iter().enumerate() {
-            let BodyInWater { u, share, .. } = self.body_in_water(number, state);
-            power -= body.drag(&u).dot(&state.v[*node]) * share;
-        }
-        if let Some(rigid_payload) = &self.rigid_payload {
-            power += rigid_payload.dissipation(self, state);
+        for element in self.elements.iter() {
+            element.add_dissipation(self.at(state.memory.time, state), &mut power);
         }
         power
     }
 
-    /// Power that held ends put into the line as they move \[W\].
+    /// Power of the prescribed motion of the ends \[W\].
     #[must_use]
     pub fn power_of_ends(&self, t: f64, state: &State) -> f64 {
-        let ends = self.ends.iter().zip([0, self.nodes() - 1]);
+        let ends = self.line.ends.iter().zip([0, self.nodes() - 1]);
         let power = |(end, node): (&End, usize)| match end {
             End::Free => 0.0,
             End::Prescribed(_) => {
@@ -81,5 +72,29 @@ impl Scene {
             }
         };
         ends.map(power).sum()
+    }
+
+    /// Power of the pressure of waves and of the inertia of the water they accelerate \[W\]; their drag counts in
+    /// [`Scene::dissipation`].
+    #[must_use]
+    pub fn power_of_waves(&self, state: &State) -> f64 {
+        if state.wave_flow.is_empty() {
+            return 0.0;
+        }
+        // The potential of dry parts is that in still water: the work of the surface beyond it is the waves'.
+        let mut still = State::at_rest(state.x.clone());
+        still.v.clone_from(&state.v);
+        let mut power = 0.0;
+        for element in self.elements.iter() {
+            element.add_wave_power(self.at(state.memory.time, state), &still, &mut power);
+        }
+        power
+    }
+
+    /// Kinetic and potential energy of the traveller \[J\], and the power that its drive and the water put into line and
+    /// traveller \[W\]; none without a traveller.
+    #[must_use]
+    pub fn traveller_energy(&self, t: f64, state: &State) -> Option<(f64, f64)> {
+        Some(self.elements.traveller.as_ref()?.energy(self.at(t, state)))
     }
 }

@@ -3,8 +3,6 @@
 
 use super::{End, Scene};
 use crate::case::Case;
-use crate::numerics::V3;
-use crate::solve::{Kinematics, State};
 
 /// A change of the line at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,30 +47,30 @@ impl Scene {
         let mut scene = self.clone();
         match change {
             Change::ReleaseEnd(end) => {
-                scene.ends[end] = End::Free;
-                if let Some(flexure) = &mut scene.flexure {
+                scene.line.ends[end] = End::Free;
+                if let Some(flexure) = &mut scene.elements.flexure {
                     flexure.clamps[end] = None;
                 }
             }
             Change::ReleasePayload => {
                 // The payload is the last of the bodies, at the last node.
-                if let (Some(hung), Some(last)) = (scene.bodies.pop(), scene.segments.last()) {
-                    let left = || scene.bodies.iter().filter(|other| other.node == hung.node);
+                if let (Some(hung), Some(last)) =
+                    (scene.line.bodies.pop(), scene.line.segments.last())
+                {
+                    let left = || {
+                        scene
+                            .line
+                            .bodies
+                            .iter()
+                            .filter(|other| other.node == hung.node)
+                    };
                     let (mass, weight) =
                         (left().map(|h| h.body.mass), left().map(|h| h.body.weight));
-                    scene.mass[hung.node] = last.half_mass + mass.sum::<f64>();
-                    scene.weight[hung.node] = last.half_weight + weight.sum::<f64>();
+                    scene.line.mass[hung.node] = last.half_mass + mass.sum::<f64>();
+                    scene.line.weight[hung.node] = last.half_weight + weight.sum::<f64>();
                 }
             }
         }
         scene
-    }
-
-    /// Sets a line at rest going at the velocity with which it starts; held ends move as they are moved.
-    pub fn apply_start_velocity(&self, state: &mut State) {
-        if self.start_velocity != V3::zeros() {
-            state.v.fill(self.start_velocity);
-            self.prescribe(0.0, state);
-        }
     }
 }

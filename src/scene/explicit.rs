@@ -1,22 +1,24 @@
 //! What an explicit method asks of the line: accelerations, and how long a step it bears.
 
+use nalgebra::Vector6;
+
 use super::water::BodyInWater;
-use super::{AttachedBody, End, Scene};
+use super::{AttachedBody, End, LumpedLine, Scene};
 use crate::numerics::{M3, V3};
-use crate::solve::{Kinematics, State};
+use crate::solve::State;
 
 impl Scene {
     /// Accelerations of the free nodes, `a = M(x)^-1 f(x, v)`: the mass of a node is a 3 x 3 block of its
     /// own, since added mass is lumped with the rest. What couples nodes comes after: a body that turns, a traveller.
     pub(super) fn accelerations(&self, t: f64, state: &mut State) {
-        let last = self.nodes() - 1;
+        let last = self.line.nodes() - 1;
         let held = [state.a[0], state.a[last]];
-        if self.is_plain(state) {
+        if self.line.is_plain(state) {
             self.accelerations_as::<true>(t, state);
         } else {
             self.accelerations_as::<false>(t, state);
         }
-        let free = self.free();
+        let free = self.line.free();
         for (end, node) in [0, last].into_iter().enumerate() {
             if !free.contains(&node) {
                 state.a[node] = held[end];
@@ -24,39 +26,39 @@ impl Scene {
         }
     }
 
-    /// The same for all nodes; see [`Scene::is_plain`].
+    /// The same for all nodes; see [`LumpedLine::is_plain`].
     #[inline(always)]
     fn accelerations_as<const PLAIN: bool>(&self, t: f64, state: &mut State) {
-        let bending = self.preload_bending(state);
-        let mut bodies = self.bodies.iter().enumerate().peekable();
+        let preloaded = self.preload(t, state);
+        let mut bodies = self.line.bodies.iter().enumerate().peekable();
         let (mut f, mut m) = (V3::zeros(), Symmetric::default());
-        let mut near = self.around::<PLAIN>(0, state);
-        for i in 0..self.nodes() {
+        let mut near = self.line.around::<PLAIN>(0, state);
+        for i in 0..self.line.nodes() {
             // Force and mass of node i: what the segment before left here, then the segment after.
             let (mut beyond, mut next) = (V3::zeros(), Symmetric::default());
-            f.z -= self.weight[i];
-            m.add_diagonal(self.mass[i]);
-            if bending {
+            f.z -= self.line.weight[i];
+            m.add_diagonal(self.line.mass[i]);
+            if preloaded {
                 f -= state.a[i];
             }
-            if let Some(bed) = &self.bed {
-                f += self.bed_force(bed, i, state);
+            if let Some(bed) = &self.elements.bed {
+                f += bed.force(i, state);
             }
-            if i < self.segments.len() {
-                let far = self.around::<PLAIN>(i + 1, state);
-                let chord = self.chord_between(i, &near, &far);
+            if i < self.line.segments.len() {
+                let far = self.line.around::<PLAIN>(i + 1, state);
+                let chord = self.line.chord_between(i, &near, &far);
                 let along = &chord.tangent;
-                let pull = along * self.tension_as::<PLAIN>(i, &chord, t, state).0.value;
-                let (wet, drag) = self.drag_as::<PLAIN>(i, &chord, [&near, &far], state);
+                let pull = along * self.line.tension_as::<PLAIN>(i, &chord, t, state).0.value;
+                let (wet, drag) = self.line.drag_as::<PLAIN>(i, &chord, [&near, &far], state);
                 let [here, there] = drag.forces();
-                let added = self.added(i, wet.as_ref());
+                let added = self.line.added(i, wet.as_ref());
                 m.add_directed(along, added[0].normal, added[0].tangential);
                 next.add_directed(along, added[1].normal, added[1].tangential);
                 f += pull + here;
                 beyond = there - pull;
-                if !PLAIN && self.water.is_some() {
-                    f += self.wave_force(i, 0, along, wet.as_ref(), state);
-                    beyond += self.wave_force(i, 1, along, wet.as_ref(), state);
+                if !PLAIN && self.line.water.is_some() {
+                    f += self.line.wave_force(i, 0, along, wet.as_ref(), state);
+                    beyond += self.line.wave_force(i, 1, along, wet.as_ref(), state);
                 }
                 near = far;
             }
@@ -69,7 +71,7 @@ impl Scene {
                     share,
                     load,
                     ..
-                } = self.body_in_water(number, state);
+                } = self.line.body_in_water(number, state);
                 f += (body.drag(&u) + body.added.component_mul(&carried)) * share + load;
                 m.add_axes(&(body.added * share));
             }
@@ -81,13 +83,155 @@ impl Scene {
     /// Acceleration of a free node by a force on it, added mass and bodies included, a traveller left out \[1/kg\].
     #[must_use]
     pub fn inverse_mass(&self, node: usize, state: &State) -> M3 {
-        if let Some(rigid_payload) = self.rigid_payload.as_ref().filter(|t| t.node == node) {
-            return rigid_payload.inverse_mass(self, state)[0];
+        if let Some(rigid_payload) = self
+            .elements
+            .rigid_payload
+            .as_ref()
+            .filter(|t| t.node == node)
+        {
+            return rigid_payload.inverse_mass(&self.line, state)[0];
         }
-        let m = self.mass_of(node, state);
+        let m = self.line.mass_of(node, state);
         M3::from_columns(&[V3::x(), V3::y(), V3::z()].map(|axis| m.solve(&axis)))
     }
 
+    /// Writes the residual of the elements without an explicit form of their own to where the accelerations will be: it must be
+    /// complete before the first node is solved for. Whether there are any.
+    fn preload(&self, t: f64, state: &mut State) -> bool {
+        let mut r = std::mem::take(&mut state.a);
+        let mut any = false;
+        for element in self.elements.iter().filter(|e| !e.has_explicit_form()) {
+            if !any {
+                r.fill(V3::zeros());
+                any = true;
+            }
+            element.add_residual(self.at(t, state), &mut r);
+        }
+        state.a = r;
+        any
+    }
+
+    /// An upper bound of the rate at which damping slows a node \[1/s\], and the node: `dF/du / m` with the whole relative
+    /// velocity counted as normal or as tangential, whichever gives more, and without added mass; for ropes, at least their
+    /// present axial frequency.
+    pub(super) fn fastest_drag_decay(&self, state: &State) -> (f64, usize) {
+        let (line, at) = (&self.line, self.at(state.memory.time, state));
+        let last = line.nodes() - 1;
+        let mut fastest = (0.0, 0);
+        for node in line.free() {
+            let speed = (line.water_at(node, state) - state.v[node]).norm();
+            let halves = line.segments[node.saturating_sub(1)..(node + 1).min(last)].iter();
+            let mut drag: f64 = halves
+                .map(|s| 0.5 * s.axial.length * s.drag.greatest(speed))
+                .sum();
+            let here = line.bodies.iter().filter(|hung| hung.node == node);
+            drag += here.map(|hung| hung.body.drag.amax()).sum::<f64>();
+            let by_elements = self.elements.iter().map(|e| e.decay_rate(at, node));
+            let mut rate = by_elements.fold(2.0 * drag * speed / line.mass[node], |a, b| a + b);
+            if !line.laws.is_empty() {
+                rate = rate.max(line.rope_frequency(node, state));
+            }
+            if rate > fastest.0 {
+                fastest = (rate, node);
+            }
+        }
+        if let Some(payload) = &self.elements.rigid_payload {
+            let rate = payload.decay(line, state);
+            if rate > fastest.0 {
+                fastest = (rate, payload.node);
+            }
+        }
+        fastest
+    }
+
+    /// Stiffness of the elements at segment i in its highest mode \[N/m\].
+    fn other_stiffness(&self, i: usize) -> f64 {
+        let elements = self.elements.iter();
+        elements.map(|e| e.segment_stiffness(&self.line, i)).sum()
+    }
+
+    /// The largest explicit time step \[s\] that classical Runge-Kutta of order 4 bears, and the segment that
+    /// sets it. Highest axial frequency of a segment between nodes of masses m1, m2:
+    /// `omega² = 2 (EA/l) (1/m1 + 1/m2)` (Gershgorin, exact for a uniform line; added mass does not count along
+    /// the line), damping ratio `zeta = C omega / (2 EA)`. The limit is 2.785 / omega, less with damping:
+    /// both roots of `s² + 2 zeta omega s + omega²` must lie in the stability region, whose real axis
+    /// ends at -2.785 too.
+    #[must_use]
+    pub fn explicit_limit(&self) -> (f64, usize) {
+        let mut limit = (f64::INFINITY, 0);
+        for (i, segment) in self.line.segments.iter().enumerate() {
+            let lightness = |node: usize, held: bool| {
+                if held {
+                    0.0
+                } else {
+                    1.0 / self.line.mass[node]
+                }
+            };
+            let held = |end: usize| matches!(self.line.ends[end], End::Prescribed(_));
+            let last = self.line.segments.len();
+            let sum = lightness(i, i == 0 && held(0)) + lightness(i + 1, i + 1 == last && held(1));
+            let axial = 2.0 * segment.axial.ea / segment.axial.length;
+            let omega = ((axial + self.other_stiffness(i)) * sum).sqrt();
+            let zeta = 0.5 * segment.axial.damping * omega / segment.axial.ea;
+            let fastest = omega * (zeta + (zeta * zeta + 1.0).sqrt()).max(1.0);
+            let step = 2.785 / fastest;
+            if step < limit.0 {
+                limit = (step, i);
+            }
+        }
+        limit
+    }
+
+    /// Corrects the accelerations of both nodes of a rigid payload, which it couples.
+    pub(super) fn accelerate_rigid_payload(&self, state: &mut State) {
+        let Some(payload) = &self.elements.rigid_payload else {
+            return;
+        };
+        let node = payload.node;
+        let balance = payload.balance(&self.line, state, [V3::zeros(); 2]);
+        let mut force = Vector6::zeros();
+        for (i, balance) in balance.into_iter().enumerate() {
+            let own = self.line.own_mass(node + i, state) * state.a[node + i] - balance;
+            force.fixed_rows_mut::<3>(3 * i).copy_from(&own);
+        }
+        let mass = payload.coupled_mass(&self.line, state);
+        if let Some(a) = mass.lu().solve(&force) {
+            for i in 0..2 {
+                state.a[node + i] = a.fixed_rows::<3>(3 * i).into_owned();
+            }
+        }
+    }
+
+    /// Corrects the accelerations of the nodes beside a traveller, which its mass couples.
+    pub(super) fn accelerate_traveller(&self, t: f64, state: &mut State) {
+        let Some(traveller) = &self.elements.traveller else {
+            return;
+        };
+        let point = traveller.path_point(&self.line, t);
+        let held = |node: usize| !self.line.free().contains(&node);
+        let mut give = M3::zeros();
+        for (node, by) in point.nodes().filter(|(node, _)| !held(*node)) {
+            give += self.inverse_mass(node, state) * (by.share * by.share);
+        }
+        let system = M3::identity() + give * traveller.mass;
+        let load = traveller.load(&point, &self.line, state);
+        let Some(load) = system.lu().solve(&load) else {
+            return;
+        };
+        for (node, by) in point.nodes().filter(|(node, _)| !held(*node)) {
+            let push = load * by.share;
+            let payload = self.elements.rigid_payload.as_ref();
+            if let Some(payload) = payload.filter(|payload| payload.node == node) {
+                let far = payload.inverse_mass(&self.line, state)[1];
+                state.a[node + 1] -= far * push;
+            }
+            let near = self.inverse_mass(node, state);
+            state.a[node] -= near * push;
+        }
+    }
+}
+
+impl LumpedLine {
     /// Mass of a node, added mass and bodies included but for those that couple it to others \[kg\].
     pub(super) fn own_mass(&self, node: usize, state: &State) -> M3 {
         self.mass_of(node, state).matrix()
@@ -115,96 +259,15 @@ impl Scene {
         m
     }
 
-    /// Puts the residual forces of bending where the accelerations will stand: they couple nodes two apart, and so
-    /// must be complete before the first node is solved for. Whether there are any.
-    fn preload_bending(&self, state: &mut State) -> bool {
-        let Some(flexure) = &self.flexure else {
-            return false;
-        };
-        let mut forces = std::mem::take(&mut state.a);
-        forces.fill(V3::zeros());
-        flexure.add_forces(self, state, &mut forces);
-        state.a = forces;
-        true
-    }
-
-    /// The fastest rate at which drag slows a node \[1/s\], and the node: `dF/du / m` with all the relative velocity
-    /// counted as normal or as tangential, whichever gives more, and without added mass; so no less than it is.
-    pub(super) fn fastest_drag_decay(&self, state: &State) -> (f64, usize) {
-        let last = self.nodes() - 1;
-        let mut fastest = (0.0, 0);
-        for node in self.free() {
-            let speed = (self.water_at(node, state) - state.v[node]).norm();
-            let halves = self.segments[node.saturating_sub(1)..(node + 1).min(last)].iter();
-            let mut drag: f64 = halves
-                .map(|s| 0.5 * s.axial.length * s.drag.greatest(speed))
-                .sum();
-            let here = self.bodies.iter().filter(|hung| hung.node == node);
-            drag += here.map(|hung| hung.body.drag.amax()).sum::<f64>();
-            let mut rate = 2.0 * drag * speed / self.mass[node] + self.bed_decay_rate(node, state);
-            if !self.laws.is_empty() {
-                rate = rate.max(self.rope_frequency(node, state));
-            }
-            if rate > fastest.0 {
-                fastest = (rate, node);
-            }
-        }
-        if let Some(rigid_payload) = &self.rigid_payload {
-            let rate = rigid_payload.decay(self, state);
-            if rate > fastest.0 {
-                fastest = (rate, rigid_payload.node);
-            }
-        }
-        fastest
-    }
-
-    /// Fastest axial frequency of the ropes at a node, as stiff as they are now \[rad/s\]: [`Scene::explicit_limit`]
+    /// Fastest axial frequency of the ropes at a node, as stiff as they are now \[rad/s\]: `Scene::explicit_limit`
     /// knows them up to half their breaking load only.
-    fn rope_frequency(&self, node: usize, state: &State) -> f64 {
+    pub(super) fn rope_frequency(&self, node: usize, state: &State) -> f64 {
         let last = self.segments.len();
         let stiffest = (node.saturating_sub(1)..(node + 1).min(last))
             .filter(|i| self.segments[*i].axial.law.is_some())
             .map(|i| self.tension_now(i, &self.chord(i, state), state).by_length)
             .fold(0.0, f64::max);
         2.0 * (stiffest / self.mass[node]).sqrt()
-    }
-
-    /// What bending and the bed add to the stiffness of segment i in its highest mode \[N/m\]: `8 EI / l³` as two
-    /// neighbouring bends resist a zigzag, and the springs under its nodes.
-    fn other_stiffness(&self, i: usize) -> f64 {
-        let length = self.segments[i].axial.length;
-        let bending = self.flexure.as_ref().map_or(0.0, |f| {
-            8.0 * f.joints[i].max(f.joints[i + 1]) / (length * length)
-        });
-        bending + self.bed_stiffness(i).max(self.bed_stiffness(i + 1))
-    }
-
-    /// The largest explicit time step \[s\] that classical Runge-Kutta of order 4 bears, and the segment that
-    /// sets it. Highest axial frequency of a segment between nodes of masses m1, m2:
-    /// `omega² = 2 (EA/l) (1/m1 + 1/m2)` (Gershgorin, exact for a uniform line; added mass does not count along
-    /// the line), damping ratio `zeta = C omega / (2 EA)`. The limit is 2.785 / omega, less with damping:
-    /// both roots of `s² + 2 zeta omega s + omega²` must lie in the stability region, whose real axis
-    /// ends at -2.785 too.
-    #[must_use]
-    pub fn explicit_limit(&self) -> (f64, usize) {
-        let mut limit = (f64::INFINITY, 0);
-        for (i, segment) in self.segments.iter().enumerate() {
-            let lightness = |node: usize, held: bool| {
-                if held { 0.0 } else { 1.0 / self.mass[node] }
-            };
-            let held = |end: usize| matches!(self.ends[end], End::Prescribed(_));
-            let last = self.segments.len();
-            let sum = lightness(i, i == 0 && held(0)) + lightness(i + 1, i + 1 == last && held(1));
-            let axial = 2.0 * segment.axial.ea / segment.axial.length;
-            let omega = ((axial + self.other_stiffness(i)) * sum).sqrt();
-            let zeta = 0.5 * segment.axial.damping * omega / segment.axial.ea;
-            let fastest = omega * (zeta + (zeta * zeta + 1.0).sqrt()).max(1.0);
-            let step = 2.785 / fastest;
-            if step < limit.0 {
-                limit = (step, i);
-            }
-        }
-        limit
     }
 }
 

@@ -28,7 +28,7 @@ impl Scene {
     /// The grips that go with the first guess at an equilibrium.
     pub(super) fn initial_friction(&self, guess: &[V3], tension: &[f64]) -> InitialFriction {
         let mut grips = self.grips_at(guess);
-        let remark = match self.bed.as_ref().and_then(|bed| bed.friction) {
+        let remark = match self.seabed().and_then(|bed| bed.friction) {
             None => None,
             Some(Friction {
                 law: FrictionModel::Regularised(_),
@@ -49,11 +49,11 @@ impl Scene {
         let Some(end) = end else {
             return self.lay_between_lifted_ends(guess, tension, grips);
         };
-        let name = &self.end_names[usize::from(end > 0)];
+        let name = &self.labels.end_names[usize::from(end > 0)];
         let first = if end == 0 { 0 } else { last - 1 };
         let chord = (guess[first + 1] - guess[first]).norm();
         let heaped =
-            tension[first] <= 0.0 && chord < (1.0 - 1e-6) * self.segments[first].axial.length;
+            tension[first] <= 0.0 && chord < (1.0 - 1e-6) * self.line.segments[first].axial.length;
         if !heaped {
             self.lay_straight(end, guess[last - end], grips);
         }
@@ -83,21 +83,22 @@ impl Scene {
     /// On a slope, moves the places uphill so that where the line was laid the bed already holds its weight, as far as
     /// friction bears.
     fn hold_weight_on_slope(&self, grips: &mut [Grip]) {
-        let Some((bed, friction)) = self.bed.as_ref().and_then(|b| Some((b, b.friction?))) else {
+        let Some((bed, friction)) = self.seabed().and_then(|b| Some((b, b.friction?))) else {
             return;
         };
         let normal = bed.normal();
         let uphill = V3::z() - normal * normal.z;
         let most =
             friction.axial.min(friction.lateral) * normal.z / uphill.norm().max(f64::MIN_POSITIVE);
-        for (grip, weight) in grips.iter_mut().zip(&self.weight) {
+        for (grip, weight) in grips.iter_mut().zip(&self.line.weight) {
             grip.at += uphill * (weight.max(0.0) * most.min(1.0) / grip.stiffness);
         }
     }
 
     /// Stiffness of the hold on node i of a line just laid \[N/m\].
     fn hold(&self, i: usize) -> f64 {
-        let beside = self.segments[i.saturating_sub(1)..(i + 1).min(self.segments.len())].iter();
+        let beside =
+            self.line.segments[i.saturating_sub(1)..(i + 1).min(self.line.segments.len())].iter();
         HOLD * beside
             .map(|s| s.axial.ea / s.axial.length)
             .fold(0.0, f64::max)
@@ -106,10 +107,13 @@ impl Scene {
     /// Grips on a line neither end of which lies on the bed: on what lies there without tension, and nowhere else; in words.
     fn lay_between_lifted_ends(&self, guess: &[V3], tension: &[f64], grips: &mut [Grip]) -> String {
         let last = guess.len() - 1;
-        let tall = 1e-9 * self.arc[last];
+        let tall = 1e-9 * self.line.arc[last];
         let heap = |i: usize| {
             let slack = tension[i.saturating_sub(1)] <= 0.0 && tension[i.min(last - 1)] <= 0.0;
-            slack && self.bed.is_some_and(|bed| bed.height(&guess[i]) <= tall)
+            slack
+                && self
+                    .seabed()
+                    .is_some_and(|bed| bed.height(&guess[i]) <= tall)
         };
         let mut heaped = false;
         for (i, grip) in grips.iter_mut().enumerate() {
@@ -126,18 +130,19 @@ impl Scene {
     }
 
     fn lies(&self, end: &V3) -> bool {
-        let whole = self.arc[self.arc.len() - 1];
-        self.bed
+        let whole = self.line.arc[self.line.arc.len() - 1];
+        self.seabed()
             .is_some_and(|bed| bed.height(end) <= ON_BED * whole)
     }
 
     /// Places of a line laid from one of its ends straight towards the other, resting on the bed by its weight.
     fn lay_straight(&self, end: usize, to: V3, grips: &mut [Grip]) {
-        let Some(bed) = &self.bed else { return };
+        let Some(bed) = self.seabed() else { return };
         let normal = bed.normal();
         let from = grips[end].at;
         let flat = (to - from) - normal * normal.dot(&(to - from));
-        let Some(direction) = flat.try_normalize(1e-9 * self.arc[self.arc.len() - 1]) else {
+        let Some(direction) = flat.try_normalize(1e-9 * self.line.arc[self.line.arc.len() - 1])
+        else {
             return;
         };
         let last = grips.len() - 1;
@@ -149,8 +154,9 @@ impl Scene {
             } else {
                 (last - k, last - k)
             };
-            let rest = -(self.weight[i] * normal.z).max(0.0) / (bed.stiffness * self.footprint[i]);
-            let length = self.segments[segment].axial.length;
+            let rest =
+                -(self.line.weight[i] * normal.z).max(0.0) / (bed.stiffness * self.footprint(i));
+            let length = self.line.segments[segment].axial.length;
             let step = (length * length - (rest - height).powi(2)).max(0.0).sqrt();
             at += direction * step;
             height = rest;
@@ -161,9 +167,11 @@ impl Scene {
 
     /// Takes the hold off what comes down on the bed a second time, seen from the end that lies on it; whether there is any.
     fn release_beyond_first_contact(&self, end: usize, guess: &[V3], grips: &mut [Grip]) -> bool {
-        let Some(bed) = &self.bed else { return false };
+        let Some(bed) = self.seabed() else {
+            return false;
+        };
         let last = guess.len() - 1;
-        let tall = 1e-9 * self.arc[last];
+        let tall = 1e-9 * self.line.arc[last];
         let order = |k: usize| if end == 0 { k } else { last - k };
         let lies = |k: usize| bed.height(&guess[order(k)]) <= tall;
         let lifted = (1..=last).find(|k| !lies(*k)).unwrap_or(last + 1);

@@ -24,9 +24,9 @@ const HANGING_ROUNDS: usize = 4;
 impl Scene {
     /// Between two held ends.
     pub(super) fn guess_between(&self, from: V3, to: V3) -> Guess {
-        let straight = between(from, to, &self.arc);
+        let straight = between(from, to, &self.line.arc);
         let mut best: Option<Guess> = None;
-        let rounds = if self.laws.is_empty() {
+        let rounds = if self.line.laws.is_empty() {
             ROUNDS
         } else {
             ROUNDS_OF_ROPES
@@ -40,11 +40,11 @@ impl Scene {
             };
             let still = drag.iter().all(|force| *force == V3::zeros());
             best = Some(guess);
-            if still && self.laws.is_empty() {
+            if still && self.line.laws.is_empty() {
                 break;
             }
         }
-        let calm = || vec![V3::zeros(); self.segments.len()];
+        let calm = || vec![V3::zeros(); self.line.segments.len()];
         let mut guess = best
             .or_else(|| {
                 self.catenary(from, to, &calm(), &self.stiffness_of_laws(None))
@@ -58,10 +58,11 @@ impl Scene {
     /// Why the same line, without bending and in still water, has no one shape at rest, where it has none.
     #[must_use]
     pub fn catenary_error(&self) -> Option<CatenaryError> {
-        let (End::Prescribed(from), End::Prescribed(to)) = (&self.ends[0], &self.ends[1]) else {
+        let (End::Prescribed(from), End::Prescribed(to)) = (&self.line.ends[0], &self.line.ends[1])
+        else {
             return None;
         };
-        let calm = vec![V3::zeros(); self.segments.len()];
+        let calm = vec![V3::zeros(); self.line.segments.len()];
         let laws = self.stiffness_of_laws(None);
         let solved = self.catenary(from.at(0.0).0, to.at(0.0).0, &calm, &laws);
         solved.err()
@@ -71,10 +72,13 @@ impl Scene {
     fn drag_on(&self, nodes: &[V3]) -> Vec<V3> {
         let state = State::at_rest(nodes.to_vec());
         let on = |i| {
-            let [first, second] = self.drag(i, &self.chord(i, &state), &state).forces();
+            let [first, second] = self
+                .line
+                .drag(i, &self.line.chord(i, &state), &state)
+                .forces();
             first + second
         };
-        (0..self.segments.len()).map(on).collect()
+        (0..self.line.segments.len()).map(on).collect()
     }
 
     /// The catenary in the resultant of weight and the mean of this drag, in the plane of that and both ends; with a bed,
@@ -86,15 +90,15 @@ impl Scene {
         drag: &[V3],
         of_laws: &[f64],
     ) -> Result<Guess, CatenaryError> {
-        let whole = self.arc[self.arc.len() - 1];
-        let (down, mean) = if self.bed.is_some() {
+        let whole = self.line.arc[self.line.arc.len() - 1];
+        let (down, mean) = if self.seabed().is_some() {
             (-V3::z(), V3::zeros())
         } else {
             let mean = drag.iter().sum::<V3>() / whole;
-            let load = mean * whole - V3::z() * self.weight.iter().sum::<f64>();
+            let load = mean * whole - V3::z() * self.line.weight.iter().sum::<f64>();
             let size = load.norm();
             // A load that all but cancels has no direction to turn the plane by.
-            if size > 1e-9 * self.force_scale {
+            if size > 1e-9 * self.line.force_scale {
                 let down = load / size;
                 // A buoyant line in still water is worded as such.
                 (if down.z > 0.99 { -down } else { down }, mean)
@@ -104,7 +108,7 @@ impl Scene {
         };
         let up = -down;
         let reversed = self
-            .bed
+            .seabed()
             .is_some_and(|bed| !bed.is_plain() && bed.height(&from) > bed.height(&to));
         let sections = self.sections(&down, &mean, of_laws, reversed);
         let (first, last) = if reversed { (to, from) } else { (from, to) };
@@ -130,23 +134,25 @@ impl Scene {
             solution.at(if reversed { whole - s } else { s }).tension_n
         };
         Ok(Guess {
-            nodes: self.arc.iter().map(place).collect(),
-            tension: self.arc.windows(2).map(middle).collect(),
+            nodes: self.line.arc.iter().map(place).collect(),
+            tension: self.line.arc.windows(2).map(middle).collect(),
         })
     }
 
     /// A stiffness for the segments of every law \[N\]: that of their mean tension in a guess, or of all of the law.
     fn stiffness_of_laws(&self, guess: Option<&Guess>) -> Vec<f64> {
         let of = |number: usize| {
-            let mine = |i: &usize| self.segments[*i].axial.law.map(usize::from) == Some(number);
-            let segments: Vec<usize> = (0..self.segments.len()).filter(mine).collect();
+            let mine =
+                |i: &usize| self.line.segments[*i].axial.law.map(usize::from) == Some(number);
+            let segments: Vec<usize> = (0..self.line.segments.len()).filter(mine).collect();
             let (Some(guess), Some(first)) = (guess, segments.first()) else {
-                return self.laws[number].representative_stiffness();
+                return self.line.laws[number].representative_stiffness();
             };
             let sum: f64 = segments.iter().map(|i| guess.tension[*i]).sum();
-            self.stiffness_at_tension(*first, sum / segments.len() as f64)
+            self.line
+                .stiffness_at_tension(*first, sum / segments.len() as f64)
         };
-        (0..self.laws.len()).map(of).collect()
+        (0..self.line.laws.len()).map(of).collect()
     }
 
     /// The closed form over the bed as it slopes in the line's plane; without friction where only that has no answer.
@@ -157,7 +163,7 @@ impl Scene {
         ends: Ends,
         sections: &[SectionProps],
     ) -> Result<Solution, CatenaryError> {
-        let bed = self.bed.map(|bed| {
+        let bed = self.seabed().map(|bed| {
             let normal = bed.normal();
             let slope = (-normal.dot(&along) / normal.z).atan();
             Bed {
@@ -205,10 +211,10 @@ impl Scene {
     ) -> Vec<SectionProps> {
         let sinks = -down.z;
         let mut sections: Vec<SectionProps> = Vec::new();
-        let last = self.segments.len() - 1;
+        let last = self.line.segments.len() - 1;
         for k in 0..=last {
             let i = if reversed { last - k } else { k };
-            let segment = &self.segments[i];
+            let segment = &self.line.segments[i];
             let length = segment.axial.length;
             let weight = 2.0 * segment.half_weight / length * sinks + mean_drag.dot(down);
             let law = segment.axial.law.map(usize::from);
@@ -223,7 +229,7 @@ impl Scene {
             }
             if let Some(s) = sections.last_mut().filter(|_| k < last) {
                 let beyond = if reversed { i } else { i + 1 };
-                let here = self.bodies.iter().filter(|hung| hung.node == beyond);
+                let here = self.line.bodies.iter().filter(|hung| hung.node == beyond);
                 s.clump_n = here.map(|hung| hung.body.weight * sinks).sum();
             }
         }
@@ -232,15 +238,15 @@ impl Scene {
 
     /// Sinks what lies on the bed by as much as its springs give under its weight.
     fn lay_on_bed(&self, nodes: &mut [V3]) {
-        let Some(bed) = &self.bed else { return };
+        let Some(bed) = self.seabed() else { return };
         let normal = bed.normal();
         let last = nodes.len() - 1;
-        let tall = 1e-9 * self.arc[last];
+        let tall = 1e-9 * self.line.arc[last];
         for (i, node) in nodes.iter_mut().enumerate().take(last).skip(1) {
             let height = bed.height(node);
             if height <= tall {
-                let weight = self.weight[i].max(0.0) * normal.z;
-                let give = weight / (bed.stiffness * self.footprint[i]);
+                let weight = self.line.weight[i].max(0.0) * normal.z;
+                let give = weight / (bed.stiffness * self.footprint(i));
                 match bed.slope {
                     None => node.z = bed.z - give,
                     Some(_) => *node -= normal * (height + give),
@@ -251,25 +257,25 @@ impl Scene {
 
     /// A parabola of about the right length between two held ends, hanging down (up for a buoyant line).
     fn sagging(&self, from: V3, to: V3) -> Guess {
-        let whole = self.arc[self.arc.len() - 1];
+        let whole = self.line.arc[self.line.arc.len() - 1];
         let chord = (to - from).norm();
         let slack = (whole * whole - chord * chord).max(0.0).sqrt();
         // Between the flat parabola's sag, sqrt(3/8 c (L - c)), and that of a line folded double, L/2.
         let sag = 0.43 * slack;
-        let weight: f64 = self.weight.iter().sum();
+        let weight: f64 = self.line.weight.iter().sum();
         let down = if weight >= 0.0 { -1.0 } else { 1.0 };
-        let mut nodes = between(from, to, &self.arc);
-        for (node, s) in nodes.iter_mut().zip(&self.arc) {
+        let mut nodes = between(from, to, &self.line.arc);
+        for (node, s) in nodes.iter_mut().zip(&self.line.arc) {
             let f = s / whole;
             *node += V3::z() * (down * sag * 4.0 * f * (1.0 - f));
         }
-        let tension = vec![self.force_scale; self.segments.len()];
+        let tension = vec![self.line.force_scale; self.line.segments.len()];
         Guess { nodes, tension }
     }
 
     /// From end A, held, to end B, which is not: each segment along the sum of the loads beyond it.
     pub(super) fn guess_hanging(&self, from: V3, reversed: bool) -> Guess {
-        let count = self.segments.len();
+        let count = self.line.segments.len();
         let mut guess = Guess {
             nodes: vec![from; count + 1],
             tension: vec![0.0; count],
@@ -290,7 +296,7 @@ impl Scene {
 
     /// The shape of a line that hangs from one end, with this drag on its segments.
     fn hang(&self, drag: &[V3], reversed: bool, guess: &mut Guess) {
-        let count = self.segments.len();
+        let count = self.line.segments.len();
         let order = |k: usize| if reversed { k } else { count - 1 - k };
         // From the free end to the held one: k counts segments from the free end.
         let mut load = V3::zeros();
@@ -303,25 +309,25 @@ impl Scene {
             } else {
                 V3::zeros()
             };
-            load += (drag[i] + beyond) * 0.5 - V3::z() * self.weight[outer];
+            load += (drag[i] + beyond) * 0.5 - V3::z() * self.line.weight[outer];
             load += self.drag_of_bodies(outer, &guess.nodes[outer]);
             pull[i] = load;
         }
         for k in (0..count).rev() {
             let i = order(k);
             let (inner, outer) = if reversed { (i + 1, i) } else { (i, i + 1) };
-            let axial = &self.segments[i].axial;
+            let axial = &self.line.segments[i].axial;
             let size = pull[i].norm();
             let direction = if size > 0.0 { pull[i] / size } else { -V3::z() };
-            let length = axial.length * (1.0 + self.strain_at_tension(i, size));
+            let length = axial.length * (1.0 + self.line.strain_at_tension(i, size));
             guess.nodes[outer] = guess.nodes[inner] + direction * length;
             guess.tension[i] = size;
         }
     }
 
     fn drag_of_bodies(&self, node: usize, at: &V3) -> V3 {
-        let here = self.bodies.iter().filter(|hung| hung.node == node);
-        here.map(|hung| hung.body.drag(&self.current.at(at.z).0))
+        let here = self.line.bodies.iter().filter(|hung| hung.node == node);
+        here.map(|hung| hung.body.drag(&self.line.current.at(at.z).0))
             .sum()
     }
 }

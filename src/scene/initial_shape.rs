@@ -2,9 +2,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::Scene;
-use super::build::SceneError;
+use super::error::SceneError;
 use super::initial_guess::{Guess, between};
+use super::{Scene, direction};
 use crate::case::{Case, EndKind, Payload, Start, StartShape};
 use crate::numerics::V3;
 use crate::numerics::interpolation::linear;
@@ -20,10 +20,10 @@ pub(super) fn start(case: &Case, scene: &Scene) -> Result<Guess, SceneError> {
             why: "the line must start somewhere",
         })
     };
-    let arc = &scene.arc;
+    let arc = &scene.line.arc;
     let straight = |nodes: Vec<V3>| Guess {
         nodes,
-        tension: vec![scene.force_scale; scene.segments.len()],
+        tension: vec![scene.line.force_scale; scene.line.segments.len()],
     };
     let direction = start_direction(case);
     let given = given(&case.start, arc);
@@ -57,7 +57,7 @@ pub(super) fn start(case: &Case, scene: &Scene) -> Result<Guess, SceneError> {
         }
     };
     if let (false, Some(rigid_payload), Some(payload)) =
-        (equilibrium, &scene.rigid_payload, &case.payload)
+        (equilibrium, &scene.elements.rigid_payload, &case.payload)
     {
         // Held upright, or as the case tilts it, whatever way the line goes.
         let axis = start_axis(payload);
@@ -99,14 +99,5 @@ fn start_direction(case: &Case) -> V3 {
     direction(
         case.start.azimuth_deg.to_radians(),
         case.start.elevation_deg.to_radians(),
-    )
-}
-
-/// Unit vector of an azimuth from +x towards +y and an elevation \[rad\].
-pub(super) fn direction(azimuth: f64, elevation: f64) -> V3 {
-    V3::new(
-        azimuth.cos() * elevation.cos(),
-        azimuth.sin() * elevation.cos(),
-        elevation.sin(),
     )
 }

@@ -1,16 +1,18 @@
 //! The discretised line: its parts, and where they are.
 
+use std::ops::Range;
+
 use crate::numerics::V3;
 use crate::numerics::lanes::Two;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::{Drag, DragProperties};
 use crate::physics::rope::TensionLaw;
 use crate::physics::tension::{Axial, Chord};
-use crate::physics::{Body, Current, EndMotion, Grip, Seabed};
+use crate::physics::{Body, Current, EndMotion};
 
+use super::Water;
 use super::submergence::Submergence;
-use super::{Event, Flexure, RigidPayload, Traveller, Water};
-use crate::solve::{Kinematics, State};
+use crate::solve::State;
 
 /// A segment between two nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,78 +51,43 @@ pub struct AttachedBody {
     pub body: Body,
 }
 
-/// A named place where the tension is reported.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Joint {
-    /// As in channel names: `chain|polyester`.
-    pub name: String,
-    /// Its node.
-    pub node: usize,
-}
-
-/// A line ready to compute.
+/// The lumped-mass line: n segments between n + 1 nodes, with point bodies on the nodes, in its water.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Scene {
-    /// Segments from A to B, then the rod of a payload that turns; node i lies before segment i.
+pub struct LumpedLine {
+    /// Segments from A to B, then the rod of a payload that rotates; node i is at the start of segment i.
     pub segments: Vec<Segment>,
-    /// How tension follows from strain where a material does not have it in proportion; see [`Axial::law`].
+    /// Number of nodes of the line itself, without the far node of a payload that rotates.
+    pub line_nodes: usize,
+    /// Tension-strain laws of materials without a constant EA; see [`Axial::law`].
     pub laws: Vec<TensionLaw>,
-    /// Masses of the nodes without added mass, bodies included \[kg\].
+    /// Masses of the nodes, bodies included, without added mass \[kg\].
     pub mass: Vec<f64>,
-    /// Weights of the nodes in water, bodies included \[N\], positive down.
+    /// Submerged weights of the nodes, bodies included \[N\], positive down.
     pub weight: Vec<f64>,
-    /// Names of the ends A and B.
-    pub end_names: [String; 2],
-    /// What holds the ends A and B.
-    pub ends: [End; 2],
-    /// Bodies on the line that are points, by their nodes, the payload last.
-    pub bodies: Vec<AttachedBody>,
-    /// A payload that turns about the last node of the line.
-    pub rigid_payload: Option<RigidPayload>,
-    /// Nodes of the clumps, in the order of the case.
-    pub clumps: Vec<usize>,
-    /// A body that travels along the line, if there is one.
-    pub traveller: Option<Traveller>,
-    /// Bending, where any material has a bending stiffness.
-    pub flexure: Option<Flexure>,
-    /// The sea bed, if there is one.
-    pub bed: Option<Seabed>,
-    /// Area of line that each node rests on the bed with \[m²\].
-    pub footprint: Vec<f64>,
-    /// The current.
-    pub current: Current,
-    /// Waves and the surface of the water, where the case names them.
-    pub water: Option<Water>,
-    /// Where tension is reported, from A to B.
-    pub joints: Vec<Joint>,
     /// Unstretched arc length of the nodes from A \[m\].
     pub arc: Vec<f64>,
-    /// Positions at time zero, or a first guess where the start is an equilibrium \[m\].
-    pub start: Vec<V3>,
-    /// What the user should know of how the case was made into this line.
-    pub remarks: Vec<String>,
-    /// Tensions of the segments that go with the start \[N\].
-    pub start_tension: Vec<f64>,
-    /// Where the bed has hold of the nodes at the start; none where it has no hold.
-    pub start_grips: Vec<Grip>,
-    /// Velocity at time zero of what is not held \[m/s\].
-    pub start_velocity: V3,
-    /// What happens to the line, the earliest first.
-    pub events: Vec<Event>,
-    /// Whether the line starts in equilibrium.
-    pub start_in_equilibrium: bool,
-    /// A force typical of this line \[N\]: its whole weight, or what its drag can be.
+    /// Conditions at the ends A and B.
+    pub ends: [End; 2],
+    /// Point bodies on the line, by their nodes, the payload last.
+    pub bodies: Vec<AttachedBody>,
+    /// The current.
+    pub current: Current,
+    /// Waves and the water surface, where the case names them.
+    pub water: Option<Water>,
+    /// A force typical of this line \[N\]: its whole weight, or the greatest drag.
     pub force_scale: f64,
 }
 
-impl Scene {
-    /// The state at time zero, ends where their motion has them.
-    #[must_use]
-    pub fn initial_state(&self) -> State {
-        let mut state = State::at_rest(self.start.clone());
-        state.memory.grips.clone_from(&self.start_grips);
-        self.prescribe(0.0, &mut state);
-        state
+impl LumpedLine {
+    /// Number of nodes, both ends counted.
+    pub(super) fn nodes(&self) -> usize {
+        self.mass.len()
+    }
+
+    /// The nodes that are not prescribed.
+    pub(super) fn free(&self) -> Range<usize> {
+        let held = |end: usize| usize::from(matches!(self.ends[end], End::Prescribed(_)));
+        held(0)..self.nodes() - held(1)
     }
 
     /// The chord of segment i.
@@ -188,41 +155,11 @@ impl Scene {
             self.water_at(i + 1, state) - state.v[i + 1],
         ]
     }
-}
-
-impl Scene {
-    /// The same line without drag, in still water without waves or surface.
-    #[must_use]
-    pub fn without_drag(&self) -> Self {
-        let mut bare = self.clone();
-        bare.current = Current::Uniform(V3::zeros());
-        bare.water = None;
-        for segment in &mut bare.segments {
-            let drag = &mut segment.drag;
-            (drag.normal, drag.tangential, drag.floats) = (0.0, 0.0, 0.0);
-        }
-        for hung in &mut bare.bodies {
-            hung.body.drag = V3::zeros();
-        }
-        bare
-    }
-
-    /// Greatest stiffness of a segment along itself, or of the bed's hold on a node \[N/m\].
-    pub(super) fn stiffest(&self) -> f64 {
-        let segments = self.segments.iter().map(|s| s.axial.ea / s.axial.length);
-        let grips = self.start_grips.iter().map(|grip| grip.stiffness);
-        segments.chain(grips).fold(0.0, f64::max)
-    }
 
     /// What the drag of the line could be in the fastest current there is, all of it across that or along \[N\].
     pub(super) fn greatest_drag(&self) -> f64 {
         let speed = self.current.max_speed();
         let per_square = |s: &Segment| s.axial.length * s.drag.greatest(speed);
         speed * speed * self.segments.iter().map(per_square).sum::<f64>()
-    }
-
-    /// Positions carry no more digits than this \[m\].
-    pub(super) fn rounding(&self) -> f64 {
-        8.0 * f64::EPSILON * self.start.iter().map(V3::amax).fold(1.0, f64::max)
     }
 }

@@ -1,11 +1,11 @@
 //! Tensions foretold from one iteration of statics to the next: see [`crate::solve::System::extrapolate_tensions`].
 
-use super::Scene;
+use super::LumpedLine;
 use crate::numerics::V3;
 use crate::physics::tension::{Chord, Tension};
 use crate::solve::State;
 
-impl Scene {
+impl LumpedLine {
     /// Tension of segment i, and the same as its stiffness should see it. Where tensions are foretold, a slack segment
     /// pushes: it is not yet where it will be, and must be told where to go.
     #[inline(always)]
@@ -30,19 +30,19 @@ impl Scene {
     }
 
     /// Tensions to begin with: those of the stretch where all are likely, else those of the first guess.
-    pub(super) fn initial_segment_tensions(&self, state: &mut State) {
+    pub(super) fn initial_segment_tensions(&self, start: &[f64], state: &mut State) {
         let now = state.memory.time;
         let stretched = |i: usize| {
             let chord = self.chord(i, state);
             self.two_sided_tension(i, &chord, now, state).value
         };
         let tensions: Vec<f64> = (0..self.segments.len()).map(stretched).collect();
-        let usual = self.start_tension.iter().copied().fold(0.0, f64::max);
+        let usual = start.iter().copied().fold(0.0, f64::max);
         let likely = |t: &f64| (1e-3 * usual..3.0 * usual).contains(t);
         state.extrapolated_tension = if tensions.iter().all(likely) {
             tensions
         } else {
-            self.start_tension.clone()
+            start.to_vec()
         };
     }
 

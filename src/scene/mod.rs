@@ -1,24 +1,25 @@
-//! A case made ready to compute: nodes, segments, ends and loads, in SI.
+//! A case made ready to compute: nodes, segments, ends and forces, in SI.
 //!
-//! The line is lumped: n segments join n + 1 nodes, each node carries the mass, weight, drag and added
-//! mass of the halves of its segments (second order in segment length). Only what the case names is
-//! in the scene. The whole line counts as under water, unless
-//! the case says that it crosses the surface.
+//! [`build`] makes a [`Scene`] of a case. The [`LumpedLine`] has n segments between n + 1 nodes; each node carries the mass,
+//! weight, drag and added mass of the halves of its segments (second order in segment length). Its forces are computed in one
+//! pass (`segment_kernel`). All other forces are [`Elements`], listed once. Only what the case names is in the scene. The whole
+//! line counts as submerged unless the case says that it crosses the surface.
 
 mod alternate_equilibria;
-mod bed;
 mod bodies;
 pub mod build;
 mod buoyancy;
 mod chord_correction;
 mod convergence_norm;
 mod elasticity;
+mod element;
+pub mod elements;
 mod ends;
 mod energy;
 mod equation;
+mod error;
 mod event;
 mod explicit;
-pub mod flexure;
 mod initial_friction;
 mod initial_guess;
 mod initial_shape;
@@ -26,23 +27,35 @@ pub mod line;
 pub mod mesh;
 mod mixed_iteration;
 pub mod outputs;
-mod rigid_payload;
 pub mod rope;
+#[expect(clippy::module_inception, reason = "the type of the room")]
+pub mod scene;
 mod segment_kernel;
 mod segment_tangent;
+mod snap;
 mod submergence;
-mod traveller;
 mod unused_inputs;
 pub mod water;
 mod waves;
 
-pub use build::{SceneError, build};
+use crate::numerics::V3;
+
+pub use build::build;
+pub use elements::{BedContact, Elements, Flexure, RigidPayload, Traveller};
 pub(crate) use ends::entry as response_entry;
+pub use error::SceneError;
 pub use event::{Change, Event};
-pub use flexure::Flexure;
-pub use line::{AttachedBody, End, Joint, Scene, Segment};
-pub use rigid_payload::RigidPayload;
+pub use line::{AttachedBody, End, LumpedLine, Segment};
 pub use rope::RopeStiffness;
-pub use traveller::Traveller;
+pub use scene::{Joint, Labels, Scene, Start};
 pub use water::Water;
 pub use waves::{Record, records};
+
+/// Unit vector of an azimuth from +x towards +y and an elevation \[rad\].
+fn direction(azimuth: f64, elevation: f64) -> V3 {
+    V3::new(
+        azimuth.cos() * elevation.cos(),
+        azimuth.sin() * elevation.cos(),
+        elevation.sin(),
+    )
+}

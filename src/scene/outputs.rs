@@ -1,7 +1,7 @@
 //! What is read off a state: tensions at nodes, loads, energies.
 
-use super::water::BodyInWater;
-use super::{AttachedBody, Scene};
+use super::Scene;
+use super::element::At;
 use crate::numerics::V3;
 use crate::physics::tension::Chord;
 use crate::solve::State;
@@ -18,12 +18,14 @@ impl Scene {
         } else {
             (last - 1, -1.0)
         };
-        let chord = self.chord(i, state);
-        let pull = chord.tangent * self.tension_now(i, &chord, state).value;
+        let chord = self.line.chord(i, state);
+        let pull = chord.tangent * self.line.tension_now(i, &chord, state).value;
         let load = self.half_load(i, node, &chord, state);
-        let load = match &self.bed {
+        let load = match &self.elements.bed {
             None => load,
-            Some(_) => load + self.bed_force_on_half(i, node, (&(pull * sign), &load), state),
+            Some(bed) => {
+                load + bed.force_on_half(i, node, (&(pull * sign), &load), self.now(state))
+            }
         };
         // A slack segment has no direction to speak of: its half's load is then no tension.
         if pull == V3::zeros() {
@@ -31,7 +33,7 @@ impl Scene {
         }
         let force = pull + load * sign;
         // With bending the force at a node has a shear part as well; the tension is the part along the line.
-        if self.flexure.is_some() {
+        if self.elements.flexure.is_some() {
             force.dot(&chord.tangent)
         } else {
             force.norm()
@@ -41,18 +43,18 @@ impl Scene {
     /// Weight, drag and (negative) inertia of the half of segment i at one of its nodes \[N\].
     #[inline(always)]
     fn half_load(&self, i: usize, node: usize, chord: &Chord, state: &State) -> V3 {
-        let segment = &self.segments[i];
+        let segment = &self.line.segments[i];
         let half = node - i;
-        let wet = self.wet(i, state);
-        let drag = self.submerged_drag(i, chord, state, wet.as_ref());
+        let wet = self.line.wet(i, state);
+        let drag = self.line.submerged_drag(i, chord, state, wet.as_ref());
         // Forces alone: what their tangents need is then never worked out.
         let drag = drag.forces()[half];
-        let relative = self.relative_acceleration(node, state);
-        let added = self.added(i, wet.as_ref())[half].force(&chord.tangent, &relative);
+        let relative = self.line.relative_acceleration(node, state);
+        let added = self.line.added(i, wet.as_ref())[half].force(&chord.tangent, &relative);
         let inertia = state.a[node] * segment.half_mass + added;
         let load = drag - inertia - V3::z() * segment.half_weight;
-        if self.water.is_some() {
-            load + self.pressure(i, half, wet.as_ref(), state)
+        if self.line.water.is_some() {
+            load + self.line.pressure(i, half, wet.as_ref(), state)
         } else {
             load
         }
@@ -74,32 +76,21 @@ impl Scene {
         } else {
             (node - 1, -1.0)
         };
-        let chord = self.chord(i, state);
+        let chord = self.line.chord(i, state);
         let (t, a) = (&chord.tangent, &state.a[node]);
-        let wet = self.wet(i, state);
-        let pull = t * (self.tension_now(i, &chord, state).value * sign);
-        let drag = self.submerged_drag(i, &chord, state, wet.as_ref());
+        let wet = self.line.wet(i, state);
+        let pull = t * (self.line.tension_now(i, &chord, state).value * sign);
+        let drag = self.line.submerged_drag(i, &chord, state, wet.as_ref());
         let mut force = pull + drag.forces()[node - i]
-            - V3::z() * self.weight[node]
-            - a * self.mass[node]
-            - self.added(i, wet.as_ref())[node - i]
-                .force(t, &self.relative_acceleration(node, state));
-        if self.water.is_some() {
-            force += self.pressure(i, node - i, wet.as_ref(), state);
+            - V3::z() * self.line.weight[node]
+            - a * self.line.mass[node]
+            - self.line.added(i, wet.as_ref())[node - i]
+                .force(t, &self.line.relative_acceleration(node, state));
+        for element in self.elements.iter() {
+            element.add_end_force(self.now(state), node, &mut force);
         }
-        for (number, AttachedBody { node: at, body }) in self.bodies.iter().enumerate() {
-            if *at == node {
-                let BodyInWater {
-                    u, a, share, load, ..
-                } = self.body_in_water(number, state);
-                force += (body.drag(&u) - body.added.component_mul(&a)) * share + load;
-            }
-        }
-        if let Some(flexure) = &self.flexure {
-            force += flexure.end_force(self, node, state);
-        }
-        if self.bed.is_some() {
-            force += self.bed_force_on_half(i, node, (&pull, &(force - pull)), state);
+        if let Some(bed) = &self.elements.bed {
+            force += bed.force_on_half(i, node, (&pull, &(force - pull)), self.now(state));
         }
         force
     }
@@ -109,12 +100,12 @@ impl Scene {
     #[must_use]
     pub fn sharpest_turn(&self, state: &State) -> (f64, usize) {
         let taut = |i: usize| {
-            let chord = self.chord(i, state);
-            let pulls = self.tension_now(i, &chord, state).value > 0.0;
+            let chord = self.line.chord(i, state);
+            let pulls = self.line.tension_now(i, &chord, state).value > 0.0;
             pulls.then_some(chord.tangent)
         };
         let turn = |node: usize| {
-            let bare = self.bodies.iter().all(|hung| hung.node != node);
+            let bare = self.line.bodies.iter().all(|hung| hung.node != node);
             let cos = taut(node - 1)?.dot(&taut(node)?);
             bare.then(|| (cos.clamp(-1.0, 1.0).acos(), node))
         };
@@ -123,18 +114,76 @@ impl Scene {
             .fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a })
     }
 
-    /// The greatest acceleration \[m/s²\] that segments which are slack at `between` and taut at `end` give a node there.
-    pub(super) fn acceleration_by_snaps(&self, between: &State, end: &State) -> f64 {
-        let mut jolt = 0.0_f64;
-        for (i, segment) in self.segments.iter().enumerate() {
-            let unstretched = segment.axial.length * segment.axial.length;
-            let taut = |s: &State| (s.x[i + 1] - s.x[i]).norm_squared() > unstretched;
-            if taut(end) && !taut(between) && !segment.axial.rod {
-                let stretch = (end.x[i + 1] - end.x[i]).norm() - segment.axial.length;
-                let pull = segment.axial.ea * stretch / segment.axial.length;
-                jolt = jolt.max(pull / self.mass[i].min(self.mass[i + 1]));
-            }
+    /// Where elements are evaluated at the time of the last accepted step.
+    fn now<'a>(&'a self, state: &'a State) -> At<'a> {
+        self.at(state.memory.time, state)
+    }
+
+    /// Unstretched arc length of the traveller at time t \[m\]; none without one.
+    #[must_use]
+    pub fn traveller_arc(&self, t: f64) -> Option<f64> {
+        let traveller = self.elements.traveller.as_ref();
+        traveller.map(|traveller| traveller.at(t).0)
+    }
+
+    /// Position \[m\] and velocity \[m/s\] of the traveller at time t; none without one.
+    #[must_use]
+    pub fn traveller_at(&self, t: f64, state: &State) -> Option<(V3, V3)> {
+        let point = self.elements.traveller.as_ref()?.path_point(&self.line, t);
+        Some((point.place(state), point.velocity(state)))
+    }
+
+    /// Tension of the segment that the traveller is on \[N\]; none without one.
+    #[must_use]
+    pub fn traveller_tension(&self, t: f64, state: &State) -> Option<f64> {
+        let point = self.elements.traveller.as_ref()?.path_point(&self.line, t);
+        let chord = self.line.chord(point.segment, state);
+        Some(self.line.pull(point.segment, &chord, t, state).value)
+    }
+
+    /// Load of the traveller on a prescribed end while it is on the segment there \[N\].
+    #[must_use]
+    pub fn traveller_force_on(&self, node: usize, t: f64, state: &State) -> V3 {
+        let traveller = self.elements.traveller.as_ref();
+        traveller.map_or_else(V3::zeros, |traveller| {
+            traveller.force_on(node, self.at(t, state))
+        })
+    }
+
+    /// Nodes of the line itself: all of them, less the far end of a body that turns.
+    #[must_use]
+    pub fn line_nodes(&self) -> usize {
+        self.line.line_nodes
+    }
+
+    /// Position of end B \[m\]: its last node, or the centre of gravity of a body that turns there.
+    #[must_use]
+    pub fn end_b_position(&self, state: &State) -> V3 {
+        self.at_end_b(&state.x)
+    }
+
+    /// Velocity of end B \[m/s\], likewise.
+    #[must_use]
+    pub fn end_b_velocity(&self, state: &State) -> V3 {
+        self.at_end_b(&state.v)
+    }
+
+    fn at_end_b(&self, values: &[V3]) -> V3 {
+        match &self.elements.rigid_payload {
+            Some(rigid_payload) => rigid_payload.at(values, rigid_payload.body.centre),
+            None => values[values.len() - 1],
         }
-        jolt
+    }
+
+    /// Angle between the axis of a body that turns and straight down \[rad\]; zero where none does.
+    #[must_use]
+    pub fn tilt(&self, state: &State) -> f64 {
+        self.elements
+            .rigid_payload
+            .as_ref()
+            .map_or(0.0, |rigid_payload| {
+                let t = self.line.chord(rigid_payload.node, state).tangent;
+                t.x.hypot(t.y).atan2(-t.z)
+            })
     }
 }

@@ -1,6 +1,6 @@
 //! Tensions of segments, whichever law their material follows, and what ropes remember.
 
-use super::Scene;
+use super::LumpedLine;
 use crate::physics::rope::{Elastic, MeanState, TensionLaw};
 use crate::physics::tension::{Axial, Chord, Tension};
 use crate::solve::{RopeHistory, State};
@@ -16,7 +16,7 @@ pub struct RopeStiffness {
     pub stiffness: f64,
 }
 
-impl Scene {
+impl LumpedLine {
     /// The tension of segment i at time t \[s\].
     #[inline(always)]
     #[must_use]

@@ -5,7 +5,7 @@
 //! surface, shear, laws of ropes or tensions foretold is asked once a call, and the loop over the segments is compiled
 //! for either answer. What surrounds a node is worked out once and serves the segments on both its sides.
 
-use super::Scene;
+use super::LumpedLine;
 use super::segment_tangent::{Halves, Slopes, pull_by_chord};
 use super::submergence::Submergence;
 use crate::numerics::lanes::{self, Two};
@@ -31,7 +31,7 @@ pub(super) struct Around {
     shear: V3,
 }
 
-impl Scene {
+impl LumpedLine {
     /// Sets the residual to what nodes have of their own, mass and weight, and of the segments.
     pub(super) fn segment_residual(&self, t: f64, state: &State, r: &mut [V3]) {
         if self.is_plain(state) {

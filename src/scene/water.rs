@@ -10,14 +10,12 @@
 //! is lost to a potential: see `scene/submergence.rs`.
 
 use super::submergence::{self, Height, Submergence};
-use super::{AttachedBody, Scene, Segment};
-use crate::numerics::lanes::{self, Two, TwoM3};
-use crate::numerics::{BlockBand, M3, V3};
+use super::{AttachedBody, LumpedLine, Segment};
+
+use crate::numerics::V3;
 use crate::physics::added_mass::AddedMass;
-use crate::physics::drag::Drag;
 use crate::physics::sea::{Flow, Waves};
-use crate::physics::tension::Chord;
-use crate::solve::{Factors, State};
+use crate::solve::State;
 
 /// The water, where it does more than be there.
 #[derive(Debug, Clone, PartialEq)]
@@ -103,12 +101,12 @@ pub(super) struct BodyInWater {
     pub(super) carried: V3,
     /// The share of it that is wet, and its derivative by the body's place \[1/m\].
     pub(super) share: f64,
-    by_place: V3,
+    pub(super) by_place: V3,
     /// Pressure of the wave and buoyancy lost \[N\].
     pub(super) load: V3,
 }
 
-impl Scene {
+impl LumpedLine {
     /// Height of the waves above still water over the gauge at a time \[s\], in metres; 0 without waves.
     #[must_use]
     pub fn elevation(&self, time: f64) -> f64 {
@@ -178,7 +176,7 @@ impl Scene {
 
     /// Buoyancy that half of segment i lacks where it is dry, a load downwards \[N\].
     #[inline(always)]
-    fn lost_buoyancy(&self, i: usize, half: usize, state: &State) -> V3 {
+    pub(super) fn lost_buoyancy(&self, i: usize, half: usize, state: &State) -> V3 {
         let Some(water) = self.water.as_ref().filter(|w| w.crossed) else {
             return V3::zeros();
         };
@@ -234,117 +232,6 @@ impl Scene {
         around
     }
 
-    /// Takes the loads of waves and surface from the residual, where the case has any: those that are
-    /// neither drag nor added mass.
-    pub(super) fn add_water(&self, state: &State, r: &mut [V3]) {
-        if self.water.is_none() {
-            return;
-        }
-        for i in 0..self.segments.len() {
-            let wet = self.wet(i, state);
-            for half in [0, 1] {
-                r[i + half] -= self.pressure(i, half, wet.as_ref(), state);
-            }
-        }
-        for (number, hung) in self.bodies.iter().enumerate() {
-            r[hung.node] -= self.body_in_water(number, state).load;
-        }
-    }
-
-    /// Adds to the tangent what the residual of a line in waves or across the surface changes by from place to place
-    /// of the water: through the gradients of its motion, and through the share that is wet.
-    pub(super) fn add_water_tangent(&self, state: &State, c: Factors, tangent: &mut BlockBand) {
-        let Some(water) = &self.water else {
-            return;
-        };
-        for i in 0..self.segments.len() {
-            let chord = self.chord(i, state);
-            let drags = self.full_drag(i, &chord, state);
-            let wet = self.wet(i, state);
-            for half in [0, 1] {
-                let (own, other) =
-                    self.half_by_places(i, half, &chord, &drags, wet.as_ref(), state);
-                tangent.diag[i + half] += own * c.stiffness;
-                let coupling = if half == 0 {
-                    &mut tangent.upper[i]
-                } else {
-                    &mut tangent.lower[i + 1]
-                };
-                *coupling += other * c.stiffness;
-            }
-        }
-        for (number, hung) in self.bodies.iter().enumerate() {
-            let own = self.body_by_place(water, number, hung, state);
-            tangent.diag[hung.node] += own * c.stiffness;
-        }
-    }
-
-    /// Derivatives of the residual of half a segment by the place of its own node and of the other one, as far as they
-    /// come from the water: `f [ -(M_added + m) dA/dx - dF/du dU/dx ] + (what is wet of it, as if all were) (df/dx)'`.
-    fn half_by_places(
-        &self,
-        i: usize,
-        half: usize,
-        chord: &Chord,
-        drags: &Drag<Two>,
-        wet: Option<&[Submergence; 2]>,
-        state: &State,
-    ) -> (M3, M3) {
-        let (node, other) = (i + half, i + 1 - half);
-        let (t, added) = (&chord.tangent, &self.segments[i].added);
-        let displaced = self.water.as_ref().map_or(0.0, |w| w.displaced[i]);
-        let one = |blocks: &TwoM3| lanes::block(blocks, half);
-        let (mut by_own, mut by_other) = (M3::zeros(), M3::zeros());
-        let mut pressed = V3::zeros();
-        if let (Some(here), Some(there)) = (state.wave_flow.get(node), state.wave_flow.get(other)) {
-            by_own -= inertia(added, t, displaced) * here.acceleration_gradient
-                + one(&drags.matrix(&lanes::twice(t))) * here.gradient;
-            if let Some(blocks) = drags.by_other_velocity() {
-                by_other -= one(&blocks) * there.gradient;
-            }
-            pressed = here.acceleration_at(&state.x[node]) * displaced;
-        }
-        if let (Some(wet), Some(water)) = (wet, &self.water) {
-            let Submergence { share, by } = &wet[half];
-            let relative = self.relative_acceleration(node, state);
-            let all = added.force(t, &relative) - drags.forces()[half] - pressed;
-            by_own = by_own * *share + all * by[half].transpose();
-            by_other = by_other * *share + all * by[1 - half].transpose();
-            let heights = [i, i + 1].map(|node| height(node, state));
-            let dry = submergence::lost_buoyancy(water.radius[i], heights.map(|h| h.above));
-            let lift = V3::z() * (2.0 * displaced * water.gravity);
-            let by = |node: usize| lift * (heights[node].by_place * dry.by[half][node]).transpose();
-            by_own += by(half);
-            by_other += by(1 - half);
-        }
-        (by_own, by_other)
-    }
-
-    /// The same for the body of this number.
-    fn body_by_place(
-        &self,
-        water: &Water,
-        number: usize,
-        hung: &AttachedBody,
-        state: &State,
-    ) -> M3 {
-        let around = self.body_in_water(number, state);
-        let (body, mass) = (&hung.body, water.by_bodies[number]);
-        let mut by_place = M3::zeros();
-        let mut pressed = V3::zeros();
-        if let Some(flow) = state.wave_flow.get(hung.node) {
-            let moved = M3::from_diagonal(&body.added.add_scalar(mass));
-            by_place -= moved * flow.acceleration_gradient
-                + body.drag_by_velocity(&around.u) * flow.gradient;
-            pressed = flow.acceleration_at(&state.x[hung.node]) * mass;
-        }
-        let all = body.added.component_mul(&around.a)
-            - body.drag(&around.u)
-            - pressed
-            - V3::z() * (mass * water.gravity);
-        by_place * around.share + all * around.by_place.transpose()
-    }
-
     /// Energy of the buoyancy that dry parts of the line lack in still water \[J\].
     pub(super) fn surface_energy(&self, state: &State) -> f64 {
         let Some(water) = self.water.as_ref().filter(|w| w.crossed) else {
@@ -360,47 +247,7 @@ impl Scene {
             let radius = water.radius_of_body(number);
             water.by_bodies[number] * submergence::sphere_lost_energy(radius, state.x[hung.node].z)
         });
-        let rigid_payload = self
-            .rigid_payload
-            .as_ref()
-            .map_or(0.0, |t| t.lifted(water, state));
-        water.gravity * (segments + bodies.sum::<f64>()) + rigid_payload
-    }
-
-    /// Power that waves put into the line by their pressure, and by carrying along the water that goes with it \[W\]; what
-    /// they do by drag counts as drag, see [`Scene::dissipation`].
-    #[must_use]
-    pub fn power_of_waves(&self, state: &State) -> f64 {
-        if state.wave_flow.is_empty() {
-            return 0.0;
-        }
-        let mut power = 0.0;
-        // The potential of dry parts is that in still water: what the surface does beyond it is the waves'.
-        let mut still = State::at_rest(state.x.clone());
-        still.v.clone_from(&state.v);
-        for i in 0..self.segments.len() {
-            let (t, wet) = (self.chord(i, state).tangent, self.wet(i, state));
-            for half in [0, 1] {
-                let load = self.wave_force(i, half, &t, wet.as_ref(), state);
-                let load = load - self.lost_buoyancy(i, half, &still);
-                power += load.dot(&state.v[i + half]);
-            }
-        }
-        for (number, hung) in self.bodies.iter().enumerate() {
-            let BodyInWater {
-                carried,
-                share,
-                load,
-                ..
-            } = self.body_in_water(number, state);
-            let load = load + hung.body.added.component_mul(&carried) * share;
-            power += (load - self.body_in_water(number, &still).load).dot(&state.v[hung.node]);
-        }
-        power
-            + self
-                .rigid_payload
-                .as_ref()
-                .map_or(0.0, |t| t.power_of_waves(self, state, &still))
+        water.gravity * (segments + bodies.sum::<f64>())
     }
 
     /// Writes into the state what the waves make of the water at its nodes at time t \[s\]; nothing where there are none.
@@ -413,22 +260,16 @@ impl Scene {
         else {
             return;
         };
-        state
-            .wave_flow
-            .resize(self.nodes_of_line(), Flow::default());
+        state.wave_flow.resize(self.mass.len(), Flow::default());
         for (flow, x) in state.wave_flow.iter_mut().zip(&state.x) {
             *flow = waves.flow(t, x, *crossed);
         }
-    }
-
-    fn nodes_of_line(&self) -> usize {
-        self.mass.len()
     }
 }
 
 /// Height of a node above the surface.
 #[inline(always)]
-fn height(node: usize, state: &State) -> Height {
+pub(super) fn height(node: usize, state: &State) -> Height {
     let x = &state.x[node];
     match state.wave_flow.get(node) {
         None => Height {
@@ -440,10 +281,4 @@ fn height(node: usize, state: &State) -> Height {
             by_place: V3::z() - flow.slope,
         },
     }
-}
-
-/// Added mass and displaced mass as a matrix.
-fn inertia(added: &AddedMass, t: &V3, displaced: f64) -> M3 {
-    let along = t * ((added.tangential - added.normal) * t).transpose();
-    M3::from_diagonal_element(added.normal + displaced) + along
 }

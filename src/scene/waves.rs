@@ -1,6 +1,6 @@
 //! From the words of a case to its waves.
 
-use super::build::SceneError;
+use super::error::SceneError;
 use super::{AttachedBody, Segment, Water};
 use crate::case::{
     self, Case, DecayName, Method, SpectrumName, StretchingName, WaterSurface, WaveKind,

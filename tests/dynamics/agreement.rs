@@ -106,7 +106,7 @@ const AT_REST: &str = r#"
 fn rest_stays_at_rest() {
     let scene = rest::build(AT_REST);
     let still = rest::at_rest(&scene);
-    let left = 1e-8 * scene.force_scale * 11.0;
+    let left = 1e-8 * scene.line.force_scale * 11.0;
     let tolerance = 2.0 * left * 100.0 / (700.0 * 9.80665);
     let check = |t: f64, state: &State| {
         for (x, x0) in state.x.iter().zip(&still.x) {

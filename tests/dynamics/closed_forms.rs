@@ -69,7 +69,7 @@ fn a_hanging_line_stretches_exactly() {
         let (end, w, ea, length) = (500.0 * G, 2.0 * G, 1e6, 100.0);
         // A residual force of 1e-8 of the gross weight may be left at each node and stretches what is above.
         let left = 1e-8 * (end + w * length) * segments as f64;
-        for (x, s) in state.x.iter().zip(&scene.arc) {
+        for (x, s) in state.x.iter().zip(&scene.line.arc) {
             let z = -(s + (end * s + w * (length * s - 0.5 * s * s)) / ea);
             assert!(
                 (x.z - z).abs() <= left * s / ea + 1e-13 * length,
@@ -78,7 +78,7 @@ fn a_hanging_line_stretches_exactly() {
             );
             assert_eq!((x.x, x.y), (0.0, 0.0));
         }
-        for (node, s) in scene.arc.iter().enumerate() {
+        for (node, s) in scene.line.arc.iter().enumerate() {
             let tension = end + w * (length - s);
             let off = (scene.tension_at(node, &state) - tension).abs();
             assert!(
@@ -165,9 +165,9 @@ fn a_line_that_nothing_holds_falls_without_tension() {
         start = { shape = "straight", azimuth_deg = 30.0, elevation_deg = -20.0 }
         "#,
     );
-    let total: f64 = scene.mass.iter().sum();
+    let total: f64 = scene.line.mass.iter().sum();
     let centre = |state: &State| {
-        let moments = scene.mass.iter().zip(&state.x).map(|(m, x)| x * *m);
+        let moments = scene.line.mass.iter().zip(&state.x).map(|(m, x)| x * *m);
         moments.sum::<V3>() / total
     };
     let from = centre(&scene.initial_state());
@@ -177,10 +177,10 @@ fn a_line_that_nothing_holds_falls_without_tension() {
         let rounding = (t / h + 1.0) * 240.0 * f64::EPSILON;
         let off = (centre(state) - from + V3::z() * (0.5 * G * t * t)).norm();
         assert!(off <= 2.0 * rounding, "t = {t}: {off} m");
-        for i in 0..scene.segments.len() {
-            let tension = scene.segments[i]
+        for i in 0..scene.line.segments.len() {
+            let tension = scene.line.segments[i]
                 .axial
-                .tension(&scene.chord(i, state))
+                .tension(&scene.line.chord(i, state))
                 .value;
             let limit = 4.0 * rounding * 1e6 / 10.0;
             assert!(

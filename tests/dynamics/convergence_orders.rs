@@ -59,8 +59,14 @@ const DURATION: f64 = 16.0;
 fn swung(scene: &Scene, method: impl Stepper<Scene>, step: f64) -> State {
     let mut state = rest::at_rest(scene);
     march::march(method, scene, &mut state, (DURATION, step), |_, s| {
-        for i in 0..scene.segments.len() {
-            assert!(scene.segments[i].axial.tension(&scene.chord(i, s)).value > 0.0);
+        for i in 0..scene.line.segments.len() {
+            assert!(
+                scene.line.segments[i]
+                    .axial
+                    .tension(&scene.line.chord(i, s))
+                    .value
+                    > 0.0
+            );
         }
     });
     state
@@ -187,10 +193,11 @@ fn a_hanging_line_meets_the_catenary_to_order_two_in_segment_length() {
         ));
         let state = rest::at_rest(&scene);
         let off = |i: usize| {
-            let (x, z) = exact.at(scene.arc[i]);
+            let (x, z) = exact.at(scene.line.arc[i]);
             (state.x[i].x - x).hypot(state.x[i].z - z)
         };
-        let pull = |i: usize| (scene.tension_at(i, &state) - exact.tension(scene.arc[i])).abs();
+        let pull =
+            |i: usize| (scene.tension_at(i, &state) - exact.tension(scene.line.arc[i])).abs();
         shape.push((100.0 / n as f64, (0..=n).map(off).fold(0.0, f64::max)));
         tension.push((100.0 / n as f64, (0..=n).map(pull).fold(0.0, f64::max)));
     }

@@ -64,8 +64,8 @@ const SWINGING: &str = r#"
 /// The line with every vector of it mapped.
 fn mapped(scene: &Scene, place: impl Fn(&V3) -> V3, turn: impl Fn(&V3) -> V3) -> Scene {
     let mut scene = scene.clone();
-    scene.start.iter_mut().for_each(|x| *x = place(x));
-    for end in &mut scene.ends {
+    scene.start.positions.iter_mut().for_each(|x| *x = place(x));
+    for end in &mut scene.line.ends {
         if let End::Prescribed(motion) = end {
             motion.position = place(&motion.position);
             if let MotionPath::Harmonic(swing) = &mut motion.course {
@@ -73,7 +73,7 @@ fn mapped(scene: &Scene, place: impl Fn(&V3) -> V3, turn: impl Fn(&V3) -> V3) ->
             }
         }
     }
-    if let Current::Table { velocity, .. } = &mut scene.current {
+    if let Current::Table { velocity, .. } = &mut scene.line.current {
         velocity.iter_mut().for_each(|v| *v = turn(v));
     }
     scene

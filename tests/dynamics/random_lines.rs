@@ -230,18 +230,23 @@ fn stretches_far(text: &str) -> bool {
     let scene = scene::build(&lines::line(text), 1).unwrap();
     let drag = |area: f64| 0.5 * 1025.0 * area * 9.0;
     let sides: f64 = scene
+        .line
         .segments
         .iter()
         .map(|s| s.diameter * s.axial.length)
         .sum();
     let payload = scene
+        .line
         .bodies
         .iter()
         .map(|h| 9.0 * h.body.drag.max())
         .sum::<f64>();
-    let turning = scene.rigid_payload.map_or(0.0, |t| 9.0 * t.body.drag[0]);
-    let load = scene.force_scale + drag(2.0 * sides) + payload + turning;
-    scene.segments[0].axial.ea < 10.0 * load
+    let turning = scene
+        .elements
+        .rigid_payload
+        .map_or(0.0, |t| 9.0 * t.body.drag[0]);
+    let load = scene.line.force_scale + drag(2.0 * sides) + payload + turning;
+    scene.line.segments[0].axial.ea < 10.0 * load
 }
 
 /// Cases drawn; few enough for a quick test. `PROPTEST_CASES` draws more.
@@ -317,7 +322,7 @@ proptest! {
         match EquilibriumSearch::default().run(&scene, 0.0, &mut state) {
             Ok(found) => {
                 let (_, left) = Newton::new(scene.nodes(), 1.0, 1).largest_residual(&scene, 0.0, &state);
-                prop_assert!(left <= (1e-8 * scene.force_scale).max(scene.rounding_force()), "{left} N\n{text}");
+                prop_assert!(left <= (1e-8 * scene.line.force_scale).max(scene.rounding_force()), "{left} N\n{text}");
                 prop_assert_eq!(left, found.residual);
             }
             Err(why) => prop_assert!(why.to_string().contains("at node"), "{why}"),

@@ -60,9 +60,9 @@ fn a_stopped_line_snaps_by_bar_theory() {
         state
     };
     let first = |state: &State| {
-        scene.segments[0]
+        scene.line.segments[0]
             .axial
-            .tension(&scene.chord(0, state))
+            .tension(&scene.line.chord(0, state))
             .value
     };
     // Half the way of the front to the far end; the fastest waves are still on the way.
@@ -106,7 +106,7 @@ fn a_stopped_line_snaps_by_bar_theory() {
             "rho = {rho}: {}",
             peak / bar
         );
-        let before = 0.5 * v * v * scene.mass[1..].iter().sum::<f64>();
+        let before = 0.5 * v * v * scene.line.mass[1..].iter().sum::<f64>();
         assert!(
             energy <= before * (1.0 + 1e-9),
             "rho = {rho}: {energy} J from {before} J"
@@ -137,9 +137,9 @@ fn a_bob_on_a_slack_line_snaps_by_its_energy() {
     };
     let mut peak = 0.0_f64;
     let tension = |state: &State| {
-        scene.segments[0]
+        scene.line.segments[0]
             .axial
-            .tension(&scene.chord(0, state))
+            .tension(&scene.line.chord(0, state))
             .value
     };
     for h in [0.02 / omega, 0.1 / omega] {

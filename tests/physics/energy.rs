@@ -165,7 +165,7 @@ fn the_books_of_every_scene_balance() {
 /// segments, pushed to 10 m/s from rest, which swings it to 18 degrees and pulls the line taut and less taut.
 fn lost_in_a_long_swing(scene: &Scene, method: impl Stepper<Scene>, step: f64) -> f64 {
     let mut state = rest::at_rest(scene);
-    for (v, s) in state.v.iter_mut().zip(&scene.arc) {
+    for (v, s) in state.v.iter_mut().zip(&scene.line.arc) {
         v.x = 0.1 * s;
     }
     let kinetic = 0.5 * 1000.0 * 10.0 * 10.0;

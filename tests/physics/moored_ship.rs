@@ -262,6 +262,6 @@ fn energy_is_kept_without_damping_and_what_damping_takes_adds_up() {
 
 fn line_without_bed() -> Scene {
     let mut line = chain(97.0, 20.0, 20);
-    line.bed = None;
+    line.elements.bed = None;
     line
 }

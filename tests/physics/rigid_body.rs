@@ -30,8 +30,11 @@ const INERTIA: f64 = 900.0;
 /// Line and body at small angles from the vertical in the plane y = 0 \[rad\], stretched by what they carry.
 fn inclined(scene: &Scene, line: f64, body: f64) -> State {
     let mut state = scene.initial_state();
-    let rod = &scene.segments[1].axial;
-    let (hung, below) = (scene.weight[1] + scene.weight[2], scene.weight[2]);
+    let rod = &scene.line.segments[1].axial;
+    let (hung, below) = (
+        scene.line.weight[1] + scene.line.weight[2],
+        scene.line.weight[2],
+    );
     let lean = |angle: f64, length: f64| V3::new(angle.sin(), 0.0, -angle.cos()) * length;
     state.x[1] = lean(line, LENGTH * (1.0 + hung / 1e11));
     state.x[2] = state.x[1] + lean(body, rod.length * (1.0 + below / rod.ea));
@@ -79,7 +82,7 @@ fn modes(line: f64, rod: f64) -> [(f64, f64); 2] {
 fn a_body_on_a_string_swings_at_its_two_frequencies() {
     let scene = build(BODY);
     let limit = scene.explicit_limit().0;
-    let rod = 1.0 + scene.weight[2] / scene.segments[1].axial.ea;
+    let rod = 1.0 + scene.line.weight[2] / scene.line.segments[1].axial.ea;
     let stretched = modes(1.0 + MASS * G / 1e11, rod);
     for ((square, ratio), (rigid, _)) in stretched.into_iter().zip(modes(1.0, 1.0)) {
         let exact = 2.0 * PI / square.sqrt();

@@ -108,7 +108,12 @@ fn euler_bernoulli_beam_under_its_weight() {
     let (scene, state) = cantilever(160, 0.0, q);
     let deflection = -state.x.last().unwrap().z;
     assert!((deflection - 0.01).abs() < 1e-5, "{deflection}");
-    let moment = scene.flexure.as_ref().unwrap().moments(&scene, &state)[0];
+    let moment = scene
+        .elements
+        .flexure
+        .as_ref()
+        .unwrap()
+        .moments(&scene.line, &state)[0];
     assert!((moment - q * 50.0).abs() < 1e-4 * q * 50.0, "{moment}");
 }
 
@@ -246,12 +251,12 @@ fn missed(segments: usize, apart: f64, elevations: [f64; 2]) -> [f64; 3] {
         .unwrap_or_else(|why| panic!("{apart} {elevations:?}: {why}"));
     let pull = scene.end_force(0, &state);
     assert_eq!(instabilities(&scene, 0.0, &state), Some(0));
-    let flexure = scene.flexure.as_ref().unwrap();
-    let first = scene.chord(0, &state).tangent;
+    let flexure = scene.elements.flexure.as_ref().unwrap();
+    let first = scene.line.chord(0, &state).tangent;
     let angle = elevations[0].to_radians();
     // At a clamp the moment has the sign of the turn from it to the first segment.
     let turn = angle.cos() * first.z - angle.sin() * first.x;
-    let moment = flexure.moments(&scene, &state)[0] * turn.signum();
+    let moment = flexure.moments(&scene.line, &state)[0] * turn.signum();
     let end = elastica(angle, (pull.x, pull.z), moment);
     let off = (end[2] - elevations[1].to_radians()) / std::f64::consts::TAU;
     [

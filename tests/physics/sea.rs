@@ -41,7 +41,7 @@ fn load_on_cylinder(scene: &Scene, t: f64) -> V3 {
     let mut r = vec![V3::zeros(); n];
     scene.residual(t, &state, &mut r);
     // Pulls cancel in the sum; weights are taken away.
-    let weight: f64 = scene.weight.iter().sum();
+    let weight: f64 = scene.line.weight.iter().sum();
     -(r.iter().sum::<V3>() - V3::z() * weight)
 }
 
@@ -94,7 +94,7 @@ fn morisons_load_on_an_upright_cylinder_is_the_integral() {
 fn arc_at_surface(scene: &Scene, state: &State) -> f64 {
     let i = (0..scene.nodes()).find(|i| state.x[i + 1].z < 0.0).unwrap();
     let (above, below) = (state.x[i].z, state.x[i + 1].z);
-    scene.arc[i] + (scene.arc[i + 1] - scene.arc[i]) * above / (above - below)
+    scene.line.arc[i] + (scene.line.arc[i + 1] - scene.line.arc[i]) * above / (above - below)
 }
 
 /// A free line that is lighter than water when wet and floats upright, ballasted at its foot.
@@ -439,7 +439,7 @@ fn a_vessel_that_follows_the_surface_moves_with_it() {
     let motion = "motion = \"vessel\"\nmotion_file = \"rao.csv\"\nhang_point_m = [10.0, 0.0, 4.0]\nheading_deg = 90.0";
     let case = seacable::case::parse(&led(motion, &waves), "case.toml").unwrap();
     let scene = scene::build(&case, 1).unwrap();
-    let sea = scene.water.as_ref().unwrap().waves.as_ref().unwrap();
+    let sea = scene.line.water.as_ref().unwrap().waves.as_ref().unwrap();
     for t in [0.0, 3.3, 47.0] {
         // The reference point lies 10 m aft of the hang point: the ship points along y.
         let surface = sea.elevation(t, &V3::new(20.0, -5.0, 0.0));

@@ -201,7 +201,7 @@ fn friction_takes_tension_off_metre_by_metre_until_there_is_none() {
         let (sin, cos) = slope_deg.to_radians().sin_cos();
         let loss = 500.0 * (sin + friction * cos);
         for node in 0..340 {
-            let exact = exact.at(scene.arc[node]).tension_n;
+            let exact = exact.at(scene.line.arc[node]).tension_n;
             let found = scene.tension_at(node, &state);
             // Where the tension runs out lies somewhere within a segment.
             let off = (found - exact).abs();
@@ -401,8 +401,8 @@ fn a_slope_holds_below_the_angle_of_friction() {
             "friction = {friction}, damping_n_s_per_m3 = 2e3, slope_deg = {slope}, slope_azimuth_deg = 90.0"
         ));
         // As deep in the bed as it comes to rest.
-        let bed = scene.bed.unwrap();
-        for (x, grip) in scene.start.iter_mut().zip(&mut scene.start_grips) {
+        let bed = scene.elements.bed.as_ref().unwrap().seabed;
+        for (x, grip) in scene.start.positions.iter_mut().zip(&mut scene.start.grips) {
             *x -= bed.normal() * (bed.height(x) + 0.009_806_65 * cos);
             grip.at = *x;
         }

@@ -268,7 +268,7 @@ fn tangent_astride_the_drag_crisis() {
         // Node 1 below and node 2 above the critical speed, the crisis at a share of the way between.
         let across = V3::y();
         for (node, offset) in [(1, -share), (2, 1.0 - share), (3, 2.0 - share)] {
-            let water = scene.current.at(state.x[node].z).0;
+            let water = scene.line.current.at(state.x[node].z).0;
             state.v[node] = water + across * (crisis + 0.3 * offset);
         }
         for c in [

@@ -55,7 +55,7 @@ fn its_tangent_is_the_finite_difference() {
     let mut plain = vec![V3::zeros(); n];
     scene.residual(t, &state, &mut plain);
     for (a, b) in r.iter().zip(&plain) {
-        assert!((a - b).norm() < 1e-9 * scene.force_scale);
+        assert!((a - b).norm() < 1e-9 * scene.line.force_scale);
     }
     let h = 1e-6;
     for node in 0..n {
@@ -103,7 +103,7 @@ fn explicit_accelerations_leave_no_residual() {
         scene.residual(t, &state, &mut r);
         for node in scene.free() {
             assert!(
-                r[node].norm() < 1e-9 * scene.force_scale,
+                r[node].norm() < 1e-9 * scene.line.force_scale,
                 "{t} {node}: {}",
                 r[node]
             );
@@ -217,7 +217,7 @@ fn its_drag_is_that_of_the_water_past_it() {
         r.iter().sum()
     };
     let (place, velocity) = dragged.traveller_at(t, &state).unwrap();
-    let u = dragged.current.at(place.z).0 - velocity;
+    let u = dragged.line.current.at(place.z).0 - velocity;
     let drag = V3::new(0.5, 0.7, 0.3).component_mul(&u) * (0.5 * 1025.0 * u.norm());
     assert!((asks(&plain) - asks(&dragged) - drag).norm() < 1e-9 * drag.norm());
     assert!(velocity.x > 3.0 && drag.norm() > 1e3, "{velocity} {drag}");

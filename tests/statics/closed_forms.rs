@@ -113,8 +113,8 @@ fn a_vertical_line_longer_than_itself_is_exact() {
     let state = rest::at_rest(&scene);
     let (w, ea) = (2.0 * G, 1e6);
     let v = ea * 0.02 + 0.5 * w * 100.0;
-    let left = 1e-8 * scene.force_scale * 10.0;
-    for (i, s) in scene.arc.iter().enumerate() {
+    let left = 1e-8 * scene.line.force_scale * 10.0;
+    for (i, s) in scene.line.arc.iter().enumerate() {
         let z = -(s + (v * s - 0.5 * w * s * s) / ea);
         assert!(
             (state.x[i].z - z).abs() <= left * 100.0 / ea + 1e-12,
@@ -237,7 +237,7 @@ fn search(scene: &Scene) -> Result<State, String> {
     let found = EquilibriumSearch::default()
         .run(scene, 0.0, &mut state)
         .map_err(|e| e.to_string())?;
-    assert!(found.residual <= 1e-8 * scene.force_scale + scene.rounding_force());
+    assert!(found.residual <= 1e-8 * scene.line.force_scale + scene.rounding_force());
     Ok(state)
 }
 

@@ -40,7 +40,7 @@ fn the_pull_on_an_end_is_all_that_acts_there() {
         let mut table: toml::Table = case.parse().unwrap();
         lines::merge(&mut table, more.parse().unwrap());
         let scene = build(&toml::to_string(&table).unwrap());
-        assert_eq!(scene.clumps, [6]);
+        assert_eq!(scene.labels.clumps, [6]);
         let state = at_rest(&scene);
         let mut residual = vec![V3::zeros(); scene.nodes()];
         scene.residual(0.0, &state, &mut residual);
@@ -119,7 +119,7 @@ fn a_pure_bend_is_a_quarter_circle() {
             "#
         ));
         let state = at_rest(&scene);
-        let moments = scene.flexure.as_ref().unwrap().moments(&scene, &state);
+        let moments = scene.elements.flexure.as_ref().unwrap().moments(&scene.line, &state);
         let off = moments.iter().map(|m| (m / moment - 1.0).abs());
         let force = scene.end_force(0, &state).norm() * length / moment;
         off.fold(force, f64::max)
@@ -145,7 +145,7 @@ fn an_unstable_equilibrium_is_distinguished_from_a_stable_one() {
             "#,
         );
         // A load that presses exactly along the rod.
-        *scene.weight.last_mut().unwrap() = load;
+        *scene.line.weight.last_mut().unwrap() = load;
         let state = at_rest(&scene);
         assert_eq!(instabilities(&scene, 0.0, &state), Some(ways), "{load}");
     }

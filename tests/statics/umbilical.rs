@@ -44,7 +44,12 @@ fn on_coarsest(case: &Case, coarsening: usize, coarsest: usize) -> [Vec<f64>; 3]
     let (scene, state, _) = rest(case, coarsening);
     let every = coarsest / coarsening;
     let places = shared(&state.x, every);
-    let moments = scene.flexure.as_ref().unwrap().moments(&scene, &state);
+    let moments = scene
+        .elements
+        .flexure
+        .as_ref()
+        .unwrap()
+        .moments(&scene.line, &state);
     [
         places.iter().flat_map(|p| [p.x, p.z]).collect(),
         shared(&scene.tensions(&state), every),
@@ -93,7 +98,12 @@ fn the_line_is_never_folded_whatever_the_float() {
         for coarsening in [1, 2, 4] {
             let case = set(&[("modules.buoyant.diameter_m", diameter)]);
             let (scene, state, _) = rest(&case, coarsening);
-            let folded = scene.flexure.as_ref().unwrap().kinked_node(&scene, &state);
+            let folded = scene
+                .elements
+                .flexure
+                .as_ref()
+                .unwrap()
+                .kinked_node(&scene.line, &state);
             assert_eq!(folded, None, "{diameter} m, mesh by {coarsening}");
             let greatest = scene.tensions(&state).into_iter().fold(0.0, f64::max);
             assert!(greatest < 5e4, "{diameter} m: {greatest} N");

@@ -75,7 +75,7 @@ impl MooredShip {
         if line.free() != (1..line.nodes() - 1) {
             return Err(MooredShipError::FreeEnd);
         }
-        let constraint = line.force_scale / ship.length;
+        let constraint = line.line.force_scale / ship.length;
         Ok(Self {
             line,
             ship,
@@ -277,7 +277,7 @@ impl ExplicitRhs for MooredShip {
         let right = stacked(pull - force, arm.cross(&pull) - moment);
         let mut mass = self.ship.mass;
         let cross = arm.cross_matrix();
-        let end = self.line.mass[f];
+        let end = self.line.line.mass[f];
         let mut add = |i: usize, j: usize, block: M3| {
             let mut view = mass.fixed_view_mut::<3, 3>(3 * i, 3 * j);
             view += block * end;

@@ -133,7 +133,8 @@ pub fn plan(case: &Case) -> Result<SpeedPlan, SpeedError> {
         case: with(case, method, Some(step)),
     };
     points.extend(STEPS.map(|share| constant("alpha", Method::Alpha, rounded(longest * share))));
-    let evaluations = |step: f64| 4.0 * case.solver.duration_s / step * scene.mass.len() as f64;
+    let evaluations =
+        |step: f64| 4.0 * case.solver.duration_s / step * scene.line.mass.len() as f64;
     let mut left_out = vec![
         "quasi: it leaves inertia out, so that its distance is one of models and not of time steps"
             .to_owned(),
@@ -148,7 +149,7 @@ pub fn plan(case: &Case) -> Result<SpeedPlan, SpeedError> {
         left_out.push(format!(
             "rk4 as reference: stable steps are {limit:.1e} s, which would take {:.0e} evaluations of the force; the \
              reference is alpha itself in steps much finer",
-            evaluations(limit / 16.0) / scene.mass.len() as f64
+            evaluations(limit / 16.0) / scene.line.mass.len() as f64
         ));
     }
     points.extend(

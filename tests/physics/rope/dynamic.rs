@@ -34,7 +34,7 @@ fn a_rope_at_rest_has_the_stiffness_of_its_own_tension() {
             let tension = 9.80665 * (1000.0 + 2.0 * (5.0 + 10.0 * f64::from(beyond)));
             let node = usize::try_from(i).unwrap();
             let strain = (state.x[node + 1] - state.x[node]).norm() / 10.0 - 1.0;
-            let found = scene.rope_reading(node, &state).unwrap();
+            let found = scene.line.rope_reading(node, &state).unwrap();
             assert!((found.mean_load - 100.0 * tension / STRENGTH).abs() < 1e-6);
             assert_eq!(found.deviation, 0.0);
             let k = ALPHA + BETA * found.mean_load;
@@ -111,7 +111,7 @@ fn the_mean_is_that_of_the_past() {
             &mut state,
             (40.0, 0.01),
             |t, s| {
-                let found = scene.rope_reading(2, s).unwrap();
+                let found = scene.line.rope_reading(2, s).unwrap();
                 let tension = (found.mean_load + found.deviation) * 0.01 * STRENGTH;
                 mean = match before {
                     None => tension,
@@ -140,7 +140,7 @@ fn small_swings_go_at_the_slope_of_the_reading() {
         let scene = hung(reading, 1, ", mass_kg_per_m = 0.001");
         let mut state = rest::at_rest(&scene);
         let (middle, length) = (state.x[1].z, state.x[1].norm());
-        let k = scene.rope_reading(0, &state).unwrap().stiffness;
+        let k = scene.line.rope_reading(0, &state).unwrap().stiffness;
         state.v[1].z = 0.01;
         let mut crossings: Vec<f64> = Vec::new();
         let mut before = (0.0, 1.0);

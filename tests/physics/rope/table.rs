@@ -66,7 +66,7 @@ fn a_straight_table_is_a_stiffness() {
 /// What a swing loses, as a share of its first kinetic energy.
 fn lost(scene: &Scene, method: impl Stepper<Scene>, step: f64) -> f64 {
     let mut state: State = rest::at_rest(scene);
-    for (v, s) in state.v.iter_mut().zip(&scene.arc) {
+    for (v, s) in state.v.iter_mut().zip(&scene.line.arc) {
         v.x = 0.1 * s;
     }
     let before = scene.energy(&state);

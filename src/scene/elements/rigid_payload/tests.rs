@@ -1,7 +1,7 @@
 //! The body against finite differences, and its accelerations against its residual.
 
 use super::*;
-use crate::scene;
+use crate::scene::{self, Scene};
 use crate::solve::{ExplicitRhs, Kinematics, Residual};
 
 const BODY: &str = r#"
@@ -66,7 +66,11 @@ fn moving(scene: &Scene) -> State {
 #[test]
 fn it_is_partly_wet_in_the_tests() {
     let scene = at_sea("crossed");
-    let (share, slope) = scene.rigid_payload.unwrap().wet(&scene, &moving(&scene));
+    let (share, slope) = scene
+        .elements
+        .rigid_payload
+        .unwrap()
+        .wet(&scene.line, &moving(&scene));
     assert!((0.1..0.9).contains(&share) && slope.norm() > 0.1, "{share}");
 }
 
@@ -77,11 +81,11 @@ fn the_tangent_of_the_body_is_the_finite_difference() {
 }
 
 fn has_its_tangent(scene: &Scene) {
-    let rigid_payload = scene.rigid_payload.unwrap();
+    let rigid_payload = scene.elements.rigid_payload.unwrap();
     let state = moving(scene);
     let forces = |state: &State| {
         let mut r = vec![V3::zeros(); scene.nodes()];
-        rigid_payload.add_forces(scene, state, &mut r);
+        rigid_payload.add_residual(scene.at(0.0, state), &mut r);
         r
     };
     let size = forces(&state).iter().map(V3::amax).fold(0.0, f64::max);
@@ -92,7 +96,8 @@ fn has_its_tangent(scene: &Scene) {
             stiffness: factors.2,
         };
         let mut tangent = BlockBand::new(scene.nodes());
-        rigid_payload.add_tangent(scene, &state, c, &mut tangent);
+        let mut r = vec![V3::zeros(); scene.nodes()];
+        rigid_payload.linearise(scene.at(0.0, &state), c, &mut r, &mut tangent);
         for (j, axis) in (0..2).flat_map(|j| (0..3).map(move |axis| (j, axis))) {
             let shifted = |h: f64| {
                 let (mut moved, node) = (state.clone(), rigid_payload.node + j);

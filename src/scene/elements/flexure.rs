@@ -1,13 +1,13 @@
 //! Bending of the whole line: at its inner nodes and at clamped ends.
 
+use crate::case::{self, Case};
 use crate::numerics::lanes;
 use crate::numerics::{BlockBand, M3, V3};
 use crate::physics::bending::{self, Bend, curvature};
 use crate::physics::tension::Chord;
-use crate::solve::State;
-
-use super::{Scene, Segment, initial_shape};
-use crate::case::{self, Case};
+use crate::scene::element::{At, Element};
+use crate::scene::{LumpedLine, Segment, direction};
+use crate::solve::{Factors, State};
 
 /// What bends, and what clamps.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,13 +20,13 @@ pub struct Flexure {
     pub clamps: [Option<(V3, f64)>; 2],
 }
 
-impl Flexure {
-    /// Adds the moments' forces to the residual.
-    pub(super) fn add_forces(&self, scene: &Scene, state: &State, r: &mut [V3]) {
-        let last = scene.segments.len();
-        let mut a = scene.chord(0, state);
+impl Element for Flexure {
+    fn add_residual(&self, at: At<'_>, r: &mut [V3]) {
+        let At { line, state, .. } = at;
+        let last = line.segments.len();
+        let mut a = line.chord(0, state);
         for i in 1..last {
-            let b = scene.chord(i, state);
+            let b = line.chord(i, state);
             let k = self.joints[i];
             if k > 0.0 {
                 let [by_first, by_second] = between(&a, &b).forces(k);
@@ -36,30 +36,17 @@ impl Flexure {
             }
             a = b;
         }
-        for (i, chord, direction, k) in self.clamped_ends(scene, state) {
-            let g = clamped(k, &direction, &chord);
-            r[i] -= g;
-            r[i + 1] += g;
-        }
+        self.add_clamps(line, state, r);
     }
 
-    /// Adds the moments' forces to the residual and their derivatives, times `share`, to the tangent, whose far blocks
-    /// are theirs alone.
-    pub(super) fn linearise(
-        &self,
-        scene: &Scene,
-        state: &State,
-        share: f64,
-        r: &mut [V3],
-        tangent: &mut BlockBand,
-    ) {
-        self.linearise_joints(scene, state, share, r, tangent);
-        for (i, chord, direction, k) in self.clamped_ends(scene, state) {
-            let g = clamped(k, &direction, &chord);
-            r[i] -= g;
-            r[i + 1] += g;
+    /// Sets the far blocks, which are those of bending alone.
+    fn linearise(&self, at: At<'_>, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
+        let At { line, state, .. } = at;
+        self.linearise_joints(line, state, c.stiffness, r, tangent);
+        self.add_clamps(line, state, r);
+        for (i, chord, direction, k) in self.clamped_ends(line, state) {
             let bend = Bend::new((&chord.tangent, chord.inverse), (&direction, 0.0));
-            let own = lanes::block(&bend.tangent(k * share).own, 0);
+            let own = lanes::block(&bend.tangent(k * c.stiffness).own, 0);
             tangent.diag[i] += own;
             tangent.diag[i + 1] += own;
             tangent.upper[i] -= own;
@@ -67,23 +54,67 @@ impl Flexure {
         }
     }
 
+    fn is_pentadiagonal(&self) -> bool {
+        true
+    }
+
+    /// `8 EI / l³`, as two neighbouring bends resist a zigzag.
+    fn segment_stiffness(&self, line: &LumpedLine, i: usize) -> f64 {
+        let length = line.segments[i].axial.length;
+        8.0 * self.joints[i].max(self.joints[i + 1]) / (length * length)
+    }
+
+    /// By the forces of the moments at nodes and clamps.
+    fn equivalent_displacement(&self, at: At<'_>, d: &[V3], stiffest: f64) -> f64 {
+        let force = |k: f64, turn: V3, length: f64| 2.0 * k * turn.amax() / (length * length);
+        let mut most = 0.0_f64;
+        for i in 1..at.line.segments.len() {
+            let turn = d[i - 1] + d[i + 1] - d[i] * 2.0;
+            most = most.max(force(self.joints[i], turn, self.spans[i]));
+        }
+        for (i, _, _, k) in self.clamped_ends(at.line, at.state) {
+            let length = at.line.segments[i].axial.length;
+            most = most.max(force(k, d[i + 1] - d[i], length));
+        }
+        most / stiffest
+    }
+
+    fn add_energy(&self, at: At<'_>, energy: &mut f64) {
+        *energy += self.energy(at.line, at.state);
+    }
+
+    fn add_end_force(&self, at: At<'_>, node: usize, force: &mut V3) {
+        *force += self.end_force(at.line, node, at.state);
+    }
+}
+
+impl Flexure {
+    /// Adds the residual of the clamps.
+    fn add_clamps(&self, line: &LumpedLine, state: &State, r: &mut [V3]) {
+        for (i, chord, direction, k) in self.clamped_ends(line, state) {
+            let g = clamped(k, &direction, &chord);
+            r[i] -= g;
+            r[i + 1] += g;
+        }
+    }
+
     /// The bends at the inner nodes. Each reaches over three nodes; what it leaves at the later two is carried on to the
     /// next bend, so that every block is touched once.
     fn linearise_joints(
         &self,
-        scene: &Scene,
+        line: &LumpedLine,
         state: &State,
         share: f64,
         r: &mut [V3],
         tangent: &mut BlockBand,
     ) {
-        let last = scene.segments.len();
-        let mut a = scene.chord(0, state);
+        let last = line.segments.len();
+        let mut a = line.chord(0, state);
         let mut force = [V3::zeros(); 2];
         let mut diag = [M3::zeros(); 2];
         let mut upper = M3::zeros();
         for i in 1..last {
-            let b = scene.chord(i, state);
+            let b = line.chord(i, state);
             let bend = between(&a, &b);
             let k = self.joints[i];
             let [by_first, by_second] = bend.forces(k);
@@ -115,27 +146,27 @@ impl Flexure {
     /// The segments at clamped ends: their numbers, chords, and directions and stiffnesses of the clamps.
     fn clamped_ends(
         &self,
-        scene: &Scene,
+        line: &LumpedLine,
         state: &State,
     ) -> impl Iterator<Item = (usize, Chord, V3, f64)> {
-        let last = scene.segments.len();
+        let last = line.segments.len();
         let ends = [(0, 0), (1, last - 1)];
         ends.map(|(end, i)| {
-            self.clamps[end].map(|(direction, k)| (i, scene.chord(i, state), direction, k))
+            self.clamps[end].map(|(direction, k)| (i, line.chord(i, state), direction, k))
         })
         .into_iter()
         .flatten()
     }
 
     /// Force of bending on the first or last node \[N\].
-    pub(super) fn end_force(&self, scene: &Scene, node: usize, state: &State) -> V3 {
-        let last = scene.segments.len();
+    fn end_force(&self, line: &LumpedLine, node: usize, state: &State) -> V3 {
+        let last = line.segments.len();
         let (end, i, sign) = if node == 0 {
             (0, 0, 1.0)
         } else {
             (1, last - 1, -1.0)
         };
-        let chord = scene.chord(i, state);
+        let chord = line.chord(i, state);
         let mut force = self.clamps[end].map_or_else(V3::zeros, |(direction, k)| {
             clamped(k, &direction, &chord) * sign
         });
@@ -145,7 +176,7 @@ impl Flexure {
             } else {
                 (last - 1, last - 2)
             };
-            let beside = scene.chord(other, state);
+            let beside = line.chord(other, state);
             // The bend is symmetric in its two segments.
             let [by_outer, _] = between(&chord, &beside).forces(self.joints[joint]);
             force += by_outer * sign;
@@ -155,15 +186,15 @@ impl Flexure {
 
     /// Curvature \[1/m\] at every node.
     #[must_use]
-    pub fn curvatures(&self, scene: &Scene, state: &State) -> Vec<f64> {
-        let nodes = 0..=scene.segments.len();
-        nodes.map(|i| self.curvature_at(i, scene, state)).collect()
+    pub fn curvatures(&self, line: &LumpedLine, state: &State) -> Vec<f64> {
+        let nodes = 0..=line.segments.len();
+        nodes.map(|i| self.curvature_at(i, line, state)).collect()
     }
 
     /// Curvature \[1/m\] at node i.
-    fn curvature_at(&self, i: usize, scene: &Scene, state: &State) -> f64 {
-        let last = scene.segments.len();
-        let tangent = |i: usize| scene.chord(i, state).tangent;
+    fn curvature_at(&self, i: usize, line: &LumpedLine, state: &State) -> f64 {
+        let last = line.segments.len();
+        let tangent = |i: usize| line.chord(i, state).tangent;
         let at_clamp = |end: usize, i: usize| {
             self.clamps[end].map_or(0.0, |(d, _)| {
                 curvature(&d, &tangent(i), self.spans[i + end])
@@ -178,39 +209,39 @@ impl Flexure {
 
     /// Bending moment \[N m\] at every node.
     #[must_use]
-    pub fn moments(&self, scene: &Scene, state: &State) -> Vec<f64> {
-        self.bent(scene, state).1
+    pub fn moments(&self, line: &LumpedLine, state: &State) -> Vec<f64> {
+        self.bent(line, state).1
     }
 
     /// Curvature \[1/m\] and bending moment \[N m\] at every node. A hinge, where the line may turn without a moment,
     /// has no curvature.
     #[must_use]
-    pub fn bent(&self, scene: &Scene, state: &State) -> (Vec<f64>, Vec<f64>) {
-        let nodes = 0..=scene.segments.len();
-        nodes.map(|i| self.bent_at(i, scene, state)).unzip()
+    pub fn bent(&self, line: &LumpedLine, state: &State) -> (Vec<f64>, Vec<f64>) {
+        let nodes = 0..=line.segments.len();
+        nodes.map(|i| self.bent_at(i, line, state)).unzip()
     }
 
     /// The same at node i.
     #[must_use]
-    pub fn bent_at(&self, i: usize, scene: &Scene, state: &State) -> (f64, f64) {
+    pub fn bent_at(&self, i: usize, line: &LumpedLine, state: &State) -> (f64, f64) {
         let k = match i {
             0 => self.clamps[0].map_or(0.0, |c| c.1),
-            i if i == scene.segments.len() => self.clamps[1].map_or(0.0, |c| c.1),
+            i if i == line.segments.len() => self.clamps[1].map_or(0.0, |c| c.1),
             i => self.joints[i],
         };
         if k <= 0.0 {
             return (0.0, 0.0);
         }
-        let c = self.curvature_at(i, scene, state);
+        let c = self.curvature_at(i, line, state);
         (c, c * self.spans[i] * k)
     }
 
     /// The first node at which the line bends by a right angle or more: no mesh can carry such a bend, and past it
     /// the moment of this one falls again.
     #[must_use]
-    pub fn kinked_node(&self, scene: &Scene, state: &State) -> Option<usize> {
+    pub fn kinked_node(&self, line: &LumpedLine, state: &State) -> Option<usize> {
         let chord = |i: usize| state.x[i + 1] - state.x[i];
-        let last = scene.segments.len();
+        let last = line.segments.len();
         let back = |direction: &V3, i: usize| direction.dot(&chord(i)) <= 0.0;
         let at_end = |end: usize, i: usize| self.clamps[end].is_some_and(|(d, _)| back(&d, i));
         if at_end(0, 0) {
@@ -220,14 +251,19 @@ impl Flexure {
         inner.or_else(|| at_end(1, last - 1).then_some(last))
     }
 
-    /// The same with every clamp turned only a share of the way from the direction of the line in `start` to its own, in
+    /// The same with every clamp turned by a share of the angle from the direction of the line in `start` to its own, in
     /// the plane of both; nothing without clamps.
-    pub(super) fn with_clamps(&self, scene: &Scene, start: &State, share: f64) -> Option<Self> {
+    pub(in crate::scene) fn with_clamps(
+        &self,
+        line: &LumpedLine,
+        start: &State,
+        share: f64,
+    ) -> Option<Self> {
         self.clamps.iter().flatten().next()?;
         let mut eased = self.clone();
-        for (end, i) in [(0, 0), (1, scene.segments.len() - 1)] {
+        for (end, i) in [(0, 0), (1, line.segments.len() - 1)] {
             if let Some((direction, _)) = &mut eased.clamps[end] {
-                *direction = part_way(&scene.chord(i, start).tangent, direction, share);
+                *direction = part_way(&line.chord(i, start).tangent, direction, share);
             }
         }
         Some(eased)
@@ -235,9 +271,9 @@ impl Flexure {
 
     /// Energy of bending \[J\].
     #[must_use]
-    pub fn energy(&self, scene: &Scene, state: &State) -> f64 {
-        let last = scene.segments.len();
-        let tangent = |i: usize| scene.chord(i, state).tangent;
+    pub fn energy(&self, line: &LumpedLine, state: &State) -> f64 {
+        let last = line.segments.len();
+        let tangent = |i: usize| line.chord(i, state).tangent;
         let inner: f64 = (1..last)
             .map(|i| self.joints[i] * (1.0 - tangent(i - 1).dot(&tangent(i))))
             .sum();
@@ -272,46 +308,48 @@ fn part_way(from: &V3, to: &V3, share: f64) -> V3 {
     from * angle.cos() + side * angle.sin()
 }
 
-/// What bends and what clamps; nothing where no material has a bending stiffness.
-pub(super) fn flexure(case: &Case, segments: &[Segment]) -> Option<Flexure> {
-    if segments.iter().all(|s| s.ei <= 0.0) {
-        return None;
-    }
-    let last = segments.len();
-    let part = |i: usize| (segments[i].ei, segments[i].axial.length);
-    let span = |i: usize| match i {
-        0 => 0.5 * part(0).1,
-        i if i == last => 0.5 * part(last - 1).1,
-        i => 0.5 * (part(i - 1).1 + part(i).1),
-    };
-    let joint = |i: usize| {
-        if i == 0 || i == last {
-            0.0
-        } else {
-            bending::stiffness(part(i - 1), part(i))
+impl Flexure {
+    /// The bending of a case; none if no material has a bending stiffness.
+    pub(super) fn of_case(case: &Case, segments: &[Segment]) -> Option<Self> {
+        if segments.iter().all(|s| s.ei <= 0.0) {
+            return None;
         }
-    };
-    let clamp = |end: &case::End, i: usize| {
-        let elevation = end
-            .clamp_elevation_deg
-            .filter(|_| part(i).0 > 0.0)?
-            .to_radians();
-        let azimuth = end.clamp_azimuth_deg.to_radians();
-        let (ei, length) = part(i);
-        Some((
-            initial_shape::direction(azimuth, elevation),
-            bending::clamp_stiffness(ei, length),
-        ))
-    };
-    Some(Flexure {
-        joints: (0..=last).map(joint).collect(),
-        spans: (0..=last).map(span).collect(),
-        clamps: [clamp(&case.ends.a, 0), clamp(&case.ends.b, last - 1)],
-    })
+        let last = segments.len();
+        let part = |i: usize| (segments[i].ei, segments[i].axial.length);
+        let span = |i: usize| match i {
+            0 => 0.5 * part(0).1,
+            i if i == last => 0.5 * part(last - 1).1,
+            i => 0.5 * (part(i - 1).1 + part(i).1),
+        };
+        let joint = |i: usize| {
+            if i == 0 || i == last {
+                0.0
+            } else {
+                bending::stiffness(part(i - 1), part(i))
+            }
+        };
+        let clamp = |end: &case::End, i: usize| {
+            let elevation = end
+                .clamp_elevation_deg
+                .filter(|_| part(i).0 > 0.0)?
+                .to_radians();
+            let azimuth = end.clamp_azimuth_deg.to_radians();
+            let (ei, length) = part(i);
+            Some((
+                direction(azimuth, elevation),
+                bending::clamp_stiffness(ei, length),
+            ))
+        };
+        Some(Self {
+            joints: (0..=last).map(joint).collect(),
+            spans: (0..=last).map(span).collect(),
+            clamps: [clamp(&case.ends.a, 0), clamp(&case.ends.b, last - 1)],
+        })
+    }
 }
 
 /// Clamps at ends whose section has no bending stiffness, in words: they hold nothing.
-pub(super) fn clamps_in_vain(case: &Case, segments: &[Segment]) -> Vec<String> {
+pub(in crate::scene) fn clamps_without_effect(case: &Case, segments: &[Segment]) -> Vec<String> {
     let ends = [
         (&case.ends.a, segments.first()),
         (&case.ends.b, segments.last()),

@@ -6,16 +6,16 @@
 
 mod energy;
 mod hydrodynamics;
-mod outputs;
 #[cfg(test)]
 mod tests;
 
-use nalgebra::{Matrix6, Vector6};
+use nalgebra::Matrix6;
 
-use super::Scene;
 use crate::numerics::{BlockBand, M3, V3};
 use crate::physics::RigidBody;
 use crate::physics::kirchhoff::RelativeMotion;
+use crate::scene::LumpedLine;
+use crate::scene::element::{At, Element};
 use crate::solve::{Factors, State};
 use hydrodynamics::WaterAround;
 
@@ -34,8 +34,46 @@ const COUPLE: [f64; 2] = [-1.0, 1.0];
 /// Blocks of a matrix that couples the two nodes: `[i][j]` is what row i has of node j.
 type Blocks = [[M3; 2]; 2];
 
+impl Element for RigidPayload {
+    fn add_residual(&self, at: At<'_>, r: &mut [V3]) {
+        let a = [at.state.a[self.node], at.state.a[self.node + 1]];
+        let balance = self.balance(at.line, at.state, a);
+        for (r, balance) in r[self.node..].iter_mut().zip(balance) {
+            *r += balance;
+        }
+    }
+
+    fn linearise(&self, at: At<'_>, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
+        self.add_residual(at, r);
+        let there = self.water_around(at.line, at.state);
+        let mut blocks = self.inertia_blocks(&there, at.state, c);
+        self.add_drag_blocks(&there, at.line, at.state, c, &mut blocks);
+        let [[near, upper], [lower, far]] = blocks;
+        tangent.diag[self.node] += near;
+        tangent.upper[self.node] += upper;
+        tangent.lower[self.node + 1] += lower;
+        tangent.diag[self.node + 1] += far;
+    }
+
+    fn has_explicit_form(&self) -> bool {
+        true
+    }
+
+    fn add_energy(&self, at: At<'_>, energy: &mut f64) {
+        *energy += self.kinetic_energy(at.line, at.state);
+    }
+
+    fn add_dissipation(&self, at: At<'_>, power: &mut f64) {
+        *power += self.dissipation(at.line, at.state);
+    }
+
+    fn add_wave_power(&self, at: At<'_>, still: &State, power: &mut f64) {
+        *power += self.wave_power(at.line, at.state, still);
+    }
+}
+
 impl RigidPayload {
-    fn at(&self, values: &[V3], place: f64) -> V3 {
+    pub(in crate::scene) fn at(&self, values: &[V3], place: f64) -> V3 {
         values[self.node] * (1.0 - place) + values[self.node + 1] * place
     }
 
@@ -57,8 +95,13 @@ impl RigidPayload {
     }
 
     /// What the water and the spin add to the residual of both nodes at these accelerations \[N\].
-    fn balance(&self, scene: &Scene, state: &State, a: [V3; 2]) -> [V3; 2] {
-        let there = self.water_around(scene, state);
+    pub(in crate::scene) fn balance(
+        &self,
+        line: &LumpedLine,
+        state: &State,
+        a: [V3; 2],
+    ) -> [V3; 2] {
+        let there = self.water_around(line, state);
         let moving = self.moving(&there, state, a);
         let (force, couple) = self.body.added.force_and_couple(&moving);
         let spin = self.body.gyroscopic(&moving.t, &moving.turn).0;
@@ -66,39 +109,13 @@ impl RigidPayload {
         let pull = (couple * there.wet.0 + spin) / self.body.reach;
         let shares = RigidBody::shares(self.body.buoyancy_at);
         let mut balance = [0, 1].map(|i| load * shares[i] + pull * COUPLE[i]);
-        for strip in self.strips(scene, state) {
+        for strip in self.strips(line, state) {
             let drag = self.body.drag(&moving.t, &strip.u) * (strip.part * there.wet.0);
             for (out, share) in balance.iter_mut().zip(RigidBody::shares(strip.place)) {
                 *out -= drag * share;
             }
         }
         balance
-    }
-
-    /// Adds what the water and the spin do to the residual.
-    pub(super) fn add_forces(&self, scene: &Scene, state: &State, r: &mut [V3]) {
-        let a = [state.a[self.node], state.a[self.node + 1]];
-        for (r, balance) in r[self.node..].iter_mut().zip(self.balance(scene, state, a)) {
-            *r += balance;
-        }
-    }
-
-    /// Adds the derivatives of that.
-    pub(super) fn add_tangent(
-        &self,
-        scene: &Scene,
-        state: &State,
-        c: Factors,
-        tangent: &mut BlockBand,
-    ) {
-        let there = self.water_around(scene, state);
-        let mut blocks = self.inertia_blocks(&there, state, c);
-        self.add_drag_blocks(&there, scene, state, c, &mut blocks);
-        let [[near, upper], [lower, far]] = blocks;
-        tangent.diag[self.node] += near;
-        tangent.upper[self.node] += upper;
-        tangent.lower[self.node + 1] += lower;
-        tangent.diag[self.node + 1] += far;
     }
 
     /// How the axis changes with the opening of both nodes \[1/m\].
@@ -147,7 +164,7 @@ impl RigidPayload {
     fn add_drag_blocks(
         &self,
         there: &WaterAround,
-        scene: &Scene,
+        line: &LumpedLine,
         state: &State,
         c: Factors,
         blocks: &mut Blocks,
@@ -155,7 +172,7 @@ impl RigidPayload {
         let (t, swing) = (&there.axis.tangent, Self::swing(there));
         let (share, by_place) = there.wet;
         let b = RigidBody::shares(self.body.buoyancy_at);
-        for strip in self.strips(scene, state) {
+        for strip in self.strips(line, state) {
             let (by_velocity, by_axis) = self.body.drag_derivatives(t, &strip.u);
             let own = by_velocity
                 * (M3::from_diagonal_element(c.damping) - strip.gradient * c.stiffness)
@@ -173,8 +190,8 @@ impl RigidPayload {
     }
 
     /// Mass of both nodes with all that goes with them \[kg\].
-    fn mass(&self, scene: &Scene, state: &State) -> Matrix6<f64> {
-        let there = self.water_around(scene, state);
+    pub(in crate::scene) fn coupled_mass(&self, line: &LumpedLine, state: &State) -> Matrix6<f64> {
+        let there = self.water_around(line, state);
         let t = &there.axis.tangent;
         let added = self.body.added.matrix(t) * there.wet.0;
         let turned = (M3::identity() - t * t.transpose())
@@ -186,7 +203,7 @@ impl RigidPayload {
                 let block = added * (b[i] * b[j]) + turned * (COUPLE[i] * COUPLE[j]);
                 mass.fixed_view_mut::<3, 3>(3 * i, 3 * j).copy_from(&block);
             }
-            let own = scene.own_mass(self.node + i, state);
+            let own = line.own_mass(self.node + i, state);
             let mut block = mass.fixed_view_mut::<3, 3>(3 * i, 3 * i);
             block += own;
         }
@@ -194,39 +211,18 @@ impl RigidPayload {
     }
 
     /// How both nodes are accelerated by a force on the one it hangs from \[1/kg\].
-    pub(super) fn inverse_mass(&self, scene: &Scene, state: &State) -> [M3; 2] {
-        let inverse = self.mass(scene, state).try_inverse();
+    pub(in crate::scene) fn inverse_mass(&self, line: &LumpedLine, state: &State) -> [M3; 2] {
+        let inverse = self.coupled_mass(line, state).try_inverse();
         let inverse = inverse.unwrap_or_else(Matrix6::zeros);
         [0, 3].map(|row| inverse.fixed_view::<3, 3>(row, 0).into_owned())
     }
 
     /// Fastest rate at which drag slows the body \[1/s\].
-    pub(super) fn decay(&self, scene: &Scene, state: &State) -> f64 {
-        let mass = [scene.mass[self.node], scene.mass[self.node + 1]];
-        let strips = self.strips(scene, state);
+    pub(in crate::scene) fn decay(&self, line: &LumpedLine, state: &State) -> f64 {
+        let mass = [line.mass[self.node], line.mass[self.node + 1]];
+        let strips = self.strips(line, state);
         strips
             .map(|strip| strip.part * self.body.damping_rate(strip.place, strip.u.norm(), mass))
             .sum()
-    }
-}
-
-impl Scene {
-    /// Corrects the accelerations that both nodes of a body that turns would have by the line alone.
-    pub(super) fn accelerate_rigid_payload(&self, state: &mut State) {
-        let Some(rigid_payload) = &self.rigid_payload else {
-            return;
-        };
-        let node = rigid_payload.node;
-        let balance = rigid_payload.balance(self, state, [V3::zeros(); 2]);
-        let mut force = Vector6::zeros();
-        for (i, balance) in balance.into_iter().enumerate() {
-            let own = self.own_mass(node + i, state) * state.a[node + i] - balance;
-            force.fixed_rows_mut::<3>(3 * i).copy_from(&own);
-        }
-        if let Some(a) = rigid_payload.mass(self, state).lu().solve(&force) {
-            for i in 0..2 {
-                state.a[node + i] = a.fixed_rows::<3>(3 * i).into_owned();
-            }
-        }
     }
 }

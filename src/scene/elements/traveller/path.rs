@@ -12,24 +12,24 @@ use crate::solve::State;
 
 /// What a node counts for at a seat.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct NodeWeight {
+pub(in crate::scene) struct NodeWeight {
     /// Its share \[-\].
-    pub(super) share: f64,
+    pub(in crate::scene) share: f64,
     /// The share's derivative by arc length \[1/m\].
-    pub(super) slope: f64,
+    pub(in crate::scene) slope: f64,
     /// And the second \[1/m²\].
-    pub(super) bend: f64,
+    pub(in crate::scene) bend: f64,
 }
 
 /// Where a traveller sits.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct PathPoint {
+pub(in crate::scene) struct PathPoint {
     /// The segment it is on.
-    pub(super) segment: usize,
+    pub(in crate::scene) segment: usize,
     /// Speed along the unstretched line \[m/s\].
-    pub(super) rate: f64,
+    pub(in crate::scene) rate: f64,
     /// Rate of that \[m/s²\].
-    pub(super) gain: f64,
+    pub(in crate::scene) gain: f64,
     first: usize,
     count: usize,
     weights: [NodeWeight; 3],
@@ -37,7 +37,7 @@ pub(super) struct PathPoint {
 
 impl PathPoint {
     /// The seat at an arc length \[m\], at a speed \[m/s\] and its rate \[m/s²\], on a line whose nodes lie at `arc`.
-    pub(super) fn new(arc: &[f64], (at, rate, gain): (f64, f64, f64)) -> Self {
+    pub(in crate::scene) fn new(arc: &[f64], (at, rate, gain): (f64, f64, f64)) -> Self {
         let last = arc.len() - 1;
         let segment = arc[1..last].partition_point(|end| *end <= at);
         let length = |i: usize| arc[i + 1] - arc[i];
@@ -87,7 +87,7 @@ impl PathPoint {
     }
 
     /// The nodes that count, with their weights.
-    pub(super) fn nodes(&self) -> impl Iterator<Item = (usize, &NodeWeight)> {
+    pub(in crate::scene) fn nodes(&self) -> impl Iterator<Item = (usize, &NodeWeight)> {
         (self.first..).zip(&self.weights[..self.count])
     }
 
@@ -97,23 +97,23 @@ impl PathPoint {
             .sum()
     }
 
-    /// Progress \[m\].
-    pub(super) fn place(&self, state: &State) -> V3 {
+    /// Position \[m\].
+    pub(in crate::scene) fn place(&self, state: &State) -> V3 {
         self.sum(&state.x, |by| by.share)
     }
 
     /// Velocity along the path \[m/s\].
-    pub(super) fn path_velocity(&self, state: &State) -> V3 {
+    pub(in crate::scene) fn path_velocity(&self, state: &State) -> V3 {
         self.sum(&state.x, |by| by.slope) * self.rate
     }
 
     /// Velocity \[m/s\].
-    pub(super) fn velocity(&self, state: &State) -> V3 {
+    pub(in crate::scene) fn velocity(&self, state: &State) -> V3 {
         self.sum(&state.v, |by| by.share) + self.path_velocity(state)
     }
 
     /// Acceleration \[m/s²\].
-    pub(super) fn acceleration(&self, state: &State) -> V3 {
+    pub(in crate::scene) fn acceleration(&self, state: &State) -> V3 {
         let along = |by: &NodeWeight| self.gain * by.slope + self.rate * self.rate * by.bend;
         self.sum(&state.a, |by| by.share)
             + self.sum(&state.v, |by| by.slope) * (2.0 * self.rate)

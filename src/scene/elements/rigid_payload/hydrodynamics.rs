@@ -9,7 +9,7 @@ use crate::numerics::{M3, V3};
 use crate::physics::RigidBody;
 use crate::physics::sea::Flow;
 use crate::physics::tension::Chord;
-use crate::scene::{Scene, Water, submergence};
+use crate::scene::{LumpedLine, Water, submergence};
 use crate::solve::State;
 
 /// The body in the water.
@@ -45,9 +45,9 @@ impl RigidPayload {
     }
 
     /// Velocity of the water at a place on the rod \[m/s\], and how it changes with the place \[1/s\].
-    fn flow(&self, scene: &Scene, place: f64, state: &State) -> (V3, M3) {
+    fn flow(&self, line: &LumpedLine, place: f64, state: &State) -> (V3, M3) {
         let x = self.at(&state.x, place);
-        let (mut velocity, shear) = scene.current.at(x.z);
+        let (mut velocity, shear) = line.current.at(x.z);
         let mut gradient = shear * V3::z().transpose();
         for (share, flow) in self.waves(place, state) {
             velocity += flow.velocity_at(&x) * share;
@@ -56,7 +56,7 @@ impl RigidPayload {
         (velocity, gradient)
     }
 
-    pub(super) fn water_around(&self, scene: &Scene, state: &State) -> WaterAround {
+    pub(super) fn water_around(&self, line: &LumpedLine, state: &State) -> WaterAround {
         let lift_at = self.body.buoyancy_at;
         let centre = self.at(&state.x, lift_at);
         let mut carried = (V3::zeros(), M3::zeros());
@@ -65,18 +65,18 @@ impl RigidPayload {
             carried.1 += flow.acceleration_gradient * share;
         }
         WaterAround {
-            axis: scene.chord(self.node, state),
-            flow: self.flow(scene, lift_at, state),
+            axis: line.chord(self.node, state),
+            flow: self.flow(line, lift_at, state),
             carried,
-            wet: self.wet(scene, state),
-            displaced: scene.water.as_ref().map_or(0.0, |w| self.displaced(w)),
+            wet: self.wet(line, state),
+            displaced: line.water.as_ref().map_or(0.0, |w| self.displaced(w)),
         }
     }
 
     /// The strips that drag acts on.
-    pub(super) fn strips(&self, scene: &Scene, state: &State) -> impl Iterator<Item = Strip> {
+    pub(super) fn strips(&self, line: &LumpedLine, state: &State) -> impl Iterator<Item = Strip> {
         self.body.strips().map(move |(place, part)| {
-            let (water, gradient) = self.flow(scene, place, state);
+            let (water, gradient) = self.flow(line, place, state);
             let v = self.at(&state.v, place);
             Strip {
                 place,
@@ -95,8 +95,8 @@ impl RigidPayload {
 
     /// The share of it that is wet, as a sphere of its volume about the centre of buoyancy, and its derivative by the place of
     /// that \[1/m\].
-    pub(super) fn wet(&self, scene: &Scene, state: &State) -> (f64, V3) {
-        let Some(water) = scene.water.as_ref().filter(|w| w.crossed) else {
+    pub(super) fn wet(&self, line: &LumpedLine, state: &State) -> (f64, V3) {
+        let Some(water) = line.water.as_ref().filter(|w| w.crossed) else {
             return (1.0, V3::zeros());
         };
         let centre = self.at(&state.x, self.body.buoyancy_at);

@@ -3,20 +3,20 @@
 use super::RigidPayload;
 use crate::numerics::V3;
 use crate::physics::kirchhoff::RelativeMotion;
-use crate::scene::{Scene, Water, submergence};
+use crate::scene::{LumpedLine, submergence};
 use crate::solve::State;
 
 impl RigidPayload {
     /// Power that drag takes out of the body \[W\], and that a current takes out of it through the water that goes with it.
-    pub(in crate::scene) fn dissipation(&self, scene: &Scene, state: &State) -> f64 {
-        let there = self.water_around(scene, state);
-        let strips = self.strips(scene, state);
+    pub(super) fn dissipation(&self, line: &LumpedLine, state: &State) -> f64 {
+        let there = self.water_around(line, state);
+        let strips = self.strips(line, state);
         let drag = strips.map(|strip| {
             let drag = self.body.drag(&there.axis.tangent, &strip.u);
             drag.dot(&strip.v) * strip.part
         });
         let relative = self.moving(&there, state, [V3::zeros(); 2]);
-        let own = self.in_still_water(scene, state);
+        let own = self.in_still_water(line, state);
         let [streaming, still] = [relative, own].map(|m| self.body.added.velocity_terms(&m));
         let by_current =
             (streaming.0 - still.0).dot(&own.v) + (streaming.1 - still.1).dot(&own.turn);
@@ -24,9 +24,9 @@ impl RigidPayload {
     }
 
     /// How it moves, as if the water were still.
-    fn in_still_water(&self, scene: &Scene, state: &State) -> RelativeMotion {
+    fn in_still_water(&self, line: &LumpedLine, state: &State) -> RelativeMotion {
         RelativeMotion {
-            t: scene.chord(self.node, state).tangent,
+            t: line.chord(self.node, state).tangent,
             v: self.at(&state.v, self.body.buoyancy_at),
             a: V3::zeros(),
             turn: self.opening(&state.v) / self.body.reach,
@@ -36,28 +36,31 @@ impl RigidPayload {
 
     /// Power that waves put into it by their pressure and by the water that goes with it \[W\], its potential that in still
     /// water.
-    pub(in crate::scene) fn power_of_waves(
+    pub(in crate::scene) fn wave_power(
         &self,
-        scene: &Scene,
+        line: &LumpedLine,
         state: &State,
         still: &State,
     ) -> f64 {
-        let there = self.water_around(scene, state);
+        let there = self.water_around(line, state);
         let dragged = self.body.added.matrix(&there.axis.tangent) * there.carried.0 * there.wet.0;
-        let lost = self.lift(&self.water_around(scene, still));
+        let lost = self.lift(&self.water_around(line, still));
         (self.lift(&there) + dragged - lost).dot(&self.at(&state.v, self.body.buoyancy_at))
     }
 
     /// Energy of the buoyancy it lacks in still water \[J\].
-    pub(in crate::scene) fn lifted(&self, water: &Water, state: &State) -> f64 {
+    pub(in crate::scene) fn surface_energy(&self, line: &LumpedLine, state: &State) -> f64 {
+        let Some(water) = line.water.as_ref().filter(|water| water.crossed) else {
+            return 0.0;
+        };
         let z = self.at(&state.x, self.body.buoyancy_at).z;
         let radius = water.radius_of(self.displaced(water));
         self.body.buoyancy.max(0.0) * submergence::sphere_lost_energy(radius, z)
     }
 
     /// Kinetic energy of the water that goes with it, as far as it is wet \[J\].
-    pub(in crate::scene) fn energy(&self, scene: &Scene, state: &State) -> f64 {
-        let moving = self.in_still_water(scene, state);
-        self.body.added.energy(&moving) * self.wet(scene, state).0
+    pub(in crate::scene) fn kinetic_energy(&self, line: &LumpedLine, state: &State) -> f64 {
+        let moving = self.in_still_water(line, state);
+        self.body.added.energy(&moving) * self.wet(line, state).0
     }
 }

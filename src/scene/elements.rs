@@ -1,0 +1,81 @@
+//! The forces on the line, listed once.
+//!
+//! A new force is a file here with its data, its construction from the case, and its [`Element`]; a field of [`Elements`], and
+//! a row of [`Elements::iter`] and [`Elements::of_case`]. Residual, tangent, convergence norm, explicit right-hand side, step
+//! limits, energy balance and end forces follow from the list.
+//!
+//! The forces of the segments themselves are no element: `scene/segment_kernel.rs` computes tension, drag, added mass and
+//! weight of the whole line in one pass in lanes, which a list of forces would take apart. The kernel sets the residual, the
+//! elements add to it. Dispatch is dynamic, once an element and call, which costs nothing measurable against a pass over the
+//! nodes.
+
+mod bed;
+mod body_loads;
+mod flexure;
+mod rigid_payload;
+mod traveller;
+mod water_loads;
+
+use super::LumpedLine;
+use super::element::Element;
+use crate::case::Case;
+
+pub use bed::BedContact;
+use body_loads::BodyLoads;
+pub use flexure::Flexure;
+pub(super) use flexure::clamps_without_effect;
+pub use rigid_payload::RigidPayload;
+pub use traveller::Traveller;
+use water_loads::WaterLoads;
+
+/// The forces on the line beside those of its segments.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Elements {
+    /// Contact with the sea bed, and its friction.
+    pub bed: Option<BedContact>,
+    /// Bending, where any material has a bending stiffness.
+    pub flexure: Option<Flexure>,
+    /// A body that travels along the line.
+    pub traveller: Option<Traveller>,
+    /// A payload that rotates about the last node of the line.
+    pub rigid_payload: Option<RigidPayload>,
+}
+
+impl Elements {
+    /// The elements of a case on its line. The payload is built before the line, whose last segment is its rod.
+    ///
+    /// # Errors
+    /// [`SceneError`] when the case contradicts itself.
+    pub(super) fn of_case(
+        case: &Case,
+        line: &LumpedLine,
+        rigid_payload: Option<RigidPayload>,
+    ) -> Self {
+        Self {
+            bed: case
+                .seabed
+                .as_ref()
+                .map(|bed| BedContact::new(bed, &line.segments)),
+            flexure: Flexure::of_case(case, &line.segments),
+            traveller: Traveller::of_case(case),
+            rigid_payload,
+        }
+    }
+
+    /// All elements, in the order in which they are summed. [`Flexure`] sets the far blocks of the tangent, so that elements
+    /// which add to these come after it.
+    pub(super) fn iter(&self) -> impl Iterator<Item = &dyn Element> {
+        fn some<E: Element>(element: &Option<E>) -> Option<&dyn Element> {
+            element.as_ref().map(|element| element as &dyn Element)
+        }
+        let list: [Option<&dyn Element>; 6] = [
+            some(&self.bed),
+            Some(&WaterLoads),
+            some(&self.flexure),
+            some(&self.traveller),
+            Some(&BodyLoads),
+            some(&self.rigid_payload),
+        ];
+        list.into_iter().flatten()
+    }
+}

@@ -1,0 +1,63 @@
+//! Drag and added mass of the point bodies on the line.
+
+use crate::numerics::{BlockBand, M3, V3};
+use crate::scene::AttachedBody;
+use crate::scene::element::{At, Element};
+use crate::scene::water::BodyInWater;
+use crate::solve::Factors;
+
+/// Drag and added mass of [`AttachedBody`], whose mass and weight belong to their nodes.
+pub(super) struct BodyLoads;
+
+impl Element for BodyLoads {
+    fn add_residual(&self, at: At<'_>, r: &mut [V3]) {
+        for (number, AttachedBody { node, body }) in at.line.bodies.iter().enumerate() {
+            let BodyInWater { u, a, share, .. } = at.line.body_in_water(number, at.state);
+            r[*node] += (body.added.component_mul(&a) - body.drag(&u)) * share;
+        }
+    }
+
+    fn linearise(&self, at: At<'_>, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
+        for (number, AttachedBody { node, body }) in at.line.bodies.iter().enumerate() {
+            let BodyInWater { u, a, share, .. } = at.line.body_in_water(number, at.state);
+            let (_, shear) = at.line.current.at(at.state.x[*node].z);
+            r[*node] += (body.added.component_mul(&a) - body.drag(&u)) * share;
+            let by_velocity = body.drag_by_velocity(&u) * share;
+            let added = body.added * share;
+            let mut own = by_velocity * c.damping + M3::from_diagonal(&(added * c.mass));
+            let column = own.column(2) - by_velocity * shear * c.stiffness;
+            own.set_column(2, &column);
+            tangent.diag[*node] += own;
+        }
+    }
+
+    fn has_explicit_form(&self) -> bool {
+        true
+    }
+
+    fn add_energy(&self, at: At<'_>, energy: &mut f64) {
+        for (number, AttachedBody { node, body }) in at.line.bodies.iter().enumerate() {
+            let v = &at.state.v[*node];
+            let share = at.line.body_in_water(number, at.state).share;
+            *energy += 0.5 * share * v.dot(&body.added.component_mul(v));
+        }
+    }
+
+    fn add_dissipation(&self, at: At<'_>, power: &mut f64) {
+        for (number, AttachedBody { node, body }) in at.line.bodies.iter().enumerate() {
+            let BodyInWater { u, share, .. } = at.line.body_in_water(number, at.state);
+            *power -= body.drag(&u).dot(&at.state.v[*node]) * share;
+        }
+    }
+
+    fn add_end_force(&self, at: At<'_>, node: usize, force: &mut V3) {
+        for (number, hung) in at.line.bodies.iter().enumerate() {
+            if hung.node == node {
+                let BodyInWater {
+                    u, a, share, load, ..
+                } = at.line.body_in_water(number, at.state);
+                *force += (hung.body.drag(&u) - hung.body.added.component_mul(&a)) * share + load;
+            }
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! A body that travels along the line: a cargo hauled over a ropeway, a trolley, a crawler.
+//!
+//! Its place along the line s(t) is prescribed, and its path X(s, t) is that of the nodes (see [`seat`]): it lies at
+//! `X = sum n_k(s) x_k`, and what acts on it goes to them by the same shares. Its acceleration is that of a moving mass (Frýba
+//! 1972),
+//!
+//! `A = sum [ n_k a_k + 2 s' n_k' v_k + (s'' n_k' + s'² n_k'') x_k ]`: that of the line under it, Coriolis's, what it gains along
+//! the line, and v²/R where the line bends. These are Lagrange's equations for a mass on the line, so that energy is
+//! kept. Drag acts by its own velocity, that along the line included; where it comes and goes all at once, at a start without
+//! ramp and at the end of its way, what holds it takes the blow and not the line.
+
+pub(in crate::scene) mod path;
+
+use crate::case::Case;
+use crate::numerics::{BlockBand, M3, V3};
+use crate::scene::element::{At, Element};
+use crate::scene::{LumpedLine, bodies, submergence};
+use crate::solve::{Factors, State};
+use path::PathPoint;
+
+/// A body that travels along the line.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Traveller {
+    /// Mass \[kg\].
+    pub mass: f64,
+    /// Weight \[N\], positive down.
+    pub weight: f64,
+    /// `1/2 rho C_D A` along x, y, z \[kg/m\].
+    pub drag: V3,
+    /// Mass of the water displaced \[kg\].
+    pub displaced: f64,
+    /// Unstretched arc length at which it begins \[m\].
+    pub from: f64,
+    /// Unstretched arc length at which it stays \[m\].
+    pub to: f64,
+    /// Speed along the unstretched line \[m/s\], positive.
+    pub speed: f64,
+    /// Time at which it sets out \[s\].
+    pub start: f64,
+    /// Time in which it comes to its speed \[s\].
+    pub ramp: f64,
+}
+
+/// The water past the traveller.
+struct Drag {
+    /// Its drag \[N\], as far as it is wet, and that by the velocity of the water past it \[N s/m\].
+    drag: V3,
+    by_velocity: M3,
+    /// How drag changes with its place, the velocity past it aside from its own \[N/m\].
+    by_place: M3,
+}
+
+impl Traveller {
+    /// Unstretched arc length \[m\], its rate \[m/s\] and the rate's \[m/s²\] at time t \[s\].
+    #[must_use]
+    pub fn at(&self, t: f64) -> (f64, f64, f64) {
+        let way = self.to - self.from;
+        let since = t - self.start;
+        if since <= 0.0 {
+            return (self.from, 0.0, 0.0);
+        }
+        let (gone, speed, gain) = if since < self.ramp {
+            // The speed rises as 3 u² - 2 u³.
+            let u = since / self.ramp;
+            (
+                self.speed * self.ramp * u * u * u * (1.0 - 0.5 * u),
+                self.speed * u * u * (3.0 - 2.0 * u),
+                self.speed / self.ramp * 6.0 * u * (1.0 - u),
+            )
+        } else {
+            (self.speed * (since - 0.5 * self.ramp), self.speed, 0.0)
+        };
+        if gone >= way.abs() {
+            return (self.to, 0.0, 0.0);
+        }
+        let sign = 1.0_f64.copysign(way);
+        (self.from + sign * gone, sign * speed, sign * gain)
+    }
+}
+
+impl Element for Traveller {
+    fn add_residual(&self, at: At<'_>, r: &mut [V3]) {
+        let point = self.path_point(at.line, at.t);
+        let load = self.load(&point, at.line, at.state);
+        for (node, by) in point.nodes() {
+            r[node] += load * by.share;
+        }
+    }
+
+    fn linearise(&self, at: At<'_>, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
+        self.add_residual(at, r);
+        let point = self.path_point(at.line, at.t);
+        let drag = self.drag_at(&point, at.line, at.state);
+        for (j, by) in point.nodes() {
+            let carried = c.mass * by.share
+                + c.damping * 2.0 * point.rate * by.slope
+                + c.stiffness * (point.gain * by.slope + point.rate * point.rate * by.bend);
+            let drift = c.damping * by.share + c.stiffness * point.rate * by.slope;
+            let column = M3::from_diagonal_element(self.mass * carried) + drag.by_velocity * drift
+                - drag.by_place * (c.stiffness * by.share);
+            for (i, on) in point.nodes() {
+                let block = column * on.share;
+                match j as isize - i as isize {
+                    0 => tangent.diag[i] += block,
+                    1 => tangent.upper[i] += block,
+                    -1 => tangent.lower[i] += block,
+                    2 => tangent.far_upper[i] += block,
+                    _ => tangent.far_lower[i] += block,
+                }
+            }
+        }
+    }
+
+    /// Its path rounds the corners at nodes, so that it is on three of them.
+    fn is_pentadiagonal(&self) -> bool {
+        true
+    }
+
+    fn has_explicit_form(&self) -> bool {
+        true
+    }
+}
+
+impl Traveller {
+    /// The traveller of a case.
+    pub(super) fn of_case(case: &Case) -> Option<Self> {
+        let (words, water) = (case.traveller.as_ref()?, &case.environment);
+        let length: f64 = case.line.iter().map(|section| section.length_m).sum();
+        Some(Self {
+            mass: words.mass_kg,
+            weight: words.wet_mass_kg * water.gravity_m_per_s2,
+            drag: bodies::axes(&words.drag_area_m2) * (0.5 * water.water_density_kg_per_m3),
+            displaced: (words.mass_kg - words.wet_mass_kg).max(0.0),
+            from: words.from_m.min(length),
+            to: words.to_m.unwrap_or(length).min(length),
+            speed: words.speed_m_per_s,
+            start: words.start_s,
+            ramp: words.ramp_s,
+        })
+    }
+
+    /// Its point on the path of the line at time t.
+    pub(in crate::scene) fn path_point(&self, line: &LumpedLine, t: f64) -> PathPoint {
+        PathPoint::new(&line.arc[..line.line_nodes], self.at(t))
+    }
+
+    /// Kinetic and potential energy \[J\], and the power that its drive and the water put into line and traveller \[W\].
+    pub(in crate::scene) fn energy(&self, at: At<'_>) -> (f64, f64) {
+        let At { line, t, state } = at;
+        let point = self.path_point(line, t);
+        let (place, velocity) = (point.place(state), point.velocity(state));
+        let drag = self.drag_at(&point, line, state).drag;
+        let power = self
+            .load(&point, line, state)
+            .dot(&point.path_velocity(state))
+            + drag.dot(&velocity);
+        let energy = 0.5 * self.mass * velocity.norm_squared() + self.weight * place.z;
+        (energy, power)
+    }
+
+    /// Its load on a prescribed end while it is on the segment there \[N\].
+    pub(in crate::scene) fn force_on(&self, node: usize, at: At<'_>) -> V3 {
+        let point = self.path_point(at.line, at.t);
+        let on = point.nodes().filter(|(near, _)| *near == node);
+        let share: f64 = on.map(|(_, by)| by.share).sum();
+        if share == 0.0 {
+            return V3::zeros();
+        }
+        self.load(&point, at.line, at.state) * -share
+    }
+
+    /// Drag on the traveller, by current, waves and its own velocity.
+    fn drag_at(&self, point: &PathPoint, line: &LumpedLine, state: &State) -> Drag {
+        let place = point.place(state);
+        let (mut water, shear) = line.current.at(place.z);
+        let mut gradient = shear * V3::z().transpose();
+        let (mut above, mut slope) = (place.z, V3::z());
+        for (node, by) in point.nodes() {
+            if let Some(flow) = state.wave_flow.get(node) {
+                water += flow.velocity_at(&place) * by.share;
+                gradient += flow.gradient * by.share;
+                above -= flow.elevation_at(&place) * by.share;
+                slope -= flow.slope * by.share;
+            }
+        }
+        let (share, steep) = match line.water.as_ref().filter(|water| water.crossed) {
+            Some(water) => submergence::sphere(water.radius_of(self.displaced), above),
+            None => (1.0, 0.0),
+        };
+        let u = water - point.velocity(state);
+        let speed = u.norm();
+        let direction = if speed > 0.0 { u / speed } else { V3::zeros() };
+        let drag = self.drag.component_mul(&u) * speed;
+        let by_velocity = (M3::from_diagonal(&(self.drag * speed))
+            + self.drag.component_mul(&u) * direction.transpose())
+            * share;
+        Drag {
+            drag: drag * share,
+            by_velocity,
+            by_place: by_velocity * gradient + drag * (slope * steep).transpose(),
+        }
+    }
+
+    /// What the traveller asks of the line at a seat, as a residual: m A and the weight, which pulls down, less drag \[N\].
+    pub(in crate::scene) fn load(&self, point: &PathPoint, line: &LumpedLine, state: &State) -> V3 {
+        let drag = self.drag_at(point, line, state).drag;
+        point.acceleration(state) * self.mass + V3::z() * self.weight - drag
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rates_are_derivatives_and_it_stays_where_it_should() {
+        for (from, to) in [(3.0, 20.0), (20.0, 3.0)] {
+            let traveller = Traveller {
+                mass: 1.0,
+                weight: 1.0,
+                drag: V3::zeros(),
+                displaced: 0.0,
+                from,
+                to,
+                speed: 1.5,
+                start: 2.0,
+                ramp: 3.0,
+            };
+            for t in [1.0, 2.5, 4.9, 5.1, 9.0] {
+                let h = 1e-5;
+                let (before, now, after) =
+                    (traveller.at(t - h), traveller.at(t), traveller.at(t + h));
+                assert!(((after.0 - before.0) / (2.0 * h) - now.1).abs() < 1e-8);
+                assert!(((after.1 - before.1) / (2.0 * h) - now.2).abs() < 1e-4);
+            }
+            assert_eq!(traveller.at(100.0), (to, 0.0, 0.0));
+            assert_eq!(traveller.at(0.0), (from, 0.0, 0.0));
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! A case ready to compute.
+
+use super::element::At;
+use super::elements::Elements;
+use super::{Event, LumpedLine};
+use crate::numerics::V3;
+use crate::physics::{Current, Grip, Seabed};
+use crate::solve::{Kinematics, State};
+
+/// A case ready to compute, in SI units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The line: nodes, segments, point bodies, and the water around them.
+    pub line: LumpedLine,
+    /// The other forces on it.
+    pub elements: Elements,
+    /// Its state at time zero.
+    pub start: Start,
+    /// Names for the outputs.
+    pub labels: Labels,
+    /// Events, the earliest first.
+    pub events: Vec<Event>,
+}
+
+/// The state of the line at time zero, or the initial guess at its equilibrium.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Start {
+    /// Positions of the nodes \[m\].
+    pub positions: Vec<V3>,
+    /// Tensions of the segments \[N\].
+    pub tension: Vec<f64>,
+    /// Friction springs of the bed; empty without.
+    pub grips: Vec<Grip>,
+    /// Velocity of all free nodes \[m/s\].
+    pub velocity: V3,
+    /// Whether the line starts in equilibrium.
+    pub in_equilibrium: bool,
+}
+
+/// Names for the outputs.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Labels {
+    /// Names of the ends A and B.
+    pub end_names: [String; 2],
+    /// Where tension is reported, from A to B.
+    pub joints: Vec<Joint>,
+    /// Nodes of the clumps, in the order of the case.
+    pub clumps: Vec<usize>,
+    /// What the user should know of how the case was made into this line.
+    pub remarks: Vec<String>,
+}
+
+/// A named place where the tension is reported.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Joint {
+    /// As in channel names: `chain|polyester`.
+    pub name: String,
+    /// Its node.
+    pub node: usize,
+}
+
+impl Scene {
+    /// The state at time zero, with prescribed ends at their motion.
+    #[must_use]
+    pub fn initial_state(&self) -> State {
+        let mut state = State::at_rest(self.start.positions.clone());
+        state.memory.grips.clone_from(&self.start.grips);
+        self.prescribe(0.0, &mut state);
+        state
+    }
+
+    /// Sets the start velocity of a line at rest; prescribed ends keep theirs.
+    pub fn apply_start_velocity(&self, state: &mut State) {
+        if self.start.velocity != V3::zeros() {
+            state.v.fill(self.start.velocity);
+            self.prescribe(0.0, state);
+        }
+    }
+
+    /// Where elements are evaluated.
+    pub(super) fn at<'a>(&'a self, t: f64, state: &'a State) -> At<'a> {
+        let line = &self.line;
+        At { line, t, state }
+    }
+
+    /// The scene without drag, in still water without waves or surface.
+    #[must_use]
+    pub fn without_drag(&self) -> Self {
+        let mut bare = self.clone();
+        let line = &mut bare.line;
+        line.current = Current::Uniform(V3::zeros());
+        line.water = None;
+        for segment in &mut line.segments {
+            let drag = &mut segment.drag;
+            (drag.normal, drag.tangential, drag.floats) = (0.0, 0.0, 0.0);
+        }
+        for hung in &mut line.bodies {
+            hung.body.drag = V3::zeros();
+        }
+        bare
+    }
+
+    /// The sea bed.
+    pub(super) fn seabed(&self) -> Option<&Seabed> {
+        self.elements.bed.as_ref().map(|bed| &bed.seabed)
+    }
+
+    /// Contact area of node i with the bed \[m²\].
+    pub(super) fn footprint(&self, i: usize) -> f64 {
+        self.elements
+            .bed
+            .as_ref()
+            .map_or(0.0, |bed| bed.footprint[i])
+    }
+
+    /// Friction springs of the bed at these positions, without force; none without them.
+    pub(super) fn grips_at(&self, nodes: &[V3]) -> Vec<Grip> {
+        let bed = self.elements.bed.as_ref();
+        bed.map_or_else(Vec::new, |bed| bed.grips_at(nodes))
+    }
+
+    /// Speed of full slip on the bed \[m/s\], where friction depends on velocity.
+    #[must_use]
+    pub fn slip_speed(&self) -> Option<f64> {
+        self.elements.bed.as_ref()?.slip_speed()
+    }
+
+    /// A node that slides on the bed in this equilibrium: it needs more than the friction there is.
+    #[must_use]
+    pub fn sliding_node(&self, state: &State) -> Option<usize> {
+        self.elements.bed.as_ref()?.sliding_node(self.free(), state)
+    }
+
+    /// Greatest stiffness of a segment along itself, or of a friction spring \[N/m\].
+    pub(super) fn stiffest(&self) -> f64 {
+        let segments = self
+            .line
+            .segments
+            .iter()
+            .map(|s| s.axial.ea / s.axial.length);
+        let grips = self.start.grips.iter().map(|grip| grip.stiffness);
+        segments.chain(grips).fold(0.0, f64::max)
+    }
+
+    /// Rounding error of positions \[m\].
+    pub(super) fn rounding(&self) -> f64 {
+        let places = self.start.positions.iter().map(V3::amax);
+        8.0 * f64::EPSILON * places.fold(1.0, f64::max)
+    }
+}
