@@ -6,7 +6,7 @@ use super::step_control::WholeStep;
 use super::{MarchError, Stepper};
 use crate::solve::{Hysteresis, Instant, Progressing, Sink, State};
 
-/// What is marched: from 0 to `duration` in steps of at most `step`, output every `output`.
+/// A march from time 0 to `duration` in steps of at most `step`, with output every `output`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct March {
     /// Simulated time \[s\].
@@ -17,19 +17,19 @@ pub struct March {
     pub output: f64,
 }
 
-/// How a march ended.
+/// Summary of a march.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MarchSummary {
     /// Accepted steps.
     pub steps: u64,
-    /// Steps that failed and were halved.
+    /// Rejected steps.
     pub rejections: u64,
     /// Whether the sink stopped it.
     pub stopped: bool,
 }
 
-/// The times of a march. Output intervals divide the duration, whole steps divide the output interval: no time is ever
-/// a sum of many roundings.
+/// The times of a march. Output intervals divide the duration, and whole steps divide the output interval, so that no time
+/// accumulates rounding errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TimeGrid {
     /// Length of a whole step \[s\].
@@ -41,7 +41,7 @@ pub struct TimeGrid {
 }
 
 impl TimeGrid {
-    /// When the output of this number is due \[s\].
+    /// Time of the output with this number \[s\].
     #[must_use]
     pub fn output(&self, number: u64) -> f64 {
         (number * self.per_output) as f64 * self.dt
@@ -62,7 +62,7 @@ impl March {
         }
     }
 
-    /// The lengths of the steps taken so far \[s\], and how many of each; one cut short by an event counts as uncut.
+    /// The lengths of the accepted steps \[s\] and the number of each; a step cut short by an event counts as whole.
     pub fn lengths(&self, progress: &MarchProgress) -> impl Iterator<Item = (f64, u64)> {
         let dt = self.grid().dt;
         let taken = progress.halved.into_iter().enumerate();
@@ -70,14 +70,14 @@ impl March {
         lengths.filter(|(_, steps)| *steps > 0)
     }
 
-    /// Whether a march has come to its end.
+    /// Whether a march is complete.
     #[must_use]
     pub fn is_over(&self, progress: &MarchProgress) -> bool {
         let grid = self.grid();
         progress.whole >= grid.outputs * grid.per_output
     }
 
-    /// Marches `state` from time 0. The state at time 0 is given to the sink first.
+    /// Marches `state` from time 0. The sink receives the state at time 0 first.
     ///
     /// # Errors
     /// [`MarchError`] when a step fails at every length tried; `state` is the last accepted one.
@@ -108,8 +108,8 @@ impl March {
         })
     }
 
-    /// Marches on from a place to a time \[s\], or to the end if that comes before. A time between two whole steps is
-    /// hit exactly, by a step that is cut short there and completed when the march goes on.
+    /// Continues the march to a time \[s\] or to its end. A time between two whole steps is hit exactly, by a step that is cut
+    /// short there and completed when the march continues.
     ///
     /// # Errors
     /// As [`March::run`].
@@ -138,7 +138,7 @@ impl March {
                     output: false,
                 }
             } else {
-                // From a place on the grid this is its step to the last digit.
+                // From a time on the grid this is its step to the last digit.
                 let on_grid = progress.time == progress.whole as f64 * grid.dt;
                 WholeStep {
                     from: progress.time,

@@ -1,14 +1,14 @@
-//! What generalized-alpha damps by itself.
+//! Numerical damping and period elongation of generalized-alpha.
 
 use nalgebra::Matrix3;
 
-/// What generalized-alpha makes of a free oscillation without damping of its own.
+/// Numerical damping and period elongation of an undamped free oscillation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NumericalDamping {
-    /// Damping ratio \[-\]; 1 where the oscillation is not there any more.
+    /// Damping ratio \[-\]; 1 if the method does not oscillate.
     pub damping: f64,
-    /// How much longer its period is than it should be, relative to that \[-\].
-    pub lengthening: f64,
+    /// Relative elongation of the period \[-\].
+    pub elongation: f64,
 }
 
 impl NumericalDamping {
@@ -43,36 +43,35 @@ impl NumericalDamping {
             .max_by(|a, b| a.0.total_cmp(&b.0));
         let gone = Self {
             damping: 1.0,
-            lengthening: f64::INFINITY,
+            elongation: f64::INFINITY,
         };
         pair.map_or(gone, |(size, angle)| {
             let decay = -size.ln();
             Self {
                 damping: (decay / decay.hypot(angle)).max(0.0),
-                lengthening: omega * h / angle - 1.0,
+                elongation: omega * h / angle - 1.0,
             }
         })
     }
 
-    /// The same over a run in steps of these lengths \[s\], so many of each: means over time, by which the oscillation has
-    /// lost at the end what it lost in the steps one by one. (In steps of the mean length it would lose less: damping
-    /// grows with the cube of the step.)
+    /// The same over a run in steps of these lengths \[s\] and numbers: means over time, so that the loss at the end is that of
+    /// all steps. (At the mean length it would be less: damping grows with the cube of the step.)
     #[must_use]
     pub fn over(rho: f64, omega: f64, steps: &[(f64, u64)]) -> Self {
         let total: f64 = steps.iter().map(|(h, count)| h * *count as f64).sum();
         let mut mean = Self {
             damping: 0.0,
-            lengthening: 0.0,
+            elongation: 0.0,
         };
         for (h, count) in steps {
             let (of, share) = (Self::of(rho, omega, *h), h * *count as f64 / total);
             mean.damping += share * of.damping;
-            mean.lengthening += share * of.lengthening;
+            mean.elongation += share * of.elongation;
         }
         mean
     }
 
-    /// Share of the amplitude that is gone after a cycle \[-\].
+    /// Relative loss of amplitude in a cycle \[-\].
     #[must_use]
     pub fn lost_a_cycle(&self) -> f64 {
         let free = (1.0 - self.damping * self.damping).max(0.0).sqrt();
@@ -92,10 +91,10 @@ mod tests {
     #[test]
     fn the_period_grows_with_the_square_of_the_step() {
         for rho in [0.0, 0.4, 0.8, 1.0] {
-            let at = |h: f64| NumericalDamping::of(rho, 1.0, h).lengthening;
+            let at = |h: f64| NumericalDamping::of(rho, 1.0, h).elongation;
             assert!((at(0.02) / at(0.01) - 4.0).abs() < 0.05, "{rho}");
         }
-        let average = NumericalDamping::of(1.0, 1.0, 0.01).lengthening;
+        let average = NumericalDamping::of(1.0, 1.0, 0.01).elongation;
         assert!((average / (1e-4 / 12.0) - 1.0).abs() < 0.01, "{average}");
         assert_eq!(NumericalDamping::of(1.0, 1.0, 0.1).lost_a_cycle(), 0.0);
     }
@@ -116,7 +115,7 @@ mod tests {
     }
 
     /// An oscillation of which nine tenths of the time are marched in steps ten times as long: nearly all it loses it
-    /// loses there, and steps of the mean length would tell less.
+    /// loses there; steps of the mean length would show less.
     #[test]
     fn steps_of_several_lengths_damp_as_they_do_one_by_one() {
         let (rho, omega) = (0.4, 1.0);
@@ -124,12 +123,12 @@ mod tests {
         let decay =
             |h: f64, count: f64| NumericalDamping::of(rho, omega, h).damping * omega * h * count;
         let time = 0.05 * 200.0 + 0.5 * 180.0;
-        let told = NumericalDamping::over(rho, omega, &steps);
+        let over = NumericalDamping::over(rho, omega, &steps);
         let one_by_one = decay(0.05, 200.0) + decay(0.5, 180.0);
-        assert!((told.damping * omega * time / one_by_one - 1.0).abs() < 1e-12);
+        assert!((over.damping * omega * time / one_by_one - 1.0).abs() < 1e-12);
         let of_mean = NumericalDamping::of(rho, omega, time / 380.0);
-        assert!(told.damping > 3.0 * of_mean.damping, "{told:?} {of_mean:?}");
-        assert!(told.lengthening > of_mean.lengthening);
+        assert!(over.damping > 3.0 * of_mean.damping, "{over:?} {of_mean:?}");
+        assert!(over.elongation > of_mean.elongation);
         assert_eq!(
             NumericalDamping::over(rho, omega, &[(0.3, 7)]),
             NumericalDamping::of(rho, omega, 0.3)
@@ -146,15 +145,15 @@ mod tests {
         let energy = |x: f64, v: f64| 0.5 * (x * x + v * v);
         let steps = 3142;
         for _ in 0..steps {
-            let foretold = x + h * v + h * h * (0.5 - beta) * a;
-            let a1: f64 =
-                -(am * a + (1.0 - af) * foretold + af * x) / (1.0 - am + (1.0 - af) * beta * h * h);
+            let predicted = x + h * v + h * h * (0.5 - beta) * a;
+            let a1: f64 = -(am * a + (1.0 - af) * predicted + af * x)
+                / (1.0 - am + (1.0 - af) * beta * h * h);
             v += h * ((1.0 - gamma) * a + gamma * a1);
-            x = foretold + h * h * beta * a1;
+            x = predicted + h * h * beta * a1;
             a = a1;
         }
         let lost = -0.5 * (energy(x, v) / 0.5).ln() / (f64::from(steps) * h);
-        let told = numerical_damping(rho, 1.0, h);
-        assert!((lost / told - 1.0).abs() < 0.02, "{lost} {told}");
+        let expected = numerical_damping(rho, 1.0, h);
+        assert!((lost / expected - 1.0).abs() < 0.02, "{lost} {expected}");
     }
 }

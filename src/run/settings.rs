@@ -126,7 +126,7 @@ pub(super) fn damped_modes_warning(
     let of = |hz: f64| NumericalDamping::over(rho, std::f64::consts::TAU * hz, steps);
     let notable = |hz: &&f64| {
         let made = of(**hz);
-        made.lost_a_cycle() > NOTABLE || made.lengthening > 0.1 * NOTABLE
+        made.lost_a_cycle() > NOTABLE || made.elongation > 0.1 * NOTABLE
     };
     let lowest = hz.iter().filter(notable).copied().reduce(f64::min)?;
     let highest = hz.iter().copied().reduce(f64::max)?;
@@ -136,7 +136,7 @@ pub(super) fn damped_modes_warning(
             "that of {:.3} s loses {:.2} % of its amplitude a cycle and has its period longer by {:.2} %",
             1.0 / hz,
             100.0 * made.lost_a_cycle(),
-            100.0 * made.lengthening
+            100.0 * made.elongation
         )
     };
     let mut text = format!(

@@ -1,15 +1,15 @@
-//! Lengths that come of balancing forces at a mix of two states: see [`crate::solve::System::correct_chord_lengths`].
+//! Chord-length correction of generalized-alpha: see [`crate::solve::MidstepBalance::correct_chord_lengths`].
 
 use super::LumpedLine;
 use crate::solve::State;
 
 impl LumpedLine {
-    /// Writes how much longer the segments are at the end of a step than their tensions tell \[m\], `share` of the state
-    /// before in the mix.
+    /// Writes the excess of the chord lengths at the end of a step over those of the tensions \[m\], `share` of the state before
+    /// in the mix.
     ///
     /// With chords d0 and d1, their change D and the mix d, the mix of the lengths less the length of the mix is
-    /// `e = s (1 - s) |D across d|² / 2 |d|` up to fourth order of the angle. The balance sets the length of the mix, so
-    /// that the excesses before and after mix to e: `(1 - s) e1 + s e0 = e`. A slack segment has no length to be set.
+    /// `e = s (1 - s) |D normal to d|² / 2 |d|` up to fourth order of the angle. The balance holds for the length of the mix, so
+    /// that the excesses before and after mix to e: `(1 - s) e1 + s e0 = e`. Slack segments have none.
     pub(super) fn chord_corrections(&self, share: f64, before: &State, end: &mut State) {
         end.chord_correction.resize(self.segments.len(), 0.0);
         for (i, segment) in self.segments.iter().enumerate() {

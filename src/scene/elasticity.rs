@@ -1,4 +1,4 @@
-//! How a material stretches: in proportion, or by a law of its own.
+//! Elasticity of a material: constant EA, or a nonlinear law.
 
 use super::error::SceneError;
 use crate::case::{DynamicStiffness, Material};
@@ -7,7 +7,7 @@ use crate::physics::rope::{FibreRope, StaticElasticity, StiffnessForm, TensionLa
 /// The elasticity of the segments of one section.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Elasticity {
-    /// A slope of tension over strain that is not exceeded \[N\].
+    /// Upper bound of the slope of tension over strain \[N\].
     pub(super) steepest: f64,
     /// Stiffness that axial damping, given as a ratio, refers to \[N\].
     pub(super) ea: f64,
@@ -15,7 +15,7 @@ pub(super) struct Elasticity {
     pub(super) law: Option<u16>,
 }
 
-/// The elasticity of a material; a law of its own is added to those of the line.
+/// The elasticity of a material; a nonlinear law is added to those of the line.
 ///
 /// # Errors
 /// [`SceneError`] where the material has neither a stiffness nor a table.

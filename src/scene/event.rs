@@ -1,13 +1,12 @@
-//! What happens to a line at a time known beforehand: an end is let go, the payload is cut off. Between two events a
-//! line is what it is, so that nothing that is computed at every step asks for them.
+//! Events at given times: release of an end or of the payload. The scene is constant between two events.
 
 use super::{End, Scene};
 use crate::case::Case;
 
-/// A change of the line at a time.
+/// A change of the scene at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event {
-    /// When \[s\].
+    /// Time \[s\].
     pub time: f64,
     /// What changes.
     pub change: Change,
@@ -16,9 +15,9 @@ pub struct Event {
 /// What changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Change {
-    /// Nothing holds end A (0) or B (1) any more.
+    /// Release of end A (0) or B (1).
     ReleaseEnd(usize),
-    /// The payload is off the line.
+    /// Release of the payload.
     ReleasePayload,
 }
 
@@ -41,7 +40,7 @@ pub(super) fn events(case: &Case) -> Vec<Event> {
 }
 
 impl Scene {
-    /// The line after a change.
+    /// The scene after a change.
     #[must_use]
     pub fn after(&self, change: Change) -> Self {
         let mut scene = self.clone();

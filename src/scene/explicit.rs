@@ -1,4 +1,4 @@
-//! What an explicit method asks of the line: accelerations, and how long a step it bears.
+//! Explicit right-hand side: accelerations, and the stability limits of the time step.
 
 use nalgebra::Vector6;
 
@@ -8,8 +8,8 @@ use crate::numerics::{M3, V3};
 use crate::solve::State;
 
 impl Scene {
-    /// Accelerations of the free nodes, `a = M(x)^-1 f(x, v)`: the mass of a node is a 3 x 3 block of its
-    /// own, since added mass is lumped with the rest. What couples nodes comes after: a body that turns, a traveller.
+    /// Accelerations of the free nodes, `a = M(x)^-1 f(x, v)`: the mass of a node is a 3 x 3 block, since added mass is lumped.
+    /// Elements that couple nodes by their mass are corrected for afterwards.
     pub(super) fn accelerations(&self, t: f64, state: &mut State) {
         let last = self.line.nodes() - 1;
         let held = [state.a[0], state.a[last]];
@@ -34,7 +34,7 @@ impl Scene {
         let (mut f, mut m) = (V3::zeros(), Symmetric::default());
         let mut near = self.line.around::<PLAIN>(0, state);
         for i in 0..self.line.nodes() {
-            // Force and mass of node i: what the segment before left here, then the segment after.
+            // Force and mass of node i: from the segment before, then from the segment after.
             let (mut beyond, mut next) = (V3::zeros(), Symmetric::default());
             f.z -= self.line.weight[i];
             m.add_diagonal(self.line.mass[i]);
@@ -80,7 +80,7 @@ impl Scene {
         }
     }
 
-    /// Acceleration of a free node by a force on it, added mass and bodies included, a traveller left out \[1/kg\].
+    /// Acceleration of a free node by a force on it, with added mass and bodies, without a traveller \[1/kg\].
     #[must_use]
     pub fn inverse_mass(&self, node: usize, state: &State) -> M3 {
         if let Some(rigid_payload) = self
@@ -150,7 +150,7 @@ impl Scene {
         elements.map(|e| e.segment_stiffness(&self.line, i)).sum()
     }
 
-    /// The largest explicit time step \[s\] that classical Runge-Kutta of order 4 bears, and the segment that
+    /// The stability limit of the time step of classical Runge-Kutta of order 4 \[s\], and the segment that
     /// sets it. Highest axial frequency of a segment between nodes of masses m1, m2:
     /// `omega² = 2 (EA/l) (1/m1 + 1/m2)` (Gershgorin, exact for a uniform line; added mass does not count along
     /// the line), damping ratio `zeta = C omega / (2 EA)`. The limit is 2.785 / omega, less with damping:
@@ -232,7 +232,7 @@ impl Scene {
 }
 
 impl LumpedLine {
-    /// Mass of a node, added mass and bodies included but for those that couple it to others \[kg\].
+    /// Mass of a node with added mass and bodies, without those that couple it to others \[kg\].
     pub(super) fn own_mass(&self, node: usize, state: &State) -> M3 {
         self.mass_of(node, state).matrix()
     }
@@ -259,8 +259,8 @@ impl LumpedLine {
         m
     }
 
-    /// Fastest axial frequency of the ropes at a node, as stiff as they are now \[rad/s\]: `Scene::explicit_limit`
-    /// knows them up to half their breaking load only.
+    /// Fastest axial frequency of the ropes at a node at their present stiffness \[rad/s\]: `Scene::explicit_limit` covers half the
+    /// breaking load only.
     pub(super) fn rope_frequency(&self, node: usize, state: &State) -> f64 {
         let last = self.segments.len();
         let stiffest = (node.saturating_sub(1)..(node + 1).min(last))
@@ -315,7 +315,7 @@ impl Symmetric {
         )
     }
 
-    /// By LDL', which no positive definite block needs pivoting for.
+    /// By LDL', without pivoting since the block is positive definite.
     #[inline(always)]
     fn solve(&self, f: &V3) -> V3 {
         let d0 = 1.0 / self.xx;

@@ -1,4 +1,4 @@
-//! The discretised line: its parts, and where they are.
+//! The lumped-mass line: segments, nodes and point bodies.
 
 use std::ops::Range;
 
@@ -33,21 +33,21 @@ pub struct Segment {
     pub diameter: f64,
 }
 
-/// One end of the line.
+/// Condition at an end of the line.
 #[derive(Debug, Clone, PartialEq)]
 pub enum End {
     /// Prescribed.
     Prescribed(EndMotion),
-    /// Moves by its equation of motion.
+    /// Follows the equation of motion.
     Free,
 }
 
-/// A body and the node it hangs on.
+/// A point body and its node.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AttachedBody {
     /// The node.
     pub node: usize,
-    /// The body; its mass and weight are those of the node already.
+    /// The body; its mass and weight are included in those of the node.
     pub body: Body,
 }
 
@@ -101,7 +101,7 @@ impl LumpedLine {
         )
     }
 
-    /// Stretched length that the water sees \[m\], and 1 / chord length where it grows with the chord.
+    /// Length for drag \[m\], stretched if taut, and 1 / chord length if it grows with the chord, else 0.
     #[inline(always)]
     pub(super) fn wetted_length(&self, i: usize, chord: &Chord) -> (f64, f64) {
         let unstretched = self.segments[i].axial.length;
@@ -118,7 +118,7 @@ impl LumpedLine {
         self.submerged_drag(i, chord, state, self.wet(i, state).as_ref())
     }
 
-    /// The same where it is known how much of both halves is wet.
+    /// The same with known submerged fractions.
     #[inline(always)]
     pub(super) fn submerged_drag(
         &self,
@@ -134,7 +134,7 @@ impl LumpedLine {
         }
     }
 
-    /// Drag on both halves of segment i as if all of it were under water.
+    /// Drag on both halves of segment i as if all of it were submerged.
     #[inline(always)]
     pub(super) fn full_drag(&self, i: usize, chord: &Chord, state: &State) -> Drag<Two> {
         let u = self.relative_velocities(i, state);
@@ -156,7 +156,7 @@ impl LumpedLine {
         ]
     }
 
-    /// What the drag of the line could be in the fastest current there is, all of it across that or along \[N\].
+    /// Greatest drag of the line in the fastest current, all of it normal or tangential \[N\].
     pub(super) fn greatest_drag(&self) -> f64 {
         let speed = self.current.max_speed();
         let per_square = |s: &Segment| s.axial.length * s.drag.greatest(speed);

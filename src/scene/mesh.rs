@@ -1,10 +1,10 @@
-//! How a section is divided into segments, and how a companion's coarser mesh is.
+//! The mesh: division of a section into segments, and the coarser mesh for the mesh error estimate.
 
 use crate::case::Case;
 
-/// Where each segment of a section begins, from the section's end nearer to A, and its length \[m\]. Segments are equal;
-/// coarsened, they are so between the bodies hung on the section, which stay at the places where the fine mesh has them:
-/// a body moved by half a segment would be an error of the first order, and none of the mesh.
+/// Start and length of each segment of a section \[m\], from the end of the section nearer to A. Segments are equal; coarsened,
+/// they are equal between the clumps on the section, which keep their places on the fine mesh: a clump moved by half a segment
+/// would be an error of first order.
 pub(super) fn of_section(case: &Case, index: usize, coarsening: usize) -> Vec<(f64, f64)> {
     let section = &case.line[index];
     let fine = section.segments;

@@ -1,4 +1,4 @@
-//! Tensions foretold from one iteration of statics to the next: see [`crate::solve::System::extrapolate_tensions`].
+//! Mixed iteration of statics: see [`crate::solve::Residual::extrapolate_tensions`].
 
 use super::LumpedLine;
 use crate::numerics::V3;
@@ -6,8 +6,8 @@ use crate::physics::tension::{Chord, Tension};
 use crate::solve::State;
 
 impl LumpedLine {
-    /// Tension of segment i, and the same as its stiffness should see it. Where tensions are foretold, a slack segment
-    /// pushes: it is not yet where it will be, and must be told where to go.
+    /// Tension of segment i, and the one for its geometric stiffness. With extrapolated tensions a slack segment bears
+    /// compression during the iteration, so that the tangent is regular.
     #[inline(always)]
     pub(super) fn tension(
         &self,
@@ -21,15 +21,15 @@ impl LumpedLine {
                 let tension = self.pull(i, chord, t, state);
                 (tension, tension)
             }
-            Some(foretold) => {
+            Some(extrapolated) => {
                 let tension = self.two_sided_tension(i, chord, t, state);
-                let value = *foretold;
+                let value = *extrapolated;
                 (tension, Tension { value, ..tension })
             }
         }
     }
 
-    /// Tensions to begin with: those of the stretch where all are likely, else those of the first guess.
+    /// Initial tensions of the iteration: those of the strain if all are plausible, else those of the initial guess `start`.
     pub(super) fn initial_segment_tensions(&self, start: &[f64], state: &mut State) {
         let now = state.memory.time;
         let stretched = |i: usize| {
@@ -46,7 +46,7 @@ impl LumpedLine {
         };
     }
 
-    /// Tensions after displacements `-d`, to first order.
+    /// Tensions to first order after the displacements `-d`.
     pub(super) fn extrapolate_segment_tensions(&self, d: &[V3], state: &mut State) {
         for i in 0..self.segments.len() {
             let chord = self.chord(i, state);
@@ -60,7 +60,7 @@ impl LumpedLine {
         }
     }
 
-    /// A tension below which a rope has no stiffness worth iterating with \[N\].
+    /// Lower bound of the tension in the geometric stiffness of a rope \[N\].
     fn least_tension(&self, i: usize) -> f64 {
         0.1 * self.segments[i].half_weight.abs() + 1e-6 * self.force_scale
     }

@@ -1,11 +1,11 @@
-//! Tensions of segments, whichever law their material follows, and what ropes remember.
+//! Tensions of segments by the law of their material, and the tension history of ropes.
 
 use super::LumpedLine;
 use crate::physics::rope::{Elastic, MeanState, TensionLaw};
 use crate::physics::tension::{Axial, Chord, Tension};
 use crate::solve::{RopeHistory, State};
 
-/// What the dynamic stiffness of a segment stands at.
+/// The dynamic stiffness of a segment at an instant.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct RopeStiffness {
     /// Lm: mean of the past tension, in percent of the breaking load.
@@ -28,21 +28,21 @@ impl LumpedLine {
         }
     }
 
-    /// The tension of segment i as the state stands: at the time of its last accepted step.
+    /// The tension of segment i at the last accepted step, with its chord-length correction.
     #[inline(always)]
     #[must_use]
     pub fn tension_now(&self, i: usize, chord: &Chord, state: &State) -> Tension {
         match state.chord_correction.get(i) {
             None => self.pull(i, chord, state.memory.time, state),
             Some(excess) => {
-                let mut told = *chord;
-                told.length -= excess;
-                self.pull(i, &told, state.memory.time, state)
+                let mut corrected = *chord;
+                corrected.length -= excess;
+                self.pull(i, &corrected, state.memory.time, state)
             }
         }
     }
 
-    /// The tension of segment i, were it to push when it is slack.
+    /// The tension of segment i if it bore compression.
     #[inline(always)]
     pub(super) fn two_sided_tension(
         &self,
@@ -73,7 +73,7 @@ impl LumpedLine {
         if axial.rod { elastic } else { elastic.max(0.0) }
     }
 
-    /// Elastic energy of segment i \[J\]: with dynamic stiffness, what it would give back at once.
+    /// Elastic energy of segment i \[J\]; with dynamic stiffness, that of immediate unloading.
     pub(super) fn elastic_energy(&self, i: usize, chord: &Chord, state: &State) -> f64 {
         let axial = &self.segments[i].axial;
         let stretch = chord.length - axial.length;
@@ -88,7 +88,7 @@ impl LumpedLine {
         }
     }
 
-    /// Power by which segment i loses elastic energy while the mean it remembers moves on \[W\].
+    /// Power by which segment i loses elastic energy as its mean tension changes \[W\].
     pub(super) fn memory_dissipation(&self, i: usize, chord: &Chord, state: &State) -> f64 {
         let axial = &self.segments[i].axial;
         let (Some(law), Some(past)) = (axial.law, state.memory.ropes.get(i)) else {
@@ -109,7 +109,7 @@ impl LumpedLine {
         }
     }
 
-    /// Tension by strain of segment i at rest under a tension \[N\].
+    /// Secant stiffness of segment i at rest under a tension \[N\].
     pub(super) fn stiffness_at_tension(&self, i: usize, tension: f64) -> f64 {
         let axial = &self.segments[i].axial;
         if axial.law.is_none() {
@@ -120,7 +120,7 @@ impl LumpedLine {
         tension / self.strain_at_tension(i, tension)
     }
 
-    /// What the dynamic stiffness of segment i stands at; nothing where its material has none.
+    /// The dynamic stiffness of segment i; none if its material has no dynamic stiffness.
     #[must_use]
     pub fn rope_reading(&self, i: usize, state: &State) -> Option<RopeStiffness> {
         let law = self.segments[i].axial.law?;
@@ -135,9 +135,8 @@ impl LumpedLine {
         })
     }
 
-    /// Takes an accepted state into what its ropes remember: the running mean of the tension, by trapezes, over all of
-    /// the past or with a window beyond which it is forgotten exponentially, and how fast that mean moves now. With `dt` 0
-    /// they begin to remember: the tensions they have. Times in s.
+    /// Updates the tension history of the ropes by an accepted state: the running mean by the trapezoidal rule, over all of the
+    /// past or with an exponential window, and its rate. `dt` 0 starts the history at the present tensions. Times in s.
     pub fn remember_ropes(&self, t: f64, dt: f64, state: &mut State) {
         if self.laws.iter().all(|law| law.dynamic().is_none()) {
             return;
@@ -176,7 +175,7 @@ impl LumpedLine {
         state.memory.time = t;
     }
 
-    /// What segment i remembers at the start: the tension it has.
+    /// The initial history of segment i: its tension.
     fn begin(&self, i: usize, state: &State) -> RopeHistory {
         let tension = self.elastic(i, &self.chord(i, state), state);
         RopeHistory {
@@ -202,8 +201,8 @@ impl LumpedLine {
     }
 }
 
-/// The mean that segment i swings about at time t, moved on from the last accepted step at the rate it had there, so
-/// that a step of second order stays one; nothing at rest.
+/// Mean state of segment i at time t, extrapolated from the last accepted step at its rate, which keeps second order; none at
+/// rest.
 #[inline(always)]
 fn mean(i: usize, t: f64, state: &State) -> Option<MeanState> {
     let past = state.memory.ropes.get(i)?;

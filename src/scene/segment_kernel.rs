@@ -1,9 +1,9 @@
-//! Nodes and segments in the residual and in the tangent: mass and weight; pull, drag and added mass of both halves of every
-//! segment.
+//! Segment kernel: mass and weight of the nodes, and tension, drag and added mass of both halves of every segment, in the
+//! residual and the tangent, in one pass.
 //!
-//! A line in a uniform current, of materials that stretch in proportion, pays for nothing else: whether there are waves, a
-//! surface, shear, laws of ropes or tensions foretold is asked once a call, and the loop over the segments is compiled
-//! for either answer. What surrounds a node is worked out once and serves the segments on both its sides.
+//! The pass is compiled twice: a line of constant EA in a uniform current does not pay for waves, the surface, shear, laws of
+//! ropes or extrapolated tensions, which are tested once a call. The surroundings of a node are computed once for the segments
+//! on both its sides, and both halves of a segment in the two lanes of a register.
 
 use super::LumpedLine;
 use super::segment_tangent::{Halves, Slopes, pull_by_chord};
@@ -16,7 +16,7 @@ use crate::physics::drag::Drag;
 use crate::physics::tension::{Chord, Tension};
 use crate::solve::{Factors, State};
 
-/// A node and what surrounds it.
+/// Kinematics of a node and of the water around it.
 #[derive(Clone, Copy)]
 pub(super) struct Around {
     /// Its position \[m\].
@@ -27,12 +27,12 @@ pub(super) struct Around {
     u: V3,
     /// Its acceleration relative to the water's \[m/s²\].
     a: V3,
-    /// Shear of the current \[1/s\]; nothing where the current is uniform.
+    /// Shear of the current \[1/s\]; zero if the current is uniform.
     shear: V3,
 }
 
 impl LumpedLine {
-    /// Sets the residual to what nodes have of their own, mass and weight, and of the segments.
+    /// Sets the residual to that of the nodes (mass and weight) and segments.
     pub(super) fn segment_residual(&self, t: f64, state: &State, r: &mut [V3]) {
         if self.is_plain(state) {
             self.residual_as::<true>(t, state, r);
@@ -41,7 +41,7 @@ impl LumpedLine {
         }
     }
 
-    /// Sets the residual in the same way, and the tangent but for its far blocks.
+    /// Sets the same residual, and its tangent without the far blocks.
     pub(super) fn segment_tangent(
         &self,
         t: f64,
@@ -57,7 +57,7 @@ impl LumpedLine {
         }
     }
 
-    /// Whether a uniform current and the line's own stretch, in proportion, are all that acts on its segments.
+    /// Whether the line has constant EA and the current is uniform, without waves, surface, extrapolated tensions or frozen drag.
     pub(super) fn is_plain(&self, state: &State) -> bool {
         matches!(self.current, Current::Uniform(_))
             && self.water.is_none()
@@ -118,7 +118,7 @@ impl LumpedLine {
         }
     }
 
-    /// How much of both halves is wet, and their drag.
+    /// Submerged fractions of both halves, and their drag.
     #[inline(always)]
     pub(super) fn drag_as<const PLAIN: bool>(
         &self,
@@ -181,18 +181,18 @@ impl LumpedLine {
         );
         let sheared = !PLAIN && matches!(self.current, Current::Table { .. });
         let mut near = self.around::<PLAIN>(0, state);
-        // What a node has of its own and of the segment before it.
+        // Row of the node so far: its own part and that of the segment before it.
         let mut here = (self.lumped_load(0, state), self.lumped_mass(0, c));
         for i in 0..segments {
             let far = self.around::<PLAIN>(i + 1, state);
             let chord = self.chord_between(i, &near, &far);
-            let (tension, foretold) = self.tension_as::<PLAIN>(i, &chord, t, state);
+            let (tension, extrapolated) = self.tension_as::<PLAIN>(i, &chord, t, state);
             let pull = chord.tangent * tension.value;
             let (wet, drag) = self.drag_as::<PLAIN>(i, &chord, [&near, &far], state);
             let halves = Halves {
                 added: AddedMass::of(self.added(i, wet.as_ref())),
                 chord: &chord,
-                pull: pull_by_chord(&chord, &foretold, c),
+                pull: pull_by_chord(&chord, &extrapolated, c),
                 drag: &drag,
                 a: lanes::vectors(&near.a, &far.a),
                 shear: sheared.then(|| lanes::vectors(&near.shear, &far.shear)),

@@ -1,4 +1,4 @@
-//! What both halves of a segment contribute to their nodes, side by side: pull, drag and added mass, and their tangents.
+//! Tangent of both halves of a segment in two lanes: tension, drag and added mass.
 
 use crate::numerics::V3;
 use crate::numerics::lanes::{self, Two, TwoM3, TwoV3, apply, dot, outer, plus_diagonal};
@@ -7,32 +7,32 @@ use crate::physics::drag::Drag;
 use crate::physics::tension::{Chord, Tension};
 use crate::solve::Factors;
 
-/// Both halves of a segment: where they are, and what acts on them.
+/// Both halves of a segment and the forces on them.
 pub(super) struct Halves<'a> {
-    /// Their added mass, as far as they are wet.
+    /// Added mass of their submerged fractions.
     pub(super) added: AddedMass<Two>,
     pub(super) chord: &'a Chord,
-    /// Derivative of the pull, see [`pull_by_chord`].
+    /// Derivative of the tension, see [`pull_by_chord`].
     pub(super) pull: (f64, V3),
     pub(super) drag: &'a Drag<Two>,
     /// Accelerations of their nodes relative to the water.
     pub(super) a: TwoV3,
-    /// Shear of the current at their nodes \[1/s\], where there is any.
+    /// Shear of the current at their nodes \[1/s\], if any.
     pub(super) shear: Option<TwoV3>,
-    /// 1 / chord length where the wetted length grows with the chord.
+    /// 1 / chord length if the wetted length grows with the chord, else 0.
     pub(super) stretch: f64,
 }
 
-/// What the residuals of both nodes of a segment change by.
+/// Derivatives of the residuals of both nodes of a segment.
 #[derive(Clone, Copy)]
 pub(super) struct Slopes {
-    /// By each node itself.
+    /// By the position of the node itself.
     pub(super) own: TwoM3,
-    /// By the segment's other node.
+    /// By that of the other node.
     pub(super) coupling: TwoM3,
 }
 
-/// Derivative of the chord by the places of the segment's nodes.
+/// Derivative of the chord by the positions of the nodes.
 const SIGNS: [f64; 2] = [-1.0, 1.0];
 
 impl Halves<'_> {
@@ -43,13 +43,13 @@ impl Halves<'_> {
         self.added.force(&t, &self.a) - self.drag.force
     }
 
-    /// The slopes of both nodes' residuals, pull, drag and added mass together.
+    /// Derivatives of both residuals: tension, drag and added mass together.
     #[inline(always)]
     pub(super) fn slopes(&self, c: Factors) -> Slopes {
         let (added, chord, drag) = (&self.added, self.chord, self.drag);
         let (t, n) = (lanes::twice(&chord.tangent), drag.direction());
-        // R depends on the chord through the pull, the added mass and, with a minus, the drag: s I + t p' + n q'. By the
-        // other node it does the opposite way round.
+        // By the chord, through tension, added mass and (negative) drag: s I + t p' + n q'. The derivative by the other node
+        // has the opposite sign.
         let (s_m, p_m) = added.by_chord(&t, &self.a, chord.inverse.into());
         let (s_d, p_d, q_d) = drag.by_chord(&t, chord.inverse, self.stretch);
         let k = Two::new(SIGNS) * c.stiffness;
@@ -57,7 +57,7 @@ impl Halves<'_> {
         let p = (p_d - p_m) * k - lanes::twice(&self.pull.1);
         let q = q_d * k;
         let coupling = plus_diagonal(outer(&t, &p) + outer(n, &q), s);
-        // Of its own node: the same, its acceleration, and its velocity, with which drag falls.
+        // By its own node: the same, with its acceleration, and its velocity, which reduces drag.
         let (v_i, v_t, v_n) = drag.by_velocity();
         let v_t = v_t * c.damping + (added.tangential - added.normal) * c.mass;
         let moving = symmetric(&t, v_t, n, v_n * c.damping);
@@ -75,8 +75,8 @@ impl Halves<'_> {
         slopes
     }
 
-    /// Slopes with those of the drag by the velocity of the water at the other node, which `block` is, added: its normal part
-    /// turns with the chord, too.
+    /// Adds the derivative `block` of drag by the velocity at the other node (drag crisis within the segment), whose normal part
+    /// rotates with the chord.
     #[cold]
     fn astride(&self, slopes: Slopes, block: &TwoM3, c: Factors) -> Slopes {
         let turning =
@@ -88,7 +88,7 @@ impl Halves<'_> {
         }
     }
 
-    /// Adds what drag changes by where the current is another at another height.
+    /// Adds the derivative of drag by the shear of the current.
     #[inline(always)]
     fn add_shear(&self, shear: &TwoV3, c: Factors, slopes: &mut Slopes) {
         let (v_i, v_t, v_n) = self.drag.by_velocity();
@@ -124,9 +124,8 @@ fn symmetric(t: &TwoV3, a: Two, n: &TwoV3, b: Two) -> TwoM3 {
     matrix
 }
 
-/// Derivative of the pull of a segment by its chord, stiffness and damping in their shares, in the form
-/// `s I + t p'`, the numbers (s, p): `dT/dl tt' + T/l (I - tt')` and, through the turning of the chord,
-/// `C/l (I - tt') w` along t.
+/// Derivative (s, p) of the force `T t` of a segment by its chord, `s I + t p'`, weighted by the factors: axial and geometric
+/// stiffness `dT/dl tt' + T/l (I - tt')`, and by the rotation of the chord with opening velocity w, `t ((I - tt') w)' C/l`.
 #[inline(always)]
 pub(super) fn pull_by_chord(chord: &Chord, tension: &Tension, c: Factors) -> (f64, V3) {
     let t = &chord.tangent;

@@ -1,37 +1,36 @@
-//! How much of a segment, or of a body, is under the surface of the water.
+//! Submerged fraction of segments and bodies, and the buoyancy they lose above the surface.
 //!
-//! A point of a line at the height d above the surface counts as wet by `(r - d) / 2r`, between 0 and 1: r is the
-//! line's radius, so that a line that floats flat sinks in by its own thickness. The height goes straight from node to
-//! node. The share of half a segment is the mean along it, in closed form: continuous, and smooth wherever the line
-//! is not level. So every force on it is continuous in the height of the surface.
+//! The submerged fraction of a point at height d above the surface is `(r - d) / 2r`, between 0 and 1, with the radius r of the
+//! line: a line afloat sinks by its thickness. The height is linear between nodes, and the fraction of half a segment is the mean
+//! along it in closed form: continuous, and smooth if the line is not level. All forces are so continuous in the height of the
+//! surface.
 //!
-//! Buoyancy is lost as an energy is: what the dry parts of a segment lack is the derivative of one potential by the
-//! heights of its nodes, each getting what lies nearer to it in proportion. So no motion to and fro through the
-//! surface gains or loses energy, and a straight spar has the right lift and the right moment.
+//! The lost buoyancy derives from a potential of the heights of both nodes, so that no cycle through the surface gains or loses
+//! energy, and a straight spar has the exact lift and moment.
 
 use crate::numerics::V3;
 
-/// A share that is wet, and its derivatives by the places of the nodes \[1/m\].
+/// Submerged fraction, and its derivatives by the positions of the nodes \[1/m\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Submergence {
     pub(super) share: f64,
-    /// By the place of the segment's first node, then of its second.
+    /// By the position of the first node of the segment, then of its second.
     pub(super) by: [V3; 2],
 }
 
-/// Height of a node above the surface \[m\], and its derivative by the node's place.
+/// Height of a node above the surface \[m\], and its derivative by the position of the node.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Height {
     pub(super) above: f64,
     pub(super) by_place: V3,
 }
 
-/// Buoyancy that a segment has lost for being dry.
+/// Buoyancy lost by the dry part of a segment.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct LostBuoyancy {
-    /// Energy of that, per weight of water that the segment displaces \[m\].
+    /// Potential per weight of the water displaced by the segment \[m\].
     pub(super) energy: f64,
-    /// Shares of the segment's buoyancy that its first and second node lack.
+    /// Fractions of the buoyancy of the segment lost at its first and second node.
     pub(super) lost: [f64; 2],
     /// Their derivatives by the heights of first and second node \[1/m\].
     pub(super) by: [[f64; 2]; 2],
@@ -75,7 +74,7 @@ pub(super) fn lost_buoyancy(r: f64, [p, q]: [f64; 2]) -> LostBuoyancy {
     }
 }
 
-/// The share of each half of a segment of radius r \[m\] between nodes at these heights.
+/// Submerged fraction of each half of a segment of radius r \[m\] between nodes at these heights.
 pub(super) fn halves(r: f64, nodes: [&Height; 2]) -> [Submergence; 2] {
     let [first, second] = nodes;
     let middle = 0.5 * (first.above + second.above);
@@ -99,7 +98,7 @@ pub(super) fn halves(r: f64, nodes: [&Height; 2]) -> [Submergence; 2] {
     ]
 }
 
-/// The share of a sphere of radius r \[m\] with its centre at this height, and its derivative by the height \[1/m\].
+/// Submerged fraction of a sphere of radius r \[m\] with its centre at this height, and its derivative by the height \[1/m\].
 pub(super) fn sphere(r: f64, above: f64) -> (f64, f64) {
     let x = (r - above) / (2.0 * r);
     if x <= 0.0 {
@@ -111,8 +110,8 @@ pub(super) fn sphere(r: f64, above: f64) -> (f64, f64) {
     }
 }
 
-/// Height that a dry sphere of radius r with its centre at this height has been lifted through, as its share that is
-/// dry has it \[m\].
+/// Potential of the lost buoyancy of a sphere of radius r with its centre at this height, per weight of the water it displaces
+/// \[m\].
 pub(super) fn sphere_lost_energy(r: f64, above: f64) -> f64 {
     let x = (r + above) / (2.0 * r);
     if x <= 0.0 {
@@ -124,7 +123,7 @@ pub(super) fn sphere_lost_energy(r: f64, above: f64) -> f64 {
     }
 }
 
-/// Mean share between the heights p and q, and its derivatives by both.
+/// Mean submerged fraction between the heights p and q, and its derivatives by both.
 fn mean(r: f64, p: f64, q: f64) -> (f64, f64, f64) {
     if p.min(q) >= r {
         return (0.0, 0.0, 0.0);
@@ -145,7 +144,7 @@ fn mean(r: f64, p: f64, q: f64) -> (f64, f64, f64) {
     )
 }
 
-/// Share of a point at the height d, and its derivative.
+/// Submerged fraction of a point at height d, and its derivative.
 fn point(r: f64, d: f64) -> (f64, f64) {
     if d >= r {
         (0.0, 0.0)
@@ -156,7 +155,7 @@ fn point(r: f64, d: f64) -> (f64, f64) {
     }
 }
 
-/// Integral of the share of a point that is dry, from far below up to the height d \[m\].
+/// Integral of the dry fraction of a point from far below up to the height d \[m\].
 fn lifted(r: f64, d: f64) -> f64 {
     if d >= r {
         d
@@ -178,7 +177,7 @@ fn lifted_sum(r: f64, d: f64) -> f64 {
     }
 }
 
-/// Integral of the share of a point from far above down to the height d, negative.
+/// Integral of the submerged fraction of a point from far above down to the height d, negative.
 fn cumulated(r: f64, d: f64) -> f64 {
     if d >= r {
         0.0
@@ -209,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn continuous_with_the_derivatives_told() {
+    fn continuous_with_its_derivatives() {
         for (p, q) in [
             (0.1, -0.3),
             (0.02, 0.02),
@@ -219,8 +218,8 @@ mod tests {
         ] {
             let share = |p: f64, q: f64| halves(0.05, [&at(p), &at(q)]).map(|w| w.share);
             let h = 1e-7;
-            let told = halves(0.05, [&at(p), &at(q)]);
-            for (half, wet) in told.iter().enumerate() {
+            let both = halves(0.05, [&at(p), &at(q)]);
+            for (half, wet) in both.iter().enumerate() {
                 let by_p = (share(p + h, q)[half] - share(p - h, q)[half]) / (2.0 * h);
                 let by_q = (share(p, q + h)[half] - share(p, q - h)[half]) / (2.0 * h);
                 assert!((by_p - wet.by[0].z).abs() < 2e-5, "{p} {q} {half}");
@@ -251,7 +250,7 @@ mod tests {
             (40.0, -60.0),
             (0.2, 0.3),
         ] {
-            let told = lost_buoyancy(r, [p, q]);
+            let dry = lost_buoyancy(r, [p, q]);
             let h = 1e-6;
             for node in 0..2 {
                 let at = |h: f64| {
@@ -262,25 +261,25 @@ mod tests {
                 let (up, down) = (at(h), at(-h));
                 let slope = (up.energy - down.energy) / (2.0 * h);
                 assert!(
-                    (slope - told.lost[node]).abs() < 1e-6,
-                    "{p} {q} {slope} {told:?}"
+                    (slope - dry.lost[node]).abs() < 1e-6,
+                    "{p} {q} {slope} {dry:?}"
                 );
                 for of in 0..2 {
                     let slope = (up.lost[of] - down.lost[of]) / (2.0 * h);
                     assert!(
-                        (slope - told.by[of][node]).abs() < 1e-4,
-                        "{p} {q} {slope} {told:?}"
+                        (slope - dry.by[of][node]).abs() < 1e-4,
+                        "{p} {q} {slope} {dry:?}"
                     );
                 }
             }
             let wet = halves(r, [&at(p), &at(q)]);
             let all = 1.0 - 0.5 * (wet[0].share + wet[1].share);
-            assert!((told.lost[0] + told.lost[1] - all).abs() < 1e-9, "{p} {q}");
+            assert!((dry.lost[0] + dry.lost[1] - all).abs() < 1e-9, "{p} {q}");
         }
         // 40 % of a thin spar is out: its middle is at 20 %.
-        let told = lost_buoyancy(1e-6, [4.0, -6.0]);
-        assert!((told.lost[0] + told.lost[1] - 0.4).abs() < 1e-6);
-        assert!((told.lost[1] - 0.4 * 0.2).abs() < 1e-6);
+        let dry = lost_buoyancy(1e-6, [4.0, -6.0]);
+        assert!((dry.lost[0] + dry.lost[1] - 0.4).abs() < 1e-6);
+        assert!((dry.lost[1] - 0.4 * 0.2).abs() < 1e-6);
     }
 
     #[test]

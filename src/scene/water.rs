@@ -1,13 +1,12 @@
-//! What waves and the surface of the water do to the line, where the case names them.
+//! Waves and the water surface around the line, where the case names them.
 //!
-//! Morison's equation for a line that moves in water that moves (DNV-RP-C205 section 6.2): drag by the relative
-//! velocity, added mass by the relative acceleration, and the displaced mass times the acceleration of the water. The
-//! last is the pressure of the undisturbed wave; it acts along the line as well as across, since tensions are effective
-//! ones here as they are in still water. The displaced mass is what separates the mass in air from the mass in water,
-//! floats and modules included.
+//! Morison's equation in moving water (DNV-RP-C205 section 6.2): drag by the relative velocity, added mass by the relative
+//! acceleration, and the displaced mass times the acceleration of the water (Froude-Krylov). The last acts along the line as
+//! well as transverse to it, since tensions are effective. The displaced mass is the mass in air less that in water, floats and
+//! modules included.
 //!
-//! Where the line crosses the surface, all of these count by the share of each half segment that is wet, and buoyancy
-//! is lost to a potential: see `scene/submergence.rs`.
+//! Where the line crosses the surface, all of these count by the submerged fraction of each half segment, and buoyancy is lost to
+//! a potential: see `scene/submergence.rs`.
 
 use super::submergence::{self, Height, Submergence};
 use super::{AttachedBody, LumpedLine, Segment};
@@ -17,12 +16,12 @@ use crate::physics::added_mass::AddedMass;
 use crate::physics::sea::{Flow, Waves};
 use crate::solve::State;
 
-/// The water, where it does more than be there.
+/// Waves and the surface, where the case names them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Water {
     /// The waves, if there are any.
     pub waves: Option<Waves>,
-    /// Whether the line leaves the water and enters it; if not, all of it counts as under water.
+    /// Whether the line crosses the surface; if not, all of it counts as submerged.
     pub crossed: bool,
     /// Mass of the water displaced by half of each segment \[kg\].
     pub displaced: Vec<f64>,
@@ -34,7 +33,7 @@ pub struct Water {
     pub gravity: f64,
     /// Density of the water \[kg/m³\].
     pub density: f64,
-    /// Where the height of the waves is read \[m\].
+    /// Position of the wave gauge \[m\].
     pub gauge: V3,
 }
 
@@ -88,10 +87,10 @@ impl Water {
     }
 }
 
-/// A line is no thinner than this where it crosses the surface \[m\].
+/// Least radius of a line that crosses the surface \[m\].
 const LEAST_RADIUS: f64 = 1e-6;
 
-/// A body in the water: what flows past it and how much of it is wet.
+/// A point body in the water: relative motion and submerged fraction.
 pub(super) struct BodyInWater {
     /// Velocity of the water relative to it \[m/s\].
     pub(super) u: V3,
@@ -99,7 +98,7 @@ pub(super) struct BodyInWater {
     pub(super) a: V3,
     /// Acceleration of the water \[m/s²\].
     pub(super) carried: V3,
-    /// The share of it that is wet, and its derivative by the body's place \[1/m\].
+    /// Submerged fraction, and its derivative by the position of the body \[1/m\].
     pub(super) share: f64,
     pub(super) by_place: V3,
     /// Pressure of the wave and buoyancy lost \[N\].
@@ -134,7 +133,7 @@ impl LumpedLine {
         }
     }
 
-    /// How much of both halves of segment i is wet; nothing where all of the line counts as under water.
+    /// Submerged fractions of both halves of segment i; none if all of the line counts as submerged.
     #[inline(always)]
     pub(super) fn wet(&self, i: usize, state: &State) -> Option<[Submergence; 2]> {
         let water = self.water.as_ref().filter(|w| w.crossed)?;
@@ -144,7 +143,7 @@ impl LumpedLine {
         ))
     }
 
-    /// Added mass of both halves of segment i, as far as they are wet.
+    /// Added mass of both halves of segment i, of their submerged fractions.
     #[inline(always)]
     pub(super) fn added(&self, i: usize, wet: Option<&[Submergence; 2]>) -> [AddedMass; 2] {
         let added = self.segments[i].added;
@@ -154,7 +153,7 @@ impl LumpedLine {
         }
     }
 
-    /// Pressure of the wave on half of segment i, less the buoyancy of what of it is dry \[N\].
+    /// Froude-Krylov force on half of segment i, less the buoyancy of its dry part \[N\].
     #[inline(always)]
     pub(super) fn pressure(
         &self,
@@ -174,7 +173,7 @@ impl LumpedLine {
         load
     }
 
-    /// Buoyancy that half of segment i lacks where it is dry, a load downwards \[N\].
+    /// Lost buoyancy of half of segment i, a load downwards \[N\].
     #[inline(always)]
     pub(super) fn lost_buoyancy(&self, i: usize, half: usize, state: &State) -> V3 {
         let Some(water) = self.water.as_ref().filter(|w| w.crossed) else {
@@ -185,8 +184,8 @@ impl LumpedLine {
         V3::z() * (-2.0 * water.displaced[i] * water.gravity * lost)
     }
 
-    /// The same with what the water's acceleration does through the added mass: all that it does to a node whose own
-    /// acceleration is not known yet \[N\].
+    /// The same with the force of the acceleration of the water on the added mass: the wave load on a node whose own acceleration
+    /// is not known yet \[N\].
     pub(super) fn wave_force(
         &self,
         i: usize,
@@ -203,7 +202,7 @@ impl LumpedLine {
         self.pressure(i, half, wet, state) + state.wave_flow.get(node).map_or_else(V3::zeros, with)
     }
 
-    /// What the water does to the body of this number.
+    /// The body of this number in the water.
     #[inline(always)]
     pub(super) fn body_in_water(&self, number: usize, state: &State) -> BodyInWater {
         let node = self.bodies[number].node;
@@ -232,7 +231,7 @@ impl LumpedLine {
         around
     }
 
-    /// Energy of the buoyancy that dry parts of the line lack in still water \[J\].
+    /// Potential of the buoyancy lost by dry parts of the line in still water \[J\].
     pub(super) fn surface_energy(&self, state: &State) -> f64 {
         let Some(water) = self.water.as_ref().filter(|w| w.crossed) else {
             return 0.0;
@@ -250,7 +249,7 @@ impl LumpedLine {
         water.gravity * (segments + bodies.sum::<f64>())
     }
 
-    /// Writes into the state what the waves make of the water at its nodes at time t \[s\]; nothing where there are none.
+    /// Writes the wave kinematics at the nodes at time t \[s\] into the state; nothing without waves.
     pub(super) fn write_wave_kinematics(&self, t: f64, state: &mut State) {
         let Some(Water {
             waves: Some(waves),

@@ -1,34 +1,36 @@
-//! The one Newton loop, used by statics, the quasi-static march and every implicit time step.
+//! Newton's method for statics, the quasi-static march and every implicit time step.
 //!
-//! The unknown is a displacement `d`; position, velocity and acceleration follow it by the three
-//! [`Factors`] of the method. The tangent is exact, also where a segment goes slack (semismooth
-//! Newton). There is no line search on the residual norm: measured on snapping lines it only cost.
+//! The unknown is a displacement `d`; position, velocity and acceleration follow it by the three [`Factors`] of the method. The
+//! tangent is exact, also across slack and contact (semismooth Newton). There is no line search on the residual norm: on
+//! snapping lines it added iterations.
 //!
-//! Stopping: the largest displacement of an iteration falls below the tolerance; or, because
-//! convergence is quadratic, the next one is foretold to do so (`|d1| = c |d0|²` with c measured on
-//! the iterations before, and a factor of safety), which saves an assembly a step. Across the line, where a displacement
-//! makes hardly any force, a step whose error is controlled may bear more than along it. An iteration that goes in a circle, as
-//! between two sides of a kink, may be given up early: a march halves its step sooner and loses less.
+//! Convergence: the largest displacement of an iteration falls below the tolerance; or, since convergence is quadratic, the
+//! extrapolated next one does (`|d1| = c |d0|²` with c measured on the iterations before, and a safety factor), which saves
+//! an assembly a step. Transverse to the line, where a displacement changes the forces little, a step with error control has a
+//! larger tolerance than along it. An iteration that cycles, as between two sides of a kink, stops early: the march then
+//! halves its step at less cost.
 
 use super::{Factors, Residual, State};
 use crate::numerics::{BlockBand, V3};
 
-/// Newton's memory for one line: scratch and the measured rate. Allocates only when made, and
-/// at the first iteration of a line that bends.
+/// Newton's method with its work arrays and the measured rate of convergence. Allocates in [`Newton::new`], and at the first
+/// iteration of a pentadiagonal system.
 #[derive(Debug, Clone)]
 pub struct Newton {
     /// Largest displacement of a node at which an iteration counts as converged \[m\].
     pub tolerance: f64,
-    /// The same across the line, where that may be more: the tolerance then holds for what stretches the line \[m\].
+    /// The same transverse to the line, if larger: [`Newton::tolerance`] then holds for
+    /// [`Residual::force_norm_displacement`] \[m\].
     pub transverse_tolerance: f64,
-    /// Largest change of a node's velocity at which an iteration counts as converged \[m/s\]: it matters where a force
-    /// goes steeply with velocity, and ever more the shorter the step.
+    /// Largest change of a node's velocity at which an iteration counts as converged \[m/s\]: for forces that depend steeply
+    /// on velocity, the more so the shorter the step.
     pub velocity_tolerance: f64,
     /// Greatest number of iterations.
     pub max_iterations: usize,
-    /// No node moves farther in an iteration: all displacements are scaled down together \[m\].
+    /// Greatest displacement of a node in an iteration \[m\]: all are scaled down together.
     pub max_displacement: f64,
-    /// So many iterations in a row that do not halve the least displacement so far are a circle; at first no number is.
+    /// Number of iterations in a row that do not halve the least displacement so far, after which the iteration stops; unlimited
+    /// by default.
     pub stagnation_limit: usize,
     /// Iterations so far, over all calls.
     pub iterations: u64,
@@ -38,10 +40,10 @@ pub struct Newton {
     curvature: Option<f64>,
 }
 
-/// Why Newton gave up.
+/// Why Newton's method failed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum NewtonError {
-    /// The iterations were used up, or went in a circle.
+    /// The iterations were used up, or cycled.
     #[error(
         "Newton did not converge in {iterations} iterations: node {node} still moves by {moved:.3e} m"
     )]
@@ -59,13 +61,13 @@ pub enum NewtonError {
         /// The node.
         node: usize,
     },
-    /// A number is no longer finite.
+    /// A force is not finite.
     #[error("a force is not finite at node {node}")]
     NotFinite {
         /// The node.
         node: usize,
     },
-    /// The equations are solved, but far from where the line was.
+    /// The equations are solved far from where the line was.
     #[error(
         "node {node} would move by {moved:.3e} m in one step, three times as far as the line is long or more: \
          too little slows it along the line"
@@ -76,7 +78,7 @@ pub enum NewtonError {
         /// How far it would move \[m\].
         moved: f64,
     },
-    /// An explicit step is longer than what decays at a node bears.
+    /// An explicit step exceeds the stability limit of the decay at a node.
     #[error("the explicit step is too long for how fast drag slows node {node}")]
     Unstable {
         /// The node.
@@ -98,11 +100,11 @@ impl NewtonError {
     }
 }
 
-/// Factor of safety on the foretold displacement.
+/// Safety factor on the extrapolated displacement.
 const SAFETY: f64 = 4.0;
 
 impl Newton {
-    /// Scratch for a line of `nodes` nodes.
+    /// For a system of `nodes` nodes; tolerance \[m\].
     #[must_use]
     pub fn new(nodes: usize, tolerance: f64, max_iterations: usize) -> Self {
         Self {
@@ -119,19 +121,19 @@ impl Newton {
         }
     }
 
-    /// The measured rate of convergence \[1/m\], for whoever takes up the march later.
+    /// The measured rate of convergence \[1/m\], to be saved with a march.
     #[must_use]
     pub fn rate(&self) -> Option<f64> {
         self.curvature
     }
 
-    /// Takes up the rate and the count of an earlier march.
+    /// Restores the rate and the count of a saved march.
     pub fn restore(&mut self, rate: Option<f64>, iterations: u64) {
         self.curvature = rate;
         self.iterations = iterations;
     }
 
-    /// Forgets the measured rate, as after a jump of the state.
+    /// Resets the measured rate, as after a discontinuity of the state.
     pub fn reset_rate(&mut self) {
         self.curvature = None;
     }
@@ -148,7 +150,7 @@ impl Newton {
         state: &mut State,
         c: Factors,
     ) -> Result<usize, NewtonError> {
-        // Velocities follow the displacement by the factor of damping, which is nought in statics.
+        // The factor of damping is 0 in statics.
         let tolerance = if c.damping > 0.0 {
             self.tolerance.min(self.velocity_tolerance / c.damping)
         } else {
@@ -160,20 +162,20 @@ impl Newton {
         while made < self.max_iterations && idle < self.stagnation_limit {
             made += 1;
             worst = self.iterate(system, t, state, c)?;
-            let moved = self.measured(system, state, worst.1);
+            let moved = self.convergence_norm(system, state, worst.1);
             idle = if moved < 0.5 * least { 0 } else { idle + 1 };
             least = least.min(moved);
             if let Some(last) = before {
                 let rate = moved / (last * last);
-                // Only the tail of the iteration tells the rate; rounding is no rate.
+                // The rate is that of the tail of the iteration, above rounding.
                 if moved < 0.1 * last && moved > 1e-3 * tolerance {
                     self.curvature = Some(self.curvature.map_or(rate, |c| rate.max(0.7 * c)));
                 }
             }
-            let foretold = self
+            let next = self
                 .curvature
                 .map_or(f64::INFINITY, |k| SAFETY * k * moved * moved);
-            if moved <= tolerance || foretold <= tolerance {
+            if moved <= tolerance || next <= tolerance {
                 return Ok(made);
             }
             before = Some(moved);
@@ -187,9 +189,9 @@ impl Newton {
         })
     }
 
-    /// The displacement just made, no node's more than `moved`, as the stopping rule counts it \[m\].
-    fn measured<S: Residual>(&self, system: &S, state: &State, moved: f64) -> f64 {
-        // A force that goes steeply with velocity does so in every direction.
+    /// The displacement of the last iteration in the norm of convergence \[m\]; `moved` is its maximum norm.
+    fn convergence_norm<S: Residual>(&self, system: &S, state: &State, moved: f64) -> f64 {
+        // A force that depends steeply on velocity does so in every direction.
         if self.transverse_tolerance <= self.tolerance || self.velocity_tolerance.is_finite() {
             return moved;
         }
@@ -197,7 +199,7 @@ impl Newton {
         along.max(moved * self.tolerance / self.transverse_tolerance)
     }
 
-    /// One iteration; the node that moves most and by how much \[m\], before all is scaled down to
+    /// One iteration; returns the node that moves most and by how much \[m\], before scaling to
     /// [`Newton::max_displacement`].
     ///
     /// # Errors
@@ -217,7 +219,7 @@ impl Newton {
         let free = system.free();
         self.tangent
             .solve(free.clone(), &mut self.residual)
-            .map_err(|e| self.why_unsolved(system, t, state, e.node))?;
+            .map_err(|e| self.singular_or_not_finite(system, t, state, e.node))?;
         let mut worst = (free.start, 0.0);
         for i in free.clone() {
             let moved = self.residual[i].amax();
@@ -248,8 +250,8 @@ impl Newton {
         Ok(worst)
     }
 
-    /// Tells a tangent that nothing holds from one spoilt by a number that is not finite.
-    fn why_unsolved<S: Residual>(
+    /// Why the tangent cannot be factored: it is singular, or a force is not finite.
+    fn singular_or_not_finite<S: Residual>(
         &mut self,
         system: &S,
         t: f64,

@@ -1,5 +1,4 @@
-//! Where a solver pours what it computes: frames out, "stop" in. All that threads, bars, files and
-//! cancelling need, and nothing a solver has to wait for.
+//! Receives the accepted steps of a solver, and may stop it: the only coupling to threads, progress bars and files.
 
 use super::State;
 
@@ -16,16 +15,16 @@ pub struct Instant<'a> {
     pub output: bool,
 }
 
-/// Whether the solver is to go on.
+/// Whether the solver continues.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Progressing {
-    /// Go on.
+    /// Continue.
     Continue,
     /// Stop after this step.
     Stop,
 }
 
-/// Takes every accepted step.
+/// Receives every accepted step.
 pub trait Sink {
     /// Called after every accepted step, output times included.
     fn accept(&mut self, instant: Instant<'_>) -> Progressing;

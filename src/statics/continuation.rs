@@ -1,20 +1,19 @@
-//! Rods clamped at odds with the way they go: clamps turned a part at a time.
+//! Continuation in the angle of the clamps, for rods clamped at a large angle to the line.
 //!
-//! The moment of a segment that meets its clamp at an angle θ goes with sin θ, so that past a right angle it falls
-//! again and nothing is left to turn the rod back: Newton from a straight line ends in a fold there, which is none of
-//! the rod's equilibria. With the clamps turned the way the line goes it has one nearby, and from there it follows them,
-//! every step from the equilibrium before; where a turn makes it snap to another shape, it creeps there.
+//! The moment of a segment at an angle θ to its clamp varies as sin θ and falls past a right angle: Newton from a straight line
+//! then ends in a fold, which is no equilibrium of the rod. With the clamps along the line there is one nearby, and the
+//! continuation follows it step by step to the given angles; across a snap to another branch, by pseudo-transient steps.
 
 use super::equilibrium::{Equilibrium, EquilibriumSearch};
 use crate::solve::{Newton, State, StaticSearch};
 
-/// Shares of the turn a step: the first and longest, one from which the line may creep, and the shortest.
+/// Fractions of the angle a step: the first and longest, one from which pseudo-transient steps may help, and the shortest.
 const LONGEST: f64 = 0.125;
 const SHORT: f64 = 0.02;
 const SHORTEST: f64 = 1e-3;
 
 impl EquilibriumSearch {
-    /// Moves `state` to an equilibrium through those with the clamps on their way; leaves it where there is none.
+    /// Moves `state` to an equilibrium by continuation in the angle of the clamps; leaves it if there is none.
     pub(super) fn continue_clamps<S: StaticSearch>(
         &self,
         system: &S,
@@ -25,9 +24,9 @@ impl EquilibriumSearch {
         let start = state.clone();
         let mut here = start.clone();
         let size = here.x.windows(2).map(|x| (x[1] - x[0]).norm()).sum();
-        let (mut share, mut step, mut steps) = (0.0, 0.0, 0);
+        let (mut fraction, mut step, mut steps) = (0.0, 0.0, 0);
         loop {
-            let next: f64 = f64::min(share + step, 1.0);
+            let next: f64 = f64::min(fraction + step, 1.0);
             let turned = system.with_clamps(&start, next)?;
             let mut trial = here.clone();
             steps += 1;
@@ -43,7 +42,7 @@ impl EquilibriumSearch {
                 }
                 Some(_) => {
                     here.copy_from(&trial);
-                    share = next;
+                    fraction = next;
                     step = if step > 0.0 {
                         f64::min(2.0 * step, LONGEST)
                     } else {

@@ -1,12 +1,11 @@
 //! Static equilibrium of the discretised line by Newton on the nodes, with the exact tangent.
 //!
-//! Newton first, from the guess given, with foretold tensions (see [`Residual::extrapolate_tensions`]), and then without, which
-//! suits a line that is slack somewhere. Where neither converges, the line creeps: one iteration a step of pseudo-time,
-//! backward Euler from rest (`M (x - x_k) / h² = f(x)`), which takes all kinetic energy out and so cannot swing; h
-//! grows while steps are short and shrinks where they are long, and Newton finishes. A rod clamped at odds with the way it
-//! goes is clamped the way it goes first, and its clamps turned by and by (see `eased`). Last, pseudo-time with every step
-//! converged. The state is accepted on the displacement and then on the residual force, and never with
-//! a fold in a line that bends: Newton finds such shapes, in which forces balance, and no line stays in them.
+//! Newton starts from the initial guess with the mixed iteration ([`Residual::extrapolate_tensions`]), then without, which suits
+//! a line that is slack somewhere. If neither converges: pseudo-transient continuation with one iteration a step, backward
+//! Euler from rest (`M (x - x_k) / h² = f(x)`), which dissipates all kinetic energy, with h grown while steps are short, and
+//! Newton to finish; then continuation in the angle of the clamps (`statics/continuation.rs`); last, dynamic relaxation with
+//! every pseudo-time step converged. A state is accepted on the displacement and then on the residual force, and never with a
+//! fold in a line that bends, where forces balance but no equilibrium is stable.
 
 use crate::numerics::{BlockBand, V3};
 use crate::solve::{Factors, Newton, NewtonError, Residual, State, StaticSearch};
@@ -32,16 +31,16 @@ impl Default for EquilibriumSearch {
     }
 }
 
-/// What it took.
+/// An equilibrium, and the work of finding it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Equilibrium {
     /// Newton iterations, all tries counted.
     pub iterations: u64,
-    /// Steps of pseudo-time; 0 when plain Newton converged.
+    /// Steps of pseudo-time; 0 if Newton alone converged.
     pub steps: u64,
     /// Largest residual force left \[N\].
     pub residual: f64,
-    /// Whether friction on the bed bears nothing in it: it lies as on a smooth bed.
+    /// Whether it is that of a bed without friction.
     pub friction_released: bool,
 }
 
@@ -57,7 +56,7 @@ pub struct EquilibriumError {
     pub node: usize,
     /// The first node at which the best shape bends by a right angle or more, if it does.
     pub kinked_node: Option<usize>,
-    /// What Newton said last.
+    /// The last failure of Newton.
     pub why: Option<NewtonError>,
 }
 
@@ -83,7 +82,7 @@ const STATICS: Factors = Factors {
     stiffness: 1.0,
 };
 
-/// Greatest iterations of a try that follows a step of pseudo-time.
+/// Greatest number of iterations of a trial after a step of pseudo-time.
 const FINISHING: usize = 12;
 
 impl EquilibriumSearch {
@@ -134,8 +133,8 @@ impl EquilibriumSearch {
             })
     }
 
-    /// Slack line on a rough bed may rest in many shapes, and where it has none as it was laid, it has the one of a smooth bed,
-    /// which friction then holds.
+    /// The equilibrium on a bed without friction, in which friction then holds the line: for slack line on a rough bed that has
+    /// none with the initial friction.
     fn friction_released<S: StaticSearch>(
         &self,
         system: &S,
@@ -159,8 +158,8 @@ impl EquilibriumSearch {
         ))
     }
 
-    /// What Newton found from a guess, moved into the state; for a clamped rod that would not stay there, the shape that it
-    /// comes to as its clamps turn, if it would stay in that.
+    /// The equilibrium that Newton found; for an unstable one of a clamped rod, the one by continuation in the angle of the
+    /// clamps if that is stable.
     fn stable_branch<S: StaticSearch>(
         &self,
         system: &S,
@@ -199,7 +198,7 @@ impl EquilibriumSearch {
         self.accept(system, t, newton, state, steps).ok_or(None)
     }
 
-    /// The state as it is, if the forces left are small enough.
+    /// The state itself, if its residual is small enough.
     fn accept<S: StaticSearch>(
         &self,
         system: &S,
@@ -221,7 +220,7 @@ impl EquilibriumSearch {
         })
     }
 
-    /// One iteration a step of pseudo-time, tensions foretold, until Newton finishes.
+    /// Pseudo-transient continuation: one mixed iteration a step of pseudo-time, until Newton converges.
     pub(super) fn pseudo_transient<S: StaticSearch>(
         &self,
         system: &S,
@@ -263,7 +262,7 @@ impl EquilibriumSearch {
         None
     }
 
-    /// Steps of pseudo-time, each converged, until Newton finishes or nothing is left to move the line.
+    /// Dynamic relaxation: converged steps of pseudo-time, until Newton converges or the residual vanishes.
     fn dynamic_relaxation<S: StaticSearch>(
         &self,
         system: &S,
@@ -293,12 +292,12 @@ impl EquilibriumSearch {
                         Ok(_) => {}
                         Err(error) => why = error,
                     }
-                    // Line that lies slack has no one shape for Newton to find, but it is at rest.
+                    // Slack line on the bed has no unique shape for Newton, but is at rest.
                     if let Some(found) = self.accept(system, t, newton, state, step) {
                         return Ok(found);
                     }
                 }
-                // A step that folds the line was as much too long as one that does not converge.
+                // A step that folds the line is too long, as one that does not converge.
                 failed => {
                     why = failed.err();
                     h *= 0.25;
@@ -327,9 +326,8 @@ fn pseudo_time(h: f64) -> Factors {
     }
 }
 
-/// In how many independent ways a line at rest would leave its shape by itself: 0 where it is stable. Counts the
-/// negative pivots of the tangent, which in still water are as many as its negative eigenvalues. Nothing where the tangent
-/// is singular, as where line lies slack.
+/// The number of unstable directions of an equilibrium: 0 if it is stable. Counts the negative pivots of the tangent, in still
+/// water as many as its negative eigenvalues (Sylvester). None if the tangent is singular, as with slack line.
 pub fn instabilities<S: Residual>(system: &S, t: f64, state: &State) -> Option<usize> {
     let mut residual = vec![V3::zeros(); system.nodes()];
     let mut tangent = BlockBand::new(system.nodes());
@@ -341,8 +339,7 @@ pub fn instabilities<S: Residual>(system: &S, t: f64, state: &State) -> Option<u
     Some(tangent.negative_pivots(system.free()))
 }
 
-/// Newton may jump from a moving line to an unstable shape far away; only a near one is where the line
-/// was going.
+/// Whether two states are near: Newton may jump from a moving line to an unstable shape far away.
 fn nearby(from: &State, to: &State) -> bool {
     let size = from
         .x
@@ -355,7 +352,7 @@ fn nearby(from: &State, to: &State) -> bool {
         .all(|(a, b)| (a - b).norm() < 0.2 * size)
 }
 
-/// Length of the line as it is.
+/// Stretched length of the line.
 fn length(state: &State) -> f64 {
     state.x.windows(2).map(|x| (x[1] - x[0]).norm()).sum()
 }

@@ -1,4 +1,4 @@
-//! Lines at rest.
+//! Static equilibrium.
 
 pub mod catenary;
 mod continuation;

@@ -242,11 +242,11 @@ fn a_taut_string_swings_with_the_period_and_decay_of_the_method() {
         );
         let longer = period.mean() * omega / (2.0 * PI) - 1.0;
         assert!(
-            (longer / made.lengthening - 1.0).abs() < 0.05,
+            (longer / made.elongation - 1.0).abs() < 0.05,
             "{rho} {share}: {longer} {made:?}"
         );
         let (early, late) = (energy[20], energy[180]);
-        let decay = -0.5 * (late / early).ln() / (160.0 * h * omega) * (1.0 + made.lengthening);
+        let decay = -0.5 * (late / early).ln() / (160.0 * h * omega) * (1.0 + made.elongation);
         assert!(
             (decay - made.damping).abs() < 0.05 * made.damping + 1e-5,
             "{rho} {share}: {decay} {made:?}"
