@@ -13,11 +13,11 @@ use crate::numerics::V3;
 
 /// Start vectors: eigenvalues may occur as often.
 const BLOCK: usize = 4;
-/// Vectors found beyond those wanted, so that eigenvalues that belong together are found together.
+/// Additional vectors, so that clustered eigenvalues are found together.
 const BEYOND: usize = 2;
-/// What is left of an eigenpair's equation, relative, when it is accepted; its eigenvalue is good to the square of this.
+/// Relative residual of an accepted eigenpair; its eigenvalue is accurate to the square of this.
 const ACCURACY: f64 = 1e-7;
-/// How close above the highest wanted eigenvalue it is counted that none is missing.
+/// Relative distance above the highest wanted eigenvalue at which the count is checked.
 const MARGIN: f64 = 1e-4;
 
 /// An eigenvalue and its vector.
@@ -25,14 +25,14 @@ const MARGIN: f64 = 1e-4;
 pub struct Eigenpair {
     /// omega² \[rad²/s²\]; negative where the line at rest is not stable.
     pub value: f64,
-    /// Displacements of all nodes, `x' M x = 1` \[kg^-1/2\]; zero where the line is held.
+    /// Displacements of all nodes, `x' M x = 1` \[kg^-1/2\]; zero at prescribed nodes.
     pub vector: Vec<V3>,
 }
 
-/// The modes were not found.
+/// Why the eigenproblem was not solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum EigenError {
-    /// Nothing moves.
+    /// There is no free node.
     #[error("nothing of the line moves: give it more segments")]
     NothingMoves,
     /// The matrix could not be factored at any shift.
@@ -40,7 +40,7 @@ pub enum EigenError {
         "the stiffness of the line at rest is not finite, or its range is too wide for 16 digits"
     )]
     Singular,
-    /// The iteration did not come to an end.
+    /// The iteration did not converge.
     #[error("only {found} of {wanted} modes converged in {solves} solutions")]
     Slow {
         /// Converged pairs.
@@ -52,7 +52,7 @@ pub enum EigenError {
     },
 }
 
-/// The `count` lowest eigenpairs, or all there are, from the lowest up; a few more where they are at hand.
+/// The `count` lowest eigenpairs, or all there are, from the lowest up; possibly a few more.
 ///
 /// # Errors
 /// [`EigenError`].
@@ -88,7 +88,7 @@ pub fn lowest(pencil: &mut Pencil, count: usize) -> Result<Vec<Eigenpair>, Eigen
     })
 }
 
-/// A shift below every eigenvalue: none where the line is stable and held.
+/// A shift below every eigenvalue: 0 for a stable line.
 fn shift_below_all(pencil: &mut Pencil) -> Result<f64, EigenError> {
     let mut shift = 0.0;
     let step = 1e-12 * pencil.highest();
@@ -101,7 +101,7 @@ fn shift_below_all(pencil: &mut Pencil) -> Result<f64, EigenError> {
     Err(EigenError::Singular)
 }
 
-/// Whether as many eigenvalues lie just above the highest wanted one as pairs were found there.
+/// Whether the number of eigenvalues below a bound just above the highest wanted one is that of the pairs found.
 fn none_missing(pencil: &mut Pencil, pairs: &[Ritz], wanted: usize) -> bool {
     let highest = pairs[wanted - 1].value;
     let above = highest + MARGIN * highest.abs();
@@ -109,7 +109,7 @@ fn none_missing(pencil: &mut Pencil, pairs: &[Ritz], wanted: usize) -> bool {
     pencil.count_below(above).is_ok_and(|below| below == here)
 }
 
-/// An approximate eigenpair: its eigenvalue, its vector in the basis, and what is left of its equation.
+/// A Ritz pair: eigenvalue, vector in the basis, relative residual.
 struct Ritz {
     value: f64,
     weights: Vec<f64>,
@@ -144,12 +144,12 @@ impl Krylov {
         band
     }
 
-    /// True when every vector of the basis has its image in it.
+    /// Whether every vector of the basis has been multiplied by A.
     fn exhausted(&self) -> bool {
         self.solved == self.basis.len()
     }
 
-    /// Takes the next vector of the basis through A; false when there is none.
+    /// Multiplies the next vector of the basis by A; false if there is none.
     fn grow(&mut self, pencil: &mut Pencil) -> Result<bool, EigenError> {
         if self.exhausted() {
             return Ok(false);
@@ -165,7 +165,7 @@ impl Krylov {
         Ok(true)
     }
 
-    /// Adds to the basis what a vector has beyond it, and gives the vector's parts along the basis.
+    /// Orthogonalises a vector and adds it to the basis; returns its components along the basis.
     fn add(&mut self, pencil: &Pencil, mut vector: Vec<V3>) -> Vec<f64> {
         let before = pencil.mass_product(&vector, &vector).sqrt();
         let mut parts = vec![0.0; self.basis.len()];
@@ -189,7 +189,7 @@ impl Krylov {
         parts
     }
 
-    /// The approximate pairs, lowest first, and how many of the first `wanted` are good.
+    /// The Ritz pairs, lowest first, and how many of the first `wanted` have converged.
     fn pairs(&self, wanted: usize) -> (Vec<Ritz>, usize) {
         let n = self.solved;
         let part = |j: usize, i: usize| self.columns[j].get(i).copied().unwrap_or(0.0);

@@ -1,4 +1,4 @@
-//! The modes of a case: its line brought to rest, its modes found, their errors estimated from half the mesh.
+//! Modes of a case: static equilibrium, modes about it, and their errors estimated from a mesh of half the segments.
 
 use super::{EigenError, Mode, ModeKind, Pencil, lowest, modes_of};
 use crate::case::Case;
@@ -7,24 +7,24 @@ use crate::scene::{self, Scene, SceneError};
 use crate::solve::State;
 use crate::statics::equilibrium;
 
-/// Modes found on the coarse mesh beyond those wanted: its order may differ.
+/// Additional modes on the coarse mesh, where their order may differ.
 const MORE: usize = 4;
 
-/// Why there are no modes.
+/// Why the modes of a case were not computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ModesError {
-    /// The case is none of a line.
+    /// The scene could not be built.
     #[error("{0}")]
     Scene(#[from] SceneError),
-    /// The line does not come to rest.
+    /// No equilibrium was found.
     #[error("{0}")]
     Rest(#[from] equilibrium::EquilibriumError),
-    /// The modes were not found.
+    /// The eigenproblem was not solved.
     #[error("{0}")]
     Modes(#[from] EigenError),
-    /// A payload turns.
+    /// The payload rotates.
     #[error(
-        "the payload turns, and modes know only payloads that do not; leave out `payload.rotation`"
+        "modes of a line with a payload that rotates are not computed; leave out `payload.rotation`"
     )]
     RigidPayload,
 }
@@ -36,7 +36,7 @@ pub struct NamedMode {
     pub mode: Mode,
     /// Its number among the modes of its kind, from 1.
     pub of_kind: usize,
-    /// Error of its frequency from the mesh \[Hz\]; absent where the coarse mesh has no such mode.
+    /// Error of its frequency from the mesh \[Hz\]; absent if the coarse mesh has no such mode.
     pub error_hz: Option<f64>,
 }
 
@@ -58,7 +58,7 @@ pub struct LineModes {
 pub fn of_case(case: &Case, count: usize) -> Result<LineModes, ModesError> {
     let (scene, rest, mut modes) = on_mesh(case, 1, count)?;
     modes.truncate(count);
-    // The estimate needs a mesh that differs, and may fail without taking the modes along.
+    // The estimate needs a different mesh; if it fails, the modes are given without.
     let coarse = on_mesh(case, 2, count + MORE).ok();
     let coarse =
         coarse.filter(|(coarse, ..)| coarse.line.segments.len() < scene.line.segments.len());
@@ -71,7 +71,7 @@ pub fn of_case(case: &Case, count: usize) -> Result<LineModes, ModesError> {
         let other = coarse
             .as_ref()
             .and_then(|(_, _, modes)| of_kind_at(modes, mode.kind, of_kind));
-        // The lumped line is of second order (Richardson), but not where it comes down on the bed.
+        // The lumped line is of second order (Richardson extrapolation), but not at a touchdown.
         let unknown = match mode.kind {
             ModeKind::OutOfPlane => 0.0,
             _ => touchdown * mode.frequency_hz(),
@@ -89,9 +89,8 @@ pub fn of_case(case: &Case, count: usize) -> Result<LineModes, ModesError> {
     Ok(LineModes { scene, rest, modes })
 }
 
-/// The mesh knows the place of a touchdown to half a segment. What the line hangs from there, up to the next touchdown or its
-/// end, is as much longer or shorter, and frequencies in its plane go about as the inverse of that: their relative error, at the
-/// worst of all touchdowns.
+/// Relative error of in-plane frequencies by the touchdown, which the mesh resolves to half a segment: the suspended length is
+/// uncertain by as much, and frequencies vary about as its inverse. The greatest over all touchdowns.
 fn touchdown_share(scene: &Scene, rest: &State) -> f64 {
     let Some(bed) = &scene.elements.bed else {
         return 0.0;
@@ -101,7 +100,7 @@ fn touchdown_share(scene: &Scene, rest: &State) -> f64 {
         .collect();
     let mut worst = 0.0_f64;
     let mut from = 0;
-    // A run of hanging nodes with the lying ones, or the ends, that bound it.
+    // A run of suspended nodes, with the nodes on the bed or the ends that bound it.
     for run in lies.chunk_by(|a, b| a == b) {
         let to = from + run.len();
         if !run[0] {
@@ -110,7 +109,7 @@ fn touchdown_share(scene: &Scene, rest: &State) -> f64 {
             let half = |beside: bool, i: usize| {
                 f64::from(u8::from(beside)) * 0.5 * scene.line.segments[i].axial.length
             };
-            // The end of the line is no touchdown, even where it lies on the bed.
+            // The end of the line is no touchdown, even on the bed.
             let down = half(from > 1, first) + half(to + 1 < lies.len(), last.max(1) - 1);
             worst = worst.max(down / length);
         }
@@ -139,7 +138,7 @@ fn on_mesh(
     }
     let mut rest = scene.initial_state();
     equilibrium::EquilibriumSearch::default().run(&scene, 0.0, &mut rest)?;
-    // Fibre ropes swing at their stiffness in motion.
+    // Fibre ropes oscillate at their dynamic stiffness.
     scene.line.remember_ropes(0.0, 0.0, &mut rest);
     let mut pencil = Pencil::new(&scene, &rest);
     let pairs = lowest(&mut pencil, count)?;

@@ -8,8 +8,7 @@
 //!
 //! * [`Pencil`]: K and M of a scene at rest.
 //! * [`lowest`]: their lowest eigenpairs, by a shift-invert block Lanczos method with a count that none is missing.
-//! * [`Mode`]: an eigenpair with what tells it apart: share of motion out of the line's plane and along the line, half
-//!   waves.
+//! * [`Mode`]: an eigenpair with its kind: share of motion out of the plane of the line and along the line, half waves.
 //! * [`Medium`]: local wave numbers, amplitudes and frequencies by WKB theory.
 //! * [`of_case`]: all of it for a case, errors estimated from half the mesh.
 

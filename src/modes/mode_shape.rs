@@ -1,18 +1,18 @@
-//! What tells modes apart: motion in the plane of the line, out of it, or along the line, and half waves.
+//! Mode shapes: share of motion in the plane of the line, out of it and along the line, and half waves.
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
 use super::{Eigenpair, Pencil};
 use crate::numerics::{M3, V3};
 
-/// Eigenvalues nearer to each other than this, relatively, share their vectors, which may be mixed at will.
+/// Relative distance below which eigenvalues count as equal, with arbitrary combinations of their vectors.
 const SAME: f64 = 1e-6;
-/// From this share of the kinetic energy on, a mode is of a kind.
+/// Share of the kinetic energy from which a mode is of a kind.
 const MOSTLY: f64 = 0.9;
-/// Displacements smaller than this part of the greatest have no sign to speak of.
+/// Displacements below this fraction of the greatest count as zero.
 const FAINT: f64 = 0.02;
 
-/// The plane that a line at rest lies in, or lies nearest to.
+/// The plane of a line at rest, or the nearest to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plane {
     /// Its unit normal.
@@ -58,7 +58,7 @@ impl Plane {
     }
 }
 
-/// What a mode does mostly.
+/// The kind of a mode, by its predominant motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModeKind {
     /// Moves across the line in its plane.
@@ -72,9 +72,9 @@ pub enum ModeKind {
 }
 
 impl ModeKind {
-    /// The words for it.
+    /// Its name.
     #[must_use]
-    pub const fn words(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::InPlane => "in plane",
             Self::OutOfPlane => "out of plane",
@@ -87,7 +87,7 @@ impl ModeKind {
 /// A natural mode of a line.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mode {
-    /// omega² \[rad²/s²\]; negative where the line at rest is not stable, 0 where nothing drives it back.
+    /// omega² \[rad²/s²\]; negative if the equilibrium is unstable, 0 without restoring force.
     pub eigenvalue: f64,
     /// Displacements of the nodes, the greatest of length 1.
     pub shape: Vec<V3>,
@@ -98,9 +98,9 @@ pub struct Mode {
     pub out_of_plane: f64,
     /// Share of the kinetic energy in motion along the line, 0 to 1.
     pub along: f64,
-    /// What it does mostly.
+    /// Its predominant motion.
     pub kind: ModeKind,
-    /// Stretches of one sign between places that stand still.
+    /// Number of half waves between nodes of the mode.
     pub half_waves: usize,
 }
 
@@ -125,7 +125,7 @@ pub fn modes_of(pencil: &Pencil, points: &[V3], mut pairs: Vec<Eigenpair>) -> Ve
         separate(pencil, &plane, &mut pairs[from..to]);
         from = to;
     }
-    // Line that lies slack has no stiffness but what rounding makes of it.
+    // Slack line has no stiffness but rounding errors.
     let rounding = f64::EPSILON * pencil.highest();
     for pair in pairs.iter_mut().filter(|p| p.value.abs() < rounding) {
         pair.value = 0.0;

@@ -1,4 +1,4 @@
-//! Stiffness and mass of a line at rest, as one banded pencil.
+//! Stiffness and mass of a line at rest as a banded matrix pencil.
 
 use std::ops::Range;
 
@@ -24,9 +24,9 @@ pub struct Pencil {
     stiffness: BlockBand,
     /// Blocks of M \[kg\].
     mass: Vec<M3>,
-    /// The nodes that move.
+    /// The free nodes.
     free: Range<usize>,
-    /// Where [`Pencil::solve`] factors.
+    /// Work array of [`Pencil::solve`].
     work: BlockBand,
 }
 
@@ -56,7 +56,7 @@ impl Pencil {
         }
     }
 
-    /// The nodes that move.
+    /// The free nodes.
     #[must_use]
     pub fn free(&self) -> Range<usize> {
         self.free.clone()
@@ -112,20 +112,20 @@ impl Pencil {
         self.free().map(row).sum()
     }
 
-    /// Solves `(K - shift M) x = r` in place and tells how many eigenvalues lie below the shift (Sylvester's law of
-    /// inertia).
+    /// Solves `(K - shift M) x = r` in place; the pivots give the number of eigenvalues below the shift (Sylvester's law
+    /// of inertia).
     ///
     /// # Errors
-    /// [`SingularBlock`] where the shift is an eigenvalue, or as good as one.
+    /// [`SingularBlock`] if the shift is an eigenvalue, up to rounding.
     pub fn solve(&mut self, shift: f64, r: &mut [V3]) -> Result<(), SingularBlock> {
         self.load(shift);
         self.work.solve(self.free.clone(), r)
     }
 
-    /// How many eigenvalues lie below this shift \[rad²/s²\].
+    /// Number of eigenvalues below this shift \[rad²/s²\].
     ///
     /// # Errors
-    /// [`SingularBlock`] where the shift is an eigenvalue, or as good as one.
+    /// [`SingularBlock`] if the shift is an eigenvalue, up to rounding.
     pub fn count_below(&mut self, shift: f64) -> Result<usize, SingularBlock> {
         let mut nothing = vec![V3::zeros(); self.nodes()];
         self.solve(shift, &mut nothing)?;
@@ -155,7 +155,7 @@ impl Pencil {
     }
 }
 
-/// Takes the mean of a matrix and its transpose: what rounding left between them is nothing.
+/// Symmetrises a matrix, which differs from its transpose by rounding.
 fn symmetrise(k: &mut BlockBand) {
     let nodes = k.diag.len();
     for block in &mut k.diag {

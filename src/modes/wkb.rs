@@ -3,11 +3,11 @@
 //! A wave of angular frequency omega across a line of tension T, bending stiffness EI and mass m (with added mass) per length
 //! has the local wave number k of `EI k⁴ + T k² = m omega²`, and an amplitude a with `(2 EI k³ + T k) a² = const` (cable
 //! with two float zones, equations 26 and 29; the second is the flux of energy, so that it holds also where EI and m
-//! change slowly). A line hinged at both ends rings where the phase `∫ k ds` is a whole number of pi.
+//! change slowly). A line hinged at both ends has a mode where the phase `∫ k ds` is a whole number of pi.
 //!
 //! Motion in the plane of the line and out of it obey the same formulas: the section is round, and the bow of the line and
-//! its stretch, which make the lowest modes in the plane differ, are left out. Where the medium jumps, as at the ends of
-//! a float zone, waves are thrown back, which no such theory knows.
+//! its stretch, which make the lowest modes in the plane differ, are left out. Reflections where the
+//! medium jumps, as at the ends of a float zone, are left out as well.
 
 use std::f64::consts::PI;
 
@@ -17,12 +17,12 @@ use crate::numerics::roots::{Bracket, bisect};
 use crate::scene::Scene;
 use crate::solve::State;
 
-/// Steps of the search for a frequency: a bisection by halves of the logarithm, down to rounding.
+/// Steps of the bisection for a frequency on a logarithmic scale, down to rounding.
 const HALVINGS: usize = 200;
 
 /// Local wave number \[1/m\] from tension \[N\], bending stiffness \[N m²\], mass by length \[kg/m\] and angular frequency
-/// \[rad/s\]: `k² = 2 m omega² / (T + sqrt(T² + 4 EI m omega²))`, which loses no digits to EI = 0. Infinite where neither
-/// tension nor stiffness holds the line.
+/// \[rad/s\]: `k² = 2 m omega² / (T + sqrt(T² + 4 EI m omega²))`, which loses no digits to EI = 0. Infinite if both
+/// are zero.
 #[must_use]
 pub fn wave_number(tension: f64, ei: f64, mass: f64, omega: f64) -> f64 {
     let inertia = mass * omega * omega;
@@ -30,7 +30,7 @@ pub fn wave_number(tension: f64, ei: f64, mass: f64, omega: f64) -> f64 {
     (2.0 * inertia / whole).sqrt()
 }
 
-/// What a wave runs along: a line at rest, node by node.
+/// The medium of a wave: a line at rest, node by node.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Medium {
     /// Arc length from end A, stretched \[m\].
@@ -55,7 +55,7 @@ pub struct Wave {
 }
 
 impl Medium {
-    /// The line of a scene at rest; nothing of a line that is slack somewhere and does not bend.
+    /// The line of a scene at rest; none if it is slack somewhere without bending stiffness.
     #[must_use]
     pub fn of(scene: &Scene, rest: &State) -> Option<Self> {
         let nodes = scene.line_nodes();
@@ -65,7 +65,7 @@ impl Medium {
             arc.push(arc[i] + chord(i).norm());
         }
         let last = nodes - 1;
-        // Each node has half of the segments beside it, and so their mass.
+        // Each node has half of the segments beside it, and their mass.
         let held = |i: usize| {
             let before = if i > 0 { arc[i] - arc[i - 1] } else { 0.0 };
             let after = if i < last { arc[i + 1] - arc[i] } else { 0.0 };
@@ -75,7 +75,7 @@ impl Medium {
         let plane = super::Plane::of(&rest.x[..nodes]);
         let across: Vec<V3> = plane.across(&rest.x[..nodes]);
         let mass = |i: usize| across[i].dot(&(pencil.mass(i) * across[i])) / held(i);
-        // What hangs at an end is no part of what the wave runs along.
+        // Bodies at an end are no part of the medium.
         let inner = |i: usize| i.clamp(1, last.saturating_sub(1).max(1)).min(last);
         let segment = |i: usize| scene.line.segments[i.min(last - 1)].ei;
         let stiffness = |i: usize| 0.5 * (segment(i.saturating_sub(1)) + segment(i));
@@ -131,7 +131,7 @@ impl Medium {
     }
 }
 
-/// Running integral by trapezes.
+/// Running integral by the trapezoidal rule.
 fn integral(places: &[f64], values: &[f64]) -> Vec<f64> {
     let mut sum = 0.0;
     let mut all = vec![0.0; places.len().min(1)];

@@ -73,7 +73,7 @@ fn cells(index: usize, named: &NamedMode, wkb: Option<f64>) -> Vec<Cell> {
         Cell::plain(error.map_or_else(|| "unknown".to_owned(), |e| digits(e, 2))),
         Cell::plain(period.unwrap_or_else(dash)),
         Cell::plain(wkb.map_or_else(dash, |hz| digits(hz, 4))),
-        Cell::plain(mode.kind.words()),
+        Cell::plain(mode.kind.name()),
         Cell::plain(named.of_kind.to_string()),
         Cell::plain(mode.half_waves.to_string()),
         Cell::plain(format!("{} %", rounded(100.0 * mode.out_of_plane, 0))),
@@ -121,7 +121,7 @@ pub fn troubles(found: &LineModes) -> Vec<String> {
 pub fn chart(found: &LineModes, numbers: &[usize]) -> Chart {
     let series = numbers.iter().enumerate().filter_map(|(slot, number)| {
         let named = found.modes.get(*number)?;
-        let label = format!("mode {} {}", number + 1, named.mode.kind.words());
+        let label = format!("mode {} {}", number + 1, named.mode.kind.name());
         let points = found.scene.line.arc.iter().copied();
         let points = points.zip(named.mode.profile.iter().copied()).collect();
         Some(Series::new(&label, slot, points))
@@ -200,7 +200,7 @@ pub fn over_line(found: &LineModes, number: usize) -> Chart {
         let at = |axis: usize, (p, u): (&V3, &V3)| p[axis] + factor * u[axis];
         places.map(|pair| (at(right, pair), at(up, pair))).collect()
     };
-    let label = format!("mode {} {}", number + 1, named.mode.kind.words());
+    let label = format!("mode {} {}", number + 1, named.mode.kind.name());
     let back = Series {
         dimmed: true,
         ..Series::new("half a period later", 0, swung(-scale))

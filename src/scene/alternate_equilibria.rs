@@ -1,4 +1,4 @@
-//! The shape on the other side of the chord: where a line that bends may rest as well.
+//! Alternate equilibria: the mirrored shape of a line that bends, and line without tension.
 
 use std::f64::consts::PI;
 
@@ -7,9 +7,9 @@ use crate::numerics::V3;
 use crate::solve::State;
 
 impl Scene {
-    /// The line mirrored to the other side of the straight line between its held ends, and the node that is farthest from
-    /// that line; nothing where an end is free, the line is straight, or its bending could not carry half its weight there: a
-    /// half wave of height a and length L carries `EI a (pi/L)⁴` a metre.
+    /// The shape mirrored at the chord between prescribed ends, and the node farthest from the chord; none if an end is free, the
+    /// line is straight, or bending cannot carry half the weight there: a half wave of height a and length L carries
+    /// `EI a (pi/L)⁴` a metre.
     #[must_use]
     pub fn mirrored(&self, state: &State) -> Option<(State, usize)> {
         if self.line.ends.iter().any(|end| matches!(end, End::Free)) {
@@ -44,7 +44,7 @@ impl Scene {
         Some((other, node))
     }
 
-    /// Length of line that lies on a bed without friction and bears no tension \[m\]: it may lie in any shape.
+    /// Length of line without tension on a bed without friction \[m\]: its shape is indeterminate.
     #[must_use]
     pub fn untensioned_on_bed(&self, state: &State) -> f64 {
         let Some(bed) = self.seabed().filter(|bed| bed.friction.is_none()) else {
@@ -55,7 +55,7 @@ impl Scene {
         })
     }
 
-    /// Length of line that floats on the surface of the water and bears no tension \[m\]: it may lie in any shape.
+    /// Length of line without tension afloat on the surface \[m\]: its shape is indeterminate.
     #[must_use]
     pub fn untensioned_afloat(&self, state: &State) -> f64 {
         let Some(water) = self.line.water.as_ref().filter(|water| water.crossed) else {
@@ -67,7 +67,7 @@ impl Scene {
         })
     }
 
-    /// Length of the segments without tension among these \[m\].
+    /// Length of those of these segments that have no tension \[m\].
     fn untensioned(&self, state: &State, among: impl Fn(usize) -> bool) -> f64 {
         let slack = |i: usize| {
             self.line

@@ -1,4 +1,4 @@
-//! Bodies hung on the line: clumps along it, and the payload at its end.
+//! Bodies of a case: clumps along the line, and the payload at its end.
 
 use super::line::AttachedBody;
 use super::scene::Joint;
@@ -10,7 +10,7 @@ use crate::physics::payload::{FormCoefficients, box_form, sphere_and_cylinder};
 use crate::physics::rigid_body::RigidBodyProperties;
 use crate::physics::{Body, RigidBody};
 
-/// The bodies, clumps in the order of the case and then the payload, and what is to be said of their places.
+/// The point bodies, clumps in the order of the case and then the payload, and remarks on their places.
 pub(super) fn on_line(
     case: &Case,
     joints: &[Joint],
@@ -44,7 +44,7 @@ pub(super) fn on_line(
     Ok((bodies, remarks))
 }
 
-/// The node of the clump's section nearest to its place, and how far beyond the place it lies \[m\].
+/// The node of the section nearest to the place of a clump, and its distance beyond that place \[m\].
 fn nearest_node(
     case: &Case,
     clump: &case::Clump,
@@ -74,7 +74,7 @@ fn clump_body(case: &Case, clump: &case::Clump) -> Body {
     }
 }
 
-/// The payload, its form filling in what the case leaves out.
+/// The payload, with defaults from its shape.
 fn payload(case: &Case) -> Result<Option<Body>, SceneError> {
     if case.ends.a.kind == EndKind::Payload {
         let key = "ends.a.kind".into();
@@ -125,7 +125,7 @@ fn payload(case: &Case) -> Result<Option<Body>, SceneError> {
     }))
 }
 
-/// The payload, where it turns about the last node of the line.
+/// The payload, if it rotates about the last node of the line.
 pub(super) fn rigid_payload(case: &Case, node: usize) -> Result<Option<RigidPayload>, SceneError> {
     let rotation = case
         .payload

@@ -1,4 +1,4 @@
-//! From the words of a case to a line in SI.
+//! From a case to a scene in SI units.
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -114,7 +114,7 @@ fn line(
     })
 }
 
-/// The segments of the line, their places and their laws.
+/// The segments of the line, the arc lengths of their nodes, their laws and the places between sections.
 struct Mesh {
     segments: Vec<Segment>,
     arc: Vec<f64>,
@@ -154,7 +154,7 @@ impl Mesh {
         });
     }
 
-    /// Adds the rod of a rigid payload: no line, only stiffness. What it shares with the segment before it has no effect.
+    /// Adds the rod of a rigid payload: a segment with axial stiffness only.
     fn add_rod(&mut self, payload: &RigidPayload) {
         self.arc
             .push(self.arc[self.arc.len() - 1] + payload.body.reach);
@@ -282,7 +282,7 @@ fn law(law: &case::DragLaw) -> DragLaw {
     }
 }
 
-/// Masses and weights of the nodes: halves of their segments, and the bodies hung there.
+/// Masses and weights of the nodes: halves of their segments, and the bodies on them.
 fn lump(
     segments: &[Segment],
     bodies: &[AttachedBody],

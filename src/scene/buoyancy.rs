@@ -1,16 +1,16 @@
-//! Floats and buoyancy modules, spread over the segments they sit on.
+//! Floats and buoyancy modules, distributed over their segments.
 
 use std::f64::consts::FRAC_PI_4;
 
 use super::Segment;
 use crate::case;
 
-/// Length of the stretch from `from` to `to` \[m\] (the section's end where open) that lies on a piece of the section.
+/// Length of the part from `from` to `to` \[m\] (default: the end of the section) that overlaps a piece of the section.
 fn overlap(from: f64, to: Option<f64>, section: f64, piece: (f64, f64)) -> f64 {
     (piece.1.min(to.unwrap_or(section)) - piece.0.max(from)).max(0.0)
 }
 
-/// Adds the share of floats whose stretch overlaps this part of the section.
+/// Adds the share of floats that overlaps this part of the section.
 pub(super) fn add_floats(
     water: &case::Environment,
     floats: &case::Floats,

@@ -1,4 +1,4 @@
-//! From the words of a case to what holds its ends.
+//! End conditions of a case.
 
 use nalgebra::Complex;
 
@@ -12,10 +12,10 @@ use crate::physics::EndMotion;
 use crate::physics::motion::{self, HarmonicMotion, MotionPath};
 use crate::physics::sea::{Component, Harmonics, Rao, Spectrum, Waves, synthesise};
 
-/// Share of a sea's energy beyond a table of responses from which that is told.
+/// Fraction of the wave energy beyond a table of responses that gives a remark.
 const MUCH_BEYOND: f64 = 0.02;
 
-/// What holds an end, under the key of its table; the waves that a vessel answers to; what is to be said of it.
+/// The condition at an end: `key` is that of its table, `waves` those that move a vessel; adds remarks.
 pub(super) fn end(
     case: &Case,
     end: &case::End,
@@ -70,7 +70,7 @@ fn swing(end: &case::End, key: &str) -> Result<MotionPath, SceneError> {
     }))
 }
 
-/// The rows of the file that an end's motion is read from.
+/// The rows of the motion file of an end.
 fn rows(
     case: &Case,
     end: &case::End,
@@ -105,7 +105,7 @@ fn table(case: &Case, end: &case::End, key: &str) -> Result<MotionPath, SceneErr
     Ok(MotionPath::Table(spline))
 }
 
-/// The axes take the streams of the seed after the one of the waves.
+/// Axes use the random streams of the seed after that of the waves.
 fn irregular(end: &case::End, key: &str) -> Result<MotionPath, SceneError> {
     let why = "an irregular motion is made to its root mean square and peak period";
     let rms = end.rms_m.ok_or_else(|| missing(key, "rms_m", why))?;
@@ -118,7 +118,7 @@ fn irregular(end: &case::End, key: &str) -> Result<MotionPath, SceneError> {
     Ok(MotionPath::Sum(Harmonics::along_axes(&axes)))
 }
 
-/// The record of one axis; nothing where it does not move.
+/// The record of one axis; none if it does not move.
 fn record(
     end: &case::End,
     axis: usize,
@@ -170,7 +170,7 @@ fn vessel(
         .map_err(|fault| SceneError::File(format!("{key}.motion_file: {fault}")))?;
     let heading = end.heading_deg.to_radians();
     let arm = V3::from(end.hang_point_m);
-    // The reference point in plan: the line hangs at the arm from it, turned with the ship.
+    // The reference point in plan: the line is attached at the arm from it, rotated with the ship.
     let (sin, cos) = heading.sin_cos();
     let turned = V3::new(arm.x * cos - arm.y * sin, arm.x * sin + arm.y * cos, arm.z);
     let sea = waves.at_point(&(place - turned));

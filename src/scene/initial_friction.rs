@@ -1,31 +1,31 @@
-//! How a line was laid on a bed with friction: without that, friction has no one equilibrium.
+//! Initial bed friction: the equilibrium on a rough bed depends on how the line was laid.
 //!
-//! A line whose end lies on the bed is taken as laid from that end straight towards the other, without tension, and then
-//! pulled to where its other end is: friction has come to its full along all the line that was pulled, so that tension
-//! falls from the touchdown towards the end on the bed by the friction on every metre, until there is none left. This is the
-//! closed form's assumption too (J. M. Jonkman, NREL/TP-500-41958, 2007, sec. 2.6). Until the line is pulled the bed holds
-//! it where it was laid, far more stiffly than the line is itself.
+//! A line with an end on the bed is taken as laid from that end straight towards the other, without tension, and then pulled to
+//! the position of its other end: friction is fully mobilised along the pulled part, so that tension falls from the touchdown
+//! towards the end on the bed by the friction on every metre until it vanishes. The closed form makes the same assumption
+//! (J. M. Jonkman, NREL/TP-500-41958, 2007, sec. 2.6). Line not yet pulled is held where it was laid, far more stiffly than by its
+//! own stiffness.
 //!
-//! Where neither end lies on the bed, or line comes down a second time, laying says nothing about tension: friction is
+//! If neither end is on the bed, or where the line touches down a second time, this does not determine the tension: friction is
 //! then left out of the equilibrium.
 
 use super::Scene;
 use crate::numerics::V3;
 use crate::physics::friction::{Friction, FrictionModel, Grip};
 
-/// Stiffness of the hold on a line just laid, in stiffnesses of its segments.
+/// Stiffness of the friction springs of line just laid, relative to that of its segments.
 const HOLD: f64 = 10.0;
-/// An end no higher above the bed than this, by the line's length, lies on it.
+/// Height relative to the length of the line up to which an end counts as on the bed.
 const ON_BED: f64 = 1e-3;
 
-/// The grips of a line in equilibrium, and what is to be said of them.
+/// The friction springs of a line in equilibrium, and a remark on them.
 pub(super) struct InitialFriction {
     pub(super) grips: Vec<Grip>,
     pub(super) remark: Option<String>,
 }
 
 impl Scene {
-    /// The grips that go with the first guess at an equilibrium.
+    /// The friction springs for the initial guess at an equilibrium.
     pub(super) fn initial_friction(&self, guess: &[V3], tension: &[f64]) -> InitialFriction {
         let mut grips = self.grips_at(guess);
         let remark = match self.seabed().and_then(|bed| bed.friction) {
@@ -42,7 +42,7 @@ impl Scene {
         InitialFriction { grips, remark }
     }
 
-    /// Puts the grips where the line was laid; in words, how.
+    /// Attaches the friction springs where the line was laid; returns a remark.
     fn lay(&self, guess: &[V3], tension: &[f64], grips: &mut [Grip]) -> String {
         let last = guess.len() - 1;
         let end = [0, last].into_iter().find(|end| self.lies(&guess[*end]));
@@ -80,8 +80,7 @@ impl Scene {
         words
     }
 
-    /// On a slope, moves the places uphill so that where the line was laid the bed already holds its weight, as far as
-    /// friction bears.
+    /// On a slope, moves the springs uphill so that they carry the weight of the line laid, up to the friction limit.
     fn hold_weight_on_slope(&self, grips: &mut [Grip]) {
         let Some((bed, friction)) = self.seabed().and_then(|b| Some((b, b.friction?))) else {
             return;
@@ -95,7 +94,7 @@ impl Scene {
         }
     }
 
-    /// Stiffness of the hold on node i of a line just laid \[N/m\].
+    /// Stiffness of the friction spring of node i of a line just laid \[N/m\].
     fn hold(&self, i: usize) -> f64 {
         let beside =
             self.line.segments[i.saturating_sub(1)..(i + 1).min(self.line.segments.len())].iter();
@@ -104,7 +103,7 @@ impl Scene {
             .fold(0.0, f64::max)
     }
 
-    /// Grips on a line neither end of which lies on the bed: on what lies there without tension, and nowhere else; in words.
+    /// Friction springs if neither end is on the bed: only on line that lies there without tension; returns a remark.
     fn lay_between_lifted_ends(&self, guess: &[V3], tension: &[f64], grips: &mut [Grip]) -> String {
         let last = guess.len() - 1;
         let tall = 1e-9 * self.line.arc[last];
@@ -135,7 +134,7 @@ impl Scene {
             .is_some_and(|bed| bed.height(end) <= ON_BED * whole)
     }
 
-    /// Places of a line laid from one of its ends straight towards the other, resting on the bed by its weight.
+    /// Positions of the springs of a line laid straight from one end towards the other, at rest under its weight.
     fn lay_straight(&self, end: usize, to: V3, grips: &mut [Grip]) {
         let Some(bed) = self.seabed() else { return };
         let normal = bed.normal();
@@ -165,7 +164,7 @@ impl Scene {
         }
     }
 
-    /// Takes the hold off what comes down on the bed a second time, seen from the end that lies on it; whether there is any.
+    /// Removes the springs where the line touches down a second time, seen from the end on the bed; whether it does.
     fn release_beyond_first_contact(&self, end: usize, guess: &[V3], grips: &mut [Grip]) -> bool {
         let Some(bed) = self.seabed() else {
             return false;

@@ -1,5 +1,5 @@
-//! First guesses at an equilibrium: the closed-form catenary in the resultant of weight and mean drag, or a line that
-//! hangs from one end.
+//! Initial guess at an equilibrium: the closed-form catenary in the resultant of weight and mean drag, or a line hanging from one
+//! end.
 
 use super::{End, Scene};
 use crate::numerics::V3;
@@ -7,22 +7,22 @@ use crate::physics::friction::{Friction, FrictionModel};
 use crate::solve::State;
 use crate::statics::catenary::{Bed, CatenaryError, Ends, Line, SectionProps, Solution};
 
-/// Where the nodes may be at rest \[m\], and the tensions of the segments \[N\].
+/// Estimated positions of the nodes at rest \[m\], and tensions of the segments \[N\].
 #[derive(Debug, Clone)]
 pub(super) struct Guess {
     pub(super) nodes: Vec<V3>,
     pub(super) tension: Vec<f64>,
 }
 
-/// Rounds of drag on the shape so far, then the shape in that drag.
+/// Iterations between the drag on a shape and the shape in that drag.
 const ROUNDS: usize = 2;
-/// The same where the stiffness of ropes goes with the tensions so far.
+/// The same if the stiffness of ropes depends on tension.
 const ROUNDS_OF_ROPES: usize = 3;
-/// A line that hangs from one end may turn far from where its drag was taken first.
+/// The same for a line hanging from one end, which drag may turn far.
 const HANGING_ROUNDS: usize = 4;
 
 impl Scene {
-    /// Between two held ends.
+    /// Between two prescribed ends.
     pub(super) fn guess_between(&self, from: V3, to: V3) -> Guess {
         let straight = between(from, to, &self.line.arc);
         let mut best: Option<Guess> = None;
@@ -55,7 +55,7 @@ impl Scene {
         guess
     }
 
-    /// Why the same line, without bending and in still water, has no one shape at rest, where it has none.
+    /// Why the same line, without bending and in still water, has no unique equilibrium, if it has none.
     #[must_use]
     pub fn catenary_error(&self) -> Option<CatenaryError> {
         let (End::Prescribed(from), End::Prescribed(to)) = (&self.line.ends[0], &self.line.ends[1])
@@ -97,10 +97,10 @@ impl Scene {
             let mean = drag.iter().sum::<V3>() / whole;
             let load = mean * whole - V3::z() * self.line.weight.iter().sum::<f64>();
             let size = load.norm();
-            // A load that all but cancels has no direction to turn the plane by.
+            // A load that nearly cancels has no direction.
             if size > 1e-9 * self.line.force_scale {
                 let down = load / size;
-                // A buoyant line in still water is worded as such.
+                // A buoyant line in still water is solved as such.
                 (if down.z > 0.99 { -down } else { down }, mean)
             } else {
                 (-V3::z(), V3::zeros())
@@ -139,7 +139,7 @@ impl Scene {
         })
     }
 
-    /// A stiffness for the segments of every law \[N\]: that of their mean tension in a guess, or of all of the law.
+    /// A stiffness for every law \[N\]: at the mean tension of its segments in a guess, or that of the whole law.
     fn stiffness_of_laws(&self, guess: Option<&Guess>) -> Vec<f64> {
         let of = |number: usize| {
             let mine =
@@ -155,7 +155,7 @@ impl Scene {
         (0..self.line.laws.len()).map(of).collect()
     }
 
-    /// The closed form over the bed as it slopes in the line's plane; without friction where only that has no answer.
+    /// The closed form over the slope of the bed in the plane of the line; without friction if that fails with it.
     fn solve_over_bed(
         &self,
         first: V3,
@@ -236,7 +236,7 @@ impl Scene {
         sections
     }
 
-    /// Sinks what lies on the bed by as much as its springs give under its weight.
+    /// Lowers the line on the bed to the equilibrium of its weight and the normal springs.
     fn lay_on_bed(&self, nodes: &mut [V3]) {
         let Some(bed) = self.seabed() else { return };
         let normal = bed.normal();
@@ -273,7 +273,7 @@ impl Scene {
         Guess { nodes, tension }
     }
 
-    /// From end A, held, to end B, which is not: each segment along the sum of the loads beyond it.
+    /// From prescribed end A to free end B (or `reversed`): each segment along the sum of the loads beyond it.
     pub(super) fn guess_hanging(&self, from: V3, reversed: bool) -> Guess {
         let count = self.line.segments.len();
         let mut guess = Guess {
@@ -332,7 +332,7 @@ impl Scene {
     }
 }
 
-/// On the chord between two held ends, evenly by arc length.
+/// Nodes on the straight line between two ends, spaced by arc length.
 pub(super) fn between(from: V3, to: V3, arc: &[f64]) -> Vec<V3> {
     let whole = arc[arc.len() - 1];
     arc.iter()

@@ -1,4 +1,4 @@
-//! Where the nodes are at time zero, or a first guess at the equilibrium that the line starts from.
+//! Initial shape: positions at time zero, or the initial guess at the equilibrium.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -59,7 +59,7 @@ pub(super) fn start(case: &Case, scene: &Scene) -> Result<Guess, SceneError> {
     if let (false, Some(rigid_payload), Some(payload)) =
         (equilibrium, &scene.elements.rigid_payload, &case.payload)
     {
-        // Held upright, or as the case tilts it, whatever way the line goes.
+        // Upright, or tilted by the case, whatever the direction of the line.
         let axis = start_axis(payload);
         guess.nodes[rigid_payload.node + 1] =
             guess.nodes[rigid_payload.node] + axis * rigid_payload.body.reach;
@@ -67,7 +67,7 @@ pub(super) fn start(case: &Case, scene: &Scene) -> Result<Guess, SceneError> {
     Ok(guess)
 }
 
-/// Where the axis of a payload that turns points at time zero.
+/// Axis of a rigid payload at time zero.
 fn start_axis(payload: &Payload) -> V3 {
     let Some(rotation) = &payload.rotation else {
         return -V3::z();
@@ -76,7 +76,7 @@ fn start_axis(payload: &Payload) -> V3 {
     direction(azimuth, rotation.start_tilt_deg.to_radians() - FRAC_PI_2)
 }
 
-/// The shape that the case gives by coordinates, read at the arc lengths of the nodes.
+/// The shape given by coordinates, interpolated at the arc lengths of the nodes.
 fn given(start: &Start, arc: &[f64]) -> Option<Vec<V3>> {
     if start.shape == StartShape::Straight {
         return None;

@@ -1,4 +1,4 @@
-//! What is read off a state: tensions at nodes, loads, energies.
+//! Outputs of a state: tensions at nodes, end forces, positions.
 
 use super::Scene;
 use super::element::At;
@@ -7,9 +7,9 @@ use crate::physics::tension::Chord;
 use crate::solve::State;
 
 impl Scene {
-    /// Tension at node i \[N\], from the segment after it (before it at the last node): its pull, with the
-    /// weight, drag and inertia of the half segment between the node and the segment's middle. So a
-    /// hanging line's top tension is its whole weight, whatever the mesh.
+    /// Tension at a node \[N\]: that of the segment after it (before it at the last node), with the weight, drag and inertia of the
+    /// half segment between the node and the middle of the segment. The top tension of a hanging line is so its whole weight on
+    /// any mesh.
     #[must_use]
     pub fn tension_at(&self, node: usize, state: &State) -> f64 {
         let last = self.line_nodes() - 1;
@@ -27,12 +27,12 @@ impl Scene {
                 load + bed.force_on_half(i, node, (&(pull * sign), &load), self.now(state))
             }
         };
-        // A slack segment has no direction to speak of: its half's load is then no tension.
+        // A slack segment has no direction: the load of its half is no tension.
         if pull == V3::zeros() {
             return 0.0;
         }
         let force = pull + load * sign;
-        // With bending the force at a node has a shear part as well; the tension is the part along the line.
+        // With bending the force at a node has a shear part; tension is the part along the line.
         if self.elements.flexure.is_some() {
             force.dot(&chord.tangent)
         } else {
@@ -47,7 +47,7 @@ impl Scene {
         let half = node - i;
         let wet = self.line.wet(i, state);
         let drag = self.line.submerged_drag(i, chord, state, wet.as_ref());
-        // Forces alone: what their tangents need is then never worked out.
+        // Forces only, so that the terms of the tangents are not computed.
         let drag = drag.forces()[half];
         let relative = self.line.relative_acceleration(node, state);
         let added = self.line.added(i, wet.as_ref())[half].force(&chord.tangent, &relative);
@@ -68,7 +68,7 @@ impl Scene {
             .collect()
     }
 
-    /// The line's pull on its first or last node's holder \[N\]: all forces on that node, less its inertia.
+    /// Force of the line on the support of its first or last node \[N\]: all forces on that node, less its inertia.
     #[must_use]
     pub fn end_force(&self, node: usize, state: &State) -> V3 {
         let (i, sign) = if node == 0 {
@@ -95,8 +95,8 @@ impl Scene {
         force
     }
 
-    /// The greatest angle between taut neighbouring segments \[rad\] and its node, those with a body left out: it must be
-    /// small where straight segments are to stand for a curve.
+    /// The greatest angle between taut neighbouring segments \[rad\] and its node, without nodes that carry a body: straight segments
+    /// approximate a curve only if it is small.
     #[must_use]
     pub fn sharpest_turn(&self, state: &State) -> (f64, usize) {
         let taut = |i: usize| {
@@ -150,13 +150,13 @@ impl Scene {
         })
     }
 
-    /// Nodes of the line itself: all of them, less the far end of a body that turns.
+    /// Nodes of the line itself, without the far node of a rigid payload.
     #[must_use]
     pub fn line_nodes(&self) -> usize {
         self.line.line_nodes
     }
 
-    /// Position of end B \[m\]: its last node, or the centre of gravity of a body that turns there.
+    /// Position of end B \[m\]: its last node, or the centre of gravity of a rigid payload there.
     #[must_use]
     pub fn end_b_position(&self, state: &State) -> V3 {
         self.at_end_b(&state.x)
@@ -175,7 +175,7 @@ impl Scene {
         }
     }
 
-    /// Angle between the axis of a body that turns and straight down \[rad\]; zero where none does.
+    /// Angle between the axis of a rigid payload and the vertical \[rad\]; 0 without one.
     #[must_use]
     pub fn tilt(&self, state: &State) -> f64 {
         self.elements

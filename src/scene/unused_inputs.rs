@@ -1,9 +1,9 @@
-//! Keys of a case that say nothing in the run at hand, and may be meant all the same: whoever shortens a run, holds an end or
-//! takes another method for a first look leaves them standing. What is certainly a mistake is refused by `case/check`.
+//! Unused inputs: keys without effect in this run. They may be intended, as when a run is shortened or another method tried, and so
+//! give a remark only; certain mistakes are errors of `case/check`.
 
 use crate::case::{Case, EndKind, Method, MotionName, StartShape};
 
-/// What is to be said of them.
+/// Remarks on unused inputs.
 pub(super) fn remarks(case: &Case) -> Vec<String> {
     let mut list = if case.solver.method == Method::Static {
         in_statics(case)
@@ -17,7 +17,7 @@ pub(super) fn remarks(case: &Case) -> Vec<String> {
     list
 }
 
-/// Times at which something happens, by the keys that say so, and what.
+/// Keys with the time of an event, and the event.
 fn times(case: &Case) -> Vec<(String, f64, &'static str)> {
     let mut list = Vec::new();
     for (letter, end) in [("a", &case.ends.a), ("b", &case.ends.b)] {
@@ -43,13 +43,13 @@ fn times(case: &Case) -> Vec<(String, f64, &'static str)> {
 }
 
 fn in_statics(case: &Case) -> Vec<String> {
-    let told = times(case).into_iter().map(|(key, _, what)| {
-        format!("`{key}` has no effect on statics, which know no time at which {what}")
+    let remarks = times(case).into_iter().map(|(key, _, what)| {
+        format!("`{key}` has no effect on statics, which have no time at which {what}")
     });
-    told.collect()
+    remarks.collect()
 }
 
-/// What happens after the run, and what does not come to its full size in it.
+/// Events after the end of the run, and ramps longer than it.
 fn beyond_the_run(case: &Case) -> Vec<String> {
     let end = case.solver.duration_s;
     let after = times(case).into_iter().filter(|(_, time, _)| *time >= end);
@@ -70,12 +70,12 @@ fn beyond_the_run(case: &Case) -> Vec<String> {
         .into_iter()
         .filter_map(|(table, ramp)| Some((table, ramp.filter(|ramp| *ramp > end)?)));
     list.extend(longer.map(|(table, ramp)| {
-        format!("`{table}.ramp_s` of {ramp} s is longer than the run of {end} s: nothing of it comes to its full size")
+        format!("`{table}.ramp_s` of {ramp} s is longer than the run of {end} s: its full amplitude is never reached")
     }));
     list
 }
 
-/// Ends that a motion is given for and that do not move, or move in another way.
+/// Motions of ends that do not move, or move in another way.
 fn held_ends(case: &Case) -> Vec<String> {
     let mut list = Vec::new();
     for (letter, end) in [("a", &case.ends.a), ("b", &case.ends.b)] {
@@ -94,10 +94,10 @@ fn held_ends(case: &Case) -> Vec<String> {
             ),
             ("motion_file", end.motion_file.is_some(), from_file),
         ];
-        let idle = given
+        let unused = given
             .into_iter()
             .filter(|(_, given, taken)| *given && !(moves && *taken));
-        list.extend(idle.map(|(key, ..)| {
+        list.extend(unused.map(|(key, ..)| {
             let how = if moves {
                 "moves in another way (motion)"
             } else {
@@ -109,7 +109,7 @@ fn held_ends(case: &Case) -> Vec<String> {
     list
 }
 
-/// Directions of a start that an equilibrium finds by itself.
+/// Start directions, which an equilibrium determines itself.
 fn start(case: &Case) -> Vec<String> {
     if case.start.shape != StartShape::Equilibrium || case.start.from_run.is_some() {
         return Vec::new();
@@ -134,16 +134,16 @@ fn start(case: &Case) -> Vec<String> {
         .collect()
 }
 
-/// A moment of inertia that no spin asks for.
+/// A spin inertia without spin.
 fn spin(case: &Case) -> Option<String> {
     let body = case.payload.as_ref()?.rotation.as_ref()?;
-    let idle = body.spin_deg_per_s == 0.0 && body.spin_inertia_kg_m2.is_some();
-    idle.then(|| {
+    let unused = body.spin_deg_per_s == 0.0 && body.spin_inertia_kg_m2.is_some();
+    unused.then(|| {
         "`payload.rotation.spin_inertia_kg_m2` has no effect: the body does not spin".to_owned()
     })
 }
 
-/// A way that is never begun, since it takes no speed.
+/// A destination without speed.
 fn traveller(case: &Case) -> Option<String> {
     let body = case.traveller.as_ref()?;
     let stays = body.speed_m_per_s == 0.0 && body.to_m.is_some();
@@ -157,7 +157,7 @@ mod tests {
     use super::*;
 
     const CASE: &str = r#"
-        case.title = "idle"
+        case.title = "unused"
         line = [{ name = "rope", material = "rope", length_m = 20.0, segments = 4 }]
         materials.rope = { diameter_m = 0.1, mass_kg_per_m = 5.0, ea_n = 1e6 }
         ends.a = { name = "a", kind = "moving", position_m = [0, 0, 0], amplitude_m = [1, 0, 0], period_s = 5.0, ramp_s = 20.0 }
@@ -168,13 +168,13 @@ mod tests {
         solver.duration_s = 10.0
     "#;
 
-    fn told(text: &str) -> Vec<String> {
+    fn remarks_of(text: &str) -> Vec<String> {
         remarks(&crate::case::parse_keys(text).unwrap())
     }
 
     #[test]
-    fn what_lies_beyond_the_run_is_told_and_what_lies_in_it_is_not() {
-        let short = told(CASE);
+    fn events_beyond_the_run_give_a_remark_and_those_within_do_not() {
+        let short = remarks_of(CASE);
         let keys = [
             "ends.b.release_s",
             "traveller.start_s",
@@ -192,10 +192,10 @@ mod tests {
         }
         assert_eq!(short.len(), keys.len(), "{short:?}");
         let long = CASE.replace("duration_s = 10.0", "duration_s = 100.0");
-        assert_eq!(told(&long).len(), 2, "{:?}", told(&long));
+        assert_eq!(remarks_of(&long).len(), 2, "{:?}", remarks_of(&long));
         let statics = CASE.replace("duration_s = 10.0", "method = \"static\"");
         assert!(
-            told(&statics)
+            remarks_of(&statics)
                 .iter()
                 .any(|line| line.contains("no effect on statics"))
         );
@@ -208,7 +208,7 @@ mod tests {
             "speed_m_per_s = 0.0, to_m = 9.0",
         );
         assert!(
-            told(&stays)
+            remarks_of(&stays)
                 .iter()
                 .any(|line| line.contains("traveller.to_m"))
         );

@@ -1,4 +1,4 @@
-//! From the words of a case to its waves.
+//! Waves of a case.
 
 use super::error::SceneError;
 use super::{AttachedBody, Segment, Water};
@@ -12,10 +12,10 @@ use crate::physics::sea::{
     wave_number,
 };
 
-/// Waves of more than this share of the greatest steepness are far from what a linear theory describes.
+/// Fraction of the breaking steepness above which linear theory is remarked on.
 const STEEP: f64 = 0.6;
 
-/// The water of a case, where it has waves or the line crosses the surface, and what is to be said of it.
+/// The water of a case with waves or with a line that crosses the surface, and remarks on it.
 pub(super) fn water(
     case: &Case,
     segments: &[Segment],
@@ -49,7 +49,7 @@ pub(super) fn water(
     Ok((Some(water), remarks))
 }
 
-/// Where the height of the waves is read.
+/// Position of the wave gauge.
 fn gauge(case: &Case) -> V3 {
     let given = case.waves.as_ref().and_then(|waves| waves.gauge_m);
     let ends = [&case.ends.b, &case.ends.a];
@@ -60,18 +60,18 @@ fn gauge(case: &Case) -> V3 {
     V3::new(x, y, 0.0)
 }
 
-/// An irregular record that a case asks for, and what it is made of.
+/// An irregular record of a case and its components.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
-    /// What it is: `waves`, or an end with its axis.
+    /// `waves`, or an end with its axis.
     pub name: String,
-    /// Of waves, whose height is told; else of a motion, whose root mean square is.
+    /// Whether it is of waves, reported by their height, or of a motion, reported by its root mean square.
     pub of_waves: bool,
     /// Seed of its frequencies and phases.
     pub seed: u64,
-    /// What is asked for.
+    /// The spectrum asked for.
     pub spectrum: Spectrum,
-    /// What it is made of.
+    /// Its components.
     pub components: Vec<Component>,
 }
 
@@ -103,7 +103,7 @@ fn depth(case: &Case, waves: &case::Waves) -> f64 {
     waves.depth_m.or(bed).unwrap_or(f64::INFINITY)
 }
 
-/// The spectrum of irregular waves, or nothing.
+/// The spectrum of irregular waves; none for others.
 pub(crate) fn spectrum(waves: &case::Waves) -> Option<Spectrum> {
     let (height, period) = (waves.significant_height_m?, waves.peak_period_s?);
     Some(match waves.spectrum {
@@ -112,7 +112,7 @@ pub(crate) fn spectrum(waves: &case::Waves) -> Option<Spectrum> {
     })
 }
 
-/// The components as they pass the origin. The first stream of the seed is the waves'.
+/// The components at the origin. Waves use the first random stream of the seed.
 fn components(waves: &case::Waves) -> Result<Vec<Component>, SceneError> {
     let missing = |key: &str| SceneError::Missing {
         key: format!("waves.{key}"),
@@ -160,7 +160,7 @@ fn waves(case: &Case, said: &case::Waves) -> Result<Waves, SceneError> {
     Ok(Waves::new(components(said)?, &setting))
 }
 
-/// What is to be known of these waves.
+/// Remarks on these waves.
 fn remarks_on(case: &Case, said: &case::Waves) -> Vec<String> {
     let mut remarks = Vec::new();
     if case.solver.method == Method::Static {

@@ -1,4 +1,4 @@
-//! Bending of the whole line: at its inner nodes and at clamped ends.
+//! Bending at the inner nodes of the line and at clamped ends.
 
 use crate::case::{self, Case};
 use crate::numerics::lanes;
@@ -9,7 +9,7 @@ use crate::scene::element::{At, Element};
 use crate::scene::{LumpedLine, Segment, direction};
 use crate::solve::{Factors, State};
 
-/// What bends, and what clamps.
+/// Bending stiffness of the nodes, and clamps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Flexure {
     /// Stiffness of the bend at every node, EI / l \[N m\]; zero at the ends and at hinges.
@@ -98,8 +98,8 @@ impl Flexure {
         }
     }
 
-    /// The bends at the inner nodes. Each reaches over three nodes; what it leaves at the later two is carried on to the
-    /// next bend, so that every block is touched once.
+    /// The bends at the inner nodes, each over three nodes; the parts at the later two are kept for the next bend, so that every
+    /// block is written once.
     fn linearise_joints(
         &self,
         line: &LumpedLine,
@@ -139,7 +139,7 @@ impl Flexure {
         }
         tangent.upper[last - 1] += upper;
         tangent.lower[last] += upper.transpose();
-        // Nothing lies two nodes beyond the ends.
+        // No node is two beyond the ends.
         tangent.far_upper[last - 1..].fill(M3::zeros());
     }
 
@@ -236,8 +236,7 @@ impl Flexure {
         (c, c * self.spans[i] * k)
     }
 
-    /// The first node at which the line bends by a right angle or more: no mesh can carry such a bend, and past it
-    /// the moment of this one falls again.
+    /// The first node at which the line bends by a right angle or more, past which the discrete moment falls.
     #[must_use]
     pub fn kinked_node(&self, line: &LumpedLine, state: &State) -> Option<usize> {
         let chord = |i: usize| state.x[i + 1] - state.x[i];
@@ -260,13 +259,13 @@ impl Flexure {
         share: f64,
     ) -> Option<Self> {
         self.clamps.iter().flatten().next()?;
-        let mut eased = self.clone();
+        let mut turned = self.clone();
         for (end, i) in [(0, 0), (1, line.segments.len() - 1)] {
-            if let Some((direction, _)) = &mut eased.clamps[end] {
+            if let Some((direction, _)) = &mut turned.clamps[end] {
                 *direction = part_way(&line.chord(i, start).tangent, direction, share);
             }
         }
-        Some(eased)
+        Some(turned)
     }
 
     /// Energy of bending \[J\].
@@ -294,7 +293,7 @@ fn between(first: &Chord, second: &Chord) -> Bend {
     )
 }
 
-/// The unit vector a share of the angle from one to another; over the top where they are opposite.
+/// The unit vector at a share of the angle from one to another; through the vertical if they are opposite.
 fn part_way(from: &V3, to: &V3, share: f64) -> V3 {
     let cos = from.dot(to);
     let beside = |v: &V3| (v - from * from.dot(v)).try_normalize(1e-6);
@@ -348,16 +347,16 @@ impl Flexure {
     }
 }
 
-/// Clamps at ends whose section has no bending stiffness, in words: they hold nothing.
+/// Remarks on clamps at ends without bending stiffness, which have no effect.
 pub(in crate::scene) fn clamps_without_effect(case: &Case, segments: &[Segment]) -> Vec<String> {
     let ends = [
         (&case.ends.a, segments.first()),
         (&case.ends.b, segments.last()),
     ];
-    let idle = ends.into_iter().filter(|(end, segment)| {
+    let without_effect = ends.into_iter().filter(|(end, segment)| {
         end.clamp_elevation_deg.is_some() && segment.is_some_and(|s| s.ei <= 0.0)
     });
-    idle.map(|(end, _)| {
+    without_effect.map(|(end, _)| {
         format!(
             "the clamp at `{}` holds nothing: the line has no bending stiffness there (ei_n_m2); it turns as on a hinge",
             end.name
@@ -366,8 +365,7 @@ pub(in crate::scene) fn clamps_without_effect(case: &Case, segments: &[Segment])
     .collect()
 }
 
-/// Gradient of a clamp's energy by its segment's chord. The bend is symmetric in its two directions, so that end B
-/// needs no case of its own.
+/// Gradient of the energy of a clamp by the chord of its segment; the same at both ends, since the bend is symmetric.
 fn clamped(k: f64, direction: &V3, chord: &Chord) -> V3 {
     Bend::new((&chord.tangent, chord.inverse), (direction, 0.0)).forces(k)[0]
 }

@@ -1,8 +1,8 @@
-//! A payload that turns: the last two nodes of the scene and the rod between them, with what the water does to it.
+//! Rigid payload that rotates: the last two nodes of the scene and the rod between them, in the water.
 //!
-//! Both nodes share in what acts on the body in two ways: by `b` in a load at its centre of buoyancy, and by `g = (-1, 1)`
-//! in a couple. Their places, velocities and accelerations tell in the same two ways how that centre moves and how the axis
-//! turns. The water that goes with the body so couples the nodes, `W_ij = b_i b_j A + g_i g_j I / d²`.
+//! A load at the centre of buoyancy acts on both nodes by the shares `b`, a couple by `g = (-1, 1)`; the motion of that centre and
+//! of the axis follow from the nodes by the same shares. The added mass A and added inertia I so couple the nodes,
+//! `W_ij = b_i b_j A + g_i g_j I / d²`, d the length of the rod.
 
 mod energy;
 mod hydrodynamics;
@@ -19,19 +19,19 @@ use crate::scene::element::{At, Element};
 use crate::solve::{Factors, State};
 use hydrodynamics::WaterAround;
 
-/// A turning body on the line.
+/// A rigid body at the end of the line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigidPayload {
-    /// The node it hangs from, the last of the line; the next one is its centre of percussion.
+    /// The node of its hang point, the last of the line; the next one is its centre of percussion.
     pub node: usize,
-    /// The body; its masses and weights are those of the two nodes already, its rod the last segment.
+    /// The body; its mass and weight are included in those of the two nodes, and its rod is the last segment.
     pub body: RigidBody,
 }
 
 /// Shares of both nodes in a couple.
 const COUPLE: [f64; 2] = [-1.0, 1.0];
 
-/// Blocks of a matrix that couples the two nodes: `[i][j]` is what row i has of node j.
+/// Blocks of a matrix that couples the two nodes: `[i][j]` is the block of row i and node j.
 type Blocks = [[M3; 2]; 2];
 
 impl Element for RigidPayload {
@@ -77,12 +77,12 @@ impl RigidPayload {
         values[self.node] * (1.0 - place) + values[self.node + 1] * place
     }
 
-    /// Rate of the axis times the rod's length, from both nodes' velocities; or what goes with accelerations.
+    /// Difference of both nodes: from velocities, the rate of the axis times the length of the rod.
     fn opening(&self, values: &[V3]) -> V3 {
         values[self.node + 1] - values[self.node]
     }
 
-    /// How the body moves in the water, at these accelerations of both nodes.
+    /// Motion of the body relative to the water, at these accelerations of both nodes.
     fn moving(&self, there: &WaterAround, state: &State, a: [V3; 2]) -> RelativeMotion {
         let (at, inverse) = (self.body.buoyancy_at, 1.0 / self.body.reach);
         RelativeMotion {
@@ -94,7 +94,7 @@ impl RigidPayload {
         }
     }
 
-    /// What the water and the spin add to the residual of both nodes at these accelerations \[N\].
+    /// Residual of the water and the spin at both nodes, at these accelerations \[N\].
     pub(in crate::scene) fn balance(
         &self,
         line: &LumpedLine,
@@ -118,13 +118,13 @@ impl RigidPayload {
         balance
     }
 
-    /// How the axis changes with the opening of both nodes \[1/m\].
-    fn swing(there: &WaterAround) -> M3 {
+    /// Derivative of the axis by the difference of both nodes \[1/m\].
+    fn axis_by_difference(there: &WaterAround) -> M3 {
         let t = &there.axis.tangent;
         (M3::identity() - t * t.transpose()) * there.axis.inverse
     }
 
-    /// Derivatives of the water's inertia, pressure and buoyancy, and of the spin's couple.
+    /// Tangent of added mass, wave pressure, buoyancy and gyroscopic couple.
     fn inertia_blocks(&self, there: &WaterAround, state: &State, c: Factors) -> Blocks {
         let moving = self.moving(there, state, [state.a[self.node], state.a[self.node + 1]]);
         let (needs, [force, couple]) = (
@@ -133,8 +133,8 @@ impl RigidPayload {
         );
         let (spin_t, spin_turn) = self.body.gyroscopic(&moving.t, &moving.turn).1.into();
         let (share, by_place) = there.wet;
-        let (swing, inverse) = (Self::swing(there), 1.0 / self.body.reach);
-        // Of the load and of the couple, each by the place of the centre and by the opening of the nodes.
+        let (by_axis, inverse) = (Self::axis_by_difference(there), 1.0 / self.body.reach);
+        // Of the load and of the couple, each by the position of the centre and by the difference of the nodes.
         let moved = force.a + M3::from_diagonal_element(there.displaced);
         let gained = needs.0 - self.lift_if_wet(there);
         let load_by_place = gained * by_place.transpose()
@@ -143,14 +143,14 @@ impl RigidPayload {
             force.a * (c.mass * share)
                 + force.v * (c.damping * share)
                 + load_by_place * c.stiffness,
-            force.turn * (c.damping * share * inverse) + force.t * swing * (c.stiffness * share),
+            force.turn * (c.damping * share * inverse) + force.t * by_axis * (c.stiffness * share),
         ];
         let couple_by_place = needs.1 * by_place.transpose() - couple.v * there.flow.1 * share;
         let pull = [
             couple.v * (c.damping * share) + couple_by_place * c.stiffness,
             couple.gain * (c.mass * share * inverse)
                 + spin_turn * (c.damping * inverse)
-                + (couple.t * share + spin_t) * swing * c.stiffness,
+                + (couple.t * share + spin_t) * by_axis * c.stiffness,
         ];
         let b = RigidBody::shares(self.body.buoyancy_at);
         let block = |i: usize, j: usize| {
@@ -160,7 +160,7 @@ impl RigidPayload {
         [[block(0, 0), block(0, 1)], [block(1, 0), block(1, 1)]]
     }
 
-    /// Takes off the derivatives of drag: by the velocity past each strip, by the axis, and by what is wet.
+    /// Subtracts the tangent of drag: by the relative velocity of each strip, by the axis, and by the submerged fraction.
     fn add_drag_blocks(
         &self,
         there: &WaterAround,
@@ -169,7 +169,7 @@ impl RigidPayload {
         c: Factors,
         blocks: &mut Blocks,
     ) {
-        let (t, swing) = (&there.axis.tangent, Self::swing(there));
+        let (t, axis) = (&there.axis.tangent, Self::axis_by_difference(there));
         let (share, by_place) = there.wet;
         let b = RigidBody::shares(self.body.buoyancy_at);
         for strip in self.strips(line, state) {
@@ -177,7 +177,7 @@ impl RigidPayload {
             let own = by_velocity
                 * (M3::from_diagonal_element(c.damping) - strip.gradient * c.stiffness)
                 * share;
-            let by_axis = by_axis * swing * (-c.stiffness * share);
+            let by_axis = by_axis * axis * (-c.stiffness * share);
             let by_wet = self.body.drag(t, &strip.u) * by_place.transpose() * -c.stiffness;
             let d = RigidBody::shares(strip.place);
             for (row, d_i) in blocks.iter_mut().zip(d) {
@@ -189,7 +189,7 @@ impl RigidPayload {
         }
     }
 
-    /// Mass of both nodes with all that goes with them \[kg\].
+    /// Mass matrix of both nodes, added mass included \[kg\].
     pub(in crate::scene) fn coupled_mass(&self, line: &LumpedLine, state: &State) -> Matrix6<f64> {
         let there = self.water_around(line, state);
         let t = &there.axis.tangent;
@@ -210,14 +210,14 @@ impl RigidPayload {
         mass
     }
 
-    /// How both nodes are accelerated by a force on the one it hangs from \[1/kg\].
+    /// Accelerations of both nodes by a force on the hang point \[1/kg\].
     pub(in crate::scene) fn inverse_mass(&self, line: &LumpedLine, state: &State) -> [M3; 2] {
         let inverse = self.coupled_mass(line, state).try_inverse();
         let inverse = inverse.unwrap_or_else(Matrix6::zeros);
         [0, 3].map(|row| inverse.fixed_view::<3, 3>(row, 0).into_owned())
     }
 
-    /// Fastest rate at which drag slows the body \[1/s\].
+    /// Decay rate of the body by drag \[1/s\].
     pub(in crate::scene) fn decay(&self, line: &LumpedLine, state: &State) -> f64 {
         let mass = [line.mass[self.node], line.mass[self.node + 1]];
         let strips = self.strips(line, state);

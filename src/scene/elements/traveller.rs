@@ -1,13 +1,12 @@
 //! A body that travels along the line: a cargo hauled over a ropeway, a trolley, a crawler.
 //!
-//! Its place along the line s(t) is prescribed, and its path X(s, t) is that of the nodes (see [`seat`]): it lies at
-//! `X = sum n_k(s) x_k`, and what acts on it goes to them by the same shares. Its acceleration is that of a moving mass (Frýba
-//! 1972),
+//! Its arc length s(t) is prescribed, and its path X(s, t) is interpolated between the nodes (see [`path`]): `X = sum n_k(s) x_k`,
+//! and loads on it act on the nodes by the same weights. Its acceleration is that of a moving mass (Frýba 1972),
 //!
-//! `A = sum [ n_k a_k + 2 s' n_k' v_k + (s'' n_k' + s'² n_k'') x_k ]`: that of the line under it, Coriolis's, what it gains along
-//! the line, and v²/R where the line bends. These are Lagrange's equations for a mass on the line, so that energy is
-//! kept. Drag acts by its own velocity, that along the line included; where it comes and goes all at once, at a start without
-//! ramp and at the end of its way, what holds it takes the blow and not the line.
+//! `A = sum [ n_k a_k + 2 s' n_k' v_k + (s'' n_k' + s'² n_k'') x_k ]`: that of the line under it, Coriolis acceleration,
+//! acceleration along the line, and v²/R of a curved line. These are Lagrange's equations for a mass on the line, so that energy is
+//! conserved. Drag acts by its own velocity, that along the line included. The impulse of a start without ramp and of a stop acts on
+//! its drive and not on the line.
 
 pub(in crate::scene) mod path;
 
@@ -29,24 +28,24 @@ pub struct Traveller {
     pub drag: V3,
     /// Mass of the water displaced \[kg\].
     pub displaced: f64,
-    /// Unstretched arc length at which it begins \[m\].
+    /// Unstretched arc length of its start \[m\].
     pub from: f64,
-    /// Unstretched arc length at which it stays \[m\].
+    /// Unstretched arc length of its stop \[m\].
     pub to: f64,
     /// Speed along the unstretched line \[m/s\], positive.
     pub speed: f64,
-    /// Time at which it sets out \[s\].
+    /// Time of its start \[s\].
     pub start: f64,
-    /// Time in which it comes to its speed \[s\].
+    /// Duration of its acceleration \[s\].
     pub ramp: f64,
 }
 
-/// The water past the traveller.
+/// Drag on the traveller, with derivatives.
 struct Drag {
-    /// Its drag \[N\], as far as it is wet, and that by the velocity of the water past it \[N s/m\].
+    /// Drag of the submerged fraction \[N\], and its derivative by the relative velocity \[N s/m\].
     drag: V3,
     by_velocity: M3,
-    /// How drag changes with its place, the velocity past it aside from its own \[N/m\].
+    /// Derivative of drag by the position, through the water \[N/m\].
     by_place: M3,
 }
 
@@ -201,7 +200,7 @@ impl Traveller {
         }
     }
 
-    /// What the traveller asks of the line at a seat, as a residual: m A and the weight, which pulls down, less drag \[N\].
+    /// Its load on the line as a residual: m A and weight, less drag \[N\].
     pub(in crate::scene) fn load(&self, point: &PathPoint, line: &LumpedLine, state: &State) -> V3 {
         let drag = self.drag_at(point, line, state).drag;
         point.acceleration(state) * self.mass + V3::z() * self.weight - drag

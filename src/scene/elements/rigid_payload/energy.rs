@@ -1,4 +1,4 @@
-//! Energy of a body that turns, and the powers that change it.
+//! Energy of a rigid payload, dissipation and wave power.
 
 use super::RigidPayload;
 use crate::numerics::V3;
@@ -7,7 +7,7 @@ use crate::scene::{LumpedLine, submergence};
 use crate::solve::State;
 
 impl RigidPayload {
-    /// Power that drag takes out of the body \[W\], and that a current takes out of it through the water that goes with it.
+    /// Dissipation by drag, and by the added mass in a current \[W\].
     pub(super) fn dissipation(&self, line: &LumpedLine, state: &State) -> f64 {
         let there = self.water_around(line, state);
         let strips = self.strips(line, state);
@@ -23,7 +23,7 @@ impl RigidPayload {
         (by_current - drag.sum::<f64>()) * there.wet.0
     }
 
-    /// How it moves, as if the water were still.
+    /// Its motion in still water.
     fn in_still_water(&self, line: &LumpedLine, state: &State) -> RelativeMotion {
         RelativeMotion {
             t: line.chord(self.node, state).tangent,
@@ -34,8 +34,7 @@ impl RigidPayload {
         }
     }
 
-    /// Power that waves put into it by their pressure and by the water that goes with it \[W\], its potential that in still
-    /// water.
+    /// Power of the pressure of waves and of their acceleration on the added mass, beyond its potential in still water \[W\].
     pub(in crate::scene) fn wave_power(
         &self,
         line: &LumpedLine,
@@ -48,7 +47,7 @@ impl RigidPayload {
         (self.lift(&there) + dragged - lost).dot(&self.at(&state.v, self.body.buoyancy_at))
     }
 
-    /// Energy of the buoyancy it lacks in still water \[J\].
+    /// Potential of its lost buoyancy in still water \[J\].
     pub(in crate::scene) fn surface_energy(&self, line: &LumpedLine, state: &State) -> f64 {
         let Some(water) = line.water.as_ref().filter(|water| water.crossed) else {
             return 0.0;
@@ -58,7 +57,7 @@ impl RigidPayload {
         self.body.buoyancy.max(0.0) * submergence::sphere_lost_energy(radius, z)
     }
 
-    /// Kinetic energy of the water that goes with it, as far as it is wet \[J\].
+    /// Kinetic energy of its added mass, of the submerged fraction \[J\].
     pub(in crate::scene) fn kinetic_energy(&self, line: &LumpedLine, state: &State) -> f64 {
         let moving = self.in_still_water(line, state);
         self.body.added.energy(&moving) * self.wet(line, state).0

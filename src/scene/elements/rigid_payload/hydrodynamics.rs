@@ -1,8 +1,8 @@
-//! A body that turns, in the water: what flows past it, how much of it is wet, its pressure and its buoyancy.
+//! Rigid payload in the water: relative flow, submerged fraction, wave pressure and buoyancy.
 //!
-//! Waves act by drag on every strip and, at the centre of buoyancy, by their pressure and by the water that goes with
-//! the body. Across the surface all of these, and the added mass, count by the share that is wet, and buoyancy is lost to a
-//! potential, as if the body were a sphere of its volume about the centre of buoyancy.
+//! Waves act by drag on every strip and, at the centre of buoyancy, by their pressure and on the added mass. Across the surface all
+//! of these count by the submerged fraction, and buoyancy is lost to a potential, as for a sphere of the same volume about the
+//! centre of buoyancy.
 
 use super::RigidPayload;
 use crate::numerics::{M3, V3};
@@ -15,36 +15,36 @@ use crate::solve::State;
 /// The body in the water.
 pub(super) struct WaterAround {
     pub(super) axis: Chord,
-    /// Velocity of the water at the centre of buoyancy \[m/s\], and how it changes with the place \[1/s\].
+    /// Velocity of the water at the centre of buoyancy \[m/s\], and its gradient \[1/s\].
     pub(super) flow: (V3, M3),
-    /// Acceleration of the water there \[m/s²\], and how it changes with the place \[1/s²\].
+    /// Acceleration of the water there \[m/s²\], and its gradient \[1/s²\].
     pub(super) carried: (V3, M3),
-    /// The share that is wet, and its derivative by the place of the centre of buoyancy \[1/m\].
+    /// Submerged fraction, and its derivative by the position of the centre of buoyancy \[1/m\].
     pub(super) wet: (f64, V3),
-    /// Mass of the water displaced \[kg\]; nothing where neither waves nor a surface are named.
+    /// Mass of the water displaced \[kg\]; 0 without waves and surface.
     pub(super) displaced: f64,
 }
 
-/// A strip of the body that drag acts on.
+/// A strip of the body for drag.
 pub(super) struct Strip {
-    /// Its place on the rod, and its part of all drag.
+    /// Its place on the rod, and its fraction of the drag.
     pub(super) place: f64,
     pub(super) part: f64,
     /// Its velocity \[m/s\].
     pub(super) v: V3,
-    /// Velocity of the water relative to it \[m/s\], and how the water's changes with the place \[1/s\].
+    /// Velocity of the water relative to it \[m/s\], and the gradient of the water's \[1/s\].
     pub(super) u: V3,
     pub(super) gradient: M3,
 }
 
 impl RigidPayload {
-    /// What waves make of the water at its two nodes, and how much of each counts at a place on the rod.
+    /// Wave kinematics at both nodes, with their shares at a place on the rod.
     fn waves<'s>(&self, place: f64, state: &'s State) -> impl Iterator<Item = (f64, &'s Flow)> {
         let nodes = (self.node..).zip(RigidBody::shares(place));
         nodes.filter_map(|(node, share)| Some((share, state.wave_flow.get(node)?)))
     }
 
-    /// Velocity of the water at a place on the rod \[m/s\], and how it changes with the place \[1/s\].
+    /// Velocity of the water at a place on the rod \[m/s\], and its gradient \[1/s\].
     fn flow(&self, line: &LumpedLine, place: f64, state: &State) -> (V3, M3) {
         let x = self.at(&state.x, place);
         let (mut velocity, shear) = line.current.at(x.z);
@@ -73,7 +73,7 @@ impl RigidPayload {
         }
     }
 
-    /// The strips that drag acts on.
+    /// The strips for drag.
     pub(super) fn strips(&self, line: &LumpedLine, state: &State) -> impl Iterator<Item = Strip> {
         self.body.strips().map(move |(place, part)| {
             let (water, gradient) = self.flow(line, place, state);
@@ -93,8 +93,8 @@ impl RigidPayload {
         (self.body.buoyancy / water.gravity).max(0.0)
     }
 
-    /// The share of it that is wet, as a sphere of its volume about the centre of buoyancy, and its derivative by the place of
-    /// that \[1/m\].
+    /// Submerged fraction, as of a sphere of its volume about the centre of buoyancy, and its derivative by the position of that
+    /// \[1/m\].
     pub(super) fn wet(&self, line: &LumpedLine, state: &State) -> (f64, V3) {
         let Some(water) = line.water.as_ref().filter(|w| w.crossed) else {
             return (1.0, V3::zeros());
@@ -109,12 +109,12 @@ impl RigidPayload {
         (share, by_place * slope)
     }
 
-    /// Pressure of the waves where it is wet, less the buoyancy of what is dry: a load at the centre of buoyancy \[N\].
+    /// Wave pressure on the submerged part, less the buoyancy of the dry one: a load at the centre of buoyancy \[N\].
     pub(super) fn lift(&self, there: &WaterAround) -> V3 {
         self.lift_if_wet(there) * there.wet.0 - V3::z() * self.body.buoyancy
     }
 
-    /// Pressure of the waves and buoyancy of the whole body \[N\].
+    /// Wave pressure and buoyancy of the whole body \[N\].
     pub(super) fn lift_if_wet(&self, there: &WaterAround) -> V3 {
         there.carried.0 * there.displaced + V3::z() * self.body.buoyancy
     }

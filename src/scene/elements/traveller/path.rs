@@ -1,30 +1,29 @@
-//! Where a traveller sits: its path through the nodes, with two continuous derivatives by arc length but for steps of the
-//! second.
+//! Path interpolation of a traveller between the nodes, with a continuous first and a bounded second derivative by arc length.
 //!
-//! On straight segments it would be thrown from one direction into another at every node. Its path so rounds each corner, over
-//! half of the shorter segment to either side: with e the direction of a segment by its unstretched length and r the arc length
-//! from the node, `X = polygon + (e_after - e_before) (h - |r|)² / 4h` for `|r| <= h`, an arc of parabola tangent to both
-//! segments. On even segments it is the quadratic B-spline of the nodes. It keeps to the line as the segments get shorter,
-//! with their square, and its second derivative is the curvature there.
+//! On straight segments the direction would jump at every node. The path rounds each corner over half of the shorter segment to
+//! either side: with e the direction of a segment by its unstretched length and r the arc length from the node,
+//! `X = polygon + (e_after - e_before) (h - |r|)² / 4h` for `|r| <= h`, a parabola tangent to both segments; on even segments the
+//! quadratic B-spline of the nodes. It converges to the line with the square of the segment length, and its second derivative to
+//! the curvature.
 
 use crate::numerics::V3;
 use crate::solve::State;
 
-/// What a node counts for at a seat.
+/// Weight of a node at a point of the path.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(in crate::scene) struct NodeWeight {
-    /// Its share \[-\].
+    /// The weight \[-\].
     pub(in crate::scene) share: f64,
-    /// The share's derivative by arc length \[1/m\].
+    /// Its derivative by arc length \[1/m\].
     pub(in crate::scene) slope: f64,
-    /// And the second \[1/m²\].
+    /// Its second derivative \[1/m²\].
     pub(in crate::scene) bend: f64,
 }
 
-/// Where a traveller sits.
+/// A point of the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::scene) struct PathPoint {
-    /// The segment it is on.
+    /// Its segment.
     pub(in crate::scene) segment: usize,
     /// Speed along the unstretched line \[m/s\].
     pub(in crate::scene) rate: f64,
@@ -36,7 +35,7 @@ pub(in crate::scene) struct PathPoint {
 }
 
 impl PathPoint {
-    /// The seat at an arc length \[m\], at a speed \[m/s\] and its rate \[m/s²\], on a line whose nodes lie at `arc`.
+    /// The point at an arc length \[m\], with its rate \[m/s\] and second rate \[m/s²\], on a line with nodes at `arc`.
     pub(in crate::scene) fn new(arc: &[f64], (at, rate, gain): (f64, f64, f64)) -> Self {
         let last = arc.len() - 1;
         let segment = arc[1..last].partition_point(|end| *end <= at);
@@ -86,7 +85,7 @@ impl PathPoint {
         point
     }
 
-    /// The nodes that count, with their weights.
+    /// The nodes with their weights.
     pub(in crate::scene) fn nodes(&self) -> impl Iterator<Item = (usize, &NodeWeight)> {
         (self.first..).zip(&self.weights[..self.count])
     }
