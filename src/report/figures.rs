@@ -9,23 +9,24 @@
 //! assert_eq!(chart.y.unit, "N");
 //! ```
 
-mod fibre_ropes;
 mod profiles;
 mod published;
+mod registry;
 mod response;
 mod shapes;
 mod study;
 mod time_histories;
 
-pub use fibre_ropes::{deviation_in_time, mean_load_in_time, stiffness_in_time, stiffness_profile};
-pub use profiles::{curvature_profile, moment_profile, tension_profile};
+pub use profiles::{curvature_profile, moment_profile, stiffness_profile, tension_profile};
 pub use published::published_curves;
+pub use registry::{FIGURES, Figure, FigureAxis, FigureData, FigureId, report_figures};
 pub use response::{ResponseMapKind, response_map, rms_profile, wave_amplitudes, wavelengths};
 pub use shapes::{line_from_above, line_from_ahead, line_shape, trajectory};
 pub use study::along_studies;
-pub use time_histories::{against_time, elevation, payload_position, speed, tensions, tilt};
+pub use time_histories::{against_time, payload_position, tensions};
 
 use crate::case::ChannelQuantity;
+use crate::report::chart::Series;
 use crate::run::{History, LineShape, Profile, Run};
 
 /// A run to be drawn, whole or still on its way.
@@ -114,6 +115,14 @@ fn named(sources: &[PlottedRun], source: &PlottedRun, thing: &str) -> String {
         (false, _) => thing.to_owned(),
         (true, "") => source.label.to_owned(),
         (true, _) => format!("{thing}, {}", source.label),
+    }
+}
+
+/// A curve of a run.
+fn series(source: &PlottedRun, slot: usize, label: &str, points: Vec<(f64, f64)>) -> Series {
+    Series {
+        dimmed: source.dimmed,
+        ..Series::new(label, slot, points)
     }
 }
 

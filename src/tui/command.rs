@@ -1,145 +1,81 @@
 //! What commands there are, and the tables of those that several panes share. Each pane lists its own.
 
-/// What a command does.
+/// What a command does, in the words of its [`Command::doc`].
+#[expect(
+    missing_docs,
+    reason = "every command has one line of help where it is listed"
+)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Id {
-    /// Open the case under the cursor.
     Open,
-    /// Type a filter for the list.
     Filter,
-    /// Read the list of cases again.
     Reload,
-    /// Edit the value under the cursor.
     Edit,
-    /// Put the field back to the value of the file.
     Reset,
-    /// Open the file in the user's editor.
     ExternalEditor,
-    /// Undo the last edit.
     Undo,
-    /// Redo the edit undone last.
     Redo,
-    /// Save the case to its file.
     Save,
-    /// Go to the next group of fields.
     NextGroup,
-    /// Go to the previous group of fields.
     PreviousGroup,
-    /// Run the case and store the run.
     Run,
-    /// Change to the next solver.
     Method,
-    /// Run all variants of a study.
     Study,
-    /// Run everything the validation table needs.
     Validate,
-    /// Keep the live run on disk.
     Keep,
-    /// Show the next tab of the tables.
     NextTable,
-    /// Show the previous tab of the tables.
     PreviousTable,
-    /// Write the input for a line case.
     LineInput,
-    /// Draw the next motion of the ship alone.
     NextTrace,
-    /// Keep the position of the cargo in the file.
     KeepPosition,
-    /// Show the next chart.
     NextChart,
-    /// Show the previous chart.
     PreviousChart,
-    /// Show the next joint or component alone.
     NextSeries,
-    /// Show the previous joint or component alone.
     PreviousSeries,
-    /// Chart cursor left.
     CursorLeft,
-    /// Chart cursor right.
     CursorRight,
-    /// Pan left.
     PanLeft,
-    /// Pan right.
     PanRight,
-    /// Zoom in about the cursor.
     ZoomIn,
-    /// Zoom out about the cursor.
     ZoomOut,
-    /// Show everything.
     Fit,
-    /// Set or remove a mark at the cursor.
     Mark,
-    /// Fit the height to what is seen.
     FitHeight,
-    /// Pan up.
     PanUp,
-    /// Pan down.
     PanDown,
-    /// Cursor by large steps to the left.
     LeapLeft,
-    /// Cursor by large steps to the right.
     LeapRight,
-    /// Freeze the live curves.
     Freeze,
-    /// Copy the values at the cursor.
     Copy,
-    /// Show one run alone.
     ShowAlone,
-    /// Add or remove a run on the charts.
     Select,
-    /// Show only the live run.
     SelectNone,
-    /// Compute the trials of the case, or of all hard cases.
     Trials,
-    /// Go on with a stored run up to a later end.
     Resume,
-    /// Delete a stored run.
     Delete,
-    /// Cancel the job under the cursor.
     CancelJob,
-    /// Table to the left.
     ScrollLeft,
-    /// Table to the right.
     ScrollRight,
-    /// Sort the table by its next column.
     Sort,
-    /// Write what the pane shows to a file.
     Write,
-    /// Cursor down.
     Down,
-    /// Cursor up.
     Up,
-    /// A page down.
     PageDown,
-    /// A page up.
     PageUp,
-    /// To the first line.
     Top,
-    /// To the last line.
     Bottom,
-    /// Next pane.
     NextPane,
-    /// Previous pane.
     PreviousPane,
     /// Pane by its number, counted from 1.
     Pane(u8),
-    /// Back to the case list.
     Back,
-    /// Help.
     Help,
-    /// Command palette.
     Palette,
-    /// Change between braille and ASCII.
     Glyphs,
-    /// The messages so far.
     Messages,
-    /// Paint the screen anew.
     Redraw,
-    /// Cancel the job of this pane; again: quit.
     Interrupt,
-    /// Stop the program, `fg` brings it back.
     Suspend,
-    /// Quit.
     Quit,
 }
 

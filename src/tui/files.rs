@@ -1,103 +1,53 @@
 //! Writing the user's files: never half of one, never over one that the user did not mean.
 
-use std::fs;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::msg::Msg;
 use super::state::Level;
+use crate::files::{Existing, Target, WriteError};
 
-/// Writes beside the file and renames, so that no kill leaves half a case.
+/// Saves a case: to a new file, or over the file that links lead to, which should still hold `expected`.
 pub(super) fn save_case(path: PathBuf, text: String, expected: Option<&str>, new: bool) -> Msg {
-    if new && path.symlink_metadata().is_ok() {
-        return Msg::NotSaved(format!("{} exists already.", path.display()));
-    }
-    if let Some(expected) = expected
-        && fs::read_to_string(&path).is_ok_and(|now| now != expected)
-    {
-        return Msg::ChangedOnDisk;
-    }
-    match replace(&path, &text, new) {
+    let existing = match expected {
+        _ if new => Existing::Keep,
+        Some(expected) => Existing::ReplaceIfUnchanged(expected),
+        None => Existing::Replace,
+    };
+    let linked = path.canonicalize().ok().filter(|_| !new);
+    let target = Target {
+        existing,
+        ..Target::new(linked.as_deref().unwrap_or(&path))
+    };
+    match target.write(text.as_bytes()) {
         Ok(()) => Msg::Saved(path, text),
-        Err(error) => Msg::NotSaved(format!("{} cannot be written: {error}.", path.display())),
+        Err(WriteError::Changed(_)) => Msg::ChangedOnDisk,
+        Err(error) => Msg::NotSaved(format!("{error}.")),
     }
-}
-
-fn replace(path: &Path, text: &str, new: bool) -> io::Result<()> {
-    let target = if new {
-        path.to_owned()
-    } else {
-        path.canonicalize()?
-    };
-    let permissions = if new {
-        None
-    } else {
-        // A file that may not be written is not replaced either, though its directory would allow it.
-        let file = fs::OpenOptions::new().write(true).open(&target)?;
-        let permissions = file.metadata()?.permissions();
-        if permissions.readonly() {
-            return Err(io::Error::new(
-                io::ErrorKind::PermissionDenied,
-                "it is read-only",
-            ));
-        }
-        Some(permissions)
-    };
-    let mut name = target.file_name().unwrap_or_default().to_owned();
-    name.push(format!(".{}.tmp", std::process::id()));
-    let beside = target.with_file_name(name);
-    let written = write_synced(&beside, text)
-        .and_then(|()| permissions.map_or(Ok(()), |p| fs::set_permissions(&beside, p)))
-        .and_then(|()| fs::rename(&beside, &target));
-    if written.is_err() {
-        drop(fs::remove_file(&beside));
-    }
-    written
-}
-
-fn write_synced(path: &Path, text: &str) -> io::Result<()> {
-    let mut file = fs::File::create(path)?;
-    file.write_all(text.as_bytes())?;
-    file.sync_all()
 }
 
 /// Writes to the name asked for, or the first free one of `name-2`, `name-3` and so on.
 pub(super) fn write_text(path: &Path, text: &str, what: &str) -> Msg {
-    let stem = path
-        .file_stem()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned();
-    for n in 1..10_000_u32 {
-        let target = if n == 1 {
-            path.to_owned()
-        } else {
-            path.with_file_name(format!("{stem}-{n}.txt"))
-        };
-        let file = fs::OpenOptions::new()
-            .write(true)
-            .create_new(true)
-            .open(&target);
-        let written = file.and_then(|mut file| file.write_all(text.as_bytes()));
-        match written {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let numbered = (2..10_000_u32).map(|n| path.with_file_name(format!("{stem}-{n}.txt")));
+    for target in std::iter::once(path.to_owned()).chain(numbered) {
+        match Target::new(&target).write(text.as_bytes()) {
             Ok(()) => {
                 return Msg::Say(Level::Info, format!("{what} is in {}.", target.display()));
             }
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(WriteError::Exists(_) | WriteError::IsLink(_) | WriteError::NotRegular(_)) => {}
             Err(error) => {
-                let words = format!("{what} cannot be written to {}: {error}.", target.display());
-                return Msg::Say(Level::Error, words);
+                return Msg::Say(Level::Error, format!("{what} cannot be written: {error}."));
             }
         }
     }
-    Msg::Say(
-        Level::Error,
-        format!("{what} finds no free name beside {}.", path.display()),
-    )
+    let words = format!("{what} finds no free name beside {}.", path.display());
+    Msg::Say(Level::Error, words)
 }
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     fn saved(path: &Path, expected: Option<&str>, new: bool) -> Msg {

@@ -1,14 +1,8 @@
 //! The charts of the open case: which runs are on them, and which of their curves.
 
-use super::state::{ChartKind, Curves, LineView};
-use crate::case::ChannelQuantity;
+use super::state::{Curves, LineView};
 use crate::report::chart::{AxisRange, Chart};
-use crate::report::figures::{
-    self, PlottedRun, ResponseMapKind, along_studies, curvature_profile, deviation_in_time,
-    elevation, line_from_above, line_from_ahead, line_shape, mean_load_in_time, moment_profile,
-    payload_position, published_curves, response_map, rms_profile, speed, stiffness_in_time,
-    stiffness_profile, tension_profile, tensions, tilt, trajectory, wave_amplitudes, wavelengths,
-};
+use crate::report::figures::{FigureData, FigureId, PlottedRun};
 
 /// A run on the charts.
 struct Shown<'a> {
@@ -69,54 +63,31 @@ pub fn runs_shown(line: &LineView) -> usize {
     shown(line).iter().filter(|s| !s.dimmed).count()
 }
 
-/// The chart of this kind as the user has it: with zoom, cursor and marks.
+/// The figure of this name as the user has it: with zoom, cursor and marks.
 #[must_use]
-pub fn viewed(line: &LineView, kind: ChartKind) -> Chart {
-    line.views[kind.index()].chart(&chart(line, kind))
+pub fn viewed(line: &LineView, id: FigureId) -> Chart {
+    line.views[id.index()].chart(&chart(line, id))
 }
 
-/// The chart of this kind as the case stands.
+/// What the figures of the case are drawn from.
+fn with_data<T>(line: &LineView, make: impl FnOnce(&FigureData) -> T) -> T {
+    let runs: Vec<PlottedRun> = shown(line).iter().map(Shown::source).collect();
+    make(&FigureData {
+        case: &line.case,
+        runs: &runs,
+        checks: &line.checks,
+        instant: line.instant,
+        chosen: line.series,
+    })
+}
+
+/// The figure of this name as the case stands.
 #[must_use]
-pub fn chart(line: &LineView, kind: ChartKind) -> Chart {
-    if kind == ChartKind::Study {
-        return study(line);
-    }
-    let sources: Vec<PlottedRun> = shown(line).iter().map(Shown::source).collect();
-    let newest = time_range(line).map_or(0.0, |(_, last)| last);
-    let instant = line.instant.unwrap_or(newest);
-    let mut chart = match kind {
-        ChartKind::Tensions => tensions(&sources),
-        ChartKind::Payload => payload_position(&sources),
-        ChartKind::Path => trajectory(&sources, line.instant),
-        ChartKind::Shape => line_shape(&sources, instant),
-        ChartKind::Plan => line_from_above(&sources, instant),
-        ChartKind::Front => line_from_ahead(&sources, instant),
-        ChartKind::Profile => tension_profile(&sources),
-        ChartKind::Curvature => curvature_profile(&sources),
-        ChartKind::Moment => moment_profile(&sources),
-        ChartKind::Speed => speed(&sources),
-        ChartKind::Tilt => tilt(&sources),
-        ChartKind::Study => Chart::default(),
-        ChartKind::MeanLoad => mean_load_in_time(&sources),
-        ChartKind::Deviation => deviation_in_time(&sources),
-        ChartKind::Stiffness => stiffness_in_time(&sources),
-        ChartKind::StiffnessAlong => stiffness_profile(&sources),
-        ChartKind::Rms => rms_profile(&sources),
-        ChartKind::Elevation => elevation(&sources),
-        ChartKind::Amplitudes => wave_amplitudes(&sources),
-        ChartKind::Wavelengths => wavelengths(&sources),
-        ChartKind::Map => {
-            let of = line.series.and_then(|i| ResponseMapKind::ALL.get(i + 1));
-            let from = line.case.output.response_from_s;
-            return response_map(
-                &sources,
-                from,
-                of.copied().unwrap_or(ResponseMapKind::Steady),
-            );
-        }
-    };
-    let names = series_names(line, kind);
+pub fn chart(line: &LineView, id: FigureId) -> Chart {
+    let figure = id.figure();
+    let (mut chart, names) = with_data(line, |data| (figure.draw(data), figure.curve_names(data)));
     let only = match line.series {
+        _ if figure.has_variants() => None,
         Some(i) => names.get(i.min(names.len().saturating_sub(1))),
         // Every curve of every run would be too many to tell apart.
         None if runs_shown(line) > 1 => names.last(),
@@ -128,24 +99,10 @@ pub fn chart(line: &LineView, kind: ChartKind) -> Chart {
     chart
 }
 
-/// The charts of what the case states: along its studies, then its published curves.
-fn stated(line: &LineView) -> Vec<Chart> {
-    let mut charts = along_studies(&line.case, &line.checks);
-    charts.extend(published_curves(&line.checks));
-    charts
-}
-
-/// The chosen one of the charts of what the case states, the first when none is.
-fn study(line: &LineView) -> Chart {
-    let mut charts = stated(line);
-    let chosen = line.series.unwrap_or(0).min(charts.len().max(1) - 1);
-    if charts.is_empty() {
-        return Chart {
-            title: "Along the studies".to_owned(),
-            ..Chart::default()
-        };
-    }
-    charts.swap_remove(chosen)
+/// How many curves or variants of a figure can be shown alone.
+#[must_use]
+pub fn curve_count(line: &LineView, id: FigureId) -> usize {
+    with_data(line, |data| id.figure().curve_names(data).len())
 }
 
 /// Leaves one curve of each run on the chart, named after the run, each with a marker and colour of
@@ -164,51 +121,6 @@ fn keep_only(chart: &mut Chart, name: &str) {
         series.slot = slot;
         slot += usize::from(!series.dimmed);
     }
-}
-
-/// Names of the curves of one run, among which the user leafs.
-#[must_use]
-pub fn series_names(line: &LineView, kind: ChartKind) -> Vec<String> {
-    let fixed = |names: &[&str]| names.iter().map(|n| (*n).to_owned()).collect();
-    match kind {
-        ChartKind::Tensions => places(line, ChannelQuantity::Tension),
-        ChartKind::Speed => places(line, ChannelQuantity::Speed),
-        ChartKind::Tilt => places(line, ChannelQuantity::Tilt),
-        ChartKind::Study => {
-            let charts = stated(line);
-            charts.into_iter().map(|chart| chart.title).collect()
-        }
-        ChartKind::MeanLoad => places(line, ChannelQuantity::MeanLoad),
-        ChartKind::Deviation => places(line, ChannelQuantity::LoadDeviation),
-        ChartKind::Stiffness => places(line, ChannelQuantity::Stiffness),
-        ChartKind::Payload => fixed(&["x", "z"]),
-        ChartKind::Amplitudes => fixed(&["motion", "towards A", "towards B", "WKB, no drag"]),
-        ChartKind::Wavelengths => fixed(&["computed", "WKB"]),
-        ChartKind::Map => ResponseMapKind::ALL[1..]
-            .iter()
-            .map(|of| of.name().to_owned())
-            .collect(),
-        // Lines at rest have one curve each, whose legend names the run.
-        _ if shown(line).iter().all(|run| run.source().at_rest()) => Vec::new(),
-        ChartKind::Profile | ChartKind::StiffnessAlong => {
-            fixed(&["at the end", "smallest", "greatest"])
-        }
-        ChartKind::Curvature | ChartKind::Moment => fixed(&["at the end", "greatest"]),
-        ChartKind::Path
-        | ChartKind::Shape
-        | ChartKind::Plan
-        | ChartKind::Front
-        | ChartKind::Elevation
-        | ChartKind::Rms => Vec::new(),
-    }
-}
-
-/// Where the runs shown recorded a quantity.
-fn places(line: &LineView, quantity: ChannelQuantity) -> Vec<String> {
-    let runs = shown(line);
-    let histories = runs.iter().map(|run| run.curves.history());
-    let names = figures::places(histories, quantity);
-    names.into_iter().map(str::to_owned).collect()
 }
 
 /// First and last instant of the runs shown.

@@ -1,91 +1,115 @@
-//! What changes along the line: tension, curvature, bending moment, over unstretched arc length.
+//! What changes along the line: tension, curvature, bending moment, stiffness, over unstretched arc length.
 
-use super::{PlottedRun, named, slots};
-use crate::report::chart::{Axis, Chart, Series, extent};
+use super::{PlottedRun, named, series, slots};
+use crate::report::chart::{Axis, Chart, extent};
 use crate::run::Profile;
 
-/// A curve of a profile: its name, and its values at the nodes.
-type Curve<'a> = (&'static str, &'a [f64]);
+/// Names of the curves of an envelope.
+const END_AND_ENVELOPE: [&str; 3] = ["at the end", "smallest", "greatest"];
+const END_AND_GREATEST: [&str; 2] = ["at the end", "greatest"];
 
 /// Tension along the line at the end \[N\] over unstretched arc length from end A \[m\], with its
 /// smallest and greatest values over time where they differ from it.
 #[must_use]
 pub fn tension_profile(sources: &[PlottedRun]) -> Chart {
-    along(
+    let y = Axis::new("tension", "N");
+    envelope(
         sources,
         "Tension along the line",
-        Axis::new("tension", "N"),
-        |p| {
-            [
-                ("at the end", &p.tension),
-                ("smallest", &p.tension_min),
-                ("greatest", &p.tension_max),
-            ]
-            .map(|(name, values)| (name, values.as_slice()))
-            .into()
-        },
+        y,
+        &END_AND_ENVELOPE,
+        |p| (&p.arc, vec![&p.tension, &p.tension_min, &p.tension_max]),
     )
 }
 
 /// Curvature along the line at the end \[1/m\], with its greatest values over time where they differ from it.
 #[must_use]
 pub fn curvature_profile(sources: &[PlottedRun]) -> Chart {
-    along(
+    let y = Axis::new("curvature", "1/m");
+    envelope(
         sources,
         "Curvature along the line",
-        Axis::new("curvature", "1/m"),
-        |p| vec![("at the end", &p.curvature), ("greatest", &p.curvature_max)],
+        y,
+        &END_AND_GREATEST,
+        |p| (&p.arc, vec![&p.curvature, &p.curvature_max]),
     )
 }
 
 /// Bending moment along the line at the end \[N m\], with its greatest values over time where they differ from it.
 #[must_use]
 pub fn moment_profile(sources: &[PlottedRun]) -> Chart {
-    along(
+    let y = Axis::new("bending moment", "N m");
+    envelope(
         sources,
         "Bending moment along the line",
-        Axis::new("bending moment", "N m"),
-        |p| vec![("at the end", &p.moment), ("greatest", &p.moment_max)],
+        y,
+        &END_AND_GREATEST,
+        |p| (&p.arc, vec![&p.moment, &p.moment_max]),
     )
 }
 
-/// The curves of every profile over arc length.
-fn along(
-    sources: &[PlottedRun],
-    title: &str,
-    y: Axis,
-    curves: impl Fn(&Profile) -> Vec<Curve<'_>>,
-) -> Chart {
-    let mut series = Vec::new();
-    for (source, slot) in sources.iter().zip(slots(sources, 3)) {
-        let Some(profile) = source.profile else {
-            continue;
-        };
-        let at_rest = source.at_rest();
-        let shown = if at_rest { 1 } else { 3 };
-        let all = curves(profile).into_iter().enumerate();
-        for (number, (name, values)) in all.take(shown).filter(|(_, c)| !c.1.is_empty()) {
-            let name = match (at_rest, sources.len()) {
-                (false, _) => name,
-                (true, 1) => "at rest",
-                (true, _) => "",
-            };
-            let points = profile.arc.iter().copied().zip(values.iter().copied());
-            series.push(Series {
-                dimmed: source.dimmed,
-                ..Series::new(
-                    &named(sources, source, name),
-                    slot + number,
-                    points.collect(),
-                )
-            });
-        }
-    }
-    over_arc(sources, title, y, series)
+/// Stiffness k = EA by breaking load along the fibre ropes at the end, with its smallest and greatest values over time
+/// where they differ from it.
+#[must_use]
+pub fn stiffness_profile(sources: &[PlottedRun]) -> Chart {
+    let y = Axis::new("EA by breaking load", "");
+    envelope(
+        sources,
+        "Dynamic stiffness along the line",
+        y,
+        &END_AND_ENVELOPE,
+        |p| {
+            let ropes = &p.ropes;
+            let values = vec![&ropes.stiffness, &ropes.stiffness_min, &ropes.stiffness_max];
+            (&ropes.arc, values)
+        },
+    )
 }
 
-/// These series over the arc length of the longest line.
-pub(super) fn over_arc(sources: &[PlottedRun], title: &str, y: Axis, series: Vec<Series>) -> Chart {
+/// Values at the end and their extremes over time; at rest the values alone, named after the run.
+fn envelope<'p>(
+    sources: &[PlottedRun<'p>],
+    title: &str,
+    y: Axis,
+    names: &[&'static str],
+    curves: impl Fn(&'p Profile) -> (&'p Vec<f64>, Vec<&'p Vec<f64>>),
+) -> Chart {
+    over_arc(sources, title, y, 3, |source, profile| {
+        let (arc, curves) = curves(profile);
+        let shown = if source.at_rest() { 1 } else { names.len() };
+        let named = names.iter().zip(curves).take(shown);
+        let name = |name: &'static str| match (source.at_rest(), sources.len()) {
+            (false, _) => name,
+            (true, 1) => "at rest",
+            (true, _) => "",
+        };
+        named
+            .map(|(curve, values)| (name(curve), points(arc, values)))
+            .collect()
+    })
+}
+
+/// Values at the nodes over arc length.
+pub(super) fn points(arc: &[f64], values: &[f64]) -> Vec<(f64, f64)> {
+    arc.iter().copied().zip(values.iter().copied()).collect()
+}
+
+/// Curves of every profile, at most `most` of each, over the arc length of the longest line.
+pub(super) fn over_arc<'p>(
+    sources: &[PlottedRun<'p>],
+    title: &str,
+    y: Axis,
+    most: usize,
+    curves: impl Fn(&PlottedRun, &'p Profile) -> Vec<(&'static str, Vec<(f64, f64)>)>,
+) -> Chart {
+    let mut all = Vec::new();
+    for (source, slot) in sources.iter().zip(slots(sources, most)) {
+        let curves = source.profile.map_or_else(Vec::new, |p| curves(source, p));
+        let numbered = (slot..).zip(curves);
+        for (slot, (name, points)) in numbered.filter(|(_, (_, points))| !points.is_empty()) {
+            all.push(series(source, slot, &named(sources, source, name), points));
+        }
+    }
     let length = sources
         .iter()
         .filter_map(|s| s.profile?.arc.last().copied());
@@ -96,7 +120,7 @@ pub(super) fn over_arc(sources: &[PlottedRun], title: &str, y: Axis, series: Vec
             ..Axis::new("arc length from end A", "m")
         },
         y,
-        series,
+        series: all,
         legend: true,
         ..Chart::default()
     }

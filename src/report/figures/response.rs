@@ -2,11 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use super::profiles::over_arc;
-use super::{PlottedRun, named, slots};
+use super::PlottedRun;
+use super::profiles::{over_arc, points};
 use crate::modes::Plane;
 use crate::numerics::V3;
-use crate::report::chart::{Axis, AxisRange, Chart, Map, Series, extent};
+use crate::report::chart::{Axis, AxisRange, Chart, Map, extent};
 use crate::run::{LineShape, Profile};
 
 /// What a map of the response shows.
@@ -162,23 +162,13 @@ fn even(values: &mut [f64], nodes: usize) {
 /// Root mean square displacement along the line, in diameters where the run knows them.
 #[must_use]
 pub fn rms_profile(sources: &[PlottedRun]) -> Chart {
-    let mut series = Vec::new();
-    for (source, slot) in sources.iter().zip(slots(sources, 1)) {
-        let Some(profile) = source.profile.filter(|p| !p.rms_diameters.is_empty()) else {
-            continue;
-        };
-        let points = profile.arc.iter().copied();
-        let points = points.zip(profile.rms_diameters.iter().copied()).collect();
-        series.push(Series {
-            dimmed: source.dimmed,
-            ..Series::new(&named(sources, source, "rms"), slot, points)
-        });
-    }
+    let title = "Root mean square displacement along the line";
     over_arc(
         sources,
-        "Root mean square displacement along the line",
+        title,
         Axis::new("rms displacement", "D"),
-        series,
+        1,
+        |_, p| vec![("rms", points(&p.arc, &p.rms_diameters))],
     )
 }
 
@@ -228,18 +218,12 @@ fn along_waves(
     y: Axis,
     curves: impl Fn(&Profile) -> Vec<(&'static str, Vec<f64>)>,
 ) -> Chart {
-    let mut series = Vec::new();
-    for (source, slot) in sources.iter().zip(slots(sources, 4)) {
-        let Some(profile) = source.profile.filter(|p| !p.towards_a.is_empty()) else {
-            continue;
-        };
-        for (number, (name, values)) in curves(profile).into_iter().enumerate() {
-            let points = profile.arc.iter().copied().zip(values).collect();
-            series.push(Series {
-                dimmed: source.dimmed,
-                ..Series::new(&named(sources, source, name), slot + number, points)
-            });
-        }
-    }
-    over_arc(sources, title, y, series)
+    over_arc(sources, title, y, 4, |_, profile| {
+        let profile = Some(profile).filter(|p| !p.towards_a.is_empty());
+        let all = profile.into_iter().flat_map(|p| {
+            let curves = curves(p).into_iter();
+            curves.map(|(name, values)| (name, points(&p.arc, &values)))
+        });
+        all.collect()
+    })
 }

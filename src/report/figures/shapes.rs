@@ -1,6 +1,6 @@
 //! The scene in space: the path of the payload, the line at an instant from the side, above and ahead.
 
-use super::{PlottedRun, body, named, slots, values};
+use super::{PlottedRun, body, named, series, slots, values};
 use crate::case::ChannelQuantity;
 use crate::report::chart::{Axis, AxisRange, Chart, Limit, LimitLine, Series, extent, fit};
 use crate::report::number;
@@ -11,7 +11,7 @@ use crate::run::LineShape;
 #[must_use]
 pub fn trajectory(sources: &[PlottedRun], instant: Option<f64>) -> Chart {
     let body = body(sources).unwrap_or("payload");
-    let mut series = Vec::new();
+    let mut all = Vec::new();
     for (source, slot) in sources.iter().zip(slots(sources, 2)) {
         let (Some(x), Some(z)) = (
             values(source, ChannelQuantity::X, body),
@@ -22,19 +22,14 @@ pub fn trajectory(sources: &[PlottedRun], instant: Option<f64>) -> Chart {
         let path: Vec<(f64, f64)> = x.iter().copied().zip(z.iter().copied()).collect();
         let at = instant.and_then(|time| nearest(&source.history.time, time));
         let here = at.and_then(|at| Some((source.history.time.get(at)?, *path.get(at)?)));
-        series.push(Series {
-            dimmed: source.dimmed,
-            ..Series::new(&named(sources, source, body), slot, path)
-        });
+        all.push(series(source, slot, &named(sources, source, body), path));
         if let Some((time, place)) = here {
             let label = format!("at {}", number::si(*time, "s"));
-            series.push(Series {
-                dimmed: source.dimmed,
-                ..Series::new(&named(sources, source, &label), slot + 1, vec![place])
-            });
+            let label = named(sources, source, &label);
+            all.push(series(source, slot + 1, &label, vec![place]));
         }
     }
-    in_space(&format!("Path of the {body}"), series)
+    in_space(&format!("Path of the {body}"), all)
 }
 
 /// From where the line is looked at.
@@ -92,7 +87,7 @@ pub fn line_from_ahead(sources: &[PlottedRun], time: f64) -> Chart {
 }
 
 fn view(sources: &[PlottedRun], time: f64, view: View) -> Chart {
-    let mut series = Vec::new();
+    let mut all = Vec::new();
     for (source, slot) in sources.iter().zip(slots(sources, 1)) {
         let (label, nodes) = match (shape_at(source.shapes, time), source.profile) {
             (_, Some(profile)) if source.at_rest() => {
@@ -107,16 +102,10 @@ fn view(sources: &[PlottedRun], time: f64, view: View) -> Chart {
             (None, Some(profile)) => ("line at the end".to_owned(), &profile.nodes),
             (None, None) => continue,
         };
-        series.push(Series {
-            dimmed: source.dimmed,
-            ..Series::new(
-                &named(sources, source, &label),
-                slot,
-                view.project(nodes).collect(),
-            )
-        });
+        let label = named(sources, source, &label);
+        all.push(series(source, slot, &label, view.project(nodes).collect()));
     }
-    let mut chart = in_space(view.title(), series);
+    let mut chart = in_space(view.title(), all);
     if view == View::Plan {
         chart.limits.clear();
     }

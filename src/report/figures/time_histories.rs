@@ -1,8 +1,9 @@
 //! Channels against time.
 
-use super::{PlottedRun, body, histories, named, places, slots, values};
+use super::profiles::points;
+use super::{PlottedRun, body, histories, named, places, series, slots, values};
 use crate::case::ChannelQuantity;
-use crate::report::chart::{Axis, Chart, Series};
+use crate::report::chart::{Axis, Chart};
 
 /// Tension at the joints against time \[s, N\], a series a joint and run.
 #[must_use]
@@ -20,24 +21,6 @@ pub fn payload_position(sources: &[PlottedRun]) -> Chart {
     ];
     let title = format!("Position of the {body}");
     chart(sources, &title, Axis::new("position", "m"), &things)
-}
-
-/// Speed of every free end against time \[s, m/s\].
-#[must_use]
-pub fn speed(sources: &[PlottedRun]) -> Chart {
-    against_time(sources, ChannelQuantity::Speed)
-}
-
-/// Tilt of a rigid payload against time \[s, deg\].
-#[must_use]
-pub fn tilt(sources: &[PlottedRun]) -> Chart {
-    against_time(sources, ChannelQuantity::Tilt)
-}
-
-/// Height of the waves against time \[s, m\].
-#[must_use]
-pub fn elevation(sources: &[PlottedRun]) -> Chart {
-    against_time(sources, ChannelQuantity::WaveElevation)
 }
 
 /// One quantity at all the places where it was recorded, against time.
@@ -60,26 +43,13 @@ fn chart(
     y: Axis,
     things: &[(ChannelQuantity, &str, &str)],
 ) -> Chart {
-    let mut series = Vec::new();
+    let mut all = Vec::new();
     for (source, slot) in sources.iter().zip(slots(sources, things.len())) {
-        for (number, (quantity, place, name)) in things.iter().enumerate() {
-            let Some(values) = values(source, *quantity, place) else {
-                continue;
-            };
-            let points = source
-                .history
-                .time
-                .iter()
-                .copied()
-                .zip(values.iter().copied());
-            series.push(Series {
-                dimmed: source.dimmed,
-                ..Series::new(
-                    &named(sources, source, name),
-                    slot + number,
-                    points.collect(),
-                )
-            });
+        for (slot, (quantity, place, name)) in (slot..).zip(things) {
+            if let Some(values) = values(source, *quantity, place) {
+                let points = points(&source.history.time, values);
+                all.push(series(source, slot, &named(sources, source, name), points));
+            }
         }
     }
     Chart {
@@ -89,7 +59,7 @@ fn chart(
             ..Axis::new("time", "s")
         },
         y,
-        series,
+        series: all,
         legend: true,
         ..Chart::default()
     }

@@ -2,7 +2,7 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::Pane;
+use super::{About, Pane, about};
 use crate::report::chart::Glyphs;
 use crate::tui::command::{self, Command, FILTER, Id, LIST, main, other};
 use crate::tui::msg::Effect;
@@ -24,12 +24,8 @@ const COMMANDS: &[Command] = &[
 pub(super) struct Cases;
 
 impl Pane for Cases {
-    fn title(&self) -> &'static str {
-        "Cases"
-    }
-
-    fn commands(&self) -> &'static [&'static [Command]] {
-        &[COMMANDS, LIST]
+    fn about(&self) -> About {
+        about("Cases", "", &[COMMANDS, LIST])
     }
 
     fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {

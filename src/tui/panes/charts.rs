@@ -5,15 +5,16 @@ use std::path::PathBuf;
 use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
-use super::Pane;
+use super::{About, Pane, about};
 use crate::report::chart::{self, Map};
+use crate::report::figures::{FIGURES, Figure, FigureAxis, FigureId};
 use crate::report::number;
 use crate::tui::command::{self, Command, Id, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::{PlotPane, PlotVerb};
 use crate::tui::plots;
-use crate::tui::state::{AppState, ChartKind, LineView};
+use crate::tui::state::{AppState, LineView};
 use crate::tui::update::export::{self, TEXT_WIDTH};
 use crate::tui::update::motion::plot_verb;
 use crate::tui::update::notice::info;
@@ -51,16 +52,8 @@ const COMMANDS: &[Command] = &[
 pub(super) struct Charts;
 
 impl Pane for Charts {
-    fn title(&self) -> &'static str {
-        "Charts"
-    }
-
-    fn go(&self) -> &'static str {
-        "Go to the charts"
-    }
-
-    fn commands(&self) -> &'static [&'static [Command]] {
-        &[COMMANDS]
+    fn about(&self) -> About {
+        about("Charts", "Go to the charts", &[COMMANDS])
     }
 
     fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
@@ -69,15 +62,17 @@ impl Pane for Charts {
         let stem = state.editor()?.stem().to_owned();
         let line = state.line_mut()?;
         match id {
-            Id::NextChart => line.chart = line.chart.beside(&ChartKind::of(&line.case), true),
-            Id::PreviousChart => line.chart = line.chart.beside(&ChartKind::of(&line.case), false),
+            Id::NextChart => line.chart = line.chart.beside(&FigureId::of(&line.case), true),
+            Id::PreviousChart => line.chart = line.chart.beside(&FigureId::of(&line.case), false),
             Id::NextSeries => next_series(line, true),
             Id::PreviousSeries => next_series(line, false),
             Id::Freeze => return Some(freeze(state)),
             Id::Copy => return Some(copy(state)),
             Id::Write => return Some(write(line, &stem, glyphs)),
             _ => match (instant_step(id), plot_verb(id)) {
-                (Some((way, parts)), _) if line.chart.in_space() => move_instant(line, way, parts),
+                (Some((way, parts)), _) if line.chart.figure().axis == FigureAxis::Space => {
+                    move_instant(line, way, parts)
+                }
                 (_, verb) => act(
                     line,
                     &verb?,
@@ -94,19 +89,19 @@ impl Pane for Charts {
         let Some(line) = state.line() else {
             return;
         };
-        let parts = layout::charts(area, &ChartKind::of(&line.case), line.chart);
+        let parts = layout::charts(area, &FigureId::of(&line.case), line.chart);
         let all = parts.charts.len() > 1;
         if !all {
             chart_tabs(painter, parts.tabs, line);
         }
-        for (kind, place) in &parts.charts {
-            let mut chart = plots::viewed(line, *kind);
-            if all && *kind == line.chart && state.focus() == PaneId::Charts {
+        for (id, place) in &parts.charts {
+            let mut chart = plots::viewed(line, *id);
+            if all && *id == line.chart && state.focus() == PaneId::Charts {
                 chart.title = format!("> {} <", chart.title);
             }
             if !chart.is_empty() {
                 painter.chart(&chart, *place);
-            } else if *kind == ChartKind::Study {
+            } else if *id == FigureId::Study {
                 let words = "`V` computes what the case states along its studies.";
                 painter.titled(*place, &chart.title, words);
             } else {
@@ -119,7 +114,7 @@ impl Pane for Charts {
 
 /// All, then one series after the other, then all again.
 fn next_series(line: &mut LineView, forward: bool) {
-    let count = plots::series_names(line, line.chart).len();
+    let count = plots::curve_count(line, line.chart);
     line.series = match (line.series, forward) {
         (None, true) => (count > 0).then_some(0),
         (None, false) => count.checked_sub(1),
@@ -138,20 +133,9 @@ fn instant_step(id: Id) -> Option<(f64, f64)> {
     })
 }
 
-/// True for charts against time, whose cursor is the instant that all charts share.
-fn against_time(kind: ChartKind) -> bool {
-    matches!(
-        kind,
-        ChartKind::Tensions
-            | ChartKind::Payload
-            | ChartKind::Speed
-            | ChartKind::Tilt
-            | ChartKind::MeanLoad
-            | ChartKind::Deviation
-            | ChartKind::Stiffness
-            | ChartKind::Map
-            | ChartKind::Elevation
-    )
+/// Whether the cursor of a figure is the instant that all charts share.
+fn against_time(id: FigureId) -> bool {
+    id.figure().axis == FigureAxis::Time
 }
 
 fn act(line: &mut LineView, verb: &PlotVerb, size: (usize, usize), glyphs: chart::Glyphs) {
@@ -175,8 +159,8 @@ fn act(line: &mut LineView, verb: &PlotVerb, size: (usize, usize), glyphs: chart
 
 /// The views of the charts against time all show the same instant.
 fn share_instant(line: &mut LineView) {
-    for kind in ChartKind::ALL.into_iter().filter(|k| against_time(*k)) {
-        line.views[kind.index()].set_cursor(line.instant);
+    for figure in FIGURES.iter().filter(|f| f.axis == FigureAxis::Time) {
+        line.views[figure.id.index()].set_cursor(line.instant);
     }
 }
 
@@ -196,10 +180,10 @@ fn freeze(state: &mut AppState) -> Vec<Effect> {
         return Vec::new();
     };
     let frozen = line.views.iter().any(PlotPane::is_frozen);
-    for kind in ChartKind::ALL {
-        let base = plots::chart(line, kind);
+    for Figure { id, .. } in FIGURES {
+        let base = plots::chart(line, id);
         let frame = chart::PlotFrame::default();
-        let view = &mut line.views[kind.index()];
+        let view = &mut line.views[id.index()];
         if view.is_frozen() == frozen {
             view.act(&PlotVerb::Freeze, &base, frame);
         }
@@ -215,9 +199,9 @@ fn freeze(state: &mut AppState) -> Vec<Effect> {
 }
 
 /// What the cursor reads, one entry a series.
-fn readout_words(line: &LineView, kind: ChartKind) -> Vec<String> {
-    let base = plots::chart(line, kind);
-    let read = line.views[kind.index()].readout(&base);
+fn readout_words(line: &LineView, id: FigureId) -> Vec<String> {
+    let base = plots::chart(line, id);
+    let read = line.views[id.index()].readout(&base);
     read.into_iter().map(|r| r.words(&base.x.unit)).collect()
 }
 
@@ -248,7 +232,7 @@ fn copy(state: &mut AppState) -> Vec<Effect> {
 fn write(line: &LineView, stem: &str, glyphs: chart::Glyphs) -> Vec<Effect> {
     let shown = plots::viewed(line, line.chart);
     let text = chart::draw(&shown, TEXT_WIDTH, 30, glyphs).to_text();
-    let name = line.chart.title().to_lowercase();
+    let name = line.chart.figure().title.to_lowercase();
     let path = |end: &str| PathBuf::from(format!("{stem}-{name}.{end}"));
     let mut effects = export::write(path("txt"), Some(text), "The chart");
     let csv = shown.map.as_ref().map(Map::csv);
@@ -257,9 +241,10 @@ fn write(line: &LineView, stem: &str, glyphs: chart::Glyphs) -> Vec<Effect> {
 }
 
 fn chart_tabs(painter: &mut Painter, tabs: Rect, line: &LineView) {
-    let kinds = ChartKind::of(&line.case);
-    let selected = kinds.iter().position(|kind| *kind == line.chart);
-    let rest = painter.tabs(tabs, kinds.iter().map(|kind| kind.title()), selected);
+    let figures = FigureId::of(&line.case);
+    let selected = figures.iter().position(|id| *id == line.chart);
+    let titles = figures.iter().map(|id| id.figure().title);
+    let rest = painter.tabs(tabs, titles, selected);
     if line.views.iter().any(PlotPane::is_frozen) {
         right(painter.buf, rest, "frozen", painter.theme.warning());
     }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use ratatui::layout::Rect;
 
-use super::Pane;
+use super::{About, Pane, about};
 use crate::report::chart;
 use crate::report::section::drawing;
 use crate::tui::command::{self, Command, Id, main, other};
@@ -38,16 +38,8 @@ fn section(document: &mut Document) -> Option<&mut SectionView> {
 }
 
 impl Pane for Drawing {
-    fn title(&self) -> &'static str {
-        "Drawing"
-    }
-
-    fn go(&self) -> &'static str {
-        "Go to the drawing"
-    }
-
-    fn commands(&self) -> &'static [&'static [Command]] {
-        &[COMMANDS]
+    fn about(&self) -> About {
+        about("Drawing", "Go to the drawing", &[COMMANDS])
     }
 
     fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {

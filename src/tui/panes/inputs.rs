@@ -3,7 +3,7 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 
-use super::Pane;
+use super::{About, Pane, about};
 use crate::case::Standing;
 use crate::tui::command::{self, Command, FILTER, Id, LIST, main, other};
 use crate::tui::facade::FieldRow;
@@ -28,16 +28,8 @@ const COMMANDS: &[Command] = &[
 pub(super) struct Inputs;
 
 impl Pane for Inputs {
-    fn title(&self) -> &'static str {
-        "Inputs"
-    }
-
-    fn go(&self) -> &'static str {
-        "Go to the inputs"
-    }
-
-    fn commands(&self) -> &'static [&'static [Command]] {
-        &[COMMANDS, LIST]
+    fn about(&self) -> About {
+        about("Inputs", "Go to the inputs", &[COMMANDS, LIST])
     }
 
     fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {

@@ -2,7 +2,7 @@
 
 use ratatui::layout::Rect;
 
-use super::Pane;
+use super::{About, Pane, about};
 use crate::report::number;
 use crate::tui::command::{self, Command, Id, LIST, main};
 use crate::tui::msg::Effect;
@@ -25,16 +25,8 @@ const COMMANDS: &[Command] = &[
 pub(super) struct Jobs;
 
 impl Pane for Jobs {
-    fn title(&self) -> &'static str {
-        "Jobs"
-    }
-
-    fn go(&self) -> &'static str {
-        "Go to the jobs"
-    }
-
-    fn commands(&self) -> &'static [&'static [Command]] {
-        &[COMMANDS, LIST]
+    fn about(&self) -> About {
+        about("Jobs", "Go to the jobs", &[COMMANDS, LIST])
     }
 
     fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {

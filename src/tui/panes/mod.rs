@@ -25,18 +25,33 @@ use super::pane::PaneId;
 use super::state::{AppState, ParameterEditor};
 use super::view::painter::Painter;
 
+/// What a pane is called and which commands it has.
+#[derive(Debug, Clone, Copy)]
+pub struct About {
+    /// The name on its frame and tab.
+    pub title: &'static str,
+    /// What its number key does, for the help.
+    pub go: &'static str,
+    /// Its own commands, and the tables of those that it shares with others.
+    pub commands: &'static [&'static [Command]],
+}
+
+const fn about(
+    title: &'static str,
+    go: &'static str,
+    commands: &'static [&'static [Command]],
+) -> About {
+    About {
+        title,
+        go,
+        commands,
+    }
+}
+
 /// A pane of the screen.
 pub trait Pane: Sync {
-    /// The name on its frame and tab.
-    fn title(&self) -> &'static str;
-
-    /// What its number key does, for the help.
-    fn go(&self) -> &'static str {
-        ""
-    }
-
-    /// Its own commands, and the tables of those that it shares with others.
-    fn commands(&self) -> &'static [&'static [Command]];
+    /// What it is called and which commands it has.
+    fn about(&self) -> About;
 
     /// Why a command cannot be done now.
     fn reason(&self, _state: &AppState, _id: Id) -> Option<&'static str> {
@@ -75,13 +90,13 @@ pub fn pane(id: PaneId) -> &'static dyn Pane {
 #[must_use]
 pub fn commands(state: &AppState) -> Vec<Command> {
     let focus = state.focus();
-    let mut all: Vec<Command> = pane(focus).commands().concat();
+    let mut all: Vec<Command> = pane(focus).about().commands.concat();
     if let Some(document) = state.document.as_ref().filter(|_| focus != PaneId::Trials) {
         let kind = document.kind();
         all.extend(kind.commands());
         all.extend(command::DOCUMENT);
         let numbered = (1..).zip(kind.panes());
-        all.extend(numbered.filter_map(|(n, id)| command::pane(n, pane(*id).go())));
+        all.extend(numbered.filter_map(|(n, id)| command::pane(n, pane(*id).about().go)));
     }
     all.extend(command::EVERYWHERE);
     all.sort_by_key(|command| command.order);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::Pane;
+use super::{About, Pane, about};
 use crate::modes::LineModes;
 use crate::report::modes as views;
 use crate::report::table::Table;
@@ -38,16 +38,8 @@ fn computed(line: &LineView) -> Option<Arc<LineModes>> {
 }
 
 impl Pane for Modes {
-    fn title(&self) -> &'static str {
-        "Modes"
-    }
-
-    fn go(&self) -> &'static str {
-        "Go to the natural modes"
-    }
-
-    fn commands(&self) -> &'static [&'static [Command]] {
-        &[COMMANDS, LIST, WIDE]
+    fn about(&self) -> About {
+        about("Modes", "Go to the natural modes", &[COMMANDS, LIST, WIDE])
     }
 
     fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
@@ -108,7 +100,7 @@ impl Pane for Modes {
             ..whole
         };
         painter.table(&line.modes.pane, &bare, table);
-        about(
+        status(
             painter,
             note,
             line.modes.text != editor.text,
@@ -120,7 +112,7 @@ impl Pane for Modes {
 }
 
 /// What must be known of the modes, the most pressing first.
-fn about(painter: &mut Painter, line: Rect, old: bool, problems: &[String]) {
+fn status(painter: &mut Painter, line: Rect, old: bool, problems: &[String]) {
     let (words, style) = match (old, problems.first()) {
         (true, _) => (
             "Of the case before the last edit; being computed again.",

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::Pane;
+use super::{About, Pane, about};
 use crate::report::limits as limits_table;
 use crate::report::table::Table;
 use crate::run::{Run, limits};
@@ -40,16 +40,12 @@ const COMMANDS: &[Command] = &[
 pub(super) struct Nodes;
 
 impl Pane for Nodes {
-    fn title(&self) -> &'static str {
-        "Nodes"
-    }
-
-    fn go(&self) -> &'static str {
-        "Go to the line node by node"
-    }
-
-    fn commands(&self) -> &'static [&'static [Command]] {
-        &[COMMANDS, LIST, WIDE]
+    fn about(&self) -> About {
+        about(
+            "Nodes",
+            "Go to the line node by node",
+            &[COMMANDS, LIST, WIDE],
+        )
     }
 
     fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {

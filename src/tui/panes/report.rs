@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::Pane;
+use super::{About, Pane, about};
 use crate::tui::command::{self, Command, DOWN, Id, LIST, WIDE};
 use crate::tui::msg::Effect;
 use crate::tui::state::AppState;
@@ -24,16 +24,8 @@ const COMMANDS: &[Command] = &[
 pub(super) struct Report;
 
 impl Pane for Report {
-    fn title(&self) -> &'static str {
-        "Report"
-    }
-
-    fn go(&self) -> &'static str {
-        "Go to the report"
-    }
-
-    fn commands(&self) -> &'static [&'static [Command]] {
-        &[COMMANDS, LIST, WIDE]
+    fn about(&self) -> About {
+        about("Report", "Go to the report", &[COMMANDS, LIST, WIDE])
     }
 
     fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {

@@ -2,7 +2,7 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::Pane;
+use super::{About, Pane, about};
 use crate::report::chart::Glyphs;
 use crate::report::number::{percent, rounded};
 use crate::report::ropeway::{drawing, tables};
@@ -43,16 +43,8 @@ fn ropeway(document: &mut Document) -> Option<&mut RopewayView> {
 }
 
 impl Pane for Ropeway {
-    fn title(&self) -> &'static str {
-        "Ropeway"
-    }
-
-    fn go(&self) -> &'static str {
-        "Go to the drawing"
-    }
-
-    fn commands(&self) -> &'static [&'static [Command]] {
-        &[COMMANDS]
+    fn about(&self) -> About {
+        about("Ropeway", "Go to the drawing", &[COMMANDS])
     }
 
     fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {

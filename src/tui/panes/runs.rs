@@ -3,7 +3,7 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 
-use super::Pane;
+use super::{About, Pane, about};
 use crate::report::number;
 use crate::tui::command::{self, Command, Id, LIST, main, other};
 use crate::tui::facade;
@@ -27,16 +27,8 @@ const COMMANDS: &[Command] = &[
 pub(super) struct Runs;
 
 impl Pane for Runs {
-    fn title(&self) -> &'static str {
-        "Runs"
-    }
-
-    fn go(&self) -> &'static str {
-        "Go to the runs"
-    }
-
-    fn commands(&self) -> &'static [&'static [Command]] {
-        &[COMMANDS, LIST]
+    fn about(&self) -> About {
+        about("Runs", "Go to the runs", &[COMMANDS, LIST])
     }
 
     fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {

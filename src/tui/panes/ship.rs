@@ -3,14 +3,14 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 
-use super::Pane;
+use super::{About, Pane, about};
 use crate::report::chart::marker;
 use crate::report::number::{digits, si};
 use crate::report::ship::plan;
 use crate::ship::Equilibrium;
 use crate::ship::stability::DynamicStability;
 use crate::ship::yaw_equilibria::YawStability;
-use crate::tui::command::{self, Command, DOWN, Id};
+use crate::tui::command::{self, DOWN, Id};
 use crate::tui::msg::Effect;
 use crate::tui::state::{AppState, Content, ShipView};
 use crate::tui::theme::Theme;
@@ -24,16 +24,8 @@ const LIST: u16 = 34;
 pub(super) struct Ship;
 
 impl Pane for Ship {
-    fn title(&self) -> &'static str {
-        "Ship"
-    }
-
-    fn go(&self) -> &'static str {
-        "Go to the drawing"
-    }
-
-    fn commands(&self) -> &'static [&'static [Command]] {
-        &[&[DOWN], command::LIST]
+    fn about(&self) -> About {
+        about("Ship", "Go to the drawing", &[&[DOWN], command::LIST])
     }
 
     fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {

@@ -2,7 +2,7 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::Pane;
+use super::{About, Pane, about};
 use crate::tui::command::{Command, DOWN, Id, LIST, SORT, WIDE, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::state::{AppState, Content};
@@ -22,16 +22,8 @@ const COMMANDS: &[Command] = &[
 pub(super) struct Tables;
 
 impl Pane for Tables {
-    fn title(&self) -> &'static str {
-        "Tables"
-    }
-
-    fn go(&self) -> &'static str {
-        "Go to the tables"
-    }
-
-    fn commands(&self) -> &'static [&'static [Command]] {
-        &[COMMANDS, LIST, WIDE]
+    fn about(&self) -> About {
+        about("Tables", "Go to the tables", &[COMMANDS, LIST, WIDE])
     }
 
     fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {

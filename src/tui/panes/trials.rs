@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::Pane;
+use super::{About, Pane, about};
 use crate::study::{hard_cases, tally};
 use crate::tui::command::{Command, DOWN, Id, LIST, WIDE, main};
 use crate::tui::msg::Effect;
@@ -32,12 +32,8 @@ const COMMANDS: &[Command] = &[
 pub(super) struct TrialsPane;
 
 impl Pane for TrialsPane {
-    fn title(&self) -> &'static str {
-        "Trials"
-    }
-
-    fn commands(&self) -> &'static [&'static [Command]] {
-        &[COMMANDS, LIST, WIDE]
+    fn about(&self) -> About {
+        about("Trials", "", &[COMMANDS, LIST, WIDE])
     }
 
     fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {

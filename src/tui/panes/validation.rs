@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use ratatui::layout::Rect;
 
-use super::Pane;
+use super::{About, Pane, about};
 use crate::reference;
 use crate::report::text;
 use crate::tui::command::{self, Command, DOWN, Id, LIST, SORT, WIDE};
@@ -26,16 +26,12 @@ const COMMANDS: &[Command] = &[
 pub(super) struct Validation;
 
 impl Pane for Validation {
-    fn title(&self) -> &'static str {
-        "Validation"
-    }
-
-    fn go(&self) -> &'static str {
-        "Go to the validation table"
-    }
-
-    fn commands(&self) -> &'static [&'static [Command]] {
-        &[COMMANDS, LIST, WIDE]
+    fn about(&self) -> About {
+        about(
+            "Validation",
+            "Go to the validation table",
+            &[COMMANDS, LIST, WIDE],
+        )
     }
 
     fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {

@@ -60,12 +60,6 @@ pub trait DocumentKind {
         None
     }
 
-    /// Whether a text is valid.
-    ///
-    /// # Errors
-    /// All that is wrong.
-    fn check(&self, text: &str, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>>;
-
     /// Replaces the result by that of the text of the editor.
     ///
     /// # Errors

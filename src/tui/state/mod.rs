@@ -17,7 +17,7 @@ pub use case_list::{CaseEntry, CaseList};
 pub use curves::{Curves, RunEntry, RunOrigin, RunStatus};
 pub use document::{Content, Document, DocumentKind};
 pub use jobs::{JobLine, JobState, Jobs, Purpose, Ticket, Waiting};
-pub use line::{ChartKind, LineView};
+pub use line::LineView;
 pub use overlay::{Choice, Overlay, Question};
 pub use parameter_editor::{Editing, ParameterEditor};
 pub use ropeway::RopewayView;

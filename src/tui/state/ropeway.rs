@@ -108,10 +108,6 @@ impl DocumentKind for RopewayView {
         ropeway::edit::set(text, key, value).map_err(|all| facade::refusal(key, &all))
     }
 
-    fn check(&self, text: &str, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
-        ropeway::parse(text, &source.file).map(drop)
-    }
-
     fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
         let worked = ropeway::parse(&source.text, &source.file)?;
         // Where the file's own place changes, the cargo goes there.

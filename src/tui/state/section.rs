@@ -80,10 +80,6 @@ impl DocumentKind for SectionView {
         section::edit::set(text, key, value).map_err(|all| facade::refusal(key, &all))
     }
 
-    fn check(&self, text: &str, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
-        section::parse(text, &source.file).map(drop)
-    }
-
     fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
         self.design = section::parse(&source.text, &source.file)?;
         Ok(())

@@ -186,10 +186,6 @@ impl DocumentKind for ShipView {
         ship::edit::set(text, key, value).map_err(|all| facade::refusal(key, &all))
     }
 
-    fn check(&self, text: &str, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
-        ship::parse(text, &source.file).map(drop)
-    }
-
     fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
         let statics = ship::parse(&source.text, &source.file)?;
         let count = |statics: &StaticAnalysis| statics.equilibria.as_ref().map_or(0, Vec::len);

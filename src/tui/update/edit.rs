@@ -279,10 +279,11 @@ pub(super) fn recover(state: &mut AppState, text: String) -> Vec<Effect> {
     let Some(document) = &state.document else {
         return Vec::new();
     };
-    let editor = &document.editor;
-    let path = editor.path.clone();
-    if let Err(all) = document.kind().check(&text, editor) {
-        let problem = facade::first(&all, &editor.file);
+    let path = document.editor.path.clone();
+    let mut recovered = document.clone();
+    recovered.editor.text.clone_from(&text);
+    if let Err(all) = recovered.refresh() {
+        let problem = facade::first(&all, &document.editor.file);
         return warn(
             state,
             format!("The kept edits are no longer valid and stay where they are: {problem}"),

@@ -22,16 +22,17 @@ pub use jobs::joined_label;
 pub use overlay::{palette_matches, run_command};
 
 use super::msg::{Effect, Msg};
-use super::state::{AppState, ChartKind};
+use super::state::AppState;
+use crate::report::figures::FigureId;
 
 /// Changes the state as the message says, and returns what is to be done outside of it.
 pub fn update(state: &mut AppState, msg: Msg) -> Vec<Effect> {
     let mut effects = on(state, msg);
     if let Some(line) = state.line_mut() {
         // An edit may take away the chart that was shown.
-        let kinds = ChartKind::of(&line.case);
-        if !kinds.contains(&line.chart) {
-            line.chart = kinds.first().copied().unwrap_or(line.chart);
+        let figures = FigureId::of(&line.case);
+        if !figures.contains(&line.chart) {
+            line.chart = figures.first().copied().unwrap_or(line.chart);
         }
     }
     effects.extend(modes::follow(state));

@@ -5,8 +5,9 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
+use crate::report::figures::FigureId;
 use crate::tui::pane::PaneId;
-use crate::tui::state::{AppState, ChartKind};
+use crate::tui::state::AppState;
 
 /// The smallest screen that is drawn.
 pub const SMALLEST: (u16, u16) = (40, 10);
@@ -180,14 +181,14 @@ pub struct Charts {
     /// Names of the charts; empty when all are seen.
     pub tabs: Rect,
     /// The charts seen.
-    pub charts: Vec<(ChartKind, Rect)>,
+    pub charts: Vec<(FigureId, Rect)>,
     /// Values at the cursor.
     pub readout: Rect,
 }
 
 /// Cuts the inside of the chart pane.
 #[must_use]
-pub fn charts(inside: Rect, kinds: &[ChartKind], chosen: ChartKind) -> Charts {
+pub fn charts(inside: Rect, kinds: &[FigureId], chosen: FigureId) -> Charts {
     let page = kinds.chunks(TOGETHER).find(|page| page.contains(&chosen));
     let page = page.unwrap_or_default();
     // A chart that is alone on its page has the tabs of the others above it.
@@ -216,10 +217,10 @@ pub fn charts(inside: Rect, kinds: &[ChartKind], chosen: ChartKind) -> Charts {
 const TOGETHER: usize = 6;
 
 /// A page of charts in two rows, the lower the longer.
-fn together(area: Rect, page: &[ChartKind]) -> Vec<(ChartKind, Rect)> {
+fn together(area: Rect, page: &[FigureId]) -> Vec<(FigureId, Rect)> {
     let [upper, lower] = Layout::vertical([Constraint::Fill(1), Constraint::Fill(1)]).areas(area);
     let (above, below) = page.split_at(page.len() / 2);
-    let row = |kinds: &[ChartKind], area: Rect| {
+    let row = |kinds: &[FigureId], area: Rect| {
         let places = Layout::horizontal(vec![Constraint::Fill(1); kinds.len()])
             .spacing(1)
             .split(area);
@@ -240,7 +241,7 @@ pub fn chart_area(state: &AppState) -> Rect {
         .into_iter()
         .find(|(place, _)| *place == PaneId::Charts)
         .and_then(|(_, pane)| {
-            let kinds = ChartKind::of(&line.case);
+            let kinds = FigureId::of(&line.case);
             let charts = charts(inside(screen, pane), &kinds, line.chart).charts;
             charts.into_iter().find(|(kind, _)| *kind == line.chart)
         })

@@ -73,7 +73,7 @@ impl Painter<'_> {
             };
             let mut panes = self.state.panes().iter();
             let number = panes.position(|other| *other == id).map_or(0, |i| i + 1);
-            let title = format!("{number} {}{mark}", pane.title());
+            let title = format!("{number} {}{mark}", pane.about().title);
             let glyphs = self.glyphs();
             paint::framed(self.buf, area, &title, glyphs, style)
         } else {
@@ -153,7 +153,7 @@ impl Painter<'_> {
         let panes = state.panes();
         let selected = panes.iter().position(|id| *id == state.focus());
         let names = panes.iter().enumerate();
-        let names = names.map(|(i, id)| format!("{} {}", i + 1, panes::pane(*id).title()));
+        let names = names.map(|(i, id)| format!("{} {}", i + 1, panes::pane(*id).about().title));
         let rest = self.tabs(line, names, selected);
         let room = rest.width.saturating_sub(2);
         if let Some(document) = state.document.as_ref().filter(|_| room > 20) {

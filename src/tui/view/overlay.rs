@@ -69,7 +69,7 @@ impl Painter<'_> {
         let height = u16::try_from(lines.len() + 2).unwrap_or(u16::MAX);
         let title = format!(
             "Keys: {} (j and k scroll, any other key closes)",
-            panes::pane(self.state.focus()).title()
+            panes::pane(self.state.focus()).about().title
         );
         let area = self.boxed(screen, (width, height), &title);
         self.scrolled(area, &lines, scroll);

@@ -4,9 +4,9 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use seacable::case;
+use seacable::report::figures::FigureId;
 use seacable::run::job::{self, Event};
 use seacable::tui::msg::FileRead;
-use seacable::tui::state::ChartKind;
 use seacable::tui::{Effect, Msg};
 
 use super::desk::{Desk, content_of};
@@ -38,9 +38,9 @@ fn cable(size: (u16, u16)) -> Desk {
     desk
 }
 
-fn show(desk: &mut Desk, kind: ChartKind) {
+fn show(desk: &mut Desk, kind: FigureId) {
     desk.keys("2");
-    for _ in 0..ChartKind::ALL.len() {
+    for _ in 0..seacable::report::figures::FIGURES.len() {
         if desk.state.line().unwrap().chart == kind {
             return;
         }
@@ -52,7 +52,7 @@ fn show(desk: &mut Desk, kind: ChartKind) {
 #[test]
 fn the_map_and_its_neighbours() {
     let mut desk = cable(SMALL);
-    show(&mut desk, ChartKind::Map);
+    show(&mut desk, FigureId::Map);
     snapshot("tui_map_80x24", &desk);
     // The cursor reads a time and a place.
     desk.keys("l } } }");
@@ -88,6 +88,6 @@ fn the_tables_of_the_response() {
 #[test]
 fn the_charts_of_the_response_at_200x60() {
     let mut desk = cable(LARGE);
-    show(&mut desk, ChartKind::Map);
+    show(&mut desk, FigureId::Map);
     snapshot("tui_map_200x60", &desk);
 }

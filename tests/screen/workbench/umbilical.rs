@@ -4,9 +4,9 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use seacable::case;
+use seacable::report::figures::FigureId;
 use seacable::run::job::{self, Event};
 use seacable::tui::msg::FileRead;
-use seacable::tui::state::ChartKind;
 use seacable::tui::{Effect, Msg};
 
 use super::desk::{Desk, content_of};
@@ -63,25 +63,25 @@ fn a_line_at_rest_at_80x24() {
 fn the_charts_are_those_that_have_something_to_show() {
     let mut desk = wave(SMALL);
     let open = desk.state.line().unwrap();
-    assert_eq!(open.chart, ChartKind::Shape);
-    assert_eq!(ChartKind::of(&open.case).len(), 7);
+    assert_eq!(open.chart, FigureId::Shape);
+    assert_eq!(FigureId::of(&open.case).len(), 7);
     // Without bending stiffness there is no curvature to show, and with time there is a history.
     desk.keys("2 [");
-    assert_eq!(desk.state.line().unwrap().chart, ChartKind::Study);
+    assert_eq!(desk.state.line().unwrap().chart, FigureId::Study);
     let text = case::edit::set(WAVE, "materials.umbilical.ei_n_m2", "0.0").unwrap();
     let bare = case::parse(&text, "bare").unwrap();
-    assert_eq!(ChartKind::of(&bare).len(), 5);
+    assert_eq!(FigureId::of(&bare).len(), 5);
     let text = case::edit::set(WAVE, "solver.method", "alpha").unwrap();
     let moving = case::parse(&text, "moving").unwrap();
     assert_eq!(
-        ChartKind::of(&moving),
+        FigureId::of(&moving),
         [
-            ChartKind::Tensions,
-            ChartKind::Shape,
-            ChartKind::Profile,
-            ChartKind::Curvature,
-            ChartKind::Moment,
-            ChartKind::Study
+            FigureId::Tensions,
+            FigureId::Shape,
+            FigureId::Profile,
+            FigureId::Curvature,
+            FigureId::Moment,
+            FigureId::Study
         ]
     );
 }

@@ -1,0 +1,460 @@
+//! Every figure of a line case, listed once: what it is called, when a run has data for it, how it is drawn. The screen,
+//! the text report and the files written from both take figures from here. A new figure is a line in [`FigureId`] and
+//! one in [`FIGURES`].
+
+use super::{
+    PlottedRun, ResponseMapKind, against_time, along_studies, curvature_profile, histories,
+    line_from_above, line_from_ahead, line_shape, moment_profile, payload_position, places,
+    published_curves, response_map, rms_profile, stiffness_profile, tension_profile, trajectory,
+    wave_amplitudes, wavelengths,
+};
+use crate::case::{
+    self, Case, ChannelQuantity, ChannelSpec, End, Method, OneOrMany, Site, WaveKind,
+};
+use crate::reference::ValidationRow;
+use crate::report::chart::{Chart, extent};
+use crate::run::{Run, response};
+
+/// A figure, in the order of [`FIGURES`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum FigureId {
+    /// Tension at the joints against time.
+    Tensions,
+    /// Payload x and z against time.
+    Payload,
+    /// Path of the payload, z against x, to equal scale.
+    Path,
+    /// Speed of the payload against time.
+    Speed,
+    /// Tilt of a rigid payload against time.
+    Tilt,
+    /// Height of the waves against time.
+    Elevation,
+    /// The line at an instant, z against x, to equal scale.
+    Shape,
+    /// The line from above, y against x, to equal scale.
+    Plan,
+    /// The line along the x axis, z against y, to equal scale.
+    Front,
+    /// Tension along the line, with its envelope.
+    Profile,
+    /// Curvature along the line.
+    Curvature,
+    /// Bending moment along the line.
+    Moment,
+    /// Displacement of the line over time and place.
+    Map,
+    /// Root mean square displacement along the line.
+    Rms,
+    /// Amplitudes of the waves at the driving period.
+    Amplitudes,
+    /// Their lengths.
+    Wavelengths,
+    /// Published and computed numbers along the studies.
+    Study,
+    /// Dynamic stiffness of fibre ropes against time.
+    Stiffness,
+    /// Dynamic stiffness of fibre ropes along the line.
+    StiffnessAlong,
+    /// Mean load of fibre ropes against time.
+    MeanLoad,
+    /// Deviation from the mean load of fibre ropes against time.
+    Deviation,
+}
+
+/// What a figure is drawn over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FigureAxis {
+    /// Time: its cursor is an instant.
+    Time,
+    /// Space, at an instant.
+    Space,
+    /// Anything else, such as the length of the line.
+    Other,
+}
+
+/// The curves of one run on a figure, any one of which can be shown alone.
+#[derive(Debug, Clone, Copy)]
+enum CurveNames {
+    /// There is no choice.
+    None,
+    /// One for each place where a quantity was recorded.
+    Places(ChannelQuantity),
+    /// These.
+    Fixed(&'static [&'static str]),
+    /// These, but for a line at rest, which has one.
+    Envelope(&'static [&'static str]),
+    /// Figures of their own: the names of the others, beside the one drawn at first.
+    Variants(fn(&FigureData) -> Vec<String>),
+}
+
+/// What figures are drawn from.
+#[derive(Debug, Clone, Copy)]
+pub struct FigureData<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// Runs of it, older results first.
+    pub runs: &'a [PlottedRun<'a>],
+    /// Its validation table.
+    pub checks: &'a [ValidationRow],
+    /// The instant \[s\] of figures in space; absent: the newest.
+    pub instant: Option<f64>,
+    /// Number of the curve or variant that is chosen.
+    pub chosen: Option<usize>,
+}
+
+impl FigureData<'_> {
+    fn instant(&self) -> f64 {
+        let ends = histories(self.runs).filter_map(|history| history.time.last().copied());
+        let newest = ends.reduce(f64::max);
+        self.instant.or(newest).unwrap_or(0.0)
+    }
+}
+
+/// A figure.
+#[derive(Debug, Clone, Copy)]
+pub struct Figure {
+    /// Its name.
+    pub id: FigureId,
+    /// Its title on a tab and in file names.
+    pub title: &'static str,
+    /// What it is drawn over.
+    pub axis: FigureAxis,
+    curves: CurveNames,
+    /// Whether a run of a case has data for it.
+    available: fn(&CaseContents) -> bool,
+    draw: fn(&FigureData) -> Chart,
+    /// Position in the text report; absent: not in it.
+    report: Option<u8>,
+}
+
+/// What decides which figures a case has.
+struct CaseContents<'a> {
+    case: &'a Case,
+    channels: Vec<ChannelSpec>,
+    dynamic: bool,
+}
+
+impl CaseContents<'_> {
+    fn records(&self, quantity: ChannelQuantity) -> bool {
+        self.dynamic && self.channels.iter().any(|c| c.id.quantity == quantity)
+    }
+
+    /// Whether an end moves.
+    fn moves(&self) -> bool {
+        let of_end =
+            |c: &ChannelSpec| matches!((c.id.quantity, c.site), (ChannelQuantity::X, Site::End(_)));
+        self.dynamic && self.channels.iter().any(of_end)
+    }
+
+    /// Whether there is a fibre rope.
+    fn rope(&self) -> bool {
+        let of_rope = |c: &ChannelSpec| c.id.quantity == ChannelQuantity::Stiffness;
+        self.channels.iter().any(of_rope)
+    }
+
+    /// Whether the steady response is recorded.
+    fn response(&self) -> bool {
+        self.dynamic && self.case.output.response_from_s.is_some()
+    }
+
+    /// Whether that response has a period.
+    fn driven(&self) -> bool {
+        self.response() && response::period(self.case).is_some()
+    }
+
+    /// Whether waves are irregular; a regular wave is a sine, which nobody needs to see.
+    fn irregular_sea(&self) -> bool {
+        let waves = self.case.waves.as_ref();
+        self.dynamic && waves.is_some_and(|waves| waves.kind == WaveKind::Irregular)
+    }
+
+    /// Whether the case states anything along a study.
+    fn studied(&self) -> bool {
+        let mut published = self.case.published.iter();
+        !self.case.trend.is_empty()
+            || !self.case.published_curve.is_empty()
+            || published.any(|p| p.at.is_some())
+    }
+
+    /// Whether the line may leave a plane along x; a line at rest is always seen from three sides.
+    fn spatial(&self) -> bool {
+        let aside = |end: &End| {
+            let y = |p: &[f64; 3]| p[1].abs() > 0.0;
+            end.position_m.as_ref().is_some_and(y) || y(&end.amplitude_m)
+        };
+        let oblique = self.case.current.as_ref().is_some_and(|current| {
+            let turns = |degrees: &f64| degrees.to_radians().sin().abs() > 1e-9;
+            match &current.direction_deg {
+                OneOrMany::One(one) => turns(one),
+                OneOrMany::Many(many) => many.iter().any(turns),
+            }
+        });
+        let ends = &self.case.ends;
+        !self.dynamic || aside(&ends.a) || aside(&ends.b) || oblique
+    }
+}
+
+const ENVELOPE: CurveNames = CurveNames::Envelope(&["at the end", "smallest", "greatest"]);
+const END_AND_GREATEST: CurveNames = CurveNames::Envelope(&["at the end", "greatest"]);
+
+/// A figure that every case has, not in the report.
+const fn figure(
+    id: FigureId,
+    title: &'static str,
+    axis: FigureAxis,
+    draw: fn(&FigureData) -> Chart,
+) -> Figure {
+    Figure {
+        id,
+        title,
+        axis,
+        curves: CurveNames::None,
+        available: |_| true,
+        draw,
+        report: None,
+    }
+}
+
+impl Figure {
+    /// The same, of cases that have data for it.
+    const fn when(self, available: fn(&CaseContents) -> bool) -> Self {
+        Self { available, ..self }
+    }
+
+    /// The same, with curves that can be shown alone.
+    const fn curves(self, curves: CurveNames) -> Self {
+        Self { curves, ..self }
+    }
+
+    /// The same, one curve for each place where a quantity was recorded.
+    const fn at_places(self, quantity: ChannelQuantity) -> Self {
+        self.curves(CurveNames::Places(quantity))
+    }
+
+    /// The same, at a position of the text report.
+    const fn in_report(self, position: u8) -> Self {
+        Self {
+            report: Some(position),
+            ..self
+        }
+    }
+}
+
+use ChannelQuantity as Quantity;
+use FigureAxis::{Other, Space, Time};
+use FigureId as Id;
+
+/// The figures, in the order in which the screen shows them.
+#[rustfmt::skip] // a table: one figure an entry
+pub const FIGURES: [Figure; 21] = [
+    figure(Id::Tensions, "Tensions", Time, |d| against_time(d.runs, Quantity::Tension))
+        .when(|c| c.dynamic).at_places(Quantity::Tension).in_report(1),
+    figure(Id::Payload, "Payload", Time, |d| payload_position(d.runs))
+        .when(|c| c.moves()).curves(CurveNames::Fixed(&["x", "z"])).in_report(2),
+    figure(Id::Path, "Path", Space, |d| trajectory(d.runs, d.instant))
+        .when(|c| c.moves()).in_report(6),
+    figure(Id::Speed, "Speed", Time, |d| against_time(d.runs, Quantity::Speed))
+        .when(|c| c.records(Quantity::Speed)).at_places(Quantity::Speed).in_report(3),
+    figure(Id::Tilt, "Tilt", Time, |d| against_time(d.runs, Quantity::Tilt))
+        .when(|c| c.records(Quantity::Tilt)).at_places(Quantity::Tilt).in_report(4),
+    figure(Id::Elevation, "Sea", Time, |d| against_time(d.runs, Quantity::WaveElevation))
+        .when(|c| c.irregular_sea()).in_report(5),
+    figure(Id::Shape, "Shape", Space, |d| line_shape(d.runs, d.instant())).in_report(10),
+    figure(Id::Plan, "Plan", Space, |d| line_from_above(d.runs, d.instant()))
+        .when(|c| c.spatial()).in_report(11),
+    figure(Id::Front, "Front", Space, |d| line_from_ahead(d.runs, d.instant()))
+        .when(|c| c.spatial()).in_report(12),
+    figure(Id::Profile, "Profile", Other, |d| tension_profile(d.runs))
+        .curves(ENVELOPE).in_report(13),
+    figure(Id::Curvature, "Curvature", Other, |d| curvature_profile(d.runs))
+        .when(|c| case::bends(c.case)).curves(END_AND_GREATEST).in_report(14),
+    figure(Id::Moment, "Moment", Other, |d| moment_profile(d.runs))
+        .when(|c| case::bends(c.case)).curves(END_AND_GREATEST).in_report(15),
+    figure(Id::Map, "Map", Time, map)
+        .when(|c| c.response()).curves(CurveNames::Variants(map_names)).in_report(20),
+    figure(Id::Rms, "Rms", Other, |d| rms_profile(d.runs))
+        .when(|c| c.response()).in_report(17),
+    figure(Id::Amplitudes, "Waves", Other, |d| wave_amplitudes(d.runs)).when(|c| c.driven())
+        .curves(CurveNames::Fixed(&["motion", "towards A", "towards B", "WKB, no drag"])).in_report(18),
+    figure(Id::Wavelengths, "Wavelength", Other, |d| wavelengths(d.runs))
+        .when(|c| c.driven()).curves(CurveNames::Fixed(&["computed", "WKB"])).in_report(19),
+    figure(Id::Study, "Study", Other, study)
+        .when(|c| c.studied()).curves(CurveNames::Variants(study_names)),
+    figure(Id::Stiffness, "Stiffness", Time, |d| against_time(d.runs, Quantity::Stiffness))
+        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::Stiffness).in_report(9),
+    figure(Id::StiffnessAlong, "Along rope", Other, |d| stiffness_profile(d.runs))
+        .when(|c| c.rope()).curves(ENVELOPE).in_report(16),
+    figure(Id::MeanLoad, "Mean load", Time, |d| against_time(d.runs, Quantity::MeanLoad))
+        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::MeanLoad).in_report(7),
+    figure(Id::Deviation, "Deviation", Time, |d| against_time(d.runs, Quantity::LoadDeviation))
+        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::LoadDeviation).in_report(8),
+];
+
+impl FigureId {
+    /// The figure of this name.
+    #[must_use]
+    pub fn figure(self) -> Figure {
+        FIGURES[self.index()]
+    }
+
+    /// Its position in [`FIGURES`].
+    #[must_use]
+    pub fn index(self) -> usize {
+        self as usize
+    }
+
+    /// The figures that a run of this case has data for.
+    #[must_use]
+    pub fn of(case: &Case) -> Vec<Self> {
+        let contents = CaseContents {
+            case,
+            channels: case::channels(case),
+            dynamic: case.solver.method != Method::Static,
+        };
+        let available = FIGURES
+            .iter()
+            .filter(|figure| (figure.available)(&contents));
+        available.map(|figure| figure.id).collect()
+    }
+
+    /// The next or previous one of a list, around its end; the first where it is not among them.
+    #[must_use]
+    pub fn beside(self, list: &[Self], forward: bool) -> Self {
+        let Some(at) = list.iter().position(|id| *id == self) else {
+            return list.first().copied().unwrap_or(self);
+        };
+        let step = if forward { 1 } else { list.len() - 1 };
+        list[(at + step) % list.len()]
+    }
+}
+
+impl Figure {
+    /// The figure with all of its curves.
+    #[must_use]
+    pub fn draw(&self, data: &FigureData) -> Chart {
+        (self.draw)(data)
+    }
+
+    /// Whether a choice among its names is another figure, not a curve of this one.
+    #[must_use]
+    pub fn has_variants(&self) -> bool {
+        matches!(self.curves, CurveNames::Variants(_))
+    }
+
+    /// Names of the curves of one run, or of the variants.
+    #[must_use]
+    pub fn curve_names(&self, data: &FigureData) -> Vec<String> {
+        let owned = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
+        match self.curves {
+            CurveNames::None => Vec::new(),
+            CurveNames::Places(quantity) => owned(&places(histories(data.runs), quantity)),
+            CurveNames::Fixed(names) => owned(names),
+            CurveNames::Envelope(_) if data.runs.iter().all(PlottedRun::at_rest) => Vec::new(),
+            CurveNames::Envelope(names) => owned(names),
+            CurveNames::Variants(names) => names(data),
+        }
+    }
+}
+
+fn map(data: &FigureData) -> Chart {
+    let kind = data.chosen.and_then(|i| ResponseMapKind::ALL.get(i + 1));
+    let kind = kind.copied().unwrap_or(ResponseMapKind::Steady);
+    response_map(data.runs, data.case.output.response_from_s, kind)
+}
+
+fn map_names(_: &FigureData) -> Vec<String> {
+    let others = ResponseMapKind::ALL[1..].iter();
+    others.map(|kind| kind.name().to_owned()).collect()
+}
+
+/// What the case states: along its studies, then its published curves.
+fn stated(data: &FigureData) -> Vec<Chart> {
+    let mut charts = along_studies(data.case, data.checks);
+    charts.extend(published_curves(data.checks));
+    charts
+}
+
+fn study(data: &FigureData) -> Chart {
+    let mut charts = stated(data);
+    if charts.is_empty() {
+        return Chart {
+            title: "Along the studies".to_owned(),
+            ..Chart::default()
+        };
+    }
+    let chosen = data.chosen.unwrap_or(0).min(charts.len() - 1);
+    charts.swap_remove(chosen)
+}
+
+fn study_names(data: &FigureData) -> Vec<String> {
+    let charts = stated(data).into_iter();
+    charts.map(|chart| chart.title).collect()
+}
+
+/// The figures of the text report of a run: all that show something, then the published curves with the run.
+#[must_use]
+pub fn report_figures(run: &Run, case: &Case, checks: &[ValidationRow]) -> Vec<Chart> {
+    let runs = [PlottedRun::whole(run, "")];
+    let data = FigureData {
+        case,
+        runs: &runs,
+        checks,
+        instant: None,
+        chosen: None,
+    };
+    let mut figures: Vec<&Figure> = FIGURES.iter().filter(|f| f.report.is_some()).collect();
+    figures.sort_by_key(|figure| figure.report);
+    let mut charts = Vec::new();
+    for figure in figures {
+        match figure.id {
+            FigureId::Shape if run.shapes.is_empty() => {}
+            FigureId::Plan | FigureId::Front if !out_of_plane(run) => {}
+            FigureId::Map if case.output.response_from_s.is_none() => {}
+            FigureId::Map => charts.extend(
+                [None, Some(0), Some(1)].map(|chosen| figure.draw(&FigureData { chosen, ..data })),
+            ),
+            _ => charts.push(figure.draw(&data)),
+        }
+    }
+    let published = published_curves(checks).into_iter();
+    charts.extend(published.filter(|chart| chart.series.len() > 1));
+    charts.retain(shows_something);
+    charts
+}
+
+/// Whether the line leaves the plane y = const by more than it is worth to look at.
+fn out_of_plane(run: &Run) -> bool {
+    let nodes = || run.shapes.iter().flat_map(|shape| &shape.nodes);
+    let span = |axis: usize| {
+        let reach = extent(nodes().map(|p| p[axis]));
+        reach.map_or(0.0, |(low, high)| high - low)
+    };
+    span(1) > 1e-3 * (span(0) + span(2))
+}
+
+fn shows_something(chart: &Chart) -> bool {
+    if chart.map.is_some() {
+        return true;
+    }
+    let finite = |(x, y): &&(f64, f64)| x.is_finite() && y.is_finite();
+    let mut series = chart.series.iter();
+    series.any(|series| series.points.iter().filter(finite).count() > 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn figures_are_in_the_order_of_their_names_and_reported_at_most_once() {
+        for (i, figure) in FIGURES.iter().enumerate() {
+            assert_eq!(figure.id.index(), i, "{}", figure.title);
+        }
+        let mut positions: Vec<u8> = FIGURES.iter().filter_map(|f| f.report).collect();
+        let count = positions.len();
+        positions.sort_unstable();
+        positions.dedup();
+        assert_eq!(positions.len(), count);
+    }
+}
