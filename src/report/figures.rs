@@ -29,20 +29,20 @@ use crate::case::ChannelQuantity;
 use crate::report::chart::Series;
 use crate::run::{History, LineShape, Profile, Run};
 
-/// A run to be drawn, whole or still on its way.
+/// A run to be drawn, complete or still running.
 #[derive(Debug, Clone, Copy)]
 pub struct PlottedRun<'a> {
     /// Channels against time.
     pub history: &'a History,
     /// Shapes of the line, oldest first.
     pub shapes: &'a [LineShape],
-    /// The line at the end; absent while the run goes on.
+    /// The line at the end; absent while the run is incomplete.
     pub profile: Option<&'a Profile>,
     /// Name, where several runs are drawn together.
     pub label: &'a str,
     /// An older result: drawn broken, below the others.
     pub dimmed: bool,
-    /// Simulated time at the end \[s\], so that the time axis stands still while the run goes on;
+    /// Simulated time at the end \[s\], so that the time axis stays fixed during the run;
     /// absent: as far as the history goes.
     pub duration: Option<f64>,
 }
@@ -59,7 +59,7 @@ impl<'a> PlottedRun<'a> {
         }
     }
 
-    /// A run on its way.
+    /// An incomplete run.
     #[must_use]
     pub fn streamed(history: &'a History, shapes: &'a [LineShape], label: &'a str) -> Self {
         Self {

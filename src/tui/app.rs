@@ -127,7 +127,7 @@ pub fn open(options: &Options) -> Result<(), OpenError> {
 fn finish(ended: Result<io::Result<End>, Box<dyn Any + Send>>) -> Result<(), OpenError> {
     match ended {
         Ok(Ok(End::HangUp)) => {
-            // There is nobody to tell; drops would try to write to the dead terminal.
+            // Nothing can be reported; drops would try to write to the dead terminal.
             std::process::exit(129);
         }
         Ok(Ok(End::Signal(number))) => {
@@ -192,8 +192,8 @@ fn whereto(options: &Options) -> Result<(PathBuf, Option<PathBuf>), OpenError> {
     Ok((dir, Some(path.clone())))
 }
 
-/// A panic of the screen gives the terminal back before it is told; a panic of a job is told on the
-/// screen, which goes on.
+/// A panic of the screen restores the terminal before it is reported; a panic of a job is reported on the
+/// screen, which keeps running.
 fn guard_panics(sender: Sender<Msg>) {
     let screen_thread = std::thread::current().id();
     let tell = panic::take_hook();
@@ -361,7 +361,7 @@ impl App<'_> {
         self.screen.reenter()
     }
 
-    /// Gives the terminal to the user's editor, takes it back, and reads what the editor left. Jobs go on meanwhile.
+    /// Gives the terminal to the user's editor, takes it back, and reads what the editor left. Jobs keep running meanwhile.
     fn edit(&mut self, path: &Path) -> io::Result<Msg> {
         restore();
         let ended = external_editor::run(path);

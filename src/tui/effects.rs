@@ -1,19 +1,20 @@
 //! Files and threads: does what the effects ask for, and answers with messages.
 
 mod open;
+mod runs;
 mod trial_worker;
 
 use std::collections::HashMap;
-use std::fs;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crossbeam_channel::{Receiver, Sender, bounded, unbounded};
 
 use self::open::read_case;
+use self::runs::{delete_run, keep_run, list_runs};
 use self::trial_worker::compute_trials;
 use super::case_library;
 use super::files::{save_case, write_text};
@@ -21,12 +22,12 @@ use super::msg::{Effect, Msg};
 use super::recovery;
 use super::state::modes::COUNT;
 use super::state::trials::TrialsOf;
-use super::state::{Curves, Level, RunEntry, RunOrigin, RunStatus, Ticket};
+use super::state::{Curves, Level, Ticket};
 use crate::case;
 use crate::modes;
 use crate::run::job::{self, Event, Job, JobId, Request};
 use crate::run::store::{self, RunLocation, Writer};
-use crate::run::{Resume, Run, RunInfo, RunState, resume_request};
+use crate::run::{Resume, resume_request};
 use crate::ship::DynamicAnalysis;
 
 /// What is outside of the state.
@@ -42,7 +43,7 @@ pub struct EffectRunner {
     aside: Arc<AtomicUsize>,
 }
 
-/// A job going on, and what it has recorded since the screen last asked. However long the screen takes, that stays within
+/// A running job, and what it has recorded since the screen last asked. However long the screen takes, that stays within
 /// bounds.
 #[derive(Debug)]
 struct RunningJob {
@@ -124,75 +125,76 @@ impl EffectRunner {
     /// Does what the effect asks for. Effects of the terminal itself are not for here.
     pub fn perform(&mut self, effect: Effect) -> Vec<Msg> {
         match effect {
-            Effect::ReadCases => {
-                vec![Msg::CasesRead(
-                    self.dir.clone(),
-                    case_library::list(&self.dir),
-                )]
-            }
-            Effect::ReadCase(path) => vec![read_case(&path)],
-            Effect::SaveCase {
-                path,
-                text,
-                expected,
-                new,
-            } => vec![save_case(path, text, expected.as_deref(), new)],
-            Effect::KeepRecovery { path, text } => said(
-                recovery::store(&path, text.as_deref()),
-                "The unsaved changes cannot be kept for recovery",
-            ),
-            Effect::DropRecovery(path) => said(
-                recovery::discard(&path),
-                "The kept changes cannot be dropped",
-            ),
             Effect::Start {
                 ticket,
                 request,
                 from,
                 store,
             } => self.start(ticket, *request, from.map(|from| *from), store),
+            Effect::StartTrials { ticket, of } => self.start_trials(ticket, of),
+            Effect::Cancel(ticket) => self.cancel(ticket),
             Effect::FindModes { case, text } => self.aside(move || {
                 let found = modes::of_case(&case, COUNT);
                 Msg::Modes(text, found.map(Arc::new).map_err(|why| why.to_string()))
             }),
-            Effect::StartTrials { ticket, of } => self.start_trials(ticket, of),
-            Effect::PrepareResume(dir, until) => {
-                let found = resume_request(&dir, Some(until)).map(Box::new);
-                vec![Msg::ResumeReady(dir, until, found)]
-            }
-            Effect::Cancel(ticket) => {
-                if let Some((_, cancel)) = self.trials.as_ref().filter(|(t, _)| *t == ticket) {
-                    cancel.store(true, Ordering::Relaxed);
-                }
-                if let Some(going) = self.jobs.get(&ticket) {
-                    going.job.cancel();
-                }
-                Vec::new()
-            }
             Effect::ComputeShip(rest, folder, stop) => self.aside(move || {
-                // It always answers: a fault of it is told by the panic hook.
+                // It always answers; the panic hook reports a fault of it.
                 let work = AssertUnwindSafe(|| DynamicAnalysis::new(&rest, &folder, &stop));
                 let sea = catch_unwind(work).ok().flatten().map(Arc::new);
                 Msg::ShipComputed(stop, sea)
             }),
-            Effect::ListRuns(files) => vec![Msg::RunsListed(list_runs(&files))],
             Effect::ReadRun(dir) => self.aside(move || {
                 let run = store::read(&dir).map(Arc::new).map_err(|e| e.to_string());
                 Msg::RunRead(dir, run)
             }),
-            Effect::DeleteRun(dir) => vec![delete_run(dir)],
-            Effect::KeepRun(run) => vec![keep_run(run)],
-            Effect::WriteText { path, text, what } => vec![write_text(&path, &text, what)],
-            Effect::RememberGlyphs(glyphs) => said(
-                recovery::remember_glyphs(glyphs),
-                "The choice cannot be remembered",
-            ),
-            Effect::Copy(_)
-            | Effect::EditFile(_)
-            | Effect::Repaint
-            | Effect::Suspend
-            | Effect::Quit => Vec::new(),
+            effect => self.files(effect),
         }
+    }
+
+    /// Effects that read or write files and answer at once.
+    fn files(&self, effect: Effect) -> Vec<Msg> {
+        let answer = match effect {
+            Effect::ReadCases => Msg::CasesRead(self.dir.clone(), case_library::list(&self.dir)),
+            Effect::ReadCase(path) => read_case(&path),
+            Effect::SaveCase {
+                path,
+                text,
+                expected,
+                new,
+            } => save_case(path, text, expected.as_deref(), new),
+            Effect::KeepRecovery { path, text } => {
+                let kept = recovery::store(&path, text.as_deref());
+                return warning(kept, "The unsaved changes cannot be kept for recovery");
+            }
+            Effect::DropRecovery(path) => {
+                let dropped = recovery::discard(&path);
+                return warning(dropped, "The kept changes cannot be dropped");
+            }
+            Effect::RememberGlyphs(glyphs) => {
+                let kept = recovery::remember_glyphs(glyphs);
+                return warning(kept, "The choice cannot be remembered");
+            }
+            Effect::PrepareResume(dir, until) => {
+                let found = resume_request(&dir, Some(until)).map(Box::new);
+                Msg::ResumeReady(dir, until, found)
+            }
+            Effect::ListRuns(files) => Msg::RunsListed(list_runs(&files)),
+            Effect::DeleteRun(dir) => delete_run(dir),
+            Effect::KeepRun(run) => keep_run(run),
+            Effect::WriteText { path, text, what } => write_text(&path, &text, what),
+            _ => return Vec::new(),
+        };
+        vec![answer]
+    }
+
+    fn cancel(&self, ticket: Ticket) -> Vec<Msg> {
+        if let Some((_, cancel)) = self.trials.as_ref().filter(|(t, _)| *t == ticket) {
+            cancel.store(true, Ordering::Relaxed);
+        }
+        if let Some(running) = self.jobs.get(&ticket) {
+            running.job.cancel();
+        }
+        Vec::new()
     }
 
     fn start_trials(&mut self, ticket: Ticket, of: TrialsOf) -> Vec<Msg> {
@@ -241,7 +243,7 @@ impl EffectRunner {
     }
 }
 
-fn said(result: io::Result<()>, what: &str) -> Vec<Msg> {
+fn warning(result: io::Result<()>, what: &str) -> Vec<Msg> {
     result
         .err()
         .map(|error| Msg::Say(Level::Warning, format!("{what}: {error}.")))
@@ -249,7 +251,7 @@ fn said(result: io::Result<()>, what: &str) -> Vec<Msg> {
         .collect()
 }
 
-/// Passes on what a job says; returns when it has said its last, or nobody listens.
+/// Passes on the events of a job; returns after the last, or when nothing receives them.
 fn relay(
     ticket: Ticket,
     said: &Receiver<(JobId, Event)>,
@@ -269,7 +271,7 @@ fn relay(
         } else if let Some(open) = &mut writer
             && let Err(error) = open.event(&event)
         {
-            // The run goes on in memory; its directory stays marked as partial.
+            // The run continues in memory; its directory stays marked as partial.
             complaint = Some(error);
             writer = None;
         }
@@ -301,69 +303,4 @@ fn begin(request: &Request) -> Result<Writer, store::StoreError> {
         request.initial_info(),
         &case::stand_alone(&request.text, &request.case),
     )
-}
-
-fn list_runs(files: &[String]) -> Vec<RunEntry> {
-    let entries = store::list(Path::new(store::DEFAULT_ROOT)).unwrap_or_default();
-    let mut slots: Vec<RunEntry> = entries
-        .into_iter()
-        .filter_map(|entry| {
-            let info = entry.info.ok()?;
-            let place = files.iter().position(|file| *file == info.case_file)?;
-            // A run of another case says which.
-            let stem = info.case_file.trim_end_matches(".toml").to_owned();
-            let mut slot = slot(entry.dir, info, entry.held);
-            if place > 0 {
-                slot.label = format!("{stem} {}", slot.label).trim_end().to_owned();
-            }
-            Some(slot)
-        })
-        .collect();
-    slots.reverse();
-    slots
-}
-
-fn slot(dir: PathBuf, info: RunInfo, held: bool) -> RunEntry {
-    RunEntry {
-        ticket: None,
-        label: info.overrides.join(", "),
-        at: None,
-        text: fs::read_to_string(dir.join("case.toml")).unwrap_or_default(),
-        kind: RunOrigin::Stored,
-        state: match info.state {
-            RunState::Done => RunStatus::Done,
-            RunState::Partial if held => RunStatus::Elsewhere,
-            RunState::Partial => RunStatus::Partial,
-            RunState::Cancelled => RunStatus::Cancelled,
-            RunState::Failed => RunStatus::Failed(info.failure.unwrap_or_default()),
-        },
-        method: info.settings.method,
-        dir: Some(dir),
-        cost: Some((info.work.steps, info.cost.cpu_s)),
-        shown: false,
-        curves: Curves::default(),
-        id: info.id,
-    }
-}
-
-/// Deletes a run directory, and nothing that is no run directory.
-fn delete_run(dir: PathBuf) -> Msg {
-    let deleted = store::read_info(&dir)
-        .map_err(|e| e.to_string())
-        .and_then(|_| fs::remove_dir_all(&dir).map_err(|e| e.to_string()));
-    match deleted {
-        Ok(()) => Msg::RunDeleted(dir),
-        Err(error) => Msg::Say(
-            Level::Error,
-            format!("{} cannot be deleted: {error}", dir.display()),
-        ),
-    }
-}
-
-fn keep_run(run: Arc<Run>) -> Msg {
-    let place = RunLocation::Below(PathBuf::from(store::DEFAULT_ROOT));
-    match store::save(&place, &run) {
-        Ok(dir) => Msg::Kept(dir, run),
-        Err(error) => Msg::Say(Level::Error, format!("The run cannot be kept: {error}")),
-    }
 }

@@ -116,7 +116,7 @@ pub fn at_label(case: &Case, at: &At) -> String {
     }
 }
 
-/// Text and case at a point of a study; `None` is the case as it stands.
+/// Text and case at a point of a study; `None` is the edited case.
 ///
 /// # Errors
 /// Why the point cannot be made.
@@ -134,7 +134,7 @@ pub fn variant(
         .iter()
         .find(|s| s.name == at.study)
         .ok_or_else(|| format!("{file} has no study named `{}`.", at.study))?;
-    // With the files that it names: the name alone does not tell where they are.
+    // With the files that it names: the name alone does not say where they are.
     let whole = case::stand_alone(text, case);
     let text = case::edit::set_value(&whole, &study.key, &at.value).map_err(|d| d.to_string())?;
     let case = parse(&text, file)?;

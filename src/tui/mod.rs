@@ -7,8 +7,8 @@
 //! ```
 //!
 //! [`update()`] is pure and [`draw`] changes nothing; [`app`] does what the effects ask for, and
-//! [`terminal`] is the only place that touches the terminal's modes. All keys stand in one table,
-//! [`command::COMMANDS`].
+//! [`terminal`] is the only place that touches the terminal's modes. Each
+//! pane lists its commands with their keys in [`panes`].
 
 pub mod app;
 pub mod case_library;

@@ -31,7 +31,7 @@ pub enum Msg {
     Modes(String, Result<Arc<LineModes>, String>),
     /// How far trials are.
     TrialProgress(Ticket, Box<TrialProgress>),
-    /// How a stored run goes on up to a later end \[s\], or why it does not.
+    /// How a stored run is resumed up to a later end \[s\], or why it does not.
     ResumeReady(PathBuf, f64, Result<Box<(Request, Resume)>, String>),
     /// What a job has recorded since it was last asked.
     Recorded(Ticket, Box<Curves>),
@@ -61,7 +61,7 @@ pub enum Msg {
     RunDeleted(PathBuf),
     /// The live run was kept here.
     Kept(PathBuf, Arc<Run>),
-    /// Something to tell.
+    /// A message to the user.
     Say(Level, String),
 }
 
@@ -111,7 +111,7 @@ pub enum Effect {
         ticket: Ticket,
         /// What to compute.
         request: Box<Request>,
-        /// Where it goes on from.
+        /// Where it is resumed from.
         from: Option<Box<Resume>>,
         /// Whether its run is stored.
         store: bool,
@@ -136,7 +136,7 @@ pub enum Effect {
         /// Whose trials.
         of: TrialsOf,
     },
-    /// Find out how a stored run goes on up to a later end \[s\].
+    /// Prepare to resume a stored run up to a later end \[s\].
     PrepareResume(PathBuf, f64),
     /// List the stored runs of a case file, the first, and of those beside it.
     ListRuns(Vec<String>),

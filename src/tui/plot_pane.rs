@@ -21,7 +21,7 @@ pub enum PlotVerb {
     CursorLeft(Stride),
     /// Cursor right by a stride.
     CursorRight(Stride),
-    /// Cursor gone.
+    /// No cursor.
     CursorOff,
     /// Show what lies further left.
     PanLeft,
@@ -43,7 +43,7 @@ pub enum PlotVerb {
     Fit,
     /// Along y just what the lines do within the x shown.
     FitUp,
-    /// Hold the curves still, or let them go on.
+    /// Hold the curves still, or let them continue.
     Freeze,
     /// Hide a series of the chart, by its number, or show it again.
     Toggle(usize),
@@ -81,7 +81,7 @@ pub struct PlotPane {
     /// What is shown along y; absent: everything.
     y: Option<AxisRange>,
     cursor: Option<f64>,
-    /// Where the cursor stands on the y axis of a map.
+    /// Position of the cursor on the y axis of a map.
     cursor_y: Option<f64>,
     /// Marked places on the x axis, in the order in which they were set.
     marks: Vec<f64>,
@@ -92,13 +92,13 @@ pub struct PlotPane {
 }
 
 impl PlotPane {
-    /// Where the cursor stands on the x axis.
+    /// Position of the cursor on the x axis.
     #[must_use]
     pub fn cursor(&self) -> Option<f64> {
         self.cursor
     }
 
-    /// Puts the cursor somewhere, say where it stands in another chart.
+    /// Puts the cursor somewhere, such as its position in another chart.
     pub fn set_cursor(&mut self, x: Option<f64>) {
         self.cursor = x.filter(|x| x.is_finite());
     }
@@ -154,7 +154,7 @@ impl PlotPane {
     }
 
     /// Does what the user asked for. `base` is the chart without the user's changes, `frame` where
-    /// and what was drawn last ([`chart::frame`] tells it without drawing). With nothing drawn, an
+    /// and what was drawn last ([`chart::frame`] gives it without drawing). With nothing drawn, an
     /// empty frame, whatever would move or scale the view does nothing.
     pub fn act(&mut self, verb: &PlotVerb, base: &Chart, frame: PlotFrame) {
         if (frame.width == 0 || frame.height == 0) && verb.needs_frame() {

@@ -81,7 +81,7 @@ fn with_data<T>(line: &LineView, make: impl FnOnce(&FigureData) -> T) -> T {
     })
 }
 
-/// The figure of this name as the case stands.
+/// The figure of this name, without zoom and cursor.
 #[must_use]
 pub fn chart(line: &LineView, id: FigureId) -> Chart {
     let figure = id.figure();

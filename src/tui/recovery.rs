@@ -78,7 +78,7 @@ fn recovery_files(case: &Path) -> Vec<PathBuf> {
 /// Whether a session of this process number is still there, this one included.
 ///
 /// The number alone proves little: another program may have it by now, and a session whose end
-/// nobody has asked about yet still answers to it. Where the system tells more, that is believed.
+/// no process has asked about yet still answers to it. Where the system reports more, that is used.
 fn alive(process: i32) -> bool {
     let answers = Pid::from_raw(process).is_some_and(|pid| test_kill_process(pid).is_ok());
     let own = i32::try_from(std::process::id()).ok().and_then(about);
@@ -147,7 +147,7 @@ mod tests {
         let own = i32::try_from(std::process::id()).unwrap();
         assert!(alive(own));
         assert!(!alive(1), "another program");
-        // The same program, ended, while nobody has asked about its end.
+        // The same program, ended, while no process has asked about its end.
         let mut child = std::process::Command::new(std::env::current_exe().unwrap())
             .arg("--list")
             .stdout(std::process::Stdio::null())

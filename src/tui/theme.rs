@@ -1,7 +1,7 @@
 //! Styles of text, charts and tables on the terminal.
 //!
 //! Colours are the sixteen of the terminal's own palette on its own background. Without colour,
-//! weight alone tells theme apart; markers and words carry the meaning in both.
+//! weight alone distinguishes styles; markers and words carry the meaning in both.
 
 use ratatui::style::{Color, Modifier, Style};
 
@@ -94,7 +94,7 @@ impl Theme {
             Ink::Shade(-1) => self.fg(Color::Cyan),
             Ink::Shade(1) => self.fg(Color::Yellow),
             Ink::Shade(2) => self.fg(Color::Red),
-            // Without colour the shades are told apart by their characters alone, all at one weight.
+            // Without colour the shades differ by their characters alone, all at one weight.
             Ink::Shade(_) => plain,
             Ink::Cursor => self.strong(),
             Ink::Limit => self.fg(Color::Red),

@@ -9,7 +9,7 @@ use super::{Glyphs, Series, marker};
 /// Dots of a broken line: so many on, as many off.
 const DASH: usize = 2;
 
-/// Markers along a line stand at least this many columns apart.
+/// Markers along a line are at least this many columns apart.
 const MARKER_SPACING: usize = 14;
 
 /// One cell of the plot.

@@ -1,4 +1,4 @@
-//! Which rows and columns of a picture are for what; the smaller it is, the less stands around the
+//! Which rows and columns of a picture are for what; the smaller it is, the less is drawn around the
 //! plot: first the name of the x axis goes, then the title, the legend, and the axes last.
 
 use super::Chart;
@@ -15,7 +15,7 @@ pub(super) struct Rows {
     pub(super) top: usize,
     /// Rows of the plot.
     pub(super) height: usize,
-    /// Row of the x axis; its numbers stand in the row below.
+    /// Row of the x axis; its numbers are in the row below.
     pub(super) axis: Option<usize>,
     /// Row of the name of the x axis.
     pub(super) name: Option<usize>,

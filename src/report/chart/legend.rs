@@ -12,7 +12,7 @@ const SAMPLE: usize = 4;
 /// Columns between entries.
 const GAP: usize = 3;
 
-/// Where the entries of a legend stand.
+/// Positions of the entries of a legend.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Flow {
     /// Series by number, with row and column.

@@ -1,6 +1,6 @@
-//! A field over both axes of a plot: the darker a place, the greater the value there. Least and greatest shade stand for
+//! A field over both axes of a plot: the darker a place, the greater the value there. Least and greatest shade mean
 //! values of the same size and opposite sign, so that crests are dark, troughs light and what rests is between them; inks
-//! tell the sign once more where there is colour.
+//! repeat the sign where there is colour.
 
 use super::picture::{Ink, Picture, PlotFrame};
 use super::{Axis, Glyphs};
@@ -15,7 +15,7 @@ pub struct Map {
     pub y: Vec<f64>,
     /// Values, all those of the first x first: as many as both axes have points.
     pub values: Vec<f64>,
-    /// What the values are, and their unit; the darkest shade stands for the upper end of the range, where there is one, and
+    /// What the values are, and their unit; the darkest shade means the upper end of the range, where there is one, and
     /// for all beyond it.
     pub of: Axis,
 }
@@ -35,7 +35,7 @@ impl Map {
         self.between(x, y)
     }
 
-    /// What the darkest shade stands for: the greatest size of any value unless the map says otherwise.
+    /// What the darkest shade means: the greatest size of any value unless the map says otherwise.
     #[must_use]
     pub fn greatest(&self) -> f64 {
         let sizes = self.values.iter().map(|v| v.abs());

@@ -2,7 +2,7 @@
 //!
 //! A [`Chart`] says what is shown; [`draw()`] turns it into a [`Picture`], a grid of characters each
 //! with an [`Ink`] that says what it is. Screen and report draw the same chart; only the screen
-//! turns inks into colours, and nothing is told by colour alone: every series has a marker of its
+//! turns inks into colours, and nothing is shown by colour alone: every series has a marker of its
 //! own, shown in the legend and along its line.
 //!
 //! ```
@@ -53,9 +53,9 @@ pub struct Chart {
     pub limits: Vec<Limit>,
     /// A field over both axes, below everything else.
     pub map: Option<Map>,
-    /// Where the cursor stands on the x axis.
+    /// Position of the cursor on the x axis.
     pub cursor: Option<f64>,
-    /// Where it stands on the y axis, on a chart with a map.
+    /// Its position on the y axis, on a chart with a map.
     pub cursor_y: Option<f64>,
     /// One metre is as long upwards as sideways; ranges are widened for it, never narrowed.
     pub equal_scale: bool,
@@ -168,7 +168,7 @@ const MARKERS: [char; 16] = [
     'o', 'x', '#', '*', '@', '%', '&', '$', 'a', 'b', 'c', 'd', 'e', 'f', 'g', 'h',
 ];
 
-/// The character that tells the series of a slot from the others, in both glyph sets.
+/// The character of the series of a slot, in both glyph sets.
 #[must_use]
 pub fn marker(slot: usize) -> char {
     MARKERS[slot % MARKERS.len()]

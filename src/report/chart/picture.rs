@@ -21,7 +21,7 @@ pub enum Ink {
     Series(usize),
     /// An older result, by its slot.
     Dimmed(usize),
-    /// A place of a map: from -2, far below nought, to 2, far above it.
+    /// A place of a map: from -2, far below zero, to 2, far above it.
     Shade(i8),
     /// The cursor line.
     Cursor,

@@ -8,7 +8,7 @@ pub type AxisRange = (f64, f64);
 /// Greatest size of a value that is drawn; beyond it differences overflow.
 const LARGEST: f64 = 1e300;
 
-/// Smallest span, relative to the values, that is told apart; below it a series counts as constant.
+/// Smallest span, relative to the values, that is resolved; below it a series counts as constant.
 const FINEST: f64 = 1e-10;
 
 /// The smallest and the greatest of the values that can be drawn; absent when there is none.
@@ -44,7 +44,7 @@ pub fn fit(data: Option<AxisRange>) -> AxisRange {
     sane((step.value(first), step.value(last)))
 }
 
-/// A range that can be divided by: finite, in order, wide enough to be told apart.
+/// A range that can be divided by: finite, in order, wide enough to be resolved.
 pub(super) fn sane((low, high): AxisRange) -> AxisRange {
     if !low.is_finite() || !high.is_finite() {
         return (0.0, 1.0);

@@ -44,7 +44,7 @@ pub enum ReadoutMethod {
     Interpolated,
     /// At the nearest sample: the series does not go from left to right, or is a single point.
     Nearest,
-    /// Nowhere: the cursor stands before the first or behind the last sample, or in a gap.
+    /// Nowhere: the cursor is before the first or behind the last sample, or in a gap.
     Outside,
 }
 

@@ -88,7 +88,7 @@ impl TickStep {
         (0..count).map(|i| self.value(first + i as f64)).collect()
     }
 
-    /// Decimals that tell neighbouring ticks apart at a scale.
+    /// Decimals that distinguish neighbouring ticks at a scale.
     fn decimals(self, scale: Scale) -> i32 {
         (number::order(scale.factor * (1.0 + 1e-9)) - self.exponent).max(0)
     }
@@ -97,7 +97,7 @@ impl TickStep {
 /// A tick and its number in words.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Tick {
-    /// Where it stands.
+    /// Its position.
     pub(super) value: f64,
     /// What is written beside it, at the scale of the axis.
     pub(super) label: String,

@@ -163,7 +163,7 @@ impl CaseContents<'_> {
         self.response() && response::period(self.case).is_some()
     }
 
-    /// Whether waves are irregular; a regular wave is a sine, which nobody needs to see.
+    /// Whether waves are irregular; a regular wave is a sine, which need not be drawn.
     fn irregular_sea(&self) -> bool {
         let waves = self.case.waves.as_ref();
         self.dynamic && waves.is_some_and(|waves| waves.kind == WaveKind::Irregular)

@@ -46,7 +46,7 @@ impl ResponseMapKind {
 /// Displacements of the nodes from their mean places over time and arc length, from the stored shapes of the last run in
 /// full ink that has at least three: in diameters where the run knows them, else in metres. `from` is the time \[s\] from
 /// which on the motion counts as steady; the mean is taken from there. Stripes that lean are waves that travel, upright ones
-/// stand.
+/// standing.
 #[must_use]
 pub fn response_map(sources: &[PlottedRun], from: Option<f64>, of: ResponseMapKind) -> Chart {
     let mut chart = Chart {
@@ -119,7 +119,7 @@ fn field(source: &PlottedRun, from: f64, of: ResponseMapKind) -> Option<Map> {
     })
 }
 
-/// Arc lengths of the nodes; of a run on its way those of its first shape, which differ by the stretch of the line alone.
+/// Arc lengths of the nodes; of an incomplete run those of its first shape, which differ by the stretch of the line alone.
 fn arc(source: &PlottedRun) -> Option<Vec<f64>> {
     if let Some(profile) = source.profile {
         return (profile.arc.len() > 1).then(|| profile.arc.clone());
@@ -144,7 +144,7 @@ fn mean(shapes: &[&LineShape], nodes: usize) -> Vec<V3> {
     (0..nodes).map(at).collect()
 }
 
-/// Divides the values of every place by their root mean square; a place at rest stays at nought.
+/// Divides the values of every place by their root mean square; a place at rest stays at zero.
 fn even(values: &mut [f64], nodes: usize) {
     let times = values.len() / nodes.max(1);
     let size = |i: usize, values: &[f64]| {

@@ -68,7 +68,7 @@ impl View {
 }
 
 /// The line at the stored instant nearest to a time \[s\], z against x \[m\], to equal scale. The
-/// axes show all stored shapes, so that they stand still while time goes on.
+/// axes show all stored shapes, so that they stay fixed during a run.
 #[must_use]
 pub fn line_shape(sources: &[PlottedRun], time: f64) -> Chart {
     view(sources, time, View::Side)

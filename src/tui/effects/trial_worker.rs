@@ -12,7 +12,7 @@ use crate::tui::msg::Msg;
 use crate::tui::state::Ticket;
 use crate::tui::state::trials::{TrialProgress, TrialsOf};
 
-/// Computes trials, on all cores but the one of the screen; tells of each, and at the end.
+/// Computes trials, on all cores but the one of the screen; reports each, and the end.
 pub(super) fn compute_trials(
     ticket: Ticket,
     of: TrialsOf,

@@ -42,7 +42,7 @@ impl Pane for Cases {
             Id::Reload => Some(vec![Effect::ReadCases]),
             Id::Trials => Some(trials::show(state)),
             Id::Filter => {
-                state.cases.typing = true;
+                state.cases.filter.typing = true;
                 Some(Vec::new())
             }
             _ => {
@@ -63,8 +63,8 @@ impl Pane for Cases {
         ])
         .areas(area);
         let cases = &painter.state.cases;
-        if cases.typing || !cases.filter.value().is_empty() {
-            painter.prompt(head, "filter: ", &cases.filter, cases.typing);
+        if cases.filter.typing || !cases.filter.is_empty() {
+            painter.prompt(head, "filter: ", &cases.filter.input, cases.filter.typing);
         } else {
             let words = format!("Cases ({})", cases.entries.len());
             painter.text(head, &words, painter.theme.strong());

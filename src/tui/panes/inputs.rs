@@ -43,7 +43,7 @@ impl Pane for Inputs {
                 let path = state.editor()?.path.clone();
                 return Some(vec![Effect::EditFile(path)]);
             }
-            Id::Filter => state.editor_mut()?.filtering = true,
+            Id::Filter => state.editor_mut()?.filter.typing = true,
             _ => {
                 let editor = state.editor_mut()?;
                 editor.field = moved(editor.field, by?, editor.fields().count());
@@ -71,11 +71,11 @@ impl Pane for Inputs {
 }
 
 fn filter_line(painter: &mut Painter, list: Rect, editor: &ParameterEditor) -> Rect {
-    if !editor.filtering && editor.filter.value().is_empty() {
+    if !editor.filter.typing && editor.filter.is_empty() {
         return list;
     }
     let [line, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(list);
-    painter.prompt(line, "filter: ", &editor.filter, editor.filtering);
+    painter.prompt(line, "filter: ", &editor.filter.input, editor.filter.typing);
     rest
 }
 

@@ -9,7 +9,9 @@ use crate::tui::command::{self, Command, Id, LIST, main, other};
 use crate::tui::facade;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
-use crate::tui::state::{AppState, LineView, Overlay, Question, RunEntry, RunOrigin, RunStatus};
+use crate::tui::state::{
+    AppState, JobState, LineView, Overlay, Question, RunEntry, RunOrigin, RunStatus,
+};
 use crate::tui::update::motion::{moved, step};
 use crate::tui::update::{resume, runs};
 use crate::tui::view::painter::Painter;
@@ -91,8 +93,8 @@ fn why_not_resumed(run: Option<&RunEntry>) -> Option<&'static str> {
     let Some(run) = run else {
         return Some("The live run is in memory only; `R` makes one that can be resumed.");
     };
-    match run.state {
-        RunStatus::Queued | RunStatus::Running => {
+    match &run.state {
+        RunStatus::Job(state) if state.is_open() => {
             Some("This run is still running; `ctrl+c` stops it.")
         }
         RunStatus::Elsewhere => Some("Another program is still computing this run."),
@@ -106,8 +108,8 @@ fn why_not_deleted(run: Option<&RunEntry>) -> Option<&'static str> {
     let Some(run) = run else {
         return Some("The live run is in memory only; there is nothing to delete.");
     };
-    match run.state {
-        RunStatus::Queued | RunStatus::Running => {
+    match &run.state {
+        RunStatus::Job(state) if state.is_open() => {
             Some("This run is still running; `ctrl+c` cancels it.")
         }
         RunStatus::Elsewhere => Some("Another program is still computing this run."),
@@ -161,7 +163,9 @@ fn run_line(painter: &mut Painter, at: Rect, entry: &RunEntry, style: Style) {
     let name = format!("{mark} {label}{}", entry.id);
     let (steps, cpu) = cost_words(entry.cost);
     let style = match entry.state {
-        RunStatus::Failed(_) | RunStatus::Unreadable(_) => style.patch(painter.theme.error()),
+        RunStatus::Job(JobState::Failed(_)) | RunStatus::Unreadable(_) => {
+            style.patch(painter.theme.error())
+        }
         _ => style,
     };
     let words = [&name, entry.state.word(), &entry.method, &steps, &cpu];

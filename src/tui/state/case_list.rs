@@ -15,6 +15,23 @@ pub struct CaseEntry {
     pub about: Result<(String, String), (String, String)>,
 }
 
+/// A filter of a list.
+#[derive(Debug, Clone, Default)]
+pub struct Filter {
+    /// What is typed.
+    pub input: Input,
+    /// True while it is typed.
+    pub typing: bool,
+}
+
+impl Filter {
+    /// Whether it lets everything pass.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.input.value().is_empty()
+    }
+}
+
 /// The list of cases.
 #[derive(Debug, Clone, Default)]
 pub struct CaseList {
@@ -25,15 +42,13 @@ pub struct CaseList {
     /// Cursor among the entries that pass the filter.
     pub cursor: usize,
     /// The filter; empty passes everything.
-    pub filter: Input,
-    /// True while the filter is typed.
-    pub typing: bool,
+    pub filter: Filter,
 }
 
 impl CaseList {
     /// The entries that pass the filter.
     pub fn shown(&self) -> impl Iterator<Item = &CaseEntry> {
-        let filter = self.filter.value().to_lowercase();
+        let filter = self.filter.input.value().to_lowercase();
         self.entries.iter().filter(move |entry| {
             let about = match &entry.about {
                 Ok((title, source)) => format!("{title} {source}"),

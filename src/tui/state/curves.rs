@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::jobs::Ticket;
+use super::jobs::{JobState, Ticket};
 use crate::case::{At, ChannelId};
-use crate::run::{DecimatedRecord, Frame, History, LineShape, Progress, Run};
+use crate::run::{DecimatedRecord, Frame, History, LineShape, Progress, Run, RunInfo, RunState};
 
 /// What is known of a run so far.
 #[derive(Debug, Clone, Default)]
@@ -91,19 +91,11 @@ pub enum RunOrigin {
     Stored,
 }
 
-/// How a run of the list stands.
+/// State of a run of the list.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum RunStatus {
-    /// Waits for its turn.
-    Queued,
-    /// Computes.
-    Running,
-    /// Complete.
-    Done,
-    /// The solver gave up, for this reason.
-    Failed(String),
-    /// Stopped by the user.
-    Cancelled,
+    /// That of its job, in this session or an earlier one.
+    Job(JobState),
     /// Another program computes it.
     Elsewhere,
     /// Found incomplete: the program that wrote it was killed.
@@ -117,11 +109,7 @@ impl RunStatus {
     #[must_use]
     pub fn word(&self) -> &'static str {
         match self {
-            Self::Queued => "queued",
-            Self::Running => "running",
-            Self::Done => "done",
-            Self::Failed(_) => "failed",
-            Self::Cancelled => "cancelled",
+            Self::Job(state) => state.word(),
             Self::Elsewhere => "elsewhere",
             Self::Partial => "killed",
             Self::Unreadable(_) => "unreadable",
@@ -138,13 +126,13 @@ pub struct RunEntry {
     pub id: String,
     /// What is special about it ("current.speed_m_per_s = 0.2"), or empty.
     pub label: String,
-    /// The point of a study it belongs to; absent: the case as it stands.
+    /// The point of a study it belongs to; absent: the edited case.
     pub at: Option<At>,
-    /// The case text it computes, to tell whether it answers for the case as it stands.
+    /// The case text it computes, to decide whether it is of the edited case.
     pub text: String,
     /// Where it comes from.
     pub kind: RunOrigin,
-    /// How it stands.
+    /// Its state.
     pub state: RunStatus,
     /// Method, for the list.
     pub method: String,
@@ -156,4 +144,32 @@ pub struct RunEntry {
     pub shown: bool,
     /// Its curves; a stored run has none before it is first shown.
     pub curves: Curves,
+}
+
+impl RunEntry {
+    /// A stored run, without its curves.
+    #[must_use]
+    pub fn stored(info: &RunInfo, text: String) -> Self {
+        Self {
+            ticket: None,
+            id: info.id.clone(),
+            label: String::new(),
+            at: None,
+            text,
+            kind: RunOrigin::Stored,
+            state: match info.state {
+                RunState::Done => RunStatus::Job(JobState::Done),
+                RunState::Partial => RunStatus::Partial,
+                RunState::Cancelled => RunStatus::Job(JobState::Cancelled),
+                RunState::Failed => {
+                    RunStatus::Job(JobState::Failed(info.failure.clone().unwrap_or_default()))
+                }
+            },
+            method: info.settings.method.clone(),
+            dir: None,
+            cost: Some((info.work.steps, info.cost.cpu_s)),
+            shown: false,
+            curves: Curves::default(),
+        }
+    }
 }

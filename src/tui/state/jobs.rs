@@ -19,7 +19,7 @@ pub enum Purpose {
     Trials,
 }
 
-/// How a job stands.
+/// State of a job.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum JobState {
     /// Waits for its turn.
@@ -63,7 +63,7 @@ pub struct JobLine {
     pub name: String,
     /// What it is for.
     pub purpose: Purpose,
-    /// How it stands.
+    /// Its state.
     pub state: JobState,
     /// How far it is.
     pub progress: Progress,
@@ -76,7 +76,7 @@ pub struct Waiting {
     pub ticket: Ticket,
     /// What to compute.
     pub request: Box<Request>,
-    /// Where it goes on from.
+    /// Where it is resumed from.
     pub from: Option<Box<Resume>>,
 }
 

@@ -27,7 +27,7 @@ pub struct LiveSolve {
     pub going: Option<Curves>,
     /// The text that `going` computes.
     pub going_text: String,
-    /// The last complete curves, dimmed while `going` is on its way.
+    /// The last complete curves, dimmed while `going` is incomplete.
     pub done: Option<Curves>,
     /// The text that `done` computed.
     pub done_text: String,

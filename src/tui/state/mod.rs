@@ -13,12 +13,12 @@ pub mod section;
 pub mod ship;
 pub mod trials;
 
-pub use case_list::{CaseEntry, CaseList};
+pub use case_list::{CaseEntry, CaseList, Filter};
 pub use curves::{Curves, RunEntry, RunOrigin, RunStatus};
 pub use document::{Content, Document, DocumentKind};
 pub use jobs::{JobLine, JobState, Jobs, Purpose, Ticket, Waiting};
 pub use line::LineView;
-pub use overlay::{Choice, Overlay, Question};
+pub use overlay::{Overlay, PromptPurpose, Question};
 pub use parameter_editor::{Editing, ParameterEditor};
 pub use ropeway::RopewayView;
 pub use section::SectionView;
@@ -127,6 +127,20 @@ impl AppState {
     /// The text and fields of what is open, to be changed.
     pub fn editor_mut(&mut self) -> Option<&mut ParameterEditor> {
         self.document.as_mut().map(|document| &mut document.editor)
+    }
+
+    /// The filter of the list that is open, fields or cases; its cursor; and how many lines pass.
+    pub fn filter_mut(&mut self) -> (&mut Filter, &mut usize, usize) {
+        match &mut self.document {
+            Some(Document { editor, .. }) => {
+                let lines = editor.fields().count();
+                (&mut editor.filter, &mut editor.field, lines)
+            }
+            None => {
+                let lines = self.cases.shown().count();
+                (&mut self.cases.filter, &mut self.cases.cursor, lines)
+            }
+        }
     }
 
     /// Closes what is open, and stops what it computes in the background.

@@ -35,38 +35,31 @@ pub enum Overlay {
     },
     /// A question with an answer a key.
     Ask(Question),
-    /// A list to choose from.
-    Choose {
-        /// What is chosen.
-        choice: Choice,
+    /// The studies of the case, to choose one from.
+    Studies {
         /// The lines.
         items: Vec<String>,
         /// Cursor.
         cursor: usize,
     },
-    /// The time \[s\] up to which a stored run is to go on.
-    Until {
-        /// Its directory.
-        dir: PathBuf,
+    /// A line to type.
+    Prompt {
+        /// What it is for.
+        purpose: PromptPurpose,
         /// What is typed.
         input: Input,
-        /// What to know about it, or why the last answer would not do.
+        /// What to know about it, or why the last answer was refused.
         words: String,
-    },
-    /// A file name to type, for a case whose own file cannot be written.
-    SaveAs {
-        /// What is typed.
-        input: Input,
-        /// Why the file itself is not written.
-        why: String,
     },
 }
 
-/// What a list is for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Choice {
-    /// A study to run.
-    Study,
+/// What a typed line is for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum PromptPurpose {
+    /// The time \[s\] up to which the run in this directory is resumed.
+    Resume(PathBuf),
+    /// Another file name, for a case whose own file cannot be written.
+    SaveAs,
 }
 
 /// A question.
@@ -91,7 +84,7 @@ pub enum Question {
         /// The text with those edits.
         text: String,
     },
-    /// Nothing tells whether the terminal shows braille.
+    /// Nothing says whether the terminal shows braille.
     Glyphs,
     /// The file changed on disk since it was read.
     Overwrite,
@@ -121,7 +114,7 @@ impl Question {
                 &[('r', "bring them back"), ('d', "drop them"), ('c', "decide later")],
             ),
             Self::Glyphs => (
-                "No locale is set, so nothing tells what this terminal can show. \
+                "No locale is set, so nothing says what this terminal can show. \
                  Is this a row of dot patterns?   \u{2801}\u{2803}\u{2807}\u{2847}\u{28c7}\u{28e7}\u{28f7}\u{28ff}"
                     .to_owned(),
                 &[('y', "yes, draw with dots"), ('n', "no, draw with ASCII")],

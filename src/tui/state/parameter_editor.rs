@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use tui_input::Input;
 
+use super::case_list::Filter;
 use crate::tui::facade::FieldRow;
 
 /// What follows a save that was asked for on the way out.
@@ -51,9 +52,7 @@ pub struct ParameterEditor {
     /// Cursor among the fields that pass the filter.
     pub field: usize,
     /// Filter of the fields.
-    pub filter: Input,
-    /// True while the filter is typed.
-    pub filtering: bool,
+    pub filter: Filter,
     /// A value being typed.
     pub editing: Option<Editing>,
 }
@@ -76,8 +75,7 @@ impl ParameterEditor {
             redo: Vec::new(),
             after_save: AfterSave::Stay,
             field: 0,
-            filter: Input::default(),
-            filtering: false,
+            filter: Filter::default(),
             editing: None,
         }
     }
@@ -96,7 +94,7 @@ impl ParameterEditor {
 
     /// The fields that pass the filter.
     pub fn fields(&self) -> impl Iterator<Item = &FieldRow> {
-        let filter = self.filter.value().to_lowercase();
+        let filter = self.filter.input.value().to_lowercase();
         let shown = self.rows.iter().filter(|row| row.is_shown());
         shown.filter(move |row| {
             super::case_list::passes(

@@ -1,4 +1,4 @@
-//! A ropeway on the screen: what it comes to, and where the cargo is.
+//! A ropeway on the screen: its result, and the position of the cargo.
 
 use std::path::PathBuf;
 
@@ -19,7 +19,7 @@ use crate::tui::pane::PaneId;
 /// A ropeway.
 #[derive(Debug, Clone)]
 pub struct RopewayView {
-    /// What the text comes to.
+    /// The result of the text.
     pub worked: SolvedRopeway,
     /// Where the cargo is, from 0 at the platform to 1 at the ship; the file's own place stays in the file.
     pub position: f64,

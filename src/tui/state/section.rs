@@ -20,7 +20,7 @@ pub const PAPER_WIDTH: usize = 100;
 /// A cross-section.
 #[derive(Debug, Clone)]
 pub struct SectionView {
-    /// What the text comes to.
+    /// The result of the text.
     pub design: Design,
     /// Zoom and pan of the drawing.
     pub view: PlotPane,

@@ -10,7 +10,7 @@ use crate::tui::table_pane::TablePane;
 /// Whose trials.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum TrialsOf {
-    /// Of one case, as it stands in the editor.
+    /// Of one case, as edited.
     Case {
         /// File name.
         file: String,
@@ -21,7 +21,7 @@ pub enum TrialsOf {
     Files(Vec<PathBuf>),
 }
 
-/// How far the trials are, as the thread that computes them tells.
+/// How far the trials are, as the thread that computes them reports.
 #[derive(Debug, Clone, Default)]
 pub struct TrialProgress {
     /// What came out so far, in the order of the cases.
@@ -48,7 +48,7 @@ pub struct Trials {
     pub progress: TrialProgress,
     /// Whether they were stopped.
     pub stopped: bool,
-    /// Whether they are seen; else they go on behind the screen.
+    /// Whether they are seen; else they run behind the screen.
     pub shown: bool,
     /// Selection, sorting and scrolling.
     pub pane: TablePane,

@@ -9,7 +9,7 @@ pub struct Capabilities {
     pub glyphs: Glyphs,
     /// False under `NO_COLOR`.
     pub colour: bool,
-    /// True when nothing tells what the terminal can show: no locale is no proof of plain ASCII,
+    /// True when nothing says what the terminal can show: no locale is no proof of plain ASCII,
     /// as a command run over SSH often has none.
     pub unsure: bool,
 }

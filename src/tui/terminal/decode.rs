@@ -27,7 +27,7 @@ pub struct Decoder {
 
 /// What the first pending bytes are.
 enum Step {
-    /// More bytes are needed to tell.
+    /// More bytes are needed to decide.
     Wait,
     /// So many bytes mean nothing to us.
     Skip(usize),

@@ -75,7 +75,7 @@ impl Screen {
     /// When the system does not know.
     pub fn size(&self) -> io::Result<(u16, u16)> {
         let size = rustix::termios::tcgetwinsize(io::stdout().as_fd())?;
-        // A terminal that was never told its size has none; any screen is better than no screen.
+        // A terminal that has no size; any screen is better than no screen.
         Ok(match (size.ws_col, size.ws_row) {
             (0, _) | (_, 0) => (80, 24),
             known => known,
@@ -120,7 +120,7 @@ fn enter() -> io::Result<()> {
 }
 
 /// Gives the terminal back as it was. Used by normal exit, error, panic, stop and signals; safe to
-/// call at any time and more than once, and silent when the terminal is gone.
+/// call at any time and more than once, and silent when the terminal has hung up.
 pub fn restore() {
     if !ENTERED.swap(false, Ordering::SeqCst) {
         return;

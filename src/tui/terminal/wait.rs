@@ -1,6 +1,6 @@
 //! Waiting for the terminal and for signals with `poll(2)`.
 //!
-//! Asked before every read, it notices a terminal that is gone without a SIGHUP; libraries that
+//! Asked before every read, it notices a terminal that has hung up without a SIGHUP; libraries that
 //! only ask for readability spin forever on such a descriptor.
 
 use std::io;
@@ -17,7 +17,7 @@ pub struct Woken {
     pub input: bool,
     /// A signal came.
     pub signal: bool,
-    /// The terminal is gone.
+    /// The terminal has hung up.
     pub hung_up: bool,
 }
 
@@ -53,7 +53,7 @@ pub fn wait(
     })
 }
 
-/// Reads what is there; zero bytes and an input/output error both mean that the terminal is gone.
+/// Reads what is there; zero bytes and an input/output error both mean that the terminal has hung up.
 ///
 /// # Errors
 /// Any other error of `read(2)`.

@@ -2,39 +2,10 @@
 
 use std::path::PathBuf;
 
-use super::motion::moved;
-use super::text_input::type_key;
 use super::{edit, jobs, runs, ship};
 use crate::tui::case_library::FIRST;
-use crate::tui::key::Key;
 use crate::tui::msg::{Effect, FileRead};
 use crate::tui::state::{AppState, CaseEntry, Document, Level, Overlay, ParameterEditor, Question};
-
-/// Keys while the filter is typed.
-pub(super) fn typing_key(state: &mut AppState, key: Key) -> Option<Vec<Effect>> {
-    if state.editor().is_some() || !state.cases.typing {
-        return None;
-    }
-    let lines = state.cases.shown().count();
-    let cases = &mut state.cases;
-    match key {
-        Key::Enter => cases.typing = false,
-        Key::Esc | Key::Ctrl('c') => {
-            cases.typing = false;
-            cases.filter.reset();
-            cases.cursor = 0;
-        }
-        Key::Down => cases.cursor = moved(cases.cursor, 1, lines),
-        Key::Up => cases.cursor = moved(cases.cursor, -1, lines),
-        Key::Ctrl('z') => return Some(vec![Effect::Suspend]),
-        _ => {
-            if type_key(&mut cases.filter, key) {
-                cases.cursor = 0;
-            }
-        }
-    }
-    Some(Vec::new())
-}
 
 pub(super) fn listed(state: &mut AppState, dir: PathBuf, entries: Vec<CaseEntry>) -> Vec<Effect> {
     let before = state.cases.current().map(|e| e.path.clone());

@@ -2,7 +2,6 @@
 
 use tui_input::Input;
 
-use super::motion::moved;
 use super::notice::{info, warn};
 use super::text_input::type_key;
 use super::{jobs, runs};
@@ -30,40 +29,17 @@ pub fn begin(state: &mut AppState) {
     }
 }
 
-/// Keys while a value or the filter of the fields is typed.
+/// Keys while a value is typed.
 pub(super) fn typing_key(state: &mut AppState, key: Key) -> Option<Vec<Effect>> {
     let editor = state.editor_mut()?;
-    if key == Key::Ctrl('z') && (editor.editing.is_some() || editor.filtering) {
-        return Some(vec![Effect::Suspend]);
-    }
-    if let Some(editing) = &mut editor.editing {
-        match key {
-            Key::Esc | Key::Ctrl('c') => editor.editing = None,
-            Key::Enter => return Some(accept(state)),
-            _ => {
-                if type_key(&mut editing.input, key) {
-                    editing.problem = None;
-                }
-            }
-        }
-        return Some(Vec::new());
-    }
-    if !editor.filtering {
-        return None;
-    }
-    let lines = editor.fields().count();
+    let editing = editor.editing.as_mut()?;
     match key {
-        Key::Enter => editor.filtering = false,
-        Key::Esc | Key::Ctrl('c') => {
-            editor.filtering = false;
-            editor.filter.reset();
-            editor.field = 0;
-        }
-        Key::Down => editor.field = moved(editor.field, 1, lines),
-        Key::Up => editor.field = moved(editor.field, -1, lines),
+        Key::Ctrl('z') => return Some(vec![Effect::Suspend]),
+        Key::Esc | Key::Ctrl('c') => editor.editing = None,
+        Key::Enter => return Some(accept(state)),
         _ => {
-            if type_key(&mut editor.filter, key) {
-                editor.field = 0;
+            if type_key(&mut editing.input, key) {
+                editing.problem = None;
             }
         }
     }

@@ -65,7 +65,7 @@ pub(super) fn write_line_input(state: &mut AppState) -> Vec<Effect> {
     }
     match document.kind().line_input(document.editor.stem()) {
         (path, Some(text), what) => write(path, Some(text), what),
-        _ => info(state, "There is nothing to write as it stands."),
+        _ => info(state, "There is nothing to write."),
     }
 }
 

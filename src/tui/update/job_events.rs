@@ -9,7 +9,7 @@ use crate::run::{Progress, Run, RunState};
 use crate::tui::msg::Effect;
 use crate::tui::state::{AppState, Curves, JobState, Level, Overlay, Question, Ticket};
 
-/// What a job says. Messages of jobs that nobody waits for any more are dropped.
+/// An event of a job. Events of jobs that nothing waits for any more are dropped.
 pub(super) fn event(state: &mut AppState, ticket: Ticket, event: Event) -> Vec<Effect> {
     if state
         .jobs
@@ -47,7 +47,7 @@ pub(super) fn event(state: &mut AppState, ticket: Ticket, event: Event) -> Vec<E
     Vec::new()
 }
 
-/// What a job has recorded since it was last asked; dropped where nobody waits for it any more.
+/// What a job has recorded since it was last asked; dropped where nothing waits for it any more.
 pub(super) fn recorded(state: &mut AppState, ticket: Ticket, later: &Curves) -> Vec<Effect> {
     let Some(line) = state.jobs.get_mut(ticket).filter(|l| l.state.is_open()) else {
         return Vec::new();
@@ -145,7 +145,7 @@ fn said_done(state: &mut AppState, ticket: Ticket) {
     state.say(Level::Info, text);
 }
 
-/// A quit that waited for jobs goes on when they have ended.
+/// A quit that waits for jobs continues when they have ended.
 fn quit_if_asked(state: &mut AppState) -> Vec<Effect> {
     let asked = matches!(state.overlay, Some(Overlay::Ask(Question::JobsRunning)));
     if asked && state.jobs.open() == 0 {

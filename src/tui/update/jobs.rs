@@ -13,7 +13,7 @@ use crate::tui::state::{
     Purpose, RunEntry, RunOrigin, RunStatus, Ticket, Waiting,
 };
 
-/// Solves the case as it stands in the background; the newest wins.
+/// Solves the edited case in the background; the newest wins.
 pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
     let mut effects = Vec::new();
     let ticket = state.jobs.ticket();
@@ -86,7 +86,7 @@ fn overrides(line: &LineView, editor: &ParameterEditor, text: &str) -> Vec<Strin
         .collect()
 }
 
-/// Runs the case as it stands, and stores the run.
+/// Runs the edited case, and stores the run.
 pub(super) fn run(state: &mut AppState) -> Vec<Effect> {
     let document = state.document.as_mut();
     let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
@@ -149,7 +149,7 @@ pub(super) fn queue(
         at,
         text,
         kind: RunOrigin::Session,
-        state: RunStatus::Queued,
+        state: RunStatus::Job(JobState::Queued),
         method,
         dir: None,
         cost: None,
@@ -249,15 +249,8 @@ pub fn cancel(state: &mut AppState, ticket: Ticket) -> Vec<Effect> {
 
 /// Sets job and run to a state.
 pub(super) fn set_state(state: &mut AppState, ticket: Ticket, new: JobState) {
-    let slot_state = match &new {
-        JobState::Queued => RunStatus::Queued,
-        JobState::Running => RunStatus::Running,
-        JobState::Done => RunStatus::Done,
-        JobState::Failed(why) => RunStatus::Failed(why.clone()),
-        JobState::Cancelled => RunStatus::Cancelled,
-    };
     if let Some(slot) = slot(state, ticket) {
-        slot.state = slot_state;
+        slot.state = RunStatus::Job(new.clone());
     }
     if let Some(line) = state.jobs.get_mut(ticket) {
         line.state = new;
@@ -269,7 +262,7 @@ pub(super) fn slot(state: &mut AppState, ticket: Ticket) -> Option<&mut RunEntry
     runs.iter_mut().find(|s| s.ticket == Some(ticket))
 }
 
-/// Jobs of the open case end with it; trials go on.
+/// Jobs of the open case end with it; trials keep running.
 pub(super) fn cancel_all(state: &mut AppState) -> Vec<Effect> {
     state.jobs.waiting.clear();
     let open: Vec<Ticket> = state

@@ -1,12 +1,13 @@
 //! Keys and pastes: first to what is typed, then to what lies over the screen, then to the table.
 
+use super::motion::moved;
 use super::notice::info;
-use super::text_input::type_text;
-use super::{cases, edit, overlay, quit};
+use super::text_input::{type_key, type_text};
+use super::{edit, overlay, quit};
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
 use crate::tui::panes;
-use crate::tui::state::{AppState, Level, Overlay};
+use crate::tui::state::{AppState, Filter, Level, Overlay};
 
 pub(super) fn key(state: &mut AppState, key: Key) -> Vec<Effect> {
     if state.note.as_ref().is_some_and(|n| n.level == Level::Info) {
@@ -21,7 +22,7 @@ pub(super) fn key(state: &mut AppState, key: Key) -> Vec<Effect> {
     if let Some(effects) = edit::typing_key(state, key) {
         return effects;
     }
-    if let Some(effects) = cases::typing_key(state, key) {
+    if let Some(effects) = filter_key(state, key) {
         return effects;
     }
     match panes::find(state, key) {
@@ -34,6 +35,30 @@ pub(super) fn key(state: &mut AppState, key: Key) -> Vec<Effect> {
     }
 }
 
+/// Keys while a filter is typed.
+fn filter_key(state: &mut AppState, key: Key) -> Option<Vec<Effect>> {
+    let (filter, cursor, lines) = state.filter_mut();
+    if !filter.typing {
+        return None;
+    }
+    match key {
+        Key::Ctrl('z') => return Some(vec![Effect::Suspend]),
+        Key::Enter => filter.typing = false,
+        Key::Esc | Key::Ctrl('c') => {
+            *filter = Filter::default();
+            *cursor = 0;
+        }
+        Key::Down => *cursor = moved(*cursor, 1, lines),
+        Key::Up => *cursor = moved(*cursor, -1, lines),
+        _ => {
+            if type_key(&mut filter.input, key) {
+                *cursor = 0;
+            }
+        }
+    }
+    Some(Vec::new())
+}
+
 pub(super) fn paste(state: &mut AppState, text: &str) -> Vec<Effect> {
     match &mut state.overlay {
         Some(Overlay::Palette { input, cursor }) => {
@@ -41,27 +66,25 @@ pub(super) fn paste(state: &mut AppState, text: &str) -> Vec<Effect> {
             *cursor = 0;
             return Vec::new();
         }
-        Some(Overlay::SaveAs { input, .. } | Overlay::Until { input, .. }) => {
+        Some(Overlay::Prompt { input, .. }) => {
             type_text(input, text);
             return Vec::new();
         }
         Some(_) => return Vec::new(),
         None => {}
     }
-    if let Some(editor) = state.editor_mut() {
-        if let Some(editing) = &mut editor.editing {
-            type_text(&mut editing.input, text);
-            editing.problem = None;
-            return Vec::new();
-        }
-        if editor.filtering {
-            type_text(&mut editor.filter, text);
-            editor.field = 0;
-            return Vec::new();
-        }
-    } else if state.cases.typing {
-        type_text(&mut state.cases.filter, text);
-        state.cases.cursor = 0;
+    if let Some(editing) = state
+        .editor_mut()
+        .and_then(|editor| editor.editing.as_mut())
+    {
+        type_text(&mut editing.input, text);
+        editing.problem = None;
+        return Vec::new();
+    }
+    let (filter, cursor, _) = state.filter_mut();
+    if filter.typing {
+        type_text(&mut filter.input, text);
+        *cursor = 0;
         return Vec::new();
     }
     info(

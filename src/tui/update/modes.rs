@@ -7,7 +7,7 @@ use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::AppState;
 
-/// Asks for the modes of the case as it stands, where they are seen and not known.
+/// Asks for the modes of the edited case, where they are seen and not known.
 pub(super) fn follow(state: &mut AppState) -> Option<Effect> {
     let document = state.document.as_mut()?;
     let pane = document.pane;

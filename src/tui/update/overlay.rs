@@ -12,7 +12,8 @@ use crate::tui::key::Key;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::panes;
-use crate::tui::state::{AppState, Choice, Overlay, Question};
+use crate::tui::state::parameter_editor::AfterSave;
+use crate::tui::state::{AppState, Overlay, PromptPurpose, Question};
 
 pub(super) fn key(state: &mut AppState, key: Key) -> Vec<Effect> {
     if key == Key::Ctrl('z') {
@@ -49,13 +50,12 @@ pub(super) fn key(state: &mut AppState, key: Key) -> Vec<Effect> {
             Vec::new()
         }
         Overlay::Palette { input, cursor } => palette(state, input, cursor, key),
-        Overlay::Choose {
-            choice,
-            items,
-            cursor,
-        } => choose(state, choice, items, cursor, key),
-        Overlay::SaveAs { input, why } => quit::save_as_key(state, input, why, key),
-        Overlay::Until { dir, input, words } => resume::key(state, dir, input, words, key),
+        Overlay::Studies { items, cursor } => choose_study(state, items, cursor, key),
+        Overlay::Prompt {
+            purpose,
+            input,
+            words,
+        } => prompt(state, purpose, input, words, key),
         Overlay::Ask(question) => answer(state, question, key),
     }
 }
@@ -106,28 +106,56 @@ fn palette(state: &mut AppState, mut input: Input, mut cursor: usize, key: Key) 
     Vec::new()
 }
 
-fn choose(
+fn choose_study(
     state: &mut AppState,
-    choice: Choice,
     items: Vec<String>,
     mut cursor: usize,
     key: Key,
 ) -> Vec<Effect> {
     match key {
         Key::Esc | Key::Char('q') => return Vec::new(),
-        Key::Enter => {
-            return match choice {
-                Choice::Study => studies::study(state, cursor),
-            };
-        }
+        Key::Enter => return studies::study(state, cursor),
         Key::Down | Key::Char('j') => cursor = moved(cursor, 1, items.len()),
         Key::Up | Key::Char('k') => cursor = moved(cursor, -1, items.len()),
         _ => {}
     }
-    state.overlay = Some(Overlay::Choose {
-        choice,
-        items,
-        cursor,
+    state.overlay = Some(Overlay::Studies { items, cursor });
+    Vec::new()
+}
+
+fn prompt(
+    state: &mut AppState,
+    purpose: PromptPurpose,
+    mut input: Input,
+    mut words: String,
+    key: Key,
+) -> Vec<Effect> {
+    match (key, &purpose) {
+        (Key::Esc, _) => {
+            if let Some(editor) = state.editor_mut() {
+                editor.after_save = AfterSave::Stay;
+            }
+            return Vec::new();
+        }
+        (Key::Enter, PromptPurpose::SaveAs) => {
+            if let Some(effects) = quit::save_as(state, input.value().trim()) {
+                return effects;
+            }
+        }
+        (Key::Enter, PromptPurpose::Resume(dir)) => {
+            match resume::until(dir.clone(), input.value().trim()) {
+                Ok(effects) => return effects,
+                Err(problem) => words = problem,
+            }
+        }
+        _ => {
+            type_key(&mut input, key);
+        }
+    }
+    state.overlay = Some(Overlay::Prompt {
+        purpose,
+        input,
+        words,
     });
     Vec::new()
 }

@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use tui_input::Input;
 
 use super::notice::{info, warn};
-use super::text_input::type_key;
 use super::{edit, jobs};
-use crate::tui::key::Key;
 use crate::tui::msg::Effect;
 use crate::tui::state::parameter_editor::AfterSave;
-use crate::tui::state::{AppState, JobLine, Level, Overlay, ParameterEditor, Purpose, Question};
+use crate::tui::state::{
+    AppState, Filter, JobLine, Level, Overlay, ParameterEditor, PromptPurpose, Purpose, Question,
+};
 
 pub(super) fn quit(state: &mut AppState) -> Vec<Effect> {
     if state.editor().is_some_and(ParameterEditor::unsaved) {
@@ -32,8 +32,8 @@ pub(super) fn back(state: &mut AppState) -> Vec<Effect> {
     let Some(editor) = state.editor_mut() else {
         return Vec::new();
     };
-    if !editor.filter.value().is_empty() {
-        editor.filter.reset();
+    if !editor.filter.is_empty() {
+        editor.filter = Filter::default();
         editor.field = 0;
         return Vec::new();
     }
@@ -145,38 +145,22 @@ pub(super) fn changed_on_disk(state: &mut AppState) -> Vec<Effect> {
 pub(super) fn ask_name(state: &mut AppState, why: &str) -> Vec<Effect> {
     if let Some(editor) = state.editor() {
         let stem = editor.stem();
-        state.overlay = Some(Overlay::SaveAs {
+        state.overlay = Some(Overlay::Prompt {
+            purpose: PromptPurpose::SaveAs,
             input: Input::new(format!("{stem}-copy.toml")),
-            why: why.to_owned(),
+            words: format!("Not saved to the file itself: {why}"),
         });
     }
     Vec::new()
 }
 
-pub(super) fn save_as_key(
-    state: &mut AppState,
-    mut input: Input,
-    why: String,
-    key: Key,
-) -> Vec<Effect> {
-    let name = input.value().trim().to_owned();
-    match (key, state.editor_mut()) {
-        (Key::Esc, Some(editor)) => {
-            editor.after_save = AfterSave::Stay;
-            return Vec::new();
-        }
-        (Key::Enter, Some(editor)) if !name.is_empty() => {
-            return vec![Effect::SaveCase {
-                path: PathBuf::from(name),
-                text: editor.text.clone(),
-                expected: None,
-                new: true,
-            }];
-        }
-        _ => {
-            type_key(&mut input, key);
-        }
-    }
-    state.overlay = Some(Overlay::SaveAs { input, why });
-    Vec::new()
+/// Saves under the name typed.
+pub(super) fn save_as(state: &AppState, name: &str) -> Option<Vec<Effect>> {
+    let editor = state.editor().filter(|_| !name.is_empty())?;
+    Some(vec![Effect::SaveCase {
+        path: PathBuf::from(name),
+        text: editor.text.clone(),
+        expected: None,
+        new: true,
+    }])
 }

@@ -6,13 +6,11 @@ use tui_input::Input;
 
 use super::jobs::{queue, start_newest};
 use super::notice::info;
-use super::text_input::type_key;
 use crate::run::Resume;
 use crate::run::job::Request;
 use crate::tui::facade;
-use crate::tui::key::Key;
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Overlay, RunStatus};
+use crate::tui::state::{AppState, JobState, Overlay, PromptPurpose, RunStatus};
 
 /// Asks for the end of the run under the cursor.
 pub fn ask(state: &mut AppState) -> Vec<Effect> {
@@ -23,8 +21,8 @@ pub fn ask(state: &mut AppState) -> Vec<Effect> {
         return Vec::new();
     };
     let end = facade::parse(&slot.text, &editor.file).map(|case| case.solver.duration_s);
-    let whole = slot.state == RunStatus::Done;
-    // A run that was stopped goes on to its own end, a whole one as far again.
+    let whole = slot.state == RunStatus::Job(JobState::Done);
+    // A run that was stopped is offered its own end, a complete one twice its time.
     let offer = end.map_or_else(
         |_| String::new(),
         |end| format!("{}", if whole { 2.0 * end } else { end }),
@@ -35,37 +33,26 @@ pub fn ask(state: &mut AppState) -> Vec<Effect> {
         "The run was stopped. It is resumed from its last checkpoint, as a run of its own, to the same bits as \
          if it had never stopped."
     };
-    state.overlay = Some(Overlay::Until {
-        dir,
+    state.overlay = Some(Overlay::Prompt {
+        purpose: PromptPurpose::Resume(dir),
         input: Input::new(offer),
         words: words.to_owned(),
     });
     Vec::new()
 }
 
-/// Keys while the time is typed.
-pub(super) fn key(
-    state: &mut AppState,
-    dir: PathBuf,
-    mut input: Input,
-    mut words: String,
-    key: Key,
-) -> Vec<Effect> {
-    match key {
-        Key::Esc => return Vec::new(),
-        Key::Enter => match input.value().trim().parse::<f64>() {
-            Ok(until) if until.is_finite() => return vec![Effect::PrepareResume(dir, until)],
-            _ => "The time must be a number of seconds, such as 1800.".clone_into(&mut words),
-        },
-        _ => {
-            type_key(&mut input, key);
-        }
+/// Prepares the run to be resumed up to the time typed.
+///
+/// # Errors
+/// What is wrong with it.
+pub(super) fn until(dir: PathBuf, typed: &str) -> Result<Vec<Effect>, String> {
+    match typed.parse::<f64>() {
+        Ok(until) if until.is_finite() => Ok(vec![Effect::PrepareResume(dir, until)]),
+        _ => Err("The time must be a number of seconds, such as 1800.".to_owned()),
     }
-    state.overlay = Some(Overlay::Until { dir, input, words });
-    Vec::new()
 }
 
-/// The run goes on, or the question is asked again with the reason why not.
+/// The run is resumed, or the question is asked again with the reason why not.
 pub(super) fn found(
     state: &mut AppState,
     dir: PathBuf,
@@ -75,8 +62,11 @@ pub(super) fn found(
     let (mut request, from) = match found {
         Ok(found) => *found,
         Err(words) => {
-            let input = Input::new(format!("{until}"));
-            state.overlay = Some(Overlay::Until { dir, input, words });
+            state.overlay = Some(Overlay::Prompt {
+                purpose: PromptPurpose::Resume(dir),
+                input: Input::new(format!("{until}")),
+                words,
+            });
             return Vec::new();
         }
     };

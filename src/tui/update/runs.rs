@@ -6,12 +6,12 @@ use std::sync::Arc;
 use super::export;
 use super::motion::moved;
 use super::notice::info;
-use crate::run::{Run, RunState};
+use crate::run::Run;
 use crate::tui::facade;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::{
-    AppState, Curves, Document, Level, LineView, RunEntry, RunOrigin, RunStatus, Ticket,
+    AppState, Curves, Document, JobState, Level, LineView, RunEntry, RunOrigin, RunStatus, Ticket,
 };
 
 /// Stores the live run.
@@ -28,8 +28,8 @@ pub fn show_alone(state: &mut AppState) -> Vec<Effect> {
     };
     let at = line.run;
     line.live.hidden = at > 0;
-    for (i, slot) in line.runs.iter_mut().enumerate() {
-        slot.shown = i + 1 == at;
+    for (i, entry) in line.runs.iter_mut().enumerate() {
+        entry.shown = i + 1 == at;
     }
     let name = line
         .current_run()
@@ -45,9 +45,9 @@ pub fn show_alone(state: &mut AppState) -> Vec<Effect> {
 /// Shows the run under the cursor beside the others, or takes it off.
 pub fn select(line: &mut LineView) -> Vec<Effect> {
     let effects = match line.run.checked_sub(1).and_then(|i| line.runs.get_mut(i)) {
-        Some(slot) => {
-            slot.shown = !slot.shown;
-            if slot.shown { load(slot) } else { Vec::new() }
+        Some(entry) => {
+            entry.shown = !entry.shown;
+            if entry.shown { load(entry) } else { Vec::new() }
         }
         None => {
             line.live.hidden = !line.live.hidden;
@@ -59,9 +59,10 @@ pub fn select(line: &mut LineView) -> Vec<Effect> {
 }
 
 /// Reads a stored run when it is needed for the first time.
-pub(super) fn load(slot: &RunEntry) -> Vec<Effect> {
-    let missing = slot.kind == RunOrigin::Stored && slot.curves.run.is_none();
-    slot.dir
+pub(super) fn load(entry: &RunEntry) -> Vec<Effect> {
+    let missing = entry.kind == RunOrigin::Stored && entry.curves.run.is_none();
+    entry
+        .dir
         .iter()
         .filter(|_| missing)
         .map(|dir| Effect::ReadRun(dir.clone()))
@@ -70,52 +71,28 @@ pub(super) fn load(slot: &RunEntry) -> Vec<Effect> {
 
 pub(super) fn stored(state: &mut AppState, ticket: Ticket, dir: PathBuf) -> Vec<Effect> {
     if let Some(line) = state.line_mut()
-        && let Some(slot) = line.runs.iter_mut().find(|s| s.ticket == Some(ticket))
+        && let Some(entry) = line.runs.iter_mut().find(|s| s.ticket == Some(ticket))
     {
         if let Some(name) = dir.file_name() {
-            slot.id = name.to_string_lossy().into_owned();
+            entry.id = name.to_string_lossy().into_owned();
         }
-        slot.dir = Some(dir);
+        entry.dir = Some(dir);
     }
     Vec::new()
 }
 
 pub(super) fn kept(state: &mut AppState, dir: &Path, run: Arc<Run>) -> Vec<Effect> {
     if let Some(line) = state.line_mut() {
-        let mut slot = slot_of(&run);
+        let mut entry = RunEntry::stored(&run.info, run.case_text.clone());
         if let Some(name) = dir.file_name() {
-            slot.id = name.to_string_lossy().into_owned();
+            entry.id = name.to_string_lossy().into_owned();
         }
-        slot.dir = Some(dir.to_owned());
-        slot.curves = Curves::whole(run);
-        line.runs.push(slot);
+        entry.dir = Some(dir.to_owned());
+        entry.curves = Curves::whole(run);
+        line.runs.push(entry);
         line.live.kept = Some(dir.to_owned());
     }
     info(state, format!("Kept in {}.", dir.display()))
-}
-
-/// A stored run for the list, without its curves.
-#[must_use]
-fn slot_of(run: &Run) -> RunEntry {
-    RunEntry {
-        ticket: None,
-        id: run.info.id.clone(),
-        label: String::new(),
-        at: None,
-        text: run.case_text.clone(),
-        kind: RunOrigin::Stored,
-        state: match run.info.state {
-            RunState::Done => RunStatus::Done,
-            RunState::Partial => RunStatus::Partial,
-            RunState::Cancelled => RunStatus::Cancelled,
-            RunState::Failed => RunStatus::Failed(run.info.failure.clone().unwrap_or_default()),
-        },
-        method: run.info.settings.method.clone(),
-        dir: None,
-        cost: Some((run.info.work.steps, run.info.cost.cpu_s)),
-        shown: false,
-        curves: Curves::default(),
-    }
 }
 
 /// Asks for the stored runs of a line case, and of those beside it.
@@ -127,21 +104,21 @@ pub(super) fn list(state: &AppState) -> Option<Effect> {
 }
 
 /// Stored runs join the list; those that the validation table needs are read.
-pub(super) fn listed(state: &mut AppState, slots: Vec<RunEntry>) -> Vec<Effect> {
+pub(super) fn listed(state: &mut AppState, entries: Vec<RunEntry>) -> Vec<Effect> {
     let document = state.document.as_mut();
     let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
         return Vec::new();
     };
     let needed = line.needed(editor);
     let mut effects = Vec::new();
-    for mut slot in slots {
-        let same = |s: &&mut RunEntry| s.dir.is_some() && s.dir == slot.dir;
+    for mut entry in entries {
+        let same = |s: &&mut RunEntry| s.dir.is_some() && s.dir == entry.dir;
         if let Some(known) = line.runs.iter_mut().find(same) {
-            if known.state != slot.state && known.kind == RunOrigin::Stored {
-                slot.shown = known.shown;
-                slot.at = known.at.take();
-                slot.label = std::mem::take(&mut known.label);
-                *known = slot;
+            if known.state != entry.state && known.kind == RunOrigin::Stored {
+                entry.shown = known.shown;
+                entry.at = known.at.take();
+                entry.label = std::mem::take(&mut known.label);
+                *known = entry;
                 effects.extend(
                     Some(&*known)
                         .filter(|s| s.shown)
@@ -151,16 +128,16 @@ pub(super) fn listed(state: &mut AppState, slots: Vec<RunEntry>) -> Vec<Effect> 
             }
             continue;
         }
-        if let Some((at, _)) = needed.iter().find(|(_, text)| *text == slot.text)
-            && slot.state == RunStatus::Done
+        if let Some((at, _)) = needed.iter().find(|(_, text)| *text == entry.text)
+            && entry.state == RunStatus::Job(JobState::Done)
         {
-            slot.label = at
+            entry.label = at
                 .as_ref()
                 .map_or_else(String::new, |at| facade::at_label(&line.case, at));
-            slot.at.clone_from(at);
-            effects.extend(load(&slot));
+            entry.at.clone_from(at);
+            effects.extend(load(&entry));
         }
-        line.runs.push(slot);
+        line.runs.push(entry);
     }
     effects
 }
@@ -170,12 +147,12 @@ pub(super) fn read(state: &mut AppState, dir: &Path, run: Result<Arc<Run>, Strin
         return Vec::new();
     };
     let mut problem = None;
-    if let Some(slot) = line.runs.iter_mut().find(|s| s.dir.as_deref() == Some(dir)) {
+    if let Some(entry) = line.runs.iter_mut().find(|s| s.dir.as_deref() == Some(dir)) {
         match run {
-            Ok(run) => slot.curves = Curves::whole(run),
+            Ok(run) => entry.curves = Curves::whole(run),
             Err(why) => {
-                slot.shown = false;
-                slot.state = RunStatus::Unreadable(why.clone());
+                entry.shown = false;
+                entry.state = RunStatus::Unreadable(why.clone());
                 problem = Some(why);
             }
         }
@@ -199,7 +176,7 @@ pub(super) fn deleted(state: &mut AppState, dir: &Path) -> Vec<Effect> {
     info(state, format!("Deleted {}.", dir.display()))
 }
 
-/// Updates the validation table from the runs that answer for the case as it stands, and the report where it is seen.
+/// Updates the validation table from the runs of the edited case, and the report where it is seen.
 pub(super) fn check(state: &mut AppState) {
     if let Some(document) = &mut state.document {
         document.content.kind_mut().validate(&document.editor);

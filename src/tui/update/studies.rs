@@ -7,7 +7,7 @@ use crate::case::At;
 use crate::tui::facade;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
-use crate::tui::state::{AppState, Choice, Document, Level, Overlay, RunEntry, RunStatus};
+use crate::tui::state::{AppState, Document, JobState, Level, Overlay, RunEntry, RunStatus};
 
 /// Runs the study of the case, or asks which.
 pub(super) fn ask(state: &mut AppState) -> Vec<Effect> {
@@ -26,11 +26,7 @@ pub(super) fn ask(state: &mut AppState) -> Vec<Effect> {
             format!("{}: {} = {}", s.name, s.key, values.join(", "))
         })
         .collect();
-    state.overlay = Some(Overlay::Choose {
-        choice: Choice::Study,
-        items,
-        cursor: 0,
-    });
+    state.overlay = Some(Overlay::Studies { items, cursor: 0 });
     Vec::new()
 }
 
@@ -101,7 +97,7 @@ fn variants(state: &mut AppState, points: Vec<Option<At>>, shown: bool) -> Vec<E
         }
         let live = &line.live;
         if at.is_none() && !shown && (live.done_text == text || live.going_text == text) {
-            // The live run answers for the case as it stands.
+            // The live run is of this text.
             continue;
         }
         begun += 1;
@@ -123,6 +119,6 @@ fn variants(state: &mut AppState, points: Vec<Option<At>>, shown: bool) -> Vec<E
 fn usable(slot: &RunEntry) -> bool {
     matches!(
         slot.state,
-        RunStatus::Queued | RunStatus::Running | RunStatus::Done
+        RunStatus::Job(JobState::Queued | JobState::Running | JobState::Done)
     )
 }

@@ -9,7 +9,7 @@ use crate::tui::state::trials::{TrialProgress, Trials, TrialsOf};
 use crate::tui::state::{AppState, JobState, Purpose, Ticket};
 use crate::tui::table_pane::TablePane;
 
-/// Shows the trials of the open case, or those of all cases listed; computes them unless that is done or on its way.
+/// Shows the trials of the open case, or those of all cases listed; computes them unless they are done or running.
 pub fn show(state: &mut AppState) -> Vec<Effect> {
     let of = match (state.line(), state.editor()) {
         (Some(line), Some(editor)) => TrialsOf::Case {
@@ -61,7 +61,7 @@ pub fn stop(state: &mut AppState) -> Vec<Effect> {
     vec![Effect::Cancel(ticket)]
 }
 
-/// How far the trials are; dropped where nobody waits for them any more.
+/// How far the trials are; dropped where nothing waits for them any more.
 pub(super) fn progress(
     state: &mut AppState,
     ticket: Ticket,

@@ -7,7 +7,7 @@ use super::paint::{over, row, wrap};
 use super::painter::Painter;
 use crate::tui::command::Command;
 use crate::tui::panes;
-use crate::tui::state::{Overlay, Question};
+use crate::tui::state::{Overlay, PromptPurpose, Question};
 use crate::tui::update::palette_matches;
 
 impl Painter<'_> {
@@ -23,15 +23,20 @@ impl Painter<'_> {
                 scroll,
             } => self.long_text(screen, title, text, *scroll),
             Overlay::Ask(question) => self.ask(screen, question),
-            Overlay::Choose { items, cursor, .. } => self.choose(screen, items, *cursor),
-            Overlay::SaveAs { input, why } => {
-                let why = format!("Not saved to the file itself: {why}");
-                self.one_line(screen, "Save under another name", &why, "File: ", input);
-            }
-            Overlay::Until { dir, input, words } => {
-                let name = dir.file_name().unwrap_or_default().to_string_lossy();
-                let title = format!("Resume {name}");
-                self.one_line(screen, &title, words, "Until [s]: ", input);
+            Overlay::Studies { items, cursor } => self.choose(screen, items, *cursor),
+            Overlay::Prompt {
+                purpose,
+                input,
+                words,
+            } => {
+                let (title, prompt) = match purpose {
+                    PromptPurpose::SaveAs => ("Save under another name".to_owned(), "File: "),
+                    PromptPurpose::Resume(dir) => {
+                        let name = dir.file_name().unwrap_or_default().to_string_lossy();
+                        (format!("Resume {name}"), "Until [s]: ")
+                    }
+                };
+                self.one_line(screen, &title, words, prompt, input);
             }
         }
     }

@@ -21,7 +21,7 @@ use seacable::run::RunState;
 use seacable::run::job::Event;
 use seacable::tui::key::Key;
 use seacable::tui::panes;
-use seacable::tui::state::{JobState, Level, Overlay, Question};
+use seacable::tui::state::{JobState, Level, Overlay, PromptPurpose, Question};
 use seacable::tui::update::palette_matches;
 use seacable::tui::{Effect, Msg};
 
@@ -295,7 +295,13 @@ fn a_file_that_cannot_be_written_offers_another_name() {
     desk.tell(Msg::NotSaved(
         "cases/body.toml cannot be written: it is read-only.".to_owned(),
     ));
-    assert!(matches!(desk.state.overlay, Some(Overlay::SaveAs { .. })));
+    assert!(matches!(
+        desk.state.overlay,
+        Some(Overlay::Prompt {
+            purpose: PromptPurpose::SaveAs,
+            ..
+        })
+    ));
     assert_eq!(desk.state.note.as_ref().unwrap().level, Level::Error);
     desk.asked.clear();
     desk.keys("enter");
