@@ -120,20 +120,21 @@ pub(super) enum StudyArgs {
     Steps(StepsArgs),
 }
 
+// The arguments that commands share; doc comments here would replace the help of the commands.
+
 #[derive(Debug, clap::Args)]
-pub(super) struct StepsArgs {
+pub(super) struct CaseArgs {
     /// The case file.
     #[arg(value_name = "CASE")]
-    pub(super) case: PathBuf,
+    pub(super) file: PathBuf,
 
-    /// Set a key on top of the file, for example solver.duration_s=60; may be repeated.
+    /// Set a key on top of the file, for example solver.duration_s=60 or ends.b.position_m.x=850; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(super) set: Vec<String>,
+}
 
-    /// Variants of the case, each with slightly different gravity; the table holds their medians.
-    #[arg(long, value_name = "N", default_value = "5", value_parser = count)]
-    pub(super) variants: usize,
-
+#[derive(Debug, clap::Args)]
+pub(super) struct TableArgs {
     /// Write the table as CSV to this file as well.
     #[arg(short, long = "output", value_name = "TABLE.csv")]
     pub(super) output: Option<PathBuf>,
@@ -148,30 +149,29 @@ pub(super) struct StepsArgs {
 }
 
 #[derive(Debug, clap::Args)]
-pub(super) struct SpeedArgs {
-    /// The case file.
-    #[arg(value_name = "CASE")]
-    pub(super) case: PathBuf,
+pub(super) struct StepsArgs {
+    #[command(flatten)]
+    pub(super) case: CaseArgs,
 
-    /// Set a key on top of the file, for example solver.duration_s=60; may be repeated.
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    pub(super) set: Vec<String>,
+    /// Variants of the case, each with slightly different gravity; the table holds their medians.
+    #[arg(long, value_name = "N", default_value = "5", value_parser = count)]
+    pub(super) variants: usize,
+
+    #[command(flatten)]
+    pub(super) table: TableArgs,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct SpeedArgs {
+    #[command(flatten)]
+    pub(super) case: CaseArgs,
 
     /// Runs of every point; the table holds the cheapest.
     #[arg(long, value_name = "N", default_value = "3", value_parser = count)]
     pub(super) repeats: usize,
 
-    /// Write the table as CSV to this file as well.
-    #[arg(short, long = "output", value_name = "TABLE.csv")]
-    pub(super) output: Option<PathBuf>,
-
-    /// Replace the file if it exists.
-    #[arg(long, requires = "output")]
-    pub(super) force: bool,
-
-    /// Print with ASCII characters only.
-    #[arg(long)]
-    pub(super) ascii: bool,
+    #[command(flatten)]
+    pub(super) table: TableArgs,
 }
 
 #[derive(Debug, clap::Args)]
@@ -180,17 +180,8 @@ pub(super) struct HardArgs {
     #[arg(value_name = "CASE")]
     pub(super) cases: Vec<PathBuf>,
 
-    /// Write the table as CSV to this file as well.
-    #[arg(short, long = "output", value_name = "FILE")]
-    pub(super) output: Option<PathBuf>,
-
-    /// Replace the file if it exists.
-    #[arg(long, requires = "output")]
-    pub(super) force: bool,
-
-    /// Print with ASCII characters only.
-    #[arg(long)]
-    pub(super) ascii: bool,
+    #[command(flatten)]
+    pub(super) table: TableArgs,
 }
 
 #[derive(Debug, clap::Args)]
@@ -210,9 +201,8 @@ pub(super) struct ShipArgs {
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ModesArgs {
-    /// The case file.
-    #[arg(value_name = "CASE")]
-    pub(super) case: PathBuf,
+    #[command(flatten)]
+    pub(super) case: CaseArgs,
 
     /// Number of modes, the lowest first.
     #[arg(long, value_name = "N", default_value = "10", value_parser = count)]
@@ -221,10 +211,6 @@ pub(super) struct ModesArgs {
     /// Modes to draw, by number: 9,10,11; by default the first three.
     #[arg(long, value_name = "N,...", value_delimiter = ',', value_parser = count)]
     pub(super) shape: Vec<usize>,
-
-    /// Set a key on top of the file, for example ends.b.position_m.x=850; may be repeated.
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    pub(super) set: Vec<String>,
 
     /// Write the shapes of all modes, node by node, to this file.
     #[arg(short, long = "output", value_name = "OUT.csv")]

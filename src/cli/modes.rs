@@ -19,10 +19,10 @@ const WIDTH: usize = 108;
 const HEIGHT: usize = 22;
 
 pub(super) fn modes(args: &ModesArgs) -> Result<ExitCode, CommandError> {
-    let inputs = [args.case.clone()];
+    let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
-    let loaded = cases::load(&args.case)?;
-    let text = cases::set(&loaded.text, &args.set)?;
+    let loaded = cases::load(&args.case.file)?;
+    let text = cases::set(&loaded.text, &args.case.set)?;
     let case = cases::parse(&text, &loaded.name)?;
     let found = match modes::of_case(&case, args.count) {
         Ok(found) => found,

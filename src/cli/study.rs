@@ -1,10 +1,10 @@
 //! `seacable study`: hard cases against expected results, work against error, error-controlled against constant steps.
 
-use std::{io, path::Path, process::ExitCode, sync::Mutex};
+use std::{io, process::ExitCode, sync::Mutex};
 
 use super::{
     BAD_RESULT, CommandError,
-    args::{HardArgs, SpeedArgs, StepsArgs, StudyArgs},
+    args::{CaseArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs},
     cases::{self, Loaded},
     output::{self, Format, OutputFile},
     progress,
@@ -34,7 +34,7 @@ pub(super) fn study(args: &StudyArgs) -> Result<ExitCode, CommandError> {
 }
 
 fn hard_cases(args: &HardArgs) -> Result<ExitCode, CommandError> {
-    let file = OutputFile::check(args.output.as_deref(), args.force, &args.cases)?;
+    let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &args.cases)?;
     let loaded = cases::with_trials(&args.cases)?;
     let cases: Vec<HardCase> = loaded.into_iter().map(hard_case).collect();
     let stop = Stop::listen()?;
@@ -47,7 +47,10 @@ fn hard_cases(args: &HardArgs) -> Result<ExitCode, CommandError> {
     let table = hard_cases::table(&findings);
     write_csv(&table, file.as_ref())?;
     let tally = tally(&findings);
-    output::results(&format!("{}\n{tally}\n", table.to_text(WIDTH)), args.ascii)?;
+    output::results(
+        &format!("{}\n{tally}\n", table.to_text(WIDTH)),
+        args.table.ascii,
+    )?;
     Ok(if tally.holds() {
         ExitCode::SUCCESS
     } else {
@@ -65,9 +68,9 @@ fn write_csv(table: &Table, file: Option<&OutputFile<'_>>) -> Result<(), Command
 }
 
 fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
-    let inputs = [args.case.clone()];
-    let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
-    let (name, case) = case_of(&args.case, &args.set)?;
+    let inputs = [args.case.file.clone()];
+    let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &inputs)?;
+    let (name, case) = case_of(&args.case)?;
     let stop = Stop::listen()?;
     let usage = |why: SpeedError| CommandError::Usage(format!("{name}: {why}."));
     let plan = speed::plan(&case).map_err(usage)?;
@@ -88,20 +91,20 @@ fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
     drop(line);
     let table = speed::table(&study);
     write_csv(&table, file.as_ref())?;
-    let glyphs = output::glyphs(args.ascii);
+    let glyphs = output::glyphs(args.table.ascii);
     let chart = draw(&speed::chart(&study), PLOT.0, PLOT.1, glyphs).to_text();
     let mesh = speed::mesh_table(&study).to_text(WIDTH);
     output::results(
         &format!("{}\n{chart}\n{mesh}", table.to_text(WIDTH)),
-        args.ascii,
+        args.table.ascii,
     )?;
     Ok(ExitCode::SUCCESS)
 }
 
 /// The case of a file with what is set on top of it, and its name.
-fn case_of(file: &Path, set: &[String]) -> Result<(String, Case), CommandError> {
-    let loaded = cases::load(file)?;
-    let text = cases::set(&loaded.text, set)?;
+fn case_of(args: &CaseArgs) -> Result<(String, Case), CommandError> {
+    let loaded = cases::load(&args.file)?;
+    let text = cases::set(&loaded.text, &args.set)?;
     let case = cases::parse(&text, &loaded.file)?;
     Ok((loaded.name, case))
 }
@@ -114,9 +117,9 @@ fn stopped(stop: &Stop, failure: CommandError) -> Result<ExitCode, CommandError>
 }
 
 fn steps_of(args: &StepsArgs) -> Result<ExitCode, CommandError> {
-    let inputs = [args.case.clone()];
-    let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
-    let (name, case) = case_of(&args.case, &args.set)?;
+    let inputs = [args.case.file.clone()];
+    let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &inputs)?;
+    let (name, case) = case_of(&args.case)?;
     let stop = Stop::listen()?;
     let mut line = progress::Line::new();
     let mut report_progress = |begun: usize, of: usize, what: &str| {
@@ -129,7 +132,7 @@ fn steps_of(args: &StepsArgs) -> Result<ExitCode, CommandError> {
     drop(line);
     let table = speed::comparison_table(&rows, args.variants);
     write_csv(&table, file.as_ref())?;
-    output::results(&table.to_text(WIDTH), args.ascii)?;
+    output::results(&table.to_text(WIDTH), args.table.ascii)?;
     Ok(ExitCode::SUCCESS)
 }
 

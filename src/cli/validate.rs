@@ -176,7 +176,7 @@ fn text(tables: &[ValidatedFile]) -> String {
     if differing > 0 {
         out.push_str(&format!(
             "{differing} published numbers differ and are declared out of reach by their case;\n\
-             the reasons stand below its table.\n"
+             the reasons are below its table.\n"
         ));
     }
     out.push_str(&format!("All cases: {}\n", total(tables)));
