@@ -3,14 +3,13 @@
 use std::fs;
 use std::path::Path;
 
-const DOCUMENTS: [&str; 7] = [
+const DOCUMENTS: [&str; 6] = [
     "README.md",
     "CONTRIBUTING.md",
     "docs/ARCHITECTURE.md",
     "docs/GLOSSARY.md",
     "docs/FILES.md",
     "docs/METHODS.md",
-    "docs/EQUATIONS.md",
 ];
 
 /// The paths of the repository in a text: in code, or as the target of a link.

@@ -4,6 +4,7 @@
 
 mod beside;
 mod desk;
+mod hostile_text;
 mod modes;
 mod random;
 mod response;
