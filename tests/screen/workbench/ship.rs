@@ -163,8 +163,8 @@ fn report_hang_point_and_validation_are_written_once_worked_out() {
         })
         .collect();
     assert_eq!(written[0].0, "anchored-report.txt");
-    assert!(written[0].1.contains("Headings in balance"));
-    assert_eq!(written[1].0, "anchored-hang-point.csv");
+    assert!(written[0].1.contains("Equilibrium headings"));
+    assert_eq!(written[1].0, "anchored-hang-off-point.csv");
     assert!(written[1].1.starts_with("time_s,x_m,y_m,z_m\n0.0,"));
     assert_eq!(written[2].0, "anchored-validation.txt");
     desk.keys("esc");
