@@ -24,7 +24,7 @@
 //! * [`kinds`]: which of these a file is.
 //! * [`reference`](mod@reference): published data and how a run compares with them.
 //! * [`study`]: hard cases by every method that applies; speed against error; tables of lines.
-//! * [`report`]: numbers, tables, charts and pages, shared by every view.
+//! * [`report`]: tables, charts and pages, shared by every view; [`number`]: numbers as text.
 //! * [`files`]: the one way to write a file; [`visible`]: the one way out for text.
 //! * [`tui`], [`cli`]: the screen and the command line.
 //!
@@ -41,6 +41,7 @@ pub mod equations;
 pub mod files;
 pub mod kinds;
 pub mod modes;
+pub mod number;
 pub mod numerics;
 pub mod physics;
 pub mod reference;

@@ -1,7 +1,7 @@
 //! What a row says beyond its numbers.
 
 use super::{Outcome, TrendLine, ValidationRow};
-use crate::{case::Direction, report::number::with_error};
+use crate::{case::Direction, number::with_error};
 
 /// Where a row is printed, what stands behind it, why it is as it is.
 pub(super) fn note(row: &ValidationRow) -> String {

@@ -5,7 +5,6 @@ pub mod figures;
 pub mod limits;
 pub mod modes;
 pub mod nodes;
-pub mod number;
 pub mod plain;
 pub mod response;
 pub mod ropeway;
@@ -14,3 +13,5 @@ pub mod section;
 pub mod ship;
 pub mod table;
 pub mod text;
+
+pub use crate::number;

@@ -10,7 +10,7 @@ use super::model::{By, Ropeway};
 use super::parabola::{self, Load};
 use super::unloaded::UnloadedRope;
 use crate::case::Misfit;
-use crate::report::number::si;
+use crate::number::si;
 
 /// A ropeway with what its file alone determines.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
 //! Formats of lengths and angles in messages about a section.
 
-use crate::report::number::digits;
+use crate::number::digits;
 
 /// A length in millimetres: `23.12 mm`.
 pub(super) fn mm(metres: f64) -> String {

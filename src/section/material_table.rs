@@ -2,7 +2,7 @@
 
 use super::design::Design;
 use super::stiffness::EndRotation;
-use crate::report::number::si;
+use crate::number::si;
 
 /// First words of every such table.
 const MATERIAL_HEADER: &str = "# Material of a line, made by `seacable section`";

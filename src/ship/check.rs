@@ -8,9 +8,9 @@ use super::model::{Coefficients, Follows, MotionSource, Ship};
 use super::motion::ShipMotion;
 use super::quantities::parts;
 use crate::case::{Misfit, Node};
+use crate::number::digits;
 use crate::physics::sea::DEGREES;
 use crate::reference::published_number;
-use crate::report::number::digits;
 
 /// Greatest number of instants of a record, and of steps of the coupled analysis.
 const MAX_INSTANTS: f64 = 1e6;

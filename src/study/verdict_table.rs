@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::verdict::{CheckedNumber, TrialOutcome, TrialVerdict};
-use crate::report::number::{digits, si};
+use crate::number::{digits, si};
 use crate::report::table::{Cell, CellInk, Column, Table};
 use crate::run::Settings;
 

@@ -11,8 +11,8 @@ use std::f64::consts::{PI, TAU};
 
 use crate::case::carried::{Placed, placed, response_columns};
 use crate::case::{Diagnostic, Finding};
+use crate::number::digits;
 use crate::physics::sea::{DEGREES, Rao};
-use crate::report::number::digits;
 use crate::scene::response_entry;
 
 /// Upper limits of amplitudes that are physical: metres and degrees per metre of wave amplitude.

@@ -11,7 +11,7 @@ use super::{
     STEPS, SpeedError, SpeedSetting, TOLERANCES, cheapest, error, longest_step, plan, rounded, with,
 };
 use crate::case::{Case, Method};
-use crate::report::number::digits;
+use crate::number::digits;
 use crate::report::table::{Cell, Column, Table};
 use crate::run::RunState;
 use crate::scene;

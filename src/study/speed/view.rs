@@ -1,8 +1,8 @@
 //! Speed against error as tables and as a chart.
 
 use super::{Errors, SpeedPoint, SpeedStudy};
+use crate::number::{digits, with_error};
 use crate::report::chart::{Axis, Chart, Series};
-use crate::report::number::{digits, with_error};
 use crate::report::table::{Cell, CellInk, Column, Table};
 use crate::run::RunState;
 
