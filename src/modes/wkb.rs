@@ -13,6 +13,7 @@ use std::f64::consts::PI;
 
 use super::Pencil;
 use crate::numerics::V3;
+use crate::numerics::quadrature::cumulative_trapezoid;
 use crate::numerics::roots::{Bracket, bisect};
 use crate::scene::Scene;
 use crate::solve::State;
@@ -102,7 +103,7 @@ impl Medium {
         let bare: Vec<f64> = nodes.map(|i| flux(i).powf(-0.5)).collect();
         let most = bare.iter().copied().fold(0.0, f64::max);
         Wave {
-            phase: integral(&self.arc, &number),
+            phase: cumulative_trapezoid(&self.arc, &number),
             amplitude: bare.iter().map(|a| a / most).collect(),
             number,
         }
@@ -129,17 +130,6 @@ impl Medium {
         let omega = bisect(Bracket { low, high }, HALVINGS, geometric_mean, below).high;
         Some(omega / std::f64::consts::TAU)
     }
-}
-
-/// Running integral by the trapezoidal rule.
-fn integral(places: &[f64], values: &[f64]) -> Vec<f64> {
-    let mut sum = 0.0;
-    let mut all = vec![0.0; places.len().min(1)];
-    for (s, v) in places.windows(2).zip(values.windows(2)) {
-        sum += 0.5 * (s[1] - s[0]) * (v[0] + v[1]);
-        all.push(sum);
-    }
-    all
 }
 
 #[cfg(test)]

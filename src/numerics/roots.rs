@@ -37,6 +37,44 @@ impl Bracket {
     }
 }
 
+/// Where a function that decreases over all real numbers is zero; `eval` gives the value and minus the slope. Newton's
+/// method inside a bracket that is first sought in steps from `reach` on, each twice the one before. `None` where the
+/// function has no zero within reach.
+pub fn decreasing_root(
+    guess: f64,
+    mut reach: f64,
+    mut eval: impl FnMut(f64) -> (f64, f64),
+) -> Option<f64> {
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut x = guess;
+    for _ in 0..2000 {
+        let (value, fall) = eval(x);
+        if value > 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let step = value / fall;
+        if value == 0.0 || step.abs() <= f64::EPSILON * x.abs() {
+            return Some(x + if step.is_finite() { step } else { 0.0 });
+        }
+        let mut next = x + step;
+        if !(next > low && next < high) {
+            next = match (low.is_finite(), high.is_finite()) {
+                (true, true) => 0.5 * (low + high),
+                (true, false) => x + reach,
+                _ => x - reach,
+            };
+            reach *= 2.0;
+        }
+        if next <= low || next >= high {
+            return Some(x);
+        }
+        x = next;
+    }
+    None
+}
+
 /// Greatest number of evaluations of [`false_position`]; 60 is the most observed.
 const LIMIT: usize = 300;
 
@@ -134,6 +172,13 @@ mod tests {
             x = bracket.newton(x, value, slope);
         }
         assert!((x - 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_bracket_is_found_far_away() {
+        let x = decreasing_root(0.0, 1.0, |x| (1e3 - x, 1e-6)).unwrap();
+        assert!((x - 1e3).abs() < 1e-9);
+        assert_eq!(decreasing_root(5.0, 1.0, |x| (3.0 - x, 1.0)), Some(3.0));
     }
 
     #[test]

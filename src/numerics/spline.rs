@@ -1,8 +1,10 @@
-//! The natural cubic spline of positions over time, along each axis.
+//! Cubic splines: the natural one of positions over time, and that of a periodic function.
 //!
-//! It passes through all points and has no curvature at its ends; position, velocity and acceleration are continuous, as
+//! The natural spline passes through all points and has no curvature at its ends; position, velocity and acceleration are continuous, as
 //! in the motion of a mass. Its second derivatives solve a tridiagonal system (de Boor, *A Practical Guide to Splines*,
 //! chapter IV).
+
+use nalgebra::{DMatrix, DVector};
 
 use super::V3;
 use super::interpolation::interval;
@@ -107,6 +109,36 @@ fn accelerations(time: &[f64], position: &[V3]) -> Vec<V3> {
         acceleration[i] -= next * factor[i];
     }
     acceleration
+}
+
+/// Second derivatives, at its points, of the cubic spline through one period of a function, continuous in its first and second
+/// derivative around the period.
+#[must_use]
+pub fn periodic_second_derivatives(at: &[f64], value: &[f64], period: f64) -> Vec<f64> {
+    let n = at.len();
+    if n < 3 {
+        return vec![0.0; n];
+    }
+    let width = |i: usize| {
+        if i + 1 < n {
+            at[i + 1] - at[i]
+        } else {
+            period + at[0] - at[i]
+        }
+    };
+    let mut matrix = DMatrix::zeros(n, n);
+    let mut right = DVector::zeros(n);
+    for i in 0..n {
+        let (before, after) = ((i + n - 1) % n, (i + 1) % n);
+        let (h0, h1) = (width(before), width(i));
+        matrix[(i, before)] += h0 / 6.0;
+        matrix[(i, i)] += (h0 + h1) / 3.0;
+        matrix[(i, after)] += h1 / 6.0;
+        right[i] = (value[after] - value[i]) / h1 - (value[i] - value[before]) / h0;
+    }
+    // Diagonally dominant, hence regular.
+    let solved = matrix.lu().solve(&right);
+    solved.map_or_else(|| vec![0.0; n], |m| m.iter().copied().collect())
 }
 
 #[cfg(test)]

@@ -2,6 +2,41 @@
 
 use std::f64::consts::PI;
 
+/// The mean.
+#[must_use]
+pub fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+/// The sum of the squares of the deviations from a mean.
+fn squared_deviations(values: &[f64], mean: f64) -> f64 {
+    values.iter().map(|v| (v - mean).powi(2)).sum()
+}
+
+/// The variance about a mean, that of the record itself and not of a population that it samples.
+#[must_use]
+pub fn variance(values: &[f64], mean: f64) -> f64 {
+    squared_deviations(values, mean) / values.len() as f64
+}
+
+/// The median: of an even number of values the mean of both in the middle, `None` of no values.
+#[must_use]
+pub fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let upper = *values.get(values.len() / 2)?;
+    let lower = *values.get(values.len().saturating_sub(1) / 2)?;
+    Some(0.5 * (lower + upper))
+}
+
+/// Root mean square and greatest of values that are not negative; zero of no values.
+#[must_use]
+pub fn rms_and_max(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let (sum, most, count) = values.fold((0.0, 0.0_f64, 0_u32), |(sum, most, count), v| {
+        (sum + v * v, most.max(v), count + 1)
+    });
+    ((sum / f64::from(count.max(1))).sqrt(), most)
+}
+
 /// Moments, extremes and crossings of a record.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Statistics {
@@ -31,9 +66,9 @@ impl Statistics {
             return Self::default();
         }
         let n = values.len() as f64;
-        let mean = values.iter().sum::<f64>() / n;
+        let mean = mean(values);
         let moment = |power: i32| values.iter().map(|v| (v - mean).powi(power)).sum::<f64>() / n;
-        let variance = moment(2);
+        let variance = variance(values, mean);
         let deviation = variance.sqrt();
         let standard = |moment: f64, scale: f64| if scale > 0.0 { moment / scale } else { 0.0 };
         let above = |v: f64| v > mean;
@@ -105,8 +140,8 @@ impl Gumbel {
             return None;
         }
         let n = values.len() as f64;
-        let mean = values.iter().sum::<f64>() / n;
-        let square = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (n - 1.0);
+        let mean = mean(values);
+        let square = squared_deviations(values, mean) / (n - 1.0);
         let spread = square.sqrt();
         let scale = spread * 6.0_f64.sqrt() / PI;
         Some(Self {
@@ -131,6 +166,21 @@ impl Gumbel {
 mod tests {
     use super::*;
     use crate::numerics::random::Random;
+
+    #[test]
+    fn root_mean_square_and_greatest() {
+        let (rms, most) = rms_and_max([3.0, 4.0].into_iter());
+        assert!((rms - 12.5_f64.sqrt()).abs() < 1e-15);
+        assert_eq!(most, 4.0);
+        assert_eq!(rms_and_max(std::iter::empty()), (0.0, 0.0));
+    }
+
+    #[test]
+    fn medians() {
+        assert_eq!(median(vec![3.0, 1.0, 2.0]), Some(2.0));
+        assert_eq!(median(vec![4.0, 1.0, 2.0, 3.0]), Some(2.5));
+        assert_eq!(median(Vec::new()), None);
+    }
 
     #[test]
     fn of_a_sine() {

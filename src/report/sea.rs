@@ -3,6 +3,7 @@
 use super::number::digits;
 use super::table::{Cell, Column, Table};
 use crate::case::Case;
+use crate::numerics::statistics;
 use crate::physics::sea::{Component, Moments};
 use crate::scene::{Record, records};
 
@@ -84,9 +85,8 @@ fn over(components: &[Component], duration: f64) -> Option<(f64, Option<f64>)> {
             .sum()
     };
     let values: Vec<f64> = (0..=count as usize).map(value).collect();
-    let number = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / number;
-    let variance = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / number;
+    let mean = statistics::mean(&values);
+    let variance = statistics::variance(&values, mean);
     // Where the straight line between two samples crosses the mean.
     let pairs = values.windows(2).enumerate();
     let upward = pairs.filter(|(_, v)| v[0] < mean && v[1] >= mean);

@@ -5,6 +5,7 @@ use super::response::travelling;
 use super::wave_decomposition::standing_wave_ratio;
 use crate::case::{AlongLine, Statistic};
 use crate::numerics::interpolation::linear_clamped;
+use crate::numerics::quadrature::trapezoid;
 
 /// What every run summarises of its line.
 pub(super) const ALWAYS: [(AlongLine, Statistic); 18] = [
@@ -179,11 +180,7 @@ fn mean(arc: &[f64], values: &[f64]) -> Option<f64> {
     if length <= 0.0 {
         return values.first().copied();
     }
-    let pieces = arc.windows(2).zip(values.windows(2));
-    let area: f64 = pieces
-        .map(|(a, v)| 0.5 * (a[1] - a[0]) * (v[0] + v[1]))
-        .sum();
-    Some(area / length)
+    Some(trapezoid(arc, values) / length)
 }
 
 /// The first node at which a value is better than all others, and that value.

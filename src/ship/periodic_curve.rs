@@ -3,9 +3,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use nalgebra::{DMatrix, DVector};
-
 use super::model::Interpolation;
+use crate::numerics::spline::periodic_second_derivatives;
 
 /// A function of an angle \[rad\] with period 2π.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,7 +49,7 @@ impl PeriodicCurve {
         let (at, value) = extended(angles, values, parity);
         let second_derivative = match interpolation {
             Interpolation::Linear => vec![0.0; at.len()],
-            Interpolation::Cubic => periodic_spline(&at, &value),
+            Interpolation::Cubic => periodic_second_derivatives(&at, &value, TAU),
         };
         Self::Table {
             at,
@@ -164,34 +163,6 @@ fn extended(angles: &[f64], values: &[f64], parity: Parity) -> (Vec<f64>, Vec<f6
         value.push(sign * values[i]);
     }
     (at, value)
-}
-
-/// Second derivatives of the periodic cubic spline through points over 2π.
-fn periodic_spline(at: &[f64], value: &[f64]) -> Vec<f64> {
-    let n = at.len();
-    if n < 3 {
-        return vec![0.0; n];
-    }
-    let width = |i: usize| {
-        if i + 1 < n {
-            at[i + 1] - at[i]
-        } else {
-            TAU + at[0] - at[i]
-        }
-    };
-    let mut matrix = DMatrix::zeros(n, n);
-    let mut right = DVector::zeros(n);
-    for i in 0..n {
-        let (before, after) = ((i + n - 1) % n, (i + 1) % n);
-        let (h0, h1) = (width(before), width(i));
-        matrix[(i, before)] += h0 / 6.0;
-        matrix[(i, i)] += (h0 + h1) / 3.0;
-        matrix[(i, after)] += h1 / 6.0;
-        right[i] = (value[after] - value[i]) / h1 - (value[i] - value[before]) / h0;
-    }
-    // Diagonally dominant, hence regular.
-    let solved = matrix.lu().solve(&right);
-    solved.map_or_else(|| vec![0.0; n], |m| m.iter().copied().collect())
 }
 
 #[cfg(test)]

@@ -191,7 +191,7 @@ impl CompositeLine {
     /// A start: a uniform line of the same weight and compliance.
     pub(super) fn guess(&self) -> (f64, f64) {
         let chain = &self.chain;
-        let all: f64 = chain.elements.iter().map(|e| e.total().abs()).sum();
+        let all = chain.absolute_weight();
         let w = (chain.weight.abs().max(0.05 * all) / chain.length).max(1e-200);
         let ea = chain.length / chain.compliance.max(1e-200);
         let up = if chain.weight < 0.0 { -1.0 } else { 1.0 };

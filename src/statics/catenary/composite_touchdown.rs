@@ -14,7 +14,6 @@
 //! `elements`, and friction adds stretch that rises with H. For one section this is `touchdown` (Jonkman 2007, eqs 2-37 and 2-38, on a level bed).
 
 use super::composite::CompositeLine;
-use super::convex_newton::decreasing_root;
 use super::elements::{Bay, Elements, SuspendedPart};
 use super::error::CatenaryError;
 use super::line::Bed;
@@ -23,6 +22,7 @@ use super::solution::Solution;
 use super::span::{Span, length};
 use crate::numerics::double_double::DoubleDouble;
 use crate::numerics::log_newton::{Sample, increasing_root};
+use crate::numerics::roots::decreasing_root;
 
 /// The line in the local frame with the bed through A.
 pub(super) struct CompositeTouchdown<'a> {
@@ -240,7 +240,7 @@ impl<'a> CompositeTouchdown<'a> {
             return Some(-self.chain().weight);
         }
         let wanted = self.wanted().1;
-        decreasing_root(self.chain(), guess, |offset| {
+        decreasing_root(guess, self.chain().absolute_weight(), |offset| {
             let reach = self.end_reach(CompositeUnknowns { h, offset });
             (wanted - reach.z, reach.z_by[1])
         })
@@ -281,7 +281,8 @@ impl<'a> CompositeTouchdown<'a> {
         if self.wholly {
             return Some(-self.chain().weight);
         }
-        decreasing_root(self.chain(), -0.5 * self.chain().weight, |offset| {
+        let chain = self.chain();
+        decreasing_root(-0.5 * chain.weight, chain.absolute_weight(), |offset| {
             let (mut miss, mut slope) = (self.height, 0.0);
             for part in self.parts(CompositeUnknowns { h: 0.0, offset }) {
                 let span = self.chain().part_span(&part);

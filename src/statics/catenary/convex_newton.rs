@@ -7,6 +7,7 @@
 
 use super::elements::{Bay, BayReach, Elements};
 use crate::numerics::log_newton::{Sample, increasing_root};
+use crate::numerics::roots::decreasing_root;
 
 /// Horizontal force and vertical offsets.
 #[derive(Debug, Clone)]
@@ -196,45 +197,8 @@ fn newton(
 
 /// The offset at which a bay has its rise for a given H, zero included; the rise grows with the offset.
 pub(super) fn offset_for_rise(chain: &Elements, bay: &Bay, h: f64, guess: f64) -> Option<f64> {
-    decreasing_root(chain, guess, |at| {
+    decreasing_root(guess, chain.absolute_weight(), |at| {
         let spread = chain.bay_reach(bay, h, at);
         (bay.rise - spread.z, spread.vv)
     })
-}
-
-/// The offset at which a residual that decreases with it is zero; `eval` gives the residual and minus its slope.
-pub(super) fn decreasing_root(
-    chain: &Elements,
-    guess: f64,
-    mut eval: impl FnMut(f64) -> (f64, f64),
-) -> Option<f64> {
-    let weight: f64 = chain.elements.iter().map(|e| e.total().abs()).sum();
-    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-    let (mut at, mut reach) = (guess, weight);
-    for _ in 0..2000 {
-        let (miss, slope) = eval(at);
-        if miss > 0.0 {
-            low = at;
-        } else {
-            high = at;
-        }
-        let step = miss / slope;
-        if miss == 0.0 || step.abs() <= f64::EPSILON * at.abs() {
-            return Some(at + if step.is_finite() { step } else { 0.0 });
-        }
-        let mut next = at + step;
-        if !(next > low && next < high) {
-            next = match (low.is_finite(), high.is_finite()) {
-                (true, true) => 0.5 * (low + high),
-                (true, false) => at + reach,
-                _ => at - reach,
-            };
-            reach *= 2.0;
-        }
-        if next <= low || next >= high {
-            return Some(at);
-        }
-        at = next;
-    }
-    None
 }

@@ -116,6 +116,11 @@ impl Elements {
         }
     }
 
+    /// Sum of the magnitudes of the elements' weights.
+    pub(super) fn absolute_weight(&self) -> f64 {
+        self.elements.iter().map(|e| e.total().abs()).sum()
+    }
+
     /// The suspended parts of a bay in order.
     pub(super) fn parts<'a>(
         &'a self,

@@ -12,6 +12,8 @@ use super::{
 };
 use crate::case::{Case, Method};
 use crate::number::digits;
+use crate::numerics::interpolation::mix;
+use crate::numerics::statistics::median;
 use crate::report::table::{Cell, Column, Table};
 use crate::run::RunState;
 use crate::scene;
@@ -161,14 +163,6 @@ fn median_of(points: &[(f64, error::Errors)]) -> Option<MedianPoint> {
     })
 }
 
-/// The middle one, or the mean of both; nothing of nothing.
-fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    let upper = *values.get(values.len() / 2)?;
-    let lower = *values.get(values.len().saturating_sub(1) / 2)?;
-    Some(0.5 * (lower + upper))
-}
-
 /// Every point of varying steps, beside the cheapest constant ones.
 fn comparisons(settings: &[SpeedSetting], medians: &[Option<MedianPoint>]) -> Vec<WorkComparison> {
     let constant = |rho: f64| -> Curve {
@@ -205,9 +199,7 @@ fn work_at(curve: &[MedianPoint], which: usize, error: f64) -> Option<f64> {
             (pair[1].errors[which].ln(), pair[1].work.ln()),
         );
         let share = (error.ln() - a) / (b - a);
-        (0.0..=1.0)
-            .contains(&share)
-            .then(|| (w + share * (v - w)).exp())
+        (0.0..=1.0).contains(&share).then(|| mix(w, v, share).exp())
     };
     curve.windows(2).filter_map(between).reduce(f64::min)
 }
@@ -285,12 +277,5 @@ mod tests {
         assert!((work_at(&curve, 0, 1e-3).unwrap_or_default() - 200.0).abs() < 1e-9);
         assert_eq!(work_at(&curve, 1, 1e-5), None);
         assert_eq!(work_at(&curve, 1, 1.0), None);
-    }
-
-    #[test]
-    fn medians() {
-        assert_eq!(median(vec![3.0, 1.0, 2.0]), Some(2.0));
-        assert_eq!(median(vec![4.0, 1.0, 2.0, 3.0]), Some(2.5));
-        assert_eq!(median(Vec::new()), None);
     }
 }

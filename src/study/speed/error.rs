@@ -1,6 +1,7 @@
 //! How far one run is from another at their common output times.
 
 use crate::case::ChannelQuantity;
+use crate::numerics::statistics::rms_and_max;
 use crate::run::{History, LineShape, Run, RunState};
 
 /// Errors against a reference.
@@ -37,7 +38,7 @@ fn of_tensions(run: &History, reference: &History) -> (f64, f64) {
     let tensions = joints.filter(|(_, r)| r.id.quantity == ChannelQuantity::Tension);
     let of_joint = tensions.map(|(ours, theirs)| {
         let values = ours.values.iter().zip(&theirs.values);
-        let (rms, most) = rms_and_greatest(values.map(|(a, b)| (a - b).abs()));
+        let (rms, most) = rms_and_max(values.map(|(a, b)| (a - b).abs()));
         let peak = theirs.peak.0.abs().max(f64::MIN_POSITIVE);
         (rms / peak, most / peak)
     });
@@ -47,29 +48,8 @@ fn of_tensions(run: &History, reference: &History) -> (f64, f64) {
 fn of_positions(run: &[LineShape], reference: &[LineShape]) -> (f64, f64) {
     let shapes = run.iter().zip(reference);
     let nodes = shapes.flat_map(|(ours, theirs)| ours.nodes.iter().zip(&theirs.nodes));
-    rms_and_greatest(nodes.map(|(a, b)| {
+    rms_and_max(nodes.map(|(a, b)| {
         let squares = a.iter().zip(b).map(|(p, q)| (p - q) * (p - q));
         squares.sum::<f64>().sqrt()
     }))
-}
-
-/// Root of the mean square, and the greatest; zero of nothing.
-fn rms_and_greatest(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    let (sum, most, count) = values.fold((0.0, 0.0_f64, 0_u32), |(sum, most, count), v| {
-        (sum + v * v, most.max(v), count + 1)
-    });
-    ((sum / f64::from(count.max(1))).sqrt(), most)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn root_mean_square_and_greatest() {
-        let (rms, most) = rms_and_greatest([3.0, 4.0].into_iter());
-        assert!((rms - 12.5_f64.sqrt()).abs() < 1e-15);
-        assert_eq!(most, 4.0);
-        assert_eq!(rms_and_greatest(std::iter::empty()), (0.0, 0.0));
-    }
 }
