@@ -4,8 +4,8 @@
 //! Row i reads `lower[i] x[i-1] + diag[i] x[i] + upper[i] x[i+1] = r[i]`, with bending also
 //! `far_lower[i] x[i-2] + far_upper[i] x[i+2]` on the left. The elimination runs from both ends at once and meets in the
 //! middle; where a pivot is too small for that it starts again, from the first node to the last. Blocks are factored
-//! without pivoting, which the tangents of a line (mass plus stiffness) bear; a pivot that vanishes against its block is
-//! refused, never divided by.
+//! without pivoting, which is stable for the tangents of a line (mass plus stiffness); a pivot that vanishes against its block is an
+//! error.
 
 use std::ops::Range;
 
@@ -13,7 +13,7 @@ use super::both_ends::BothEnds;
 use super::lu::{Lu, minus_applied, minus_product};
 use super::{M3, V3};
 
-/// A banded matrix of blocks with room for its own elimination; allocates only when made.
+/// A banded matrix of blocks with storage for its own elimination; allocates only in [`BlockBand::new`].
 #[derive(Debug, Clone)]
 pub struct BlockBand {
     /// Blocks on the diagonal, one a node.
@@ -26,7 +26,7 @@ pub struct BlockBand {
     pub far_upper: Vec<M3>,
     /// `far_lower[i]` couples row i to node i - 2; empty where nothing bends.
     pub far_lower: Vec<M3>,
-    /// Room to eliminate from both ends; none in a matrix that is too small for it.
+    /// Storage for elimination from both ends; none in a matrix that is too small for it.
     both: Option<Box<BothEnds>>,
 }
 
@@ -52,7 +52,7 @@ impl BlockBand {
         }
     }
 
-    /// Makes room for the couplings of bending, all zero.
+    /// Allocates the couplings of bending, all zero.
     pub fn widen(&mut self) {
         let nodes = self.diag.len();
         self.far_upper.resize(nodes, M3::zeros());
@@ -62,20 +62,20 @@ impl BlockBand {
         }
     }
 
-    /// Whether there is room for the couplings of bending.
+    /// Whether the couplings of bending are allocated.
     #[must_use]
     pub fn is_wide(&self) -> bool {
         !self.far_upper.is_empty()
     }
 
-    /// Sets the couplings of nodes two apart to zero, where there is room for them.
+    /// Sets the couplings of nodes two apart to zero, where they are allocated.
     pub fn clear_far(&mut self) {
         self.far_upper.fill(M3::zeros());
         self.far_lower.fill(M3::zeros());
     }
 
     /// Solves for the rows and nodes of `range`, couplings that leave it left out. `r` holds the
-    /// right-hand side on entry and the solution on return; the matrix is used up.
+    /// right-hand side on entry and the solution on return; the matrix is overwritten.
     ///
     /// # Errors
     /// [`SingularBlock`] when a pivot vanishes or is not finite; `r` is then meaningless.
@@ -156,7 +156,7 @@ impl BlockBand {
 /// Smallest pivot against the greatest entry of its block.
 const SMALLEST_PIVOT: f64 = 1e-14;
 
-/// Whether all pivots of a block are there, and all of it is a number.
+/// Whether no pivot of a block vanishes and all its entries are finite.
 fn is_regular(block: &M3, lu: &Lu<f64>) -> bool {
     let size = block.diagonal().abs().sum();
     // A comparison that is false for NaN refuses NaN as well.
@@ -287,7 +287,7 @@ mod tests {
         }
     }
 
-    /// Where the chains meet such a line has pivots of rounding only, which say nothing: one end has to tell.
+    /// Where the chains meet, the pivots of such a line are rounding: elimination from one end decides.
     #[test]
     fn a_chain_that_nothing_holds_is_left_to_one_end() {
         for (n, wide) in [(31, false), (30, true), (31, true)] {

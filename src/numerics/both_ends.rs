@@ -6,7 +6,7 @@
 //! that "upper" is towards the middle in both chains.
 //!
 //! The matrix is only read. A pivot that is small against its block as it was before, and may be nothing but rounding, is
-//! not trusted: whether it vanishes is for the elimination from one end to tell.
+//! not trusted: elimination from one end decides whether it vanishes.
 
 use std::ops::Range;
 
@@ -23,10 +23,10 @@ const TRUSTED: f64 = 1e-12;
 const FEWEST_BETWEEN: usize = 2;
 const MOST_BETWEEN: usize = 3;
 
-/// The fewest nodes for which two ends are worth while.
+/// The fewest nodes for which elimination from two ends pays.
 const SHORTEST: usize = 6;
 
-/// Room for the elimination.
+/// Storage for the elimination.
 #[derive(Debug, Clone)]
 pub(super) struct BothEnds {
     /// Rows taken out, from the ends inwards; `taken` of them by the last elimination.
@@ -58,7 +58,7 @@ struct Front<T> {
 }
 
 impl BothEnds {
-    /// Room for a line of so many nodes; none for one that is too short.
+    /// Storage for a line of so many nodes; none for one that is too short.
     pub(super) fn new(nodes: usize) -> Option<Box<Self>> {
         let nothing = Row {
             near: TwoM3::repeat(Two::ZERO),
@@ -74,13 +74,13 @@ impl BothEnds {
         (nodes >= SHORTEST).then(|| Box::new(room()))
     }
 
-    /// Makes room for the couplings of bending.
+    /// Allocates the couplings of bending.
     pub(super) fn widen(&mut self) {
         self.middle.widen();
     }
 
-    /// Solves as [`BlockBand::solve`] does. Nothing, and `r` as it was, where the range is too short or a pivot is not
-    /// to be trusted.
+    /// Solves as [`BlockBand::solve`] does. `None`, and `r` unchanged, where the range is too short or a pivot is not
+    /// trusted.
     pub(super) fn solve<const WIDE: bool>(
         &mut self,
         band: &BlockBand,
@@ -112,7 +112,7 @@ impl BothEnds {
         Some(())
     }
 
-    /// How many pivots of the last elimination were negative; nothing where it was not carried through.
+    /// How many pivots of the last elimination were negative; `None` where it was abandoned.
     pub(super) fn negative_pivots(&self) -> Option<usize> {
         let rows = &self.rows[..self.taken];
         let pivots = rows.iter().flat_map(|row| row.pivots.iter());
@@ -160,7 +160,7 @@ impl BothEnds {
         sum[1] += down.after_r;
         sum[n - 1] += up.next_r;
         sum[n - 2] += up.after_r;
-        // A node that is not there: of no consequence, and without negative pivots.
+        // A node that does not exist: an identity, without negative pivots.
         middle.diag[n..].fill(M3::identity());
         middle.solve(0..n, sum).ok()?;
         for (m, node) in middle.diag[..n].iter().zip(first..) {

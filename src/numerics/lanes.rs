@@ -1,5 +1,4 @@
-//! Two numbers side by side, each in its lane of a vector register: what is worked out twice in the same steps is worked
-//! out once.
+//! Two numbers side by side, each in its lane of a vector register (SIMD): two computations of the same steps run as one.
 
 use std::ops::Neg;
 

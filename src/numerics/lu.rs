@@ -1,4 +1,4 @@
-//! LU factors of a 3 x 3 block, of numbers or of vectors of numbers that go through the same steps side by side.
+//! LU factors of a 3 x 3 block, of numbers or of two numbers in lanes.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -19,10 +19,10 @@ pub(super) struct Lu<T> {
 }
 
 impl<T: Number> Lu<T> {
-    /// The factors. Where a pivot vanishes the others are infinite or not numbers, for the caller to see.
+    /// The factors. Where a pivot vanishes the others are infinite or NaN; the caller checks.
     ///
     /// The pivots are ratios of the leading minors, so that no division waits for another one; each minor is a
-    /// difference of two products, as accurate as the difference that it stands for in the usual order of things.
+    /// difference of two products, as accurate as the difference that it replaces in the usual order of operations.
     #[inline(always)]
     pub(super) fn new(m: &Matrix3<T>) -> Self {
         let one = T::from(1.0);

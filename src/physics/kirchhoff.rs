@@ -66,10 +66,10 @@ impl KirchhoffAddedMass {
     /// The added mass as a matrix \[kg\].
     #[must_use]
     pub fn matrix(&self, t: &V3) -> M3 {
-        M3::from_diagonal_element(self.normal) + t * t.transpose() * self.excess()
+        M3::from_diagonal_element(self.normal) + t * t.transpose() * self.anisotropy()
     }
 
-    fn excess(&self) -> f64 {
+    fn anisotropy(&self) -> f64 {
         self.tangential - self.normal
     }
 
@@ -87,7 +87,7 @@ impl KirchhoffAddedMass {
     /// The terms of that in velocities alone: `(A_t - A_n) [(t'.v) t + (t.v) t']` and Munk's couple.
     #[must_use]
     pub fn velocity_terms(&self, of: &RelativeMotion) -> (V3, V3) {
-        let (t, more) = (&of.t, self.excess());
+        let (t, more) = (&of.t, self.anisotropy());
         let ahead = t.dot(&of.v);
         let (aside, turn) = (of.v - t * ahead, of.turn - t * t.dot(&of.turn));
         (
@@ -113,7 +113,7 @@ impl KirchhoffAddedMass {
             turn,
             gain,
         } = of;
-        let more = self.excess();
+        let more = self.anisotropy();
         let (ahead, sigma) = (t.dot(v), t.dot(turn));
         let across = M3::identity() - t * t.transpose();
         let (aside, turned) = (across * v, across * turn);

@@ -1,4 +1,4 @@
-//! Prescribed motion of an end about its place, with a smooth start.
+//! Prescribed motion of an end about its position, with a smooth start.
 
 use std::f64::consts::TAU;
 
@@ -10,15 +10,15 @@ use crate::numerics::spline::Spline;
 /// Motion of a held end.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EndMotion {
-    /// The place it moves about \[m\].
+    /// The position it moves about \[m\].
     pub position: V3,
     /// How it moves about it.
     pub course: MotionPath,
-    /// The motion grows from nothing over this time \[s\].
+    /// The motion grows from zero over this time \[s\].
     pub ramp: f64,
 }
 
-/// How an end moves about its place.
+/// How an end moves about its position.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MotionPath {
     /// Not at all.

@@ -1,4 +1,4 @@
-//! A smooth beginning: from nothing to the full over a time, with no kink in acceleration.
+//! A smooth ramp from zero to one over a time, without a kink in acceleration.
 
 /// The growth r at time t \[s\] over `ramp` seconds, a quintic from 0 to 1, and its two derivatives by time.
 #[must_use]

@@ -31,13 +31,13 @@ pub struct FibreRope {
     pub gamma: f64,
     /// Breaking load MBL \[N\].
     pub strength: f64,
-    /// How the stiffness makes a tension.
+    /// How the stiffness defines the tension.
     pub reading: StiffnessForm,
     /// Time over which the past tension is averaged \[s\]; infinity: all of the past.
     pub window: f64,
 }
 
-/// How the dynamic stiffness makes a tension.
+/// How the dynamic stiffness defines the tension.
 #[derive(Debug, Clone, PartialEq)]
 pub enum StiffnessForm {
     /// Through the origin of strain.

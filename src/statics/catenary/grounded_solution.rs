@@ -6,18 +6,17 @@ use super::grounded_span::{GroundedForces, GroundedSpan};
 use super::profile::{Piece, PieceLaw, Pieces, grounded_tension_sum};
 use super::single::PlanarLine;
 use super::solution::{Seed, Shape, Solution};
-use super::span::{Span, length};
-use super::suspended_solution::suspended_piece;
+use super::span::length;
 use super::touchdown::{TouchdownLine, TouchdownUnknowns};
 
 /// Grounded from A to the touchdown point, suspended from there to B.
 pub(super) fn partial_contact(
-    line: &PlanarLine,
     touchdown: &TouchdownLine,
     mut state: TouchdownUnknowns,
     iterations: u32,
 ) -> Result<Solution, CatenaryError> {
-    let look = |state: TouchdownUnknowns| {
+    let line = &touchdown.line;
+    let newton_step = |state: TouchdownUnknowns| {
         let leg = touchdown.leg(state);
         let miss = touchdown.residual(state, &leg);
         let step = touchdown.step(&leg, -miss.0, -miss.1);
@@ -25,15 +24,15 @@ pub(super) fn partial_contact(
         let top = length(state.h, touchdown.v_b(state, &leg));
         (leg, step, length(dh, dv) / top)
     };
-    let (mut leg, step, mut residual) = look(state);
-    let mended = TouchdownUnknowns {
+    let (mut leg, step, mut residual) = newton_step(state);
+    let corrected = TouchdownUnknowns {
         h: state.h + step.0,
         beta: state.beta + step.1,
     };
-    if residual > ROUNDING && mended.h > 0.0 && mended.beta > 0.0 {
-        let better = look(mended);
+    if residual > ROUNDING && corrected.h > 0.0 && corrected.beta > 0.0 {
+        let better = newton_step(corrected);
         if better.2 < residual {
-            (state, leg, residual) = (mended, better.0, better.2);
+            (state, leg, residual) = (corrected, better.0, better.2);
         }
     }
     residual += touchdown.slope_rounding(state, &leg) / length(state.h, touchdown.v_b(state, &leg));
@@ -58,8 +57,7 @@ pub(super) fn partial_contact(
     let lift_off = (lying * touchdown.slope.cos, lying * touchdown.slope.sin);
     let pieces = [
         grounded_piece(touchdown, on_bed, t0),
-        suspended_piece(
-            line,
+        line.suspended_piece(
             on_bed,
             leg.s,
             lift_off,
@@ -78,18 +76,15 @@ fn grounded_piece(touchdown: &TouchdownLine, length: f64, end: f64) -> Piece {
             loss: touchdown.loss(),
             cos: touchdown.slope.cos,
             sin: touchdown.slope.sin,
-            ea: touchdown.ea,
+            ea: touchdown.line.ea,
         },
         ..Piece::default()
     }
 }
 
 /// Grounded from end to end. Only the stiffness along the bed is given.
-pub(super) fn full_contact(
-    line: &PlanarLine,
-    touchdown: &TouchdownLine,
-    t_b: f64,
-) -> Result<Solution, CatenaryError> {
+pub(super) fn full_contact(touchdown: &TouchdownLine, t_b: f64) -> Result<Solution, CatenaryError> {
+    let line = &touchdown.line;
     let (sin, cos) = (touchdown.slope.sin, touchdown.slope.cos);
     let (length, loss) = (line.length, touchdown.loss());
     let moving = if loss > 0.0 {
@@ -139,22 +134,17 @@ fn straight_error(line: &PlanarLine, length: f64, height: f64) -> f64 {
     if length <= 0.0 {
         return 0.0;
     }
-    let span = Span {
-        length,
-        weight: line.w,
-        ea: line.ea,
-    };
-    let (_, dz) = span.reach(0.0, 0.0);
+    let (_, dz) = line.span(length).reach(0.0, 0.0);
     let v = line.w * length;
     (dz - height).abs() * lift_stiffness(line, v) / v
 }
 
 /// Slack on the bed, the rest suspended vertically from B.
 pub(super) fn slack_contact(
-    line: &PlanarLine,
     touchdown: &TouchdownLine,
     straight: f64,
 ) -> Result<Solution, CatenaryError> {
+    let line = &touchdown.line;
     let v = line.w * straight;
     let on_bed = line.length - straight;
     let foot = (line.x, line.x * touchdown.slope.tan);
@@ -175,19 +165,16 @@ pub(super) fn slack_contact(
         },
         ..Piece::default()
     };
-    let pieces = [
-        heap,
-        suspended_piece(line, on_bed, straight, foot, 0.0, 0.0),
-    ];
+    let pieces = [heap, line.suspended_piece(on_bed, straight, foot, 0.0, 0.0)];
     found.verified(line.frame, Pieces::few(&pieces))
 }
 
 /// Suspended from A, grounded in the middle, suspended to B.
 pub(super) fn grounded_span(
-    line: &PlanarLine,
     grounded: &GroundedSpan,
     forces: &GroundedForces,
 ) -> Result<Solution, CatenaryError> {
+    let line = &grounded.line;
     let (v_a, v_b) = (forces.legs[0].v, forces.legs[1].v);
     let (s_a, s_b) = (v_a / line.w, v_b / line.w);
     let on_bed = line.length - s_a - s_b;
@@ -221,25 +208,15 @@ pub(super) fn grounded_span(
     };
     found.verified(
         line.frame,
-        Pieces::few(&grounded_span_pieces(line, grounded, forces)),
+        Pieces::few(&grounded_span_pieces(grounded, forces)),
     )
 }
 
-fn grounded_span_pieces(
-    line: &PlanarLine,
-    grounded: &GroundedSpan,
-    forces: &GroundedForces,
-) -> [Piece; 3] {
+fn grounded_span_pieces(grounded: &GroundedSpan, forces: &GroundedForces) -> [Piece; 3] {
+    let line = &grounded.line;
     let h = forces.h;
     let [(s_a, depth), (s_b, _)] = [0, 1].map(|i| (forces.legs[i].v / line.w, grounded.rise[i]));
-    let reach = |s: f64| {
-        let span = Span {
-            length: s,
-            weight: line.w,
-            ea: line.ea,
-        };
-        span.reach(h, 0.0).0
-    };
+    let reach = |s: f64| line.span(s).reach(h, 0.0).0;
     let down = (reach(s_a), -depth);
     let up = (line.x - reach(s_b), -depth);
     let on_bed = line.length - s_a - s_b;
@@ -262,8 +239,8 @@ fn grounded_span_pieces(
         kind,
     };
     [
-        suspended_piece(line, 0.0, s_a, (0.0, 0.0), h, -forces.legs[0].v),
+        line.suspended_piece(0.0, s_a, (0.0, 0.0), h, -forces.legs[0].v),
         middle,
-        suspended_piece(line, s_a + on_bed, s_b, up, h, 0.0),
+        line.suspended_piece(s_a + on_bed, s_b, up, h, 0.0),
     ]
 }

@@ -17,7 +17,8 @@
 //!
 //! The left side less the right rises with H. The right side is the length that sag takes out.
 
-use super::span::{Span, length};
+use super::single::PlanarLine;
+use super::span::length;
 use crate::numerics::double_double::DoubleDouble;
 use crate::numerics::hyperbolic::{asinh_minus_sine, x_minus_asinh};
 use crate::numerics::log_newton::{Sample, increasing_root};
@@ -25,10 +26,7 @@ use crate::numerics::log_newton::{Sample, increasing_root};
 /// The line in the local frame: weight downwards, B to the right, both ends above the bed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct GroundedSpan {
-    pub x: f64,
-    pub length: f64,
-    pub w: f64,
-    pub ea: f64,
+    pub line: PlanarLine,
     /// Heights of A and B above the bed.
     pub rise: [f64; 2],
 }
@@ -55,9 +53,9 @@ pub(super) struct GroundedForces {
 impl GroundedSpan {
     /// The leg rising by `d` at horizontal force `h`.
     pub(super) fn leg(&self, h: f64, d: f64) -> Leg {
-        let p = 1.0 + h / self.ea;
-        let load = 2.0 * self.w * d;
-        let y = load / (p + (p * p + load / self.ea).sqrt());
+        let p = 1.0 + h / self.line.ea;
+        let load = 2.0 * self.line.w * d;
+        let y = load / (p + (p * p + load / self.line.ea).sqrt());
         Leg {
             v: (y * (y + 2.0 * h)).sqrt(),
             y,
@@ -70,17 +68,17 @@ impl GroundedSpan {
 
     /// Suspended length.
     fn suspended_length(&self, legs: &[Leg; 2]) -> f64 {
-        (legs[0].v + legs[1].v) / self.w
+        (legs[0].v + legs[1].v) / self.line.w
     }
 
     /// The forces, or `None` when the line does not come down to the bed.
     pub(super) fn solve(&self, seed: Option<f64>) -> Option<GroundedForces> {
         let straight = self.legs(0.0);
         let hanging = self.suspended_length(&straight);
-        if hanging > self.length {
+        if hanging > self.line.length {
             return None;
         }
-        let surplus = self.length - self.x - hanging;
+        let surplus = self.line.length - self.line.x - hanging;
         if surplus >= 0.0 {
             return Some(GroundedForces {
                 h: 0.0,
@@ -94,7 +92,7 @@ impl GroundedSpan {
             let legs = self.legs(h);
             let mut found = self.value(h, &legs);
             // More than the whole line is suspended, and the force is still too small.
-            if found.value < 0.0 && self.suspended_length(&legs) > self.length {
+            if found.value < 0.0 && self.suspended_length(&legs) > self.line.length {
                 clear = true;
                 found.value = f64::NAN;
             }
@@ -102,7 +100,7 @@ impl GroundedSpan {
         });
         let root = root.filter(|_| !clear)?;
         let legs = self.legs(root.x);
-        (self.suspended_length(&legs) <= self.length).then_some(GroundedForces {
+        (self.suspended_length(&legs) <= self.line.length).then_some(GroundedForces {
             h: root.x,
             legs,
             iterations: root.evaluations,
@@ -111,17 +109,17 @@ impl GroundedSpan {
 
     /// Length beyond the distance less length taken out by sag.
     fn value(&self, h: f64, legs: &[Leg; 2]) -> Sample {
-        let spare = self.length - self.x;
-        let mut value = spare + h * self.length / self.ea;
-        let mut scale = spare.abs() + h * self.length / self.ea;
-        let mut slope = self.length / self.ea;
+        let spare = self.line.length - self.line.x;
+        let mut value = spare + h * self.line.length / self.line.ea;
+        let mut scale = spare.abs() + h * self.line.length / self.line.ea;
+        let mut slope = self.line.length / self.line.ea;
         for leg in legs.iter().filter(|leg| leg.v > 0.0) {
             let (t, sigma) = (h + leg.y, leg.v / h);
-            let dv = leg.y / leg.v / (1.0 + t / self.ea);
-            let lost = h / self.w * x_minus_asinh(sigma);
+            let dv = leg.y / leg.v / (1.0 + t / self.line.ea);
+            let lost = h / self.line.w * x_minus_asinh(sigma);
             value -= lost;
             scale += lost;
-            slope -= (dv * leg.y / t - asinh_minus_sine(sigma)) / self.w;
+            slope -= (dv * leg.y / t - asinh_minus_sine(sigma)) / self.line.w;
         }
         Sample {
             value,
@@ -132,18 +130,18 @@ impl GroundedSpan {
 
     /// Parabolic legs when flat, `H ln(2σ)` when steep, stretch when too short: the nearest of them.
     fn guess(&self, straight: &[Leg; 2], surplus: f64) -> f64 {
-        let spare = self.length - self.x;
-        let sag = 0.4714 * self.w.sqrt() * self.rise.iter().map(|d| d * d.sqrt()).sum::<f64>();
-        let soft = (sag * self.ea / self.length).powf(2.0 / 3.0);
+        let spare = self.line.length - self.line.x;
+        let sag = 0.4714 * self.line.w.sqrt() * self.rise.iter().map(|d| d * d.sqrt()).sum::<f64>();
+        let soft = (sag * self.line.ea / self.line.length).powf(2.0 / 3.0);
         if spare <= 0.0 {
-            return soft.max(-spare * self.ea / self.length);
+            return soft.max(-spare * self.line.ea / self.line.length);
         }
         let flat = soft.min((sag / spare).powi(2));
         let v = straight[0].v.max(straight[1].v);
         if flat < 0.3 * v {
             // Σ (H/w) asinh(v/H) = length short of being slack
             let legs = self.rise.iter().filter(|d| **d > 0.0).count().max(1);
-            let each = -surplus * self.w / f64::from(u32::try_from(legs).unwrap_or(1));
+            let each = -surplus * self.line.w / f64::from(u32::try_from(legs).unwrap_or(1));
             let first = each / (2.0 + 2.0 * v / each).ln();
             return each / (2.0 + 2.0 * v / first).ln();
         }
@@ -165,21 +163,16 @@ struct LegResponse {
 
 impl GroundedSpan {
     fn response(&self, h: f64, leg: &Leg, rise: f64) -> (LegResponse, DoubleDouble) {
-        let s = leg.v / self.w;
+        let s = leg.v / self.line.w;
         let t = length(h, leg.v);
-        let span = Span {
-            length: s,
-            weight: self.w,
-            ea: self.ea,
-        };
-        let (dx, dz) = span.reach_exactly(h, 0.0.into());
+        let (dx, dz) = self.line.span(s).reach_exactly(h, 0.0.into());
         // H/T - 1 without the difference
         let fall = -leg.v * leg.v / (t * (t + h));
         let response = LegResponse {
             x_s: fall,
-            x_h: asinh_minus_sine(leg.v / h) / self.w,
-            z_s: leg.v / self.ea + leg.v / t,
-            z_h: fall / self.w,
+            x_h: asinh_minus_sine(leg.v / h) / self.line.w,
+            z_s: leg.v / self.line.ea + leg.v / t,
+            z_h: fall / self.line.w,
             miss: (-dz + rise).value(),
         };
         (response, dx)
@@ -188,22 +181,22 @@ impl GroundedSpan {
     /// Error of force over end tension from the residuals of position, and the stiffness of end B.
     pub(super) fn verify(&self, lying: &GroundedForces) -> (f64, [[f64; 2]; 2]) {
         let h = lying.h;
-        let on_bed = DoubleDouble::from(self.length)
-            + -(lying.legs[0].v / self.w)
-            + -(lying.legs[1].v / self.w);
-        let bed = on_bed * (DoubleDouble::from(h) / DoubleDouble::from(self.ea) + 1.0);
+        let on_bed = DoubleDouble::from(self.line.length)
+            + -(lying.legs[0].v / self.line.w)
+            + -(lying.legs[1].v / self.line.w);
+        let bed = on_bed * (DoubleDouble::from(h) / DoubleDouble::from(self.line.ea) + 1.0);
         let (mut reached, mut responses) = (bed, [None, None]);
-        let mut by_h = self.length / self.ea;
-        let bed_stretch = (lying.legs[0].v + lying.legs[1].v) / self.w / self.ea;
+        let mut by_h = self.line.length / self.line.ea;
+        let bed_stretch = (lying.legs[0].v + lying.legs[1].v) / self.line.w / self.line.ea;
         by_h -= bed_stretch;
         for (i, leg) in lying.legs.iter().enumerate().filter(|(_, leg)| leg.v > 0.0) {
             let (response, dx) = self.response(h, leg, self.rise[i]);
             reached = reached + dx;
-            by_h += response.x_h + leg.v / self.w / self.ea
+            by_h += response.x_h + leg.v / self.line.w / self.line.ea
                 - response.x_s * response.z_h / response.z_s;
             responses[i] = Some(response);
         }
-        let miss = (-reached + self.x).value();
+        let miss = (-reached + self.line.x).value();
         // Legs keep their heights by changing length: ds = (dz - z_h dH)/z_s.
         let force = |x: f64, rise: [f64; 2]| {
             let give = |i: usize| {
@@ -215,7 +208,7 @@ impl GroundedSpan {
                 let response: &Option<LegResponse> = &responses[i];
                 response
                     .as_ref()
-                    .map_or(0.0, |a| self.w * (rise[i] - a.z_h * dh) / a.z_s)
+                    .map_or(0.0, |a| self.line.w * (rise[i] - a.z_h * dh) / a.z_s)
             };
             (dh, dv(0), dv(1))
         };

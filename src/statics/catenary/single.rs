@@ -7,8 +7,10 @@ use super::error::CatenaryError;
 use super::grounded_solution;
 use super::grounded_span::GroundedSpan;
 use super::line::{Bed, Ends, SectionProps};
+use super::profile::{Piece, PieceLaw};
 use super::slope::Slope;
 use super::solution::{Frame, Seed, Solution};
+use super::span::Span;
 use super::suspended;
 use super::suspended_solution;
 use super::touchdown::{BedContact, TouchdownLine};
@@ -23,6 +25,40 @@ pub(super) struct PlanarLine {
     pub ea: f64,
     pub bed: Option<Bed>,
     pub frame: Frame,
+}
+
+impl PlanarLine {
+    /// Part of the line, of this unstretched length.
+    pub(super) fn span(&self, length: f64) -> Span {
+        Span {
+            length,
+            weight: self.w,
+            ea: self.ea,
+        }
+    }
+
+    /// A suspended piece that begins at an arc length and a position, with the force (`h`, `va`) there.
+    pub(super) fn suspended_piece(
+        &self,
+        from: f64,
+        length: f64,
+        at: (f64, f64),
+        h: f64,
+        va: f64,
+    ) -> Piece {
+        Piece {
+            from,
+            length,
+            x: at.0,
+            z: at.1,
+            kind: PieceLaw::Suspended {
+                h,
+                va,
+                w: self.w,
+                ea: self.ea,
+            },
+        }
+    }
 }
 
 /// Ends closer to the bed than this part of the line's size count as on it.
@@ -171,11 +207,7 @@ fn on_bed_through_a(line: &PlanarLine, bed: Bed, seed: Seed) -> Result<Solution,
     let height = line.z - line.x * slope.tan;
     let slip = ON_BED * (line.length + line.z.abs());
     let touchdown = TouchdownLine {
-        x: line.x,
-        z: line.z,
-        length: line.length,
-        w: line.w,
-        ea: line.ea,
+        line: *line,
         slope,
         height: if height <= slip && bed.slope_rad != 0.0 {
             0.0
@@ -190,19 +222,16 @@ fn on_bed_through_a(line: &PlanarLine, bed: Bed, seed: Seed) -> Result<Solution,
     match touchdown.solve(start)? {
         BedContact::Clear => clear_of_bed(line, &bed, seed),
         BedContact::Partial(state, iterations) => {
-            grounded_solution::partial_contact(line, &touchdown, state, iterations)
+            grounded_solution::partial_contact(&touchdown, state, iterations)
         }
-        BedContact::Full(tension) => grounded_solution::full_contact(line, &touchdown, tension),
-        BedContact::Slack(straight) => grounded_solution::slack_contact(line, &touchdown, straight),
+        BedContact::Full(tension) => grounded_solution::full_contact(&touchdown, tension),
+        BedContact::Slack(straight) => grounded_solution::slack_contact(&touchdown, straight),
     }
 }
 
 fn over_level_bed(line: &PlanarLine, bed: Bed, seed: Seed) -> Result<Solution, CatenaryError> {
     let grounded = GroundedSpan {
-        x: line.x,
-        length: line.length,
-        w: line.w,
-        ea: line.ea,
+        line: *line,
         rise: [bed.below_a_m, (bed.below_a_m + line.z).max(0.0)],
     };
     let start = match seed {
@@ -215,7 +244,7 @@ fn over_level_bed(line: &PlanarLine, bed: Bed, seed: Seed) -> Result<Solution, C
     if bed.friction > 0.0 && forces.h > 0.0 {
         return Err(CatenaryError::FrictionUndetermined);
     }
-    grounded_solution::grounded_span(line, &grounded, &forces)
+    grounded_solution::grounded_span(&grounded, &forces)
 }
 
 /// The line is clear of the bed: the suspended line must confirm that.

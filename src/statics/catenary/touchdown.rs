@@ -19,8 +19,8 @@
 
 use super::error::CatenaryError;
 use super::profile::grounded_tension_sum;
+use super::single::PlanarLine;
 use super::slope::Slope;
-use super::span::Span;
 use crate::numerics::double_double::DoubleDouble;
 use crate::numerics::hyperbolic::hyperbolic;
 use crate::numerics::log_newton::{Sample, increasing_root};
@@ -28,11 +28,7 @@ use crate::numerics::log_newton::{Sample, increasing_root};
 /// The line in the local frame: weight downwards, B to the right, A on the bed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TouchdownLine {
-    pub x: f64,
-    pub z: f64,
-    pub length: f64,
-    pub w: f64,
-    pub ea: f64,
+    pub line: PlanarLine,
     pub slope: Slope,
     /// Height of B above the bed's line.
     pub height: f64,
@@ -82,12 +78,12 @@ impl TouchdownLine {
 
     /// Unstretched length beyond the distance along the bed.
     pub(super) fn excess_length(&self) -> f64 {
-        (self.length - self.x) - self.x * self.slope.secant_minus_1()
+        (self.line.length - self.line.x) - self.line.x * self.slope.secant_minus_1()
     }
 
     /// Loss of tension per metre of bed towards A.
     pub(super) fn loss(&self) -> f64 {
-        self.w * self.slope.drop()
+        self.line.w * self.slope.drop()
     }
 
     /// Tension integrated along the bed, with its derivatives by the tension at touchdown and by the grounded length. Where
@@ -110,21 +106,21 @@ impl TouchdownLine {
         let (ca, sa) = (self.cosh_a(), self.slope.tan);
         let q = sa * f.cosh_minus_1 + ca * f.sinh;
         let p = ca * f.cosh_minus_1 + sa * f.sinh_minus_x;
-        let load = 2.0 * self.height * self.w;
-        load / (p + (p * p + load / self.ea * q * q).sqrt())
+        let load = 2.0 * self.height * self.line.w;
+        load / (p + (p * p + load / self.line.ea * q * q).sqrt())
     }
 
     pub(super) fn leg(&self, state: TouchdownUnknowns) -> Leg {
         let TouchdownUnknowns { h, beta } = state;
         let f = hyperbolic(beta);
-        let (ca, sa, w, ea) = (self.cosh_a(), self.slope.tan, self.w, self.ea);
+        let (ca, sa, w, ea) = (self.cosh_a(), self.slope.tan, self.line.w, self.line.ea);
         let q = sa * f.cosh_minus_1 + ca * f.sinh;
         let p = ca * f.cosh_minus_1 + sa * f.sinh_minus_x;
         let r = sa * f.cosh_minus_1 + ca * f.sinh_minus_x;
         let dr = sa * f.sinh + ca * f.cosh_minus_1;
         let (sinh_b, cosh_b) = (sa + q, ca + dr);
         let s = h * q / w;
-        let (sum, by_t0, by_length) = self.bed_sum(h * ca, self.length - s);
+        let (sum, by_t0, by_length) = self.bed_sum(h * ca, self.line.length - s);
         let gain = (sum + h * s * ca) / ea - h / w * r;
         let gain_h = (by_t0 * ca + (2.0 * h * ca - by_length) * q / w) / ea - r / w;
         let gain_beta = h / w * (cosh_b * (h * ca - by_length) / ea - dr);
@@ -149,11 +145,12 @@ impl TouchdownLine {
             return self.wholly();
         }
         // Suspended vertically: w ζ = v + v²/(2EA)
-        let load = 2.0 * self.w * self.height;
-        let straight = load / (1.0 + (1.0 + load / self.ea).sqrt()) / self.w;
-        if straight <= self.length {
-            let on_bed = self.length - straight;
-            let slack = self.excess_length() - straight + self.bed_sum(0.0, on_bed).0 / self.ea;
+        let load = 2.0 * self.line.w * self.height;
+        let straight = load / (1.0 + (1.0 + load / self.line.ea).sqrt()) / self.line.w;
+        if straight <= self.line.length {
+            let on_bed = self.line.length - straight;
+            let slack =
+                self.excess_length() - straight + self.bed_sum(0.0, on_bed).0 / self.line.ea;
             if slack >= 0.0 {
                 return if self.slope.holds() {
                     Ok(BedContact::Slack(straight))
@@ -173,7 +170,7 @@ impl TouchdownLine {
             let leg = self.leg(TouchdownUnknowns { h, beta });
             let value = -excess - leg.gain;
             // More than the whole line is suspended, and a greater β suspends more (not so down a steep slope).
-            if value > 0.0 && leg.s > self.length && self.slope.sin >= 0.0 {
+            if value > 0.0 && leg.s > self.line.length && self.slope.sin >= 0.0 {
                 clear = true;
                 return Sample {
                     value: f64::NAN,
@@ -204,10 +201,10 @@ impl TouchdownLine {
             beta: root.x,
         };
         let s = self.leg(state).s;
-        if s > self.length {
+        if s > self.line.length {
             return Ok(BedContact::Clear);
         }
-        let at_a = state.h * self.cosh_a() - self.loss() * (self.length - s);
+        let at_a = state.h * self.cosh_a() - self.loss() * (self.line.length - s);
         if at_a < 0.0 && !self.slope.holds() {
             return Err(self.slope.slides());
         }
@@ -216,10 +213,10 @@ impl TouchdownLine {
 
     /// B on the bed: a bar on a slope, with friction.
     fn wholly(&self) -> Result<BedContact, CatenaryError> {
-        let stretch = -self.ea * self.excess_length();
+        let stretch = -self.line.ea * self.excess_length();
         let loss = self.loss();
-        let whole = stretch / self.length + 0.5 * loss * self.length;
-        if whole >= loss * self.length && whole >= 0.0 {
+        let whole = stretch / self.line.length + 0.5 * loss * self.line.length;
+        if whole >= loss * self.line.length && whole >= 0.0 {
             return Ok(BedContact::Full(whole));
         }
         if !self.slope.holds() {
@@ -234,7 +231,7 @@ impl TouchdownLine {
     /// A starting β: parabola when flat, exponential when steep, stretch when too short.
     fn guess(&self, straight: f64) -> f64 {
         let excess = self.excess_length() / straight;
-        let soft = 2.0 * self.w * self.height * self.length / self.ea;
+        let soft = 2.0 * self.line.w * self.height * self.line.length / self.line.ea;
         let taut = (3.0 * soft / straight).cbrt();
         if excess <= 0.0 {
             let short = -self.excess_length();
@@ -254,19 +251,18 @@ impl TouchdownLine {
     /// Distance from the end that the forces of `state` reach to B, to 30 digits on a level bed.
     pub(super) fn residual(&self, state: TouchdownUnknowns, leg: &Leg) -> (f64, f64) {
         let va = DoubleDouble::from(state.h) * self.slope.tan;
-        let span = Span {
-            length: leg.s,
-            weight: self.w,
-            ea: self.ea,
-        };
-        let (dx, dz) = span.reach_exactly(state.h, va);
+        let (dx, dz) = self.line.span(leg.s).reach_exactly(state.h, va);
         let t0 = state.h / self.slope.cos;
-        let on_bed = self.length - leg.s;
-        let along = DoubleDouble::from(self.length) + -leg.s + self.bed_sum(t0, on_bed).0 / self.ea;
+        let on_bed = self.line.length - leg.s;
+        let along = DoubleDouble::from(self.line.length)
+            + -leg.s
+            + self.bed_sum(t0, on_bed).0 / self.line.ea;
         // cos θ = 1 - (1/cos θ - 1) cos θ
-        let x =
-            dx + along + -(along.value() * self.slope.secant_minus_1() * self.slope.cos) + -self.x;
-        let z = dz + along * self.slope.sin + -self.z;
+        let x = dx
+            + along
+            + -(along.value() * self.slope.secant_minus_1() * self.slope.cos)
+            + -self.line.x;
+        let z = dz + along * self.slope.sin + -self.line.z;
         (x.value(), z.value())
     }
 
@@ -275,7 +271,7 @@ impl TouchdownLine {
         if self.slope.sin == 0.0 {
             return 0.0;
         }
-        let size = f64::EPSILON * self.x * self.slope.secant_minus_1();
+        let size = f64::EPSILON * self.line.x * self.slope.secant_minus_1();
         let step = self.step(leg, size * self.slope.cos, size * self.slope.sin);
         let (h, v) = Self::force_step(state, leg, step);
         (h * h + v * v).sqrt()
@@ -299,7 +295,7 @@ impl TouchdownLine {
 
     /// Vertical force at B.
     pub(super) fn v_b(&self, state: TouchdownUnknowns, leg: &Leg) -> f64 {
-        self.slope.tan * state.h + self.w * leg.s
+        self.slope.tan * state.h + self.line.w * leg.s
     }
 
     /// Tension at A of the grounded part whose end towards B carries `t0`.
@@ -309,6 +305,6 @@ impl TouchdownLine {
 
     /// Stretched length of the grounded part.
     pub(super) fn grounded_length(&self, t0: f64, on_bed: f64) -> f64 {
-        on_bed + grounded_tension_sum(t0, self.loss(), on_bed) / self.ea
+        on_bed + grounded_tension_sum(t0, self.loss(), on_bed) / self.line.ea
     }
 }
