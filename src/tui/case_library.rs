@@ -6,26 +6,14 @@ use std::path::{Path, PathBuf};
 
 use etcetera::base_strategy::{BaseStrategy, Xdg};
 
-use super::state::CaseEntry;
+use super::file_reader;
+use super::state::{CaseEntry, Content};
 use crate::case::{self, render_all};
-use crate::kinds::Kind;
-use crate::ropeway;
-use crate::section;
-use crate::ship;
 
 pub use crate::case::shipped::{BESIDE, ROPEWAYS, SECTIONS, SHIPPED, SHIPS};
 
 /// The case on which the list opens.
 pub const FIRST: &str = "pendulous/manifold.toml";
-
-/// What marks a cross-section in the list.
-const CROSS_SECTION: &str = "cross-section";
-
-/// What marks a ship in the list.
-const SHIP: &str = "ship";
-
-/// What marks a ropeway in the list.
-const ROPEWAY: &str = "ropeway";
 
 /// Directories deeper than this below the listed one are not looked into.
 const DEPTH: usize = 4;
@@ -83,25 +71,15 @@ fn entry(dir: &Path, path: PathBuf) -> CaseEntry {
         .unwrap_or(&path)
         .display()
         .to_string();
-    let read = match Kind::of(&path) {
-        Kind::Line => {
-            case::load(&path).map(|loaded| (loaded.case.case.title, loaded.case.case.source))
+    let about = match file_reader::read(&path) {
+        Ok((_, content)) => {
+            let kind = content.kind();
+            let title = match &content {
+                Content::Line(_) => kind.title().to_owned(),
+                _ => format!("{}: {}", kind.name(), kind.title()),
+            };
+            Ok((title, kind.source().to_owned()))
         }
-        Kind::Section => section::load(&path).map(|loaded| {
-            let about = loaded.worked.section.about;
-            (format!("{CROSS_SECTION}: {}", about.title), about.source)
-        }),
-        Kind::Ropeway => ropeway::load(&path).map(|loaded| {
-            let about = loaded.worked.ropeway.about;
-            (format!("{ROPEWAY}: {}", about.title), about.source)
-        }),
-        Kind::Ship => ship::load(&path).map(|loaded| {
-            let about = loaded.worked.ship.ship;
-            (format!("{SHIP}: {}", about.title), about.source)
-        }),
-    };
-    let about = match read {
-        Ok(about) => Ok(about),
         Err(all) => {
             let line = all.first().map_or_else(String::new, |d| {
                 format!("line {}, column {}: {}", d.line, d.column, d.problem)

@@ -3,12 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use super::case_library;
-use crate::case;
-use crate::kinds::Kind;
-use crate::ropeway;
-use crate::section;
-use crate::ship;
+use super::{case_library, file_reader};
 
 /// Runs the editor that `VISUAL` or `EDITOR` names, with its words, else `vi`, until it ends.
 ///
@@ -39,18 +34,14 @@ pub(super) fn run(path: &Path) -> Result<(), String> {
 /// # Errors
 /// All that is wrong with it, with the lines meant.
 pub(super) fn read(path: &Path) -> Result<String, String> {
-    let read = match Kind::of(path) {
-        Kind::Line => case::load(path).map(|loaded| loaded.text),
-        Kind::Section => section::load(path).map(|loaded| loaded.text),
-        Kind::Ropeway => ropeway::load(path).map(|loaded| loaded.text),
-        Kind::Ship => ship::load(path).map(|loaded| loaded.text),
-    };
+    let read = file_reader::read(path).map(|(text, _)| text);
     read.map_err(|all| case_library::story(path, &all))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kinds::Kind;
 
     #[test]
     fn files_of_every_kind_are_read() {

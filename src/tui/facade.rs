@@ -3,10 +3,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::case::{self, At, Case, Method};
+use crate::case::{self, At, Case};
 use crate::reference;
 use crate::report::chart::Glyphs;
-use crate::report::table::Table;
 use crate::run::Run;
 
 pub use crate::case::fields::FieldRow;
@@ -29,20 +28,13 @@ pub fn parse_at(text: &str, path: &Path, file: &str) -> Result<Case, Vec<case::D
     case::parse_beside(text, file, folder)
 }
 
-/// The fields of the editor.
-#[must_use]
-pub fn rows(text: &str, case: &Case) -> Vec<FieldRow> {
-    case::fields::rows(text, case)
-}
-
 /// Sets a key of the text.
 ///
 /// # Errors
 /// What is wrong with the value and what would be right.
 pub fn set(text: &str, key: &str, value: &str) -> Result<String, String> {
     let last = key.rsplit('.').next().unwrap_or(key);
-    case::edit::set(text, key, value)
-        .map_err(|d| format!("{last} {}. {}", stopped(&d.problem), sentence(&d.remedy)))
+    case::edit::set(text, key, value).map_err(|d| format!("{last} {}", sentences(&d)))
 }
 
 /// Leaves an optional key out of the text.
@@ -50,8 +42,7 @@ pub fn set(text: &str, key: &str, value: &str) -> Result<String, String> {
 /// # Errors
 /// Why it cannot be left out.
 pub fn unset(text: &str, key: &str) -> Result<String, String> {
-    case::edit::unset(text, key)
-        .map_err(|d| format!("{} {}. {}", d.key, stopped(&d.problem), sentence(&d.remedy)))
+    case::edit::unset(text, key).map_err(|d| format!("{} {}", d.key, sentences(&d)))
 }
 
 /// The first thing wrong with a text, as one line with file, line and column.
@@ -72,35 +63,22 @@ pub fn refusal(key: &str, all: &[case::Diagnostic]) -> String {
         } else {
             &d.key
         };
-        format!("{at}: {}. {}", stopped(&d.problem), sentence(&d.remedy))
+        format!("{at}: {}", sentences(d))
     });
     words.collect::<Vec<_>>().join(" ")
 }
 
-fn stopped(text: &str) -> &str {
-    text.trim().trim_end_matches('.')
-}
-
-fn sentence(text: &str) -> String {
-    let mut chars = stopped(text).chars();
-    let first: String = chars
+/// What is wrong, and what would be right.
+fn sentences(d: &case::Diagnostic) -> String {
+    let stopped = |text: &str| text.trim().trim_end_matches('.').to_owned();
+    let remedy = stopped(&d.remedy);
+    let mut letters = remedy.chars();
+    let capital: String = letters
         .next()
         .into_iter()
         .flat_map(char::to_uppercase)
         .collect();
-    format!("{first}{}.", chars.as_str())
-}
-
-/// The word of a method in a case file.
-#[must_use]
-pub fn method_word(method: Method) -> &'static str {
-    match method {
-        Method::Auto => "auto",
-        Method::Static => "static",
-        Method::Quasi => "quasi",
-        Method::Rk4 => "rk4",
-        Method::Alpha => "alpha",
-    }
+    format!("{}. {capital}{}.", stopped(&d.problem), letters.as_str())
 }
 
 /// A point of a study in words: `current speed 0.2 m/s`.
@@ -141,13 +119,7 @@ pub fn variant(
     Ok((text, case))
 }
 
-/// The variants that the validation table needs.
-#[must_use]
-pub fn plan(case: &Case) -> Vec<Option<At>> {
-    reference::plan(case)
-}
-
-/// Holds runs against the published values.
+/// Compares runs with the published values.
 #[must_use]
 pub fn checks(case: &Case, runs: &[(Option<At>, Arc<Run>)]) -> Vec<ValidationRow> {
     reference::rows(case, &|at| {
@@ -155,12 +127,6 @@ pub fn checks(case: &Case, runs: &[(Option<At>, Arc<Run>)]) -> Vec<ValidationRow
             .find(|(have, _)| have.as_ref() == at)
             .map(|(_, run)| run.as_ref())
     })
-}
-
-/// The validation table.
-#[must_use]
-pub fn checks_table(rows: &[ValidationRow]) -> Table {
-    reference::table(rows)
 }
 
 /// The text report of a run.

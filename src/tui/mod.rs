@@ -16,6 +16,7 @@ pub mod command;
 pub mod effects;
 mod external_editor;
 pub mod facade;
+mod file_reader;
 mod files;
 pub mod key;
 pub mod line_tables;

@@ -5,8 +5,8 @@ use ratatui::style::Style;
 
 use super::{About, Pane, about};
 use crate::report::number;
+use crate::run::settings::method_name;
 use crate::tui::command::{self, Command, Id, LIST, main, other};
-use crate::tui::facade;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::{
@@ -149,7 +149,7 @@ fn live_line(painter: &mut Painter, at: Rect, line: &LineView, style: Style) {
     };
     let run = live.done.as_ref().and_then(|done| done.run.as_ref());
     let (steps, cpu) = cost_words(run.map(|run| (run.info.work.steps, run.info.cost.cpu_s)));
-    let method = facade::method_word(line.case.solver.method);
+    let method = method_name(line.case.solver.method);
     columns(painter, at, [&name, state, method, &steps, &cpu], style);
 }
 

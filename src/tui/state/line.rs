@@ -4,12 +4,14 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::curves::{Curves, RunEntry};
-use super::document::DocumentKind;
+use super::document_kind::DocumentKind;
 use super::jobs::Ticket;
 use super::modes::ModesView;
 use super::parameter_editor::ParameterEditor;
-use crate::case::{At, Case, Diagnostic};
+use crate::case::{At, Case, Diagnostic, fields};
+use crate::reference;
 use crate::report::figures::{FIGURES, FigureId};
+use crate::run::settings::method_name;
 use crate::run::{Run, RunState};
 use crate::tui::command::{Command, Id, LINE};
 use crate::tui::facade::{self, FieldRow, ValidationRow};
@@ -135,7 +137,7 @@ impl LineView {
             let found = facade::variant(&source.text, &self.case, at.as_ref(), &source.file);
             Some((at, found.ok()?.0))
         };
-        let points = facade::plan(&self.case).into_iter();
+        let points = reference::plan(&self.case).into_iter();
         points.filter_map(variant).collect()
     }
 
@@ -159,12 +161,20 @@ impl LineView {
 }
 
 impl DocumentKind for LineView {
-    fn word(&self) -> String {
-        format!("solver {}", facade::method_word(self.case.solver.method))
+    fn name(&self) -> &'static str {
+        "line case"
+    }
+
+    fn headline(&self) -> String {
+        format!("solver {}", method_name(self.case.solver.method))
     }
 
     fn title(&self) -> &str {
         &self.case.case.title
+    }
+
+    fn source(&self) -> &str {
+        &self.case.case.source
     }
 
     fn panes(&self) -> &'static [PaneId] {
@@ -213,7 +223,7 @@ impl DocumentKind for LineView {
 
     fn rows(&self, text: &str, source: &ParameterEditor) -> Vec<FieldRow> {
         let case = facade::parse_at(text, &source.path, &source.file);
-        case.map_or_else(|_| Vec::new(), |case| facade::rows(text, &case))
+        case.map_or_else(|_| Vec::new(), |case| fields::rows(text, &case))
     }
 
     fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {

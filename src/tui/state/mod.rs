@@ -3,6 +3,7 @@
 pub mod case_list;
 pub mod curves;
 pub mod document;
+pub mod document_kind;
 pub mod jobs;
 pub mod line;
 pub mod modes;
@@ -15,7 +16,8 @@ pub mod trials;
 
 pub use case_list::{CaseEntry, CaseList, Filter};
 pub use curves::{Curves, RunEntry, RunOrigin, RunStatus};
-pub use document::{Content, Document, DocumentKind};
+pub use document::{Content, Document};
+pub use document_kind::DocumentKind;
 pub use jobs::{JobLine, JobState, Jobs, Purpose, Ticket, Waiting};
 pub use line::LineView;
 pub use overlay::{Overlay, PromptPurpose, Question};

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::document::{DocumentKind, message_table};
+use super::document_kind::{DocumentKind, message_table};
 use super::parameter_editor::ParameterEditor;
 use crate::case::{Diagnostic, kind};
 use crate::reference::ValidationRow;
@@ -63,12 +63,16 @@ impl RopewayView {
 }
 
 impl DocumentKind for RopewayView {
-    fn word(&self) -> String {
-        "ropeway".to_owned()
+    fn name(&self) -> &'static str {
+        "ropeway"
     }
 
     fn title(&self) -> &str {
         &self.worked.ropeway.about.title
+    }
+
+    fn source(&self) -> &str {
+        &self.worked.ropeway.about.source
     }
 
     fn panes(&self) -> &'static [PaneId] {

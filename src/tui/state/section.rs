@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::document::DocumentKind;
+use super::document_kind::DocumentKind;
 use super::parameter_editor::ParameterEditor;
 use crate::case::{Diagnostic, kind};
 use crate::report::chart::{Chart, Glyphs};
@@ -38,12 +38,16 @@ impl SectionView {
 }
 
 impl DocumentKind for SectionView {
-    fn word(&self) -> String {
-        "cross-section".to_owned()
+    fn name(&self) -> &'static str {
+        "cross-section"
     }
 
     fn title(&self) -> &str {
         &self.design.section.about.title
+    }
+
+    fn source(&self) -> &str {
+        &self.design.section.about.source
     }
 
     fn panes(&self) -> &'static [PaneId] {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::document::{DocumentKind, message_table};
+use super::document_kind::{DocumentKind, message_table};
 use super::parameter_editor::ParameterEditor;
 use crate::case::{Diagnostic, kind};
 use crate::numerics::V3;
@@ -125,12 +125,16 @@ impl ShipView {
 }
 
 impl DocumentKind for ShipView {
-    fn word(&self) -> String {
-        "ship".to_owned()
+    fn name(&self) -> &'static str {
+        "ship"
     }
 
     fn title(&self) -> &str {
         &self.statics.ship.ship.title
+    }
+
+    fn source(&self) -> &str {
+        &self.statics.ship.ship.source
     }
 
     fn panes(&self) -> &'static [PaneId] {

@@ -6,6 +6,7 @@ use super::notice::{info, warn};
 use super::text_input::type_key;
 use super::{jobs, runs};
 use crate::case::fields::Absent;
+use crate::run::settings::method_name;
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::key::Key;
 use crate::tui::msg::Effect;
@@ -240,7 +241,7 @@ pub(super) fn next_method(state: &mut AppState) -> Vec<Effect> {
     let Some(line) = state.line() else {
         return Vec::new();
     };
-    let now = facade::method_word(line.case.solver.method);
+    let now = method_name(line.case.solver.method);
     let at = METHODS.iter().position(|m| *m == now).unwrap_or(0);
     let next = METHODS[(at + 1) % METHODS.len()];
     let effects = set(state, "solver.method", next);

@@ -5,6 +5,7 @@ use super::trials;
 use crate::case::{At, Case};
 use crate::run::Resume;
 use crate::run::job::Request;
+use crate::run::settings::method_name;
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
@@ -30,7 +31,7 @@ pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
     let name = format!(
         "live: {} ({})",
         editor.file,
-        facade::method_word(line.case.solver.method)
+        method_name(line.case.solver.method)
     );
     if let Some(old) = live.ticket.replace(ticket) {
         effects.push(Effect::Cancel(old));
@@ -138,7 +139,7 @@ pub(super) fn queue(
     let Some(line) = state.line_mut() else {
         return;
     };
-    let method = facade::method_word(request.case.solver.method).to_owned();
+    let method = method_name(request.case.solver.method).to_owned();
     let stem = request.file.trim_end_matches(".toml");
     let name = joined_label(&[stem, &label, &method]);
     let text = request.text.clone();

@@ -4,6 +4,7 @@ use super::jobs::{enqueue, start_waiting};
 use super::notice::info;
 use super::runs;
 use crate::case::At;
+use crate::reference;
 use crate::tui::facade;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
@@ -60,7 +61,7 @@ pub(super) fn validate(state: &mut AppState) -> Vec<Effect> {
     document.pane = PaneId::Validation;
     let plan = document
         .line()
-        .map_or_else(Vec::new, |line| facade::plan(&line.case));
+        .map_or_else(Vec::new, |line| reference::plan(&line.case));
     variants(state, plan, false)
 }
 

@@ -90,7 +90,7 @@ impl Painter<'_> {
             Some(document) => {
                 let editor = &document.editor;
                 let unsaved = if editor.unsaved() { " *unsaved" } else { "" };
-                let words = format!("  {}{unsaved}  {}", editor.file, document.kind().word());
+                let words = format!("  {}{unsaved}  {}", editor.file, document.kind().headline());
                 self.text(rest, &words, self.theme.strong())
             }
             None => {
