@@ -97,9 +97,45 @@ pub(super) enum Command {
     /// Prints a drawing of the ropeway and its tables: the inextensible model of the paper, parabola theory, the exact
     /// elastic rope with the cargo on it and the discretised line side by side.
     Ropeway(RopewayArgs),
+    /// List the keys of a kind of file: range, unit, default, condition and help.
+    ///
+    /// With `--schema` it prints a JSON Schema, by which editors complete and check files.
+    Keys(KeysArgs),
     /// Studies over many runs.
     #[command(subcommand)]
     Study(StudyArgs),
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct KeysArgs {
+    /// Only keys that begin with this path, such as payload or materials.<name>.ea_n.
+    #[arg(value_name = "PREFIX", conflicts_with = "schema")]
+    pub(super) prefix: Option<String>,
+
+    /// The kind of file.
+    #[arg(long, value_name = "KIND", default_value = "case")]
+    pub(super) kind: FileKind,
+
+    /// Print a JSON Schema (draft 2020-12) of the file converted to JSON.
+    #[arg(long)]
+    pub(super) schema: bool,
+
+    /// Print with ASCII characters only.
+    #[arg(long, conflicts_with = "schema")]
+    pub(super) ascii: bool,
+}
+
+/// Kinds of file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum FileKind {
+    /// A line case.
+    Case,
+    /// A cross-section.
+    Section,
+    /// A ropeway.
+    Ropeway,
+    /// A ship at single-point mooring.
+    Ship,
 }
 
 #[derive(Debug, Subcommand)]

@@ -10,6 +10,7 @@ mod cases;
 mod catenary;
 mod error;
 mod inputs;
+mod keys;
 mod modes;
 mod output;
 mod progress;
@@ -53,6 +54,7 @@ pub fn main() -> ExitCode {
         Some(Command::Ship(args)) => ship::ship(args),
         Some(Command::Modes(args)) => modes::modes(args),
         Some(Command::Ropeway(args)) => ropeway::ropeway(args),
+        Some(Command::Keys(args)) => keys::keys(args),
         Some(Command::Study(args)) => study::study(args),
     };
     done.unwrap_or_else(CommandError::report)

@@ -9,7 +9,7 @@ mod validation;
 
 pub use about::numerical_damping;
 pub(crate) use inputs::list as inputs;
-pub(crate) use layout::{Page, WIDTH};
+pub(crate) use layout::{Page, WIDTH, wrap};
 pub use results::{limits, summary};
 pub use validation::validation;
 

@@ -96,7 +96,7 @@ impl Walk {
                 &node.span,
                 join(path),
                 "is empty",
-                format!("add {}", header(table)),
+                format!("add {}", table.header()),
             );
             self.found.push(finding);
         }
@@ -105,14 +105,14 @@ impl Walk {
     fn not_a_table(&mut self, table: &Table, node: &Node, path: &[String]) {
         let problem = format!(
             "must be written as {}, and is {}",
-            header(table),
+            table.header(),
             node.describe()
         );
         let finding = Finding::new(
             &node.span,
             join(path),
             problem,
-            format!("write {}", header(table)),
+            format!("write {}", table.header()),
         );
         self.found.push(finding);
     }
@@ -142,8 +142,10 @@ impl Walk {
             self.found.push(finding);
             return None;
         }
-        let tables: Vec<&str> = subtables_of(self.schema, pattern)
-            .map(|table| last(&table.path))
+        let tables: Vec<&str> = self
+            .schema
+            .tables_in(pattern)
+            .map(|table| table.key())
             .collect();
         let said = unknown_key(self.schema, &entry.key, known, &tables);
         self.found.push(Finding::new(
@@ -169,11 +171,11 @@ impl Walk {
     }
 
     fn missing_tables(&mut self, node: &Node, pattern: &str, path: &mut Vec<String>) {
-        for table in subtables_of(self.schema, pattern) {
-            let key = last(&table.path);
+        for table in self.schema.tables_in(pattern) {
+            let key = table.key();
             if table.required && node.get(key).is_none() {
                 path.push(key.to_owned());
-                let remedy = format!("add {}: {}", header(table), table.help);
+                let remedy = format!("add {}: {}", table.header(), table.help);
                 self.found
                     .push(Finding::new(&node.span, join(path), "is missing", remedy));
                 path.pop();
@@ -213,30 +215,6 @@ fn exists(schema: &'static Schema, field: &Field, node: &Node) -> Option<bool> {
     }
 }
 
-fn subtables_of(schema: &'static Schema, pattern: &str) -> impl Iterator<Item = &'static Table> {
-    schema
-        .tables
-        .iter()
-        .filter(move |table| match table.path.rsplit_once('.') {
-            Some((parent, _)) => parent == pattern,
-            None => pattern.is_empty(),
-        })
-}
-
 fn subtable(schema: &'static Schema, pattern: &str, key: &str) -> Option<&'static Table> {
-    subtables_of(schema, pattern).find(|table| last(&table.path) == key)
-}
-
-fn last(path: &str) -> &str {
-    path.rsplit('.').next().unwrap_or(path)
-}
-
-/// How the header of such a table is written.
-fn header(table: &Table) -> String {
-    let path = table.path.replace(".*", "");
-    match table.shape {
-        TableShape::One => format!("[{path}]"),
-        TableShape::ByName => format!("[{path}.<name>]"),
-        TableShape::List => format!("[[{path}]]"),
-    }
+    schema.tables_in(pattern).find(|table| table.key() == key)
 }

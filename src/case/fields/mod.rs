@@ -5,6 +5,7 @@
 //! `materials.*.ea_n`, `line.*.length_m` (sections by their `name`), `floats.*.lift_kg` (by their
 //! `section`), `ends.*.kind`. A coordinate of a position goes by its letter: `ends.b.position_m.x`.
 
+mod json_schema;
 mod range;
 mod rows;
 mod tables;
@@ -16,6 +17,7 @@ use std::sync::LazyLock;
 
 use super::model::Case;
 use super::schema::{Declared, TableType};
+pub use json_schema::json_schema;
 pub use range::Range;
 pub(crate) use range::{number, of, positive, quantity};
 pub(crate) use rows::Lister;
@@ -88,6 +90,16 @@ impl Schema {
         self.fields
             .iter()
             .filter(move |field| field.table() == table)
+    }
+
+    /// The tables that stand in a table of this pattern.
+    pub fn tables_in(&'static self, pattern: &str) -> impl Iterator<Item = &'static Table> {
+        self.tables
+            .iter()
+            .filter(move |table| match table.path.rsplit_once('.') {
+                Some((parent, _)) => parent == pattern,
+                None => pattern.is_empty(),
+            })
     }
 
     /// The fields that a key path may mean; more than one where tables of several kinds share a key.
@@ -348,6 +360,30 @@ impl Field {
         }
     }
 
+    /// What holds when the key is absent, in words: "required", "default 0.4".
+    #[must_use]
+    pub fn absent_text(&self) -> String {
+        match self.absent {
+            Absent::Required => "required".to_owned(),
+            Absent::RequiredWithout(other) => format!("required without {other}"),
+            Absent::Default("\"\"") => "default: empty".to_owned(),
+            Absent::Default(value) => format!("default {value}"),
+            Absent::Means(meaning) => format!("without it: {meaning}"),
+        }
+    }
+
+    /// Where the key exists or has an effect, if not everywhere: "only where kind is `box`".
+    #[must_use]
+    pub fn condition(&self) -> Option<String> {
+        if let Some((key, word)) = self.only_if {
+            return Some(format!("only where {key} is `{word}`"));
+        }
+        let words = self.matters.iter();
+        let words = words.map(|(key, words)| format!("{key} is {}", either(words)));
+        let words: Vec<String> = words.collect();
+        (!words.is_empty()).then(|| format!("matters only where {}", words.join(" and ")))
+    }
+
     /// True when the value is text, so that a bare word typed by the user is meant as text.
     #[must_use]
     pub fn takes_words(&self) -> bool {
@@ -428,6 +464,17 @@ const UNITS: &[(&str, &str)] = &[
     ("Pa", "pa"),
     ("W", "w"),
 ];
+
+/// A few words as a sentence.
+fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters.next().map(char::to_uppercase);
+    format!(
+        "{}{}.",
+        first.into_iter().flatten().collect::<String>(),
+        letters.as_str()
+    )
+}
 
 /// "a, b or c", each in backquotes.
 pub(crate) fn either(words: &[&str]) -> String {

@@ -52,6 +52,23 @@ impl Table {
         self
     }
 
+    /// The key of the table in the one it stands in.
+    #[must_use]
+    pub fn key(&self) -> &str {
+        self.path.rsplit('.').next().unwrap_or(&self.path)
+    }
+
+    /// How its header is written: `[payload]`, `[materials.<name>]`, `[[line]]`.
+    #[must_use]
+    pub fn header(&self) -> String {
+        let path = self.path.replace(".*", "");
+        match self.shape {
+            One => format!("[{path}]"),
+            ByName => format!("[{path}.<name>]"),
+            List => format!("[[{path}]]"),
+        }
+    }
+
     /// The pattern of its fields: `solver`, `materials.*`.
     #[must_use]
     pub fn pattern(&self) -> Cow<'_, str> {
