@@ -4,27 +4,25 @@
 use std::path::{Path, PathBuf};
 
 use super::check::check_keys;
-use super::diagnostic::{Diagnostic, Finding};
+use super::diagnostic::Diagnostic;
 use super::edit::put;
 use super::fields::{FieldRow, Lister, Schema};
 use super::misfit::Misfit;
 use super::model::Mark;
 use super::read::{diagnose, said, text_of};
+use super::schema::{Place, TableType};
 use super::tree::Node;
 use std::collections::BTreeMap;
 
 /// A kind of file.
 pub(crate) trait FileKind {
     /// Its words as plain data.
-    type Words;
+    type Words: TableType;
     /// What they come to.
     type Worked;
 
     /// Its tables and fields.
     fn schema() -> &'static Schema;
-
-    /// Reads the words of a text that has passed the checks of the schema.
-    fn words(text: &str, tree: &Node) -> Result<Self::Words, Finding>;
 
     /// Works the words out, which have passed the checks of the schema; or all that cannot be as they say.
     fn work(words: Self::Words, tree: &Node) -> Result<Self::Worked, Vec<Misfit>>;
@@ -77,8 +75,8 @@ pub(crate) fn parse<K: FileKind>(text: &str, file: &str) -> Result<K::Worked, Ve
     let tree = said(text, file, K::schema())?;
     let mut found = check_keys(K::schema(), &tree);
     if found.is_empty() {
-        let words: K::Words =
-            K::words(text, &tree).map_err(|finding| diagnose(vec![finding], text, file))?;
+        let words = K::Words::from_keys(&K::Words::keys(&Place::root(&tree)))
+            .map_err(|finding| diagnose(vec![finding], text, file))?;
         match K::work(words, &tree) {
             Ok(worked) => return Ok(worked),
             Err(wrong) => found = wrong.iter().map(|misfit| misfit.found(&tree)).collect(),
@@ -93,7 +91,8 @@ pub(crate) fn rows<K: FileKind>(text: &str) -> Vec<FieldRow> {
     let Ok(root) = Node::parse(text) else {
         return Vec::new();
     };
-    let marks = K::words(text, &root).map_or_else(|_| BTreeMap::new(), |w| K::marks(&w));
+    let words = K::Words::from_keys(&K::Words::keys(&Place::root(&root)));
+    let marks = words.map_or_else(|_| BTreeMap::new(), |words| K::marks(&words));
     K::list(&Lister {
         schema: K::schema(),
         text,

@@ -17,7 +17,7 @@ pub mod fields;
 pub(crate) mod kind;
 mod misfit;
 pub mod model;
-pub(crate) mod read;
+mod read;
 pub(crate) mod schema;
 pub mod shipped;
 mod tree;

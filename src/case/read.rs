@@ -3,7 +3,6 @@
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use serde::de::DeserializeOwned;
 use toml::de::DeTable;
 
 use super::began;
@@ -156,22 +155,6 @@ fn syntax(span: Option<std::ops::Range<usize>>, message: &str) -> Finding {
         format!("this is not TOML: {said}"),
         "a line holds `key = value`, a `[table]` header, or a `# comment`; text stands in quotes",
     )
-}
-
-/// The checked text as the words of its kind, such as a [`Case`]. The checks leave nothing for this to find; should they miss
-/// something, it is still told as a diagnostic.
-pub(crate) fn words_of<T: DeserializeOwned>(text: &str) -> Result<T, Finding> {
-    let fault = |error: &toml_edit::de::Error| {
-        let problem = error.message().lines().collect::<Vec<_>>().join(", ");
-        Finding::new(
-            &error.span().unwrap_or(0..0),
-            "",
-            problem,
-            "compare with the cases that come with the program",
-        )
-    };
-    let reader = toml_edit::de::Deserializer::parse(text).map_err(|error| fault(&error))?;
-    T::deserialize(reader).map_err(|error| fault(&error))
 }
 
 fn nothing_said(text: &str, file: &str, schema: &Schema) -> Option<Diagnostic> {

@@ -13,9 +13,9 @@ use super::{
 use crate::{
     case::fields::{CASE, Field, Schema, Table, json_schema},
     report::text::{WIDTH, wrap},
-    ropeway::fields::ROPEWAY,
-    section::fields::SECTION,
-    ship::fields::SHIP,
+    ropeway::model::ROPEWAY,
+    section::model::SECTION,
+    ship::SHIP,
 };
 
 pub(super) fn keys(args: &KeysArgs) -> Result<ExitCode, CommandError> {

@@ -1,8 +1,6 @@
 //! A number that the source of a file printed, and the file held against it: the same for every kind of file that is worked
 //! out without a run.
 
-use serde::Deserialize;
-
 use super::{ReferenceValue, ValidationRow, compare, tolerance};
 use crate::case::fields::of;
 use crate::case::schema::table;
@@ -10,8 +8,7 @@ use crate::case::{Misfit, Standing};
 
 table! {
     /// A published value and its comparison with the computed one.
-    #[derive(Debug, Clone, PartialEq, Deserialize)]
-    #[serde(deny_unknown_fields, default)]
+    #[derive(Debug, Clone, PartialEq)]
     pub struct PublishedNumber => PublishedNumberKeys {
         /// What it is, in words.
         name: String, "name";

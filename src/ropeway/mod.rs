@@ -13,7 +13,7 @@
 //!
 //! In motion: [`winch`] with the ship's motion as given, [`oscillator`] for the cargo with one degree of freedom.
 //!
-//! [`model`] holds the keys of a ropeway file as data, [`fields`] declares them, [`parse`] and [`load`] read and check a
+//! [`model`] declares the keys of a ropeway file, [`parse`] and [`load`] read and check a
 //! file, [`edit`] sets single keys.
 
 mod cargo_motion;
@@ -21,7 +21,6 @@ pub mod dynamic_crossing;
 pub mod edit;
 pub mod elastic;
 mod error;
-pub mod fields;
 pub mod hauling;
 pub mod inextensible;
 pub mod line;

@@ -2,147 +2,152 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::LazyLock;
 
-use serde::Deserialize;
+use crate::case::fields::Kind::Name;
+use crate::case::fields::{Range, Schema, of, positive};
+use crate::case::schema::{table, words};
+
+/// The ropeway file.
+pub static ROPEWAY: LazyLock<Schema> = LazyLock::new(|| {
+    let least = "a ropeway has at least [ropeway] with a title and a span, [[rope]], [platform], [ship], [cargo] and [setting]";
+    Schema::of::<Ropeway>("ropeway", least)
+});
+
+const LENGTH: Range = positive(1e4);
+const FORCE: Range = positive(1e9);
 
 use crate::case::{Direction, Mark};
 use crate::reference::PublishedNumber;
 
-/// Everything a ropeway file says. The platform stands at x = 0 and holds end A, the ship holds end B
-/// at the span; z = 0 is still water.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Ropeway {
+table! {
+    /// Everything a ropeway file says. The platform stands at x = 0 and holds end A, the ship holds end B
+    /// at the span; z = 0 is still water.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Ropeway => RopewayKeys {}
+    tables {
+        /// What the ropeway is, and what holds for it as a whole.
+        about: About as "ropeway";
+        /// The ropes, side by side; they hang as one.
+        ropes: Vec<Rope> as "rope", required;
+        /// End A: what does not move.
+        platform: Support;
+        /// End B: the ship, with the winch.
+        ship: Support;
+        /// What is carried.
+        cargo: Cargo;
+        /// How the rope is set before anything moves.
+        setting: Setting;
+        /// The water below.
+        water: Water, optional;
+        /// A winch that keeps the tension at the ship.
+        winch: Option<Winch>;
+        /// The motion of the rope's hang point on the ship.
+        motion: Option<Motion>;
+        /// The cargo's own motion on the rope.
+        dynamics: Dynamics, optional;
+        /// The rope as a finite-element check had it: a round bar.
+        finite_element: Option<FiniteElement>;
+        /// Where an input comes from that the source does not print.
+        marks: BTreeMap<String, Mark>;
+        /// A published value the ropeway is held against.
+        published: Vec<PublishedNumber>;
+        /// A published statement of trend, checked along values of a key.
+        trend: Vec<Trend>;
+    }
+}
+
+table! {
     /// What the ropeway is, and what holds for it as a whole.
-    #[serde(rename = "ropeway")]
-    pub about: About,
-    /// The ropes, side by side.
-    #[serde(rename = "rope")]
-    pub ropes: Vec<Rope>,
-    /// End A: what does not move.
-    pub platform: Support,
-    /// End B.
-    pub ship: Support,
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct About => AboutKeys {
+        /// What the ropeway is, in one line.
+        title: String, "title";
+        /// Where the data come from.
+        source: String = "", "source";
+        /// What is missing in the source, what was decided.
+        notes: String = "", "notes";
+        /// Horizontal distance from platform to ship.
+        span_m: f64, "span", range LENGTH;
+        /// Mass per length of all ropes together.
+        mass_kg_per_m: Option<f64>, "mass of all ropes", range positive(1e4), absent "the sum of the ropes";
+        /// Gravity, for weights.
+        gravity_m_per_s2: f64 = 9.80665, "gravity", range positive(100.0);
+        /// Segments of the discretised line.
+        segments: usize = 80, "segments", range of(4.0, 2000.0);
+    }
+}
+
+table! {
+    /// One of the ropes. They hang as one: their weights and stiffnesses add.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Rope => RopeKeys {
+        /// Name of the rope.
+        name: String, "name", kind Name;
+        /// Diameter of the rope.
+        diameter_m: f64, "diameter", range positive(1.0);
+        /// Mass per length of the rope.
+        mass_kg_per_m: f64, "mass", range positive(1e3);
+        /// EA of the rope.
+        ea_n: f64, "axial stiffness", range of(1e3, 1e13);
+        /// Length there is of the rope: no more can be paid out.
+        length_m: f64, "length there is", range LENGTH;
+        /// Tension at which the rope breaks.
+        break_load_n: Option<f64>, "breaking load", range FORCE, absent "not checked";
+    }
+}
+
+table! {
+    /// What holds an end of the rope.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Support => SupportKeys {
+        /// Height of the rope's hang point above still water.
+        height_m: f64, "height", range of(0.0, 1e3);
+    }
+}
+
+table! {
     /// What is carried.
-    pub cargo: Cargo,
-    /// How the rope is set.
-    pub setting: Setting,
-    /// The water below.
-    #[serde(default)]
-    pub water: Water,
-    /// The winch on the ship; absent: the rope is made fast.
-    pub winch: Option<Winch>,
-    /// The motion of the rope's hang point on the ship; absent: it lies still.
-    pub motion: Option<Motion>,
-    /// The cargo's own motion.
-    #[serde(default)]
-    pub dynamics: Dynamics,
-    /// The rope as a finite-element check had it; absent: there is none.
-    pub finite_element: Option<FiniteElement>,
-    /// Where inputs come from, by key path: published inputs need no mark.
-    #[serde(default)]
-    pub marks: BTreeMap<String, Mark>,
-    /// Published values the ropeway is held against.
-    #[serde(default)]
-    pub published: Vec<PublishedNumber>,
-    /// Published statements of trend.
-    #[serde(default)]
-    pub trend: Vec<Trend>,
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Cargo => CargoKeys {
+        /// Mass of the cargo with trolley and hook.
+        mass_kg: f64, "mass", range of(0.0, 1e6);
+        /// Where it hangs: 0 at the platform, 1 at the ship.
+        position: f64 = 0.5, "position", range of(0.0, 1.0);
+        /// How far its lower side hangs below the rope.
+        drop_m: f64 = 0.0, "drop", range of(0.0, 100.0);
+        /// Speed at which it is hauled along the rope.
+        speed_m_per_s: f64 = 1.0, "speed", range positive(100.0);
+    }
 }
 
-/// What the ropeway is, and what holds for it as a whole.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct About {
-    /// One line.
-    pub title: String,
-    /// Where the data come from.
-    #[serde(default)]
-    pub source: String,
-    /// A few sentences: what is missing in the source, what was decided.
-    #[serde(default)]
-    pub notes: String,
-    /// Horizontal distance from platform to ship \[m\].
-    pub span_m: f64,
-    /// Mass per length of all ropes together \[kg/m\]; absent: the sum of the ropes.
-    pub mass_kg_per_m: Option<f64>,
-    /// Gravity \[m/s²\].
-    #[serde(default = "standard_gravity")]
-    pub gravity_m_per_s2: f64,
-    /// Segments of the discretised line.
-    #[serde(default = "segments")]
-    pub segments: usize,
+table! {
+    /// How the rope is set before anything moves.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Setting => SettingKeys {
+        /// What is given: sag of the bare rope, sag with the cargo at mid-span, unstretched length, or the tension at the ship that the winch keeps.
+        by: By, "set by";
+        /// Sag at mid-span below the straight line between the ends.
+        sag_m: Option<f64>, "sag", range LENGTH, absent "needed where a sag sets the rope";
+        /// Unstretched length between the ends.
+        length_m: Option<f64>, "length", range LENGTH, absent "needed where the length sets the rope";
+        /// Tension at the ship, with the cargo where it is.
+        tension_n: Option<f64>, "tension", range FORCE, absent "needed where the tension sets the rope";
+    }
 }
 
-/// One of the ropes. They hang as one: their weights and stiffnesses add.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Rope {
-    /// Name.
-    pub name: String,
-    /// Diameter \[m\].
-    pub diameter_m: f64,
-    /// Mass per length \[kg/m\].
-    pub mass_kg_per_m: f64,
-    /// Axial stiffness EA \[N\].
-    pub ea_n: f64,
-    /// Length there is of it \[m\].
-    pub length_m: f64,
-    /// Tension at which it breaks \[N\].
-    pub break_load_n: Option<f64>,
-}
-
-/// What holds an end of the rope.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Support {
-    /// Height of the rope's hang point above still water \[m\].
-    pub height_m: f64,
-}
-
-/// What is carried.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Cargo {
-    /// Its mass, with trolley and hook \[kg\].
-    pub mass_kg: f64,
-    /// Where it hangs: 0 at the platform, 1 at the ship \[-\].
-    #[serde(default = "half")]
-    pub position: f64,
-    /// How far its lower side hangs below the rope \[m\].
-    #[serde(default)]
-    pub drop_m: f64,
-    /// Speed at which it is hauled \[m/s\].
-    #[serde(default = "one")]
-    pub speed_m_per_s: f64,
-}
-
-/// How the rope is set before anything moves.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Setting {
-    /// What is given.
-    pub by: By,
-    /// Sag below the straight line between the ends, at mid-span \[m\].
-    pub sag_m: Option<f64>,
-    /// Unstretched length between the ends \[m\].
-    pub length_m: Option<f64>,
-    /// Tension at the ship \[N\].
-    pub tension_n: Option<f64>,
-}
-
-/// What the rope is set by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum By {
-    /// Sag of the rope without cargo.
-    BareSag,
-    /// Sag with the cargo at mid-span.
-    LoadedSag,
-    /// Unstretched length.
-    Length,
-    /// Tension at the ship with the cargo where it is: the winch pays out and hauls in.
-    Tension,
+words! {
+    /// What the rope is set by.
+    pub enum By {
+        /// Sag of the rope without cargo.
+        BareSag = "bare-sag",
+        /// Sag with the cargo at mid-span.
+        LoadedSag = "loaded-sag",
+        /// Unstretched length.
+        Length = "length",
+        /// Tension at the ship with the cargo where it is: the winch pays out and hauls in.
+        Tension = "tension",
+    }
 }
 
 impl fmt::Display for By {
@@ -156,93 +161,86 @@ impl fmt::Display for By {
     }
 }
 
-/// The water below.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Water {
-    /// Height of the wave crests that the cargo must clear \[m\].
-    pub crest_m: f64,
-}
-
-/// A winch that keeps the tension at the ship.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Winch {
-    /// Tension it keeps \[N\]; absent: that of the setting, with the cargo on.
-    pub tension_n: Option<f64>,
-    /// Greatest speed of the rope \[m/s\]; absent: no limit.
-    pub speed_m_per_s: Option<f64>,
-    /// Greatest power \[W\]; absent: no limit.
-    pub power_w: Option<f64>,
-}
-
-/// Motion of the rope's hang point on the ship: harmonic away from the platform and upwards.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Motion {
-    /// Amplitude away from the platform \[m\].
-    #[serde(default)]
-    pub surge_m: f64,
-    /// Its period \[s\].
-    #[serde(default = "ten")]
-    pub surge_period_s: f64,
-    /// Amplitude upwards \[m\].
-    #[serde(default)]
-    pub heave_m: f64,
-    /// Its period \[s\].
-    #[serde(default = "ten")]
-    pub heave_period_s: f64,
-}
-
-/// The cargo's own motion on the rope.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Dynamics {
-    /// Damping ratio ζ of the cargo's up-and-down motion \[-\].
-    pub damping_ratio: f64,
-    /// Time that is followed \[s\].
-    pub duration_s: f64,
-}
-
-impl Default for Dynamics {
-    fn default() -> Self {
-        Self {
-            damping_ratio: 0.05,
-            duration_s: 60.0,
-        }
+table! {
+    /// The water below.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Water => WaterKeys {
+        /// Height of the wave crests that the cargo must clear.
+        crest_m: f64 = 0.0, "wave crest", range of(0.0, 50.0);
     }
 }
 
-/// The rope as a finite-element check had it: a round bar.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct FiniteElement {
-    /// Radius of the bar \[m\].
-    pub radius_m: f64,
-    /// Its density \[kg/m³\].
-    pub density_kg_per_m3: f64,
-    /// End tension that the check gave \[N\].
-    pub tension_n: f64,
+table! {
+    /// A winch that keeps the tension at the ship.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Winch => WinchKeys {
+        /// Tension that the winch keeps at the ship.
+        tension_n: Option<f64>, "tension kept", range FORCE, absent "that of the setting, with the cargo on";
+        /// Greatest speed at which the winch moves the rope.
+        speed_m_per_s: Option<f64>, "greatest speed", range positive(100.0), absent "no limit";
+        /// Greatest power of the winch: tension times speed.
+        power_w: Option<f64>, "greatest power", range positive(1e9), absent "no limit";
+    }
 }
 
-/// A published statement of trend, checked along values of a key.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Trend {
-    /// The statement, in words.
-    pub name: String,
-    /// The key that is varied.
-    pub key: String,
-    /// Its values, growing.
-    pub values: Vec<f64>,
-    /// The quantity that is looked at.
-    pub quantity: String,
-    /// What it does as the values grow.
-    pub expect: Direction,
-    /// Where it is printed.
-    pub source: String,
-    /// Why it is out of reach; the row then reads DIFFERS instead of FAIL.
-    pub out_of_reach: Option<String>,
+table! {
+    /// Motion of the rope's hang point on the ship: harmonic away from the platform and upwards.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Motion => MotionKeys {
+        /// Amplitude away from the platform.
+        surge_m: f64 = 0.0, "surge", range of(0.0, 1e3);
+        /// Period of the motion away from the platform.
+        surge_period_s: f64 = 10.0, "period of surge", range of(0.1, 1e4);
+        /// Amplitude upwards.
+        heave_m: f64 = 0.0, "heave", range of(0.0, 1e3);
+        /// Period of the motion upwards.
+        heave_period_s: f64 = 10.0, "period of heave", range of(0.1, 1e4);
+    }
+}
+
+table! {
+    /// The cargo's own motion on the rope.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Dynamics => DynamicsKeys {
+        /// Damping ratio of the cargo's up-and-down motion.
+        damping_ratio: f64 = 0.05, "damping ratio", range of(0.0, 1.0);
+        /// Time that is followed.
+        duration_s: f64 = 60.0, "duration", range positive(1e5);
+    }
+}
+
+table! {
+    /// The rope as a finite-element check had it: a round bar.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct FiniteElement => FiniteElementKeys {
+        /// Radius of the bar that stands for the ropes.
+        radius_m: f64, "radius", range positive(1.0);
+        /// Density of the bar.
+        density_kg_per_m3: f64, "density", range positive(3e4);
+        /// End tension that the check gave.
+        tension_n: f64, "tension", range FORCE;
+    }
+}
+
+table! {
+    /// A published statement of trend, checked along values of a key.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Trend => TrendKeys {
+        /// The statement, in words.
+        name: String, "name";
+        /// The key that is varied.
+        key: String, "key";
+        /// Its values, growing.
+        values: Vec<f64>, "values", unit "";
+        /// The quantity that is looked at.
+        quantity: String, "quantity";
+        /// What the quantity does as the values grow.
+        expect: Direction, "expect";
+        /// Where it is printed.
+        source: String, "source";
+        /// Why the statement cannot be reached; the row then reads DIFFERS instead of FAIL.
+        out_of_reach: Option<String>, "out of reach", absent "not used";
+    }
 }
 
 impl Ropeway {
@@ -277,24 +275,4 @@ impl Ropeway {
         let lengths = self.ropes.iter().map(|rope| rope.length_m);
         lengths.fold(f64::INFINITY, f64::min)
     }
-}
-
-fn standard_gravity() -> f64 {
-    9.80665
-}
-
-fn segments() -> usize {
-    80
-}
-
-fn half() -> f64 {
-    0.5
-}
-
-fn one() -> f64 {
-    1.0
-}
-
-fn ten() -> f64 {
-    10.0
 }

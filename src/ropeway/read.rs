@@ -4,14 +4,12 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::elastic::ElasticRope;
-use super::fields::ROPEWAY;
-use super::model::Ropeway;
+use super::model::{ROPEWAY, Ropeway};
 use super::quantities::{self, QUANTITIES};
 use super::solve::{SolvedRopeway, solve};
 use crate::case::fields::{FieldRow, Lister, Schema, either};
 use crate::case::kind::{self, FileKind};
-use crate::case::read::words_of;
-use crate::case::{self, Diagnostic, Finding, Mark, Misfit, Node};
+use crate::case::{self, Diagnostic, Mark, Misfit, Node};
 use crate::reference::published_number;
 
 /// A ropeway with the text and the file it came from.
@@ -26,10 +24,6 @@ impl FileKind for RopewayFile {
 
     fn schema() -> &'static Schema {
         &ROPEWAY
-    }
-
-    fn words(text: &str, _: &Node) -> Result<Ropeway, Finding> {
-        words_of(text)
     }
 
     fn work(words: Ropeway, _tree: &Node) -> Result<SolvedRopeway, Vec<Misfit>> {

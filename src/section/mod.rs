@@ -1,7 +1,7 @@
 //! The cross-section designer: stiffness, weight and strength of a cable from its units, layers, armour and sheaths, as a
 //! material of a line case.
 //!
-//! [`model`] holds the keys of a section file as data, [`fields`] declares them, [`parse`] and [`load`] read and check a
+//! [`model`] declares the keys of a section file, [`parse`] and [`load`] read and check a
 //! file. [`design`](design()) lays out the geometry ([`layout`], by the [`packing`] of helices) and computes
 //! [`stiffness`], [`bending`], [`weight`] and [`strength`]. [`material`] and [`material_table`](material_table()) give
 //! the material. [`edit`] lists and sets single keys.
@@ -10,7 +10,6 @@ pub mod bending;
 mod design;
 pub mod edit;
 mod element;
-pub mod fields;
 mod format;
 mod lay_out;
 mod layer_checks;

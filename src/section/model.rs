@@ -2,66 +2,77 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::LazyLock;
 
-use serde::Deserialize;
+use crate::case::fields::Kind::Name;
+use crate::case::fields::{Range, Schema, of, positive};
+use crate::case::schema::{table, variants, words};
 
-/// Everything a section file says.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Section {
+/// The section file.
+pub static SECTION: LazyLock<Schema> = LazyLock::new(|| {
+    let least = "a section has at least [section] with a name and a title, [units.<name>], and a [centre] or a [[layer]]";
+    Schema::of::<Section>("section", least)
+});
+
+const LENGTH: Range = positive(10.0);
+const DENSITY: Range = of(0.0, 3e4);
+const MODULUS: Range = of(0.0, 2e12);
+const POISSON: Range = of(0.0, 0.5);
+const STRENGTH: Range = positive(1e11);
+const LOAD: Range = positive(1e12);
+const ANGLE: Range = of(0.0, 90.0);
+
+table! {
+    /// Everything a section file says.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Section => SectionKeys {}
+    tables {
+        /// What the section is, and what holds for it as a whole.
+        about: About as "section";
+        /// The units it is made of, by name.
+        units: BTreeMap<String, Unit>;
+        /// What runs straight in the middle.
+        centre: Option<Centre>;
+        /// The layers around it, from the inside out.
+        layers: Vec<Layer> as "layer";
+    }
+}
+
+table! {
     /// What the section is, and what holds for it as a whole.
-    #[serde(rename = "section")]
-    pub about: About,
-    /// The units it is made of, by name.
-    #[serde(default)]
-    pub units: BTreeMap<String, Unit>,
-    /// What runs straight in the middle; absent: the middle is empty.
-    pub centre: Option<Centre>,
-    /// The layers around it, from the inside out.
-    #[serde(default, rename = "layer")]
-    pub layers: Vec<Layer>,
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct About => AboutKeys {
+        /// Name of the material it makes for a line case.
+        name: String, "name", kind Name;
+        /// What the section is, in one line.
+        title: String, "title";
+        /// Where the data come from.
+        source: String = "", "source";
+        /// What is missing in the source, what was decided.
+        notes: String = "", "notes";
+        /// Whether the middle keeps its diameter or its volume, for the stiffness handed to a line.
+        core: Core = Core::Rigid, "core";
+        /// What fills the gaps between units and wires.
+        voids: Voids = Voids::Dry, "voids";
+        /// Share of every strength and breaking load that may be used.
+        usage_factor: f64 = 1.0, "usage factor", range positive(1.0);
+        /// Density of the water around and in flooded gaps.
+        water_density_kg_per_m3: f64 = 1025.0, "water density", range of(0.0, 3000.0);
+        /// Gravity, for weights.
+        gravity_m_per_s2: f64 = 9.80665, "gravity", range of(0.0, 100.0);
+    }
 }
 
-/// What the section is, and what holds for it as a whole.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct About {
-    /// Name of the material it makes for a line case.
-    pub name: String,
-    /// One line.
-    pub title: String,
-    /// Where the data come from.
-    #[serde(default)]
-    pub source: String,
-    /// A few sentences: what is missing in the source, what was decided.
-    #[serde(default)]
-    pub notes: String,
-    /// How the middle behaves under the squeeze of the layers, for the stiffness handed to a line.
-    #[serde(default)]
-    pub core: Core,
-    /// What fills the gaps between units and wires.
-    #[serde(default)]
-    pub voids: Voids,
-    /// Share of every strength and breaking load that may be used \[-\].
-    #[serde(default = "one")]
-    pub usage_factor: f64,
-    /// Density of the water around and in flooded gaps \[kg/m³\].
-    #[serde(default = "sea_water")]
-    pub water_density_kg_per_m3: f64,
-    /// Gravity \[m/s²\], for weights.
-    #[serde(default = "standard_gravity")]
-    pub gravity_m_per_s2: f64,
-}
-
-/// How the middle behaves when the layers squeeze it: the factor Θ of Knapp 1979.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Core {
-    /// It keeps its diameter: Θ = 0.
-    #[default]
-    Rigid,
-    /// It keeps its volume: Θ = 1.
-    Incompressible,
+words! {
+    /// How the middle behaves when the layers squeeze it: the factor Θ of Knapp 1979.
+    #[derive(Default)]
+    pub enum Core {
+        /// It keeps its diameter: Θ = 0.
+        #[default]
+        Rigid = "rigid",
+        /// It keeps its volume: Θ = 1.
+        Incompressible = "incompressible",
+    }
 }
 
 impl Core {
@@ -87,148 +98,143 @@ impl fmt::Display for Core {
     }
 }
 
-/// What fills the gaps between units and wires.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Voids {
-    /// Nothing that weighs: they are kept dry, and displace water.
-    #[default]
-    Dry,
-    /// Water: they displace none, and their water moves with the cable.
-    Flooded,
+words! {
+    /// What fills the gaps between units and wires.
+    #[derive(Default)]
+    pub enum Voids {
+        /// Nothing that weighs: they are kept dry, and displace water.
+        #[default]
+        Dry = "dry",
+        /// Water: they displace none, and their water moves with the cable.
+        Flooded = "flooded",
+    }
 }
 
-/// A unit: something round that is laid into a layer or runs in the middle.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(rename_all = "lowercase", deny_unknown_fields, tag = "kind")]
-pub enum Unit {
-    /// An electric cable, as a whole.
-    Electric(Whole),
-    /// An optical cable, as a whole.
-    Fibre(Whole),
+variants! {
+    /// A unit: something round that is laid into a layer or runs in the middle.
+    pub enum Unit => UnitKeys by kind, "kind", "Electric or optical cable as a whole, tube, solid rod, or filler rope." {
+        /// An electric cable, as a whole.
+        Electric(Whole) = "electric",
+        /// An optical cable, as a whole.
+        Fibre(Whole) = "fibre",
+        /// A tube in a jacket.
+        Tube(Tube) = "tube",
+        /// A solid rod or wire.
+        Rod(Rod) = "rod",
+        /// A filler rope: takes room and weighs, carries nothing.
+        Filler(Filler) = "filler",
+    }
+}
+
+table! {
+    /// A unit known by its data sheet, not by its make-up.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Whole => WholeKeys {
+        /// Outer diameter, over everything.
+        diameter_m: f64, "diameter", range LENGTH;
+        /// Mass per length of the unit.
+        mass_kg_per_m: f64, "mass", range of(0.0, 1e5);
+        /// EA of the unit; nought: it carries nothing.
+        ea_n: f64 = 0.0, "axial stiffness", range of(0.0, 1e13);
+        /// EI of the unit.
+        ei_n_m2: f64 = 0.0, "bending stiffness", range of(0.0, 1e12);
+        /// GJ of the unit; counts in the middle only.
+        gj_n_m2: f64 = 0.0, "torsional stiffness", range of(0.0, 1e12);
+        /// Poisson's ratio, for bending.
+        poisson_ratio: f64 = 0.3, "Poisson's ratio", range POISSON;
+        /// Tension at which the unit breaks.
+        break_load_n: Option<f64>, "breaking load", range LOAD, absent "not checked";
+    }
+}
+
+table! {
     /// A tube in a jacket.
-    Tube(Tube),
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Tube => TubeKeys {
+        /// Outer diameter, over everything.
+        diameter_m: f64, "diameter", range LENGTH;
+        /// Outer diameter of the tube itself, without its jacket.
+        tube_diameter_m: Option<f64>, "tube diameter", range LENGTH, absent "no jacket";
+        /// Wall of the tube.
+        wall_m: f64, "wall", range LENGTH;
+        /// Density of the tube.
+        density_kg_per_m3: f64, "density", range DENSITY;
+        /// Density of what the tube holds; nought: it is empty.
+        content_density_kg_per_m3: f64 = 0.0, "content density", range DENSITY;
+        /// Density of the jacket.
+        jacket_density_kg_per_m3: f64 = 950.0, "jacket density", range DENSITY;
+        /// Young's modulus of the tube; the jacket carries nothing.
+        youngs_modulus_pa: f64, "Young's modulus", range MODULUS;
+        /// Poisson's ratio of the tube.
+        poisson_ratio: f64 = 0.3, "Poisson's ratio", range POISSON;
+        /// Shear modulus of the tube.
+        shear_modulus_pa: Option<f64>, "shear modulus", range MODULUS, absent "from Young's modulus";
+        /// Axial stress that the tube stands.
+        strength_pa: Option<f64>, "strength", range STRENGTH, absent "not checked";
+        /// Tension at which the tube breaks; goes before the strength.
+        break_load_n: Option<f64>, "breaking load", range LOAD, absent "not checked";
+    }
+}
+
+table! {
     /// A solid rod or wire.
-    Rod(Rod),
-    /// A filler rope: takes room and weighs, carries nothing.
-    Filler(Filler),
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Rod => RodKeys {
+        /// Outer diameter, over everything.
+        diameter_m: f64, "diameter", range LENGTH;
+        /// Density of the rod.
+        density_kg_per_m3: f64, "density", range DENSITY;
+        /// Young's modulus of the rod.
+        youngs_modulus_pa: f64, "Young's modulus", range MODULUS;
+        /// Poisson's ratio of the rod.
+        poisson_ratio: f64 = 0.3, "Poisson's ratio", range POISSON;
+        /// Shear modulus of the rod.
+        shear_modulus_pa: Option<f64>, "shear modulus", range MODULUS, absent "from Young's modulus";
+        /// Axial stress that the rod stands.
+        strength_pa: Option<f64>, "strength", range STRENGTH, absent "not checked";
+        /// Tension at which the rod breaks; goes before the strength.
+        break_load_n: Option<f64>, "breaking load", range LOAD, absent "not checked";
+    }
 }
 
-/// A unit known by its data sheet, not by its make-up.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Whole {
-    /// Outer diameter \[m\].
-    pub diameter_m: f64,
-    /// Mass per length of its own \[kg/m\].
-    pub mass_kg_per_m: f64,
-    /// Axial stiffness EA \[N\].
-    #[serde(default)]
-    pub ea_n: f64,
-    /// Bending stiffness EI \[N m²\].
-    #[serde(default)]
-    pub ei_n_m2: f64,
-    /// Torsional stiffness GJ \[N m²\]; counts in the middle only.
-    #[serde(default)]
-    pub gj_n_m2: f64,
-    /// Poisson's ratio \[-\].
-    #[serde(default = "metal_poisson")]
-    pub poisson_ratio: f64,
-    /// Tension at which it breaks \[N\].
-    pub break_load_n: Option<f64>,
+table! {
+    /// A filler rope.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Filler => FillerKeys {
+        /// Outer diameter, over everything.
+        diameter_m: f64, "diameter", range LENGTH;
+        /// Density of the rope, its own gaps included.
+        density_kg_per_m3: f64, "density", range DENSITY;
+    }
 }
 
-/// A tube in a jacket.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Tube {
-    /// Outer diameter, over the jacket \[m\].
-    pub diameter_m: f64,
-    /// Outer diameter of the tube itself; absent: it has no jacket \[m\].
-    pub tube_diameter_m: Option<f64>,
-    /// Wall of the tube \[m\].
-    pub wall_m: f64,
-    /// Density of the tube \[kg/m³\].
-    pub density_kg_per_m3: f64,
-    /// Density of what the tube holds; nought for an empty one \[kg/m³\].
-    #[serde(default)]
-    pub content_density_kg_per_m3: f64,
-    /// Density of the jacket \[kg/m³\].
-    #[serde(default = "polymer")]
-    pub jacket_density_kg_per_m3: f64,
-    /// Young's modulus of the tube \[Pa\]; the jacket carries nothing.
-    pub youngs_modulus_pa: f64,
-    /// Poisson's ratio of the tube \[-\].
-    #[serde(default = "metal_poisson")]
-    pub poisson_ratio: f64,
-    /// Shear modulus of the tube \[Pa\]; absent: E/2(1+ν).
-    pub shear_modulus_pa: Option<f64>,
-    /// Axial stress that the tube stands \[Pa\].
-    pub strength_pa: Option<f64>,
-    /// Tension at which it breaks \[N\]; goes before the strength.
-    pub break_load_n: Option<f64>,
+table! {
+    /// What runs straight in the middle.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Centre => CentreKeys {
+        /// Name of the unit in the middle.
+        unit: String, "unit";
+        /// Outer diameter of a jacket that fills the room up to the first layer.
+        jacket_diameter_m: Option<f64>, "jacket diameter", range LENGTH, absent "no jacket";
+        /// Density of that jacket.
+        jacket_density_kg_per_m3: f64 = 950.0, "jacket density", range DENSITY;
+        /// Young's modulus of that jacket; nought: it carries nothing.
+        jacket_youngs_modulus_pa: f64 = 0.0, "jacket modulus", range MODULUS;
+        /// Poisson's ratio of that jacket.
+        jacket_poisson_ratio: f64 = 0.4, "jacket Poisson's ratio", range POISSON;
+    }
 }
 
-/// A solid rod or wire.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Rod {
-    /// Diameter \[m\].
-    pub diameter_m: f64,
-    /// Density \[kg/m³\].
-    pub density_kg_per_m3: f64,
-    /// Young's modulus \[Pa\].
-    pub youngs_modulus_pa: f64,
-    /// Poisson's ratio \[-\].
-    #[serde(default = "metal_poisson")]
-    pub poisson_ratio: f64,
-    /// Shear modulus \[Pa\]; absent: E/2(1+ν).
-    pub shear_modulus_pa: Option<f64>,
-    /// Axial stress that it stands \[Pa\].
-    pub strength_pa: Option<f64>,
-    /// Tension at which it breaks \[N\]; goes before the strength.
-    pub break_load_n: Option<f64>,
-}
-
-/// A filler rope.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Filler {
-    /// Diameter \[m\].
-    pub diameter_m: f64,
-    /// Density, its own gaps included \[kg/m³\].
-    pub density_kg_per_m3: f64,
-}
-
-/// What runs straight in the middle.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Centre {
-    /// Name of the unit.
-    pub unit: String,
-    /// Outer diameter of a jacket that fills the room up to the first layer \[m\]; absent: none.
-    pub jacket_diameter_m: Option<f64>,
-    /// Density of that jacket \[kg/m³\].
-    #[serde(default = "polymer")]
-    pub jacket_density_kg_per_m3: f64,
-    /// Young's modulus of that jacket \[Pa\]; nought: it carries nothing.
-    #[serde(default)]
-    pub jacket_youngs_modulus_pa: f64,
-    /// Poisson's ratio of that jacket \[-\].
-    #[serde(default = "polymer_poisson")]
-    pub jacket_poisson_ratio: f64,
-}
-
-/// A layer.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(rename_all = "lowercase", tag = "kind")]
-pub enum Layer {
-    /// Units laid in a helix, side by side.
-    Units(UnitLayer),
-    /// Wires laid in a helix.
-    Armour(Armour),
-    /// A tube of polymer all around.
-    Sheath(Sheath),
+variants! {
+    /// A layer.
+    pub enum Layer => LayerKeys by kind, "kind", "Units side by side, armour wires, or a sheath all around." {
+        /// Units laid in a helix, side by side.
+        Units(UnitLayer) = "units",
+        /// Wires laid in a helix.
+        Armour(Armour) = "armour",
+        /// A tube of polymer all around.
+        Sheath(Sheath) = "sheath",
+    }
 }
 
 impl Layer {
@@ -243,82 +249,77 @@ impl Layer {
     }
 }
 
-/// Units laid in a helix, side by side.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct UnitLayer {
-    /// Name.
-    pub name: String,
-    /// Names of the units, in order around the layer.
-    pub units: Vec<String>,
-    /// Angle of the helix to the cable's axis \[deg\].
-    pub lay_angle_deg: f64,
-    /// Which way the helix turns.
-    pub sense: Sense,
-    /// Radius of the helix of the units' axes \[m\]; absent: the smallest that holds them.
-    pub pitch_radius_m: Option<f64>,
-    /// Share of the gaps in the layer that filler ropes take \[-\].
-    #[serde(default)]
-    pub filler_fraction: f64,
-    /// Density of those filler ropes \[kg/m³\].
-    #[serde(default = "polymer")]
-    pub filler_density_kg_per_m3: f64,
+table! {
+    /// Units laid in a helix, side by side.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct UnitLayer => UnitLayerKeys {
+        /// Name of the layer.
+        name: String, "name", kind Name;
+        /// Names of the units, in order around the layer.
+        units: Vec<String>, "units";
+        /// Angle of the helix to the cable's axis.
+        lay_angle_deg: f64, "lay angle", range ANGLE;
+        /// Which way the helix turns.
+        sense: Sense, "sense";
+        /// Radius of the helix of the units' axes.
+        pitch_radius_m: Option<f64>, "pitch radius", range LENGTH, absent "the smallest that holds the units";
+        /// Share of the gaps in the layer that filler ropes take.
+        filler_fraction: f64 = 0.0, "filler fraction", range of(0.0, 1.0);
+        /// Density of those filler ropes.
+        filler_density_kg_per_m3: f64 = 950.0, "filler density", range DENSITY;
+    }
 }
 
-/// A layer of armour wires, close upon what lies inside.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Armour {
-    /// Name.
-    pub name: String,
-    /// Diameter of a wire \[m\].
-    pub wire_diameter_m: f64,
-    /// Number of wires; absent: as many as fit.
-    pub count: Option<usize>,
-    /// Angle of the helix to the cable's axis \[deg\].
-    pub lay_angle_deg: f64,
-    /// Which way the helix turns.
-    pub sense: Sense,
-    /// Density of the wire \[kg/m³\].
-    #[serde(default = "steel")]
-    pub density_kg_per_m3: f64,
-    /// Young's modulus of the wire \[Pa\].
-    #[serde(default = "steel_modulus")]
-    pub youngs_modulus_pa: f64,
-    /// Poisson's ratio of the wire \[-\].
-    #[serde(default = "metal_poisson")]
-    pub poisson_ratio: f64,
-    /// Axial stress that a wire stands \[Pa\].
-    pub strength_pa: Option<f64>,
+table! {
+    /// A layer of armour wires, close upon what lies inside.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Armour => ArmourKeys {
+        /// Name of the layer.
+        name: String, "name", kind Name;
+        /// Diameter of a wire.
+        wire_diameter_m: f64, "wire diameter", range LENGTH;
+        /// Number of wires.
+        count: Option<usize>, "count", range of(1.0, 5000.0), absent "as many as fit";
+        /// Angle of the helix to the cable's axis.
+        lay_angle_deg: f64, "lay angle", range ANGLE;
+        /// Which way the helix turns.
+        sense: Sense, "sense";
+        /// Density of the wire.
+        density_kg_per_m3: f64 = 7850.0, "density", range DENSITY;
+        /// Young's modulus of the wire.
+        youngs_modulus_pa: f64 = 2.0e11, "Young's modulus", range MODULUS;
+        /// Poisson's ratio of the wire.
+        poisson_ratio: f64 = 0.3, "Poisson's ratio", range POISSON;
+        /// Axial stress that a wire stands.
+        strength_pa: Option<f64>, "strength", range STRENGTH, absent "not checked";
+    }
 }
 
-/// A sheath.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Sheath {
-    /// Name.
-    pub name: String,
-    /// Thickness \[m\].
-    pub thickness_m: f64,
-    /// Density \[kg/m³\].
-    #[serde(default = "polymer")]
-    pub density_kg_per_m3: f64,
-    /// Young's modulus \[Pa\]; it counts in bending.
-    #[serde(default)]
-    pub youngs_modulus_pa: f64,
-    /// Poisson's ratio \[-\].
-    #[serde(default = "polymer_poisson")]
-    pub poisson_ratio: f64,
+table! {
+    /// A sheath.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Sheath => SheathKeys {
+        /// Name of the layer.
+        name: String, "name", kind Name;
+        /// Thickness of the sheath.
+        thickness_m: f64, "thickness", range LENGTH;
+        /// Density of the sheath.
+        density_kg_per_m3: f64 = 950.0, "density", range DENSITY;
+        /// Young's modulus of the sheath; it counts in bending.
+        youngs_modulus_pa: f64 = 0.0, "Young's modulus", range MODULUS;
+        /// Poisson's ratio of the sheath.
+        poisson_ratio: f64 = 0.4, "Poisson's ratio", range POISSON;
+    }
 }
 
-/// Which way a helix turns.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Sense {
-    /// As a usual screw does; counts as positive.
-    Right,
-    /// The other way.
-    Left,
+words! {
+    /// Which way a helix turns.
+    pub enum Sense {
+        /// As a usual screw does; counts as positive.
+        Right = "right",
+        /// The other way.
+        Left = "left",
+    }
 }
 
 impl Sense {
@@ -339,36 +340,4 @@ impl fmt::Display for Sense {
             Self::Left => "left",
         })
     }
-}
-
-fn one() -> f64 {
-    1.0
-}
-
-fn sea_water() -> f64 {
-    1025.0
-}
-
-fn standard_gravity() -> f64 {
-    9.80665
-}
-
-fn steel() -> f64 {
-    7850.0
-}
-
-fn steel_modulus() -> f64 {
-    2.0e11
-}
-
-fn polymer() -> f64 {
-    950.0
-}
-
-fn metal_poisson() -> f64 {
-    0.3
-}
-
-fn polymer_poisson() -> f64 {
-    0.4
 }

@@ -3,12 +3,10 @@
 use std::path::Path;
 
 use super::design::{Design, design};
-use super::fields::SECTION;
-use super::model::Section;
+use super::model::{SECTION, Section};
 use crate::case::fields::{FieldRow, Lister, Schema};
 use crate::case::kind::{self, FileKind};
-use crate::case::read::words_of;
-use crate::case::{Diagnostic, Finding, Misfit, Node};
+use crate::case::{Diagnostic, Misfit, Node};
 
 /// A design with the text and the file it came from.
 pub type Loaded = crate::case::Opened<Design>;
@@ -22,10 +20,6 @@ impl FileKind for SectionFile {
 
     fn schema() -> &'static Schema {
         &SECTION
-    }
-
-    fn words(text: &str, _: &Node) -> Result<Section, Finding> {
-        words_of(text)
     }
 
     fn work(words: Section, _tree: &Node) -> Result<Design, Vec<Misfit>> {

@@ -9,8 +9,7 @@ use super::model::Ship;
 use super::static_analysis::StaticAnalysis;
 use crate::case::fields::{FieldRow, Lister, Schema};
 use crate::case::kind::{self, FileKind};
-use crate::case::schema::{Place, TableType};
-use crate::case::{Diagnostic, Finding, Mark, Misfit, Node, Opened};
+use crate::case::{Diagnostic, Mark, Misfit, Node, Opened};
 
 /// The ship file.
 pub static SHIP: LazyLock<Schema> = LazyLock::new(|| {
@@ -30,10 +29,6 @@ impl FileKind for ShipFile {
 
     fn schema() -> &'static Schema {
         &SHIP
-    }
-
-    fn words(_: &str, tree: &Node) -> Result<Ship, Finding> {
-        Ship::from_keys(&Ship::keys(&Place::root(tree)))
     }
 
     fn work(ship: Ship, tree: &Node) -> Result<StaticAnalysis, Vec<Misfit>> {

@@ -137,9 +137,9 @@ fn as_json(text: &str) -> Value {
 fn kinds() -> [(&'static Schema, &'static [Shipped]); 4] {
     [
         (&CASE, SHIPPED),
-        (&seacable::section::fields::SECTION, SECTIONS),
-        (&seacable::ropeway::fields::ROPEWAY, ROPEWAYS),
-        (&seacable::ship::fields::SHIP, SHIPS),
+        (&seacable::section::model::SECTION, SECTIONS),
+        (&seacable::ropeway::model::ROPEWAY, ROPEWAYS),
+        (&seacable::ship::SHIP, SHIPS),
     ]
 }
 

@@ -12,7 +12,6 @@ mod tables;
 mod value;
 mod words;
 
-use std::borrow::Cow;
 use std::sync::LazyLock;
 
 use super::model::Case;
@@ -22,7 +21,6 @@ pub use range::Range;
 pub(crate) use range::{number, of, positive, quantity};
 pub(crate) use rows::Lister;
 pub use rows::{FieldRow, rows};
-pub(crate) use tables::table;
 pub use tables::{Table, TableShape};
 pub(crate) use value::{check as check_value, text as value_text};
 pub(crate) use words::{join, nearest, split, unknown_key};
@@ -35,11 +33,11 @@ pub struct Schema {
     /// What it holds at the least, as a sentence for somebody with an empty one.
     pub least: &'static str,
     /// Its fields.
-    pub fields: Cow<'static, [Field]>,
+    pub fields: Vec<Field>,
     /// The numbers within values that can be set one by one.
-    pub parts: Cow<'static, [Field]>,
+    pub parts: Vec<Field>,
     /// Its tables.
-    pub tables: Cow<'static, [Table]>,
+    pub tables: Vec<Table>,
 }
 
 /// The case file.
@@ -56,9 +54,9 @@ impl Schema {
         Self {
             what,
             least,
-            fields: declared.fields.into(),
-            parts: Cow::Borrowed(&[]),
-            tables: declared.tables.into(),
+            fields: declared.fields,
+            parts: Vec::new(),
+            tables: declared.tables,
         }
     }
 
@@ -72,7 +70,7 @@ impl Schema {
                 ("z", "position z"),
             ];
             let part = |(axis, label)| Field {
-                path: format!("{path}.{axis}").into(),
+                path: format!("{path}.{axis}"),
                 label,
                 kind: Kind::Number,
                 absent: Absent::Required,
@@ -81,7 +79,7 @@ impl Schema {
             };
             parts.map(part).to_vec()
         });
-        self.parts = parts.into();
+        self.parts = parts;
         self
     }
 
@@ -126,7 +124,7 @@ impl Schema {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
     /// Path pattern: `materials.*.ea_n`.
-    pub path: Cow<'static, str>,
+    pub path: String,
     /// What it is, in a few words.
     pub label: &'static str,
     /// What may be written.
@@ -149,38 +147,6 @@ pub struct Field {
 
 /// What a key needs: each of these keys of its table, as one of these words.
 pub type Needs = &'static [(&'static str, &'static [&'static str])];
-
-/// A field known to every table of its pattern.
-pub(crate) const fn field(
-    path: &'static str,
-    kind: Kind,
-    unit: &'static str,
-    range: Range,
-    absent: Absent,
-    label: &'static str,
-    help: &'static str,
-) -> Field {
-    Field {
-        path: Cow::Borrowed(path),
-        label,
-        kind,
-        unit,
-        range,
-        absent,
-        help,
-        only_if: None,
-        matters: &[],
-    }
-}
-
-/// The same field, known only to tables in which a key has a value.
-pub(crate) const fn only(when: (&'static str, &'static str), mut field: Field) -> Field {
-    field.only_if = Some(when);
-    field
-}
-
-/// Where a number stands, from best to worst.
-pub(crate) const STANDINGS: Kind = Kind::Choice(&["published", "derived", "calibrated", "assumed"]);
 
 /// What may be written for a field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -260,14 +226,24 @@ impl Field {
             None if kind.holds_numbers() => "-",
             _ => "",
         };
-        field(key, kind, unit, Range::ANY, Absent::Required, label, help)
+        Self {
+            path: key.to_owned(),
+            label,
+            kind,
+            unit,
+            range: Range::ANY,
+            absent: Absent::Required,
+            help,
+            only_if: None,
+            matters: &[],
+        }
     }
 
     /// The same field in tables of this pattern.
     pub(crate) fn below(&self, pattern: &str) -> Self {
         let mut field = self.clone();
         if !pattern.is_empty() {
-            field.path = format!("{pattern}.{}", self.path).into();
+            field.path = format!("{pattern}.{}", self.path);
         }
         field
     }
@@ -513,8 +489,8 @@ mod tests {
         use crate::{ropeway, section, ship};
         [
             &CASE,
-            &section::fields::SECTION,
-            &ropeway::fields::ROPEWAY,
+            &section::model::SECTION,
+            &ropeway::model::ROPEWAY,
             &ship::SHIP,
         ]
     }

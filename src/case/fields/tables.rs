@@ -8,7 +8,7 @@ use TableShape::{ByName, List, One};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Table {
     /// Path pattern: `materials`, `ends.a`.
-    pub path: Cow<'static, str>,
+    pub path: String,
     /// How many there are.
     pub shape: TableShape,
     /// Whether it must be there.
@@ -19,26 +19,10 @@ pub struct Table {
     shared: Option<String>,
 }
 
-/// A table with fields of its own.
-pub(crate) const fn table(
-    path: &'static str,
-    shape: TableShape,
-    required: bool,
-    help: &'static str,
-) -> Table {
-    Table {
-        path: Cow::Borrowed(path),
-        shape,
-        required,
-        help,
-        shared: None,
-    }
-}
-
 impl Table {
     pub(crate) fn new(path: String, shape: TableShape, required: bool, help: &'static str) -> Self {
         Self {
-            path: path.into(),
+            path,
             shape,
             required,
             help,

@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use serde::Deserialize;
-
 use crate::case::Node;
 use crate::case::fields::Kind::{self, Name};
 use crate::case::fields::{of, positive};
@@ -11,8 +9,7 @@ use crate::case::schema::{Listed, Value, table, words};
 
 table! {
     /// Where an input comes from when the source does not print it.
-    #[derive(Debug, Clone, PartialEq, Deserialize)]
-    #[serde(deny_unknown_fields)]
+    #[derive(Debug, Clone, PartialEq)]
     pub struct Mark => MarkKeys {
         /// Where the number stands, from best to worst: published, derived, calibrated, assumed.
         status: Standing, "standing";
@@ -23,8 +20,6 @@ table! {
 
 words! {
     /// Standing of a number, from best to worst.
-    #[derive(Deserialize)]
-    #[serde(rename_all = "lowercase")]
     pub enum Standing {
         /// Printed in the source.
         Published = "published",
@@ -357,8 +352,6 @@ table! {
 
 words! {
     /// What a statistic does along a study.
-    #[derive(Deserialize)]
-    #[serde(rename_all = "lowercase")]
     pub enum Direction {
         /// Grows at every step.
         Rises = "rises",

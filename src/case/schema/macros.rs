@@ -32,7 +32,7 @@
 /// - `matters needs`: the key matters only where other keys of its table are certain words.
 ///
 /// A key is required that has neither a default nor `absent`. Tables in the table follow: their type says how many there
-/// are (`T`, `Option<T>`, `BTreeMap<String, T>`, `Vec<T>`), `required` that none is too few, `optional` that a table left
+/// are (`T`, `Option<T>`, `BTreeMap<String, T>`, `Vec<T>`), `required` that none is too few, `as "key"` a key that differs from the field, `optional` that a table left
 /// out is one with all defaults, `alike` that several tables have the same fields, below `*`. `SectionKeys` holds the same keys as they are read, each with its place.
 macro_rules! table {
     (
@@ -53,7 +53,7 @@ macro_rules! table {
         $(tables {
             $(
                 #[doc = $table_help:literal]
-                $table:ident: $table_type:ty $(, $presence:ident)?;
+                $table:ident: $table_type:ty $(as $named:literal)? $(, $presence:ident)?;
             )*
         })?
     ) => {
@@ -119,7 +119,7 @@ macro_rules! table {
                 schema.fields(pattern, Self::fields());
                 $($(
                     let presence = [$(stringify!($presence))?];
-                    schema.table::<$table_type>(pattern, stringify!($table), presence.first(), $table_help.trim_ascii());
+                    schema.table::<$table_type>(pattern, [$($named,)? stringify!($table)][0], presence.first(), $table_help.trim_ascii());
                 )*)?
             }
 
@@ -131,7 +131,7 @@ macro_rules! table {
                         Self::fields(),
                         None $( .or(Some($crate::case::schema::FromDefault::from_default($default))) )?,
                     ), )*
-                    $($( $table: <$table_type as $crate::case::schema::SubTable>::keys(place, stringify!($table)), )*)?
+                    $($( $table: <$table_type as $crate::case::schema::SubTable>::keys(place, [$($named,)? stringify!($table)][0]), )*)?
                     place: place.clone(),
                 }
             }
@@ -143,7 +143,7 @@ macro_rules! table {
                     $($( $table: <$table_type as $crate::case::schema::SubTable>::from_keys(
                         &keys.$table,
                         &keys.place,
-                        stringify!($table),
+                        [$($named,)? stringify!($table)][0],
                     )?, )*)?
                 })
             }
@@ -159,7 +159,7 @@ macro_rules! table {
                 ); )*
                 $($(
                     if let Some(inner) = $crate::case::schema::SubTable::write(&self.$table, written) {
-                        table.insert(stringify!($table), inner);
+                        table.insert([$($named,)? stringify!($table)][0], inner);
                     }
                 )*)?
                 table
