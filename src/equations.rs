@@ -23,7 +23,7 @@
 //! | term | equation | function |
 //! |---|---|---|
 //! | tension | `T = EA e + C de/dt`, `e = l/l0 - 1`, `0 <= T <= 2 EA e`; a rod also bears compression | [`Axial::tension`](crate::physics::tension::Axial::tension) |
-//! | drag, per length | `1/2 rho D (C_n abs(u_n) u_n + C_t abs(u_t) u_t)`, u relative to the water | [`Profile::drag`](crate::physics::drag::Profile::drag) |
+//! | drag, per length | `1/2 rho D (C_n abs(u_n) u_n + C_t abs(u_t) u_t)`, u relative to the water | [`DragProperties::drag`](crate::physics::drag::DragProperties::drag) |
 //! | added mass | `M_a a = A_n a + (A_t - A_n) (t.a) t` | [`AddedMass::force`](crate::physics::added_mass::AddedMass::force) |
 //! | bending | energy `EI (1 - t1.t2) / l`, moment `EI sin(theta) / l` | [`Bend::forces`](crate::physics::bending::Bend::forces) |
 //! | rotating body | Kirchhoff's equations and gyroscopic couple | [`RigidBody`](crate::physics::RigidBody) |
@@ -55,7 +55,7 @@
 //!
 //! `T = k MBL e` or, about the mean state, `T = Tm + k MBL (e - e_m)`, with
 //! `k = alpha + beta Lm - gamma La`: Lm is the running mean of the tension and La its deviation, in percent of the breaking load.
-//! Both have a closed form in e ([`Dynamic::in_motion`](crate::physics::rope::Dynamic::in_motion)). The mean is a history
+//! Both have a closed form in e ([`FibreRope::in_motion`](crate::physics::rope::FibreRope::in_motion)). The mean is a history
 //! variable, advanced by the trapezoidal rule in [`Hysteresis::commit`](crate::solve::Hysteresis::commit) and extrapolated within
 //! the step at its rate, so that second order is kept.
 //!

@@ -5,7 +5,7 @@ use super::table::{Cell, Column, Table};
 use crate::case::Case;
 use crate::numerics::statistics;
 use crate::physics::sea::{Component, Moments};
-use crate::scene::{Record, records};
+use crate::scene::{IrregularRecord, records};
 
 /// Samples of the shortest component's period.
 const SAMPLES: f64 = 20.0;
@@ -39,7 +39,7 @@ pub fn table(case: &Case) -> Table {
     }
 }
 
-fn rows(record: &Record, duration: f64) -> Vec<Vec<Cell>> {
+fn rows(record: &IrregularRecord, duration: f64) -> Vec<Vec<Cell>> {
     let (asked, made) = (record.spectrum.moments(), Moments::of(&record.components));
     let run = over(&record.components, duration);
     let (word, factor) = if record.of_waves {

@@ -1,10 +1,10 @@
 //! Bodies of a case: clumps along the line, and the payload at its end.
 
+use super::labels::Joint;
 use super::line::AttachedBody;
-use super::scene::Joint;
+use super::vectors::per_axis;
 use super::{RigidPayload, SceneError};
-use crate::case::{self, Case, EndKind, OneOrMany};
-use crate::numerics::V3;
+use crate::case::{self, Case, EndKind};
 use crate::physics::kirchhoff::KirchhoffAddedMass;
 use crate::physics::payload::{FormCoefficients, box_form, sphere_and_cylinder};
 use crate::physics::rigid_body::RigidBodyProperties;
@@ -69,8 +69,8 @@ fn clump_body(case: &Case, clump: &case::Clump) -> Body {
     Body {
         mass: clump.mass_kg,
         weight: clump.wet_mass_kg * water.gravity_m_per_s2,
-        drag: axes(&clump.drag_area_m2) * (0.5 * water.water_density_kg_per_m3),
-        added: axes(&clump.added_mass_kg),
+        drag: per_axis(&clump.drag_area_m2) * (0.5 * water.water_density_kg_per_m3),
+        added: per_axis(&clump.added_mass_kg),
     }
 }
 
@@ -110,12 +110,12 @@ fn payload(case: &Case) -> Result<Option<Body>, SceneError> {
     let area = body
         .drag_area_m2
         .as_ref()
-        .map(axes)
+        .map(per_axis)
         .or(form.map(|f| f.drag_area));
     let added = body
         .added_mass_kg
         .as_ref()
-        .map(axes)
+        .map(per_axis)
         .or(form.map(|f| f.added_volume * rho));
     Ok(Some(Body {
         mass: body.dry_mass_kg,
@@ -180,13 +180,5 @@ fn form(shape: &case::Shape) -> FormCoefficients {
             cylinder_diameter_m,
             cylinder_length_m,
         }) => sphere_and_cylinder(sphere_diameter_m, cylinder_diameter_m, cylinder_length_m),
-    }
-}
-
-/// One number for all axes, or one an axis; a list of another length counts by its first numbers.
-pub(super) fn axes(value: &OneOrMany) -> V3 {
-    match value {
-        OneOrMany::One(all) => V3::repeat(*all),
-        OneOrMany::Many(list) => V3::from_fn(|i, _| list.get(i).copied().unwrap_or(0.0)),
     }
 }

@@ -1,7 +1,7 @@
 //! The forces on the line, listed once.
 //!
-//! A new force is a file here with its data, its construction from the case, and its [`Element`]; a field of [`Elements`], and
-//! a row of [`Elements::iter`] and [`Elements::of_case`]. Residual, tangent, convergence norm, explicit right-hand side, step
+//! A new force is a file here with its data, its construction from the case, and its `Element`; a field of [`Elements`], and
+//! a row of `Elements::iter` and `Elements::of_case`. Residual, tangent, convergence norm, explicit right-hand side, step
 //! limits, energy balance and end forces follow from the list.
 //!
 //! The forces of the segments themselves are no element: `scene/segment_kernel.rs` computes tension, drag, added mass and
@@ -43,9 +43,6 @@ pub struct Elements {
 
 impl Elements {
     /// The elements of a case on its line. The payload is built before the line, whose last segment is its rod.
-    ///
-    /// # Errors
-    /// [`SceneError`] when the case contradicts itself.
     pub(super) fn of_case(
         case: &Case,
         line: &LumpedLine,

@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 use super::End;
 use super::error::SceneError;
-use super::waves::Record;
+use super::irregular_record::IrregularRecord;
 use crate::case::{self, Case, EndKind, MotionName};
 use crate::numerics::V3;
 use crate::numerics::spline::Spline;
@@ -131,7 +131,7 @@ fn record(
 }
 
 /// The records of an end that moves irregularly.
-pub(super) fn records(end: &case::End) -> Vec<Record> {
+pub(super) fn records(end: &case::End) -> Vec<IrregularRecord> {
     let moves = end.kind == EndKind::Moving && end.motion == MotionName::Irregular;
     let Some((rms, period)) = end.rms_m.zip(end.peak_period_s).filter(|_| moves) else {
         return Vec::new();
@@ -139,7 +139,7 @@ pub(super) fn records(end: &case::End) -> Vec<Record> {
     let named = ["x", "y", "z"].into_iter().enumerate();
     let one = |(axis, letter): (usize, &str)| {
         let (spectrum, components) = record(end, axis, rms[axis], period)?;
-        Some(Record {
+        Some(IrregularRecord {
             name: format!("{} {letter}", end.name),
             of_waves: false,
             seed: end.seed,

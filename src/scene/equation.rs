@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::element::Element;
 use super::{End, Scene};
 use crate::numerics::{BlockBand, V3};
 use crate::physics::Seabed;
@@ -34,7 +35,7 @@ impl Kinematics for Scene {
 
 impl Residual for Scene {
     fn is_pentadiagonal(&self) -> bool {
-        self.elements.iter().any(|e| e.is_pentadiagonal())
+        self.elements.iter().any(Element::is_pentadiagonal)
     }
 
     fn residual(&self, t: f64, state: &State, r: &mut [V3]) {

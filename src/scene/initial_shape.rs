@@ -2,9 +2,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use super::Scene;
 use super::error::SceneError;
 use super::initial_guess::{Guess, between};
-use super::{Scene, direction};
+use super::vectors::direction;
 use crate::case::{Case, EndKind, Payload, Start, StartShape};
 use crate::numerics::V3;
 use crate::numerics::interpolation::linear;

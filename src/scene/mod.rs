@@ -1,6 +1,6 @@
 //! A case made ready to compute: nodes, segments, ends and forces, in SI.
 //!
-//! [`build`] makes a [`Scene`] of a case. The [`LumpedLine`] has n segments between n + 1 nodes; each node carries the mass,
+//! [`build()`] makes a [`Scene`] of a case. The [`LumpedLine`] has n segments between n + 1 nodes; each node carries the mass,
 //! weight, drag and added mass of the halves of its segments (second order in segment length). Its forces are computed in one
 //! pass (`segment_kernel`). All other forces are [`Elements`], listed once. Only what the case names is in the scene. The whole
 //! line counts as submerged unless the case says that it crosses the surface.
@@ -23,6 +23,8 @@ mod explicit;
 mod initial_friction;
 mod initial_guess;
 mod initial_shape;
+mod irregular_record;
+mod labels;
 pub mod line;
 pub mod mesh;
 mod mixed_iteration;
@@ -35,27 +37,19 @@ mod segment_tangent;
 mod snap;
 mod submergence;
 mod unused_inputs;
+mod vectors;
 pub mod water;
 mod waves;
-
-use crate::numerics::V3;
 
 pub use build::build;
 pub use elements::{BedContact, Elements, Flexure, RigidPayload, Traveller};
 pub(crate) use ends::entry as response_entry;
 pub use error::SceneError;
 pub use event::{Change, Event};
+pub use irregular_record::IrregularRecord;
+pub use labels::{Joint, Labels};
 pub use line::{AttachedBody, End, LumpedLine, Segment};
 pub use rope::RopeStiffness;
-pub use scene::{Joint, Labels, Scene, Start};
+pub use scene::{Scene, Start};
 pub use water::Water;
-pub use waves::{Record, records};
-
-/// Unit vector of an azimuth from +x towards +y and an elevation \[rad\].
-fn direction(azimuth: f64, elevation: f64) -> V3 {
-    V3::new(
-        azimuth.cos() * elevation.cos(),
-        azimuth.sin() * elevation.cos(),
-        elevation.sin(),
-    )
-}
+pub use waves::records;

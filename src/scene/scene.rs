@@ -2,7 +2,7 @@
 
 use super::element::At;
 use super::elements::Elements;
-use super::{Event, LumpedLine};
+use super::{Event, LumpedLine, labels::Labels};
 use crate::numerics::V3;
 use crate::physics::{Current, Grip, Seabed};
 use crate::solve::{Kinematics, State};
@@ -35,28 +35,6 @@ pub struct Start {
     pub velocity: V3,
     /// Whether the line starts in equilibrium.
     pub in_equilibrium: bool,
-}
-
-/// Names for the outputs.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Labels {
-    /// Names of the ends A and B.
-    pub end_names: [String; 2],
-    /// Where tension is reported, from A to B.
-    pub joints: Vec<Joint>,
-    /// Nodes of the clumps, in the order of the case.
-    pub clumps: Vec<usize>,
-    /// What the user should know of how the case was made into this line.
-    pub remarks: Vec<String>,
-}
-
-/// A named place where the tension is reported.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Joint {
-    /// As in channel names: `chain|polyester`.
-    pub name: String,
-    /// Its node.
-    pub node: usize,
 }
 
 impl Scene {

@@ -1,6 +1,7 @@
 //! Waves of a case.
 
 use super::error::SceneError;
+use super::irregular_record::IrregularRecord;
 use super::{AttachedBody, Segment, Water};
 use crate::case::{
     self, Case, DecayName, Method, SpectrumName, StretchingName, WaterSurface, WaveKind,
@@ -60,30 +61,15 @@ fn gauge(case: &Case) -> V3 {
     V3::new(x, y, 0.0)
 }
 
-/// An irregular record of a case and its components.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Record {
-    /// `waves`, or an end with its axis.
-    pub name: String,
-    /// Whether it is of waves, reported by their height, or of a motion, reported by its root mean square.
-    pub of_waves: bool,
-    /// Seed of its frequencies and phases.
-    pub seed: u64,
-    /// The spectrum asked for.
-    pub spectrum: Spectrum,
-    /// Its components.
-    pub components: Vec<Component>,
-}
-
 /// The irregular records of a case: its waves, and the axes of ends that move irregularly.
 #[must_use]
-pub fn records(case: &Case) -> Vec<Record> {
+pub fn records(case: &Case) -> Vec<IrregularRecord> {
     let mut list = Vec::new();
     if let Some(waves) = &case.waves
         && waves.kind == WaveKind::Irregular
         && let (Some(spectrum), Ok(components)) = (spectrum(waves), components(waves))
     {
-        list.push(Record {
+        list.push(IrregularRecord {
             name: "waves".to_owned(),
             of_waves: true,
             seed: waves.seed,

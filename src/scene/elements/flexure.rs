@@ -6,7 +6,8 @@ use crate::numerics::{BlockBand, M3, V3};
 use crate::physics::bending::{self, Bend, curvature};
 use crate::physics::tension::Chord;
 use crate::scene::element::{At, Element};
-use crate::scene::{LumpedLine, Segment, direction};
+use crate::scene::vectors::direction;
+use crate::scene::{LumpedLine, Segment};
 use crate::solve::{Factors, State};
 
 /// Bending stiffness of the nodes, and clamps.

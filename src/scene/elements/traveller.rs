@@ -13,7 +13,8 @@ pub(in crate::scene) mod path;
 use crate::case::Case;
 use crate::numerics::{BlockBand, M3, V3};
 use crate::scene::element::{At, Element};
-use crate::scene::{LumpedLine, bodies, submergence};
+use crate::scene::vectors::per_axis;
+use crate::scene::{LumpedLine, submergence};
 use crate::solve::{Factors, State};
 use path::PathPoint;
 
@@ -128,7 +129,7 @@ impl Traveller {
         Some(Self {
             mass: words.mass_kg,
             weight: words.wet_mass_kg * water.gravity_m_per_s2,
-            drag: bodies::axes(&words.drag_area_m2) * (0.5 * water.water_density_kg_per_m3),
+            drag: per_axis(&words.drag_area_m2) * (0.5 * water.water_density_kg_per_m3),
             displaced: (words.mass_kg - words.wet_mass_kg).max(0.0),
             from: words.from_m.min(length),
             to: words.to_m.unwrap_or(length).min(length),
