@@ -1,7 +1,6 @@
 //! Irregular seas and motions against the spectra they were asked for.
 
-use super::number::digits;
-use super::table::{Cell, Column, Table};
+use super::table::{Format, Table};
 use crate::case::Case;
 use crate::numerics::statistics;
 use crate::physics::sea::{Component, Moments};
@@ -20,52 +19,63 @@ pub fn table(case: &Case) -> Table {
         return Table::default();
     }
     let duration = case.solver.duration_s;
-    Table {
-        columns: vec![
-            Column::left("record"),
-            Column::left("quantity"),
-            Column::decimal("asked for"),
-            Column::decimal("components"),
-            Column::decimal("this run"),
-        ],
-        rows: records.iter().flat_map(|r| rows(r, duration)).collect(),
-        notes: vec![
+    let rows: Vec<Row> = records.iter().flat_map(|r| rows(r, duration)).collect();
+    let digits = Format::Digits(4, "");
+    Table::of("", &rows)
+        .text("record", |row| &row.name)
+        .text("quantity", |row| row.quantity)
+        .number("asked for", digits, |row| row.spectrum)
+        .number("components", digits, |row| row.components)
+        .number("this run", digits, |row| row.run)
+        .build()
+        .noted([
             "Asked for: of the whole spectrum. Components: of the regular ones it is made of, over all time; they leave out \
              its thin upper end, which the period between crossings feels. This run: over its time, one sample of chance; \
-             without the ramp that it may begin with."
-                .to_owned(),
-        ],
-        ..Table::default()
-    }
+             without the ramp that it may begin with.",
+        ])
 }
 
-fn rows(record: &IrregularRecord, duration: f64) -> Vec<Vec<Cell>> {
+/// A quantity of a record by its spectrum, by its components, and over the time of the run.
+struct Row {
+    name: String,
+    quantity: &'static str,
+    spectrum: f64,
+    components: f64,
+    run: Option<f64>,
+}
+
+fn rows(record: &IrregularRecord, duration: f64) -> [Row; 3] {
     let (asked, made) = (record.spectrum.moments(), Moments::of(&record.components));
     let run = over(&record.components, duration);
-    let (word, factor) = if record.of_waves {
+    let (quantity, factor) = if record.of_waves {
         ("Hs = 4 sqrt(m0) [m]", 4.0)
     } else {
         ("rms [m]", 1.0)
     };
     let size = |m0: f64| factor * m0.sqrt();
-    let row = |name: &str, quantity: &str, values: [Option<f64>; 3]| {
-        let shown = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| digits(v, 4));
-        let mut cells = vec![Cell::plain(name), Cell::plain(quantity)];
-        cells.extend(values.map(|v| Cell::plain(shown(v))));
-        cells
-    };
-    let made_of = format!("seed {}, {} parts", record.seed, record.components.len());
     let m0 = run.map(|(m0, _)| m0);
-    let sizes = [Some(size(asked.m0)), Some(size(made.m0)), m0.map(size)];
-    let periods = [
-        Some(asked.crossing_period()),
-        Some(made.crossing_period()),
-        run.and_then(|(_, period)| period),
-    ];
-    vec![
-        row(&record.name, "m0 [m2]", [Some(asked.m0), Some(made.m0), m0]),
-        row(&made_of, word, sizes),
-        row("", "Tz [s]", periods),
+    [
+        Row {
+            name: record.name.clone(),
+            quantity: "m0 [m2]",
+            spectrum: asked.m0,
+            components: made.m0,
+            run: m0,
+        },
+        Row {
+            name: format!("seed {}, {} parts", record.seed, record.components.len()),
+            quantity,
+            spectrum: size(asked.m0),
+            components: size(made.m0),
+            run: m0.map(size),
+        },
+        Row {
+            name: String::new(),
+            quantity: "Tz [s]",
+            spectrum: asked.crossing_period(),
+            components: made.crossing_period(),
+            run: run.and_then(|(_, period)| period),
+        },
     ]
 }
 

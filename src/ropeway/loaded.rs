@@ -164,10 +164,10 @@ mod tests {
             (60.0, 2463.0, 2626.0, 61.780),
             (40.0, 1343.6, 1516.7, 42.542),
         ];
-        for (span, pull, end, length) in known {
+        for (span, horizontal, end, length) in known {
             let rope =
                 LoadedRope::with_sag(geometry(span), 21.56, (0.5 * span, 490.0), 7.0).unwrap();
-            assert!((rope.horizontal_n() - pull).abs() < 0.06, "{rope:?}");
+            assert!((rope.horizontal_n() - horizontal).abs() < 0.06, "{rope:?}");
             assert!((rope.end_tensions_n().0 - end).abs() < 0.06);
             assert!((rope.length_m() - length).abs() < 6e-4);
         }

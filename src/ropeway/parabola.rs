@@ -66,7 +66,7 @@ mod tests {
         let h = 2488.8;
         let f = 21.56 * 80.0 * 80.0 / (8.0 * h) + 490.0 * 80.0 / (4.0 * h);
         assert!((sag_m(geometry, LOAD, h, 40.0) - f).abs() < 1e-12);
-        // With this pull the cargo hangs 10.9 m deep, not 7 m.
+        // With this horizontal tension the cargo hangs 10.9 m deep, not 7 m.
         assert!((f - 10.87).abs() < 0.01);
     }
 

@@ -113,7 +113,7 @@ impl SolvedRopeway {
     /// length that gives the tension, any other keeps its length.
     ///
     /// # Errors
-    /// What cannot be.
+    /// No solution at this position.
     pub fn equilibrium(&self, position: f64) -> Result<RopeEquilibrium, RopewayError> {
         let length = match (self.ropeway.setting.by, self.ropeway.setting.tension_n) {
             (By::Tension, Some(tension)) => self
@@ -135,10 +135,10 @@ impl SolvedRopeway {
             weight_n_per_m: self.rope.weight_n_per_m,
             cargo_n: self.rope.cargo_n,
         };
-        let pull = self.inextensible.as_ref().ok().map(|t| t.rope.horizontal_n);
-        let parabola = pull.map(|pull| {
-            let (a, b) = parabola::end_tensions_n(geometry, load, pull, x);
-            (a, b, parabola::sag_m(geometry, load, pull, x))
+        let horizontal = self.inextensible.as_ref().ok().map(|t| t.rope.horizontal_n);
+        let parabola = horizontal.map(|horizontal| {
+            let (a, b) = parabola::end_tensions_n(geometry, load, horizontal, x);
+            (a, b, parabola::sag_m(geometry, load, horizontal, x))
         });
         let inside = exact.carrier == elastic::Carrier::Rope;
         let means = inside.then(|| {
@@ -186,7 +186,7 @@ impl SolvedRopeway {
         self.ropeway.platform.height_m + rest.solution.lowest().z_m - self.ropeway.water.crest_m
     }
 
-    /// The place at which the cargo comes nearest to the water, and its clearance there \[m\]; of so many places between
+    /// The position of least clearance of the cargo, and the clearance there \[m\], of so many positions between
     /// the supports.
     #[must_use]
     pub fn lowest_crossing(&self, places: usize) -> Option<(f64, f64)> {

@@ -132,7 +132,11 @@ impl UnloadedRope {
             }
             high += 2.0 * (high - low);
         }
-        rope(roots::root((low, high), "no pull gives this shape", f)?)
+        rope(roots::root(
+            (low, high),
+            "no horizontal tension gives this shape",
+            f,
+        )?)
     }
 
     fn a(&self) -> f64 {
@@ -195,32 +199,39 @@ impl UnloadedRope {
 mod tests {
     use super::*;
 
-    const GAP: SpanGeometry = SpanGeometry {
+    const SUPPORTS: SpanGeometry = SpanGeometry {
         span_m: 80.0,
         rise_m: 6.0,
     };
 
     #[test]
     fn sag_length_and_horizontal_tension_invert_each_other() {
-        for pull in [30.0, 400.0, 2500.0, 9e5] {
-            let rope = UnloadedRope::with_horizontal_tension(GAP, 21.56, pull).unwrap();
-            let by_sag = UnloadedRope::with_sag(GAP, 21.56, rope.sag_m()).unwrap();
-            assert!((by_sag.horizontal_n / pull - 1.0).abs() < 1e-11, "{pull}");
-            if pull < 1e5 {
-                let by_length = UnloadedRope::with_length(GAP, 21.56, rope.length_m()).unwrap();
-                assert!((by_length.horizontal_n / pull - 1.0).abs() < 1e-7, "{pull}");
+        for horizontal in [30.0, 400.0, 2500.0, 9e5] {
+            let rope = UnloadedRope::with_horizontal_tension(SUPPORTS, 21.56, horizontal).unwrap();
+            let by_sag = UnloadedRope::with_sag(SUPPORTS, 21.56, rope.sag_m()).unwrap();
+            assert!(
+                (by_sag.horizontal_n / horizontal - 1.0).abs() < 1e-11,
+                "{horizontal}"
+            );
+            if horizontal < 1e5 {
+                let by_length =
+                    UnloadedRope::with_length(SUPPORTS, 21.56, rope.length_m()).unwrap();
+                assert!(
+                    (by_length.horizontal_n / horizontal - 1.0).abs() < 1e-7,
+                    "{horizontal}"
+                );
             }
         }
     }
 
     #[test]
     fn forces_balance_and_the_ends_are_where_they_are() {
-        let rope = UnloadedRope::with_horizontal_tension(GAP, 21.56, 900.0).unwrap();
+        let rope = UnloadedRope::with_horizontal_tension(SUPPORTS, 21.56, 900.0).unwrap();
         let (v_a, v_b) = rope.vertical_n();
         assert!((v_a + v_b - rope.weight_n()).abs() < 1e-9);
         assert!(rope.height_m(0.0).abs() < 1e-12);
         assert!((rope.height_m(80.0) - 6.0).abs() < 1e-12);
-        let below = GAP.line_m(40.0) - rope.height_m(40.0);
+        let below = SUPPORTS.line_m(40.0) - rope.height_m(40.0);
         assert!((below - rope.sag_m()).abs() < 1e-12);
         assert!((rope.tension_n(80.0) - v_b.hypot(900.0)).abs() < 1e-9);
         let (h, x) = (1e-4, 17.0);
@@ -231,11 +242,11 @@ mod tests {
     #[test]
     fn a_rope_that_does_not_reach_or_hangs_without_end_is_refused() {
         assert!(matches!(
-            UnloadedRope::with_length(GAP, 21.56, 80.0),
+            UnloadedRope::with_length(SUPPORTS, 21.56, 80.0),
             Err(RopewayError::TooShort { .. })
         ));
         assert_eq!(
-            UnloadedRope::with_horizontal_tension(GAP, 21.56, 1e-9),
+            UnloadedRope::with_horizontal_tension(SUPPORTS, 21.56, 1e-9),
             Err(RopewayError::TooDeep)
         );
     }

@@ -77,8 +77,8 @@ pub fn statistics(samples: &[WinchSample], of: impl Fn(&WinchSample) -> f64) -> 
 /// Simulates the rope over a motion of the ship: with a winch, or made fast without one.
 ///
 /// # Errors
-/// [`RopewayError::BeyondReach`] where the ship goes further than the rope reaches; [`RopewayError::TooLittleTension`] where it
-/// comes so near, or asks for so little, that no length gives the tension.
+/// [`RopewayError::BeyondReach`] where the ship goes further than the rope reaches; [`RopewayError::TooLittleTension`] where no
+/// length gives the tension of the winch.
 pub fn simulate(
     rope: &ElasticRope,
     start: &RopeEquilibrium,

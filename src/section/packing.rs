@@ -14,7 +14,7 @@ use std::f64::consts::{PI, TAU};
 use crate::numerics::golden_section::golden_section;
 use crate::numerics::roots::{Bracket, bisect};
 
-/// Greatest number of wires looked for in a layer.
+/// Greatest number of wires of a layer.
 pub(super) const MOST: usize = 100_000;
 
 /// Least distance of two helices of pitch radius 1, turned by `phase` against each other \[-\].
@@ -169,7 +169,7 @@ pub fn most(unit: f64, radius: f64, angle: f64) -> usize {
     let Some(phase) = touching_phase(2.0 * unit, radius, angle) else {
         return 1;
     };
-    // A hair more lets the count be found at the radius it was the smallest for.
+    // The factor keeps the count at its smallest radius, against rounding.
     ((TAU / phase * (1.0 + 1e-9)).floor() as usize).min(MOST)
 }
 

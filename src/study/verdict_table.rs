@@ -4,89 +4,139 @@ use std::path::Path;
 
 use super::verdict::{CheckedNumber, TrialOutcome, TrialVerdict};
 use crate::number::{digits, si};
-use crate::report::table::{Cell, CellInk, Column, Table};
-use crate::run::Settings;
+use crate::report::table::{Align, Cell, CellInk, Table};
+use crate::run::{Settings, Work};
+
+/// A row of the full table: a trial with one of its numbers.
+struct Row<'a> {
+    verdict: &'a TrialVerdict,
+    /// Number of the trial, from 1.
+    trial: usize,
+    /// Whether this is the first row of the case, and of the trial.
+    first: (bool, bool),
+    number: Option<&'a CheckedNumber>,
+}
+
+impl Row<'_> {
+    /// A cell of the trial, on its first row.
+    fn once(&self, cell: impl Fn(&TrialVerdict) -> Cell) -> Cell {
+        if self.first.1 {
+            cell(self.verdict)
+        } else {
+            Cell::default()
+        }
+    }
+
+    /// A cell of the number.
+    fn number(&self, text: impl Fn(&CheckedNumber) -> Option<String>) -> Cell {
+        self.number
+            .and_then(text)
+            .map_or_else(Cell::none, Cell::plain)
+    }
+}
+
+/// The rows of a trial, one a number or one without any.
+fn rows_of(verdicts: &[TrialVerdict], index: usize) -> Vec<Row<'_>> {
+    let verdict = &verdicts[index];
+    let previous = index.checked_sub(1).map(|i| &verdicts[i].file);
+    let row = |(i, number)| Row {
+        verdict,
+        trial: index + 1,
+        first: (previous != Some(&verdict.file), i == 0),
+        number,
+    };
+    if verdict.numbers.is_empty() {
+        return vec![row((0, None))];
+    }
+    let numbers = verdict.numbers.iter().map(Some).enumerate();
+    numbers.map(row).collect()
+}
 
 /// The table of hard cases: a row a number of every trial, the trial's own words on its first row. The notes give the
 /// reasons of what was refused or is wrong, by the number of the trial.
 #[must_use]
 pub fn table(findings: &[TrialVerdict]) -> Table {
-    let mut rows = Vec::new();
-    let mut notes = Vec::new();
-    for (index, finding) in findings.iter().enumerate() {
-        let number = index + 1;
-        rows.extend(rows_of(
-            finding,
-            number,
-            index.checked_sub(1).and_then(|i| findings.get(i)),
-        ));
-        if let Some(reason) = &finding.reason {
-            notes.push(format!("[{number}] {}: {reason}", finding.outcome.word()));
-        }
-    }
-    Table {
-        title: String::new(),
-        columns: vec![
-            Column::left("outcome"),
-            Column::left("case"),
-            Column::left("trial"),
-            Column::left("solver"),
-            Column::left("quantity"),
-            Column::right("expected"),
-            Column::right("computed"),
-            Column::right("error"),
-            Column::right("allowed"),
-            Column::right("steps"),
-            Column::right("iterations"),
-            Column::right("rejections"),
-        ],
-        rows,
-        notes,
-    }
+    let rows: Vec<Row<'_>> = (0..findings.len())
+        .flat_map(|index| rows_of(findings, index))
+        .collect();
+    let count = |row: &Row<'_>, of: fn(&Work) -> u64| {
+        row.once(|v| Cell::plain(work(v, of).map_or_else(|| "-".to_owned(), |n| n.to_string())))
+    };
+    let notes = findings.iter().enumerate().filter_map(|(i, finding)| {
+        let reason = finding.reason.as_ref()?;
+        Some(format!("[{}] {}: {reason}", i + 1, finding.outcome.word()))
+    });
+    Table::of("", &rows)
+        .cell("outcome", Align::Left, |row| row.once(outcome))
+        .text("case", |row| match row.first {
+            (true, true) => row.verdict.case.as_str(),
+            _ => "",
+        })
+        .cell("trial", Align::Left, |row| {
+            row.once(|v| Cell::plain(format!("[{}] {}", row.trial, v.trial)))
+        })
+        .cell("solver", Align::Left, |row| {
+            row.once(|v| Cell::plain(v.settings.as_ref().map_or_else(String::new, solver)))
+        })
+        .cell("quantity", Align::Left, |row| {
+            row.number(|n| Some(n.name.clone()))
+        })
+        .cell("expected", Align::Right, |row| {
+            row.number(|n| Some(si(n.expected, &n.unit)))
+        })
+        .cell("computed", Align::Right, |row| {
+            row.number(|n| Some(si(n.computed?, &n.unit)))
+        })
+        .cell("error", Align::Right, |row| row.number(error))
+        .cell("allowed", Align::Right, |row| {
+            row.number(|n| Some(size(n.tolerance, n)))
+        })
+        .cell("steps", Align::Right, |row| count(row, |w| w.steps))
+        .cell("iterations", Align::Right, |row| count(row, iterations))
+        .cell("rejections", Align::Right, |row| {
+            count(row, |w| w.rejections)
+        })
+        .build()
+        .noted(notes)
 }
 
 /// The same with a row a trial, on 80 columns: its number that is nearest to the limit or beyond, and its work.
 #[must_use]
 pub fn compact_table(findings: &[TrialVerdict]) -> Table {
-    let rows = findings.iter().enumerate().map(|(i, finding)| {
-        let stem = Path::new(&finding.file).file_stem().unwrap_or_default();
-        let worst = finding
-            .numbers
-            .iter()
-            .max_by(|a, b| a.share().total_cmp(&b.share()));
-        let error = worst.and_then(|n| Some(size(n.computed? - n.expected, n)));
-        let none = || Cell::new("-", CellInk::Dim);
-        let (work, ran) = (finding.work, finding.settings.is_some());
-        let count = |n: u64| {
-            if ran {
-                Cell::plain(n.to_string())
-            } else {
-                none()
-            }
-        };
-        vec![
-            outcome(finding),
-            Cell::plain(stem.to_string_lossy()),
-            Cell::plain(format!("[{}] {}", i + 1, finding.trial)),
-            error.map_or_else(none, Cell::plain),
-            count(work.steps),
-            count(work.iterations + work.evaluations),
-            count(work.rejections),
-        ]
-    });
-    Table {
-        columns: vec![
-            Column::left("outcome"),
-            Column::left("case"),
-            Column::left("trial"),
-            Column::right("error"),
-            Column::right("steps"),
-            Column::right("work"),
-            Column::right("rej."),
-        ],
-        rows: rows.collect(),
-        ..Table::default()
-    }
+    let rows: Vec<(usize, &TrialVerdict)> = findings.iter().enumerate().collect();
+    let count = |(_, verdict): &(usize, &TrialVerdict), of: fn(&Work) -> u64| {
+        work(verdict, of).map_or_else(Cell::none, |n| Cell::plain(n.to_string()))
+    };
+    Table::of("", &rows)
+        .cell("outcome", Align::Left, |row| outcome(row.1))
+        .text("case", |row| {
+            let stem = Path::new(&row.1.file).file_stem().unwrap_or_default();
+            stem.to_string_lossy()
+        })
+        .text("trial", |row| format!("[{}] {}", row.0 + 1, row.1.trial))
+        .cell("error", Align::Right, |row| {
+            let numbers = row.1.numbers.iter();
+            let worst = numbers.max_by(|a, b| a.share().total_cmp(&b.share()));
+            worst.and_then(error).map_or_else(Cell::none, Cell::plain)
+        })
+        .cell("steps", Align::Right, |row| count(row, |w| w.steps))
+        .cell("work", Align::Right, |row| count(row, iterations))
+        .cell("rej.", Align::Right, |row| count(row, |w| w.rejections))
+        .build()
+}
+
+/// A count of the work of a trial that ran.
+fn work(verdict: &TrialVerdict, of: fn(&Work) -> u64) -> Option<u64> {
+    verdict.settings.as_ref().map(|_| of(&verdict.work))
+}
+
+fn iterations(work: &Work) -> u64 {
+    work.iterations + work.evaluations
+}
+
+/// Difference of a number from what is expected.
+fn error(number: &CheckedNumber) -> Option<String> {
+    Some(size(number.computed? - number.expected, number))
 }
 
 /// All that a trial says, in sentences.
@@ -117,48 +167,6 @@ pub fn description(finding: &TrialVerdict) -> Vec<String> {
     lines
 }
 
-fn rows_of(finding: &TrialVerdict, number: usize, before: Option<&TrialVerdict>) -> Vec<Vec<Cell>> {
-    let first_of_case = before.is_none_or(|other| other.file != finding.file);
-    let work = &finding.work;
-    let count = |n: u64| {
-        Cell::plain(if finding.settings.is_some() {
-            n.to_string()
-        } else {
-            "-".to_owned()
-        })
-    };
-    let head = vec![
-        outcome(finding),
-        Cell::plain(if first_of_case {
-            finding.case.as_str()
-        } else {
-            ""
-        }),
-        Cell::plain(format!("[{number}] {}", finding.trial)),
-        Cell::plain(finding.settings.as_ref().map_or_else(String::new, solver)),
-    ];
-    let tail = vec![
-        count(work.steps),
-        count(work.iterations + work.evaluations),
-        count(work.rejections),
-    ];
-    if finding.numbers.is_empty() {
-        let none = || Cell::new("-", CellInk::Dim);
-        return vec![[head, (0..5).map(|_| none()).collect(), tail].concat()];
-    }
-    let numbers = finding.numbers.iter().enumerate();
-    numbers
-        .map(|(i, number)| {
-            let blank = |n: usize| (0..n).map(|_| Cell::plain("")).collect::<Vec<_>>();
-            if i == 0 {
-                [head.clone(), cells(number), tail.clone()].concat()
-            } else {
-                [blank(4), cells(number), blank(3)].concat()
-            }
-        })
-        .collect()
-}
-
 /// The method with what sets its accuracy.
 fn solver(settings: &Settings) -> String {
     let mut words = settings.method.clone();
@@ -180,21 +188,6 @@ fn outcome(finding: &TrialVerdict) -> Cell {
         TrialOutcome::Ok | TrialOutcome::Refused => CellInk::Good,
     };
     Cell::new(finding.outcome.word(), ink)
-}
-
-fn cells(number: &CheckedNumber) -> Vec<Cell> {
-    let unit = number.unit.as_str();
-    let shown = |value: f64| Cell::plain(si(value, unit));
-    let missing = || Cell::new("-", CellInk::Dim);
-    vec![
-        Cell::plain(number.name.as_str()),
-        shown(number.expected),
-        number.computed.map_or_else(missing, shown),
-        number.computed.map_or_else(missing, |value| {
-            Cell::plain(size(value - number.expected, number))
-        }),
-        Cell::plain(size(number.tolerance, number)),
-    ]
 }
 
 /// A difference: relative to the number where that is not nothing, else in its unit.

@@ -46,9 +46,9 @@ pub fn report(
     moving_ship(&mut page, solved, glyphs);
     page.heading("Motion of the cargo");
     page.table(&cargo::cargo(solved));
-    let (over, beside) = cargo::dynamic_crossing(solved);
-    page.chart(&over, LINES, glyphs);
-    page.table(&beside);
+    let (path, comparison) = cargo::dynamic_crossing(solved);
+    page.chart(&path, LINES, glyphs);
+    page.table(&comparison);
     inputs(
         &mut page,
         &edit::rows(text),

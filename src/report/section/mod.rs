@@ -23,10 +23,10 @@ pub fn tension(design: &Design) -> f64 {
 pub fn report(design: &Design, width: usize, glyphs: Glyphs, tension: Option<f64>) -> String {
     let about = &design.section.about;
     let tension = tension.unwrap_or_else(|| self::tension(design));
-    let words = [&about.source, &about.notes];
+    let prose = [&about.source, &about.notes];
     let mut parts = vec![drawing::text(design, width, width / 2, glyphs)];
     parts.extend(
-        words
+        prose
             .iter()
             .filter(|w| !w.is_empty())
             .map(|w| paragraph(w, width)),

@@ -95,8 +95,8 @@ impl Table {
         Columns { records, table }
     }
 
-    /// A table of records, one a column under its heading, beside the names of the quantities; the quantities follow, one a row.
-    /// `corner` heads the names. A record that is missing has a dash in every row.
+    /// A table of records, one a column under its heading, with quantities as rows, which follow. `corner` heads the names
+    /// of the quantities. A missing record has a dash in every row.
     #[must_use]
     pub fn compare<R: Copy>(
         title: impl Into<String>,

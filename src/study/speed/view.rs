@@ -3,8 +3,8 @@
 use super::{Errors, SpeedPoint, SpeedStudy};
 use crate::number::{digits, with_error};
 use crate::report::chart::{Axis, Chart, Series};
-use crate::report::table::{Cell, CellInk, Column, Table};
-use crate::run::RunState;
+use crate::report::table::{Align, Cell, CellInk, Format, Table};
+use crate::run::{Quantity, RunState};
 
 /// Errors within this many times that of the reference are not significant.
 const SIGNIFICANT: f64 = 10.0;
@@ -13,84 +13,78 @@ const SIGNIFICANT: f64 = 10.0;
 /// the same table serves as CSV.
 #[must_use]
 pub fn table(study: &SpeedStudy) -> Table {
-    let mut notes = Vec::new();
-    let mut rows: Vec<Vec<Cell>> = Vec::new();
-    for point in &study.points {
-        rows.push(row(point, study, &mut notes));
-    }
-    let mut last = row(&study.reference, study, &mut notes);
-    last[0] = Cell::plain("reference");
-    last[1] = Cell::plain(format!(
-        "{} {}",
-        study.reference.setting.solver, study.reference.setting.setting
-    ));
-    rows.push(last);
-    notes.extend(explanations(study));
-    Table {
-        title: String::new(),
-        columns: vec![
-            Column::left("solver"),
-            Column::left("setting"),
-            Column::right("CPU [ms]"),
-            Column::right("steps"),
-            Column::right("rejections"),
-            Column::right("iterations"),
-            Column::right("force evals"),
-            Column::right("CPU [ns/node] by work"),
-            Column::right("tension rms [% of peak]"),
-            Column::right("tension max [% of peak]"),
-            Column::right("position rms [m]"),
-            Column::right("position max [m]"),
-            Column::left("mark"),
-        ],
-        rows,
-        notes,
-    }
+    let points: Vec<&SpeedPoint> = study.points.iter().chain([&study.reference]).collect();
+    let failed = failed(&points);
+    let is_reference = |point: &SpeedPoint| std::ptr::eq(point, &raw const study.reference);
+    let error = |point: &SpeedPoint, of: fn(&Errors) -> f64| {
+        Format::Digits(3, "").cell(point.errors.as_ref().map(of))
+    };
+    let table = Table::of("", &points)
+        .text("solver", |point| {
+            if is_reference(point) {
+                "reference"
+            } else {
+                &point.setting.solver
+            }
+        })
+        .text("setting", |point| {
+            let setting = &point.setting;
+            if is_reference(point) {
+                format!("{} {}", setting.solver, setting.setting)
+            } else {
+                setting.setting.clone()
+            }
+        })
+        .count("CPU [ms]", |p| digits(p.run.info.cost.cpu_s * 1e3, 3))
+        .count("steps", |p| p.run.info.work.steps)
+        .count("rejections", |p| p.run.info.work.rejections)
+        .count("iterations", |p| p.run.info.work.iterations)
+        .count("force evals", |p| p.run.info.work.evaluations)
+        .count("CPU [ns/node] by work", |p| digits(node_ns(p), 3))
+        .cell("tension rms [% of peak]", Align::Right, |p| {
+            error(p, |e| 100.0 * e.tension_rms)
+        })
+        .cell("tension max [% of peak]", Align::Right, |p| {
+            error(p, |e| 100.0 * e.tension_max)
+        })
+        .cell("position rms [m]", Align::Right, |p| {
+            error(p, |e| e.position_rms)
+        })
+        .cell("position max [m]", Align::Right, |p| {
+            error(p, |e| e.position_max)
+        })
+        .cell("mark", Align::Left, |point| match &point.errors {
+            None => {
+                let number = failed.iter().position(|one| std::ptr::eq(*one, *point));
+                let number = number.map_or(0, |number| number + 1);
+                Cell::new(format!("FAILED [{number}]"), CellInk::Bad)
+            }
+            Some(_) if is_reference(point) => Cell::plain("own error"),
+            Some(errors) if is_near(errors, study) => {
+                Cell::new("near the reference", CellInk::Warn)
+            }
+            Some(_) => Cell::default(),
+        });
+    let reasons = failed.iter().enumerate().map(|(i, point)| {
+        let failure = point.run.info.failure.as_deref();
+        let why = failure.unwrap_or("it has other output times");
+        let setting = &point.setting;
+        format!("[{}] {}, {}: {why}", i + 1, setting.solver, setting.setting)
+    });
+    table.build().noted(reasons).noted(explanations(study))
 }
 
-fn row(point: &SpeedPoint, study: &SpeedStudy, notes: &mut Vec<String>) -> Vec<Cell> {
+/// The points without errors, which the notes explain.
+fn failed<'a>(points: &[&'a SpeedPoint]) -> Vec<&'a SpeedPoint> {
+    let failed = points.iter().filter(|point| point.errors.is_none());
+    failed.copied().collect()
+}
+
+/// CPU time by iterations or evaluations and nodes \[ns\].
+fn node_ns(point: &SpeedPoint) -> f64 {
     let (info, work) = (&point.run.info, &point.run.info.work);
     let counted = (work.iterations.max(work.evaluations) * info.settings.nodes as u64).max(1);
-    let mut cells = vec![
-        Cell::plain(point.setting.solver.as_str()),
-        Cell::plain(point.setting.setting.as_str()),
-        Cell::plain(digits(info.cost.cpu_s * 1e3, 3)),
-        Cell::plain(work.steps.to_string()),
-        Cell::plain(work.rejections.to_string()),
-        Cell::plain(work.iterations.to_string()),
-        Cell::plain(work.evaluations.to_string()),
-        Cell::plain(digits(info.cost.cpu_s * 1e9 / counted as f64, 3)),
-    ];
-    let Some(errors) = &point.errors else {
-        cells.extend((0..4).map(|_| Cell::new("-", CellInk::Dim)));
-        let number = notes.len() + 1;
-        cells.push(Cell::new(format!("FAILED [{number}]"), CellInk::Bad));
-        let why = info
-            .failure
-            .as_deref()
-            .unwrap_or("it has other output times");
-        let setting = &point.setting;
-        notes.push(format!(
-            "[{number}] {}, {}: {why}",
-            setting.solver, setting.setting
-        ));
-        return cells;
-    };
-    let told = [
-        100.0 * errors.tension_rms,
-        100.0 * errors.tension_max,
-        errors.position_rms,
-        errors.position_max,
-    ];
-    cells.extend(told.map(|value| Cell::plain(digits(value, 3))));
-    cells.push(if std::ptr::eq(point, &raw const study.reference) {
-        Cell::plain("own error")
-    } else if is_near(errors, study) {
-        Cell::new("near the reference", CellInk::Warn)
-    } else {
-        Cell::plain("")
-    });
-    cells
+    info.cost.cpu_s * 1e9 / counted as f64
 }
 
 /// Whether errors are not significant beside that of the reference.
@@ -131,31 +125,21 @@ fn explanations(study: &SpeedStudy) -> Vec<String> {
 /// segments.
 #[must_use]
 pub fn mesh_table(study: &SpeedStudy) -> Table {
-    let told = study.mesh.iter().filter(|q| q.mesh_error.is_some());
+    let estimated = study.mesh.iter().filter(|q| q.mesh_error.is_some());
+    let estimated: Vec<&Quantity> = estimated.collect();
     let part = |error: Option<f64>, unit: &str| {
-        let bare = error.map(|e| format!("{} {unit}", digits(e, 2)));
-        Cell::plain(bare.unwrap_or_else(|| "-".to_owned()))
+        error.map_or_else(|| "-".to_owned(), |e| format!("{} {unit}", digits(e, 2)))
     };
-    Table {
-        title: "Error of the mesh, as the case stands".to_owned(),
-        columns: vec![
-            Column::left("quantity"),
-            Column::right("value and error"),
-            Column::right("time error"),
-            Column::right("mesh error (half the segments)"),
-        ],
-        rows: told
-            .map(|q| {
-                vec![
-                    Cell::plain(q.name()),
-                    Cell::plain(with_error(q.value, q.error_estimate(), &q.unit())),
-                    part(q.time_error, &q.unit()),
-                    part(q.mesh_error, &q.unit()),
-                ]
-            })
-            .collect(),
-        notes: Vec::new(),
-    }
+    Table::of("Error of the mesh, as the case stands", &estimated)
+        .text("quantity", |q| q.name())
+        .count("value and error", |q| {
+            with_error(q.value, q.error_estimate(), &q.unit())
+        })
+        .count("time error", |q| part(q.time_error, &q.unit()))
+        .count("mesh error (half the segments)", |q| {
+            part(q.mesh_error, &q.unit())
+        })
+        .build()
 }
 
 /// Cost over error of the tensions, both in powers of ten; a curve a method, a point a setting. What failed is not on it.
