@@ -13,8 +13,8 @@ const MOST_DIGITS: i32 = 7;
 /// What is smaller counts as zero: nothing measured is, and its powers of ten would underflow.
 const SMALLEST: f64 = 1e-290;
 
-/// How a number is brought to a readable size: it is divided by `factor`, and the reader is told
-/// so by the prefix of the unit or by a power of ten.
+/// The scale of a number for display: it is divided by `factor`, which the prefix of the unit or a power of ten
+/// shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
     /// What numbers are divided by.
@@ -59,8 +59,8 @@ impl Scale {
         }
     }
 
-    /// The unit with its prefix, or a power of ten with the unit: `MN`, `m`, `1e9 m`; what stands
-    /// in the brackets of an axis label. Empty for a plain number without unit.
+    /// The unit with its prefix, or a power of ten with the unit: `MN`, `m`, `1e9 m`; the text in the
+    /// brackets of an axis label. Empty for a plain number without unit.
     #[must_use]
     pub fn unit(&self, unit: &str) -> String {
         let unit = shown(unit);

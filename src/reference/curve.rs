@@ -1,4 +1,4 @@
-//! A published curve held against a channel, with its numerical error and what a chart of both shows.
+//! Comparison of a channel with a published curve: the difference, its numerical error, and a chart of both.
 
 use super::row::{Overlay, ValidationRow};
 use super::value::{ReferenceValue, compare};

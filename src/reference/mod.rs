@@ -1,15 +1,15 @@
-//! Published data, and how a run is held against it.
+//! Published data, and the comparison of runs with it.
 //!
 //! A case states what its source printed: values with tolerances ([`Published`](crate::case::Published))
 //! and statements of trend ([`Trend`](crate::case::Trend)). [`plan()`] says which variants of the case
-//! have to be computed for them, [`rows()`] holds the runs against them, [`count_outcomes()`] counts the outcomes.
+//! have to be computed for them, [`rows()`] compares the runs with them, [`count_outcomes()`] counts the outcomes.
 //!
 //! Two errors are kept apart: the *difference* of a row is what model and source disagree by, the
 //! *error* is what the computation itself may be off by. A row whose error is not small beside its
 //! tolerance says so.
 //!
-//! Rows of line cases come from runs ([`rows()`]). A kind of file that is worked out without a run holds its
-//! numbers against what its source printed by [`compare()`] and [`compare_trend()`]; tables, tallies and words are the same.
+//! Rows of line cases come from runs ([`rows()`]). A kind of file that is computed without a run compares its
+//! numbers with published ones by [`compare()`] and [`compare_trend()`]; tables, tallies and words are the same.
 
 mod curve;
 mod note;
@@ -37,10 +37,10 @@ use crate::{
     run::Run,
 };
 
-/// Holds runs against everything the case states: first the values, then the trends, then the curves, in
+/// Compares runs with everything the case states: first the values, then the trends, then the curves, in
 /// the order of the file.
 ///
-/// `lookup` gives the run of a variant ([`plan()`]), `None` being the case as it stands; a row whose run
+/// `lookup` gives the run of a variant ([`plan()`]), `None` being the case without a study; a row whose run
 /// it does not give reads NOT RUN.
 #[must_use]
 pub fn rows<'r>(

@@ -1,9 +1,9 @@
-//! What a row says beyond its numbers.
+//! The note of a row of the validation table.
 
 use super::{Outcome, TrendLine, ValidationRow};
 use crate::{case::Direction, number::with_error};
 
-/// Where a row is printed, what stands behind it, why it is as it is.
+/// Source, variant, basis and reason of a row.
 pub(super) fn note(row: &ValidationRow) -> String {
     let mut words = Vec::new();
     if !row.source.is_empty() {

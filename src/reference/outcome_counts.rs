@@ -1,10 +1,10 @@
-//! Outcomes counted.
+//! Number of rows of each outcome.
 
 use std::fmt;
 
 use super::{Outcome, ValidationRow};
 
-/// How many rows stand how.
+/// Number of rows of each outcome.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct OutcomeCounts {
     /// Within tolerance.
@@ -13,7 +13,7 @@ pub struct OutcomeCounts {
     pub fail: usize,
     /// Declared out of reach, and outside tolerance.
     pub differs: usize,
-    /// Without a number to hold against.
+    /// Without a computed number.
     pub not_run: usize,
 }
 

@@ -3,7 +3,7 @@
 use crate::case::{At, Case};
 
 /// The distinct variants that the published values and trends of a case need, `None` being the case
-/// as it stands; in the order in which the file asks for them.
+/// without a study; in the order in which the file asks for them.
 #[must_use]
 pub fn plan(case: &Case) -> Vec<Option<At>> {
     let mut variants: Vec<Option<At>> = Vec::new();

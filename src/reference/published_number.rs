@@ -1,5 +1,4 @@
-//! A number that the source of a file printed, and the file held against it: the same for every kind of file that is worked
-//! out without a run.
+//! A published number of a file that is computed without a run, and its comparison with the computed one.
 
 use super::{ReferenceValue, ValidationRow, compare, tolerance};
 use crate::case::fields::of;

@@ -1,15 +1,15 @@
-//! One published statement held against a run.
+//! The comparison of one published statement with a run.
 
 use std::fmt;
 
 use crate::case::{At, Direction, Standing, StudyValue};
 
-/// One published statement held against a run: a value, or a trend.
+/// A row of the validation table: a published value, trend or curve compared with a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ValidationRow {
     /// What it is, in words.
     pub name: String,
-    /// The point of a study it belongs to; absent: the case as it stands (and for trends).
+    /// The point of a study it belongs to; absent for the case without a study, and for trends.
     pub at: Option<At>,
     /// The point of a study that it is a change from; absent where it is no change.
     pub from: Option<At>,
@@ -19,7 +19,7 @@ pub struct ValidationRow {
     pub source: String,
     /// The published value; absent for trends.
     pub published: Option<f64>,
-    /// What the run gives; absent when not run, and for trends.
+    /// The computed value; absent when not run, and for trends.
     pub computed: Option<f64>,
     /// Unit of every number here.
     pub unit: String,
@@ -29,13 +29,13 @@ pub struct ValidationRow {
     pub difference: Option<f64>,
     /// Greatest difference that passes; absent for trends.
     pub tolerance: Option<f64>,
-    /// How it stands.
+    /// The outcome.
     pub outcome: Outcome,
-    /// Standing of the inputs behind the computed value, at worst; absent for trends.
+    /// Provenance of the inputs behind the computed value, at worst; absent for trends.
     pub inputs: Option<Standing>,
     /// True when an input was fitted to this very number: agreement is then no evidence.
     pub fitted: bool,
-    /// What the inputs make of an agreement; absent where they were not calibrated.
+    /// How far an agreement is evidence; absent where no input was calibrated.
     pub basis: Option<CalibrationBasis>,
     /// Why it differs or was not run; and what else the reader must know.
     pub reason: Option<String>,
@@ -43,6 +43,32 @@ pub struct ValidationRow {
     pub trend: Option<TrendLine>,
     /// For a curve: its points beside what the run gives.
     pub overlay: Option<Overlay>,
+}
+
+impl ValidationRow {
+    /// A row without a computed value, which reads NOT RUN.
+    pub(super) fn not_run(name: &str, source: &str, unit: String) -> Self {
+        Self {
+            name: name.to_owned(),
+            at: None,
+            from: None,
+            by: None,
+            source: source.to_owned(),
+            published: None,
+            computed: None,
+            unit,
+            error: None,
+            difference: None,
+            tolerance: None,
+            outcome: Outcome::NotRun,
+            inputs: None,
+            fitted: false,
+            basis: None,
+            reason: None,
+            trend: None,
+            overlay: None,
+        }
+    }
 }
 
 /// A published curve beside a run, over the times of the run; without a run, as it is published.
@@ -58,7 +84,7 @@ pub struct Overlay {
     pub computed: Vec<(f64, f64)>,
 }
 
-/// What an agreement is worth when inputs were calibrated.
+/// How far an agreement is evidence when inputs were calibrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CalibrationBasis {
     /// An input was fitted to this very number.
@@ -107,7 +133,7 @@ pub struct TrendPoint {
     pub error: Option<f64>,
 }
 
-/// How a row stands.
+/// The outcome of a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
     /// Within its tolerance; for a trend: it does as stated.

@@ -10,9 +10,9 @@ use crate::{
 };
 
 /// The validation table: quantity, outcome, published and computed value, its estimated numerical
-/// error, difference, tolerance, standing of the inputs. Row `n` of the table is row `n` of `rows` and
-/// carries the number `[n+1]`; the note of that number says where the value is printed, what stands
-/// behind it and why it is as it is.
+/// error, difference, tolerance, provenance of the inputs. Row `n` of the table is row `n` of `rows` and
+/// carries the number `[n+1]`; the note of that number gives the source of the
+/// value, its basis and the reason of its outcome.
 #[must_use]
 pub fn table(rows: &[ValidationRow]) -> Table {
     Table {
@@ -97,8 +97,8 @@ fn rounded_to(value: f64, count: i32) -> f64 {
     }
 }
 
-/// A number to the decimals that steps of this size need: there is no use in telling apart what is a
-/// hundredth of the tolerance.
+/// A number to the decimals that steps of this size need: a hundredth of the tolerance is not worth a
+/// digit.
 fn to_step(value: f64, step: f64, unit: &str) -> String {
     if value.abs() < 0.5 * step {
         return with_unit("0", Scale::of(0.0, unit), unit);
@@ -158,7 +158,7 @@ fn inputs(row: &ValidationRow) -> Cell {
     }
 }
 
-/// The word a case file uses for a standing.
+/// The word of a case file for the provenance of an input.
 #[must_use]
 pub const fn standing_word(standing: Standing) -> &'static str {
     match standing {

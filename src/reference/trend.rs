@@ -62,7 +62,7 @@ pub(super) fn row<'r>(
     )
 }
 
-/// A statement of trend as a source made it, whatever kind of file repeats it.
+/// A published trend, whatever kind of file states it.
 #[derive(Debug, Clone, Copy)]
 pub struct TrendStatement<'a> {
     /// The statement, in words.
@@ -77,7 +77,7 @@ pub struct TrendStatement<'a> {
     pub out_of_reach: Option<&'a str>,
 }
 
-/// Holds numbers at growing values of a key against a statement of trend. `missing` says why a point has no number.
+/// Compares numbers at growing values of a key with a published trend. `missing` says why a point has no number.
 #[must_use]
 pub fn compare_trend(
     statement: TrendStatement<'_>,
@@ -87,28 +87,14 @@ pub fn compare_trend(
 ) -> ValidationRow {
     let (outcome, reason) = judge(&statement, &points, missing);
     ValidationRow {
-        name: statement.name.to_owned(),
-        at: None,
-        from: None,
-        by: None,
-        source: statement.source.to_owned(),
-        published: None,
-        computed: None,
-        unit,
-        error: None,
-        difference: None,
-        tolerance: None,
         outcome,
-        inputs: None,
-        fitted: false,
-        basis: None,
         reason,
         trend: Some(TrendLine {
             expect: statement.expect,
             key: statement.key.to_owned(),
             points,
         }),
-        overlay: None,
+        ..ValidationRow::not_run(statement.name, statement.source, unit)
     }
 }
 

@@ -1,4 +1,4 @@
-//! A published value held against its run.
+//! The comparison of a published value with its run.
 
 use super::{CalibrationBasis, Outcome, ValidationRow};
 use crate::{
@@ -43,7 +43,7 @@ pub(super) fn row<'r>(
     compare(reference, number)
 }
 
-/// A value as a source printed it, whatever kind of file states it.
+/// A published value, whatever kind of file states it.
 #[derive(Debug, Clone)]
 pub struct ReferenceValue<'a> {
     /// What it is, in words.
@@ -56,11 +56,11 @@ pub struct ReferenceValue<'a> {
     pub tolerance: f64,
     /// Unit of both.
     pub unit: String,
-    /// Standing of the inputs behind the computed value, at worst.
+    /// Provenance of the inputs behind the computed value, at worst.
     pub inputs: Standing,
     /// True when an input was fitted to this very number.
     pub fitted: bool,
-    /// What the inputs make of an agreement.
+    /// How far an agreement is evidence.
     pub basis: Option<CalibrationBasis>,
     /// The point of a study it belongs to.
     pub at: Option<At>,
@@ -72,32 +72,24 @@ pub struct ReferenceValue<'a> {
     pub out_of_reach: Option<&'a str>,
 }
 
-/// Holds a computed value, with its numerical error where that is known, against a published one; without a value the row
+/// Compares a computed value, with its numerical error where that is known, with a published one; without a value the row
 /// reads NOT RUN, with the reason.
 #[must_use]
 pub fn compare(
     reference: ReferenceValue<'_>,
     computed: Result<(f64, Option<f64>), String>,
 ) -> ValidationRow {
+    let not_run = ValidationRow::not_run(reference.name, reference.source, reference.unit);
     let mut row = ValidationRow {
-        name: reference.name.to_owned(),
         at: reference.at,
         from: reference.from,
         by: reference.by,
-        source: reference.source.to_owned(),
         published: Some(reference.value),
-        computed: None,
-        unit: reference.unit,
-        error: None,
-        difference: None,
         tolerance: Some(reference.tolerance),
-        outcome: Outcome::NotRun,
         inputs: Some(reference.inputs),
         fitted: reference.fitted,
         basis: reference.basis,
-        reason: None,
-        trend: None,
-        overlay: None,
+        ..not_run
     };
     match computed {
         Err(reason) => row.reason = Some(reason),
@@ -160,7 +152,7 @@ fn ratio(quantity: &Quantity, other: &Quantity) -> Quantity {
     }
 }
 
-/// What the inputs make of an agreement, in the light of everything the case was fitted to.
+/// How far an agreement is evidence, given everything the case was fitted to.
 fn basis(published: &Published, all: &[Published]) -> Option<CalibrationBasis> {
     let same = |other: &Published| {
         other.channel == published.channel

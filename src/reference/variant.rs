@@ -35,14 +35,14 @@ pub fn variant(text: &str, case: &Case, at: &At) -> Result<Variant, Vec<Diagnost
     })
 }
 
-/// The rows of one run: those of the case as it stands when nothing but solver and output was set on
-/// top of it, and those of every point of a study at which the run stands. The others read NOT RUN.
+/// The rows of one run: those of the case without a study where only keys of solver and output were overridden, and
+/// those of every point of a study that the run was computed at. The others read NOT RUN.
 #[must_use]
 pub fn rows_of_run(run: &Run, case: &Case) -> Vec<ValidationRow> {
     rows(case, &|at| matches_variant(run, case, at).then_some(run))
 }
 
-/// True when a run stands at this point of a study, or is the case as it stands.
+/// True when a run was computed at this point of a study, or is the case without one.
 #[must_use]
 pub fn matches_variant(run: &Run, case: &Case, at: Option<&At>) -> bool {
     let key = at
@@ -57,7 +57,7 @@ pub fn matches_variant(run: &Run, case: &Case, at: Option<&At>) -> bool {
     if foreign {
         return false;
     }
-    // A run stands at a point when setting the point changes nothing in what its case says.
+    // A run was computed at a point when setting the point does not change its case.
     at.is_none_or(|at| {
         let set = variant(&run.case_text, case, at).ok();
         let again = set.and_then(|v| case::parse(&v.text, &run.info.case_file).ok());

@@ -1,10 +1,10 @@
-//! The sections of a line against what they must bear, as a table.
+//! Utilisation of the sections of a line, as a table.
 
-use super::number::{percent, rounded, si};
-use super::table::{Cell, CellInk, Column, Table};
+use super::number::percent;
+use super::table::{Align, Cell, CellInk, Format, Table};
 use crate::run::limits::LimitCheck;
 
-/// The word that stands where a limit is exceeded.
+/// The word for a limit that is exceeded.
 pub const EXCEEDED: &str = "EXCEEDED";
 
 /// One row a section: tension against breaking load, bending radius against the least allowed. Nothing where no
@@ -14,49 +14,24 @@ pub fn table(checks: &[LimitCheck]) -> Option<Table> {
     if checks.is_empty() {
         return None;
     }
-    Some(Table {
-        columns: vec![
-            Column::left("section"),
-            Column::decimal("greatest tension"),
-            Column::decimal("at arc [m]"),
-            Column::decimal("breaking load"),
-            Column::decimal("used"),
-            Column::decimal("least radius"),
-            Column::decimal("at arc [m]"),
-            Column::decimal("allowed"),
-            Column::decimal("used"),
-        ],
-        rows: checks.iter().map(row).collect(),
-        ..Table::default()
-    })
-}
-
-fn row(check: &LimitCheck) -> Vec<Cell> {
-    let quantity = |value: Option<f64>, unit| match value {
-        Some(value) => Cell::plain(si(value, unit)),
-        None => Cell::new("-", CellInk::Dim),
-    };
-    let place = |value: Option<f64>| match value {
-        Some(arc) => Cell::plain(rounded(arc, 1)),
-        None => Cell::new("-", CellInk::Dim),
-    };
-    vec![
-        Cell::plain(check.section.as_str()),
-        quantity(Some(check.tension.0), "N"),
-        place(Some(check.tension.1)),
-        quantity(check.break_load, "N"),
-        used(check.tension_utilisation()),
-        quantity(check.radius.map(|r| r.0), "m"),
-        place(check.radius.map(|r| r.1)),
-        quantity(check.least_radius, "m"),
-        used(check.bending_utilisation()),
-    ]
+    let arc = Format::Decimals(1, "");
+    let table = Table::of("", checks)
+        .text("section", |c| c.section.as_str())
+        .number("greatest tension", Format::Si("N"), |c| c.tension.0)
+        .number("at arc [m]", arc, |c| c.tension.1)
+        .number("breaking load", Format::Si("N"), |c| c.break_load)
+        .cell("used", Align::Decimal, |c| used(c.tension_utilisation()))
+        .number("least radius", Format::Si("m"), |c| c.radius.map(|r| r.0))
+        .number("at arc [m]", arc, |c| c.radius.map(|r| r.1))
+        .number("allowed", Format::Si("m"), |c| c.least_radius)
+        .cell("used", Align::Decimal, |c| used(c.bending_utilisation()));
+    Some(table.build())
 }
 
 /// How much of a limit is used; more than all of it is said in words too.
 fn used(share: Option<f64>) -> Cell {
     match share {
-        None => Cell::new("-", CellInk::Dim),
+        None => Cell::none(),
         Some(share) if share > 1.0 => {
             Cell::new(format!("{} {EXCEEDED}", percent(share)), CellInk::Bad)
         }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::chart::{Axis, Chart, Series, extent};
 use super::number::{digits, rounded};
-use super::table::{Cell, CellInk, Column, Table};
+use super::table::{Align, Cell, CellInk, Table};
 use crate::modes::{LineModes, Medium, ModeKind, NamedMode};
 use crate::numerics::V3;
 
@@ -12,72 +12,67 @@ use crate::numerics::V3;
 /// kind it is, half waves.
 #[must_use]
 pub fn table(found: &LineModes) -> Table {
+    columns(found, true)
+}
+
+/// The same on 80 columns: without what follows from the order of the rows and from the words.
+#[must_use]
+pub fn narrow(found: &LineModes) -> Table {
+    columns(found, false)
+}
+
+fn columns(found: &LineModes, wide: bool) -> Table {
     let medium = Medium::of(&found.scene, &found.rest);
     let wkb = |mode: &NamedMode| {
         let across = matches!(mode.mode.kind, ModeKind::InPlane | ModeKind::OutOfPlane);
-        medium
-            .as_ref()
-            .filter(|_| across)?
-            .frequency_hz(mode.of_kind)
+        let medium = medium.as_ref().filter(|_| across)?;
+        medium.frequency_hz(mode.of_kind)
     };
-    let rows = found.modes.iter().enumerate();
-    let rows = rows.map(|(i, mode)| cells(i, mode, wkb(mode)));
-    Table {
-        title: String::new(),
-        columns: vec![
-            Column::right("mode"),
-            Column::decimal("frequency [Hz]"),
-            Column::decimal("error [Hz]"),
-            Column::decimal("period [s]"),
-            Column::decimal("WKB [Hz]"),
-            Column::left("moves"),
-            Column::right("of kind"),
-            Column::right("half waves"),
-            Column::right("out of plane"),
-        ],
-        rows: rows.collect(),
-        notes: notes(found),
-    }
+    let vibrates = |mode: &NamedMode| mode.mode.eigenvalue > 0.0;
+    let numbered: Vec<(usize, &NamedMode)> = (1..).zip(&found.modes).collect();
+    Table::of("", &numbered)
+        .count("mode", |(number, _)| *number)
+        .cell("frequency [Hz]", Align::Decimal, |(_, mode)| {
+            frequency(mode)
+        })
+        .cell("error [Hz]", Align::Decimal, |(_, mode)| {
+            let error = mode.error_hz.filter(|_| vibrates(mode));
+            Cell::plain(error.map_or_else(|| "unknown".to_owned(), |e| digits(e, 2)))
+        })
+        .cell("period [s]", Align::Decimal, |(_, mode)| {
+            let period = vibrates(mode).then(|| 1.0 / mode.mode.frequency_hz());
+            or_dash(period, 5)
+        })
+        .cell("WKB [Hz]", Align::Decimal, |(_, mode)| {
+            or_dash(wkb(mode), 4)
+        })
+        .text("moves", |(_, mode)| mode.mode.kind.name())
+        .when(wide, |table| {
+            table
+                .count("of kind", |(_, mode)| mode.of_kind)
+                .count("half waves", |(_, mode)| mode.mode.half_waves)
+                .count("out of plane", |(_, mode)| {
+                    format!("{} %", rounded(100.0 * mode.mode.out_of_plane, 0))
+                })
+        })
+        .build()
+        .noted(notes(found))
 }
 
-/// The same on 80 columns: without what the order of the rows and the words tell as well.
-#[must_use]
-pub fn narrow(found: &LineModes) -> Table {
-    let mut table = table(found);
-    for column in [8, 7, 6] {
-        table.columns.remove(column);
-        table
-            .rows
-            .iter_mut()
-            .for_each(|row| drop(row.remove(column)));
-    }
-    table
+/// A number of so many digits, or a dash.
+fn or_dash(value: Option<f64>, count: i32) -> Cell {
+    Cell::plain(value.map_or_else(|| "-".to_owned(), |value| digits(value, count)))
 }
 
-fn cells(index: usize, named: &NamedMode, wkb: Option<f64>) -> Vec<Cell> {
-    let mode = &named.mode;
-    let frequency = mode.frequency_hz();
-    let (shown, ink) = if mode.eigenvalue > 0.0 {
-        (digits(frequency, 6), CellInk::Plain)
-    } else if mode.eigenvalue < 0.0 {
-        ("grows".to_owned(), CellInk::Bad)
+fn frequency(mode: &NamedMode) -> Cell {
+    let eigenvalue = mode.mode.eigenvalue;
+    if eigenvalue > 0.0 {
+        Cell::plain(digits(mode.mode.frequency_hz(), 6))
+    } else if eigenvalue < 0.0 {
+        Cell::new("grows", CellInk::Bad)
     } else {
-        ("0".to_owned(), CellInk::Warn)
-    };
-    let error = named.error_hz.filter(|_| mode.eigenvalue > 0.0);
-    let period = (mode.eigenvalue > 0.0).then(|| digits(1.0 / frequency, 5));
-    let dash = || "-".to_owned();
-    vec![
-        Cell::plain((index + 1).to_string()),
-        Cell::new(shown, ink),
-        Cell::plain(error.map_or_else(|| "unknown".to_owned(), |e| digits(e, 2))),
-        Cell::plain(period.unwrap_or_else(dash)),
-        Cell::plain(wkb.map_or_else(dash, |hz| digits(hz, 4))),
-        Cell::plain(mode.kind.name()),
-        Cell::plain(named.of_kind.to_string()),
-        Cell::plain(mode.half_waves.to_string()),
-        Cell::plain(format!("{} %", rounded(100.0 * mode.out_of_plane, 0))),
-    ]
+        Cell::new("0", CellInk::Warn)
+    }
 }
 
 fn notes(found: &LineModes) -> Vec<String> {
@@ -89,13 +84,13 @@ fn notes(found: &LineModes) -> Vec<String> {
          which raise or lower the first modes in the plane."
             .to_owned(),
     ];
-    notes.extend(troubles(found));
+    notes.extend(instability_notes(found));
     notes
 }
 
 /// What is wrong with the line at rest, where its motions say so.
 #[must_use]
-pub fn troubles(found: &LineModes) -> Vec<String> {
+pub fn instability_notes(found: &LineModes) -> Vec<String> {
     let mut notes = Vec::new();
     let count = |some: fn(f64) -> bool| {
         let values = found.modes.iter().map(|m| m.mode.eigenvalue);

@@ -81,9 +81,9 @@ pub fn table(profile: &Profile) -> Table {
     some(profile, |_| true)
 }
 
-/// As [`table`], with about so many rows: both ends, every so manieth node, and the marked ones.
+/// As [`table`], with about so many rows: both ends, nodes at even intervals, and the marked ones.
 #[must_use]
-pub fn thinned(profile: &Profile, rows: usize) -> Table {
+pub fn sampled(profile: &Profile, rows: usize) -> Table {
     let last = profile.nodes.len().saturating_sub(1);
     let every = profile.nodes.len().div_ceil(rows.max(1)).max(1);
     let mut table = some(profile, |node| node % every == 0 || node == last);
@@ -178,13 +178,13 @@ mod tests {
     }
 
     #[test]
-    fn a_thinned_table_keeps_ends_and_marks() {
+    fn a_sampled_table_keeps_ends_and_marks() {
         let mut long = profile();
         long.arc = (0..100).map(f64::from).collect();
         long.nodes = vec![[0.0; 3]; 100];
         long.tension = (0..100).map(|i| -f64::from((i - 37) * (i - 37))).collect();
         (long.curvature, long.moment) = (Vec::new(), Vec::new());
-        let table = thinned(&long, 10);
+        let table = sampled(&long, 10);
         let arcs: Vec<String> = (0..table.rows.len())
             .map(|r| table.cell(r, 0).text)
             .collect();

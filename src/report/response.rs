@@ -3,8 +3,8 @@
 
 use std::f64::consts::TAU;
 
-use super::number::{digits, rounded};
-use super::table::{Cell, CellInk, Column, Table};
+use super::number::digits;
+use super::table::{Align, Cell, CellInk, Format, Table};
 use crate::case::{AlongLine, Case, Statistic};
 use crate::run::response::peaks_and_valleys;
 use crate::run::{Profile, along_line};
@@ -14,42 +14,37 @@ use crate::run::{Profile, along_line};
 #[must_use]
 pub fn peaks(profile: &Profile) -> Table {
     let found = peaks_and_valleys(&profile.arc, &profile.rms);
-    let waves = found.iter().filter(|(.., peak)| *peak).count();
-    let row = |(s, value, is_peak): &(f64, f64, bool)| {
-        let node = profile.arc.iter().position(|arc| arc >= s)?;
-        let (word, ink) = if *is_peak {
-            ("peak", CellInk::Warn)
-        } else {
-            ("valley", CellInk::Plain)
-        };
-        let error = profile.rms_error.get(node);
-        Some(vec![
-            Cell::new(word, ink),
-            Cell::plain(rounded(*s, 1)),
-            Cell::plain(rounded(profile.nodes.get(node)?[2], 1)),
-            Cell::plain(digits(*value, 4)),
-            Cell::plain(digits(*profile.rms_diameters.get(node)?, 4)),
-            Cell::plain(error.map_or_else(|| "unknown".to_owned(), |e| digits(*e, 2))),
-            Cell::plain(digits(*profile.tension.get(node)?, 4)),
-        ])
+    let peaks = found.iter().filter(|(.., peak)| *peak).count();
+    let at_node = |(arc, value, peak): (f64, f64, bool)| {
+        let node = profile.arc.iter().position(|s| *s >= arc)?;
+        Some((node, arc, value, peak))
     };
-    Table {
-        columns: vec![
-            Column::left("response"),
-            Column::decimal("arc [m]"),
-            Column::decimal("z [m]"),
-            Column::decimal("rms [m]"),
-            Column::decimal("rms [D]"),
-            Column::decimal("error [m]"),
-            Column::decimal("tension [N]"),
-        ],
-        rows: found.iter().filter_map(row).collect(),
-        notes: (waves > 0)
-            .then(|| format!("{waves} peaks; ripples below 1 % of the greatest are left out."))
-            .into_iter()
-            .collect(),
-        ..Table::default()
-    }
+    let rows: Vec<_> = found.into_iter().filter_map(at_node).collect();
+    let at = |values: &[f64], node: usize| values.get(node).copied();
+    let note = (peaks > 0)
+        .then(|| format!("{peaks} peaks; ripples below 1 % of the greatest are left out."));
+    Table::of("", &rows)
+        .cell("response", Align::Left, |(.., peak)| match peak {
+            true => Cell::new("peak", CellInk::Warn),
+            false => Cell::plain("valley"),
+        })
+        .number("arc [m]", Format::Decimals(1, ""), |(_, arc, ..)| *arc)
+        .number("z [m]", Format::Decimals(1, ""), |(node, ..)| {
+            profile.nodes.get(*node).map(|x| x[2])
+        })
+        .number("rms [m]", Format::Digits(4, ""), |(_, _, rms, _)| *rms)
+        .number("rms [D]", Format::Digits(4, ""), |(node, ..)| {
+            at(&profile.rms_diameters, *node)
+        })
+        .cell("error [m]", Align::Decimal, |(node, ..)| {
+            let error = at(&profile.rms_error, *node);
+            Cell::plain(error.map_or_else(|| "unknown".to_owned(), |e| digits(e, 2)))
+        })
+        .number("tension [N]", Format::Digits(4, ""), |(node, ..)| {
+            at(&profile.tension, *node)
+        })
+        .build()
+        .noted(note)
 }
 
 /// The sections of the line and the waves on them at the driving period: peaks of the response, lengths of the waves as
@@ -61,68 +56,62 @@ pub fn waves(case: &Case, profile: &Profile) -> Table {
         return Table::default();
     }
     let mut from = 0.0;
-    let mut rows = Vec::new();
+    let mut stretches = Vec::new();
     for section in &case.line {
         let to = from + section.length_m;
-        rows.push(section_row(profile, &section.name, [from, to]));
+        stretches.push((section.name.as_str(), [from, to]));
         from = to;
     }
-    if rows.len() > 1 {
-        rows.push(section_row(profile, "whole line", [0.0, from]));
+    if stretches.len() > 1 {
+        stretches.push(("whole line", [0.0, from]));
     }
-    Table {
-        columns: vec![
-            Column::left("section"),
-            Column::right("peaks"),
-            Column::decimal("tension [N]"),
-            Column::decimal("wave [m]"),
-            Column::decimal("WKB [m]"),
-            Column::decimal("WKB waves"),
-            Column::decimal("to A [m]"),
-            Column::decimal("to B [m]"),
-            Column::decimal("ratio"),
-        ],
-        rows,
-        notes: vec![
-            "Means over each section: length of the waves as computed and by WKB theory (EI k^4 + T k^2 = m omega^2), \
-             amplitudes of what runs towards ends A and B, and their standing wave ratio, 1 where all travels. Where loads \
-             act the motion is not of free waves."
-                .to_owned(),
-        ],
-        ..Table::default()
-    }
+    waves_of(profile, &stretches).noted([
+        "Means over each section: length of the waves as computed and by WKB theory (EI k^4 + T k^2 = m omega^2), \
+         amplitudes of what runs towards ends A and B, and their standing wave ratio, 1 where all travels. Where loads \
+         act the motion is not of free waves.",
+    ])
 }
 
-fn section_row(profile: &Profile, name: &str, stretch: [f64; 2]) -> Vec<Cell> {
-    let number = |quantity, statistic, shown: fn(f64) -> String| {
-        let value = along_line(profile, quantity, statistic, Some(stretch));
-        value.map_or_else(|| Cell::new("-", CellInk::Dim), |v| Cell::plain(shown(v)))
+fn waves_of(profile: &Profile, stretches: &[(&str, [f64; 2])]) -> Table {
+    let statistic = |quantity, statistic, stretch: [f64; 2]| {
+        along_line(profile, quantity, statistic, Some(stretch))
     };
-    let mean = |values: &[f64]| {
+    let mean = |quantity, stretch| statistic(quantity, Statistic::Mean, stretch);
+    let nodes_mean = |values: &[f64], [from, to]: [f64; 2]| {
         let inside = profile.arc.iter().zip(values);
-        let inside = inside.filter(|(s, _)| (stretch[0]..=stretch[1]).contains(*s));
+        let inside = inside.filter(|(s, _)| (from..=to).contains(*s));
         let (sum, count) = inside.fold((0.0, 0.0), |(sum, n), (_, v)| (sum + v, n + 1.0));
-        Cell::plain(if count > 0.0 {
-            digits(sum / count, 2)
-        } else {
-            "-".to_owned()
-        })
+        (count > 0.0).then(|| sum / count)
     };
-    vec![
-        Cell::plain(name),
-        number(AlongLine::RmsDisplacement, Statistic::Peaks, |v| {
-            rounded(v, 0)
-        }),
-        number(AlongLine::Tension, Statistic::Mean, |v| digits(v, 4)),
-        number(AlongLine::Wavelength, Statistic::Mean, |v| rounded(v, 1)),
-        number(AlongLine::WkbWavelength, Statistic::Mean, |v| rounded(v, 1)),
-        Cell::plain(rounded(turn(profile, stretch) / TAU, 2)),
-        mean(&profile.towards_a),
-        mean(&profile.towards_b),
-        number(AlongLine::StandingWaveRatio, Statistic::Mean, |v| {
-            digits(v, 3)
-        }),
-    ]
+    let (digits_2, decimals) = (Format::Digits(2, ""), Format::Decimals(1, ""));
+    Table::of("", stretches)
+        .text("section", |(name, _)| *name)
+        .cell("peaks", Align::Right, |(_, at)| {
+            let peaks = statistic(AlongLine::RmsDisplacement, Statistic::Peaks, *at);
+            Format::Decimals(0, "").cell(peaks)
+        })
+        .number("tension [N]", Format::Digits(4, ""), |(_, at)| {
+            mean(AlongLine::Tension, *at)
+        })
+        .number("wave [m]", decimals, |(_, at)| {
+            mean(AlongLine::Wavelength, *at)
+        })
+        .number("WKB [m]", decimals, |(_, at)| {
+            mean(AlongLine::WkbWavelength, *at)
+        })
+        .number("WKB waves", Format::Decimals(2, ""), |(_, at)| {
+            turn(profile, *at) / TAU
+        })
+        .number("to A [m]", digits_2, |(_, at)| {
+            nodes_mean(&profile.towards_a, *at)
+        })
+        .number("to B [m]", digits_2, |(_, at)| {
+            nodes_mean(&profile.towards_b, *at)
+        })
+        .number("ratio", Format::Digits(3, ""), |(_, at)| {
+            mean(AlongLine::StandingWaveRatio, *at)
+        })
+        .build()
 }
 
 /// Turn of the phase of a wave along a stretch by WKB theory \[rad\].
@@ -179,8 +168,8 @@ mod tests {
 
     #[test]
     fn the_waves_of_a_section_are_counted() {
-        let row = section_row(&profile(), "rope", [0.0, 50.0]);
-        let words: Vec<&str> = row.iter().map(|c| c.text.as_str()).collect();
+        let table = waves_of(&profile(), &[("rope", [0.0, 50.0])]);
+        let words: Vec<&str> = table.rows[0].iter().map(|c| c.text.as_str()).collect();
         assert_eq!(
             words,
             [

@@ -18,7 +18,7 @@ use super::sea;
 use crate::{case::Case, reference::ValidationRow, run::Run};
 
 /// The report of a run: what was computed and with which settings, inputs with their standing,
-/// results with their errors, charts, the published values it is held against, work and cost.
+/// results with their errors, charts, comparison with published values, work and cost.
 ///
 /// `rows` are the published rows of the case ([`reference::rows`](crate::reference::rows)).
 /// Charts are drawn with `glyphs`; for a report that is ASCII throughout, pass the result through

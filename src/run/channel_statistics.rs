@@ -1,12 +1,12 @@
-//! Single numbers taken of channels while a run goes on, without its history: means, extremes, times. What needs the whole
-//! before it can be told (a last value, a mean level) reads its samples a second time, from a [`SpillBuffer`].
+//! Statistics of channels computed while a run goes on, without its history: means, extremes, times. Statistics that need
+//! a value known only at the end (the last value, the mean) read the samples a second time, from a [`SpillBuffer`].
 
 use super::requested_statistics::{RequestedStatistic, StatisticSource};
 use super::spill_buffer::SpillBuffer;
 use super::{Channel, Profile, cycles, line_statistics};
 use crate::case::Statistic;
 
-/// Takes in every output row, and gives the numbers wanted at the end.
+/// Takes in every row of the record, and computes the requested statistics at the end.
 #[derive(Debug)]
 pub(super) struct ChannelStatistics {
     wanted: Vec<RequestedStatistic>,
@@ -26,7 +26,7 @@ struct Series {
     samples: Option<SpillBuffer>,
 }
 
-/// What is known of samples after reading them once; samples and extremes are (value, time).
+/// Samples after one reading; samples and extremes are (value, time).
 #[derive(Debug, Clone, Copy)]
 struct SampleSummary {
     first: (f64, f64),
@@ -88,7 +88,7 @@ impl ChannelStatistics {
             if let Some(Err(error)) = kept {
                 series.samples = None;
                 self.warnings.push(format!(
-                    "settling times, rise times and mean peaks are not all told: their samples find no room on disk ({error})"
+                    "settling times, rise times and mean peaks are incomplete: there is no room on disk for their samples ({error})"
                 ));
             }
         }
@@ -156,7 +156,7 @@ impl ChannelStatistics {
     }
 }
 
-/// Whether a number can be told only once the whole is known.
+/// Whether a statistic needs a second reading of the samples.
 fn reads_twice(statistic: Statistic) -> bool {
     use Statistic::{MeanPeak, MeanTrough, RiseTime, SettlingTime};
     matches!(statistic, SettlingTime | RiseTime | MeanPeak | MeanTrough)
@@ -262,16 +262,16 @@ mod tests {
             statistic,
             window,
         };
-        let mut gather = ChannelStatistics::new(vec![wanted]);
+        let mut of_channel = ChannelStatistics::new(vec![wanted]);
         for (i, value) in values.iter().enumerate() {
-            gather.add(i as f64, &[*value]);
+            of_channel.add(i as f64, &[*value]);
         }
         let channel = Channel {
             peak: (9.0, 2.25),
             trough: (-9.0, 3.25),
             ..Channel::new(ChannelQuantity::X.at("body"))
         };
-        let (statistics, warnings) = gather.finish(&[channel], &Profile::default());
+        let (statistics, warnings) = of_channel.finish(&[channel], &Profile::default());
         assert_eq!(warnings, [""; 0]);
         statistics[0].1
     }

@@ -10,7 +10,7 @@ use super::touchdown_speed::TouchdownSpeed;
 use crate::dynamics::{MarchProgress, MethodState, TimeGrid};
 use crate::solve::State;
 
-/// The state of a computation at an output time. The names of the fields are those of `checkpoint.toml`.
+/// The state of a computation at an output time. Written as `checkpoint.toml`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Checkpoint {
     /// Length of a whole step \[s\].
@@ -26,11 +26,11 @@ pub struct Checkpoint {
     /// Smallest value of every channel so far and its time \[s\].
     pub troughs: Vec<(f64, f64)>,
     /// Squares of the greatest lengths of segments with a breaking load \[m²\].
-    #[serde(default)]
-    pub longest: Vec<f64>,
+    #[serde(default, rename = "longest")]
+    pub greatest_lengths: Vec<f64>,
     /// Touchdown of the line on the bed so far.
-    #[serde(default)]
-    pub front: Option<TouchdownSpeed>,
+    #[serde(default, rename = "front")]
+    pub touchdown: Option<TouchdownSpeed>,
     /// Warnings of the start.
     pub warnings: Vec<String>,
     /// Position of the time march.
@@ -38,7 +38,8 @@ pub struct Checkpoint {
     /// The state of the line.
     pub state: State,
     /// State of the time integration method.
-    pub carried: MethodState,
+    #[serde(rename = "carried")]
+    pub method_state: MethodState,
     /// The line node by node, with its envelopes.
     pub profile: Profile,
     /// Sums over the displacements, where the case asks for them.

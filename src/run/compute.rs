@@ -139,7 +139,7 @@ fn cpu_time() -> f64 {
     t.tv_sec as f64 + 1e-9 * t.tv_nsec as f64
 }
 
-/// A node this little above still water is at it \[m\].
+/// Height above still water from which a node counts as out of the water \[m\].
 const LITTLE: f64 = 1e-3;
 
 /// That a part of the line was above still water and counted as under water all the same, at output times.
@@ -158,7 +158,7 @@ fn out_of_water(case: &Case, profile: &Profile) -> Option<String> {
     })
 }
 
-/// What the user should know before trusting the numbers.
+/// Warnings of the scene and the method.
 fn warnings(scene: &Scene, settings: &Settings) -> Vec<String> {
     let mut list = scene.labels.remarks.clone();
     if settings.method == "quasi" && scene.line.weight.iter().sum::<f64>() > 0.0 {

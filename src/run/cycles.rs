@@ -1,4 +1,4 @@
-//! What is taken of every cycle of something that goes up and down.
+//! Mean of an extreme over whole cycles, counted between upcrossings of the mean.
 
 /// How far beyond the mean a value must come to have gone through it, as a share of the whole range: ripples about the mean
 /// are no cycles.

@@ -1,6 +1,5 @@
-//! What is kept in memory of a record, however long it is: some of its rows and shapes. Nothing is averaged: every row kept
-//! is one that was computed, and in every stretch of time the rows are among them at which a channel is at its greatest or
-//! smallest, so that no peak is lost. A record that fits is kept whole.
+//! Decimation of a record to a bounded size in memory. Nothing is averaged: of every stretch of time the rows are kept at
+//! which a channel is greatest or smallest, so that no peak is lost. A record that fits is kept whole.
 
 use super::{Channel, History, LineShape};
 use crate::case::ChannelId;
@@ -11,7 +10,7 @@ const NUMBERS: usize = 1 << 19;
 /// How many nodes the shapes kept may hold together.
 const NODES: usize = 1 << 17;
 
-/// A record as it is kept in memory.
+/// A record decimated to a bounded size.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct DecimatedRecord {
     history: History,
@@ -74,7 +73,7 @@ impl DecimatedRecord {
         (self.history, self.shapes)
     }
 
-    /// Takes up all that another record of the same channels kept of a later time.
+    /// Appends another record of the same channels of a later time.
     pub fn append(&mut self, later: &Self) {
         for (row, time) in later.history.time.iter().enumerate() {
             let values = later.history.channels.iter();
@@ -97,13 +96,13 @@ impl DecimatedRecord {
         let rows = self.history.time.len();
         if self.span == 0 {
             if rows > self.room() {
-                self.begin_thinning();
+                self.begin_decimation();
             }
         } else if self.open == self.span {
-            let kept = self.thin(self.closed);
+            let kept = self.decimate(self.closed);
             self.close(kept);
         } else if rows - self.closed > 2 * self.most() {
-            self.thin(self.closed);
+            self.decimate(self.closed);
         }
         if self.span > 0 && self.history.time.len() > self.room() {
             self.join_stretches();
@@ -140,7 +139,7 @@ impl DecimatedRecord {
     }
 
     /// Divides what was kept whole so far into stretches.
-    fn begin_thinning(&mut self) {
+    fn begin_decimation(&mut self) {
         let rows = self.history.time.len();
         let span = 2 * self.most();
         let mut kept = Vec::new();
@@ -178,8 +177,8 @@ impl DecimatedRecord {
         (self.stretches, self.closed) = (joined, closed);
     }
 
-    /// Thins the rows from this one on; how many are left of them.
-    fn thin(&mut self, from: usize) -> usize {
+    /// Decimates the rows from this one on; returns how many are left.
+    fn decimate(&mut self, from: usize) -> usize {
         let mut kept = Vec::with_capacity(self.most());
         self.extremes(from..self.history.time.len(), &mut kept);
         self.keep_only(from, &kept);
@@ -262,30 +261,30 @@ mod tests {
 
     fn recorded(rows: u64) -> DecimatedRecord {
         let names = ["a", "b", "c"].map(|place| crate::case::ChannelQuantity::X.at(place));
-        let mut thinned = DecimatedRecord::new(names);
+        let mut record = DecimatedRecord::new(names);
         for row in 0..rows {
-            thinned.row(row as f64, &[0, 1, 2].map(|c| value(row, c)));
+            record.row(row as f64, &[0, 1, 2].map(|c| value(row, c)));
         }
-        thinned
+        record
     }
 
     #[test]
     fn what_fits_is_kept_whole() {
-        let thinned = recorded(100_000);
-        assert_eq!(thinned.history.time.len(), 100_000);
+        let record = recorded(100_000);
+        assert_eq!(record.history.time.len(), 100_000);
     }
 
     #[test]
     fn ten_times_the_rows_take_no_more_room_and_all_are_true() {
-        let thinned = recorded(3_000_000);
-        let history = thinned.history();
-        assert!(history.time.len() <= thinned.room());
+        let record = recorded(3_000_000);
+        let history = record.history();
+        assert!(history.time.len() <= record.room());
         assert!(
-            history.time.len() > thinned.room() / 4,
+            history.time.len() > record.room() / 4,
             "{}",
             history.time.len()
         );
-        assert!(thinned.stretches.len() < thinned.room());
+        assert!(record.stretches.len() < record.room());
         assert!(history.time.windows(2).all(|t| t[0] < t[1]));
         for (c, channel) in history.channels.iter().enumerate() {
             assert_eq!(channel.values.len(), history.time.len());
@@ -301,12 +300,12 @@ mod tests {
 
     #[test]
     fn no_peak_is_lost_and_stretches_are_even() {
-        let thinned = recorded(3_000_000);
-        let swing = &thinned.history().channels[0];
+        let record = recorded(3_000_000);
+        let swing = &record.history().channels[0];
         assert_eq!(swing.peak, (55.0, 777_777.0));
         assert!(swing.values.contains(&55.0));
         // Both extremes of the fast swing are there in every stretch.
-        let times = &thinned.history().time;
+        let times = &record.history().time;
         for begin in (0..59).map(|i| f64::from(i) * 50_000.0) {
             let rows = times.partition_point(|t| *t < begin)
                 ..times.partition_point(|t| *t < begin + 50_000.0);
@@ -316,18 +315,18 @@ mod tests {
     }
 
     #[test]
-    fn shapes_are_thinned_evenly_and_the_newest_stays() {
-        let mut thinned = DecimatedRecord::new([]);
+    fn shapes_are_decimated_evenly_and_the_newest_stays() {
+        let mut record = DecimatedRecord::new([]);
         for i in 0..5000 {
-            thinned.shape(LineShape {
+            record.shape(LineShape {
                 time: f64::from(i),
                 nodes: vec![[0.0; 3]; 1000],
                 tension: vec![0.0; 1000],
             });
-            assert_eq!(thinned.shapes.last().map(|s| s.time), Some(f64::from(i)));
-            assert!(thinned.shapes.len() <= 131);
+            assert_eq!(record.shapes.last().map(|s| s.time), Some(f64::from(i)));
+            assert!(record.shapes.len() <= 131);
         }
-        let steps: Vec<f64> = thinned
+        let steps: Vec<f64> = record
             .shapes
             .windows(2)
             .map(|s| s[1].time - s[0].time)

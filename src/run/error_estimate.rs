@@ -49,17 +49,7 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
     let order = order(case.solver.method);
     let mesh_ratio = mesh_ratio(case);
     let step_ratio = step_ratio(run);
-    let companion = |coarsening, step_ratio| {
-        let resolution = Resolution {
-            coarsening,
-            step_ratio,
-        };
-        compute(case, resolution, None, cancel, &mut |_| {})
-    };
-    let (other_step, coarse) = rayon::join(
-        || order.map(|_| companion(1, step_ratio)),
-        || (mesh_ratio > 1.0).then(|| companion(2, 1.0)),
-    );
+    let (other_step, coarse) = companions(case, order.map(|_| step_ratio), mesh_ratio, cancel);
     let time = Companion {
         run: other_step.as_ref(),
         divisor: (step_ratio.powi(order.unwrap_or(0)) - 1.0).abs(),
@@ -107,6 +97,26 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
         method: describe(case, order, step_ratio, mesh_ratio),
         warnings,
     }
+}
+
+/// Computes the case with another step, where a ratio is given, and on a coarser mesh, where there is one.
+fn companions(
+    case: &Case,
+    step_ratio: Option<f64>,
+    mesh_ratio: f64,
+    cancel: &AtomicBool,
+) -> (Option<Computed>, Option<Computed>) {
+    let companion = |coarsening, step_ratio| {
+        let resolution = Resolution {
+            coarsening,
+            step_ratio,
+        };
+        compute(case, resolution, None, cancel, &mut |_| {})
+    };
+    rayon::join(
+        || step_ratio.map(|ratio| companion(1, ratio)),
+        || (mesh_ratio > 1.0).then(|| companion(2, 1.0)),
+    )
 }
 
 impl<'a> Companion<'a> {

@@ -1,5 +1,4 @@
-//! A line brought to rest before it is computed, and what is to be said of its equilibrium: that it is not stable, one of
-//! several, or none at all.
+//! The initial equilibrium of a line, and warnings about it: that it is unstable, one of several, or that there is none.
 
 use super::Work;
 use crate::case::{Case, Method};
@@ -10,7 +9,7 @@ use crate::statics::equilibrium::{EquilibriumSearch, instabilities};
 /// A turn between neighbouring segments \[rad\] from which the mesh error is not of second order any more.
 const SHARP: f64 = 0.8;
 
-/// Brings the line to its equilibrium, where the case asks for that; says so when it would not stay there.
+/// Finds the equilibrium where the case asks for one, and warns where it is unstable or not unique.
 ///
 /// # Errors
 /// Why there is none, in words.
@@ -45,8 +44,8 @@ fn search(
             work.iterations += found.iterations;
             if found.friction_released {
                 warnings.push(
-                    "the equilibrium found is one of many: no rest was found for the line as it is taken to be laid; it lies where it \
-                     would on a smooth bed, and friction bears nothing yet"
+                    "the equilibrium found is one of many: none was found for the line with its assumed bed friction; it lies where it \
+                     would on a smooth bed, and friction is zero at the start"
                         .to_owned(),
                 );
             }
@@ -70,17 +69,16 @@ fn search(
     Ok(())
 }
 
-/// Says what is to be known of the equilibrium found: that others are as good, that the line would leave it, that it turns too
-/// sharply for its mesh.
+/// Warns of an equilibrium that is unstable, not unique, or kinked too sharply for its mesh.
 ///
 /// # Errors
-/// That nothing at all holds the line in its shape.
+/// The line is slack all along: its shape is undetermined.
 fn check_equilibrium(
     scene: &Scene,
     state: &State,
     warnings: &mut Vec<String>,
 ) -> Result<(), String> {
-    // Friction makes the tangent unsymmetric: its pivots then tell nothing.
+    // Friction makes the tangent unsymmetric: its pivots then do not show stability.
     let rough = scene
         .elements
         .bed
@@ -125,7 +123,7 @@ fn check_equilibrium(
     Ok(())
 }
 
-/// Says that slack line lies in one of many shapes, on the bed or on the surface of the water.
+/// Warns that slack line lies in one of many shapes, on the bed or on the surface of the water.
 fn many_shapes(scene: &Scene, state: &State) -> Option<String> {
     let places = [
         (scene.untensioned_on_bed(state), "lie on the bed"),
@@ -141,7 +139,7 @@ fn many_shapes(scene: &Scene, state: &State) -> Option<String> {
     ))
 }
 
-/// Says where a line that bends may rest as well: on the other side of its chord.
+/// Warns of a second equilibrium of a line that bends, on the other side of its chord.
 fn other_side(scene: &Scene, state: &State) -> Option<String> {
     scene.elements.flexure.as_ref()?;
     let (mut other, node) = scene.mirrored(state)?;

@@ -1,6 +1,5 @@
-//! A case computed: on the caller's thread by [`execute`], on its own by [`start`]. Events out, a
-//! cancel flag in. Whoever listens decides whether a solver may get ahead of it: a bounded channel makes it wait, a receiver
-//! that is gone never does.
+//! Computes a case: on the caller's thread by [`execute`], on its own by [`start`], with a flag to cancel it. Events are
+//! sent; a bounded channel makes the solver wait for its receiver, a receiver that is gone does not.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -35,7 +34,7 @@ pub struct Request {
 }
 
 impl Request {
-    /// What `run.toml` says while the run goes on.
+    /// The content of `run.toml` while the run is computed.
     #[must_use]
     pub fn initial_info(&self) -> RunInfo {
         RunInfo {
@@ -63,7 +62,7 @@ impl Request {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct JobId(pub u64);
 
-/// A job going on. Dropping it does not stop it.
+/// A running job. Dropping it does not stop it.
 #[derive(Debug, Clone)]
 pub struct Job {
     /// Its name.
@@ -78,9 +77,8 @@ impl Job {
     }
 }
 
-/// Starts a thread that computes the request, going on from where an earlier run stands if there is one, and sends its
-/// events, named with the job. The last one is always
-/// [`Event::Finished`].
+/// Starts a thread that computes the request, or resumes an earlier run of it, and sends its events with the name of the
+/// job. The last one is always [`Event::Finished`].
 ///
 /// # Errors
 /// When the system gives no thread.
@@ -100,20 +98,20 @@ pub fn start(
         .name(format!("job-{}", id.0))
         .spawn(move || {
             // A channel that nobody listens to any more is no reason to stop early.
-            let mut tell = |event| drop(events.send((id, event)));
-            let run = execute_from(&request, from.as_ref(), &cancel, &mut tell);
-            tell(Event::Finished(Box::new(run)));
+            let mut send = |event| drop(events.send((id, event)));
+            let run = execute_from(&request, from.as_ref(), &cancel, &mut send);
+            send(Event::Finished(Box::new(run)));
         })?;
     Ok(job)
 }
 
-/// Computes a request, with its companions if the case asks for error estimates. Failures are told in the run,
-/// which keeps what there was. Does not send [`Event::Finished`]: the run is returned.
+/// Computes a request, with its companions if the case asks for error estimates. A failure is reported in the run,
+/// which keeps the results before it. Does not send [`Event::Finished`]: the run is returned.
 pub fn execute(request: &Request, cancel: &AtomicBool, events: &mut dyn FnMut(Event)) -> Run {
     execute_from(request, None, cancel, events)
 }
 
-/// As [`execute`], going on from where an earlier run stands, if there is one.
+/// As [`execute`], or resumes an earlier run.
 pub fn execute_from(
     request: &Request,
     from: Option<&Resume>,
@@ -144,14 +142,14 @@ pub fn execute_from(
     assemble(request, computed, started, estimates.summary)
 }
 
-/// The request with a method in place of the choice that its case leaves open, and why that one.
+/// The request with the method that the program chooses where its case leaves the choice open, and the reason.
 fn chosen(request: &Request) -> (Option<Request>, Option<String>) {
     if request.case.solver.method != Method::Auto {
         return (None, None);
     }
     let mut request = request.clone();
     request.case.solver.method = Method::Alpha;
-    // A case that makes no scene fails with its reason a little later.
+    // A case of which no scene can be built fails with its reason later.
     let Ok(scene) = scene::build(&request.case, 1) else {
         return (Some(request), None);
     };

@@ -1,10 +1,10 @@
-//! What the sections of a line must bear, held against what a run made them bear: breaking load and least
-//! bending radius, against the envelopes over the whole run.
+//! Utilisation of the sections of a line: greatest tension by breaking load, and least bending radius allowed by the smallest
+//! one, from the envelopes over the whole run.
 
 use super::Profile;
 use crate::case::{Case, Material, Section};
 
-/// A section held against the limits of its material.
+/// A section and the limits of its material.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LimitCheck {
     /// The section.
@@ -22,7 +22,7 @@ pub struct LimitCheck {
 }
 
 impl LimitCheck {
-    /// Tension by breaking load \[-\].
+    /// Utilisation of the breaking load: greatest tension by breaking load \[-\].
     #[must_use]
     pub fn tension_utilisation(&self) -> Option<f64> {
         Some(self.tension.0 / self.break_load?)
@@ -34,7 +34,7 @@ impl LimitCheck {
         Some(self.least_radius? / self.radius?.0)
     }
 
-    /// What the user must be told: limits that are exceeded.
+    /// Warnings of limits that are exceeded.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
         let mut list = Vec::new();
@@ -68,14 +68,14 @@ pub fn check(case: &Case, profile: &Profile) -> Vec<LimitCheck> {
     for section in &case.line {
         let to = from + section.length_m;
         if let Some(material) = case.materials.get(&section.material) {
-            list.extend(held_against(section, material, profile, (from, to)));
+            list.extend(check_section(section, material, profile, (from, to)));
         }
         from = to;
     }
     list
 }
 
-fn held_against(
+fn check_section(
     section: &Section,
     material: &Material,
     profile: &Profile,

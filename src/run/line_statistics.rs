@@ -1,4 +1,4 @@
-//! Single numbers taken of the whole line: extremes and where they lie, falls, turns.
+//! Statistics along the line: extremes and where they lie, falls, turns.
 
 use super::Profile;
 use super::response::travelling;
@@ -7,7 +7,7 @@ use crate::case::{AlongLine, Statistic};
 use crate::numerics::interpolation::linear_clamped;
 use crate::numerics::quadrature::trapezoid;
 
-/// What every run summarises of its line.
+/// The statistics along the line that every run computes.
 pub(super) const ALWAYS: [(AlongLine, Statistic); 18] = [
     (AlongLine::Tension, Statistic::Max),
     (AlongLine::Tension, Statistic::ArcOfMax),
@@ -87,7 +87,7 @@ pub fn evaluate(
     value.is_finite().then_some(value)
 }
 
-/// How finely a statistic can be told on the nodes: a place along the line to half a segment, the longest.
+/// The resolution of a statistic on the nodes: for a place along the line half of the longest segment \[m\].
 pub(super) fn resolution(profile: &Profile, statistic: Statistic) -> f64 {
     match statistic {
         Statistic::ArcOfMax | Statistic::ArcOfMin => {

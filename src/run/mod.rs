@@ -1,4 +1,4 @@
-//! A case computed: what came out, what it cost, how far to trust it.
+//! Computation of a case: results, work and cost, estimated errors.
 //!
 //! [`model`] holds a [`Run`] as plain data; [`store`] keeps it on disk.
 

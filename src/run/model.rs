@@ -9,7 +9,7 @@ use crate::case::{ChannelId, ChannelQuantity};
 /// Version of the program, written into every run.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// What came out of one execution of a case.
+/// The results of one execution of a case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
     /// What was computed and how: everything of `run.toml`.
@@ -18,7 +18,7 @@ pub struct Run {
     pub case_text: String,
     /// Channels against time; of a long run some of the output times, see [`DecimatedRecord`](super::DecimatedRecord).
     pub history: History,
-    /// Shapes of the line at chosen instants, oldest first; thinned likewise.
+    /// Shapes of the line at chosen instants, oldest first; decimated likewise.
     pub shapes: Vec<LineShape>,
     /// The line at the end of the run, node by node, with envelopes over time.
     pub profile: Profile,
@@ -34,7 +34,7 @@ impl Run {
         self.summary.iter().find(|q| q.id == id)
     }
 
-    /// How many output times it came to, also those that the history leaves out.
+    /// Number of output times, those included that the history leaves out.
     #[must_use]
     pub fn output_times(&self) -> usize {
         let kept = self.history.time.len();
@@ -55,7 +55,7 @@ pub struct RunInfo {
     pub title: String,
     /// File name of the case, without directories.
     pub case_file: String,
-    /// How the run stands.
+    /// The state of the run.
     pub state: RunState,
     /// Version of the program.
     pub version: String,
@@ -75,18 +75,18 @@ pub struct RunInfo {
     pub cost: Cost,
 }
 
-/// How a run stands.
+/// The state of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum RunState {
-    /// Written while the run goes on; found on disk it means that, or that the program was killed: see
+    /// Being computed, or the program was killed while it computed it: see
     /// [`is_locked`](super::store::is_locked).
     Partial,
     /// Complete.
     Done,
-    /// The solver gave up; what it had is kept.
+    /// The solver failed; the results before are kept.
     Failed,
-    /// Stopped by the user; what it had is kept.
+    /// Stopped by the user; the results before are kept.
     Cancelled,
 }
 
@@ -143,7 +143,7 @@ pub struct Work {
     pub evaluations: u64,
 }
 
-/// What a run took.
+/// Time that a run took.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Cost {
     /// CPU time of the run itself \[s\].
@@ -290,19 +290,19 @@ impl Profile {
         !self.moment.is_empty()
     }
 
-    /// Diameters of the nodes \[m\], where root mean squares tell them: of a node at rest, that of its neighbour.
+    /// Diameters of the nodes \[m\], from the root mean square displacements; of a node at rest, that of its neighbour.
     #[must_use]
     pub fn diameters(&self) -> Option<Vec<f64>> {
         let pairs = self.rms.iter().zip(&self.rms_diameters);
-        let told: Vec<Option<f64>> = pairs
+        let known: Vec<Option<f64>> = pairs
             .map(|(rms, by)| (*by > 0.0).then(|| rms / by))
             .collect();
-        let mut last = told.iter().copied().flatten().next()?;
+        let mut last = known.iter().copied().flatten().next()?;
         let of = |here: Option<f64>| {
             last = here.unwrap_or(last);
             last
         };
-        Some(told.into_iter().map(of).collect())
+        Some(known.into_iter().map(of).collect())
     }
 }
 

@@ -1,4 +1,4 @@
-//! What a run tells of natural modes, where its case asks for them.
+//! Natural modes among the single numbers of a run, where its case asks for them.
 
 use super::{ModePlane, Quantity, QuantityId, Subject};
 use crate::case::Case;

@@ -41,11 +41,11 @@ impl Observer for PeakTension {
     }
 
     fn save(&self, checkpoint: &mut Checkpoint) {
-        checkpoint.longest = self.longest();
+        checkpoint.greatest_lengths = self.greatest_lengths();
     }
 
     fn restore(&mut self, checkpoint: &Checkpoint) {
-        self.restore(&checkpoint.longest, &checkpoint.state);
+        self.restore(&checkpoint.greatest_lengths, &checkpoint.state);
     }
 
     fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut Record) {
@@ -65,11 +65,11 @@ impl Observer for TouchdownSpeed {
     }
 
     fn save(&self, checkpoint: &mut Checkpoint) {
-        checkpoint.front = Some(self.clone());
+        checkpoint.touchdown = Some(self.clone());
     }
 
     fn restore(&mut self, checkpoint: &Checkpoint) {
-        if let Some(known) = &checkpoint.front {
+        if let Some(known) = &checkpoint.touchdown {
             self.clone_from(known);
         }
     }

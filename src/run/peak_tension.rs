@@ -1,25 +1,24 @@
-//! Greatest tensions of what states a breaking load: those of every step, and not of the output times alone.
+//! Greatest tensions over every step, for sections whose material has a breaking load.
 //!
-//! A node's tension is worked out where a segment beside it was stretched most, once a peak and not once a step on the
-//! way up to it.
+//! The tension of a node is computed where a segment beside it was longest: once a peak, not at every step on the way up.
 
 use crate::case::{Case, Section};
 use crate::scene::Scene;
 use crate::solve::State;
 
-/// What watches for peaks; nothing where no section states a breaking load.
+/// Detects the peaks; without a breaking load it watches no segment.
 pub(super) struct PeakTension {
     watched: Vec<WatchedSegment>,
-    /// The state told last, where any segment is watched: the one in which it was longest, if it has shortened since.
+    /// The state of the step before, where any segment is watched.
     before: Option<State>,
 }
 
-/// A segment whose section states a breaking load.
+/// A segment of a section with a breaking load.
 struct WatchedSegment {
     segment: usize,
-    /// Square of the longest that it was so far \[m²\].
+    /// Square of its greatest length so far \[m²\].
     longest: f64,
-    /// Square of its length in the state told last \[m²\].
+    /// Square of its length in the step before \[m²\].
     latest: f64,
 }
 
@@ -28,7 +27,7 @@ impl WatchedSegment {
         (state.x[self.segment + 1] - state.x[self.segment]).norm_squared()
     }
 
-    /// Whether it was never longer than in the state told last.
+    /// Whether it was never longer than in the step before.
     fn at_its_longest(&self) -> bool {
         self.latest == self.longest && self.longest > 0.0
     }
@@ -56,8 +55,8 @@ impl PeakTension {
         }
     }
 
-    /// Squares of the longest that the segments were so far \[m²\].
-    pub(super) fn longest(&self) -> Vec<f64> {
+    /// Squares of the greatest lengths of the segments so far \[m²\].
+    pub(super) fn greatest_lengths(&self) -> Vec<f64> {
         self.watched.iter().map(|w| w.longest).collect()
     }
 

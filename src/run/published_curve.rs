@@ -1,10 +1,10 @@
-//! A run held against the published curves of its case: root mean square of the differences, in percent of the curve's
-//! greatest size, over the output times of a window.
+//! Comparison of a run with the published curves of its case: root mean square of the differences, in percent of the
+//! greatest magnitude of the curve, over the output times of a window.
 
 use super::{History, Quantity, QuantityId};
 use crate::case::{Case, PublishedCurve};
 
-/// Shifts of a curve that repeats which are tried a period.
+/// Number of shifts of a periodic curve that are tried over a period.
 const SHIFTS: usize = 400;
 
 /// A run beside a published curve.
@@ -12,7 +12,7 @@ const SHIFTS: usize = 400;
 pub struct CurveComparison {
     /// Root mean square of the differences \[% of the curve's greatest size\].
     pub percent: f64,
-    /// Times of the curve are those of the run plus this \[s\]; other than nought only where the curve repeats.
+    /// Times of the curve are those of the run plus this \[s\]; nonzero only for a periodic curve.
     pub shift: f64,
     /// Times \[s\] and values of the run within the window.
     pub samples: Vec<(f64, f64)>,
@@ -26,7 +26,7 @@ pub fn difference_id(curve: &PublishedCurve, number: usize) -> Option<QuantityId
     Some(QuantityId::CurveDifference(channel, number + 1))
 }
 
-/// Holds a record against a curve.
+/// Compares a record with a curve.
 ///
 /// # Errors
 /// Why there is nothing to compare, in words.
@@ -46,7 +46,7 @@ pub fn compare(curve: &PublishedCurve, history: &History) -> Result<CurveCompari
     let points: Vec<(f64, f64)> = points(curve).collect();
     let greatest = points.iter().fold(0.0_f64, |most, p| most.max(p.1.abs()));
     if greatest <= 0.0 {
-        return Err("The published curve is nought everywhere.".to_owned());
+        return Err("The published curve is zero everywhere.".to_owned());
     }
     let shifts = curve.period_s.map_or(1, |_| SHIFTS);
     let tried = (0..shifts).filter_map(|i| {
@@ -69,7 +69,7 @@ pub fn points(curve: &PublishedCurve) -> impl Iterator<Item = (f64, f64)> {
     curve.time_s.iter().copied().zip(values)
 }
 
-/// The differences of a record from the curves of its case, of those that belong to the case as it stands.
+/// The differences of a record from the curves of its case; of curves that belong to another point of a study, none.
 pub(super) fn differences(case: &Case, history: &History) -> Vec<Quantity> {
     let curves = case.published_curve.iter().enumerate();
     let here = curves.filter(|(_, curve)| curve.at.as_ref().is_none_or(|at| case.stands_at(at)));
@@ -95,7 +95,7 @@ fn apart(
     (count > 0.0).then(|| f64::sqrt(sum / count))
 }
 
-/// The curve at a time, straight between its points; one that repeats goes on from its last point to its first.
+/// The curve at a time, interpolated linearly; a periodic one also from its last point to its first.
 fn at(points: &[(f64, f64)], period: Option<f64>, time: f64) -> Option<f64> {
     let (first, last) = (*points.first()?, *points.last()?);
     let time = period.map_or(time, |p| first.0 + (time - first.0).rem_euclid(p));

@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use crate::case::{AlongLine, ChannelId, ChannelNameError, STEADY, Statistic};
 
-/// What a single number is taken of. Its text stands where published values and trends name a channel.
+/// What a single number is taken of. Its text is the `channel` of published values and trends.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Subject {
     /// A channel, over time.
@@ -126,7 +126,7 @@ impl QuantityId {
         }
     }
 
-    /// A number that is no statistic over time: the final value of its subject.
+    /// A number without a statistic over time: the final value of its subject.
     #[must_use]
     pub const fn single(of: Subject) -> Self {
         Self::new(of, Statistic::Final, None)

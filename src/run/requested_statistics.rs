@@ -1,4 +1,4 @@
-//! Which single numbers are wanted of a run: of its channels and of the whole line.
+//! The statistics that a run computes of its channels and of the whole line.
 
 use super::Subject;
 use super::line_statistics;
@@ -13,7 +13,7 @@ pub enum StatisticSource {
     Line(AlongLine),
 }
 
-/// A number that is wanted of a channel or of the whole line.
+/// A statistic of a channel or of the whole line.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RequestedStatistic {
     /// What it is taken of.

@@ -1,5 +1,5 @@
-//! How far the nodes of a line move about their mean places: root mean squares and, where something drives the line at
-//! one period, amplitude and phase at that period. Sums grow with the nodes, not with the time.
+//! Displacements of the nodes about their mean positions: root mean squares and, where the line is driven at one period,
+//! amplitude and phase at that period. Memory grows with the nodes, not with the time.
 //!
 //! Amplitude and phase are those across the line in the plane of its mean shape, by complex demodulation: with
 //! `u(t) = Re(a e^(i omega t))`, `a = 2 <(u - mean u) e^(-i omega t)>` over the output times. A wave that runs towards end B
@@ -31,7 +31,7 @@ pub struct Response {
 }
 
 impl Response {
-    /// What the case asks for; nothing where it does not.
+    /// For a case that asks for it.
     pub(super) fn of(case: &Case) -> Option<Self> {
         Some(Self {
             from: case.output.response_from_s?,
@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn travelling_and_standing_waves_are_told_apart() {
+    fn travelling_and_standing_waves_are_distinguished() {
         for back in [0.0, 0.5, 1.0, 2.0, 5.0] {
             let (arc, profile) = driven(back);
             let expected = (4.0 - back * back) / (4.0 + back * back);

@@ -1,4 +1,4 @@
-//! A stored run gone on with: what is to be computed, and from where.
+//! Resuming a stored run: the request to compute, and the checkpoint.
 
 use std::path::Path;
 
@@ -7,15 +7,15 @@ use super::{Resume, store};
 use crate::case::{self, Diagnostic};
 use crate::dynamics::March;
 
-/// The request of a stored run, up to its own end or a later one \[s\], and where it stands.
+/// The request of a stored run, up to its own end or a later one \[s\], and its checkpoint.
 ///
 /// # Errors
-/// Why the run cannot go on, in words.
+/// Why the run cannot be resumed.
 pub fn resume_request(dir: &Path, until: Option<f64>) -> Result<(Request, Resume), String> {
     let info = store::read_info(dir).map_err(|e| e.to_string())?;
     if store::is_locked(dir) {
         return Err(format!(
-            "{} is still being computed by another program; it can go on once that has ended.",
+            "{} is still being computed by another program; it can be resumed once that has ended.",
             dir.display()
         ));
     }
@@ -30,7 +30,7 @@ pub fn resume_request(dir: &Path, until: Option<f64>) -> Result<(Request, Resume
         overrides.push(format!("solver.duration_s={value}"));
     }
     let case = case::parse(&text, &info.case_file).map_err(|all| first(&all))?;
-    // The march that goes on must be the one that the checkpoint is of.
+    // The time grid must be that of the checkpoint.
     let march = March {
         duration: case.solver.duration_s,
         step: info.settings.time_step_s.max(from.checkpoint.whole_step_s),
@@ -38,7 +38,7 @@ pub fn resume_request(dir: &Path, until: Option<f64>) -> Result<(Request, Resume
     };
     if !from.checkpoint.fits(&march.grid()) {
         return Err(format!(
-            "The run cannot go on to {} s: that is no whole number of its output intervals of {} s.",
+            "The run cannot be resumed to {} s, which is not a whole number of its output intervals of {} s.",
             case.solver.duration_s, case.output.interval_s
         ));
     }

@@ -1,4 +1,4 @@
-//! Settings as the solver will use them, also those the case leaves open.
+//! The settings that the solver uses, those included that the case leaves open.
 
 use super::Settings;
 use crate::case::{Case, Method};
@@ -101,7 +101,7 @@ fn forced_period(scene: &Scene) -> f64 {
     period
 }
 
-/// Tells what generalized-alpha damped by itself, in steps of these lengths \[s\], so many of each.
+/// Sets the numerical damping of generalized-alpha in steps of these lengths \[s\] and numbers.
 pub(super) fn set_numerical_damping(settings: &mut Settings, scene: &Scene, steps: &[(f64, u64)]) {
     if let (Some(rho), false) = (settings.rho_inf, steps.is_empty()) {
         let period = forced_period(scene);
@@ -111,12 +111,12 @@ pub(super) fn set_numerical_damping(settings: &mut Settings, scene: &Scene, step
     }
 }
 
-/// A mode that loses more than this share of its amplitude in a cycle, or whose period is longer by more than a tenth of it, is
-/// told of.
+/// A mode that loses more than this share of its amplitude in a cycle, or whose period is longer by more than a tenth of
+/// it, gives a warning.
 const NOTABLE: f64 = 0.01;
 
-/// What generalized-alpha makes of the natural modes of these frequencies \[Hz\] in steps of these lengths \[s\], so many
-/// of each, where that is worth telling.
+/// A warning of the numerical damping and period error of natural modes of these frequencies \[Hz\] by generalized-alpha, in
+/// steps of these lengths \[s\] and numbers.
 pub(super) fn damped_modes_warning(
     settings: &Settings,
     steps: &[(f64, u64)],

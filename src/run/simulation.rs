@@ -34,7 +34,7 @@ pub(super) fn simulate<'a>(
     let from_run = warm.is_some() && case.solver.method != Method::Static;
     let mut method_state = None;
     if let Some(warm) = warm {
-        (state, method_state) = (warm.state, warm.carried);
+        (state, method_state) = (warm.state, warm.method_state);
     }
     if let Some(resume) = resume {
         work.iterations = resume.checkpoint.start_iterations;

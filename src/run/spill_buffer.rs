@@ -55,7 +55,7 @@ impl SpillBuffer {
         Ok(())
     }
 
-    /// Moves what is held to the end of the file.
+    /// Appends the samples in memory to the file.
     fn spill(&mut self) -> io::Result<()> {
         let file = match &mut self.file {
             Some(file) => file,

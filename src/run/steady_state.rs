@@ -1,4 +1,4 @@
-//! From when on a response is steady.
+//! The time from which on a response is steady.
 
 use super::response::period;
 use super::{LineShape, Quantity, QuantityId, Subject};
@@ -7,7 +7,7 @@ use crate::numerics::V3;
 
 /// A period counts as steady when its root mean square is this near to that of the last one.
 const BAND: f64 = 0.05;
-/// Of places that move less than this part of the farthest nothing is told.
+/// Nodes that move less than this share of the farthest do not count.
 const STILL: f64 = 1e-6;
 
 /// Time \[s\] from which on every period of the driving moves the line as far as the last one does, to a twentieth:

@@ -10,7 +10,7 @@ use crate::case::{AlongLine, Case, EnvelopeOf, Statistic};
 use crate::scene::Scene;
 use crate::solve::State;
 
-/// What is taken into the envelopes at every step.
+/// The nodes whose envelopes are widened at every step.
 #[derive(Debug, Clone, Default)]
 pub(super) struct StepEnvelope {
     /// Nodes whose tension and height are.
@@ -20,7 +20,7 @@ pub(super) struct StepEnvelope {
 }
 
 impl StepEnvelope {
-    /// What a case asks for of its line.
+    /// The nodes that a case asks for.
     pub(super) fn of(case: &Case, scene: &Scene) -> Self {
         use AlongLine::{BendRadius, Curvature, Height, Moment, Tension};
         let nodes = 0..scene.line_nodes();
@@ -37,7 +37,7 @@ impl StepEnvelope {
         }
     }
 
-    /// Takes a step in; allocates nothing.
+    /// Takes in an accepted step; does not allocate.
     pub(super) fn update(&self, scene: &Scene, state: &State, profile: &mut Profile) {
         for i in self.whole.clone() {
             let (tension, z) = (scene.tension_at(i, state), state.x[i].z);

@@ -10,14 +10,14 @@
 //! | `history.csv` | `time_s` and one column a channel, at the output times |
 //! | `profile.csv` | the line node by node at the end, and its envelope over time |
 //! | `ropes.csv` | dynamic stiffness along the ropes that have it, at the end, and its envelope over time |
-//! | `checkpoint.toml` | everything that is needed to go on from where the run stands |
+//! | `checkpoint.toml` | everything that is needed to resume the run |
 //! | `shapes.csv` | `time_s,node,x_m,y_m,z_m,tension_n`: stored shapes one after the other |
 //!
 //! **A kill at any moment leaves either the complete run or one marked `partial`.** The directory
 //! appears under its name with `case.toml` and `run.toml` (state `partial`) already in it; history and
 //! shapes grow while the run goes on; at the end every file is written beside its name, synced and
 //! renamed, and `run.toml` with the final state goes last. While a program computes a run it holds a lock on the
-//! directory ([`is_locked`]), so that a partial run that goes on is told from one that was killed.
+//! directory ([`is_locked`]), so that a partial run under way is distinguished from one that was killed.
 //!
 //! Numbers are written with the fewest digits that read back to the same bits.
 
@@ -36,6 +36,8 @@ mod timestamp;
 mod writer;
 
 use std::{io, path::PathBuf};
+
+use crate::files::WriteError;
 
 pub use create::RunLocation;
 pub use list::{StoredRun, list};
@@ -81,12 +83,15 @@ pub enum StoreError {
         /// What is wrong, with line and column where known.
         reason: String,
     },
-    /// A run that cannot be gone on with.
-    #[error("{} has no checkpoint.toml to go on from: it stopped before its first one, or is at rest.", .0.display())]
+    /// A run that cannot be resumed.
+    #[error("{} has no checkpoint.toml to resume from: it stopped before its first one, or is static.", .0.display())]
     NoCheckpoint(PathBuf),
     /// The directory chosen for a run already holds something.
     #[error("{} already holds files; a run never overwrites. Name a directory that does not exist yet.", .0.display())]
     Taken(PathBuf),
+    /// A file cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
     /// The operating system refused.
     #[error("{action} {} failed: {source}", path.display())]
     Io {

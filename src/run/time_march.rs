@@ -142,7 +142,7 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
         self.recorder.enter(scene);
         *state = from.state.clone();
         scene.update_wave_kinematics(from.place.time, state);
-        self.method.restore(&from.carried);
+        self.method.restore(&from.method_state);
         (self.position, self.phase) = (from.place, from.phase);
         Ok(())
     }
@@ -218,12 +218,12 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
             warnings: self.start.warnings.to_vec(),
             place: self.position,
             state: state.clone(),
-            carried: self.method.method_state(),
+            method_state: self.method.method_state(),
             // The observers fill in the rest.
             peaks: Vec::new(),
             troughs: Vec::new(),
-            longest: Vec::new(),
-            front: None,
+            greatest_lengths: Vec::new(),
+            touchdown: None,
             profile: Profile::default(),
             response: None,
         });

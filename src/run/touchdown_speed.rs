@@ -1,8 +1,8 @@
-//! How fast the line lies down on the bed, against the waves along it.
+//! Speed of the touchdown point along the bed, by the speed of transverse waves.
 //!
 //! The place where the line touches the bed moves as the line is lowered. Where it runs faster than the waves across the
 //! line, `sqrt(T/m)` with the added mass, the line cannot lie down smoothly: it slams down (the shock of Triantafyllou,
-//! Bliek and Shin 1985), and tensions near there depend on the mesh and on what the bed is said to be like. A run tells of it.
+//! Bliek and Shin 1985), and tensions near there depend on the mesh and on the stiffness of the bed. A run warns of it.
 
 use serde::{Deserialize, Serialize};
 
@@ -15,7 +15,7 @@ const CLEAR: f64 = 0.01;
 /// Segments that a front is timed over.
 const SPAN: usize = 3;
 
-/// Watches the line lie down.
+/// The touchdown of the nodes so far. The names of the fields are those of `checkpoint.toml`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct TouchdownSpeed {
     /// Time of the last step \[s\].
@@ -30,7 +30,7 @@ pub struct TouchdownSpeed {
     fastest: Option<TouchdownFront>,
 }
 
-/// A front of line that lies down.
+/// A moving touchdown point.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct TouchdownFront {
     time: f64,
@@ -40,7 +40,7 @@ struct TouchdownFront {
 }
 
 impl TouchdownSpeed {
-    /// For a line; watches nothing where there is no bed.
+    /// For a line; without a bed nothing is recorded.
     pub(super) fn of(scene: &Scene) -> Self {
         let nodes = if scene.elements.bed.is_some() {
             scene.line_nodes()
@@ -55,7 +55,7 @@ impl TouchdownSpeed {
         }
     }
 
-    /// Takes a step in; allocates nothing.
+    /// Takes in an accepted step; does not allocate.
     pub(super) fn update(&mut self, scene: &Scene, t: f64, state: &State) {
         let Some(bed) = &scene.elements.bed else {
             return;
@@ -77,7 +77,7 @@ impl TouchdownSpeed {
         self.time = t;
     }
 
-    /// Holds the front that has come to node i by this way against the waves there.
+    /// Compares the speed of the touchdown point at node i, from this side, with the waves there.
     fn compare(&mut self, scene: &Scene, i: usize, way: isize, state: &State) {
         let back = |k: usize| i.checked_add_signed(-way * k as isize);
         let times = (0..=SPAN).map(|k| Some(*self.landed.get(back(k)?)?));
@@ -104,7 +104,7 @@ impl TouchdownSpeed {
         }
     }
 
-    /// What a run must tell of it.
+    /// The warning where the touchdown point was faster than waves.
     pub(super) fn warning(&self) -> Option<String> {
         let TouchdownFront {
             time,

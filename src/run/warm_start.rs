@@ -1,4 +1,4 @@
-//! A run that starts where a stored one stands: its shape, how it moves, and what it remembers.
+//! Warm start of a run from the checkpoint of a stored one: positions, velocities, and the memory of bed and ropes.
 
 use super::Checkpoint;
 use crate::case::{Case, Method};
@@ -11,15 +11,15 @@ use crate::solve::{Kinematics, State};
 /// How far an end may be from where the run left it, as a share of the line's length: what more is would be a jerk.
 const APART: f64 = 1e-6;
 
-/// Where a run begins.
+/// The initial state from a stored run.
 pub(super) struct WarmStart {
     /// The line, at time zero.
     pub(super) state: State,
-    /// What the method carries on, where it is the same one.
-    pub(super) carried: Option<MethodState>,
+    /// State of the method, where it is the same one.
+    pub(super) method_state: Option<MethodState>,
 }
 
-/// Where the run stands that the case starts from, if it does, on the mesh of the scene.
+/// The checkpoint of the run that the case starts from, if it does, on the mesh of the scene.
 ///
 /// # Errors
 /// Why it cannot start there, in words.
@@ -27,22 +27,26 @@ pub(super) fn warm_start(case: &Case, scene: &Scene) -> Result<Option<WarmStart>
     let Some(name) = &case.start.from_run else {
         return Ok(None);
     };
-    let text = case.files.get(name).map_or("", |carried| &carried.text);
-    let stands: Checkpoint = toml::from_str(text)
-        .map_err(|error| format!("where {name} stands cannot be read: {}", error.message()))?;
-    let there = &stands.profile.arc;
+    let text = case.files.get(name).map_or("", |file| &file.text);
+    let stored: Checkpoint = toml::from_str(text).map_err(|error| {
+        format!(
+            "the checkpoint of {name} cannot be read: {}",
+            error.message()
+        )
+    })?;
+    let there = &stored.profile.arc;
     let here = &scene.line.arc[..scene.line_nodes()];
     let beyond = scene.nodes() - here.len();
-    if stands.state.x.len() != there.len() + beyond {
+    if stored.state.x.len() != there.len() + beyond {
         return Err(format!(
             "{name} is a run with another payload: only one of the two turns about the end of the line"
         ));
     }
     let same = there.len() == here.len();
     let mut state = if same {
-        stands.state
+        stored.state
     } else {
-        resampled(&stands.state, there, here)
+        resampled(&stored.state, there, here)
     };
     // Its time begins anew, and with it that of what it remembers.
     state.memory.time = 0.0;
@@ -55,27 +59,31 @@ pub(super) fn warm_start(case: &Case, scene: &Scene) -> Result<Option<WarmStart>
         let apart = (held.x[node] - place).norm();
         if apart > APART * length {
             return Err(format!(
-                "end {letter} begins {apart:.3} m from where {name} left it, which would be a jerk; let ends.{letter} begin \
+                "end {letter} begins {apart:.3} m from where {name} left it, which would be a jump; let ends.{letter} begin \
                  at ({:.6}, {:.6}, {:.6}) m",
                 place.x, place.y, place.z
             ));
         }
     }
-    let carried = Some(stands.carried).filter(|c| same && is_of(c, case.solver.method, scene));
-    let carried = carried.map(|carried| MethodState {
+    let method_state =
+        Some(stored.method_state).filter(|c| same && belongs_to(c, case.solver.method, scene));
+    let method_state = method_state.map(|known| MethodState {
         work_counts: WorkCounts::default(),
-        ..carried
+        ..known
     });
-    Ok(Some(WarmStart { state, carried }))
+    Ok(Some(WarmStart {
+        state,
+        method_state,
+    }))
 }
 
-/// Whether it is this method that carried this.
-fn is_of(carried: &MethodState, method: Method, scene: &Scene) -> bool {
+/// Whether a state of a method is that of this method.
+fn belongs_to(known: &MethodState, method: Method, scene: &Scene) -> bool {
     let nodes = scene.nodes();
     match method {
-        Method::Alpha | Method::Auto => carried.jerk.len() == nodes,
-        Method::Quasi => carried.x_before.len() == nodes,
-        Method::Rk4 => carried.jerk.is_empty() && carried.x_before.is_empty(),
+        Method::Alpha | Method::Auto => known.jerk.len() == nodes,
+        Method::Quasi => known.x_before.len() == nodes,
+        Method::Rk4 => known.jerk.is_empty() && known.x_before.is_empty(),
         Method::Static => false,
     }
 }

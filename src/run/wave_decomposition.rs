@@ -1,10 +1,10 @@
-//! The two waves that run against each other in a response at one period, told apart.
+//! Decomposition of a response at one period into the two waves of opposite direction.
 //!
 //! Around every place, the complex amplitude `a = cos + i sin` of [`response`](super::response) is fitted by least squares
 //! over half a local wave by `A (D e^(i phase) + U e^(-i phase))`, with the phase and the amplitude A that WKB theory gives
 //! the line at rest ([`wave_number`](crate::modes::wave_number)): D runs towards end A, U towards end B. With the greatest size D + U and the
 //! least |D - U| of what both make together, their standing wave ratio is `(D + U) / |D - U|` (Pozar 2012, section 2.3, for
-//! lines of any kind): 1 where all travels, infinite where all stands. Where loads act on the line or it
+//! lines of any kind): 1 for a travelling wave, infinite for a standing one. Where loads act on the line or it
 //! bends sharply, a fit says what the motion is most like.
 
 use std::f64::consts::{PI, TAU};
@@ -18,7 +18,7 @@ use crate::modes::{Medium, Wave};
 use crate::scene::Scene;
 use crate::statics::equilibrium::EquilibriumSearch;
 
-/// What the response is most like around a place.
+/// The two waves around a place.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct OpposingWaves {
     /// Amplitude of what runs towards end A \[m\].
@@ -30,8 +30,8 @@ pub(super) struct OpposingWaves {
     pub(super) number: f64,
 }
 
-/// Writes into the profile what WKB theory makes of the line at rest at the driving period, and both waves; leaves it as it
-/// is where nothing drives the line at one period, the response was not recorded, or the line does not rest.
+/// Writes into the profile WKB wave number and amplitude of the line at rest at the driving period, and both waves. Changes
+/// nothing where no single period drives the line, the response was not recorded, or the line has no equilibrium.
 pub(super) fn decompose_response(case: &Case, scene: &Scene, profile: &mut Profile) {
     let Some(period) = period(case).filter(|_| !profile.wave_cos.is_empty()) else {
         return;
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn opposed_waves_are_told_apart_everywhere() {
+    fn opposing_waves_are_separated_everywhere() {
         for (down, up) in [(2.0, 0.0), (2.0, 0.5), (1.0, 1.0), (0.3, 1.7)] {
             let (arc, cos, sin, wave) = response(down, up);
             let found = decompose(&arc, &cos, &sin, &wave).unwrap();
@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn the_response_tells_its_own_wave_number() {
+    fn the_response_has_its_own_wave_number() {
         let (arc, cos, sin, wave) = response(2.0, 0.5);
         let found = decompose(&arc, &cos, &sin, &wave).unwrap();
         // Over a whole wave the number changes, and its mean is that of the middle to second order.
@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn less_than_half_a_wave_tells_nothing() {
+    fn less_than_half_a_wave_is_not_decomposed() {
         let (arc, cos, sin, mut wave) = response(1.0, 1.0);
         wave.phase.iter_mut().for_each(|p| *p *= 0.1);
         assert!(decompose(&arc, &cos, &sin, &wave).is_none());

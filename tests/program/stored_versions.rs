@@ -83,7 +83,7 @@ fn a_run_of_the_version_before_opens_reports_and_resumes() {
     let case = case::parse(&run.case_text, "hanging.toml").unwrap();
     let rows = reference::rows_of_run(&run, &case);
     let report = text::report(&run, &case, &rows, Glyphs::Ascii);
-    assert!(report.contains(&run.info.title) && report.contains("mean_load_percent[upper.a]"));
+    assert!(report.contains(&run.info.title) && report.contains("mean_load_percent.max"));
     assert_resumes(&stored());
 }
 

@@ -102,7 +102,7 @@ fn step(settings: &Settings) -> String {
     }
 }
 
-/// What the method damps by itself, in words, where it tells.
+/// The numerical damping of the method, where it is known.
 #[must_use]
 pub fn numerical_damping(settings: &Settings) -> Option<String> {
     let ratio = settings.numerical_damping?;

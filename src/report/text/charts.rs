@@ -16,7 +16,7 @@ const HEIGHT: usize = 20;
 /// Rows of a map, whose stripes need them.
 const MAP_HEIGHT: usize = 30;
 
-/// Every chart that has something to show; of the rows of its case, the curves that the run was held against.
+/// Every chart that has something to show; of the rows of its case, the published curves.
 pub(super) fn all(page: &mut Page, run: &Run, case: &Case, rows: &[ValidationRow], glyphs: Glyphs) {
     let charts = report_figures(run, case, rows);
     if charts.is_empty() {

@@ -40,7 +40,7 @@ pub(crate) fn list(page: &mut Page, all: &[FieldRow], sourced: bool) {
     }
 }
 
-/// Names stand in the headings, and what does not matter here needs no words.
+/// Names are in the headings; keys that have no effect are left out.
 fn shown(row: &FieldRow) -> bool {
     !row.value.is_empty() && row.field.kind != Kind::Name && row.is_shown()
 }

@@ -104,7 +104,7 @@ impl Page {
     }
 }
 
-/// Breaks words into lines of at most so many characters; a longer word stands alone.
+/// Breaks words into lines of at most so many characters; a longer word gets a line of its own.
 pub(crate) fn wrap(words: &str, width: usize) -> Vec<String> {
     let mut lines = Vec::new();
     let mut line = String::new();

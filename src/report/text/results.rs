@@ -7,7 +7,7 @@ use crate::{
         limits as limits_table, nodes as nodes_table,
         number::{order, si, with_error},
         response,
-        table::{Cell, CellInk, Column, Table},
+        table::{Align, Cell, Table},
     },
     run::{Quantity, Run, Subject, limits::check},
 };
@@ -21,13 +21,23 @@ pub fn summary(run: &Run) -> String {
     if run.summary.is_empty() {
         return "The run holds no results.\n".to_owned();
     }
+    let rows = grouped(&run.summary);
     let estimated = run.summary.iter().any(|q| q.error_estimate().is_some());
-    let table = if estimated {
-        with_errors(&run.summary)
-    } else {
-        bare(&run.summary)
-    };
-    table.to_text(WIDTH)
+    let table = Table::of("", &rows)
+        .text("quantity", |row| row.name.as_str())
+        .cell("value", Align::Decimal, |row| row.cell(value))
+        .when(estimated, |table| {
+            table
+                .cell("time error", Align::Right, |row| {
+                    row.cell(|q| error(q.time_error, &q.unit()))
+                })
+                .cell("mesh error", Align::Right, |row| {
+                    row.cell(|q| error(q.mesh_error, &q.unit()))
+                })
+        })
+        .build();
+    let note = (!estimated).then_some("Numerical errors were not estimated.");
+    table.noted(note).to_text(WIDTH)
 }
 
 /// The sections against their breaking load and least bending radius, on 80 columns; nothing where the case states
@@ -56,54 +66,51 @@ pub(super) fn answer(page: &mut Page, run: &Run, case: &Case) {
 pub(super) fn nodes(page: &mut Page, run: &Run) {
     if !run.profile.nodes.is_empty() {
         page.heading("The line node by node");
-        page.block(&nodes_table::thinned(&run.profile, NODES).to_text(WIDTH));
+        page.block(&nodes_table::sampled(&run.profile, NODES).to_text(WIDTH));
     }
 }
 
-fn with_errors(quantities: &[Quantity]) -> Table {
-    let rows = grouped(quantities)
-        .into_iter()
-        .flat_map(|(channel, of_channel)| {
-            let head = vec![Cell::plain(channel)];
-            let cells = of_channel.into_iter().map(|(statistic, q)| {
-                vec![
-                    Cell::plain(statistic),
-                    value(q),
-                    error(q.time_error, &q.unit()),
-                    error(q.mesh_error, &q.unit()),
-                ]
-            });
-            std::iter::once(head).chain(cells).collect::<Vec<_>>()
-        });
-    Table {
-        columns: vec![
-            Column::left("quantity"),
-            Column::decimal("value"),
-            Column::right("time error"),
-            Column::right("mesh error"),
-        ],
-        rows: rows.collect(),
-        ..Table::default()
+/// A row of the summary: a single number, or the heading of those of one channel.
+struct SummaryRow<'a> {
+    name: String,
+    quantity: Option<&'a Quantity>,
+}
+
+impl SummaryRow<'_> {
+    /// A cell of a number; an empty one in a heading.
+    fn cell(&self, of: impl Fn(&Quantity) -> Cell) -> Cell {
+        self.quantity.map_or_else(|| Cell::plain(""), of)
     }
 }
 
-/// Quantities by channel, in the order in which the channels come: `tension_n[wire|payload]` with
-/// `.max`, `.mean(0..200)`, which together are the name in `summary.csv`.
-fn grouped(quantities: &[Quantity]) -> Vec<(String, Vec<(String, &Quantity)>)> {
-    let mut groups: Vec<(String, Vec<(String, &Quantity)>)> = Vec::new();
+/// Quantities by channel, in the order in which the channels come: below the heading `tension_n[wire|payload]` the rows
+/// `.max` and `.mean(0..200)`, which together are the names in `summary.csv`.
+fn grouped(quantities: &[Quantity]) -> Vec<SummaryRow<'_>> {
+    let mut groups: Vec<(String, Vec<SummaryRow<'_>>)> = Vec::new();
     for quantity in quantities {
-        let (head, row) = match quantity.id.parts() {
+        let (head, name) = match quantity.id.parts() {
             (subject @ (Subject::Channel(_) | Subject::ModeFrequency(..)), rest) => {
                 (subject.to_string(), rest)
             }
             _ => (String::new(), quantity.name()),
         };
+        let row = SummaryRow {
+            name,
+            quantity: Some(quantity),
+        };
         match groups.iter_mut().find(|(known, _)| *known == head) {
-            Some((_, group)) => group.push((row, quantity)),
-            None => groups.push((head, vec![(row, quantity)])),
+            Some((_, group)) => group.push(row),
+            None => groups.push((head, vec![row])),
         }
     }
-    groups
+    let with_heading = |(name, rows)| {
+        let heading = SummaryRow {
+            name,
+            quantity: None,
+        };
+        std::iter::once(heading).chain(rows)
+    };
+    groups.into_iter().flat_map(with_heading).collect()
 }
 
 fn value(quantity: &Quantity) -> Cell {
@@ -122,25 +129,6 @@ fn error(error: Option<f64>, unit: &str) -> Cell {
             Cell::plain(si((error / digit).round() * digit, unit))
         }
         Some(error) => Cell::plain(si(error, unit)),
-        None => Cell::new("-", CellInk::Dim),
-    }
-}
-
-fn bare(quantities: &[Quantity]) -> Table {
-    let rows = grouped(quantities)
-        .into_iter()
-        .flat_map(|(channel, of_channel)| {
-            let cells = of_channel.into_iter().map(|(statistic, q)| {
-                vec![Cell::plain(statistic), Cell::plain(si(q.value, &q.unit()))]
-            });
-            std::iter::once(vec![Cell::plain(channel)])
-                .chain(cells)
-                .collect::<Vec<_>>()
-        });
-    Table {
-        columns: vec![Column::left("quantity"), Column::decimal("value")],
-        rows: rows.collect(),
-        notes: vec!["Numerical errors were not estimated.".to_owned()],
-        ..Table::default()
+        None => Cell::none(),
     }
 }

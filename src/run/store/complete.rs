@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::{
     CASE, CHANNELS, ERRORS, HISTORY, PROFILE, ROPES, RUN, SHAPES, SUMMARY, StoreError, columns,
-    create::{info_text, replace, sync_dir},
+    create::{info_text, replace},
     number::{text, text_or_empty},
     profile::{PROFILE_COLUMNS, ROPE_COLUMNS},
     shapes::{SHAPE_COLUMNS, write_shape},
@@ -46,7 +46,6 @@ pub(super) fn all(dir: &Path, id: &str, run: &Run, streamed: bool) -> Result<(),
         let table = columns::write(&ROPE_COLUMNS, &profile.ropes, segments)?;
         replace(dir, ROPES, &table)?;
     }
-    sync_dir(dir);
 
     let mut info = RunInfo {
         id: id.to_owned(),
@@ -59,7 +58,6 @@ pub(super) fn all(dir: &Path, id: &str, run: &Run, streamed: bool) -> Result<(),
         ));
     }
     replace(dir, RUN, info_text(dir, &info)?.as_bytes())?;
-    sync_dir(dir);
     Ok(())
 }
 

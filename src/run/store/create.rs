@@ -1,8 +1,7 @@
 //! A new run directory, under a name nobody else has.
 
 use std::{
-    fs::{self, File},
-    io::{self, Write},
+    fs, io,
     path::{Path, PathBuf},
     process,
     sync::atomic::{AtomicU64, Ordering},
@@ -14,6 +13,7 @@ use super::{
     lock::{DirectoryLock, lock_directory},
     timestamp::stamp,
 };
+use crate::files::{Target, sync_directory};
 use crate::run::{RunInfo, RunState};
 use crate::visible;
 
@@ -144,7 +144,7 @@ fn appear(
         let _ = fs::remove_dir_all(&hidden);
     }
     let held = filled?;
-    sync_dir(&parent);
+    sync_directory(&parent);
     Ok(held)
 }
 
@@ -163,23 +163,9 @@ pub(super) fn info_text(dir: &Path, info: &RunInfo) -> Result<String, StoreError
     Ok(visible::toml(&text).into_owned())
 }
 
-/// Writes a file beside its name, syncs it and renames it: a reader sees the old or the new one whole.
+/// Replaces a file of a run directory: a reader sees the old or the new one whole.
 pub(super) fn replace(dir: &Path, name: &str, bytes: &[u8]) -> Result<(), StoreError> {
-    let (path, beside) = (dir.join(name), dir.join(format!(".{name}.new")));
-    let write = || -> io::Result<()> {
-        let mut file = File::create(&beside)?;
-        file.write_all(bytes)?;
-        file.sync_all()?;
-        fs::rename(&beside, &path)
-    };
-    write().map_err(StoreError::io("Writing", path.clone()))
-}
-
-/// Makes renames in a directory last over a power cut; a file system that cannot is left alone.
-pub(super) fn sync_dir(dir: &Path) {
-    if let Ok(open) = File::open(dir) {
-        let _ = open.sync_all();
-    }
+    Ok(Target::replacing(&dir.join(name)).write(bytes)?)
 }
 
 fn parent_of(dir: &Path) -> PathBuf {

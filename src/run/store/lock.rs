@@ -1,18 +1,18 @@
-//! Who writes a run: the program that computes it holds a lock on its directory, which the system takes back when the
-//! program ends, however it ends. A partial run that nobody holds was killed.
+//! The lock on a run directory: the program that computes a run holds it, and the system releases it when the program ends,
+//! however it ends. A partial run without a lock was killed.
 
 use std::{fs::File, path::Path};
 
 use rustix::fs::{FlockOperation, flock};
 use rustix::io::Errno;
 
-/// A run directory held; dropped, it is let go.
+/// A lock on a run directory, released when dropped.
 #[derive(Debug)]
 pub(super) struct DirectoryLock {
     _directory: File,
 }
 
-/// Holds a directory; nothing where the file system has no locks.
+/// Locks a directory; `None` where the file system has no locks.
 pub(super) fn lock_directory(dir: &Path) -> Option<DirectoryLock> {
     let directory = File::open(dir).ok()?;
     flock(&directory, FlockOperation::NonBlockingLockExclusive).ok()?;

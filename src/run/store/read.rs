@@ -17,8 +17,8 @@ use crate::run::{
     RunInfo, RunState, VERSION,
 };
 
-/// Reads a run. What is damaged or missing is left out, and said in [`RunInfo::warnings`]; so is a
-/// run found in state partial.
+/// Reads a run. What is damaged or missing is left out, with a warning in [`RunInfo::warnings`]; a
+/// partial run gives one, too.
 ///
 /// # Errors
 /// Nothing is there, it is no run directory, or `run.toml` cannot be understood.
@@ -60,7 +60,7 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
     Ok(run)
 }
 
-/// Reads where a run stands, to go on from there.
+/// Reads the checkpoint of a run.
 ///
 /// # Errors
 /// The run has no checkpoint, or one that cannot be understood.

@@ -1,4 +1,4 @@
-//! A run on its way to disk.
+//! Writes a run to disk while it is computed.
 
 use std::{
     fs::File,
@@ -15,12 +15,13 @@ use super::{
     table::CsvWriter,
 };
 use crate::case::ChannelId;
+use crate::files::create_stream;
 use crate::run::{Checkpoint, Frame, LineShape, Run, RunInfo, event::Event};
 
 /// How long rows may wait in memory.
 const FLUSH: Duration = Duration::from_secs(1);
 
-/// Writes a run while it goes on: [`Writer::begin`], [`Writer::event`] for all that the job says (or
+/// Writes a run while it is computed: [`Writer::begin`], [`Writer::event`] for all that the job says (or
 /// [`Writer::channels`] and [`Writer::frame`]), and [`Writer::finish`].
 ///
 /// Dropped without `finish`, it leaves a run marked partial.
@@ -30,7 +31,7 @@ pub struct Writer {
     id: String,
     streams: Option<Streams>,
     flushed: Instant,
-    /// Says that the run goes on, for as long as it is written.
+    /// The lock on the directory, held while the run is written.
     _held: Option<DirectoryLock>,
 }
 
@@ -74,7 +75,7 @@ impl Writer {
         &self.id
     }
 
-    /// Takes what a job says; the end is for [`Writer::finish`].
+    /// Writes an event of a job; the end is for [`Writer::finish`].
     ///
     /// # Errors
     /// The system refuses, for example because the disk is full.
@@ -131,7 +132,7 @@ impl Writer {
         Ok(())
     }
 
-    /// Writes down how to go on from here, once all that was recorded before is on disk.
+    /// Writes a checkpoint once everything recorded before is on disk.
     fn checkpoint(&mut self, checkpoint: &Checkpoint) -> Result<(), StoreError> {
         self.flush()?;
         let text = toml::to_string(checkpoint).map_err(|error| StoreError::Damaged {
@@ -141,7 +142,7 @@ impl Writer {
         create::replace(&self.dir, CHECKPOINT, text.as_bytes())
     }
 
-    /// Brings everything taken so far to disk.
+    /// Writes everything received so far to disk.
     ///
     /// # Errors
     /// The system refuses.
@@ -178,10 +179,10 @@ impl Writer {
         Ok(self.dir)
     }
 
-    /// A file that grows while the run goes on.
+    /// A file that grows while the run is computed.
     fn stream(&self, name: &str, head: CsvWriter) -> Result<BufWriter<File>, StoreError> {
         let path = self.dir.join(name);
-        let file = File::create(&path).map_err(StoreError::io("Writing", path.clone()))?;
+        let file = create_stream(&path).map_err(StoreError::io("Writing", path.clone()))?;
         let mut stream = BufWriter::with_capacity(1 << 16, file);
         let put = StoreError::io("Writing", path);
         stream

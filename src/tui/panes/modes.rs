@@ -104,7 +104,7 @@ impl Pane for Modes {
             painter,
             note,
             line.modes.text != editor.text,
-            &views::troubles(modes),
+            &views::instability_notes(modes),
         );
         let number = line.modes.pane.selected(&bare).unwrap_or(0);
         shapes(painter, pictures, modes, number, both, line.modes.over);
