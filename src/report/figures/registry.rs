@@ -139,60 +139,64 @@ impl CaseContents<'_> {
     fn records(&self, quantity: ChannelQuantity) -> bool {
         self.dynamic && self.channels.iter().any(|c| c.id.quantity == quantity)
     }
+}
 
-    /// Whether an end moves.
-    fn moves(&self) -> bool {
-        let of_end =
-            |c: &ChannelSpec| matches!((c.id.quantity, c.site), (ChannelQuantity::X, Site::End(_)));
-        self.dynamic && self.channels.iter().any(of_end)
-    }
+/// Whether an end moves.
+fn moves(c: &CaseContents) -> bool {
+    let of_end = |spec: &ChannelSpec| {
+        matches!(
+            (spec.id.quantity, spec.site),
+            (ChannelQuantity::X, Site::End(_))
+        )
+    };
+    c.dynamic && c.channels.iter().any(of_end)
+}
 
-    /// Whether there is a fibre rope.
-    fn rope(&self) -> bool {
-        let of_rope = |c: &ChannelSpec| c.id.quantity == ChannelQuantity::Stiffness;
-        self.channels.iter().any(of_rope)
-    }
+/// Whether there is a fibre rope.
+fn rope(c: &CaseContents) -> bool {
+    let of_rope = |spec: &ChannelSpec| spec.id.quantity == ChannelQuantity::Stiffness;
+    c.channels.iter().any(of_rope)
+}
 
-    /// Whether the steady response is recorded.
-    fn response(&self) -> bool {
-        self.dynamic && self.case.output.response_from_s.is_some()
-    }
+/// Whether the steady response is recorded.
+fn response(c: &CaseContents) -> bool {
+    c.dynamic && c.case.output.response_from_s.is_some()
+}
 
-    /// Whether that response has a period.
-    fn driven(&self) -> bool {
-        self.response() && response::period(self.case).is_some()
-    }
+/// Whether that response has a period.
+fn driven(c: &CaseContents) -> bool {
+    response(c) && response::period(c.case).is_some()
+}
 
-    /// Whether waves are irregular; a regular wave is a sine, which need not be drawn.
-    fn irregular_sea(&self) -> bool {
-        let waves = self.case.waves.as_ref();
-        self.dynamic && waves.is_some_and(|waves| waves.kind == WaveKind::Irregular)
-    }
+/// Whether waves are irregular; a regular wave is a sine, which need not be drawn.
+fn irregular_sea(c: &CaseContents) -> bool {
+    let waves = c.case.waves.as_ref();
+    c.dynamic && waves.is_some_and(|waves| waves.kind == WaveKind::Irregular)
+}
 
-    /// Whether the case states anything along a study.
-    fn studied(&self) -> bool {
-        let mut published = self.case.published.iter();
-        !self.case.trend.is_empty()
-            || !self.case.published_curve.is_empty()
-            || published.any(|p| p.at.is_some())
-    }
+/// Whether the case states anything along a study.
+fn studied(c: &CaseContents) -> bool {
+    let mut published = c.case.published.iter();
+    !c.case.trend.is_empty()
+        || !c.case.published_curve.is_empty()
+        || published.any(|p| p.at.is_some())
+}
 
-    /// Whether the line may leave a plane along x; a line at rest is always seen from three sides.
-    fn spatial(&self) -> bool {
-        let aside = |end: &End| {
-            let y = |p: &[f64; 3]| p[1].abs() > 0.0;
-            end.position_m.as_ref().is_some_and(y) || y(&end.amplitude_m)
-        };
-        let oblique = self.case.current.as_ref().is_some_and(|current| {
-            let turns = |degrees: &f64| degrees.to_radians().sin().abs() > 1e-9;
-            match &current.direction_deg {
-                OneOrMany::One(one) => turns(one),
-                OneOrMany::Many(many) => many.iter().any(turns),
-            }
-        });
-        let ends = &self.case.ends;
-        !self.dynamic || aside(&ends.a) || aside(&ends.b) || oblique
-    }
+/// Whether the line may leave a plane along x; a line at rest is always seen from three sides.
+fn spatial(c: &CaseContents) -> bool {
+    let aside = |end: &End| {
+        let y = |p: &[f64; 3]| p[1].abs() > 0.0;
+        end.position_m.as_ref().is_some_and(y) || y(&end.amplitude_m)
+    };
+    let oblique = c.case.current.as_ref().is_some_and(|current| {
+        let turns = |degrees: &f64| degrees.to_radians().sin().abs() > 1e-9;
+        match &current.direction_deg {
+            OneOrMany::One(one) => turns(one),
+            OneOrMany::Many(many) => many.iter().any(turns),
+        }
+    });
+    let ends = &c.case.ends;
+    !c.dynamic || aside(&ends.a) || aside(&ends.b) || oblique
 }
 
 const ENVELOPE: CurveNames = CurveNames::Envelope(&["at the end", "smallest", "greatest"]);
@@ -251,20 +255,20 @@ pub const FIGURES: [Figure; 21] = [
     figure(Id::Tensions, "Tensions", Time, |d| against_time(d.runs, Quantity::Tension))
         .when(|c| c.dynamic).at_places(Quantity::Tension).in_report(1),
     figure(Id::Payload, "Payload", Time, |d| payload_position(d.runs))
-        .when(|c| c.moves()).curves(CurveNames::Fixed(&["x", "z"])).in_report(2),
+        .when(moves).curves(CurveNames::Fixed(&["x", "z"])).in_report(2),
     figure(Id::Path, "Path", Space, |d| trajectory(d.runs, d.instant))
-        .when(|c| c.moves()).in_report(6),
+        .when(moves).in_report(6),
     figure(Id::Speed, "Speed", Time, |d| against_time(d.runs, Quantity::Speed))
         .when(|c| c.records(Quantity::Speed)).at_places(Quantity::Speed).in_report(3),
     figure(Id::Tilt, "Tilt", Time, |d| against_time(d.runs, Quantity::Tilt))
         .when(|c| c.records(Quantity::Tilt)).at_places(Quantity::Tilt).in_report(4),
     figure(Id::Elevation, "Sea", Time, |d| against_time(d.runs, Quantity::WaveElevation))
-        .when(|c| c.irregular_sea()).in_report(5),
+        .when(irregular_sea).in_report(5),
     figure(Id::Shape, "Shape", Space, |d| line_shape(d.runs, d.instant())).in_report(10),
     figure(Id::Plan, "Plan", Space, |d| line_from_above(d.runs, d.instant()))
-        .when(|c| c.spatial()).in_report(11),
+        .when(spatial).in_report(11),
     figure(Id::Front, "Front", Space, |d| line_from_ahead(d.runs, d.instant()))
-        .when(|c| c.spatial()).in_report(12),
+        .when(spatial).in_report(12),
     figure(Id::Profile, "Profile", Other, |d| tension_profile(d.runs))
         .curves(ENVELOPE).in_report(13),
     figure(Id::Curvature, "Curvature", Other, |d| curvature_profile(d.runs))
@@ -272,19 +276,19 @@ pub const FIGURES: [Figure; 21] = [
     figure(Id::Moment, "Moment", Other, |d| moment_profile(d.runs))
         .when(|c| case::bends(c.case)).curves(END_AND_GREATEST).in_report(15),
     figure(Id::Map, "Map", Time, map)
-        .when(|c| c.response()).curves(CurveNames::Variants(map_names)).in_report(20),
+        .when(response).curves(CurveNames::Variants(map_names)).in_report(20),
     figure(Id::Rms, "Rms", Other, |d| rms_profile(d.runs))
-        .when(|c| c.response()).in_report(17),
-    figure(Id::Amplitudes, "Waves", Other, |d| wave_amplitudes(d.runs)).when(|c| c.driven())
+        .when(response).in_report(17),
+    figure(Id::Amplitudes, "Waves", Other, |d| wave_amplitudes(d.runs)).when(driven)
         .curves(CurveNames::Fixed(&["motion", "towards A", "towards B", "WKB, no drag"])).in_report(18),
     figure(Id::Wavelengths, "Wavelength", Other, |d| wavelengths(d.runs))
-        .when(|c| c.driven()).curves(CurveNames::Fixed(&["computed", "WKB"])).in_report(19),
+        .when(driven).curves(CurveNames::Fixed(&["computed", "WKB"])).in_report(19),
     figure(Id::Study, "Study", Other, study)
-        .when(|c| c.studied()).curves(CurveNames::Variants(study_names)),
+        .when(studied).curves(CurveNames::Variants(study_names)),
     figure(Id::Stiffness, "Stiffness", Time, |d| against_time(d.runs, Quantity::Stiffness))
         .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::Stiffness).in_report(9),
     figure(Id::StiffnessAlong, "Along rope", Other, |d| stiffness_profile(d.runs))
-        .when(|c| c.rope()).curves(ENVELOPE).in_report(16),
+        .when(rope).curves(ENVELOPE).in_report(16),
     figure(Id::MeanLoad, "Mean load", Time, |d| against_time(d.runs, Quantity::MeanLoad))
         .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::MeanLoad).in_report(7),
     figure(Id::Deviation, "Deviation", Time, |d| against_time(d.runs, Quantity::LoadDeviation))

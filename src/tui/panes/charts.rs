@@ -71,14 +71,12 @@ impl Pane for Charts {
             Id::Write => return Some(write(line, &stem, glyphs)),
             _ => match (instant_step(id), plot_verb(id)) {
                 (Some((way, parts)), _) if line.chart.figure().axis == FigureAxis::Space => {
-                    move_instant(line, way, parts)
+                    move_instant(line, way, parts);
                 }
-                (_, verb) => act(
-                    line,
-                    &verb?,
-                    (area.width.into(), area.height.into()),
-                    glyphs,
-                ),
+                (_, verb) => {
+                    let size = (area.width.into(), area.height.into());
+                    act(line, &verb?, size, glyphs);
+                }
             },
         }
         Some(Vec::new())
