@@ -54,6 +54,15 @@ pub enum WriteError {
     },
 }
 
+impl From<WriteError> for io::Error {
+    fn from(error: WriteError) -> Self {
+        match error {
+            WriteError::Io { source, .. } => source,
+            error => Self::other(error),
+        }
+    }
+}
+
 /// A file to write.
 #[derive(Debug, Clone, Copy)]
 pub struct Target<'a> {

@@ -25,6 +25,7 @@ use super::terminal::screen::{Screen, restore};
 use super::terminal::signals::{Signal, Signals};
 use super::terminal::wait::{read, wait};
 use super::{case_library, draw, external_editor, recovery, update};
+use crate::files::Target;
 use crate::report::chart::Glyphs;
 
 /// How the workbench is opened.
@@ -382,7 +383,7 @@ impl App<'_> {
         let kept = case_library::state_dir().and_then(|dir| {
             std::fs::create_dir_all(&dir)?;
             let path = dir.join("copied.txt");
-            std::fs::write(&path, text)?;
+            Target::replacing(&path).write(text.as_bytes())?;
             Ok(path)
         });
         let words = match kept {

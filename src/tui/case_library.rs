@@ -9,6 +9,7 @@ use etcetera::base_strategy::{BaseStrategy, Xdg};
 use super::file_reader;
 use super::state::{CaseEntry, Content};
 use crate::case::{self, render_all};
+use crate::files::Target;
 
 pub use crate::case::shipped::{BESIDE, ROPEWAYS, SECTIONS, SHIPPED, SHIPS};
 
@@ -36,7 +37,7 @@ pub fn default_dir() -> io::Result<PathBuf> {
             if let Some(parent) = path.parent() {
                 fs::create_dir_all(parent)?;
             }
-            fs::write(&path, text)?;
+            Target::new(&path).write(text.as_bytes())?;
         }
     }
     Ok(dir)

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::msg::Msg;
 use super::state::Level;
 use crate::files::{Existing, Target, WriteError};
+use crate::visible;
 
 /// Saves a case: to a new file, or over the file that links lead to, which should still hold `expected`.
 pub(super) fn save_case(path: PathBuf, text: String, expected: Option<&str>, new: bool) -> Msg {
@@ -29,6 +30,10 @@ pub(super) fn save_case(path: PathBuf, text: String, expected: Option<&str>, new
 pub(super) fn write_text(path: &Path, text: &str, what: &str) -> Msg {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let numbered = (2..10_000_u32).map(|n| path.with_file_name(format!("{stem}-{n}.txt")));
+    let text = match path.extension() {
+        Some(extension) if extension == "toml" => visible::toml(text),
+        _ => visible::text(text),
+    };
     for target in std::iter::once(path.to_owned()).chain(numbered) {
         match Target::new(&target).write(text.as_bytes()) {
             Ok(()) => {

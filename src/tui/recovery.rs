@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use rustix::process::{Pid, test_kill_process};
 
 use super::case_library::state_dir;
+use crate::files::Target;
 use crate::report::chart::Glyphs;
 
 /// Keeps the unsaved text of a case, or drops it when there is none any more.
@@ -22,9 +23,7 @@ pub fn store(case: &Path, text: Option<&str>) -> io::Result<()> {
     match text {
         Some(text) => {
             fs::create_dir_all(&dir)?;
-            let beside = path.with_extension("tmp");
-            fs::write(&beside, text)?;
-            fs::rename(&beside, &path)
+            Ok(Target::replacing(&path).write(text.as_bytes())?)
         }
         None => remove_if_present(&path),
     }
@@ -135,7 +134,7 @@ pub fn remember_glyphs(glyphs: Glyphs) -> io::Result<()> {
         Glyphs::Braille => "braille\n",
         Glyphs::Ascii => "ascii\n",
     };
-    fs::write(dir.join("glyphs"), word)
+    Ok(Target::replacing(&dir.join("glyphs")).write(word.as_bytes())?)
 }
 
 #[cfg(all(test, target_os = "linux"))]
