@@ -7,8 +7,9 @@ use super::StudyValue;
 use super::check::{check, fields_here, unknown_path};
 use super::diagnostic::{Diagnostic, Finding, count};
 use super::fields::{
-    Absent, CASE, Field, Kind, Schema, TableShape, check_value, field_at, join, split, value_text,
+    Absent, Field, Kind, Schema, TableShape, check_value, join, split, value_text,
 };
+use super::model::{CASE, field_at};
 use super::read::tree_of;
 use super::tree::{Data, Entry, Form, Node};
 

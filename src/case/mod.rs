@@ -18,6 +18,7 @@ pub(crate) mod kind;
 mod misfit;
 pub mod model;
 mod read;
+mod rows;
 pub(crate) mod schema;
 pub mod shipped;
 mod tree;
@@ -33,6 +34,8 @@ pub use kind::Opened;
 pub use misfit::Misfit;
 pub use model::*;
 pub use read::{Loaded, load, parse, parse_beside, parse_keys};
+pub(crate) use rows::Lister;
+pub use rows::{FieldRow, rows};
 pub use write::write;
 
 // What another kind of file needs to be read, checked and complained about in the same way.

@@ -5,11 +5,12 @@
 //! `scene` turns a [`Case`] into numbers for the solvers.
 
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 use crate::case::Node;
 use crate::case::fields::Kind::{self, NumberOrList};
-use crate::case::fields::{of, positive};
-use crate::case::schema::{FromDefault, Value, table};
+use crate::case::fields::{Field, Schema, of, positive};
+use crate::case::schema::{FromDefault, Value, schema_of, table};
 
 mod claims;
 mod construct;
@@ -41,6 +42,23 @@ pub use settings::{
     EnvelopeOf, FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartShape,
 };
 pub(crate) use settings::{SeabedKeys, StartKeys};
+
+/// The case file.
+pub static CASE: LazyLock<Schema> = LazyLock::new(|| {
+    let least = "a case has at least [case], [materials.<name>], [[line]] and [ends.a], [ends.b]";
+    schema_of::<Case>("case", least).with_coordinates("ends.*.position_m")
+});
+
+/// The field of a key path given as its parts, if there is one; `ends.b.position_m.x` is a number of its own.
+#[must_use]
+pub fn field_at<S: AsRef<str>>(path: &[S]) -> Option<&'static Field> {
+    CASE.fields_at(path).next()
+}
+
+/// The fields of a table of the case file, by the table's pattern.
+pub fn fields_of(table: &str) -> impl Iterator<Item = &'static Field> {
+    CASE.fields_of(table)
+}
 
 table! {
     /// Everything a case file says.

@@ -9,8 +9,8 @@ use super::began;
 use super::carried::gather;
 use super::check::{check, check_keys};
 use super::diagnostic::{Diagnostic, Finding};
-use super::fields::{CASE, Schema};
-use super::model::Case;
+use super::fields::Schema;
+use super::model::{CASE, Case};
 use super::schema::{Place, TableType};
 use super::tree::Node;
 

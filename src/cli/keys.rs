@@ -11,7 +11,10 @@ use super::{
     output::{self, Format},
 };
 use crate::{
-    case::fields::{CASE, Field, Schema, Table, json_schema},
+    case::{
+        CASE,
+        fields::{Field, Schema, Table, json_schema},
+    },
     report::text::{WIDTH, wrap},
     ropeway::model::ROPEWAY,
     section::model::SECTION,

@@ -1,8 +1,8 @@
 //! The keys of a ropeway file as an editor lists and sets them.
 
 use super::read::RopewayFile;
-use crate::case::fields::{FieldRow, Lister};
 use crate::case::{Diagnostic, kind};
+use crate::case::{FieldRow, Lister};
 
 /// Every input the file can have, given or not. A text that is not TOML gives no rows.
 #[must_use]

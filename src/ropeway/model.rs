@@ -6,12 +6,12 @@ use std::sync::LazyLock;
 
 use crate::case::fields::Kind::Name;
 use crate::case::fields::{Range, Schema, of, positive};
-use crate::case::schema::{table, words};
+use crate::case::schema::{schema_of, table, words};
 
 /// The ropeway file.
 pub static ROPEWAY: LazyLock<Schema> = LazyLock::new(|| {
     let least = "a ropeway has at least [ropeway] with a title and a span, [[rope]], [platform], [ship], [cargo] and [setting]";
-    Schema::of::<Ropeway>("ropeway", least)
+    schema_of::<Ropeway>("ropeway", least)
 });
 
 const LENGTH: Range = positive(1e4);

@@ -7,9 +7,10 @@ use super::elastic::ElasticRope;
 use super::model::{ROPEWAY, Ropeway};
 use super::quantities::{self, QUANTITIES};
 use super::solve::{SolvedRopeway, solve};
-use crate::case::fields::{FieldRow, Lister, Schema, either};
+use crate::case::fields::{Schema, either};
 use crate::case::kind::{self, FileKind};
 use crate::case::{self, Diagnostic, Mark, Misfit, Node};
+use crate::case::{FieldRow, Lister};
 use crate::reference::published_number;
 
 /// A ropeway with the text and the file it came from.

@@ -1,8 +1,8 @@
 //! The keys of a section file as an editor lists and sets them.
 
 use super::read::SectionFile;
-use crate::case::fields::{FieldRow, Lister};
 use crate::case::{self, Diagnostic, Mark, Standing, kind};
+use crate::case::{FieldRow, Lister};
 
 /// Every key the file can have, given or not, from the section as a whole to the outermost layer. Where a value comes from
 /// is read from the comment behind it, when that begins with `printed`, `published`, `derived`,

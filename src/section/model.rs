@@ -6,12 +6,12 @@ use std::sync::LazyLock;
 
 use crate::case::fields::Kind::Name;
 use crate::case::fields::{Range, Schema, of, positive};
-use crate::case::schema::{table, variants, words};
+use crate::case::schema::{schema_of, table, variants, words};
 
 /// The section file.
 pub static SECTION: LazyLock<Schema> = LazyLock::new(|| {
     let least = "a section has at least [section] with a name and a title, [units.<name>], and a [centre] or a [[layer]]";
-    Schema::of::<Section>("section", least)
+    schema_of::<Section>("section", least)
 });
 
 const LENGTH: Range = positive(10.0);

@@ -4,9 +4,10 @@ use std::path::Path;
 
 use super::design::{Design, design};
 use super::model::{SECTION, Section};
-use crate::case::fields::{FieldRow, Lister, Schema};
+use crate::case::fields::Schema;
 use crate::case::kind::{self, FileKind};
 use crate::case::{Diagnostic, Misfit, Node};
+use crate::case::{FieldRow, Lister};
 
 /// A design with the text and the file it came from.
 pub type Loaded = crate::case::Opened<Design>;

@@ -1,7 +1,7 @@
 //! The keys of a ship file as an editor lists and sets them.
 
 use super::read::ShipFile;
-use crate::case::fields::FieldRow;
+use crate::case::FieldRow;
 use crate::case::{Diagnostic, kind};
 
 /// Every key the file can have, given or not, table by table. A text that is not TOML gives no rows.

@@ -7,14 +7,16 @@ use std::sync::LazyLock;
 use super::check::misfits;
 use super::model::Ship;
 use super::static_analysis::StaticAnalysis;
-use crate::case::fields::{FieldRow, Lister, Schema};
+use crate::case::fields::Schema;
 use crate::case::kind::{self, FileKind};
+use crate::case::schema::schema_of;
 use crate::case::{Diagnostic, Mark, Misfit, Node, Opened};
+use crate::case::{FieldRow, Lister};
 
 /// The ship file.
 pub static SHIP: LazyLock<Schema> = LazyLock::new(|| {
     let least = "a ship has at least [ship] with a title, length_m and draft_m, and one of [wind], [current], [drift]";
-    Schema::of::<Ship>("ship", least)
+    schema_of::<Ship>("ship", least)
 });
 
 /// A static analysis with the text and the file it came from.

@@ -8,7 +8,7 @@ use crate::reference;
 use crate::report::chart::Glyphs;
 use crate::run::Run;
 
-pub use crate::case::fields::FieldRow;
+pub use crate::case::FieldRow;
 pub use crate::reference::ValidationRow;
 
 /// Reads a text as a case.
@@ -87,7 +87,7 @@ pub fn at_label(case: &Case, at: &At) -> String {
     let study = case.study.iter().find(|s| s.name == at.study);
     let key = study.map_or(at.study.as_str(), |s| s.key.as_str());
     let path: Vec<&str> = key.split('.').collect();
-    match case::fields::field_at(&path) {
+    match case::field_at(&path) {
         Some(field) if matches!(field.unit, "" | "-") => format!("{} {}", field.label, at.value),
         Some(field) => format!("{} {} {}", field.label, at.value, field.unit),
         None => format!("{key} {}", at.value),

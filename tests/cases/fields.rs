@@ -1,7 +1,8 @@
 //! The table of fields says what the reader of the file does: defaults, words, units, rows.
 
-use seacable::case::fields::{Absent, CASE, Field, Kind, field_at, rows};
+use seacable::case::fields::{Absent, Field, Kind, Schema, unit_suffix};
 use seacable::case::{self, Case, Standing, Statistic};
+use seacable::case::{CASE, field_at, rows};
 
 /// A case that gives nothing that has a default, but holds every table.
 const BARE: &str = r#"
@@ -282,4 +283,57 @@ fn help_is_written_for_every_field() {
         );
     }
     assert!(CASE.tables.iter().all(|table| table.help.ends_with('.')));
+}
+
+#[test]
+fn a_path_finds_its_field() {
+    let field = field_at(&["line", "polyester", "length_m"]).unwrap();
+    assert_eq!(field.path, "line.*.length_m");
+    assert_eq!(field.stem(), "length");
+    assert!(field_at(&["line", "polyester"]).is_none());
+    assert!(field_at(&["line", "a", "b", "length_m"]).is_none());
+}
+
+#[test]
+fn a_coordinate_is_a_number_in_the_range_of_its_position() {
+    let field = field_at(&["ends", "b", "position_m", "y"]).unwrap();
+    let whole = field_at(&["ends", "b", "position_m"]).unwrap();
+    assert!(field.takes_number() && !whole.takes_number());
+    assert_eq!((field.range, field.unit), (whole.range, whole.unit));
+    assert!(field_at(&["ends", "b", "position_m", "w"]).is_none());
+}
+
+/// The schemas of all kinds of file.
+fn all() -> [&'static Schema; 4] {
+    use seacable::{ropeway, section, ship};
+    [
+        &CASE,
+        &section::model::SECTION,
+        &ropeway::model::ROPEWAY,
+        &ship::SHIP,
+    ]
+}
+
+#[test]
+fn every_unit_stands_in_its_key() {
+    for field in all().iter().flat_map(|schema| schema.fields.iter()) {
+        match unit_suffix(field.unit) {
+            Some(suffix) => assert!(field.key().ends_with(suffix), "{}", field.path),
+            None => assert!(matches!(field.unit, "" | "-"), "{}", field.path),
+        }
+    }
+}
+
+#[test]
+fn every_field_stands_in_a_known_table() {
+    for (schema, field) in all()
+        .iter()
+        .flat_map(|s| s.fields.iter().map(move |f| (s, f)))
+    {
+        let known = schema
+            .tables
+            .iter()
+            .any(|table| field.table() == table.pattern());
+        assert!(known, "{}", field.path);
+    }
 }

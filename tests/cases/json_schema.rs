@@ -1,6 +1,7 @@
 //! The JSON Schema of every kind of file accepts what the reader accepts, and refuses faults of types, ranges and keys.
 
-use seacable::case::fields::{CASE, Schema, json_schema};
+use seacable::case::CASE;
+use seacable::case::fields::{Schema, json_schema};
 use seacable::case::shipped::{ROPEWAYS, SECTIONS, SHIPPED, SHIPS, Shipped};
 use serde_json::{Value, json};
 

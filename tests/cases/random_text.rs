@@ -1,7 +1,7 @@
 //! Whatever stands in a file, reading and editing it ends with a case or with diagnostics.
 
 use proptest::prelude::*;
-use seacable::case::{self, edit, fields::CASE, fields::rows};
+use seacable::case::{self, CASE, edit, rows};
 
 const MANIFOLD: &str = include_str!("../../cases/pendulous/manifold.toml");
 const MODULE: &str = include_str!("../../cases/pendulous/module.toml");

@@ -18,8 +18,7 @@ mod taken;
 mod trials;
 
 use super::diagnostic::Finding;
-use super::fields::CASE;
-use super::model::{Case, CaseKeys};
+use super::model::{CASE, Case, CaseKeys};
 use super::schema::{Place, TableType};
 use super::tree::Node;
 

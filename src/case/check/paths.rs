@@ -1,7 +1,8 @@
 //! Key paths of a case: those that stand in it, and what was meant by one that does not.
 
-use crate::case::fields::{Absent, CASE, Field, field_at};
+use crate::case::fields::{Absent, Field};
 use crate::case::fields::{join, nearest, split, unknown_key};
+use crate::case::model::{CASE, field_at};
 use crate::case::tree::{Data, Node, element_names};
 
 /// The field of a key path whose table stands in the file.

@@ -3,8 +3,8 @@
 use super::names::{unknown, unknown_name};
 use super::paths::unknown_path;
 use crate::case::diagnostic::Finding;
-use crate::case::fields::{field_at, split};
-use crate::case::model::{CaseKeys, TrialKeys};
+use crate::case::fields::split;
+use crate::case::model::{CaseKeys, TrialKeys, field_at};
 use crate::case::tree::Node;
 
 /// Checks of the trials.

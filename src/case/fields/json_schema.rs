@@ -205,7 +205,7 @@ fn json_of(node: &Node) -> Value {
 
 /// Label, help, unit and what holds without the key, in a sentence or two.
 fn description(field: &Field) -> String {
-    let mut text = format!("{} {}", super::capital(field.label), field.help);
+    let mut text = format!("{} {}", super::field::capital(field.label), field.help);
     if !matches!(field.unit, "" | "-") {
         text += &format!(" Unit: {}.", field.unit);
     }
@@ -213,7 +213,7 @@ fn description(field: &Field) -> String {
         text += &format!(" Without it: {meaning}.");
     }
     if let Some(condition) = field.condition() {
-        text += &format!(" {}", super::capital(&condition));
+        text += &format!(" {}", super::field::capital(&condition));
     }
     text
 }

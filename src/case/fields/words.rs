@@ -233,25 +233,19 @@ mod tests {
 
     #[test]
     fn a_unit_left_out_or_wrong_names_the_right_key() {
-        let known: Vec<_> = crate::case::fields::fields_of("line.*").collect();
-        let bare = unknown_key(&crate::case::fields::CASE, "length", &known, &[]);
+        let known: Vec<_> = crate::case::fields_of("line.*").collect();
+        let bare = unknown_key(&crate::case::CASE, "length", &known, &[]);
         assert_eq!(bare.remedy, "write `length_m`, with the value in m");
         assert_eq!(bare.meant, Some("length_m"));
-        let wrong = unknown_key(&crate::case::fields::CASE, "length_ft", &known, &[]);
+        let wrong = unknown_key(&crate::case::CASE, "length_ft", &known, &[]);
         assert_eq!(wrong.problem, "has the wrong unit in its name");
-        let known: Vec<_> = crate::case::fields::fields_of("materials.*").collect();
+        let known: Vec<_> = crate::case::fields_of("materials.*").collect();
         assert_eq!(
-            unknown_key(&crate::case::fields::CASE, "mass_kg", &known, &[]).meant,
+            unknown_key(&crate::case::CASE, "mass_kg", &known, &[]).meant,
             Some("mass_kg_per_m")
         );
         assert_eq!(
-            unknown_key(
-                &crate::case::fields::CASE,
-                "wet_weight_n_per_m",
-                &known,
-                &[]
-            )
-            .meant,
+            unknown_key(&crate::case::CASE, "wet_weight_n_per_m", &known, &[]).meant,
             Some("wet_weight_kg_per_m")
         );
     }

@@ -11,5 +11,5 @@ mod value;
 
 pub(crate) use key::{Key, Place};
 pub(crate) use macros::{table, variants, words};
-pub(crate) use table::{Declared, SubTable, TableType, Written, put};
+pub(crate) use table::{Declared, SubTable, TableType, Written, put, schema_of};
 pub(crate) use value::{FromDefault, Held, Listed, Value};

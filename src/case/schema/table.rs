@@ -7,7 +7,7 @@ use toml_edit::{ArrayOfTables, Item, Table as TomlTable};
 use super::key::Place;
 use super::value::{Held, Value};
 use crate::case::diagnostic::Finding;
-use crate::case::fields::{Field, Table, TableShape};
+use crate::case::fields::{Field, Schema, Table, TableShape};
 use crate::case::tree::{Node, element_names};
 
 /// A table as a type: declared with [`table!`](super::table) or [`variants!`](super::variants).
@@ -101,6 +101,19 @@ impl Declared {
         if !known {
             S::Inner::declare(&inner, self);
         }
+    }
+}
+
+/// The schema of a kind of file, of the declaration of its tables.
+pub(crate) fn schema_of<T: TableType>(what: &'static str, least: &'static str) -> Schema {
+    let mut declared = Declared::default();
+    T::declare("", &mut declared);
+    Schema {
+        what,
+        least,
+        fields: declared.fields,
+        parts: Vec::new(),
+        tables: declared.tables,
     }
 }
 

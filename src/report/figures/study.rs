@@ -1,6 +1,6 @@
 //! What a case states along its studies: published and computed numbers over the key that is varied.
 
-use crate::case::{Case, Statistic, Study, fields};
+use crate::case::{Case, Statistic, Study};
 use crate::reference::ValidationRow;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::run::{self, QuantityId};
@@ -95,7 +95,7 @@ fn empty(
 /// The axis of the key that a study varies.
 fn axis(study: &Study) -> Axis {
     let path: Vec<&str> = study.key.split('.').collect();
-    let field = fields::field_at(&path);
+    let field = crate::case::field_at(&path);
     field.map_or_else(
         || Axis::new(&study.key, ""),
         |field| Axis::new(field.label, field.unit),

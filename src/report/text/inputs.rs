@@ -2,10 +2,7 @@
 
 use super::layout::{Page, WIDTH};
 use crate::{
-    case::{
-        Case,
-        fields::{self, FieldRow, Kind},
-    },
+    case::{Case, FieldRow, fields::Kind},
     reference::standing_word,
     report::table::{Cell, CellInk, Column, Table},
     run::Run,
@@ -13,7 +10,7 @@ use crate::{
 
 /// The inputs table, and below it the reason of every input that its source does not print.
 pub(super) fn table(page: &mut Page, run: &Run, case: &Case) {
-    let all = fields::rows(&run.case_text, case);
+    let all = crate::case::rows(&run.case_text, case);
     list(page, &all, !case.case.source.trim().is_empty());
 }
 

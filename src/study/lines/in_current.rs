@@ -1,6 +1,6 @@
 //! A line at rest in a current: the discretised line on finer and finer meshes, until two of them agree.
 
-use crate::case::fields::field_at;
+use crate::case::field_at;
 use crate::case::{
     Case, Clump, Current, DragLaw, End, Ends, Environment, Material, Method, OneOrMany, Section,
 };

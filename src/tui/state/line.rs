@@ -8,7 +8,7 @@ use super::document_kind::DocumentKind;
 use super::jobs::Ticket;
 use super::modes::ModesView;
 use super::parameter_editor::ParameterEditor;
-use crate::case::{At, Case, Diagnostic, fields};
+use crate::case::{self, At, Case, Diagnostic};
 use crate::reference;
 use crate::report::figures::{FIGURES, FigureId};
 use crate::run::settings::method_name;
@@ -223,7 +223,7 @@ impl DocumentKind for LineView {
 
     fn rows(&self, text: &str, source: &ParameterEditor) -> Vec<FieldRow> {
         let case = facade::parse_at(text, &source.path, &source.file);
-        case.map_or_else(|_| Vec::new(), |case| fields::rows(text, &case))
+        case.map_or_else(|_| Vec::new(), |case| case::rows(text, &case))
     }
 
     fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::{Absent, CASE, Field, Schema, join, value_text};
+use super::fields::{Absent, Field, Schema, join, value_text};
+use super::model::CASE;
 use crate::case::check::fields_here;
 use crate::case::model::{Case, Mark};
 use crate::case::tree::Node;

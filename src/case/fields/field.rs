@@ -1,0 +1,334 @@
+//! A key of a file: what may be written, in which unit and range, and what holds without it.
+
+use super::range::Range;
+
+/// A key of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// Path pattern: `materials.*.ea_n`.
+    pub path: String,
+    /// What it is, in a few words.
+    pub label: &'static str,
+    /// What may be written.
+    pub kind: Kind,
+    /// Unit as shown; empty for words, "-" for pure numbers.
+    pub unit: &'static str,
+    /// Range of every number in it.
+    pub range: Range,
+    /// What holds when the key is absent.
+    pub absent: Absent,
+    /// One line of help.
+    pub help: &'static str,
+    /// A key of the same table and the value it needs for this field to exist: the dimensions of a
+    /// payload's shape depend on its `kind`.
+    pub only_if: Option<(&'static str, &'static str)>,
+    /// Keys of the same table and the words of which each must be one for this field to have an effect: the motion of an
+    /// end that does not move has no period. Such a key may be given all the same.
+    pub matters: Needs,
+}
+
+/// What a key needs: each of these keys of its table, as one of these words.
+pub type Needs = &'static [(&'static str, &'static [&'static str])];
+
+/// What may be written for a field.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A number.
+    Number,
+    /// A whole number.
+    Integer,
+    /// `true` or `false`.
+    Boolean,
+    /// Text.
+    Text,
+    /// Text of letters, digits, `-` and `_`: it becomes part of channel names and key paths.
+    Name,
+    /// One of these words.
+    Choice(&'static [&'static str]),
+    /// A number, or one of these words.
+    NumberOrChoice(&'static [&'static str]),
+    /// A number, or a list of numbers.
+    NumberOrList,
+    /// A number, or one for each of x, y, z.
+    NumberOrTriple,
+    /// A list of numbers.
+    List,
+    /// Two numbers.
+    Pair,
+    /// Three numbers, along x, y, z.
+    Triple,
+    /// A list of words.
+    Words,
+    /// A number, or text.
+    NumberOrText,
+    /// A list of numbers, or of words.
+    NumbersOrWords,
+}
+
+impl Kind {
+    /// Whether it is made of numbers.
+    fn holds_numbers(self) -> bool {
+        !matches!(
+            self,
+            Self::Boolean
+                | Self::Text
+                | Self::Name
+                | Self::Choice(_)
+                | Self::Words
+                | Self::NumberOrText
+                | Self::NumbersOrWords
+        )
+    }
+}
+
+/// What holds when a key is absent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Absent {
+    /// The key must be there.
+    Required,
+    /// The key must be there unless this other one of its table is, which says the same in another way.
+    RequiredWithout(&'static str),
+    /// This value, written as in a case file.
+    Default(&'static str),
+    /// Something else, in words.
+    Means(&'static str),
+}
+
+/// A field as it is declared, piece by piece.
+impl Field {
+    /// A required field without a range, known by its key alone; its unit is the one in which the key ends.
+    pub(crate) fn new(
+        key: &'static str,
+        kind: Kind,
+        label: &'static str,
+        help: &'static str,
+    ) -> Self {
+        let unit = match unit_of_key(key) {
+            Some(unit) if kind.holds_numbers() => unit,
+            None if kind.holds_numbers() => "-",
+            _ => "",
+        };
+        Self {
+            path: key.to_owned(),
+            label,
+            kind,
+            unit,
+            range: Range::ANY,
+            absent: Absent::Required,
+            help,
+            only_if: None,
+            matters: &[],
+        }
+    }
+
+    /// The same field in tables of this pattern.
+    pub(crate) fn below(&self, pattern: &str) -> Self {
+        let mut field = self.clone();
+        if !pattern.is_empty() {
+            field.path = format!("{pattern}.{}", self.path);
+        }
+        field
+    }
+
+    pub(crate) fn default(mut self, text: &'static str) -> Self {
+        self.absent = Absent::Default(text);
+        self
+    }
+
+    pub(crate) fn kind(mut self, kind: Kind) -> Self {
+        self.kind = kind;
+        self
+    }
+
+    pub(crate) fn unit(mut self, unit: &'static str) -> Self {
+        self.unit = unit;
+        self
+    }
+
+    pub(crate) fn range(mut self, range: Range) -> Self {
+        self.range = range;
+        self
+    }
+
+    pub(crate) fn absent(mut self, means: &'static str) -> Self {
+        self.absent = Absent::Means(means);
+        self
+    }
+
+    pub(crate) fn unless(mut self, other: &'static str) -> Self {
+        self.absent = Absent::RequiredWithout(other);
+        self
+    }
+
+    pub(crate) fn only(mut self, tag: (&'static str, &'static str)) -> Self {
+        self.only_if = Some(tag);
+        self
+    }
+
+    pub(crate) fn matters(mut self, needs: Needs) -> Self {
+        self.matters = needs;
+        self
+    }
+}
+
+impl Field {
+    /// The last part of the path: the key itself.
+    #[must_use]
+    pub fn key(&self) -> &str {
+        self.path.rsplit('.').next().unwrap_or(&self.path)
+    }
+
+    /// The pattern of the table it stands in.
+    #[must_use]
+    pub fn table(&self) -> &str {
+        self.path.rsplit_once('.').map_or("", |(table, _)| table)
+    }
+
+    /// The key without its unit: `length` for `length_m`.
+    #[must_use]
+    pub fn stem(&self) -> &str {
+        let key = self.key();
+        unit_suffix(self.unit)
+            .and_then(|suffix| key.strip_suffix(suffix)?.strip_suffix('_'))
+            .unwrap_or(key)
+    }
+
+    /// What may be written, with range and unit, for people: "greater than 0 m, up to 1e5 m".
+    #[must_use]
+    pub fn range_text(&self) -> String {
+        let numbers = self.range.text(self.unit);
+        match self.kind {
+            Kind::Number => numbers,
+            Kind::Integer => self.range.whole_text(),
+            Kind::Boolean => "true or false".to_owned(),
+            Kind::Text => "text".to_owned(),
+            Kind::Name => "a name of letters, digits, - and _".to_owned(),
+            Kind::Choice(words) => either(words),
+            Kind::NumberOrChoice(words) => format!("{numbers}; or {}", either(words)),
+            Kind::NumberOrList => format!("{numbers}; or a list of such numbers"),
+            Kind::NumberOrTriple => format!("{numbers}; or three such numbers, along x, y, z"),
+            Kind::List => format!("a list, each {numbers}"),
+            Kind::Pair => format!("two numbers, each {numbers}"),
+            Kind::Triple => format!("three numbers along x, y, z, each {numbers}"),
+            Kind::Words => "a list of words in quotes".to_owned(),
+            Kind::NumberOrText => format!("{numbers}; or a word in quotes"),
+            Kind::NumbersOrWords => {
+                format!("a list, each {numbers}; or a list of words in quotes")
+            }
+        }
+    }
+
+    /// What holds when the key is absent, in words: "required", "default 0.4".
+    #[must_use]
+    pub fn absent_text(&self) -> String {
+        match self.absent {
+            Absent::Required => "required".to_owned(),
+            Absent::RequiredWithout(other) => format!("required without {other}"),
+            Absent::Default("\"\"") => "default: empty".to_owned(),
+            Absent::Default(value) => format!("default {value}"),
+            Absent::Means(meaning) => format!("without it: {meaning}"),
+        }
+    }
+
+    /// Where the key exists or has an effect, if not everywhere: "only where kind is `box`".
+    #[must_use]
+    pub fn condition(&self) -> Option<String> {
+        if let Some((key, word)) = self.only_if {
+            return Some(format!("only where {key} is `{word}`"));
+        }
+        let words = self.matters.iter();
+        let words = words.map(|(key, words)| format!("{key} is {}", either(words)));
+        let words: Vec<String> = words.collect();
+        (!words.is_empty()).then(|| format!("matters only where {}", words.join(" and ")))
+    }
+
+    /// True when the value is text, so that a bare word typed by the user is meant as text.
+    #[must_use]
+    pub fn takes_words(&self) -> bool {
+        matches!(
+            self.kind,
+            Kind::Text | Kind::Name | Kind::Choice(_) | Kind::NumberOrChoice(_)
+        )
+    }
+
+    /// True when one number may be written, so that a study can vary the field.
+    #[must_use]
+    pub fn takes_number(&self) -> bool {
+        matches!(
+            self.kind,
+            Kind::Number
+                | Kind::Integer
+                | Kind::NumberOrChoice(_)
+                | Kind::NumberOrList
+                | Kind::NumberOrTriple
+        )
+    }
+}
+
+/// Keys end in this when their value has the unit: `m` for metres, `kg_per_m` for kg/m.
+#[must_use]
+pub fn unit_suffix(unit: &str) -> Option<&'static str> {
+    UNITS
+        .iter()
+        .find(|(shown, _)| *shown == unit)
+        .map(|(_, suffix)| *suffix)
+}
+
+/// The unit of a key, by its end: the longest that fits.
+fn unit_of_key(key: &str) -> Option<&'static str> {
+    let ends = |(_, suffix): &&(&str, &str)| {
+        let stem = key.strip_suffix(suffix);
+        stem.is_some_and(|stem| stem.is_empty() || stem.ends_with('_'))
+    };
+    let fitting = UNITS.iter().filter(ends);
+    fitting
+        .max_by_key(|(_, suffix)| suffix.len())
+        .map(|(unit, _)| *unit)
+}
+
+/// Units as shown, and as they stand in key names.
+const UNITS: &[(&str, &str)] = &[
+    ("m", "m"),
+    ("s", "s"),
+    ("N", "n"),
+    ("kg", "kg"),
+    ("deg", "deg"),
+    ("m/s", "m_per_s"),
+    ("deg/s", "deg_per_s"),
+    ("deg/s²", "deg_per_s2"),
+    ("m/s²", "m_per_s2"),
+    ("m²", "m2"),
+    ("m³", "m3"),
+    ("m²/s", "m2_per_s"),
+    ("kg/m", "kg_per_m"),
+    ("kg m²", "kg_m2"),
+    ("Hz", "hz"),
+    ("kg/m³", "kg_per_m3"),
+    ("N s", "n_s"),
+    ("N m²", "n_m2"),
+    ("N/m³", "n_per_m3"),
+    ("N s/m³", "n_s_per_m3"),
+    ("Pa", "pa"),
+    ("W", "w"),
+];
+
+/// A few words as a sentence.
+pub(super) fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters.next().map(char::to_uppercase);
+    format!(
+        "{}{}.",
+        first.into_iter().flatten().collect::<String>(),
+        letters.as_str()
+    )
+}
+
+/// "a, b or c", each in backquotes.
+pub(crate) fn either(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    match quoted.split_last() {
+        None => "nothing".to_owned(),
+        Some((last, [])) => last.clone(),
+        Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
+    }
+}
