@@ -7,7 +7,7 @@ use super::check::check_keys;
 use super::diagnostic::Diagnostic;
 use super::edit::put;
 use super::fields::Schema;
-use super::misfit::Misfit;
+use super::invalid_value::InvalidValue;
 use super::model::Mark;
 use super::read::{diagnose, said, text_of};
 use super::rows::{FieldRow, Lister};
@@ -26,7 +26,7 @@ pub(crate) trait FileKind {
     fn schema() -> &'static Schema;
 
     /// Works the words out, which have passed the checks of the schema; or all that cannot be as they say.
-    fn work(words: Self::Words, tree: &Node) -> Result<Self::Worked, Vec<Misfit>>;
+    fn work(words: Self::Words, tree: &Node) -> Result<Self::Worked, Vec<InvalidValue>>;
 
     /// Where the words say that values come from, by key path.
     fn marks(_words: &Self::Words) -> BTreeMap<String, Mark> {
@@ -80,7 +80,7 @@ pub(crate) fn parse<K: FileKind>(text: &str, file: &str) -> Result<K::Worked, Ve
             .map_err(|finding| diagnose(vec![finding], text, file))?;
         match K::work(words, &tree) {
             Ok(worked) => return Ok(worked),
-            Err(wrong) => found = wrong.iter().map(|misfit| misfit.found(&tree)).collect(),
+            Err(wrong) => found = wrong.iter().map(|invalid| invalid.found(&tree)).collect(),
         }
     }
     found.sort_by_key(|finding| finding.span.start);

@@ -7,31 +7,31 @@
 //! case records, [`AlongLine`] the quantities of the whole line.
 
 mod along;
-mod began;
-pub(crate) mod carried;
+pub(crate) mod attachments;
 pub mod channels;
 mod check;
 mod diagnostic;
 pub mod edit;
 pub mod fields;
+mod invalid_value;
 pub(crate) mod kind;
-mod misfit;
 pub mod model;
 mod read;
 mod rows;
 pub(crate) mod schema;
 pub mod shipped;
 mod tree;
+mod warm_start;
 mod write;
 
 pub use along::{AlongLine, STEADY, bends};
-pub use carried::stand_alone;
+pub use attachments::stand_alone;
 pub use channels::{
     ChannelId, ChannelNameError, ChannelQuantity, ChannelSpec, LineEnd, Site, channels,
 };
 pub use diagnostic::{Diagnostic, render_all};
+pub use invalid_value::InvalidValue;
 pub use kind::Opened;
-pub use misfit::Misfit;
 pub use model::*;
 pub use read::{Loaded, load, parse, parse_beside, parse_keys};
 pub(crate) use rows::Lister;

@@ -12,22 +12,16 @@ use crate::case::fields::Kind::{self, NumberOrList};
 use crate::case::fields::{Field, Schema, of, positive};
 use crate::case::schema::{FromDefault, Value, schema_of, table};
 
-mod claims;
 mod construct;
 mod ends;
 mod line;
 mod sea;
 mod settings;
+mod validation_data;
 
-pub use claims::{
-    At, Direction, Mark, Published, PublishedCurve, Standing, Statistic, Study, StudyValue, Trend,
-    Trial,
-};
-pub(crate) use claims::{
-    AtKeys, PublishedCurveKeys, PublishedKeys, StudyKeys, TrendKeys, TrialKeys,
-};
 pub use ends::{
-    BoxShape, Carried, End, EndKind, Ends, MotionName, Payload, Rotation, Shape, SphereAndCylinder,
+    Attachment, BoxShape, End, EndKind, Ends, MotionName, Payload, Rotation, Shape,
+    SphereAndCylinder,
 };
 pub(crate) use ends::{EndKeys, PayloadKeys, RotationKeys, ShapeKeys};
 pub(crate) use line::MaterialKeys;
@@ -42,6 +36,13 @@ pub use settings::{
     EnvelopeOf, FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartShape,
 };
 pub(crate) use settings::{SeabedKeys, StartKeys};
+pub use validation_data::{
+    At, Direction, Mark, Provenance, Published, PublishedCurve, Statistic, Study, StudyValue,
+    Trend, Trial,
+};
+pub(crate) use validation_data::{
+    AtKeys, PublishedCurveKeys, PublishedKeys, StudyKeys, TrendKeys, TrialKeys,
+};
 
 /// The case file.
 pub static CASE: LazyLock<Schema> = LazyLock::new(|| {
@@ -92,7 +93,7 @@ table! {
         /// Buoyancy modules clamped on a stretch of a section, one a pitch.
         modules: Vec<Modules>;
         /// Files that the case names, carried with it, by their names.
-        files: BTreeMap<String, Carried>;
+        files: BTreeMap<String, Attachment>;
         /// Where the line is at time zero, at rest.
         start: Start, optional;
         /// Which solver, and its settings.

@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 
 use toml::de::DeTable;
 
-use super::began;
-use super::carried::gather;
+use super::attachments::gather;
 use super::check::{check, check_keys};
 use super::diagnostic::{Diagnostic, Finding};
 use super::fields::Schema;
 use super::model::{CASE, Case};
 use super::schema::{Place, TableType};
 use super::tree::Node;
+use super::warm_start;
 
 /// A case with the text and the file it came from.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,7 +66,7 @@ pub fn parse_beside(text: &str, file: &str, folder: &Path) -> Result<Case, Vec<D
     let case = Case::from_keys(&Case::keys(&Place::root(&tree)));
     let mut case = case.map_err(|finding| diagnose(vec![finding], text, file))?;
     gather(&mut case, &tree, text, (file, folder))
-        .and_then(|()| began::gather(&mut case, &tree, text, (file, folder)))
+        .and_then(|()| warm_start::gather(&mut case, &tree, text, (file, folder)))
         .map_err(|diagnostic| vec![diagnostic])?;
     Ok(case)
 }

@@ -3,7 +3,7 @@
 use super::{ReferenceValue, ValidationRow, compare, tolerance};
 use crate::case::fields::of;
 use crate::case::schema::table;
-use crate::case::{Misfit, Standing};
+use crate::case::{InvalidValue, Provenance};
 
 table! {
     /// A published value and its comparison with the computed one.
@@ -21,8 +21,8 @@ table! {
         tolerance_abs: Option<f64>, "tolerance", unit "", range of(0.0, 1e9), absent "no absolute tolerance";
         /// Where it is printed.
         source: String, "source";
-        /// Standing of the inputs behind the computed value, at worst.
-        inputs: Standing, "inputs";
+        /// Provenance of the inputs behind the computed value, at worst.
+        inputs: Provenance, "inputs";
         /// True when an input was fitted to this very number: agreement is then no evidence.
         fitted: bool = false, "fitted";
         /// Why the number is out of reach; the row then reads DIFFERS instead of FAIL.
@@ -54,10 +54,10 @@ impl PublishedNumber {
 
 /// What is wrong with such a list: values without tolerance, and what `unknown` says of their quantities (problem and
 /// remedy). Tables of a list go by their name, or by their number where a name is taken.
-pub(crate) fn misfits(
+pub(crate) fn invalid_values(
     list: &[PublishedNumber],
     unknown: impl Fn(&str) -> Option<(String, String)>,
-) -> Vec<Misfit> {
+) -> Vec<InvalidValue> {
     let mut wrong = Vec::new();
     for (i, printed) in list.iter().enumerate() {
         let taken = list.iter().take(i).any(|p| p.name == printed.name);
@@ -67,14 +67,14 @@ pub(crate) fn misfits(
             printed.name.clone()
         };
         if let Some((problem, remedy)) = unknown(&printed.quantity) {
-            wrong.push(Misfit::new(
+            wrong.push(InvalidValue::new(
                 &["published", &name, "quantity"],
                 problem,
                 remedy,
             ));
         }
         if printed.tolerance_rel.is_none() && printed.tolerance_abs.is_none() {
-            wrong.push(Misfit::new(
+            wrong.push(InvalidValue::new(
                 &["published", &name],
                 "has no tolerance",
                 "add `tolerance_rel` or `tolerance_abs`",

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::case::{At, Direction, Standing, StudyValue};
+use crate::case::{At, Direction, Provenance, StudyValue};
 
 /// A row of the validation table: a published value, trend or curve compared with a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,7 +32,7 @@ pub struct ValidationRow {
     /// The outcome.
     pub outcome: Outcome,
     /// Provenance of the inputs behind the computed value, at worst; absent for trends.
-    pub inputs: Option<Standing>,
+    pub inputs: Option<Provenance>,
     /// True when an input was fitted to this very number: agreement is then no evidence.
     pub fitted: bool,
     /// How far an agreement is evidence; absent where no input was calibrated.

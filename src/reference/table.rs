@@ -2,7 +2,7 @@
 
 use super::{Outcome, ValidationRow, note::note};
 use crate::{
-    case::{Direction, Standing},
+    case::{Direction, Provenance},
     report::{
         number::{Scale, digits, order, rounded},
         table::{Cell, CellInk, Column, Table},
@@ -151,7 +151,7 @@ fn inputs(row: &ValidationRow) -> Cell {
     }
     match row.inputs {
         None => Cell::plain(""),
-        Some(standing @ (Standing::Calibrated | Standing::Assumed)) => {
+        Some(standing @ (Provenance::Calibrated | Provenance::Assumed)) => {
             Cell::new(standing_word(standing), CellInk::Warn)
         }
         Some(standing) => Cell::plain(standing_word(standing)),
@@ -160,12 +160,12 @@ fn inputs(row: &ValidationRow) -> Cell {
 
 /// The word of a case file for the provenance of an input.
 #[must_use]
-pub const fn standing_word(standing: Standing) -> &'static str {
+pub const fn standing_word(standing: Provenance) -> &'static str {
     match standing {
-        Standing::Published => "published",
-        Standing::Derived => "derived",
-        Standing::Calibrated => "calibrated",
-        Standing::Assumed => "assumed",
+        Provenance::Published => "published",
+        Provenance::Derived => "derived",
+        Provenance::Calibrated => "calibrated",
+        Provenance::Assumed => "assumed",
     }
 }
 

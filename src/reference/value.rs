@@ -2,7 +2,7 @@
 
 use super::{CalibrationBasis, Outcome, ValidationRow};
 use crate::{
-    case::{At, Published, Standing, Statistic},
+    case::{At, Provenance, Published, Statistic},
     run::{Channel, Quantity, QuantityId, Run, RunState, Subject},
 };
 
@@ -57,7 +57,7 @@ pub struct ReferenceValue<'a> {
     /// Unit of both.
     pub unit: String,
     /// Provenance of the inputs behind the computed value, at worst.
-    pub inputs: Standing,
+    pub inputs: Provenance,
     /// True when an input was fitted to this very number.
     pub fitted: bool,
     /// How far an agreement is evidence.
@@ -168,7 +168,7 @@ fn basis(published: &Published, all: &[Published]) -> Option<CalibrationBasis> {
     } else if all.iter().any(|other| other.fitted && same(other)) {
         Some(CalibrationBasis::FittedNearby)
     } else {
-        (published.inputs == Standing::Calibrated).then_some(CalibrationBasis::Prediction)
+        (published.inputs == Provenance::Calibrated).then_some(CalibrationBasis::Prediction)
     }
 }
 

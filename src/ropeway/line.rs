@@ -6,8 +6,8 @@ use super::RopewayError;
 use super::elastic::{AT_SUPPORT, ElasticRope};
 use super::model::Ropeway;
 use crate::case::{
-    self, Carried, Case, ChannelId, ChannelQuantity, Clump, End, Ends, Material, Method, Section,
-    Site, Solver, Statistic, Traveller,
+    self, Attachment, Case, ChannelId, ChannelQuantity, Clump, End, Ends, Material, Method,
+    Section, Site, Solver, Statistic, Traveller,
 };
 use crate::run::job::{self, Request};
 use crate::run::{QuantityId, Run, RunState, Subject};
@@ -72,7 +72,7 @@ pub fn moving_case(
     let mut case = rope_case(ropeway, Some(AXIAL_DAMPING));
     hang_cargo(&mut case, ropeway, length_m, arc_m);
     case.ends.b = case.ends.b.moved_by_table(FILE, ramp_s);
-    let table = Carried::displacements(displacements);
+    let table = Attachment::displacements(displacements);
     case.files.insert(FILE.to_owned(), table);
     case.solver = in_motion(duration_s, true);
     case.output.interval_s = interval_s;

@@ -9,7 +9,7 @@ use super::quantities::{self, QUANTITIES};
 use super::solve::{SolvedRopeway, solve};
 use crate::case::fields::{Schema, either};
 use crate::case::kind::{self, FileKind};
-use crate::case::{self, Diagnostic, Mark, Misfit, Node};
+use crate::case::{self, Diagnostic, InvalidValue, Mark, Node};
 use crate::case::{FieldRow, Lister};
 use crate::reference::published_number;
 
@@ -27,11 +27,11 @@ impl FileKind for RopewayFile {
         &ROPEWAY
     }
 
-    fn work(words: Ropeway, _tree: &Node) -> Result<SolvedRopeway, Vec<Misfit>> {
+    fn work(words: Ropeway, _tree: &Node) -> Result<SolvedRopeway, Vec<InvalidValue>> {
         let mut wrong = check(&words);
         wrong.extend(lost_marks(&words));
         if wrong.is_empty() {
-            solve(&words).map_err(|misfit| vec![misfit])
+            solve(&words).map_err(|invalid| vec![invalid])
         } else {
             Err(wrong)
         }
@@ -70,17 +70,17 @@ pub fn parse(text: &str, file: &str) -> Result<SolvedRopeway, Vec<Diagnostic>> {
 }
 
 /// What its words say against each other.
-fn check(ropeway: &Ropeway) -> Vec<Misfit> {
+fn check(ropeway: &Ropeway) -> Vec<InvalidValue> {
     let mut wrong = Vec::new();
     let geometry = ElasticRope::of(ropeway).geometry;
     if geometry.rise_m.abs() > 2.0 * geometry.span_m {
-        wrong.push(Misfit::new(
+        wrong.push(InvalidValue::new(
             &["ship", "height_m"],
             "the rope would be steeper than a ropeway can be",
             "give the ends less difference of height, or a longer span",
         ));
     }
-    wrong.extend(published_number::misfits(
+    wrong.extend(published_number::invalid_values(
         &ropeway.published,
         unknown_quantity,
     ));
@@ -92,7 +92,11 @@ fn check(ropeway: &Ropeway) -> Vec<Misfit> {
             trend.name.clone()
         };
         if let Some((problem, remedy)) = unknown_quantity(&trend.quantity) {
-            wrong.push(Misfit::new(&["trend", &name, "quantity"], problem, remedy));
+            wrong.push(InvalidValue::new(
+                &["trend", &name, "quantity"],
+                problem,
+                remedy,
+            ));
         }
     }
     wrong
@@ -113,14 +117,14 @@ fn unknown_quantity(quantity: &str) -> Option<(String, String)> {
 }
 
 /// Marks of keys that no ropeway has.
-fn lost_marks(ropeway: &Ropeway) -> Vec<Misfit> {
+fn lost_marks(ropeway: &Ropeway) -> Vec<InvalidValue> {
     let lost = ropeway.marks.keys().filter(|key| {
         let parts = case::split(key);
         let known = parts.is_some_and(|parts| ROPEWAY.fields_at(&parts).next().is_some());
         !known
     });
     let told = lost.map(|key| {
-        Misfit::new(
+        InvalidValue::new(
             &["marks", key],
             format!("there is no key `{key}` in a ropeway"),
             "name a key as the file groups them: table, name, key",

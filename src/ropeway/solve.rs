@@ -9,7 +9,7 @@ use super::loaded::LoadedRope;
 use super::model::{By, Ropeway};
 use super::parabola::{self, Load};
 use super::unloaded::UnloadedRope;
-use crate::case::Misfit;
+use crate::case::InvalidValue;
 use crate::number::si;
 
 /// A ropeway with what its file alone determines.
@@ -48,7 +48,7 @@ pub struct ModelResults {
 ///
 /// # Errors
 /// An impossible setting, at its key.
-pub fn solve(ropeway: &Ropeway) -> Result<SolvedRopeway, Misfit> {
+pub fn solve(ropeway: &Ropeway) -> Result<SolvedRopeway, InvalidValue> {
     let key = setting_key(ropeway)?;
     let length_m = elastic::length_m(ropeway).map_err(|error| unsolved(key, &error))?;
     let rope = ElasticRope::of(ropeway);
@@ -57,7 +57,7 @@ pub fn solve(ropeway: &Ropeway) -> Result<SolvedRopeway, Misfit> {
         .map_err(|error| unsolved(key, &error))?;
     let stored = ropeway.stored_m();
     if length_m > stored {
-        return Err(Misfit::new(
+        return Err(InvalidValue::new(
             &["setting", key],
             format!(
                 "takes {} of rope, and of the shortest there is {}",
@@ -82,14 +82,14 @@ pub fn solve(ropeway: &Ropeway) -> Result<SolvedRopeway, Misfit> {
 }
 
 /// The key of the setting that determines the length of the rope, given in the file.
-fn setting_key(ropeway: &Ropeway) -> Result<&'static str, Misfit> {
+fn setting_key(ropeway: &Ropeway) -> Result<&'static str, InvalidValue> {
     let (key, value) = match ropeway.setting.by {
         By::BareSag | By::LoadedSag => ("sag_m", ropeway.setting.sag_m),
         By::Length => ("length_m", ropeway.setting.length_m),
         By::Tension => ("tension_n", ropeway.setting.tension_n),
     };
     let missing = || {
-        Misfit::new(
+        InvalidValue::new(
             &["setting", key],
             format!("is missing: the rope is set by its {}", ropeway.setting.by),
             format!("add `{key} = ...` to [setting], or change `by`"),
@@ -99,13 +99,13 @@ fn setting_key(ropeway: &Ropeway) -> Result<&'static str, Misfit> {
 }
 
 /// A setting without a solution.
-fn unsolved(key: &str, error: &RopewayError) -> Misfit {
+fn unsolved(key: &str, error: &RopewayError) -> InvalidValue {
     let remedy = match error {
         RopewayError::TooLittleTension { .. } => "give more tension, or a shorter span",
         RopewayError::TooDeep => "give less sag or less rope",
         _ => "give more rope, or a shorter span",
     };
-    Misfit::new(&["setting", key], error.to_string(), remedy)
+    InvalidValue::new(&["setting", key], error.to_string(), remedy)
 }
 
 impl SolvedRopeway {

@@ -82,12 +82,12 @@ fn rows(
     let name = name.ok_or_else(|| missing(key, "motion_file", why))?;
     let carried = case.files.get(name);
     let carried = carried.ok_or_else(|| missing("files", name, why))?;
-    case::carried::numbers(&carried.text, name, columns)
+    case::attachments::numbers(&carried.text, name, columns)
         .map_err(|fault| SceneError::File(fault.to_string()))
 }
 
 fn table(case: &Case, end: &case::End, key: &str) -> Result<MotionPath, SceneError> {
-    let columns = case::carried::PLACES.map(str::to_owned);
+    let columns = case::attachments::PLACES.map(str::to_owned);
     let points: Vec<(f64, V3)> = rows(case, end, key, &columns)?
         .iter()
         .map(|row| (row[0], V3::new(row[1], row[2], row[3])))
@@ -160,7 +160,7 @@ fn vessel(
 ) -> Result<MotionPath, SceneError> {
     let why = "a vessel moves in the waves of the case";
     let waves = waves.ok_or_else(|| missing("waves", "kind", why))?;
-    let columns = case::carried::response_columns();
+    let columns = case::attachments::response_columns();
     let mut entries: Vec<_> = rows(case, end, key, &columns)?
         .iter()
         .map(|r| entry(r))

@@ -8,8 +8,8 @@ use super::stiffness::{EndRotation, StiffnessMatrix, matrix};
 use super::strength::{Strength, strength};
 use super::units::unused;
 use super::weight::{Weight, weight};
+use crate::case::InvalidValue;
 use crate::case::Material;
-use crate::case::Misfit;
 
 /// The design of a section.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,18 +70,18 @@ impl Design {
 /// # Errors
 ///
 /// Every violation of geometry, with its key, the reason and a remedy.
-pub fn design(section: &Section) -> Result<Design, Vec<Misfit>> {
+pub fn design(section: &Section) -> Result<Design, Vec<InvalidValue>> {
     let mut layout = lay_out(section)?;
     layout.warnings.extend(unused(section));
     let rigid = matrix(&layout, Core::Rigid);
     if !(rigid.tension_strain > 0.0 && rigid.tension_strain.is_finite()) {
         let remedy = "give a unit or an armour layer Young's modulus, or an electric or optical cable its `ea_n`";
-        let misfit = Misfit::new(
+        let invalid = InvalidValue::new(
             &["section"],
             "nothing in the section carries tension",
             remedy,
         );
-        return Err(vec![misfit]);
+        return Err(vec![invalid]);
     }
     let solids = layout.sheaths().map(super::SheathTube::solid);
     let sheaths = solids.fold((0.0, 0.0), |(ea, gj), s| (ea + s.ea, gj + s.gj));
@@ -102,6 +102,6 @@ pub fn design(section: &Section) -> Result<Design, Vec<Misfit>> {
 /// # Errors
 ///
 /// Those of [`design`].
-pub fn material(section: &Section) -> Result<Material, Vec<Misfit>> {
+pub fn material(section: &Section) -> Result<Material, Vec<InvalidValue>> {
     Ok(design(section)?.material())
 }

@@ -1,7 +1,7 @@
 //! The keys of a section file as an editor lists and sets them.
 
 use super::read::SectionFile;
-use crate::case::{self, Diagnostic, Mark, Standing, kind};
+use crate::case::{self, Diagnostic, Mark, Provenance, kind};
 use crate::case::{FieldRow, Lister};
 
 /// Every key the file can have, given or not, from the section as a whole to the outermost layer. Where a value comes from
@@ -35,10 +35,10 @@ fn standing(behind: &str) -> Option<Mark> {
     let comment = line.strip_prefix('#')?.trim();
     let word = comment.split(|c: char| !c.is_alphabetic()).next()?;
     let status = match word.to_lowercase().as_str() {
-        "printed" | "published" => Standing::Published,
-        "derived" => Standing::Derived,
-        "calibrated" => Standing::Calibrated,
-        "assumed" => Standing::Assumed,
+        "printed" | "published" => Provenance::Published,
+        "derived" => Provenance::Derived,
+        "calibrated" => Provenance::Calibrated,
+        "assumed" => Provenance::Assumed,
         _ => return None,
     };
     Some(Mark {
@@ -107,8 +107,8 @@ mod tests {
             let row = rows.iter().find(|row| row.path == path).unwrap();
             row.standing.as_ref().map(|mark| mark.status)
         };
-        assert_eq!(of("units.tube.diameter_m"), Some(Standing::Published));
-        assert_eq!(of("section.usage_factor"), Some(Standing::Assumed));
+        assert_eq!(of("units.tube.diameter_m"), Some(Provenance::Published));
+        assert_eq!(of("section.usage_factor"), Some(Provenance::Assumed));
         assert_eq!(of("layer.inner-armour.count"), None);
     }
 }

@@ -9,7 +9,7 @@ use super::layout::{CentreCylinder, Helix, Layout, SheathTube, Shell};
 use super::model::{Armour, Layer, Section, Sheath, UnitLayer};
 use super::packing::{Ring, most, ring, smallest_radius, touching_phase};
 use super::units::{known_units, unit_named};
-use crate::case::Misfit;
+use crate::case::InvalidValue;
 
 /// Units a layer may have; a wire layer has its own, wider limit.
 pub const MOST_UNITS: usize = 60;
@@ -25,12 +25,12 @@ const TOUCH: f64 = 1e-9;
 /// # Errors
 ///
 /// Every violation, with its key, the reason and a remedy.
-pub fn lay_out(section: &Section) -> Result<Layout, Vec<Misfit>> {
+pub fn lay_out(section: &Section) -> Result<Layout, Vec<InvalidValue>> {
     let mut violations = known_units(section);
     violations.extend(layer_checks(section));
     if section.centre.is_none() && section.layers.is_empty() {
         let remedy = "add [centre], or a [[layer]] of units";
-        violations.push(Misfit::new(&["section"], "holds nothing", remedy));
+        violations.push(InvalidValue::new(&["section"], "holds nothing", remedy));
     }
     if !violations.is_empty() {
         return Err(violations);
@@ -57,8 +57,8 @@ struct Builder {
     shells: Vec<Shell>,
     /// Outer radius of the layers so far \[m\].
     outer_radius: f64,
-    warnings: Vec<Misfit>,
-    violations: Vec<Misfit>,
+    warnings: Vec<InvalidValue>,
+    violations: Vec<InvalidValue>,
 }
 
 impl Builder {
@@ -90,7 +90,7 @@ impl Builder {
                 "give {} or more, or leave it out",
                 at_least(2.0 * element.radius)
             );
-            self.violations.push(Misfit::new(
+            self.violations.push(InvalidValue::new(
                 &["centre", "jacket_diameter_m"],
                 problem,
                 remedy,
@@ -115,7 +115,7 @@ impl Builder {
     fn sheath(&mut self, input: &Sheath, key: &str) {
         if self.outer_radius <= 0.0 {
             let remedy = "put the centre or a layer of units before it";
-            self.violations.push(Misfit::new(
+            self.violations.push(InvalidValue::new(
                 &["layer", key],
                 "is a sheath around nothing",
                 remedy,
@@ -141,7 +141,7 @@ impl Builder {
             let remedy =
                 "spread them over several layers; wires belong in a layer of kind \"armour\"";
             self.violations
-                .push(Misfit::new(&["layer", key, "units"], problem, remedy));
+                .push(InvalidValue::new(&["layer", key, "units"], problem, remedy));
             return;
         }
         let angle = input.lay_angle_deg.to_radians();
@@ -188,7 +188,7 @@ impl Builder {
                 let problem = "has nothing inside that determines how many wires fit";
                 let remedy = "give `count`, or put the centre or a layer before it";
                 self.violations
-                    .push(Misfit::new(&["layer", key], problem, remedy));
+                    .push(InvalidValue::new(&["layer", key], problem, remedy));
                 return;
             }
             (Some(count), true) => (count, smallest(count).max(wire) * (1.0 + 1e-9)),
@@ -253,7 +253,7 @@ impl Builder {
             at_least(smallest)
         );
         self.violations
-            .push(Misfit::new(&["layer", key, last], problem, remedy));
+            .push(InvalidValue::new(&["layer", key, last], problem, remedy));
     }
 
     fn too_far_in(&mut self, radius: f64, thickest: f64, key: &str) {
@@ -267,7 +267,8 @@ impl Builder {
             at_least(self.outer_radius + thickest)
         );
         let path = ["layer", key, "pitch_radius_m"];
-        self.violations.push(Misfit::new(&path, problem, remedy));
+        self.violations
+            .push(InvalidValue::new(&path, problem, remedy));
     }
 
     fn too_many(
@@ -287,7 +288,7 @@ impl Builder {
         );
         let remedy = format!("give {capacity} or fewer, or leave it out for as many as fit");
         self.violations
-            .push(Misfit::new(&["layer", key, "count"], problem, remedy));
+            .push(InvalidValue::new(&["layer", key, "count"], problem, remedy));
     }
 
     /// Warns of a gap below the layer.
@@ -306,7 +307,7 @@ impl Builder {
                 at_most(2.0 * inner)
             );
             self.warnings
-                .push(Misfit::new(&["layer", key], problem, remedy));
+                .push(InvalidValue::new(&["layer", key], problem, remedy));
         }
     }
 
@@ -326,7 +327,7 @@ impl Builder {
             );
             let remedy = "add units or filler ropes, or the layer shifts when the cable bends";
             self.warnings
-                .push(Misfit::new(&["layer", key], problem, remedy));
+                .push(InvalidValue::new(&["layer", key], problem, remedy));
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Checks of the layers of a section before they are laid out: names, number of armour layers, lay angles.
 
 use super::model::{Layer, Section};
-use crate::case::Misfit;
+use crate::case::InvalidValue;
 
 /// Armour layers a section may have: as many as the program of Lin et al. 2016 (section 2.1) takes.
 pub const MOST_ARMOUR: usize = 4;
@@ -10,7 +10,7 @@ pub const MOST_ARMOUR: usize = 4;
 pub const LAY_ANGLES: (f64, f64) = (0.5, 60.0);
 
 /// Violations of all layers.
-pub(super) fn layer_checks(section: &Section) -> Vec<Misfit> {
+pub(super) fn layer_checks(section: &Section) -> Vec<InvalidValue> {
     let mut violations = names(section);
     violations.extend(armour_layers(section));
     violations.extend(lay_angles(section));
@@ -31,7 +31,7 @@ pub(super) fn layer_keys(section: &Section) -> Vec<String> {
     keys
 }
 
-fn names(section: &Section) -> Vec<Misfit> {
+fn names(section: &Section) -> Vec<InvalidValue> {
     let twice = layer_keys(section)
         .into_iter()
         .zip(&section.layers)
@@ -40,16 +40,16 @@ fn names(section: &Section) -> Vec<Misfit> {
         .map(|(key, layer)| {
             let problem = format!("the name \"{}\" is used twice", layer.name());
             let remedy = "give every layer a name of its own";
-            Misfit::new(&["layer", &key, "name"], problem, remedy)
+            InvalidValue::new(&["layer", &key, "name"], problem, remedy)
         })
         .collect()
 }
 
-fn armour_layers(section: &Section) -> Option<Misfit> {
+fn armour_layers(section: &Section) -> Option<InvalidValue> {
     let armour = |(layer, _): &(&Layer, String)| matches!(layer, Layer::Armour(_));
     let layers = section.layers.iter().zip(layer_keys(section));
     let (_, key) = layers.filter(armour).nth(MOST_ARMOUR)?;
-    Some(Misfit::new(
+    Some(InvalidValue::new(
         &["layer", &key, "kind"],
         format!("is one armour layer too many: a section has at most {MOST_ARMOUR}"),
         "leave it out, or take thicker wires in fewer layers",
@@ -57,7 +57,7 @@ fn armour_layers(section: &Section) -> Option<Misfit> {
 }
 
 /// Lay angles outside of [`LAY_ANGLES`].
-fn lay_angles(section: &Section) -> Vec<Misfit> {
+fn lay_angles(section: &Section) -> Vec<InvalidValue> {
     let (least, greatest) = LAY_ANGLES;
     let mut violations = Vec::new();
     for (layer, key) in section.layers.iter().zip(layer_keys(section)) {
@@ -80,7 +80,7 @@ fn lay_angles(section: &Section) -> Vec<Misfit> {
                 "",
             )
         };
-        violations.push(Misfit::new(
+        violations.push(InvalidValue::new(
             &["layer", &key, "lay_angle_deg"],
             format!("{given} deg {problem}"),
             format!("give {least} to {greatest} deg, usually 5 to 30{last}"),

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::element::{Element, disc, second_moment, shear_modulus};
 use super::model::{Centre, Sheath};
-use crate::case::Misfit;
+use crate::case::InvalidValue;
 
 /// A section laid out.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,7 +16,7 @@ pub struct Layout {
     /// Outer radius of the whole \[m\].
     pub outer_radius: f64,
     /// Warnings about the geometry.
-    pub warnings: Vec<Misfit>,
+    pub warnings: Vec<InvalidValue>,
 }
 
 /// The unit in the centre with its jacket.

@@ -6,7 +6,7 @@ use super::design::{Design, design};
 use super::model::{SECTION, Section};
 use crate::case::fields::Schema;
 use crate::case::kind::{self, FileKind};
-use crate::case::{Diagnostic, Misfit, Node};
+use crate::case::{Diagnostic, InvalidValue, Node};
 use crate::case::{FieldRow, Lister};
 
 /// A design with the text and the file it came from.
@@ -23,7 +23,7 @@ impl FileKind for SectionFile {
         &SECTION
     }
 
-    fn work(words: Section, _tree: &Node) -> Result<Design, Vec<Misfit>> {
+    fn work(words: Section, _tree: &Node) -> Result<Design, Vec<InvalidValue>> {
         design(&words)
     }
 

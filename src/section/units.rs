@@ -2,7 +2,7 @@
 
 use super::format::{at_most, mm};
 use super::model::{Layer, Section, Tube, Unit};
-use crate::case::Misfit;
+use crate::case::InvalidValue;
 use crate::case::fields::either;
 use crate::case::nearest;
 
@@ -12,8 +12,8 @@ pub(super) fn unit_named<'a>(section: &'a Section, name: &str) -> Option<&'a Uni
 }
 
 /// Violations: impossible units, unknown names.
-pub(super) fn known_units(section: &Section) -> Vec<Misfit> {
-    let mut wrong: Vec<Misfit> = Vec::new();
+pub(super) fn known_units(section: &Section) -> Vec<InvalidValue> {
+    let mut wrong: Vec<InvalidValue> = Vec::new();
     for (name, unit) in &section.units {
         if let Unit::Tube(tube) = unit {
             wrong.extend(possible(name, tube));
@@ -35,7 +35,7 @@ pub(super) fn known_units(section: &Section) -> Vec<Misfit> {
     wrong
 }
 
-fn unknown(section: &Section, name: &str, path: &[&str]) -> Option<Misfit> {
+fn unknown(section: &Section, name: &str, path: &[&str]) -> Option<InvalidValue> {
     if section.units.contains_key(name) {
         return None;
     }
@@ -49,11 +49,11 @@ fn unknown(section: &Section, name: &str, path: &[&str]) -> Option<Misfit> {
             either(&known).replace(" or ", " and ")
         ),
     };
-    Some(Misfit::new(path, problem, remedy))
+    Some(InvalidValue::new(path, problem, remedy))
 }
 
 /// A tube without a bore, or larger than its jacket.
-fn possible(name: &str, tube: &Tube) -> Option<Misfit> {
+fn possible(name: &str, tube: &Tube) -> Option<InvalidValue> {
     let outer = tube.tube_diameter_m.unwrap_or(tube.diameter_m);
     if outer > tube.diameter_m {
         let problem = format!(
@@ -62,7 +62,7 @@ fn possible(name: &str, tube: &Tube) -> Option<Misfit> {
             mm(tube.diameter_m)
         );
         let remedy = format!("give {} or less", at_most(tube.diameter_m));
-        return Some(Misfit::new(
+        return Some(InvalidValue::new(
             &["units", name, "tube_diameter_m"],
             problem,
             remedy,
@@ -78,13 +78,17 @@ fn possible(name: &str, tube: &Tube) -> Option<Misfit> {
             "give less than {}, or make it a unit of kind \"rod\"",
             at_most(0.5 * outer)
         );
-        return Some(Misfit::new(&["units", name, "wall_m"], problem, remedy));
+        return Some(InvalidValue::new(
+            &["units", name, "wall_m"],
+            problem,
+            remedy,
+        ));
     }
     None
 }
 
 /// Units that are described but lie nowhere.
-pub(super) fn unused(section: &Section) -> Vec<Misfit> {
+pub(super) fn unused(section: &Section) -> Vec<InvalidValue> {
     let used = |name: &str| {
         let in_centre = section.centre.as_ref().is_some_and(|c| c.unit == name);
         let in_layer = section.layers.iter().any(|layer| match layer {
@@ -96,7 +100,7 @@ pub(super) fn unused(section: &Section) -> Vec<Misfit> {
     let idle = section.units.keys().filter(|name| !used(name));
     idle.map(|name| {
         let remedy = "name it in [centre] or in the `units` of a layer, or remove it";
-        Misfit::new(&["units", name], "the unit is not used", remedy)
+        InvalidValue::new(&["units", name], "the unit is not used", remedy)
     })
     .collect()
 }

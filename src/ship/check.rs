@@ -7,7 +7,7 @@ use super::hull;
 use super::model::{Coefficients, Follows, MotionSource, Ship};
 use super::motion::ShipMotion;
 use super::quantities::parts;
-use crate::case::{Misfit, Node};
+use crate::case::{InvalidValue, Node};
 use crate::number::digits;
 use crate::physics::sea::DEGREES;
 use crate::reference::published_number;
@@ -21,28 +21,31 @@ const TABLE: [&str; 3] = ["surge", "sway", "yaw"];
 const SERIES: [&str; 3] = ["surge_cosines", "sway_sines", "yaw_sines"];
 
 /// Everything that is invalid.
-pub(super) fn misfits(ship: &Ship, tree: &Node) -> Vec<Misfit> {
+pub(super) fn invalid_values(ship: &Ship, tree: &Node) -> Vec<InvalidValue> {
     let mut wrong = loads(ship);
     wrong.extend(motion(ship));
     if let Some(hull) = &ship.hull {
-        wrong.extend(hull::misfits(hull, ship.coupled.as_ref()));
+        wrong.extend(hull::invalid_values(hull, ship.coupled.as_ref()));
     }
     wrong.extend(coupled(ship));
     wrong.extend(rope(ship));
-    wrong.extend(published_number::misfits(&ship.published, |quantity| {
-        parts(quantity).is_none().then(|| {
-            (
-                format!("is not known: \"{}\"", quantity.escape_default()),
-                "name a motion, a derivative and a statistic, such as pitch.velocity.rms"
-                    .to_owned(),
-            )
-        })
-    }));
+    wrong.extend(published_number::invalid_values(
+        &ship.published,
+        |quantity| {
+            parts(quantity).is_none().then(|| {
+                (
+                    format!("is not known: \"{}\"", quantity.escape_default()),
+                    "name a motion, a derivative and a statistic, such as pitch.velocity.rms"
+                        .to_owned(),
+                )
+            })
+        },
+    ));
     wrong.extend(marks(ship, tree));
     wrong
 }
 
-fn loads(ship: &Ship) -> Vec<Misfit> {
+fn loads(ship: &Ship) -> Vec<InvalidValue> {
     let loads = [
         ("wind", ship.wind.as_ref().map(|load| load.coefficients())),
         (
@@ -53,7 +56,7 @@ fn loads(ship: &Ship) -> Vec<Misfit> {
     ];
     if loads.iter().all(|(_, load)| load.is_none()) {
         let remedy = "add [wind], [current] or [drift]";
-        return vec![Misfit::at("ship", "no load acts on the ship", remedy)];
+        return vec![InvalidValue::at("ship", "no load acts on the ship", remedy)];
     }
     let given = loads
         .iter()
@@ -64,7 +67,7 @@ fn loads(ship: &Ship) -> Vec<Misfit> {
 }
 
 /// Either a consistent table or series.
-fn coefficients(table: &str, load: &Coefficients<'_>) -> Vec<Misfit> {
+fn coefficients(table: &str, load: &Coefficients<'_>) -> Vec<InvalidValue> {
     let first_given = |names: [&'static str; 3], lists: [&[f64]; 3]| {
         let mut named = names.into_iter().zip(lists);
         named
@@ -73,31 +76,31 @@ fn coefficients(table: &str, load: &Coefficients<'_>) -> Vec<Misfit> {
     };
     let has_table = !load.angle_deg.is_empty() || first_given(TABLE, load.table).is_some();
     match (has_table, first_given(SERIES, load.series)) {
-        (false, None) => vec![Misfit::new(
+        (false, None) => vec![InvalidValue::new(
             &[table],
             "has no coefficients",
             "give angle_deg with surge, sway and yaw, or the series surge_cosines, sway_sines, yaw_sines",
         )],
-        (true, Some(series)) => vec![Misfit::new(
+        (true, Some(series)) => vec![InvalidValue::new(
             &[table, series],
             "is a series, and there is a table too",
             "give one of both",
         )],
         (false, Some(_)) => Vec::new(),
         (true, None) => match angles(table, load.angle_deg) {
-            Some(misfit) => vec![misfit],
+            Some(invalid) => vec![invalid],
             None => columns(table, load),
         },
     }
 }
 
 /// Columns of one coefficient an angle, odd ones zero at the ends of a half turn.
-fn columns(table: &str, load: &Coefficients<'_>) -> Vec<Misfit> {
+fn columns(table: &str, load: &Coefficients<'_>) -> Vec<InvalidValue> {
     let last = load.angle_deg.last();
     let half = last.is_some_and(|last| (last.to_radians() - PI).abs() < 1e-9);
     let check = |(name, values): (&str, &[f64])| {
         if values.len() != load.angle_deg.len() {
-            return Some(Misfit::new(
+            return Some(InvalidValue::new(
                 &[table, name],
                 format!(
                     "holds {} numbers for {} angles",
@@ -110,7 +113,7 @@ fn columns(table: &str, load: &Coefficients<'_>) -> Vec<Misfit> {
         let ends = [values[0], values[values.len() - 1]];
         let nonzero = name != "surge" && half && ends.iter().any(|v| v.abs() > 1e-12);
         nonzero.then(|| {
-            Misfit::new(
+            InvalidValue::new(
                 &[table, name],
                 "must be zero at 0 and 180 degrees, because the other side follows by symmetry",
                 "begin and end with 0, or give the table up to below 360 degrees",
@@ -125,31 +128,31 @@ fn columns(table: &str, load: &Coefficients<'_>) -> Vec<Misfit> {
 }
 
 /// Angles that ascend from 0 to 180 or to below 360 degrees.
-fn angles(table: &str, angles: &[f64]) -> Option<Misfit> {
-    let misfit = |problem: String| {
+fn angles(table: &str, angles: &[f64]) -> Option<InvalidValue> {
+    let invalid = |problem: String| {
         let remedy = "give ascending angles from 0 to 180, or from 0 to below 360";
-        Some(Misfit::new(&[table, "angle_deg"], problem, remedy))
+        Some(InvalidValue::new(&[table, "angle_deg"], problem, remedy))
     };
     if angles.len() < 3 {
-        return misfit("holds fewer than 3 angles".to_owned());
+        return invalid("holds fewer than 3 angles".to_owned());
     }
     if angles[0].abs() > 1e-9 {
-        return misfit(format!("begins at {} degrees", digits(angles[0], 6)));
+        return invalid(format!("begins at {} degrees", digits(angles[0], 6)));
     }
     if let Some(pair) = angles.windows(2).find(|pair| pair[1] - pair[0] < 1e-6) {
         let (from, to) = (digits(pair[0], 6), digits(pair[1], 6));
-        return misfit(format!("does not ascend from {from} to {to} degrees"));
+        return invalid(format!("does not ascend from {from} to {to} degrees"));
     }
     let last = angles[angles.len() - 1];
     let valid = (last - 180.0).abs() < 1e-9 || (last > 180.0 && last < 360.0 - 1e-6);
     if valid {
         return None;
     }
-    misfit(format!("ends at {} degrees", digits(last, 6)))
+    invalid(format!("ends at {} degrees", digits(last, 6)))
 }
 
 /// Statistics that a motion can have, and a record of acceptable length.
-fn motion(ship: &Ship) -> Option<Misfit> {
+fn motion(ship: &Ship) -> Option<InvalidValue> {
     let settings = ship.motion.as_ref()?;
     if settings.duration_s / settings.step_s > MAX_INSTANTS {
         return Some(too_many(
@@ -168,15 +171,15 @@ fn motion(ship: &Ship) -> Option<Misfit> {
     } else {
         "motion.rotation_rms_deg"
     };
-    Some(Misfit::at(
+    Some(InvalidValue::at(
         key,
         format!("{}: {}", DEGREES[error.degree], error.why),
         "give displacement, velocity and acceleration of the same record, and a longer slow_period_s where that is needed",
     ))
 }
 
-fn too_many(key: &str, max: f64, what: &str, duration_s: f64) -> Misfit {
-    Misfit::at(
+fn too_many(key: &str, max: f64, what: &str, duration_s: f64) -> InvalidValue {
+    InvalidValue::at(
         key,
         format!(
             "gives more than {max:e} {what} in {} s",
@@ -187,7 +190,7 @@ fn too_many(key: &str, max: f64, what: &str, duration_s: f64) -> Misfit {
 }
 
 /// What the coupled analysis needs.
-fn coupled(ship: &Ship) -> Vec<Misfit> {
+fn coupled(ship: &Ship) -> Vec<InvalidValue> {
     let Some(settings) = &ship.coupled else {
         return Vec::new();
     };
@@ -196,14 +199,14 @@ fn coupled(ship: &Ship) -> Vec<Misfit> {
         ("[mooring]", ship.mooring.is_none()),
     ];
     let missing = needs.into_iter().filter(|(_, missing)| *missing);
-    let mut wrong: Vec<Misfit> = missing
+    let mut wrong: Vec<InvalidValue> = missing
         .map(|(table, _)| {
             let remedy = format!("add {table}, or remove [coupled]");
-            Misfit::at("coupled", format!("needs {table}"), remedy)
+            InvalidValue::at("coupled", format!("needs {table}"), remedy)
         })
         .collect();
     if settings.from_s >= settings.duration_s {
-        wrong.push(Misfit::at(
+        wrong.push(InvalidValue::at(
             "coupled.from_s",
             format!(
                 "leaves nothing of {} s for statistics",
@@ -213,7 +216,7 @@ fn coupled(ship: &Ship) -> Vec<Misfit> {
         ));
     }
     if settings.segments % 2 == 1 {
-        wrong.push(Misfit::at(
+        wrong.push(InvalidValue::at(
             "coupled.segments",
             format!("is odd: {}", settings.segments),
             "give an even number, because half the segments give the mesh error",
@@ -231,26 +234,26 @@ fn coupled(ship: &Ship) -> Vec<Misfit> {
 }
 
 /// The motion that the rope follows.
-fn rope(ship: &Ship) -> Option<Misfit> {
+fn rope(ship: &Ship) -> Option<InvalidValue> {
     let rope = ship.rope.as_ref()?;
     if ship.motion.is_none() {
         let remedy = "add [motion], or remove [rope]";
-        return Some(Misfit::at("rope", "needs [motion]", remedy));
+        return Some(InvalidValue::at("rope", "needs [motion]", remedy));
     }
     let missing = rope.follows == Follows::Coupled && ship.coupled.is_none();
     let remedy = "add [coupled], or follow \"motion\"";
-    missing.then(|| Misfit::at("rope.follows", "needs [coupled]", remedy))
+    missing.then(|| InvalidValue::at("rope.follows", "needs [coupled]", remedy))
 }
 
 /// Provenance of inputs that the file has.
-fn marks(ship: &Ship, tree: &Node) -> Vec<Misfit> {
+fn marks(ship: &Ship, tree: &Node) -> Vec<InvalidValue> {
     let unknown = ship.marks.keys().filter(|key| {
         let parts = crate::case::split(key).unwrap_or_default();
         parts.is_empty() || tree.find(&parts).is_none()
     });
     unknown
         .map(|key| {
-            Misfit::new(
+            InvalidValue::new(
                 &["marks", key],
                 "the file has no such key",
                 "name a key path of the file, such as \"ship.length_m\"",

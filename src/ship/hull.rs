@@ -4,7 +4,7 @@
 use nalgebra::{Matrix3, Matrix6, SymmetricEigen};
 
 use super::model::{CoupledSettings, Hull};
-use crate::case::Misfit;
+use crate::case::InvalidValue;
 use crate::numerics::{M3, V3};
 
 /// Matrices about the reference point in ship axes: surge, sway, heave, roll, pitch, yaw.
@@ -67,7 +67,7 @@ fn matrix(list: &[f64]) -> Option<Matrix6<f64>> {
 }
 
 /// Matrices that are not physical.
-pub(super) fn misfits(hull: &Hull, coupled: Option<&CoupledSettings>) -> Vec<Misfit> {
+pub(super) fn invalid_values(hull: &Hull, coupled: Option<&CoupledSettings>) -> Vec<InvalidValue> {
     let mut wrong = Vec::new();
     for (key, list) in [
         ("hull.added_mass_si", &hull.added_mass_si),
@@ -75,7 +75,7 @@ pub(super) fn misfits(hull: &Hull, coupled: Option<&CoupledSettings>) -> Vec<Mis
         ("hull.restoring_si", &hull.restoring_si),
     ] {
         if matrix(list).is_none() {
-            wrong.push(Misfit::at(
+            wrong.push(InvalidValue::at(
                 key,
                 format!("holds {} numbers", list.len()),
                 "give six for the diagonal (surge, sway, heave, roll, pitch, yaw), or thirty-six by rows",
@@ -87,20 +87,20 @@ pub(super) fn misfits(hull: &Hull, coupled: Option<&CoupledSettings>) -> Vec<Mis
     }
     let all = HullMatrices::of(hull);
     if asymmetry(&all.mass) > 1e-9 {
-        wrong.push(Misfit::at(
+        wrong.push(InvalidValue::at(
             "hull.added_mass_si",
             "is not symmetric",
             "give a matrix that equals its transpose",
         ));
     } else if all.mass.cholesky().is_none() {
-        wrong.push(Misfit::at(
+        wrong.push(InvalidValue::at(
             "hull.added_mass_si",
             "the sum of mass and added mass is not positive definite",
             "give added mass that is positive semidefinite",
         ));
     }
     if smallest_eigenvalue(&all.damping) < -1e-9 * all.damping.abs().max() {
-        wrong.push(Misfit::at(
+        wrong.push(InvalidValue::at(
             "hull.damping_si",
             "feeds energy into some motion: its symmetric part is not positive semidefinite",
             "give damping that is not negative in any motion",
@@ -110,7 +110,7 @@ pub(super) fn misfits(hull: &Hull, coupled: Option<&CoupledSettings>) -> Vec<Mis
         let upright = all.restoring.fixed_view::<3, 3>(2, 2).into_owned();
         let symmetric = (upright + upright.transpose()) * 0.5;
         if symmetric.cholesky().is_none() {
-            wrong.push(Misfit::at(
+            wrong.push(InvalidValue::at(
                 "hull.restoring_si",
                 "is not positive definite in heave, roll and pitch",
                 "give positive restoring in heave, roll and pitch: otherwise the ship sinks or capsizes",

@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use super::check::misfits;
+use super::check::invalid_values;
 use super::model::Ship;
 use super::static_analysis::StaticAnalysis;
 use crate::case::fields::Schema;
 use crate::case::kind::{self, FileKind};
 use crate::case::schema::schema_of;
-use crate::case::{Diagnostic, Mark, Misfit, Node, Opened};
+use crate::case::{Diagnostic, InvalidValue, Mark, Node, Opened};
 use crate::case::{FieldRow, Lister};
 
 /// The ship file.
@@ -33,8 +33,8 @@ impl FileKind for ShipFile {
         &SHIP
     }
 
-    fn work(ship: Ship, tree: &Node) -> Result<StaticAnalysis, Vec<Misfit>> {
-        let wrong = misfits(&ship, tree);
+    fn work(ship: Ship, tree: &Node) -> Result<StaticAnalysis, Vec<InvalidValue>> {
+        let wrong = invalid_values(&ship, tree);
         if wrong.is_empty() {
             Ok(StaticAnalysis::new(ship))
         } else {

@@ -1,7 +1,7 @@
 //! The table of fields says what the reader of the file does: defaults, words, units, rows.
 
 use seacable::case::fields::{Absent, Field, Kind, Schema, unit_suffix};
-use seacable::case::{self, Case, Standing, Statistic};
+use seacable::case::{self, Case, Provenance, Statistic};
 use seacable::case::{CASE, field_at, rows};
 
 /// A case that gives nothing that has a default, but holds every table.
@@ -211,7 +211,10 @@ fn rows_list_given_and_defaulted_fields_with_their_standing() {
         (drag.value.as_str(), drag.unit, drag.given),
         ("141.0", "m²", true)
     );
-    assert_eq!(drag.standing.as_ref().unwrap().status, Standing::Calibrated);
+    assert_eq!(
+        drag.standing.as_ref().unwrap().status,
+        Provenance::Calibrated
+    );
     let most = row("solver.max_iterations");
     assert_eq!(
         (most.value.as_str(), most.given, most.absent),

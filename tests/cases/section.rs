@@ -816,8 +816,8 @@ proptest! {
     fn what_is_accepted_is_sound(section in any_section()) {
         let design = match section::design(&section) {
             Ok(design) => design,
-            Err(misfits) => {
-                prop_assert!(!misfits.is_empty());
+            Err(invalid_values) => {
+                prop_assert!(!invalid_values.is_empty());
                 return Ok(());
             }
         };

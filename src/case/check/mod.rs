@@ -1,8 +1,7 @@
 //! Checks of a case file. [`keys`] holds every table and value against its declaration; [`mod@line`], [`ends`], [`rope`],
-//! [`loads`], [`payload`], [`sea`], [`start`], [`claims`] and [`trials`] hold typed values against each other. They pass
+//! [`loads`], [`payload`], [`sea`], [`start`], [`validation_data`] and [`trials`] hold typed values against each other. They pass
 //! over what is missing or faulty, so that everything is reported at once, each at its place.
 
-mod claims;
 mod ends;
 mod keys;
 mod line;
@@ -16,6 +15,7 @@ mod sea;
 mod start;
 mod taken;
 mod trials;
+mod validation_data;
 
 use super::diagnostic::Finding;
 use super::model::{CASE, Case, CaseKeys};
@@ -35,7 +35,7 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
         payload::check,
         sea::check,
         start::check,
-        claims::check,
+        validation_data::check,
         trials::check,
     ];
     let case = Case::keys(&Place::root(root));

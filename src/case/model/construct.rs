@@ -20,7 +20,7 @@
 use std::fmt::Write;
 
 use super::{
-    About, Carried, Case, Clump, End, EndKind, Ends, Material, MotionName, Seabed, Section,
+    About, Attachment, Case, Clump, End, EndKind, Ends, Material, MotionName, Seabed, Section,
     Traveller, WaveKind, Waves,
 };
 
@@ -158,7 +158,7 @@ impl Traveller {
     }
 }
 
-impl Carried {
+impl Attachment {
     /// A table of displacements over time: seconds, and metres along x, y, z.
     #[must_use]
     pub fn displacements(rows: impl IntoIterator<Item = (f64, [f64; 3])>) -> Self {

@@ -90,7 +90,7 @@ words! {
 table! {
     /// A file that goes with the case.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct Carried => CarriedKeys {
+    pub struct Attachment => AttachmentKeys {
         /// The text of a file that the case names.
         text: String, "carried file";
     }

@@ -9,7 +9,7 @@
 use std::cmp::Ordering;
 use std::f64::consts::{PI, TAU};
 
-use crate::case::carried::{Placed, placed, response_columns};
+use crate::case::attachments::{Placed, placed, response_columns};
 use crate::case::{Diagnostic, Finding};
 use crate::number::digits;
 use crate::physics::sea::{DEGREES, Rao};

@@ -4,7 +4,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 
 use super::{About, Pane, about};
-use crate::case::Standing;
+use crate::case::Provenance;
 use crate::tui::command::{self, Command, FILTER, Id, LIST, main, other};
 use crate::tui::facade::FieldRow;
 use crate::tui::msg::Effect;
@@ -111,12 +111,12 @@ fn fields(painter: &mut Painter, list: Rect, editor: &ParameterEditor) {
 }
 
 /// The word for where a value comes from.
-fn standing_word(standing: Standing) -> &'static str {
+fn standing_word(standing: Provenance) -> &'static str {
     match standing {
-        Standing::Published => "published",
-        Standing::Derived => "derived",
-        Standing::Calibrated => "calibrated",
-        Standing::Assumed => "assumed",
+        Provenance::Published => "published",
+        Provenance::Derived => "derived",
+        Provenance::Calibrated => "calibrated",
+        Provenance::Assumed => "assumed",
     }
 }
 

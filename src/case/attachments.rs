@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::diagnostic::{Diagnostic, Finding};
-use super::model::{Carried, Case, EndKind, MotionName};
+use super::model::{Attachment, Case, EndKind, MotionName};
 use super::tree::Node;
 use crate::physics::sea::DEGREES;
 
@@ -90,7 +90,8 @@ impl Reading<'_> {
                 let remedy = "name a file beside the case file, or carry it in the case as [files.\"NAME\"] text = \"...\"";
                 Finding::new(&span, key.join("."), problem, remedy).at(self.file, self.text)
             })?;
-            case.files.insert(name.to_owned(), Carried { text: read });
+            case.files
+                .insert(name.to_owned(), Attachment { text: read });
         }
         Ok(beside.display().to_string())
     }

@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use super::diagnostic::{Diagnostic, Finding};
 use super::fields::quantity;
-use super::model::{Carried, Case};
+use super::model::{Attachment, Case};
 use super::tree::Node;
 
 /// What a run directory holds to go on from.
@@ -52,7 +52,7 @@ pub(super) fn gather(
             let remedy = "name the directory of a run in motion that came to an output time, beside the case file or from here";
             fault(problem, remedy)
         })?;
-        case.files.insert(name.clone(), Carried { text: read });
+        case.files.insert(name.clone(), Attachment { text: read });
     }
     let carried = case.files.get(&name).map_or("", |c| c.text.as_str());
     let stands: Stands = toml::from_str(carried).map_err(|error| {

@@ -8,7 +8,7 @@ use super::{join, split};
 
 /// Something that cannot be as the file says, or should be looked at.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Misfit {
+pub struct InvalidValue {
     /// The key meant, as the parts of its path: `["layer", "bundle", "pitch_radius_m"]`.
     pub path: Vec<String>,
     /// What is wrong.
@@ -17,7 +17,7 @@ pub struct Misfit {
     pub remedy: String,
 }
 
-impl Misfit {
+impl InvalidValue {
     pub(crate) fn new(
         path: &[&str],
         problem: impl Into<String>,
@@ -54,7 +54,7 @@ impl Misfit {
     }
 }
 
-impl fmt::Display for Misfit {
+impl fmt::Display for InvalidValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}; {}", self.key(), self.problem, self.remedy)
     }

@@ -12,15 +12,15 @@ table! {
     #[derive(Debug, Clone, PartialEq)]
     pub struct Mark => MarkKeys {
         /// Where the number stands, from best to worst: published, derived, calibrated, assumed.
-        status: Standing, "standing";
+        status: Provenance, "standing";
         /// Why this value.
         reason: String, "reason";
     }
 }
 
 words! {
-    /// Standing of a number, from best to worst.
-    pub enum Standing {
+    /// Provenance of a number, from best to worst.
+    pub enum Provenance {
         /// Printed in the source.
         Published = "published",
         /// Follows from printed numbers by algebra.
@@ -128,8 +128,8 @@ table! {
         tolerance_abs: Option<f64>, "absolute tolerance", unit "", range positive(f64::INFINITY), absent "not used";
         /// Where it is printed.
         source: String, "source";
-        /// Standing of the inputs behind the computed value, at worst.
-        inputs: Standing, "inputs";
+        /// Provenance of the inputs behind the computed value, at worst.
+        inputs: Provenance, "inputs";
         /// True when an input was fitted to this very number: agreement is then no evidence.
         fitted: bool = false, "fitted";
         /// Why the number cannot be reached; the row then reads DIFFERS instead of FAIL.
@@ -168,8 +168,8 @@ table! {
         tolerance_percent: f64, "tolerance", unit "", range positive(100.0);
         /// Where it is printed.
         source: String, "source";
-        /// Standing of the inputs behind the computed curve, at worst.
-        inputs: Standing, "inputs";
+        /// Provenance of the inputs behind the computed curve, at worst.
+        inputs: Provenance, "inputs";
         /// Why the curve cannot be reached; the row then reads DIFFERS instead of FAIL.
         out_of_reach: Option<String>, "out of reach", absent "not used";
     }
