@@ -2,7 +2,7 @@
 
 use crate::report::number::{percent, rounded};
 use crate::report::table::{Align, Cell, Format, Table};
-use crate::ropeway::elastic::Carrier;
+use crate::ropeway::elastic::{Carrier, RopeEquilibrium};
 use crate::ropeway::weight_check::WeightCheck;
 use crate::ropeway::{ModelResults, SolvedRopeway};
 
@@ -138,7 +138,7 @@ fn notes(solved: &SolvedRopeway, results: &ModelResults) -> Vec<String> {
             notes.push("The cargo hangs on the platform; the rope is unloaded.".to_owned());
         }
         Carrier::Ship => {
-            notes.push("The cargo hangs on the ship; the rope is unloaded.".to_owned())
+            notes.push("The cargo hangs on the ship; the rope is unloaded.".to_owned());
         }
     }
     if let (Err(error), Carrier::Rope) = (&results.line, results.exact.carrier) {
@@ -211,8 +211,8 @@ pub fn crossing(solved: &SolvedRopeway, places: usize) -> Table {
             Cell::bad_if(clear < 0.0 && rest.carrier == Carrier::Rope, metres(clear))
         })
         .number("horizontal tension", NEWTONS, |rest| rest.solution.h_b_n)
-        .number("at the platform", NEWTONS, |rest| rest.platform_n())
-        .number("at the ship", NEWTONS, |rest| rest.ship_n())
+        .number("at the platform", NEWTONS, RopeEquilibrium::platform_n)
+        .number("at the ship", NEWTONS, RopeEquilibrium::ship_n)
         .build()
 }
 

@@ -140,11 +140,14 @@ pub fn stiffness(design: &Design) -> Table {
         .noted(stiffness_notes(design))
 }
 
+/// Name, format and value of a coefficient of the stiffness matrix.
+type Coefficient = (&'static str, Format, fn(&StiffnessMatrix) -> f64);
+
 fn tension_and_torsion(design: &Design) -> Vec<Stiffness> {
     const N: Format = Format::Si("N");
     const NM: Format = Format::Si("N m");
     let has_core = design.layout.centre.is_some();
-    let quantities: [(_, _, fn(&StiffnessMatrix) -> f64); 6] = [
+    let quantities: [Coefficient; 6] = [
         ("EA, ends fixed", N, |m| m.ea(EndRotation::Fixed)),
         ("EA, ends free to rotate", N, |m| m.ea(EndRotation::Free)),
         (

@@ -211,7 +211,7 @@ mod tests {
     fn a_record_a_row_with_columns_that_a_condition_adds() {
         let table = |errors: bool| {
             Table::of("Modes", &[1.5, 2.0])
-                .count("mode", |hz| hz.to_string())
+                .count("mode", |hz| *hz)
                 .number("period", Format::Digits(3, "s"), |hz| 1.0 / hz)
                 .when(errors, |columns| {
                     columns.number("error", Format::Percent, |hz| (*hz > 1.8).then_some(0.01))
