@@ -14,13 +14,16 @@ pub(super) struct Column {
     pub required: bool,
 }
 
+/// The cells of an answer.
+pub(super) type Cells = Result<Vec<String>, RowError>;
+
 /// The columns of a kind of table, and the answer to a row.
 pub(super) struct Layout {
     pub columns: &'static [Column],
     /// Columns that are written, `status` among them; present in the input they are left out of what is passed through.
     pub answers: &'static [&'static str],
     /// The cells of the answer to the numbers of a row.
-    pub answer: fn(&[Option<f64>]) -> Result<Vec<String>, RowError>,
+    pub answer: fn(&[Option<f64>]) -> Cells,
 }
 
 /// Why a row has no answer.
