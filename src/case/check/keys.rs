@@ -142,11 +142,7 @@ impl Walk {
             self.found.push(finding);
             return None;
         }
-        let tables: Vec<&str> = self
-            .schema
-            .tables_in(pattern)
-            .map(|table| table.key())
-            .collect();
+        let tables: Vec<&str> = self.schema.tables_in(pattern).map(Table::key).collect();
         let said = unknown_key(self.schema, &entry.key, known, &tables);
         self.found.push(Finding::new(
             &entry.key_span,

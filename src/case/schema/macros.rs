@@ -274,7 +274,7 @@ macro_rules! variants {
         pub(crate) enum $keys<'a> {
             /// The kind is faulty or missing.
             Unknown($crate::case::schema::Place<'a>),
-            $( #[doc = $of] $variant(<$inner as $crate::case::schema::TableType>::Keys<'a>), )*
+            $( #[doc = $of] $variant(Box<<$inner as $crate::case::schema::TableType>::Keys<'a>>), )*
         }
 
         impl $crate::case::schema::TableType for $name {
@@ -294,7 +294,7 @@ macro_rules! variants {
 
             fn keys<'a>(place: &$crate::case::schema::Place<'a>) -> $keys<'a> {
                 match place.node.get(stringify!($tag)).and_then($crate::case::Node::text) {
-                    $( Some($word) => $keys::$variant(<$inner as $crate::case::schema::TableType>::keys(place)), )*
+                    $( Some($word) => $keys::$variant(Box::new(<$inner as $crate::case::schema::TableType>::keys(place))), )*
                     _ => $keys::Unknown(place.clone()),
                 }
             }
@@ -302,7 +302,7 @@ macro_rules! variants {
             fn from_keys(keys: &$keys<'_>) -> Result<Self, $crate::case::Finding> {
                 match keys {
                     $keys::Unknown(place) => Err(place.faulty(stringify!($tag))),
-                    $( $keys::$variant(inner) => $crate::case::schema::TableType::from_keys(inner).map(Self::$variant), )*
+                    $( $keys::$variant(inner) => <$inner as $crate::case::schema::TableType>::from_keys(inner).map(Self::$variant), )*
                 }
             }
 

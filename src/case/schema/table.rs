@@ -136,8 +136,11 @@ pub(crate) fn put<H: Held>(
 ) where
     H::Given: PartialEq,
 {
-    let idle = |given: &&H::Given| written == Written::All || default.as_ref() != Some(*given);
-    if let Some(given) = held.given().filter(idle) {
+    let Some(given) = held.given() else {
+        return;
+    };
+    let idle = written == Written::WithoutDefaults && default.is_some_and(|d| d == *given);
+    if !idle {
         table.insert(key, Item::Value(given.write()));
     }
 }
