@@ -134,7 +134,7 @@ table! {
         diameter_m: f64, "diameter", range LENGTH;
         /// Mass per length of the unit.
         mass_kg_per_m: f64, "mass", range of(0.0, 1e5);
-        /// EA of the unit; nought: it carries nothing.
+        /// EA of the unit; 0: it carries no load.
         ea_n: f64 = 0.0, "axial stiffness", range of(0.0, 1e13);
         /// EI of the unit.
         ei_n_m2: f64 = 0.0, "bending stiffness", range of(0.0, 1e12);
@@ -159,7 +159,7 @@ table! {
         wall_m: f64, "wall", range LENGTH;
         /// Density of the tube.
         density_kg_per_m3: f64, "density", range DENSITY;
-        /// Density of what the tube holds; nought: it is empty.
+        /// Density of the contents of the tube; 0: it is empty.
         content_density_kg_per_m3: f64 = 0.0, "content density", range DENSITY;
         /// Density of the jacket.
         jacket_density_kg_per_m3: f64 = 950.0, "jacket density", range DENSITY;
@@ -218,7 +218,7 @@ table! {
         jacket_diameter_m: Option<f64>, "jacket diameter", range LENGTH, absent "no jacket";
         /// Density of that jacket.
         jacket_density_kg_per_m3: f64 = 950.0, "jacket density", range DENSITY;
-        /// Young's modulus of that jacket; nought: it carries nothing.
+        /// Young's modulus of that jacket; 0: it carries no load.
         jacket_youngs_modulus_pa: f64 = 0.0, "jacket modulus", range MODULUS;
         /// Poisson's ratio of that jacket.
         jacket_poisson_ratio: f64 = 0.4, "jacket Poisson's ratio", range POISSON;

@@ -186,7 +186,7 @@ pub const LINE: &[Command] = &[
     command(Order::Rare, Id::Trials, &["T"], "trials", "Compute the trials of this hard case, and compare them with the results required"),
 ];
 
-/// Of a file that is no line case.
+/// Of a file other than a line case.
 #[rustfmt::skip]
 pub const MODEL: &[Command] = &[
     command(Order::Kind, Id::LineInput, &["M"], "for line", "Write the input for a line case to a file: a section's material, a ropeway's rope, the motion of a ship's hang point"),

@@ -1,4 +1,4 @@
-//! The tables of a run's line: its nodes and, where its response was recorded, what came of that.
+//! The tables of a run's line: its nodes and, where it was recorded, its response.
 
 use super::facade;
 use crate::report::table::Table;

@@ -23,7 +23,7 @@ pub enum PaneId {
     Nodes,
     /// Natural modes of the line.
     Modes,
-    /// Tables and charts of a file that is no line case.
+    /// Tables and charts of a file other than a line case.
     Tables,
     /// A cross-section drawn.
     Drawing,

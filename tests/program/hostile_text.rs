@@ -128,6 +128,7 @@ fn arguments_and_paths() {
         ["study", HOSTILE],
         [HOSTILE, "case.toml"],
         ["help", HOSTILE],
+        ["keys", HOSTILE],
     ] {
         probe.run(&words);
     }

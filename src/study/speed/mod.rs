@@ -108,7 +108,7 @@ const EXPLICIT: [f64; 2] = [0.9, 0.45];
 /// generalized-alpha in constant steps, 64 to the longest, without numerical damping to speak of.
 ///
 /// # Errors
-/// [`SpeedError`] where the case is static or no line can be made of it.
+/// [`SpeedError`] where the case is static or no line can be built from it.
 pub fn plan(case: &Case) -> Result<SpeedPlan, SpeedError> {
     if case.solver.method == Method::Static {
         return Err(SpeedError::Static);

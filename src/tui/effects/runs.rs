@@ -41,7 +41,7 @@ fn entry(dir: PathBuf, info: &RunInfo, held: bool) -> RunEntry {
     entry
 }
 
-/// Deletes a run directory, and nothing that is no run directory.
+/// Deletes a run directory, and refuses to delete anything else.
 pub(super) fn delete_run(dir: PathBuf) -> Msg {
     let deleted = store::read_info(&dir)
         .map_err(|e| e.to_string())

@@ -1,4 +1,4 @@
-//! Tables of a file that is no line case, each with its chart, behind tabs.
+//! Tables of a file other than a line case, each with its chart, behind tabs.
 
 use ratatui::layout::{Constraint, Layout, Rect};
 

@@ -1,4 +1,4 @@
-//! Trials of hard cases: what is computed, and what came out so far.
+//! Trials of hard cases: what is computed, and the results so far.
 
 use std::path::PathBuf;
 
@@ -55,7 +55,7 @@ pub struct Trials {
 }
 
 impl Trials {
-    /// The table of what came out so far, for a screen of so many columns: every number, or a row a trial.
+    /// The table of results so far, for a screen of so many columns: every number, or a row a trial.
     #[must_use]
     pub fn table(&self, columns: u16) -> Table {
         if columns < WIDE {

@@ -40,7 +40,7 @@ pub(super) fn make_report(document: &mut Document) {
     });
 }
 
-/// Writes the report of a file that is no line case.
+/// Writes the report of a file other than a line case.
 pub(super) fn write_report(state: &mut AppState) -> Vec<Effect> {
     let glyphs = state.capabilities.glyphs;
     let Some(document) = &state.document else {

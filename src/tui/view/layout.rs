@@ -111,7 +111,7 @@ pub fn panes(screen: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
     panes
 }
 
-/// The panes of a file that is no line case, as far as they are seen: its inputs, its drawing, and its tables or checks.
+/// The visible panes of a file other than a line case: its inputs, its drawing, and its tables or checks.
 fn file_panes(
     screen: Rect,
     body: Rect,
