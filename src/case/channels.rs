@@ -7,7 +7,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::{Case, DynamicStiffness, EndKind};
+use super::{Case, DynamicStiffness, End, EndKind, Material, Section};
 
 /// Declares the quantities: variant, name in files, unit, label on the axis of a chart, title of the chart.
 macro_rules! channel_quantities {
@@ -169,124 +169,136 @@ pub enum LineEnd {
     B,
 }
 
-/// The channels of a case in their order: tensions at the joints from A to B, position of every end that moves and speed
-/// of every end that is free (of a rigid payload: of its centre of gravity, and its tilt), position of every attached
-/// body, position, arc length and tension of the traveller, force on every held end, height of the waves, energy where
-/// the case asks for it, dynamic stiffness at both ends of every section that has it. An end that is released at some
-/// time counts as free.
+/// The channels of a case, in their order.
 #[must_use]
 pub fn channels(case: &Case) -> Vec<ChannelSpec> {
-    let (a, b) = (&case.ends.a, &case.ends.b);
-    let sections = case.line.iter().map(|section| section.name.as_str());
-    let ends = [a.name.as_str(), b.name.as_str()];
-    let names: Vec<&str> = ends[..1].iter().copied().chain(sections).collect();
-    let mut list = joint_channels(&[&names[..], &ends[1..]].concat());
-    for (which, end) in [(LineEnd::A, a), (LineEnd::B, b)] {
-        let released = end.release_s.is_some();
-        list.extend(motion_channels(which, &end.name, end.kind, released));
-    }
-    let rotates = case.payload.as_ref().is_some_and(|p| p.rotation.is_some());
-    list.extend(tilt_channel(&b.name, b.kind, rotates));
-    for (index, clump) in case.clumps.iter().enumerate() {
-        list.extend(body_channels(index, &clump.name));
-    }
-    let traveller = case.traveller.as_ref();
-    list.extend(traveller.map_or_else(Vec::new, |t| traveller_channels(&t.name)));
-    for (which, end) in [(LineEnd::A, a), (LineEnd::B, b)] {
-        list.extend(force_channels(which, &end.name, end.kind));
-    }
-    list.extend(case.waves.as_ref().map(|_| elevation_channel()));
-    list.extend(case.output.energy.then(energy_channel));
-    for (index, section) in case.line.iter().enumerate() {
-        let material = case.materials.get(&section.material);
-        if material.is_some_and(|m| m.dynamic_stiffness != DynamicStiffness::None) {
-            list.extend(rope_channels(index, &section.name));
+    RecordedLine::of(case).channels()
+}
+
+/// What of a case decides which channels its run records.
+pub(crate) struct RecordedLine<'a> {
+    /// Ends A and B.
+    pub(crate) ends: [RecordedEnd<'a>; 2],
+    /// Sections from A to B, and whether they have dynamic stiffness.
+    pub(crate) sections: Vec<(&'a str, bool)>,
+    /// Whether the payload at end B is a rigid body that rotates.
+    pub(crate) rotates: bool,
+    /// Bodies attached to the line.
+    pub(crate) bodies: Vec<&'a str>,
+    /// The body that travels along the line.
+    pub(crate) traveller: Option<&'a str>,
+    /// Whether there are waves.
+    pub(crate) waves: bool,
+    /// Whether the case asks for the energy.
+    pub(crate) energy: bool,
+}
+
+/// An end of the line.
+#[derive(Clone, Copy)]
+pub(crate) struct RecordedEnd<'a> {
+    /// Its name.
+    pub(crate) name: &'a str,
+    /// Its kind.
+    pub(crate) kind: EndKind,
+    /// Whether it is released at some time; it then counts as free.
+    pub(crate) released: bool,
+}
+
+impl<'a> RecordedLine<'a> {
+    fn of(case: &'a Case) -> Self {
+        let end = |end: &'a End| RecordedEnd {
+            name: &end.name,
+            kind: end.kind,
+            released: end.release_s.is_some(),
+        };
+        let section = |section: &'a Section| {
+            let material = case.materials.get(&section.material);
+            let is_dynamic = |m: &Material| m.dynamic_stiffness != DynamicStiffness::None;
+            (section.name.as_str(), material.is_some_and(is_dynamic))
+        };
+        Self {
+            ends: [end(&case.ends.a), end(&case.ends.b)],
+            sections: case.line.iter().map(section).collect(),
+            rotates: case.payload.as_ref().is_some_and(|p| p.rotation.is_some()),
+            bodies: case
+                .clumps
+                .iter()
+                .map(|clump| clump.name.as_str())
+                .collect(),
+            traveller: case.traveller.as_ref().map(|t| t.name.as_str()),
+            waves: case.waves.is_some(),
+            energy: case.output.energy,
         }
     }
-    list
-}
 
-/// Height of the waves.
-pub(crate) fn elevation_channel() -> ChannelSpec {
-    spec(ChannelQuantity::WaveElevation, "gauge", Site::Gauge)
-}
+    /// The channels in their order: tensions at the joints from A to B, position of every end that moves and speed of
+    /// every end that is free (of a rigid payload: of its centre of gravity, and its tilt), position of every attached
+    /// body, position, arc length and tension of the traveller, force on every held end, height of the waves, energy,
+    /// dynamic stiffness at both ends of every section that has it.
+    pub(crate) fn channels(&self) -> Vec<ChannelSpec> {
+        use ChannelQuantity as Q;
+        let [a, b] = &self.ends;
+        let mut list = self.joint_tensions();
+        let mut add = |quantities: &[Q], place: &str, site: Site| {
+            let all = quantities.iter();
+            list.extend(all.map(|quantity| ChannelSpec {
+                id: quantity.at(place),
+                site,
+            }));
+        };
+        let ends = [(a, Site::End(LineEnd::A)), (b, Site::End(LineEnd::B))];
+        for (end, site) in ends {
+            let free = end.released || matches!(end.kind, EndKind::Payload | EndKind::Free);
+            if free || end.kind == EndKind::Moving {
+                add(&Q::POSITION, end.name, site);
+            }
+            if free {
+                add(&[Q::Speed], end.name, site);
+            }
+        }
+        if self.rotates && b.kind == EndKind::Payload {
+            add(&[Q::Tilt], b.name, ends[1].1);
+        }
+        for (index, name) in self.bodies.iter().enumerate() {
+            add(&Q::POSITION, name, Site::Body(index));
+        }
+        if let Some(name) = self.traveller {
+            add(&Q::POSITION, name, Site::Traveller);
+            add(&[Q::Arc, Q::Tension], name, Site::Traveller);
+        }
+        for (end, site) in ends {
+            if !matches!(end.kind, EndKind::Payload | EndKind::Free) {
+                add(&Q::FORCE, end.name, site);
+            }
+        }
+        if self.waves {
+            add(&[Q::WaveElevation], "gauge", Site::Gauge);
+        }
+        if self.energy {
+            add(&[Q::Energy], "line", Site::Line);
+        }
+        for (index, (name, _)) in self.sections.iter().enumerate().filter(|(_, s)| s.1) {
+            for quantity in Q::ROPE {
+                for (letter, end) in [("a", LineEnd::A), ("b", LineEnd::B)] {
+                    let site = Site::Section(index, end);
+                    add(&[quantity], &format!("{name}.{letter}"), site);
+                }
+            }
+        }
+        list
+    }
 
-/// Energy of the whole line.
-pub(crate) fn energy_channel() -> ChannelSpec {
-    spec(ChannelQuantity::Energy, "line", Site::Line)
-}
-
-/// Tensions at the joints between neighbours of this list of names, from end A to end B.
-pub(crate) fn joint_channels(names: &[&str]) -> Vec<ChannelSpec> {
-    let joints = names.windows(2).enumerate();
-    let joint = |(joint, pair): (usize, &[&str])| {
-        let place = format!("{}|{}", pair[0], pair[1]);
-        spec(ChannelQuantity::Tension, &place, Site::Joint(joint))
-    };
-    joints.map(joint).collect()
-}
-
-/// Position of a body attached to the line.
-pub(crate) fn body_channels(index: usize, name: &str) -> [ChannelSpec; 3] {
-    ChannelQuantity::POSITION.map(|axis| spec(axis, name, Site::Body(index)))
-}
-
-/// Position of a body that travels along the line, its arc length, and the tension there.
-pub(crate) fn traveller_channels(name: &str) -> Vec<ChannelSpec> {
-    let further = [ChannelQuantity::Arc, ChannelQuantity::Tension];
-    let all = ChannelQuantity::POSITION.into_iter().chain(further);
-    all.map(|quantity| spec(quantity, name, Site::Traveller))
-        .collect()
-}
-
-/// The line's force on an end of this name and kind, if it is held.
-pub(crate) fn force_channels(
-    which: LineEnd,
-    name: &str,
-    kind: EndKind,
-) -> impl Iterator<Item = ChannelSpec> {
-    let held = !matches!(kind, EndKind::Payload | EndKind::Free);
-    let components = ChannelQuantity::FORCE.into_iter().filter(move |_| held);
-    components.map(move |component| spec(component, name, Site::End(which)))
-}
-
-/// Dynamic stiffness at both ends of a section: `polyester.a` is its first segment, `polyester.b` its last.
-pub(crate) fn rope_channels(section: usize, name: &str) -> impl Iterator<Item = ChannelSpec> {
-    let ends = [("a", LineEnd::A), ("b", LineEnd::B)];
-    ChannelQuantity::ROPE.into_iter().flat_map(move |quantity| {
-        ends.map(|(letter, end)| {
-            let place = format!("{name}.{letter}");
-            spec(quantity, &place, Site::Section(section, end))
-        })
-    })
-}
-
-/// Tilt of a payload at end B, if it rotates.
-pub(crate) fn tilt_channel(name: &str, kind: EndKind, rotates: bool) -> Option<ChannelSpec> {
-    let tilts = rotates && kind == EndKind::Payload;
-    tilts.then(|| spec(ChannelQuantity::Tilt, name, Site::End(LineEnd::B)))
-}
-
-/// Position and speed of an end of this name and kind, which is released at some time or not.
-pub(crate) fn motion_channels(
-    which: LineEnd,
-    name: &str,
-    kind: EndKind,
-    released: bool,
-) -> Vec<ChannelSpec> {
-    let free = released || matches!(kind, EndKind::Payload | EndKind::Free);
-    let moves = free || kind == EndKind::Moving;
-    let position = ChannelQuantity::POSITION.into_iter().filter(|_| moves);
-    let speed = free.then_some(ChannelQuantity::Speed);
-    let all = position.chain(speed);
-    all.map(|quantity| spec(quantity, name, Site::End(which)))
-        .collect()
-}
-
-fn spec(quantity: ChannelQuantity, place: &str, site: Site) -> ChannelSpec {
-    ChannelSpec {
-        id: quantity.at(place),
-        site,
+    /// Tensions at the joints between ends and sections, from A to B.
+    fn joint_tensions(&self) -> Vec<ChannelSpec> {
+        let [a, b] = self.ends.map(|end| end.name);
+        let sections: Vec<&str> = self.sections.iter().map(|section| section.0).collect();
+        let names = [&[a], &sections[..], &[b]].concat();
+        let joints = names.windows(2).enumerate();
+        let tension = |(joint, pair): (usize, &[&str])| ChannelSpec {
+            id: ChannelQuantity::Tension.at(format!("{}|{}", pair[0], pair[1])),
+            site: Site::Joint(joint),
+        };
+        joints.map(tension).collect()
     }
 }
 

@@ -6,7 +6,7 @@ use std::time::Instant;
 use rustix::time::{ClockId, clock_gettime};
 
 use super::event::Event;
-use super::observer::Record;
+use super::observer::RunRecord;
 use super::recorder::Recorder;
 use super::settings::{damped_modes_warning, set_numerical_damping, settings};
 use super::simulation::simulate;
@@ -24,7 +24,7 @@ pub(super) struct Computed {
     pub(super) warnings: Vec<String>,
     pub(super) settings: Settings,
     pub(super) cost: Cost,
-    pub(super) record: Record,
+    pub(super) record: RunRecord,
     /// Natural modes, and the time from which on the response is steady; without errors.
     pub(super) modes: Vec<Quantity>,
     /// Differences from the published curves of the case, without errors.
@@ -39,7 +39,7 @@ impl Computed {
             warnings: Vec::new(),
             settings: Settings::default(),
             cost: Cost::default(),
-            record: Record::default(),
+            record: RunRecord::default(),
             modes: Vec::new(),
             curves: Vec::new(),
         }

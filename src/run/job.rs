@@ -9,7 +9,7 @@ use crossbeam_channel::Sender;
 
 use super::compute::{Computed, Resolution, compute};
 pub use super::event::Event;
-use super::observer::Record;
+use super::observer::RunRecord;
 use super::store::rfc3339;
 use super::{
     Cost, Quantity, Resume, Run, RunInfo, RunState, Settings, VERSION, Work, error_estimate,
@@ -159,7 +159,7 @@ fn chosen(request: &Request) -> (Option<Request>, Option<String>) {
 }
 
 fn assemble(request: &Request, computed: Computed, started: String, summary: Vec<Quantity>) -> Run {
-    let Record {
+    let RunRecord {
         history,
         shapes,
         profile,

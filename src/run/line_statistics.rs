@@ -50,14 +50,9 @@ pub fn evaluate(
         Some(stretch) => cut(arc, &values, stretch),
         None => (values.len() == arc.len()).then(|| (arc.clone(), values)),
     };
-    let greatest = || {
-        let (arc, values) = cut(most(profile, quantity))?;
-        let (node, value) = extreme(&values, |new, old| new > old)?;
-        Some((*arc.get(node)?, value))
-    };
-    let smallest = || {
-        let (arc, values) = cut(least(profile, quantity))?;
-        let (node, value) = extreme(&values, |new, old| new < old)?;
+    let extreme_of = |values: Vec<f64>, better: fn(f64, f64) -> bool| {
+        let (arc, values) = cut(values)?;
+        let (node, value) = extreme(&values, better)?;
         Some((*arc.get(node)?, value))
     };
     if quantity == AlongLine::Travelling {
@@ -72,16 +67,16 @@ pub fn evaluate(
         let both = (statistic == Statistic::Mean).then(both).flatten();
         return both.and_then(|(a, b)| standing_wave_ratio(a, b));
     }
-    let at_end = || cut(at_end(profile, quantity));
+    let values = NodeValues::of(profile, quantity);
     let value = match statistic {
-        Statistic::Max => greatest()?.1,
-        Statistic::Min => smallest()?.1,
-        Statistic::ArcOfMax => greatest()?.0,
-        Statistic::ArcOfMin => smallest()?.0,
-        Statistic::Mean => at_end().and_then(|(arc, values)| mean(&arc, &values))?,
-        Statistic::GreatestFall => greatest_fall(&at_end()?.1)?,
-        Statistic::Turns => turns(&at_end()?.1)?.0,
-        Statistic::Peaks => turns(&at_end()?.1)?.1,
+        Statistic::Max => extreme_of(values.greatest, |new, old| new > old)?.1,
+        Statistic::Min => extreme_of(values.smallest, |new, old| new < old)?.1,
+        Statistic::ArcOfMax => extreme_of(values.greatest, |new, old| new > old)?.0,
+        Statistic::ArcOfMin => extreme_of(values.smallest, |new, old| new < old)?.0,
+        Statistic::Mean => cut(values.end).and_then(|(arc, values)| mean(&arc, &values))?,
+        Statistic::GreatestFall => greatest_fall(&cut(values.end)?.1)?,
+        Statistic::Turns => turns(&cut(values.end)?.1)?.0,
+        Statistic::Peaks => turns(&cut(values.end)?.1)?.1,
         _ => return None,
     };
     value.is_finite().then_some(value)
@@ -98,52 +93,50 @@ pub(super) fn resolution(profile: &Profile, statistic: Statistic) -> f64 {
     }
 }
 
-/// The quantity node by node at the end of the run.
-fn at_end(profile: &Profile, quantity: AlongLine) -> Vec<f64> {
-    match quantity {
-        AlongLine::Tension => profile.tension.clone(),
-        AlongLine::Height => profile.nodes.iter().map(|p| p[2]).collect(),
-        AlongLine::Curvature => profile.curvature.clone(),
-        AlongLine::BendRadius => radii(&profile.curvature),
-        AlongLine::Moment => profile.moment.clone(),
-        AlongLine::MeanLoad => profile.ropes.mean_load.clone(),
-        AlongLine::Stiffness => profile.ropes.stiffness.clone(),
-        AlongLine::RmsDisplacement => profile.rms.clone(),
-        AlongLine::RmsDiameters => profile.rms_diameters.clone(),
-        AlongLine::Wavelength => wavelengths(&profile.wave_number),
-        AlongLine::WkbWavelength => wavelengths(&profile.wkb_number),
-        // Not of a node, but of a stretch.
-        AlongLine::Travelling | AlongLine::StandingWaveRatio => Vec::new(),
-    }
+/// A quantity node by node: at the end of the run, its greatest and its smallest values over time. Where extremes are not
+/// recorded, those are the values at the end.
+struct NodeValues {
+    end: Vec<f64>,
+    greatest: Vec<f64>,
+    smallest: Vec<f64>,
 }
 
-/// Its greatest values over time.
-fn most(profile: &Profile, quantity: AlongLine) -> Vec<f64> {
-    match quantity {
-        AlongLine::Tension => profile.tension_max.clone(),
-        AlongLine::Height => profile.z_max.clone(),
-        AlongLine::Curvature => profile.curvature_max.clone(),
-        AlongLine::Moment => profile.moment_max.clone(),
-        AlongLine::Stiffness => profile.ropes.stiffness_max.clone(),
-        AlongLine::BendRadius
-        | AlongLine::MeanLoad
-        | AlongLine::RmsDisplacement
-        | AlongLine::RmsDiameters
-        | AlongLine::Wavelength
-        | AlongLine::WkbWavelength
-        | AlongLine::StandingWaveRatio
-        | AlongLine::Travelling => at_end(profile, quantity),
+impl NodeValues {
+    fn of(profile: &Profile, quantity: AlongLine) -> Self {
+        let (p, ropes) = (profile, &profile.ropes);
+        let heights = || -> Vec<f64> { p.nodes.iter().map(|node| node[2]).collect() };
+        match quantity {
+            AlongLine::Tension => Self::new(&p.tension, &p.tension_max, &p.tension_min),
+            AlongLine::Height => Self::new(&heights(), &p.z_max, &p.z_min),
+            AlongLine::Curvature => Self::new(&p.curvature, &p.curvature_max, &p.curvature),
+            AlongLine::BendRadius => {
+                let end = radii(&p.curvature);
+                Self::new(&end, &end, &radii(&p.curvature_max))
+            }
+            AlongLine::Moment => Self::new(&p.moment, &p.moment_max, &p.moment),
+            AlongLine::Stiffness => {
+                Self::new(&ropes.stiffness, &ropes.stiffness_max, &ropes.stiffness_min)
+            }
+            AlongLine::MeanLoad => Self::at_end(&ropes.mean_load),
+            AlongLine::RmsDisplacement => Self::at_end(&p.rms),
+            AlongLine::RmsDiameters => Self::at_end(&p.rms_diameters),
+            AlongLine::Wavelength => Self::at_end(&wavelengths(&p.wave_number)),
+            AlongLine::WkbWavelength => Self::at_end(&wavelengths(&p.wkb_number)),
+            // Not of a node, but of a stretch.
+            AlongLine::Travelling | AlongLine::StandingWaveRatio => Self::at_end(&[]),
+        }
     }
-}
 
-/// Its smallest values over time; of what is recorded only at its greatest, those at the end.
-fn least(profile: &Profile, quantity: AlongLine) -> Vec<f64> {
-    match quantity {
-        AlongLine::Tension => profile.tension_min.clone(),
-        AlongLine::Height => profile.z_min.clone(),
-        AlongLine::BendRadius => radii(&profile.curvature_max),
-        AlongLine::Stiffness => profile.ropes.stiffness_min.clone(),
-        _ => at_end(profile, quantity),
+    fn new(end: &[f64], greatest: &[f64], smallest: &[f64]) -> Self {
+        Self {
+            end: end.to_vec(),
+            greatest: greatest.to_vec(),
+            smallest: smallest.to_vec(),
+        }
+    }
+
+    fn at_end(end: &[f64]) -> Self {
+        Self::new(end, end, end)
     }
 }
 

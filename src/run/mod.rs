@@ -21,7 +21,6 @@ mod observers;
 mod output_envelope;
 mod peak_tension;
 pub mod published_curve;
-mod quantity_id;
 mod recorder;
 mod replay;
 pub mod requested_statistics;
@@ -38,9 +37,9 @@ mod touchdown_speed;
 mod warm_start;
 mod wave_decomposition;
 
+pub use crate::case::{ModePlane, QuantityId, Subject};
 pub use checkpoint::{Checkpoint, Resume};
 pub use decimation::DecimatedRecord;
 pub use line_statistics::evaluate as along_line;
 pub use model::*;
-pub use quantity_id::{ModePlane, QuantityId, Subject};
 pub use resume::resume_request;

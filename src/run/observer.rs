@@ -21,7 +21,7 @@ pub(super) struct Observation<'a> {
 
 /// A row of the record, computed now or read back from an earlier run.
 #[derive(Clone, Copy)]
-pub(super) struct Row<'a> {
+pub(super) struct RecordRow<'a> {
     /// Time \[s\].
     pub(super) time: f64,
     /// Values of the channels.
@@ -43,7 +43,7 @@ pub(super) struct RunEnd<'a> {
 
 /// All that is recorded of a run.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Record {
+pub(super) struct RunRecord {
     /// Channels against time.
     pub(super) history: History,
     /// Shapes of the line.
@@ -65,7 +65,7 @@ pub(super) trait Observer {
     fn output(&mut self, _at: &Observation<'_>, _tension: &[f64], _profile: &mut Profile) {}
 
     /// Takes in a row of the record.
-    fn row(&mut self, _row: &Row<'_>) {}
+    fn row(&mut self, _row: &RecordRow<'_>) {}
 
     /// The line is about to change by an event.
     fn line_changes(&mut self, _before: &Scene, _profile: &mut Profile) {}
@@ -77,5 +77,5 @@ pub(super) trait Observer {
     fn restore(&mut self, _checkpoint: &Checkpoint) {}
 
     /// Completes the record once the run is over.
-    fn finish(self: Box<Self>, _end: &RunEnd<'_>, _record: &mut Record) {}
+    fn finish(self: Box<Self>, _end: &RunEnd<'_>, _record: &mut RunRecord) {}
 }

@@ -2,7 +2,7 @@
 
 use super::channel_statistics::ChannelStatistics;
 use super::decimation::DecimatedRecord;
-use super::observer::{Observation, Observer, Record, Row, RunEnd};
+use super::observer::{Observation, Observer, RecordRow, RunEnd, RunRecord};
 use super::peak_tension::PeakTension;
 use super::requested_statistics::requested;
 use super::response::Response;
@@ -48,7 +48,7 @@ impl Observer for PeakTension {
         self.restore(&checkpoint.greatest_lengths, &checkpoint.state);
     }
 
-    fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut Record) {
+    fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut RunRecord) {
         self.settle(end.last, &mut record.profile.tension_max);
     }
 }
@@ -74,7 +74,7 @@ impl Observer for TouchdownSpeed {
         }
     }
 
-    fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut Record) {
+    fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut RunRecord) {
         record.warnings.extend(self.warning());
     }
 }
@@ -106,7 +106,7 @@ impl Observer for Option<Response> {
         *self = checkpoint.response.clone().or(unbegun);
     }
 
-    fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut Record) {
+    fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut RunRecord) {
         let Some(response) = *self else { return };
         let segments = &end.last.line.segments;
         let diameter = |i: usize| segments[i.min(segments.len() - 1)].diameter;
@@ -119,7 +119,7 @@ impl Observer for Option<Response> {
 struct WaveDecomposition;
 
 impl Observer for WaveDecomposition {
-    fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut Record) {
+    fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut RunRecord) {
         wave_decomposition::decompose_response(end.case, end.initial, &mut record.profile);
     }
 }
@@ -129,7 +129,7 @@ impl Observer for DecimatedRecord {
         self.widen_extremes(at.time, at.values);
     }
 
-    fn row(&mut self, row: &Row<'_>) {
+    fn row(&mut self, row: &RecordRow<'_>) {
         self.row(row.time, row.values);
         if let Some(shape) = row.shape {
             self.shape(shape.clone());
@@ -149,18 +149,18 @@ impl Observer for DecimatedRecord {
         }
     }
 
-    fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut Record) {
+    fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut RunRecord) {
         (record.history, record.shapes) = self.into_parts();
     }
 }
 
 impl Observer for ChannelStatistics {
-    fn row(&mut self, row: &Row<'_>) {
+    fn row(&mut self, row: &RecordRow<'_>) {
         self.add(row.time, row.values);
     }
 
-    fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut Record) {
-        let Record {
+    fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut RunRecord) {
+        let RunRecord {
             history, profile, ..
         } = record;
         let (statistics, warnings) = (*self).finish(&history.channels, profile);

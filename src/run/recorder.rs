@@ -2,7 +2,7 @@
 
 use super::channel_reading::ChannelReading;
 use super::event::Event;
-use super::observer::{Observation, Observer, Record, Row, RunEnd};
+use super::observer::{Observation, Observer, RecordRow, RunEnd, RunRecord};
 use super::observers::observers;
 use super::store::StoreError;
 use super::{Checkpoint, Frame, LineShape, Progress, Resume, output_envelope, replay};
@@ -19,7 +19,7 @@ pub(super) struct Recorder<'a> {
     /// Values of the channels at the latest step.
     values: Vec<f64>,
     observers: Vec<Box<dyn Observer>>,
-    record: Record,
+    record: RunRecord,
     /// Time of the latest shape \[s\].
     latest_shape: Option<f64>,
     duration: f64,
@@ -45,9 +45,9 @@ impl<'a> Recorder<'a> {
             initial: scene,
             scene,
             observers: observers(case, scene, &channels),
-            record: Record {
+            record: RunRecord {
                 profile: output_envelope::profile(scene),
-                ..Record::default()
+                ..RunRecord::default()
             },
             values: vec![0.0; channels.len()],
             channels,
@@ -99,7 +99,7 @@ impl<'a> Recorder<'a> {
     }
 
     /// The complete record of the run.
-    pub(super) fn finish(self) -> Record {
+    pub(super) fn finish(self) -> RunRecord {
         let end = RunEnd {
             case: self.case,
             initial: self.initial,
@@ -153,7 +153,7 @@ impl<'a> Recorder<'a> {
     /// Passes the latest values on as a row of the record, and sends them.
     fn record_row(&mut self, time: f64, shape: Option<LineShape>) {
         self.latest_shape = shape.as_ref().map(|s| s.time).or(self.latest_shape);
-        let row = Row {
+        let row = RecordRow {
             time,
             values: &self.values,
             shape: shape.as_ref(),

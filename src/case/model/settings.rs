@@ -123,20 +123,6 @@ table! {
     }
 }
 
-impl Modes {
-    /// What a run tells of them, where a channel would stand: frequencies by their number among the modes in the plane of
-    /// the line and out of it, and the numbers of those nearest to the frequency given.
-    #[must_use]
-    pub fn names(&self) -> Vec<String> {
-        let mut names = Vec::new();
-        for plane in ["in_plane", "out_of_plane"] {
-            names.extend((1..=self.count).map(|n| format!("{plane}_hz[{n}]")));
-            names.extend(self.near_hz.map(|_| format!("{plane}_mode_near")));
-        }
-        names
-    }
-}
-
 table! {
     /// A sea bed: level, or sloping evenly.
     #[derive(Debug, Clone, PartialEq)]

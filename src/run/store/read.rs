@@ -141,6 +141,11 @@ fn partial(held: bool, history: &History) -> String {
     }
 }
 
+/// The field of a row in a column; empty where the file has no such column.
+fn field(fields: &csv::StringRecord, column: Option<usize>) -> &str {
+    column.and_then(|at| fields.get(at)).unwrap_or("")
+}
+
 struct Reader<'a> {
     dir: &'a Path,
     whole: bool,
@@ -199,7 +204,7 @@ impl Reader<'_> {
         let [name, _, max, max_time, min, min_time] = CHANNEL_COLUMNS.map(|c| csv.position(c));
         let mut channels = Vec::new();
         while let Some((_, fields)) = csv.next() {
-            let text = |place: Option<usize>| place.and_then(|at| fields.get(at)).unwrap_or("");
+            let text = |place| field(fields, place);
             let number = |place| parse(text(place)).unwrap_or(f64::NAN);
             let Ok(id) = text(name).parse() else { continue };
             channels.push(Channel {
@@ -231,7 +236,7 @@ impl Reader<'_> {
         let [name, value, ..] = SUMMARY_COLUMNS.map(|column| csv.position(column));
         let mut summary = Vec::new();
         while let Some((line, fields)) = csv.next() {
-            let text = |place: Option<usize>| place.and_then(|at| fields.get(at)).unwrap_or("");
+            let text = |place| field(fields, place);
             let Some(value) = parse(text(value)) else {
                 csv.give_up(not_a_number(SUMMARY, line));
                 break;
@@ -250,7 +255,7 @@ impl Reader<'_> {
         let [name, _, time, mesh] = ERROR_COLUMNS.map(|column| csv.position(column));
         let mut next = 0;
         while let Some((_, fields)) = csv.next() {
-            let text = |place: Option<usize>| place.and_then(|at| fields.get(at)).unwrap_or("");
+            let text = |place| field(fields, place);
             let Ok(id) = text(name).parse::<QuantityId>() else {
                 continue;
             };

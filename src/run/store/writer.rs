@@ -2,7 +2,7 @@
 
 use std::{
     fs::File,
-    io::{BufWriter, Write},
+    io::{self, BufWriter, Write},
     path::{Path, PathBuf},
     time::{Duration, Instant},
 };
@@ -29,16 +29,48 @@ const FLUSH: Duration = Duration::from_secs(1);
 pub struct Writer {
     dir: PathBuf,
     id: String,
-    streams: Option<Streams>,
+    /// History and shapes, once the channels are known.
+    streams: Vec<Stream>,
     flushed: Instant,
     /// The lock on the directory, held while the run is written.
     _held: Option<DirectoryLock>,
 }
 
+/// A file that grows while the run is computed.
 #[derive(Debug)]
-struct Streams {
-    history: BufWriter<File>,
-    shapes: BufWriter<File>,
+struct Stream {
+    path: PathBuf,
+    file: BufWriter<File>,
+}
+
+impl Stream {
+    /// A new file with the names of its columns.
+    fn create(path: PathBuf, head: CsvWriter) -> Result<Self, StoreError> {
+        let file = create_stream(&path).map_err(StoreError::io("Writing", &path))?;
+        let file = BufWriter::with_capacity(1 << 16, file);
+        let mut stream = Self { path, file };
+        stream.write(&head.bytes()?)?;
+        stream.flush()?;
+        Ok(stream)
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> Result<(), StoreError> {
+        let written = self.file.write_all(bytes);
+        self.check(written)
+    }
+
+    fn flush(&mut self) -> Result<(), StoreError> {
+        let flushed = self.file.flush();
+        self.check(flushed)
+    }
+
+    fn sync(&self) -> Result<(), StoreError> {
+        self.check(self.file.get_ref().sync_all())
+    }
+
+    fn check(&self, result: io::Result<()>) -> Result<(), StoreError> {
+        result.map_err(|error| StoreError::io("Writing", &self.path)(error))
+    }
 }
 
 impl Writer {
@@ -57,7 +89,7 @@ impl Writer {
         Ok(Self {
             dir,
             id: info.id,
-            streams: None,
+            streams: Vec::new(),
             flushed: Instant::now(),
             _held: held,
         })
@@ -97,9 +129,9 @@ impl Writer {
         create::replace(&self.dir, CHANNELS, &complete::channel_units(channels)?)?;
         let names = channels.iter().map(ToString::to_string);
         let columns = std::iter::once("time_s".to_owned()).chain(names);
-        let history = self.stream(HISTORY, CsvWriter::new(columns)?)?;
-        let shapes = self.stream(SHAPES, CsvWriter::new(SHAPE_COLUMNS)?)?;
-        self.streams = Some(Streams { history, shapes });
+        let history = Stream::create(self.dir.join(HISTORY), CsvWriter::new(columns)?)?;
+        let shapes = Stream::create(self.dir.join(SHAPES), CsvWriter::new(SHAPE_COLUMNS)?)?;
+        self.streams = vec![history, shapes];
         Ok(())
     }
 
@@ -117,14 +149,9 @@ impl Writer {
         )?;
         let row = row.bytes()?;
         let shape = frame.shape.as_ref().map(shape_rows).transpose()?;
-        if let Some(streams) = &mut self.streams {
-            let put = StoreError::io("Writing", self.dir.join(HISTORY));
-            streams.history.write_all(&row).map_err(put)?;
-            let put = StoreError::io("Writing", self.dir.join(SHAPES));
-            streams
-                .shapes
-                .write_all(&shape.unwrap_or_default())
-                .map_err(put)?;
+        if let [history, shapes] = &mut self.streams[..] {
+            history.write(&row)?;
+            shapes.write(&shape.unwrap_or_default())?;
         }
         if self.flushed.elapsed() >= FLUSH {
             self.flush()?;
@@ -148,17 +175,7 @@ impl Writer {
     /// The system refuses.
     pub fn flush(&mut self) -> Result<(), StoreError> {
         self.flushed = Instant::now();
-        if let Some(streams) = &mut self.streams {
-            streams
-                .history
-                .flush()
-                .map_err(StoreError::io("Writing", self.dir.join(HISTORY)))?;
-            streams
-                .shapes
-                .flush()
-                .map_err(StoreError::io("Writing", self.dir.join(SHAPES)))?;
-        }
-        Ok(())
+        self.streams.iter_mut().try_for_each(Stream::flush)
     }
 
     /// Writes the complete run, `run.toml` with its final state last. Returns the run directory.
@@ -167,29 +184,10 @@ impl Writer {
     /// The system refuses; the directory then still reads as a partial run.
     pub fn finish(mut self, run: &Run) -> Result<PathBuf, StoreError> {
         self.flush()?;
-        let streamed = self.streams.take();
-        if let Some(streams) = &streamed {
-            for (name, stream) in [(HISTORY, &streams.history), (SHAPES, &streams.shapes)] {
-                let file = stream.get_ref();
-                file.sync_all()
-                    .map_err(StoreError::io("Writing", self.dir.join(name)))?;
-            }
-        }
-        complete::all(&self.dir, &self.id, run, streamed.is_some())?;
+        self.streams.iter().try_for_each(Stream::sync)?;
+        let streamed = !self.streams.is_empty();
+        complete::all(&self.dir, &self.id, run, streamed)?;
         Ok(self.dir)
-    }
-
-    /// A file that grows while the run is computed.
-    fn stream(&self, name: &str, head: CsvWriter) -> Result<BufWriter<File>, StoreError> {
-        let path = self.dir.join(name);
-        let file = create_stream(&path).map_err(StoreError::io("Writing", path.clone()))?;
-        let mut stream = BufWriter::with_capacity(1 << 16, file);
-        let put = StoreError::io("Writing", path);
-        stream
-            .write_all(&head.bytes()?)
-            .and_then(|()| stream.flush())
-            .map_err(put)?;
-        Ok(stream)
     }
 }
 

@@ -4,7 +4,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::case::{AlongLine, ChannelId, ChannelNameError, STEADY, Statistic};
+use super::{AlongLine, ChannelId, ChannelNameError, Modes, STEADY, Statistic};
 
 /// What a single number is taken of. Its text is the `channel` of published values and trends.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -46,6 +46,17 @@ const FREQUENCY: &str = "_hz[";
 const NEAREST: &str = "_mode_near";
 
 impl Subject {
+    /// The numbers that a run has of natural modes: frequencies by their number in and out of the plane of the line, and
+    /// the numbers of those nearest to the frequency given.
+    #[must_use]
+    pub fn of_modes(modes: &Modes) -> Vec<Self> {
+        let of_plane = |plane| {
+            let frequencies = (1..=modes.count).map(move |n| Self::ModeFrequency(plane, n));
+            frequencies.chain(modes.near_hz.map(|_| Self::NearestMode(plane)))
+        };
+        ModePlane::ALL.into_iter().flat_map(of_plane).collect()
+    }
+
     /// Its unit as shown.
     #[must_use]
     pub const fn unit(&self) -> &'static str {
