@@ -74,10 +74,12 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
         &mut finished,
         by_time
             .finished("time", &mut warnings)
-            .map(|c| (statistics(c), by_time.divisor)),
+            .map(|c| (statistics(c), by_time.divisor))
+            .as_ref(),
         by_mesh
             .finished("mesh", &mut warnings)
-            .map(|c| (statistics(c), by_mesh.divisor)),
+            .map(|c| (statistics(c), by_mesh.divisor))
+            .as_ref(),
     );
     limit_resolution(&mut finished, run);
     let of = |c: Companion<'_>, list: fn(&Computed) -> &Vec<Quantity>| {
@@ -86,11 +88,11 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Esti
     let mut curves = run.curves.clone();
     add_errors(
         &mut curves,
-        of(by_time, |c| &c.curves),
-        of(by_mesh, |c| &c.curves),
+        of(by_time, |c| &c.curves).as_ref(),
+        of(by_mesh, |c| &c.curves).as_ref(),
     );
     let mut modes = run.modes.clone();
-    add_errors(&mut modes, None, of(mesh, |c| &c.modes));
+    add_errors(&mut modes, None, of(mesh, |c| &c.modes).as_ref());
     Estimates {
         summary: [finished, curves, modes].concat(),
         rms: rms_error(run, [time, mesh]),
@@ -151,17 +153,17 @@ fn statistics(run: &Computed) -> Vec<Quantity> {
 /// Adds the errors: differences from the same numbers of the companions, each by its divisor.
 fn add_errors(
     list: &mut [Quantity],
-    time: Option<(Vec<Quantity>, f64)>,
-    mesh: Option<(Vec<Quantity>, f64)>,
+    time: Option<&(Vec<Quantity>, f64)>,
+    mesh: Option<&(Vec<Quantity>, f64)>,
 ) {
-    let error = |q: &Quantity, companion: &Option<(Vec<Quantity>, f64)>| {
-        let (others, divisor) = companion.as_ref()?;
+    let error = |q: &Quantity, companion: Option<&(Vec<Quantity>, f64)>| {
+        let (others, divisor) = companion?;
         let other = others.iter().find(|other| other.id == q.id)?;
         Some((q.value - other.value).abs() / divisor)
     };
     for quantity in list {
-        quantity.time_error = error(quantity, &time);
-        quantity.mesh_error = error(quantity, &mesh);
+        quantity.time_error = error(quantity, time);
+        quantity.mesh_error = error(quantity, mesh);
     }
 }
 
