@@ -31,6 +31,14 @@ fn act(pane: &mut PlotPane, base: &Chart, verbs: &[PlotVerb]) {
     }
 }
 
+fn in_colour() -> Theme {
+    Theme::new(crate::tui::terminal::capabilities::Capabilities {
+        glyphs: Glyphs::Braille,
+        colour: true,
+        unsure: false,
+    })
+}
+
 fn frame(pane: &PlotPane, base: &Chart) -> PlotFrame {
     chart::frame(&pane.chart(base), SIZE.0, SIZE.1, Glyphs::Braille)
 }
@@ -216,7 +224,7 @@ proptest! {
         prop_assert!(frame.x.0 < frame.x.1 && frame.y.0 < frame.y.1);
         let area = Rect::new(0, 0, size.0 as u16, size.1 as u16);
         let mut buf = Buffer::empty(area);
-        draw_chart(&pane.chart(&base), area, &mut buf, Glyphs::Braille, Theme::default());
+        draw_chart(&pane.chart(&base), area, &mut buf, Glyphs::Braille, in_colour());
     }
 }
 
@@ -269,7 +277,7 @@ fn a_zoomed_and_marked_chart_with_its_styles() {
         area,
         &mut buf,
         Glyphs::Braille,
-        Theme::default(),
+        in_colour(),
     );
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"));

@@ -70,6 +70,6 @@ pub(super) fn write_line_input(state: &mut AppState) -> Vec<Effect> {
 }
 
 fn still_computing(state: &mut AppState) -> Vec<Effect> {
-    let words = "The ship at sea is still being computed; it can be written in a moment.";
+    let words = "The dynamic analysis is still running; its results can be written when it ends.";
     info(state, words)
 }
