@@ -53,18 +53,7 @@ pub fn table(study: &SpeedStudy) -> Table {
         .cell("position max [m]", Align::Right, |p| {
             error(p, |e| e.position_max)
         })
-        .cell("mark", Align::Left, |point| match &point.errors {
-            None => {
-                let number = failed.iter().position(|one| std::ptr::eq(*one, *point));
-                let number = number.map_or(0, |number| number + 1);
-                Cell::new(format!("FAILED [{number}]"), CellInk::Bad)
-            }
-            Some(_) if is_reference(point) => Cell::plain("own error"),
-            Some(errors) if is_near(errors, study) => {
-                Cell::new("near the reference", CellInk::Warn)
-            }
-            Some(_) => Cell::default(),
-        });
+        .cell("mark", Align::Left, |point| mark(point, &failed, study));
     let reasons = failed.iter().enumerate().map(|(i, point)| {
         let failure = point.run.info.failure.as_deref();
         let why = failure.unwrap_or("it has other output times");
@@ -72,6 +61,20 @@ pub fn table(study: &SpeedStudy) -> Table {
         format!("[{}] {}, {}: {why}", i + 1, setting.solver, setting.setting)
     });
     table.build().noted(reasons).noted(explanations(study))
+}
+
+/// Whether a point failed, is the reference, or is near to it.
+fn mark(point: &SpeedPoint, failed: &[&SpeedPoint], study: &SpeedStudy) -> Cell {
+    match &point.errors {
+        None => {
+            let number = failed.iter().position(|one| std::ptr::eq(*one, point));
+            let number = number.map_or(0, |number| number + 1);
+            Cell::new(format!("FAILED [{number}]"), CellInk::Bad)
+        }
+        Some(_) if std::ptr::eq(point, &raw const study.reference) => Cell::plain("own error"),
+        Some(errors) if is_near(errors, study) => Cell::new("near the reference", CellInk::Warn),
+        Some(_) => Cell::default(),
+    }
 }
 
 /// The points without errors, which the notes explain.
