@@ -217,42 +217,40 @@ fn columns(path: &Path) -> Fallible<Vec<(String, Vec<String>)>> {
     Ok(columns)
 }
 
-/// The numbers that a command prints, line by line.
+/// The numbers that a command prints, each with how often it stands there: rewording may wrap lines elsewhere.
 fn printed(binary: &Path, words: &[&str], name: &str, numbers: &mut Numbers) -> Fallible<()> {
     let output = Command::new(binary)
         .args(words)
         .env("COLUMNS", "200")
         .output()?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    let lines = text.lines().map(numerals).filter(|found| !found.is_empty());
-    for (i, line) in lines.enumerate() {
-        numbers.insert(
-            (name.to_owned(), format!("line of numbers {}", i + 1)),
-            line,
-        );
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for number in text.lines().flat_map(numerals) {
+        *counts.entry(number).or_default() += 1;
     }
+    numbers.extend(counts.iter().map(|(number, count)| {
+        let key = (name.to_owned(), format!("prints {number}"));
+        (key, format!("{count} times"))
+    }));
     Ok(())
 }
 
 fn keep_numbers(numbers: &mut Numbers, name: &str, i: usize, line: &str) {
-    let kept = numerals(line);
+    let kept = numerals(line).collect::<Vec<_>>().join(" ");
     if !kept.is_empty() {
         numbers.insert((name.to_owned(), format!("row {i}")), kept);
     }
 }
 
 /// The decimal numbers and the verdicts in a line, without the words between them; whole numbers without a point are
-/// left out, since rewording wraps lines elsewhere and notes are numbered.
-fn numerals(line: &str) -> String {
+/// left out, since notes are numbered.
+fn numerals(line: &str) -> impl Iterator<Item = &str> {
     let is_number = |word: &&str| {
         word.contains('.') && word.parse::<f64>().is_ok()
             || ["PASS", "FAIL", "DIFFERS", "OK", "REFUSED", "WRONG"].contains(word)
     };
-    let split = |c: char| c.is_whitespace() || [',', '|', ';', '(', ')'].contains(&c);
-    line.split(split)
-        .filter(is_number)
-        .collect::<Vec<_>>()
-        .join(" ")
+    let split = |c: char| c.is_whitespace() || [',', '|', ';', '(', ')', ':'].contains(&c);
+    line.split(split).filter(is_number)
 }
 
 /// FNV-1a over the cells of a column.
