@@ -2,9 +2,9 @@
 
 use csv::StringRecord;
 
+use super::END_FORCES_AND_STATUS;
 use super::in_current::LineInCurrent;
-use super::table::{Column, Layout, RowError, names, reader};
-use super::{END_FORCES_AND_STATUS, shown};
+use super::table::{Column, Layout, Numbers, RowAnswer, RowError, names, reader};
 use crate::statics::catenary::SectionProps;
 
 /// Column of the current along x.
@@ -57,7 +57,7 @@ pub(super) fn recognises(input: &[u8]) -> bool {
         .any(|name| known.contains(&name.as_str()))
 }
 
-fn answer(numbers: &[Option<f64>]) -> Result<Vec<String>, RowError> {
+fn answer(numbers: &Numbers) -> Result<RowAnswer, RowError> {
     let wrong = |column: Option<usize>, problem: String| RowError {
         column: column.map(|i| LAYOUT.columns[i].names[0]),
         problem,
@@ -84,7 +84,8 @@ fn answer(numbers: &[Option<f64>]) -> Result<Vec<String>, RowError> {
         current: vec![[0.0, n(CURRENT_X), n(CURRENT_X + 1)]],
     };
     let forces = line.solve().map_err(|problem| wrong(None, problem))?;
-    let mut cells = Vec::from(forces.numbers().map(shown));
-    cells.push("ok".to_owned());
-    Ok(cells)
+    Ok(RowAnswer {
+        numbers: Vec::from(forces.numbers()),
+        shape: "",
+    })
 }

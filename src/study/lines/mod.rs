@@ -63,9 +63,9 @@ fn shown(number: f64) -> String {
 }
 
 /// H and V at B, H and V at A \[N\], length on the bed \[m\].
-fn at_rest(solution: &Solution) -> [String; 5] {
+fn at_rest(solution: &Solution) -> [f64; 5] {
     let s = solution;
-    [s.h_b_n, s.v_b_n, s.h_a_n, s.v_a_n, s.on_bed_m].map(shown)
+    [s.h_b_n, s.v_b_n, s.h_a_n, s.v_a_n, s.on_bed_m]
 }
 
 /// Solves every line of a table in CSV or of JSON lines, distinguished by their first character; on all cores, in order.

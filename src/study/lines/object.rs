@@ -327,7 +327,10 @@ fn at_rest<'a>(object: &Object<'a>) -> Result<'a, Values> {
     let solved = line
         .solve()
         .map_err(|error| LineError::new(error.to_string()))?;
-    let mut values: Values = AT_REST.into_iter().zip(super::at_rest(&solved)).collect();
+    let mut values: Values = AT_REST
+        .into_iter()
+        .zip(super::at_rest(&solved).map(shown))
+        .collect();
     values.push(("shape", quoted(solved.shape_name())));
     Ok(values)
 }

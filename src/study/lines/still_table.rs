@@ -1,7 +1,7 @@
 //! CSV of single lines in still water.
 
 use super::at_rest;
-use super::table::{Column, Layout, RowError};
+use super::table::{Column, Layout, Numbers, RowAnswer, RowError};
 use crate::statics::catenary::{Bed, CatenaryError, Ends, Line, SectionProps};
 
 const fn required(names: &'static [&'static str]) -> Column {
@@ -37,7 +37,7 @@ pub(super) const LAYOUT: Layout = Layout {
     answer,
 };
 
-fn answer(numbers: &[Option<f64>]) -> Result<Vec<String>, RowError> {
+fn answer(numbers: &Numbers) -> Result<RowAnswer, RowError> {
     let required = |i: usize| numbers[i].unwrap_or(f64::NAN);
     let [friction, below, slope, surface_above_a_m] = [5, 6, 7, 8].map(|i: usize| numbers[i]);
     if below.is_none() && slope.is_some_and(|slope| slope != 0.0) {
@@ -65,9 +65,10 @@ fn answer(numbers: &[Option<f64>]) -> Result<Vec<String>, RowError> {
         column: column(&error),
         problem: error.to_string(),
     })?;
-    let mut cells = Vec::from(at_rest(&solved));
-    cells.extend(["ok", solved.shape_name()].map(str::to_owned));
-    Ok(cells)
+    Ok(RowAnswer {
+        numbers: Vec::from(at_rest(&solved)),
+        shape: solved.shape_name(),
+    })
 }
 
 /// The column of an invalid number.

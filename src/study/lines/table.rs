@@ -5,7 +5,7 @@ use std::io;
 use csv::{ByteRecord, ReaderBuilder, StringRecord, Terminator, WriterBuilder};
 use rayon::prelude::*;
 
-use super::{Answered, TableError};
+use super::{Answered, TableError, shown};
 
 /// A column of numbers, by the names it may have.
 pub(super) struct Column {
@@ -14,16 +14,26 @@ pub(super) struct Column {
     pub required: bool,
 }
 
-/// The cells of an answer.
-pub(super) type Cells = Result<Vec<String>, RowError>;
+/// Numbers of the answer to a row in the order of their columns, and its shape where there is such a column.
+pub(super) struct RowAnswer {
+    pub numbers: Vec<f64>,
+    pub shape: &'static str,
+}
+
+/// Numbers of a row in the order of the columns of the layout.
+pub(super) type Numbers = [Option<f64>; MOST_COLUMNS];
+
+/// Greatest number of columns of a layout.
+const MOST_COLUMNS: usize = 16;
 
 /// The columns of a kind of table, and the answer to a row.
 pub(super) struct Layout {
     pub columns: &'static [Column],
-    /// Columns that are written, `status` among them; present in the input they are left out of what is passed through.
+    /// Columns that are written: numbers, then `status`, then `shape` where there is one. Present in the input they are
+    /// left out of what is passed through.
     pub answers: &'static [&'static str],
-    /// The cells of the answer to the numbers of a row.
-    pub answer: fn(&[Option<f64>]) -> Cells,
+    /// The answer to the numbers of a row.
+    pub answer: fn(&Numbers) -> Result<RowAnswer, RowError>,
 }
 
 /// Why a row has no answer.
@@ -58,7 +68,7 @@ pub(super) fn solve(input: &[u8], layout: &Layout) -> Result<Answered, TableErro
         places: places(layout.columns, &names)?,
     };
     let rows: Vec<ByteRecord> = reader.byte_records().collect::<Result<_, _>>()?;
-    let answers: Vec<Result<Vec<String>, String>> =
+    let answers: Vec<Result<RowAnswer, String>> =
         rows.par_iter().map(|row| table.answer(row)).collect();
     let kept: Vec<usize> = (0..head.len())
         .filter(|&i| !layout.answers.contains(&names[i].as_str()))
@@ -100,7 +110,7 @@ struct Table<'a> {
 }
 
 impl Table<'_> {
-    fn answer(&self, row: &ByteRecord) -> Result<Vec<String>, String> {
+    fn answer(&self, row: &ByteRecord) -> Result<RowAnswer, String> {
         let line = row.position().map_or(0, csv::Position::line);
         if row.len() != self.count {
             return Err(format!(
@@ -109,18 +119,22 @@ impl Table<'_> {
                 self.count
             ));
         }
-        let numbers: Result<Vec<Option<f64>>, RowError> = self
-            .layout
-            .columns
-            .iter()
-            .zip(&self.places)
-            .map(|(column, place)| place.map_or(Ok(None), |place| cell(column, &row[place])))
-            .collect();
-        let answer = numbers.and_then(|numbers| (self.layout.answer)(&numbers));
+        let answer = self.numbers(row).and_then(|n| (self.layout.answer)(&n));
         answer.map_err(|RowError { column, problem }| match column {
             Some(column) => format!("line {line}, column {column}: {problem}"),
             None => format!("line {line}: {problem}"),
         })
+    }
+
+    fn numbers(&self, row: &ByteRecord) -> Result<Numbers, RowError> {
+        let mut numbers = [None; MOST_COLUMNS];
+        let columns = self.layout.columns.iter().zip(&self.places);
+        for (number, (column, place)) in numbers.iter_mut().zip(columns) {
+            if let Some(place) = *place {
+                *number = cell(column, &row[place])?;
+            }
+        }
+        Ok(numbers)
     }
 }
 
@@ -147,7 +161,7 @@ fn write(
     kept: &[usize],
     rows: &[ByteRecord],
     columns: &[&str],
-    answers: &[Result<Vec<String>, String>],
+    answers: &[Result<RowAnswer, String>],
 ) -> Result<Vec<u8>, csv::Error> {
     let mut writer = WriterBuilder::new()
         .terminator(Terminator::Any(b'\n'))
@@ -159,11 +173,13 @@ fn write(
             writer.write_field(row.get(i).unwrap_or_default())?;
         }
         for (i, column) in columns.iter().enumerate() {
-            writer.write_field(match answer {
-                Ok(cells) => &cells[i],
-                Err(problem) if *column == "status" => problem,
-                Err(_) => "",
-            })?;
+            match (answer, *column) {
+                (Ok(_), "status") => writer.write_field("ok")?,
+                (Ok(answer), "shape") => writer.write_field(answer.shape)?,
+                (Ok(answer), _) => writer.write_field(shown(answer.numbers[i]))?,
+                (Err(problem), "status") => writer.write_field(problem)?,
+                (Err(_), _) => writer.write_field("")?,
+            }
         }
         writer.write_record(None::<&[u8]>)?;
     }
