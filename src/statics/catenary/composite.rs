@@ -4,35 +4,15 @@
 //! the bed, release the runs that the bed would have to pull down, and repeat. A sinking run curves upwards everywhere, so
 //! it is grounded in one piece. A pattern that does not converge is an error.
 
+use super::composite_line::{CompositeLine, ContactPattern};
 use super::composite_touchdown;
 use super::convex_newton::{BayUnknowns, minimise, offset_for_rise};
-use super::elements::{Bay, Elements, Run};
+use super::elements::{Bay, Run};
 use super::error::CatenaryError;
 use super::line::{Bed, Line};
 use super::local_frame::in_local_frame;
-use super::single::ON_BED;
-use super::solution::{Frame, Solution};
-use super::span::length;
-use super::suspended;
-
-/// A line of several sections in the local frame.
-pub(super) struct CompositeLine {
-    pub chain: Elements,
-    pub x: f64,
-    pub z: f64,
-    /// Depth of the bed below A.
-    pub bed: Option<f64>,
-    pub frame: Frame,
-}
-
-/// The equilibrium with given grounded runs.
-pub(super) struct ContactPattern {
-    pub grounded: Vec<Run>,
-    pub bays: Vec<Bay>,
-    pub state: BayUnknowns,
-    pub slack: bool,
-    pub evaluations: u32,
-}
+use super::planar_line::ON_BED;
+use super::solution::Solution;
 
 /// Solves a line of any number of sections.
 pub(super) fn solve(line: &Line<'_>) -> Result<Solution, CatenaryError> {
@@ -101,10 +81,6 @@ fn over_slope(problem: &CompositeLine, bed: Bed) -> Result<Solution, CatenaryErr
 }
 
 impl CompositeLine {
-    pub(super) fn last(&self) -> usize {
-        self.chain.elements.len() - 1
-    }
-
     /// The bays between grounded runs.
     fn bays(&self, grounded: &[Run]) -> Vec<Bay> {
         let depth = self.bed.unwrap_or(0.0);
@@ -139,14 +115,6 @@ impl CompositeLine {
             }
         }
         bays
-    }
-
-    /// The maximal run of sinking elements around one, if that one sinks.
-    pub(super) fn run(&self, at: usize) -> Run {
-        let sinks = |i: &usize| self.chain.elements[*i].total() >= 0.0;
-        let first = (0..=at).rev().take_while(sinks).last().unwrap_or(at);
-        let last = (at..=self.last()).take_while(sinks).last().unwrap_or(at);
-        (first, last)
     }
 
     /// Finds the grounded runs.
@@ -186,18 +154,6 @@ impl CompositeLine {
         Err(CatenaryError::UnsupportedContact(
             "which sections rest on the bed could not be settled for this line",
         ))
-    }
-
-    /// A start: a uniform line of the same weight and compliance.
-    pub(super) fn guess(&self) -> (f64, f64) {
-        let chain = &self.chain;
-        let all = chain.absolute_weight();
-        let w = (chain.weight.abs().max(0.05 * all) / chain.length).max(1e-200);
-        let ea = chain.length / chain.compliance.max(1e-200);
-        let up = if chain.weight < 0.0 { -1.0 } else { 1.0 };
-        let free = suspended::solve(self.x, up * self.z, chain.length, w, ea, None);
-        let (h, v) = free.map_or((all, 0.0), |f| (f.h, up * f.v_mean));
-        (h.max(1e-3 * all).max(1e-200), v - 0.5 * chain.weight)
     }
 
     /// Equilibrium for given grounded runs.
@@ -261,22 +217,6 @@ impl CompositeLine {
         loose.then_some(BayUnknowns { h: 0.0, offsets })
     }
 
-    /// Largest tension anywhere.
-    pub(super) fn top(&self, bays: &[Bay], state: &BayUnknowns) -> f64 {
-        let v = bays
-            .iter()
-            .zip(&state.offsets)
-            .flat_map(|(bay, offset)| self.chain.parts(bay, *offset))
-            .map(|part| {
-                let span = self.chain.part_span(&part);
-                part.va
-                    .abs()
-                    .max((part.va + span.weight * span.length).abs())
-            })
-            .fold(0.0, f64::max);
-        length(state.h, v)
-    }
-
     /// A grounded run that the bed would have to hold down: the offset may only fall across it.
     fn held_down(&self, pattern: &ContactPattern) -> Option<usize> {
         let slip = 1e-12 * self.top(&pattern.bays, &pattern.state);
@@ -320,26 +260,6 @@ impl CompositeLine {
             }
         }
         found
-    }
-
-    /// Unstretched length on the bed.
-    pub(super) fn grounded_length(&self, pattern: &ContactPattern) -> f64 {
-        let off: f64 = pattern
-            .bays
-            .iter()
-            .zip(&pattern.state.offsets)
-            .flat_map(|(bay, offset)| self.chain.parts(bay, *offset))
-            .map(|part| part.length)
-            .sum();
-        if pattern.grounded.is_empty() {
-            return 0.0;
-        }
-        let lying = self.chain.length - off;
-        if lying > 1e-12 * self.chain.length {
-            lying
-        } else {
-            0.0
-        }
     }
 
     fn highest(&self, solution: &Solution) -> f64 {

@@ -1,7 +1,7 @@
 //! From a settled pattern of a composite line to a verified solution, and its drawing.
 
 use super::candidate::Candidate;
-use super::composite::{CompositeLine, ContactPattern};
+use super::composite_line::{CompositeLine, ContactPattern};
 use super::convex_newton::{BayUnknowns, Residuals, relative, residuals};
 use super::elements::{Elements, SuspendedPart};
 use super::error::CatenaryError;

@@ -13,7 +13,7 @@
 //! any H, and its distance at that height with H: without friction both are derivatives of a convex energy, as in
 //! `elements`, and friction adds stretch that rises with H. For one section this is `touchdown` (Jonkman 2007, eqs 2-37 and 2-38, on a level bed).
 
-use super::composite::CompositeLine;
+use super::composite_line::CompositeLine;
 use super::elements::{Bay, Elements, SuspendedPart};
 use super::error::CatenaryError;
 use super::line::Bed;

@@ -3,8 +3,8 @@
 use super::candidate::{Candidate, ROUNDING};
 use super::error::CatenaryError;
 use super::grounded_span::{GroundedForces, GroundedSpan};
+use super::planar_line::PlanarLine;
 use super::profile::{Piece, PieceLaw, Pieces, grounded_tension_sum};
-use super::single::PlanarLine;
 use super::solution::{Seed, Shape, Solution};
 use super::span::length;
 use super::touchdown::{TouchdownLine, TouchdownUnknowns};

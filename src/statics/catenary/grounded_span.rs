@@ -17,7 +17,7 @@
 //!
 //! The left side less the right rises with H. The right side is the length that sag takes out.
 
-use super::single::PlanarLine;
+use super::planar_line::PlanarLine;
 use super::span::length;
 use crate::numerics::double_double::DoubleDouble;
 use crate::numerics::hyperbolic::{asinh_minus_sine, x_minus_asinh};

@@ -1,11 +1,11 @@
 //! A line of several sections, checked, in the local frame: A at the origin, B to the right, a surface above turned into a
 //! bed below.
 
-use super::composite::CompositeLine;
+use super::composite_line::CompositeLine;
 use super::elements::{Element, Elements};
 use super::error::CatenaryError;
 use super::line::{Bed, Line, SectionProps};
-use super::single::ends_above;
+use super::planar_line::ends_above;
 use super::solution::Frame;
 
 /// The line in the local frame.

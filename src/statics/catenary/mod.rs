@@ -36,6 +36,7 @@
 
 mod candidate;
 mod composite;
+mod composite_line;
 mod composite_solution;
 mod composite_touchdown;
 mod convex_newton;
@@ -46,6 +47,7 @@ mod grounded_span;
 mod laid_profile;
 mod line;
 mod local_frame;
+mod planar_line;
 mod profile;
 mod single;
 mod slope;

@@ -2,8 +2,8 @@
 
 use super::candidate::{Candidate, ROUNDING};
 use super::error::CatenaryError;
+use super::planar_line::PlanarLine;
 use super::profile::Pieces;
-use super::single::PlanarLine;
 use super::solution::{Seed, Shape, Solution};
 use super::span::{Span, length};
 use super::suspended::SuspendedForces;

@@ -18,8 +18,8 @@
 //! friction can hold the line (μ >= |tan θ|), stays at zero once it gets there.
 
 use super::error::CatenaryError;
+use super::planar_line::PlanarLine;
 use super::profile::grounded_tension_sum;
-use super::single::PlanarLine;
 use super::slope::Slope;
 use crate::numerics::double_double::DoubleDouble;
 use crate::numerics::hyperbolic::hyperbolic;
