@@ -74,7 +74,12 @@ fn escape<'a>(
     hidden: impl Fn(char) -> bool,
     escaped: impl Fn(char) -> String,
 ) -> Cow<'a, str> {
-    if !text.contains(&hidden) {
+    // Most text is plain ASCII, where its bytes decide.
+    let feeds = !hidden('\n');
+    let plain = text
+        .bytes()
+        .all(|byte| matches!(byte, b' '..=b'~') || byte == b'\n' && feeds);
+    if plain || !text.contains(&hidden) {
         return Cow::Borrowed(text);
     }
     let mut out = String::with_capacity(text.len() + 16);
