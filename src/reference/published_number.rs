@@ -18,7 +18,7 @@ table! {
         /// Tolerance relative to the value; of two tolerances the wider one counts.
         tolerance_rel: Option<f64>, "tolerance", range of(0.0, 10.0), absent "no relative tolerance";
         /// Tolerance in the unit of the value.
-        tolerance_abs: Option<f64>, "tolerance", unit "", range of(0.0, 1e9), absent "no absolute tolerance";
+        tolerance_abs: Option<f64>, "tolerance", unit "", range of(0.0, f64::INFINITY), absent "no absolute tolerance";
         /// Where it is printed.
         source: String, "source";
         /// Provenance of the inputs behind the computed value, at worst.
