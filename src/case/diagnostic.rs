@@ -101,7 +101,7 @@ pub fn render_all(diagnostics: &[Diagnostic], text: &str, color: bool) -> String
     each.join("\n\n")
 }
 
-/// What a check found, before it is told apart by file, line and column.
+/// What a check found, before it is placed in its file by line and column.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Finding {
     pub(crate) span: Range<usize>,
@@ -148,7 +148,7 @@ pub(crate) fn position(text: &str, offset: usize) -> (u32, u32) {
     (count(line), count(before[line_start..].chars().count() + 1))
 }
 
-/// Lines and columns are told as 32-bit numbers; a file with more of them than that has no reader.
+/// Lines and columns are 32-bit numbers; a larger one is cut to the greatest of them.
 pub(crate) fn count(number: usize) -> u32 {
     u32::try_from(number).unwrap_or(u32::MAX)
 }

@@ -1,5 +1,5 @@
-//! What all kinds of file beside the line case have in common: how they are told apart, read, checked, worked out, and set
-//! key by key. A kind brings its schema, its words and what they come to; nothing of this is written twice.
+//! What all kinds of file beside the line case have in common: how they are recognised, read, checked, computed, and set
+//! key by key. A kind provides its schema, its texts and its results.
 
 use std::path::{Path, PathBuf};
 

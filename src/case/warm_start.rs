@@ -1,4 +1,4 @@
-//! A case that starts where a stored run stands: what of that run must agree with the case.
+//! A case that starts from the state of a stored run: what of that run must agree with the case.
 
 use std::path::{Path, PathBuf};
 
@@ -9,7 +9,7 @@ use super::fields::quantity;
 use super::model::{Attachment, Case};
 use super::tree::Node;
 
-/// What a run directory holds to go on from.
+/// The file of a run directory that a run resumes from.
 const CHECKPOINT: &str = "checkpoint.toml";
 
 /// The key that names the run.
@@ -18,9 +18,9 @@ const KEY: &str = "start.from_run";
 /// Arc lengths that differ by less than this share of the line are the same.
 const SLOP: f64 = 1e-9;
 
-/// What is looked at here of where a run stands; the rest is for those who compute.
+/// What is read here of a checkpoint; the rest is read when the run starts.
 #[derive(Deserialize)]
-struct Stands {
+struct CheckpointArc {
     profile: Profile,
 }
 
@@ -29,7 +29,7 @@ struct Profile {
     arc: Vec<f64>,
 }
 
-/// Takes in where the run stands that the case starts from, and holds its line against that of the case.
+/// Attaches the checkpoint of the run that the case starts from, and compares its line with that of the case.
 pub(super) fn gather(
     case: &mut Case,
     root: &Node,
@@ -49,20 +49,20 @@ pub(super) fn gather(
         let path = directory(folder, &name).join(CHECKPOINT);
         let read = std::fs::read_to_string(&path).map_err(|error| {
             let problem = format!("{} cannot be read: {error}", path.display());
-            let remedy = "name the directory of a run in motion that came to an output time, beside the case file or from here";
+            let remedy = "name the directory of a dynamic run that reached an output time, relative to the case file or to here";
             fault(problem, remedy)
         })?;
         case.files.insert(name.clone(), Attachment { text: read });
     }
-    let carried = case.files.get(&name).map_or("", |c| c.text.as_str());
-    let stands: Stands = toml::from_str(carried).map_err(|error| {
+    let attached = case.files.get(&name).map_or("", |c| c.text.as_str());
+    let checkpoint: CheckpointArc = toml::from_str(attached).map_err(|error| {
         let problem = format!(
-            "where {name} stands cannot be understood: {}",
+            "the checkpoint of {name} cannot be read: {}",
             error.message()
         );
         fault(problem, "name another run, or compute that one anew")
     })?;
-    mismatch(case, &stands.profile.arc).map_or(Ok(()), |problem| {
+    mismatch(case, &checkpoint.profile.arc).map_or(Ok(()), |problem| {
         let remedy = "start from a run of the same line: sections, lengths and segments";
         Err(fault(problem, remedy))
     })

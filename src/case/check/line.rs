@@ -42,7 +42,7 @@ pub(super) fn length(case: &CaseKeys<'_>) -> Option<f64> {
 }
 
 fn materials(case: &CaseKeys<'_>) -> Vec<Finding> {
-    // That there are no materials at all is told as such.
+    // A case without materials has a finding of its own.
     if case.place.node.get("materials").is_none() {
         return Vec::new();
     }

@@ -20,7 +20,7 @@ pub(super) fn existing(root: &Node, path: &str) -> Result<&'static Field, (Strin
     if here.iter().any(|known| *known == join(&parts)) {
         return Ok(field);
     }
-    // A required key that its table lacks is told as missing already.
+    // A required key that its table lacks is reported as missing already.
     let remedy = match (root.find(&parts[..parts.len() - 1]), field.absent) {
         (Some(_), Absent::Required | Absent::RequiredWithout(_)) => return Ok(field),
         (Some(_), Absent::Means(_)) => "give the key a value in this file first".to_owned(),

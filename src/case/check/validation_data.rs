@@ -169,7 +169,11 @@ fn points(row: &PublishedCurveKeys<'_>) -> Option<Finding> {
     }
     let (times, values) = (row.time_s.get()?, row.value.get()?);
     let problem = if times.len() != values.len() {
-        format!("{} times stand beside {} values", times.len(), values.len())
+        format!(
+            "there are {} times and {} values",
+            times.len(),
+            values.len()
+        )
     } else if times.len() < 2 {
         "a curve needs at least two points".to_owned()
     } else if !times.is_sorted_by(|a, b| a < b) {

@@ -25,7 +25,7 @@ impl Range {
         }
     }
 
-    /// Greater than nought, up to `max`.
+    /// Greater than zero, up to `max`.
     #[must_use]
     pub const fn positive(max: f64) -> Self {
         Self {

@@ -206,7 +206,7 @@ table! {
         speed_m_per_s: f64, "speed", range of(0.0, 1e3);
         /// Time at which it sets out.
         start_s: f64 = 0.0, "start", range of(0.0, 1e7);
-        /// Time in which it comes to its speed.
+        /// Time in which it accelerates to its speed.
         ramp_s: f64 = 0.0, "ramp", range of(0.0, 1e7);
     }
 }

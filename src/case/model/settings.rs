@@ -50,7 +50,7 @@ table! {
         method: Method = Method::Alpha, "method";
         /// Simulated time.
         duration_s: f64 = 600.0, "duration", range positive(1e6);
-        /// Constant time step. Left open it is chosen, and varies with the error for alpha; the run tells.
+        /// Constant time step. If absent it is chosen, and varies with the error for alpha; the run reports it.
         time_step_s: Option<f64>, "time step", range positive(1e3), absent "chosen by the solver";
         /// Error alpha allows in a step of varying length: in positions by the line's length L, in velocities by 2 sqrt(g L).
         step_tolerance: f64 = 2e-5, "step tolerance", range positive(1.0);
@@ -78,7 +78,7 @@ words! {
         /// Implicit generalized-alpha.
         #[default]
         Alpha = "alpha",
-        /// Runge-Kutta or generalized-alpha, whichever is estimated to cost less; the run tells which and why.
+        /// Runge-Kutta or generalized-alpha, whichever is estimated to cost less; the run reports which and why.
         Auto = "auto",
     }
 }
@@ -118,7 +118,7 @@ table! {
     pub struct Modes => ModesKeys {
         /// How many natural modes, the lowest first.
         count: usize = 10, "modes", range of(1.0, 1000.0);
-        /// A frequency, such as that of the waves: the run tells which mode lies nearest.
+        /// A frequency, such as that of the waves: the run reports which mode is nearest.
         near_hz: Option<f64>, "near", range positive(1e3), absent "not used";
     }
 }

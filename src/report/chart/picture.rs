@@ -31,7 +31,7 @@ pub enum Ink {
     Legend,
 }
 
-/// Stands in the second cell of a character that is two cells wide; never printed.
+/// Fills the second cell of a character that is two cells wide; never printed.
 pub const CONTINUATION: char = '\0';
 
 /// One character of a picture.
