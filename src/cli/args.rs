@@ -108,7 +108,7 @@ pub(super) enum Command {
 
 #[derive(Debug, clap::Args)]
 pub(super) struct KeysArgs {
-    /// Only keys that begin with this path, such as payload or materials.<name>.ea_n.
+    /// Only keys that begin with this path, such as payload or `materials.<name>.ea_n`.
     #[arg(value_name = "PREFIX", conflicts_with = "schema")]
     pub(super) prefix: Option<String>,
 

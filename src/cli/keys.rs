@@ -90,9 +90,7 @@ fn table_text(table: &Table, fields: &[&Field], width: usize) -> String {
     for field in fields {
         let name = format!("  {}", field.key());
         let facts = format!("{}; {}", field.range_text(), field.absent_text());
-        let condition = field
-            .condition()
-            .map(|condition| format!("only {condition}"));
+        let condition = field.condition();
         let meaning = format!("{}: {}", field.label, field.help);
         let paragraphs = [Some(facts), condition, Some(meaning)];
         let words = paragraphs

@@ -4,7 +4,7 @@
 //! it, [`edit`] lists and sets its keys.
 //!
 //! [`StaticAnalysis`]: [`loads`] of wind, current and mean wave drift, with coefficients that are [`periodic_curve`]s of the
-//! angle of attack; [`yaw_equilibria`], isolated by [`roots`]; [`mooring`], the catenary at the pull of each; [`stability`] of
+//! angle of attack; [`yaw_equilibria`], isolated by [`root_isolation`](crate::numerics::root_isolation); [`mooring`], the catenary at the pull of each; [`stability`] of
 //! surge, sway and yaw about each: divergence and fishtailing.
 //!
 //! [`DynamicAnalysis`], which takes seconds: [`MotionAnalysis`], the six [`motion`]s from published statistics or from

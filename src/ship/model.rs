@@ -151,7 +151,7 @@ table! {
         ropeway: String, "ropeway";
         /// Bearing of the platform from the hang-off point, from the bow to port: 0 ahead, 90 abeam to port.
         bearing_deg: f64, "bearing", range of(-360.0, 360.0);
-        /// Motion that the rope's end follows: that of [motion], or that of the coupled analysis.
+        /// Motion that the rope's end follows: that of `[motion]`, or that of the coupled analysis.
         follows: Follows = Follows::Motion, "follows";
         /// Records, of as many seeds, for the expected maximum tension.
         records: usize = 10, "records", range of(2.0, 1000.0);

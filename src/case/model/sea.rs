@@ -29,7 +29,7 @@ table! {
         seed: u64 = 1, "seed", range of(0.0, 9e15), only kind "irregular";
         /// Where the waves run to, from +x towards +y.
         direction_deg: f64 = 0.0, "wave direction", range of(-360.0, 360.0);
-        /// Depth that the waves feel, where there is no [seabed].
+        /// Depth that the waves feel, where there is no `[seabed]`.
         depth_m: Option<f64>, "sea depth", range positive(2e4), absent "that of the sea bed, or deep water";
         /// The waves grow smoothly from nothing over this time.
         ramp_s: f64 = 0.0, "wave ramp", range of(0.0, 1e6);

@@ -10,7 +10,7 @@ use crate::case::diagnostic::Finding;
 use crate::case::fields::{Field, Schema, Table, TableShape};
 use crate::case::tree::{Node, element_names};
 
-/// A table as a type: declared with [`table!`](super::table) or [`variants!`](super::variants).
+/// A table as a type: declared with [`table!`](super::table!) or [`variants!`](super::variants).
 pub(crate) trait TableType: Sized {
     /// Its keys as they are read, each with its place.
     type Keys<'a>;

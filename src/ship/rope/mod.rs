@@ -2,7 +2,7 @@
 //! fast and held by its winch, each instant an equilibrium; and the expected maximum tension.
 //!
 //! With the rope made fast, its tension is a smooth function of the position of the hang-off point. For the records of many
-//! seeds a [`TensionSurface`] over the positions of the file's record, with a margin, locates the instants of maximum tension;
+//! seeds a `TensionSurface` over the positions of the file's record, with a margin, locates the instants of maximum tension;
 //! the exact rope then gives the tension at these.
 
 pub mod dynamic;
