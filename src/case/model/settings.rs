@@ -113,7 +113,7 @@ words! {
 }
 
 table! {
-    /// Natural modes about the static shape, told beside the results of a run.
+    /// Natural modes about the static shape, reported with the results of a run.
     #[derive(Debug, Clone, PartialEq)]
     pub struct Modes => ModesKeys {
         /// How many natural modes, the lowest first.
