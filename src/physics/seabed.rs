@@ -57,7 +57,7 @@ impl Seabed {
         self.slope.is_none() && self.friction.is_none()
     }
 
-    /// BedReaction on a node at x \[m\] that moves at v \[m/s\], on an area \[m²\].
+    /// Reaction of the bed on a node at x \[m\] that moves at v \[m/s\], on an area \[m²\].
     #[inline]
     #[must_use]
     pub fn push(&self, x: &V3, v: &V3, area: f64) -> BedReaction {
@@ -65,7 +65,7 @@ impl Seabed {
         self.push_at(-self.height(x), speed, area)
     }
 
-    /// BedReaction on a node at a depth below the bed \[m\] that leaves it at a speed \[m/s\]. As with the tension of a
+    /// Reaction of the bed on a node at a depth below the bed \[m\] that leaves it at a speed \[m/s\]. As with the tension of a
     /// segment, damping is held between plus and minus the elastic part, so that the force begins at zero.
     #[inline]
     #[must_use]

@@ -70,7 +70,7 @@ mod tests {
 
     #[test]
     fn table_5_comes_out_to_the_printed_digits() {
-        // ElasticRope; H, Tmax, L, least tension and its sag as printed, with half a unit of their last digits.
+        // Rope; H, Tmax, L, least tension and its sag as printed, with half a unit of their last digits.
         let table = [
             (80.0, 2488.8, 2840.8, (81.6, 0.05), 1725.5, (24.4, 0.05)),
             (60.0, 1410.5, 1826.0, (62.13, 0.0051), 1404.2, (17.8, 0.05)),

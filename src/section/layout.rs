@@ -117,9 +117,9 @@ pub struct Helix {
     pub inner_radius: f64,
     /// Radius over the layer \[m\].
     pub outer_radius: f64,
-    /// LoadShare of the full turn that the units take \[-\].
+    /// Share of the full turn that the units take \[-\].
     pub coverage: f64,
-    /// LoadShare of the gaps that filler ropes take, and their density \[kg/m³\].
+    /// Share of the gaps that filler ropes take, and their density \[kg/m³\].
     pub filler: (f64, f64),
 }
 

@@ -76,7 +76,7 @@ impl StiffnessMatrix {
         (ea > 0.0 && strain.is_finite()).then_some((strain, strain * twist_per_strain))
     }
 
-    /// EndRotation per length by strain when there is no torque \[rad/m\].
+    /// Rotation per length by strain when there is no torque \[rad/m\].
     fn twist_per_strain(&self) -> f64 {
         -ratio(self.torque_strain, self.torque_twist)
     }

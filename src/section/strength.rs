@@ -14,7 +14,7 @@ pub struct LoadShare {
     pub unit: String,
     /// Number of units.
     pub count: usize,
-    /// LoadShare of the cable's tension that all of them carry along the cable's axis \[-\].
+    /// Share of the cable's tension that all of them carry along the cable's axis \[-\].
     pub share: f64,
     /// Strain of the unit along its own axis \[-\].
     pub strain: f64,

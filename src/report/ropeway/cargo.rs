@@ -89,7 +89,7 @@ fn most(swung: &CargoState) -> f64 {
     swung.platform_n.max(swung.ship_n)
 }
 
-/// MinimumTension and greatest.
+/// Least and greatest value.
 fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (low.min(value), high.max(value))
