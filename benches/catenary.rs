@@ -3,19 +3,24 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use seacable::statics::catenary::{Bed, Ends, Line, SectionProps};
+use seacable::statics::catenary::{CatenaryLine, EndOffset, RigidBed, SectionProperties};
 
-fn line(x_m: f64, z_m: f64, sections: &[SectionProps], bed: Option<Bed>) -> Line<'_> {
-    Line {
-        ends: Ends { x_m, z_m },
+fn line(
+    x_m: f64,
+    z_m: f64,
+    sections: &[SectionProperties],
+    bed: Option<RigidBed>,
+) -> CatenaryLine<'_> {
+    CatenaryLine {
+        ends: EndOffset { x_m, z_m },
         sections,
         bed,
         surface_above_a_m: None,
     }
 }
 
-const fn section(length_m: f64, weight_n_per_m: f64, ea_n: f64) -> SectionProps {
-    SectionProps {
+const fn section(length_m: f64, weight_n_per_m: f64, ea_n: f64) -> SectionProperties {
+    SectionProperties {
         length_m,
         weight_n_per_m,
         ea_n,
@@ -23,25 +28,25 @@ const fn section(length_m: f64, weight_n_per_m: f64, ea_n: f64) -> SectionProps 
     }
 }
 
-const CHAIN: [SectionProps; 1] = [section(900.0, 1_200.0, 5.0e8)];
+const CHAIN: [SectionProperties; 1] = [section(900.0, 1_200.0, 5.0e8)];
 
 /// Zhu et al. 2017 (doi 10.11990/jheu.201508013): 2000 m of polyester between 1525 m and 425 m of chain.
-const HYBRID: [SectionProps; 3] = [
+const HYBRID: [SectionProperties; 3] = [
     section(1525.0, 1375.7, 691.74e6),
     section(2000.0, 85.26, 179.523e6),
     section(425.0, 1375.7, 691.74e6),
 ];
 
 fn singles(c: &mut Criterion) {
-    let flat = Some(Bed::default());
-    let slope = Some(Bed {
+    let flat = Some(RigidBed::default());
+    let slope = Some(RigidBed {
         slope_rad: 0.1,
         friction: 0.4,
-        ..Bed::default()
+        ..RigidBed::default()
     });
-    let deep = Some(Bed {
+    let deep = Some(RigidBed {
         below_a_m: 60.0,
-        ..Bed::default()
+        ..RigidBed::default()
     });
     let lines = [
         ("hanging", line(800.0, 300.0, &CHAIN, None)),
@@ -67,7 +72,7 @@ fn singles(c: &mut Criterion) {
 }
 
 fn hybrid(c: &mut Criterion) {
-    let line = line(3569.462, 1460.0, &HYBRID, Some(Bed::default()));
+    let line = line(3569.462, 1460.0, &HYBRID, Some(RigidBed::default()));
     c.bench_function("catenary/chain-polyester-chain", |b| {
         b.iter(|| black_box(&line).solve());
     });
@@ -97,14 +102,14 @@ fn set(c: &mut Criterion) {
             let rope = [section(length, r.decades(-4.0, 5.0), r.decades(4.0, 14.0))];
             let (x, z) = (length * 1.3 * r.next(), length * 1.2 * r.next());
             let below = [None, Some(0.0), Some(0.3 * length * r.next())][i % 3];
-            let bed = below.map(|below_a_m| Bed {
+            let bed = below.map(|below_a_m| RigidBed {
                 below_a_m,
-                ..Bed::default()
+                ..RigidBed::default()
             });
             (x, z, rope, bed)
         })
         .collect();
-    let solved = |(x, z, rope, bed): &(f64, f64, [SectionProps; 1], Option<Bed>)| {
+    let solved = |(x, z, rope, bed): &(f64, f64, [SectionProperties; 1], Option<RigidBed>)| {
         line(*x, *z, rope, *bed).solve().is_ok()
     };
     c.bench_function("catenary/ten thousand of every kind", |b| {

@@ -1,24 +1,23 @@
 //! Speed against error on the manifold: 1200 s, segments of 25 m, one core.
 //!
-//! Every row is one method at one setting: its work, the least CPU time of several repeats, and its error against a
-//! run converged in time on the same mesh (RK4 at a seventh of its stability limit, whose own error is shown by the row
-//! of twice that step). Mesh error and model error are in none of these numbers. The same line with a bending stiffness
-//! shows what five bands cost. Run with `cargo bench --bench manifold`; for any other case there is `seacable study speed`.
+//! The reference is RK4 at a seventh of its stability limit, whose own error is shown by the row of twice that step. The
+//! same line with a bending stiffness shows what five bands cost. Run with `cargo bench --bench manifold`; for any other case there is `seacable study speed`.
 #![expect(
     clippy::unwrap_used,
     clippy::print_stdout,
     reason = "a bench prints its table and may stop at a fault"
 )]
 
+mod speed;
+
 use std::hint::black_box;
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use seacable::case::{self, Case, Method};
 use seacable::numerics::{BlockBand, V3};
-use seacable::run::{History, Run, job};
 use seacable::scene::{self, Scene};
 use seacable::solve::{ExplicitRhs, Factors, Kinematics, Residual, State};
+use speed::{alpha_rows, by, controlled, heading, row, run, with};
 
 const MANIFOLD: &str = include_str!("../cases/pendulous/manifold.toml");
 
@@ -28,59 +27,32 @@ fn main() {
     kernels(&case);
     let bending = bending(&case);
     kernels(&bending);
-    let reference = run(&with(&case, |c| set(c, Method::Rk4, Some(0.00125), 0.4)), 1)
-        .run
-        .history;
+    let reference = run(&by(&case, Method::Rk4, Some(0.00125), 0.4), 1).history;
     println!("\nreference: RK4 in steps of 1.25 ms");
     heading();
-    row(
-        "rk4 step 0.0025",
-        &run(&with(&case, |c| set(c, Method::Rk4, Some(0.0025), 0.4)), 1),
-        &reference,
-    );
-    row(
-        "rk4 automatic",
-        &run(&with(&case, |c| set(c, Method::Rk4, None, 0.4)), 2),
-        &reference,
-    );
-    for rho in [0.0, 0.4, 0.8] {
-        for tolerance in [1e-4, 4e-5, 2e-5, 1e-5, 1e-6] {
-            let case = with(&case, |c| {
-                set(c, Method::Alpha, None, rho);
-                c.solver.step_tolerance = tolerance;
-            });
-            row(
-                &format!("alpha {rho} tol {tolerance:.0e}"),
-                &run(&case, 5),
-                &reference,
-            );
-        }
-        for step in [0.5, 0.25, 0.125, 0.0625] {
-            let case = with(&case, |c| set(c, Method::Alpha, Some(step), rho));
-            row(
-                &format!("alpha {rho} step {step}"),
-                &run(&case, 5),
-                &reference,
-            );
-        }
-    }
-    println!("with a bending stiffness (errors: against the line without)");
-    for tolerance in [2e-5, 1e-6] {
-        let case = with(&bending, |c| {
-            set(c, Method::Alpha, None, 0.0);
-            c.solver.step_tolerance = tolerance;
-        });
+    for (name, step, repeats) in [
+        ("rk4 step 0.0025", Some(0.0025), 1),
+        ("rk4 automatic", None, 2),
+    ] {
         row(
-            &format!("alpha 0 tol {tolerance:.0e} EI"),
-            &run(&case, 5),
+            name,
+            &run(&by(&case, Method::Rk4, step, 0.4), repeats),
             &reference,
         );
     }
-    row(
-        "quasi (no inertia)",
-        &run(&with(&case, |c| set(c, Method::Quasi, None, 0.4)), 5),
-        &reference,
-    );
+    let tolerances = [1e-4, 4e-5, 2e-5, 1e-5, 1e-6];
+    alpha_rows(&case, &tolerances, &[0.5, 0.25, 0.125, 0.0625], &reference);
+    println!("with a bending stiffness (errors: against the line without)");
+    for tolerance in [2e-5, 1e-6] {
+        let name = format!("alpha 0 tol {tolerance:.0e} EI");
+        row(
+            &name,
+            &run(&controlled(&bending, 0.0, tolerance), 5),
+            &reference,
+        );
+    }
+    let quasi_static = run(&by(&case, Method::Quasi, None, 0.4), 5);
+    row("quasi (no inertia)", &quasi_static, &reference);
 }
 
 /// The same line with a bending stiffness that hardly changes how it moves.
@@ -90,101 +62,6 @@ fn bending(case: &Case) -> Case {
             material.ei_n_m2 = 1e4;
         }
     })
-}
-
-fn with(case: &Case, change: impl Fn(&mut Case)) -> Case {
-    let mut case = case.clone();
-    change(&mut case);
-    case
-}
-
-fn set(case: &mut Case, method: Method, step: Option<f64>, rho: f64) {
-    case.solver.method = method;
-    case.solver.time_step_s = step;
-    case.solver.rho_inf = rho;
-}
-
-/// A run and the least CPU time of its repeats.
-struct Timed {
-    run: Run,
-    cpu_s: f64,
-}
-
-fn run(case: &Case, repeats: usize) -> Timed {
-    let request = job::Request {
-        case: case.clone(),
-        text: String::new(),
-        file: "manifold.toml".to_owned(),
-        overrides: Vec::new(),
-        id: "bench".to_owned(),
-    };
-    let once = || job::execute(&request, &AtomicBool::new(false), &mut |_| {});
-    let mut best = once();
-    for _ in 1..repeats {
-        let again = once();
-        if again.info.cost.cpu_s < best.info.cost.cpu_s {
-            best = again;
-        }
-    }
-    Timed {
-        cpu_s: best.info.cost.cpu_s,
-        run: best,
-    }
-}
-
-fn heading() {
-    println!(
-        "{:<26} {:>8} {:>6} {:>8} {:>9} {:>9} {:>10} {:>10} {:>9}",
-        "method", "steps", "rej.", "work", "CPU ms", "ns/node", "rms T %", "max T %", "max x m"
-    );
-}
-
-/// `work` counts Newton iterations, or force evaluations where there are none; `ns/node` is all CPU time by nodes and
-/// work. Tension errors are of the worst joint, as a share of its peak; the position is the manifold's.
-fn row(name: &str, timed: &Timed, reference: &History) {
-    let info = &timed.run.info;
-    let work = info.work.iterations.max(info.work.evaluations);
-    let per_node = timed.cpu_s * 1e9 / (work as f64 * info.settings.nodes as f64);
-    let (rms, worst, position) = errors(&timed.run.history, reference);
-    println!(
-        "{name:<26} {:>8} {:>6} {work:>8} {:>9.1} {per_node:>9.1} {rms:>10.4} {worst:>10.3} {position:>9.4}",
-        info.work.steps,
-        info.work.rejections,
-        timed.cpu_s * 1e3,
-    );
-}
-
-fn errors(history: &History, reference: &History) -> (f64, f64, f64) {
-    let mut tension = (0.0_f64, 0.0_f64);
-    let mut position = vec![0.0; reference.time.len()];
-    if history.time.len() != reference.time.len() {
-        return (f64::NAN, f64::NAN, f64::NAN);
-    }
-    for (ours, theirs) in history.channels.iter().zip(&reference.channels) {
-        let differences = ours
-            .values
-            .iter()
-            .zip(&theirs.values)
-            .map(|(a, b)| (a - b).abs());
-        if ours.name().starts_with("tension_n") {
-            let sum: f64 = differences.clone().map(|d| d * d).sum();
-            let rms = (sum / position.len() as f64).sqrt();
-            let share = 100.0 / theirs.peak.0;
-            tension = (
-                tension.0.max(rms * share),
-                tension.1.max(differences.fold(0.0, f64::max) * share),
-            );
-        } else if ours.unit() == "m" {
-            for (p, d) in position.iter_mut().zip(differences) {
-                *p += d * d;
-            }
-        }
-    }
-    (
-        tension.0,
-        tension.1,
-        position.iter().fold(0.0_f64, |a, b| a.max(*b)).sqrt(),
-    )
 }
 
 /// What one node costs, in the middle of the swing: least of many batches.

@@ -8,11 +8,11 @@
 use std::error::Error;
 use std::io::{self, Write};
 
-use seacable::case::{Case, DragLaw, End, EndKind, Ends, Material, Seabed, Section, Waves};
+use seacable::case::{Case, DragCoefficient, End, EndKind, Ends, Material, Seabed, Section, Waves};
 use seacable::dynamics::March;
 use seacable::dynamics::generalized_alpha::GeneralizedAlpha;
 use seacable::scene;
-use seacable::solve::{ExplicitRhs, Instant, Kinematics, Progressing};
+use seacable::solve::{AcceptedStep, ExplicitRhs, Kinematics, Progressing};
 use seacable::statics::equilibrium::EquilibriumSearch;
 
 const WAVE_HEIGHT_M: f64 = 4.0;
@@ -36,7 +36,7 @@ fn case() -> Case {
     case.waves = Some(waves);
     let mut chain = Material::new(0.14, 97.0, 8.0e8);
     chain.axial_damping_ratio = Some(0.02);
-    chain.drag_normal = DragLaw::Constant(1.6);
+    chain.drag_normal = DragCoefficient::Constant(1.6);
     case.materials.insert("chain".to_owned(), chain);
     case.line.push(Section {
         name: "chain".to_owned(),
@@ -57,7 +57,7 @@ pub(crate) fn tension_at_vessel() -> Result<[f64; 3], Box<dyn Error>> {
     let at_rest = scene.tension_at(node, &state);
 
     let (mut greatest, mut least) = (at_rest, at_rest);
-    let mut sink = |instant: Instant<'_>| {
+    let mut sink = |instant: AcceptedStep<'_>| {
         let tension = scene.tension_at(node, instant.state);
         greatest = greatest.max(tension);
         least = least.min(tension);
@@ -66,7 +66,6 @@ pub(crate) fn tension_at_vessel() -> Result<[f64; 3], Box<dyn Error>> {
     let march = March {
         duration: 4.0 * WAVE_PERIOD_S,
         step: 0.02,
-        output: 0.5,
     };
     let (rho_inf, tolerance_m, max_iterations) = (0.4, 1e-5, 30);
     let mut method = GeneralizedAlpha::new(scene.nodes(), rho_inf, tolerance_m, max_iterations);

@@ -22,24 +22,24 @@
 //!
 //! | term | equation | function |
 //! |---|---|---|
-//! | tension | `T = EA e + C de/dt`, `e = l/l0 - 1`, `0 <= T <= 2 EA e`; a rod also bears compression | [`Axial::tension`](crate::physics::tension::Axial::tension) |
+//! | tension | `T = EA e + C de/dt`, `e = l/l0 - 1`, `0 <= T <= 2 EA e`; a rod also bears compression | [`AxialConstants::tension`](crate::physics::tension::AxialConstants::tension) |
 //! | drag, per length | `1/2 rho D (C_n abs(u_n) u_n + C_t abs(u_t) u_t)`, u relative to the water | [`DragProperties::drag`](crate::physics::drag::DragProperties::drag) |
 //! | added mass | `M_a a = A_n a + (A_t - A_n) (t.a) t` | [`AddedMass::force`](crate::physics::added_mass::AddedMass::force) |
-//! | bending | energy `EI (1 - t1.t2) / l`, moment `EI sin(theta) / l` | [`Bend::forces`](crate::physics::bending::Bend::forces) |
+//! | bending | energy `EI (1 - t1.t2) / l`, moment `EI sin(theta) / l` | [`BendAngle::forces`](crate::physics::bending::BendAngle::forces) |
 //! | rotating body | Kirchhoff's equations and gyroscopic couple | [`RigidBody`](crate::physics::RigidBody) |
 //! | waves | Froude-Krylov and added-mass force `(m_w + M_a) A`, drag by relative velocity | [`Water`](crate::scene::Water) |
-//! | traveller | `A = sum n_k a_k + 2 s' n_k' v_k + (s'' n_k' + s'² n_k'') x_k` | [`Traveller`](crate::scene::Traveller) |
+//! | traveller | `A = sum n_k a_k + 2 s' n_k' v_k + (s'' n_k' + s'² n_k'') x_k` | [`TravellingBody`](crate::scene::TravellingBody) |
 //!
 //! # Bed contact and friction
 //!
 //! A node below the bed, by a depth p and with velocity v_n out of it, on the contact area `A = D l0`
-//! ([`Seabed::push_at`](crate::physics::Seabed::push_at)):
+//! ([`ElasticBed::push_at`](crate::physics::ElasticBed::push_at)):
 //!
 //! ```text
 //! N = A (k p - c v_n),  0 <= N <= 2 A k p
 //! ```
 //!
-//! Friction is elastic-plastic ([`Friction::grip`](crate::physics::friction::Friction::grip)): a spring with a damper from the
+//! Friction is elastic-plastic ([`Friction::grip`](crate::physics::bed_friction::Friction::grip)): a spring with a damper from the
 //! anchor point g of the node pulls by `e = k_g (g - x) - c v` along the bed, up to an ellipse with the axes `mu_a N` along and
 //! `mu_l N` transverse to the line:
 //!
@@ -49,7 +49,7 @@
 //!
 //! g moves only when a step is accepted ([`Hysteresis::commit`](crate::solve::Hysteresis::commit)): all iterates of a step have
 //! the same history. The regularised law `F = -mu N v / max(|v|, v_lim)` is
-//! [`Friction::regularised`](crate::physics::friction::Friction::regularised).
+//! [`Friction::regularised`](crate::physics::bed_friction::Friction::regularised).
 //!
 //! # Rope stiffness
 //!
@@ -98,7 +98,7 @@
 //! ```
 //!
 //! Error of a step: in position `|beta - 1/6| h² |a1 - a0|` (Zienkiewicz and Xie 1991), in velocity by the second difference of
-//! a. The [step control](crate::dynamics::step_control) halves and doubles h on a grid that hits output times exactly. Its numerical
+//! a. The [step control](crate::dynamics::step_control) halves and doubles h; output times change no step. Its numerical
 //! damping and period elongation follow from the amplification matrix
 //! ([`NumericalDamping::of`](crate::dynamics::numerical_damping::NumericalDamping::of)).
 //!
@@ -152,7 +152,9 @@
 //!
 //! `dE/dt = P_ends + P_waves - D` ([`Scene::energy`](crate::scene::Scene::energy),
 //! [`Scene::power_of_ends`](crate::scene::Scene::power_of_ends), [`Scene::power_of_waves`](crate::scene::Scene::power_of_waves),
-//! [`Scene::dissipation`](crate::scene::Scene::dissipation)), tested for every force.
+//! [`Scene::dissipation`](crate::scene::Scene::dissipation)), tested for every force. With the growth of the added mass,
+//! `P_growth = v' (dM/dt) v / 2`, it is integrated over every step of a run ([`Scene::read_step`](crate::scene::Scene::read_step),
+//! `run/energy_balance.rs`).
 //!
 //! # Errors
 //!

@@ -1,36 +1,57 @@
-//! The kinds of file that seacable opens, distinguished by their first table.
+//! The kinds of file, distinguished by the table that every file of a kind begins with.
 
 use std::path::Path;
 
-use crate::ropeway::is_ropeway;
-use crate::section::is_section;
-use crate::ship::is_ship;
-
 /// What a TOML file describes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// A line case: [`crate::case`]. Also every file of no other kind, whose errors are then reported as those of a case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum FileType {
+    /// A line case. Also every file of no other kind, whose errors are then reported as those of a case.
+    #[value(name = "case")]
     Line,
-    /// A cross-section: [`crate::section`].
+    /// A cross-section.
     Section,
-    /// A ropeway: [`crate::ropeway`].
+    /// A ropeway.
     Ropeway,
-    /// A ship at single-point mooring: [`crate::ship`].
+    /// A ship at single-point mooring.
     Ship,
 }
 
-impl Kind {
+impl FileType {
+    /// All kinds. A ropeway file has `[ship]` too, so that ropeways precede ships.
+    pub const ALL: [Self; 4] = [Self::Line, Self::Section, Self::Ropeway, Self::Ship];
+
+    /// The table that every file of the kind has: the kind in a word.
+    #[must_use]
+    pub const fn table(self) -> &'static str {
+        match self {
+            Self::Line => "case",
+            Self::Section => "section",
+            Self::Ropeway => "ropeway",
+            Self::Ship => "ship",
+        }
+    }
+
+    /// What a file of the kind is, and the command for it, in words.
+    #[must_use]
+    pub const fn description(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Line => ("a line case", "`seacable run` computes it"),
+            Self::Section => ("a cross-section", "`seacable section` works it out"),
+            Self::Ropeway => ("a ropeway", "`seacable ropeway` works it out"),
+            Self::Ship => ("a ship", "`seacable ship` works it out"),
+        }
+    }
+
     /// The kind of a file.
     #[must_use]
     pub fn of(path: &Path) -> Self {
-        if is_section(path) {
-            Self::Section
-        } else if is_ropeway(path) {
-            Self::Ropeway
-        } else if is_ship(path) {
-            Self::Ship
-        } else {
-            Self::Line
-        }
+        let text = std::fs::read_to_string(path).unwrap_or_default();
+        let has = |kind: &Self| {
+            let header = format!("[{}]", kind.table());
+            text.lines()
+                .any(|line| line.trim_start().starts_with(&header))
+        };
+        let others = Self::ALL.into_iter().filter(|kind| *kind != Self::Line);
+        others.into_iter().find(has).unwrap_or(Self::Line)
     }
 }

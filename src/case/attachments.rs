@@ -9,7 +9,7 @@ use std::path::Path;
 
 use super::diagnostic::{Diagnostic, Finding};
 use super::model::{Attachment, Case, EndKind, MotionName};
-use super::tree::Node;
+use super::tree::TomlNode;
 use crate::physics::sea::DEGREES;
 
 /// Columns of a table of places over time.
@@ -32,8 +32,8 @@ pub(crate) fn response_columns() -> Vec<String> {
 
 /// A case that is being read: its tree, its text, what it is called and the folder it stands in.
 #[derive(Clone, Copy)]
-struct Reading<'a> {
-    root: &'a Node,
+struct CaseSource<'a> {
+    root: &'a TomlNode,
     text: &'a str,
     file: &'a str,
     folder: &'a Path,
@@ -42,11 +42,11 @@ struct Reading<'a> {
 /// Takes in the files that the case uses, and reads them as what they are named for.
 pub(crate) fn gather(
     case: &mut Case,
-    root: &Node,
+    root: &TomlNode,
     text: &str,
     (file, folder): (&str, &Path),
 ) -> Result<(), Diagnostic> {
-    let reading = Reading {
+    let reading = CaseSource {
         root,
         text,
         file,
@@ -79,7 +79,7 @@ pub(crate) fn gather(
     Ok(())
 }
 
-impl Reading<'_> {
+impl CaseSource<'_> {
     /// Sees to it that the case carries a file that it names at a key; what the file is called in words.
     fn take(&self, case: &mut Case, name: &str, key: &[&str]) -> Result<String, Diagnostic> {
         let beside = self.folder.join(name);
@@ -123,7 +123,7 @@ fn curve_points(text: &str, file: &str) -> Result<(Vec<f64>, Vec<f64>), Diagnost
 /// The text of a case with the files it names, which it may read no more.
 #[must_use]
 pub fn stand_alone<'t>(text: &'t str, case: &Case) -> Cow<'t, str> {
-    let root = Node::parse(text).ok();
+    let root = TomlNode::parse(text).ok();
     let held = |name: &str| {
         let root = root.as_ref();
         root.is_some_and(|root| root.find(&["files", name]).is_some())
@@ -142,11 +142,11 @@ pub fn stand_alone<'t>(text: &'t str, case: &Case) -> Cow<'t, str> {
 }
 
 /// A word of a line and where it stands in the text.
-type Word<'t> = (&'t str, Range<usize>);
+type PlacedWord<'t> = (&'t str, Range<usize>);
 
 /// A number and where it stands in the text.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Placed {
+pub(crate) struct PlacedNumber {
     /// The number.
     pub(crate) value: f64,
     /// Its place.
@@ -177,7 +177,7 @@ pub(crate) fn placed(
     text: &str,
     file: &str,
     columns: &[String],
-) -> Result<Vec<Vec<Placed>>, Diagnostic> {
+) -> Result<Vec<Vec<PlacedNumber>>, Diagnostic> {
     let mut lines = lines(text);
     let wanted = columns.join(",");
     let Some(head) = lines.next() else {
@@ -212,7 +212,11 @@ pub(crate) fn placed(
 }
 
 /// The numbers of a line, in the order of the columns.
-fn row(line: &[Word<'_>], head: &[Word<'_>], places: &[usize]) -> Result<Vec<Placed>, Finding> {
+fn row(
+    line: &[PlacedWord<'_>],
+    head: &[PlacedWord<'_>],
+    places: &[usize],
+) -> Result<Vec<PlacedNumber>, Finding> {
     if line.len() != head.len() {
         let problem = format!(
             "the line has {} values for {} columns",
@@ -230,7 +234,7 @@ fn row(line: &[Word<'_>], head: &[Word<'_>], places: &[usize]) -> Result<Vec<Pla
     let number = |place: &usize| {
         let (word, span) = &line[*place];
         let value = word.parse::<f64>().ok().filter(|v| v.is_finite());
-        let placed = value.map(|value| Placed {
+        let placed = value.map(|value| PlacedNumber {
             value,
             span: span.clone(),
         });
@@ -248,7 +252,7 @@ fn row(line: &[Word<'_>], head: &[Word<'_>], places: &[usize]) -> Result<Vec<Pla
 }
 
 /// The lines that say something, as words.
-fn lines(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
+fn lines(text: &str) -> impl Iterator<Item = Vec<PlacedWord<'_>>> {
     let mut start = 0;
     let placed = text.split_inclusive('\n').map(move |line| {
         let from = start;
@@ -260,7 +264,7 @@ fn lines(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
         .map(|(from, line)| words(from, line.trim_end()))
 }
 
-fn words(from: usize, line: &str) -> Vec<Word<'_>> {
+fn words(from: usize, line: &str) -> Vec<PlacedWord<'_>> {
     let mut start = from;
     let mut list = Vec::new();
     for part in line.split(',') {

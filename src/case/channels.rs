@@ -1,136 +1,7 @@
-//! The channels that a run of a case records: which quantity, at which place.
-//!
-//! A channel is identified by a [`ChannelId`], whose text (`tension_n[wire|payload]`) is its name in files. One table
-//! declares every [`ChannelQuantity`] with name, unit and the words of its chart; [`channels`] lists the channels of a
-//! case and their order.
+//! The channels that a run of a case records, in their order: which quantity, at which place.
 
-use std::fmt;
-use std::str::FromStr;
-
+use super::channel_id::{ChannelId, ChannelQuantity};
 use super::{Case, DynamicStiffness, End, EndKind, Material, Section};
-
-/// Declares the quantities: variant, name in files, unit, label on the axis of a chart, title of the chart.
-macro_rules! channel_quantities {
-    ($($(#[$doc:meta])* $variant:ident: $name:literal, $unit:literal, $label:literal, $title:literal;)*) => {
-        /// A quantity that is recorded against time.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        pub enum ChannelQuantity { $($(#[$doc])* $variant,)* }
-
-        impl ChannelQuantity {
-            /// All quantities.
-            pub const ALL: &[Self] = &[$(Self::$variant),*];
-
-            /// Name in files, which ends in the unit: `tension_n`.
-            #[must_use]
-            pub const fn name(self) -> &'static str {
-                match self { $(Self::$variant => $name,)* }
-            }
-
-            /// Unit as shown: "N", "m/s"; "-" where there is none.
-            #[must_use]
-            pub const fn unit(self) -> &'static str {
-                match self { $(Self::$variant => $unit,)* }
-            }
-
-            /// Label on the axis of a chart.
-            #[must_use]
-            pub const fn label(self) -> &'static str {
-                match self { $(Self::$variant => $label,)* }
-            }
-
-            /// Title of a chart against time.
-            #[must_use]
-            pub const fn title(self) -> &'static str {
-                match self { $(Self::$variant => $title,)* }
-            }
-        }
-    };
-}
-
-channel_quantities! {
-    /// Tension of the line \[N\].
-    Tension: "tension_n", "N", "tension", "Tension at the joints";
-    /// First coordinate \[m\].
-    X: "x_m", "m", "x", "x";
-    /// Second coordinate \[m\].
-    Y: "y_m", "m", "y", "y";
-    /// Height above still water \[m\].
-    Z: "z_m", "m", "z", "z";
-    /// Speed over ground \[m/s\].
-    Speed: "speed_m_per_s", "m/s", "speed", "Speed";
-    /// Angle between the axis of a rigid payload and straight down \[deg\].
-    Tilt: "tilt_deg", "deg", "tilt", "Tilt of the payload";
-    /// Unstretched length from end A to a body that travels along the line \[m\].
-    Arc: "arc_m", "m", "arc length", "Place along the line";
-    /// First component of the line's force on a held end \[N\].
-    ForceX: "force_x_n", "N", "force", "Force on the ends, x";
-    /// Second component of the line's force on a held end \[N\].
-    ForceY: "force_y_n", "N", "force", "Force on the ends, y";
-    /// Vertical component of the line's force on a held end \[N\].
-    ForceZ: "force_z_n", "N", "force", "Force on the ends, z";
-    /// Height of the waves above still water over the gauge \[m\].
-    WaveElevation: "wave_elevation_m", "m", "elevation", "Height of the waves";
-    /// Energy of the whole line and what hangs on it \[J\].
-    Energy: "energy_j", "J", "energy", "Energy";
-    /// Lm: mean of the past tension of a rope with dynamic stiffness \[% of the breaking load\].
-    MeanLoad: "mean_load_percent", "%", "of the breaking load", "Mean load (Lm)";
-    /// La: deviation of the tension from that mean \[% of the breaking load\].
-    LoadDeviation: "load_deviation_percent", "%", "of the breaking load", "Deviation from the mean load (La)";
-    /// k: stiffness EA by breaking load of such a rope \[-\].
-    Stiffness: "stiffness_k", "-", "EA by breaking load", "Dynamic stiffness";
-}
-
-impl ChannelQuantity {
-    /// Coordinates of a position, x first.
-    pub const POSITION: [Self; 3] = [Self::X, Self::Y, Self::Z];
-    /// Components of a force, x first.
-    pub const FORCE: [Self; 3] = [Self::ForceX, Self::ForceY, Self::ForceZ];
-    /// Quantities of dynamic stiffness.
-    pub const ROPE: [Self; 3] = [Self::MeanLoad, Self::LoadDeviation, Self::Stiffness];
-
-    /// The quantity at a place.
-    #[must_use]
-    pub fn at(self, place: impl Into<String>) -> ChannelId {
-        ChannelId {
-            quantity: self,
-            place: place.into(),
-        }
-    }
-}
-
-/// What identifies a channel. Its text is the name in files: `tension_n[wire|payload]`.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct ChannelId {
-    /// What is recorded.
-    pub quantity: ChannelQuantity,
-    /// Where: name of an end or body, `section|section` at a joint, `section.a` at an end of a section.
-    pub place: String,
-}
-
-impl fmt::Display for ChannelId {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}[{}]", self.quantity.name(), self.place)
-    }
-}
-
-/// A name that is that of no channel.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no quantity that this version knows")]
-pub struct ChannelNameError(pub String);
-
-impl FromStr for ChannelId {
-    type Err = ChannelNameError;
-
-    fn from_str(text: &str) -> Result<Self, ChannelNameError> {
-        let split = text.split_once('[');
-        let id = split.and_then(|(quantity, rest)| {
-            let mut all = ChannelQuantity::ALL.iter();
-            let quantity = all.find(|q| q.name() == quantity)?;
-            Some(quantity.at(rest.strip_suffix(']')?))
-        });
-        id.ok_or_else(|| ChannelNameError(text.to_owned()))
-    }
-}
 
 /// A channel of a case: what identifies it, and where on the line it is read.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -138,12 +9,12 @@ pub struct ChannelSpec {
     /// What identifies it.
     pub id: ChannelId,
     /// Where it is read.
-    pub site: Site,
+    pub site: ChannelLocation,
 }
 
 /// Where on the line a channel is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Site {
+pub enum ChannelLocation {
     /// A joint: 0 at end A, then after each section, the last at end B.
     Joint(usize),
     /// An end of the line.
@@ -187,6 +58,8 @@ pub(crate) struct RecordedLine<'a> {
     pub(crate) bodies: Vec<&'a str>,
     /// The body that travels along the line.
     pub(crate) traveller: Option<&'a str>,
+    /// Whether there is a sea bed.
+    pub(crate) bed: bool,
     /// Whether there are waves.
     pub(crate) waves: bool,
     /// Whether the case asks for the energy.
@@ -226,6 +99,7 @@ impl<'a> RecordedLine<'a> {
                 .map(|clump| clump.name.as_str())
                 .collect(),
             traveller: case.traveller.as_ref().map(|t| t.name.as_str()),
+            bed: case.seabed.is_some(),
             waves: case.waves.is_some(),
             energy: case.output.energy,
         }
@@ -233,59 +107,93 @@ impl<'a> RecordedLine<'a> {
 
     /// The channels in their order: tensions at the joints from A to B, position of every end that moves and speed of
     /// every end that is free (of a rigid payload: of its centre of gravity, and its tilt), position of every attached
-    /// body, position, arc length and tension of the traveller, force on every held end, height of the waves, energy,
-    /// dynamic stiffness at both ends of every section that has it.
+    /// body, position, arc length and tension of the traveller, force on every held end, force of the bed on loose ends
+    /// and bodies and the speed at which these land, height of the waves, energy, dynamic stiffness at both ends of every
+    /// section that has it.
     pub(crate) fn channels(&self) -> Vec<ChannelSpec> {
-        use ChannelQuantity as Q;
-        let [a, b] = &self.ends;
         let mut list = self.joint_tensions();
-        let mut add = |quantities: &[Q], place: &str, site: Site| {
-            let all = quantities.iter();
-            list.extend(all.map(|quantity| ChannelSpec {
-                id: quantity.at(place),
-                site,
-            }));
-        };
-        let ends = [(a, Site::End(LineEnd::A)), (b, Site::End(LineEnd::B))];
-        for (end, site) in ends {
-            let free = end.released || matches!(end.kind, EndKind::Payload | EndKind::Free);
-            if free || end.kind == EndKind::Moving {
-                add(&Q::POSITION, end.name, site);
-            }
-            if free {
-                add(&[Q::Speed], end.name, site);
-            }
-        }
-        if self.rotates && b.kind == EndKind::Payload {
-            add(&[Q::Tilt], b.name, ends[1].1);
-        }
-        for (index, name) in self.bodies.iter().enumerate() {
-            add(&Q::POSITION, name, Site::Body(index));
-        }
-        if let Some(name) = self.traveller {
-            add(&Q::POSITION, name, Site::Traveller);
-            add(&[Q::Arc, Q::Tension], name, Site::Traveller);
-        }
-        for (end, site) in ends {
-            if !matches!(end.kind, EndKind::Payload | EndKind::Free) {
-                add(&Q::FORCE, end.name, site);
-            }
-        }
+        self.add_motion(&mut list);
+        self.add_forces(&mut list);
         if self.waves {
-            add(&[Q::WaveElevation], "gauge", Site::Gauge);
+            let elevation = [ChannelQuantity::WaveElevation];
+            add(&mut list, &elevation, "gauge", ChannelLocation::Gauge);
         }
         if self.energy {
-            add(&[Q::Energy], "line", Site::Line);
+            let energy = [ChannelQuantity::Energy];
+            add(&mut list, &energy, "line", ChannelLocation::Line);
         }
+        self.add_dynamic_stiffness(&mut list);
+        list
+    }
+
+    /// Both ends with their locations.
+    fn located_ends(&self) -> [(&RecordedEnd<'a>, ChannelLocation); 2] {
+        let [a, b] = &self.ends;
+        [
+            (a, ChannelLocation::End(LineEnd::A)),
+            (b, ChannelLocation::End(LineEnd::B)),
+        ]
+    }
+
+    /// Positions, speeds and tilt of what moves.
+    fn add_motion(&self, list: &mut Vec<ChannelSpec>) {
+        use ChannelQuantity as Q;
+        for (end, site) in self.located_ends() {
+            if end.is_loose() || end.kind == EndKind::Moving {
+                add(list, &Q::POSITION, end.name, site);
+            }
+            if end.is_loose() {
+                add(list, &[Q::Speed], end.name, site);
+            }
+        }
+        let [_, (b, site)] = self.located_ends();
+        if self.rotates && b.kind == EndKind::Payload {
+            add(list, &[Q::Tilt], b.name, site);
+        }
+        for (index, name) in self.bodies.iter().enumerate() {
+            add(list, &Q::POSITION, name, ChannelLocation::Body(index));
+        }
+        if let Some(name) = self.traveller {
+            let quantities = [&Q::POSITION[..], &[Q::Arc, Q::Tension]].concat();
+            add(list, &quantities, name, ChannelLocation::Traveller);
+        }
+    }
+
+    /// Forces on held ends, and of the bed on what is loose.
+    fn add_forces(&self, list: &mut Vec<ChannelSpec>) {
+        use ChannelQuantity as Q;
+        for (end, site) in self.located_ends() {
+            if !matches!(end.kind, EndKind::Payload | EndKind::Free) {
+                add(list, &Q::FORCE, end.name, site);
+            }
+        }
+        if !self.bed {
+            return;
+        }
+        for (end, site) in self.located_ends() {
+            if end.is_loose() {
+                add(list, &[Q::BedForce], end.name, site);
+            }
+            if end.kind == EndKind::Payload {
+                add(list, &[Q::LandingSpeed], end.name, site);
+            }
+        }
+        for (index, name) in self.bodies.iter().enumerate() {
+            let quantities = [Q::BedForce, Q::LandingSpeed];
+            add(list, &quantities, name, ChannelLocation::Body(index));
+        }
+    }
+
+    /// Dynamic stiffness at both ends of the sections that have it.
+    fn add_dynamic_stiffness(&self, list: &mut Vec<ChannelSpec>) {
         for (index, (name, _)) in self.sections.iter().enumerate().filter(|(_, s)| s.1) {
-            for quantity in Q::ROPE {
+            for quantity in ChannelQuantity::ROPE {
                 for (letter, end) in [("a", LineEnd::A), ("b", LineEnd::B)] {
-                    let site = Site::Section(index, end);
-                    add(&[quantity], &format!("{name}.{letter}"), site);
+                    let site = ChannelLocation::Section(index, end);
+                    add(list, &[quantity], &format!("{name}.{letter}"), site);
                 }
             }
         }
-        list
     }
 
     /// Tensions at the joints between ends and sections, from A to B.
@@ -296,28 +204,29 @@ impl<'a> RecordedLine<'a> {
         let joints = names.windows(2).enumerate();
         let tension = |(joint, pair): (usize, &[&str])| ChannelSpec {
             id: ChannelQuantity::Tension.at(format!("{}|{}", pair[0], pair[1])),
-            site: Site::Joint(joint),
+            site: ChannelLocation::Joint(joint),
         };
         joints.map(tension).collect()
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_name_reads_back_as_its_channel() {
-        for quantity in ChannelQuantity::ALL {
-            let id = quantity.at("pay,load].x");
-            assert_eq!(id.to_string().parse(), Ok(id));
-        }
-        assert_eq!(
-            ChannelQuantity::Tension.at("wire|payload").to_string(),
-            "tension_n[wire|payload]"
-        );
-        for wrong in ["tension_n", "heat_w[wire]", "x_m[", "x_m]", ""] {
-            assert!(wrong.parse::<ChannelId>().is_err(), "{wrong}");
-        }
+impl RecordedEnd<'_> {
+    /// Whether nothing holds it, at least from some time on.
+    fn is_loose(&self) -> bool {
+        self.released || matches!(self.kind, EndKind::Payload | EndKind::Free)
     }
+}
+
+/// Adds channels of these quantities at a place.
+fn add(
+    list: &mut Vec<ChannelSpec>,
+    quantities: &[ChannelQuantity],
+    place: &str,
+    site: ChannelLocation,
+) {
+    let all = quantities.iter();
+    list.extend(all.map(|quantity| ChannelSpec {
+        id: quantity.at(place),
+        site,
+    }));
 }

@@ -4,14 +4,15 @@
 use std::ops::Range;
 
 use super::StudyValue;
-use super::check::{check, fields_here, unknown_path};
+use super::check::{fields_here, unknown_path};
 use super::diagnostic::{Diagnostic, Finding, count};
 use super::fields::{
-    Absent, Field, Kind, Schema, TableShape, check_value, join, split, value_text,
+    AbsentValue, Field, Schema, TableShape, ValueType, check_value, join, split, value_text,
 };
-use super::model::{CASE, field_at};
+use super::file_kind::errors;
+use super::model::{CASE, Case, field_at};
 use super::read::tree_of;
-use super::tree::{Data, Entry, Form, Node};
+use super::tree::{TableForm, TomlData, TomlEntry, TomlNode};
 
 /// The text of the case with one key set to a value, given as a user types it: a TOML value, or a
 /// bare word where the field takes words.
@@ -45,26 +46,34 @@ pub fn set(text: &str, key_path: &str, value: &str) -> Result<String, Diagnostic
 ///
 /// As [`set`]; all faults at once.
 pub fn set_all(text: &str, edits: &[(&str, &str)]) -> Result<String, Vec<Diagnostic>> {
-    let mut edited = text.to_owned();
-    let mut faults = Vec::new();
-    for (key_path, value) in edits {
-        match put(&CASE, &edited, key_path, value) {
-            Ok(next) => edited = next,
-            Err(fault) => faults.push(fault),
-        }
-    }
-    if faults.is_empty() {
-        let shown: Vec<String> = edits
-            .iter()
-            .map(|(key, value)| format!("{key} = {value}"))
-            .collect();
-        faults = new_faults(text, &edited, &shown.join(", "));
-    }
+    let (edited, shown) = put_all(&CASE, text, edits)?;
+    let faults = new_faults(text, &edited, &shown);
     if faults.is_empty() {
         Ok(edited)
     } else {
         Err(faults)
     }
+}
+
+/// The text with several keys set one after the other, not checked as a whole, and the edits in words.
+pub(crate) fn put_all(
+    schema: &'static Schema,
+    text: &str,
+    edits: &[(&str, &str)],
+) -> Result<(String, String), Vec<Diagnostic>> {
+    let mut edited = text.to_owned();
+    let mut faults = Vec::new();
+    for (key_path, value) in edits {
+        match put(schema, &edited, key_path, value) {
+            Ok(next) => edited = next,
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let shown: Vec<String> = edits.iter().map(|(k, v)| format!("{k} = {v}")).collect();
+    Ok((edited, shown.join(", ")))
 }
 
 /// The text of the case with one key set to a number, written as its field wants it.
@@ -75,7 +84,7 @@ pub fn set_all(text: &str, edits: &[(&str, &str)]) -> Result<String, Vec<Diagnos
 pub fn set_number(text: &str, key_path: &str, value: f64) -> Result<String, Diagnostic> {
     let whole = split(key_path)
         .and_then(|parts| field_at(&parts))
-        .is_some_and(|field| field.kind == Kind::Integer);
+        .is_some_and(|field| field.kind == ValueType::Integer);
     let shown = if whole && value.fract() == 0.0 {
         format!("{value:.0}")
     } else {
@@ -114,7 +123,7 @@ pub fn unset(text: &str, key_path: &str) -> Result<String, Diagnostic> {
     };
     let parts = split(key_path).unwrap_or_default();
     let field = field_of(&CASE, &root, &parts);
-    if field.is_some_and(|f| f.absent == Absent::Required) {
+    if field.is_some_and(|f| f.absent == AbsentValue::Required) {
         return refuse("is needed", "give another value");
     }
     let found = parts
@@ -125,7 +134,7 @@ pub fn unset(text: &str, key_path: &str) -> Result<String, Diagnostic> {
         return refuse("is not given in this file", "there is nothing to leave out");
     };
     let edited = match table.data {
-        Data::Table(Form::Inline, _) => out_of_braces(text, entry),
+        TomlData::Table(TableForm::Inline, _) => out_of_braces(text, entry),
         _ => out_of_lines(text, entry),
     };
     let fresh = new_faults(text, &edited, &format!("without {key_path}"));
@@ -133,7 +142,7 @@ pub fn unset(text: &str, key_path: &str) -> Result<String, Diagnostic> {
 }
 
 /// Takes a key with its comma out of a table in braces.
-fn out_of_braces(text: &str, entry: &Entry) -> String {
+fn out_of_braces(text: &str, entry: &TomlEntry) -> String {
     let (mut from, mut to) = (entry.key_span.start, entry.node.span.end);
     let after = &text[to..];
     if let Some(rest) = after.trim_start().strip_prefix(',') {
@@ -145,7 +154,7 @@ fn out_of_braces(text: &str, entry: &Entry) -> String {
 }
 
 /// Takes the lines of a key out of a table; a comment at their end stays.
-fn out_of_lines(text: &str, entry: &Entry) -> String {
+fn out_of_lines(text: &str, entry: &TomlEntry) -> String {
     let from = line_start(text, entry.key_span.start);
     let end = entry.node.span.end;
     let rest = text[end..].find('\n').map_or(text.len(), |n| end + n + 1);
@@ -157,13 +166,13 @@ fn out_of_lines(text: &str, entry: &Entry) -> String {
 /// it out or is not TOML.
 #[must_use]
 pub fn get(text: &str, key_path: &str) -> Option<String> {
-    let root = Node::parse(text).ok()?;
+    let root = TomlNode::parse(text).ok()?;
     let node = root.find(&split(key_path)?)?;
     Some(value_text(text, node))
 }
 
 /// Sets one key of a file, checking key and value but not the file as a whole.
-pub(crate) fn put(
+fn put(
     schema: &'static Schema,
     text: &str,
     key_path: &str,
@@ -179,14 +188,7 @@ pub(crate) fn put(
     let known = split(key_path)
         .and_then(|parts| field_of(schema, &root, &parts).map(|field| (parts, field)));
     let Some((parts, field)) = known else {
-        let (problem, remedy) = if schema.what == CASE.what {
-            unknown_path(&root, key_path)
-        } else {
-            (
-                format!("there is no key `{key_path}` in a {}", schema.what),
-                "name a key as the file groups them: table, name, key".to_owned(),
-            )
-        };
+        let (problem, remedy) = unknown_path(schema, &root, key_path);
         return Err(refuse(problem, remedy));
     };
     let (written, node) = typed(field, value);
@@ -199,7 +201,7 @@ pub(crate) fn put(
 }
 
 /// The field that a key path means; of several, the one that its table has.
-fn field_of(schema: &'static Schema, root: &Node, parts: &[String]) -> Option<&'static Field> {
+fn field_of(schema: &'static Schema, root: &TomlNode, parts: &[String]) -> Option<&'static Field> {
     let (_, table) = parts.split_last()?;
     let has = |field: &Field| {
         let node = root.find(table);
@@ -211,18 +213,18 @@ fn field_of(schema: &'static Schema, root: &Node, parts: &[String]) -> Option<&'
 }
 
 /// A value as it will stand in the file, and as a tree.
-fn typed(field: &Field, value: &str) -> (String, Node) {
+fn typed(field: &Field, value: &str) -> (String, TomlNode) {
     let value = value.trim();
     let as_text = || {
         let written = toml_edit::Value::from(value).to_string();
-        let node = Node {
+        let node = TomlNode {
             span: 0..written.len(),
-            data: Data::Text(value.to_owned()),
+            data: TomlData::Text(value.to_owned()),
         };
         (written, node)
     };
-    let numbers_too = matches!(field.kind, Kind::NumberOrChoice(_));
-    match Node::parse_value(value) {
+    let numbers_too = matches!(field.kind, ValueType::NumberOrChoice(_));
+    match TomlNode::parse_value(value) {
         Some(node) if node.text().is_some() || !field.takes_words() || numbers_too => {
             let written = value.get(node.span.clone()).unwrap_or(value);
             (written.to_owned(), node)
@@ -240,8 +242,8 @@ fn refusal(key_path: &str, value: &str, problem: String, remedy: String) -> Diag
 
 /// Faults of the edited case that the case did not have before.
 fn new_faults(before: &str, after: &str, edit: &str) -> Vec<Diagnostic> {
-    let old: Vec<Finding> = tree_of(before).map_or_else(|found| found, |tree| check(&tree));
-    let new: Vec<Finding> = tree_of(after).map_or_else(|found| found, |tree| check(&tree));
+    let of = |text: &str| tree_of(text).map_or_else(|found| found, |tree| errors::<Case>(&tree));
+    let (old, new) = (of(before), of(after));
     let known = |fault: &Finding| {
         old.iter()
             .any(|one| one.key == fault.key && one.problem == fault.problem)
@@ -254,9 +256,10 @@ fn spliced(text: &str, span: &Range<usize>, new: &str) -> String {
     [&text[..span.start], new, &text[span.end..]].concat()
 }
 
-type CatenaryError = (String, String);
+/// Problem and remedy.
+type EditError = (String, String);
 
-fn no_key() -> CatenaryError {
+fn no_key() -> EditError {
     (
         "is not the path of a key".to_owned(),
         "write table and key: `solver.method`".to_owned(),
@@ -267,10 +270,10 @@ fn no_key() -> CatenaryError {
 fn inserted(
     schema: &'static Schema,
     text: &str,
-    root: &Node,
+    root: &TomlNode,
     parts: &[String],
     written: &str,
-) -> Result<String, CatenaryError> {
+) -> Result<String, EditError> {
     let (key, table) = match parts.split_last() {
         Some((key, table)) if !table.is_empty() => (key, table),
         _ => return Err(no_key()),
@@ -286,13 +289,13 @@ fn inserted(
 }
 
 /// Adds a key to a table that stands in the file: after its last value, written like its neighbour.
-fn into_table(text: &str, node: &Node, key: &str, written: &str) -> Result<String, CatenaryError> {
+fn into_table(text: &str, node: &TomlNode, key: &str, written: &str) -> Result<String, EditError> {
     let last = node
         .entries()
         .iter()
         .filter(|entry| !entry.node.is_table() && !holds_tables(&entry.node))
         .max_by_key(|entry| entry.node.span.end);
-    if let Data::Table(Form::Inline, _) = node.data {
+    if let TomlData::Table(TableForm::Inline, _) = node.data {
         let addition = match last {
             Some(_) => format!(", {key} = {written}"),
             None => format!(" {key} = {written} "),
@@ -314,7 +317,7 @@ fn into_table(text: &str, node: &Node, key: &str, written: &str) -> Result<Strin
     ))
 }
 
-fn holds_tables(node: &Node) -> bool {
+fn holds_tables(node: &TomlNode) -> bool {
     !node.items().is_empty() && node.is_list_of_tables()
 }
 
@@ -322,10 +325,10 @@ fn holds_tables(node: &Node) -> bool {
 fn new_table(
     schema: &'static Schema,
     text: &str,
-    root: &Node,
+    root: &TomlNode,
     table: &[String],
     line: &str,
-) -> Result<String, CatenaryError> {
+) -> Result<String, EditError> {
     let Some((name, parent)) = table.split_last() else {
         return Err(no_key());
     };
@@ -344,7 +347,7 @@ fn new_table(
         .any(|known| known.shape == TableShape::One && known.path == join(table));
     let mark = parent.first().is_some_and(|parent| parent == "marks");
     if !one && !mark {
-        let known: Vec<String> = root.find(parent).map_or(Vec::new(), Node::names);
+        let known: Vec<String> = root.find(parent).map_or(Vec::new(), TomlNode::names);
         return Err((
             format!("there is no `{name}` in {}", join(parent)),
             format!("{} has {}", join(parent), known.join(", ")),

@@ -7,10 +7,10 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use crate::case::Node;
-use crate::case::fields::Kind::{self, NumberOrList};
+use crate::case::TomlNode;
+use crate::case::fields::ValueType::{self, NumberOrList};
 use crate::case::fields::{Field, Schema, of, positive};
-use crate::case::schema::{FromDefault, Value, schema_of, table};
+use crate::case::schema::{FromDefault, KeyValue, schema_of, table};
 
 mod construct;
 mod ends;
@@ -20,28 +20,27 @@ mod settings;
 mod validation_data;
 
 pub use ends::{
-    Attachment, BoxShape, End, EndKind, Ends, MotionName, Payload, Rotation, Shape,
-    SphereAndCylinder,
+    Attachment, BoxShape, End, EndKind, Ends, MotionInterpolation, MotionName, Payload,
+    PayloadShape, Rotation, SphereAndCylinder,
 };
 pub(crate) use ends::{EndKeys, PayloadKeys, RotationKeys, ShapeKeys};
 pub(crate) use line::MaterialKeys;
 pub use line::{
-    Clump, DragLaw, DragLawName, DragWidth, DynamicStiffness, Floats, Material, Modules, Section,
-    Traveller,
+    Clump, DragCoefficient, DragLawName, DragWidth, DynamicStiffness, Floats, Material, Modules,
+    Section, Traveller,
 };
 pub use sea::{
-    DecayName, SpectrumName, StretchingName, WaterSurface, WaveKind, WaveLoadName, Waves,
+    DecayName, DragLength, SpectrumName, StretchingName, WaterSurface, WaveKind, WaveLoadName,
+    Waves,
 };
-pub use settings::{
-    EnvelopeOf, FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartShape,
-};
+pub use settings::{FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartShape};
 pub(crate) use settings::{SeabedKeys, StartKeys};
-pub use validation_data::{
-    At, Direction, Mark, Provenance, Published, PublishedCurve, Statistic, Study, StudyValue,
-    Trend, Trial,
-};
 pub(crate) use validation_data::{
     AtKeys, PublishedCurveKeys, PublishedKeys, StudyKeys, TrendKeys, TrialKeys,
+};
+pub use validation_data::{
+    Direction, Mark, Provenance, Published, PublishedCurve, Statistic, Study, StudyPoint,
+    StudyValue, Trend, Trial,
 };
 
 /// The case file.
@@ -56,18 +55,13 @@ pub fn field_at<S: AsRef<str>>(path: &[S]) -> Option<&'static Field> {
     CASE.fields_at(path).next()
 }
 
-/// The fields of a table of the case file, by the table's pattern.
-pub fn fields_of(table: &str) -> impl Iterator<Item = &'static Field> {
-    CASE.fields_of(table)
-}
-
 table! {
     /// Everything a case file says.
     #[derive(Debug, Clone, PartialEq)]
     pub struct Case => CaseKeys {}
     tables {
         /// What the case is, for people.
-        case: About;
+        case: CaseInfo;
         /// Water and gravity.
         environment: Environment, optional;
         /// The current; absent means still water.
@@ -100,7 +94,7 @@ table! {
         solver: Solver, optional;
         /// What is recorded and how often.
         output: Output, optional;
-        /// Natural modes about the static shape, told beside the results of a run.
+        /// Natural modes about the static shape, reported with the results of a run.
         modes: Option<Modes>;
         /// Where an input comes from when the source does not print it, by key path.
         marks: BTreeMap<String, Mark>;
@@ -117,10 +111,18 @@ table! {
     }
 }
 
+impl<'a> CaseKeys<'a> {
+    /// The ends that the case has, end A first.
+    pub(crate) fn each_end(&self) -> impl Iterator<Item = &EndKeys<'a>> {
+        let both = self.ends.iter().flat_map(|ends| [&ends.a, &ends.b]);
+        both.flatten()
+    }
+}
+
 table! {
     /// What a case is, for people.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct About => AboutKeys {
+    pub struct CaseInfo => AboutKeys {
         /// One line that says what the case is.
         title: String, "title";
         /// Where the data come from.
@@ -144,6 +146,8 @@ table! {
         kinematic_viscosity_m2_per_s: f64 = 1.19e-6, "kinematic viscosity", range positive(1.0);
         /// Whether the line leaves the water: with ignored all of it counts as under water, at any height.
         water_surface: WaterSurface = WaterSurface::Ignored, "water surface";
+        /// Length of a taut line that drag acts on; slack parts have their unstretched length. MoorDyn takes the unstretched one.
+        drag_length: DragLength = DragLength::Stretched, "length for drag";
     }
 }
 
@@ -169,14 +173,14 @@ pub enum OneOrMany {
     Many(Vec<f64>),
 }
 
-impl Value for OneOrMany {
-    const KIND: Kind = NumberOrList;
+impl KeyValue for OneOrMany {
+    const KIND: ValueType = NumberOrList;
 
     fn blank() -> Self {
         Self::One(0.0)
     }
 
-    fn read(node: &Node) -> Option<Self> {
+    fn read(node: &TomlNode) -> Option<Self> {
         let one = node.number().map(Self::One);
         one.or_else(|| node.numbers().map(Self::Many))
     }

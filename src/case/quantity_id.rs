@@ -4,109 +4,9 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::{AlongLine, ChannelId, ChannelNameError, Modes, STEADY, Statistic};
-
-/// What a single number is taken of. Its text is the `channel` of published values and trends.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub enum Subject {
-    /// A channel, over time.
-    Channel(ChannelId),
-    /// A quantity of the whole line, over arc length.
-    Line(AlongLine),
-    /// Frequency of a natural mode by its number from 1: `in_plane_hz[2]`.
-    ModeFrequency(ModePlane, usize),
-    /// Number of the natural mode nearest to a given frequency: `out_of_plane_mode_near`.
-    NearestMode(ModePlane),
-    /// Time from which on the response is steady.
-    SteadyTime,
-}
-
-/// The plane in which a natural mode moves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum ModePlane {
-    /// That of the line.
-    InPlane,
-    /// Across it.
-    OutOfPlane,
-}
-
-impl ModePlane {
-    /// Both of them.
-    pub const ALL: [Self; 2] = [Self::InPlane, Self::OutOfPlane];
-
-    const fn name(self) -> &'static str {
-        match self {
-            Self::InPlane => "in_plane",
-            Self::OutOfPlane => "out_of_plane",
-        }
-    }
-}
-
-const FREQUENCY: &str = "_hz[";
-const NEAREST: &str = "_mode_near";
-
-impl Subject {
-    /// The numbers that a run has of natural modes: frequencies by their number in and out of the plane of the line, and
-    /// the numbers of those nearest to the frequency given.
-    #[must_use]
-    pub fn of_modes(modes: &Modes) -> Vec<Self> {
-        let of_plane = |plane| {
-            let frequencies = (1..=modes.count).map(move |n| Self::ModeFrequency(plane, n));
-            frequencies.chain(modes.near_hz.map(|_| Self::NearestMode(plane)))
-        };
-        ModePlane::ALL.into_iter().flat_map(of_plane).collect()
-    }
-
-    /// Its unit as shown.
-    #[must_use]
-    pub const fn unit(&self) -> &'static str {
-        match self {
-            Self::Channel(channel) => channel.quantity.unit(),
-            Self::Line(quantity) => quantity.unit(),
-            Self::ModeFrequency(..) => "Hz",
-            Self::NearestMode(_) => "-",
-            Self::SteadyTime => "s",
-        }
-    }
-}
-
-impl fmt::Display for Subject {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Channel(channel) => channel.fmt(f),
-            Self::Line(quantity) => f.write_str(quantity.name()),
-            Self::ModeFrequency(plane, number) => {
-                write!(f, "{}{FREQUENCY}{number}]", plane.name())
-            }
-            Self::NearestMode(plane) => write!(f, "{}{NEAREST}", plane.name()),
-            Self::SteadyTime => f.write_str(STEADY),
-        }
-    }
-}
-
-impl FromStr for Subject {
-    type Err = ChannelNameError;
-
-    fn from_str(text: &str) -> Result<Self, ChannelNameError> {
-        if text == STEADY {
-            return Ok(Self::SteadyTime);
-        }
-        if let Some(quantity) = AlongLine::named(text) {
-            return Ok(Self::Line(quantity));
-        }
-        let of_mode = ModePlane::ALL.into_iter().find_map(|plane| {
-            let rest = text.strip_prefix(plane.name())?;
-            let number = rest
-                .strip_prefix(FREQUENCY)
-                .and_then(|n| n.strip_suffix(']'));
-            match number.and_then(|n| n.parse().ok()) {
-                Some(number) => Some(Self::ModeFrequency(plane, number)),
-                None => (rest == NEAREST).then_some(Self::NearestMode(plane)),
-            }
-        });
-        of_mode.map_or_else(|| text.parse().map(Self::Channel), Ok)
-    }
-}
+use super::Statistic;
+use super::channel_id::{ChannelId, ChannelNameError};
+use super::subject::Subject;
 
 /// What identifies a single number of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -220,6 +120,8 @@ mod tests {
             "in_plane_hz[12].final",
             "out_of_plane_mode_near.final",
             "response_steady_s.final",
+            "energy_in_j.final",
+            "energy_drift_percent.final",
         ] {
             let id: QuantityId = name.parse().unwrap();
             assert_eq!(id.to_string(), name);

@@ -6,17 +6,19 @@ use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
 use super::attachments::gather;
-use super::check::{check, check_keys};
+use super::check::check_keys;
 use super::diagnostic::{Diagnostic, Finding};
 use super::fields::Schema;
+use super::file_kind::{FileKind, errors};
 use super::model::{CASE, Case};
-use super::schema::{Place, TableType};
-use super::tree::Node;
+use super::schema::{TableNode, TableType};
+use super::tree::TomlNode;
 use super::warm_start;
+use crate::kinds::FileType;
 
 /// A case with the text and the file it came from.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Loaded {
+pub struct LoadedCase {
     /// The text of the file.
     pub text: String,
     /// The case, checked.
@@ -31,10 +33,10 @@ pub struct Loaded {
 ///
 /// Everything that is wrong, at once: that there is no such file, that it is a directory, binary
 /// or empty, faults of the TOML syntax, or every fault of keys and values.
-pub fn load(path: &Path) -> Result<Loaded, Vec<Diagnostic>> {
+pub fn load(path: &Path) -> Result<LoadedCase, Vec<Diagnostic>> {
     let text = text_of(path, &CASE).map_err(|diagnostic| vec![diagnostic])?;
     let case = parse(&text, &path.display().to_string())?;
-    Ok(Loaded {
+    Ok(LoadedCase {
         text,
         case,
         path: path.to_owned(),
@@ -58,13 +60,7 @@ pub fn parse(text: &str, file: &str) -> Result<Case, Vec<Diagnostic>> {
 ///
 /// Everything that is wrong, at once, in the order of the lines.
 pub fn parse_beside(text: &str, file: &str, folder: &Path) -> Result<Case, Vec<Diagnostic>> {
-    let tree = said(text, file, &CASE)?;
-    let found = check(&tree);
-    if !found.is_empty() {
-        return Err(diagnose(found, text, file));
-    }
-    let case = Case::from_keys(&Case::keys(&Place::root(&tree)));
-    let mut case = case.map_err(|finding| diagnose(vec![finding], text, file))?;
+    let (tree, mut case) = checked::<Case>(text, file)?;
     gather(&mut case, &tree, text, (file, folder))
         .and_then(|()| warm_start::gather(&mut case, &tree, text, (file, folder)))
         .map_err(|diagnostic| vec![diagnostic])?;
@@ -83,12 +79,27 @@ pub fn parse_keys(text: &str) -> Result<Case, Vec<Diagnostic>> {
     if !found.is_empty() {
         return Err(diagnose(found, text, "case"));
     }
-    let case = Case::from_keys(&Case::keys(&Place::root(&tree)));
+    let case = Case::from_keys(&Case::keys(&TableNode::root(&tree)));
     case.map_err(|finding| diagnose(vec![finding], text, "case"))
 }
 
+/// The tree of a text, and what it says, without errors of its keys.
+pub(crate) fn checked<K: FileKind>(
+    text: &str,
+    file: &str,
+) -> Result<(TomlNode, K), Vec<Diagnostic>> {
+    let tree = said(text, file, K::schema())?;
+    let found = errors::<K>(&tree);
+    if !found.is_empty() {
+        return Err(diagnose(found, text, file));
+    }
+    let content = K::from_keys(&K::keys(&TableNode::root(&tree)));
+    let content = content.map_err(|finding| diagnose(vec![finding], text, file))?;
+    Ok((tree, content))
+}
+
 /// The tree of a text that says something, in TOML.
-pub(crate) fn said(text: &str, file: &str, schema: &Schema) -> Result<Node, Vec<Diagnostic>> {
+fn said(text: &str, file: &str, schema: &Schema) -> Result<TomlNode, Vec<Diagnostic>> {
     if let Some(diagnostic) = nothing_said(text, file, schema) {
         return Err(vec![diagnostic]);
     }
@@ -100,25 +111,19 @@ pub(crate) fn said(text: &str, file: &str, schema: &Schema) -> Result<Node, Vec<
 }
 
 /// A file of another kind, told by the table that every file of its kind begins with.
-fn other_kind(tree: &Node, schema: &Schema) -> Option<Finding> {
-    const KINDS: [(&str, &str, &str); 4] = [
-        ("case", "a line case", "`seacable run` computes it"),
-        (
-            "section",
-            "a cross-section",
-            "`seacable section` works it out",
-        ),
-        ("ropeway", "a ropeway", "`seacable ropeway` works it out"),
-        ("ship", "a ship", "`seacable ship` works it out"),
-    ];
+fn other_kind(tree: &TomlNode, schema: &Schema) -> Option<Finding> {
+    let has = |kind: &FileType| tree.get(kind.table()).is_some();
     if tree.get(schema.what).is_some() {
         return None;
     }
-    let (table, found, remedy) = KINDS.iter().find(|kind| tree.get(kind.0).is_some())?;
-    let wanted = KINDS.iter().find(|kind| kind.0 == schema.what)?;
-    let span = &tree.get(table)?.span;
-    let problem = format!("this is {found}, not {}", wanted.1);
-    Some(Finding::new(span, *table, problem, *remedy))
+    let other = FileType::ALL.into_iter().find(has)?;
+    let wanted = FileType::ALL
+        .into_iter()
+        .find(|kind| kind.table() == schema.what)?;
+    let (found, remedy) = other.description();
+    let span = &tree.get(other.table())?.span;
+    let problem = format!("this is {found}, not {}", wanted.description().0);
+    Some(Finding::new(span, other.table(), problem, remedy))
 }
 
 /// Findings with their places in the text.
@@ -128,8 +133,8 @@ pub(crate) fn diagnose(found: Vec<Finding>, text: &str, file: &str) -> Vec<Diagn
 }
 
 /// The tree of the text, or its faults of syntax.
-pub(crate) fn tree_of(text: &str) -> Result<Node, Vec<Finding>> {
-    Node::parse(text).map_err(|first| {
+pub(crate) fn tree_of(text: &str) -> Result<TomlNode, Vec<Finding>> {
+    TomlNode::parse(text).map_err(|first| {
         let (_, all) = DeTable::parse_recoverable(text);
         let mut found: Vec<Finding> = all
             .iter()

@@ -1,14 +1,14 @@
-//! The fields of one case, as a parameter editor lists them.
+//! The fields of a file, as a parameter editor lists them.
 
 use std::collections::BTreeMap;
 
-use super::fields::{Absent, Field, Schema, join, value_text};
-use super::model::CASE;
-use crate::case::check::fields_here;
-use crate::case::model::{Case, Mark};
-use crate::case::tree::Node;
+use super::check::fields_here;
+use super::fields::{AbsentValue, Field, Schema, join, value_text};
+use super::model::Mark;
+use super::schema::{SubTable, TableNode};
+use super::tree::TomlNode;
 
-/// A field of one case with its value.
+/// A field of a file with its value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FieldRow {
     /// Key path: `materials.chain.ea_n`.
@@ -46,74 +46,42 @@ impl FieldRow {
     }
 }
 
-/// Every input the case can have, given or not, in reading order: environment, current, sea bed, each
-/// material, each section, ends, payload, floats, clumps, modules, traveller, start, solver, output.
-///
-/// `text` is the text the case was parsed from; a text that is not TOML gives no rows.
-#[must_use]
-pub fn rows(text: &str, case: &Case) -> Vec<FieldRow> {
-    let Ok(root) = Node::parse(text) else {
-        return Vec::new();
-    };
-    let lister = Lister {
-        schema: &CASE,
-        text,
-        root: &root,
-        marks: &case.marks,
-    };
-    lister.of_case(case)
-}
-
 /// Lists the fields of a file.
-pub(crate) struct Lister<'a> {
+pub(crate) struct FieldLister<'a> {
     /// Kind of the file.
     pub(crate) schema: &'static Schema,
     /// Its text.
     pub(crate) text: &'a str,
     /// The text as a tree.
-    pub(crate) root: &'a Node,
+    pub(crate) root: &'a TomlNode,
     /// Where its values come from, by key path.
-    pub(crate) marks: &'a BTreeMap<String, Mark>,
+    marks: BTreeMap<String, Mark>,
 }
 
-impl Lister<'_> {
-    fn of_case(&self, case: &Case) -> Vec<FieldRow> {
-        let mut rows = Vec::new();
-        for table in ["environment", "current"] {
-            rows.extend(self.table(table, &[table], table));
+impl<'a> FieldLister<'a> {
+    pub(crate) fn new(schema: &'static Schema, text: &'a str, root: &'a TomlNode) -> Self {
+        type Marks = BTreeMap<String, Mark>;
+        let place = TableNode::root(root);
+        let keys = <Marks as SubTable>::keys(&place, "marks");
+        Self {
+            schema,
+            text,
+            root,
+            marks: <Marks as SubTable>::from_keys(&keys, &place, "marks").unwrap_or_default(),
         }
-        if case.waves.is_some() {
-            rows.extend(self.table("waves", &["waves"], "waves"));
+    }
+
+    /// The rows of a table under a heading of its own, whether the file has it or not.
+    pub(crate) fn always(&self, table: &str) -> Vec<FieldRow> {
+        self.table(table, &[table], table)
+    }
+
+    /// The rows of a table, if the file has it.
+    pub(crate) fn if_given(&self, path: &[&str], group: &str) -> Vec<FieldRow> {
+        match self.root.find(path) {
+            Some(_) => self.table(&path.join("."), path, group),
+            None => Vec::new(),
         }
-        if case.seabed.is_some() {
-            rows.extend(self.table("seabed", &["seabed"], "sea bed"));
-        }
-        rows.extend(self.named("materials", "material"));
-        rows.extend(self.named("line", "section"));
-        for (letter, end) in [("a", &case.ends.a), ("b", &case.ends.b)] {
-            let group = format!("end {} ({})", letter.to_uppercase(), end.name);
-            rows.extend(self.table("ends.*", &["ends", letter], &group));
-        }
-        if case.payload.is_some() {
-            rows.extend(self.table("payload", &["payload"], "payload"));
-            if self.root.find(&["payload", "rotation"]).is_some() {
-                let path = ["payload", "rotation"];
-                rows.extend(self.table("payload.rotation", &path, "payload"));
-            }
-            if self.root.find(&["payload", "shape"]).is_some() {
-                rows.extend(self.table("payload.shape", &["payload", "shape"], "payload"));
-            }
-        }
-        rows.extend(self.named("floats", "floats on"));
-        rows.extend(self.named("clumps", "body"));
-        rows.extend(self.named("modules", "modules on"));
-        if case.traveller.is_some() {
-            rows.extend(self.table("traveller", &["traveller"], "traveller"));
-        }
-        for table in ["start", "solver", "output"] {
-            rows.extend(self.table(table, &[table], table));
-        }
-        rows
     }
 
     /// The rows of every table under `table`, by name.
@@ -152,16 +120,18 @@ impl Lister<'_> {
     fn row(
         &self,
         field: &'static Field,
-        given: Option<&Node>,
+        given: Option<&TomlNode>,
         path: &[&str],
         group: &str,
     ) -> FieldRow {
         let path = join(&[path, &[field.key()]].concat());
         let (value, absent) = match (given, field.absent) {
             (Some(node), _) => (value_text(self.text, node), None),
-            (None, Absent::Default(value)) => (value.trim_matches('"').to_owned(), None),
-            (None, Absent::Means(meaning)) => (String::new(), Some(meaning)),
-            (None, Absent::Required | Absent::RequiredWithout(_)) => (String::new(), None),
+            (None, AbsentValue::Default(value)) => (value.trim_matches('"').to_owned(), None),
+            (None, AbsentValue::Means(meaning)) => (String::new(), Some(meaning)),
+            (None, AbsentValue::Required | AbsentValue::RequiredWithout(_)) => {
+                (String::new(), None)
+            }
         };
         FieldRow {
             standing: self.marks.get(&path).cloned(),
@@ -181,12 +151,14 @@ impl Lister<'_> {
 }
 
 /// Whether the field matters in this table of a file, which may leave the table out.
-fn applies(schema: &'static Schema, field: &Field, table: Option<&Node>) -> bool {
+fn applies(schema: &'static Schema, field: &Field, table: Option<&TomlNode>) -> bool {
     field.matters.iter().all(|(key, words)| {
-        let given = table.and_then(|node| node.get(key)).and_then(Node::text);
+        let given = table
+            .and_then(|node| node.get(key))
+            .and_then(TomlNode::text);
         let default = schema.fields_of(field.table()).find(|f| f.key() == *key);
         let default = default.and_then(|f| match f.absent {
-            Absent::Default(value) => Some(value.trim_matches('"')),
+            AbsentValue::Default(value) => Some(value.trim_matches('"')),
             _ => None,
         });
         given.or(default).is_none_or(|word| words.contains(&word))

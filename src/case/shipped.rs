@@ -1,5 +1,7 @@
 //! The cases that come with the program, so that it needs nothing but itself.
 
+use crate::kinds::FileType;
+
 /// Path below `cases` and text.
 pub type Shipped = (&'static str, &'static str);
 
@@ -31,8 +33,10 @@ pub const SHIPPED: &[Shipped] = &[
     shipped!("double_stepped/regular_wave.toml"),
     shipped!("double_stepped/tank.toml"),
     shipped!("hard/afloat.toml"),
+    shipped!("hard/body_on_bed.toml"),
     shipped!("hard/buckling.toml"),
     shipped!("hard/buoyant.toml"),
+    shipped!("hard/clump_on_bed.toml"),
     shipped!("hard/coincident.toml"),
     shipped!("hard/contrast.toml"),
     shipped!("hard/crest.toml"),
@@ -94,6 +98,14 @@ pub const ROPEWAYS: &[Shipped] = &[
     shipped!("ropeway/span_80.toml"),
 ];
 
+/// The files that come with the program, by kind.
+pub const BY_KIND: [(FileType, &[Shipped]); FileType::ALL.len()] = [
+    (FileType::Line, SHIPPED),
+    (FileType::Section, SECTIONS),
+    (FileType::Ropeway, ROPEWAYS),
+    (FileType::Ship, SHIPS),
+];
+
 #[cfg(test)]
 mod tests {
     use std::{
@@ -102,18 +114,17 @@ mod tests {
         path::{Path, PathBuf},
     };
 
-    use super::{ROPEWAYS, SECTIONS, SHIPPED, SHIPS, Shipped};
-    use crate::kinds::Kind;
+    use super::{BY_KIND, Shipped};
+    use crate::kinds::FileType;
 
     #[test]
     fn the_lists_are_the_folder() {
-        same(SHIPPED, Kind::Line);
-        same(SECTIONS, Kind::Section);
-        same(SHIPS, Kind::Ship);
-        same(ROPEWAYS, Kind::Ropeway);
+        for (kind, list) in BY_KIND {
+            same(list, kind);
+        }
     }
 
-    fn same(list: &[Shipped], kind: Kind) {
+    fn same(list: &[Shipped], kind: FileType) {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases");
         let mut found = BTreeMap::new();
         let mut folders: Vec<PathBuf> = vec![root.clone()];
@@ -122,7 +133,9 @@ mod tests {
                 let path = item.unwrap().path();
                 if path.is_dir() {
                     folders.push(path);
-                } else if path.extension().is_some_and(|e| e == "toml") && Kind::of(&path) == kind {
+                } else if path.extension().is_some_and(|e| e == "toml")
+                    && FileType::of(&path) == kind
+                {
                     let name = path
                         .strip_prefix(&root)
                         .unwrap()

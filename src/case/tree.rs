@@ -9,16 +9,16 @@ use toml_edit::{Document, Item, Table, TomlError, Value};
 
 /// A value of the document and where it stands.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Node {
+pub(crate) struct TomlNode {
     pub(crate) span: Range<usize>,
-    pub(crate) data: Data,
+    pub(crate) data: TomlData,
 }
 
 /// What a value is.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Data {
-    Table(Form, Vec<Entry>),
-    List(Vec<Node>),
+pub(crate) enum TomlData {
+    Table(TableForm, Vec<TomlEntry>),
+    List(Vec<TomlNode>),
     Text(String),
     Integer(i64),
     Float(f64),
@@ -28,7 +28,7 @@ pub(crate) enum Data {
 
 /// How a table is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Form {
+pub(crate) enum TableForm {
     /// Under a header of its own, or as dotted keys.
     Lines,
     /// `{ … }`.
@@ -37,25 +37,22 @@ pub(crate) enum Form {
 
 /// A key of a table with its value.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Entry {
+pub(crate) struct TomlEntry {
     pub(crate) key: String,
     pub(crate) key_span: Range<usize>,
-    pub(crate) node: Node,
+    pub(crate) node: TomlNode,
 }
 
-impl Node {
+impl TomlNode {
     /// The document as a tree.
     pub(crate) fn parse(text: &str) -> Result<Self, TomlError> {
         let document = Document::parse(text)?;
         Ok(table(document.as_table(), &(0..0)))
     }
 
-    /// A table without keys.
-    pub(crate) fn empty_table() -> Self {
-        Self {
-            span: 0..0,
-            data: Data::Table(Form::Lines, Vec::new()),
-        }
+    /// The tree of a table that no file holds.
+    pub(crate) fn of(content: &Table) -> Self {
+        table(content, &(0..0))
     }
 
     /// A value written alone, as a user types it into a field.
@@ -64,31 +61,31 @@ impl Node {
         Some(from_value(&value, &(0..text.len())))
     }
 
-    pub(crate) fn entries(&self) -> &[Entry] {
+    pub(crate) fn entries(&self) -> &[TomlEntry] {
         match &self.data {
-            Data::Table(_, entries) => entries,
+            TomlData::Table(_, entries) => entries,
             _ => &[],
         }
     }
 
     pub(crate) fn is_table(&self) -> bool {
-        matches!(self.data, Data::Table(..))
+        matches!(self.data, TomlData::Table(..))
     }
 
     /// True for a list that holds nothing but tables.
     pub(crate) fn is_list_of_tables(&self) -> bool {
-        matches!(&self.data, Data::List(items) if items.iter().all(Self::is_table))
+        matches!(&self.data, TomlData::List(items) if items.iter().all(Self::is_table))
     }
 
     /// The elements of a list.
     pub(crate) fn items(&self) -> &[Self] {
         match &self.data {
-            Data::List(items) => items,
+            TomlData::List(items) => items,
             _ => &[],
         }
     }
 
-    pub(crate) fn entry(&self, key: &str) -> Option<&Entry> {
+    pub(crate) fn entry(&self, key: &str) -> Option<&TomlEntry> {
         self.entries().iter().find(|entry| entry.key == key)
     }
 
@@ -98,7 +95,7 @@ impl Node {
 
     pub(crate) fn text(&self) -> Option<&str> {
         match &self.data {
-            Data::Text(text) => Some(text),
+            TomlData::Text(text) => Some(text),
             _ => None,
         }
     }
@@ -106,8 +103,8 @@ impl Node {
     /// The value as a finite number.
     pub(crate) fn number(&self) -> Option<f64> {
         match self.data {
-            Data::Integer(value) => Some(value as f64),
-            Data::Float(value) if value.is_finite() => Some(value),
+            TomlData::Integer(value) => Some(value as f64),
+            TomlData::Float(value) if value.is_finite() => Some(value),
             _ => None,
         }
     }
@@ -115,7 +112,7 @@ impl Node {
     /// The value as a list of finite numbers.
     pub(crate) fn numbers(&self) -> Option<Vec<f64>> {
         match &self.data {
-            Data::List(items) => items.iter().map(Self::number).collect(),
+            TomlData::List(items) => items.iter().map(Self::number).collect(),
             _ => None,
         }
     }
@@ -123,23 +120,23 @@ impl Node {
     /// What kind of value this is, for messages.
     pub(crate) fn describe(&self) -> &'static str {
         match &self.data {
-            Data::Table(..) => "a table",
-            Data::List(items) if !items.is_empty() && self.is_list_of_tables() => {
+            TomlData::Table(..) => "a table",
+            TomlData::List(items) if !items.is_empty() && self.is_list_of_tables() => {
                 "a list of tables"
             }
-            Data::List(_) => "a list",
-            Data::Text(_) => "text",
-            Data::Integer(_) => "a whole number",
-            Data::Float(_) => "a number",
-            Data::Boolean(_) => "true or false",
-            Data::Date => "a date",
+            TomlData::List(_) => "a list",
+            TomlData::Text(_) => "text",
+            TomlData::Integer(_) => "a whole number",
+            TomlData::Float(_) => "a number",
+            TomlData::Boolean(_) => "true or false",
+            TomlData::Date => "a date",
         }
     }
 
     /// The names of what a table or a list of tables holds: keys, or the names of the elements.
     pub(crate) fn names(&self) -> Vec<String> {
         match &self.data {
-            Data::Table(_, entries) => entries.iter().map(|entry| entry.key.clone()).collect(),
+            TomlData::Table(_, entries) => entries.iter().map(|entry| entry.key.clone()).collect(),
             _ => element_names(self.items()),
         }
     }
@@ -152,10 +149,10 @@ impl Node {
         };
         let first = first.as_ref();
         let next = match &self.data {
-            Data::List(items) if !items.is_empty() && !self.is_list_of_tables() => {
+            TomlData::List(items) if !items.is_empty() && !self.is_list_of_tables() => {
                 items.get(["x", "y", "z"].iter().position(|axis| *axis == first)?)?
             }
-            Data::List(items) => {
+            TomlData::List(items) => {
                 let position = element_names(items).iter().position(|name| name == first)?;
                 items.get(position)?
             }
@@ -167,7 +164,7 @@ impl Node {
 
 /// The names by which elements of a list of tables are known in key paths: the key `name`, or
 /// `section` for floats; where that is missing or taken by an earlier element, the number from 1.
-pub(crate) fn element_names(items: &[Node]) -> Vec<String> {
+pub(crate) fn element_names(items: &[TomlNode]) -> Vec<String> {
     let mut names: Vec<String> = Vec::with_capacity(items.len());
     for (index, item) in items.iter().enumerate() {
         let own = ["name", "section"]
@@ -182,8 +179,8 @@ pub(crate) fn element_names(items: &[Node]) -> Vec<String> {
     names
 }
 
-fn table(table: &Table, fallback: &Range<usize>) -> Node {
-    let entries: Vec<Entry> = table
+fn table(table: &Table, fallback: &Range<usize>) -> TomlNode {
+    let entries: Vec<TomlEntry> = table
         .iter()
         .filter_map(|(key, item)| {
             let key_span = table.key(key).and_then(toml_edit::Key::span);
@@ -191,9 +188,9 @@ fn table(table: &Table, fallback: &Range<usize>) -> Node {
         })
         .collect();
     let span = table.span().unwrap_or_else(|| fallback.clone());
-    Node {
+    TomlNode {
         span,
-        data: Data::Table(Form::Lines, entries),
+        data: TomlData::Table(TableForm::Lines, entries),
     }
 }
 
@@ -202,51 +199,53 @@ fn entry(
     key_span: Option<Range<usize>>,
     item: &Item,
     fallback: &Range<usize>,
-) -> Option<Entry> {
+) -> Option<TomlEntry> {
     let key_span = key_span.unwrap_or_else(|| fallback.clone());
     let node = match item {
         Item::None => return None,
         Item::Value(value) => from_value(value, &key_span),
         Item::Table(inner) => table(inner, &key_span),
-        Item::ArrayOfTables(list) => Node {
+        Item::ArrayOfTables(list) => TomlNode {
             span: list.span().unwrap_or_else(|| key_span.clone()),
-            data: Data::List(list.iter().map(|inner| table(inner, &key_span)).collect()),
+            data: TomlData::List(list.iter().map(|inner| table(inner, &key_span)).collect()),
         },
     };
-    Some(Entry {
+    Some(TomlEntry {
         key: key.to_owned(),
         key_span,
         node,
     })
 }
 
-fn from_value(value: &Value, fallback: &Range<usize>) -> Node {
+fn from_value(value: &Value, fallback: &Range<usize>) -> TomlNode {
     let span = value.span().unwrap_or_else(|| fallback.clone());
     let data = match value {
-        Value::String(text) => Data::Text(text.value().clone()),
-        Value::Integer(number) => Data::Integer(*number.value()),
-        Value::Float(number) => Data::Float(*number.value()),
-        Value::Boolean(truth) => Data::Boolean(*truth.value()),
-        Value::Datetime(_) => Data::Date,
-        Value::Array(list) => Data::List(list.iter().map(|item| from_value(item, &span)).collect()),
+        Value::String(text) => TomlData::Text(text.value().clone()),
+        Value::Integer(number) => TomlData::Integer(*number.value()),
+        Value::Float(number) => TomlData::Float(*number.value()),
+        Value::Boolean(truth) => TomlData::Boolean(*truth.value()),
+        Value::Datetime(_) => TomlData::Date,
+        Value::Array(list) => {
+            TomlData::List(list.iter().map(|item| from_value(item, &span)).collect())
+        }
         Value::InlineTable(inner) => {
             let entries = inner.iter().map(|(key, item)| {
                 let key_span = inner.key(key).and_then(toml_edit::Key::span);
-                Entry {
+                TomlEntry {
                     key: key.to_owned(),
                     key_span: key_span.unwrap_or_else(|| span.clone()),
                     node: from_value(item, &span),
                 }
             });
             let form = if inner.is_dotted() {
-                Form::Lines
+                TableForm::Lines
             } else {
-                Form::Inline
+                TableForm::Inline
             };
-            Data::Table(form, entries.collect())
+            TomlData::Table(form, entries.collect())
         }
     };
-    Node { span, data }
+    TomlNode { span, data }
 }
 
 #[cfg(test)]
@@ -256,8 +255,8 @@ mod tests {
     #[test]
     fn spans_of_keys_values_and_headers() {
         let text = "# top\n[a]\nx = 1 # one\n\n[[l]]\nname = \"n\"\ny = [1, 2.5]\n[[l]]\nname=\"n\"\n[a.b]\nz = { q = true }\n";
-        let tree = Node::parse(text).unwrap();
-        let show = |n: &Node| text[n.span.clone()].to_owned();
+        let tree = TomlNode::parse(text).unwrap();
+        let show = |n: &TomlNode| text[n.span.clone()].to_owned();
         assert_eq!(show(tree.find(&["a", "x"]).unwrap()), "1");
         assert_eq!(show(tree.find(&["a"]).unwrap()), "[a]");
         assert_eq!(show(tree.find(&["l", "n"]).unwrap()), "[[l]]");

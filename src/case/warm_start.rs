@@ -7,7 +7,7 @@ use serde::Deserialize;
 use super::diagnostic::{Diagnostic, Finding};
 use super::fields::quantity;
 use super::model::{Attachment, Case};
-use super::tree::Node;
+use super::tree::TomlNode;
 
 /// The file of a run directory that a run resumes from.
 const CHECKPOINT: &str = "checkpoint.toml";
@@ -21,18 +21,18 @@ const SLOP: f64 = 1e-9;
 /// What is read here of a checkpoint; the rest is read when the run starts.
 #[derive(Deserialize)]
 struct CheckpointArc {
-    profile: Profile,
+    profile: CheckpointProfile,
 }
 
 #[derive(Deserialize)]
-struct Profile {
+struct CheckpointProfile {
     arc: Vec<f64>,
 }
 
 /// Attaches the checkpoint of the run that the case starts from, and compares its line with that of the case.
 pub(super) fn gather(
     case: &mut Case,
-    root: &Node,
+    root: &TomlNode,
     text: &str,
     (file, folder): (&str, &Path),
 ) -> Result<(), Diagnostic> {

@@ -3,19 +3,19 @@
 use toml_edit::DocumentMut;
 
 use super::model::Case;
-use super::schema::{TableType, Written};
+use super::schema::{TableType, WrittenKeys};
 
 /// The text of a case file that says what `case` says; keys that hold their default are left out.
 ///
 /// [`parse`](super::parse) of the text gives the same case again.
 #[must_use]
 pub fn write(case: &Case) -> String {
-    DocumentMut::from(case.write(Written::WithoutDefaults)).to_string()
+    DocumentMut::from(case.write(WrittenKeys::WithoutDefaults)).to_string()
 }
 
 /// The same, with the keys that hold their default.
 pub(crate) fn write_all(case: &Case) -> String {
-    DocumentMut::from(case.write(Written::All)).to_string()
+    DocumentMut::from(case.write(WrittenKeys::All)).to_string()
 }
 
 #[cfg(test)]

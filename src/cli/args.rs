@@ -2,7 +2,11 @@
 
 use std::path::PathBuf;
 
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{Parser, Subcommand};
+
+use crate::case::Method;
+use crate::kinds::FileType;
+use crate::report::chart::Glyphs;
 
 /// A terminal workbench for marine cables.
 ///
@@ -30,18 +34,18 @@ pub(super) struct Args {
 
     /// Character set to draw with; by default chosen from the locale and the terminal.
     #[arg(long, value_name = "SET", conflicts_with = "ascii")]
-    pub(super) glyphs: Option<GlyphSet>,
+    pub(super) glyphs: Option<Glyphs>,
 
     /// For slow links: fewer frames, and a longer wait for key sequences that arrive in pieces.
     #[arg(long)]
     pub(super) slow_link: bool,
 
     #[command(subcommand)]
-    pub(super) command: Option<Command>,
+    pub(super) command: Option<CliCommand>,
 }
 
 #[derive(Debug, Subcommand)]
-pub(super) enum Command {
+pub(super) enum CliCommand {
     /// Compute a case and store the run in a directory.
     ///
     /// Prints the run directory and the table of results.
@@ -114,7 +118,7 @@ pub(super) struct KeysArgs {
 
     /// The kind of file.
     #[arg(long, value_name = "KIND", default_value = "case")]
-    pub(super) kind: FileKind,
+    pub(super) kind: FileType,
 
     /// Print a JSON Schema (draft 2020-12) of the file converted to JSON.
     #[arg(long)]
@@ -123,19 +127,6 @@ pub(super) struct KeysArgs {
     /// Print with ASCII characters only.
     #[arg(long, conflicts_with = "schema")]
     pub(super) ascii: bool,
-}
-
-/// Kinds of file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum FileKind {
-    /// A line case.
-    Case,
-    /// A cross-section.
-    Section,
-    /// A ropeway.
-    Ropeway,
-    /// A ship at single-point mooring.
-    Ship,
 }
 
 #[derive(Debug, Subcommand)]
@@ -154,6 +145,10 @@ pub(super) enum StudyArgs {
     /// For every tolerance and spectral radius: the work, the errors, and the work of constant steps at the same error.
     /// Takes as long as the references, one for each variant: up to some minutes.
     Steps(StepsArgs),
+    /// Hold every estimated error against the true one, from a converged run: cases by every method at two tolerances.
+    ///
+    /// The converged run has a mesh three times as fine and a time error ten times as small. Takes some minutes for all cases.
+    Bars(HardArgs),
 }
 
 // The arguments that commands share; doc comments here would replace the help of the commands.
@@ -343,7 +338,7 @@ pub(super) struct RunArgs {
 
     /// Solver to use in place of the case's.
     #[arg(long)]
-    pub(super) solver: Option<SolverMethod>,
+    pub(super) solver: Option<Method>,
 
     /// Directory to write, which must not exist yet; by default runs/CASE-TIME.
     #[arg(long, value_name = "DIR")]
@@ -384,15 +379,6 @@ pub(super) struct ReportArgs {
     pub(super) ascii: bool,
 }
 
-/// Sets of characters to draw with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum GlyphSet {
-    /// Dot patterns: eight dots a character.
-    Braille,
-    /// ASCII only.
-    Ascii,
-}
-
 #[derive(Debug, clap::Args)]
 pub(super) struct CatenaryArgs {
     /// The table of lines, as CSV or JSON lines.
@@ -406,34 +392,6 @@ pub(super) struct CatenaryArgs {
     /// Replace the file if it exists.
     #[arg(long, requires = "output")]
     pub(super) force: bool,
-}
-
-/// Solvers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum SolverMethod {
-    /// Static equilibrium.
-    Static,
-    /// Quasi-static march: equilibrium of weight and drag at each instant.
-    Quasi,
-    /// Explicit Runge-Kutta of order 4.
-    Rk4,
-    /// Implicit generalized-alpha.
-    Alpha,
-    /// Runge-Kutta or generalized-alpha, whichever is estimated to cost less.
-    Auto,
-}
-
-impl SolverMethod {
-    /// The value of `solver.method` in a case file.
-    pub(super) fn key_value(self) -> &'static str {
-        match self {
-            Self::Static => "static",
-            Self::Quasi => "quasi",
-            Self::Rk4 => "rk4",
-            Self::Alpha => "alpha",
-            Self::Auto => "auto",
-        }
-    }
 }
 
 #[cfg(test)]

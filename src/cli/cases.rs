@@ -7,9 +7,8 @@ use std::{
 
 use super::CommandError;
 use crate::{
-    case::{self, Case, edit, shipped},
-    kinds::Kind,
-    ropeway, ship,
+    case::{self, Case, edit, file_kind::FileKind, kind, shipped},
+    kinds::FileType,
 };
 
 /// Where the cases that come with the program lie in its source.
@@ -17,7 +16,7 @@ const FOLDER: &str = "cases";
 
 /// A case with its text.
 #[derive(Debug)]
-pub(super) struct Loaded {
+pub(super) struct NamedCase {
     /// How the user knows it.
     pub(super) name: String,
     /// File name without directories.
@@ -29,10 +28,10 @@ pub(super) struct Loaded {
 }
 
 /// Loads a case file.
-pub(super) fn load(path: &Path) -> Result<Loaded, CommandError> {
+pub(super) fn load(path: &Path) -> Result<NamedCase, CommandError> {
     let name = path.display().to_string();
     let loaded = case::load(path).map_err(CommandError::invalid_file(path))?;
-    Ok(Loaded {
+    Ok(NamedCase {
         file: file_name(&name),
         name,
         text: loaded.text,
@@ -68,55 +67,69 @@ pub(super) fn set(text: &str, words: &[String]) -> Result<String, CommandError> 
     edit::set_all(text, &edits).map_err(wrong)
 }
 
-/// What may state published values: line cases, and ropeways with the name that the user knows them by.
+/// A file of a kind that is read with keys set, and its result.
+pub(super) fn load_with<K: FileKind>(
+    path: &Path,
+    words: &[String],
+) -> Result<(String, K::Computed), CommandError> {
+    let loaded = kind::load::<K>(path).map_err(CommandError::invalid_file(path))?;
+    if words.is_empty() {
+        return Ok((loaded.text, loaded.computed));
+    }
+    let text = kind::set_all::<K>(&loaded.text, &edits(words)?)
+        .map_err(CommandError::invalid(&loaded.text))?;
+    let computed = kind::parse::<K>(&text, &path.display().to_string())
+        .map_err(CommandError::invalid(&text))?;
+    Ok((text, computed))
+}
+
+/// What may state published values.
 #[derive(Debug, Default)]
-pub(super) struct Named {
+pub(super) struct ValidationFiles {
     /// Line cases.
-    pub(super) lines: Vec<Loaded>,
-    /// Ropeways.
-    pub(super) ropeways: Vec<(String, ropeway::Loaded)>,
-    /// Ships, by name.
-    pub(super) ships: Vec<(String, ship::StaticAnalysis)>,
+    pub(super) lines: Vec<NamedCase>,
+    /// Files of the other kinds.
+    pub(super) others: Vec<OtherFile>,
+}
+
+/// A file of another kind than a line case.
+#[derive(Debug)]
+pub(super) struct OtherFile {
+    pub(super) kind: FileType,
+    /// How the user knows it.
+    pub(super) name: String,
+    pub(super) text: String,
 }
 
 /// The cases named; without names, those below `cases` here, or else those that come with the
 /// program, as far as they state published values.
-pub(super) fn named_or_shipped(paths: &[PathBuf]) -> Result<Named, CommandError> {
-    if !paths.is_empty() {
-        return below(paths);
+pub(super) fn named_or_shipped(paths: &[PathBuf]) -> Result<ValidationFiles, CommandError> {
+    let mut named = named(paths)?;
+    if paths.is_empty() {
+        named.lines.retain(|loaded| {
+            let case = &loaded.case;
+            !(case.published.is_empty() && case.published_curve.is_empty() && case.trend.is_empty())
+        });
     }
-    let folder = Path::new(FOLDER);
-    let mut named = if folder.is_dir() {
-        below(&[folder.to_owned()])?
-    } else {
-        shipped()?
-    };
-    named.lines.retain(|loaded| {
-        let case = &loaded.case;
-        !(case.published.is_empty() && case.published_curve.is_empty() && case.trend.is_empty())
-    });
-    named.ropeways.retain(|(_, loaded)| {
-        let ropeway = &loaded.worked.ropeway;
-        !(ropeway.published.is_empty() && ropeway.trend.is_empty())
-    });
-    named
-        .ships
-        .retain(|(_, rest)| !rest.ship.published.is_empty());
     Ok(named)
+}
+
+/// The files named; without names, those below `cases` here, or else those that come with the program.
+fn named(paths: &[PathBuf]) -> Result<ValidationFiles, CommandError> {
+    let folder = Path::new(FOLDER);
+    if !paths.is_empty() {
+        below(paths)
+    } else if folder.is_dir() {
+        below(&[folder.to_owned()])
+    } else {
+        shipped()
+    }
 }
 
 /// The cases with trials among those named; without names, among those below `cases` here, or else among those that
 /// come with the program.
-pub(super) fn with_trials(paths: &[PathBuf]) -> Result<Vec<Loaded>, CommandError> {
-    let folder = Path::new(FOLDER);
-    let named = if !paths.is_empty() {
-        below(paths)?
-    } else if folder.is_dir() {
-        below(&[folder.to_owned()])?
-    } else {
-        shipped()?
-    };
-    let mut cases = named.lines;
+pub(super) fn with_trials(paths: &[PathBuf]) -> Result<Vec<NamedCase>, CommandError> {
+    let mut cases = named(paths)?.lines;
     cases.retain(|loaded| !loaded.case.trial.is_empty());
     if cases.is_empty() {
         let what = "There is no case with trials; a hard case has at least one table [[trial]].";
@@ -125,46 +138,45 @@ pub(super) fn with_trials(paths: &[PathBuf]) -> Result<Vec<Loaded>, CommandError
     Ok(cases)
 }
 
-fn shipped() -> Result<Named, CommandError> {
-    let line = |(path, text): &(&str, &str)| {
-        let case = parse(text, path)?;
-        Ok::<_, CommandError>(Loaded {
-            file: file_name(path),
-            name: format!("{FOLDER}/{path}"),
-            text: (*text).to_owned(),
-            case,
-        })
-    };
-    let ropeway = |(path, text): &(&str, &str)| {
-        let wrong = CommandError::invalid(text);
-        let name = format!("{FOLDER}/{path}");
-        let loaded = ropeway::Loaded {
-            worked: ropeway::parse(text, path).map_err(wrong)?,
-            text: (*text).to_owned(),
-            path: PathBuf::from(&name),
-        };
-        Ok::<_, CommandError>((name, loaded))
-    };
-    let ship = |(path, text): &(&str, &str)| {
-        let wrong = CommandError::invalid(text);
-        let rest = ship::parse(text, path).map_err(wrong)?;
-        Ok::<_, CommandError>((format!("{FOLDER}/{path}"), rest))
-    };
-    Ok(Named {
-        ships: shipped::SHIPS.iter().map(ship).collect::<Result<_, _>>()?,
-        lines: shipped::SHIPPED
-            .iter()
-            .map(line)
-            .collect::<Result<_, _>>()?,
-        ropeways: shipped::ROPEWAYS
-            .iter()
-            .map(ropeway)
-            .collect::<Result<_, _>>()?,
-    })
+/// The line cases named; without names, those below `cases` here, or else those that come with the program. Of these the hard
+/// ones are left out, whose answers converge only where their trials say so.
+pub(super) fn of_lines(paths: &[PathBuf]) -> Result<Vec<NamedCase>, CommandError> {
+    let mut cases = named(paths)?.lines;
+    if paths.is_empty() {
+        cases.retain(|loaded| loaded.case.trial.is_empty());
+    }
+    Ok(cases)
+}
+
+fn shipped() -> Result<ValidationFiles, CommandError> {
+    let mut named = ValidationFiles::default();
+    for (kind, files) in shipped::BY_KIND {
+        for (path, text) in files {
+            named.add(kind, format!("{FOLDER}/{path}"), (*text).to_owned())?;
+        }
+    }
+    Ok(named)
+}
+
+impl ValidationFiles {
+    /// Adds a file; cross-sections state no published values.
+    fn add(&mut self, kind: FileType, name: String, text: String) -> Result<(), CommandError> {
+        match kind {
+            FileType::Line => self.lines.push(NamedCase {
+                file: file_name(&name),
+                case: parse(&text, &name)?,
+                name,
+                text,
+            }),
+            FileType::Section => {}
+            _ => self.others.push(OtherFile { kind, name, text }),
+        }
+        Ok(())
+    }
 }
 
 /// Every file named, and every case file below every directory named.
-fn below(paths: &[PathBuf]) -> Result<Named, CommandError> {
+fn below(paths: &[PathBuf]) -> Result<ValidationFiles, CommandError> {
     let mut files = Vec::new();
     for path in paths {
         if path.is_dir() {
@@ -180,27 +192,19 @@ fn below(paths: &[PathBuf]) -> Result<Named, CommandError> {
             files.push(path.clone());
         }
     }
-    let mut named = Named::default();
+    let mut named = ValidationFiles::default();
     for file in &files {
-        let name = file.display().to_string();
-        match Kind::of(file) {
-            Kind::Ropeway => named.ropeways.push((name, load_ropeway(file)?)),
-            Kind::Ship => named.ships.push((name, load_ship(file)?)),
-            Kind::Line | Kind::Section => named.lines.push(load(file)?),
+        let unreadable =
+            |error| CommandError::Usage(format!("Reading {} failed: {error}", file.display()));
+        match FileType::of(file) {
+            FileType::Line | FileType::Section => named.lines.push(load(file)?),
+            kind => {
+                let text = fs::read_to_string(file).map_err(unreadable)?;
+                named.add(kind, file.display().to_string(), text)?;
+            }
         }
     }
     Ok(named)
-}
-
-/// Loads a ropeway file.
-pub(super) fn load_ropeway(path: &Path) -> Result<ropeway::Loaded, CommandError> {
-    ropeway::load(path).map_err(CommandError::invalid_file(path))
-}
-
-/// Loads a ship file, without the rope that it may name.
-fn load_ship(path: &Path) -> Result<ship::StaticAnalysis, CommandError> {
-    let loaded = ship::load(path).map_err(CommandError::invalid_file(path))?;
-    Ok(loaded.worked)
 }
 
 fn collect(dir: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
@@ -211,7 +215,8 @@ fn collect(dir: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
     for path in inside {
         if path.is_dir() {
             collect(&path, files)?;
-        } else if path.extension().is_some_and(|e| e == "toml") && Kind::of(&path) != Kind::Section
+        } else if path.extension().is_some_and(|e| e == "toml")
+            && FileType::of(&path) != FileType::Section
         {
             files.push(path);
         }

@@ -5,7 +5,7 @@ use std::{fs, process::ExitCode};
 use super::{
     BAD_RESULT, CommandError,
     args::CatenaryArgs,
-    output::{self, Format, OutputFile},
+    output::{self, FileFormat, OutputFile},
 };
 use crate::study::lines;
 
@@ -17,8 +17,8 @@ pub(super) fn catenary(args: &CatenaryArgs) -> Result<ExitCode, CommandError> {
         .map_err(|e| CommandError::Usage(format!("Reading {input} failed: {e}")))?;
     let table = lines::solve(&bytes).map_err(|e| CommandError::Usage(format!("{input}: {e}")))?;
     let format = match table.text.trim_ascii_start().first() {
-        Some(b'{') => Format::Json,
-        _ => Format::Text,
+        Some(b'{') => FileFormat::Json,
+        _ => FileFormat::Text,
     };
     match file {
         None => output::document(&table.text, format)?,

@@ -7,30 +7,20 @@ use std::{
 
 use super::{
     CommandError,
-    args::{FileKind, KeysArgs},
-    output::{self, Format},
+    args::KeysArgs,
+    kinds,
+    output::{self, FileFormat},
 };
 use crate::{
-    case::{
-        CASE,
-        fields::{Field, Schema, Table, json_schema},
-    },
+    case::fields::{Field, Schema, TableSchema, json_schema},
     report::text::{WIDTH, wrap},
-    ropeway::model::ROPEWAY,
-    section::model::SECTION,
-    ship::SHIP,
 };
 
 pub(super) fn keys(args: &KeysArgs) -> Result<ExitCode, CommandError> {
-    let schema: &'static Schema = match args.kind {
-        FileKind::Case => &CASE,
-        FileKind::Section => &SECTION,
-        FileKind::Ropeway => &ROPEWAY,
-        FileKind::Ship => &SHIP,
-    };
+    let schema = kinds::schema(args.kind);
     if args.schema {
         let text = format!("{:#}\n", json_schema(schema));
-        output::document(text.as_bytes(), Format::Json)?;
+        output::document(text.as_bytes(), FileFormat::Json)?;
         return Ok(ExitCode::SUCCESS);
     }
     let prefix = args.prefix.as_deref().unwrap_or_default();
@@ -82,7 +72,7 @@ fn list(schema: &'static Schema, prefix: &str, width: usize) -> String {
     text
 }
 
-fn table_text(table: &Table, fields: &[&Field], width: usize) -> String {
+fn table_text(table: &TableSchema, fields: &[&Field], width: usize) -> String {
     let names = fields.iter().map(|field| field.key().len());
     let column = names.max().unwrap_or(0).min(width / 2) + 4;
     let title = format!("{}  {}", table.header(), table.help);

@@ -11,6 +11,7 @@ mod catenary;
 mod error;
 mod inputs;
 mod keys;
+mod kinds;
 mod modes;
 mod output;
 mod progress;
@@ -28,7 +29,7 @@ use std::{panic, process::ExitCode};
 
 use clap::Parser;
 
-use args::{Args, Command};
+use args::{Args, CliCommand};
 use error::CommandError;
 
 /// Exit status of a bad result: a row outside its tolerance, a solver that failed.
@@ -46,16 +47,16 @@ pub fn main() -> ExitCode {
     };
     let done = match &args.command {
         None => workbench::open(args),
-        Some(Command::Run(args)) => run::run(args),
-        Some(Command::Validate(args)) => validate::validate(args),
-        Some(Command::Report(args)) => report::report(args),
-        Some(Command::Catenary(args)) => catenary::catenary(args),
-        Some(Command::Section(args)) => section::section(args),
-        Some(Command::Ship(args)) => ship::ship(args),
-        Some(Command::Modes(args)) => modes::modes(args),
-        Some(Command::Ropeway(args)) => ropeway::ropeway(args),
-        Some(Command::Keys(args)) => keys::keys(args),
-        Some(Command::Study(args)) => study::study(args),
+        Some(CliCommand::Run(args)) => run::run(args),
+        Some(CliCommand::Validate(args)) => validate::validate(args),
+        Some(CliCommand::Report(args)) => report::report(args),
+        Some(CliCommand::Catenary(args)) => catenary::catenary(args),
+        Some(CliCommand::Section(args)) => section::section(args),
+        Some(CliCommand::Ship(args)) => ship::ship(args),
+        Some(CliCommand::Modes(args)) => modes::modes(args),
+        Some(CliCommand::Ropeway(args)) => ropeway::ropeway(args),
+        Some(CliCommand::Keys(args)) => keys::keys(args),
+        Some(CliCommand::Study(args)) => study::study(args),
     };
     done.unwrap_or_else(CommandError::report)
 }

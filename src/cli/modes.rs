@@ -6,7 +6,7 @@ use super::{
     BAD_RESULT, CommandError,
     args::ModesArgs,
     cases,
-    output::{self, Format, OutputFile},
+    output::{self, FileFormat, OutputFile},
 };
 use crate::{
     modes,
@@ -32,7 +32,7 @@ pub(super) fn modes(args: &ModesArgs) -> Result<ExitCode, CommandError> {
         }
     };
     if let Some(file) = file {
-        file.write(views::csv(&found).as_bytes(), Format::Text)?;
+        file.write(views::csv(&found).as_bytes(), FileFormat::Text)?;
     }
     let glyphs = output::glyphs(args.ascii);
     let shown: Vec<usize> = if args.shape.is_empty() {

@@ -32,7 +32,7 @@ pub(super) fn page(text: &str, ascii: bool) -> String {
 }
 
 /// Prints a table in a format that other programs read.
-pub(super) fn document(text: &[u8], format: Format) -> Result<(), CommandError> {
+pub(super) fn document(text: &[u8], format: FileFormat) -> Result<(), CommandError> {
     print(&format.visible(text))
 }
 
@@ -86,7 +86,7 @@ impl<'a> OutputFile<'a> {
     }
 
     /// Writes the file.
-    pub(super) fn write(&self, text: &[u8], format: Format) -> Result<(), CommandError> {
+    pub(super) fn write(&self, text: &[u8], format: FileFormat) -> Result<(), CommandError> {
         let written = self.target().write(format.visible(text).as_bytes());
         written.map_err(|source| CommandError::Write {
             option: self.option,
@@ -109,7 +109,7 @@ impl<'a> OutputFile<'a> {
 
 /// The formats of files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Format {
+pub(super) enum FileFormat {
     /// Text to read, and CSV.
     Text,
     /// TOML.
@@ -118,7 +118,7 @@ pub(super) enum Format {
     Json,
 }
 
-impl Format {
+impl FileFormat {
     /// The text with its invisible characters escaped as the format escapes them.
     fn visible(self, text: &[u8]) -> String {
         let text = String::from_utf8_lossy(text);

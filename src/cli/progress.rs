@@ -13,12 +13,12 @@ const EVERY: Duration = Duration::from_millis(100);
 
 /// The progress line; silent when standard error is no terminal.
 #[derive(Debug)]
-pub(super) struct Line {
+pub(super) struct ProgressLine {
     terminal: bool,
     shown: Option<Instant>,
 }
 
-impl Line {
+impl ProgressLine {
     /// Nothing is shown yet.
     pub(super) fn new() -> Self {
         Self {
@@ -60,7 +60,7 @@ impl Line {
     }
 }
 
-impl Drop for Line {
+impl Drop for ProgressLine {
     fn drop(&mut self) {
         if self.terminal && self.shown.is_some() {
             output::progress("");

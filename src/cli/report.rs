@@ -6,7 +6,7 @@ use super::{
     CommandError,
     args::ReportArgs,
     cases,
-    output::{self, Format, OutputFile},
+    output::{self, FileFormat, OutputFile},
 };
 use crate::{reference, report::text, run::store};
 
@@ -22,7 +22,7 @@ pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
         None => output::results(&text, args.ascii)?,
         Some(file) => {
             let page = output::page(&text, args.ascii);
-            file.write(page.as_bytes(), Format::Text)?;
+            file.write(page.as_bytes(), FileFormat::Text)?;
         }
     }
     Ok(ExitCode::SUCCESS)

@@ -6,21 +6,17 @@ use super::{
     CommandError,
     args::RopewayArgs,
     cases,
-    output::{self, Format, OutputFile},
+    output::{self, FileFormat, OutputFile},
 };
 use crate::{
     report,
-    ropeway::{self, ModelResults, SolvedRopeway, edit, elastic::Carrier, line},
+    ropeway::{ModelResults, Ropeway, SolvedRopeway, elastic::Carrier, line},
 };
 
 pub(super) fn ropeway(args: &RopewayArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];
     let file = OutputFile::check_option("--line", args.line.as_deref(), args.force, &inputs)?;
-    let loaded = cases::load_ropeway(&args.file)?;
-    let edits = cases::edits(&args.set)?;
-    let text = edit::set_all(&loaded.text, &edits).map_err(CommandError::invalid(&loaded.text))?;
-    let worked = ropeway::parse(&text, &args.file.display().to_string())
-        .map_err(CommandError::invalid(&text))?;
+    let (text, worked) = cases::load_with::<Ropeway>(&args.file, &args.set)?;
     let results = worked
         .results(worked.ropeway.cargo.position)
         .map_err(|error| CommandError::Usage(format!("The ropeway has no solution: {error}.")))?;
@@ -46,5 +42,5 @@ fn write(
         ));
     }
     let text = line::static_case_file(&worked.ropeway, results.length_m, results.exact.arc_m);
-    file.write(text.as_bytes(), Format::Toml)
+    file.write(text.as_bytes(), FileFormat::Toml)
 }

@@ -2,15 +2,15 @@
 
 use std::{path::Path, process::ExitCode};
 
-use super::{BAD_RESULT, CommandError, args::RunArgs, cases, output, progress, signals::Stop};
+use super::{BAD_RESULT, CommandError, args::RunArgs, cases, output, progress, signals::StopFlag};
 use crate::{
     case,
-    report::text,
+    report::{limits, text},
     run::{
-        Resume, Run, RunState,
-        job::{self, Event, Request},
+        ResumedRun, Run, RunState,
+        job::{self, JobEvent, Request},
         resume_request,
-        store::{self, RunLocation, StoreError, Writer},
+        store::{self, RunLocation, RunWriter, StoreError},
     },
 };
 
@@ -22,12 +22,12 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
         }
         None => (request(args)?, None),
     };
-    let stop = Stop::listen()?;
+    let stop = StopFlag::listen()?;
     let place = match &args.out {
         Some(dir) => RunLocation::Exactly(dir.clone()),
         None => RunLocation::Below(store::DEFAULT_ROOT.into()),
     };
-    let mut writer = Writer::begin(
+    let mut writer = RunWriter::begin(
         &place,
         request.initial_info(),
         &case::stand_alone(&request.text, &request.case),
@@ -40,8 +40,8 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     }
     let dir = writer.finish(&run)?;
     let mut text = format!("{}\n\n{}", dir.display(), text::summary(&run));
-    if let Some(limits) = text::limits(&run, &request.case) {
-        text.push_str(&format!("\n{limits}"));
+    if let Some(limits) = limits::of_run(&request.case, &run.profile) {
+        text.push_str(&format!("\n{}", limits.to_text(text::WIDTH)));
     }
     if let Some(damping) = text::numerical_damping(&run.info.settings) {
         text.push_str(&format!("\nNumerical damping: {damping}\n"));
@@ -54,10 +54,7 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
 fn request(args: &RunArgs) -> Result<Request, CommandError> {
     let loaded = cases::load(args.case.as_deref().unwrap_or(Path::new("")))?;
     let mut overrides = args.set.clone();
-    overrides.extend(
-        args.solver
-            .map(|s| format!("solver.method={}", s.key_value())),
-    );
+    overrides.extend(args.solver.map(|s| format!("solver.method={}", s.name())));
     let text = cases::set(&loaded.text, &overrides)?;
     let case = cases::parse(&text, &loaded.name)?;
     Ok(Request {
@@ -72,17 +69,17 @@ fn request(args: &RunArgs) -> Result<Request, CommandError> {
 /// Computes, and writes every result to disk as it comes. The run is cancelled if writing fails.
 fn compute(
     request: &Request,
-    from: Option<&Resume>,
-    stop: &Stop,
-    writer: &mut Writer,
+    from: Option<&ResumedRun>,
+    stop: &StopFlag,
+    writer: &mut RunWriter,
 ) -> (Run, Option<StoreError>) {
-    let mut line = progress::Line::new();
+    let mut line = progress::ProgressLine::new();
     let mut store_error = None;
-    let run = job::execute_from(request, from, stop.cancel(), &mut |event: Event| {
+    let run = job::execute_from(request, from, stop.cancel(), &mut |event: JobEvent| {
         match &event {
-            Event::Frame(frame) => line.run(&frame.progress),
-            Event::Estimating => line.show("Estimating the numerical errors"),
-            Event::Started { .. } | Event::Checkpoint(_) | Event::Finished(_) => {}
+            JobEvent::Frame(frame) => line.run(&frame.progress),
+            JobEvent::Estimating => line.show("Estimating the numerical errors"),
+            JobEvent::Started { .. } | JobEvent::Checkpoint(_) | JobEvent::Finished(_) => {}
         }
         if store_error.is_none() {
             store_error = writer.event(&event).err();
@@ -94,7 +91,7 @@ fn compute(
     (run, store_error)
 }
 
-fn status(run: &Run, stop: &Stop) -> ExitCode {
+fn status(run: &Run, stop: &StopFlag) -> ExitCode {
     for warning in &run.info.warnings {
         output::message(&format!("warning: {warning}"));
     }

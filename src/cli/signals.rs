@@ -20,12 +20,12 @@ const BY_SIGNAL: i32 = 128;
 
 /// Set when the user or the system asks the program to stop.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Stop {
+pub(super) struct StopFlag {
     cancel: Arc<AtomicBool>,
     signal: Arc<AtomicUsize>,
 }
 
-impl Stop {
+impl StopFlag {
     /// Listens to both signals from now on.
     pub(super) fn listen() -> Result<Self, CommandError> {
         let caught = Self::register();

@@ -5,15 +5,16 @@ use std::{io, process::ExitCode, sync::Mutex};
 use super::{
     BAD_RESULT, CommandError,
     args::{CaseArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs},
-    cases::{self, Loaded},
-    output::{self, Format, OutputFile},
+    cases::{self, NamedCase},
+    output::{self, FileFormat, OutputFile},
     progress,
-    signals::Stop,
+    signals::StopFlag,
 };
 use crate::case::Case;
 use crate::report::chart::draw;
 use crate::report::table::Table;
 use crate::study::{
+    bars::{self, BarSetting},
     hard_cases::{self, HardCase, TrialRun},
     speed::{self, SpeedError},
     tally,
@@ -30,6 +31,7 @@ pub(super) fn study(args: &StudyArgs) -> Result<ExitCode, CommandError> {
         StudyArgs::HardCases(args) => hard_cases(args),
         StudyArgs::Speed(args) => speed_of(args),
         StudyArgs::Steps(args) => steps_of(args),
+        StudyArgs::Bars(args) => bars_of(args),
     }
 }
 
@@ -37,7 +39,7 @@ fn hard_cases(args: &HardArgs) -> Result<ExitCode, CommandError> {
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &args.cases)?;
     let loaded = cases::with_trials(&args.cases)?;
     let cases: Vec<HardCase> = loaded.into_iter().map(hard_case).collect();
-    let stop = Stop::listen()?;
+    let stop = StopFlag::listen()?;
     let computed = compute(&cases, &stop);
     if let Some(status) = stop.status() {
         output::message("Stopped before all trials were computed; nothing was judged.");
@@ -64,17 +66,17 @@ fn write_csv(table: &Table, file: Option<&OutputFile<'_>>) -> Result<(), Command
     let mut text = Vec::new();
     let written = table.write_csv(&mut text).map_err(io::Error::other);
     written.map_err(CommandError::Output)?;
-    file.write(&text, Format::Text)
+    file.write(&text, FileFormat::Text)
 }
 
 fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &inputs)?;
     let (name, case) = case_of(&args.case)?;
-    let stop = Stop::listen()?;
+    let stop = StopFlag::listen()?;
     let usage = |why: SpeedError| CommandError::Usage(format!("{name}: {why}."));
     let plan = speed::plan(&case).map_err(usage)?;
-    let mut line = progress::Line::new();
+    let mut line = progress::ProgressLine::new();
     let mut report_progress = |begun: usize, of: usize, what: &str| {
         line.show(&format!("{begun} of {of}: {what}"));
     };
@@ -110,7 +112,7 @@ fn case_of(args: &CaseArgs) -> Result<(String, Case), CommandError> {
 }
 
 /// How a study ends that did not come to its end: stopped by a signal, or in failure.
-fn stopped(stop: &Stop, failure: CommandError) -> Result<ExitCode, CommandError> {
+fn stopped(stop: &StopFlag, failure: CommandError) -> Result<ExitCode, CommandError> {
     let status = stop.status().ok_or(failure)?;
     output::message("Stopped before all points were computed.");
     Ok(status)
@@ -120,8 +122,8 @@ fn steps_of(args: &StepsArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &inputs)?;
     let (name, case) = case_of(&args.case)?;
-    let stop = Stop::listen()?;
-    let mut line = progress::Line::new();
+    let stop = StopFlag::listen()?;
+    let mut line = progress::ProgressLine::new();
     let mut report_progress = |begun: usize, of: usize, what: &str| {
         line.show(&format!("{begun} of {of}: {what}"));
     };
@@ -136,7 +138,44 @@ fn steps_of(args: &StepsArgs) -> Result<ExitCode, CommandError> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn hard_case(loaded: Loaded) -> HardCase {
+fn bars_of(args: &HardArgs) -> Result<ExitCode, CommandError> {
+    let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &args.cases)?;
+    let cases = cases::of_lines(&args.cases)?;
+    let stop = StopFlag::listen()?;
+    let settings: Vec<BarSetting> = cases
+        .iter()
+        .flat_map(|named| bars::settings(&named.name, &named.case))
+        .collect();
+    let (line, total) = (
+        Mutex::new((0, progress::ProgressLine::new())),
+        settings.len(),
+    );
+    let checks = bars::compute(settings, stop.cancel(), &|setting| {
+        if let Ok(mut line) = line.lock() {
+            line.0 += 1;
+            let words = format!(
+                "{} of {total}: {}, {}",
+                line.0, setting.name, setting.setting
+            );
+            line.1.show(&words);
+        }
+    });
+    drop(line);
+    if let Some(status) = stop.status() {
+        output::message("Stopped before all settings were computed; nothing was judged.");
+        return Ok(status);
+    }
+    let table = bars::table(&checks);
+    write_csv(&table, file.as_ref())?;
+    let outside = bars::outside_table(&checks).to_text(WIDTH);
+    output::results(
+        &format!("{}\n{outside}", table.to_text(WIDTH)),
+        args.table.ascii,
+    )?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn hard_case(loaded: NamedCase) -> HardCase {
     HardCase {
         file: loaded.file,
         text: loaded.text,
@@ -145,8 +184,8 @@ fn hard_case(loaded: Loaded) -> HardCase {
 }
 
 /// Every trial on its own core.
-fn compute(cases: &[HardCase], stop: &Stop) -> Vec<Option<TrialRun>> {
-    let line = Mutex::new(progress::Line::new());
+fn compute(cases: &[HardCase], stop: &StopFlag) -> Vec<Option<TrialRun>> {
+    let line = Mutex::new(progress::ProgressLine::new());
     hard_cases::compute_all(cases, stop.cancel(), &|all, done| {
         if let Ok(mut line) = line.lock() {
             line.show(&format!("{done} of {} trials computed", all.len()));

@@ -1,7 +1,6 @@
 //! `seacable validate`: cases compared with the published values they state.
 
 use std::{
-    path::Path,
     process::ExitCode,
     sync::atomic::{AtomicUsize, Ordering},
 };
@@ -11,27 +10,31 @@ use rayon::prelude::*;
 use super::{
     BAD_RESULT, CommandError,
     args::ValidateArgs,
-    cases::{self, Loaded},
-    output, progress,
-    signals::Stop,
+    cases::{self, NamedCase},
+    kinds, output, progress,
+    signals::StopFlag,
 };
 use crate::{
-    case::At,
+    case::StudyPoint,
     reference::{self, Outcome, OutcomeCounts, ValidationRow},
     report::text,
-    ropeway::validation,
     run::{
         Run,
         job::{self, Request},
     },
-    ship, visible,
+    visible,
 };
 
 pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
     let named = cases::named_or_shipped(&args.cases)?;
+    let others = named.others.iter().map(|file| {
+        let (title, rows) = kinds::validation(file)?;
+        Ok(ValidatedFile::new(&title, &file.name, rows))
+    });
+    let others: Vec<ValidatedFile> = others.collect::<Result<_, CommandError>>()?;
     let cases = named.lines;
     let variants = variants(&cases)?;
-    let stop = Stop::listen()?;
+    let stop = StopFlag::listen()?;
     let runs = compute(&variants, &stop);
     if let Some(status) = stop.status() {
         output::message("Stopped before all variants were computed; nothing was judged.");
@@ -41,7 +44,7 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
     let mut tables = Vec::with_capacity(cases.len());
     for (i, loaded) in cases.iter().enumerate() {
         let of_case = || variants.iter().zip(&runs).filter(|(v, _)| v.case == i);
-        let lookup = |at: Option<&At>| {
+        let lookup = |at: Option<&StudyPoint>| {
             of_case()
                 .find(|(v, _)| v.at.as_ref() == at)
                 .map(|(_, run)| run)
@@ -53,18 +56,9 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
             rows,
         ));
     }
-    for (name, loaded) in &named.ropeways {
-        let rows = validation::rows(&loaded.worked, &loaded.text);
-        let title = &loaded.worked.ropeway.about.title;
-        tables.push(ValidatedFile::new(title, name, rows));
-    }
-    for (name, rest) in &named.ships {
-        let folder = Path::new(name).parent().unwrap_or(Path::new(""));
-        tables.push(ValidatedFile::new(
-            &rest.ship.ship.title,
-            name,
-            ship::validation::rows(&rest.ship, ship::MotionAnalysis::of(rest, folder).as_ref()),
-        ));
+    tables.extend(others);
+    if args.cases.is_empty() {
+        tables.retain(|file| !file.rows.is_empty());
     }
     output::results(&text(&tables), args.ascii)?;
     let holds = total(&tables).holds();
@@ -76,18 +70,18 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
 }
 
 /// A variant of a case, ready to be computed.
-struct Variant {
+struct VariantRequest {
     case: usize,
-    at: Option<At>,
+    at: Option<StudyPoint>,
     request: Request,
 }
 
-fn variants(cases: &[Loaded]) -> Result<Vec<Variant>, CommandError> {
+fn variants(cases: &[NamedCase]) -> Result<Vec<VariantRequest>, CommandError> {
     let mut variants = Vec::new();
     for (i, loaded) in cases.iter().enumerate() {
         for at in reference::plan(&loaded.case) {
             let request = request(loaded, at.as_ref())?;
-            variants.push(Variant {
+            variants.push(VariantRequest {
                 case: i,
                 at,
                 request,
@@ -97,7 +91,7 @@ fn variants(cases: &[Loaded]) -> Result<Vec<Variant>, CommandError> {
     Ok(variants)
 }
 
-fn request(loaded: &Loaded, at: Option<&At>) -> Result<Request, CommandError> {
+fn request(loaded: &NamedCase, at: Option<&StudyPoint>) -> Result<Request, CommandError> {
     let wrong = CommandError::invalid(&loaded.text);
     let (text, overrides) = match at {
         None => (loaded.text.clone(), Vec::new()),
@@ -117,8 +111,8 @@ fn request(loaded: &Loaded, at: Option<&At>) -> Result<Request, CommandError> {
 }
 
 /// Every variant on its own core.
-fn compute(variants: &[Variant], stop: &Stop) -> Vec<Run> {
-    let line = std::sync::Mutex::new(progress::Line::new());
+fn compute(variants: &[VariantRequest], stop: &StopFlag) -> Vec<Run> {
+    let line = std::sync::Mutex::new(progress::ProgressLine::new());
     let done = AtomicUsize::new(0);
     let say = |count: usize| {
         if let Ok(mut line) = line.lock() {
@@ -126,7 +120,7 @@ fn compute(variants: &[Variant], stop: &Stop) -> Vec<Run> {
         }
     };
     say(0);
-    let one = |variant: &Variant| {
+    let one = |variant: &VariantRequest| {
         let run = job::execute(&variant.request, stop.cancel(), &mut |_| ());
         say(done.fetch_add(1, Ordering::Relaxed) + 1);
         run

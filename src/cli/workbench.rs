@@ -5,26 +5,19 @@ use std::{path::Path, process::ExitCode};
 use clap::CommandFactory;
 use strsim::levenshtein;
 
-use super::{
-    CommandError,
-    args::{Args, GlyphSet},
-};
+use super::{CommandError, args::Args};
 use crate::{
     report::chart::Glyphs,
-    tui::{self, Options},
+    tui::{self, WorkbenchOptions},
 };
 
 pub(super) fn open(args: Args) -> Result<ExitCode, CommandError> {
     if let Some(path) = args.path.as_deref().filter(|path| !path.exists()) {
         return Err(CommandError::Usage(absent(path)));
     }
-    let options = Options {
+    let options = WorkbenchOptions {
         path: args.path,
-        glyphs: match args.glyphs {
-            Some(GlyphSet::Braille) => Some(Glyphs::Braille),
-            Some(GlyphSet::Ascii) => Some(Glyphs::Ascii),
-            None => args.ascii.then_some(Glyphs::Ascii),
-        },
+        glyphs: args.glyphs.or(args.ascii.then_some(Glyphs::Ascii)),
         slow_link: args.slow_link,
     };
     tui::open(&options).map_err(CommandError::Screen)?;

@@ -138,9 +138,9 @@ impl GeneralizedAlpha {
             self.end.v[i] = state.v[i] + (a0 * (1.0 - gamma) + a1 * gamma) * h;
             self.end.a[i] = a1;
         }
-        system.prescribe(t + h, &mut self.end);
         self.between.memory.copy_from(&state.memory);
         self.end.memory.copy_from(&state.memory);
+        system.prescribe(t + h, &mut self.end);
         let mix = |k: f64, new: &[V3], old: &[V3], out: &mut [V3]| {
             for ((o, n), p) in out.iter_mut().zip(new).zip(old) {
                 *o = n * (1.0 - k) + p * k;
@@ -236,6 +236,28 @@ impl<S: Residual + MidstepBalance + ExplicitRhs> Stepper<S> for GeneralizedAlpha
         self.jerk.fill(V3::zeros());
         self.jerk_weight = 1.0;
         self.newton.reset_rate();
+    }
+
+    /// The acceleration, which is never recomputed from the forces, takes the jump of that by the forces.
+    fn pass_kink(&mut self, system: &S, t: f64, state: &mut State) -> bool {
+        self.end.copy_from(state);
+        if !system.pass_kink(t, state) {
+            return false;
+        }
+        self.between.copy_from(state);
+        for side in [&mut self.end, &mut self.between] {
+            system.update_wave_kinematics(t, side);
+            system.accelerate(t, side);
+        }
+        for i in system.free() {
+            state.a[i] += self.between.a[i] - self.end.a[i];
+        }
+        // Forces between two steps are those of the chords there.
+        self.between.chord_correction.clear();
+        self.jerk.fill(V3::zeros());
+        self.jerk_weight = 1.0;
+        self.newton.reset_rate();
+        true
     }
 }
 

@@ -1,20 +1,20 @@
-//! The time march that all methods share: output times are hit exactly, events cut a step short, and the sink may stop it
-//! after any step. See [`step_control`](super::step_control) for the length of the steps.
+//! The time march that all methods share: events cut a step short, and the sink may stop it after any step. What is recorded
+//! between two steps is interpolated: no output time changes a step. See [`step_control`](super::step_control) for the
+//! length of the steps.
 
 use super::progress::MarchProgress;
 use super::step_control::WholeStep;
 use super::{MarchError, Stepper};
-use crate::solve::{Hysteresis, Instant, Progressing, Sink, State};
+use crate::solve::{AcceptedStep, Hysteresis, Progressing, Sink, State};
 
-/// A march from time 0 to `duration` in steps of at most `step`, with output every `output`.
+/// A march from time 0 to `duration` in whole steps of `step`, each divided as the step control asks for. The last whole step
+/// is cut short where they do not divide the duration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct March {
     /// Simulated time \[s\].
     pub duration: f64,
-    /// Greatest step \[s\].
+    /// Length of a whole step, the greatest there is \[s\].
     pub step: f64,
-    /// Interval of output times \[s\].
-    pub output: f64,
 }
 
 /// Summary of a march.
@@ -28,43 +28,16 @@ pub struct MarchSummary {
     pub stopped: bool,
 }
 
-/// The times of a march. Output intervals divide the duration, and whole steps divide the output interval, so that no time
-/// accumulates rounding errors.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TimeGrid {
-    /// Length of a whole step \[s\].
-    pub dt: f64,
-    /// Whole steps in an output interval.
-    pub per_output: u64,
-    /// Output intervals.
-    pub outputs: u64,
-}
-
-impl TimeGrid {
-    /// Time of the output with this number \[s\].
-    #[must_use]
-    pub fn output(&self, number: u64) -> f64 {
-        (number * self.per_output) as f64 * self.dt
-    }
-}
-
 impl March {
-    /// The times of this march.
+    /// Number of whole steps, the last one counted though it be cut short.
     #[must_use]
-    pub fn grid(&self) -> TimeGrid {
-        let outputs = (self.duration / self.output).round().max(1.0) as u64;
-        let interval = self.duration / outputs as f64;
-        let per_output = (interval / self.step * (1.0 - 1e-9)).ceil().max(1.0) as u64;
-        TimeGrid {
-            dt: interval / per_output as f64,
-            per_output,
-            outputs,
-        }
+    pub fn whole_steps(&self) -> u64 {
+        (self.duration / self.step * (1.0 - 1e-9)).ceil().max(1.0) as u64
     }
 
     /// The lengths of the accepted steps \[s\] and the number of each; a step cut short by an event counts as whole.
     pub fn lengths(&self, progress: &MarchProgress) -> impl Iterator<Item = (f64, u64)> {
-        let dt = self.grid().dt;
+        let dt = self.step;
         let taken = progress.halved.into_iter().enumerate();
         let lengths = taken.map(move |(k, steps)| (dt / (1_u64 << k) as f64, steps));
         lengths.filter(|(_, steps)| *steps > 0)
@@ -73,8 +46,24 @@ impl March {
     /// Whether a march is complete.
     #[must_use]
     pub fn is_over(&self, progress: &MarchProgress) -> bool {
-        let grid = self.grid();
-        progress.whole >= grid.outputs * grid.per_output
+        self.is_at(progress, self.duration)
+    }
+
+    /// Whether a march has come to a time \[s\], but for rounding.
+    #[must_use]
+    pub fn is_at(&self, progress: &MarchProgress, time: f64) -> bool {
+        progress.time >= time - self.slop()
+    }
+
+    /// Whether a time \[s\] is after the end.
+    #[must_use]
+    pub fn is_after_end(&self, time: f64) -> bool {
+        time > self.duration + self.slop()
+    }
+
+    /// Times closer than this are the same \[s\].
+    fn slop(&self) -> f64 {
+        1e-9 * self.step
     }
 
     /// Marches `state` from time 0. The sink receives the state at time 0 first.
@@ -91,11 +80,11 @@ impl March {
         let mut progress = MarchProgress::default();
         system.update_wave_kinematics(0.0, state);
         system.commit(0.0, 0.0, state);
-        let first = Instant {
+        let first = AcceptedStep {
             time: 0.0,
             state,
             steps: 0,
-            output: true,
+            whole: true,
         };
         let mut going = sink.accept(first);
         if going == Progressing::Continue {
@@ -109,7 +98,8 @@ impl March {
     }
 
     /// Continues the march to a time \[s\] or to its end. A time between two whole steps is hit exactly, by a step that is cut
-    /// short there and completed when the march continues.
+    /// short there and completed when the march continues. So is every kink of the prescribed motion, which is passed when the
+    /// march continues.
     ///
     /// # Errors
     /// As [`March::run`].
@@ -122,43 +112,46 @@ impl March {
         state: &mut State,
         sink: &mut dyn Sink,
     ) -> Result<Progressing, MarchError> {
-        let grid = self.grid();
-        let same = |a: f64, b: f64| (a - b).abs() <= 1e-9 * grid.dt;
-        while progress.whole < grid.outputs * grid.per_output {
-            if progress.time >= until || same(progress.time, until) {
-                break;
+        let until = until.min(self.duration);
+        let same = |a: f64, b: f64| (a - b).abs() <= self.slop();
+        while progress.time < until && !same(progress.time, until) {
+            let kink = system.next_kink(state);
+            if progress.done == 0 && progress.time >= kink - self.slop() {
+                method.pass_kink(system, progress.time, state);
+                sink.jump(progress.time, state);
+                continue;
             }
-            let end = (progress.whole + 1) as f64 * grid.dt;
+            let until = until.min(kink);
+            let end = (progress.whole + 1) as f64 * self.step;
             let cut = until < end && !same(until, end);
             let whole = if cut {
                 WholeStep {
                     from: progress.time,
                     dt: until - progress.time,
                     end: until,
-                    output: false,
                 }
             } else {
                 // From a time on the grid this is its step to the last digit.
-                let on_grid = progress.time == progress.whole as f64 * grid.dt;
+                let on_grid = progress.time == progress.whole as f64 * self.step;
                 WholeStep {
                     from: progress.time,
                     dt: if on_grid {
-                        grid.dt
+                        self.step
                     } else {
                         end - progress.time
                     },
-                    end: if on_grid {
-                        progress.time + grid.dt
+                    end: if same(self.duration, end) {
+                        self.duration
                     } else {
                         end
                     },
-                    output: (progress.whole + 1).is_multiple_of(grid.per_output),
                 }
             };
             if whole.take(progress, method, system, state, sink)? == Progressing::Stop {
                 return Ok(Progressing::Stop);
             }
-            progress.time = if cut { until } else { end };
+            progress.time = whole.end;
+            progress.done = 0;
             progress.whole += u64::from(!cut);
         }
         Ok(Progressing::Continue)

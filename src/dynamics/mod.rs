@@ -12,7 +12,7 @@ pub mod rk4;
 pub mod step_control;
 pub mod stepper;
 
-pub use march::{March, MarchSummary, TimeGrid};
+pub use march::{March, MarchSummary};
 pub use method_state::MethodState;
 pub use progress::MarchProgress;
 pub use step_control::MarchError;

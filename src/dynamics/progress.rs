@@ -11,10 +11,13 @@ const LENGTHS: usize = MAX_HALVINGS as usize + 1;
 /// How far a march has come.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct MarchProgress {
-    /// Time \[s\].
+    /// Time at which the whole step began that is being taken \[s\].
     pub time: f64,
     /// Whole steps completed.
     pub whole: u64,
+    /// Steps of the present length taken of the whole step.
+    #[serde(default)]
+    pub done: u64,
     /// How many times whole steps are halved at present.
     pub level: u32,
     /// Accepted steps.
@@ -24,4 +27,12 @@ pub struct MarchProgress {
     /// Accepted steps of each length, halved 0, 1, 2 ... times.
     #[serde(default)]
     pub halved: [u64; LENGTHS],
+}
+
+impl MarchProgress {
+    /// Whether a march comes to this: no more halvings than there are, and a part of a whole step taken.
+    #[must_use]
+    pub fn is_possible(&self) -> bool {
+        self.level <= MAX_HALVINGS && self.done <= 1 << self.level && self.time.is_finite()
+    }
 }

@@ -155,6 +155,15 @@ impl<S: Residual + Hysteresis> Stepper<S> for QuasiStatic {
         self.last_step = None;
         self.newton.reset_rate();
     }
+
+    /// Velocities are by backward differences: none of them reaches across a jump.
+    fn pass_kink(&mut self, system: &S, t: f64, state: &mut State) -> bool {
+        let jumps = system.pass_kink(t, state);
+        if jumps {
+            self.restart(system, t, state);
+        }
+        jumps
+    }
 }
 
 impl Integrator for QuasiStatic {

@@ -110,6 +110,14 @@ impl<S: ExplicitRhs> Stepper<S> for Rk4 {
         system.accelerate(t, state);
         self.decay = None;
     }
+
+    fn pass_kink(&mut self, system: &S, t: f64, state: &mut State) -> bool {
+        let jumps = system.pass_kink(t, state);
+        if jumps {
+            self.restart(system, t, state);
+        }
+        jumps
+    }
 }
 
 impl Integrator for Rk4 {

@@ -2,11 +2,11 @@
 //!
 //! A step that fails, or whose estimated error exceeds the limits, is halved (`level` + 1). Where two steps join to one of
 //! twice the length and the error leaves room, the next one is doubled (`level` - 1). The level is kept from one whole
-//! step to the next, so that all times are `2^-level` fractions of the grid and output times are hit exactly.
+//! step to the next, so that all times are `2^-level` fractions of the grid.
 
 use super::progress::{MAX_HALVINGS, MarchProgress};
 use super::{StepError, Stepper, TimeStep};
-use crate::solve::{Hysteresis, Instant, NewtonError, Progressing, Sink, State};
+use crate::solve::{AcceptedStep, Hysteresis, NewtonError, Progressing, Sink, State};
 
 /// Greatest number of times a step is halved for accuracy. Across a discontinuity of force shorter steps are no more
 /// accurate, since the estimate there falls with the step and not with its square.
@@ -39,8 +39,6 @@ pub(super) struct WholeStep {
     pub(super) dt: f64,
     /// End, without the rounding of a sum \[s\].
     pub(super) end: f64,
-    /// Whether the end is an output time.
-    pub(super) output: bool,
 }
 
 impl WholeStep {
@@ -56,41 +54,41 @@ impl WholeStep {
         state: &mut State,
         sink: &mut dyn Sink,
     ) -> Result<Progressing, MarchError> {
-        let mut done = 0_u64;
-        while done < 1 << progress.level {
+        // What was taken of it before the march was stopped counts.
+        while progress.done < 1 << progress.level {
             let dt = self.dt / (1_u64 << progress.level) as f64;
-            let t = self.from + done as f64 * dt;
+            let t = self.from + progress.done as f64 * dt;
             let reject = progress.level < MAX_HALVINGS_FOR_ACCURACY;
             match method.step(system, TimeStep { t, dt, reject }, state) {
                 Ok(error) => {
-                    done += 1;
+                    progress.done += 1;
                     progress.steps += 1;
                     progress.halved[progress.level as usize] += 1;
-                    let last = done == 1 << progress.level;
+                    let last = progress.done == 1 << progress.level;
                     let time = if last {
                         self.end
                     } else {
-                        self.from + done as f64 * dt
+                        self.from + progress.done as f64 * dt
                     };
                     system.commit(time, dt, state);
-                    let instant = Instant {
+                    let instant = AcceptedStep {
                         time,
                         state,
                         steps: progress.steps,
-                        output: last && self.output,
+                        whole: last,
                     };
+                    let joins = progress.level > 0 && progress.done.is_multiple_of(2);
+                    if joins && error < DOUBLING_ERROR {
+                        progress.done /= 2;
+                        progress.level -= 1;
+                    }
                     if sink.accept(instant) == Progressing::Stop {
                         return Ok(Progressing::Stop);
-                    }
-                    let joins = progress.level > 0 && done.is_multiple_of(2);
-                    if joins && error < DOUBLING_ERROR {
-                        done /= 2;
-                        progress.level -= 1;
                     }
                 }
                 Err(why) => {
                     halve(why, t, dt, progress)?;
-                    done *= 2;
+                    progress.done *= 2;
                 }
             }
         }

@@ -30,6 +30,14 @@ pub trait Stepper<S>: Integrator {
 
     /// Restarts the method at time t \[s\] where the system has changed and its forces are discontinuous.
     fn restart(&mut self, system: &S, t: f64, state: &mut State);
+
+    /// Passes a kink of the prescribed motion at time t \[s\]
+    /// ([`Kinematics::pass_kink`](crate::solve::Kinematics::pass_kink)), and continues the method after it. Returns whether a
+    /// velocity jumps.
+    ///
+    /// Positions are continuous, and the velocities of free nodes are too: a prescribed node has no inertia that counts. The forces
+    /// that depend on its velocity, the axial damping of the segment at it, jump with it, and so do the accelerations of free nodes.
+    fn pass_kink(&mut self, system: &S, t: f64, state: &mut State) -> bool;
 }
 
 /// A step to take.

@@ -63,7 +63,7 @@ pub fn lowest(pencil: &mut Pencil, count: usize) -> Result<Vec<Eigenpair>, Eigen
     }
     let wanted = (count.max(1) + BEYOND).min(size);
     let shift = shift_below_all(pencil)?;
-    let mut band = Krylov::new(pencil, shift, size);
+    let mut band = KrylovBasis::new(pencil, shift, size);
     let most = size.min(8 * wanted + 80);
     let mut found = 0;
     while band.solved < most && band.grow(pencil)? {
@@ -102,7 +102,7 @@ fn shift_below_all(pencil: &mut Pencil) -> Result<f64, EigenError> {
 }
 
 /// Whether the number of eigenvalues below a bound just above the highest wanted one is that of the pairs found.
-fn none_missing(pencil: &mut Pencil, pairs: &[Ritz], wanted: usize) -> bool {
+fn none_missing(pencil: &mut Pencil, pairs: &[RitzPair], wanted: usize) -> bool {
     let highest = pairs[wanted - 1].value;
     let above = highest + MARGIN * highest.abs();
     let here = pairs.iter().filter(|pair| pair.value < above).count();
@@ -110,14 +110,14 @@ fn none_missing(pencil: &mut Pencil, pairs: &[Ritz], wanted: usize) -> bool {
 }
 
 /// A Ritz pair: eigenvalue, vector in the basis, relative residual.
-struct Ritz {
+struct RitzPair {
     value: f64,
     weights: Vec<f64>,
     left: f64,
 }
 
 /// The growing basis, and the image of A in it.
-struct Krylov {
+struct KrylovBasis {
     shift: f64,
     basis: Vec<Vec<V3>>,
     /// `columns[j][i]`: the part of A times vector j along vector i.
@@ -125,7 +125,7 @@ struct Krylov {
     solved: usize,
 }
 
-impl Krylov {
+impl KrylovBasis {
     fn new(pencil: &Pencil, shift: f64, size: usize) -> Self {
         let mut band = Self {
             shift,
@@ -133,7 +133,7 @@ impl Krylov {
             columns: Vec::new(),
             solved: 0,
         };
-        let mut numbers = Numbers(0x9E37_79B9_7F4A_7C15);
+        let mut numbers = Xorshift(0x9E37_79B9_7F4A_7C15);
         for _ in 0..BLOCK.min(size) {
             let mut start = vec![V3::zeros(); pencil.nodes()];
             for i in pencil.free() {
@@ -190,7 +190,7 @@ impl Krylov {
     }
 
     /// The Ritz pairs, lowest first, and how many of the first `wanted` have converged.
-    fn pairs(&self, wanted: usize) -> (Vec<Ritz>, usize) {
+    fn pairs(&self, wanted: usize) -> (Vec<RitzPair>, usize) {
         let n = self.solved;
         let part = |j: usize, i: usize| self.columns[j].get(i).copied().unwrap_or(0.0);
         let image = DMatrix::from_fn(n, n, |i, j| 0.5 * (part(j, i) + part(i, j)));
@@ -203,13 +203,13 @@ impl Krylov {
                 along.sum::<f64>().powi(2)
             });
             let theta = eigen.eigenvalues[k];
-            Ritz {
+            RitzPair {
                 value: self.shift + 1.0 / theta,
                 left: left.sum::<f64>().sqrt() / theta.abs(),
                 weights,
             }
         };
-        let mut pairs: Vec<Ritz> = (0..n)
+        let mut pairs: Vec<RitzPair> = (0..n)
             .filter(|k| eigen.eigenvalues[*k] > 0.0)
             .map(ritz)
             .collect();
@@ -219,8 +219,8 @@ impl Krylov {
         (pairs, good)
     }
 
-    fn vectors(&self, pairs: &[Ritz]) -> Vec<Eigenpair> {
-        let combine = |pair: &Ritz| {
+    fn vectors(&self, pairs: &[RitzPair]) -> Vec<Eigenpair> {
+        let combine = |pair: &RitzPair| {
             let mut vector = vec![V3::zeros(); self.basis[0].len()];
             for (weight, basis) in pair.weights.iter().zip(&self.basis) {
                 for (x, b) in vector.iter_mut().zip(basis) {
@@ -237,9 +237,9 @@ impl Krylov {
 }
 
 /// Numbers between -1 and 1 that look random and are the same every time (xorshift).
-struct Numbers(u64);
+struct Xorshift(u64);
 
-impl Numbers {
+impl Xorshift {
     fn next(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;

@@ -9,7 +9,7 @@
 //! * [`Pencil`]: K and M of a scene at rest.
 //! * [`lowest`]: their lowest eigenpairs, by a shift-invert block Lanczos method with a count that none is missing.
 //! * [`Mode`]: an eigenpair with its kind: share of motion out of the plane of the line and along the line, half waves.
-//! * [`Medium`]: local wave numbers, amplitudes and frequencies by WKB theory.
+//! * [`WkbMedium`]: local wave numbers, amplitudes and frequencies by WKB theory.
 //! * [`of_case`]: all of it for a case, errors estimated from half the mesh.
 
 mod lanczos;
@@ -20,6 +20,6 @@ mod wkb;
 
 pub use lanczos::{EigenError, Eigenpair, lowest};
 pub use line_modes::{LineModes, ModesError, NamedMode, of_case};
-pub use mode_shape::{Mode, ModeKind, Plane, modes_of};
+pub use mode_shape::{LinePlane, Mode, ModeKind, modes_of};
 pub use pencil::Pencil;
-pub use wkb::{Medium, Wave, wave_number};
+pub use wkb::{WkbMedium, WkbWave, wave_number};

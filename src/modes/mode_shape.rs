@@ -14,12 +14,12 @@ const FAINT: f64 = 0.02;
 
 /// The plane of a line at rest, or the nearest to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Plane {
+pub struct LinePlane {
     /// Its unit normal.
     pub normal: V3,
 }
 
-impl Plane {
+impl LinePlane {
     /// The plane nearest to these points; of a straight line the upright one, of an upright line that of x and z.
     #[must_use]
     pub fn of(points: &[V3]) -> Self {
@@ -49,7 +49,7 @@ impl Plane {
     }
 }
 
-impl Plane {
+impl LinePlane {
     /// Unit vectors across a line through these points, in the plane.
     #[must_use]
     pub fn across(&self, points: &[V3]) -> Vec<V3> {
@@ -115,7 +115,7 @@ impl Mode {
 /// Describes eigenpairs of a line whose nodes lie at these points.
 #[must_use]
 pub fn modes_of(pencil: &Pencil, points: &[V3], mut pairs: Vec<Eigenpair>) -> Vec<Mode> {
-    let plane = Plane::of(points);
+    let plane = LinePlane::of(points);
     let tangents = tangents(points);
     let mut from = 0;
     while from < pairs.len() {
@@ -135,7 +135,7 @@ pub fn modes_of(pencil: &Pencil, points: &[V3], mut pairs: Vec<Eigenpair>) -> Ve
 }
 
 /// Turns the vectors of one eigenvalue so that they lie in the plane or out of it, as far as they can.
-fn separate(pencil: &Pencil, plane: &Plane, pairs: &mut [Eigenpair]) {
+fn separate(pencil: &Pencil, plane: &LinePlane, pairs: &mut [Eigenpair]) {
     if pairs.len() < 2 {
         return;
     }
@@ -163,7 +163,7 @@ fn separate(pencil: &Pencil, plane: &Plane, pairs: &mut [Eigenpair]) {
     }
 }
 
-fn describe(pencil: &Pencil, plane: &Plane, tangents: &[V3], pair: Eigenpair) -> Mode {
+fn describe(pencil: &Pencil, plane: &LinePlane, tangents: &[V3], pair: Eigenpair) -> Mode {
     let whole = pencil.mass_product(&pair.vector, &pair.vector);
     let share = |directions: &dyn Fn(usize) -> V3| {
         let vector = &pair.vector;

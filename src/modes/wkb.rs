@@ -33,7 +33,7 @@ pub fn wave_number(tension: f64, ei: f64, mass: f64, omega: f64) -> f64 {
 
 /// The medium of a wave: a line at rest, node by node.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Medium {
+pub struct WkbMedium {
     /// Arc length from end A, stretched \[m\].
     pub arc: Vec<f64>,
     /// Tension \[N\].
@@ -46,7 +46,7 @@ pub struct Medium {
 
 /// A wave of one frequency along a medium, node by node.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Wave {
+pub struct WkbWave {
     /// Local wave number \[1/m\].
     pub number: Vec<f64>,
     /// Phase from end A \[rad\].
@@ -55,7 +55,7 @@ pub struct Wave {
     pub amplitude: Vec<f64>,
 }
 
-impl Medium {
+impl WkbMedium {
     /// The line of a scene at rest; none if it is slack somewhere without bending stiffness.
     #[must_use]
     pub fn of(scene: &Scene, rest: &State) -> Option<Self> {
@@ -73,7 +73,7 @@ impl Medium {
             0.5 * (before + after)
         };
         let pencil = Pencil::new(scene, rest);
-        let plane = super::Plane::of(&rest.x[..nodes]);
+        let plane = super::LinePlane::of(&rest.x[..nodes]);
         let across: Vec<V3> = plane.across(&rest.x[..nodes]);
         let mass = |i: usize| across[i].dot(&(pencil.mass(i) * across[i])) / held(i);
         // Bodies at an end are no part of the medium.
@@ -93,7 +93,7 @@ impl Medium {
 
     /// A wave of angular frequency omega \[rad/s\].
     #[must_use]
-    pub fn wave(&self, omega: f64) -> Wave {
+    pub fn wave(&self, omega: f64) -> WkbWave {
         let nodes = 0..self.arc.len();
         let number: Vec<f64> = nodes
             .clone()
@@ -102,7 +102,7 @@ impl Medium {
         let flux = |i: usize| number[i] * (2.0 * self.ei[i] * number[i].powi(2) + self.tension[i]);
         let bare: Vec<f64> = nodes.map(|i| flux(i).powf(-0.5)).collect();
         let most = bare.iter().copied().fold(0.0, f64::max);
-        Wave {
+        WkbWave {
             phase: cumulative_trapezoid(&self.arc, &number),
             amplitude: bare.iter().map(|a| a / most).collect(),
             number,
@@ -136,11 +136,11 @@ impl Medium {
 mod tests {
     use super::*;
 
-    fn medium(nodes: usize, tension: impl Fn(f64) -> f64, ei: f64) -> Medium {
+    fn medium(nodes: usize, tension: impl Fn(f64) -> f64, ei: f64) -> WkbMedium {
         let arc: Vec<f64> = (0..nodes)
             .map(|i| 100.0 * i as f64 / (nodes - 1) as f64)
             .collect();
-        Medium {
+        WkbMedium {
             tension: arc.iter().map(|s| tension(*s)).collect(),
             ei: vec![ei; nodes],
             mass: vec![2.0; nodes],

@@ -30,7 +30,7 @@ const SHORTEST: usize = 6;
 #[derive(Debug, Clone)]
 pub(super) struct BothEnds {
     /// Rows taken out, from the ends inwards; `taken` of them by the last elimination.
-    rows: Vec<Row>,
+    rows: Vec<EliminatedRow>,
     taken: usize,
     /// The nodes between.
     middle: BlockBand,
@@ -38,7 +38,7 @@ pub(super) struct BothEnds {
 
 /// A row of either chain, taken out: `x[k] = y - near x[k + 1] - far x[k + 2]`.
 #[derive(Debug, Clone, Copy)]
-struct Row {
+struct EliminatedRow {
     near: TwoM3,
     far: TwoM3,
     y: TwoV3,
@@ -46,7 +46,7 @@ struct Row {
 }
 
 /// The next row of a chain and the one after it, as the rows taken out before have left them.
-struct Front<T> {
+struct PendingRows<T> {
     next: Matrix3<T>,
     /// Couples the next row to the one after.
     upper: Matrix3<T>,
@@ -60,7 +60,7 @@ struct Front<T> {
 impl BothEnds {
     /// Storage for a line of so many nodes; none for one that is too short.
     pub(super) fn new(nodes: usize) -> Option<Box<Self>> {
-        let nothing = Row {
+        let nothing = EliminatedRow {
             near: TwoM3::repeat(Two::ZERO),
             far: TwoM3::repeat(Two::ZERO),
             y: TwoV3::repeat(Two::ZERO),
@@ -92,12 +92,12 @@ impl BothEnds {
             return None;
         }
         let taken = (range.len() - FEWEST_BETWEEN) / 2;
-        let ends = Ends {
+        let ends = TwoEnded {
             band,
             first: range.start,
             last: range.end - 1,
         };
-        let mut front = Front::new(&ends, 0, r);
+        let mut front = PendingRows::new(&ends, 0, r);
         for (k, row) in self.rows[..taken].iter_mut().enumerate() {
             let least = ends.least(k);
             *row = front.take_out::<WIDE>(&ends, k, r);
@@ -123,8 +123,8 @@ impl BothEnds {
     /// Solves for the nodes between, `taken` rows from the ends.
     fn solve_between(
         &mut self,
-        front: &Front<Two>,
-        ends: &Ends,
+        front: &PendingRows<Two>,
+        ends: &TwoEnded,
         taken: usize,
         r: &mut [V3],
     ) -> Option<()> {
@@ -146,7 +146,7 @@ impl BothEnds {
         let mut sum = [V3::zeros(); MOST_BETWEEN];
         let sum = &mut sum[..n];
         sum.copy_from_slice(&r[first..=last]);
-        let was = Front::new(ends, taken, r);
+        let was = PendingRows::new(ends, taken, r);
         let [down, up] = [0, 1].map(|lane| front.lane(lane).minus(&was.lane(lane)));
         middle.diag[0] += down.next;
         middle.upper[0] += down.upper;
@@ -174,7 +174,7 @@ impl BothEnds {
     }
 
     /// Spreads the solution from the nodes between to the ends.
-    fn spread<const WIDE: bool>(&self, ends: &Ends, r: &mut [V3]) {
+    fn spread<const WIDE: bool>(&self, ends: &TwoEnded, r: &mut [V3]) {
         let mut near = ends.vectors(self.taken, r);
         let mut far = ends.vectors(self.taken + 1, r);
         for (k, row) in self.rows[..self.taken].iter().enumerate().rev() {
@@ -189,9 +189,9 @@ impl BothEnds {
     }
 }
 
-impl Front<Two> {
+impl PendingRows<Two> {
     /// The k-th rows and those after them as they are in the matrix.
-    fn new(ends: &Ends, k: usize, r: &[V3]) -> Self {
+    fn new(ends: &TwoEnded, k: usize, r: &[V3]) -> Self {
         Self {
             next: ends.diag(k),
             upper: ends.upper(k),
@@ -204,7 +204,7 @@ impl Front<Two> {
 
     /// Takes the next rows, the k-th, out of the two that follow.
     #[inline(always)]
-    fn take_out<const WIDE: bool>(&mut self, ends: &Ends, k: usize, r: &[V3]) -> Row {
+    fn take_out<const WIDE: bool>(&mut self, ends: &TwoEnded, k: usize, r: &[V3]) -> EliminatedRow {
         let lu = Lu::new(&self.next);
         let near = lu.solve_block(&self.upper);
         let y = lu.solve(&self.next_r);
@@ -223,7 +223,7 @@ impl Front<Two> {
             self.after = minus_product(self.after, &below, &far);
             self.after_r = minus_applied(self.after_r, &below, &y);
         }
-        Row {
+        EliminatedRow {
             near,
             far,
             y,
@@ -232,10 +232,10 @@ impl Front<Two> {
     }
 
     /// Those of one chain.
-    fn lane(&self, lane: usize) -> Front<f64> {
+    fn lane(&self, lane: usize) -> PendingRows<f64> {
         let block = |m: &TwoM3| lanes::block(m, lane);
         let vector = |v: &TwoV3| lanes::vector(v, lane);
-        Front {
+        PendingRows {
             next: block(&self.next),
             upper: block(&self.upper),
             lower: block(&self.lower),
@@ -246,7 +246,7 @@ impl Front<Two> {
     }
 }
 
-impl Front<f64> {
+impl PendingRows<f64> {
     fn minus(&self, was: &Self) -> Self {
         Self {
             next: self.next - was.next,
@@ -260,13 +260,13 @@ impl Front<f64> {
 }
 
 /// A matrix read from both ends of a range: k counts nodes from either end.
-struct Ends<'a> {
+struct TwoEnded<'a> {
     band: &'a BlockBand,
     first: usize,
     last: usize,
 }
 
-impl Ends<'_> {
+impl TwoEnded<'_> {
     #[inline(always)]
     fn diag(&self, k: usize) -> TwoM3 {
         self.blocks(k, &self.band.diag, &self.band.diag)

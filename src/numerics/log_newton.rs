@@ -19,7 +19,7 @@ const LIMIT: u32 = 200;
 
 /// An increasing function at one point.
 #[derive(Debug, Clone, Copy)]
-pub struct Sample {
+pub struct FunctionSample {
     /// Its value.
     pub value: f64,
     /// Derivative with respect to the logarithm of the unknown.
@@ -35,7 +35,7 @@ pub struct Sample {
 pub fn increasing_root(
     guess: f64,
     upper: f64,
-    mut eval: impl FnMut(f64) -> Sample,
+    mut eval: impl FnMut(f64) -> FunctionSample,
 ) -> Option<Root> {
     let (mut low, mut high) = (0.0_f64, upper);
     let mut x = guess.clamp(1e-300, upper);
@@ -87,8 +87,8 @@ fn middle(low: f64, high: f64, x: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn sample(value: f64, log_slope: f64) -> Sample {
-        Sample {
+    fn sample(value: f64, log_slope: f64) -> FunctionSample {
+        FunctionSample {
             value,
             log_slope,
             scale: 0.0,

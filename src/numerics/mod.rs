@@ -2,7 +2,7 @@
 //!
 //! * [`BlockBand`]: block-banded systems of 3 x 3 blocks, eliminated from both ends in two [`lanes`].
 //! * [`roots`], [`log_newton`], [`root_isolation`], [`golden_section`](mod@golden_section): roots and minima of one unknown.
-//! * [`interpolation`], [`spline`], [`quadrature`]: tables over an ascending grid.
+//! * [`interpolation`], [`spline`], [`piecewise`], [`quadrature`]: tables over an ascending grid.
 //! * [`statistics`], [`random`]: moments and extremes of records; reproducible random numbers.
 //! * [`double_double`], [`hyperbolic`]: arithmetic of 32 digits; hyperbolic functions without cancellation.
 
@@ -15,6 +15,7 @@ pub mod interpolation;
 pub mod lanes;
 pub mod log_newton;
 mod lu;
+pub mod piecewise;
 pub mod quadrature;
 pub mod random;
 pub mod root_isolation;

@@ -17,7 +17,7 @@ pub trait BoundedCurvature {
 
 /// Where a function is zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Root {
+pub enum IsolatedRoot {
     /// At a point.
     Point(f64),
     /// From one point to another, to rounding: an interval where it vanishes, or a short one where it touches zero.
@@ -30,7 +30,7 @@ const MOST: usize = 200_000;
 /// All roots between neighbouring `knots`, which ascend, in ascending order; `None` when the function is not finite or
 /// varies too fast to be bounded.
 #[must_use]
-pub fn isolate_roots(f: &impl BoundedCurvature, knots: &[f64]) -> Option<Vec<Root>> {
+pub fn isolate_roots(f: &impl BoundedCurvature, knots: &[f64]) -> Option<Vec<IsolatedRoot>> {
     let mut found = Vec::new();
     let mut open: Vec<(f64, f64)> = knots
         .windows(2)
@@ -59,10 +59,10 @@ pub fn isolate_roots(f: &impl BoundedCurvature, knots: &[f64]) -> Option<Vec<Roo
             continue;
         }
         if slope.abs() > curvature * half && reach > f.rounding() {
-            found.extend(crossing(f, a, b).map(Root::Point));
+            found.extend(crossing(f, a, b).map(IsolatedRoot::Point));
         } else if reach + value.abs() <= 4.0 * f.rounding() || half <= 1e-12 * (1.0 + middle.abs())
         {
-            found.push(Root::Interval(a, b));
+            found.push(IsolatedRoot::Interval(a, b));
         } else {
             open.push((middle, b));
             open.push((a, middle));
@@ -105,23 +105,23 @@ fn refined(f: &impl BoundedCurvature, mut bracket: Bracket, sign: f64) -> f64 {
 }
 
 /// Joins neighbours that are the same zero.
-fn joined(found: Vec<Root>) -> Vec<Root> {
+fn joined(found: Vec<IsolatedRoot>) -> Vec<IsolatedRoot> {
     const SAME: f64 = 1e-9;
-    let mut out: Vec<Root> = Vec::new();
+    let mut out: Vec<IsolatedRoot> = Vec::new();
     for zero in found {
         let (from, to) = match zero {
-            Root::Point(x) => (x, x),
-            Root::Interval(a, b) => (a, b),
+            IsolatedRoot::Point(x) => (x, x),
+            IsolatedRoot::Interval(a, b) => (a, b),
         };
         match out.last_mut() {
-            Some(Root::Point(x)) if from - *x <= SAME => {
+            Some(IsolatedRoot::Point(x)) if from - *x <= SAME => {
                 let start = *x;
                 if to > from {
                     out.pop();
-                    out.push(Root::Interval(start, to));
+                    out.push(IsolatedRoot::Interval(start, to));
                 }
             }
-            Some(Root::Interval(_, end)) if from - *end <= SAME => *end = end.max(to),
+            Some(IsolatedRoot::Interval(_, end)) if from - *end <= SAME => *end = end.max(to),
             _ => out.push(zero),
         }
     }
@@ -133,9 +133,9 @@ mod tests {
     use super::*;
 
     /// A polynomial, lowest power first.
-    struct Poly(Vec<f64>);
+    struct Polynomial(Vec<f64>);
 
-    impl BoundedCurvature for Poly {
+    impl BoundedCurvature for Polynomial {
         fn at(&self, x: f64) -> (f64, f64) {
             let mut sum = (0.0, 0.0);
             for c in self.0.iter().rev() {
@@ -155,10 +155,10 @@ mod tests {
         }
     }
 
-    fn points(zeros: &[Root]) -> Vec<f64> {
+    fn points(zeros: &[IsolatedRoot]) -> Vec<f64> {
         let each = zeros.iter().map(|z| match z {
-            Root::Point(x) => *x,
-            Root::Interval(a, b) => 0.5 * (a + b),
+            IsolatedRoot::Point(x) => *x,
+            IsolatedRoot::Interval(a, b) => 0.5 * (a + b),
         });
         each.collect()
     }
@@ -175,18 +175,18 @@ mod tests {
             }
             poly = next;
         }
-        let found = isolate_roots(&Poly(poly), &[-3.0, 0.3, 3.0]).unwrap();
+        let found = isolate_roots(&Polynomial(poly), &[-3.0, 0.3, 3.0]).unwrap();
         let points = points(&found);
         assert_eq!(points.len(), 3, "{found:?}");
         for (x, root) in points.iter().zip([-1.0, 1.0, 2.0]) {
             assert!((x - root).abs() < 1e-4, "{x} {root}");
         }
-        assert!(matches!(found[1], Root::Point(x) if (x - 1.0).abs() < 1e-12));
+        assert!(matches!(found[1], IsolatedRoot::Point(x) if (x - 1.0).abs() < 1e-12));
     }
 
     #[test]
     fn a_function_that_vanishes_is_one_interval() {
-        let found = isolate_roots(&Poly(vec![0.0]), &[0.0, 1.0, 2.0]).unwrap();
-        assert_eq!(found, vec![Root::Interval(0.0, 2.0)]);
+        let found = isolate_roots(&Polynomial(vec![0.0]), &[0.0, 1.0, 2.0]).unwrap();
+        assert_eq!(found, vec![IsolatedRoot::Interval(0.0, 2.0)]);
     }
 }

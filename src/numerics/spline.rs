@@ -20,6 +20,28 @@ pub enum SplineError {
     Order(usize),
 }
 
+/// Whether points are a table: two or more, at ascending times.
+pub(super) fn check_points(points: &[(f64, V3)]) -> Result<(), SplineError> {
+    if points.len() < 2 {
+        return Err(SplineError::Short);
+    }
+    let late = points.windows(2).position(|p| p[1].0 <= p[0].0);
+    late.map_or(Ok(()), |i| Err(SplineError::Order(i + 1)))
+}
+
+/// By how much a spline leaves the range of two neighbouring points that turn nowhere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Overshoot {
+    /// The axis, 0 to 2.
+    pub axis: usize,
+    /// When it is farthest out \[s\].
+    pub time: f64,
+    /// How far \[m\].
+    pub distance: f64,
+    /// By the range of all points along the axis \[-\].
+    pub share: f64,
+}
+
 /// A smooth path through points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spline {
@@ -35,12 +57,7 @@ impl Spline {
     /// # Errors
     /// [`SplineError`] when there are too few points or times do not ascend.
     pub fn through(points: &[(f64, V3)]) -> Result<Self, SplineError> {
-        if points.len() < 2 {
-            return Err(SplineError::Short);
-        }
-        if let Some(i) = points.windows(2).position(|p| p[1].0 <= p[0].0) {
-            return Err(SplineError::Order(i + 1));
-        }
+        check_points(points)?;
         let (time, position): (Vec<f64>, Vec<V3>) = points.iter().copied().unzip();
         let acceleration = accelerations(&time, &position);
         Ok(Self {
@@ -74,6 +91,64 @@ impl Spline {
         } else {
             (x + v * (t - inside), v, V3::zeros())
         }
+    }
+
+    /// The greatest overshoot until a time \[s\], by the range of its axis: how far the path leaves the range of two neighbouring
+    /// points. It is none where the points around them show a peak between the two (they rise before and fall after, or the
+    /// reverse, and the two differ): the path has one there with reason.
+    #[must_use]
+    pub fn overshoot(&self, until: f64) -> Option<Overshoot> {
+        let pieces = (1..self.time.len()).filter(|i| self.time[i - 1] < until);
+        let each = pieces.flat_map(|i| (0..3).filter_map(move |axis| self.overshoot_on(i, axis)));
+        each.reduce(|a, b| if b.share > a.share { b } else { a })
+    }
+
+    /// The overshoot along an axis on the piece that ends at point i.
+    fn overshoot_on(&self, i: usize, axis: usize) -> Option<Overshoot> {
+        let x = |i: usize| self.position[i][axis];
+        let rise = |i: usize| {
+            if i < self.time.len() {
+                x(i) - x(i - 1)
+            } else {
+                0.0
+            }
+        };
+        let before = if i > 1 { rise(i - 1) } else { 0.0 };
+        if before * rise(i + 1) < 0.0 && rise(i) != 0.0 {
+            return None;
+        }
+        let all = || self.position.iter().map(|p| p[axis]);
+        let range = all().fold(f64::MIN, f64::max) - all().fold(f64::MAX, f64::min);
+        let (low, high) = (x(i - 1).min(x(i)), x(i - 1).max(x(i)));
+        let out = self.turns(i, axis).into_iter().map(|time| {
+            let there = self.piece(i, time).0[axis];
+            (time, (low - there).max(there - high))
+        });
+        let (time, distance) = out.reduce(|a, b| if b.1 > a.1 { b } else { a })?;
+        (distance > 0.0 && range > 0.0).then(|| Overshoot {
+            axis,
+            time,
+            distance,
+            share: distance / range,
+        })
+    }
+
+    /// The times on the piece that ends at point i at which the velocity along an axis vanishes: roots of a parabola, the
+    /// larger first and the other by their product, which loses no digits.
+    fn turns(&self, i: usize, axis: usize) -> Vec<f64> {
+        let h = self.time[i] - self.time[i - 1];
+        let (a0, a1) = (self.acceleration[i - 1][axis], self.acceleration[i][axis]);
+        let chord = (self.position[i][axis] - self.position[i - 1][axis]) / h;
+        let (square, first) = (0.5 * h * (a1 - a0), h * a0);
+        let constant = chord - h * (a0 / 3.0 + a1 / 6.0);
+        let discriminant = first * first - 4.0 * square * constant;
+        if discriminant < 0.0 {
+            return Vec::new();
+        }
+        let q = -0.5 * (first + discriminant.sqrt().copysign(first));
+        let shares = [q / square, constant / q].into_iter();
+        let inside = shares.filter(|share| (0.0..=1.0).contains(share));
+        inside.map(|share| self.time[i - 1] + share * h).collect()
     }
 
     /// On the piece that ends at point i.
@@ -179,6 +254,29 @@ mod tests {
             assert!((spline.at(t).0 - x).norm() < 1e-12);
             assert!((low.1 - high.1).norm() < 1e-7 && (low.2 - high.2).norm() < 1e-6);
         }
+    }
+
+    #[test]
+    fn overshoots_on_a_ramp_and_hold_and_not_on_a_coarse_sine() {
+        let ramp = [0.0, 0.0, 0.0, 1.0, 1.0, 1.0].map(|x| V3::new(0.0, 0.0, 2.0 * x));
+        let points: Vec<_> = (0..6).map(f64::from).zip(ramp).collect();
+        let spline = Spline::through(&points).unwrap();
+        let found = spline.overshoot(10.0).unwrap();
+        // The greatest of the path by samples.
+        let sampled = (0..=5000).map(|k| spline.at(0.001 * f64::from(k)).0.z);
+        let most = sampled.fold(0.0, f64::max) - 2.0;
+        assert_eq!(found.axis, 2);
+        assert!((found.distance - most).abs() < 1e-5 && (found.share - 0.5 * most).abs() < 1e-5);
+        assert!(most > 0.1, "{most}");
+        let there = spline.at(found.time).0.z;
+        assert!((there - 2.0 - most).abs() < 1e-5 || (-there - most).abs() < 1e-5);
+        // What comes after the run does not count.
+        assert!(spline.overshoot(1.0).unwrap().share < 0.5 * found.share);
+        let sine: Vec<_> = (0..40_i32)
+            .map(|i| (f64::from(i), V3::x() * (0.9 * f64::from(i)).sin()))
+            .collect();
+        let sine = Spline::through(&sine).unwrap();
+        assert!(sine.overshoot(30.0).is_none_or(|found| found.share < 1e-3));
     }
 
     #[test]

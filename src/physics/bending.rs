@@ -28,7 +28,7 @@ pub fn clamp_stiffness(ei: f64, length: f64) -> f64 {
 
 /// The angle between two chords, both side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bend {
+pub struct BendAngle {
     /// Unit tangents.
     t: TwoV3,
     /// 1 / length \[1/m\].
@@ -48,7 +48,7 @@ pub struct BendTangent {
     pub mixed: M3,
 }
 
-impl Bend {
+impl BendAngle {
     /// Between two chords, each by its unit tangent and 1 / length \[1/m\].
     #[inline(always)]
     #[must_use]
@@ -126,7 +126,7 @@ mod tests {
             let parts = |d: &V3| (d.normalize(), 1.0 / d.norm());
             let both = |d1: &V3, d2: &V3| {
                 let (a, b) = (parts(d1), parts(d2));
-                let bend = Bend::new((&a.0, a.1), (&b.0, b.1));
+                let bend = BendAngle::new((&a.0, a.1), (&b.0, b.1));
                 (bend.forces(k), bend.tangent(k))
             };
             let (force, tangent) = both(&d1, &d2);

@@ -4,7 +4,7 @@ use crate::numerics::V3;
 
 /// Velocity of the water.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Current {
+pub enum CurrentProfile {
     /// The same everywhere \[m/s\].
     Uniform(V3),
     /// Velocity at depths below still water, increasing \[m\]; constant beyond both ends.
@@ -16,7 +16,7 @@ pub enum Current {
     },
 }
 
-impl Current {
+impl CurrentProfile {
     /// Greatest speed at any depth \[m/s\].
     #[must_use]
     pub fn max_speed(&self) -> f64 {
@@ -56,7 +56,7 @@ mod tests {
 
     #[test]
     fn straight_between_depths_and_constant_beyond() {
-        let current = Current::Table {
+        let current = CurrentProfile::Table {
             depth: vec![10.0, 30.0],
             velocity: vec![V3::x(), V3::x() * 3.0],
         };

@@ -64,7 +64,7 @@ pub struct Drag<T = f64> {
 
 /// The coefficients of both halves and their slopes by the speeds \[s/m\] at the own and at the other node.
 #[derive(Debug, Clone, Copy)]
-struct Coefficients {
+struct HalfCoefficients {
     value: Two,
     by_own: Two,
     by_other: Two,
@@ -72,13 +72,13 @@ struct Coefficients {
 
 /// Normal and tangential parts of two relative velocities.
 #[derive(Debug, Clone, Copy)]
-struct Split {
+struct VelocityParts {
     un: TwoV3,
     speed: Two,
     ut: Two,
 }
 
-impl Split {
+impl VelocityParts {
     #[inline(always)]
     fn new(t: &TwoV3, u: &TwoV3) -> Self {
         let ut = dot(t, u);
@@ -98,9 +98,9 @@ impl DragProperties {
     #[must_use]
     pub fn drag(&self, t: &V3, u: [&V3; 2], length: f64, held: Option<&[f64; 2]>) -> Drag<Two> {
         let t = lanes::twice(t);
-        let split = Split::new(&t, &lanes::vectors(u[0], u[1]));
+        let split = VelocityParts::new(&t, &lanes::vectors(u[0], u[1]));
         let normal = match held {
-            Some(held) => Coefficients {
+            Some(held) => HalfCoefficients {
                 value: Two::new(*held),
                 by_own: Two::ZERO,
                 by_other: Two::ZERO,
@@ -122,12 +122,12 @@ impl DragProperties {
     /// The normal coefficients of both halves at the relative velocities of the water at its nodes \[m/s\].
     #[must_use]
     pub fn normal_coefficients(&self, t: &V3, u: [&V3; 2]) -> [f64; 2] {
-        let split = Split::new(&lanes::twice(t), &lanes::vectors(u[0], u[1]));
+        let split = VelocityParts::new(&lanes::twice(t), &lanes::vectors(u[0], u[1]));
         self.normal(split.speed).value.to_array()
     }
 
     #[inline(always)]
-    fn normal(&self, speeds: Two) -> Coefficients {
+    fn normal(&self, speeds: Two) -> HalfCoefficients {
         let each = self.each(speeds);
         let beyond = speeds.simd_gt(Two::splat(self.crisis));
         if beyond.any() && !beyond.all() {
@@ -139,9 +139,9 @@ impl DragProperties {
 
     /// The coefficients where the whole segment is on one side of the crisis.
     #[inline(always)]
-    fn each(&self, speeds: Two) -> Coefficients {
+    fn each(&self, speeds: Two) -> HalfCoefficients {
         let (value, by_re) = coefficients(self.normal_law, speeds * self.reynolds);
-        Coefficients {
+        HalfCoefficients {
             value,
             by_own: by_re * self.reynolds,
             by_other: Two::ZERO,
@@ -151,7 +151,7 @@ impl DragProperties {
     /// The coefficients of both halves where the crisis lies at a share x of the segment: the half that holds it
     /// mixes both sides, the other half is wholly on its own side, as `each` has them.
     #[cold]
-    fn astride(&self, speeds: [f64; 2], each: Coefficients) -> Coefficients {
+    fn astride(&self, speeds: [f64; 2], each: HalfCoefficients) -> HalfCoefficients {
         let span = speeds[1] - speeds[0];
         let x = (self.crisis - speeds[0]) / span;
         let x_by = [-(1.0 - x) / span, -x / span];
@@ -169,7 +169,7 @@ impl DragProperties {
             Two::new(all)
         };
         // The branches are flat on both sides of the crisis, so only its place has slopes.
-        Coefficients {
+        HalfCoefficients {
             value: set(each.value, sides[1] + difference * share),
             by_own: set(each.by_own, 2.0 * difference * x_by[mixed]),
             by_other: set(each.by_other, 2.0 * difference * x_by[1 - mixed]),
@@ -180,11 +180,11 @@ impl DragProperties {
     fn both_halves(
         &self,
         t: &TwoV3,
-        split: &Split,
-        normal: &Coefficients,
+        split: &VelocityParts,
+        normal: &HalfCoefficients,
         length: f64,
     ) -> Drag<Two> {
-        let Split { un, speed, ut } = *split;
+        let VelocityParts { un, speed, ut } = *split;
         let sliding = ut.abs();
         let re_t = sliding * self.reynolds;
         let (ct, ct_re) = coefficients(self.tangential_law, re_t);

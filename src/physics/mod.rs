@@ -2,12 +2,12 @@
 //! case file.
 
 pub mod added_mass;
+pub mod bed_friction;
 pub mod bed_reaction;
 pub mod bending;
 pub mod current;
 pub mod drag;
 pub mod drag_law;
-pub mod friction;
 
 pub mod kirchhoff;
 pub mod motion;
@@ -19,10 +19,10 @@ pub mod sea;
 pub mod seabed;
 pub mod tension;
 
-pub use current::Current;
+pub use bed_friction::{Friction, FrictionAnchor};
+pub use current::CurrentProfile;
 pub use drag_law::DragLaw;
-pub use friction::{Friction, Grip};
 pub use motion::EndMotion;
-pub use payload::Body;
+pub use payload::BodyProperties;
 pub use rigid_body::RigidBody;
-pub use seabed::Seabed;
+pub use seabed::ElasticBed;

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use super::ramp::smooth_ramp;
 use super::sea::Harmonics;
 use crate::numerics::V3;
+use crate::numerics::piecewise::PiecewiseCubic;
 use crate::numerics::spline::Spline;
 
 /// Motion of a held end.
@@ -27,6 +28,8 @@ pub enum MotionPath {
     Harmonic(HarmonicMotion),
     /// Along a table of places over time.
     Table(Spline),
+    /// The same with kinks at the rows, where velocity or acceleration jumps.
+    Piecewise(PiecewiseCubic),
     /// In a sum of harmonics: an irregular motion, or that of a vessel in waves.
     Sum(Harmonics),
 }
@@ -54,13 +57,24 @@ impl EndMotion {
     }
 
     /// Position \[m\], velocity \[m/s\] and acceleration \[m/s²\] at time t \[s\]: `x0 + r(t) d(t)`, d the course and r
-    /// rising from 0 to 1 as a quintic with no kink in acceleration.
+    /// rising from 0 to 1 as a quintic with no kink in acceleration. At a kink they are those after it.
     #[must_use]
     pub fn at(&self, t: f64) -> (V3, V3, V3) {
+        let piece = match &self.course {
+            MotionPath::Piecewise(path) => path.piece_at(t),
+            _ => 0,
+        };
+        self.on_piece(piece, t)
+    }
+
+    /// The same on a piece of the course between two kinks, the first of which is 0.
+    #[must_use]
+    pub fn on_piece(&self, piece: usize, t: f64) -> (V3, V3, V3) {
         let (d, v, a) = match &self.course {
             MotionPath::Still => return (self.position, V3::zeros(), V3::zeros()),
             MotionPath::Harmonic(swing) => swing.at(t),
             MotionPath::Table(spline) => spline.at(t),
+            MotionPath::Piecewise(path) => path.on_piece(piece, t),
             MotionPath::Sum(harmonics) => harmonics.at(t),
         };
         let (r, r1, r2) = smooth_ramp(t, self.ramp);
@@ -79,8 +93,50 @@ impl EndMotion {
             MotionPath::Still => None,
             MotionPath::Harmonic(swing) => (swing.omega > 0.0).then(|| TAU / swing.omega),
             MotionPath::Table(spline) => Some(2.0 * spline.finest()),
+            MotionPath::Piecewise(path) => Some(2.0 * path.finest()),
             MotionPath::Sum(harmonics) => harmonics.middle_of_acceleration().map(|w| TAU / w),
         }
+    }
+}
+
+impl EndMotion {
+    /// The longest step that sees its course \[s\]: `steps` a period, or the interval of a table, whose error the step control
+    /// knows; where steps end at kinks half of a usual piece, so that a companion of twice the step differs; nothing for an end that stands still.
+    #[must_use]
+    pub fn longest_step(&self, steps: f64) -> Option<f64> {
+        match &self.course {
+            MotionPath::Table(spline) => Some(spline.finest()),
+            MotionPath::Piecewise(path) => Some(0.5 * path.median_piece()),
+            _ => self.period().map(|period| period / steps),
+        }
+    }
+
+    /// Time of the kink at the end of a piece of the course \[s\]; infinite where there is none.
+    #[must_use]
+    pub fn next_kink(&self, piece: usize) -> f64 {
+        match &self.course {
+            MotionPath::Piecewise(path) => path.next_kink(piece),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Whether the velocity jumps at the end of a piece of the course.
+    #[must_use]
+    pub fn velocity_jumps(&self, piece: usize) -> bool {
+        matches!(&self.course, MotionPath::Piecewise(path) if path.velocity_jumps(piece))
+    }
+
+    /// How far it goes from its position \[m\], and its greatest speed \[m/s\], sampled over this duration \[s\].
+    #[must_use]
+    pub fn extent(&self, duration: f64) -> (f64, f64) {
+        const SAMPLES: usize = 200;
+        let (mut far, mut fast) = (0.0_f64, 0.0_f64);
+        for k in 0..=SAMPLES {
+            let (x, v, _) = self.at(duration * k as f64 / SAMPLES as f64);
+            far = far.max((x - self.position).norm());
+            fast = fast.max(v.norm());
+        }
+        (far, fast)
     }
 }
 
@@ -119,10 +175,12 @@ mod tests {
             .map(|i| (f64::from(i), V3::new(0.0, f64::from(i * i % 7), 1.0)))
             .collect();
         let spline = Spline::through(&points).unwrap();
+        let monotone = PiecewiseCubic::monotone(&points).unwrap();
         for course in [
             MotionPath::Harmonic(swing),
             MotionPath::Sum(sum),
             MotionPath::Table(spline),
+            MotionPath::Piecewise(monotone),
         ] {
             let motion = EndMotion {
                 position: V3::new(1.0, 2.0, 3.0),

@@ -10,7 +10,7 @@ use crate::numerics::{M3, V3};
 
 /// A body, in SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Body {
+pub struct BodyProperties {
     /// Mass in air \[kg\].
     pub mass: f64,
     /// Weight in water \[N\], positive down.
@@ -21,7 +21,7 @@ pub struct Body {
     pub added: V3,
 }
 
-impl Body {
+impl BodyProperties {
     /// Drag \[N\] at relative velocity u of the water \[m/s\].
     #[inline]
     #[must_use]
@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn drag_tangent_is_the_finite_difference() {
-        let body = Body {
+        let body = BodyProperties {
             mass: 1.0,
             weight: 0.0,
             drag: V3::new(2.0, 3.0, 5.0),

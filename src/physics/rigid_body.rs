@@ -16,7 +16,7 @@
 //! its own, it resists turning too. Gauss's rule takes four strips on either side of the centre.
 
 use super::kirchhoff::KirchhoffAddedMass;
-use super::tension::Axial;
+use super::tension::AxialConstants;
 use crate::numerics::{M3, V3};
 
 /// What the rod stretches by under the body's weight, as a share of its length. A rod that were rigid to the last digit
@@ -133,12 +133,12 @@ impl RigidBody {
 
     /// The rod: stiff enough to stretch by a millionth of its length under the body's weight, its ringing damped.
     #[must_use]
-    pub fn rod(&self) -> Axial {
+    pub fn rod(&self) -> AxialConstants {
         let [near, far] = self.mass;
         let ea = (near + far) * GRAVITY / STRETCH;
         let together = near * far / (near + far);
         let damping = 2.0 * RINGING * (ea * self.reach * together).sqrt();
-        Axial::new(self.reach, ea, damping).bearing_compression(true)
+        AxialConstants::new(self.reach, ea, damping).bearing_compression(true)
     }
 
     /// Shares of the two nodes in what acts at a place on the rod.

@@ -5,13 +5,13 @@
 //! slopes: k is the bed's stiffness per area times the diameter and length of line that the node stands for. Along
 //! the bed acts [`Friction`], where there is any.
 
+use super::bed_friction::Friction;
 use super::bed_reaction::BedReaction;
-use super::friction::Friction;
 use crate::numerics::V3;
 
 /// The bed under the whole line.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Seabed {
+pub struct ElasticBed {
     /// Height of the bed above still water at x = y = 0 \[m\], negative below.
     pub z: f64,
     /// Unit normal, upwards; nothing where the bed is level.
@@ -24,7 +24,7 @@ pub struct Seabed {
     pub friction: Option<Friction>,
 }
 
-impl Seabed {
+impl ElasticBed {
     /// The normal of a bed that rises by `slope` \[rad\] towards an azimuth \[rad\] from +x towards +y; nothing where it
     /// does not rise.
     #[must_use]
@@ -97,7 +97,7 @@ impl Seabed {
 mod tests {
     use super::*;
 
-    const BED: Seabed = Seabed {
+    const BED: ElasticBed = ElasticBed {
         z: -10.0,
         slope: None,
         stiffness: 100.0,
@@ -117,8 +117,8 @@ mod tests {
     #[test]
     fn a_slope_rises_towards_its_azimuth() {
         let (slope, azimuth) = (0.3_f64, 1.2_f64);
-        let bed = Seabed {
-            slope: Seabed::sloping(slope, azimuth),
+        let bed = ElasticBed {
+            slope: ElasticBed::sloping(slope, azimuth),
             ..BED
         };
         let uphill = V3::new(azimuth.cos(), azimuth.sin(), slope.tan());

@@ -5,12 +5,12 @@
 //! that the tension grows from zero, without a jump, when a slack segment comes taut at speed. A material may have
 //! another elastic part than `EA e`: see [`super::rope`].
 
-use super::rope::Elastic;
+use super::rope::ElasticTension;
 use crate::numerics::V3;
 
 /// Axial constants of a segment.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Axial {
+pub struct AxialConstants {
     /// Unstretched length \[m\].
     pub length: f64,
     /// Stiffness EA \[N\]; where the material has a law of its own, a slope that its tension does not exceed.
@@ -76,7 +76,7 @@ impl Tension {
     };
 }
 
-impl Axial {
+impl AxialConstants {
     /// From unstretched length \[m\], stiffness \[N\] and damping \[N s\].
     #[must_use]
     pub fn new(length: f64, ea: f64, damping: f64) -> Self {
@@ -102,6 +102,13 @@ impl Axial {
         Self { law, ..self }
     }
 
+    /// Stiffness of the segment EA / length \[N/m\].
+    #[inline(always)]
+    #[must_use]
+    pub fn stiffness(&self) -> f64 {
+        self.ea * self.inverse
+    }
+
     /// Strain of a segment of this length \[-\].
     #[inline(always)]
     #[must_use]
@@ -123,7 +130,7 @@ impl Axial {
 
     /// The tension of a segment whose elastic part is given.
     #[must_use]
-    pub fn tension_from(&self, chord: &Chord, elastic: Elastic) -> Tension {
+    pub fn tension_from(&self, chord: &Chord, elastic: ElasticTension) -> Tension {
         if elastic.tension <= 0.0 && !self.rod {
             return Tension::NONE;
         }

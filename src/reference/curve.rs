@@ -1,9 +1,9 @@
 //! Comparison of a channel with a published curve: the difference, its numerical error, and a chart of both.
 
-use super::row::{Overlay, ValidationRow};
-use super::value::{ReferenceValue, compare};
+use super::row::{CurveOverlay, ValidationRow};
+use super::value::compare;
 use crate::{
-    case::{At, PublishedCurve},
+    case::{PublishedCurve, StudyPoint},
     run::{Run, RunState, published_curve},
 };
 
@@ -11,29 +11,23 @@ use crate::{
 pub(super) fn row<'r>(
     number: usize,
     curve: &PublishedCurve,
-    lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>,
+    lookup: &dyn Fn(Option<&StudyPoint>) -> Option<&'r Run>,
 ) -> ValidationRow {
-    let reference = ReferenceValue {
-        name: &curve.name,
-        source: &curve.source,
-        value: 0.0,
-        tolerance: curve.tolerance_percent,
-        unit: "% of peak, rms".to_owned(),
-        inputs: curve.inputs,
-        fitted: false,
-        basis: None,
+    let unit = "% of peak, rms".to_owned();
+    let row = ValidationRow {
         at: curve.at.clone(),
-        from: None,
-        by: None,
-        out_of_reach: curve.out_of_reach.as_deref(),
+        published: Some(0.0),
+        tolerance: Some(curve.tolerance_percent),
+        inputs: Some(curve.inputs),
+        ..ValidationRow::not_run(&curve.name, &curve.source, unit)
     };
     let run = lookup(curve.at.as_ref())
         .ok_or_else(|| "This variant of the case has not been run.".to_owned());
     let fit = run.and_then(|run| Ok((run, fit(curve, run)?)));
     let found = fit.as_ref().map_err(String::clone);
     let percent = found.map(|(run, fit)| (fit.percent, error(number, curve, run)));
-    let mut row = compare(reference, percent);
-    row.overlay = Some(overlay(curve, fit.ok()));
+    let mut row = compare(row, curve.out_of_reach.as_deref(), percent);
+    row.overlay = Some(overlay(curve, fit.ok().map(|(_, fit)| fit)));
     row
 }
 
@@ -46,21 +40,18 @@ fn fit(curve: &PublishedCurve, run: &Run) -> Result<published_curve::CurveCompar
 
 /// Numerical error of the difference, where the run estimated it.
 fn error(number: usize, curve: &PublishedCurve, run: &Run) -> Option<f64> {
-    let id = published_curve::difference_id(curve, number)?;
+    let id = published_curve::difference_id(curve, number);
     let difference = run.summary.iter().find(|q| q.id == id)?;
     difference.error_estimate()
 }
 
 /// The points of the curve at the times of the run, as often as they repeat there, beside what the run gives.
-fn overlay(
-    curve: &PublishedCurve,
-    fit: Option<(&Run, published_curve::CurveComparison)>,
-) -> Overlay {
+fn overlay(curve: &PublishedCurve, fit: Option<published_curve::CurveComparison>) -> CurveOverlay {
     let points = published_curve::points(curve);
-    let Some((run, fit)) = fit else {
-        return Overlay {
+    let Some(fit) = fit else {
+        return CurveOverlay {
             channel: curve.channel.clone(),
-            unit: String::new(),
+            unit: "",
             published: points.collect(),
             computed: Vec::new(),
         };
@@ -80,10 +71,9 @@ fn overlay(
         }
     }
     published.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let channel = run.history.channel(&curve.channel);
-    Overlay {
+    CurveOverlay {
         channel: curve.channel.clone(),
-        unit: channel.map_or_else(String::new, |c| c.unit().to_owned()),
+        unit: curve.channel.quantity.unit(),
         published,
         computed: fit.samples,
     }

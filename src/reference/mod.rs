@@ -26,14 +26,14 @@ pub use outcome_counts::{OutcomeCounts, count_outcomes};
 pub use plan::plan;
 pub use published_number::PublishedNumber;
 pub use row::{CalibrationBasis, Outcome, TrendLine, TrendPoint, ValidationRow};
-pub use table::{standing_word, table};
+pub use table::table;
 pub use trend::{TrendStatement, compare_trend};
+pub use value::compare;
 pub(crate) use value::tolerance;
-pub use value::{ReferenceValue, compare};
 pub use variant::{Variant, matches_variant, rows_of_run, variant};
 
 use crate::{
-    case::{At, Case},
+    case::{Case, StudyPoint},
     run::Run,
 };
 
@@ -45,7 +45,7 @@ use crate::{
 #[must_use]
 pub fn rows<'r>(
     case: &Case,
-    lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>,
+    lookup: &dyn Fn(Option<&StudyPoint>) -> Option<&'r Run>,
 ) -> Vec<ValidationRow> {
     let values = case
         .published

@@ -1,13 +1,13 @@
 //! Which variants of a case its published statements need, and how one is made.
 
-use crate::case::{At, Case};
+use crate::case::{Case, StudyPoint};
 
 /// The distinct variants that the published values and trends of a case need, `None` being the case
 /// without a study; in the order in which the file asks for them.
 #[must_use]
-pub fn plan(case: &Case) -> Vec<Option<At>> {
-    let mut variants: Vec<Option<At>> = Vec::new();
-    let mut need = |at: Option<At>| {
+pub fn plan(case: &Case) -> Vec<Option<StudyPoint>> {
+    let mut variants: Vec<Option<StudyPoint>> = Vec::new();
+    let mut need = |at: Option<StudyPoint>| {
         if !variants.contains(&at) {
             variants.push(at);
         }
@@ -26,7 +26,7 @@ pub fn plan(case: &Case) -> Vec<Option<At>> {
     for trend in &case.trend {
         let study = case.study.iter().find(|s| s.name == trend.study);
         for value in study.map_or(&[][..], |s| &s.values) {
-            need(Some(At {
+            need(Some(StudyPoint {
                 study: trend.study.clone(),
                 value: value.clone(),
             }));

@@ -1,9 +1,9 @@
 //! A published number of a file that is computed without a run, and its comparison with the computed one.
 
-use super::{ReferenceValue, ValidationRow, compare, tolerance};
+use super::{ValidationRow, compare, tolerance};
 use crate::case::fields::of;
-use crate::case::schema::table;
-use crate::case::{InvalidValue, Provenance};
+use crate::case::schema::{Key, table};
+use crate::case::{Finding, Provenance};
 
 table! {
     /// A published value and its comparison with the computed one.
@@ -34,52 +34,30 @@ impl PublishedNumber {
     /// The row of the validation table for what was found, with its numerical error where that is known, in this unit.
     #[must_use]
     pub fn held(&self, unit: &str, found: Result<(f64, Option<f64>), String>) -> ValidationRow {
-        let reference = ReferenceValue {
-            name: &self.name,
-            source: &self.source,
-            value: self.value,
-            tolerance: tolerance(self.value, self.tolerance_rel, self.tolerance_abs),
-            unit: unit.to_owned(),
-            inputs: self.inputs,
+        let tolerance = tolerance(self.value, self.tolerance_rel, self.tolerance_abs);
+        let row = ValidationRow {
+            published: Some(self.value),
+            tolerance: Some(tolerance),
+            inputs: Some(self.inputs),
             fitted: self.fitted,
-            basis: None,
-            at: None,
-            from: None,
-            by: None,
-            out_of_reach: self.out_of_reach.as_deref(),
+            ..ValidationRow::not_run(&self.name, &self.source, unit.to_owned())
         };
-        compare(reference, found)
+        compare(row, self.out_of_reach.as_deref(), found)
     }
 }
 
-/// What is wrong with such a list: values without tolerance, and what `unknown` says of their quantities (problem and
-/// remedy). Tables of a list go by their name, or by their number where a name is taken.
-pub(crate) fn invalid_values(
-    list: &[PublishedNumber],
-    unknown: impl Fn(&str) -> Option<(String, String)>,
-) -> Vec<InvalidValue> {
-    let mut wrong = Vec::new();
-    for (i, printed) in list.iter().enumerate() {
-        let taken = list.iter().take(i).any(|p| p.name == printed.name);
-        let name = if taken {
-            (i + 1).to_string()
-        } else {
-            printed.name.clone()
-        };
-        if let Some((problem, remedy)) = unknown(&printed.quantity) {
-            wrong.push(InvalidValue::new(
-                &["published", &name, "quantity"],
-                problem,
-                remedy,
-            ));
-        }
-        if printed.tolerance_rel.is_none() && printed.tolerance_abs.is_none() {
-            wrong.push(InvalidValue::new(
-                &["published", &name],
-                "has no tolerance",
-                "add `tolerance_rel` or `tolerance_abs`",
-            ));
+/// Checks of published numbers: a known quantity, as `unknown` says, and a tolerance.
+pub(crate) fn check(
+    list: &[(String, PublishedNumberKeys<'_>)],
+    unknown: impl Fn(&Key<'_, String>) -> Option<Finding>,
+) -> Vec<Finding> {
+    let mut found = Vec::new();
+    for (_, printed) in list {
+        found.extend(unknown(&printed.quantity));
+        if !printed.tolerance_rel.is_given() && !printed.tolerance_abs.is_given() {
+            let remedy = "add `tolerance_rel` or `tolerance_abs`";
+            found.push(printed.place.finding("has no tolerance", remedy));
         }
     }
-    wrong
+    found
 }

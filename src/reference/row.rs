@@ -2,19 +2,19 @@
 
 use std::fmt;
 
-use crate::case::{At, Direction, Provenance, StudyValue};
+use crate::case::{ChannelId, Direction, Provenance, StudyPoint, StudyValue};
 
 /// A row of the validation table: a published value, trend or curve compared with a run.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct ValidationRow {
     /// What it is, in words.
     pub name: String,
     /// The point of a study it belongs to; absent for the case without a study, and for trends.
-    pub at: Option<At>,
+    pub at: Option<StudyPoint>,
     /// The point of a study that it is a change from; absent where it is no change.
-    pub from: Option<At>,
+    pub from: Option<StudyPoint>,
     /// The point of a study that it is a ratio to; absent where it is none.
-    pub by: Option<At>,
+    pub by: Option<StudyPoint>,
     /// Where it is printed.
     pub source: String,
     /// The published value; absent for trends.
@@ -42,7 +42,7 @@ pub struct ValidationRow {
     /// For a trend: what is expected and the numbers along the study.
     pub trend: Option<TrendLine>,
     /// For a curve: its points beside what the run gives.
-    pub overlay: Option<Overlay>,
+    pub overlay: Option<CurveOverlay>,
 }
 
 impl ValidationRow {
@@ -50,34 +50,20 @@ impl ValidationRow {
     pub(super) fn not_run(name: &str, source: &str, unit: String) -> Self {
         Self {
             name: name.to_owned(),
-            at: None,
-            from: None,
-            by: None,
             source: source.to_owned(),
-            published: None,
-            computed: None,
             unit,
-            error: None,
-            difference: None,
-            tolerance: None,
-            outcome: Outcome::NotRun,
-            inputs: None,
-            fitted: false,
-            basis: None,
-            reason: None,
-            trend: None,
-            overlay: None,
+            ..Self::default()
         }
     }
 }
 
 /// A published curve beside a run, over the times of the run; without a run, as it is published.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Overlay {
+pub struct CurveOverlay {
     /// The channel it is of.
-    pub channel: String,
+    pub channel: ChannelId,
     /// Unit of the values; empty without a run.
-    pub unit: String,
+    pub unit: &'static str,
     /// Times \[s\] and values that are published.
     pub published: Vec<(f64, f64)>,
     /// Times \[s\] and values of the run.
@@ -134,7 +120,7 @@ pub struct TrendPoint {
 }
 
 /// The outcome of a comparison.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Outcome {
     /// Within its tolerance; for a trend: it does as stated.
     Pass,
@@ -143,6 +129,7 @@ pub enum Outcome {
     /// Outside its tolerance, and the case says beforehand why the number is out of reach.
     Differs,
     /// There is no run, or the run does not hold the number.
+    #[default]
     NotRun,
 }
 

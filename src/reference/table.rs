@@ -5,7 +5,7 @@ use crate::{
     case::{Direction, Provenance},
     report::{
         number::{Scale, digits, order, rounded},
-        table::{Cell, CellInk, Column, Table},
+        table::{Align, Cell, CellStyle, Table},
     },
 };
 
@@ -15,63 +15,52 @@ use crate::{
 /// value, its basis and the reason of its outcome.
 #[must_use]
 pub fn table(rows: &[ValidationRow]) -> Table {
-    Table {
-        title: String::new(),
-        columns: vec![
-            Column::left("quantity"),
-            Column::left("outcome"),
-            Column::right("published"),
-            Column::right("computed"),
-            Column::right("error"),
-            Column::right("difference"),
-            Column::right("tolerance"),
-            Column::left("inputs"),
-        ],
-        rows: rows
-            .iter()
-            .enumerate()
-            .map(|(i, row)| cells(i, row))
-            .collect(),
-        notes: rows
-            .iter()
-            .enumerate()
-            .map(|(i, row)| format!("[{}] {}", i + 1, note(row)))
-            .collect(),
+    let numbered: Vec<(usize, &ValidationRow)> = (1..).zip(rows).collect();
+    let notes = numbered.iter();
+    let notes = notes.map(|(number, row)| format!("[{number}] {}", note(row)));
+    Table::of("", &numbered)
+        .text("quantity", |(number, row)| {
+            format!("[{number}] {}", row.name)
+        })
+        .cell("outcome", Align::Left, |(_, row)| {
+            Cell::new(row.outcome.word(), ink(row.outcome))
+        })
+        .cell("published", Align::Right, |(_, row)| match &row.trend {
+            Some(line) => Cell::plain(expected(line.expect)),
+            None => number(row, row.published, |v| significant(v, PRINTED, &row.unit)),
+        })
+        .cell("computed", Align::Right, |(_, row)| match &row.trend {
+            Some(_) => done(row.outcome),
+            None => number(row, row.computed, |v| to_step(v, row)),
+        })
+        .cell("error", Align::Right, |(_, row)| error(row))
+        .cell("difference", Align::Right, |(_, row)| {
+            number(row, row.difference, |v| to_step(v, row))
+        })
+        .cell("tolerance", Align::Right, |(_, row)| {
+            number(row, row.tolerance, |v| significant(v, 3, &row.unit))
+        })
+        .cell("inputs", Align::Left, |(_, row)| inputs(row))
+        .build()
+        .noted(notes)
+}
+
+/// A number of a value; nothing for a trend.
+fn number(row: &ValidationRow, value: Option<f64>, word: impl Fn(f64) -> String) -> Cell {
+    match value {
+        Some(value) => Cell::plain(word(value)),
+        None if row.trend.is_some() => Cell::default(),
+        None => Cell::none(),
     }
 }
 
-fn cells(i: usize, row: &ValidationRow) -> Vec<Cell> {
-    let name = Cell::plain(format!("[{}] {}", i + 1, row.name));
-    let outcome = Cell::new(row.outcome.word(), ink(row.outcome));
-    if let Some(line) = &row.trend {
-        return vec![
-            name,
-            outcome,
-            Cell::plain(expected(line.expect)),
-            done(row.outcome),
-        ];
+fn error(row: &ValidationRow) -> Cell {
+    let unknown = row.error.is_none() && row.trend.is_none();
+    match row.outcome {
+        Outcome::NotRun => number(row, None, |_| String::new()),
+        _ if unknown => Cell::new("unknown", CellStyle::Warn),
+        _ => number(row, row.error, |error| significant(error, 2, &row.unit)),
     }
-    let number = |value: Option<f64>, word: &dyn Fn(f64) -> String| match value {
-        Some(value) => Cell::plain(word(value)),
-        None => Cell::new("-", CellInk::Dim),
-    };
-    let unit = row.unit.as_str();
-    let step = row.tolerance.unwrap_or(0.0) / 100.0;
-    let error = match row.outcome {
-        Outcome::NotRun => number(None, &|_| String::new()),
-        _ if row.error.is_none() => Cell::new("unknown", CellInk::Warn),
-        _ => number(row.error, &|error| significant(error, 2, unit)),
-    };
-    vec![
-        name,
-        outcome,
-        number(row.published, &|value| significant(value, PRINTED, unit)),
-        number(row.computed, &|value| to_step(value, step, unit)),
-        error,
-        number(row.difference, &|value| to_step(value, step, unit)),
-        number(row.tolerance, &|value| significant(value, 3, unit)),
-        inputs(row),
-    ]
 }
 
 /// Published values are shown as they are printed.
@@ -97,9 +86,12 @@ fn rounded_to(value: f64, count: i32) -> f64 {
     }
 }
 
-/// A number to the decimals that steps of this size need: a hundredth of the tolerance is not worth a
-/// digit.
-fn to_step(value: f64, step: f64, unit: &str) -> String {
+/// A number to the decimals that a hundredth of the tolerance needs.
+fn to_step(value: f64, row: &ValidationRow) -> String {
+    decimals_of_step(value, row.tolerance.unwrap_or(0.0) / 100.0, &row.unit)
+}
+
+fn decimals_of_step(value: f64, step: f64, unit: &str) -> String {
     if value.abs() < 0.5 * step {
         return with_unit("0", Scale::of(0.0, unit), unit);
     }
@@ -132,40 +124,29 @@ fn done(outcome: Outcome) -> Cell {
     match outcome {
         Outcome::Pass => Cell::plain("it does"),
         Outcome::Fail | Outcome::Differs => Cell::plain("it does not"),
-        Outcome::NotRun => Cell::new("-", CellInk::Dim),
+        Outcome::NotRun => Cell::none(),
     }
 }
 
-fn ink(outcome: Outcome) -> CellInk {
+fn ink(outcome: Outcome) -> CellStyle {
     match outcome {
-        Outcome::Pass => CellInk::Good,
-        Outcome::Fail => CellInk::Bad,
-        Outcome::Differs => CellInk::Warn,
-        Outcome::NotRun => CellInk::Dim,
+        Outcome::Pass => CellStyle::Good,
+        Outcome::Fail => CellStyle::Bad,
+        Outcome::Differs => CellStyle::Warn,
+        Outcome::NotRun => CellStyle::Dim,
     }
 }
 
 fn inputs(row: &ValidationRow) -> Cell {
     if row.fitted {
-        return Cell::new("fitted", CellInk::Warn);
+        return Cell::new("fitted", CellStyle::Warn);
     }
     match row.inputs {
         None => Cell::plain(""),
         Some(standing @ (Provenance::Calibrated | Provenance::Assumed)) => {
-            Cell::new(standing_word(standing), CellInk::Warn)
+            Cell::new(standing.name(), CellStyle::Warn)
         }
-        Some(standing) => Cell::plain(standing_word(standing)),
-    }
-}
-
-/// The word of a case file for the provenance of an input.
-#[must_use]
-pub const fn standing_word(standing: Provenance) -> &'static str {
-    match standing {
-        Provenance::Published => "published",
-        Provenance::Derived => "derived",
-        Provenance::Calibrated => "calibrated",
-        Provenance::Assumed => "assumed",
+        Some(standing) => Cell::plain(standing.name()),
     }
 }
 
@@ -180,10 +161,10 @@ mod tests {
         assert_eq!(significant(98.15, 1, "N"), "100 N");
         assert_eq!(significant(0.0, 2, "N"), "0 N");
         assert_eq!(significant(2.0, 3, "-"), "2");
-        assert_eq!(to_step(1404.546, 0.015, "m"), "1404.55 m");
-        assert_eq!(to_step(-145.6, 788.0, "N"), "0 N");
-        assert_eq!(to_step(-2819.0, 788.0, "N"), "-2.8 kN");
-        assert_eq!(to_step(1.960_8e6, 591.0, "N"), "1.9608 MN");
-        assert_eq!(to_step(3e-7, 0.0, "m"), "300.000000e-9 m");
+        assert_eq!(decimals_of_step(1404.546, 0.015, "m"), "1404.55 m");
+        assert_eq!(decimals_of_step(-145.6, 788.0, "N"), "0 N");
+        assert_eq!(decimals_of_step(-2819.0, 788.0, "N"), "-2.8 kN");
+        assert_eq!(decimals_of_step(1.960_8e6, 591.0, "N"), "1.9608 MN");
+        assert_eq!(decimals_of_step(3e-7, 0.0, "m"), "300.000000e-9 m");
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{CalibrationBasis, Outcome, ValidationRow, count_outcomes, plan, rows};
 use crate::{
-    case::{At, Case},
+    case::{Case, StudyPoint},
     run::{Channel, History, Profile, Quantity, Run, RunInfo, RunState, Settings},
 };
 
@@ -214,8 +214,9 @@ fn what_is_missing_is_an_outcome_with_its_reason() {
 /// A trend row from travels at 0, 0.2 and 0.4 m/s.
 fn trend(extra: &str, travels: [f64; 3], error: f64) -> ValidationRow {
     let runs = travels.map(|t| run(&[("z_m[payload].travel", t, error)]));
-    let pick =
-        |at: Option<&At>| at.map(|at| &runs[(at.value.number().unwrap() / 0.2).round() as usize]);
+    let pick = |at: Option<&StudyPoint>| {
+        at.map(|at| &runs[(at.value.number().unwrap() / 0.2).round() as usize])
+    };
     rows(&case(&[TREND, extra]), &pick).remove(0)
 }
 

@@ -4,17 +4,17 @@ use std::cmp::Ordering;
 
 use super::{
     Outcome, TrendLine, TrendPoint, ValidationRow,
-    value::{REACHED, find, unit_of},
+    value::{REACHED, find},
 };
 use crate::{
-    case::{At, Case, Direction, StudyValue, Trend},
+    case::{Case, Direction, StudyPoint, StudyValue, Trend},
     run::Run,
 };
 
 pub(super) fn row<'r>(
     case: &Case,
     trend: &Trend,
-    lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>,
+    lookup: &dyn Fn(Option<&StudyPoint>) -> Option<&'r Run>,
 ) -> ValidationRow {
     let study = case.study.iter().find(|s| s.name == trend.study);
     let mut values: Vec<StudyValue> = study.map_or_else(Vec::new, |s| s.values.clone());
@@ -24,11 +24,11 @@ pub(super) fn row<'r>(
         _ => Ordering::Equal,
     });
 
-    let unit = trend.statistic.unit(unit_of(&trend.channel));
+    let unit = trend.statistic.unit(trend.channel.unit());
     let mut missing = None;
     let mut points = Vec::with_capacity(values.len());
     for value in values {
-        let at = At {
+        let at = StudyPoint {
             study: trend.study.clone(),
             value: value.clone(),
         };

@@ -2,7 +2,7 @@
 
 use super::{CalibrationBasis, Outcome, ValidationRow};
 use crate::{
-    case::{At, Provenance, Published, Statistic},
+    case::{ChannelId, Provenance, Published, Statistic, StudyPoint},
     run::{Channel, Quantity, QuantityId, Run, RunState, Subject},
 };
 
@@ -12,88 +12,45 @@ const ERROR_SHARE: f64 = 0.1;
 pub(super) fn row<'r>(
     published: &Published,
     all: &[Published],
-    lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>,
+    lookup: &dyn Fn(Option<&StudyPoint>) -> Option<&'r Run>,
 ) -> ValidationRow {
     let found = found(published, lookup);
     let is_ratio = published.ratio_to.is_some() || published.by_stretch_m.is_some();
     let unit = if is_ratio {
         "-".to_owned()
     } else {
-        published.statistic.unit(unit_of(&published.channel))
+        published.statistic.unit(published.channel.unit())
     };
-    let reference = ReferenceValue {
-        name: &published.name,
-        source: &published.source,
-        value: published.value,
-        tolerance: tolerance(
-            published.value,
-            published.tolerance_rel,
-            published.tolerance_abs,
-        ),
-        unit,
-        inputs: published.inputs,
-        fitted: published.fitted,
-        basis: basis(published, all),
+    let row = ValidationRow {
         at: published.at.clone(),
         from: published.change_from.clone(),
         by: published.ratio_to.clone(),
-        out_of_reach: published.out_of_reach.as_deref(),
+        published: Some(published.value),
+        tolerance: Some(tolerance(
+            published.value,
+            published.tolerance_rel,
+            published.tolerance_abs,
+        )),
+        inputs: Some(published.inputs),
+        fitted: published.fitted,
+        basis: basis(published, all),
+        ..ValidationRow::not_run(&published.name, &published.source, unit)
     };
     let number = found.map(|quantity| (quantity.value, quantity.error_estimate()));
-    compare(reference, number)
+    compare(row, published.out_of_reach.as_deref(), number)
 }
 
-/// A published value, whatever kind of file states it.
-#[derive(Debug, Clone)]
-pub struct ReferenceValue<'a> {
-    /// What it is, in words.
-    pub name: &'a str,
-    /// Where it is printed.
-    pub source: &'a str,
-    /// The value.
-    pub value: f64,
-    /// Greatest difference that passes.
-    pub tolerance: f64,
-    /// Unit of both.
-    pub unit: String,
-    /// Provenance of the inputs behind the computed value, at worst.
-    pub inputs: Provenance,
-    /// True when an input was fitted to this very number.
-    pub fitted: bool,
-    /// How far an agreement is evidence.
-    pub basis: Option<CalibrationBasis>,
-    /// The point of a study it belongs to.
-    pub at: Option<At>,
-    /// The point of a study that it is a change from.
-    pub from: Option<At>,
-    /// The point of a study it is a ratio to; absent where it is none.
-    pub by: Option<At>,
-    /// Why the number is out of reach, where it is.
-    pub out_of_reach: Option<&'a str>,
-}
-
-/// Compares a computed value, with its numerical error where that is known, with a published one; without a value the row
-/// reads NOT RUN, with the reason.
+/// Compares a computed value, with its numerical error where that is known, with the published one of a row; without a value
+/// the row reads NOT RUN, with the reason.
 #[must_use]
 pub fn compare(
-    reference: ReferenceValue<'_>,
+    mut row: ValidationRow,
+    out_of_reach: Option<&str>,
     computed: Result<(f64, Option<f64>), String>,
 ) -> ValidationRow {
-    let not_run = ValidationRow::not_run(reference.name, reference.source, reference.unit);
-    let mut row = ValidationRow {
-        at: reference.at,
-        from: reference.from,
-        by: reference.by,
-        published: Some(reference.value),
-        tolerance: Some(reference.tolerance),
-        inputs: Some(reference.inputs),
-        fitted: reference.fitted,
-        basis: reference.basis,
-        ..not_run
-    };
     match computed {
         Err(reason) => row.reason = Some(reason),
-        Ok(computed) => judge(&mut row, reference.out_of_reach, reference.value, computed),
+        Ok(computed) => judge(&mut row, out_of_reach, computed),
     }
     row
 }
@@ -101,9 +58,9 @@ pub fn compare(
 /// The number of the row's variant or, of a change, how far it is from that of the variant it is a change from.
 fn found<'r>(
     published: &Published,
-    lookup: &dyn Fn(Option<&At>) -> Option<&'r Run>,
+    lookup: &dyn Fn(Option<&StudyPoint>) -> Option<&'r Run>,
 ) -> Result<Quantity, String> {
-    let number = |at: Option<&At>| {
+    let number = |at: Option<&StudyPoint>| {
         let run =
             lookup(at).ok_or_else(|| "This variant of the case has not been run.".to_owned())?;
         find(
@@ -172,14 +129,9 @@ fn basis(published: &Published, all: &[Published]) -> Option<CalibrationBasis> {
     }
 }
 
-fn judge(
-    row: &mut ValidationRow,
-    out_of_reach: Option<&str>,
-    published: f64,
-    (value, error): (f64, Option<f64>),
-) {
+fn judge(row: &mut ValidationRow, out_of_reach: Option<&str>, (value, error): (f64, Option<f64>)) {
     let tolerance = row.tolerance.unwrap_or(0.0);
-    let difference = value - published;
+    let difference = value - row.published.unwrap_or(0.0);
     let within = difference.abs() <= tolerance;
     row.computed = Some(value);
     row.error = error;
@@ -216,18 +168,16 @@ pub(crate) fn tolerance(value: f64, relative: Option<f64>, absolute: Option<f64>
 /// The number in a run, or why it is not there.
 pub(super) fn find<'r>(
     run: &'r Run,
-    channel: &str,
+    subject: &Subject,
     statistic: Statistic,
     within: Option<[f64; 2]>,
 ) -> Result<&'r Quantity, String> {
     if let Some(why) = unfinished(run) {
         return Err(why);
     }
-    let subject = channel.parse::<Subject>();
-    let subject = subject.map_err(|_| no_channel(run, channel))?;
     let id = QuantityId::new(subject.clone(), statistic, within);
     let found = run.summary.iter().find(|q| q.id == id);
-    let quantity = found.ok_or_else(|| missing(run, &subject, &id))?;
+    let quantity = found.ok_or_else(|| missing(run, subject, &id))?;
     if quantity.value.is_finite() {
         Ok(quantity)
     } else {
@@ -253,23 +203,16 @@ fn missing(run: &Run, subject: &Subject, id: &QuantityId) -> String {
             format!("Nothing bends in this run, so it has no `{id}`.")
         }
         Subject::Channel(channel) if run.history.channels.iter().all(|c| c.id != *channel) => {
-            no_channel(run, &channel.to_string())
+            no_channel(run, channel)
         }
         _ => format!("The summary of the run does not hold `{id}`."),
     }
 }
 
-fn no_channel(run: &Run, channel: &str) -> String {
+fn no_channel(run: &Run, channel: &ChannelId) -> String {
     let known: Vec<String> = run.history.channels.iter().map(Channel::name).collect();
     format!(
         "The run has no channel `{channel}`; it has {}.",
         known.join(", ")
     )
-}
-
-/// Unit of a channel or a quantity of the line by its name, for rows without a run; empty where the name is unknown.
-pub(super) fn unit_of(channel: &str) -> &'static str {
-    channel
-        .parse()
-        .map_or("", |subject: Subject| subject.unit())
 }

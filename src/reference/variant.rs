@@ -2,7 +2,7 @@
 
 use super::{ValidationRow, rows};
 use crate::{
-    case::{self, At, Case, Diagnostic, edit},
+    case::{self, Case, Diagnostic, StudyPoint, edit},
     run::Run,
 };
 
@@ -19,7 +19,7 @@ pub struct Variant {
 ///
 /// # Errors
 /// The case has no such study, or does not take the value.
-pub fn variant(text: &str, case: &Case, at: &At) -> Result<Variant, Vec<Diagnostic>> {
+pub fn variant(text: &str, case: &Case, at: &StudyPoint) -> Result<Variant, Vec<Diagnostic>> {
     let Some(study) = case.study.iter().find(|s| s.name == at.study) else {
         return Err(vec![Diagnostic::whole_file(
             &case.case.title,
@@ -44,7 +44,7 @@ pub fn rows_of_run(run: &Run, case: &Case) -> Vec<ValidationRow> {
 
 /// True when a run was computed at this point of a study, or is the case without one.
 #[must_use]
-pub fn matches_variant(run: &Run, case: &Case, at: Option<&At>) -> bool {
+pub fn matches_variant(run: &Run, case: &Case, at: Option<&StudyPoint>) -> bool {
     let key = at
         .and_then(|at| case.study.iter().find(|s| s.name == at.study))
         .map(|s| &s.key);

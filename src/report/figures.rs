@@ -1,11 +1,13 @@
 //! The charts of a run, or of several laid over each other: the same for screen and report.
 //!
 //! ```
-//! use seacable::report::figures::{PlottedRun, tensions};
+//! use seacable::case::ChannelQuantity;
+//! use seacable::report::figures::{PlottedRun, against_time};
 //! use seacable::run::History;
 //!
 //! let history = History::default();
-//! let chart = tensions(&[PlottedRun::streamed(&history, &[], "this run")]);
+//! let runs = [PlottedRun::streamed(&history, &[], "this run")];
+//! let chart = against_time(&runs, ChannelQuantity::Tension);
 //! assert_eq!(chart.y.unit, "N");
 //! ```
 
@@ -23,7 +25,7 @@ pub use registry::{FIGURES, Figure, FigureAxis, FigureData, FigureId, report_fig
 pub use response::{ResponseMapKind, response_map, rms_profile, wave_amplitudes, wavelengths};
 pub use shapes::{line_from_above, line_from_ahead, line_shape, trajectory};
 pub use study::along_studies;
-pub use time_histories::{against_time, payload_position, tensions};
+pub use time_histories::{against_time, payload_position};
 
 use crate::case::ChannelQuantity;
 use crate::report::chart::Series;

@@ -1,11 +1,19 @@
 //! Utilisation of the sections of a line, as a table.
 
 use super::number::percent;
-use super::table::{Align, Cell, CellInk, Format, Table};
-use crate::run::limits::LimitCheck;
+use super::table::{Align, Cell, CellStyle, NumberFormat, Table};
+use crate::case::Case;
+use crate::run::Profile;
+use crate::run::limits::{self, LimitCheck};
 
 /// The word for a limit that is exceeded.
 pub const EXCEEDED: &str = "EXCEEDED";
+
+/// The sections of a case at the end of a run, as [`table`].
+#[must_use]
+pub fn of_run(case: &Case, profile: &Profile) -> Option<Table> {
+    table(&limits::check(case, profile))
+}
 
 /// One row a section: tension against breaking load, bending radius against the least allowed. Nothing where no
 /// material states a limit.
@@ -14,16 +22,18 @@ pub fn table(checks: &[LimitCheck]) -> Option<Table> {
     if checks.is_empty() {
         return None;
     }
-    let arc = Format::Decimals(1, "");
+    let arc = NumberFormat::Decimals(1, "");
     let table = Table::of("", checks)
         .text("section", |c| c.section.as_str())
-        .number("greatest tension", Format::Si("N"), |c| c.tension.0)
+        .number("greatest tension", NumberFormat::Si("N"), |c| c.tension.0)
         .number("at arc [m]", arc, |c| c.tension.1)
-        .number("breaking load", Format::Si("N"), |c| c.break_load)
+        .number("breaking load", NumberFormat::Si("N"), |c| c.break_load)
         .cell("used", Align::Decimal, |c| used(c.tension_utilisation()))
-        .number("least radius", Format::Si("m"), |c| c.radius.map(|r| r.0))
+        .number("least radius", NumberFormat::Si("m"), |c| {
+            c.radius.map(|r| r.0)
+        })
         .number("at arc [m]", arc, |c| c.radius.map(|r| r.1))
-        .number("allowed", Format::Si("m"), |c| c.least_radius)
+        .number("allowed", NumberFormat::Si("m"), |c| c.least_radius)
         .cell("used", Align::Decimal, |c| used(c.bending_utilisation()));
     Some(table.build())
 }
@@ -33,9 +43,9 @@ fn used(share: Option<f64>) -> Cell {
     match share {
         None => Cell::none(),
         Some(share) if share > 1.0 => {
-            Cell::new(format!("{} {EXCEEDED}", percent(share)), CellInk::Bad)
+            Cell::new(format!("{} {EXCEEDED}", percent(share)), CellStyle::Bad)
         }
-        Some(share) => Cell::new(percent(share), CellInk::Good),
+        Some(share) => Cell::new(percent(share), CellStyle::Good),
     }
 }
 
@@ -57,7 +67,7 @@ mod tests {
     #[test]
     fn what_is_exceeded_says_so() {
         let table = table(&[check(1.6e4), check(2.8e6)]).unwrap();
-        assert_eq!(table.cell(0, 4).ink, CellInk::Good);
+        assert_eq!(table.cell(0, 4).ink, CellStyle::Good);
         assert_eq!(table.cell(1, 4).text, "200 % EXCEEDED");
         assert_eq!(table.cell(0, 8).text, "-");
         assert_eq!(super::table(&[]), None);

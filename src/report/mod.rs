@@ -13,5 +13,6 @@ pub mod section;
 pub mod ship;
 pub mod table;
 pub mod text;
+pub(crate) mod wrap;
 
 pub use crate::number;

@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use super::chart::{Axis, Chart, Series, extent};
 use super::number::{digits, rounded};
-use super::table::{Align, Cell, CellInk, Table};
-use crate::modes::{LineModes, Medium, ModeKind, NamedMode};
+use super::table::{Align, Cell, CellStyle, NumberFormat, Table};
+use crate::modes::{LineModes, ModeKind, NamedMode, WkbMedium};
 use crate::numerics::V3;
 
 /// The modes, from the lowest frequency up: frequency and its error from the mesh, period, what moves, which one of its
@@ -22,7 +22,7 @@ pub fn narrow(found: &LineModes) -> Table {
 }
 
 fn columns(found: &LineModes, wide: bool) -> Table {
-    let medium = Medium::of(&found.scene, &found.rest);
+    let medium = WkbMedium::of(&found.scene, &found.rest);
     let wkb = |mode: &NamedMode| {
         let across = matches!(mode.mode.kind, ModeKind::InPlane | ModeKind::OutOfPlane);
         let medium = medium.as_ref().filter(|_| across)?;
@@ -39,12 +39,11 @@ fn columns(found: &LineModes, wide: bool) -> Table {
             let error = mode.error_hz.filter(|_| vibrates(mode));
             Cell::plain(error.map_or_else(|| "unknown".to_owned(), |e| digits(e, 2)))
         })
-        .cell("period [s]", Align::Decimal, |(_, mode)| {
-            let period = vibrates(mode).then(|| 1.0 / mode.mode.frequency_hz());
-            or_dash(period, 5)
+        .number("period [s]", NumberFormat::Digits(5, ""), |(_, mode)| {
+            vibrates(mode).then(|| 1.0 / mode.mode.frequency_hz())
         })
-        .cell("WKB [Hz]", Align::Decimal, |(_, mode)| {
-            or_dash(wkb(mode), 4)
+        .number("WKB [Hz]", NumberFormat::Digits(4, ""), |(_, mode)| {
+            wkb(mode)
         })
         .text("moves", |(_, mode)| mode.mode.kind.name())
         .when(wide, |table| {
@@ -59,19 +58,14 @@ fn columns(found: &LineModes, wide: bool) -> Table {
         .noted(notes(found))
 }
 
-/// A number of so many digits, or a dash.
-fn or_dash(value: Option<f64>, count: i32) -> Cell {
-    Cell::plain(value.map_or_else(|| "-".to_owned(), |value| digits(value, count)))
-}
-
 fn frequency(mode: &NamedMode) -> Cell {
     let eigenvalue = mode.mode.eigenvalue;
     if eigenvalue > 0.0 {
         Cell::plain(digits(mode.mode.frequency_hz(), 6))
     } else if eigenvalue < 0.0 {
-        Cell::new("grows", CellInk::Bad)
+        Cell::new("grows", CellStyle::Bad)
     } else {
-        Cell::new("0", CellInk::Warn)
+        Cell::new("0", CellStyle::Warn)
     }
 }
 
@@ -121,20 +115,13 @@ pub fn chart(found: &LineModes, numbers: &[usize]) -> Chart {
         let points = points.zip(named.mode.profile.iter().copied()).collect();
         Some(Series::new(&label, slot, points))
     });
-    Chart {
-        title: "Mode shapes along the line".to_owned(),
-        x: Axis {
-            range: extent(found.scene.line.arc.iter().copied()).filter(|range| range.1 > range.0),
-            ..Axis::new("arc length from end A", "m")
-        },
-        y: Axis {
-            range: Some((-1.0, 1.0)),
-            ..Axis::new("displacement", "-")
-        },
-        series: series.collect(),
-        legend: true,
-        ..Chart::default()
-    }
+    let range = extent(found.scene.line.arc.iter().copied()).filter(|range| range.1 > range.0);
+    Chart::new(
+        "Mode shapes along the line",
+        Axis::new("arc length from end A", "m").over(range),
+        Axis::new("displacement", "-").over((-1.0, 1.0)),
+        series.collect(),
+    )
 }
 
 /// Arc length, place at rest, and displacements of every mode, a row a node.
@@ -201,16 +188,14 @@ pub fn over_line(found: &LineModes, number: usize) -> Chart {
         ..Series::new("half a period later", 0, swung(-scale))
     };
     let letters = ["x", "y", "z"];
-    Chart {
-        title: format!("Mode {} over the line at rest", number + 1),
-        x: Axis::new(letters[right], "m"),
-        y: Axis::new(letters[up], "m"),
-        series: vec![
+    Chart::new(
+        format!("Mode {} over the line at rest", number + 1),
+        Axis::new(letters[right], "m"),
+        Axis::new(letters[up], "m"),
+        vec![
             Series::new(&label, 0, swung(scale)),
             back,
             Series::new("at rest", 1, swung(0.0)),
         ],
-        legend: true,
-        ..Chart::default()
-    }
+    )
 }

@@ -1,77 +1,72 @@
 //! The line node by node as a table, with the greatest values marked.
 
 use super::number::{digits, rounded};
-use super::table::{Cell, CellInk, Column, Table};
+use super::table::{Align, Cell, CellStyle, Table};
 use crate::run::Profile;
 
-/// A column of numbers: its head, its values, and how many digits are shown.
-struct Numbers<'a> {
+/// A column of numbers: its head and values, and of those whose greatest value is marked the name and node of the mark.
+struct Numbers {
     head: &'static str,
     values: Vec<f64>,
-    shown: fn(f64) -> String,
-    /// Its name among the marks, where its greatest value is marked.
-    marked: Option<&'a str>,
+    mark: Option<(&'static str, usize)>,
 }
 
-impl Numbers<'_> {
-    /// The first node with the greatest value.
-    fn greatest(&self) -> Option<usize> {
-        let all = self.values.iter().copied().enumerate();
+impl Numbers {
+    fn new(head: &'static str, values: Vec<f64>) -> Self {
+        let mark = None;
+        Self { head, values, mark }
+    }
+
+    /// The first node with the greatest value is marked by this name.
+    fn marked(head: &'static str, values: &[f64], name: &'static str) -> Self {
+        let all = values.iter().enumerate();
         let best = all.reduce(|best, here| if here.1 > best.1 { here } else { best });
-        self.marked.and(best).map(|(node, _)| node)
+        Self {
+            mark: best.map(|(node, _)| (name, node)),
+            ..Self::new(head, values.to_vec())
+        }
+    }
+
+    /// The name of the mark at a node.
+    fn mark_at(&self, node: usize) -> Option<&'static str> {
+        let mark = self.mark.filter(|(_, at)| *at == node);
+        mark.map(|(name, _)| name)
+    }
+
+    fn cell(&self, node: usize) -> Cell {
+        let text = self.values.get(node).map(|value| match self.mark {
+            Some(_) => digits(*value, 4),
+            None => rounded(*value, 2),
+        });
+        let ink = self
+            .mark_at(node)
+            .map_or(CellStyle::Plain, |_| CellStyle::Warn);
+        Cell::new(text.unwrap_or_default(), ink)
     }
 }
 
-fn metres(value: f64) -> String {
-    rounded(value, 2)
-}
-
-fn four(value: f64) -> String {
-    digits(value, 4)
-}
-
-fn columns(profile: &Profile) -> Vec<Numbers<'static>> {
-    let column = |head, values: Vec<f64>, shown, marked| Numbers {
-        head,
-        values,
-        shown,
-        marked,
-    };
+fn columns(profile: &Profile) -> Vec<Numbers> {
     let axis = |i: usize| profile.nodes.iter().map(|p| p[i]).collect();
     let mut list = vec![
-        column(
-            "arc [m]",
-            profile.arc.clone(),
-            metres as fn(f64) -> String,
-            None,
-        ),
-        column("x [m]", axis(0), metres, None),
-        column("y [m]", axis(1), metres, None),
-        column("z [m]", axis(2), metres, None),
-        column(
-            "tension [N]",
-            profile.tension.clone(),
-            four,
-            Some("tension"),
-        ),
+        Numbers::new("arc [m]", profile.arc.clone()),
+        Numbers::new("x [m]", axis(0)),
+        Numbers::new("y [m]", axis(1)),
+        Numbers::new("z [m]", axis(2)),
+        Numbers::marked("tension [N]", &profile.tension, "tension"),
     ];
     if profile.bends() {
-        let (curvature, moment) = (profile.curvature.clone(), profile.moment.clone());
-        list.push(column(
-            "curvature [1/m]",
+        let curvature = Numbers::marked("curvature [1/m]", &profile.curvature, "curvature");
+        list.extend([
             curvature,
-            four,
-            Some("curvature"),
-        ));
-        list.push(column("moment [N m]", moment, four, Some("moment")));
+            Numbers::marked("moment [N m]", &profile.moment, "moment"),
+        ]);
     }
     list
 }
 
 /// The words of a node's marks: "tension, moment".
 fn marks(columns: &[Numbers], node: usize) -> String {
-    let here = columns.iter().filter(|c| c.greatest() == Some(node));
-    let words: Vec<&str> = here.filter_map(|c| c.marked).collect();
+    let words: Vec<&str> = columns.iter().filter_map(|c| c.mark_at(node)).collect();
     words.join(", ")
 }
 
@@ -98,37 +93,17 @@ pub fn sampled(profile: &Profile, rows: usize) -> Table {
 
 fn some(profile: &Profile, wanted: impl Fn(usize) -> bool) -> Table {
     let columns = columns(profile);
-    let greatest: Vec<Option<usize>> = columns.iter().map(Numbers::greatest).collect();
-    let is_marked = |node: usize| greatest.contains(&Some(node));
-    let row = |node: usize| {
-        let numbers = columns.iter().zip(&greatest).map(|(column, most)| {
-            let ink = if *most == Some(node) {
-                CellInk::Warn
-            } else {
-                CellInk::Plain
-            };
-            let value = column.values.get(node).copied();
-            Cell::new(value.map(column.shown).unwrap_or_default(), ink)
-        });
-        let marks = if is_marked(node) {
-            marks(&columns, node)
-        } else {
-            String::new()
-        };
-        numbers
-            .chain([Cell::new(marks, CellInk::Warn)])
-            .collect::<Vec<_>>()
-    };
+    let is_marked = |node: usize| columns.iter().any(|c| c.mark_at(node).is_some());
     let nodes = (0..profile.nodes.len()).filter(|node| wanted(*node) || is_marked(*node));
-    Table {
-        columns: columns
-            .iter()
-            .map(|c| Column::decimal(c.head))
-            .chain([Column::left("greatest")])
-            .collect(),
-        rows: nodes.map(row).collect(),
-        ..Table::default()
-    }
+    let nodes: Vec<usize> = nodes.collect();
+    let table = columns.iter().fold(Table::of("", &nodes), |table, column| {
+        table.cell(column.head, Align::Decimal, |node| column.cell(*node))
+    });
+    table
+        .cell("greatest", Align::Left, |node| {
+            Cell::new(marks(&columns, *node), CellStyle::Warn)
+        })
+        .build()
 }
 
 /// All nodes as CSV, every digit kept, units in the heads.
@@ -173,8 +148,8 @@ mod tests {
             [last(0), last(1), last(2)],
             ["", "curvature, moment", "tension"]
         );
-        assert_eq!(table.cell(1, 5).ink, CellInk::Warn);
-        assert_eq!(table.cell(0, 5).ink, CellInk::Plain);
+        assert_eq!(table.cell(1, 5).ink, CellStyle::Warn);
+        assert_eq!(table.cell(0, 5).ink, CellStyle::Plain);
     }
 
     #[test]

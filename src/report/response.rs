@@ -4,8 +4,8 @@
 use std::f64::consts::TAU;
 
 use super::number::digits;
-use super::table::{Align, Cell, CellInk, Format, Table};
-use crate::case::{AlongLine, Case, Statistic};
+use super::table::{Align, Cell, CellStyle, NumberFormat, Table};
+use crate::case::{Case, LineQuantity, Statistic};
 use crate::run::response::peaks_and_valleys;
 use crate::run::{Profile, along_line};
 
@@ -25,22 +25,26 @@ pub fn peaks(profile: &Profile) -> Table {
         .then(|| format!("{peaks} peaks; ripples below 1 % of the greatest are left out."));
     Table::of("", &rows)
         .cell("response", Align::Left, |(.., peak)| match peak {
-            true => Cell::new("peak", CellInk::Warn),
+            true => Cell::new("peak", CellStyle::Warn),
             false => Cell::plain("valley"),
         })
-        .number("arc [m]", Format::Decimals(1, ""), |(_, arc, ..)| *arc)
-        .number("z [m]", Format::Decimals(1, ""), |(node, ..)| {
+        .number("arc [m]", NumberFormat::Decimals(1, ""), |(_, arc, ..)| {
+            *arc
+        })
+        .number("z [m]", NumberFormat::Decimals(1, ""), |(node, ..)| {
             profile.nodes.get(*node).map(|x| x[2])
         })
-        .number("rms [m]", Format::Digits(4, ""), |(_, _, rms, _)| *rms)
-        .number("rms [D]", Format::Digits(4, ""), |(node, ..)| {
+        .number("rms [m]", NumberFormat::Digits(4, ""), |(_, _, rms, _)| {
+            *rms
+        })
+        .number("rms [D]", NumberFormat::Digits(4, ""), |(node, ..)| {
             at(&profile.rms_diameters, *node)
         })
         .cell("error [m]", Align::Decimal, |(node, ..)| {
             let error = at(&profile.rms_error, *node);
             Cell::plain(error.map_or_else(|| "unknown".to_owned(), |e| digits(e, 2)))
         })
-        .number("tension [N]", Format::Digits(4, ""), |(node, ..)| {
+        .number("tension [N]", NumberFormat::Digits(4, ""), |(node, ..)| {
             at(&profile.tension, *node)
         })
         .build()
@@ -83,23 +87,23 @@ fn waves_of(profile: &Profile, stretches: &[(&str, [f64; 2])]) -> Table {
         let (sum, count) = inside.fold((0.0, 0.0), |(sum, n), (_, v)| (sum + v, n + 1.0));
         (count > 0.0).then(|| sum / count)
     };
-    let (digits_2, decimals) = (Format::Digits(2, ""), Format::Decimals(1, ""));
+    let (digits_2, decimals) = (NumberFormat::Digits(2, ""), NumberFormat::Decimals(1, ""));
     Table::of("", stretches)
         .text("section", |(name, _)| *name)
         .cell("peaks", Align::Right, |(_, at)| {
-            let peaks = statistic(AlongLine::RmsDisplacement, Statistic::Peaks, *at);
-            Format::Decimals(0, "").cell(peaks)
+            let peaks = statistic(LineQuantity::RmsDisplacement, Statistic::Peaks, *at);
+            NumberFormat::Decimals(0, "").cell(peaks)
         })
-        .number("tension [N]", Format::Digits(4, ""), |(_, at)| {
-            mean(AlongLine::Tension, *at)
+        .number("tension [N]", NumberFormat::Digits(4, ""), |(_, at)| {
+            mean(LineQuantity::Tension, *at)
         })
         .number("wave [m]", decimals, |(_, at)| {
-            mean(AlongLine::Wavelength, *at)
+            mean(LineQuantity::Wavelength, *at)
         })
         .number("WKB [m]", decimals, |(_, at)| {
-            mean(AlongLine::WkbWavelength, *at)
+            mean(LineQuantity::WkbWavelength, *at)
         })
-        .number("WKB waves", Format::Decimals(2, ""), |(_, at)| {
+        .number("WKB waves", NumberFormat::Decimals(2, ""), |(_, at)| {
             turn(profile, *at) / TAU
         })
         .number("to A [m]", digits_2, |(_, at)| {
@@ -108,8 +112,8 @@ fn waves_of(profile: &Profile, stretches: &[(&str, [f64; 2])]) -> Table {
         .number("to B [m]", digits_2, |(_, at)| {
             nodes_mean(&profile.towards_b, *at)
         })
-        .number("ratio", Format::Digits(3, ""), |(_, at)| {
-            mean(AlongLine::StandingWaveRatio, *at)
+        .number("ratio", NumberFormat::Digits(3, ""), |(_, at)| {
+            mean(LineQuantity::StandingWaveRatio, *at)
         })
         .build()
 }

@@ -1,6 +1,6 @@
 //! Irregular seas and motions against the spectra they were asked for.
 
-use super::table::{Format, Table};
+use super::table::{NumberFormat, Table};
 use crate::case::Case;
 use crate::numerics::statistics;
 use crate::physics::sea::{Component, Moments};
@@ -19,8 +19,8 @@ pub fn table(case: &Case) -> Table {
         return Table::default();
     }
     let duration = case.solver.duration_s;
-    let rows: Vec<Row> = records.iter().flat_map(|r| rows(r, duration)).collect();
-    let digits = Format::Digits(4, "");
+    let rows: Vec<MomentsRow> = records.iter().flat_map(|r| rows(r, duration)).collect();
+    let digits = NumberFormat::Digits(4, "");
     Table::of("", &rows)
         .text("record", |row| &row.name)
         .text("quantity", |row| row.quantity)
@@ -36,7 +36,7 @@ pub fn table(case: &Case) -> Table {
 }
 
 /// A quantity of a record by its spectrum, by its components, and over the time of the run.
-struct Row {
+struct MomentsRow {
     name: String,
     quantity: &'static str,
     spectrum: f64,
@@ -44,7 +44,7 @@ struct Row {
     run: Option<f64>,
 }
 
-fn rows(record: &IrregularRecord, duration: f64) -> [Row; 3] {
+fn rows(record: &IrregularRecord, duration: f64) -> [MomentsRow; 3] {
     let (asked, made) = (record.spectrum.moments(), Moments::of(&record.components));
     let run = over(&record.components, duration);
     let (quantity, factor) = if record.of_waves {
@@ -55,21 +55,21 @@ fn rows(record: &IrregularRecord, duration: f64) -> [Row; 3] {
     let size = |m0: f64| factor * m0.sqrt();
     let m0 = run.map(|(m0, _)| m0);
     [
-        Row {
+        MomentsRow {
             name: record.name.clone(),
             quantity: "m0 [m2]",
             spectrum: asked.m0,
             components: made.m0,
             run: m0,
         },
-        Row {
+        MomentsRow {
             name: format!("seed {}, {} parts", record.seed, record.components.len()),
             quantity,
             spectrum: size(asked.m0),
             components: size(made.m0),
             run: m0.map(size),
         },
-        Row {
+        MomentsRow {
             name: String::new(),
             quantity: "Tz [s]",
             spectrum: asked.crossing_period(),

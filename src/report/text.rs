@@ -10,11 +10,11 @@ mod validation;
 pub use about::numerical_damping;
 pub(crate) use inputs::list as inputs;
 pub(crate) use layout::{Page, WIDTH, wrap};
-pub use results::{limits, summary};
+pub use results::summary;
 pub use validation::validation;
 
 use super::chart::Glyphs;
-use super::sea;
+use super::{limits, sea};
 use crate::{case::Case, reference::ValidationRow, run::Run};
 
 /// The report of a run: what was computed and with which settings, inputs with their standing,
@@ -32,14 +32,12 @@ pub fn report(run: &Run, case: &Case, rows: &[ValidationRow], glyphs: Glyphs) ->
     inputs::table(&mut page, run, case);
     let sea = sea::table(case);
     if !sea.rows.is_empty() {
-        page.heading("Irregular records");
-        page.block(&sea.to_text(WIDTH));
+        page.section("Irregular records", &sea);
     }
     page.heading("Results");
     page.block(&summary(run));
-    if let Some(limits) = limits(run, case) {
-        page.heading("What the sections bear");
-        page.block(&limits);
+    if let Some(limits) = limits::of_run(case, &run.profile) {
+        page.section("What the sections bear", &limits);
     }
     charts::all(&mut page, run, case, rows, glyphs);
     results::answer(&mut page, run, case);

@@ -5,7 +5,7 @@ use super::RopewayError;
 use super::cargo_motion::MARGIN;
 use super::line::{self, LineRun};
 use super::solve::SolvedRopeway;
-use crate::case::{ChannelQuantity, Site};
+use crate::case::{ChannelLocation, ChannelQuantity};
 use crate::modes::{self, ModeKind};
 use crate::numerics::V3;
 
@@ -74,9 +74,9 @@ impl SolvedRopeway {
 }
 
 fn states(line: &LineRun) -> Result<Vec<CrossingState>, RopewayError> {
-    let x = line.values(ChannelQuantity::X, Site::Traveller)?;
-    let z = line.values(ChannelQuantity::Z, Site::Traveller)?;
-    let platform = line.values(ChannelQuantity::Tension, Site::Joint(0))?;
+    let x = line.values(ChannelQuantity::X, ChannelLocation::Traveller)?;
+    let z = line.values(ChannelQuantity::Z, ChannelLocation::Traveller)?;
+    let platform = line.values(ChannelQuantity::Tension, ChannelLocation::Joint(0))?;
     let ship = line.values(ChannelQuantity::Tension, line.ship())?;
     let cargo = x.iter().zip(z);
     let ends = platform.iter().zip(ship);

@@ -1,10 +1,10 @@
 //! The elastic rope with the cargo on it, by the closed form for several sections with a body between them
 //! ([`statics::catenary`](crate::statics::catenary)).
 
-use super::model::{By, Ropeway};
+use super::model::{Ropeway, SetBy};
 use super::unloaded::{SpanGeometry, UnloadedRope};
 use super::{RopewayError, roots};
-use crate::statics::catenary::{Ends, Line, SectionProps, Solution};
+use crate::statics::catenary::{CatenaryLine, EndOffset, SectionProperties, Solution};
 
 /// Greatest strain: ropes break below it.
 pub const MOST_STRAIN: f64 = 0.05;
@@ -115,7 +115,7 @@ impl ElasticRope {
         } else if arc_m >= length_m - close {
             (Carrier::Ship, self.unloaded(length_m)?)
         } else {
-            let before = SectionProps {
+            let before = SectionProperties {
                 clump_n: self.cargo_n,
                 ..self.section(arc_m)
             };
@@ -247,17 +247,17 @@ impl ElasticRope {
         Ok(self.geometry.line_m(half) - solution.at(arc).z_m)
     }
 
-    fn section(&self, length_m: f64) -> SectionProps {
-        SectionProps::new(length_m, self.weight_n_per_m, self.ea_n)
+    fn section(&self, length_m: f64) -> SectionProperties {
+        SectionProperties::new(length_m, self.weight_n_per_m, self.ea_n)
     }
 
-    fn solve(&self, sections: &[SectionProps]) -> Result<Solution, RopewayError> {
+    fn solve(&self, sections: &[SectionProperties]) -> Result<Solution, RopewayError> {
         let length: f64 = sections.iter().map(|section| section.length_m).sum();
         if length * (1.0 + MOST_STRAIN) < self.geometry.chord_m() {
             return Err(RopewayError::Overstretched);
         }
-        let line = Line {
-            ends: Ends {
+        let line = CatenaryLine {
+            ends: EndOffset {
                 x_m: self.geometry.span_m,
                 z_m: self.geometry.rise_m,
             },
@@ -280,10 +280,10 @@ pub fn length_m(ropeway: &Ropeway) -> Result<f64, RopewayError> {
     };
     let setting = &ropeway.setting;
     match setting.by {
-        By::BareSag => span.length_for_unloaded_sag(given(setting.sag_m)?),
-        By::LoadedSag => span.length_for_loaded_sag(given(setting.sag_m)?),
-        By::Length => given(setting.length_m),
-        By::Tension => span.length_for_tension(given(setting.tension_n)?, |length| {
+        SetBy::BareSag => span.length_for_unloaded_sag(given(setting.sag_m)?),
+        SetBy::LoadedSag => span.length_for_loaded_sag(given(setting.sag_m)?),
+        SetBy::Length => given(setting.length_m),
+        SetBy::Tension => span.length_for_tension(given(setting.tension_n)?, |length| {
             span.with_cargo(length, ropeway.cargo.position)
         }),
     }

@@ -1,5 +1,6 @@
 //! Errors of the models of a ropeway.
 
+use crate::number::si;
 use crate::statics::catenary::CatenaryError;
 
 /// Why a model of a ropeway has no solution.
@@ -29,6 +30,14 @@ pub enum RopewayError {
         length_m: f64,
         /// Distance between the ends \[m\].
         chord_m: f64,
+    },
+    /// The setting needs more rope than there is.
+    #[error("takes {} of rope, and of the shortest there is {}", si(*.length_m, "m"), si(*.stored_m, "m"))]
+    TooLittleRope {
+        /// Length of rope between the ends \[m\].
+        length_m: f64,
+        /// Length of the shortest rope \[m\].
+        stored_m: f64,
     },
     /// The horizontal tension is so small that the end forces overflow.
     #[error("the rope hangs so deep that its forces overflow; give less sag or a shorter rope")]

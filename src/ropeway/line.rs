@@ -6,8 +6,8 @@ use super::RopewayError;
 use super::elastic::{AT_SUPPORT, ElasticRope};
 use super::model::Ropeway;
 use crate::case::{
-    self, Attachment, Case, ChannelId, ChannelQuantity, Clump, End, Ends, Material, Method,
-    Section, Site, Solver, Statistic, Traveller,
+    self, Attachment, Case, ChannelId, ChannelLocation, ChannelQuantity, Clump, End, Ends,
+    Material, Method, Section, Solver, Statistic, Traveller,
 };
 use crate::run::job::{self, Request};
 use crate::run::{QuantityId, Run, RunState, Subject};
@@ -174,7 +174,11 @@ impl LineRun {
     ///
     /// # Errors
     /// [`RopewayError::NotFound`] where the run does not record it there.
-    pub fn values(&self, quantity: ChannelQuantity, site: Site) -> Result<&[f64], RopewayError> {
+    pub fn values(
+        &self,
+        quantity: ChannelQuantity,
+        site: ChannelLocation,
+    ) -> Result<&[f64], RopewayError> {
         let id = self.channel_id(quantity, site);
         let mut channels = self.run.history.channels.iter();
         let channel = channels.find(|channel| Some(&channel.id) == id.as_ref());
@@ -199,11 +203,11 @@ impl LineRun {
 
     /// The joint at the ship.
     #[must_use]
-    pub fn ship(&self) -> Site {
-        Site::Joint(self.case.line.len())
+    pub fn ship(&self) -> ChannelLocation {
+        ChannelLocation::Joint(self.case.line.len())
     }
 
-    fn channel_id(&self, quantity: ChannelQuantity, site: Site) -> Option<ChannelId> {
+    fn channel_id(&self, quantity: ChannelQuantity, site: ChannelLocation) -> Option<ChannelId> {
         let channels = case::channels(&self.case).into_iter();
         let mut ids = channels.filter(|c| c.site == site).map(|c| c.id);
         ids.find(|id| id.quantity == quantity)

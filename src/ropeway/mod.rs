@@ -13,14 +13,13 @@
 //!
 //! In motion: [`winch`] with the ship's motion as given, [`oscillator`] for the cargo with one degree of freedom.
 //!
-//! [`model`] declares the keys of a ropeway file, [`parse`] and [`load`] read and check a
-//! file, [`edit`] sets single keys.
+//! [`model`] declares the keys of a ropeway file.
 
 mod cargo_motion;
 pub mod dynamic_crossing;
-pub mod edit;
 pub mod elastic;
 mod error;
+mod file;
 pub mod hauling;
 pub mod inextensible;
 pub mod line;
@@ -29,7 +28,6 @@ pub mod model;
 pub mod oscillator;
 pub mod parabola;
 pub mod quantities;
-mod read;
 mod roots;
 pub mod ship_motion;
 mod solve;
@@ -41,9 +39,7 @@ mod winch_run;
 
 pub use cargo_motion::MARGIN;
 pub use error::RopewayError;
+pub use file::ROPEWAY;
 pub use model::Ropeway;
-pub(crate) use read::RopewayFile;
-pub(crate) use read::is_ropeway;
-pub use read::{Loaded, load, parse};
 pub use solve::{ModelResults, SolvedRopeway, solve};
 pub use winch_run::WinchRun;

@@ -2,17 +2,10 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::LazyLock;
 
-use crate::case::fields::Kind::Name;
-use crate::case::fields::{Range, Schema, of, positive};
-use crate::case::schema::{schema_of, table, words};
-
-/// The ropeway file.
-pub static ROPEWAY: LazyLock<Schema> = LazyLock::new(|| {
-    let least = "a ropeway has at least [ropeway] with a title and a span, [[rope]], [platform], [ship], [cargo] and [setting]";
-    schema_of::<Ropeway>("ropeway", least)
-});
+use crate::case::fields::ValueType::Name;
+use crate::case::fields::{Range, of, positive};
+use crate::case::schema::{table, words};
 
 const LENGTH: Range = positive(1e4);
 const FORCE: Range = positive(1e9);
@@ -27,7 +20,7 @@ table! {
     pub struct Ropeway => RopewayKeys {}
     tables {
         /// What the ropeway is, and what holds for it as a whole.
-        about: About as "ropeway";
+        about: RopewayInfo as "ropeway";
         /// The ropes, side by side; they hang as one.
         ropes: Vec<Rope> as "rope", required;
         /// End A: what does not move.
@@ -37,13 +30,13 @@ table! {
         /// What is carried.
         cargo: Cargo;
         /// How the rope is set before anything moves.
-        setting: Setting;
+        setting: RopeSetting;
         /// The water below.
-        water: Water, optional;
+        water: WaterBelow, optional;
         /// A winch that keeps the tension at the ship.
         winch: Option<Winch>;
         /// The motion of the rope's hang point on the ship.
-        motion: Option<Motion>;
+        motion: Option<HangPointMotion>;
         /// The cargo's own motion on the rope.
         dynamics: Dynamics, optional;
         /// The rope as a finite-element check had it: a round bar.
@@ -53,14 +46,14 @@ table! {
         /// A published value the ropeway is held against.
         published: Vec<PublishedNumber>;
         /// A published statement of trend, checked along values of a key.
-        trend: Vec<Trend>;
+        trend: Vec<RopewayTrend>;
     }
 }
 
 table! {
     /// What the ropeway is, and what holds for it as a whole.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct About => AboutKeys {
+    pub struct RopewayInfo => AboutKeys {
         /// What the ropeway is, in one line.
         title: String, "title";
         /// Where the data come from.
@@ -124,9 +117,9 @@ table! {
 table! {
     /// How the rope is set before anything moves.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct Setting => SettingKeys {
+    pub struct RopeSetting => SettingKeys {
         /// What is given: sag of the bare rope, sag with the cargo at mid-span, unstretched length, or the tension at the ship that the winch keeps.
-        by: By, "set by";
+        by: SetBy, "set by";
         /// Sag at mid-span below the straight line between the ends.
         sag_m: Option<f64>, "sag", range LENGTH, absent "needed where a sag sets the rope";
         /// Unstretched length between the ends.
@@ -138,7 +131,7 @@ table! {
 
 words! {
     /// What the rope is set by.
-    pub enum By {
+    pub enum SetBy {
         /// Sag of the rope without cargo.
         BareSag = "bare-sag",
         /// Sag with the cargo at mid-span.
@@ -150,7 +143,7 @@ words! {
     }
 }
 
-impl fmt::Display for By {
+impl fmt::Display for SetBy {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::BareSag => "sag of the bare rope",
@@ -164,7 +157,7 @@ impl fmt::Display for By {
 table! {
     /// The water below.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct Water => WaterKeys {
+    pub struct WaterBelow => WaterKeys {
         /// Height of the wave crests that the cargo must clear.
         crest_m: f64 = 0.0, "wave crest", range of(0.0, 50.0);
     }
@@ -186,7 +179,7 @@ table! {
 table! {
     /// Motion of the rope's hang point on the ship: harmonic away from the platform and upwards.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct Motion => MotionKeys {
+    pub struct HangPointMotion => MotionKeys {
         /// Amplitude away from the platform.
         surge_m: f64 = 0.0, "surge", range of(0.0, 1e3);
         /// Period of the motion away from the platform.
@@ -225,7 +218,7 @@ table! {
 table! {
     /// A published statement of trend, checked along values of a key.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct Trend => TrendKeys {
+    pub struct RopewayTrend => TrendKeys {
         /// The statement, in words.
         name: String, "name";
         /// The key that is varied.

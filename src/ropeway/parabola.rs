@@ -7,23 +7,17 @@ use super::unloaded::SpanGeometry;
 
 /// Weight of the rope and of the cargo.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Load {
+pub struct ParabolaLoad {
     /// Weight of the rope per length q \[N/m\].
     pub weight_n_per_m: f64,
     /// Weight of the cargo Q \[N\].
     pub cargo_n: f64,
 }
 
-/// Depth of the cargo below end A at `x_m`, eq. (11) without its constant \[m\].
-#[must_use]
-pub fn depth_m(geometry: SpanGeometry, load: Load, horizontal_n: f64, x_m: f64) -> f64 {
-    sag_m(geometry, load, horizontal_n, x_m) - geometry.line_m(x_m)
-}
-
 /// Depth of the cargo below the straight line between the ends with the cargo at `x_m` \[m\]; at
 /// mid-span and level ends the greatest deflection of eq. (13).
 #[must_use]
-pub fn sag_m(geometry: SpanGeometry, load: Load, horizontal_n: f64, x_m: f64) -> f64 {
+pub fn sag_m(geometry: SpanGeometry, load: ParabolaLoad, horizontal_n: f64, x_m: f64) -> f64 {
     let secant = geometry.chord_m() / geometry.span_m;
     let by_rope = 0.5 * load.weight_n_per_m * secant / horizontal_n;
     let by_cargo = load.cargo_n / (horizontal_n * geometry.span_m);
@@ -35,7 +29,7 @@ pub fn sag_m(geometry: SpanGeometry, load: Load, horizontal_n: f64, x_m: f64) ->
 #[must_use]
 pub fn end_tensions_n(
     geometry: SpanGeometry,
-    load: Load,
+    load: ParabolaLoad,
     horizontal_n: f64,
     x_m: f64,
 ) -> (f64, f64) {
@@ -52,7 +46,7 @@ mod tests {
     use super::*;
     use crate::ropeway::loaded::LoadedRope;
 
-    const LOAD: Load = Load {
+    const LOAD: ParabolaLoad = ParabolaLoad {
         weight_n_per_m: 21.56,
         cargo_n: 490.0,
     };

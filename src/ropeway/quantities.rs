@@ -5,21 +5,21 @@ use super::inextensible::{InextensibleModel, MinimumTension};
 use super::line::LineEquilibrium;
 use super::solve::{ModelResults, SolvedRopeway};
 use super::weight_check::WeightCheck;
-use Read::{Check, Elastic, Line, Minimum, Model, Parabola};
+use QuantityReader::{Check, Elastic, Line, Minimum, Model, Parabola};
 
 /// A quantity that published values and trends may name.
-pub struct Quantity {
+pub struct RopewayQuantity {
     /// Name, ending in its unit: `model.max_tension_n`.
     pub name: &'static str,
     /// Unit.
     pub unit: &'static str,
     /// Meaning.
     pub description: &'static str,
-    read: Read,
+    read: QuantityReader,
 }
 
 /// The model that a quantity is of, and how it is read from its results.
-enum Read {
+enum QuantityReader {
     Model(fn(&InextensibleModel) -> f64),
     Minimum(fn(&MinimumTension) -> f64),
     Check(fn(&WeightCheck) -> f64),
@@ -31,10 +31,10 @@ enum Read {
 const fn quantity(
     name: &'static str,
     unit: &'static str,
-    read: Read,
+    read: QuantityReader,
     description: &'static str,
-) -> Quantity {
-    Quantity {
+) -> RopewayQuantity {
+    RopewayQuantity {
         name,
         unit,
         description,
@@ -44,7 +44,7 @@ const fn quantity(
 
 /// All quantities.
 #[rustfmt::skip] // one quantity a line
-pub static QUANTITIES: [Quantity; 24] = [
+pub static QUANTITIES: [RopewayQuantity; 24] = [
     quantity("model.horizontal_n", "N", Model(|m| m.rope.horizontal_n), "horizontal tension of the unloaded rope"),
     quantity("model.max_tension_n", "N", Model(|m| m.max_tension_n), "greatest end tension of the inextensible model: unloaded rope, whole cargo at one end"),
     quantity("model.length_m", "m", Model(|m| m.rope.length_m()), "length of the unloaded inextensible rope"),
@@ -73,7 +73,7 @@ pub static QUANTITIES: [Quantity; 24] = [
 
 /// The quantity of this name.
 #[must_use]
-pub fn find(name: &str) -> Option<&'static Quantity> {
+pub fn find(name: &str) -> Option<&'static RopewayQuantity> {
     QUANTITIES.iter().find(|quantity| quantity.name == name)
 }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::model::Motion;
+use super::model::HangPointMotion;
 use super::winch::ShipOffset;
 
 /// Steps of a period.
@@ -13,7 +13,7 @@ const MOST: f64 = 20_000.0;
 
 /// Displacement of the hang point at a time, away from the platform and upwards, from zero at t = 0.
 #[must_use]
-pub fn at(motion: &Motion, time_s: f64) -> ShipOffset {
+pub fn at(motion: &HangPointMotion, time_s: f64) -> ShipOffset {
     let swing = |period: f64| (TAU * time_s / period).sin();
     ShipOffset {
         time_s,
@@ -24,7 +24,7 @@ pub fn at(motion: &Motion, time_s: f64) -> ShipOffset {
 
 /// The motion at equal steps over a duration, a fixed number of steps in the shorter period of those with an amplitude.
 #[must_use]
-pub fn series(motion: &Motion, duration_s: f64) -> Vec<ShipOffset> {
+pub fn series(motion: &HangPointMotion, duration_s: f64) -> Vec<ShipOffset> {
     let moving = [
         (motion.surge_m, motion.surge_period_s),
         (motion.heave_m, motion.heave_period_s),

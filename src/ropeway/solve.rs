@@ -6,11 +6,9 @@ use super::elastic::{self, ElasticRope, RopeEquilibrium};
 use super::inextensible::{InextensibleModel, MinimumTension, minimum_tension};
 use super::line::{self, LineEquilibrium};
 use super::loaded::LoadedRope;
-use super::model::{By, Ropeway};
-use super::parabola::{self, Load};
+use super::model::{Ropeway, SetBy};
+use super::parabola::{self, ParabolaLoad};
 use super::unloaded::UnloadedRope;
-use crate::case::InvalidValue;
-use crate::number::si;
 
 /// A ropeway with what its file alone determines.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,29 +45,19 @@ pub struct ModelResults {
 /// Solves a ropeway: the length of its rope, and the inextensible model.
 ///
 /// # Errors
-/// An impossible setting, at its key.
-pub fn solve(ropeway: &Ropeway) -> Result<SolvedRopeway, InvalidValue> {
-    let key = setting_key(ropeway)?;
-    let length_m = elastic::length_m(ropeway).map_err(|error| unsolved(key, &error))?;
+/// A setting without a solution.
+pub fn solve(ropeway: &Ropeway) -> Result<SolvedRopeway, RopewayError> {
+    let length_m = elastic::length_m(ropeway)?;
     let rope = ElasticRope::of(ropeway);
     // Every model needs a position of the cargo on the rope.
-    rope.with_cargo(length_m, ropeway.cargo.position)
-        .map_err(|error| unsolved(key, &error))?;
-    let stored = ropeway.stored_m();
-    if length_m > stored {
-        return Err(InvalidValue::new(
-            &["setting", key],
-            format!(
-                "takes {} of rope, and of the shortest there is {}",
-                si(length_m, "m"),
-                si(stored, "m")
-            ),
-            "give less sag or more tension, or a longer rope",
-        ));
+    rope.with_cargo(length_m, ropeway.cargo.position)?;
+    let stored_m = ropeway.stored_m();
+    if length_m > stored_m {
+        return Err(RopewayError::TooLittleRope { length_m, stored_m });
     }
     let (w, q) = (ropeway.weight_n_per_m(), ropeway.cargo_n());
     let unloaded = match (ropeway.setting.by, ropeway.setting.sag_m) {
-        (By::BareSag, Some(sag)) => UnloadedRope::with_sag(rope.geometry, w, sag),
+        (SetBy::BareSag, Some(sag)) => UnloadedRope::with_sag(rope.geometry, w, sag),
         _ => UnloadedRope::with_length(rope.geometry, w, length_m),
     };
     Ok(SolvedRopeway {
@@ -81,33 +69,6 @@ pub fn solve(ropeway: &Ropeway) -> Result<SolvedRopeway, InvalidValue> {
     })
 }
 
-/// The key of the setting that determines the length of the rope, given in the file.
-fn setting_key(ropeway: &Ropeway) -> Result<&'static str, InvalidValue> {
-    let (key, value) = match ropeway.setting.by {
-        By::BareSag | By::LoadedSag => ("sag_m", ropeway.setting.sag_m),
-        By::Length => ("length_m", ropeway.setting.length_m),
-        By::Tension => ("tension_n", ropeway.setting.tension_n),
-    };
-    let missing = || {
-        InvalidValue::new(
-            &["setting", key],
-            format!("is missing: the rope is set by its {}", ropeway.setting.by),
-            format!("add `{key} = ...` to [setting], or change `by`"),
-        )
-    };
-    value.map(|_| key).ok_or_else(missing)
-}
-
-/// A setting without a solution.
-fn unsolved(key: &str, error: &RopewayError) -> InvalidValue {
-    let remedy = match error {
-        RopewayError::TooLittleTension { .. } => "give more tension, or a shorter span",
-        RopewayError::TooDeep => "give less sag or less rope",
-        _ => "give more rope, or a shorter span",
-    };
-    InvalidValue::new(&["setting", key], error.to_string(), remedy)
-}
-
 impl SolvedRopeway {
     /// The elastic rope with the cargo at this position, 0 at the platform to 1 at the ship; a rope set by tension has the
     /// length that gives the tension, any other keeps its length.
@@ -116,7 +77,7 @@ impl SolvedRopeway {
     /// No solution at this position.
     pub fn equilibrium(&self, position: f64) -> Result<RopeEquilibrium, RopewayError> {
         let length = match (self.ropeway.setting.by, self.ropeway.setting.tension_n) {
-            (By::Tension, Some(tension)) => self
+            (SetBy::Tension, Some(tension)) => self
                 .rope
                 .length_for_tension(tension, |length| self.rope.with_cargo(length, position))?,
             _ => self.length_m,
@@ -131,7 +92,7 @@ impl SolvedRopeway {
     pub fn results(&self, position: f64) -> Result<ModelResults, RopewayError> {
         let exact = self.equilibrium(position)?;
         let (geometry, x) = (self.rope.geometry, position * self.rope.geometry.span_m);
-        let load = Load {
+        let load = ParabolaLoad {
             weight_n_per_m: self.rope.weight_n_per_m,
             cargo_n: self.rope.cargo_n,
         };

@@ -1,10 +1,9 @@
 //! A ropeway compared with its published values and trends: rows of the validation table.
 
-use super::edit;
-use super::model::Trend;
+use super::model::{Ropeway, RopewayTrend};
 use super::quantities::{self, unit};
 use super::solve::SolvedRopeway;
-use crate::case::StudyValue;
+use crate::case::{StudyValue, kind};
 use crate::reference::{PublishedNumber, TrendPoint, TrendStatement, ValidationRow, compare_trend};
 
 /// Rows for every published value and every statement of trend of a ropeway, in the order of its file. `text` is the file's:
@@ -26,7 +25,7 @@ pub fn rows(solved: &SolvedRopeway, text: &str) -> Vec<ValidationRow> {
     values.chain(trends).collect()
 }
 
-fn trend_row(trend: &Trend, text: &str) -> ValidationRow {
+fn trend_row(trend: &RopewayTrend, text: &str) -> ValidationRow {
     let mut missing = None;
     let points = trend.values.iter().map(|&value| {
         let computed = at(trend, text, value);
@@ -50,12 +49,12 @@ fn trend_row(trend: &Trend, text: &str) -> ValidationRow {
 }
 
 /// The quantity of a trend with its key set to a value.
-fn at(trend: &Trend, text: &str, value: f64) -> Result<f64, String> {
+fn at(trend: &RopewayTrend, text: &str, value: f64) -> Result<f64, String> {
     let first = |all: Vec<crate::case::Diagnostic>| {
         all.first().map_or_else(String::new, ToString::to_string)
     };
-    let edited = edit::set(text, &trend.key, &format!("{value:?}")).map_err(first)?;
-    let solved = super::parse(&edited, "trend").map_err(first)?;
+    let edited = kind::set::<Ropeway>(text, &trend.key, &format!("{value:?}")).map_err(first)?;
+    let solved = kind::parse::<Ropeway>(&edited, "trend").map_err(first)?;
     let results = solved
         .results(solved.ropeway.cargo.position)
         .map_err(|error| error.to_string())?;

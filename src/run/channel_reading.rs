@@ -1,6 +1,6 @@
 //! The values of channels read off a state of the line.
 
-use crate::case::{ChannelQuantity, LineEnd, Site};
+use crate::case::{ChannelLocation, ChannelQuantity, LineEnd};
 use crate::numerics::V3;
 use crate::scene::Scene;
 use crate::solve::{Kinematics, State};
@@ -25,7 +25,11 @@ impl<'a> ChannelReading<'a> {
     }
 
     /// The value of a channel, in the unit of its quantity; `None` where there is nothing to read.
-    pub(super) fn channel(&mut self, quantity: ChannelQuantity, site: Site) -> Option<f64> {
+    pub(super) fn channel(
+        &mut self,
+        quantity: ChannelQuantity,
+        site: ChannelLocation,
+    ) -> Option<f64> {
         use ChannelQuantity as Q;
         let (scene, state) = (self.scene, self.state);
         match quantity {
@@ -34,7 +38,7 @@ impl<'a> ChannelReading<'a> {
             Q::Y => self.position(site).map(|x| x[1]),
             Q::Z => self.position(site).map(|x| x[2]),
             Q::Speed => match site {
-                Site::End(LineEnd::A) => Some(state.v[0].norm()),
+                ChannelLocation::End(LineEnd::A) => Some(state.v[0].norm()),
                 _ => Some(scene.end_b_velocity(state).norm()),
             },
             Q::Tilt => Some(scene.tilt(state).to_degrees()),
@@ -42,6 +46,8 @@ impl<'a> ChannelReading<'a> {
             Q::ForceX => self.end_force(site).map(|f| f[0]),
             Q::ForceY => self.end_force(site).map(|f| f[1]),
             Q::ForceZ => self.end_force(site).map(|f| f[2]),
+            Q::BedForce => self.bed_force(site),
+            Q::LandingSpeed => self.landing_speed(site),
             Q::WaveElevation => Some(scene.line.elevation(self.time)),
             Q::Energy => {
                 let traveller = scene.traveller_energy(self.time, state);
@@ -51,23 +57,23 @@ impl<'a> ChannelReading<'a> {
         }
     }
 
-    fn tension(&self, site: Site) -> Option<f64> {
+    fn tension(&self, site: ChannelLocation) -> Option<f64> {
         match site {
-            Site::Joint(joint) => {
+            ChannelLocation::Joint(joint) => {
                 let node = self.scene.labels.joints[joint].node;
                 Some(self.scene.tension_at(node, self.state))
             }
-            Site::Traveller => self.scene.traveller_tension(self.time, self.state),
+            ChannelLocation::Traveller => self.scene.traveller_tension(self.time, self.state),
             _ => None,
         }
     }
 
-    fn position(&self, site: Site) -> Option<V3> {
+    fn position(&self, site: ChannelLocation) -> Option<V3> {
         match site {
-            Site::End(LineEnd::A) => Some(self.state.x[0]),
-            Site::End(LineEnd::B) => Some(self.scene.end_b_position(self.state)),
-            Site::Body(body) => Some(self.state.x[self.scene.labels.clumps[body]]),
-            Site::Traveller => {
+            ChannelLocation::End(LineEnd::A) => Some(self.state.x[0]),
+            ChannelLocation::End(LineEnd::B) => Some(self.scene.end_b_position(self.state)),
+            ChannelLocation::Body(body) => Some(self.state.x[self.scene.labels.clumps[body]]),
+            ChannelLocation::Traveller => {
                 let at = self.scene.traveller_at(self.time, self.state);
                 at.map(|(place, _)| place)
             }
@@ -75,8 +81,10 @@ impl<'a> ChannelReading<'a> {
         }
     }
 
-    fn end_force(&mut self, site: Site) -> Option<V3> {
-        let Site::End(end) = site else { return None };
+    fn end_force(&mut self, site: ChannelLocation) -> Option<V3> {
+        let ChannelLocation::End(end) = site else {
+            return None;
+        };
         let (known, node) = match end {
             LineEnd::A => (&mut self.end_forces[0], 0),
             LineEnd::B => (&mut self.end_forces[1], self.scene.nodes() - 1),
@@ -88,8 +96,38 @@ impl<'a> ChannelReading<'a> {
         Some(*known.get_or_insert_with(force))
     }
 
-    fn rope(&self, quantity: ChannelQuantity, site: Site) -> Option<f64> {
-        let Site::Section(section, end) = site else {
+    /// Number of the body at a place among those that bear on the bed.
+    fn bearing(&self, site: ChannelLocation) -> Option<usize> {
+        match site {
+            ChannelLocation::Body(body) => Some(body),
+            ChannelLocation::End(LineEnd::B) => Some(self.scene.labels.clumps.len()),
+            _ => None,
+        }
+    }
+
+    fn bed_force(&self, site: ChannelLocation) -> Option<f64> {
+        let (scene, state) = (self.scene, self.state);
+        match site {
+            ChannelLocation::End(LineEnd::A) => Some(scene.bed_force_at(0, state)),
+            ChannelLocation::End(LineEnd::B) => {
+                Some(scene.bed_force_at(scene.line_nodes() - 1, state))
+            }
+            ChannelLocation::Body(body) => Some(scene.bed_force_on_body(body, state)),
+            _ => None,
+        }
+    }
+
+    fn landing_speed(&self, site: ChannelLocation) -> Option<f64> {
+        let bodies = &self.state.memory.bodies;
+        Some(
+            bodies
+                .get(self.bearing(site)?)
+                .map_or(0.0, |body| body.landing_speed),
+        )
+    }
+
+    fn rope(&self, quantity: ChannelQuantity, site: ChannelLocation) -> Option<f64> {
+        let ChannelLocation::Section(section, end) = site else {
             return None;
         };
         let joint = |index: usize| self.scene.labels.joints[index].node;

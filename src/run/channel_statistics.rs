@@ -1,57 +1,66 @@
-//! Statistics of channels computed while a run goes on, without its history: means, extremes, times. Statistics that need
-//! a value known only at the end (the last value, the mean) read the samples a second time, from a [`SpillBuffer`].
+//! Statistics of channels computed while a run goes on, without its history: means, extremes, times. They are those of every
+//! accepted step and of what lies between, whatever is written. Statistics that need a value known only at the end (the last
+//! value, the mean) read the rows of the record a second time, from a [`SpillBuffer`].
+
+use serde::{Deserialize, Serialize};
 
 use super::requested_statistics::{RequestedStatistic, StatisticSource};
 use super::spill_buffer::SpillBuffer;
+use super::step_interval::{Arc, StepInterval};
 use super::{Channel, Profile, cycles, line_statistics};
 use crate::case::Statistic;
 
-/// Takes in every row of the record, and computes the requested statistics at the end.
+/// Takes in every step and every row of the record, and computes the requested statistics at the end.
 #[derive(Debug)]
 pub(super) struct ChannelStatistics {
     wanted: Vec<RequestedStatistic>,
     /// One for each channel and window that any of them is of.
-    series: Vec<Series>,
-    /// The time of the last row \[s\].
+    series: Vec<WindowSamples>,
+    /// The time of the last step \[s\].
     end: f64,
     warnings: Vec<String>,
 }
 
 /// A channel within a window of time.
 #[derive(Debug)]
-struct Series {
+struct WindowSamples {
     channel: usize,
     window: Option<[f64; 2]>,
     summary: Option<SampleSummary>,
     samples: Option<SpillBuffer>,
 }
 
-/// Samples after one reading; samples and extremes are (value, time).
-#[derive(Debug, Clone, Copy)]
-struct SampleSummary {
+/// A channel after one reading; samples and extremes are (value, time).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(super) struct SampleSummary {
     first: (f64, f64),
     last: (f64, f64),
     low: (f64, f64),
     high: (f64, f64),
-    /// Integral over time by trapezes.
+    /// Integral over time.
     area: f64,
-    sum: f64,
-    count: f64,
+}
+
+/// What is known of a channel within a window, in a checkpoint.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct ChannelSummary {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    summary: Option<SampleSummary>,
 }
 
 impl ChannelStatistics {
     /// For these numbers.
     pub(super) fn new(wanted: Vec<RequestedStatistic>) -> Self {
-        let mut series: Vec<Series> = Vec::new();
+        let mut series: Vec<WindowSamples> = Vec::new();
         for w in &wanted {
             let StatisticSource::Channel(channel) = w.of else {
                 continue;
             };
             let samples = reads_twice(w.statistic).then(SpillBuffer::default);
-            let same = |s: &&mut Series| s.channel == channel && s.window == w.window;
+            let same = |s: &&mut WindowSamples| s.channel == channel && s.window == w.window;
             match series.iter_mut().find(same) {
                 Some(known) => known.samples = known.samples.take().or(samples),
-                None => series.push(Series {
+                None => series.push(WindowSamples {
                     channel,
                     window: w.window,
                     summary: None,
@@ -67,9 +76,25 @@ impl ChannelStatistics {
         }
     }
 
-    /// Adds a row. Samples for which there is no room on disk are dropped, with their statistics and a warning.
-    pub(super) fn add(&mut self, time: f64, values: &[f64]) {
-        self.end = time;
+    /// Takes in what lies between two steps.
+    pub(super) fn interval(&mut self, between: &StepInterval<'_>) {
+        self.end = between.time()[1];
+        for series in &mut self.series {
+            if series.channel >= between.channels() {
+                continue;
+            }
+            if let Some(arc) = between.channel(series.channel).within(series.window) {
+                match &mut series.summary {
+                    Some(summary) => summary.add(&arc),
+                    none => *none = Some(SampleSummary::of(&arc)),
+                }
+            }
+        }
+    }
+
+    /// Takes in a row. Samples for which there is no room on disk are dropped, with their statistics and a warning.
+    pub(super) fn row(&mut self, time: f64, values: &[f64]) {
+        self.end = self.end.max(time);
         for series in &mut self.series {
             let Some(value) = values.get(series.channel).copied() else {
                 continue;
@@ -77,10 +102,9 @@ impl ChannelStatistics {
             if !within(series.window, time) {
                 continue;
             }
-            match &mut series.summary {
-                Some(summary) => summary.add(time, value),
-                none => *none = Some(SampleSummary::of(time, value)),
-            }
+            // The start, or the single state of a line at rest.
+            let first = || SampleSummary::at((value, time));
+            series.summary.get_or_insert_with(first);
             let kept = series
                 .samples
                 .as_mut()
@@ -92,6 +116,22 @@ impl ChannelStatistics {
                 ));
             }
         }
+    }
+
+    /// What is known of each series, for a checkpoint.
+    pub(super) fn summaries(&self) -> Vec<ChannelSummary> {
+        let known = |series: &WindowSamples| ChannelSummary {
+            summary: series.summary,
+        };
+        self.series.iter().map(known).collect()
+    }
+
+    /// Continues from a checkpoint.
+    pub(super) fn restore(&mut self, known: &[ChannelSummary], time: f64) {
+        for (series, known) in self.series.iter_mut().zip(known) {
+            series.summary = known.summary;
+        }
+        self.end = time;
     }
 
     /// The statistics, and warnings. A statistic is `None` where its window holds no output time, the run ended before the
@@ -117,7 +157,7 @@ impl ChannelStatistics {
         channel: &Channel,
         wanted: &RequestedStatistic,
     ) -> Option<f64> {
-        let same = |s: &&Series| s.channel == index && s.window == wanted.window;
+        let same = |s: &&WindowSamples| s.channel == index && s.window == wanted.window;
         let series = self.series.iter().find(same)?;
         if wanted
             .window
@@ -132,8 +172,7 @@ impl ChannelStatistics {
         };
         let span = summary.last.1 - summary.first.1;
         match wanted.statistic {
-            Statistic::Mean if span <= 0.0 => Some(summary.first.0),
-            Statistic::Mean => Some(summary.area / span),
+            Statistic::Mean => Some(summary.mean()),
             Statistic::Max => Some(greatest.0),
             Statistic::Min => Some(smallest.0),
             Statistic::Final => Some(summary.last.0),
@@ -172,29 +211,41 @@ fn within(window: Option<[f64; 2]>, time: f64) -> bool {
 }
 
 impl SampleSummary {
-    fn of(time: f64, value: f64) -> Self {
-        let sample = (value, time);
+    fn at(sample: (f64, f64)) -> Self {
         Self {
             first: sample,
             last: sample,
             low: sample,
             high: sample,
             area: 0.0,
-            sum: value,
-            count: 1.0,
         }
     }
 
-    fn add(&mut self, time: f64, value: f64) {
-        self.area += 0.5 * (time - self.last.1) * (self.last.0 + value);
-        self.sum += value;
-        self.count += 1.0;
-        self.last = (value, time);
-        if value > self.high.0 {
-            self.high = self.last;
+    fn of(arc: &Arc) -> Self {
+        let mut summary = Self::at(arc.first());
+        summary.add(arc);
+        summary
+    }
+
+    fn add(&mut self, arc: &Arc) {
+        self.area += arc.integral();
+        self.last = arc.last();
+        let (high, low) = (arc.greatest(), arc.smallest());
+        if high.0 > self.high.0 {
+            self.high = high;
         }
-        if value < self.low.0 {
-            self.low = self.last;
+        if low.0 < self.low.0 {
+            self.low = low;
+        }
+    }
+
+    /// Mean over time; of no time, the value there.
+    fn mean(&self) -> f64 {
+        let span = self.last.1 - self.first.1;
+        if span > 0.0 {
+            self.area / span
+        } else {
+            self.first.0
         }
     }
 
@@ -236,7 +287,7 @@ impl SampleSummary {
     /// Mean of the extremes that `pick` takes of whole cycles.
     fn mean_extreme(&self, samples: &SpillBuffer, pick: fn(f64, f64) -> f64) -> Option<f64> {
         let range = self.high.0 - self.low.0;
-        let mut cycles = cycles::Cycles::new(self.sum / self.count, range, pick);
+        let mut cycles = cycles::Cycles::new(self.mean(), range, pick);
         samples.each(|_, value| cycles.add(value)).ok()?;
         cycles.mean()
     }
@@ -255,6 +306,7 @@ fn crossing((t0, y0): (f64, f64), (t1, y1): (f64, f64)) -> f64 {
 mod tests {
     use super::*;
     use crate::case::ChannelQuantity;
+    use crate::run::step_interval::LatestSteps;
 
     fn take(values: &[f64], statistic: Statistic, window: Option<[f64; 2]>) -> Option<f64> {
         let wanted = RequestedStatistic {
@@ -263,8 +315,17 @@ mod tests {
             window,
         };
         let mut of_channel = ChannelStatistics::new(vec![wanted]);
+        let mut latest = LatestSteps::new(1, 0);
         for (i, value) in values.iter().enumerate() {
-            of_channel.add(i as f64, &[*value]);
+            let step = latest.next();
+            (step.time, step.values[0]) = (i as f64, *value);
+            of_channel.row(i as f64, &[*value]);
+            if let Some(between) = latest.complete_interval(&[]) {
+                of_channel.interval(&between);
+            }
+        }
+        if let Some(between) = latest.last_interval(&[]) {
+            of_channel.interval(&between);
         }
         let channel = Channel {
             peak: (9.0, 2.25),
@@ -294,9 +355,12 @@ mod tests {
             Some(3.25)
         );
         assert_eq!(
-            take(&[1.0, 2.0, 0.0], Statistic::Max, Some([0.0, 2.0])),
-            Some(2.0)
+            take(&[1.0, 2.0, 0.0], Statistic::Max, Some([0.0, 0.5])),
+            Some(1.875)
         );
+        // The parabola through the three peaks in between.
+        let peak = take(&[1.0, 2.0, 0.0], Statistic::Max, Some([0.0, 2.0])).unwrap();
+        assert!((peak - (2.0 + 1.0 / 24.0)).abs() < 1e-14, "{peak}");
         assert_eq!(take(&[1.0, 2.0, 0.0], Statistic::Travel, None), Some(10.0));
     }
 

@@ -1,22 +1,30 @@
-//! The state of a computation at an output time, complete enough to be resumed to the same bits.
+//! The state of a computation after an accepted step, complete enough to be resumed to the same bits.
 
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
-use super::Profile;
-use super::response::Response;
+use super::channel_statistics::ChannelSummary;
+use super::energy_balance::EnergyBalance;
+use super::response::ResponseSums;
+use super::step_interval::LatestSteps;
 use super::touchdown_speed::TouchdownSpeed;
-use crate::dynamics::{MarchProgress, MethodState, TimeGrid};
-use crate::solve::State;
+use super::{Profile, step_envelope};
+use crate::dynamics::{MarchProgress, MethodState};
+use crate::scene::Scene;
+use crate::solve::{Kinematics, State};
 
-/// The state of a computation at an output time. Written as `checkpoint.toml`.
+/// The state of a computation after an accepted step. Written as `checkpoint.toml`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Checkpoint {
     /// Length of a whole step \[s\].
     pub whole_step_s: f64,
-    /// Whole steps an output interval.
-    pub per_output: u64,
+    /// Interval of the rows of the record \[s\].
+    #[serde(default)]
+    pub output_interval_s: f64,
+    /// Rows of the record so far.
+    #[serde(default)]
+    pub rows: u64,
     /// Events of the line so far.
     pub phase: usize,
     /// Newton iterations of the search for the start.
@@ -25,9 +33,12 @@ pub struct Checkpoint {
     pub peaks: Vec<(f64, f64)>,
     /// Smallest value of every channel so far and its time \[s\].
     pub troughs: Vec<(f64, f64)>,
-    /// Squares of the greatest lengths of segments with a breaking load \[m²\].
-    #[serde(default, rename = "longest")]
-    pub greatest_lengths: Vec<f64>,
+    /// Statistics of the channels so far.
+    #[serde(default)]
+    pub summaries: Vec<ChannelSummary>,
+    /// The latest steps, between which rows and statistics are interpolated.
+    #[serde(default)]
+    pub latest: LatestSteps,
     /// Touchdown of the line on the bed so far.
     #[serde(default, rename = "front")]
     pub touchdown: Option<TouchdownSpeed>,
@@ -44,20 +55,117 @@ pub struct Checkpoint {
     pub profile: Profile,
     /// Sums over the displacements, where the case asks for them.
     #[serde(default)]
-    pub response: Option<Response>,
+    pub response: Option<ResponseSums>,
+    /// Energy balance so far, where one is stated.
+    #[serde(default)]
+    pub energy: Option<EnergyBalance>,
 }
 
 impl Checkpoint {
-    /// Whether a march with this time grid can continue from here.
+    /// Time of the state \[s\].
     #[must_use]
-    pub fn fits(&self, grid: &TimeGrid) -> bool {
-        self.whole_step_s.to_bits() == grid.dt.to_bits() && self.per_output == grid.per_output
+    pub fn time(&self) -> f64 {
+        self.latest
+            .latest()
+            .map_or(self.place.time, |step| step.time)
+    }
+
+    /// Whether it holds what a run is resumed from: that of versions before 0.2 lacks the latest steps.
+    #[must_use]
+    pub fn can_be_resumed(&self) -> bool {
+        self.latest.latest().is_some()
+    }
+
+    /// Checks that it belongs to this line and these channels: sizes agree, and all numbers are finite.
+    ///
+    /// # Errors
+    /// What does not agree, in words.
+    pub(super) fn check(&self, scene: &Scene, channels: usize) -> Result<(), String> {
+        self.check_lists(scene, channels)?;
+        self.check_parts(scene, channels)?;
+        let (state, method) = (&self.state, &self.method_state);
+        let vectors = [&state.x, &state.v, &state.a, &method.jerk, &method.x_before];
+        let mut numbers = vectors.into_iter().flatten().flat_map(|v| v.iter());
+        let step = self.whole_step_s;
+        if numbers.all(|number| number.is_finite()) && step.is_finite() && step > 0.0 {
+            Ok(())
+        } else {
+            Err("it holds numbers that are not finite".to_owned())
+        }
+    }
+
+    /// Checks every list with an entry a node, segment or channel.
+    fn check_lists(&self, scene: &Scene, channels: usize) -> Result<(), String> {
+        let (nodes, segments) = (scene.nodes(), scene.nodes() - 1);
+        let (state, memory, method) = (&self.state, &self.state.memory, &self.method_state);
+        let needed = [
+            ("positions", state.x.len(), nodes),
+            ("velocities", state.v.len(), nodes),
+            ("accelerations", state.a.len(), nodes),
+            ("greatest values", self.peaks.len(), channels),
+            ("smallest values", self.troughs.len(), channels),
+        ];
+        let optional = [
+            ("friction springs", memory.grips.len(), nodes),
+            (
+                "drag coefficients",
+                memory.drag_coefficients.len(),
+                segments,
+            ),
+            ("ropes", memory.ropes.len(), segments),
+            (
+                "extrapolated tensions",
+                state.extrapolated_tension.len(),
+                segments,
+            ),
+            ("chord corrections", state.chord_correction.len(), segments),
+            ("rates of acceleration", method.jerk.len(), nodes),
+            ("positions a step back", method.x_before.len(), nodes),
+        ];
+        let needed = needed.into_iter().filter(|(_, found, size)| found != size);
+        let optional = optional
+            .into_iter()
+            .filter(|(_, found, size)| *found != 0 && found != size);
+        match needed.chain(optional).next() {
+            Some((what, found, size)) => Err(format!("it has {found} {what} instead of {size}")),
+            None => Ok(()),
+        }
+    }
+
+    /// Checks what the observers, the bodies and the march left of it.
+    fn check_parts(&self, scene: &Scene, channels: usize) -> Result<(), String> {
+        let nodes = scene.line_nodes();
+        let bodies = scene.elements.body_contact.as_ref();
+        let bodies = bodies.map_or(0, |contact| contact.bodies.len());
+        let known = self.state.memory.bodies.len();
+        let parts = [
+            ("place in the march", self.place.is_possible()),
+            ("latest steps", self.latest.fits(channels, nodes)),
+            // A body that was released keeps its history.
+            ("bodies on the bed", known == 0 || known >= bodies),
+            (
+                "profile",
+                self.profile.is_like(&step_envelope::profile(scene)),
+            ),
+            (
+                "touchdown",
+                self.touchdown.as_ref().is_none_or(|t| t.fits(nodes)),
+            ),
+            (
+                "response",
+                self.response.as_ref().is_none_or(|r| r.fits(nodes)),
+            ),
+        ];
+        match parts.into_iter().find(|(_, fits)| !fits) {
+            Some((what, _)) => Err(format!("its {what} cannot be that of this line")),
+            None => Ok(()),
+        }
     }
 }
 
 /// A stored run to be resumed.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Resume {
+pub struct ResumedRun {
     /// Its state.
     pub checkpoint: Checkpoint,
     /// The run directory, with the record up to there and perhaps beyond.

@@ -5,13 +5,13 @@ use std::time::Instant;
 
 use rustix::time::{ClockId, clock_gettime};
 
-use super::event::Event;
+use super::event::JobEvent;
 use super::observer::RunRecord;
 use super::recorder::Recorder;
 use super::settings::{damped_modes_warning, set_numerical_damping, settings};
 use super::simulation::simulate;
 use super::time_march::{MarchResult, phases};
-use super::{Cost, Profile, Quantity, Resume, Settings, Work};
+use super::{Cost, Profile, Quantity, ResumedRun, Settings, Work};
 use super::{natural_modes, published_curve, steady_state};
 use crate::case::{self, Case, WaterSurface};
 use crate::scene::{self, Scene};
@@ -68,9 +68,9 @@ impl Resolution {
 pub(super) fn compute(
     case: &Case,
     resolution: Resolution,
-    from: Option<&Resume>,
+    from: Option<&ResumedRun>,
     cancel: &AtomicBool,
-    events: &mut dyn FnMut(Event),
+    events: &mut dyn FnMut(JobEvent),
 ) -> Computed {
     let scene = match scene::build(case, resolution.coarsening) {
         Ok(scene) => scene,
@@ -81,7 +81,7 @@ pub(super) fn compute(
     settings.time_step_s *= ratio;
     settings.step_tolerance = settings.step_tolerance.map(|t| ratio.powi(3) * t);
     let channels = case::channels(case).into_iter();
-    events(Event::Started {
+    events(JobEvent::Started {
         channels: channels.map(|channel| channel.id).collect(),
     });
     let (cpu, wall) = (cpu_time(), Instant::now());

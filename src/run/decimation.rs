@@ -1,6 +1,7 @@
 //! Decimation of a record to a bounded size in memory. Nothing is averaged: of every stretch of time the rows are kept at
 //! which a channel is greatest or smallest, so that no peak is lost. A record that fits is kept whole.
 
+use super::step_interval::StepInterval;
 use super::{Channel, History, LineShape};
 use crate::case::ChannelId;
 
@@ -54,10 +55,13 @@ impl DecimatedRecord {
         &mut self.history.channels
     }
 
-    /// Widens the extremes of the channels to those of a step.
-    pub(super) fn widen_extremes(&mut self, time: f64, values: &[f64]) {
-        for (channel, value) in self.history.channels.iter_mut().zip(values) {
-            widen(channel, *value, time);
+    /// Widens the extremes of the channels to those between two steps.
+    pub(super) fn widen_extremes(&mut self, between: &StepInterval<'_>) {
+        for (number, channel) in self.history.channels.iter_mut().enumerate() {
+            let arc = between.channel(number);
+            for (value, time) in [arc.greatest(), arc.smallest()] {
+                widen(channel, value, time);
+            }
         }
     }
 

@@ -1,18 +1,18 @@
 //! What a job reports while it computes.
 
-use super::{Checkpoint, Frame, Run};
+use super::{Checkpoint, OutputFrame, Run};
 use crate::case::ChannelId;
 
 /// What a job reports while it computes.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Event {
+pub enum JobEvent {
     /// The computation begins; these channels will be recorded.
     Started {
-        /// In the order of [`Frame::values`].
+        /// In the order of [`OutputFrame::values`].
         channels: Vec<ChannelId>,
     },
     /// An output time.
-    Frame(Box<Frame>),
+    Frame(Box<OutputFrame>),
     /// The state of the computation, from which it can be resumed.
     Checkpoint(Box<Checkpoint>),
     /// The run is complete; companion runs now estimate its errors.

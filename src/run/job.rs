@@ -8,12 +8,12 @@ use std::time::{Instant, SystemTime};
 use crossbeam_channel::Sender;
 
 use super::compute::{Computed, Resolution, compute};
-pub use super::event::Event;
+pub use super::event::JobEvent;
 use super::observer::RunRecord;
 use super::store::rfc3339;
 use super::{
-    Cost, Quantity, Resume, Run, RunInfo, RunState, Settings, VERSION, Work, error_estimate,
-    limits, settings,
+    Cost, Quantity, ResumedRun, Run, RunInfo, RunState, Settings, VERSION, Work, energy_balance,
+    error_estimate, limits, settings,
 };
 use crate::case::{Case, Method, stand_alone};
 use crate::scene;
@@ -78,14 +78,14 @@ impl Job {
 }
 
 /// Starts a thread that computes the request, or resumes an earlier run of it, and sends its events with the name of the
-/// job. The last one is always [`Event::Finished`].
+/// job. The last one is always [`JobEvent::Finished`].
 ///
 /// # Errors
 /// When the system gives no thread.
 pub fn start(
     request: Request,
-    from: Option<Resume>,
-    events: Sender<(JobId, Event)>,
+    from: Option<ResumedRun>,
+    events: Sender<(JobId, JobEvent)>,
 ) -> std::io::Result<Job> {
     static NEXT: AtomicU64 = AtomicU64::new(1);
     let id = JobId(NEXT.fetch_add(1, Ordering::Relaxed));
@@ -100,41 +100,48 @@ pub fn start(
             // A channel that nobody listens to any more is no reason to stop early.
             let mut send = |event| drop(events.send((id, event)));
             let run = execute_from(&request, from.as_ref(), &cancel, &mut send);
-            send(Event::Finished(Box::new(run)));
+            send(JobEvent::Finished(Box::new(run)));
         })?;
     Ok(job)
 }
 
 /// Computes a request, with its companions if the case asks for error estimates. A failure is reported in the run,
-/// which keeps the results before it. Does not send [`Event::Finished`]: the run is returned.
-pub fn execute(request: &Request, cancel: &AtomicBool, events: &mut dyn FnMut(Event)) -> Run {
+/// which keeps the results before it. Does not send [`JobEvent::Finished`]: the run is returned.
+pub fn execute(request: &Request, cancel: &AtomicBool, events: &mut dyn FnMut(JobEvent)) -> Run {
     execute_from(request, None, cancel, events)
 }
 
 /// As [`execute`], or resumes an earlier run.
 pub fn execute_from(
     request: &Request,
-    from: Option<&Resume>,
+    from: Option<&ResumedRun>,
     cancel: &AtomicBool,
-    events: &mut dyn FnMut(Event),
+    events: &mut dyn FnMut(JobEvent),
 ) -> Run {
     let started = rfc3339(SystemTime::now());
-    let (chosen, reason) = chosen(request);
+    let (chosen, reason) = chosen(request, cancel);
     let request = chosen.as_ref().unwrap_or(request);
     let case = &request.case;
     let mut computed = compute(case, Resolution::AS_SET, from, cancel, events);
     let companions = Instant::now();
     let done = computed.outcome.state == RunState::Done;
     let estimates = if done && case.solver.error_estimate {
-        events(Event::Estimating);
+        events(JobEvent::Estimating);
         error_estimate::estimate(case, &computed, cancel)
     } else {
         error_estimate::without_errors(&computed)
     };
+    // Stopped among its companions: resumed, it has its errors left to estimate.
+    if done && case.solver.error_estimate && cancel.load(Ordering::Relaxed) {
+        computed.outcome.state = RunState::Cancelled;
+    }
     let checks = limits::check(case, &computed.record.profile);
     let exceeded = checks.iter().flat_map(limits::LimitCheck::warnings);
     computed.warnings.extend(exceeded);
     computed.warnings.extend(estimates.warnings);
+    computed
+        .warnings
+        .extend(energy_balance::warning(&estimates.summary));
     computed.record.profile.rms_error = estimates.rms;
     computed.cost.companions_wall_s = companions.elapsed().as_secs_f64();
     computed.settings.method_reason = reason;
@@ -143,7 +150,7 @@ pub fn execute_from(
 }
 
 /// The request with the method that the program chooses where its case leaves the choice open, and the reason.
-fn chosen(request: &Request) -> (Option<Request>, Option<String>) {
+fn chosen(request: &Request, cancel: &AtomicBool) -> (Option<Request>, Option<String>) {
     if request.case.solver.method != Method::Auto {
         return (None, None);
     }
@@ -153,9 +160,22 @@ fn chosen(request: &Request) -> (Option<Request>, Option<String>) {
     let Ok(scene) = scene::build(&request.case, 1) else {
         return (Some(request), None);
     };
-    let (method, why) = settings::choose(&request.case, &scene);
+    let outlook = settings::outlook(&request.case, &scene);
+    let (method, why) = match outlook.clear {
+        Some(why) => (Method::Alpha, why),
+        None => settings::choose(&outlook, &tried(&request.case, cancel)),
+    };
     request.case.solver.method = method;
     (Some(request), Some(why))
+}
+
+/// Work of generalized-alpha in a trial of the case.
+fn tried(case: &Case, cancel: &AtomicBool) -> Work {
+    let mut case = case.clone();
+    case.solver.duration_s *= settings::TRIAL;
+    case.output.interval_s = case.solver.duration_s;
+    let trial = compute(&case, Resolution::AS_SET, None, cancel, &mut |_| {});
+    trial.outcome.work
 }
 
 fn assemble(request: &Request, computed: Computed, started: String, summary: Vec<Quantity>) -> Run {

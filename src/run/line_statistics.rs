@@ -3,30 +3,30 @@
 use super::Profile;
 use super::response::travelling;
 use super::wave_decomposition::standing_wave_ratio;
-use crate::case::{AlongLine, Statistic};
+use crate::case::{LineQuantity, Statistic};
 use crate::numerics::interpolation::linear_clamped;
 use crate::numerics::quadrature::trapezoid;
 
 /// The statistics along the line that every run computes.
-pub(super) const ALWAYS: [(AlongLine, Statistic); 18] = [
-    (AlongLine::Tension, Statistic::Max),
-    (AlongLine::Tension, Statistic::ArcOfMax),
-    (AlongLine::Tension, Statistic::Min),
-    (AlongLine::Tension, Statistic::ArcOfMin),
-    (AlongLine::Curvature, Statistic::Max),
-    (AlongLine::BendRadius, Statistic::Min),
-    (AlongLine::BendRadius, Statistic::ArcOfMin),
-    (AlongLine::Moment, Statistic::Max),
-    (AlongLine::Moment, Statistic::ArcOfMax),
-    (AlongLine::MeanLoad, Statistic::Max),
-    (AlongLine::MeanLoad, Statistic::Min),
-    (AlongLine::Stiffness, Statistic::Max),
-    (AlongLine::Stiffness, Statistic::Min),
-    (AlongLine::RmsDisplacement, Statistic::Max),
-    (AlongLine::RmsDiameters, Statistic::Max),
-    (AlongLine::RmsDiameters, Statistic::ArcOfMax),
-    (AlongLine::Travelling, Statistic::Mean),
-    (AlongLine::StandingWaveRatio, Statistic::Mean),
+pub(super) const ALWAYS: [(LineQuantity, Statistic); 18] = [
+    (LineQuantity::Tension, Statistic::Max),
+    (LineQuantity::Tension, Statistic::ArcOfMax),
+    (LineQuantity::Tension, Statistic::Min),
+    (LineQuantity::Tension, Statistic::ArcOfMin),
+    (LineQuantity::Curvature, Statistic::Max),
+    (LineQuantity::BendRadius, Statistic::Min),
+    (LineQuantity::BendRadius, Statistic::ArcOfMin),
+    (LineQuantity::Moment, Statistic::Max),
+    (LineQuantity::Moment, Statistic::ArcOfMax),
+    (LineQuantity::MeanLoad, Statistic::Max),
+    (LineQuantity::MeanLoad, Statistic::Min),
+    (LineQuantity::Stiffness, Statistic::Max),
+    (LineQuantity::Stiffness, Statistic::Min),
+    (LineQuantity::RmsDisplacement, Statistic::Max),
+    (LineQuantity::RmsDiameters, Statistic::Max),
+    (LineQuantity::RmsDiameters, Statistic::ArcOfMax),
+    (LineQuantity::Travelling, Statistic::Mean),
+    (LineQuantity::StandingWaveRatio, Statistic::Mean),
 ];
 
 /// A turn by less than this share of the whole range is not counted.
@@ -37,7 +37,7 @@ const SMALL_TURN: f64 = 0.01;
 #[must_use]
 pub fn evaluate(
     profile: &Profile,
-    quantity: AlongLine,
+    quantity: LineQuantity,
     statistic: Statistic,
     stretch: Option<[f64; 2]>,
 ) -> Option<f64> {
@@ -55,13 +55,13 @@ pub fn evaluate(
         let (node, value) = extreme(&values, better)?;
         Some((*arc.get(node)?, value))
     };
-    if quantity == AlongLine::Travelling {
+    if quantity == LineQuantity::Travelling {
         let (arc, cos) = cut(profile.wave_cos.clone())?;
         let (_, sin) = cut(profile.wave_sin.clone())?;
         let share = || travelling(&arc, &cos, &sin);
         return (statistic == Statistic::Mean).then(share).flatten();
     }
-    if quantity == AlongLine::StandingWaveRatio {
+    if quantity == LineQuantity::StandingWaveRatio {
         let mean = |values: &Vec<f64>| cut(values.clone()).and_then(|(arc, v)| mean(&arc, &v));
         let both = || mean(&profile.towards_a).zip(mean(&profile.towards_b));
         let both = (statistic == Statistic::Mean).then(both).flatten();
@@ -102,28 +102,28 @@ struct NodeValues {
 }
 
 impl NodeValues {
-    fn of(profile: &Profile, quantity: AlongLine) -> Self {
+    fn of(profile: &Profile, quantity: LineQuantity) -> Self {
         let (p, ropes) = (profile, &profile.ropes);
         let heights = || -> Vec<f64> { p.nodes.iter().map(|node| node[2]).collect() };
         match quantity {
-            AlongLine::Tension => Self::new(&p.tension, &p.tension_max, &p.tension_min),
-            AlongLine::Height => Self::new(&heights(), &p.z_max, &p.z_min),
-            AlongLine::Curvature => Self::new(&p.curvature, &p.curvature_max, &p.curvature),
-            AlongLine::BendRadius => {
+            LineQuantity::Tension => Self::new(&p.tension, &p.tension_max, &p.tension_min),
+            LineQuantity::Height => Self::new(&heights(), &p.z_max, &p.z_min),
+            LineQuantity::Curvature => Self::new(&p.curvature, &p.curvature_max, &p.curvature),
+            LineQuantity::BendRadius => {
                 let end = radii(&p.curvature);
                 Self::new(&end, &end, &radii(&p.curvature_max))
             }
-            AlongLine::Moment => Self::new(&p.moment, &p.moment_max, &p.moment),
-            AlongLine::Stiffness => {
+            LineQuantity::Moment => Self::new(&p.moment, &p.moment_max, &p.moment),
+            LineQuantity::Stiffness => {
                 Self::new(&ropes.stiffness, &ropes.stiffness_max, &ropes.stiffness_min)
             }
-            AlongLine::MeanLoad => Self::at_end(&ropes.mean_load),
-            AlongLine::RmsDisplacement => Self::at_end(&p.rms),
-            AlongLine::RmsDiameters => Self::at_end(&p.rms_diameters),
-            AlongLine::Wavelength => Self::at_end(&wavelengths(&p.wave_number)),
-            AlongLine::WkbWavelength => Self::at_end(&wavelengths(&p.wkb_number)),
+            LineQuantity::MeanLoad => Self::at_end(&ropes.mean_load),
+            LineQuantity::RmsDisplacement => Self::at_end(&p.rms),
+            LineQuantity::RmsDiameters => Self::at_end(&p.rms_diameters),
+            LineQuantity::Wavelength => Self::at_end(&wavelengths(&p.wave_number)),
+            LineQuantity::WkbWavelength => Self::at_end(&wavelengths(&p.wkb_number)),
             // Not of a node, but of a stretch.
-            AlongLine::Travelling | AlongLine::StandingWaveRatio => Self::at_end(&[]),
+            LineQuantity::Travelling | LineQuantity::StandingWaveRatio => Self::at_end(&[]),
         }
     }
 
@@ -246,7 +246,7 @@ mod tests {
             tension_min: vec![0.0, 4.0, 2.0, 6.0],
             ..Profile::default()
         };
-        let take = |s, stretch| evaluate(&profile, AlongLine::Tension, s, Some(stretch));
+        let take = |s, stretch| evaluate(&profile, LineQuantity::Tension, s, Some(stretch));
         assert_eq!(take(Statistic::Mean, [1.0, 1.0]), Some(2.0));
         assert_eq!(take(Statistic::Mean, [8.0, 8.0]), Some(6.0));
         assert_eq!(take(Statistic::Mean, [0.0, 2.0]), Some(2.0));
@@ -272,11 +272,11 @@ mod tests {
             ..Profile::default()
         };
         let take = |q, s| evaluate(&profile, q, s, None);
-        assert_eq!(take(AlongLine::Tension, Statistic::Max), Some(9.0));
-        assert_eq!(take(AlongLine::Tension, Statistic::ArcOfMax), Some(2.0));
-        assert_eq!(take(AlongLine::Tension, Statistic::ArcOfMin), Some(5.0));
-        assert_eq!(take(AlongLine::Tension, Statistic::Mean), None);
-        assert_eq!(take(AlongLine::Moment, Statistic::Max), None);
+        assert_eq!(take(LineQuantity::Tension, Statistic::Max), Some(9.0));
+        assert_eq!(take(LineQuantity::Tension, Statistic::ArcOfMax), Some(2.0));
+        assert_eq!(take(LineQuantity::Tension, Statistic::ArcOfMin), Some(5.0));
+        assert_eq!(take(LineQuantity::Tension, Statistic::Mean), None);
+        assert_eq!(take(LineQuantity::Moment, Statistic::Max), None);
         assert!((resolution(&profile, Statistic::ArcOfMax) - 1.5).abs() < 1e-12);
     }
 }

@@ -228,7 +228,7 @@ pub struct LineShape {
     pub tension: Vec<f64>,
 }
 
-/// The line node by node: its state at the end of the run, and envelopes over the output times.
+/// The line node by node: its state at the end of the run, and envelopes over every step.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
     /// Unstretched arc length from A \[m\].
@@ -284,6 +284,34 @@ pub struct Profile {
 }
 
 impl Profile {
+    /// Whether all that every step widens has as many entries as in another profile.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        let sizes = |p: &Self| {
+            [
+                p.arc.len(),
+                p.nodes.len(),
+                p.tension.len(),
+                p.tension_min.len(),
+                p.tension_max.len(),
+                p.z_min.len(),
+                p.z_max.len(),
+                p.curvature_max.len(),
+                p.moment_max.len(),
+            ]
+        };
+        let ropes = &self.ropes;
+        let of_ropes = [
+            &ropes.mean_load,
+            &ropes.deviation_min,
+            &ropes.deviation_max,
+            &ropes.stiffness,
+            &ropes.stiffness_min,
+            &ropes.stiffness_max,
+        ];
+        let alike = |list: &&Vec<f64>| list.len() == ropes.arc.len();
+        sizes(self) == sizes(other) && of_ropes.iter().all(alike)
+    }
+
     /// True when the line bends: curvatures and moments are then as many as nodes.
     #[must_use]
     pub fn bends(&self) -> bool {
@@ -306,8 +334,8 @@ impl Profile {
     }
 }
 
-/// The segments of rope that have dynamic stiffness, from A to B, at the end of the run, and envelopes over the output
-/// times; empty where there are none.
+/// The segments of rope that have dynamic stiffness, from A to B, at the end of the run, and envelopes over every
+/// step; empty where there are none.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct RopeProfile {
     /// Unstretched arc length from A to the middles of the segments \[m\].
@@ -418,7 +446,7 @@ impl Progress {
 
 /// One output instant of a running job.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Frame {
+pub struct OutputFrame {
     /// Time \[s\].
     pub time: f64,
     /// Values of all channels, in their order.

@@ -1,8 +1,10 @@
 //! What records something of a run: the trait that the time march drives, and what it is given.
 
 use super::requested_statistics::RequestedStatistic;
-use super::{Checkpoint, History, LineShape, Profile};
+use super::step_interval::StepInterval;
+use super::{Checkpoint, History, LineShape, Profile, Quantity};
 use crate::case::Case;
+use crate::numerics::V3;
 use crate::scene::Scene;
 use crate::solve::State;
 
@@ -15,8 +17,15 @@ pub(super) struct Observation<'a> {
     pub(super) time: f64,
     /// The state at that time.
     pub(super) state: &'a State,
-    /// Values of the channels.
-    pub(super) values: &'a [f64],
+}
+
+/// The line at an output time, interpolated between two steps.
+#[derive(Clone, Copy)]
+pub(super) struct OutputSample<'a> {
+    /// Time \[s\].
+    pub(super) time: f64,
+    /// Positions of the nodes of the line \[m\].
+    pub(super) nodes: &'a [V3],
 }
 
 /// A row of the record, computed now or read back from an earlier run.
@@ -39,6 +48,8 @@ pub(super) struct RunEnd<'a> {
     pub(super) initial: &'a Scene,
     /// The line after its last event.
     pub(super) last: &'a Scene,
+    /// Its last state, where there was one.
+    pub(super) state: Option<&'a State>,
 }
 
 /// All that is recorded of a run.
@@ -52,6 +63,8 @@ pub(super) struct RunRecord {
     pub(super) profile: Profile,
     /// The statistics asked for; `None` where one cannot be taken.
     pub(super) statistics: Vec<(RequestedStatistic, Option<f64>)>,
+    /// The energy balance, without errors; empty where none is stated.
+    pub(super) energy: Vec<Quantity>,
     /// What the user should know.
     pub(super) warnings: Vec<String>,
 }
@@ -61,14 +74,14 @@ pub(super) trait Observer {
     /// Takes in an accepted step; must not allocate.
     fn accepted_step(&mut self, _at: &Observation<'_>, _profile: &mut Profile) {}
 
-    /// Takes in an output time, after its step; `tension` is that of the nodes \[N\].
-    fn output(&mut self, _at: &Observation<'_>, _tension: &[f64], _profile: &mut Profile) {}
+    /// Takes in what lies between two accepted steps, one after the other without gaps; must not allocate.
+    fn interval(&mut self, _between: &StepInterval<'_>, _profile: &mut Profile) {}
+
+    /// Takes in an output time.
+    fn output(&mut self, _sample: &OutputSample<'_>) {}
 
     /// Takes in a row of the record.
     fn row(&mut self, _row: &RecordRow<'_>) {}
-
-    /// The line is about to change by an event.
-    fn line_changes(&mut self, _before: &Scene, _profile: &mut Profile) {}
 
     /// Writes what it needs to be resumed.
     fn save(&self, _checkpoint: &mut Checkpoint) {}

@@ -2,13 +2,14 @@
 
 use super::channel_statistics::ChannelStatistics;
 use super::decimation::DecimatedRecord;
-use super::observer::{Observation, Observer, RecordRow, RunEnd, RunRecord};
-use super::peak_tension::PeakTension;
+use super::energy_balance::EnergyBalance;
+use super::observer::{Observation, Observer, OutputSample, RecordRow, RunEnd, RunRecord};
 use super::requested_statistics::requested;
-use super::response::Response;
-use super::step_envelope::StepEnvelope;
+use super::response::ResponseSums;
+use super::step_envelope::{self, StepEnvelope};
+use super::step_interval::StepInterval;
 use super::touchdown_speed::TouchdownSpeed;
-use super::{Checkpoint, Profile, output_envelope, wave_decomposition};
+use super::{Checkpoint, Profile, energy_balance, wave_decomposition};
 use crate::case::{Case, ChannelSpec};
 use crate::scene::Scene;
 
@@ -20,42 +21,29 @@ pub(super) fn observers(
 ) -> Vec<Box<dyn Observer>> {
     let ids = channels.iter().map(|channel| channel.id.clone());
     vec![
-        Box::new(PeakTension::of(case, scene)),
-        Box::new(StepEnvelope::of(case, scene)),
+        Box::new(StepEnvelope),
         Box::new(TouchdownSpeed::of(scene)),
-        Box::new(OutputEnvelope),
-        Box::new(Response::of(case)),
+        Box::new(ResponseSums::of(case)),
         Box::new(WaveDecomposition),
+        Box::new(energy_balance::is_stated(case).then(EnergyBalance::default)),
         Box::new(DecimatedRecord::new(ids)),
         Box::new(ChannelStatistics::new(requested(case, channels))),
     ]
 }
 
-impl Observer for PeakTension {
+impl Observer for StepEnvelope {
     fn accepted_step(&mut self, at: &Observation<'_>, profile: &mut Profile) {
-        self.update(at.scene, at.state, &mut profile.tension_max);
+        self.step(at.scene, at.state, profile);
     }
 
-    fn line_changes(&mut self, before: &Scene, profile: &mut Profile) {
-        self.settle(before, &mut profile.tension_max);
-    }
-
-    fn save(&self, checkpoint: &mut Checkpoint) {
-        checkpoint.greatest_lengths = self.greatest_lengths();
-    }
-
-    fn restore(&mut self, checkpoint: &Checkpoint) {
-        self.restore(&checkpoint.greatest_lengths, &checkpoint.state);
+    fn interval(&mut self, between: &StepInterval<'_>, profile: &mut Profile) {
+        self.widen(between, profile);
     }
 
     fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut RunRecord) {
-        self.settle(end.last, &mut record.profile.tension_max);
-    }
-}
-
-impl Observer for StepEnvelope {
-    fn accepted_step(&mut self, at: &Observation<'_>, profile: &mut Profile) {
-        self.update(at.scene, at.state, profile);
+        if let Some(state) = end.state {
+            step_envelope::end(end.last, state, &mut record.profile);
+        }
     }
 }
 
@@ -79,19 +67,10 @@ impl Observer for TouchdownSpeed {
     }
 }
 
-/// The line at the last output time, and its envelopes over the output times.
-struct OutputEnvelope;
-
-impl Observer for OutputEnvelope {
-    fn output(&mut self, at: &Observation<'_>, tension: &[f64], profile: &mut Profile) {
-        output_envelope::update(profile, at.scene, at.state, tension);
-    }
-}
-
-impl Observer for Option<Response> {
-    fn output(&mut self, at: &Observation<'_>, tension: &[f64], _: &mut Profile) {
+impl Observer for Option<ResponseSums> {
+    fn output(&mut self, sample: &OutputSample<'_>) {
         if let Some(response) = self {
-            response.add(at.time, &at.state.x[..tension.len()]);
+            response.add(sample.time, sample.nodes);
         }
     }
 
@@ -102,7 +81,7 @@ impl Observer for Option<Response> {
     fn restore(&mut self, checkpoint: &Checkpoint) {
         // Without the sums of what was recorded before, half a window would count as a whole one.
         let unbegun = self.take();
-        let unbegun = unbegun.filter(|r| r.begins_after(checkpoint.place.time));
+        let unbegun = unbegun.filter(|r| r.begins_after(checkpoint.time()));
         *self = checkpoint.response.clone().or(unbegun);
     }
 
@@ -112,6 +91,28 @@ impl Observer for Option<Response> {
         let diameter = |i: usize| segments[i.min(segments.len() - 1)].diameter;
         let diameters: Vec<f64> = (0..record.profile.arc.len()).map(diameter).collect();
         response.finish(&diameters, &mut record.profile);
+    }
+}
+
+impl Observer for Option<EnergyBalance> {
+    fn interval(&mut self, between: &StepInterval<'_>, _: &mut Profile) {
+        if let Some(balance) = self {
+            balance.update(between);
+        }
+    }
+
+    fn save(&self, checkpoint: &mut Checkpoint) {
+        checkpoint.energy = *self;
+    }
+
+    fn restore(&mut self, checkpoint: &Checkpoint) {
+        // Without what passed before, the rest would count as the whole.
+        *self = checkpoint.energy;
+    }
+
+    fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut RunRecord) {
+        let balance = self.map_or_else(Vec::new, |balance| balance.quantities());
+        record.energy = balance;
     }
 }
 
@@ -125,8 +126,8 @@ impl Observer for WaveDecomposition {
 }
 
 impl Observer for DecimatedRecord {
-    fn accepted_step(&mut self, at: &Observation<'_>, _: &mut Profile) {
-        self.widen_extremes(at.time, at.values);
+    fn interval(&mut self, between: &StepInterval<'_>, _: &mut Profile) {
+        self.widen_extremes(between);
     }
 
     fn row(&mut self, row: &RecordRow<'_>) {
@@ -155,8 +156,20 @@ impl Observer for DecimatedRecord {
 }
 
 impl Observer for ChannelStatistics {
+    fn interval(&mut self, between: &StepInterval<'_>, _: &mut Profile) {
+        self.interval(between);
+    }
+
     fn row(&mut self, row: &RecordRow<'_>) {
-        self.add(row.time, row.values);
+        self.row(row.time, row.values);
+    }
+
+    fn save(&self, checkpoint: &mut Checkpoint) {
+        checkpoint.summaries = self.summaries();
+    }
+
+    fn restore(&mut self, checkpoint: &Checkpoint) {
+        self.restore(&checkpoint.summaries, checkpoint.time());
     }
 
     fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut RunRecord) {

@@ -18,12 +18,10 @@ pub struct CurveComparison {
     pub samples: Vec<(f64, f64)>,
 }
 
-/// What identifies the difference from the curve of this number among those of a case, from 0; absent where the curve
-/// names no channel.
+/// What identifies the difference from the curve of this number among those of a case, from 0.
 #[must_use]
-pub fn difference_id(curve: &PublishedCurve, number: usize) -> Option<QuantityId> {
-    let channel = curve.channel.parse().ok()?;
-    Some(QuantityId::CurveDifference(channel, number + 1))
+pub fn difference_id(curve: &PublishedCurve, number: usize) -> QuantityId {
+    QuantityId::CurveDifference(curve.channel.clone(), number + 1)
 }
 
 /// Compares a record with a curve.
@@ -31,7 +29,7 @@ pub fn difference_id(curve: &PublishedCurve, number: usize) -> Option<QuantityId
 /// # Errors
 /// Why there is nothing to compare, in words.
 pub fn compare(curve: &PublishedCurve, history: &History) -> Result<CurveComparison, String> {
-    let channel = history.channel(&curve.channel);
+    let channel = history.channels.iter().find(|c| c.id == curve.channel);
     let channel = channel.ok_or_else(|| format!("The run has no channel `{}`.", curve.channel))?;
     let within = |t: f64| {
         let window = curve.window_s;
@@ -75,7 +73,7 @@ pub(super) fn differences(case: &Case, history: &History) -> Vec<Quantity> {
     let here = curves.filter(|(_, curve)| curve.at.as_ref().is_none_or(|at| case.stands_at(at)));
     let number = |(number, curve): (usize, &PublishedCurve)| {
         let percent = compare(curve, history).ok()?.percent;
-        Some(Quantity::new(difference_id(curve, number)?, percent))
+        Some(Quantity::new(difference_id(curve, number), percent))
     };
     here.filter_map(number).collect()
 }

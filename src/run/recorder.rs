@@ -1,32 +1,46 @@
-//! Records a run: reads the channels of every accepted step and passes them to the observers.
+//! Records a run: reads the channels of every accepted step, and passes them and what lies between to the observers. Rows are
+//! written at the output times, which change no step.
 
 use super::channel_reading::ChannelReading;
-use super::event::Event;
-use super::observer::{Observation, Observer, RecordRow, RunEnd, RunRecord};
+use super::event::JobEvent;
+use super::observer::{Observation, Observer, OutputSample, RecordRow, RunEnd, RunRecord};
 use super::observers::observers;
+use super::step_interval::{LatestSteps, StepInterval, StepSample};
 use super::store::StoreError;
-use super::{Checkpoint, Frame, LineShape, Progress, Resume, output_envelope, replay};
-use crate::case::{self, Case, ChannelSpec, Method};
+use super::{
+    Checkpoint, LineShape, OutputFrame, Progress, ResumedRun, energy_balance, replay, step_envelope,
+};
+use crate::case::{self, Case, ChannelQuantity, ChannelSpec, Method};
 use crate::scene::Scene;
-use crate::solve::{Instant, Progressing, Sink};
+use crate::solve::{AcceptedStep, Kinematics, Progressing, Sink, State};
 
-/// Records a run. Between output times a step costs a few tensions and no allocation.
+/// Records a run. Between output times a step costs the tensions of the line and no allocation.
 pub(super) struct Recorder<'a> {
     case: &'a Case,
     initial: &'a Scene,
     scene: &'a Scene,
     channels: Vec<ChannelSpec>,
-    /// Values of the channels at the latest step.
-    values: Vec<f64>,
+    latest: LatestSteps,
+    /// Whether the energy balance is read: that of a dynamic run.
+    balances: bool,
+    /// Which channels are nowhere negative: tensions.
+    positive: Vec<bool>,
+    /// The line at an output time, and the values of the channels there.
+    row: StepSample,
+    /// Rows recorded so far.
+    rows: u64,
+    output_times: OutputTimes,
     observers: Vec<Box<dyn Observer>>,
     record: RunRecord,
     /// Time of the latest shape \[s\].
     latest_shape: Option<f64>,
     duration: f64,
+    /// The state at the end.
+    end: Option<State>,
     clock: std::time::Instant,
     progress: Progress,
     /// Receives every output time.
-    events: &'a mut dyn FnMut(Event),
+    events: &'a mut dyn FnMut(JobEvent),
     stop: &'a dyn Fn() -> bool,
 }
 
@@ -35,7 +49,7 @@ impl<'a> Recorder<'a> {
     pub(super) fn new(
         case: &'a Case,
         scene: &'a Scene,
-        events: &'a mut dyn FnMut(Event),
+        events: &'a mut dyn FnMut(JobEvent),
         stop: &'a dyn Fn() -> bool,
     ) -> Self {
         let channels = case::channels(case);
@@ -46,13 +60,25 @@ impl<'a> Recorder<'a> {
             scene,
             observers: observers(case, scene, &channels),
             record: RunRecord {
-                profile: output_envelope::profile(scene),
+                profile: step_envelope::profile(scene),
                 ..RunRecord::default()
             },
-            values: vec![0.0; channels.len()],
+            balances: energy_balance::is_stated(case),
+            latest: LatestSteps::new(channels.len(), scene.line_nodes()),
+            positive: channels
+                .iter()
+                .map(|channel| channel.id.quantity == ChannelQuantity::Tension)
+                .collect(),
+            row: StepSample {
+                values: vec![0.0; channels.len()],
+                ..StepSample::default()
+            },
+            rows: 0,
+            output_times: OutputTimes::of(case),
             channels,
             latest_shape: None,
             duration: if at_rest { 0.0 } else { case.solver.duration_s },
+            end: None,
             clock: std::time::Instant::now(),
             progress: Progress::default(),
             events,
@@ -63,19 +89,22 @@ impl<'a> Recorder<'a> {
     /// Completes a checkpoint by the state of the observers, and sends it.
     pub(super) fn send_checkpoint(&mut self, mut checkpoint: Checkpoint) {
         checkpoint.profile = self.record.profile.clone();
+        checkpoint.output_interval_s = self.output_times.interval;
+        checkpoint.rows = self.rows;
+        checkpoint.latest = self.latest.clone();
         for observer in &self.observers {
             observer.save(&mut checkpoint);
         }
-        (self.events)(Event::Checkpoint(Box::new(checkpoint)));
+        (self.events)(JobEvent::Checkpoint(Box::new(checkpoint)));
     }
 
     /// Continues from a checkpoint: the rows recorded before it are recorded and sent again.
     ///
     /// # Errors
-    /// The earlier record does not reach the checkpoint.
-    pub(super) fn restore(&mut self, from: &Resume) -> Result<(), StoreError> {
+    /// The earlier record does not reach the checkpoint, or the checkpoint is not that of this line.
+    pub(super) fn restore(&mut self, from: &ResumedRun) -> Result<(), StoreError> {
         replay::replay(from, &mut |time, values, shape| {
-            self.values.copy_from_slice(values);
+            self.row.values.copy_from_slice(values);
             self.progress = Progress {
                 time,
                 duration: self.duration,
@@ -86,16 +115,37 @@ impl<'a> Recorder<'a> {
         for observer in &mut self.observers {
             observer.restore(&from.checkpoint);
         }
+        self.latest.clone_from(&from.checkpoint.latest);
         self.record.profile.clone_from(&from.checkpoint.profile);
         Ok(())
     }
 
-    /// Continues with the line as it is after an event.
-    pub(super) fn enter(&mut self, scene: &'a Scene) {
-        for observer in &mut self.observers {
-            observer.line_changes(self.scene, &mut self.record.profile);
-        }
+    /// Takes in what is left before the line changes by an event.
+    pub(super) fn leave(&mut self) {
+        self.take_in_interval(true);
+        self.latest.clear();
+    }
+
+    /// Continues with the line as it is after an event, from this state on.
+    pub(super) fn enter(&mut self, scene: &'a Scene, time: f64, state: &State) {
         self.scene = scene;
+        self.read(time, state);
+    }
+
+    /// Number of channels.
+    pub(super) fn channels(&self) -> usize {
+        self.channels.len()
+    }
+
+    /// Continues with the line as it was at a checkpoint.
+    pub(super) fn resume_with(&mut self, scene: &'a Scene) {
+        self.scene = scene;
+    }
+
+    /// Takes in what is left at the end.
+    pub(super) fn end(&mut self, state: &State) {
+        self.take_in_interval(true);
+        self.end = Some(state.clone());
     }
 
     /// The complete record of the run.
@@ -104,6 +154,7 @@ impl<'a> Recorder<'a> {
             case: self.case,
             initial: self.initial,
             last: self.scene,
+            state: self.end.as_ref(),
         };
         let mut record = self.record;
         for observer in self.observers {
@@ -112,34 +163,79 @@ impl<'a> Recorder<'a> {
         record
     }
 
-    /// Records an output time.
-    fn output(&mut self, instant: &Instant<'_>) {
-        let tension = self.scene.tensions(instant.state);
-        let at = Observation {
-            scene: self.scene,
-            time: instant.time,
-            state: instant.state,
-            values: &self.values,
+    /// Reads an accepted step into the latest ones.
+    fn read(&mut self, time: f64, state: &State) {
+        let sample = self.latest.next();
+        sample.time = time;
+        let mut reading = ChannelReading::new(self.scene, time, state);
+        for (value, channel) in sample.values.iter_mut().zip(&self.channels) {
+            let read = reading.channel(channel.id.quantity, channel.site);
+            *value = read.unwrap_or(f64::NAN);
+        }
+        let StepSample { tension, nodes, .. } = sample;
+        sample.energy = self.scene.read_step(time, state, self.balances, tension);
+        let known = nodes.len();
+        nodes.copy_from_slice(&state.x[..known]);
+        if self.balances && self.rows == 0 {
+            self.begin_balance(time, state);
+        }
+    }
+
+    /// Reads the energy of the first state with its ends in motion: a line at rest whose ends move from time zero on is pulled along
+    /// at once, and the kinetic energy of the ends themselves is no work of a force.
+    fn begin_balance(&mut self, time: f64, state: &State) {
+        let mut moving = state.clone();
+        self.scene.prescribe(time, &mut moving);
+        if let Some(first) = self.latest.latest_mut() {
+            first.energy = self.scene.energy_rates(time, &moving);
+        }
+    }
+
+    /// Passes on what lies between the latest two steps that have a step after them, or between the `last` two; then the rows
+    /// in it.
+    fn take_in_interval(&mut self, last: bool) {
+        let Self {
+            latest,
+            positive,
+            observers,
+            ..
+        } = self;
+        let Some(between) = interval(latest, positive, last) else {
+            return;
+        };
+        for observer in observers {
+            observer.interval(&between, &mut self.record.profile);
+        }
+        let until = between.time()[1];
+        while let Some(time) = self.output_times.due(self.rows, until) {
+            if let Some(between) = interval(&self.latest, &self.positive, last) {
+                between.sample(time, &mut self.row);
+            }
+            self.output(time);
+        }
+    }
+
+    /// Records an output time, read into the row.
+    fn output(&mut self, time: f64) {
+        let sample = OutputSample {
+            time,
+            nodes: &self.row.nodes,
         };
         for observer in &mut self.observers {
-            observer.output(&at, &tension, &mut self.record.profile);
+            observer.output(&sample);
         }
         self.progress = Progress {
-            time: instant.time,
+            time,
             duration: self.duration,
-            steps: instant.steps,
             wall_s: self.clock.elapsed().as_secs_f64(),
-            estimating: false,
+            ..self.progress
         };
-        let shape = self.shape_is_due(instant.time).then(|| {
-            let nodes = instant.state.x.iter().map(|p| [p.x, p.y, p.z]);
-            LineShape {
-                time: instant.time,
-                nodes: nodes.take(tension.len()).collect(),
-                tension,
-            }
+        let shape = self.shape_is_due(time).then(|| LineShape {
+            time,
+            nodes: self.row.nodes.iter().map(|p| [p.x, p.y, p.z]).collect(),
+            tension: self.row.tension.clone(),
         });
-        self.record_row(instant.time, shape);
+        self.record_row(time, shape);
     }
 
     /// Whether the shape at an output time is stored: one an interval, and the last.
@@ -153,48 +249,96 @@ impl<'a> Recorder<'a> {
     /// Passes the latest values on as a row of the record, and sends them.
     fn record_row(&mut self, time: f64, shape: Option<LineShape>) {
         self.latest_shape = shape.as_ref().map(|s| s.time).or(self.latest_shape);
+        self.rows += 1;
         let row = RecordRow {
             time,
-            values: &self.values,
+            values: &self.row.values,
             shape: shape.as_ref(),
         };
         for observer in &mut self.observers {
             observer.row(&row);
         }
-        let frame = Frame {
+        let frame = OutputFrame {
             time,
-            values: self.values.clone(),
+            values: self.row.values.clone(),
             shape,
             progress: self.progress,
         };
-        (self.events)(Event::Frame(Box::new(frame)));
+        (self.events)(JobEvent::Frame(Box::new(frame)));
     }
 }
 
 impl Sink for Recorder<'_> {
-    fn accept(&mut self, instant: Instant<'_>) -> Progressing {
+    fn accept(&mut self, instant: AcceptedStep<'_>) -> Progressing {
         let (time, state) = (instant.time, instant.state);
-        let mut reading = ChannelReading::new(self.scene, time, state);
-        for (value, channel) in self.values.iter_mut().zip(&self.channels) {
-            let read = reading.channel(channel.id.quantity, channel.site);
-            *value = read.unwrap_or(f64::NAN);
-        }
+        self.read(time, state);
         let at = Observation {
             scene: self.scene,
             time,
             state,
-            values: &self.values,
         };
         for observer in &mut self.observers {
             observer.accepted_step(&at, &mut self.record.profile);
         }
-        if instant.output {
-            self.output(&instant);
+        self.progress.steps = instant.steps;
+        if self.rows == 0 {
+            if let Some(first) = self.latest.latest() {
+                self.row.clone_from(first);
+            }
+            self.output(time);
         }
+        self.take_in_interval(false);
         if (self.stop)() {
             Progressing::Stop
         } else {
             Progressing::Continue
         }
+    }
+
+    fn jump(&mut self, time: f64, state: &State) {
+        self.leave();
+        self.read(time, state);
+    }
+}
+
+/// The latest interval that has a step after it, or the `last` one.
+fn interval<'a>(
+    latest: &'a LatestSteps,
+    positive: &'a [bool],
+    last: bool,
+) -> Option<StepInterval<'a>> {
+    if last {
+        latest.last_interval(positive)
+    } else {
+        latest.complete_interval(positive)
+    }
+}
+
+/// The times of the rows of the record: intervals that divide the duration.
+pub(super) struct OutputTimes {
+    pub(super) interval: f64,
+    count: u64,
+    duration: f64,
+}
+
+impl OutputTimes {
+    pub(super) fn of(case: &Case) -> Self {
+        let duration = case.solver.duration_s;
+        let count = (duration / case.output.interval_s).round().max(1.0);
+        Self {
+            interval: duration / count,
+            count: count as u64,
+            duration,
+        }
+    }
+
+    /// The time of a row by its number, if it is not after `until` \[s\].
+    fn due(&self, number: u64, until: f64) -> Option<f64> {
+        let time = if number == self.count {
+            self.duration
+        } else {
+            number as f64 * self.interval
+        };
+        (number <= self.count && time <= until).then_some(time)
     }
 }

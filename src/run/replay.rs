@@ -1,7 +1,7 @@
 //! The rows of an earlier run up to its checkpoint, read back from its directory.
 
 use super::store::{HistoryReader, ShapeReader, StoreError};
-use super::{LineShape, Resume};
+use super::{LineShape, ResumedRun};
 
 /// Receives a row of the record: time \[s\], values of the channels, and the shape at that time where there is one.
 type RowReceiver<'a> = dyn FnMut(f64, &[f64], Option<LineShape>) + 'a;
@@ -10,26 +10,21 @@ type RowReceiver<'a> = dyn FnMut(f64, &[f64], Option<LineShape>) + 'a;
 ///
 /// # Errors
 /// The record does not reach so far.
-pub(super) fn replay(from: &Resume, receive: &mut RowReceiver<'_>) -> Result<(), StoreError> {
-    let slop = 1e-9 * from.checkpoint.whole_step_s;
-    let until = from.checkpoint.place.time + slop;
+pub(super) fn replay(from: &ResumedRun, receive: &mut RowReceiver<'_>) -> Result<(), StoreError> {
     let mut rows = HistoryReader::open(&from.dir);
     let mut shapes = ShapeReader::open(&from.dir);
     let mut shape = shapes.next();
-    let mut reached = f64::NEG_INFINITY;
-    while let Some((time, values)) = rows.next() {
-        if time > until {
-            break;
-        }
+    let mut replayed = 0;
+    while replayed < from.checkpoint.rows {
+        let Some((time, values)) = rows.next() else {
+            return Err(rows.short_of(&from.dir, from.checkpoint.time()));
+        };
         let here = shape.take_if(|shape| shape.time <= time);
         receive(time, values, here);
-        reached = time;
+        replayed += 1;
         if shape.is_none() {
             shape = shapes.next();
         }
-    }
-    if reached < until - 2.0 * slop {
-        return Err(rows.short_of(&from.dir, until));
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use super::Subject;
 use super::line_statistics;
-use crate::case::{AlongLine, Case, ChannelSpec, Statistic};
+use crate::case::{Case, ChannelSpec, LineQuantity, Statistic};
 
 /// What a number is taken of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -10,7 +10,7 @@ pub enum StatisticSource {
     /// The channel of this index.
     Channel(usize),
     /// A quantity of the whole line.
-    Line(AlongLine),
+    Line(LineQuantity),
 }
 
 /// A statistic of a channel or of the whole line.
@@ -53,13 +53,13 @@ pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatisti
         .map(|t| (&t.channel, t.statistic, t.within()));
     let others = case.published.iter();
     let others = others.filter_map(|p| Some((&p.channel, p.statistic, Some(p.by_stretch_m?))));
-    for (name, statistic, window) in published.chain(others).chain(trends) {
-        let of = match name.parse() {
-            Ok(Subject::Channel(id)) => {
-                let index = channels.iter().position(|channel| channel.id == id);
+    for (subject, statistic, window) in published.chain(others).chain(trends) {
+        let of = match subject {
+            Subject::Channel(id) => {
+                let index = channels.iter().position(|channel| channel.id == *id);
                 index.map(StatisticSource::Channel)
             }
-            Ok(Subject::Line(quantity)) => Some(StatisticSource::Line(quantity)),
+            Subject::Line(quantity) => Some(StatisticSource::Line(*quantity)),
             _ => None,
         };
         let Some(of) = of else {

@@ -11,12 +11,12 @@ use serde::{Deserialize, Serialize};
 
 use super::Profile;
 use crate::case::{Case, EndKind};
-use crate::modes::Plane;
+use crate::modes::LinePlane;
 use crate::numerics::V3;
 
 /// Sums over the output times from a given one on.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Response {
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct ResponseSums {
     from: f64,
     omega: Option<f64>,
     count: f64,
@@ -30,25 +30,26 @@ pub struct Response {
     turns: (f64, f64),
 }
 
-impl Response {
+impl ResponseSums {
     /// For a case that asks for it.
     pub(super) fn of(case: &Case) -> Option<Self> {
         Some(Self {
             from: case.output.response_from_s?,
             omega: period(case).map(|period| TAU / period),
-            count: 0.0,
-            origin: Vec::new(),
-            sum: Vec::new(),
-            squares: Vec::new(),
-            cos: Vec::new(),
-            sin: Vec::new(),
-            turns: (0.0, 0.0),
+            ..Self::default()
         })
     }
 
     /// Whether nothing was to be taken in up to this time.
     pub(super) fn begins_after(&self, time: f64) -> bool {
         self.from > time
+    }
+
+    /// Whether they are those of so many nodes, or of none yet.
+    pub(super) fn fits(&self, nodes: usize) -> bool {
+        let [a, b, c, d] = [&self.origin, &self.sum, &self.cos, &self.sin].map(Vec::len);
+        let sizes = [a, b, c, d, self.squares.len()];
+        sizes == [nodes; 5] || sizes == [0; 5]
     }
 
     /// Takes in the nodes at an output time.
@@ -91,7 +92,7 @@ impl Response {
         let by_diameter = profile.rms.iter().zip(diameters);
         profile.rms_diameters = by_diameter.map(|(rms, d)| rms / d).collect();
         let places: Vec<V3> = mean.iter().zip(&self.origin).map(|(m, o)| m + o).collect();
-        let across = Plane::of(&places).across(&places);
+        let across = LinePlane::of(&places).across(&places);
         let share = 2.0 / self.count;
         let demodulated = |sums: &[V3], turn: f64| -> Vec<f64> {
             let all = sums.iter().zip(&mean).enumerate();
@@ -191,16 +192,10 @@ mod tests {
     fn driven(back: f64) -> (Vec<f64>, Profile) {
         let (arc, places) = string();
         let k = TAU / 20.0;
-        let mut response = Response {
+        let mut response = ResponseSums {
             from: 20.0,
             omega: Some(TAU / 10.0),
-            count: 0.0,
-            origin: Vec::new(),
-            sum: Vec::new(),
-            squares: Vec::new(),
-            cos: Vec::new(),
-            sin: Vec::new(),
-            turns: (0.0, 0.0),
+            ..ResponseSums::default()
         };
         for n in 0..1000 {
             let t = f64::from(n) * 0.1;

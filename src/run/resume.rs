@@ -3,15 +3,15 @@
 use std::path::Path;
 
 use super::job::Request;
-use super::{Resume, store};
+use super::recorder::OutputTimes;
+use super::{ResumedRun, RunState, store};
 use crate::case::{self, Diagnostic};
-use crate::dynamics::March;
 
 /// The request of a stored run, up to its own end or a later one \[s\], and its checkpoint.
 ///
 /// # Errors
 /// Why the run cannot be resumed.
-pub fn resume_request(dir: &Path, until: Option<f64>) -> Result<(Request, Resume), String> {
+pub fn resume_request(dir: &Path, until: Option<f64>) -> Result<(Request, ResumedRun), String> {
     let info = store::read_info(dir).map_err(|e| e.to_string())?;
     if store::is_locked(dir) {
         return Err(format!(
@@ -30,22 +30,27 @@ pub fn resume_request(dir: &Path, until: Option<f64>) -> Result<(Request, Resume
         overrides.push(format!("solver.duration_s={value}"));
     }
     let case = case::parse(&text, &info.case_file).map_err(|all| first(&all))?;
-    // The time grid must be that of the checkpoint.
-    let march = March {
-        duration: case.solver.duration_s,
-        step: info.settings.time_step_s.max(from.checkpoint.whole_step_s),
-        output: case.output.interval_s,
-    };
-    if !from.checkpoint.fits(&march.grid()) {
+    if !from.checkpoint.can_be_resumed() {
+        return Err(format!(
+            "{} was written by version {}, whose checkpoints this version cannot resume; compute the case anew.",
+            dir.display(),
+            info.version
+        ));
+    }
+    let times = OutputTimes::of(&case);
+    if times.interval.to_bits() != from.checkpoint.output_interval_s.to_bits() {
         return Err(format!(
             "The run cannot be resumed to {} s, which is not a whole number of its output intervals of {} s.",
             case.solver.duration_s, case.output.interval_s
         ));
     }
-    if march.is_over(&from.checkpoint.place) {
+    // A run that was stopped while its errors were estimated has only those left.
+    let finished =
+        info.state == RunState::Done && case.solver.duration_s <= info.settings.duration_s;
+    if finished || case.solver.duration_s < from.checkpoint.time() {
         return Err(format!(
             "The run is at {} s already; name a later time.",
-            from.checkpoint.place.time
+            info.settings.duration_s.max(from.checkpoint.time())
         ));
     }
     let request = Request {

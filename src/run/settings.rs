@@ -1,9 +1,11 @@
 //! The settings that the solver uses, those included that the case leaves open.
 
-use super::Settings;
+use super::{Settings, Work};
 use crate::case::{Case, Method};
 use crate::dynamics::numerical_damping::NumericalDamping;
-use crate::scene::{End, Scene};
+use crate::numerics::V3;
+use crate::physics::EndMotion;
+use crate::scene::{EndCondition, Scene};
 use crate::solve::{Kinematics, StaticSearch};
 
 /// Share of the stability limit that explicit steps take when left open: the companion that estimates the
@@ -24,7 +26,7 @@ pub fn settings(case: &Case, scene: &Scene) -> Settings {
     let (step, automatic) = match solver.time_step_s {
         _ if still => (0.0, false),
         Some(step) => (step, false),
-        None => (automatic_step(case, scene, limit.map(|l| l.0)), true),
+        None => (automatic_step(scene, limit.map(|l| l.0)), true),
     };
     Settings {
         method: method_name(solver.method).to_owned(),
@@ -68,37 +70,57 @@ pub fn position_tolerance(case: &Case, scene: &Scene) -> f64 {
 /// A share of the stability limit for explicit methods. For implicit ones a share of the shortest period that
 /// the scene forces: of prescribed motion, or of the payload bouncing on its line,
 /// `2 pi sqrt(m / k)` with k the line's axial stiffness.
-fn automatic_step(case: &Case, scene: &Scene, limit: Option<f64>) -> f64 {
-    if let Some(limit) = limit {
-        return limit * EXPLICIT_SHARE;
-    }
-    (forced_period(scene) / STEPS_A_PERIOD).min(case.output.interval_s)
+fn automatic_step(scene: &Scene, limit: Option<f64>) -> f64 {
+    let stable = limit.map_or(f64::INFINITY, |limit| limit * EXPLICIT_SHARE);
+    let bounce = stable.min(bounce_period(scene) / STEPS_A_PERIOD);
+    let ends = motions(scene).filter_map(|motion| motion.longest_step(STEPS_A_PERIOD));
+    ends.fold(bounce, f64::min)
+}
+
+/// The motions of the ends that are held.
+fn motions(scene: &Scene) -> impl Iterator<Item = &EndMotion> {
+    scene.line.ends.iter().filter_map(|end| match end {
+        EndCondition::Prescribed(motion) => Some(motion),
+        EndCondition::Free => None,
+    })
 }
 
 /// The shortest period that the scene forces \[s\]: of prescribed motion, or of the line and its payload bouncing.
 fn forced_period(scene: &Scene) -> f64 {
-    let compliance: f64 = scene
-        .line
-        .segments
-        .iter()
-        .map(|s| s.axial.length / s.axial.ea)
-        .sum();
-    let mass = scene.line.mass.iter().sum::<f64>()
-        + scene
-            .line
-            .bodies
-            .iter()
-            .map(|b| b.body.added.max())
-            .sum::<f64>();
-    let mut period = std::f64::consts::TAU * (mass * compliance).sqrt();
-    for end in &scene.line.ends {
-        if let End::Prescribed(motion) = end
-            && let Some(own) = motion.period()
-        {
-            period = period.min(own);
-        }
+    let ends = motions(scene).filter_map(EndMotion::period);
+    ends.fold(bounce_period(scene), f64::min)
+}
+
+/// Period of the line and its payload bouncing along themselves \[s\].
+fn bounce_period(scene: &Scene) -> f64 {
+    let line = &scene.line;
+    let compliance = line.segments.iter().map(|s| s.axial.length / s.axial.ea);
+    let added = line.bodies.iter().map(|b| b.body.added.max());
+    let mass = line.mass.iter().sum::<f64>() + added.sum::<f64>();
+    std::f64::consts::TAU * (mass * compliance.sum::<f64>()).sqrt()
+}
+
+/// By how much the motion that errors are measured by may exceed that of the ends that cause it.
+const RESPONSE: f64 = 10.0;
+
+/// Distance \[m\] and speed \[m/s\] that the errors of a step are measured by: of the whole line and of its fall by its own length
+/// or, where ends that move disturb a line at rest and nothing else does, of [`RESPONSE`] times their motion.
+pub(super) fn motion_scale(case: &Case, scene: &Scene) -> (f64, f64) {
+    let length = scene.line.arc.last().copied().unwrap_or(1.0);
+    let speed = (case.environment.gravity_m_per_s2 * length).sqrt();
+    let disturbed = !scene.start.in_equilibrium
+        || scene.start.velocity != V3::zeros()
+        || case.start.from_run.is_some()
+        || case.traveller.is_some()
+        || case.waves.is_some()
+        || !scene.events.is_empty();
+    let duration = case.solver.duration_s;
+    let moved = motions(scene).map(|motion| motion.extent(duration));
+    let (far, fast) = moved.fold((0.0_f64, 0.0_f64), |a, b| (a.0.max(b.0), a.1.max(b.1)));
+    if disturbed || far <= 0.0 || fast <= 0.0 {
+        return (length, speed);
     }
-    period
+    (length.min(RESPONSE * far), speed.min(RESPONSE * fast))
 }
 
 /// Sets the numerical damping of generalized-alpha in steps of these lengths \[s\] and numbers.
@@ -165,36 +187,70 @@ fn words_for(steps: &[(f64, u64)]) -> String {
     }
 }
 
-/// The cost of a Newton iteration in evaluations of the force alone, measured on lines without bending.
-const ITERATION: f64 = 4.0;
+/// Cost of a Newton iteration, and of reading an accepted step, in evaluations of the force alone, measured on lines without
+/// bending.
+const ITERATION: f64 = 2.7;
+const READING: f64 = 1.5;
 
-/// Steps that vary are shorter than the longest by about this.
-const SHORTER: f64 = 2.0;
+/// Part of the duration that generalized-alpha is tried for.
+pub(super) const TRIAL: f64 = 0.2;
 
-/// The method for a case that leaves the choice open, and why: the one with the smaller estimated cost. An explicit step
-/// is bound by the stiffest, lightest segment; an implicit one by what moves the line.
-pub(super) fn choose(case: &Case, scene: &Scene) -> (Method, String) {
+/// Beyond this ratio of the least costs no trial is needed.
+const CLEAR: f64 = 200.0;
+
+/// What is known of the cost of both methods before a trial, in evaluations of the force.
+pub(super) struct Outlook {
+    explicit: f64,
+    /// The explicit step and what binds it, in words.
+    bound: String,
+    /// Why it is generalized-alpha, where that is clear without a trial.
+    pub(super) clear: Option<String>,
+}
+
+/// The outlook for a case that leaves the choice of the method open. An explicit step is bound by the stiffest, lightest
+/// segment; an implicit one by what moves the line.
+pub(super) fn outlook(case: &Case, scene: &Scene) -> Outlook {
     let (limit, segment) = scene.explicit_limit();
     let given = case.solver.time_step_s;
     let of = section_of(case, scene, segment);
-    if given.is_some_and(|step| step > limit) {
-        let why = format!(
+    let bound = format!("its step is bound to {limit:.2e} s by segment {segment}, {of}");
+    let steps =
+        |limit| case.solver.duration_s / given.unwrap_or_else(|| automatic_step(scene, limit));
+    let explicit = steps(Some(limit)) * (4.0 + READING);
+    let least = steps(None) * (ITERATION + READING);
+    let clear = if given.is_some_and(|step| step > limit) {
+        Some(format!(
             "alpha: the time step is above the limit of RK4, {limit:.2e} s, set by segment {segment} ({of})"
-        );
-        return (Method::Alpha, why);
+        ))
+    } else {
+        (explicit > CLEAR * least).then(|| format!(
+            "alpha: RK4 needs some {explicit:.1e} evaluations of the force ({bound}), generalized-alpha the worth of {least:.1e} \
+             where no error shortens its steps"
+        ))
+    };
+    Outlook {
+        explicit,
+        bound,
+        clear,
     }
-    let long = |step: Option<f64>| given.unwrap_or_else(|| automatic_step(case, scene, step));
-    let explicit = 4.0 * case.solver.duration_s / long(Some(limit));
-    let shorter = if given.is_some() { 1.0 } else { SHORTER };
-    let implicit = 1.3 * ITERATION * shorter * case.solver.duration_s / long(None);
-    let (method, word) = if explicit < implicit {
+}
+
+/// The method with the smaller cost, and why, after a trial of generalized-alpha over [`TRIAL`] of the duration. At its stable
+/// steps RK4 is the more accurate of the two.
+pub(super) fn choose(outlook: &Outlook, trial: &Work) -> (Method, String) {
+    let Outlook {
+        explicit, bound, ..
+    } = outlook;
+    let work = trial.iterations as f64 * ITERATION + trial.steps as f64 * READING;
+    let implicit = work / TRIAL;
+    let (method, word) = if *explicit < implicit {
         (Method::Rk4, "rk4")
     } else {
         (Method::Alpha, "alpha")
     };
     let why = format!(
-        "{word}: RK4 needs some {explicit:.1e} evaluations of the force (its step is bound to {limit:.2e} s by segment {segment}, \
-         {of}), generalized-alpha the worth of {implicit:.1e}"
+        "{word}: RK4 needs some {explicit:.1e} evaluations of the force ({bound}), generalized-alpha by a trial over a fifth of \
+         the duration the worth of {implicit:.1e}"
     );
     (method, why)
 }

@@ -2,16 +2,16 @@
 
 use super::initial_equilibrium::find_equilibrium;
 use super::recorder::Recorder;
-use super::settings::position_tolerance;
+use super::settings::{motion_scale, position_tolerance};
 use super::time_march::{MarchResult, MarchStart, march};
 use super::warm_start::warm_start;
-use super::{Resume, RunState, Settings, Work};
+use super::{ResumedRun, RunState, Settings, Work};
 use crate::case::{Case, Method};
 use crate::dynamics::generalized_alpha::{ErrorLimits, GeneralizedAlpha};
 use crate::dynamics::quasi_static::QuasiStatic;
 use crate::dynamics::rk4::Rk4;
 use crate::scene::Scene;
-use crate::solve::{ExplicitRhs, Instant, Kinematics, Progressing, Sink, State};
+use crate::solve::{AcceptedStep, ExplicitRhs, Kinematics, Progressing, Sink, State};
 
 /// Brings the line to its start and runs the method of the case. `phases` is the line at first and after each of its
 /// events.
@@ -21,10 +21,31 @@ pub(super) fn simulate<'a>(
     settings: &Settings,
     recorder: &mut Recorder<'a>,
     warnings: &mut Vec<String>,
-    resume: Option<&Resume>,
+    resume: Option<&ResumedRun>,
+) -> MarchResult {
+    let mut state = phases[0].initial_state();
+    let result = simulate_from(
+        case,
+        phases,
+        settings,
+        recorder,
+        warnings,
+        (&mut state, resume),
+    );
+    recorder.end(&state);
+    result
+}
+
+/// The same from this initial state, which becomes the last one.
+fn simulate_from<'a>(
+    case: &Case,
+    phases: &'a [Scene],
+    settings: &Settings,
+    recorder: &mut Recorder<'a>,
+    warnings: &mut Vec<String>,
+    (state, resume): (&mut State, Option<&ResumedRun>),
 ) -> MarchResult {
     let scene = &phases[0];
-    let mut state = scene.initial_state();
     let mut work = Work::default();
     let earlier_warnings = warnings.len();
     let warm = match warm_start(case, scene) {
@@ -34,18 +55,18 @@ pub(super) fn simulate<'a>(
     let from_run = warm.is_some() && case.solver.method != Method::Static;
     let mut method_state = None;
     if let Some(warm) = warm {
-        (state, method_state) = (warm.state, warm.method_state);
+        (*state, method_state) = (warm.state, warm.method_state);
     }
     if let Some(resume) = resume {
         work.iterations = resume.checkpoint.start_iterations;
         warnings.extend(resume.checkpoint.warnings.iter().cloned());
     } else if !from_run
-        && let Err(failure) = find_equilibrium(case, scene, &mut state, &mut work, warnings)
+        && let Err(failure) = find_equilibrium(case, scene, state, &mut work, warnings)
     {
-        record_single(recorder, &state);
+        record_single(recorder, state);
         return MarchResult::failed(failure, work);
     }
-    scene.apply_start_velocity(&mut state);
+    scene.apply_start_velocity(state);
     let start = MarchStart {
         resume,
         from_run,
@@ -53,7 +74,7 @@ pub(super) fn simulate<'a>(
         warnings: &warnings[earlier_warnings..],
         work,
     };
-    run_method(case, settings, phases, &mut state, recorder, &start)
+    run_method(case, settings, phases, state, recorder, &start)
 }
 
 /// Runs the method of the case from the current state.
@@ -120,21 +141,20 @@ const SHARE_OF_SLIP: f64 = 1e-3;
 
 /// Errors allowed in a step, from the dimensionless tolerance of the case.
 fn error_limits(case: &Case, scene: &Scene, tolerance: f64) -> ErrorLimits {
-    let length = scene.line.arc.last().copied().unwrap_or(1.0);
-    let speed = (case.environment.gravity_m_per_s2 * length).sqrt();
+    let (distance, speed) = motion_scale(case, scene);
     ErrorLimits {
-        position: tolerance * length,
+        position: tolerance * distance,
         velocity: 2.0 * tolerance * speed,
     }
 }
 
 /// Records a single state.
 fn record_single(recorder: &mut Recorder<'_>, state: &State) {
-    let _: Progressing = recorder.accept(Instant {
+    let _: Progressing = recorder.accept(AcceptedStep {
         time: 0.0,
         state,
         steps: 0,
-        output: true,
+        whole: true,
     });
 }
 

@@ -1,85 +1,115 @@
-//! Envelopes along the line over every step, where the case asks for them: a peak may lie between two output times.
-//!
-//! A case asks with a limit that its line must keep (`min_bend_radius_m`; breaking loads are watched by the recorder), with
-//! a published extreme or a trend of the whole line, or with `output.envelope = "steps"`. No other run pays.
+//! The line node by node: its envelopes over every accepted step and what lies between them, and its state at the end.
 
-use std::ops::Range;
-
-use super::Profile;
-use crate::case::{AlongLine, Case, EnvelopeOf, Statistic};
+use super::step_interval::StepInterval;
+use super::{Profile, RopeProfile};
 use crate::scene::Scene;
 use crate::solve::State;
 
-/// The nodes whose envelopes are widened at every step.
-#[derive(Debug, Clone, Default)]
-pub(super) struct StepEnvelope {
-    /// Nodes whose tension and height are.
-    whole: Range<usize>,
-    /// Nodes whose bending is.
-    bent: Vec<usize>,
-}
+/// Widens the envelopes.
+pub(super) struct StepEnvelope;
 
 impl StepEnvelope {
-    /// The nodes that a case asks for.
-    pub(super) fn of(case: &Case, scene: &Scene) -> Self {
-        use AlongLine::{BendRadius, Curvature, Height, Moment, Tension};
-        let nodes = 0..scene.line_nodes();
-        let all = case.output.envelope == EnvelopeOf::Steps;
-        let whole = all || extremes_asked(case, &[Tension, Height]);
-        let bends = all || extremes_asked(case, &[Curvature, BendRadius, Moment]);
-        let limited = |i: &usize| bends || keeps_a_radius(case, scene, *i);
-        Self {
-            whole: if whole { nodes.clone() } else { 0..0 },
-            bent: match scene.elements.flexure {
-                Some(_) => nodes.filter(limited).collect(),
-                None => Vec::new(),
-            },
-        }
-    }
-
     /// Takes in an accepted step; does not allocate.
-    pub(super) fn update(&self, scene: &Scene, state: &State, profile: &mut Profile) {
-        for i in self.whole.clone() {
-            let (tension, z) = (scene.tension_at(i, state), state.x[i].z);
-            profile.tension_min[i] = profile.tension_min[i].min(tension);
-            profile.tension_max[i] = profile.tension_max[i].max(tension);
-            profile.z_min[i] = profile.z_min[i].min(z);
-            profile.z_max[i] = profile.z_max[i].max(z);
+    pub(super) fn step(&self, scene: &Scene, state: &State, profile: &mut Profile) {
+        if !scene.line.laws.is_empty() {
+            update_ropes(&mut profile.ropes, scene, state);
         }
         let Some(flexure) = &scene.elements.flexure else {
             return;
         };
-        for i in &self.bent {
-            let (curvature, moment) = flexure.bent_at(*i, &scene.line, state);
-            profile.curvature_max[*i] = profile.curvature_max[*i].max(curvature);
-            profile.moment_max[*i] = profile.moment_max[*i].max(moment);
+        for i in 0..profile.curvature_max.len() {
+            let (curvature, moment) = flexure.bent_at(i, &scene.line, state);
+            profile.curvature_max[i] = profile.curvature_max[i].max(curvature);
+            profile.moment_max[i] = profile.moment_max[i].max(moment);
+        }
+    }
+
+    /// Takes in what lies between two steps; does not allocate.
+    pub(super) fn widen(&self, between: &StepInterval<'_>, profile: &mut Profile) {
+        for i in 0..between.nodes() {
+            let (tension, z) = (between.tension(i), between.coordinate(i, 2));
+            profile.tension_min[i] = profile.tension_min[i].min(tension.smallest().0);
+            profile.tension_max[i] = profile.tension_max[i].max(tension.greatest().0);
+            profile.z_min[i] = profile.z_min[i].min(z.smallest().0);
+            profile.z_max[i] = profile.z_max[i].max(z.greatest().0);
         }
     }
 }
 
-/// Whether a published value or a trend is an extreme of one of these.
-fn extremes_asked(case: &Case, quantities: &[AlongLine]) -> bool {
-    use Statistic::{ArcOfMax, ArcOfMin, Max, Min};
-    let published = case.published.iter().map(|p| (&p.channel, p.statistic));
-    let trends = case.trend.iter().map(|t| (&t.channel, t.statistic));
-    published.chain(trends).any(|(channel, statistic)| {
-        matches!(statistic, Max | Min | ArcOfMax | ArcOfMin)
-            && AlongLine::named(channel).is_some_and(|q| quantities.contains(&q))
-    })
+/// The profile of a line before its first step.
+pub(super) fn profile(scene: &Scene) -> Profile {
+    let nodes = scene.line_nodes();
+    let bending = if scene.elements.flexure.is_some() {
+        nodes
+    } else {
+        0
+    };
+    Profile {
+        arc: scene.line.arc[..nodes].to_vec(),
+        nodes: vec![[0.0; 3]; nodes],
+        tension: vec![0.0; nodes],
+        tension_min: vec![f64::INFINITY; nodes],
+        tension_max: vec![f64::NEG_INFINITY; nodes],
+        z_min: vec![f64::INFINITY; nodes],
+        z_max: vec![f64::NEG_INFINITY; nodes],
+        curvature: vec![0.0; bending],
+        curvature_max: vec![0.0; bending],
+        moment: vec![0.0; bending],
+        moment_max: vec![0.0; bending],
+        ..Profile::default()
+    }
 }
 
-/// Whether a node lies in a section whose material has a least bending radius.
-fn keeps_a_radius(case: &Case, scene: &Scene, node: usize) -> bool {
-    scene
-        .labels
-        .joints
-        .windows(2)
-        .zip(&case.line)
-        .any(|(reach, section)| {
-            (reach[0].node..=reach[1].node).contains(&node)
-                && case
-                    .materials
-                    .get(&section.material)
-                    .is_some_and(|m| m.min_bend_radius_m.is_some())
-        })
+/// Takes in the last state, which counts for the envelopes as well: a line at rest has no other.
+pub(super) fn end(scene: &Scene, state: &State, p: &mut Profile) {
+    for i in 0..p.arc.len() {
+        let (x, t) = (&state.x[i], scene.tension_at(i, state));
+        p.nodes[i] = [x.x, x.y, x.z];
+        p.tension[i] = t;
+        p.tension_min[i] = p.tension_min[i].min(t);
+        p.tension_max[i] = p.tension_max[i].max(t);
+        p.z_min[i] = p.z_min[i].min(x.z);
+        p.z_max[i] = p.z_max[i].max(x.z);
+    }
+    if let Some(flexure) = &scene.elements.flexure {
+        let (mut curvature, mut moment) = flexure.bent(&scene.line, state);
+        curvature.truncate(p.arc.len());
+        moment.truncate(p.arc.len());
+        (p.curvature, p.moment) = (curvature, moment);
+    }
+}
+
+/// Takes in the dynamic stiffness of every segment that has one; allocates at the first step only.
+fn update_ropes(ropes: &mut RopeProfile, scene: &Scene, state: &State) {
+    let mut known = 0;
+    for i in 0..scene.line.segments.len() {
+        let Some(reading) = scene.line.rope_reading(i, state) else {
+            continue;
+        };
+        if known == ropes.arc.len() {
+            begin_segment(ropes, 0.5 * (scene.line.arc[i] + scene.line.arc[i + 1]));
+        }
+        ropes.mean_load[known] = reading.mean_load;
+        ropes.stiffness[known] = reading.stiffness;
+        let low = |list: &mut [f64], value: f64| list[known] = list[known].min(value);
+        low(&mut ropes.deviation_min, reading.deviation);
+        low(&mut ropes.stiffness_min, reading.stiffness);
+        let high = |list: &mut [f64], value: f64| list[known] = list[known].max(value);
+        high(&mut ropes.deviation_max, reading.deviation);
+        high(&mut ropes.stiffness_max, reading.stiffness);
+        known += 1;
+    }
+}
+
+/// Adds a segment at this arc length \[m\], without values yet.
+fn begin_segment(ropes: &mut RopeProfile, arc: f64) {
+    ropes.arc.push(arc);
+    ropes.mean_load.push(0.0);
+    ropes.stiffness.push(0.0);
+    for list in [&mut ropes.deviation_min, &mut ropes.stiffness_min] {
+        list.push(f64::INFINITY);
+    }
+    for list in [&mut ropes.deviation_max, &mut ropes.stiffness_max] {
+        list.push(f64::NEG_INFINITY);
+    }
 }

@@ -24,28 +24,29 @@
 mod columns;
 mod complete;
 mod create;
+mod history_csv;
 mod list;
 mod lock;
 mod number;
-mod profile;
+mod profile_csv;
 mod read;
-mod readers;
-mod shapes;
+mod run_writer;
+mod shapes_csv;
 mod table;
 mod timestamp;
-mod writer;
 
 use std::{io, path::PathBuf};
 
 use crate::files::WriteError;
 
 pub use create::RunLocation;
+pub(in crate::run) use history_csv::HistoryReader;
 pub use list::{StoredRun, list};
 pub use lock::is_locked;
 pub use read::{case_text, read, read_info, resume};
-pub(in crate::run) use readers::{HistoryReader, ShapeReader};
+pub use run_writer::{RunWriter, save};
+pub(in crate::run) use shapes_csv::ShapeReader;
 pub use timestamp::{rfc3339, stamp};
-pub use writer::{Writer, save};
 
 /// The directory under which runs are kept unless the user says otherwise.
 pub const DEFAULT_ROOT: &str = "runs";

@@ -3,11 +3,12 @@
 use std::time::Duration;
 
 use super::recorder::Recorder;
+use super::step_interval::LatestSteps;
 use super::store::StoreError;
-use super::{Checkpoint, Profile, Resume, RunState, Settings, Work};
+use super::{Checkpoint, Profile, ResumedRun, RunState, Settings, Work};
 use crate::dynamics::{March, MarchError, MarchProgress, MethodState, Stepper};
 use crate::scene::Scene;
-use crate::solve::{Hysteresis, Instant, Kinematics, Progressing, Sink, State};
+use crate::solve::{AcceptedStep, Hysteresis, Kinematics, Progressing, Sink, State};
 
 /// How a computation ended.
 #[derive(Debug, Clone)]
@@ -42,13 +43,13 @@ pub(super) fn phases(scene: Scene) -> Vec<Scene> {
     phases
 }
 
-/// Least wall time between two checkpoints, which are sent at output times.
+/// Least wall time between two checkpoints.
 const BETWEEN_CHECKPOINTS: Duration = Duration::from_secs(2);
 
 /// The start of a march: at time zero, or at the checkpoint of an earlier run.
 pub(super) struct MarchStart<'a> {
     /// An earlier run to be resumed.
-    pub(super) resume: Option<&'a Resume>,
+    pub(super) resume: Option<&'a ResumedRun>,
     /// Whether the initial state is that of another run.
     pub(super) from_run: bool,
     /// State of the method at the end of that run.
@@ -71,8 +72,9 @@ pub(super) fn march<'a, M: Stepper<Scene>>(
     let mut run = TimeMarch {
         march: March {
             duration: settings.duration_s,
-            step: settings.time_step_s,
-            output: settings.output_interval_s,
+            step: start
+                .resume
+                .map_or(settings.time_step_s, |from| from.checkpoint.whole_step_s),
         },
         method,
         position: MarchProgress::default(),
@@ -121,27 +123,32 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
         if let Some(known) = self.start.method_state {
             self.method.restore(known);
         }
-        self.recorder.accept(Instant {
+        self.recorder.accept(AcceptedStep {
             time: 0.0,
             state,
             steps: 0,
-            output: true,
+            whole: true,
         })
     }
 
     /// Restores everything from a checkpoint.
     fn restore(
         &mut self,
-        resume: &Resume,
+        resume: &ResumedRun,
         phases: &'a [Scene],
         state: &mut State,
     ) -> Result<(), StoreError> {
         let from = &resume.checkpoint;
-        self.recorder.restore(resume)?;
         let scene = &phases[from.phase.min(phases.len() - 1)];
-        self.recorder.enter(scene);
+        from.check(scene, self.recorder.channels())
+            .map_err(|reason| StoreError::Damaged {
+                file: resume.dir.join("checkpoint.toml"),
+                reason: format!("it does not belong to this case: {reason}"),
+            })?;
+        self.recorder.restore(resume)?;
+        self.recorder.resume_with(scene);
         *state = from.state.clone();
-        scene.update_wave_kinematics(from.place.time, state);
+        scene.update_wave_kinematics(from.time(), state);
         self.method.restore(&from.method_state);
         (self.position, self.phase) = (from.place, from.phase);
         Ok(())
@@ -161,8 +168,10 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
                 break;
             }
             if phase > first {
-                self.recorder.enter(scene);
-                self.method.restart(scene, self.position.time, state);
+                let time = self.position.time;
+                self.recorder.leave();
+                self.method.restart(scene, time, state);
+                self.recorder.enter(scene, time, state);
             }
             self.phase = phase;
             going = self.one_phase(scene, state)?;
@@ -173,7 +182,8 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
         Ok(going)
     }
 
-    /// Marches to the next event, from output time to output time; sends checkpoints at intervals and at the end.
+    /// Marches to the next event, whole step by whole step; sends checkpoints at intervals, where it is stopped, and at the end:
+    /// before the last whole step where the end cuts it short, so that a longer run resumes with a whole one.
     fn one_phase(
         &mut self,
         scene: &'a Scene,
@@ -181,38 +191,41 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
     ) -> Result<Progressing, MarchError> {
         let event = scene.events.get(self.phase);
         let until = event.map_or(f64::INFINITY, |event| event.time);
-        let grid = self.march.grid();
         let mut saved = std::time::Instant::now();
-        while !self.march.is_over(&self.position) && self.position.time < until {
-            let before = self.position.whole;
-            let output = grid.output(before / grid.per_output + 1);
-            let to = output.min(until);
-            let (position, method) = (&mut self.position, &mut self.method);
-            let going = self
-                .march
-                .advance(position, to, method, scene, state, self.recorder)?;
-            if going == Progressing::Stop {
-                return Ok(going);
+        while !self.march.is_over(&self.position) && !self.march.is_at(&self.position, until) {
+            let next = (self.position.whole + 1) as f64 * self.march.step;
+            let cut_by_end = self.march.is_after_end(next);
+            if cut_by_end {
+                self.send_checkpoint(state);
             }
-            let whole = self.position.whole;
-            let at_output = whole.is_multiple_of(grid.per_output) && whole > before;
-            let over = self.march.is_over(&self.position);
-            if at_output && (over || saved.elapsed() >= BETWEEN_CHECKPOINTS) {
+            let (position, method) = (&mut self.position, &mut self.method);
+            let going = self.march.advance(
+                position,
+                next.min(until),
+                method,
+                scene,
+                state,
+                self.recorder,
+            )?;
+            let due = self.march.is_over(&self.position) || saved.elapsed() >= BETWEEN_CHECKPOINTS;
+            if going == Progressing::Stop || (due && !cut_by_end) {
                 self.send_checkpoint(state);
                 saved = std::time::Instant::now();
             }
-            if output >= until {
-                break;
+            if going == Progressing::Stop {
+                return Ok(going);
             }
         }
         Ok(Progressing::Continue)
     }
 
     fn send_checkpoint(&mut self, state: &State) {
-        let grid = self.march.grid();
         self.recorder.send_checkpoint(Checkpoint {
-            whole_step_s: grid.dt,
-            per_output: grid.per_output,
+            whole_step_s: self.march.step,
+            output_interval_s: 0.0,
+            rows: 0,
+            latest: LatestSteps::default(),
+            summaries: Vec::new(),
             phase: self.phase,
             start_iterations: self.start.work.iterations,
             warnings: self.start.warnings.to_vec(),
@@ -222,10 +235,10 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
             // The observers fill in the rest.
             peaks: Vec::new(),
             troughs: Vec::new(),
-            greatest_lengths: Vec::new(),
             touchdown: None,
             profile: Profile::default(),
             response: None,
+            energy: None,
         });
     }
 

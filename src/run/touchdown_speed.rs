@@ -55,6 +55,12 @@ impl TouchdownSpeed {
         }
     }
 
+    /// Whether it is that of a line of so many nodes, or of one without a bed.
+    pub(super) fn fits(&self, nodes: usize) -> bool {
+        let sizes = [self.height.len(), self.clear.len(), self.landed.len()];
+        sizes == [nodes; 3] || sizes == [0; 3]
+    }
+
     /// Takes in an accepted step; does not allocate.
     pub(super) fn update(&mut self, scene: &Scene, t: f64, state: &State) {
         let Some(bed) = &scene.elements.bed else {

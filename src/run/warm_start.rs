@@ -37,6 +37,12 @@ pub(super) fn warm_start(case: &Case, scene: &Scene) -> Result<Option<WarmStart>
     let there = &stored.profile.arc;
     let here = &scene.line.arc[..scene.line_nodes()];
     let beyond = scene.nodes() - here.len();
+    let sizes = [stored.state.v.len(), stored.state.a.len()];
+    if sizes != [stored.state.x.len(); 2] || there.len() < 2 {
+        return Err(format!(
+            "the checkpoint of {name} holds no whole state of a line"
+        ));
+    }
     if stored.state.x.len() != there.len() + beyond {
         return Err(format!(
             "{name} is a run with another payload: only one of the two turns about the end of the line"
@@ -50,6 +56,7 @@ pub(super) fn warm_start(case: &Case, scene: &Scene) -> Result<Option<WarmStart>
     };
     // Its time begins anew, and with it that of what it remembers.
     state.memory.time = 0.0;
+    state.memory.motion_pieces = [0, 0];
     let ends = [0, here.len() - 1];
     let mut held = state.clone();
     scene.prescribe(0.0, &mut held);
@@ -114,6 +121,7 @@ fn resampled(state: &State, there: &[f64], here: &[f64]) -> State {
         .iter()
         .filter_map(|s| state.memory.grips.get(nearest(*s)));
     new.memory.grips = grips.cloned().collect();
+    new.memory.bodies.clone_from(&state.memory.bodies);
     let ropes = here.windows(2).filter_map(|pair| {
         let middle = 0.5 * (pair[0] + pair[1]);
         let segment = there.partition_point(|a| *a <= middle).saturating_sub(1);

@@ -14,7 +14,7 @@ use nalgebra::Complex;
 use super::Profile;
 use super::response::period;
 use crate::case::Case;
-use crate::modes::{Medium, Wave};
+use crate::modes::{WkbMedium, WkbWave};
 use crate::scene::Scene;
 use crate::statics::equilibrium::EquilibriumSearch;
 
@@ -43,7 +43,7 @@ pub(super) fn decompose_response(case: &Case, scene: &Scene, profile: &mut Profi
     {
         return;
     }
-    let Some(medium) = Medium::of(scene, &rest) else {
+    let Some(medium) = WkbMedium::of(scene, &rest) else {
         return;
     };
     let wave = medium.wave(TAU / period);
@@ -67,7 +67,7 @@ pub(super) fn decompose(
     arc: &[f64],
     cos: &[f64],
     sin: &[f64],
-    wave: &Wave,
+    wave: &WkbWave,
 ) -> Option<Vec<OpposingWaves>> {
     let whole = *wave.phase.last()?;
     let same = [cos.len(), sin.len(), wave.phase.len()]
@@ -95,7 +95,7 @@ pub(super) fn decompose(
 }
 
 /// First and last node of the stretch of so much phase around a node, moved inwards at the ends of the line.
-fn around(wave: &Wave, node: usize, phase: f64) -> (usize, usize) {
+fn around(wave: &WkbWave, node: usize, phase: f64) -> (usize, usize) {
     let last = wave.phase.len() - 1;
     let whole = wave.phase[last];
     let from = (wave.phase[node] - 0.5 * phase).clamp(0.0, (whole - phase).max(0.0));
@@ -111,7 +111,7 @@ fn around(wave: &Wave, node: usize, phase: f64) -> (usize, usize) {
 fn fit(
     arc: &[f64],
     a: &[Complex<f64>],
-    wave: &Wave,
+    wave: &WkbWave,
     node: usize,
     stretch: std::ops::Range<usize>,
 ) -> (Complex<f64>, Complex<f64>) {
@@ -157,12 +157,12 @@ fn number(arc: &[f64], a: &[Complex<f64>]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::modes::Medium;
+    use crate::modes::WkbMedium;
 
     /// Two waves on a line whose tension grows fivefold.
-    fn response(down: f64, up: f64) -> (Vec<f64>, Vec<f64>, Vec<f64>, Wave) {
+    fn response(down: f64, up: f64) -> (Vec<f64>, Vec<f64>, Vec<f64>, WkbWave) {
         let arc: Vec<f64> = (0..=600).map(f64::from).collect();
-        let medium = Medium {
+        let medium = WkbMedium {
             tension: arc.iter().map(|s| 1e3 + 8.0 * s).collect(),
             ei: vec![0.0; 601],
             mass: vec![4.0; 601],

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{End, Scene};
+use super::{EndCondition, Scene};
 use crate::numerics::V3;
 use crate::solve::State;
 
@@ -12,7 +12,12 @@ impl Scene {
     /// `EI a (pi/L)⁴` a metre.
     #[must_use]
     pub fn mirrored(&self, state: &State) -> Option<(State, usize)> {
-        if self.line.ends.iter().any(|end| matches!(end, End::Free)) {
+        if self
+            .line
+            .ends
+            .iter()
+            .any(|end| matches!(end, EndCondition::Free))
+        {
             return None;
         }
         let last = state.x.len() - 1;

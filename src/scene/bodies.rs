@@ -1,5 +1,7 @@
 //! Bodies of a case: clumps along the line, and the payload at its end.
 
+use std::f64::consts::FRAC_PI_4;
+
 use super::labels::Joint;
 use super::line::AttachedBody;
 use super::vectors::per_axis;
@@ -8,7 +10,7 @@ use crate::case::{self, Case, EndKind};
 use crate::physics::kirchhoff::KirchhoffAddedMass;
 use crate::physics::payload::{FormCoefficients, box_form, sphere_and_cylinder};
 use crate::physics::rigid_body::RigidBodyProperties;
-use crate::physics::{Body, RigidBody};
+use crate::physics::{BodyProperties, RigidBody};
 
 /// The point bodies, clumps in the order of the case and then the payload, and remarks on their places.
 pub(super) fn on_line(
@@ -64,9 +66,9 @@ fn nearest_node(
     Ok((node, off(node)))
 }
 
-fn clump_body(case: &Case, clump: &case::Clump) -> Body {
+fn clump_body(case: &Case, clump: &case::Clump) -> BodyProperties {
     let water = &case.environment;
-    Body {
+    BodyProperties {
         mass: clump.mass_kg,
         weight: clump.wet_mass_kg * water.gravity_m_per_s2,
         drag: per_axis(&clump.drag_area_m2) * (0.5 * water.water_density_kg_per_m3),
@@ -74,8 +76,47 @@ fn clump_body(case: &Case, clump: &case::Clump) -> Body {
     }
 }
 
+/// Density that the volume of a body follows from where nothing else gives it, to guess the area of its bottom \[kg/m³\].
+const GUESSED_DENSITY: f64 = 2000.0;
+
+/// Bottom of a cube of what a body displaces \[m²\].
+fn cube_face(mass: f64, wet_mass: f64, water: &case::Environment) -> f64 {
+    let rho = water.water_density_kg_per_m3;
+    let displaced = (mass - wet_mass) / rho;
+    let volume = if rho > 0.0 && displaced > 0.0 {
+        displaced
+    } else {
+        mass / GUESSED_DENSITY
+    };
+    volume.powf(2.0 / 3.0)
+}
+
+/// Area on which a clump bears on the bed \[m²\].
+pub(super) fn clump_bed_area(clump: &case::Clump, water: &case::Environment) -> f64 {
+    let guess = || cube_face(clump.mass_kg, clump.wet_mass_kg, water);
+    clump.bed_area_m2.unwrap_or_else(guess)
+}
+
+/// Area on which the payload bears on the bed \[m²\]: that of its shape, or the bottom of a cube of its volume.
+pub(super) fn payload_bed_area(body: &case::Payload, water: &case::Environment) -> f64 {
+    let by_shape = body.shape.as_ref().map(|shape| match shape {
+        case::PayloadShape::Box(of) => of.length_m * of.breadth_m,
+        case::PayloadShape::SphereAndCylinder(of) => {
+            FRAC_PI_4 * of.sphere_diameter_m.max(of.cylinder_diameter_m).powi(2)
+        }
+    });
+    let by_volume = body.volume_m3.map(|volume| volume.powf(2.0 / 3.0));
+    let by_volume = by_volume.filter(|area| *area > 0.0);
+    let guess = || {
+        let wet = body.wet_mass_kg.unwrap_or(body.dry_mass_kg);
+        cube_face(body.dry_mass_kg, wet, water)
+    };
+    let given = body.bed_area_m2.or(by_shape).or(by_volume);
+    given.unwrap_or_else(guess)
+}
+
 /// The payload, with defaults from its shape.
-fn payload(case: &Case) -> Result<Option<Body>, SceneError> {
+fn payload(case: &Case) -> Result<Option<BodyProperties>, SceneError> {
     if case.ends.a.kind == EndKind::Payload {
         let key = "ends.a.kind".into();
         return Err(SceneError::Impossible {
@@ -117,7 +158,7 @@ fn payload(case: &Case) -> Result<Option<Body>, SceneError> {
         .as_ref()
         .map(per_axis)
         .or(form.map(|f| f.added_volume * rho));
-    Ok(Some(Body {
+    Ok(Some(BodyProperties {
         mass: body.dry_mass_kg,
         weight: wet * case.environment.gravity_m_per_s2,
         drag: area.unwrap_or_default() * (0.5 * rho),
@@ -168,14 +209,14 @@ pub(super) fn rigid_payload(case: &Case, node: usize) -> Result<Option<RigidPayl
     Ok(Some(RigidPayload { node, body }))
 }
 
-fn form(shape: &case::Shape) -> FormCoefficients {
+fn form(shape: &case::PayloadShape) -> FormCoefficients {
     match *shape {
-        case::Shape::Box(case::BoxShape {
+        case::PayloadShape::Box(case::BoxShape {
             length_m,
             breadth_m,
             height_m,
         }) => box_form(length_m, breadth_m, height_m),
-        case::Shape::SphereAndCylinder(case::SphereAndCylinder {
+        case::PayloadShape::SphereAndCylinder(case::SphereAndCylinder {
             sphere_diameter_m,
             cylinder_diameter_m,
             cylinder_length_m,

@@ -7,15 +7,15 @@ use super::elements::{Elements, RigidPayload, clamps_without_effect};
 use super::error::SceneError;
 use super::labels::{Joint, Labels};
 use super::line::{AttachedBody, LumpedLine, Segment};
-use super::scene::{Scene, Start};
+use super::scene::{InitialState, Scene};
 use super::{bodies, buoyancy, ends, event, initial_shape, mesh, unused_inputs, waves};
-use crate::case::{self, Case, DragWidth, OneOrMany, StartShape};
+use crate::case::{self, Case, DragLength, DragWidth, OneOrMany, StartShape};
 use crate::numerics::V3;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::DragProperties;
 use crate::physics::rope::TensionLaw;
-use crate::physics::tension::Axial;
-use crate::physics::{Current, DragLaw};
+use crate::physics::tension::AxialConstants;
+use crate::physics::{CurrentProfile, DragLaw};
 
 /// Builds the scene of a case, every section divided into `1 / coarsening` of its segments (rounded up): 1 for the run itself,
 /// 2 for the companion that estimates the mesh error.
@@ -25,7 +25,7 @@ use crate::physics::{Current, DragLaw};
 pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
     let mut mesh = Mesh::of_case(case, coarsening)?;
     let (mut bodies, mut remarks) = bodies::on_line(case, &mesh.joints, &mesh.arc)?;
-    let clumps = bodies[..case.clumps.len()].iter().map(|b| b.node).collect();
+    let clumps: Vec<usize> = bodies[..case.clumps.len()].iter().map(|b| b.node).collect();
     bodies.sort_by_key(|hung| hung.node);
     let line_nodes = mesh.arc.len();
     let rigid_payload = bodies::rigid_payload(case, line_nodes - 1)?;
@@ -41,16 +41,16 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
         rigid_payload.as_ref(),
         &mut remarks,
     )?;
-    let elements = Elements::of_case(case, &line, rigid_payload);
+    let elements = Elements::of_case(case, &line, &clumps, rigid_payload);
     remarks.extend(clamps_without_effect(case, &line.segments));
     remarks.extend(unused_inputs::remarks(case));
     let mut scene = Scene {
         line,
         elements,
-        start: Start {
+        start: InitialState {
             velocity: V3::from(case.start.velocity_m_per_s),
             in_equilibrium: case.start.shape == StartShape::Equilibrium,
-            ..Start::default()
+            ..InitialState::default()
         },
         labels: Labels {
             end_names: [case.ends.a.name.clone(), case.ends.b.name.clone()],
@@ -112,6 +112,7 @@ fn line(
         bodies,
         current: current(case.current.as_ref()),
         water,
+        stretched_drag: case.environment.drag_length == DragLength::Stretched,
     })
 }
 
@@ -167,7 +168,7 @@ impl Mesh {
         rod.drag.crisis = f64::INFINITY;
         (rod.added.normal, rod.added.tangential) = (0.0, 0.0);
         (rod.half_mass, rod.half_weight) = (0.0, 0.0);
-        (rod.ei, rod.diameter) = (0.0, 0.0);
+        (rod.ei, rod.diameter, rod.bearing_width) = (0.0, 0.0, 0.0);
         self.segments.push(rod);
     }
 
@@ -248,7 +249,7 @@ fn bare_segment(
         DragWidth::Perimeter => PI,
     };
     Segment {
-        axial: Axial::new(length, elasticity.steepest, damping)
+        axial: AxialConstants::new(length, elasticity.steepest, damping)
             .bearing_compression(material.ei_n_m2 > 0.0)
             .with_law(elasticity.law),
         drag: DragProperties {
@@ -272,14 +273,17 @@ fn bare_segment(
         half_weight: 0.5 * length * wet * water.gravity_m_per_s2,
         ei: material.ei_n_m2,
         diameter: material.diameter_m,
+        bearing_width: material.diameter_m,
     }
 }
 
-fn law(law: &case::DragLaw) -> DragLaw {
+fn law(law: &case::DragCoefficient) -> DragLaw {
     match law {
-        case::DragLaw::Constant(c) => DragLaw::Constant(*c),
-        case::DragLaw::Named(case::DragLawName::Jia2019Normal) => DragLaw::Jia2019Normal,
-        case::DragLaw::Named(case::DragLawName::Jia2019Tangential) => DragLaw::Jia2019Tangential,
+        case::DragCoefficient::Constant(c) => DragLaw::Constant(*c),
+        case::DragCoefficient::Named(case::DragLawName::Jia2019Normal) => DragLaw::Jia2019Normal,
+        case::DragCoefficient::Named(case::DragLawName::Jia2019Tangential) => {
+            DragLaw::Jia2019Tangential
+        }
     }
 }
 
@@ -318,9 +322,9 @@ fn lump(
 }
 
 /// Still water unless the case has a current.
-fn current(current: Option<&case::Current>) -> Current {
+fn current(current: Option<&case::Current>) -> CurrentProfile {
     let Some(current) = current else {
-        return Current::Uniform(V3::zeros());
+        return CurrentProfile::Uniform(V3::zeros());
     };
     let at = |value: &OneOrMany, i: usize| match value {
         OneOrMany::One(all) => *all,
@@ -331,10 +335,10 @@ fn current(current: Option<&case::Current>) -> Current {
         V3::new(cos, sin, 0.0) * at(&current.speed_m_per_s, i)
     };
     match &current.depth_m {
-        Some(depth) if depth.len() > 1 => Current::Table {
+        Some(depth) if depth.len() > 1 => CurrentProfile::Table {
             depth: depth.clone(),
             velocity: (0..depth.len()).map(velocity).collect(),
         },
-        _ => Current::Uniform(velocity(0)),
+        _ => CurrentProfile::Uniform(velocity(0)),
     }
 }

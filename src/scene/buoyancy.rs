@@ -53,6 +53,7 @@ pub(super) fn add_modules(
     segment.half_mass += 0.5 * covered * mass;
     segment.half_weight += 0.5 * covered * (mass - displaced) * water.gravity_m_per_s2;
     segment.added.normal += 0.5 * covered * displaced;
+    segment.bearing_width += share * filled * (modules.diameter_m - bare_diameter);
     segment.drag.normal *= 1.0 - share * filled;
     segment.drag.floats += 0.5
         * water.water_density_kg_per_m3

@@ -47,6 +47,11 @@ pub(super) trait Element {
         0.0
     }
 
+    /// Stiffness that it adds to a node by itself \[N/m\], for the explicit step.
+    fn node_stiffness(&self, _node: usize) -> f64 {
+        0.0
+    }
+
     /// The displacement along a spring of stiffness `stiffest` \[N/m\] that changes a force as much as the displacements d do:
     /// its part of Newton's convergence norm.
     fn equivalent_displacement(&self, _at: At<'_>, _d: &[V3], _stiffest: f64) -> f64 {
@@ -59,9 +64,15 @@ pub(super) trait Element {
     /// Adds the power that it dissipates \[W\].
     fn add_dissipation(&self, _at: At<'_>, _power: &mut f64) {}
 
-    /// Adds the power that waves put into it \[W\], beyond what its potential gains in still water; `still` is the state in
-    /// still water.
-    fn add_wave_power(&self, _at: At<'_>, _still: &State, _power: &mut f64) {}
+    /// Adds the power that waves put into it \[W\], beyond what its potential gains in still water.
+    fn add_wave_power(&self, _at: At<'_>, _power: &mut f64) {}
+
+    /// Adds the power that moving water puts into it by drag \[W\]: drag times the velocity of the water.
+    fn add_water_drag_power(&self, _at: At<'_>, _power: &mut f64) {}
+
+    /// Adds the rate `v' (dM/dt) v / 2` of the kinetic energy of its added mass as that grows \[W\], which is the power of no
+    /// force.
+    fn add_growth(&self, _at: At<'_>, _power: &mut f64) {}
 
     /// Adds its force on the first or last node, less the inertia it adds there \[N\].
     fn add_end_force(&self, _at: At<'_>, _node: usize, _force: &mut V3) {}

@@ -10,6 +10,7 @@
 //! nodes.
 
 mod bed;
+mod body_contact;
 mod body_loads;
 mod flexure;
 mod rigid_payload;
@@ -21,11 +22,13 @@ use super::element::Element;
 use crate::case::Case;
 
 pub use bed::BedContact;
+pub(super) use bed::HalfSegment;
+pub use body_contact::{BearingBody, BodyContact};
 use body_loads::BodyLoads;
 pub use flexure::Flexure;
 pub(super) use flexure::clamps_without_effect;
 pub use rigid_payload::RigidPayload;
-pub use traveller::Traveller;
+pub use traveller::TravellingBody;
 use water_loads::WaterLoads;
 
 /// The forces on the line beside those of its segments.
@@ -33,28 +36,33 @@ use water_loads::WaterLoads;
 pub struct Elements {
     /// Contact with the sea bed, and its friction.
     pub bed: Option<BedContact>,
+    /// Contact of the bodies with it.
+    pub body_contact: Option<BodyContact>,
     /// Bending, where any material has a bending stiffness.
     pub flexure: Option<Flexure>,
     /// A body that travels along the line.
-    pub traveller: Option<Traveller>,
+    pub traveller: Option<TravellingBody>,
     /// A payload that rotates about the last node of the line.
     pub rigid_payload: Option<RigidPayload>,
 }
 
 impl Elements {
-    /// The elements of a case on its line. The payload is built before the line, whose last segment is its rod.
+    /// The elements of a case on its line, with clumps at these nodes. The payload is built before the line, whose last segment is its rod.
     pub(super) fn of_case(
         case: &Case,
         line: &LumpedLine,
+        clumps: &[usize],
         rigid_payload: Option<RigidPayload>,
     ) -> Self {
+        let last = line.line_nodes - 1;
         Self {
+            body_contact: BodyContact::of_case(case, clumps, rigid_payload.as_ref(), last),
             bed: case
                 .seabed
                 .as_ref()
                 .map(|bed| BedContact::new(bed, &line.segments)),
             flexure: Flexure::of_case(case, &line.segments),
-            traveller: Traveller::of_case(case),
+            traveller: TravellingBody::of_case(case),
             rigid_payload,
         }
     }
@@ -65,8 +73,9 @@ impl Elements {
         fn some<E: Element>(element: &Option<E>) -> Option<&dyn Element> {
             element.as_ref().map(|element| element as &dyn Element)
         }
-        let list: [Option<&dyn Element>; 6] = [
+        let list: [Option<&dyn Element>; 7] = [
             some(&self.bed),
+            some(&self.body_contact),
             Some(&WaterLoads),
             some(&self.flexure),
             some(&self.traveller),

@@ -2,15 +2,16 @@
 
 use nalgebra::Complex;
 
-use super::End;
+use super::EndCondition;
 use super::error::SceneError;
 use super::irregular_record::IrregularRecord;
-use crate::case::{self, Case, EndKind, MotionName};
+use crate::case::{self, Case, EndKind, MotionInterpolation, MotionName};
 use crate::numerics::V3;
+use crate::numerics::piecewise::PiecewiseCubic;
 use crate::numerics::spline::Spline;
 use crate::physics::EndMotion;
 use crate::physics::motion::{self, HarmonicMotion, MotionPath};
-use crate::physics::sea::{Component, Harmonics, Rao, Spectrum, Waves, synthesise};
+use crate::physics::sea::{Component, Harmonics, Rao, Spectrum, WaveField, synthesise};
 
 /// Fraction of the wave energy beyond a table of responses that gives a remark.
 const MUCH_BEYOND: f64 = 0.02;
@@ -20,26 +21,28 @@ pub(super) fn end(
     case: &Case,
     end: &case::End,
     key: &str,
-    waves: Option<&Waves>,
+    waves: Option<&WaveField>,
     remarks: &mut Vec<String>,
-) -> Result<End, SceneError> {
+) -> Result<EndCondition, SceneError> {
     let position = || {
         end.position_m
             .map(V3::from)
             .ok_or_else(|| missing(key, "position_m", "a held end must be somewhere"))
     };
     match end.kind {
-        EndKind::Payload | EndKind::Free => Ok(End::Free),
-        EndKind::Fixed | EndKind::Anchor => Ok(End::Prescribed(EndMotion::still(position()?))),
+        EndKind::Payload | EndKind::Free => Ok(EndCondition::Free),
+        EndKind::Fixed | EndKind::Anchor => {
+            Ok(EndCondition::Prescribed(EndMotion::still(position()?)))
+        }
         EndKind::Moving => {
             let place = position()?;
             let course = match end.motion {
                 MotionName::Harmonic => swing(end, key)?,
-                MotionName::Table => table(case, end, key)?,
+                MotionName::Table => table(case, end, key, remarks)?,
                 MotionName::Irregular => irregular(end, key)?,
                 MotionName::Vessel => vessel(case, end, key, &place, waves, remarks)?,
             };
-            Ok(End::Prescribed(EndMotion {
+            Ok(EndCondition::Prescribed(EndMotion {
                 position: place,
                 course,
                 ramp: end.ramp_s,
@@ -86,15 +89,36 @@ fn rows(
         .map_err(|fault| SceneError::File(fault.to_string()))
 }
 
-fn table(case: &Case, end: &case::End, key: &str) -> Result<MotionPath, SceneError> {
+/// Overshoot of a spline by the range of its axis that gives a remark.
+const NOTABLE_OVERSHOOT: f64 = 0.01;
+
+fn table(
+    case: &Case,
+    end: &case::End,
+    key: &str,
+    remarks: &mut Vec<String>,
+) -> Result<MotionPath, SceneError> {
     let columns = case::attachments::PLACES.map(str::to_owned);
     let points: Vec<(f64, V3)> = rows(case, end, key, &columns)?
         .iter()
         .map(|row| (row[0], V3::new(row[1], row[2], row[3])))
         .collect();
-    let spline = Spline::through(&points)
-        .map_err(|fault| SceneError::File(format!("{key}.motion_file: {fault}")))?;
-    let (first, last) = spline.span();
+    let no_table = |fault| SceneError::File(format!("{key}.motion_file: {fault}"));
+    let ((first, last), path) = match end.motion_interpolation {
+        MotionInterpolation::Spline => {
+            let spline = Spline::through(&points).map_err(no_table)?;
+            remarks.extend(overshoot(case, end, &spline, key));
+            (spline.span(), MotionPath::Table(spline))
+        }
+        MotionInterpolation::Monotone => {
+            let path = PiecewiseCubic::monotone(&points).map_err(no_table)?;
+            (path.span(), MotionPath::Piecewise(path))
+        }
+        MotionInterpolation::Linear => {
+            let path = PiecewiseCubic::linear(&points).map_err(no_table)?;
+            (path.span(), MotionPath::Piecewise(path))
+        }
+    };
     let dynamic = case.solver.method != case::Method::Static;
     if first > 0.0 || (dynamic && last < case.solver.duration_s * (1.0 - 1e-9)) {
         return Err(SceneError::File(format!(
@@ -102,7 +126,25 @@ fn table(case: &Case, end: &case::End, key: &str) -> Result<MotionPath, SceneErr
             case.solver.duration_s
         )));
     }
-    Ok(MotionPath::Table(spline))
+    Ok(path)
+}
+
+/// A remark where the spline through a table overshoots it during the run.
+fn overshoot(case: &Case, end: &case::End, spline: &Spline, key: &str) -> Option<String> {
+    let dynamic = case.solver.method != case::Method::Static;
+    let until = if dynamic { case.solver.duration_s } else { 0.0 };
+    let found = spline.overshoot(until)?;
+    (found.share > NOTABLE_OVERSHOOT).then(|| {
+        format!(
+            "the spline through `{}` overshoots its rows along {} by {:.3} m at {:.3} s, {:.1} % of the range: set \
+             {key}.motion_interpolation to \"monotone\" or \"linear\", or give more rows there",
+            end.motion_file.as_deref().unwrap_or_default(),
+            ["x", "y", "z"][found.axis],
+            found.distance,
+            found.time,
+            100.0 * found.share
+        )
+    })
 }
 
 /// Axes use the random streams of the seed after that of the waves.
@@ -155,7 +197,7 @@ fn vessel(
     end: &case::End,
     key: &str,
     place: &V3,
-    waves: Option<&Waves>,
+    waves: Option<&WaveField>,
     remarks: &mut Vec<String>,
 ) -> Result<MotionPath, SceneError> {
     let why = "a vessel moves in the waves of the case";

@@ -5,7 +5,7 @@
 //! the water is `M a` (Morison), without the term `v' (dM/dt) v / 2` of Lagrange's equations for a variable mass; some 1e-5 to
 //! 1e-4 of the dissipation by drag under water.
 
-use super::{End, Scene};
+use super::{EndCondition, Scene};
 use crate::numerics::V3;
 use crate::solve::{Kinematics, State};
 
@@ -63,9 +63,9 @@ impl Scene {
     #[must_use]
     pub fn power_of_ends(&self, t: f64, state: &State) -> f64 {
         let ends = self.line.ends.iter().zip([0, self.nodes() - 1]);
-        let power = |(end, node): (&End, usize)| match end {
-            End::Free => 0.0,
-            End::Prescribed(_) => {
+        let power = |(end, node): (&EndCondition, usize)| match end {
+            EndCondition::Free => 0.0,
+            EndCondition::Prescribed(_) => {
                 let pull: V3 =
                     self.end_force(node, state) + self.traveller_force_on(node, t, state);
                 -pull.dot(&state.v[node])
@@ -82,11 +82,9 @@ impl Scene {
             return 0.0;
         }
         // The potential of dry parts is that in still water: the work of the surface beyond it is the waves'.
-        let mut still = State::at_rest(state.x.clone());
-        still.v.clone_from(&state.v);
         let mut power = 0.0;
         for element in self.elements.iter() {
-            element.add_wave_power(self.at(state.memory.time, state), &still, &mut power);
+            element.add_wave_power(self.at(state.memory.time, state), &mut power);
         }
         power
     }

@@ -3,9 +3,10 @@
 use std::ops::Range;
 
 use super::element::Element;
-use super::{End, Scene};
+use super::elements::BodyContact;
+use super::{EndCondition, Scene};
 use crate::numerics::{BlockBand, V3};
-use crate::physics::Seabed;
+use crate::physics::ElasticBed;
 use crate::solve::{
     ExplicitRhs, Factors, Hysteresis, Kinematics, MidstepBalance, Residual, State, StaticSearch,
 };
@@ -22,14 +23,46 @@ impl Kinematics for Scene {
     fn prescribe(&self, t: f64, state: &mut State) {
         let last = self.nodes() - 1;
         for (end, node) in [(0, 0), (1, last)] {
-            if let End::Prescribed(motion) = &self.line.ends[end] {
-                (state.x[node], state.v[node], state.a[node]) = motion.at(t);
+            if let EndCondition::Prescribed(motion) = &self.line.ends[end] {
+                let piece = state.memory.motion_pieces[end];
+                (state.x[node], state.v[node], state.a[node]) = motion.on_piece(piece, t);
             }
         }
     }
 
+    fn next_kink(&self, state: &State) -> f64 {
+        let kinks = self.end_kinks(state);
+        kinks[0].min(kinks[1])
+    }
+
+    fn pass_kink(&self, t: f64, state: &mut State) -> bool {
+        let next = self.next_kink(state);
+        let mut jumps = false;
+        for (end, kink) in self.end_kinks(state).into_iter().enumerate() {
+            if let EndCondition::Prescribed(motion) = &self.line.ends[end]
+                && kink == next
+            {
+                let piece = &mut state.memory.motion_pieces[end];
+                jumps |= motion.velocity_jumps(*piece);
+                *piece += 1;
+            }
+        }
+        self.prescribe(t, state);
+        jumps
+    }
+
     fn update_wave_kinematics(&self, t: f64, state: &mut State) {
         self.line.write_wave_kinematics(t, state);
+    }
+}
+
+impl Scene {
+    /// Time of the next kink of the motion of end A and of end B \[s\]; infinite where there is none.
+    fn end_kinks(&self, state: &State) -> [f64; 2] {
+        [0, 1].map(|end| match &self.line.ends[end] {
+            EndCondition::Prescribed(motion) => motion.next_kink(state.memory.motion_pieces[end]),
+            EndCondition::Free => f64::INFINITY,
+        })
     }
 }
 
@@ -149,12 +182,14 @@ impl StaticSearch for Scene {
         let bed = self.elements.bed.as_ref()?;
         bed.seabed.friction?;
         let mut smooth = bed.clone();
-        smooth.seabed = Seabed {
+        smooth.seabed = ElasticBed {
             friction: None,
             ..smooth.seabed
         };
         let mut scene = self.clone();
         scene.elements.bed = Some(smooth);
+        let bodies = self.elements.body_contact.as_ref();
+        scene.elements.body_contact = bodies.map(BodyContact::without_friction);
         scene.start.grips.clear();
         Some(scene)
     }

@@ -1,20 +1,20 @@
 //! Events at given times: release of an end or of the payload. The scene is constant between two events.
 
-use super::{End, Scene};
+use super::{EndCondition, Scene};
 use crate::case::Case;
 
 /// A change of the scene at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Event {
+pub struct SceneEvent {
     /// Time \[s\].
     pub time: f64,
     /// What changes.
-    pub change: Change,
+    pub change: SceneChange,
 }
 
 /// What changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Change {
+pub enum SceneChange {
     /// Release of end A (0) or B (1).
     ReleaseEnd(usize),
     /// Release of the payload.
@@ -22,18 +22,18 @@ pub enum Change {
 }
 
 /// The events of a case, the earliest first.
-pub(super) fn events(case: &Case) -> Vec<Event> {
+pub(super) fn events(case: &Case) -> Vec<SceneEvent> {
     let ends = [&case.ends.a, &case.ends.b].into_iter().enumerate();
-    let mut list: Vec<Event> = ends
+    let mut list: Vec<SceneEvent> = ends
         .filter_map(|(end, of)| {
-            let change = Change::ReleaseEnd(end);
-            of.release_s.map(|time| Event { time, change })
+            let change = SceneChange::ReleaseEnd(end);
+            of.release_s.map(|time| SceneEvent { time, change })
         })
         .collect();
     let cut = case.payload.as_ref().and_then(|p| p.release_s);
-    list.extend(cut.map(|time| Event {
+    list.extend(cut.map(|time| SceneEvent {
         time,
-        change: Change::ReleasePayload,
+        change: SceneChange::ReleasePayload,
     }));
     list.sort_by(|a, b| a.time.total_cmp(&b.time));
     list
@@ -42,16 +42,16 @@ pub(super) fn events(case: &Case) -> Vec<Event> {
 impl Scene {
     /// The scene after a change.
     #[must_use]
-    pub fn after(&self, change: Change) -> Self {
+    pub fn after(&self, change: SceneChange) -> Self {
         let mut scene = self.clone();
         match change {
-            Change::ReleaseEnd(end) => {
-                scene.line.ends[end] = End::Free;
+            SceneChange::ReleaseEnd(end) => {
+                scene.line.ends[end] = EndCondition::Free;
                 if let Some(flexure) = &mut scene.elements.flexure {
                     flexure.clamps[end] = None;
                 }
             }
-            Change::ReleasePayload => {
+            SceneChange::ReleasePayload => {
                 // The payload is the last of the bodies, at the last node.
                 if let (Some(hung), Some(last)) =
                     (scene.line.bodies.pop(), scene.line.segments.last())
@@ -67,6 +67,10 @@ impl Scene {
                         (left().map(|h| h.body.mass), left().map(|h| h.body.weight));
                     scene.line.mass[hung.node] = last.half_mass + mass.sum::<f64>();
                     scene.line.weight[hung.node] = last.half_weight + weight.sum::<f64>();
+                }
+                // Of the bodies that bear on the bed it is the last too.
+                if let Some(contact) = &mut scene.elements.body_contact {
+                    contact.bodies.pop();
                 }
             }
         }

@@ -3,7 +3,7 @@
 use nalgebra::Vector6;
 
 use super::water::BodyInWater;
-use super::{AttachedBody, End, LumpedLine, Scene};
+use super::{AttachedBody, EndCondition, LumpedLine, Scene};
 use crate::numerics::{M3, V3};
 use crate::solve::State;
 
@@ -31,11 +31,11 @@ impl Scene {
     fn accelerations_as<const PLAIN: bool>(&self, t: f64, state: &mut State) {
         let preloaded = self.preload(t, state);
         let mut bodies = self.line.bodies.iter().enumerate().peekable();
-        let (mut f, mut m) = (V3::zeros(), Symmetric::default());
+        let (mut f, mut m) = (V3::zeros(), SymmetricBlock::default());
         let mut near = self.line.around::<PLAIN>(0, state);
         for i in 0..self.line.nodes() {
             // Force and mass of node i: from the segment before, then from the segment after.
-            let (mut beyond, mut next) = (V3::zeros(), Symmetric::default());
+            let (mut beyond, mut next) = (V3::zeros(), SymmetricBlock::default());
             f.z -= self.line.weight[i];
             m.add_diagonal(self.line.mass[i]);
             if preloaded {
@@ -150,6 +150,13 @@ impl Scene {
         elements.map(|e| e.segment_stiffness(&self.line, i)).sum()
     }
 
+    /// Square of the frequency of a node on what the elements add to it alone \[rad²/s²\]: eigenvalues of a sum are no more than
+    /// the sums of the greatest (Weyl).
+    fn own_frequency_squared(&self, node: usize) -> f64 {
+        let stiffness: f64 = self.elements.iter().map(|e| e.node_stiffness(node)).sum();
+        stiffness / self.line.mass[node]
+    }
+
     /// The stability limit of the time step of classical Runge-Kutta of order 4 \[s\], and the segment that
     /// sets it. Highest axial frequency of a segment between nodes of masses m1, m2:
     /// `omega² = 2 (EA/l) (1/m1 + 1/m2)` (Gershgorin, exact for a uniform line; added mass does not count along
@@ -167,11 +174,14 @@ impl Scene {
                     1.0 / self.line.mass[node]
                 }
             };
-            let held = |end: usize| matches!(self.line.ends[end], End::Prescribed(_));
+            let held = |end: usize| matches!(self.line.ends[end], EndCondition::Prescribed(_));
             let last = self.line.segments.len();
             let sum = lightness(i, i == 0 && held(0)) + lightness(i + 1, i + 1 == last && held(1));
             let axial = 2.0 * segment.axial.ea / segment.axial.length;
-            let omega = ((axial + self.other_stiffness(i)) * sum).sqrt();
+            let own = self
+                .own_frequency_squared(i)
+                .max(self.own_frequency_squared(i + 1));
+            let omega = ((axial + self.other_stiffness(i)) * sum + own).sqrt();
             let zeta = 0.5 * segment.axial.damping * omega / segment.axial.ea;
             let fastest = omega * (zeta + (zeta * zeta + 1.0).sqrt()).max(1.0);
             let step = 2.785 / fastest;
@@ -237,8 +247,8 @@ impl LumpedLine {
         self.mass_of(node, state).matrix()
     }
 
-    fn mass_of(&self, node: usize, state: &State) -> Symmetric {
-        let mut m = Symmetric::default();
+    fn mass_of(&self, node: usize, state: &State) -> SymmetricBlock {
+        let mut m = SymmetricBlock::default();
         m.add_diagonal(self.mass[node]);
         let halves = [(node.checked_sub(1), 1), (Some(node), 0)];
         for (i, half) in halves.into_iter().filter_map(|(i, half)| Some((i?, half))) {
@@ -273,7 +283,7 @@ impl LumpedLine {
 
 /// A symmetric positive definite 3 x 3 block.
 #[derive(Debug, Clone, Copy, Default)]
-struct Symmetric {
+struct SymmetricBlock {
     xx: f64,
     xy: f64,
     xz: f64,
@@ -282,7 +292,7 @@ struct Symmetric {
     zz: f64,
 }
 
-impl Symmetric {
+impl SymmetricBlock {
     #[inline(always)]
     fn add_diagonal(&mut self, m: f64) {
         self.xx += m;

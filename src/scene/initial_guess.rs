@@ -1,15 +1,17 @@
 //! Initial guess at an equilibrium: the closed-form catenary in the resultant of weight and mean drag, or a line hanging from one
 //! end.
 
-use super::{End, Scene};
+use super::{EndCondition, Scene};
 use crate::numerics::V3;
-use crate::physics::friction::{Friction, FrictionModel};
+use crate::physics::bed_friction::{Friction, FrictionModel};
 use crate::solve::State;
-use crate::statics::catenary::{Bed, CatenaryError, Ends, Line, SectionProps, Solution};
+use crate::statics::catenary::{
+    CatenaryError, CatenaryLine, EndOffset, RigidBed, SectionProperties, Solution,
+};
 
 /// Estimated positions of the nodes at rest \[m\], and tensions of the segments \[N\].
 #[derive(Debug, Clone)]
-pub(super) struct Guess {
+pub(super) struct InitialGuess {
     pub(super) nodes: Vec<V3>,
     pub(super) tension: Vec<f64>,
 }
@@ -23,9 +25,9 @@ const HANGING_ROUNDS: usize = 4;
 
 impl Scene {
     /// Between two prescribed ends.
-    pub(super) fn guess_between(&self, from: V3, to: V3) -> Guess {
+    pub(super) fn guess_between(&self, from: V3, to: V3) -> InitialGuess {
         let straight = between(from, to, &self.line.arc);
-        let mut best: Option<Guess> = None;
+        let mut best: Option<InitialGuess> = None;
         let rounds = if self.line.laws.is_empty() {
             ROUNDS
         } else {
@@ -58,7 +60,8 @@ impl Scene {
     /// Why the same line, without bending and in still water, has no unique equilibrium, if it has none.
     #[must_use]
     pub fn catenary_error(&self) -> Option<CatenaryError> {
-        let (End::Prescribed(from), End::Prescribed(to)) = (&self.line.ends[0], &self.line.ends[1])
+        let (EndCondition::Prescribed(from), EndCondition::Prescribed(to)) =
+            (&self.line.ends[0], &self.line.ends[1])
         else {
             return None;
         };
@@ -89,7 +92,7 @@ impl Scene {
         to: V3,
         drag: &[V3],
         of_laws: &[f64],
-    ) -> Result<Guess, CatenaryError> {
+    ) -> Result<InitialGuess, CatenaryError> {
         let whole = self.line.arc[self.line.arc.len() - 1];
         let (down, mean) = if self.seabed().is_some() {
             (-V3::z(), V3::zeros())
@@ -115,7 +118,7 @@ impl Scene {
         let chord = last - first;
         let rise = chord.dot(&up);
         let level = chord - up * rise;
-        let ends = Ends {
+        let ends = EndOffset {
             x_m: level.norm(),
             z_m: rise,
         };
@@ -133,14 +136,14 @@ impl Scene {
             let s = 0.5 * (ends[0] + ends[1]);
             solution.at(if reversed { whole - s } else { s }).tension_n
         };
-        Ok(Guess {
+        Ok(InitialGuess {
             nodes: self.line.arc.iter().map(place).collect(),
             tension: self.line.arc.windows(2).map(middle).collect(),
         })
     }
 
     /// A stiffness for every law \[N\]: at the mean tension of its segments in a guess, or that of the whole law.
-    fn stiffness_of_laws(&self, guess: Option<&Guess>) -> Vec<f64> {
+    fn stiffness_of_laws(&self, guess: Option<&InitialGuess>) -> Vec<f64> {
         let of = |number: usize| {
             let mine =
                 |i: &usize| self.line.segments[*i].axial.law.map(usize::from) == Some(number);
@@ -160,13 +163,13 @@ impl Scene {
         &self,
         first: V3,
         along: V3,
-        ends: Ends,
-        sections: &[SectionProps],
+        ends: EndOffset,
+        sections: &[SectionProperties],
     ) -> Result<Solution, CatenaryError> {
         let bed = self.seabed().map(|bed| {
             let normal = bed.normal();
             let slope = (-normal.dot(&along) / normal.z).atan();
-            Bed {
+            RigidBed {
                 below_a_m: if bed.is_plain() {
                     first.z - bed.z
                 } else {
@@ -177,14 +180,14 @@ impl Scene {
                 friction: match bed.friction {
                     Some(Friction {
                         axial,
-                        law: FrictionModel::Grip(_),
+                        law: FrictionModel::ElasticPlastic(_),
                         ..
                     }) => axial,
                     _ => 0.0,
                 },
             }
         });
-        let line = |bed| Line {
+        let line = |bed| CatenaryLine {
             ends,
             sections,
             bed,
@@ -192,7 +195,7 @@ impl Scene {
         };
         line(bed).solve().or_else(|refusal| {
             let rough = bed.filter(|bed| bed.friction > 0.0).ok_or(refusal)?;
-            let smooth = Bed {
+            let smooth = RigidBed {
                 friction: 0.0,
                 ..rough
             };
@@ -208,9 +211,9 @@ impl Scene {
         mean_drag: &V3,
         of_laws: &[f64],
         reversed: bool,
-    ) -> Vec<SectionProps> {
+    ) -> Vec<SectionProperties> {
         let sinks = -down.z;
-        let mut sections: Vec<SectionProps> = Vec::new();
+        let mut sections: Vec<SectionProperties> = Vec::new();
         let last = self.line.segments.len() - 1;
         for k in 0..=last {
             let i = if reversed { last - k } else { k };
@@ -225,7 +228,7 @@ impl Scene {
                 {
                     s.length_m += length;
                 }
-                _ => sections.push(SectionProps::new(length, weight, ea)),
+                _ => sections.push(SectionProperties::new(length, weight, ea)),
             }
             if let Some(s) = sections.last_mut().filter(|_| k < last) {
                 let beyond = if reversed { i } else { i + 1 };
@@ -240,13 +243,13 @@ impl Scene {
     fn lay_on_bed(&self, nodes: &mut [V3]) {
         let Some(bed) = self.seabed() else { return };
         let normal = bed.normal();
-        let last = nodes.len() - 1;
-        let tall = 1e-9 * self.line.arc[last];
-        for (i, node) in nodes.iter_mut().enumerate().take(last).skip(1) {
+        let tall = 1e-9 * self.line.arc[nodes.len() - 1];
+        for i in self.line.free() {
+            let node = &mut nodes[i];
             let height = bed.height(node);
-            if height <= tall {
-                let weight = self.line.weight[i].max(0.0) * normal.z;
-                let give = weight / (bed.stiffness * self.footprint(i));
+            let area = self.bearing_area(i);
+            if height <= tall && area > 0.0 {
+                let give = self.line.weight[i].max(0.0) * normal.z / (bed.stiffness * area);
                 match bed.slope {
                     None => node.z = bed.z - give,
                     Some(_) => *node -= normal * (height + give),
@@ -256,7 +259,7 @@ impl Scene {
     }
 
     /// A parabola of about the right length between two held ends, hanging down (up for a buoyant line).
-    fn sagging(&self, from: V3, to: V3) -> Guess {
+    fn sagging(&self, from: V3, to: V3) -> InitialGuess {
         let whole = self.line.arc[self.line.arc.len() - 1];
         let chord = (to - from).norm();
         let slack = (whole * whole - chord * chord).max(0.0).sqrt();
@@ -270,13 +273,13 @@ impl Scene {
             *node += V3::z() * (down * sag * 4.0 * f * (1.0 - f));
         }
         let tension = vec![self.line.force_scale; self.line.segments.len()];
-        Guess { nodes, tension }
+        InitialGuess { nodes, tension }
     }
 
     /// From prescribed end A to free end B (or `reversed`): each segment along the sum of the loads beyond it.
-    pub(super) fn guess_hanging(&self, from: V3, reversed: bool) -> Guess {
+    pub(super) fn guess_hanging(&self, from: V3, reversed: bool) -> InitialGuess {
         let count = self.line.segments.len();
-        let mut guess = Guess {
+        let mut guess = InitialGuess {
             nodes: vec![from; count + 1],
             tension: vec![0.0; count],
         };
@@ -295,7 +298,7 @@ impl Scene {
     }
 
     /// The shape of a line that hangs from one end, with this drag on its segments.
-    fn hang(&self, drag: &[V3], reversed: bool, guess: &mut Guess) {
+    fn hang(&self, drag: &[V3], reversed: bool, guess: &mut InitialGuess) {
         let count = self.line.segments.len();
         let order = |k: usize| if reversed { k } else { count - 1 - k };
         // From the free end to the held one: k counts segments from the free end.

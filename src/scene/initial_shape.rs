@@ -4,14 +4,14 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::Scene;
 use super::error::SceneError;
-use super::initial_guess::{Guess, between};
+use super::initial_guess::{InitialGuess, between};
 use super::vectors::direction;
 use crate::case::{Case, EndKind, Payload, Start, StartShape};
 use crate::numerics::V3;
 use crate::numerics::interpolation::linear;
 
 /// Positions of the nodes \[m\] and tensions of the segments \[N\]; where the line starts in equilibrium, a guess.
-pub(super) fn start(case: &Case, scene: &Scene) -> Result<Guess, SceneError> {
+pub(super) fn start(case: &Case, scene: &Scene) -> Result<InitialGuess, SceneError> {
     let held = |kind| !matches!(kind, EndKind::Payload | EndKind::Free);
     let (a, b) = (&case.ends.a, &case.ends.b);
     let equilibrium = case.start.shape == StartShape::Equilibrium;
@@ -22,7 +22,7 @@ pub(super) fn start(case: &Case, scene: &Scene) -> Result<Guess, SceneError> {
         })
     };
     let arc = &scene.line.arc;
-    let straight = |nodes: Vec<V3>| Guess {
+    let straight = |nodes: Vec<V3>| InitialGuess {
         nodes,
         tension: vec![scene.line.force_scale; scene.line.segments.len()],
     };

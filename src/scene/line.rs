@@ -7,8 +7,8 @@ use crate::numerics::lanes::Two;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::{Drag, DragProperties};
 use crate::physics::rope::TensionLaw;
-use crate::physics::tension::{Axial, Chord};
-use crate::physics::{Body, Current, EndMotion};
+use crate::physics::tension::{AxialConstants, Chord};
+use crate::physics::{BodyProperties, CurrentProfile, EndMotion};
 
 use super::Water;
 use super::submergence::Submergence;
@@ -18,7 +18,7 @@ use crate::solve::State;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
     /// Axial constants.
-    pub axial: Axial,
+    pub axial: AxialConstants,
     /// Drag per length.
     pub drag: DragProperties,
     /// Added mass of half the segment.
@@ -31,11 +31,13 @@ pub struct Segment {
     pub ei: f64,
     /// Hydrodynamic diameter \[m\].
     pub diameter: f64,
+    /// Width that bears on the sea bed \[m\]: the diameter, or that of buoyancy modules by their share of the length.
+    pub bearing_width: f64,
 }
 
 /// Condition at an end of the line.
 #[derive(Debug, Clone, PartialEq)]
-pub enum End {
+pub enum EndCondition {
     /// Prescribed.
     Prescribed(EndMotion),
     /// Follows the equation of motion.
@@ -48,7 +50,7 @@ pub struct AttachedBody {
     /// The node.
     pub node: usize,
     /// The body; its mass and weight are included in those of the node.
-    pub body: Body,
+    pub body: BodyProperties,
 }
 
 /// The lumped-mass line: n segments between n + 1 nodes, with point bodies on the nodes, in its water.
@@ -58,7 +60,7 @@ pub struct LumpedLine {
     pub segments: Vec<Segment>,
     /// Number of nodes of the line itself, without the far node of a payload that rotates.
     pub line_nodes: usize,
-    /// Tension-strain laws of materials without a constant EA; see [`Axial::law`].
+    /// Tension-strain laws of materials without a constant EA; see [`AxialConstants::law`].
     pub laws: Vec<TensionLaw>,
     /// Masses of the nodes, bodies included, without added mass \[kg\].
     pub mass: Vec<f64>,
@@ -67,13 +69,15 @@ pub struct LumpedLine {
     /// Unstretched arc length of the nodes from A \[m\].
     pub arc: Vec<f64>,
     /// Conditions at the ends A and B.
-    pub ends: [End; 2],
+    pub ends: [EndCondition; 2],
     /// Point bodies on the line, by their nodes, the payload last.
     pub bodies: Vec<AttachedBody>,
     /// The current.
-    pub current: Current,
+    pub current: CurrentProfile,
     /// Waves and the water surface, where the case names them.
     pub water: Option<Water>,
+    /// Whether drag acts on the stretched length of a taut line.
+    pub stretched_drag: bool,
     /// A force typical of this line \[N\]: its whole weight, or the greatest drag.
     pub force_scale: f64,
 }
@@ -86,7 +90,7 @@ impl LumpedLine {
 
     /// The nodes that are not prescribed.
     pub(super) fn free(&self) -> Range<usize> {
-        let held = |end: usize| usize::from(matches!(self.ends[end], End::Prescribed(_)));
+        let held = |end: usize| usize::from(matches!(self.ends[end], EndCondition::Prescribed(_)));
         held(0)..self.nodes() - held(1)
     }
 
@@ -101,11 +105,11 @@ impl LumpedLine {
         )
     }
 
-    /// Length for drag \[m\], stretched if taut, and 1 / chord length if it grows with the chord, else 0.
+    /// Length for drag \[m\], stretched if taut unless the case says otherwise, and 1 / chord length if it grows with the chord, else 0.
     #[inline(always)]
     pub(super) fn wetted_length(&self, i: usize, chord: &Chord) -> (f64, f64) {
         let unstretched = self.segments[i].axial.length;
-        if chord.length > unstretched {
+        if chord.length > unstretched && self.stretched_drag {
             (chord.length, chord.inverse)
         } else {
             (unstretched, 0.0)

@@ -2,14 +2,16 @@
 
 use super::Scene;
 use super::element::At;
+use super::elements::HalfSegment;
 use crate::numerics::V3;
 use crate::physics::tension::Chord;
 use crate::solve::State;
 
 impl Scene {
-    /// Tension at a node \[N\]: that of the segment after it (before it at the last node), with the weight, drag and inertia of the
-    /// half segment between the node and the middle of the segment. The top tension of a hanging line is so its whole weight on
-    /// any mesh.
+    /// Effective tension of the line at a node \[N\]: that of the segment after it (before it at the last node), with the
+    /// weight, drag and inertia of the half segment between the node and the middle of the segment. The top tension of a
+    /// hanging line is so its whole weight on any mesh. Of the bed's reaction on the node it contains the part that bears
+    /// the line itself: what bears a body or an end is no tension.
     #[must_use]
     pub fn tension_at(&self, node: usize, state: &State) -> f64 {
         let last = self.line_nodes() - 1;
@@ -19,22 +21,39 @@ impl Scene {
             (last - 1, -1.0)
         };
         let chord = self.line.chord(i, state);
-        let pull = chord.tangent * self.line.tension_now(i, &chord, state).value;
-        let load = self.half_load(i, node, &chord, state);
-        let load = match &self.elements.bed {
-            None => load,
-            Some(bed) => {
-                load + bed.force_on_half(i, node, (&(pull * sign), &load), self.now(state))
-            }
-        };
+        let pull = chord.tangent * (self.line.tension_now(i, &chord, state).value * sign);
         // A slack segment has no direction: the load of its half is no tension.
         if pull == V3::zeros() {
             return 0.0;
         }
-        let force = pull + load * sign;
+        let load = self.half_load(i, node, &chord, state);
+        self.tension_from((i, node - i), &chord, (&pull, load), state)
+    }
+
+    /// Tension at a node of segment i from the pull of the segment on it and the load of the half between, without the bed.
+    #[inline(always)]
+    pub(super) fn tension_from(
+        &self,
+        (i, half): (usize, usize),
+        chord: &Chord,
+        (pull, mut load): (&V3, V3),
+        state: &State,
+    ) -> f64 {
+        let sign = if half == 0 { 1.0 } else { -1.0 };
+        if let Some(bed) = &self.elements.bed {
+            let half = HalfSegment {
+                segment: i,
+                node: i + half,
+                tangent: chord.tangent,
+                pull: *pull,
+                load,
+            };
+            load += bed.reaction_on_half(&half, self.now(state));
+        }
+        let force = pull + load;
         // With bending the force at a node has a shear part; tension is the part along the line.
         if self.elements.flexure.is_some() {
-            force.dot(&chord.tangent)
+            force.dot(&chord.tangent) * sign
         } else {
             force.norm()
         }
@@ -58,6 +77,27 @@ impl Scene {
         } else {
             load
         }
+    }
+
+    /// Normal force of the bed on a node of the line and all bodies there \[N\]; negative where suction holds them.
+    #[must_use]
+    pub fn bed_force_at(&self, node: usize, state: &State) -> f64 {
+        let bed = self.elements.bed.as_ref();
+        let contact = self.elements.body_contact.as_ref();
+        let bodies = contact.map_or(0.0, |contact| contact.normal_force_at(node, state));
+        bed.map_or(0.0, |bed| bed.push(node, state).force) + bodies
+    }
+
+    /// The same on one clump by its number in the case, and the node of the line that it is on \[N\].
+    #[must_use]
+    pub fn bed_force_on_body(&self, number: usize, state: &State) -> f64 {
+        let (bed, contact) = (&self.elements.bed, &self.elements.body_contact);
+        let on_line = bed.as_ref().zip(self.labels.clumps.get(number));
+        let on_line = on_line.map_or(0.0, |(bed, node)| bed.push(*node, state).force);
+        let on_body = contact
+            .as_ref()
+            .map(|contact| contact.normal_force(number, state));
+        on_line + on_body.unwrap_or(0.0)
     }
 
     /// Tensions at all nodes of the line \[N\].
@@ -90,7 +130,7 @@ impl Scene {
             element.add_end_force(self.now(state), node, &mut force);
         }
         if let Some(bed) = &self.elements.bed {
-            force += bed.force_on_half(i, node, (&pull, &(force - pull)), self.now(state));
+            force += bed.force_on_end(node, (&pull, &(force - pull)), self.now(state));
         }
         force
     }

@@ -1,8 +1,8 @@
 //! Tensions of segments by the law of their material, and the tension history of ropes.
 
 use super::LumpedLine;
-use crate::physics::rope::{Elastic, MeanState, TensionLaw};
-use crate::physics::tension::{Axial, Chord, Tension};
+use crate::physics::rope::{ElasticTension, MeanState, TensionLaw};
+use crate::physics::tension::{AxialConstants, Chord, Tension};
 use crate::solve::{RopeHistory, State};
 
 /// The dynamic stiffness of a segment at an instant.
@@ -100,6 +100,44 @@ impl LumpedLine {
         -axial.length * by_mean * past.tension_rate
     }
 
+    /// Elastic energy of segment i \[J\], and the power of its axial damping and of its memory \[W\], from its tension by
+    /// [`LumpedLine::tension_now`]: what [`Scene::energy`](super::Scene::energy) and
+    /// [`Scene::dissipation`](super::Scene::dissipation) count of it, with the laws evaluated once.
+    #[inline(always)]
+    pub(super) fn strain_energy(
+        &self,
+        i: usize,
+        chord: &Chord,
+        tension: f64,
+        state: &State,
+    ) -> (f64, f64) {
+        let axial = &self.segments[i].axial;
+        let closing = chord.tangent.dot(&chord.opening);
+        let Some(law) = axial.law else {
+            let stretch = chord.length - axial.length;
+            let stretch = if axial.rod { stretch } else { stretch.max(0.0) };
+            let elastic = axial.stiffness() * stretch;
+            return (0.5 * elastic * stretch, (tension - elastic) * closing);
+        };
+        let mean = mean(i, state.memory.time, state);
+        let strain = axial.strain(chord.length);
+        let strain = if axial.rod { strain } else { strain.max(0.0) };
+        let (stored, by_mean) = self.laws[usize::from(law)].stored(strain, mean.as_ref());
+        // Without damping the tension is elastic but for the chord-length correction.
+        let known = axial.damping == 0.0 && state.chord_correction.is_empty();
+        let elastic = if known {
+            tension
+        } else {
+            self.elastic(i, chord, state)
+        };
+        let past = state.memory.ropes.get(i).map_or(0.0, |p| p.tension_rate);
+        let memory = -axial.length * by_mean * past;
+        (
+            axial.length * stored,
+            (tension - elastic) * closing + memory,
+        )
+    }
+
     /// Strain of segment i at rest under a tension \[N\].
     pub(super) fn strain_at_tension(&self, i: usize, tension: f64) -> f64 {
         let axial = &self.segments[i].axial;
@@ -191,11 +229,11 @@ impl LumpedLine {
         &self,
         law: u16,
         i: usize,
-        axial: &Axial,
+        axial: &AxialConstants,
         chord: &Chord,
         t: f64,
         state: &State,
-    ) -> Elastic {
+    ) -> ElasticTension {
         let mean = mean(i, t, state);
         self.laws[usize::from(law)].at(axial.strain(chord.length), mean.as_ref())
     }

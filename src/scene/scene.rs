@@ -2,9 +2,9 @@
 
 use super::element::At;
 use super::elements::Elements;
-use super::{Event, LumpedLine, labels::Labels};
+use super::{LumpedLine, SceneEvent, labels::Labels};
 use crate::numerics::V3;
-use crate::physics::{Current, Grip, Seabed};
+use crate::physics::{CurrentProfile, ElasticBed, FrictionAnchor};
 use crate::solve::{Kinematics, State};
 
 /// A case ready to compute, in SI units.
@@ -15,22 +15,22 @@ pub struct Scene {
     /// The other forces on it.
     pub elements: Elements,
     /// Its state at time zero.
-    pub start: Start,
+    pub start: InitialState,
     /// Names for the outputs.
     pub labels: Labels,
     /// Events, the earliest first.
-    pub events: Vec<Event>,
+    pub events: Vec<SceneEvent>,
 }
 
 /// The state of the line at time zero, or the initial guess at its equilibrium.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Start {
+pub struct InitialState {
     /// Positions of the nodes \[m\].
     pub positions: Vec<V3>,
     /// Tensions of the segments \[N\].
     pub tension: Vec<f64>,
     /// Friction springs of the bed; empty without.
-    pub grips: Vec<Grip>,
+    pub grips: Vec<FrictionAnchor>,
     /// Velocity of all free nodes \[m/s\].
     pub velocity: V3,
     /// Whether the line starts in equilibrium.
@@ -44,6 +44,9 @@ impl Scene {
         let mut state = State::at_rest(self.start.positions.clone());
         state.memory.grips.clone_from(&self.start.grips);
         self.prescribe(0.0, &mut state);
+        let bodies = self.elements.body_contact.as_ref();
+        state.memory.bodies =
+            bodies.map_or_else(Vec::new, |bodies| bodies.history_at_start(&state));
         state
     }
 
@@ -66,7 +69,7 @@ impl Scene {
     pub fn without_drag(&self) -> Self {
         let mut bare = self.clone();
         let line = &mut bare.line;
-        line.current = Current::Uniform(V3::zeros());
+        line.current = CurrentProfile::Uniform(V3::zeros());
         line.water = None;
         for segment in &mut line.segments {
             let drag = &mut segment.drag;
@@ -79,7 +82,7 @@ impl Scene {
     }
 
     /// The sea bed.
-    pub(super) fn seabed(&self) -> Option<&Seabed> {
+    pub(super) fn seabed(&self) -> Option<&ElasticBed> {
         self.elements.bed.as_ref().map(|bed| &bed.seabed)
     }
 
@@ -91,8 +94,16 @@ impl Scene {
             .map_or(0.0, |bed| bed.footprint[i])
     }
 
+    /// The same with the bodies at the node \[m²\].
+    pub(super) fn bearing_area(&self, i: usize) -> f64 {
+        let bodies = self.elements.body_contact.as_ref();
+        let bodies = bodies.map_or(&[][..], |contact| &contact.bodies);
+        let here = bodies.iter().filter(|body| body.node == i);
+        self.footprint(i) + here.map(|body| body.area).sum::<f64>()
+    }
+
     /// Friction springs of the bed at these positions, without force; none without them.
-    pub(super) fn grips_at(&self, nodes: &[V3]) -> Vec<Grip> {
+    pub(super) fn grips_at(&self, nodes: &[V3]) -> Vec<FrictionAnchor> {
         let bed = self.elements.bed.as_ref();
         bed.map_or_else(Vec::new, |bed| bed.grips_at(nodes))
     }

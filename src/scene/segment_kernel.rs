@@ -6,11 +6,11 @@
 //! on both its sides, and both halves of a segment in the two lanes of a register.
 
 use super::LumpedLine;
-use super::segment_tangent::{Halves, Slopes, pull_by_chord};
+use super::segment_tangent::{SegmentHalves, SegmentTangent, pull_by_chord};
 use super::submergence::Submergence;
 use crate::numerics::lanes::{self, Two};
 use crate::numerics::{BlockBand, M3, V3};
-use crate::physics::Current;
+use crate::physics::CurrentProfile;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Drag;
 use crate::physics::tension::{Chord, Tension};
@@ -18,7 +18,7 @@ use crate::solve::{Factors, State};
 
 /// Kinematics of a node and of the water around it.
 #[derive(Clone, Copy)]
-pub(super) struct Around {
+pub(super) struct NodeKinematics {
     /// Its position \[m\].
     x: V3,
     /// Its velocity \[m/s\].
@@ -29,6 +29,20 @@ pub(super) struct Around {
     a: V3,
     /// Shear of the current \[1/s\]; zero if the current is uniform.
     shear: V3,
+}
+
+impl NodeKinematics {
+    /// Its velocity, and that of the water relative to it \[m/s\].
+    #[inline(always)]
+    pub(super) fn velocities(&self) -> (&V3, &V3) {
+        (&self.v, &self.u)
+    }
+
+    /// Its acceleration relative to the water's \[m/s²\].
+    #[inline(always)]
+    pub(super) fn relative_acceleration(&self) -> V3 {
+        self.a
+    }
 }
 
 impl LumpedLine {
@@ -59,7 +73,7 @@ impl LumpedLine {
 
     /// Whether the line has constant EA and the current is uniform, without waves, surface, extrapolated tensions or frozen drag.
     pub(super) fn is_plain(&self, state: &State) -> bool {
-        matches!(self.current, Current::Uniform(_))
+        matches!(self.current, CurrentProfile::Uniform(_))
             && self.water.is_none()
             && self.laws.is_empty()
             && state.wave_flow.is_empty()
@@ -68,10 +82,10 @@ impl LumpedLine {
     }
 
     #[inline(always)]
-    pub(super) fn around<const PLAIN: bool>(&self, node: usize, state: &State) -> Around {
+    pub(super) fn around<const PLAIN: bool>(&self, node: usize, state: &State) -> NodeKinematics {
         if PLAIN {
             let v = state.v[node];
-            return Around {
+            return NodeKinematics {
                 x: state.x[node],
                 v,
                 u: self.current.at(0.0).0 - v,
@@ -86,7 +100,7 @@ impl LumpedLine {
             u += flow.velocity_at(x);
             a -= flow.acceleration_at(x);
         }
-        Around {
+        NodeKinematics {
             x: *x,
             v,
             u: u - v,
@@ -97,7 +111,12 @@ impl LumpedLine {
 
     /// The chord of segment i between its nodes.
     #[inline(always)]
-    pub(super) fn chord_between(&self, i: usize, near: &Around, far: &Around) -> Chord {
+    pub(super) fn chord_between(
+        &self,
+        i: usize,
+        near: &NodeKinematics,
+        far: &NodeKinematics,
+    ) -> Chord {
         let length = self.segments[i].axial.length;
         Chord::new((&near.x, &far.x), (&near.v, &far.v), length)
     }
@@ -124,7 +143,7 @@ impl LumpedLine {
         &self,
         i: usize,
         chord: &Chord,
-        [near, far]: [&Around; 2],
+        [near, far]: [&NodeKinematics; 2],
         state: &State,
     ) -> (Option<[Submergence; 2]>, Drag<Two>) {
         let length = 0.5 * self.wetted_length(i, chord).0;
@@ -179,7 +198,7 @@ impl LumpedLine {
             &mut tangent.upper[..=segments],
             &mut tangent.lower[..=segments],
         );
-        let sheared = !PLAIN && matches!(self.current, Current::Table { .. });
+        let sheared = !PLAIN && matches!(self.current, CurrentProfile::Table { .. });
         let mut near = self.around::<PLAIN>(0, state);
         // Row of the node so far: its own part and that of the segment before it.
         let mut here = (self.lumped_load(0, state), self.lumped_mass(0, c));
@@ -189,7 +208,7 @@ impl LumpedLine {
             let (tension, extrapolated) = self.tension_as::<PLAIN>(i, &chord, t, state);
             let pull = chord.tangent * tension.value;
             let (wet, drag) = self.drag_as::<PLAIN>(i, &chord, [&near, &far], state);
-            let halves = Halves {
+            let halves = SegmentHalves {
                 added: AddedMass::of(self.added(i, wet.as_ref())),
                 chord: &chord,
                 pull: pull_by_chord(&chord, &extrapolated, c),
@@ -199,7 +218,7 @@ impl LumpedLine {
                 stretch: self.wetted_length(i, &chord).1,
             };
             let load = halves.load();
-            let Slopes { own, coupling } = halves.slopes(c);
+            let SegmentTangent { own, coupling } = halves.slopes(c);
             r[i] = here.0 + lanes::vector(&load, 0) - pull;
             diag[i] = here.1 + lanes::block(&own, 0);
             upper[i] = lanes::block(&coupling, 0);

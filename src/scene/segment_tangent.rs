@@ -8,7 +8,7 @@ use crate::physics::tension::{Chord, Tension};
 use crate::solve::Factors;
 
 /// Both halves of a segment and the forces on them.
-pub(super) struct Halves<'a> {
+pub(super) struct SegmentHalves<'a> {
     /// Added mass of their submerged fractions.
     pub(super) added: AddedMass<Two>,
     pub(super) chord: &'a Chord,
@@ -25,7 +25,7 @@ pub(super) struct Halves<'a> {
 
 /// Derivatives of the residuals of both nodes of a segment.
 #[derive(Clone, Copy)]
-pub(super) struct Slopes {
+pub(super) struct SegmentTangent {
     /// By the position of the node itself.
     pub(super) own: TwoM3,
     /// By that of the other node.
@@ -35,7 +35,7 @@ pub(super) struct Slopes {
 /// Derivative of the chord by the positions of the nodes.
 const SIGNS: [f64; 2] = [-1.0, 1.0];
 
-impl Halves<'_> {
+impl SegmentHalves<'_> {
     /// Inertia of the added mass less drag \[N\].
     #[inline(always)]
     pub(super) fn load(&self) -> TwoV3 {
@@ -45,7 +45,7 @@ impl Halves<'_> {
 
     /// Derivatives of both residuals: tension, drag and added mass together.
     #[inline(always)]
-    pub(super) fn slopes(&self, c: Factors) -> Slopes {
+    pub(super) fn slopes(&self, c: Factors) -> SegmentTangent {
         let (added, chord, drag) = (&self.added, self.chord, self.drag);
         let (t, n) = (lanes::twice(&chord.tangent), drag.direction());
         // By the chord, through tension, added mass and (negative) drag: s I + t p' + n q'. The derivative by the other node
@@ -62,7 +62,7 @@ impl Halves<'_> {
         let v_t = v_t * c.damping + (added.tangential - added.normal) * c.mass;
         let moving = symmetric(&t, v_t, n, v_n * c.damping);
         let moving = plus_diagonal(moving, v_i * c.damping + added.normal * c.mass);
-        let mut slopes = Slopes {
+        let mut slopes = SegmentTangent {
             own: moving - coupling,
             coupling,
         };
@@ -78,11 +78,11 @@ impl Halves<'_> {
     /// Adds the derivative `block` of drag by the velocity at the other node (drag crisis within the segment), whose normal part
     /// rotates with the chord.
     #[cold]
-    fn astride(&self, slopes: Slopes, block: &TwoM3, c: Factors) -> Slopes {
+    fn astride(&self, slopes: SegmentTangent, block: &TwoM3, c: Factors) -> SegmentTangent {
         let turning =
             self.drag.turning_of_other(self.chord.inverse) * Two::new(SIGNS) * c.stiffness;
         let by_chord = block * turning;
-        Slopes {
+        SegmentTangent {
             own: slopes.own + by_chord,
             coupling: slopes.coupling + block * Two::splat(c.damping) - by_chord,
         }
@@ -90,7 +90,7 @@ impl Halves<'_> {
 
     /// Adds the derivative of drag by the shear of the current.
     #[inline(always)]
-    fn add_shear(&self, shear: &TwoV3, c: Factors, slopes: &mut Slopes) {
+    fn add_shear(&self, shear: &TwoV3, c: Factors, slopes: &mut SegmentTangent) {
         let (v_i, v_t, v_n) = self.drag.by_velocity();
         let (t, n) = (lanes::twice(&self.chord.tangent), self.drag.direction());
         let change = shear * v_i + t * (v_t * dot(&t, shear)) + n * (v_n * dot(n, shear));

@@ -20,7 +20,7 @@ pub(super) struct Submergence {
 
 /// Height of a node above the surface \[m\], and its derivative by the position of the node.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Height {
+pub(super) struct NodeHeight {
     pub(super) above: f64,
     pub(super) by_place: V3,
 }
@@ -75,7 +75,7 @@ pub(super) fn lost_buoyancy(r: f64, [p, q]: [f64; 2]) -> LostBuoyancy {
 }
 
 /// Submerged fraction of each half of a segment of radius r \[m\] between nodes at these heights.
-pub(super) fn halves(r: f64, nodes: [&Height; 2]) -> [Submergence; 2] {
+pub(super) fn halves(r: f64, nodes: [&NodeHeight; 2]) -> [Submergence; 2] {
     let [first, second] = nodes;
     let middle = 0.5 * (first.above + second.above);
     let (one, one_p, one_q) = mean(r, first.above, middle);
@@ -192,8 +192,8 @@ fn cumulated(r: f64, d: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn at(above: f64) -> Height {
-        Height {
+    fn at(above: f64) -> NodeHeight {
+        NodeHeight {
             above,
             by_place: V3::z(),
         }

@@ -8,19 +8,19 @@
 //! Where the line crosses the surface, all of these count by the submerged fraction of each half segment, and buoyancy is lost to
 //! a potential: see `scene/submergence.rs`.
 
-use super::submergence::{self, Height, Submergence};
+use super::submergence::{self, NodeHeight, Submergence};
 use super::{AttachedBody, LumpedLine, Segment};
 
 use crate::numerics::V3;
 use crate::physics::added_mass::AddedMass;
-use crate::physics::sea::{Flow, Waves};
+use crate::physics::sea::{WaterMotion, WaveField};
 use crate::solve::State;
 
 /// Waves and the surface, where the case names them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Water {
     /// The waves, if there are any.
-    pub waves: Option<Waves>,
+    pub waves: Option<WaveField>,
     /// Whether the line crosses the surface; if not, all of it counts as submerged.
     pub crossed: bool,
     /// Mass of the water displaced by half of each segment \[kg\].
@@ -44,7 +44,7 @@ impl Water {
         segments: &[Segment],
         bodies: &[AttachedBody],
         (density, gravity): (f64, f64),
-        waves: Option<Waves>,
+        waves: Option<WaveField>,
         crossed: bool,
     ) -> Self {
         let under = |mass: f64, weight: f64| (mass - weight / gravity).max(0.0);
@@ -71,6 +71,13 @@ impl Water {
             density,
             gauge: V3::zeros(),
         }
+    }
+
+    /// Buoyancy that half of segment i loses between nodes at these heights above the surface \[m\], a load downwards \[N\].
+    #[inline(always)]
+    fn lost_buoyancy(&self, i: usize, half: usize, heights: [f64; 2]) -> V3 {
+        let lost = submergence::lost_buoyancy(self.radius[i], heights).lost[half];
+        V3::z() * (-2.0 * self.displaced[i] * self.gravity * lost)
     }
 
     /// Radius of a sphere of the volume of a body \[m\].
@@ -180,8 +187,33 @@ impl LumpedLine {
             return V3::zeros();
         };
         let heights = [i, i + 1].map(|node| height(node, state).above);
-        let lost = submergence::lost_buoyancy(water.radius[i], heights).lost[half];
-        V3::z() * (-2.0 * water.displaced[i] * water.gravity * lost)
+        water.lost_buoyancy(i, half, heights)
+    }
+
+    /// The same in still water at the place of the line.
+    pub(super) fn lost_in_still_water(&self, i: usize, half: usize, state: &State) -> V3 {
+        let Some(water) = self.water.as_ref().filter(|w| w.crossed) else {
+            return V3::zeros();
+        };
+        water.lost_buoyancy(i, half, [state.x[i].z, state.x[i + 1].z])
+    }
+
+    /// Lost buoyancy of a body in still water at its place, a load downwards \[N\].
+    pub(super) fn body_lost_in_still_water(&self, number: usize, state: &State) -> V3 {
+        let Some(water) = self.water.as_ref().filter(|w| w.crossed) else {
+            return V3::zeros();
+        };
+        let z = state.x[self.bodies[number].node].z;
+        let share = submergence::sphere(water.radius_of_body(number), z).0;
+        V3::z() * (-(1.0 - share) * water.by_bodies[number] * water.gravity)
+    }
+
+    /// Rate at which the surface rises past a node \[m/s\].
+    pub(super) fn elevation_rate(&self, node: usize, state: &State) -> f64 {
+        state
+            .wave_flow
+            .get(node)
+            .map_or(0.0, |flow| flow.elevation_rate)
     }
 
     /// The same with the force of the acceleration of the water on the added mass: the wave load on a node whose own acceleration
@@ -195,7 +227,7 @@ impl LumpedLine {
         state: &State,
     ) -> V3 {
         let node = i + half;
-        let with = |flow: &Flow| {
+        let with = |flow: &WaterMotion| {
             let a = flow.acceleration_at(&state.x[node]);
             self.added(i, wet)[half].force(t, &a)
         };
@@ -259,7 +291,9 @@ impl LumpedLine {
         else {
             return;
         };
-        state.wave_flow.resize(self.mass.len(), Flow::default());
+        state
+            .wave_flow
+            .resize(self.mass.len(), WaterMotion::default());
         for (flow, x) in state.wave_flow.iter_mut().zip(&state.x) {
             *flow = waves.flow(t, x, *crossed);
         }
@@ -268,14 +302,14 @@ impl LumpedLine {
 
 /// Height of a node above the surface.
 #[inline(always)]
-pub(super) fn height(node: usize, state: &State) -> Height {
+pub(super) fn height(node: usize, state: &State) -> NodeHeight {
     let x = &state.x[node];
     match state.wave_flow.get(node) {
-        None => Height {
+        None => NodeHeight {
             above: x.z,
             by_place: V3::z(),
         },
-        Some(flow) => Height {
+        Some(flow) => NodeHeight {
             above: x.z - flow.elevation_at(x),
             by_place: V3::z() - flow.slope,
         },

@@ -9,7 +9,7 @@ use crate::case::{
 };
 use crate::numerics::V3;
 use crate::physics::sea::{
-    Component, DepthDecay, Spectrum, Stretching, WaveLoad, WaveSettings, Waves, synthesise,
+    Component, DepthDecay, Spectrum, Stretching, WaveField, WaveLoad, WaveSettings, synthesise,
     wave_number,
 };
 
@@ -121,7 +121,7 @@ fn components(waves: &case::Waves) -> Result<Vec<Component>, SceneError> {
     }
 }
 
-fn waves(case: &Case, said: &case::Waves) -> Result<Waves, SceneError> {
+fn waves(case: &Case, said: &case::Waves) -> Result<WaveField, SceneError> {
     let setting = WaveSettings {
         direction: said.direction_deg.to_radians(),
         depth: depth(case, said),
@@ -143,7 +143,7 @@ fn waves(case: &Case, said: &case::Waves) -> Result<Waves, SceneError> {
             WaveLoadName::Inertia => WaveLoad::Inertia,
         },
     };
-    Ok(Waves::new(components(said)?, &setting))
+    Ok(WaveField::new(components(said)?, &setting))
 }
 
 /// Remarks on these waves.

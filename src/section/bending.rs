@@ -14,11 +14,11 @@
 //! strained by κ R cos²α times the cosine of its place around the cable, and the layer adds
 //! ½ Σ E A R² cos³α.
 
-use super::layout::Layout;
+use super::layout::SectionLayout;
 
 /// Bending stiffness of a section, by its parts \[N m²\].
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Bending {
+pub struct BendingStiffness {
     /// The helical layers.
     pub helices: f64,
     /// The centre with its jacket.
@@ -29,7 +29,7 @@ pub struct Bending {
     pub friction: f64,
 }
 
-impl Bending {
+impl BendingStiffness {
     /// Sum at full slip, the lower bound \[N m²\].
     #[must_use]
     pub fn full_slip(&self) -> f64 {
@@ -45,7 +45,7 @@ impl Bending {
 
 /// The bending stiffness of a section.
 #[must_use]
-pub fn bending(layout: &Layout) -> Bending {
+pub fn bending(layout: &SectionLayout) -> BendingStiffness {
     let helices = layout.helices().map(|helix| {
         let (sin, cos) = helix.angle.sin_cos();
         let units = helix
@@ -59,7 +59,7 @@ pub fn bending(layout: &Layout) -> Bending {
         0.5 * ea * helix.pitch_radius.powi(2) * helix.angle.cos().powi(3)
     });
     let centre = layout.centre.as_ref();
-    Bending {
+    BendingStiffness {
         friction: friction.sum(),
         helices: helices.sum(),
         centre: centre.map_or(0.0, |centre| centre.element.ei + centre.jacket().ei),

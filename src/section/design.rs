@@ -1,31 +1,29 @@
 //! The design of a section: geometry, weight, stiffness, strength.
 
-use super::bending::{Bending, bending};
-use super::lay_out::lay_out;
-use super::layout::Layout;
-use super::model::{Core, Section};
+use super::bending::{BendingStiffness, bending};
+use super::lay_out::{LayoutError, LayoutKey, lay_out};
+use super::layout::SectionLayout;
+use super::model::{Core, CrossSection};
 use super::stiffness::{EndRotation, StiffnessMatrix, matrix};
 use super::strength::{Strength, strength};
-use super::units::unused;
-use super::weight::{Weight, weight};
-use crate::case::InvalidValue;
+use super::weight::{CableWeight, weight};
 use crate::case::Material;
 
 /// The design of a section.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Design {
     /// The keys of its file.
-    pub section: Section,
+    pub section: CrossSection,
     /// Geometry.
-    pub layout: Layout,
+    pub layout: SectionLayout,
     /// Weight.
-    pub weight: Weight,
+    pub weight: CableWeight,
     /// Tension and torsion with a rigid core.
     pub rigid: StiffnessMatrix,
     /// Tension and torsion with an incompressible core.
     pub incompressible: StiffnessMatrix,
     /// Bending.
-    pub bending: Bending,
+    pub bending: BendingStiffness,
     /// Contributions of the sheaths to EA \[N\] and GJ \[N m²\], which eqs. (16)-(17) neglect.
     pub sheaths: (f64, f64),
     /// Strength; absent where no load-carrying unit has a known strength.
@@ -65,23 +63,18 @@ impl Design {
     }
 }
 
-/// Computes the design of a section; fast enough for every keystroke.
+/// Computes the design of a section that has passed validation; fast enough for every keystroke.
 ///
 /// # Errors
 ///
-/// Every violation of geometry, with its key, the reason and a remedy.
-pub fn design(section: &Section) -> Result<Design, Vec<InvalidValue>> {
-    let mut layout = lay_out(section)?;
-    layout.warnings.extend(unused(section));
+/// Why it cannot be laid out, or that nothing in it carries tension.
+pub fn design(section: &CrossSection) -> Result<Design, LayoutError> {
+    let layout = lay_out(section)?;
     let rigid = matrix(&layout, Core::Rigid);
     if !(rigid.tension_strain > 0.0 && rigid.tension_strain.is_finite()) {
         let remedy = "give a unit or an armour layer Young's modulus, or an electric or optical cable its `ea_n`";
-        let invalid = InvalidValue::new(
-            &["section"],
-            "nothing in the section carries tension",
-            remedy,
-        );
-        return Err(vec![invalid]);
+        let problem = "nothing in the section carries tension";
+        return Err(LayoutError::new(LayoutKey::Section, problem, remedy));
     }
     let solids = layout.sheaths().map(super::SheathTube::solid);
     let sheaths = solids.fold((0.0, 0.0), |(ea, gj), s| (ea + s.ea, gj + s.gj));
@@ -102,6 +95,6 @@ pub fn design(section: &Section) -> Result<Design, Vec<InvalidValue>> {
 /// # Errors
 ///
 /// Those of [`design`].
-pub fn material(section: &Section) -> Result<Material, Vec<InvalidValue>> {
+pub fn material(section: &CrossSection) -> Result<Material, LayoutError> {
     Ok(design(section)?.material())
 }

@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use super::model::{Armour, Rod, Tube, Unit, Whole};
+use super::model::{Armour, DataSheetUnit, Rod, Tube, Unit};
 
 /// A unit or a wire.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Element {
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct CableElement {
     /// Name of the unit, or of the layer for a wire.
     pub name: String,
     /// Kind: "tube", "wire".
@@ -31,7 +31,7 @@ pub struct Element {
     pub strength: Option<f64>,
 }
 
-impl Element {
+impl CableElement {
     /// A unit of this name.
     #[must_use]
     pub fn of_unit(name: &str, unit: &Unit) -> Self {
@@ -73,18 +73,11 @@ impl Element {
             name: name.to_owned(),
             what,
             radius: 0.5 * diameter,
-            bore_radius: 0.0,
-            mass: 0.0,
-            ea: 0.0,
-            ei: 0.0,
-            gj: 0.0,
-            poisson: 0.0,
-            area: None,
-            strength: None,
+            ..Self::default()
         }
     }
 
-    fn whole(name: &str, what: &'static str, whole: &Whole) -> Self {
+    fn whole(name: &str, what: &'static str, whole: &DataSheetUnit) -> Self {
         Self {
             mass: whole.mass_kg_per_m,
             ea: whole.ea_n,

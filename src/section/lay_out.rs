@@ -1,15 +1,13 @@
-//! Lays out the geometry of a section from the inside out; violations where units or layers overlap.
+//! Lays out the geometry of a section from the inside out; errors where units or layers overlap.
 
 use std::f64::consts::TAU;
 
-use super::element::Element;
+use super::element::CableElement;
 use super::format::{at_least, at_most, degrees, mm};
-use super::layer_checks::{layer_checks, layer_keys};
-use super::layout::{CentreCylinder, Helix, Layout, SheathTube, Shell};
-use super::model::{Armour, Layer, Section, Sheath, UnitLayer};
-use super::packing::{Ring, most, ring, smallest_radius, touching_phase};
-use super::units::{known_units, unit_named};
-use crate::case::InvalidValue;
+use super::layout::{CentreCylinder, Helix, LaidLayer, SectionLayout, SheathTube};
+use super::model::{Armour, CrossSection, Layer, Sheath, UnitLayer};
+use super::packing::{PackedRing, most, ring, smallest_radius, touching_phase};
+use crate::case::join;
 
 /// Units a layer may have; a wire layer has its own, wider limit.
 pub const MOST_UNITS: usize = 60;
@@ -18,131 +16,161 @@ pub const MOST_UNITS: usize = 60;
 const SPARSE: f64 = 0.9;
 
 /// Sizes that differ by less than this count as equal \[m\].
-const TOUCH: f64 = 1e-9;
+pub(super) const TOUCH: f64 = 1e-9;
 
-/// Lays a section out.
+/// Why a section cannot be laid out.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{problem}; {remedy}")]
+pub struct LayoutError {
+    /// The key meant.
+    pub key: LayoutKey,
+    /// What is wrong.
+    pub problem: String,
+    /// What would be right.
+    pub remedy: String,
+}
+
+/// A key of a section; layers by their number from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LayoutKey {
+    /// The section as a whole.
+    Section,
+    /// A layer as a whole.
+    Layer(usize),
+    /// The units of a layer.
+    Units(usize),
+    /// The pitch radius of a layer of units.
+    PitchRadius(usize),
+    /// The number of wires of an armour layer.
+    Count(usize),
+}
+
+impl LayoutError {
+    pub(super) fn new(
+        key: LayoutKey,
+        problem: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Self {
+        Self {
+            key,
+            problem: problem.into(),
+            remedy: remedy.into(),
+        }
+    }
+}
+
+/// Lays out a section that has passed validation.
 ///
 /// # Errors
 ///
-/// Every violation, with its key, the reason and a remedy.
-pub fn lay_out(section: &Section) -> Result<Layout, Vec<InvalidValue>> {
-    let mut violations = known_units(section);
-    violations.extend(layer_checks(section));
-    if section.centre.is_none() && section.layers.is_empty() {
-        let remedy = "add [centre], or a [[layer]] of units";
-        violations.push(InvalidValue::new(&["section"], "holds nothing", remedy));
+/// The first layer that cannot lie as the section says: the position of those around it is then unknown.
+pub fn lay_out(section: &CrossSection) -> Result<SectionLayout, LayoutError> {
+    let mut builder = LayoutBuilder::default();
+    builder.centre(section)?;
+    for (index, layer) in section.layers.iter().enumerate() {
+        match layer {
+            Layer::Units(input) => builder.units(section, input, index),
+            Layer::Armour(input) => builder.armour(input, index),
+            Layer::Sheath(input) => builder.sheath(input, index),
+        }?;
     }
-    if !violations.is_empty() {
-        return Err(violations);
-    }
-    let mut builder = Builder::default();
-    builder.centre(section);
-    for (layer, name) in section.layers.iter().zip(layer_keys(section)) {
-        builder.layer(section, layer, &name);
-        if !builder.violations.is_empty() {
-            // The position of the next layers is unknown.
-            break;
-        }
-    }
-    if builder.violations.is_empty() {
-        Ok(builder.layout())
-    } else {
-        Err(builder.violations)
-    }
+    builder.warnings.extend(unused(section));
+    Ok(SectionLayout {
+        centre: builder.centre,
+        outer_radius: builder.outer_radius,
+        shells: builder.shells,
+        warnings: builder.warnings,
+    })
+}
+
+/// The unit of this name.
+fn unit_named(
+    section: &CrossSection,
+    name: &str,
+    key: LayoutKey,
+) -> Result<CableElement, LayoutError> {
+    let unknown = || {
+        let problem = format!("there is no unit named \"{}\"", name.escape_default());
+        LayoutError::new(key, problem, "name one of the units of the section")
+    };
+    let unit = section.units.get(name).ok_or_else(unknown)?;
+    Ok(CableElement::of_unit(name, unit))
+}
+
+/// Warnings of units that are described but lie nowhere.
+fn unused(section: &CrossSection) -> impl Iterator<Item = String> {
+    let used = |name: &str| {
+        let in_centre = section.centre.as_ref().is_some_and(|c| c.unit == name);
+        let in_layer = section.layers.iter().any(|layer| match layer {
+            Layer::Units(layer) => layer.units.iter().any(|unit| unit == name),
+            _ => false,
+        });
+        in_centre || in_layer
+    };
+    let idle = section.units.keys().filter(move |name| !used(name));
+    idle.map(|name| {
+        let remedy = "name it in [centre] or in the `units` of a layer, or remove it";
+        format!("{}: the unit is not used; {remedy}", join(&["units", name]))
+    })
 }
 
 #[derive(Default)]
-struct Builder {
+struct LayoutBuilder {
     centre: Option<CentreCylinder>,
-    shells: Vec<Shell>,
+    shells: Vec<LaidLayer>,
     /// Outer radius of the layers so far \[m\].
     outer_radius: f64,
-    warnings: Vec<InvalidValue>,
-    violations: Vec<InvalidValue>,
+    warnings: Vec<String>,
 }
 
-impl Builder {
-    fn layout(self) -> Layout {
-        Layout {
-            centre: self.centre,
-            outer_radius: self.outer_radius,
-            shells: self.shells,
-            warnings: self.warnings,
-        }
-    }
-
-    fn centre(&mut self, section: &Section) {
+impl LayoutBuilder {
+    fn centre(&mut self, section: &CrossSection) -> Result<(), LayoutError> {
         let Some(input) = &section.centre else {
-            return;
+            return Ok(());
         };
-        let Some(unit) = unit_named(section, &input.unit) else {
-            return;
-        };
-        let element = Element::of_unit(&input.unit, unit);
+        let element = unit_named(section, &input.unit, LayoutKey::Section)?;
         let radius = input.jacket_diameter_m.map_or(element.radius, |d| 0.5 * d);
-        if radius < element.radius - TOUCH {
-            let problem = format!(
-                "the jacket's {} is thinner than the unit inside it, {}",
-                mm(2.0 * radius),
-                mm(2.0 * element.radius)
-            );
-            let remedy = format!(
-                "give {} or more, or leave it out",
-                at_least(2.0 * element.radius)
-            );
-            self.violations.push(InvalidValue::new(
-                &["centre", "jacket_diameter_m"],
-                problem,
-                remedy,
-            ));
-        }
         self.outer_radius = radius.max(element.radius);
         self.centre = Some(CentreCylinder {
             element,
             radius: self.outer_radius,
             input: input.clone(),
         });
+        Ok(())
     }
 
-    fn layer(&mut self, section: &Section, layer: &Layer, key: &str) {
-        match layer {
-            Layer::Units(input) => self.units(section, input, key),
-            Layer::Armour(input) => self.armour(input, key),
-            Layer::Sheath(input) => self.sheath(input, key),
-        }
-    }
-
-    fn sheath(&mut self, input: &Sheath, key: &str) {
+    fn sheath(&mut self, input: &Sheath, index: usize) -> Result<(), LayoutError> {
         if self.outer_radius <= 0.0 {
             let remedy = "put the centre or a layer of units before it";
-            self.violations.push(InvalidValue::new(
-                &["layer", key],
-                "is a sheath around nothing",
-                remedy,
-            ));
+            let problem = "is a sheath around nothing";
+            return Err(LayoutError::new(LayoutKey::Layer(index), problem, remedy));
         }
         let inner_radius = self.outer_radius;
         self.outer_radius += input.thickness_m;
-        self.shells.push(Shell::Tube(SheathTube {
+        self.shells.push(LaidLayer::Tube(SheathTube {
             input: input.clone(),
             inner_radius,
             outer_radius: self.outer_radius,
         }));
+        Ok(())
     }
 
-    fn units(&mut self, section: &Section, input: &UnitLayer, key: &str) {
-        let named = input.units.iter().filter_map(|name| {
-            let unit = unit_named(section, name)?;
-            Some(Element::of_unit(name, unit))
-        });
-        let elements: Vec<Element> = named.collect();
+    fn units(
+        &mut self,
+        section: &CrossSection,
+        input: &UnitLayer,
+        index: usize,
+    ) -> Result<(), LayoutError> {
+        let key = LayoutKey::Units(index);
+        let named = input.units.iter();
+        let elements: Vec<CableElement> = named
+            .map(|name| unit_named(section, name, key))
+            .collect::<Result<_, _>>()?;
         if elements.len() > MOST_UNITS {
             let problem = format!("holds {} units, more than {MOST_UNITS}", elements.len());
             let remedy =
                 "spread them over several layers; wires belong in a layer of kind \"armour\"";
-            self.violations
-                .push(InvalidValue::new(&["layer", key, "units"], problem, remedy));
-            return;
+            return Err(LayoutError::new(key, problem, remedy));
         }
         let angle = input.lay_angle_deg.to_radians();
         let radii: Vec<f64> = elements.iter().map(|unit| unit.radius).collect();
@@ -153,14 +181,16 @@ impl Builder {
         let radius = input.pitch_radius_m.unwrap_or(least * (1.0 + 1e-9));
         let set = ring(&radii, radius, angle).filter(|set| set.taken <= TAU * (1.0 + 1e-9));
         let Some(set) = set else {
-            self.too_small(radius, smallest, input, elements.len(), angle, key);
-            return;
+            let key = match input.pitch_radius_m {
+                Some(_) => LayoutKey::PitchRadius(index),
+                None => key,
+            };
+            return Err(too_small(radius, smallest, elements.len(), angle, key));
         };
         if radius - thickest < self.outer_radius - TOUCH {
-            self.too_far_in(radius, thickest, key);
-            return;
+            return Err(self.too_far_in(radius, thickest, index));
         }
-        self.floating(radius - thickest, thickest, key);
+        self.floating(radius - thickest, thickest, &input.name);
         let helix = Helix {
             name: input.name.clone(),
             armour: false,
@@ -174,11 +204,11 @@ impl Builder {
             coverage: set.taken / TAU,
             filler: (input.filler_fraction, input.filler_density_kg_per_m3),
         };
-        self.sparse(&helix, &set, key);
-        self.add(helix);
+        self.add(helix, &set);
+        Ok(())
     }
 
-    fn armour(&mut self, input: &Armour, key: &str) {
+    fn armour(&mut self, input: &Armour, index: usize) -> Result<(), LayoutError> {
         let angle = input.lay_angle_deg.to_radians();
         let wire = 0.5 * input.wire_diameter_m;
         let is_innermost = self.outer_radius <= 0.0;
@@ -187,9 +217,7 @@ impl Builder {
             (None, true) => {
                 let problem = "has nothing inside that determines how many wires fit";
                 let remedy = "give `count`, or put the centre or a layer before it";
-                self.violations
-                    .push(InvalidValue::new(&["layer", key], problem, remedy));
-                return;
+                return Err(LayoutError::new(LayoutKey::Layer(index), problem, remedy));
             }
             (Some(count), true) => (count, smallest(count).max(wire) * (1.0 + 1e-9)),
             (count, false) => {
@@ -198,18 +226,14 @@ impl Builder {
             }
         };
         let capacity = most(wire, radius, angle);
-        if count > capacity {
-            self.too_many(count, capacity, smallest(count), input, key);
-            return;
-        }
-        let radii = vec![wire; count];
-        let Some(set) = wires(&radii, radius, angle) else {
-            return;
+        let set = wires(&vec![wire; count], radius, angle).filter(|_| count <= capacity);
+        let Some(set) = set else {
+            return Err(self.too_many(count, capacity, smallest(count), input, index));
         };
         let helix = Helix {
             name: input.name.clone(),
             armour: true,
-            elements: vec![Element::of_armour(input); count],
+            elements: vec![CableElement::of_armour(input); count],
             places: set.places.clone(),
             angle: angle * input.sense.sign(),
             pitch_radius: radius,
@@ -219,44 +243,17 @@ impl Builder {
             coverage: set.taken / TAU,
             filler: (0.0, 0.0),
         };
-        self.sparse(&helix, &set, key);
-        self.add(helix);
+        self.add(helix, &set);
+        Ok(())
     }
 
-    fn add(&mut self, helix: Helix) {
+    fn add(&mut self, helix: Helix, set: &PackedRing) {
+        self.sparse(&helix, set);
         self.outer_radius = helix.outer_radius;
-        self.shells.push(Shell::Helix(helix));
+        self.shells.push(LaidLayer::Helix(helix));
     }
 
-    fn too_small(
-        &mut self,
-        radius: f64,
-        smallest: f64,
-        input: &UnitLayer,
-        count: usize,
-        angle: f64,
-        key: &str,
-    ) {
-        let problem = format!(
-            "the units overlap: {count} of them at {} need a pitch radius of {} or more, and it is {}",
-            degrees(angle),
-            mm(smallest),
-            mm(radius)
-        );
-        let last = if input.pitch_radius_m.is_some() {
-            "pitch_radius_m"
-        } else {
-            "units"
-        };
-        let remedy = format!(
-            "give pitch_radius_m = {} or leave it out, or take fewer or thinner units",
-            at_least(smallest)
-        );
-        self.violations
-            .push(InvalidValue::new(&["layer", key, last], problem, remedy));
-    }
-
-    fn too_far_in(&mut self, radius: f64, thickest: f64, key: &str) {
+    fn too_far_in(&self, radius: f64, thickest: f64, index: usize) -> LayoutError {
         let problem = format!(
             "the layer overlaps another: its inner radius is {}, and the outer radius of the layers inside {}",
             mm(radius - thickest),
@@ -266,19 +263,17 @@ impl Builder {
             "give pitch_radius_m = {} or more or leave it out, or make the layers inside thinner",
             at_least(self.outer_radius + thickest)
         );
-        let path = ["layer", key, "pitch_radius_m"];
-        self.violations
-            .push(InvalidValue::new(&path, problem, remedy));
+        LayoutError::new(LayoutKey::PitchRadius(index), problem, remedy)
     }
 
     fn too_many(
-        &mut self,
+        &self,
         count: usize,
         capacity: usize,
         smallest: f64,
         input: &Armour,
-        key: &str,
-    ) {
+        index: usize,
+    ) -> LayoutError {
         let problem = format!(
             "the wires overlap: {count} of {} at {} deg need a pitch radius of {}, and the layer lies on {}; at most {capacity} fit",
             mm(input.wire_diameter_m),
@@ -287,12 +282,11 @@ impl Builder {
             mm(self.outer_radius + 0.5 * input.wire_diameter_m)
         );
         let remedy = format!("give {capacity} or fewer, or leave it out for as many as fit");
-        self.violations
-            .push(InvalidValue::new(&["layer", key, "count"], problem, remedy));
+        LayoutError::new(LayoutKey::Count(index), problem, remedy)
     }
 
     /// Warns of a gap below the layer.
-    fn floating(&mut self, inner: f64, thickest: f64, key: &str) {
+    fn floating(&mut self, inner: f64, thickest: f64, name: &str) {
         let gap = inner - self.outer_radius;
         let (bound, problem) = if self.outer_radius > 0.0 {
             let problem = format!("there is a gap of {} below the layer", mm(gap));
@@ -306,13 +300,17 @@ impl Builder {
                 "fill it, for example with a jacket or a unit of diameter {}, or the units move inwards under tension",
                 at_most(2.0 * inner)
             );
-            self.warnings
-                .push(InvalidValue::new(&["layer", key], problem, remedy));
+            self.warn(name, &problem, &remedy);
         }
     }
 
+    fn warn(&mut self, layer: &str, problem: &str, remedy: &str) {
+        let layer = join(&["layer", layer]);
+        self.warnings.push(format!("{layer}: {problem}; {remedy}"));
+    }
+
     /// Warns of a layer that does not close.
-    fn sparse(&mut self, helix: &Helix, set: &Ring, key: &str) {
+    fn sparse(&mut self, helix: &Helix, set: &PackedRing) {
         let count = helix.elements.len();
         let one = set.taken / count.max(1) as f64;
         let room = if one > 0.0 {
@@ -326,19 +324,33 @@ impl Builder {
                 (100.0 * helix.coverage).floor()
             );
             let remedy = "add units or filler ropes, or the layer shifts when the cable bends";
-            self.warnings
-                .push(InvalidValue::new(&["layer", key], problem, remedy));
+            self.warn(&helix.name, &problem, remedy);
         }
     }
 }
 
+/// Units that need a greater pitch radius.
+fn too_small(radius: f64, smallest: f64, count: usize, angle: f64, key: LayoutKey) -> LayoutError {
+    let problem = format!(
+        "the units overlap: {count} of them at {} need a pitch radius of {} or more, and it is {}",
+        degrees(angle),
+        mm(smallest),
+        mm(radius)
+    );
+    let remedy = format!(
+        "give pitch_radius_m = {} or leave it out, or take fewer or thinner units",
+        at_least(smallest)
+    );
+    LayoutError::new(key, problem, remedy)
+}
+
 /// Equal wires at equal angles.
-fn wires(radii: &[f64], radius: f64, angle: f64) -> Option<Ring> {
+fn wires(radii: &[f64], radius: f64, angle: f64) -> Option<PackedRing> {
     let count = radii.len();
     let taken = match radii {
         [first, second, ..] => count as f64 * touching_phase(first + second, radius, angle)?,
         _ => 0.0,
     };
     let places = (0..count).map(|i| TAU * i as f64 / count as f64).collect();
-    Some(Ring { places, taken })
+    Some(PackedRing { places, taken })
 }

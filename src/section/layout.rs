@@ -2,28 +2,27 @@
 
 use std::f64::consts::TAU;
 
-use super::element::{Element, disc, second_moment, shear_modulus};
+use super::element::{CableElement, disc, second_moment, shear_modulus};
 use super::model::{Centre, Sheath};
-use crate::case::InvalidValue;
 
 /// A section laid out.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Layout {
+pub struct SectionLayout {
     /// The unit in the centre.
     pub centre: Option<CentreCylinder>,
     /// The layers, from the inside out.
-    pub shells: Vec<Shell>,
+    pub shells: Vec<LaidLayer>,
     /// Outer radius of the whole \[m\].
     pub outer_radius: f64,
     /// Warnings about the geometry.
-    pub warnings: Vec<InvalidValue>,
+    pub warnings: Vec<String>,
 }
 
 /// The unit in the centre with its jacket.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CentreCylinder {
     /// The unit.
-    pub element: Element,
+    pub element: CableElement,
     /// Outer radius, over the jacket \[m\].
     pub radius: f64,
     /// Its keys in the file.
@@ -32,7 +31,7 @@ pub struct CentreCylinder {
 
 /// Stiffness of a round tube of one material.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Solid {
+pub struct TubeStiffness {
     /// Cross-section \[m²\].
     pub area: f64,
     /// Axial stiffness \[N\].
@@ -43,7 +42,7 @@ pub struct Solid {
     pub gj: f64,
 }
 
-impl Solid {
+impl TubeStiffness {
     fn of(inner: f64, outer: f64, youngs: f64, poisson: f64) -> Self {
         let area = (disc(outer) - disc(inner)).max(0.0);
         let inertia = (second_moment(outer) - second_moment(inner)).max(0.0);
@@ -59,10 +58,10 @@ impl Solid {
 impl CentreCylinder {
     /// The jacket.
     #[must_use]
-    pub fn jacket(&self) -> Solid {
+    pub fn jacket(&self) -> TubeStiffness {
         let input = &self.input;
         let (youngs, poisson) = (input.jacket_youngs_modulus_pa, input.jacket_poisson_ratio);
-        Solid::of(self.element.radius, self.radius, youngs, poisson)
+        TubeStiffness::of(self.element.radius, self.radius, youngs, poisson)
     }
 
     /// Mass per length \[kg/m\].
@@ -75,9 +74,9 @@ impl CentreCylinder {
 impl SheathTube {
     /// Its stiffness.
     #[must_use]
-    pub fn solid(&self) -> Solid {
+    pub fn solid(&self) -> TubeStiffness {
         let (youngs, poisson) = (self.input.youngs_modulus_pa, self.input.poisson_ratio);
-        Solid::of(self.inner_radius, self.outer_radius, youngs, poisson)
+        TubeStiffness::of(self.inner_radius, self.outer_radius, youngs, poisson)
     }
 
     /// Mass per length \[kg/m\].
@@ -89,7 +88,7 @@ impl SheathTube {
 
 /// A layer laid out.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Shell {
+pub enum LaidLayer {
     /// Units or wires in a helix.
     Helix(Helix),
     /// A sheath.
@@ -104,7 +103,7 @@ pub struct Helix {
     /// Whether these are armour wires.
     pub armour: bool,
     /// The units, in order around the layer.
-    pub elements: Vec<Element>,
+    pub elements: Vec<CableElement>,
     /// Angular position of each of them in the section \[rad\].
     pub places: Vec<f64>,
     /// Lay angle to the axis, positive for a right-handed helix \[rad\].
@@ -158,31 +157,22 @@ pub struct SheathTube {
     pub outer_radius: f64,
 }
 
-impl Shell {
-    /// Radius over the layer \[m\].
-    #[must_use]
-    pub fn outer_radius(&self) -> f64 {
-        match self {
-            Self::Helix(helix) => helix.outer_radius,
-            Self::Tube(tube) => tube.outer_radius,
-        }
-    }
-}
+impl LaidLayer {}
 
-impl Layout {
+impl SectionLayout {
     /// The helical layers, from the inside out.
     pub fn helices(&self) -> impl Iterator<Item = &Helix> {
         self.shells.iter().filter_map(|shell| match shell {
-            Shell::Helix(helix) => Some(helix),
-            Shell::Tube(_) => None,
+            LaidLayer::Helix(helix) => Some(helix),
+            LaidLayer::Tube(_) => None,
         })
     }
 
     /// The sheaths, from the inside out.
     pub fn sheaths(&self) -> impl Iterator<Item = &SheathTube> {
         self.shells.iter().filter_map(|shell| match shell {
-            Shell::Tube(tube) => Some(tube),
-            Shell::Helix(_) => None,
+            LaidLayer::Tube(tube) => Some(tube),
+            LaidLayer::Helix(_) => None,
         })
     }
 }

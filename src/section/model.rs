@@ -2,17 +2,10 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::LazyLock;
 
-use crate::case::fields::Kind::Name;
-use crate::case::fields::{Range, Schema, of, positive};
-use crate::case::schema::{schema_of, table, variants, words};
-
-/// The section file.
-pub static SECTION: LazyLock<Schema> = LazyLock::new(|| {
-    let least = "a section has at least [section] with a name and a title, [units.<name>], and a [centre] or a [[layer]]";
-    schema_of::<Section>("section", least)
-});
+use crate::case::fields::ValueType::Name;
+use crate::case::fields::{Range, of, positive};
+use crate::case::schema::{table, variants, words};
 
 const LENGTH: Range = positive(10.0);
 const DENSITY: Range = of(0.0, 3e4);
@@ -25,10 +18,10 @@ const ANGLE: Range = of(0.0, 90.0);
 table! {
     /// Everything a section file says.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct Section => SectionKeys {}
+    pub struct CrossSection => SectionKeys {}
     tables {
         /// What the section is, and what holds for it as a whole.
-        about: About as "section";
+        about: SectionInfo as "section";
         /// The units it is made of, by name.
         units: BTreeMap<String, Unit>;
         /// What runs straight in the middle.
@@ -41,7 +34,7 @@ table! {
 table! {
     /// What the section is, and what holds for it as a whole.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct About => AboutKeys {
+    pub struct SectionInfo => AboutKeys {
         /// Name of the material it makes for a line case.
         name: String, "name", kind Name;
         /// What the section is, in one line.
@@ -91,10 +84,7 @@ impl Core {
 
 impl fmt::Display for Core {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Rigid => "rigid",
-            Self::Incompressible => "incompressible",
-        })
+        f.write_str(self.name())
     }
 }
 
@@ -114,9 +104,9 @@ variants! {
     /// A unit: something round that is laid into a layer or runs in the middle.
     pub enum Unit => UnitKeys by kind, "kind", "Electric or optical cable as a whole, tube, solid rod, or filler rope." {
         /// An electric cable, as a whole.
-        Electric(Whole) = "electric",
+        Electric(DataSheetUnit) = "electric",
         /// An optical cable, as a whole.
-        Fibre(Whole) = "fibre",
+        Fibre(DataSheetUnit) = "fibre",
         /// A tube in a jacket.
         Tube(Tube) = "tube",
         /// A solid rod or wire.
@@ -129,7 +119,7 @@ variants! {
 table! {
     /// A unit known by its data sheet, not by its make-up.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct Whole => WholeKeys {
+    pub struct DataSheetUnit => WholeKeys {
         /// Outer diameter, over everything.
         diameter_m: f64, "diameter", range LENGTH;
         /// Mass per length of the unit.
@@ -260,7 +250,7 @@ table! {
         /// Angle of the helix to the cable's axis.
         lay_angle_deg: f64, "lay angle", range ANGLE;
         /// Which way the helix turns.
-        sense: Sense, "sense";
+        sense: LayDirection, "sense";
         /// Radius of the helix of the units' axes.
         pitch_radius_m: Option<f64>, "pitch radius", range LENGTH, absent "the smallest that holds the units";
         /// Share of the gaps in the layer that filler ropes take.
@@ -283,7 +273,7 @@ table! {
         /// Angle of the helix to the cable's axis.
         lay_angle_deg: f64, "lay angle", range ANGLE;
         /// Which way the helix turns.
-        sense: Sense, "sense";
+        sense: LayDirection, "sense";
         /// Density of the wire.
         density_kg_per_m3: f64 = 7850.0, "density", range DENSITY;
         /// Young's modulus of the wire.
@@ -314,7 +304,7 @@ table! {
 
 words! {
     /// Which way a helix turns.
-    pub enum Sense {
+    pub enum LayDirection {
         /// As a usual screw does; counts as positive.
         Right = "right",
         /// The other way.
@@ -322,7 +312,7 @@ words! {
     }
 }
 
-impl Sense {
+impl LayDirection {
     /// +1 for right, -1 for left.
     #[must_use]
     pub fn sign(self) -> f64 {
@@ -333,11 +323,8 @@ impl Sense {
     }
 }
 
-impl fmt::Display for Sense {
+impl fmt::Display for LayDirection {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Right => "right",
-            Self::Left => "left",
-        })
+        f.write_str(self.name())
     }
 }

@@ -58,7 +58,7 @@ pub fn touching_phase(sum: f64, radius: f64, angle: f64) -> Option<f64> {
 
 /// Units set side by side around a layer.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Ring {
+pub struct PackedRing {
     /// The angle of each unit, in their order, the room left over shared out between them \[rad\].
     pub places: Vec<f64>,
     /// The angle that all of them take: a full turn when the layer is just full \[rad\].
@@ -68,15 +68,15 @@ pub struct Ring {
 /// Sets units of these radii around a layer, beginning with the thickest; nothing when two of them
 /// do not even fit opposite each other. Units that are not neighbours may touch over a thin one.
 #[must_use]
-pub fn ring(radii: &[f64], radius: f64, angle: f64) -> Option<Ring> {
+pub fn ring(radii: &[f64], radius: f64, angle: f64) -> Option<PackedRing> {
     let n = radii.len();
     if n < 2 {
         let places = vec![0.0; n];
-        return Some(Ring { places, taken: 0.0 });
+        return Some(PackedRing { places, taken: 0.0 });
     }
     let thickest = (0..n).max_by(|a, b| radii[*a].total_cmp(&radii[*b]))?;
     let of = |i: usize| radii[(thickest + i) % n];
-    let mut touch = Touch {
+    let mut touch = TouchPhases {
         radius,
         angle,
         known: Vec::new(),
@@ -106,20 +106,20 @@ pub fn ring(radii: &[f64], radius: f64, angle: f64) -> Option<Ring> {
         let turn = (i + n - thickest) % n;
         from_thickest[turn] + gap * turn as f64
     });
-    Some(Ring {
+    Some(PackedRing {
         places: places.collect(),
         taken,
     })
 }
 
 /// Phases at which units touch on one pitch radius; they are mostly alike, so each is kept.
-struct Touch {
+struct TouchPhases {
     radius: f64,
     angle: f64,
     known: Vec<(f64, f64)>,
 }
 
-impl Touch {
+impl TouchPhases {
     fn phase(&mut self, sum: f64) -> Option<f64> {
         let same = |(of, _): &&(f64, f64)| (of - sum).abs() <= f64::EPSILON * sum;
         if let Some((_, phase)) = self.known.iter().find(same) {

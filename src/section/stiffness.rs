@@ -17,7 +17,7 @@
 //! tension of the wires but not their pressure on the core, p A_c = Σ t (R_c/2R) sin²α/cos α for wires of force t;
 //! [`ea_with_core_pressure`] subtracts it, which agrees with virtual work.
 
-use super::layout::Layout;
+use super::layout::SectionLayout;
 use super::model::Core;
 
 /// Tension F and torque M from strain ε and twist per length τ.
@@ -87,7 +87,12 @@ fn ratio(of: f64, by: f64) -> f64 {
 }
 
 /// Strain of a unit of a layer by strain of the cable: cos²α − Θ (R_c/2R) sin²α \[-\].
-pub(super) fn unit_strain(layout: &Layout, pitch_radius: f64, angle: f64, core: Core) -> f64 {
+pub(super) fn unit_strain(
+    layout: &SectionLayout,
+    pitch_radius: f64,
+    angle: f64,
+    core: Core,
+) -> f64 {
     let core_radius = layout.centre.as_ref().map_or(0.0, |centre| centre.radius);
     let contraction = core.theta() * core_radius / (2.0 * pitch_radius);
     angle.cos().powi(2) - contraction * angle.sin().powi(2)
@@ -95,7 +100,7 @@ pub(super) fn unit_strain(layout: &Layout, pitch_radius: f64, angle: f64, core: 
 
 /// The stiffness matrix of a section.
 #[must_use]
-pub fn matrix(layout: &Layout, core: Core) -> StiffnessMatrix {
+pub fn matrix(layout: &SectionLayout, core: Core) -> StiffnessMatrix {
     let mut sum = StiffnessMatrix::default();
     if let Some(centre) = &layout.centre {
         let jacket = centre.jacket();
@@ -118,7 +123,7 @@ pub fn matrix(layout: &Layout, core: Core) -> StiffnessMatrix {
 /// Axial stiffness with fixed ends and an incompressible core, including the core pressure that eq. (16)
 /// neglects: Σ E A (cos²α − (R_c/2R) sin²α)²/cos α + E_c A_c \[N\].
 #[must_use]
-pub fn ea_with_core_pressure(layout: &Layout) -> f64 {
+pub fn ea_with_core_pressure(layout: &SectionLayout) -> f64 {
     let centre = layout.centre.as_ref();
     let centre = centre.map_or(0.0, |centre| centre.element.ea + centre.jacket().ea);
     let helices = layout.helices().map(|helix| {

@@ -1,7 +1,7 @@
 //! Load sharing between the units under tension, and the strength of the cable.
 
-use super::element::Element;
-use super::layout::Layout;
+use super::element::CableElement;
+use super::layout::SectionLayout;
 use super::model::Core;
 use super::stiffness::{EndRotation, matrix, unit_strain};
 
@@ -31,7 +31,7 @@ pub struct LoadShare {
 /// From the strains behind eqs. (16)-(17) of Lin et al. 2016; see [`super::stiffness`].
 #[must_use]
 pub fn load_shares(
-    layout: &Layout,
+    layout: &SectionLayout,
     core: Core,
     twist: EndRotation,
     tension: f64,
@@ -76,7 +76,7 @@ pub fn load_shares(
     list
 }
 
-fn share(layer: &str, unit: &Element, strain: f64) -> LoadShare {
+fn share(layer: &str, unit: &CableElement, strain: f64) -> LoadShare {
     let force = unit.ea * strain;
     LoadShare {
         layer: layer.to_owned(),
@@ -109,7 +109,7 @@ pub struct Strength {
 /// The least tension at which a unit reaches its strength, over both core models and both end rotations; `None` where no
 /// load-carrying unit has a known strength.
 #[must_use]
-pub fn strength(layout: &Layout, usage_factor: f64) -> Option<Strength> {
+pub fn strength(layout: &SectionLayout, usage_factor: f64) -> Option<Strength> {
     let mut weakest: Option<Strength> = None;
     for core in Core::BOTH {
         for twist in [EndRotation::Fixed, EndRotation::Free] {

@@ -1,12 +1,12 @@
 //! Mass and weight of the cable per length, in air and in water.
 
 use super::element::disc;
-use super::layout::{Layout, Shell};
-use super::model::{About, Voids};
+use super::layout::{LaidLayer, SectionLayout};
+use super::model::{SectionInfo, Voids};
 
 /// Mass and weight per length.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Weight {
+pub struct CableWeight {
     /// Mass in air with empty gaps \[kg/m\].
     pub in_air: f64,
     /// Mass in water, including water in flooded gaps \[kg/m\].
@@ -21,10 +21,10 @@ pub struct Weight {
 
 /// The weight of a section.
 #[must_use]
-pub fn weight(layout: &Layout, about: &About) -> Weight {
+pub fn weight(layout: &SectionLayout, about: &SectionInfo) -> CableWeight {
     let shells = layout.shells.iter().map(|shell| match shell {
-        Shell::Helix(helix) => helix.mass(),
-        Shell::Tube(tube) => tube.mass(),
+        LaidLayer::Helix(helix) => helix.mass(),
+        LaidLayer::Tube(tube) => tube.mass(),
     });
     let centre = layout
         .centre
@@ -43,7 +43,7 @@ pub fn weight(layout: &Layout, about: &About) -> Weight {
         Voids::Flooded => (in_air + voids * water, outside - voids),
     };
     let in_water = in_air - displaced * water;
-    Weight {
+    CableWeight {
         in_air,
         moving,
         in_water,

@@ -1,13 +1,15 @@
-//! Validation of a ship file beyond types and ranges: consistent coefficient tables, possible motions, tables that need each
-//! other, provenance of inputs that exist.
+//! Checks of the keys of a ship against each other: consistent coefficient tables, possible motions, tables that need each
+//! other.
 
 use std::f64::consts::PI;
 
 use super::hull;
-use super::model::{Coefficients, Follows, MotionSource, Ship};
+use super::model::{CoefficientKeys, CoupledSettingsKeys, Follows, MotionKeys, MotionSettings};
+use super::model::{MotionSource, RopeKeys, ShipKeys};
 use super::motion::ShipMotion;
 use super::quantities::parts;
-use crate::case::{InvalidValue, Node};
+use crate::case::Finding;
+use crate::case::schema::{Key, TableType};
 use crate::number::digits;
 use crate::physics::sea::DEGREES;
 use crate::reference::published_number;
@@ -16,122 +18,114 @@ use crate::reference::published_number;
 const MAX_INSTANTS: f64 = 1e6;
 const MAX_STEPS: f64 = 2e6;
 
-/// Names of the coefficients in a table, and in Fourier series.
-const TABLE: [&str; 3] = ["surge", "sway", "yaw"];
-const SERIES: [&str; 3] = ["surge_cosines", "sway_sines", "yaw_sines"];
-
-/// Everything that is invalid.
-pub(super) fn invalid_values(ship: &Ship, tree: &Node) -> Vec<InvalidValue> {
-    let mut wrong = loads(ship);
-    wrong.extend(motion(ship));
+/// Checks of a ship.
+pub(super) fn check(ship: &ShipKeys<'_>) -> Vec<Finding> {
+    let mut found = loads(ship);
+    found.extend(ship.motion.as_ref().and_then(motion));
     if let Some(hull) = &ship.hull {
-        wrong.extend(hull::invalid_values(hull, ship.coupled.as_ref()));
+        found.extend(hull::check(hull, has(ship, "coupled")));
     }
-    wrong.extend(coupled(ship));
-    wrong.extend(rope(ship));
-    wrong.extend(published_number::invalid_values(
-        &ship.published,
-        |quantity| {
-            parts(quantity).is_none().then(|| {
-                (
-                    format!("is not known: \"{}\"", quantity.escape_default()),
-                    "name a motion, a derivative and a statistic, such as pitch.velocity.rms"
-                        .to_owned(),
-                )
-            })
-        },
-    ));
-    wrong.extend(marks(ship, tree));
-    wrong
+    if let Some(settings) = &ship.coupled {
+        found.extend(coupled(ship, settings));
+    }
+    found.extend(ship.rope.as_ref().and_then(|keys| rope(ship, keys)));
+    found.extend(published_number::check(&ship.published, unknown_quantity));
+    found
 }
 
-fn loads(ship: &Ship) -> Vec<InvalidValue> {
-    let loads = [
-        ("wind", ship.wind.as_ref().map(|load| load.coefficients())),
-        (
-            "current",
-            ship.current.as_ref().map(|load| load.coefficients()),
-        ),
-        ("drift", ship.drift.as_ref().map(|load| load.coefficients())),
-    ];
-    if loads.iter().all(|(_, load)| load.is_none()) {
-        let remedy = "add [wind], [current] or [drift]";
-        return vec![InvalidValue::at("ship", "no load acts on the ship", remedy)];
-    }
-    let given = loads
+/// Whether the file has a table, faulty or not.
+fn has(ship: &ShipKeys<'_>, table: &str) -> bool {
+    ship.place.node.get(table).is_some()
+}
+
+fn unknown_quantity(key: &Key<'_, String>) -> Option<Finding> {
+    let quantity = key.get().filter(|name| parts(name).is_none())?;
+    Some(key.finding(
+        format!("is not known: \"{}\"", quantity.escape_default()),
+        "name a motion, a derivative and a statistic, such as pitch.velocity.rms",
+    ))
+}
+
+fn loads(ship: &ShipKeys<'_>) -> Vec<Finding> {
+    if !["wind", "current", "drift"]
         .iter()
-        .filter_map(|(table, load)| load.as_ref().map(|load| (*table, load)));
-    given
-        .flat_map(|(table, load)| coefficients(table, load))
-        .collect()
+        .any(|load| has(ship, load))
+    {
+        let remedy = "add [wind], [current] or [drift]";
+        let about = ship.ship.iter();
+        return about
+            .map(|ship| ship.place.finding("no load acts on the ship", remedy))
+            .collect();
+    }
+    let loads = [
+        ship.wind.as_ref().map(|load| load.coefficients()),
+        ship.current.as_ref().map(|load| load.coefficients()),
+        ship.drift.as_ref().map(|load| load.coefficients()),
+    ];
+    loads.iter().flatten().flat_map(coefficients).collect()
 }
 
 /// Either a consistent table or series.
-fn coefficients(table: &str, load: &Coefficients<'_>) -> Vec<InvalidValue> {
-    let first_given = |names: [&'static str; 3], lists: [&[f64]; 3]| {
-        let mut named = names.into_iter().zip(lists);
-        named
-            .find(|(_, values)| !values.is_empty())
-            .map(|(name, _)| name)
-    };
-    let has_table = !load.angle_deg.is_empty() || first_given(TABLE, load.table).is_some();
-    match (has_table, first_given(SERIES, load.series)) {
-        (false, None) => vec![InvalidValue::new(
-            &[table],
+fn coefficients(load: &CoefficientKeys<'_, '_>) -> Vec<Finding> {
+    let has_table = load.angle_deg.is_given() || load.table.iter().any(|key| key.is_given());
+    let series = load.series.iter().find(|key| key.is_given());
+    match (has_table, series) {
+        (false, None) => vec![load.place.finding(
             "has no coefficients",
             "give angle_deg with surge, sway and yaw, or the series surge_cosines, sway_sines, yaw_sines",
         )],
-        (true, Some(series)) => vec![InvalidValue::new(
-            &[table, series],
-            "is a series, and there is a table too",
-            "give one of both",
-        )],
+        (true, Some(series)) => {
+            vec![series.finding("is a series, and there is a table too", "give one of both")]
+        }
         (false, Some(_)) => Vec::new(),
-        (true, None) => match angles(table, load.angle_deg) {
-            Some(invalid) => vec![invalid],
-            None => columns(table, load),
+        (true, None) => match list(load.angle_deg) {
+            None => Vec::new(),
+            Some(list) => match angles(load.angle_deg, list) {
+                Some(invalid) => vec![invalid],
+                None => columns(load, list),
+            },
         },
+    }
+}
+
+/// The numbers of a list, none where it is not given; nothing where it is faulty.
+fn list<'k>(key: &'k Key<'_, Vec<f64>>) -> Option<&'k [f64]> {
+    match key.is_given() {
+        true => key.get().map(Vec::as_slice),
+        false => Some(&[]),
     }
 }
 
 /// Columns of one coefficient an angle, odd ones zero at the ends of a half turn.
-fn columns(table: &str, load: &Coefficients<'_>) -> Vec<InvalidValue> {
-    let last = load.angle_deg.last();
+fn columns(load: &CoefficientKeys<'_, '_>, angles: &[f64]) -> Vec<Finding> {
+    let last = angles.last();
     let half = last.is_some_and(|last| (last.to_radians() - PI).abs() < 1e-9);
-    let check = |(name, values): (&str, &[f64])| {
-        if values.len() != load.angle_deg.len() {
-            return Some(InvalidValue::new(
-                &[table, name],
-                format!(
-                    "holds {} numbers for {} angles",
-                    values.len(),
-                    load.angle_deg.len()
-                ),
+    let check = |(degree, key): (usize, &&Key<'_, Vec<f64>>)| {
+        let values = list(key)?;
+        if values.len() != angles.len() {
+            let count = values.len();
+            return Some(key.finding(
+                format!("holds {count} numbers for {} angles", angles.len()),
                 "give one number for each angle",
             ));
         }
         let ends = [values[0], values[values.len() - 1]];
-        let nonzero = name != "surge" && half && ends.iter().any(|v| v.abs() > 1e-12);
+        let nonzero = degree > 0 && half && ends.iter().any(|v| v.abs() > 1e-12);
         nonzero.then(|| {
-            InvalidValue::new(
-                &[table, name],
+            key.finding(
                 "must be zero at 0 and 180 degrees, because the other side follows by symmetry",
                 "begin and end with 0, or give the table up to below 360 degrees",
             )
         })
     };
-    TABLE
-        .into_iter()
-        .zip(load.table)
-        .filter_map(check)
-        .collect()
+    load.table.iter().enumerate().filter_map(check).collect()
 }
 
 /// Angles that ascend from 0 to 180 or to below 360 degrees.
-fn angles(table: &str, angles: &[f64]) -> Option<InvalidValue> {
+fn angles(key: &Key<'_, Vec<f64>>, angles: &[f64]) -> Option<Finding> {
     let invalid = |problem: String| {
         let remedy = "give ascending angles from 0 to 180, or from 0 to below 360";
-        Some(InvalidValue::new(&[table, "angle_deg"], problem, remedy))
+        Some(key.finding(problem, remedy))
     };
     if angles.len() < 3 {
         return invalid("holds fewer than 3 angles".to_owned());
@@ -152,112 +146,84 @@ fn angles(table: &str, angles: &[f64]) -> Option<InvalidValue> {
 }
 
 /// Statistics that a motion can have, and a record of acceptable length.
-fn motion(ship: &Ship) -> Option<InvalidValue> {
-    let settings = ship.motion.as_ref()?;
-    if settings.duration_s / settings.step_s > MAX_INSTANTS {
-        return Some(too_many(
-            "motion.step_s",
-            MAX_INSTANTS,
-            "instants",
-            settings.duration_s,
-        ));
+fn motion(keys: &MotionKeys<'_>) -> Option<Finding> {
+    let too_long = too_many(&keys.step_s, &keys.duration_s, MAX_INSTANTS, "instants");
+    if too_long.is_some() || !keys.by.is(&MotionSource::Statistics) {
+        return too_long;
     }
-    if settings.by == MotionSource::Responses {
+    let rms = [
+        &keys.translation_rms_m,
+        &keys.rotation_rms_deg,
+        &keys.translation_velocity_rms_m_per_s,
+        &keys.rotation_velocity_rms_deg_per_s,
+        &keys.translation_acceleration_rms_m_per_s2,
+        &keys.rotation_acceleration_rms_deg_per_s2,
+    ];
+    if rms.iter().any(|key| key.is_faulty()) {
         return None;
     }
-    let error = ShipMotion::new(settings, None, settings.seed()).err()?;
+    let settings = MotionSettings::from_keys(keys).ok()?;
+    let error = ShipMotion::new(&settings, None, settings.seed()).err()?;
     let key = if error.degree < 3 {
-        "motion.translation_rms_m"
+        &keys.translation_rms_m
     } else {
-        "motion.rotation_rms_deg"
+        &keys.rotation_rms_deg
     };
-    Some(InvalidValue::at(
-        key,
+    Some(key.finding(
         format!("{}: {}", DEGREES[error.degree], error.why),
         "give displacement, velocity and acceleration of the same record, and a longer slow_period_s where that is needed",
     ))
 }
 
-fn too_many(key: &str, max: f64, what: &str, duration_s: f64) -> InvalidValue {
-    InvalidValue::at(
-        key,
-        format!(
-            "gives more than {max:e} {what} in {} s",
-            digits(duration_s, 6)
-        ),
-        "give a longer step or a shorter duration_s",
-    )
+/// A step that gives more than `max` of what is computed.
+fn too_many(step: &Key<'_, f64>, duration: &Key<'_, f64>, max: f64, what: &str) -> Option<Finding> {
+    let (step_s, duration_s) = (step.value()?, duration.value()?);
+    (duration_s / step_s > max).then(|| {
+        let duration = digits(duration_s, 6);
+        step.finding(
+            format!("gives more than {max:e} {what} in {duration} s"),
+            "give a longer step or a shorter duration_s",
+        )
+    })
 }
 
 /// What the coupled analysis needs.
-fn coupled(ship: &Ship) -> Vec<InvalidValue> {
-    let Some(settings) = &ship.coupled else {
-        return Vec::new();
-    };
-    let needs = [
-        ("[hull]", ship.hull.is_none()),
-        ("[mooring]", ship.mooring.is_none()),
-    ];
-    let missing = needs.into_iter().filter(|(_, missing)| *missing);
-    let mut wrong: Vec<InvalidValue> = missing
-        .map(|(table, _)| {
-            let remedy = format!("add {table}, or remove [coupled]");
-            InvalidValue::at("coupled", format!("needs {table}"), remedy)
+fn coupled(ship: &ShipKeys<'_>, settings: &CoupledSettingsKeys<'_>) -> Vec<Finding> {
+    let missing = ["hull", "mooring"].into_iter().filter(|t| !has(ship, t));
+    let mut found: Vec<Finding> = missing
+        .map(|table| {
+            let remedy = format!("add [{table}], or remove [coupled]");
+            settings.place.finding(format!("needs [{table}]"), remedy)
         })
         .collect();
-    if settings.from_s >= settings.duration_s {
-        wrong.push(InvalidValue::at(
-            "coupled.from_s",
-            format!(
-                "leaves nothing of {} s for statistics",
-                digits(settings.duration_s, 6)
-            ),
+    let (from, duration) = (settings.from_s.value(), settings.duration_s.value());
+    if let (Some(from), Some(duration)) = (from, duration)
+        && from >= duration
+    {
+        let duration = digits(duration, 6);
+        found.push(settings.from_s.finding(
+            format!("leaves nothing of {duration} s for statistics"),
             "give a time before duration_s, or a longer duration_s",
         ));
     }
-    if settings.segments % 2 == 1 {
-        wrong.push(InvalidValue::at(
-            "coupled.segments",
-            format!("is odd: {}", settings.segments),
+    if let Some(segments) = settings.segments.value().filter(|count| count % 2 == 1) {
+        found.push(settings.segments.finding(
+            format!("is odd: {segments}"),
             "give an even number, because half the segments give the mesh error",
         ));
     }
-    if settings.duration_s / settings.step_s > MAX_STEPS {
-        wrong.push(too_many(
-            "coupled.step_s",
-            MAX_STEPS,
-            "steps",
-            settings.duration_s,
-        ));
-    }
-    wrong
+    let (step, duration) = (&settings.step_s, &settings.duration_s);
+    found.extend(too_many(step, duration, MAX_STEPS, "steps"));
+    found
 }
 
 /// The motion that the rope follows.
-fn rope(ship: &Ship) -> Option<InvalidValue> {
-    let rope = ship.rope.as_ref()?;
-    if ship.motion.is_none() {
+fn rope(ship: &ShipKeys<'_>, rope: &RopeKeys<'_>) -> Option<Finding> {
+    if !has(ship, "motion") {
         let remedy = "add [motion], or remove [rope]";
-        return Some(InvalidValue::at("rope", "needs [motion]", remedy));
+        return Some(rope.place.finding("needs [motion]", remedy));
     }
-    let missing = rope.follows == Follows::Coupled && ship.coupled.is_none();
+    let missing = rope.follows.is(&Follows::Coupled) && !has(ship, "coupled");
     let remedy = "add [coupled], or follow \"motion\"";
-    missing.then(|| InvalidValue::at("rope.follows", "needs [coupled]", remedy))
-}
-
-/// Provenance of inputs that the file has.
-fn marks(ship: &Ship, tree: &Node) -> Vec<InvalidValue> {
-    let unknown = ship.marks.keys().filter(|key| {
-        let parts = crate::case::split(key).unwrap_or_default();
-        parts.is_empty() || tree.find(&parts).is_none()
-    });
-    unknown
-        .map(|key| {
-            InvalidValue::new(
-                &["marks", key],
-                "the file has no such key",
-                "name a key path of the file, such as \"ship.length_m\"",
-            )
-        })
-        .collect()
+    missing.then(|| rope.follows.finding("needs [coupled]", remedy))
 }

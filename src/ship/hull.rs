@@ -3,8 +3,9 @@
 
 use nalgebra::{Matrix3, Matrix6, SymmetricEigen};
 
-use super::model::{CoupledSettings, Hull};
-use crate::case::InvalidValue;
+use super::model::{Hull, HullKeys};
+use crate::case::Finding;
+use crate::case::schema::TableType;
 use crate::numerics::{M3, V3};
 
 /// Matrices about the reference point in ship axes: surge, sway, heave, roll, pitch, yaw.
@@ -66,58 +67,52 @@ fn matrix(list: &[f64]) -> Option<Matrix6<f64>> {
     }
 }
 
-/// Matrices that are not physical.
-pub(super) fn invalid_values(hull: &Hull, coupled: Option<&CoupledSettings>) -> Vec<InvalidValue> {
-    let mut wrong = Vec::new();
-    for (key, list) in [
-        ("hull.added_mass_si", &hull.added_mass_si),
-        ("hull.damping_si", &hull.damping_si),
-        ("hull.restoring_si", &hull.restoring_si),
-    ] {
-        if matrix(list).is_none() {
-            wrong.push(InvalidValue::at(
-                key,
-                format!("holds {} numbers", list.len()),
-                "give six for the diagonal (surge, sway, heave, roll, pitch, yaw), or thirty-six by rows",
-            ));
-        }
+/// Matrices that are not physical; a coupled analysis needs restoring in heave, roll and pitch.
+pub(super) fn check(keys: &HullKeys<'_>, coupled: bool) -> Vec<Finding> {
+    let (added_mass, damping, restoring) =
+        (&keys.added_mass_si, &keys.damping_si, &keys.restoring_si);
+    let lists = [added_mass, damping, restoring];
+    let wrong_length = lists.into_iter().filter_map(|key| {
+        let list = key.get().filter(|list| matrix(list).is_none())?;
+        Some(key.finding(
+            format!("holds {} numbers", list.len()),
+            "give six for the diagonal (surge, sway, heave, roll, pitch, yaw), or thirty-six by rows",
+        ))
+    });
+    let mut found: Vec<Finding> = wrong_length.collect();
+    if !found.is_empty() || lists.iter().any(|key| key.is_faulty()) {
+        return found;
     }
-    if !wrong.is_empty() {
-        return wrong;
-    }
-    let all = HullMatrices::of(hull);
+    let Ok(hull) = Hull::from_keys(keys) else {
+        return found;
+    };
+    let all = HullMatrices::of(&hull);
     if asymmetry(&all.mass) > 1e-9 {
-        wrong.push(InvalidValue::at(
-            "hull.added_mass_si",
+        found.push(added_mass.finding(
             "is not symmetric",
             "give a matrix that equals its transpose",
         ));
     } else if all.mass.cholesky().is_none() {
-        wrong.push(InvalidValue::at(
-            "hull.added_mass_si",
+        found.push(added_mass.finding(
             "the sum of mass and added mass is not positive definite",
             "give added mass that is positive semidefinite",
         ));
     }
     if smallest_eigenvalue(&all.damping) < -1e-9 * all.damping.abs().max() {
-        wrong.push(InvalidValue::at(
-            "hull.damping_si",
+        found.push(damping.finding(
             "feeds energy into some motion: its symmetric part is not positive semidefinite",
             "give damping that is not negative in any motion",
         ));
     }
-    if coupled.is_some() {
-        let upright = all.restoring.fixed_view::<3, 3>(2, 2).into_owned();
-        let symmetric = (upright + upright.transpose()) * 0.5;
-        if symmetric.cholesky().is_none() {
-            wrong.push(InvalidValue::at(
-                "hull.restoring_si",
-                "is not positive definite in heave, roll and pitch",
-                "give positive restoring in heave, roll and pitch: otherwise the ship sinks or capsizes",
-            ));
-        }
+    let upright = all.restoring.fixed_view::<3, 3>(2, 2).into_owned();
+    let symmetric = (upright + upright.transpose()) * 0.5;
+    if coupled && symmetric.cholesky().is_none() {
+        found.push(restoring.finding(
+            "is not positive definite in heave, roll and pitch",
+            "give positive restoring in heave, roll and pitch: otherwise the ship sinks or capsizes",
+        ));
     }
-    wrong
+    found
 }
 
 /// Asymmetry of a matrix relative to its diagonal.

@@ -16,7 +16,7 @@
 
 use std::f64::consts::TAU;
 
-use super::model::{Coefficients, Particulars, Ship};
+use super::model::{LoadCoefficients, Particulars, Ship};
 use super::periodic_curve::{Parity, PeriodicCurve};
 
 /// One load: direction, magnitude and coefficient curves.
@@ -256,7 +256,7 @@ fn load(
     name: &'static str,
     towards_deg: f64,
     reference: PlanarLoad,
-    coefficients: &Coefficients<'_>,
+    coefficients: &LoadCoefficients<'_>,
 ) -> EnvironmentalLoad {
     EnvironmentalLoad {
         name,
@@ -278,7 +278,7 @@ impl EnvironmentalLoad {
 }
 
 /// Coefficient curves, from a table or from Fourier series.
-fn curves(coefficients: &Coefficients<'_>) -> [PeriodicCurve; 3] {
+fn curves(coefficients: &LoadCoefficients<'_>) -> [PeriodicCurve; 3] {
     if coefficients.angle_deg.is_empty() {
         let [surge, sway, yaw] = coefficients.series;
         let sines = |list: &[f64]| PeriodicCurve::Fourier {
@@ -314,7 +314,9 @@ mod tests {
     /// The loads of a shipped case.
     fn loads() -> EnvironmentalLoads {
         let text = include_str!("../../cases/ship/anchored.toml");
-        crate::ship::parse(text, "ship.toml").unwrap().loads
+        crate::case::kind::parse::<Ship>(text, "ship.toml")
+            .unwrap()
+            .loads
     }
 
     #[test]

@@ -1,7 +1,6 @@
 //! A ship at a single-point mooring.
 //!
-//! [`model`] declares the keys of a ship file with type, unit, range, default and help; [`parse`] and [`load`] read and check
-//! it, [`edit`] lists and sets its keys.
+//! [`model`] declares the keys of a ship file with type, unit, range, default and help.
 //!
 //! [`StaticAnalysis`]: [`loads`] of wind, current and mean wave drift, with coefficients that are [`periodic_curve`]s of the
 //! angle of attack; [`yaw_equilibria`], isolated by [`root_isolation`](crate::numerics::root_isolation); [`mooring`], the catenary at the pull of each; [`stability`] of
@@ -14,7 +13,7 @@
 mod check;
 pub mod coupled;
 mod dynamic_analysis;
-pub mod edit;
+mod file;
 pub mod hull;
 pub mod loads;
 pub mod model;
@@ -23,7 +22,6 @@ pub mod motion;
 mod motion_analysis;
 pub mod periodic_curve;
 pub mod quantities;
-mod read;
 pub mod rope;
 pub mod stability;
 mod static_analysis;
@@ -31,9 +29,7 @@ pub mod validation;
 pub mod yaw_equilibria;
 
 pub use dynamic_analysis::DynamicAnalysis;
+pub use file::SHIP;
 pub use model::Ship;
 pub use motion_analysis::{MotionAnalysis, MotionError, WaveRealisation};
-pub(crate) use read::ShipFile;
-pub(crate) use read::is_ship;
-pub use read::{Loaded, SHIP, load, parse};
-pub use static_analysis::{Equilibrium, StaticAnalysis};
+pub use static_analysis::{MooredEquilibrium, StaticAnalysis};

@@ -5,8 +5,10 @@ mod motion;
 
 use std::collections::BTreeMap;
 
-pub use loads::{Coefficients, Current, Drift, Interpolation, Wind};
-pub use motion::{Motion, MotionSource, SpectrumKind};
+pub(crate) use loads::CoefficientKeys;
+pub use loads::{CurrentLoad, DriftLoad, Interpolation, LoadCoefficients, WindLoad};
+pub(crate) use motion::MotionKeys;
+pub use motion::{MotionSettings, MotionSource, SpectrumKind};
 
 use crate::case::Mark;
 use crate::case::fields::{of, positive};
@@ -21,21 +23,21 @@ table! {
         /// The ship, water, air and gravity.
         ship: Particulars;
         /// The wind, and the ship's coefficients in it.
-        wind: Option<Wind>;
+        wind: Option<WindLoad>;
         /// The current, and the ship's coefficients in it.
-        current: Option<Current>;
+        current: Option<CurrentLoad>;
         /// Mean wave drift, and the ship's coefficients for it.
-        drift: Option<Drift>;
+        drift: Option<DriftLoad>;
         /// The mooring line at the bow, from an anchor on a flat seabed.
         mooring: Option<Mooring>;
         /// Mass, added mass, damping and restoring; matrices in SI units, six numbers for a diagonal or thirty-six by rows.
         hull: Option<Hull>;
         /// The ship's motion in waves, by the statistics of each degree of freedom or by its RAOs.
-        motion: Option<Motion>;
+        motion: Option<MotionSettings>;
         /// The coupled analysis of the ship as a rigid body and its anchor line in the time domain.
         coupled: Option<CoupledSettings>;
         /// The rope to a platform that follows the motion.
-        rope: Option<Rope>;
+        rope: Option<PlatformRope>;
         /// Published results of the motion.
         published: Vec<PublishedNumber>;
         /// Where an input comes from when the source does not print it, by key path.
@@ -146,7 +148,7 @@ table! {
 table! {
     /// The rope to a platform that follows the motion.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct Rope => RopeKeys {
+    pub struct PlatformRope => RopeKeys {
         /// The ropeway's file, relative to the folder of this one.
         ropeway: String, "ropeway";
         /// Bearing of the platform from the hang-off point, from the bow to port: 0 ahead, 90 abeam to port.

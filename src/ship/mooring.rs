@@ -1,7 +1,9 @@
 //! The mooring line: an elastic catenary on a flat seabed at a given horizontal pull.
 
 use crate::numerics::roots::Bracket;
-use crate::statics::catenary::{Bed, CatenaryError, Ends, Line, SectionProps};
+use crate::statics::catenary::{
+    CatenaryError, CatenaryLine, EndOffset, RigidBed, SectionProperties,
+};
 
 use super::model::{Mooring, Particulars};
 
@@ -61,12 +63,12 @@ pub fn solve_mooring(
         return Err(MooringError::TooShort { length, height });
     }
     let weight = mooring.wet_weight_kg_per_m * particulars.gravity_m_per_s2;
-    let sections = [SectionProps::new(length, weight, mooring.ea_n)];
+    let sections = [SectionProperties::new(length, weight, mooring.ea_n)];
     let at = |x_m: f64| {
-        Line {
-            ends: Ends { x_m, z_m: height },
+        CatenaryLine {
+            ends: EndOffset { x_m, z_m: height },
             sections: &sections,
-            bed: Some(Bed::default()),
+            bed: Some(RigidBed::default()),
             surface_above_a_m: None,
         }
         .solve()

@@ -17,12 +17,12 @@ pub struct StaticAnalysis {
     /// Mass, damping and restoring matrices; absent without `[hull]`.
     pub hull: Option<HullMatrices>,
     /// Every equilibrium, by ascending heading.
-    pub equilibria: Result<Vec<Equilibrium>, YawEquilibriumError>,
+    pub equilibria: Result<Vec<MooredEquilibrium>, YawEquilibriumError>,
 }
 
 /// An equilibrium of ship and mooring.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Equilibrium {
+pub struct MooredEquilibrium {
     /// Heading, loads and static stability.
     pub yaw: YawEquilibrium,
     /// The mooring line at the pull of this heading; absent without `[mooring]`.
@@ -31,7 +31,7 @@ pub struct Equilibrium {
     pub dynamics: Option<PlanarDynamics>,
 }
 
-impl Equilibrium {
+impl MooredEquilibrium {
     /// Dynamic stability; absent without `[hull]` or a mooring solution.
     #[must_use]
     pub fn dynamic_stability(&self) -> Option<DynamicStability> {
@@ -61,7 +61,7 @@ impl StaticAnalysis {
             let line = mooring.map(|mooring| solve_mooring(&ship.ship, mooring, yaw.pull));
             let solved = line.as_ref().and_then(|line| line.as_ref().ok());
             let planar = hull.as_ref().zip(solved);
-            Equilibrium {
+            MooredEquilibrium {
                 dynamics: planar.map(|(hull, line)| PlanarDynamics::new(hull, &loads, &yaw, line)),
                 line,
                 yaw,
@@ -79,13 +79,13 @@ impl StaticAnalysis {
 
     /// The governing equilibrium: the statically stable one of greatest yaw stiffness.
     #[must_use]
-    pub fn governing(&self) -> Option<&Equilibrium> {
+    pub fn governing(&self) -> Option<&MooredEquilibrium> {
         let equilibria = self.equilibria.as_ref().ok()?;
         let stable = equilibria
             .iter()
             .filter(|one| one.yaw.stability == YawStability::Stable);
         stable.max_by(|a, b| {
-            let stiffness = |one: &Equilibrium| one.yaw.yaw_stiffness;
+            let stiffness = |one: &MooredEquilibrium| one.yaw.yaw_stiffness;
             stiffness(a).total_cmp(&stiffness(b))
         })
     }

@@ -11,7 +11,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::loads::{EnvironmentalLoads, PlanarLoad};
-use crate::numerics::root_isolation::{BoundedCurvature, Root, isolate_roots};
+use crate::numerics::root_isolation::{BoundedCurvature, IsolatedRoot, isolate_roots};
 
 /// A heading at which the moment about the mooring point vanishes.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,12 +73,12 @@ pub enum YawEquilibriumError {
     Unbounded,
 }
 
-struct Moment<'a> {
+struct YawMoment<'a> {
     loads: &'a EnvironmentalLoads,
     rounding: f64,
 }
 
-impl BoundedCurvature for Moment<'_> {
+impl BoundedCurvature for YawMoment<'_> {
     fn at(&self, x: f64) -> (f64, f64) {
         self.loads.moment(x)
     }
@@ -100,7 +100,7 @@ pub fn yaw_equilibria(
     loads: &EnvironmentalLoads,
 ) -> Result<Vec<YawEquilibrium>, YawEquilibriumError> {
     let rounding = 1e-13 * loads.moment_bound();
-    let moment = Moment { loads, rounding };
+    let moment = YawMoment { loads, rounding };
     let found =
         isolate_roots(&moment, &loads.breakpoints()).ok_or(YawEquilibriumError::Unbounded)?;
     let mut equilibria: Vec<YawEquilibrium> = merged_at_pi(found)
@@ -115,13 +115,13 @@ pub fn yaw_equilibria(
 }
 
 /// Roots as intervals of headings; one that crosses ±π is one interval.
-fn merged_at_pi(found: Vec<Root>) -> Vec<(f64, f64)> {
+fn merged_at_pi(found: Vec<IsolatedRoot>) -> Vec<(f64, f64)> {
     const SAME: f64 = 1e-9;
     let mut ranges: Vec<(f64, f64)> = found
         .into_iter()
         .map(|root| match root {
-            Root::Point(x) => (x, x),
-            Root::Interval(a, b) => (a, b),
+            IsolatedRoot::Point(x) => (x, x),
+            IsolatedRoot::Interval(a, b) => (a, b),
         })
         .collect();
     if let ([first, .., last], true) = (ranges.as_slice(), ranges.len() > 1)

@@ -6,8 +6,8 @@ pub mod state;
 pub mod system;
 
 pub use newton::{Newton, NewtonError};
-pub use sink::{Instant, Progressing, Sink};
-pub use state::{Memory, RopeHistory, State};
+pub use sink::{AcceptedStep, Progressing, Sink};
+pub use state::{BodyOnBed, HistoryVariables, RopeHistory, State};
 pub use system::{
     ExplicitRhs, Factors, Hysteresis, Kinematics, MidstepBalance, Residual, StaticSearch,
 };

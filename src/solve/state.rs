@@ -3,24 +3,48 @@
 use serde::{Deserialize, Serialize};
 
 use crate::numerics::V3;
-use crate::physics::Grip;
-use crate::physics::sea::Flow;
+use crate::physics::FrictionAnchor;
+use crate::physics::sea::WaterMotion;
 
 /// History variables of the accepted steps. They change in [`Hysteresis`](super::Hysteresis) only, never while a step is
 /// tried: all trials of a step start from the same history.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct Memory {
+pub struct HistoryVariables {
     /// Normal drag coefficients of both halves of every segment, where a method freezes them over a step
     /// ([`freeze_drag_coefficients`](super::Hysteresis::freeze_drag_coefficients)). One entry a segment, or empty.
     #[serde(rename = "held_drag")]
     pub drag_coefficients: Vec<[f64; 2]>,
     /// Friction springs of the bed. One entry a node, or empty.
-    pub grips: Vec<Grip>,
+    pub grips: Vec<FrictionAnchor>,
     /// Tension history of ropes with dynamic stiffness. One entry a segment, or empty: the rope is then static.
     pub ropes: Vec<RopeHistory>,
+    /// Contact of bodies with the bed. One entry a body that may bear on it, or empty.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub bodies: Vec<BodyOnBed>,
+    /// Piece of the prescribed motion of end A and of end B: how many kinks of it are passed.
+    #[serde(skip_serializing_if = "is_first")]
+    pub motion_pieces: [usize; 2],
     /// Time of the last accepted step \[s\], where ropes have a history.
     pub time: f64,
+}
+
+/// Whether no kink is passed.
+fn is_first(pieces: &[usize; 2]) -> bool {
+    *pieces == [0, 0]
+}
+
+/// Contact of a body with the bed over the accepted steps.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct BodyOnBed {
+    /// Its friction spring.
+    pub grip: FrictionAnchor,
+    /// Whether suction holds it: it has borne on the bed, and has not been pulled off since.
+    pub stuck: bool,
+    /// Height of its bottom above the bed \[m\], and its rates \[m/s\], \[m/s²\].
+    pub height: [f64; 3],
+    /// The greatest speed normal to the bed at which it has landed \[m/s\]; 0 while it has not.
+    pub landing_speed: f64,
 }
 
 /// Tension history of a segment of rope over the accepted steps.
@@ -38,12 +62,14 @@ pub struct RopeHistory {
     pub tension: f64,
 }
 
-impl Memory {
+impl HistoryVariables {
     /// Copies another memory; allocates only where sizes differ.
     pub fn copy_from(&mut self, other: &Self) {
         self.drag_coefficients.clone_from(&other.drag_coefficients);
         self.grips.clone_from(&other.grips);
         self.ropes.clone_from(&other.ropes);
+        self.bodies.clone_from(&other.bodies);
+        self.motion_pieces = other.motion_pieces;
         self.time = other.time;
     }
 }
@@ -58,11 +84,11 @@ pub struct State {
     /// Accelerations.
     pub a: Vec<V3>,
     /// History variables.
-    pub memory: Memory,
+    pub memory: HistoryVariables,
     /// Wave kinematics at every node, written by
     /// [`update_wave_kinematics`](super::Kinematics::update_wave_kinematics). One entry a node, or empty.
     #[serde(skip)]
-    pub wave_flow: Vec<Flow>,
+    pub wave_flow: Vec<WaterMotion>,
     /// Tensions of the segments \[N\] extrapolated from the iteration before, for the geometric stiffness
     /// ([`extrapolate_tensions`](super::Residual::extrapolate_tensions)). One entry a segment, or empty: tensions then
     /// follow from strain.
@@ -83,7 +109,7 @@ impl State {
             x,
             v: vec![V3::zeros(); n],
             a: vec![V3::zeros(); n],
-            memory: Memory::default(),
+            memory: HistoryVariables::default(),
             wave_flow: Vec::new(),
             extrapolated_tension: Vec::new(),
             chord_correction: Vec::new(),
@@ -100,12 +126,5 @@ impl State {
         self.extrapolated_tension
             .clone_from(&other.extrapolated_tension);
         self.chord_correction.clone_from(&other.chord_correction);
-    }
-
-    /// Whether every number is finite.
-    #[must_use]
-    pub fn is_finite(&self) -> bool {
-        let finite = |list: &[V3]| list.iter().all(|p| p.iter().all(|c| c.is_finite()));
-        finite(&self.x) && finite(&self.v) && finite(&self.a)
     }
 }

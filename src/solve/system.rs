@@ -39,6 +39,17 @@ pub trait Kinematics: Sync {
     /// Sets position, velocity and acceleration of the prescribed nodes at time t \[s\].
     fn prescribe(&self, t: f64, state: &mut State);
 
+    /// The next time at which the velocity or acceleration of a prescribed node jumps \[s\], where steps must end; infinite if there
+    /// is none. Until it is [passed](Self::pass_kink) the motion before it is prescribed, at any time.
+    fn next_kink(&self, _state: &State) -> f64 {
+        f64::INFINITY
+    }
+
+    /// Passes the next kink at time t \[s\], and prescribes the motion after it. Returns whether a velocity jumps.
+    fn pass_kink(&self, _t: f64, _state: &mut State) -> bool {
+        false
+    }
+
     /// Writes the wave kinematics at the nodes at time t \[s\] into the state, for all evaluations at and near that
     /// state. A method calls it once for every state at which it evaluates forces, when positions are known or predicted;
     /// statics never does. Allocates at the first call only.

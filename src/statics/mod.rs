@@ -3,4 +3,3 @@
 pub mod catenary;
 mod continuation;
 pub mod equilibrium;
-pub mod reconfiguration;

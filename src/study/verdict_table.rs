@@ -4,11 +4,11 @@ use std::path::Path;
 
 use super::verdict::{CheckedNumber, TrialOutcome, TrialVerdict};
 use crate::number::{digits, si};
-use crate::report::table::{Align, Cell, CellInk, Table};
+use crate::report::table::{Align, Cell, CellStyle, Table};
 use crate::run::{Settings, Work};
 
 /// A row of the full table: a trial with one of its numbers.
-struct Row<'a> {
+struct TrialRow<'a> {
     verdict: &'a TrialVerdict,
     /// Number of the trial, from 1.
     trial: usize,
@@ -17,7 +17,7 @@ struct Row<'a> {
     number: Option<&'a CheckedNumber>,
 }
 
-impl Row<'_> {
+impl TrialRow<'_> {
     /// A cell of the trial, on its first row.
     fn once(&self, cell: impl Fn(&TrialVerdict) -> Cell) -> Cell {
         if self.first.1 {
@@ -36,10 +36,10 @@ impl Row<'_> {
 }
 
 /// The rows of a trial, one a number or one without any.
-fn rows_of(verdicts: &[TrialVerdict], index: usize) -> Vec<Row<'_>> {
+fn rows_of(verdicts: &[TrialVerdict], index: usize) -> Vec<TrialRow<'_>> {
     let verdict = &verdicts[index];
     let previous = index.checked_sub(1).map(|i| &verdicts[i].file);
-    let row = |(i, number)| Row {
+    let row = |(i, number)| TrialRow {
         verdict,
         trial: index + 1,
         first: (previous != Some(&verdict.file), i == 0),
@@ -56,10 +56,10 @@ fn rows_of(verdicts: &[TrialVerdict], index: usize) -> Vec<Row<'_>> {
 /// reasons of what was refused or is wrong, by the number of the trial.
 #[must_use]
 pub fn table(findings: &[TrialVerdict]) -> Table {
-    let rows: Vec<Row<'_>> = (0..findings.len())
+    let rows: Vec<TrialRow<'_>> = (0..findings.len())
         .flat_map(|index| rows_of(findings, index))
         .collect();
-    let count = |row: &Row<'_>, of: fn(&Work) -> u64| {
+    let count = |row: &TrialRow<'_>, of: fn(&Work) -> u64| {
         row.once(|v| Cell::plain(work(v, of).map_or_else(|| "-".to_owned(), |n| n.to_string())))
     };
     let notes = findings.iter().enumerate().filter_map(|(i, finding)| {
@@ -183,9 +183,9 @@ fn solver(settings: &Settings) -> String {
 
 fn outcome(finding: &TrialVerdict) -> Cell {
     let ink = match finding.outcome {
-        TrialOutcome::Wrong => CellInk::Bad,
-        _ if !finding.is_as_expected() => CellInk::Warn,
-        TrialOutcome::Ok | TrialOutcome::Refused => CellInk::Good,
+        TrialOutcome::Wrong => CellStyle::Bad,
+        _ if !finding.is_as_expected() => CellStyle::Warn,
+        TrialOutcome::Ok | TrialOutcome::Refused => CellStyle::Good,
     };
     Cell::new(finding.outcome.word(), ink)
 }

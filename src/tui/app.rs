@@ -16,11 +16,11 @@ use rustix::process::{
 };
 
 use super::effects::EffectRunner;
-use super::key::Key;
+use super::key::KeyPress;
 use super::msg::{Effect, Msg};
-use super::state::{AppState, Level, Overlay, Question};
+use super::state::{AppState, Overlay, Question, Severity};
 use super::terminal::capabilities::{self, Capabilities};
-use super::terminal::decode::{Decoder, Input};
+use super::terminal::decode::{Decoder, TerminalInput};
 use super::terminal::screen::{Screen, restore};
 use super::terminal::signals::{Signal, Signals};
 use super::terminal::wait::{read, wait};
@@ -30,7 +30,7 @@ use crate::report::chart::Glyphs;
 
 /// How the workbench is opened.
 #[derive(Debug, Clone, Default)]
-pub struct Options {
+pub struct WorkbenchOptions {
     /// A case file to open, or a directory of cases to list; absent: the shipped cases.
     pub path: Option<PathBuf>,
     /// Characters for the charts; absent: chosen from the environment.
@@ -63,7 +63,7 @@ pub enum OpenError {
 
 /// How the workbench ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum End {
+enum ExitReason {
     Quit,
     Signal(i32),
     HangUp,
@@ -71,7 +71,7 @@ enum End {
 
 /// Time between frames, and the longest wait for the rest of an escape sequence.
 #[derive(Debug, Clone, Copy)]
-struct Pace {
+struct Timing {
     frame: Duration,
     escape: Duration,
 }
@@ -85,7 +85,7 @@ const LISTEN: Duration = Duration::from_millis(30);
 ///
 /// # Errors
 /// When there is no terminal, the path is not there, or the terminal fails.
-pub fn open(options: &Options) -> Result<(), OpenError> {
+pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
     look_for_terminal()?;
     let (dir, file) = whereto(options)?;
     let var = |name: &str| std::env::var(name).ok();
@@ -100,12 +100,12 @@ pub fn open(options: &Options) -> Result<(), OpenError> {
     let signals = Signals::register()?;
     let mut screen = Screen::enter()?;
     let pace = if options.slow_link {
-        Pace {
+        Timing {
             frame: Duration::from_millis(250),
             escape: Duration::from_millis(400),
         }
     } else {
-        Pace {
+        Timing {
             frame: Duration::from_millis(100),
             escape: Duration::from_millis(80),
         }
@@ -125,17 +125,17 @@ pub fn open(options: &Options) -> Result<(), OpenError> {
 }
 
 /// Every way to end meets here.
-fn finish(ended: Result<io::Result<End>, Box<dyn Any + Send>>) -> Result<(), OpenError> {
+fn finish(ended: Result<io::Result<ExitReason>, Box<dyn Any + Send>>) -> Result<(), OpenError> {
     match ended {
-        Ok(Ok(End::HangUp)) => {
+        Ok(Ok(ExitReason::HangUp)) => {
             // Nothing can be reported; drops would try to write to the dead terminal.
             std::process::exit(129);
         }
-        Ok(Ok(End::Signal(number))) => {
+        Ok(Ok(ExitReason::Signal(number))) => {
             restore();
             std::process::exit(128 + number);
         }
-        Ok(Ok(End::Quit)) => {
+        Ok(Ok(ExitReason::Quit)) => {
             restore();
             Ok(())
         }
@@ -175,7 +175,7 @@ fn look_for_terminal() -> Result<(), OpenError> {
 }
 
 /// The directory to list, and the case to open at once.
-fn whereto(options: &Options) -> Result<(PathBuf, Option<PathBuf>), OpenError> {
+fn whereto(options: &WorkbenchOptions) -> Result<(PathBuf, Option<PathBuf>), OpenError> {
     let Some(path) = &options.path else {
         return Ok((
             case_library::default_dir().map_err(OpenError::NoCases)?,
@@ -204,7 +204,7 @@ fn guard_panics(sender: Sender<Msg>) {
             tell(info);
         } else {
             let words = format!("A fault in seacable: {info}");
-            drop(sender.send(Msg::Say(Level::Error, words)));
+            drop(sender.send(Msg::Say(Severity::Error, words)));
         }
     }));
 }
@@ -214,14 +214,14 @@ struct App<'a> {
     screen: &'a mut Screen,
     signals: Signals,
     effects: &'a mut EffectRunner,
-    pace: Pace,
+    pace: Timing,
     capabilities: Capabilities,
     /// Lets the tests see that a panic gives the terminal back.
     may_panic: bool,
 }
 
 impl App<'_> {
-    fn run(&mut self, file: Option<PathBuf>) -> io::Result<End> {
+    fn run(&mut self, file: Option<PathBuf>) -> io::Result<ExitReason> {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         self.state.jobs.limit = cores.saturating_sub(1).max(1);
         if self.capabilities.unsure {
@@ -249,7 +249,7 @@ impl App<'_> {
                 }
             }
         }
-        Ok(end.unwrap_or(End::Quit))
+        Ok(end.unwrap_or(ExitReason::Quit))
     }
 
     /// How long nothing needs to be done.
@@ -267,18 +267,20 @@ impl App<'_> {
         &mut self,
         decoder: &mut Decoder,
         limit: Option<Duration>,
-    ) -> io::Result<(Vec<Msg>, Option<End>)> {
+    ) -> io::Result<(Vec<Msg>, Option<ExitReason>)> {
         let began = Instant::now();
         let terminal = io::stdin();
         let woken = wait(terminal.as_fd(), self.signals.fd(), limit)?;
         if woken.hung_up {
-            return Ok((Vec::new(), Some(End::HangUp)));
+            return Ok((Vec::new(), Some(ExitReason::HangUp)));
         }
         let mut messages = Vec::new();
         for signal in self.signals.take() {
             match signal {
-                Signal::Terminate(number) => return Ok((messages, Some(End::Signal(number)))),
-                Signal::HangUp => return Ok((messages, Some(End::Signal(1)))),
+                Signal::Terminate(number) => {
+                    return Ok((messages, Some(ExitReason::Signal(number))));
+                }
+                Signal::HangUp => return Ok((messages, Some(ExitReason::Signal(1)))),
                 Signal::Stop => self.stop()?,
                 Signal::Continue => self.screen.reenter()?,
                 Signal::Resize => {}
@@ -290,22 +292,22 @@ impl App<'_> {
         if woken.input {
             let mut buffer = [0_u8; 4096];
             match read(terminal.as_fd(), &mut buffer)? {
-                None => return Ok((messages, Some(End::HangUp))),
+                None => return Ok((messages, Some(ExitReason::HangUp))),
                 Some(n) => inputs = decoder.feed(&buffer[..n]),
             }
         } else if decoder.waiting() && began.elapsed() >= self.pace.escape {
             inputs = decoder.give_up();
         }
         messages.extend(inputs.into_iter().map(|input| match input {
-            Input::Key(key) => Msg::Key(key),
-            Input::Paste(text) => Msg::Paste(text),
+            TerminalInput::Key(key) => Msg::Key(key),
+            TerminalInput::Paste(text) => Msg::Paste(text),
         }));
         messages.extend(self.effects.poll());
         Ok((messages, None))
     }
 
-    fn take(&mut self, message: Msg) -> io::Result<Option<End>> {
-        if self.may_panic && matches!(message, Msg::Key(Key::F(12))) {
+    fn take(&mut self, message: Msg) -> io::Result<Option<ExitReason>> {
+        if self.may_panic && matches!(message, Msg::Key(KeyPress::F(12))) {
             panic::panic_any("asked for by SEACABLE_MAY_PANIC");
         }
         let effects = update(&mut self.state, message);
@@ -313,10 +315,10 @@ impl App<'_> {
     }
 
     /// Does the effects, and the effects of what they answer.
-    fn perform(&mut self, effects: Vec<Effect>) -> io::Result<Option<End>> {
+    fn perform(&mut self, effects: Vec<Effect>) -> io::Result<Option<ExitReason>> {
         for effect in effects {
             match effect {
-                Effect::Quit => return Ok(Some(End::Quit)),
+                Effect::Quit => return Ok(Some(ExitReason::Quit)),
                 Effect::Repaint => self.screen.repaint()?,
                 Effect::Suspend => self.suspend(),
                 Effect::Copy(text) => self.copy(&text)?,
@@ -344,12 +346,12 @@ impl App<'_> {
         if alone {
             // Stopped without a shell above, nothing could ever bring it back.
             self.state.say(
-                Level::Info,
+                Severity::Info,
                 "There is no shell behind this terminal that `fg` could be typed in.",
             );
         } else if let Err(error) = kill_current_process_group(Sig::TSTP) {
             self.state.say(
-                Level::Warning,
+                Severity::Warning,
                 format!("The program cannot be stopped: {error}."),
             );
         }
@@ -370,7 +372,7 @@ impl App<'_> {
         self.screen.reenter()?;
         Ok(match ended {
             Ok(()) => Msg::Edited(external_editor::read(path)),
-            Err(why) => Msg::Say(Level::Error, why),
+            Err(why) => Msg::Say(Severity::Error, why),
         })
     }
 
@@ -393,7 +395,7 @@ impl App<'_> {
             ),
             Err(error) => format!("Offered to the clipboard of your terminal; no file: {error}."),
         };
-        self.state.say(Level::Info, words);
+        self.state.say(Severity::Info, words);
         Ok(())
     }
 }

@@ -6,12 +6,11 @@ use std::path::{Path, PathBuf};
 
 use etcetera::base_strategy::{BaseStrategy, Xdg};
 
-use super::file_reader;
-use super::state::{CaseEntry, Content};
+use super::state::{CaseEntry, DocumentContent};
 use crate::case::{self, render_all};
 use crate::files::Target;
 
-pub use crate::case::shipped::{BESIDE, ROPEWAYS, SECTIONS, SHIPPED, SHIPS};
+use crate::case::shipped::{BESIDE, BY_KIND};
 
 /// The case on which the list opens.
 pub const FIRST: &str = "pendulous/manifold.toml";
@@ -30,8 +29,8 @@ pub fn default_dir() -> io::Result<PathBuf> {
         return Ok(here);
     }
     let dir = data_dir()?.join("cases");
-    let shipped = [SHIPPED, SECTIONS, SHIPS, ROPEWAYS, BESIDE].concat();
-    for (name, text) in shipped {
+    let by_kind = BY_KIND.iter().flat_map(|(_, files)| *files);
+    for (name, text) in by_kind.chain(BESIDE) {
         let path = dir.join(name);
         if !path.exists() {
             if let Some(parent) = path.parent() {
@@ -72,14 +71,14 @@ fn entry(dir: &Path, path: PathBuf) -> CaseEntry {
         .unwrap_or(&path)
         .display()
         .to_string();
-    let about = match file_reader::read(&path) {
+    let about = match DocumentContent::read(&path) {
         Ok((_, content)) => {
-            let kind = content.kind();
+            let kind = content.kind().info();
             let title = match &content {
-                Content::Line(_) => kind.title().to_owned(),
-                _ => format!("{}: {}", kind.name(), kind.title()),
+                DocumentContent::Line(_) => kind.title.to_owned(),
+                _ => format!("{}: {}", kind.name, kind.title),
             };
-            Ok((title, kind.source().to_owned()))
+            Ok((title, kind.source.to_owned()))
         }
         Err(all) => {
             let line = all.first().map_or_else(String::new, |d| {
@@ -126,13 +125,17 @@ mod tests {
 
     #[test]
     fn the_list_opens_on_a_case_that_is_there() {
-        assert!(SHIPPED.iter().any(|(name, _)| *name == FIRST));
+        assert!(
+            case::shipped::SHIPPED
+                .iter()
+                .any(|(name, _)| *name == FIRST)
+        );
     }
 
     #[test]
     fn a_cross_section_is_listed_as_one() {
         let dir = tempfile::tempdir().unwrap();
-        let (name, text) = SECTIONS[0];
+        let (name, text) = case::shipped::SECTIONS[0];
         let path = dir.path().join("cable.toml");
         fs::write(&path, text).unwrap();
         let (title, source) = list(dir.path())[0].about.clone().unwrap();

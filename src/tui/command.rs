@@ -6,7 +6,7 @@
     reason = "every command has one line of help where it is listed"
 )]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Id {
+pub enum CommandId {
     Open,
     Filter,
     Reload,
@@ -83,7 +83,7 @@ pub enum Id {
 #[derive(Debug, Clone, Copy)]
 pub struct Command {
     /// What it does.
-    pub id: Id,
+    pub id: CommandId,
     /// Its keys, the one shown in the footer first.
     pub keys: &'static [&'static str],
     /// Two words for the footer; empty: not in the footer.
@@ -91,12 +91,12 @@ pub struct Command {
     /// One line for help and palette.
     pub doc: &'static str,
     /// Position in footer, help and palette; commands of the same order stay as listed.
-    pub order: Order,
+    pub order: CommandOrder,
 }
 
 /// Where a command appears in footer, help and palette.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Order {
+pub enum CommandOrder {
     /// The main commands of a pane.
     Main,
     /// The main commands of a kind of file.
@@ -124,8 +124,8 @@ pub enum Order {
 /// A command of this order.
 #[must_use]
 pub const fn command(
-    order: Order,
-    id: Id,
+    order: CommandOrder,
+    id: CommandId,
     keys: &'static [&'static str],
     label: &'static str,
     doc: &'static str,
@@ -142,137 +142,108 @@ pub const fn command(
 /// A main command of a pane.
 #[must_use]
 pub const fn main(
-    id: Id,
+    id: CommandId,
     keys: &'static [&'static str],
     label: &'static str,
     doc: &'static str,
 ) -> Command {
-    command(Order::Main, id, keys, label, doc)
+    command(CommandOrder::Main, id, keys, label, doc)
 }
 
 /// Another command of a pane; without a label it is in help and palette only.
 #[must_use]
 pub const fn other(
-    id: Id,
+    id: CommandId,
     keys: &'static [&'static str],
     label: &'static str,
     doc: &'static str,
 ) -> Command {
-    command(Order::Other, id, keys, label, doc)
+    command(CommandOrder::Other, id, keys, label, doc)
 }
 
 /// The command that writes what a pane shows.
 #[must_use]
 pub const fn write(doc: &'static str) -> Command {
-    command(Order::Write, Id::Write, &["w"], "write", doc)
+    command(CommandOrder::Write, CommandId::Write, &["w"], "write", doc)
 }
 
 /// Sorts the table of a pane.
-pub const SORT: Command = other(
-    Id::Sort,
-    &["o"],
-    "sort",
-    "Sort by the next column; after the last: in the original order",
-);
+#[rustfmt::skip]
+pub const SORT: Command = other(CommandId::Sort, &["o"], "sort", "Sort by the next column; after the last: in the original order");
 
 /// Of a line case.
 #[rustfmt::skip] // a table: one command a line
 pub const LINE: &[Command] = &[
-    command(Order::Kind, Id::Run, &["R"], "run", "Run the case with the chosen solver and store the run"),
-    command(Order::Kind, Id::Validate, &["V"], "validate", "Run everything that the validation table needs"),
-    command(Order::Setup, Id::Method, &["M"], "solver", "Change to the next solver: static, quasi, rk4, alpha"),
-    command(Order::Setup, Id::Study, &["S"], "study", "Run all variants of a study and overlay them"),
-    command(Order::Setup, Id::Keep, &["K"], "keep", "Keep the live run on disk"),
-    command(Order::Rare, Id::Trials, &["T"], "trials", "Compute the trials of this hard case, and compare them with the results required"),
+    command(CommandOrder::Kind, CommandId::Run, &["R"], "run", "Run the case with the chosen solver and store the run"),
+    command(CommandOrder::Kind, CommandId::Validate, &["V"], "validate", "Run everything that the validation table needs"),
+    command(CommandOrder::Setup, CommandId::Method, &["M"], "solver", "Change to the next solver: static, quasi, rk4, alpha"),
+    command(CommandOrder::Setup, CommandId::Study, &["S"], "study", "Run all variants of a study and overlay them"),
+    command(CommandOrder::Setup, CommandId::Keep, &["K"], "keep", "Keep the live run on disk"),
+    command(CommandOrder::Rare, CommandId::Trials, &["T"], "trials", "Compute the trials of this hard case, and compare them with the results required"),
 ];
 
 /// Of a file other than a line case.
 #[rustfmt::skip]
 pub const MODEL: &[Command] = &[
-    command(Order::Kind, Id::LineInput, &["M"], "for line", "Write the input for a line case to a file: a section's material, a ropeway's rope, the motion of a ship's hang point"),
-    command(Order::Rare, Id::Write, &["w"], "write", "Write the report to a text file; from the validation pane: its table; from a section's drawing: the drawing"),
-    command(Order::Rare, Id::Copy, &["y"], "copy", "Copy the table [materials.<name>] to the clipboard of your terminal, and write it to a file"),
+    command(CommandOrder::Kind, CommandId::LineInput, &["M"], "for line", "Write the input for a line case to a file: a section's material, a ropeway's rope, the motion of a ship's hang point"),
+    command(CommandOrder::Rare, CommandId::Write, &["w"], "write", "Write the report to a text file; from the validation pane: its table; from a section's drawing: the drawing"),
+    command(CommandOrder::Rare, CommandId::Copy, &["y"], "copy", "Copy the table [materials.<name>] to the clipboard of your terminal, and write it to a file"),
 ];
 
 /// Of every open file.
 #[rustfmt::skip]
 pub const DOCUMENT: &[Command] = &[
-    command(Order::Next, Id::NextPane, &["tab"], "pane", "Go to the next pane"),
-    command(Order::Document, Id::Save, &["s"], "save", "Save the case to its file, with your comments kept"),
-    command(Order::Document, Id::Undo, &["u"], "undo", "Undo the last edit"),
-    command(Order::Document, Id::Back, &["esc", "b"], "cases", "Back to the list of cases"),
-    command(Order::Rare, Id::Redo, &["U", "ctrl+r"], "", "Redo the edit undone last"),
-    command(Order::Motion, Id::PreviousPane, &["shift+tab"], "", "Go to the previous pane"),
+    command(CommandOrder::Next, CommandId::NextPane, &["tab"], "pane", "Go to the next pane"),
+    command(CommandOrder::Document, CommandId::Save, &["s"], "save", "Save the case to its file, with your comments kept"),
+    command(CommandOrder::Document, CommandId::Undo, &["u"], "undo", "Undo the last edit"),
+    command(CommandOrder::Document, CommandId::Back, &["esc", "b"], "cases", "Back to the list of cases"),
+    command(CommandOrder::Rare, CommandId::Redo, &["U", "ctrl+r"], "", "Redo the edit undone last"),
+    command(CommandOrder::Motion, CommandId::PreviousPane, &["shift+tab"], "", "Go to the previous pane"),
 ];
 
 /// Filter of a list.
-pub const FILTER: Command = command(
-    Order::Setup,
-    Id::Filter,
-    &["/"],
-    "filter",
-    "Type letters that the lines must contain; Enter keeps, Esc drops the filter",
-);
+#[rustfmt::skip]
+pub const FILTER: Command = command(CommandOrder::Setup, CommandId::Filter, &["/"], "filter", "Type letters that the lines must contain; Enter keeps, Esc drops the filter");
 
 /// The cursor one line down.
-pub const DOWN: Command = command(Order::Motion, Id::Down, &["j", "down"], "", "Down");
+#[rustfmt::skip]
+pub const DOWN: Command = command(CommandOrder::Motion, CommandId::Down, &["j", "down"], "", "Down");
 
 /// Cursor and scrolling in a list, without [`DOWN`].
 #[rustfmt::skip]
 pub const LIST: &[Command] = &[
-    command(Order::Motion, Id::Up, &["k", "up"], "", "Up"),
-    command(Order::Motion, Id::PageDown, &["pgdn", "ctrl+d"], "", "A page down"),
-    command(Order::Motion, Id::PageUp, &["pgup", "ctrl+u"], "", "A page up"),
-    command(Order::Motion, Id::Top, &["g", "home"], "", "To the first line"),
-    command(Order::Motion, Id::Bottom, &["G", "end"], "", "To the last line"),
+    command(CommandOrder::Motion, CommandId::Up, &["k", "up"], "", "Up"),
+    command(CommandOrder::Motion, CommandId::PageDown, &["pgdn", "ctrl+d"], "", "A page down"),
+    command(CommandOrder::Motion, CommandId::PageUp, &["pgup", "ctrl+u"], "", "A page up"),
+    command(CommandOrder::Motion, CommandId::Top, &["g", "home"], "", "To the first line"),
+    command(CommandOrder::Motion, CommandId::Bottom, &["G", "end"], "", "To the last line"),
 ];
 
 /// Scrolling of what may be wider than the screen.
+#[rustfmt::skip]
 pub const WIDE: &[Command] = &[
-    command(
-        Order::Motion,
-        Id::ScrollRight,
-        &["l", "right"],
-        "",
-        "Scroll right",
-    ),
-    command(
-        Order::Motion,
-        Id::ScrollLeft,
-        &["h", "left"],
-        "",
-        "Scroll left",
-    ),
+    command(CommandOrder::Motion, CommandId::ScrollRight, &["l", "right"], "", "Scroll right"),
+    command(CommandOrder::Motion, CommandId::ScrollLeft, &["h", "left"], "", "Scroll left"),
 ];
 
 /// What works everywhere.
 #[rustfmt::skip]
 pub const EVERYWHERE: &[Command] = &[
-    command(Order::Everywhere, Id::Help, &["?", "f1"], "help", "Show every key that works here"),
-    command(Order::Everywhere, Id::Palette, &[":"], "", "Find a command by its name"),
-    command(Order::Everywhere, Id::Glyphs, &[], "", "Change between braille and ASCII characters, and remember it"),
-    command(Order::Everywhere, Id::Messages, &[], "", "Show the messages so far"),
-    command(Order::Everywhere, Id::Redraw, &["ctrl+l"], "", "Paint the screen anew"),
-    command(Order::Everywhere, Id::Interrupt, &["ctrl+c"], "", "Cancel the running job; pressed again: quit"),
-    command(Order::Everywhere, Id::Suspend, &["ctrl+z"], "", "Stop the program; `fg` in the shell brings it back"),
-    command(Order::Everywhere, Id::Quit, &["q"], "quit", "Quit (asks when work would be lost)"),
+    command(CommandOrder::Everywhere, CommandId::Help, &["?", "f1"], "help", "Show every key that works here"),
+    command(CommandOrder::Everywhere, CommandId::Palette, &[":"], "", "Find a command by its name"),
+    command(CommandOrder::Everywhere, CommandId::Glyphs, &[], "", "Change between braille and ASCII characters, and remember it"),
+    command(CommandOrder::Everywhere, CommandId::Messages, &[], "", "Show the messages so far"),
+    command(CommandOrder::Everywhere, CommandId::Redraw, &["ctrl+l"], "", "Paint the screen anew"),
+    command(CommandOrder::Everywhere, CommandId::Interrupt, &["ctrl+c"], "", "Cancel the running job; pressed again: quit"),
+    command(CommandOrder::Everywhere, CommandId::Suspend, &["ctrl+z"], "", "Stop the program; `fg` in the shell brings it back"),
+    command(CommandOrder::Everywhere, CommandId::Quit, &["q"], "quit", "Quit (asks when work would be lost)"),
 ];
 
 /// The key of a pane by its number, counted from 1.
 #[must_use]
 pub fn pane(number: usize, doc: &'static str) -> Option<Command> {
-    const KEYS: [&[&str]; 9] = [
-        &["1"],
-        &["2"],
-        &["3"],
-        &["4"],
-        &["5"],
-        &["6"],
-        &["7"],
-        &["8"],
-        &["9"],
-    ];
-    let keys = KEYS.get(number.checked_sub(1)?)?;
-    let id = Id::Pane(u8::try_from(number).ok()?);
-    Some(command(Order::Pane, id, keys, "", doc))
+    const KEYS: &[&str] = &["1", "2", "3", "4", "5", "6", "7", "8", "9"];
+    let keys = KEYS.get(number.checked_sub(1)?..number)?;
+    let id = CommandId::Pane(u8::try_from(number).ok()?);
+    Some(command(CommandOrder::Pane, id, keys, "", doc))
 }

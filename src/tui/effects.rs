@@ -22,12 +22,12 @@ use super::msg::{Effect, Msg};
 use super::recovery;
 use super::state::modes::COUNT;
 use super::state::trials::TrialsOf;
-use super::state::{Curves, Level, Ticket};
+use super::state::{JobNumber, RunCurves, Severity};
 use crate::case;
 use crate::modes;
-use crate::run::job::{self, Event, Job, JobId, Request};
-use crate::run::store::{self, RunLocation, Writer};
-use crate::run::{Resume, resume_request};
+use crate::run::job::{self, Job, JobEvent, JobId, Request};
+use crate::run::store::{self, RunLocation, RunWriter};
+use crate::run::{ResumedRun, resume_request};
 use crate::ship::DynamicAnalysis;
 
 /// What is outside of the state.
@@ -36,9 +36,9 @@ pub struct EffectRunner {
     dir: PathBuf,
     sender: Sender<Msg>,
     receiver: Receiver<Msg>,
-    jobs: HashMap<Ticket, RunningJob>,
+    jobs: HashMap<JobNumber, RunningJob>,
     /// The trials that compute, and the flag that stops them.
-    trials: Option<(Ticket, Arc<AtomicBool>)>,
+    trials: Option<(JobNumber, Arc<AtomicBool>)>,
     /// Threads that read or work something out aside.
     aside: Arc<AtomicUsize>,
 }
@@ -48,7 +48,7 @@ pub struct EffectRunner {
 #[derive(Debug)]
 struct RunningJob {
     job: Job,
-    fresh: Arc<Mutex<Curves>>,
+    fresh: Arc<Mutex<RunCurves>>,
 }
 
 /// How many of its events a job may be ahead of the thread that stores them.
@@ -86,7 +86,7 @@ impl EffectRunner {
         let mut heard: Vec<Msg> = self.receiver.try_iter().collect();
         for msg in &heard {
             let ended = match msg {
-                Msg::Job(ticket, event) if matches!(**event, Event::Finished(_)) => Some(ticket),
+                Msg::Job(ticket, event) if matches!(**event, JobEvent::Finished(_)) => Some(ticket),
                 Msg::JobFailed(ticket, _) => Some(ticket),
                 _ => None,
             };
@@ -117,7 +117,7 @@ impl EffectRunner {
             Err(error) => {
                 self.aside.fetch_sub(1, Ordering::SeqCst);
                 let words = format!("The system gives no thread: {error}.");
-                vec![Msg::Say(Level::Error, words)]
+                vec![Msg::Say(Severity::Error, words)]
             }
         }
     }
@@ -187,7 +187,7 @@ impl EffectRunner {
         vec![answer]
     }
 
-    fn cancel(&self, ticket: Ticket) -> Vec<Msg> {
+    fn cancel(&self, ticket: JobNumber) -> Vec<Msg> {
         if let Some((_, cancel)) = self.trials.as_ref().filter(|(t, _)| *t == ticket) {
             cancel.store(true, Ordering::Relaxed);
         }
@@ -197,7 +197,7 @@ impl EffectRunner {
         Vec::new()
     }
 
-    fn start_trials(&mut self, ticket: Ticket, of: TrialsOf) -> Vec<Msg> {
+    fn start_trials(&mut self, ticket: JobNumber, of: TrialsOf) -> Vec<Msg> {
         let cancel = Arc::new(AtomicBool::new(false));
         self.trials = Some((ticket, Arc::clone(&cancel)));
         let out = self.sender.clone();
@@ -208,9 +208,9 @@ impl EffectRunner {
     /// that a slow disk never holds the screen up.
     fn start(
         &mut self,
-        ticket: Ticket,
+        ticket: JobNumber,
         request: Request,
-        from: Option<Resume>,
+        from: Option<ResumedRun>,
         store: bool,
     ) -> Vec<Msg> {
         let writer = match store.then(|| begin(&request)).transpose() {
@@ -223,7 +223,7 @@ impl EffectRunner {
         }
         let (events, said) = bounded(AHEAD);
         let started = job::start(request, from, events).and_then(|job| {
-            let fresh = Arc::new(Mutex::new(Curves::default()));
+            let fresh = Arc::new(Mutex::new(RunCurves::default()));
             let (out, record) = (self.sender.clone(), Arc::clone(&fresh));
             std::thread::Builder::new()
                 .name(format!("relay-{ticket}"))
@@ -246,24 +246,24 @@ impl EffectRunner {
 fn warning(result: io::Result<()>, what: &str) -> Vec<Msg> {
     result
         .err()
-        .map(|error| Msg::Say(Level::Warning, format!("{what}: {error}.")))
+        .map(|error| Msg::Say(Severity::Warning, format!("{what}: {error}.")))
         .into_iter()
         .collect()
 }
 
 /// Passes on the events of a job; returns after the last, or when nothing receives them.
 fn relay(
-    ticket: Ticket,
-    said: &Receiver<(JobId, Event)>,
-    mut writer: Option<Writer>,
-    record: &Mutex<Curves>,
+    ticket: JobNumber,
+    said: &Receiver<(JobId, JobEvent)>,
+    mut writer: Option<RunWriter>,
+    record: &Mutex<RunCurves>,
     out: &Sender<Msg>,
 ) {
     let mut complaint = None;
     for (_, event) in said {
         let mut event = event;
-        let last = matches!(event, Event::Finished(_));
-        if let Event::Finished(run) = &mut event {
+        let last = matches!(event, JobEvent::Finished(_));
+        if let JobEvent::Finished(run) = &mut event {
             if let Some(writer) = writer.take() {
                 writer.id().clone_into(&mut run.info.id);
                 complaint = complaint.or(writer.finish(run).err());
@@ -277,14 +277,14 @@ fn relay(
         }
         if let Some(error) = complaint.take() {
             let words = format!("The run cannot be stored: {error}");
-            drop(out.send(Msg::Say(Level::Error, words)));
+            drop(out.send(Msg::Say(Severity::Error, words)));
         }
         let recorded = || record.lock().unwrap_or_else(PoisonError::into_inner);
         match event {
-            Event::Frame(frame) => recorded().push(*frame),
-            Event::Checkpoint(_) => {}
+            JobEvent::Frame(frame) => recorded().push(*frame),
+            JobEvent::Checkpoint(_) => {}
             event => {
-                if let Event::Started { channels } = &event {
+                if let JobEvent::Started { channels } = &event {
                     recorded().begin(channels.clone());
                 }
                 if out.send(Msg::Job(ticket, Box::new(event))).is_err() || last {
@@ -297,8 +297,8 @@ fn relay(
     drop(out.send(Msg::JobFailed(ticket, words)));
 }
 
-fn begin(request: &Request) -> Result<Writer, store::StoreError> {
-    Writer::begin(
+fn begin(request: &Request) -> Result<RunWriter, store::StoreError> {
+    RunWriter::begin(
         &RunLocation::Below(PathBuf::from(store::DEFAULT_ROOT)),
         request.initial_info(),
         &case::stand_alone(&request.text, &request.case),

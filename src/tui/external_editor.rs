@@ -3,7 +3,8 @@
 use std::path::Path;
 use std::process::Command;
 
-use super::{case_library, file_reader};
+use super::case_library;
+use super::state::DocumentContent;
 
 /// Runs the editor that `VISUAL` or `EDITOR` names, with its words, else `vi`, until it ends.
 ///
@@ -34,26 +35,26 @@ pub(super) fn run(path: &Path) -> Result<(), String> {
 /// # Errors
 /// All that is wrong with it, with the lines meant.
 pub(super) fn read(path: &Path) -> Result<String, String> {
-    let read = file_reader::read(path).map(|(text, _)| text);
+    let read = DocumentContent::read(path).map(|(text, _)| text);
     read.map_err(|all| case_library::story(path, &all))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kinds::Kind;
+    use crate::kinds::FileType;
 
     #[test]
     fn files_of_every_kind_are_read() {
         let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases");
         for (file, kind) in [
-            ("pendulous/manifold.toml", Kind::Line),
-            ("umbilical/section.toml", Kind::Section),
-            ("ropeway/span_40.toml", Kind::Ropeway),
-            ("ship/coupled.toml", Kind::Ship),
+            ("pendulous/manifold.toml", FileType::Line),
+            ("umbilical/section.toml", FileType::Section),
+            ("ropeway/span_40.toml", FileType::Ropeway),
+            ("ship/coupled.toml", FileType::Ship),
         ] {
             let path = cases.join(file);
-            assert_eq!(Kind::of(&path), kind, "{file}");
+            assert_eq!(FileType::of(&path), kind, "{file}");
             assert_eq!(read(&path), Ok(std::fs::read_to_string(&path).unwrap()));
         }
     }

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::case::{self, At, Case};
+use crate::case::{self, Case, StudyPoint};
 use crate::reference;
 use crate::report::chart::Glyphs;
 use crate::run::Run;
@@ -83,7 +83,7 @@ fn sentences(d: &case::Diagnostic) -> String {
 
 /// A point of a study in words: `current speed 0.2 m/s`.
 #[must_use]
-pub fn at_label(case: &Case, at: &At) -> String {
+pub fn at_label(case: &Case, at: &StudyPoint) -> String {
     let study = case.study.iter().find(|s| s.name == at.study);
     let key = study.map_or(at.study.as_str(), |s| s.key.as_str());
     let path: Vec<&str> = key.split('.').collect();
@@ -101,7 +101,7 @@ pub fn at_label(case: &Case, at: &At) -> String {
 pub fn variant(
     text: &str,
     case: &Case,
-    at: Option<&At>,
+    at: Option<&StudyPoint>,
     file: &str,
 ) -> Result<(String, Case), String> {
     let Some(at) = at else {
@@ -121,7 +121,7 @@ pub fn variant(
 
 /// Compares runs with the published values.
 #[must_use]
-pub fn checks(case: &Case, runs: &[(Option<At>, Arc<Run>)]) -> Vec<ValidationRow> {
+pub fn checks(case: &Case, runs: &[(Option<StudyPoint>, Arc<Run>)]) -> Vec<ValidationRow> {
     reference::rows(case, &|at| {
         runs.iter()
             .find(|(have, _)| have.as_ref() == at)

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::msg::Msg;
-use super::state::Level;
+use super::state::Severity;
 use crate::files::{Existing, Target, WriteError};
 use crate::visible;
 
@@ -37,16 +37,22 @@ pub(super) fn write_text(path: &Path, text: &str, what: &str) -> Msg {
     for target in std::iter::once(path.to_owned()).chain(numbered) {
         match Target::new(&target).write(text.as_bytes()) {
             Ok(()) => {
-                return Msg::Say(Level::Info, format!("{what} is in {}.", target.display()));
+                return Msg::Say(
+                    Severity::Info,
+                    format!("{what} is in {}.", target.display()),
+                );
             }
             Err(WriteError::Exists(_) | WriteError::IsLink(_) | WriteError::NotRegular(_)) => {}
             Err(error) => {
-                return Msg::Say(Level::Error, format!("{what} cannot be written: {error}."));
+                return Msg::Say(
+                    Severity::Error,
+                    format!("{what} cannot be written: {error}."),
+                );
             }
         }
     }
     let words = format!("{what} finds no free name beside {}.", path.display());
-    Msg::Say(Level::Error, words)
+    Msg::Say(Severity::Error, words)
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use std::str::FromStr;
 /// A key press. Modifiers other than Ctrl on letters are left out on purpose: they do not pass
 /// every terminal, multiplexer and slow link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Key {
+pub enum KeyPress {
     /// A printable character.
     Char(char),
     /// Ctrl and a lower-case letter.
@@ -47,26 +47,26 @@ pub enum Key {
 }
 
 /// Names of the keys that are not a character.
-const NAMES: [(&str, Key); 16] = [
-    ("enter", Key::Enter),
-    ("esc", Key::Esc),
-    ("tab", Key::Tab),
-    ("shift+tab", Key::BackTab),
-    ("backspace", Key::Backspace),
-    ("del", Key::Delete),
-    ("ins", Key::Insert),
-    ("up", Key::Up),
-    ("down", Key::Down),
-    ("left", Key::Left),
-    ("right", Key::Right),
-    ("home", Key::Home),
-    ("end", Key::End),
-    ("pgup", Key::PageUp),
-    ("pgdn", Key::PageDown),
-    ("space", Key::Char(' ')),
+const NAMES: [(&str, KeyPress); 16] = [
+    ("enter", KeyPress::Enter),
+    ("esc", KeyPress::Esc),
+    ("tab", KeyPress::Tab),
+    ("shift+tab", KeyPress::BackTab),
+    ("backspace", KeyPress::Backspace),
+    ("del", KeyPress::Delete),
+    ("ins", KeyPress::Insert),
+    ("up", KeyPress::Up),
+    ("down", KeyPress::Down),
+    ("left", KeyPress::Left),
+    ("right", KeyPress::Right),
+    ("home", KeyPress::Home),
+    ("end", KeyPress::End),
+    ("pgup", KeyPress::PageUp),
+    ("pgdn", KeyPress::PageDown),
+    ("space", KeyPress::Char(' ')),
 ];
 
-impl fmt::Display for Key {
+impl fmt::Display for KeyPress {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some((name, _)) = NAMES.iter().find(|(_, k)| k == self) {
             return f.write_str(name);
@@ -85,12 +85,12 @@ impl fmt::Display for Key {
 #[error(
     "`{0}` is no key; keys are a character, `ctrl+` and a letter, `f1` to `f12`, or a name such as `enter`"
 )]
-pub struct UnknownKey(pub String);
+pub struct KeyNameError(pub String);
 
-impl FromStr for Key {
-    type Err = UnknownKey;
+impl FromStr for KeyPress {
+    type Err = KeyNameError;
 
-    fn from_str(text: &str) -> Result<Self, UnknownKey> {
+    fn from_str(text: &str) -> Result<Self, KeyNameError> {
         if let Some((_, key)) = NAMES.iter().find(|(n, _)| *n == text) {
             return Ok(*key);
         }
@@ -113,7 +113,7 @@ impl FromStr for Key {
         {
             return Ok(Self::F(n));
         }
-        Err(UnknownKey(text.to_owned()))
+        Err(KeyNameError(text.to_owned()))
     }
 }
 
@@ -123,13 +123,13 @@ mod tests {
 
     #[test]
     fn every_name_reads_back_as_the_key_it_came_from() {
-        let mut keys: Vec<Key> = NAMES.iter().map(|(_, k)| *k).collect();
+        let mut keys: Vec<KeyPress> = NAMES.iter().map(|(_, k)| *k).collect();
         keys.extend([
-            Key::Ctrl('r'),
-            Key::F(11),
-            Key::Char('?'),
-            Key::Char('+'),
-            Key::Char('é'),
+            KeyPress::Ctrl('r'),
+            KeyPress::F(11),
+            KeyPress::Char('?'),
+            KeyPress::Char('+'),
+            KeyPress::Char('é'),
         ]);
         for key in keys {
             assert_eq!(key.to_string().parse(), Ok(key));
@@ -139,7 +139,7 @@ mod tests {
     #[test]
     fn nonsense_is_refused() {
         for text in ["", "ctrl+", "ctrl+R", "f13", "meta+x", "ab"] {
-            assert_eq!(text.parse::<Key>(), Err(UnknownKey(text.to_owned())));
+            assert_eq!(text.parse::<KeyPress>(), Err(KeyNameError(text.to_owned())));
         }
     }
 }

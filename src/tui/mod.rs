@@ -16,7 +16,6 @@ pub mod command;
 pub mod effects;
 mod external_editor;
 pub mod facade;
-mod file_reader;
 mod files;
 pub mod key;
 pub mod line_tables;
@@ -33,7 +32,7 @@ pub mod theme;
 pub mod update;
 pub mod view;
 
-pub use app::{OpenError, Options, open};
+pub use app::{OpenError, WorkbenchOptions, open};
 pub use msg::{Effect, Msg};
 pub use state::AppState;
 pub use update::update;

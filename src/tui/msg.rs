@@ -4,41 +4,41 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use super::key::Key;
+use super::key::KeyPress;
 use super::state::trials::{TrialProgress, TrialsOf};
-use super::state::{CaseEntry, Content, Curves, Level, RunEntry, Ticket};
+use super::state::{CaseEntry, DocumentContent, JobNumber, RunCurves, RunEntry, Severity};
 use crate::case::Case;
 use crate::modes::LineModes;
 use crate::report::chart::Glyphs;
-use crate::run::job::{Event, Request};
-use crate::run::{Resume, Run};
+use crate::run::job::{JobEvent, Request};
+use crate::run::{ResumedRun, Run};
 use crate::ship::{DynamicAnalysis, StaticAnalysis};
 
 /// Something happened.
 #[derive(Debug, Clone)]
 pub enum Msg {
     /// A key was pressed.
-    Key(Key),
+    Key(KeyPress),
     /// Text was pasted.
     Paste(String),
     /// The terminal has this size.
     Resize(u16, u16),
     /// A job said something.
-    Job(Ticket, Box<Event>),
+    Job(JobNumber, Box<JobEvent>),
     /// The text of the open file as an editor left it, or all that is wrong with it.
     Edited(Result<String, String>),
     /// The natural modes of the case with this text, or why there are none.
     Modes(String, Result<Arc<LineModes>, String>),
     /// How far trials are.
-    TrialProgress(Ticket, Box<TrialProgress>),
+    TrialProgress(JobNumber, Box<TrialProgress>),
     /// How a stored run is resumed up to a later end \[s\], or why it does not.
-    ResumeReady(PathBuf, f64, Result<Box<(Request, Resume)>, String>),
+    ResumeReady(PathBuf, f64, Result<Box<(Request, ResumedRun)>, String>),
     /// What a job has recorded since it was last asked.
-    Recorded(Ticket, Box<Curves>),
+    Recorded(JobNumber, Box<RunCurves>),
     /// The run of a job has this directory.
-    Stored(Ticket, PathBuf),
+    Stored(JobNumber, PathBuf),
     /// A job could not be started or stored, for this reason.
-    JobFailed(Ticket, String),
+    JobFailed(JobNumber, String),
     /// The cases of a directory.
     CasesRead(PathBuf, Vec<CaseEntry>),
     /// A file was read; with edits that an earlier session left behind.
@@ -62,7 +62,7 @@ pub enum Msg {
     /// The live run was kept here.
     Kept(PathBuf, Arc<Run>),
     /// A message to the user.
-    Say(Level, String),
+    Say(Severity, String),
 }
 
 /// A file as read.
@@ -73,7 +73,7 @@ pub struct FileRead {
     /// Its text.
     pub text: String,
     /// The result of its text.
-    pub content: Content,
+    pub content: DocumentContent,
     /// Unsaved text of an earlier session.
     pub recovered: Option<String>,
 }
@@ -108,16 +108,16 @@ pub enum Effect {
     /// Start a job.
     Start {
         /// Its number.
-        ticket: Ticket,
+        ticket: JobNumber,
         /// What to compute.
         request: Box<Request>,
         /// Where it is resumed from.
-        from: Option<Box<Resume>>,
+        from: Option<Box<ResumedRun>>,
         /// Whether its run is stored.
         store: bool,
     },
     /// Cancel a job.
-    Cancel(Ticket),
+    Cancel(JobNumber),
     /// Compute a ship at sea, from the folder of its file, on a thread of its own that the last stops.
     ComputeShip(Box<StaticAnalysis>, PathBuf, Arc<AtomicBool>),
     /// Give the terminal to the user's editor with this file, and take it back.
@@ -132,7 +132,7 @@ pub enum Effect {
     /// Compute trials of hard cases.
     StartTrials {
         /// Number of the job.
-        ticket: Ticket,
+        ticket: JobNumber,
         /// Whose trials.
         of: TrialsOf,
     },

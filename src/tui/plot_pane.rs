@@ -1,9 +1,7 @@
-//! What the user does with a chart: cursor, zoom, pan, freeze, marks, hidden series.
+//! What the user does with a chart: cursor, zoom, pan, freeze, marks.
 //!
 //! [`PlotPane`] is plain state. [`PlotPane::act`] changes it, [`PlotPane::chart`] lays it over a
 //! chart made from runs, [`draw_chart`] paints the outcome; only the first changes anything.
-
-use std::collections::BTreeSet;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -15,50 +13,22 @@ use crate::report::chart::{
 use crate::report::number;
 
 /// What can be done with a chart.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PlotVerb {
-    /// Cursor left by a stride.
-    CursorLeft(Stride),
-    /// Cursor right by a stride.
-    CursorRight(Stride),
-    /// No cursor.
-    CursorOff,
-    /// Show what lies further left.
-    PanLeft,
-    /// Show what lies further right.
-    PanRight,
-    /// Show what lies higher.
-    PanUp,
-    /// Show what lies lower.
-    PanDown,
-    /// Half as much along x, about the cursor; at equal scale along both axes.
-    ZoomIn,
-    /// Twice as much along x.
-    ZoomOut,
-    /// Half as much along y, about the middle.
-    ZoomInUp,
-    /// Twice as much along y.
-    ZoomOutUp,
+    /// Cursor right by a stride, or left where negative.
+    Cursor(f64, Stride),
+    /// Show what lies further right and higher, by parts of what is shown.
+    Pan(f64, f64),
+    /// Show so many times as much along x, about the cursor; at equal scale along both axes.
+    Zoom(f64),
     /// Everything along x and y.
     Fit,
     /// Along y just what the lines do within the x shown.
     FitUp,
     /// Hold the curves still, or let them continue.
     Freeze,
-    /// Hide a series of the chart, by its number, or show it again.
-    Toggle(usize),
     /// Set a mark at the cursor, or remove the mark there.
     Mark,
-}
-
-impl PlotVerb {
-    /// Whether what it does depends on what is drawn.
-    fn needs_frame(&self) -> bool {
-        !matches!(
-            self,
-            Self::CursorOff | Self::Fit | Self::Freeze | Self::Toggle(_)
-        )
-    }
 }
 
 /// How far the cursor goes.
@@ -85,8 +55,6 @@ pub struct PlotPane {
     cursor_y: Option<f64>,
     /// Marked places on the x axis, in the order in which they were set.
     marks: Vec<f64>,
-    /// Labels of hidden series; labels outlast a new solve, numbers may not.
-    hidden: BTreeSet<String>,
     /// The chart as it was when it was frozen.
     frozen: Option<Box<Chart>>,
 }
@@ -103,26 +71,14 @@ impl PlotPane {
         self.cursor = x.filter(|x| x.is_finite());
     }
 
-    /// Marked places on the x axis.
-    #[must_use]
-    pub fn marks(&self) -> &[f64] {
-        &self.marks
-    }
-
     /// Whether the curves are held still.
     #[must_use]
     pub fn is_frozen(&self) -> bool {
         self.frozen.is_some()
     }
 
-    /// Whether less than everything is shown.
-    #[must_use]
-    pub fn is_zoomed(&self) -> bool {
-        self.x.is_some() || self.y.is_some()
-    }
-
     /// The chart as it is to be drawn: the one given, or the frozen one, with the user's ranges,
-    /// cursor, marks and hidden series.
+    /// cursor and marks.
     #[must_use]
     pub fn chart(&self, base: &Chart) -> Chart {
         let mut chart = self.source(base).clone();
@@ -134,14 +90,10 @@ impl PlotPane {
             let middle = || chart.y.range.map(middle);
             chart.cursor_y = chart.cursor.and(self.cursor_y.or_else(middle));
         }
-        for series in &mut chart.series {
-            series.visible &= !self.hidden.contains(&series.label);
-        }
         for (i, x) in self.marks.iter().enumerate() {
-            chart.limits.push(Limit {
-                label: format!("{}: {}", i + 1, number::si(*x, &chart.x.unit)),
-                line: LimitLine::Vertical(*x),
-            });
+            let label = format!("{}: {}", i + 1, number::si(*x, &chart.x.unit));
+            let mark = Limit::new(label, LimitLine::Vertical(*x));
+            chart.limits.push(mark);
         }
         chart
     }
@@ -156,24 +108,18 @@ impl PlotPane {
     /// Does what the user asked for. `base` is the chart without the user's changes, `frame` where
     /// and what was drawn last ([`chart::frame`] gives it without drawing). With nothing drawn, an
     /// empty frame, whatever would move or scale the view does nothing.
-    pub fn act(&mut self, verb: &PlotVerb, base: &Chart, frame: PlotFrame) {
-        if (frame.width == 0 || frame.height == 0) && verb.needs_frame() {
+    pub fn act(&mut self, verb: PlotVerb, base: &Chart, frame: PlotFrame) {
+        let needs_frame = !matches!(verb, PlotVerb::Fit | PlotVerb::Freeze);
+        if (frame.width == 0 || frame.height == 0) && needs_frame {
             return;
         }
         match verb {
-            PlotVerb::CursorLeft(stride) => self.move_cursor(-1.0, *stride, base, frame),
-            PlotVerb::CursorRight(stride) => self.move_cursor(1.0, *stride, base, frame),
-            PlotVerb::CursorOff => self.cursor = None,
-            PlotVerb::PanLeft => self.pan(-0.25, 0.0, base, frame),
-            PlotVerb::PanRight => self.pan(0.25, 0.0, base, frame),
-            PlotVerb::PanUp if base.map.is_some() => self.move_place(1.0, base, frame),
-            PlotVerb::PanDown if base.map.is_some() => self.move_place(-1.0, base, frame),
-            PlotVerb::PanUp => self.pan(0.0, 0.25, base, frame),
-            PlotVerb::PanDown => self.pan(0.0, -0.25, base, frame),
-            PlotVerb::ZoomIn => self.zoom(0.5, base, frame),
-            PlotVerb::ZoomOut => self.zoom(2.0, base, frame),
-            PlotVerb::ZoomInUp => self.zoom_up(0.5, base, frame),
-            PlotVerb::ZoomOutUp => self.zoom_up(2.0, base, frame),
+            PlotVerb::Cursor(way, stride) => self.move_cursor(way, stride, base, frame),
+            PlotVerb::Pan(across, up) if across == 0.0 && base.map.is_some() => {
+                self.move_place(up.signum(), base, frame);
+            }
+            PlotVerb::Pan(across, up) => self.pan(across, up, base, frame),
+            PlotVerb::Zoom(factor) => self.zoom(factor, base, frame),
             PlotVerb::Fit => (self.x, self.y) = (None, None),
             PlotVerb::FitUp => self.fit_up(base, frame),
             PlotVerb::Freeze => {
@@ -182,7 +128,6 @@ impl PlotPane {
                     None => Some(Box::new(base.clone())),
                 };
             }
-            PlotVerb::Toggle(number) => self.toggle(*number, base),
             PlotVerb::Mark => self.mark(frame),
         }
     }
@@ -260,28 +205,11 @@ impl PlotPane {
         }
     }
 
-    fn zoom_up(&mut self, factor: f64, base: &Chart, frame: PlotFrame) {
-        self.y = scaled(frame.y, middle(frame.y), factor, self.whole(base).1);
-    }
-
     fn fit_up(&mut self, base: &Chart, frame: PlotFrame) {
         let chart = self.chart(base);
         let shown = chart.series.iter().filter(|series| series.visible);
         let seen = shown.flat_map(|series| between(series, frame.x));
         self.y = chart::extent(seen).map(|range| chart::fit(Some(range)));
-    }
-
-    fn toggle(&mut self, number: usize, base: &Chart) {
-        let label = self
-            .source(base)
-            .series
-            .get(number)
-            .map(|s| s.label.clone());
-        if let Some(label) = label
-            && !self.hidden.remove(&label)
-        {
-            self.hidden.insert(label);
-        }
     }
 
     fn mark(&mut self, frame: PlotFrame) {

@@ -1,13 +1,13 @@
 //! The charts of the open case: which runs are on them, and which of their curves.
 
-use super::state::{Curves, LineView};
+use super::state::{LineView, RunCurves};
 use crate::report::chart::{AxisRange, Chart};
 use crate::report::figures::{FigureData, FigureId, PlottedRun};
 
 /// A run on the charts.
 struct Shown<'a> {
     label: &'a str,
-    curves: &'a Curves,
+    curves: &'a RunCurves,
     dimmed: bool,
 }
 

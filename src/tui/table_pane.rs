@@ -1,8 +1,7 @@
-//! What the user does with a table: select, scroll, sort, filter.
+//! What the user does with a table: select, scroll, sort.
 //!
 //! [`TablePane`] is plain state over a [`Table`] that comes from elsewhere. [`TablePane::act`]
-//! changes it, [`TablePane::view`] makes the table as the user has it, [`TablePane::draw`] paints
-//! that.
+//! changes it, [`TablePane::draw`] paints the table as the user has it.
 
 use std::cmp::Ordering;
 
@@ -13,158 +12,86 @@ use unicode_width::UnicodeWidthStr;
 use super::theme::Theme;
 use crate::report::chart::Glyphs;
 use crate::report::plain;
-use crate::report::table::{Layout, Line, LineKind, Table};
+use crate::report::table::{LineKind, Table, TableLayout, TableLine};
 
 /// What can be done with a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TableVerb {
-    /// Selection up.
-    Up,
-    /// Selection down.
-    Down,
-    /// Selection up by a page of so many rows.
-    PageUp(usize),
-    /// Selection down by a page of so many rows.
-    PageDown(usize),
-    /// Selection to the first row.
-    First,
-    /// Selection to the last row.
-    Last,
-    /// Show what lies further left.
-    Left,
-    /// Show what lies further right.
-    Right,
-    /// Sort by a column, counted from 0; again: downwards; a third time: as it came.
-    SortBy(usize),
+    /// Selection down by so many rows, or up where negative.
+    Select(isize),
+    /// Show what lies so many columns of text further right.
+    Scroll(isize),
     /// Sort by the next column; after the last: as it came.
-    SortNext,
+    Sort,
 }
+
+/// The furthest that a table is scrolled sideways.
+const LAST_COLUMN: usize = 1000;
 
 /// A table as the user has it.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct TablePane {
-    /// The selected row, among those that pass the filter.
+    /// The selected row, in the order shown.
     selected: usize,
     /// Columns hidden at the left.
     right: usize,
-    /// Column sorted by, and whether downwards.
-    sort: Option<(usize, bool)>,
-    filter: String,
-}
-
-/// A table as it is to be drawn: sorted and filtered.
-#[derive(Debug, Clone, PartialEq)]
-pub struct TableView {
-    /// The table with the rows that are shown, in their order.
-    pub table: Table,
-    /// For each of them its number in the table it came from.
-    pub rows: Vec<usize>,
+    /// Column sorted by.
+    sort: Option<usize>,
 }
 
 impl TablePane {
-    /// Letters that a row must contain, words in any order and any case; empty shows all rows.
-    pub fn set_filter(&mut self, text: &str) {
-        text.clone_into(&mut self.filter);
-        self.selected = 0;
-    }
-
-    /// The filter.
-    #[must_use]
-    pub fn filter(&self) -> &str {
-        &self.filter
-    }
-
-    /// Column sorted by, and whether downwards.
-    #[must_use]
-    pub fn sort(&self) -> Option<(usize, bool)> {
-        self.sort
-    }
-
-    /// The selected row by its number in the whole table; absent when no row is shown.
+    /// The selected row by its number in the whole table; absent when there is none.
     #[must_use]
     pub fn selected(&self, table: &Table) -> Option<usize> {
-        let rows = self.rows(table);
-        rows.get(self.selected.min(rows.len().saturating_sub(1)))
-            .copied()
-    }
-
-    /// The table sorted and filtered.
-    #[must_use]
-    pub fn view(&self, table: &Table) -> TableView {
-        let rows = self.rows(table);
-        let mut shown = table.clone();
-        shown.rows = rows
-            .iter()
-            .filter_map(|row| table.rows.get(*row).cloned())
-            .collect();
-        if let Some((column, down)) = self.sort
-            && let Some(column) = shown.columns.get_mut(column)
-        {
-            column.head.push_str(if down { " (down)" } else { " (up)" });
-        }
-        TableView { table: shown, rows }
+        let last = table.rows.len().saturating_sub(1);
+        self.rows(table).get(self.selected.min(last)).copied()
     }
 
     /// Does what the user asked for.
     pub fn act(&mut self, verb: TableVerb, table: &Table) {
-        let last = self.rows(table).len().saturating_sub(1);
-        let at = self.selected.min(last);
-        let by = |rows: usize| at.saturating_add(rows).min(last);
+        let last = table.rows.len().saturating_sub(1);
         match verb {
-            TableVerb::Up => self.selected = at.saturating_sub(1),
-            TableVerb::Down => self.selected = by(1),
-            TableVerb::PageUp(rows) => self.selected = at.saturating_sub(rows),
-            TableVerb::PageDown(rows) => self.selected = by(rows),
-            TableVerb::First => self.selected = 0,
-            TableVerb::Last => self.selected = last,
-            TableVerb::Left => self.right = self.right.saturating_sub(8),
-            TableVerb::Right => self.right = self.right.saturating_add(8).min(1000),
-            TableVerb::SortBy(column) => self.sort_by(column, table),
-            TableVerb::SortNext => {
-                let next = self.sort.map_or(0, |(column, _)| column + 1);
-                self.sort = (next < table.columns.len()).then_some((next, false));
+            TableVerb::Select(by) => {
+                let at = self.selected.min(last).saturating_add_signed(by);
+                self.selected = at.min(last);
+            }
+            TableVerb::Scroll(by) => {
+                self.right = self.right.saturating_add_signed(by).min(LAST_COLUMN);
+            }
+            TableVerb::Sort => {
+                let next = self.sort.map_or(0, |column| column + 1);
+                self.sort = (next < table.columns.len()).then_some(next);
             }
         }
     }
 
-    fn sort_by(&mut self, column: usize, table: &Table) {
-        self.sort = match self.sort {
-            Some((now, false)) if now == column => Some((column, true)),
-            Some((now, true)) if now == column => None,
-            _ => (column < table.columns.len()).then_some((column, false)),
-        };
-    }
-
-    /// Numbers of the rows that are shown, in their order.
+    /// Numbers of the rows in the order shown.
     fn rows(&self, table: &Table) -> Vec<usize> {
-        let words: Vec<String> = self
-            .filter
-            .split_whitespace()
-            .map(str::to_lowercase)
-            .collect();
-        let passes = |row: &usize| {
-            let cells = (0..table.columns.len()).map(|column| table.cell(*row, column).text);
-            let text = cells.collect::<Vec<_>>().join(" ").to_lowercase();
-            words.iter().all(|word| text.contains(word))
-        };
-        let mut rows: Vec<usize> = (0..table.rows.len()).filter(passes).collect();
-        if let Some((column, down)) = self.sort {
+        let mut rows: Vec<usize> = (0..table.rows.len()).collect();
+        if let Some(column) = self.sort {
             let text = |row: usize| table.cell(row, column).text;
-            rows.sort_by(|a, b| {
-                let order = compare(&text(*a), &text(*b));
-                if down { order.reverse() } else { order }
-            });
+            rows.sort_by(|a, b| compare(&text(*a), &text(*b)));
         }
         rows
+    }
+
+    /// The table sorted.
+    fn sorted(&self, table: &Table) -> Table {
+        let rows = self.rows(table);
+        let mut sorted = table.clone();
+        sorted.rows = rows.iter().map(|row| table.rows[*row].clone()).collect();
+        if let Some(column) = self.sort.and_then(|i| sorted.columns.get_mut(i)) {
+            column.head.push_str(" (up)");
+        }
+        sorted
     }
 
     /// Paints the table into an area of the screen: heads stay at the top, the selected row is in
     /// sight, notes follow the last row.
     pub fn draw(&self, table: &Table, area: Rect, buf: &mut Buffer, glyphs: Glyphs, theme: Theme) {
         let area = area.intersection(*buf.area());
-        let view = self.view(table);
-        let layout = view.table.layout(area.width.into());
-        let selected = self.selected.min(view.rows.len().saturating_sub(1));
+        let layout = self.sorted(table).layout(area.width.into());
+        let selected = self.selected.min(table.rows.len().saturating_sub(1));
         let hidden = self
             .right
             .min(layout.width.saturating_sub(area.width.into()));
@@ -205,9 +132,13 @@ fn number(text: &str) -> Option<f64> {
 }
 
 /// The lines that fit: title and heads, then as much of the body as has room, around the selection.
-fn in_sight(layout: &Layout, selected: usize, room: usize) -> impl Iterator<Item = &Line> {
+fn in_sight(
+    layout: &TableLayout,
+    selected: usize,
+    room: usize,
+) -> impl Iterator<Item = &TableLine> {
     let is_top =
-        |line: &&Line| matches!(line.kind, LineKind::Title | LineKind::Head | LineKind::Rule);
+        |line: &&TableLine| matches!(line.kind, LineKind::Title | LineKind::Head | LineKind::Rule);
     let mut top = layout.lines.iter().take_while(is_top).count();
     // A body without a single line of room is worse than a table without heads.
     if top >= room {
@@ -215,7 +146,7 @@ fn in_sight(layout: &Layout, selected: usize, room: usize) -> impl Iterator<Item
     }
     let (heads, body) = layout.lines.split_at(top);
     let room = room - top;
-    let of_selected = |line: &Line| line.kind == LineKind::Row(selected);
+    let of_selected = |line: &TableLine| line.kind == LineKind::Row(selected);
     let first = body.iter().position(of_selected).unwrap_or(0);
     let last = body.iter().rposition(of_selected).unwrap_or(0);
     let middle = first.midpoint(last);
@@ -229,7 +160,7 @@ fn in_sight(layout: &Layout, selected: usize, room: usize) -> impl Iterator<Item
 
 /// Paints a line, without its first `hidden` columns.
 fn draw_line(
-    line: &Line,
+    line: &TableLine,
     hidden: usize,
     place: Rect,
     buf: &mut Buffer,
@@ -240,7 +171,7 @@ fn draw_line(
     let mut column = 0_usize;
     for piece in &line.pieces {
         let style = match line.kind {
-            LineKind::Title => theme.chart(crate::report::chart::Ink::Title),
+            LineKind::Title => theme.chart(crate::report::chart::PicturePart::Title),
             LineKind::Head => theme.strong(),
             _ => theme.cell(piece.ink),
         };
@@ -263,32 +194,22 @@ fn draw_line(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::table::{Cell, CellInk, Column};
+    use crate::report::table::{Align, Cell, CellStyle};
     use ratatui::style::Modifier;
 
     fn table() -> Table {
-        let row = |name: &str, value: &str, outcome: &str, ink| {
-            vec![
-                Cell::plain(name),
-                Cell::plain(value),
-                Cell::new(outcome, ink),
-            ]
-        };
-        Table {
-            title: "Joints".to_owned(),
-            columns: vec![
-                Column::left("joint"),
-                Column::decimal("tension"),
-                Column::left("outcome"),
-            ],
-            rows: vec![
-                row("vessel|chain", "3.94 MN ± 0.01", "PASS", CellInk::Good),
-                row("wire|payload", "763 kN", "FAIL", CellInk::Bad),
-                row("chain|polyester", "3.88 MN", "PASS", CellInk::Good),
-                row("polyester|wire", "not run", "NOT RUN", CellInk::Dim),
-            ],
-            notes: vec!["One note.".to_owned()],
-        }
+        let rows = [
+            ("vessel|chain", "3.94 MN ± 0.01", "PASS", CellStyle::Good),
+            ("wire|payload", "763 kN", "FAIL", CellStyle::Bad),
+            ("chain|polyester", "3.88 MN", "PASS", CellStyle::Good),
+            ("polyester|wire", "not run", "NOT RUN", CellStyle::Dim),
+        ];
+        Table::of("Joints", &rows)
+            .text("joint", |row| row.0)
+            .cell("tension", Align::Decimal, |row| Cell::plain(row.1))
+            .cell("outcome", Align::Left, |row| Cell::new(row.2, row.3))
+            .build()
+            .noted(["One note."])
     }
 
     fn text(buf: &Buffer) -> Vec<String> {
@@ -313,33 +234,32 @@ mod tests {
     #[test]
     fn sorting_knows_prefixes_and_puts_words_last() {
         let (table, mut pane) = (table(), TablePane::default());
-        pane.act(TableVerb::SortBy(1), &table);
-        assert_eq!(pane.view(&table).rows, [1, 2, 0, 3]);
-        pane.act(TableVerb::SortBy(1), &table);
-        assert_eq!(pane.view(&table).rows, [3, 0, 2, 1]);
-        pane.act(TableVerb::SortBy(1), &table);
-        assert_eq!(pane.view(&table).rows, [0, 1, 2, 3]);
+        pane.act(TableVerb::Sort, &table);
+        assert_eq!(pane.rows(&table), [2, 3, 0, 1]);
+        pane.act(TableVerb::Sort, &table);
+        assert_eq!(pane.rows(&table), [1, 2, 0, 3]);
+        pane.act(TableVerb::Sort, &table);
+        pane.act(TableVerb::Sort, &table);
+        assert_eq!(pane.rows(&table), [0, 1, 2, 3]);
     }
 
     #[test]
     fn the_selection_is_a_row_of_the_whole_table() {
         let (table, mut pane) = (table(), TablePane::default());
-        pane.set_filter("WIRE pass");
-        assert_eq!(pane.selected(&table), None);
-        pane.set_filter("wire");
-        pane.act(TableVerb::Last, &table);
-        assert_eq!(pane.selected(&table), Some(3));
-        pane.act(TableVerb::Up, &table);
+        pane.act(TableVerb::Sort, &table);
+        pane.act(TableVerb::Select(10), &table);
         assert_eq!(pane.selected(&table), Some(1));
-        pane.act(TableVerb::PageDown(10), &table);
-        assert_eq!(pane.selected(&table), Some(3));
+        pane.act(TableVerb::Select(-1), &table);
+        assert_eq!(pane.selected(&table), Some(0));
+        pane.act(TableVerb::Select(isize::MIN / 2), &table);
+        assert_eq!(pane.selected(&table), Some(2));
         assert_eq!(pane.selected(&Table::default()), None);
     }
 
     #[test]
     fn heads_stay_and_the_selected_row_is_in_sight_and_reversed() {
         let (table, mut pane) = (table(), TablePane::default());
-        pane.act(TableVerb::Last, &table);
+        pane.act(TableVerb::Select(isize::MAX / 2), &table);
         let buf = drawn(&pane, &table, 60, 5);
         let lines = text(&buf);
         assert!(lines[1].starts_with("joint"), "{lines:?}");
@@ -354,7 +274,7 @@ mod tests {
     #[test]
     fn no_size_is_too_small() {
         let (table, mut pane) = (table(), TablePane::default());
-        pane.act(TableVerb::Right, &table);
+        pane.act(TableVerb::Scroll(8), &table);
         for width in 0..40 {
             for height in 0..12 {
                 let _ = drawn(&pane, &table, width, height);
@@ -364,13 +284,9 @@ mod tests {
 
     #[test]
     fn a_wide_line_can_be_scrolled_to_its_end() {
-        let table = Table {
-            columns: vec![Column::right("n")],
-            rows: vec![vec![Cell::plain("0123456789")]],
-            ..Table::default()
-        };
+        let table = Table::of("", &["0123456789"]).count("n", |n| n).build();
         let mut pane = TablePane::default();
-        pane.act(TableVerb::Right, &table);
+        pane.act(TableVerb::Scroll(8), &table);
         // Narrower than the number, so the table is set as records: "n:" above the number.
         let lines = text(&drawn(&pane, &table, 6, 4));
         assert!(lines.iter().any(|line| line == "456789"), "{lines:?}");

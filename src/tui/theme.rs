@@ -6,8 +6,8 @@
 use ratatui::style::{Color, Modifier, Style};
 
 use super::terminal::capabilities::Capabilities;
-use crate::report::chart::Ink;
-use crate::report::table::CellInk;
+use crate::report::chart::PicturePart;
+use crate::report::table::CellStyle;
 
 /// Styles by meaning. Meaning is never by colour alone, so that one theme without colour is enough.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -82,34 +82,34 @@ impl Theme {
 
     /// The style of a character of a chart.
     #[must_use]
-    pub fn chart(self, ink: Ink) -> Style {
+    pub fn chart(self, ink: PicturePart) -> Style {
         let plain = self.plain();
         match ink {
-            Ink::Blank | Ink::Label | Ink::Legend => plain,
-            Ink::Axis => self.faint(),
-            Ink::Title => self.strong(),
-            Ink::Series(slot) => self.slot(slot),
-            Ink::Dimmed(slot) => self.slot(slot).add_modifier(Modifier::DIM),
-            Ink::Shade(-2) => self.fg(Color::Blue),
-            Ink::Shade(-1) => self.fg(Color::Cyan),
-            Ink::Shade(1) => self.fg(Color::Yellow),
-            Ink::Shade(2) => self.fg(Color::Red),
+            PicturePart::Blank | PicturePart::Label | PicturePart::Legend => plain,
+            PicturePart::Axis => self.faint(),
+            PicturePart::Title => self.strong(),
+            PicturePart::Series(slot) => self.slot(slot),
+            PicturePart::Dimmed(slot) => self.slot(slot).add_modifier(Modifier::DIM),
+            PicturePart::Shade(-2) => self.fg(Color::Blue),
+            PicturePart::Shade(-1) => self.fg(Color::Cyan),
+            PicturePart::Shade(1) => self.fg(Color::Yellow),
+            PicturePart::Shade(2) => self.fg(Color::Red),
             // Without colour the shades differ by their characters alone, all at one weight.
-            Ink::Shade(_) => plain,
-            Ink::Cursor => self.strong(),
-            Ink::Limit => self.fg(Color::Red),
+            PicturePart::Shade(_) => plain,
+            PicturePart::Cursor => self.strong(),
+            PicturePart::Limit => self.fg(Color::Red),
         }
     }
 
     /// The style of a cell of a table.
     #[must_use]
-    pub fn cell(self, ink: CellInk) -> Style {
+    pub fn cell(self, ink: CellStyle) -> Style {
         match ink {
-            CellInk::Plain => self.plain(),
-            CellInk::Good => self.good(),
-            CellInk::Bad => self.error(),
-            CellInk::Warn => self.warning(),
-            CellInk::Dim => self.faint(),
+            CellStyle::Plain => self.plain(),
+            CellStyle::Good => self.good(),
+            CellStyle::Bad => self.error(),
+            CellStyle::Warn => self.warning(),
+            CellStyle::Dim => self.faint(),
         }
     }
 

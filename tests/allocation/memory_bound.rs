@@ -10,7 +10,7 @@ use seacable::reference;
 use seacable::report::chart::Glyphs;
 use seacable::report::text;
 use seacable::run::job::{self, Request};
-use seacable::run::store::{self, RunLocation, Writer};
+use seacable::run::store::{self, RunLocation, RunWriter};
 use seacable::run::{Run, RunState};
 
 /// A pendulum for so many output times, each a step of the solver.
@@ -41,11 +41,11 @@ fn request(rows: u32) -> Request {
 fn computed(request: &Request, dir: &Path) -> (Run, u64) {
     let mut run = None;
     let info = measure(|| {
-        let mut writer: Option<Writer> = None;
+        let mut writer: Option<RunWriter> = None;
         let computed = job::execute(request, &AtomicBool::new(false), &mut |event| {
             let writer = writer.get_or_insert_with(|| {
                 let place = RunLocation::Exactly(dir.to_owned());
-                Writer::begin(&place, request.initial_info(), &request.text).unwrap()
+                RunWriter::begin(&place, request.initial_info(), &request.text).unwrap()
             });
             writer.event(&event).unwrap();
         });

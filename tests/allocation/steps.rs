@@ -14,8 +14,8 @@ use seacable::dynamics::{March, Stepper, TimeStep};
 use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
 use seacable::solve::{
-    ExplicitRhs, Factors, Hysteresis, Instant, Kinematics, MidstepBalance, Progressing, Residual,
-    State,
+    AcceptedStep, ExplicitRhs, Factors, Hysteresis, Kinematics, MidstepBalance, Progressing,
+    Residual, State,
 };
 
 /// A line whose force is not finite at two successive calls of many (a quasi-static step tries twice), so that a step
@@ -109,7 +109,6 @@ fn check_changed(
     let march = March {
         duration: 400.0 * step,
         step,
-        output: 20.0 * step,
     };
     let first = TimeStep {
         t: 0.0,
@@ -122,7 +121,9 @@ fn check_changed(
     let mut ended = None;
     let info = measure(|| {
         ended = Some(
-            march.run(&mut method, &system, &mut state, &mut |_: Instant<'_>| {
+            march.run(&mut method, &system, &mut state, &mut |_: AcceptedStep<
+                '_,
+            >| {
                 seen += 1;
                 Progressing::Continue
             }),

@@ -138,8 +138,8 @@ fn as_json(text: &str) -> Value {
 fn kinds() -> [(&'static Schema, &'static [Shipped]); 4] {
     [
         (&CASE, SHIPPED),
-        (&seacable::section::model::SECTION, SECTIONS),
-        (&seacable::ropeway::model::ROPEWAY, ROPEWAYS),
+        (&seacable::section::SECTION, SECTIONS),
+        (&seacable::ropeway::ROPEWAY, ROPEWAYS),
         (&seacable::ship::SHIP, SHIPS),
     ]
 }

@@ -4,23 +4,24 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use proptest::prelude::*;
+use seacable::case::kind::{self, parse};
 use seacable::case::shipped::ROPEWAYS;
 use seacable::reference::{Outcome, count_outcomes};
 use seacable::report::chart::Glyphs;
 use seacable::report::ropeway::report;
 use seacable::ropeway::elastic::Carrier;
 use seacable::ropeway::winch::{ShipOffset, WinchState, simulate, statistics};
-use seacable::ropeway::{RopewayError, SolvedRopeway, edit, line, parse, validation};
+use seacable::ropeway::{Ropeway, RopewayError, SolvedRopeway, line, validation};
 
 const SPAN_80: &str = include_str!("../../cases/ropeway/span_80.toml");
 const TENSION: &str = include_str!("../../cases/ropeway/constant_tension.toml");
 
 fn with(text: &str, edits: &[(&str, &str)]) -> SolvedRopeway {
-    parse(&edit::set_all(text, edits).unwrap(), "edited").unwrap()
+    parse::<Ropeway>(&kind::set_all::<Ropeway>(text, edits).unwrap(), "edited").unwrap()
 }
 
 fn refused(text: &str, key: &str, value: &str) -> String {
-    let all = edit::set(text, key, value).unwrap_err();
+    let all = kind::set::<Ropeway>(text, key, value).unwrap_err();
     let words: Vec<String> = all.iter().map(ToString::to_string).collect();
     words.join("\n")
 }
@@ -37,7 +38,7 @@ fn the_tables_of_the_paper_hold_and_its_misprints_are_reported() {
     for (span, pass, differs) in expected {
         let path = format!("ropeway/span_{span}.toml");
         let (_, text) = ROPEWAYS.iter().find(|known| known.0 == path).unwrap();
-        let rows = validation::rows(&parse(text, &path).unwrap(), text);
+        let rows = validation::rows(&parse::<Ropeway>(text, &path).unwrap(), text);
         let count = count_outcomes(&rows);
         assert_eq!((count.pass, count.differs), (pass, differs), "{path}");
         assert_eq!((count.fail, count.not_run), (0, 0), "{path}");
@@ -80,7 +81,7 @@ fn the_discretised_line_comes_to_the_exact_rope() {
 
 #[test]
 fn the_line_case_is_one_that_runs_anywhere() {
-    let worked = parse(SPAN_80, "span").unwrap();
+    let worked = parse::<Ropeway>(SPAN_80, "span").unwrap();
     let rest = worked.equilibrium(0.5).unwrap();
     let text = line::static_case_file(&worked.ropeway, rest.length_m, rest.arc_m);
     let case = seacable::case::parse(&text, "line").unwrap();
@@ -92,7 +93,7 @@ fn the_line_case_is_one_that_runs_anywhere() {
 
 #[test]
 fn a_rope_set_by_tension_keeps_it_wherever_the_cargo_hangs() {
-    let worked = parse(TENSION, "tension").unwrap();
+    let worked = parse::<Ropeway>(TENSION, "tension").unwrap();
     for position in [0.0, 0.01, 0.37, 0.9, 1.0] {
         let rest = worked.equilibrium(position).unwrap();
         assert!((rest.ship_n() / 6000.0 - 1.0).abs() < 1e-9, "{position}");
@@ -200,7 +201,7 @@ fn edges_have_answers_or_clear_errors() {
         Err(RopewayError::TooShort { .. })
     ));
     assert!(tight.results(0.5).unwrap().exact.ship_n() > 2e4);
-    let shorter = edit::set_all(
+    let shorter = kind::set_all::<Ropeway>(
         SPAN_80,
         &[("setting.length_m", "70.0"), ("setting.by", "length")],
     );
@@ -217,7 +218,7 @@ fn errors_of_a_file_have_their_place() {
         "quantity = \"model.horizontal_n\"",
         "quantity = \"model.horizontl_n\"",
     );
-    let message = parse(&wrong, "a.toml").unwrap_err();
+    let message = parse::<Ropeway>(&wrong, "a.toml").unwrap_err();
     assert!(
         message[0]
             .to_string()
@@ -227,12 +228,12 @@ fn errors_of_a_file_have_their_place() {
     );
     let wrong = SPAN_80.replace("[marks.\"cargo.position\"]", "[marks.\"cargo.place\"]");
     assert!(
-        parse(&wrong, "a.toml").unwrap_err()[0]
+        parse::<Ropeway>(&wrong, "a.toml").unwrap_err()[0]
             .problem
             .contains("no key `cargo.place`")
     );
     let wrong = SPAN_80.replace("span_m = 80.0", "span = 80.0");
-    let message = parse(&wrong, "a.toml").unwrap_err();
+    let message = parse::<Ropeway>(&wrong, "a.toml").unwrap_err();
     assert!(
         message[0].line > 1 && message[0].to_string().contains("span_m"),
         "{}",
@@ -241,8 +242,28 @@ fn errors_of_a_file_have_their_place() {
 }
 
 #[test]
+fn errors_of_single_keys_and_between_keys_are_reported_at_once() {
+    let text = SPAN_80
+        .replacen("model.horizontal_n", "model.horizontl_n", 1)
+        .replacen("span_m = 80.0", "span_m = -80.0", 1)
+        .replacen("sag_m", "length_m", 1);
+    let errors = parse::<Ropeway>(&text, "a.toml").unwrap_err();
+    let of = |key: &str| {
+        let error = errors.iter().find(|error| error.key == key);
+        error.unwrap_or_else(|| panic!("{key}: {errors:?}"))
+    };
+    assert!(of("ropeway.span_m").problem.contains("out of range"));
+    let setting = of("setting.sag_m");
+    assert!(setting.problem.contains("the rope is set by its sag"));
+    let line = text.lines().nth(setting.line as usize - 1).unwrap();
+    assert_eq!(line, "[setting]");
+    let quantity = errors.iter().find(|error| error.key.ends_with("quantity"));
+    assert!(quantity.unwrap().remedy.contains("model.horizontal_n"));
+}
+
+#[test]
 fn every_key_is_listed_and_one_value_changes_without_the_rest() {
-    let rows = edit::rows(SPAN_80);
+    let rows = kind::rows::<Ropeway>(SPAN_80);
     let mark = |path: &str| {
         rows.iter()
             .find(|r| r.path == path)
@@ -251,7 +272,7 @@ fn every_key_is_listed_and_one_value_changes_without_the_rest() {
             .is_some()
     };
     assert!(mark("cargo.position") && !mark("cargo.mass_kg"));
-    let edited = edit::set(SPAN_80, "cargo.position", "0.25").unwrap();
+    let edited = kind::set::<Ropeway>(SPAN_80, "cargo.position", "0.25").unwrap();
     assert_eq!(edited, SPAN_80.replace("position = 0.5", "position = 0.25"));
 }
 
@@ -337,8 +358,8 @@ proptest! {
             ("ropeway.segments", "12".to_owned()),
         ];
         let edits: Vec<(&str, &str)> = edits.iter().map(|(k, v)| (*k, v.as_str())).collect();
-        if let Ok(edited) = edit::set_all(SPAN_80, &edits) {
-            let worked = parse(&edited, "random").unwrap();
+        if let Ok(edited) = kind::set_all::<Ropeway>(SPAN_80, &edits) {
+            let worked = parse::<Ropeway>(&edited, "random").unwrap();
             if let Ok(results) = worked.results(position) {
                 let exact = &results.exact;
                 for number in [exact.ship_n(), exact.platform_n(), exact.sag_m, exact.length_m] {

@@ -6,14 +6,15 @@ use std::sync::atomic::AtomicBool;
 use assert_cmd::Command;
 use predicates::{prelude::*, str::contains};
 use proptest::prelude::*;
+use seacable::case::kind;
 use seacable::physics::sea::DEGREES;
 use seacable::reference::Outcome;
 use seacable::report::chart::Glyphs;
 use seacable::report::ship::text;
+use seacable::ropeway::winch::{WinchState, statistics};
 use seacable::ship::quantities::quantity;
-use seacable::ship::rope::RopeAnalysis;
 use seacable::ship::yaw_equilibria::YawStability;
-use seacable::ship::{self, DynamicAnalysis, MotionAnalysis, StaticAnalysis, edit, validation};
+use seacable::ship::{DynamicAnalysis, MotionAnalysis, Ship, StaticAnalysis, validation};
 
 const TEXT: &str = include_str!("../../cases/ship/anchored.toml");
 
@@ -22,13 +23,13 @@ fn shipped() -> PathBuf {
 }
 
 fn rest(text: &str) -> StaticAnalysis {
-    ship::parse(text, "ship.toml")
+    kind::parse::<Ship>(text, "ship.toml")
         .map_err(|faults| faults[0].to_string())
         .unwrap()
 }
 
 fn set(text: &str, key: &str, value: &str) -> String {
-    edit::set(text, key, value)
+    kind::set::<Ship>(text, key, value)
         .map_err(|faults| faults[0].to_string())
         .unwrap()
 }
@@ -95,7 +96,7 @@ fn straight_lines_and_spline_agree_at_the_points_and_differ_between() {
 #[test]
 fn impossible_values_are_reported_with_their_key() {
     let reported = |text: &str| {
-        let faults = ship::parse(text, "ship.toml").unwrap_err();
+        let faults = kind::parse::<Ship>(text, "ship.toml").unwrap_err();
         let lines: Vec<String> = faults.iter().map(ToString::to_string).collect();
         lines.join("\n")
     };
@@ -143,7 +144,7 @@ fn impossible_values_are_reported_with_their_key() {
         (
             "\"ship.length_m\" =",
             "\"ship.lenght_m\" =",
-            "the file has no such key",
+            "there is no key `ship.lenght_m` in this ship; did you mean `ship.length_m`?",
         ),
         (
             "yaw_sines = [0.0, -0.06]",
@@ -165,6 +166,22 @@ fn impossible_values_are_reported_with_their_key() {
     );
     assert!(reported("[case]\ntitle = \"x\"\n").contains("this is a line case, not a ship"));
     assert!(reported("").contains("it holds no ship"));
+}
+
+#[test]
+fn errors_of_single_keys_and_between_keys_are_reported_at_once() {
+    let text = TEXT
+        .replacen("draft_m = 1.955", "draft_m = -1", 1)
+        .replacen("[0.0, 30.0", "[10.0, 30.0", 1)
+        .replacen("\"ship.length_m\" =", "\"ship.lenght_m\" =", 1);
+    let errors = kind::parse::<Ship>(&text, "ship.toml").unwrap_err();
+    let keys: Vec<&str> = errors.iter().map(|error| error.key.as_str()).collect();
+    let marks = "marks.\"ship.lenght_m\"";
+    assert_eq!(keys, ["ship.draft_m", "wind.angle_deg", marks]);
+    for (error, word) in errors.iter().zip(["-1", "[10.0", "\"ship.lenght_m\""]) {
+        let line = text.lines().nth(error.line as usize - 1).unwrap();
+        assert_eq!(line.find(word), Some(error.column as usize - 1), "{error}");
+    }
 }
 
 #[test]
@@ -305,7 +322,7 @@ fn the_rope_follows_the_ship_and_the_winch_keeps_its_tension_while_it_can() {
         "4",
     );
     let ahead = at(short.clone());
-    let fast = RopeAnalysis::tension_statistics(ahead.winch.made_fast.as_ref().unwrap());
+    let fast = statistics(ahead.winch.made_fast.as_ref().unwrap(), |s| s.ship_n);
     let kept = ahead
         .winch
         .constant_tension
@@ -313,7 +330,7 @@ fn the_rope_follows_the_ship_and_the_winch_keeps_its_tension_while_it_can() {
         .unwrap()
         .as_ref()
         .unwrap();
-    assert!(RopeAnalysis::tension_statistics(kept).deviation < 1e-2 * fast.deviation);
+    assert!(statistics(kept, |s| s.ship_n).deviation < 1e-2 * fast.deviation);
     assert_eq!(ahead.maxima_n.len(), 4);
     assert!((ahead.maxima_n[0] / fast.max - 1.0).abs() < 1e-12);
     // The record of another seed, followed in full, has the same greatest tension.
@@ -323,7 +340,7 @@ fn the_rope_follows_the_ship_and_the_winch_keeps_its_tension_while_it_can() {
     assert!(gumbel.greatest.spread > 0.0 && gumbel.quantile(0.9) > gumbel.greatest.expected);
     // Conclusion 2 of the paper: with the side to the platform surge and pitch hardly matter.
     let abeam = at(set(&short, "rope.bearing_deg", "90.0"));
-    let aside = RopeAnalysis::tension_statistics(abeam.winch.made_fast.as_ref().unwrap());
+    let aside = statistics(abeam.winch.made_fast.as_ref().unwrap(), |s| s.ship_n);
     assert!(
         aside.deviation < 0.2 * fast.deviation,
         "{} {}",
@@ -358,7 +375,7 @@ fn a_winch_out_of_its_depth_is_said() {
         .unwrap()
         .as_ref()
         .unwrap();
-    assert!(RopeAnalysis::winch_limits(kept).at_speed > 0);
+    assert!(kept.iter().any(|s| s.state == WinchState::SpeedLimit));
     let page = text::text(&rest(&text), Some(&sea), &text, Glyphs::Ascii);
     let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(

@@ -6,10 +6,11 @@ use std::sync::atomic::AtomicBool;
 
 use assert_cmd::Command;
 use predicates::{prelude::*, str::contains};
+use seacable::case::kind;
 use seacable::report::ship::text;
 use seacable::ship::coupled::{CHANNELS, CoupledAnalysis};
 use seacable::ship::stability::DynamicStability;
-use seacable::ship::{self, DynamicAnalysis, MotionAnalysis, MotionError, StaticAnalysis, edit};
+use seacable::ship::{DynamicAnalysis, MotionAnalysis, MotionError, Ship, StaticAnalysis};
 
 const TEXT: &str = include_str!("../../cases/ship/coupled.toml");
 const RESPONSES: &str = include_str!("../../cases/ship/landing_craft.csv");
@@ -19,13 +20,13 @@ fn folder() -> PathBuf {
 }
 
 fn with(edits: &[(&str, &str)]) -> String {
-    edit::set_all(TEXT, edits)
+    kind::set_all::<Ship>(TEXT, edits)
         .map_err(|faults| faults[0].to_string())
         .unwrap()
 }
 
 fn rest(text: &str) -> StaticAnalysis {
-    ship::parse(text, "ship.toml")
+    kind::parse::<Ship>(text, "ship.toml")
         .map_err(|faults| faults[0].to_string())
         .unwrap()
 }
@@ -232,7 +233,7 @@ fn damping_decides_whether_the_ship_fishtails() {
 #[test]
 fn impossible_values_are_reported_with_their_key() {
     let reported = |edits: &[(&str, &str)]| {
-        let faults = edit::set_all(TEXT, edits).unwrap_err();
+        let faults = kind::set_all::<Ship>(TEXT, edits).unwrap_err();
         faults
             .iter()
             .map(ToString::to_string)
@@ -266,7 +267,7 @@ fn impossible_values_are_reported_with_their_key() {
         assert!(lines.contains(says), "{says}\n{lines}");
     }
     let parse = |text: &str| {
-        let faults = ship::parse(text, "ship.toml").unwrap_err();
+        let faults = kind::parse::<Ship>(text, "ship.toml").unwrap_err();
         faults
             .iter()
             .map(ToString::to_string)

@@ -4,7 +4,7 @@ use seacable::dynamics::generalized_alpha::GeneralizedAlpha;
 use seacable::dynamics::rk4::Rk4;
 use seacable::dynamics::{March, Stepper};
 use seacable::scene::Scene;
-use seacable::solve::{ExplicitRhs, Instant, Kinematics, Progressing, State};
+use seacable::solve::{AcceptedStep, ExplicitRhs, Kinematics, Progressing, State};
 
 /// Marches in steps of `step`, showing every step.
 pub(crate) fn march(
@@ -15,13 +15,9 @@ pub(crate) fn march(
     mut see: impl FnMut(f64, &State),
 ) {
     scene.accelerate(0.0, state);
-    let march = March {
-        duration,
-        step,
-        output: duration,
-    };
+    let march = March { duration, step };
     let outcome = march
-        .run(&mut method, scene, state, &mut |i: Instant<'_>| {
+        .run(&mut method, scene, state, &mut |i: AcceptedStep<'_>| {
             see(i.time, i.state);
             Progressing::Continue
         })

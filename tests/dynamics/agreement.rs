@@ -60,7 +60,7 @@ fn differences(a: &History, b: &History) -> Vec<(String, f64, f64, f64)> {
 #[test]
 fn generalized_alpha_and_runge_kutta_agree_on_the_manifold() {
     let explicit = manifold(|case| case.solver.method = Method::Rk4);
-    let implicit = manifold(|case| case.solver.step_tolerance = 1e-6);
+    let implicit = manifold(|case| case.solver.step_tolerance = 3e-8);
     for (name, rms, worst, at) in differences(&explicit.history, &implicit.history) {
         let peak = explicit.history.channel(&name).unwrap().peak.0;
         if name.starts_with("tension") {

@@ -141,6 +141,9 @@ impl<S, M: Stepper<S>> Stepper<S> for Uneven<M> {
     fn restart(&mut self, system: &S, t: f64, state: &mut State) {
         self.0.restart(system, t, state);
     }
+    fn pass_kink(&mut self, system: &S, t: f64, state: &mut State) -> bool {
+        self.0.pass_kink(system, t, state)
+    }
 }
 
 impl<M: Integrator> Integrator for Uneven<M> {

@@ -22,7 +22,7 @@ case.title = "Moored chain"
 environment = { gravity_m_per_s2 = 9.81, water_density_kg_per_m3 = 1025.0 }
 seabed = { depth_m = 200.0, stiffness_n_per_m3 = 3e5, damping_n_s_per_m3 = 5e4 }
 line = [{ name = "chain", material = "chain", length_m = 652.0, segments = 80 }]
-solver = { duration_s = 48.0, error_estimate = false }
+solver = { duration_s = 48.0, step_tolerance = 4e-6, error_estimate = false }
 output = { interval_s = 0.1, shape_interval_s = 1.0 }
 [materials.chain]
 diameter_m = 0.16
@@ -56,7 +56,7 @@ line = [
     { name = "lower", material = "chain", length_m = 100.0, segments = 4 },
 ]
 payload = { dry_mass_kg = 100e3, volume_m3 = 12.0, drag_area_m2 = 40.0, added_mass_kg = 60e3 }
-solver = { duration_s = 54.0, error_estimate = false }
+solver = { duration_s = 54.0, step_tolerance = 4e-6, error_estimate = false }
 output = { interval_s = 0.1, shape_interval_s = 1.0 }
 [materials.chain]
 diameter_m = 0.15

@@ -8,10 +8,10 @@ use std::sync::atomic::AtomicBool;
 use seacable::case;
 use seacable::dynamics::Stepper;
 use seacable::numerics::V3;
-use seacable::physics::Current;
+use seacable::physics::CurrentProfile;
 use seacable::physics::motion::MotionPath;
 use seacable::run::job::{Request, execute};
-use seacable::scene::{End, Scene};
+use seacable::scene::{EndCondition, Scene};
 use seacable::solve::State;
 
 /// Everything a run of the manifold computes, its error estimates too, in digits that tell every bit.
@@ -66,14 +66,14 @@ fn mapped(scene: &Scene, place: impl Fn(&V3) -> V3, turn: impl Fn(&V3) -> V3) ->
     let mut scene = scene.clone();
     scene.start.positions.iter_mut().for_each(|x| *x = place(x));
     for end in &mut scene.line.ends {
-        if let End::Prescribed(motion) = end {
+        if let EndCondition::Prescribed(motion) = end {
             motion.position = place(&motion.position);
             if let MotionPath::Harmonic(swing) = &mut motion.course {
                 swing.amplitude = turn(&swing.amplitude);
             }
         }
     }
-    if let Current::Table { velocity, .. } = &mut scene.line.current {
+    if let CurrentProfile::Table { velocity, .. } = &mut scene.line.current {
         velocity.iter_mut().for_each(|v| *v = turn(v));
     }
     scene

@@ -4,9 +4,9 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use seacable::case;
-use seacable::run::job::{self, Event, Request};
-use seacable::run::store::{self, RunLocation, Writer};
-use seacable::run::{Checkpoint, Resume, Run, RunState};
+use seacable::run::job::{self, JobEvent, Request};
+use seacable::run::store::{self, RunLocation, RunWriter};
+use seacable::run::{Checkpoint, ResumedRun, Run, RunState};
 
 /// A line that is dragged over a rough bed, snaps and is let go, so that every memory there is counts.
 fn request(method: &str, duration: f64) -> Request {
@@ -32,10 +32,25 @@ fn request(method: &str, duration: f64) -> Request {
     }
 }
 
-fn run(request: &Request, from: Option<&Resume>) -> (Run, Checkpoint) {
+/// The same with the ship moved along a table whose velocity jumps: at 3 s and 6 s too, where the runs below stop.
+fn request_by_table(method: &str, duration: f64, interpolation: &str) -> Request {
+    let mut request = request(method, duration);
+    let harmonic = "amplitude_m = [3.0, 0.0, 1.0], period_s = 3.0";
+    let table = format!(
+        r#"motion = "table", motion_file = "p.csv", motion_interpolation = "{interpolation}""#
+    );
+    let rows = r"time_s,x_m,y_m,z_m\n0,0,0,0\n0.7,1,0,0\n3,-2,0,1\n4.3,3,0,0\n5.5,3,0,-1\n6,2,0,1\n9,0,0,0";
+    let files = format!("files.\"p.csv\".text = \"{rows}\"\n");
+    assert!(request.text.contains(harmonic));
+    request.text = files + &request.text.replace(harmonic, &table);
+    request.case = case::parse(&request.text, "goes_on.toml").unwrap();
+    request
+}
+
+fn run(request: &Request, from: Option<&ResumedRun>) -> (Run, Checkpoint) {
     let mut last = None;
     let run = job::execute_from(request, from, &AtomicBool::new(false), &mut |event| {
-        if let Event::Checkpoint(checkpoint) = event {
+        if let JobEvent::Checkpoint(checkpoint) = event {
             last = Some(*checkpoint);
         }
     });
@@ -44,9 +59,9 @@ fn run(request: &Request, from: Option<&Resume>) -> (Run, Checkpoint) {
 }
 
 /// Runs a request into a directory.
-fn stored(request: &Request, from: Option<&Resume>, dir: &Path) -> Run {
+fn stored(request: &Request, from: Option<&ResumedRun>, dir: &Path) -> Run {
     let place = RunLocation::Exactly(dir.to_owned());
-    let mut writer = Writer::begin(&place, request.initial_info(), &request.text).unwrap();
+    let mut writer = RunWriter::begin(&place, request.initial_info(), &request.text).unwrap();
     let run = job::execute_from(request, from, &AtomicBool::new(false), &mut |event| {
         writer.event(&event).unwrap();
     });
@@ -64,20 +79,52 @@ fn assert_same(whole: &Run, resumed: &Run) {
     assert_eq!(resumed.info.warnings, whole.info.warnings);
 }
 
+/// Whole steps end a rounding before, at and after the event.
+#[test]
+fn an_event_a_rounding_off_a_step_is_passed() {
+    let at = 3.0 * 0.1_f64;
+    for release in [at.next_down(), at, at.next_up(), at.next_up().next_up()] {
+        let mut request = request("alpha", 1.0);
+        request.case.solver.time_step_s = Some(0.1);
+        request.case.ends.a.release_s = Some(release);
+        let (run, _) = run(&request, None);
+        assert!(run.info.work.steps >= 10, "{release}");
+    }
+}
+
 #[test]
 fn resumes_to_the_same_bits_before_and_after_an_event() {
     for method in ["alpha", "rk4", "quasi"] {
-        let (whole, _) = run(&request(method, 8.0), None);
-        for stop in [3.0, 6.0] {
-            let place = tempfile::tempdir().unwrap();
-            let [first, second] = ["first", "second"].map(|name| place.path().join(name));
-            stored(&request(method, stop), None, &first);
-            let from = store::resume(&first).unwrap();
-            assert_eq!(from.checkpoint.place.time, stop, "{method}");
-            let resumed = stored(&request(method, 8.0), Some(&from), &second);
-            assert_same(&whole, &resumed);
-            assert_same(&whole, &store::read(&second).unwrap());
+        resumes_to_the_same_bits(method, |duration| request(method, duration));
+    }
+}
+
+#[test]
+fn resumes_to_the_same_bits_between_and_at_kinks_of_a_table() {
+    for method in ["alpha", "rk4", "quasi"] {
+        for interpolation in ["linear", "monotone", "spline"] {
+            resumes_to_the_same_bits(method, |duration| {
+                request_by_table(method, duration, interpolation)
+            });
         }
+    }
+}
+
+/// A run of 8 s, and the same stopped at 3 s and at 6 s and resumed.
+fn resumes_to_the_same_bits(method: &str, request: impl Fn(f64) -> Request) {
+    let (whole, _) = run(&request(8.0), None);
+    for stop in [3.0, 6.0] {
+        let place = tempfile::tempdir().unwrap();
+        let [first, second] = ["first", "second"].map(|name| place.path().join(name));
+        stored(&request(stop), None, &first);
+        let from = store::resume(&first).unwrap();
+        // The step that the end cuts short is taken anew.
+        let behind = stop - from.checkpoint.time();
+        let whole_step = from.checkpoint.whole_step_s;
+        assert!((0.0..whole_step).contains(&behind), "{method}: {behind} s");
+        let resumed = stored(&request(8.0), Some(&from), &second);
+        assert_same(&whole, &resumed);
+        assert_same(&whole, &store::read(&second).unwrap());
     }
 }
 
@@ -90,16 +137,17 @@ fn a_killed_run_resumes_from_its_last_checkpoint() {
     let (run_whole, _) = run(&whole, None);
     let (_, checkpoint) = run(&request("alpha", 3.0), None);
     let info = run_whole.info.clone();
-    let mut writer = Writer::begin(&RunLocation::Exactly(dir.clone()), info, &whole.text).unwrap();
+    let mut writer =
+        RunWriter::begin(&RunLocation::Exactly(dir.clone()), info, &whole.text).unwrap();
     job::execute(&whole, &AtomicBool::new(false), &mut |event| {
-        let late = matches!(&event, Event::Frame(frame) if frame.time > 5.0);
-        let checkpoint = matches!(event, Event::Checkpoint(_));
+        let late = matches!(&event, JobEvent::Frame(frame) if frame.time > 5.0);
+        let checkpoint = matches!(event, JobEvent::Checkpoint(_));
         if !late && !checkpoint {
             writer.event(&event).unwrap();
         }
     });
     writer
-        .event(&Event::Checkpoint(Box::new(checkpoint)))
+        .event(&JobEvent::Checkpoint(Box::new(checkpoint)))
         .unwrap();
     assert!(store::is_locked(&dir));
     let refused = seacable::run::resume_request(&dir, None).unwrap_err();
@@ -149,4 +197,54 @@ fn a_record_cut_short_is_told() {
         why.contains("history.csv") && why.contains("middle of a line"),
         "{why}"
     );
+}
+
+/// Paths of all lists of more than one entry in a table.
+fn lists(table: &toml::Table, path: &[String], found: &mut Vec<Vec<String>>) {
+    for (key, value) in table {
+        let path = [path, std::slice::from_ref(key)].concat();
+        match value {
+            toml::Value::Array(list) if list.len() > 1 => found.push(path),
+            toml::Value::Table(inner) => lists(inner, &path, found),
+            _ => {}
+        }
+    }
+}
+
+/// A checkpoint with one list shorter by an entry is refused in words, or does not matter.
+#[test]
+fn a_checkpoint_that_is_damaged_is_refused() {
+    let place = tempfile::tempdir().unwrap();
+    let dir = place.path().join("run");
+    stored(&request("alpha", 5.0), None, &dir);
+    let file = dir.join("checkpoint.toml");
+    let whole: toml::Table = std::fs::read_to_string(&file).unwrap().parse().unwrap();
+    let mut found = Vec::new();
+    lists(&whole, &[], &mut found);
+    assert!(found.len() > 15, "{found:?}");
+    let mut refused = 0;
+    for path in found {
+        let mut damaged = whole.clone();
+        let mut place = &mut damaged;
+        for key in &path[..path.len() - 1] {
+            place = place[key].as_table_mut().unwrap();
+        }
+        place[&path[path.len() - 1]].as_array_mut().unwrap().pop();
+        std::fs::write(&file, toml::to_string(&damaged).unwrap()).unwrap();
+        let Ok(from) = store::resume(&dir) else {
+            refused += 1;
+            continue;
+        };
+        let request = request("alpha", 8.0);
+        let never = AtomicBool::new(false);
+        let run = job::execute_from(&request, Some(&from), &never, &mut |_| {});
+        if let Some(why) = run.info.failure {
+            assert!(
+                why.contains("does not belong to this case"),
+                "{path:?}: {why}"
+            );
+            refused += 1;
+        }
+    }
+    assert!(refused > 12, "{refused}");
 }

@@ -10,7 +10,7 @@ use seacable::dynamics::{Integrator, March, StepError, Stepper, TimeStep, WorkCo
 use seacable::numerics::V3;
 use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
-use seacable::solve::{Instant, NewtonError, Progressing, State};
+use seacable::solve::{AcceptedStep, NewtonError, Progressing, State};
 
 fn run(changes: &str) -> Run {
     let request = Request {
@@ -202,6 +202,9 @@ impl<S> Stepper<S> for Choosy {
         Ok(self.share)
     }
     fn restart(&mut self, _system: &S, _t: f64, _state: &mut State) {}
+    fn pass_kink(&mut self, _system: &S, _t: f64, _state: &mut State) -> bool {
+        false
+    }
 }
 
 impl Integrator for Choosy {
@@ -222,12 +225,13 @@ fn a_step_that_fails_is_halved_and_counted() {
     let march = March {
         duration: 4.0,
         step: 1.0,
-        output: 2.0,
     };
     let mut outputs = Vec::new();
     let outcome = march
-        .run(&mut method, &scene, &mut state, &mut |i: Instant<'_>| {
-            if i.output {
+        .run(&mut method, &scene, &mut state, &mut |i: AcceptedStep<
+            '_,
+        >| {
+            if i.whole {
                 outputs.push(i.time);
             }
             Progressing::Continue
@@ -235,7 +239,7 @@ fn a_step_that_fails_is_halved_and_counted() {
         .unwrap();
     // Halved twice, and kept so: with an error of half of what is allowed there is no room for longer steps.
     assert_eq!((outcome.steps, outcome.rejections), (16, 2));
-    assert_eq!(outputs, [0.0, 2.0, 4.0]);
+    assert_eq!(outputs, [0.0, 1.0, 2.0, 3.0, 4.0]);
     let quarters: Vec<(f64, f64)> = (0..16).map(|k| (0.25 * f64::from(k), 0.25)).collect();
     assert_eq!(method.taken, quarters);
 }
@@ -252,10 +256,11 @@ fn a_step_that_fails_at_every_length_ends_the_march_with_time_and_node() {
     let march = March {
         duration: 4.0,
         step: 1.0,
-        output: 2.0,
     };
     let error = march
-        .run(&mut method, &scene, &mut state, &mut |_: Instant<'_>| {
+        .run(&mut method, &scene, &mut state, &mut |_: AcceptedStep<
+            '_,
+        >| {
             Progressing::Continue
         })
         .unwrap_err();
@@ -288,8 +293,9 @@ fn a_real_step_that_fails_is_halved_and_the_run_continues() {
     }
 }
 
-/// A weight that bounces on its rope once in 0.4 s, its top moved once in a second; the tension there at last, and its error.
-fn bounce(solver: &str) -> (f64, f64) {
+/// A weight that bounces on its rope once in 0.4 s, its top moved once in a second; the tension there: last, greatest and
+/// smallest value, each with its error.
+fn bounce(solver: &str) -> [(f64, f64); 3] {
     let run = run(&format!(
         r#"
         materials.rope.ea_n = 5.0e6
@@ -301,29 +307,31 @@ fn bounce(solver: &str) -> (f64, f64) {
         output.interval_s = 0.05
         "#
     ));
-    let mut reported = run.summary.iter();
-    let reported = reported
-        .find(|q| q.name() == "tension_n[top|rope].final")
-        .unwrap();
-    (reported.value, reported.time_error.unwrap())
+    ["final", "max", "min"].map(|statistic| {
+        let name = format!("tension_n[top|rope].{statistic}");
+        let reported = run.summary.iter().find(|q| q.name() == name).unwrap();
+        (reported.value, reported.time_error.unwrap())
+    })
 }
 
-/// Whole steps divide the output interval: a companion of twice the step would be the run itself where one step spans
-/// the interval, and not twice as long where three do. Told is at least half of what the steps are off by.
+/// Neither the output interval nor the duration is a multiple of the step or of twice the step, and yet what the steps are off
+/// by is stated, with a factor of safety of three. With fewer than sixteen steps a period the order is not observed yet.
 #[test]
-fn the_time_error_is_estimated_where_the_output_interval_sets_the_steps() {
-    let (true_value, rest) = bounce("time_step_s = 0.0005");
-    assert!(rest < 0.1, "{rest}");
+fn the_time_error_is_estimated_at_any_step() {
+    let fine = bounce("time_step_s = 0.0005");
+    assert!(fine.iter().all(|(_, error)| *error < 0.1), "{fine:?}");
     for solver in [
-        "time_step_s = 0.05",
         "time_step_s = 0.025",
         "time_step_s = 0.017",
-        "step_tolerance = 1e-3",
+        "step_tolerance = 1e-4",
     ] {
-        let (value, error) = bounce(solver);
-        let off = (value - true_value).abs();
+        // One instant may come out well by chance; three numbers together do not.
+        let coarse = bounce(solver);
+        let error: f64 = coarse.iter().map(|(_, error)| error).sum();
+        let off = coarse.iter().zip(&fine).map(|(a, b)| (a.0 - b.0).abs());
+        let off: f64 = off.sum();
         assert!(
-            error > 0.5 * off && error < 4.0 * off,
+            error > off && error < 12.0 * off,
             "{solver}: {error} N estimated, {off} N off"
         );
     }

@@ -11,7 +11,9 @@ mod period;
 #[path = "../common/rest.rs"]
 mod rest;
 
+mod body_on_bed;
 mod convergence_norm;
+mod drag_length;
 mod energy;
 mod moored_ship;
 mod rigid_body;

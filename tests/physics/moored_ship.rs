@@ -10,7 +10,9 @@ use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
 use seacable::ship::coupled::forcing::Forcing;
 use seacable::ship::coupled::moored_ship::{MooredShip, ShipBody};
-use seacable::solve::{ExplicitRhs, Factors, Instant, Kinematics, Progressing, Residual, State};
+use seacable::solve::{
+    AcceptedStep, ExplicitRhs, Factors, Kinematics, Progressing, Residual, State,
+};
 use seacable::statics::equilibrium::EquilibriumSearch;
 
 /// A chain from an anchor on the bed, 10 m down, to a fairlead at (x, 0, 0), without drag.
@@ -81,10 +83,9 @@ fn march(
     let march = March {
         duration: time.0,
         step: time.1,
-        output: time.0,
     };
     march
-        .run(&mut method, moored, state, &mut |i: Instant<'_>| {
+        .run(&mut method, moored, state, &mut |i: AcceptedStep<'_>| {
             see(i.time, i.state);
             Progressing::Continue
         })

@@ -6,8 +6,8 @@ use seacable::dynamics::quasi_static::QuasiStatic;
 use seacable::dynamics::{March, Stepper};
 use seacable::numerics::V3;
 use seacable::scene::Scene;
-use seacable::solve::{Instant, Kinematics, Progressing, State};
-use seacable::statics::catenary::{Bed, Ends, Line, SectionProps, Solution};
+use seacable::solve::{AcceptedStep, Kinematics, Progressing, State};
+use seacable::statics::catenary::{CatenaryLine, EndOffset, RigidBed, SectionProperties, Solution};
 use seacable::statics::equilibrium::EquilibriumSearch;
 
 const G: f64 = 9.80665;
@@ -69,14 +69,14 @@ impl OnBed {
     }
 
     fn exact(&self) -> Option<Solution> {
-        let sections = [SectionProps::new(self.length, self.weight, self.ea)];
-        let line = Line {
-            ends: Ends {
+        let sections = [SectionProperties::new(self.length, self.weight, self.ea)];
+        let line = CatenaryLine {
+            ends: EndOffset {
                 x_m: self.x,
                 z_m: self.z,
             },
             sections: &sections,
-            bed: Some(Bed {
+            bed: Some(RigidBed {
                 below_a_m: 0.0,
                 slope_rad: self.slope_deg.to_radians(),
                 friction: self.friction,
@@ -361,13 +361,14 @@ fn a_thrown_line_slides_as_far_as_friction_lets_it() {
                     let march = March {
                         duration: 3.0,
                         step,
-                        output: 3.0,
                     };
                     let mut method = march::alpha(&scene, 0.4);
-                    let outcome =
-                        march.run(&mut method, &scene, &mut state, &mut |_: Instant<'_>| {
-                            Progressing::Continue
-                        });
+                    let outcome = march.run(
+                        &mut method,
+                        &scene,
+                        &mut state,
+                        &mut |_: AcceptedStep<'_>| Progressing::Continue,
+                    );
                     assert!(outcome.unwrap().rejections < 5);
                 }
                 _ => march::march(

@@ -90,6 +90,13 @@ fn line_of_table() -> Scene {
     scene::build(&seacable::case::parse_keys(&text).unwrap(), 1).unwrap()
 }
 
+/// The same with drag on the stretched or on the unstretched length.
+fn line_of_drag_length(word: &str) -> Scene {
+    let text = LINE.replace("\"NORMAL\"", "1.2");
+    let text = format!("{text}\n[environment]\ndrag_length = \"{word}\"\n");
+    scene::build(&seacable::case::parse_keys(&text).unwrap(), 1).unwrap()
+}
+
 /// The same line in irregular waves, its upper end 12 m above still water, leaving the water there or not.
 fn line_at_sea(surface: &str, stretching: &str, depth: &str) -> Scene {
     let text = LINE
@@ -220,6 +227,25 @@ proptest! {
     }
 }
 
+/// Taut and slack, fast enough for drag to be a large part of the tangent.
+#[test]
+fn tangent_by_either_drag_length() {
+    let numbers = [0.3, -0.7, 0.5, 0.1, -0.2, 0.6, -0.9];
+    let c = Factors {
+        mass: 3.0,
+        damping: 0.5,
+        stiffness: 1.0,
+    };
+    for word in ["stretched", "unstretched"] {
+        let scene = line_of_drag_length(word);
+        for strain in [0.1, 0.03, -0.1] {
+            let state = state(&scene, &numbers, strain, 3.0);
+            let off = mismatch(&scene, &state, c);
+            assert!(off < 1e-5, "{word} {strain}: {off}");
+        }
+    }
+}
+
 /// Part of the line under a sloping bed, grips before the limit and beyond it, laid and not, and the law that has none.
 #[test]
 fn tangent_on_a_rough_slope() {
@@ -254,6 +280,76 @@ fn tangent_on_a_rough_slope() {
             ] {
                 let off = mismatch(&scene, &state, c);
                 assert!(off < 1e-5, "{friction} {laid} {speed} {c:?}: {off}");
+            }
+        }
+    }
+}
+
+/// A payload and a clump below a sloping bed, and lifted off it by suction: friction holding and sliding. A body that rotates
+/// bears on a place between its two nodes.
+#[test]
+fn tangent_of_bodies_on_the_bed() {
+    const BODY: &str = "breakout_n = 4e3\nbreakout_distance_m = 5.0\nbed_area_m2 = 1.5\n";
+    let rotation = "[payload.rotation]\ncentre_of_gravity_m = 2.0\ninertia_kg_m2 = 9e3\n";
+    let clump = format!(
+        "[[clumps]]\nname = \"clump\"\nsection = \"rope\"\nat_m = 20.0\nmass_kg = 300.0\nwet_mass_kg = 200.0\n{BODY}"
+    );
+    for (rotates, friction, off) in [
+        (false, "friction = 0.5", 0.0),
+        (false, "friction = 1e-3", 0.3),
+        (true, "friction = 0.5", 0.0),
+        (true, "friction = 1e-3", 0.3),
+        (
+            true,
+            "friction = 0.3\nfriction_law = \"zhu-2017\"\nslip_speed_m_per_s = 0.5",
+            0.0,
+        ),
+    ] {
+        let bed = |depth: f64| {
+            format!(
+                "[seabed]\ndepth_m = {depth:?}\nslope_deg = 9.0\nslope_azimuth_deg = 70.0\nstiffness_n_per_m3 = 1e4\ndamping_n_s_per_m3 = 500.0\n{friction}\n{clump}[ends.a]"
+            )
+        };
+        let scene = |depth: f64| {
+            let text = LINE
+                .replace("\"NORMAL\"", "1.2")
+                .replace("[ends.a]", &bed(depth));
+            let text = text
+                .replace(
+                    "drag_area_m2 = [3.0, 4.0, 5.0]",
+                    &format!("drag_area_m2 = 3.0\nbottom_m = 1.0\n{BODY}"),
+                )
+                .replace(
+                    "[start]",
+                    &format!("{}\n[start]", if rotates { rotation } else { "" }),
+                );
+            scene::build(&seacable::case::parse_keys(&text).unwrap(), 1).unwrap()
+        };
+        let on_bed = scene(20.0);
+        let mut before = on_bed.initial_state();
+        on_bed.commit(0.0, 0.0, &mut before);
+        assert!(before.memory.bodies.iter().any(|body| body.stuck));
+        // The same with the bed further down, so that suction holds the payload.
+        for (scene, what) in [(&on_bed, "pressed"), (&scene(40.0), "held by suction")] {
+            let mut state = state(scene, &[0.3, -0.7, 0.5, 0.1, -0.2, 0.6, -0.9], 0.03, 0.05);
+            state.memory = before.memory.clone();
+            for body in &mut state.memory.bodies {
+                body.grip.at = state.x[3] + V3::new(off, off, 0.0);
+            }
+            for c in [
+                Factors {
+                    mass: 0.0,
+                    damping: 0.0,
+                    stiffness: 1.0,
+                },
+                Factors {
+                    mass: 3.0,
+                    damping: 0.5,
+                    stiffness: 1.0,
+                },
+            ] {
+                let off = mismatch(scene, &state, c);
+                assert!(off < 1e-5, "{rotates} {friction} {what} {c:?}: {off}");
             }
         }
     }

@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 use crate::small::SMALL;
 use seacable::case::{self, Case, edit};
 use seacable::run::job::{self, Request};
-use seacable::run::store::{self, RunLocation, Writer};
+use seacable::run::store::{self, RunLocation, RunWriter};
 use seacable::run::{Run, RunState, resume_request};
 
 /// The pendulum with these keys set.
@@ -35,7 +35,7 @@ fn request(text: String, case: Case) -> Request {
 fn stored(request: &Request, dir: &Path) -> Run {
     let whole = case::stand_alone(&request.text, &request.case).into_owned();
     let place = RunLocation::Exactly(dir.to_owned());
-    let mut writer = Writer::begin(&place, request.initial_info(), &whole).unwrap();
+    let mut writer = RunWriter::begin(&place, request.initial_info(), &whole).unwrap();
     let run = job::execute(request, &AtomicBool::new(false), &mut |event| {
         writer.event(&event).unwrap();
     });

@@ -9,8 +9,8 @@ use std::{
 };
 
 use seacable::run::{
-    Frame, LineShape, Progress, Run, RunState,
-    store::{RunLocation, StoreError, Writer, list, read, save},
+    LineShape, OutputFrame, Progress, Run, RunState,
+    store::{RunLocation, RunWriter, StoreError, list, read, save},
 };
 
 fn saved(root: &Path) -> PathBuf {
@@ -26,9 +26,9 @@ fn shape(run: &Run, row: usize) -> LineShape {
 }
 
 /// A writer that has been given this many rows.
-fn begun(root: &Path, rows: usize) -> Writer {
+fn begun(root: &Path, rows: usize) -> RunWriter {
     let run = sample::run();
-    let mut writer = Writer::begin(
+    let mut writer = RunWriter::begin(
         &RunLocation::Below(root.to_owned()),
         run.info.clone(),
         &run.case_text,
@@ -37,7 +37,7 @@ fn begun(root: &Path, rows: usize) -> Writer {
     let channels: Vec<_> = run.history.channels.iter().map(|c| c.id.clone()).collect();
     writer.channels(&channels).unwrap();
     for i in 0..rows {
-        let frame = Frame {
+        let frame = OutputFrame {
             time: run.history.time[i],
             values: run.history.channels.iter().map(|c| c.values[i]).collect(),
             shape: (i % 10 == 0).then(|| shape(&run, i)),
@@ -127,7 +127,7 @@ fn a_run_that_never_finished_reads_as_partial() {
 fn a_run_that_only_just_began_reads_as_partial() {
     let root = tempfile::tempdir().unwrap();
     let run = sample::run();
-    let writer = Writer::begin(
+    let writer = RunWriter::begin(
         &RunLocation::Below(root.path().to_owned()),
         run.info.clone(),
         &run.case_text,

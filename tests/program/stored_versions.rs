@@ -1,4 +1,4 @@
-//! Runs stored by other versions of the program: they open, report and resume.
+//! Runs stored by other versions of the program: they open and report; they resume, or say which version wrote them.
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::fs;
@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 
 use seacable::report::chart::Glyphs;
 use seacable::report::text;
-use seacable::run::store::{StoreError, read};
+use seacable::run::store::{RunLocation, RunWriter, StoreError, read};
 use seacable::run::{Run, job, resume_request};
 use seacable::{case, reference};
 
@@ -26,12 +26,32 @@ fn stored() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/run-0.1.0")
 }
 
-/// A copy of it, with the files changed.
-fn changed(change: impl Fn(&str, String) -> String) -> tempfile::TempDir {
+/// The same case computed and stored by this version.
+fn computed() -> tempfile::TempDir {
     let dir = tempfile::tempdir().unwrap();
-    for entry in fs::read_dir(stored()).unwrap() {
+    let text = fs::read_to_string(stored().join("case.toml")).unwrap();
+    let request = job::Request {
+        case: case::parse(&text, "hanging.toml").unwrap(),
+        text,
+        file: "hanging.toml".to_owned(),
+        overrides: Vec::new(),
+        id: "hanging".to_owned(),
+    };
+    let place = RunLocation::Exactly(dir.path().join("run"));
+    let mut writer = RunWriter::begin(&place, request.initial_info(), &request.text).unwrap();
+    let run = job::execute(&request, &AtomicBool::new(false), &mut |event| {
+        writer.event(&event).unwrap();
+    });
+    writer.finish(&run).unwrap();
+    dir
+}
+
+/// A copy of a stored run, with the files changed.
+fn changed(run: &Path, change: impl Fn(&str, String) -> String) -> tempfile::TempDir {
+    let dir = tempfile::tempdir().unwrap();
+    for entry in fs::read_dir(run).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
-        let text = fs::read_to_string(stored().join(&name)).unwrap();
+        let text = fs::read_to_string(run.join(&name)).unwrap();
         fs::write(dir.path().join(&name), change(&name, text)).unwrap();
     }
     dir
@@ -59,7 +79,7 @@ fn assert_same(run: &Run) {
 }
 
 #[test]
-fn a_run_of_the_version_before_opens_reports_and_resumes() {
+fn a_run_of_the_version_before_opens_and_reports_and_says_why_it_does_not_resume() {
     let run = read(&stored()).unwrap();
     assert_eq!(run.info.version, "0.1.0");
     assert_eq!(run.info.warnings.len(), 1, "{:?}", run.info.warnings);
@@ -84,7 +104,8 @@ fn a_run_of_the_version_before_opens_reports_and_resumes() {
     let rows = reference::rows_of_run(&run, &case);
     let report = text::report(&run, &case, &rows, Glyphs::Ascii);
     assert!(report.contains(&run.info.title) && report.contains("mean_load_percent.max"));
-    assert_resumes(&stored());
+    let refused = resume_request(&stored(), Some(5.0)).unwrap_err();
+    assert!(refused.contains("version 0.1.0"), "{refused}");
 }
 
 #[test]
@@ -99,7 +120,7 @@ fn a_column_more_is_left_out() {
         let rows = lines.map(|(first, rest)| format!("{first},7,{rest}\n"));
         head + &rows.collect::<String>()
     };
-    let dir = changed(more);
+    let dir = changed(&stored(), more);
     let run = read(dir.path()).unwrap();
     assert_same(&run);
     for name in TABLES {
@@ -110,7 +131,8 @@ fn a_column_more_is_left_out() {
             run.info.warnings
         );
     }
-    assert_resumes(dir.path());
+    let new = computed();
+    assert_resumes(changed(&new.path().join("run"), more).path());
 }
 
 #[test]
@@ -130,19 +152,20 @@ fn columns_in_another_order_and_one_less_are_read() {
         });
         swapped.collect()
     };
-    let dir = changed(less);
+    let dir = changed(&stored(), less);
     let run = read(dir.path()).unwrap();
     let mut expected = read(&stored()).unwrap();
     assert_eq!(expected.profile.rms_error.len(), 9);
     expected.profile.rms_error.clear();
     assert_eq!(run, expected);
-    assert_resumes(dir.path());
+    let new = computed();
+    assert_resumes(changed(&new.path().join("run"), less).path());
 }
 
 #[test]
 fn what_cannot_be_read_says_which_version_wrote_it() {
     let newer = |text: String| text.replace("\"0.1.0\"", "\"9.1.0\"");
-    let dir = changed(|name, text| match name {
+    let dir = changed(&stored(), |name, text| match name {
         "run.toml" => newer(text),
         "summary.csv" => text.replace("quantity,", "name,"),
         _ => text,
@@ -150,7 +173,7 @@ fn what_cannot_be_read_says_which_version_wrote_it() {
     let warnings = read(dir.path()).unwrap().info.warnings;
     assert!(warnings.last().unwrap().contains("9.1.0"), "{warnings:?}");
 
-    let dir = changed(|name, text| match name {
+    let dir = changed(&stored(), |name, text| match name {
         "run.toml" => newer(text).replace("state = \"done\"", "state = \"paused\""),
         _ => text,
     });
@@ -158,7 +181,7 @@ fn what_cannot_be_read_says_which_version_wrote_it() {
     assert!(matches!(error, StoreError::Damaged { .. }));
     assert!(error.to_string().contains("9.1.0"), "{error}");
 
-    let dir = changed(|name, text| match name {
+    let dir = changed(&stored(), |name, text| match name {
         "run.toml" => newer(text),
         "checkpoint.toml" => text.replace("whole_step_s", "step_s"),
         _ => text,

@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use proptest::prelude::*;
 use seacable::report::chart::{
-    Axis, Chart, Glyphs, Ink, Limit, LimitLine, Map, PictureCell, Series, draw, marker, readout,
+    Axis, Chart, Glyphs, GridMap, Limit, LimitLine, PictureCell, PicturePart, Series, draw, marker,
+    readout,
 };
 
 /// Accepted pictures live in the top-level `snapshots/`, named by what they show.
@@ -120,7 +121,7 @@ fn waves(back: f64) -> Chart {
             range: Some((0.0, 120.0)),
             ..Axis::new("arc length", "m")
         },
-        map: Some(Map {
+        map: Some(GridMap {
             x,
             y,
             values,
@@ -154,8 +155,16 @@ fn a_map_is_read_at_both_cursors() {
     let read = readout(&chart, 20.0).remove(0);
     assert_eq!(read.words("s"), "displacement at 60 m 1.5 D");
     let inks = draw(&chart, 80, 24, Glyphs::Braille);
-    assert!(inks.cells.iter().any(|cell| cell.ink == Ink::Shade(2)));
-    assert!(inks.cells.iter().any(|cell| cell.ink == Ink::Shade(-2)));
+    assert!(
+        inks.cells
+            .iter()
+            .any(|cell| cell.ink == PicturePart::Shade(2))
+    );
+    assert!(
+        inks.cells
+            .iter()
+            .any(|cell| cell.ink == PicturePart::Shade(-2))
+    );
 }
 
 #[test]
@@ -201,7 +210,7 @@ fn a_peak_one_sample_wide_stays_visible() {
     for glyphs in [Glyphs::Braille, Glyphs::Ascii] {
         let picture = draw(&chart, 80, 20, glyphs);
         let top = picture.frame.top;
-        let reaches = (0..80).any(|c| picture.get(c, top).unwrap().ink == Ink::Series(0));
+        let reaches = (0..80).any(|c| picture.get(c, top).unwrap().ink == PicturePart::Series(0));
         assert!(reaches, "{}", picture.to_text());
     }
 }
@@ -220,12 +229,12 @@ fn the_later_of_two_series_owns_their_common_cells() {
     let count = |ch: char| picture.cells.iter().filter(|cell| cell.ch == ch).count();
     // Both markers are on the line, though only the second's dots are.
     assert!(count(marker(0)) > 0 && count(marker(1)) > 0);
-    let dots = |ink: Ink| {
+    let dots = |ink: PicturePart| {
         let of = |c: &&PictureCell| c.ink == ink && c.ch > '\u{2800}';
         picture.cells.iter().filter(of).count()
     };
-    assert_eq!(dots(Ink::Series(0)), 0);
-    assert!(dots(Ink::Series(1)) > 60);
+    assert_eq!(dots(PicturePart::Series(0)), 0);
+    assert!(dots(PicturePart::Series(1)) > 60);
 }
 
 #[test]
@@ -247,7 +256,7 @@ fn a_zoomed_line_is_cut_at_the_edges_with_its_true_slope() {
     for (x, y) in [(40.0, 40.0), (60.0, 60.0)] {
         let (column, row) = (frame.column_of(x).unwrap(), frame.row_of(y).unwrap());
         let cell = picture.get(frame.left + column, frame.top + row).unwrap();
-        assert_eq!(cell.ink, Ink::Series(0), "{}", picture.to_text());
+        assert_eq!(cell.ink, PicturePart::Series(0), "{}", picture.to_text());
     }
 }
 
@@ -307,7 +316,7 @@ prop_compose! {
             ],
             legend: true,
             cursor_y: field.as_ref().map(|(_, first, _)| *first),
-            map: field.map(|(values, first, step)| Map {
+            map: field.map(|(values, first, step)| GridMap {
                 x: vec![first, first + step.abs()],
                 y: vec![0.0, 1.0, 2.0],
                 values,

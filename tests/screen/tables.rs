@@ -1,7 +1,7 @@
 //! Tables as people see them, and what must hold at any width.
 
 use proptest::prelude::*;
-use seacable::report::table::{Cell, CellInk, Column, Table};
+use seacable::report::table::{Cell, CellStyle, Column, Table};
 use unicode_width::UnicodeWidthStr;
 
 /// Accepted tables live in the top-level `snapshots/`, named by what they show.
@@ -14,7 +14,7 @@ fn accept(name: &str, text: &str) {
 }
 
 fn validation() -> Table {
-    let row = |cells: [&str; 7], ink: CellInk| {
+    let row = |cells: [&str; 7], ink: CellStyle| {
         let mut row: Vec<Cell> = cells.map(Cell::plain).into();
         row[5].ink = ink;
         row
@@ -41,7 +41,7 @@ fn validation() -> Table {
                     "PASS",
                     "calibrated",
                 ],
-                CellInk::Good,
+                CellStyle::Good,
             ),
             row(
                 [
@@ -53,7 +53,7 @@ fn validation() -> Table {
                     "PASS",
                     "published",
                 ],
-                CellInk::Good,
+                CellStyle::Good,
             ),
             row(
                 [
@@ -65,7 +65,7 @@ fn validation() -> Table {
                     "DIFFERS",
                     "assumed",
                 ],
-                CellInk::Warn,
+                CellStyle::Warn,
             ),
             row(
                 [
@@ -77,7 +77,7 @@ fn validation() -> Table {
                     "NOT RUN",
                     "assumed",
                 ],
-                CellInk::Dim,
+                CellStyle::Dim,
             ),
         ],
         notes: vec!["Only the drag area was fitted, to one number.".to_owned()],

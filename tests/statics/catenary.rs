@@ -1,7 +1,9 @@
 //! Single lines at rest against independent answers, and the symmetries they must have.
 
 use proptest::prelude::*;
-use seacable::statics::catenary::{Bed, CatenaryError, Ends, Line, SectionProps, Shape, Solution};
+use seacable::statics::catenary::{
+    CatenaryError, CatenaryLine, EndOffset, RigidBed, SectionProperties, Shape, Solution,
+};
 
 /// `tests/data/catenary.csv`: lines of every kind with answers from an independent 40-digit solution
 /// (forces chosen, end positions computed, forces corrected for the rounding of the positions).
@@ -9,9 +11,9 @@ const TABLE: &str = include_str!("../data/catenary.csv");
 
 struct Row {
     kind: String,
-    ends: Ends,
-    section: SectionProps,
-    bed: Option<Bed>,
+    ends: EndOffset,
+    section: SectionProperties,
+    bed: Option<RigidBed>,
     forces: [f64; 4],
     on_bed: f64,
 }
@@ -26,12 +28,12 @@ fn rows() -> Vec<Row> {
             let number = |i| parse(&cells, i).unwrap();
             Row {
                 kind: cells[0].to_string(),
-                ends: Ends {
+                ends: EndOffset {
                     x_m: number(1),
                     z_m: number(2),
                 },
-                section: SectionProps::new(number(3), number(5), number(4)),
-                bed: parse(&cells, 7).ok().map(|below_a_m| Bed {
+                section: SectionProperties::new(number(3), number(5), number(4)),
+                bed: parse(&cells, 7).ok().map(|below_a_m| RigidBed {
                     below_a_m,
                     slope_rad: number(8).to_radians(),
                     friction: number(6),
@@ -43,8 +45,12 @@ fn rows() -> Vec<Row> {
         .collect()
 }
 
-fn line<'a>(ends: Ends, section: &'a [SectionProps], bed: Option<Bed>) -> Line<'a> {
-    Line {
+fn line<'a>(
+    ends: EndOffset,
+    section: &'a [SectionProperties],
+    bed: Option<RigidBed>,
+) -> CatenaryLine<'a> {
+    CatenaryLine {
         ends,
         sections: section,
         bed,
@@ -126,7 +132,7 @@ fn a_warm_start_gives_the_same_answer() {
     for row in rows() {
         let section = [row.section];
         let cold = line(row.ends, &section, row.bed).solve().expect(&row.kind);
-        let near = Ends {
+        let near = EndOffset {
             x_m: row.ends.x_m * 0.98,
             z_m: row.ends.z_m,
         };
@@ -148,7 +154,7 @@ fn end_stiffness_is_the_derivative_of_the_end_force() {
     for row in rows() {
         let section = [row.section];
         let at = |x: f64, z: f64| {
-            let ends = Ends {
+            let ends = EndOffset {
                 x_m: row.ends.x_m + x,
                 z_m: row.ends.z_m + z,
             };
@@ -189,13 +195,13 @@ fn end_stiffness_is_the_derivative_of_the_end_force() {
 
 #[test]
 fn shapes_have_names() {
-    let chain = [SectionProps::new(100.0, 1000.0, 1e9)];
+    let chain = [SectionProperties::new(100.0, 1000.0, 1e9)];
     let name = |x_m, z_m, below: Option<f64>| {
-        let bed = below.map(|below_a_m| Bed {
+        let bed = below.map(|below_a_m| RigidBed {
             below_a_m,
-            ..Bed::default()
+            ..RigidBed::default()
         });
-        line(Ends { x_m, z_m }, &chain, bed)
+        line(EndOffset { x_m, z_m }, &chain, bed)
             .solve()
             .unwrap()
             .shape_name()
@@ -212,14 +218,14 @@ fn shapes_have_names() {
 
 #[test]
 fn a_floating_line_comes_to_rest_against_the_surface() {
-    let sunk = [SectionProps::new(100.0, 500.0, 1e8)];
-    let afloat = [SectionProps::new(100.0, -500.0, 1e8)];
-    let bed = Bed {
+    let sunk = [SectionProperties::new(100.0, 500.0, 1e8)];
+    let afloat = [SectionProperties::new(100.0, -500.0, 1e8)];
+    let bed = RigidBed {
         below_a_m: 15.0,
-        ..Bed::default()
+        ..RigidBed::default()
     };
     let below = line(
-        Ends {
+        EndOffset {
             x_m: 80.0,
             z_m: 10.0,
         },
@@ -228,8 +234,8 @@ fn a_floating_line_comes_to_rest_against_the_surface() {
     )
     .solve()
     .unwrap();
-    let above = Line {
-        ends: Ends {
+    let above = CatenaryLine {
+        ends: EndOffset {
             x_m: 80.0,
             z_m: -10.0,
         },
@@ -247,7 +253,7 @@ fn a_floating_line_comes_to_rest_against_the_surface() {
     );
     assert!((rest.at(50.0).z_m - 15.0).abs() < 1e-12);
     assert!((rest.lowest().z_m + 10.0).abs() < 1e-9);
-    let too_low = Line {
+    let too_low = CatenaryLine {
         surface_above_a_m: Some(-1.0),
         ..above
     };
@@ -259,15 +265,15 @@ fn a_floating_line_comes_to_rest_against_the_surface() {
 
 #[test]
 fn what_has_no_answer_is_refused_in_words() {
-    let refuse = |ends: (f64, f64), section: (f64, f64, f64), bed: Option<Bed>| {
-        let section = [SectionProps::new(section.0, section.1, section.2)];
-        let ends = Ends {
+    let refuse = |ends: (f64, f64), section: (f64, f64, f64), bed: Option<RigidBed>| {
+        let section = [SectionProperties::new(section.0, section.1, section.2)];
+        let ends = EndOffset {
             x_m: ends.0,
             z_m: ends.1,
         };
         line(ends, &section, bed).solve().unwrap_err().to_string()
     };
-    let flat = Some(Bed::default());
+    let flat = Some(RigidBed::default());
     let chain = (100.0, 1e3, 1e9);
     assert!(refuse((80.0, -1.0), chain, flat).contains("end B lies 1.000000 m below the bed"));
     assert!(refuse((f64::NAN, 1.0), chain, None).contains("x of end B [m] is NaN"));
@@ -275,13 +281,13 @@ fn what_has_no_answer_is_refused_in_words() {
     assert!(refuse((1.0, 1.0), (10.0, 1e3, -1.0), None).contains("EA"));
     assert!(refuse((1.0, 1.0), (10.0, 0.0, 1e9), None).contains("not determined"));
     assert!(refuse((101.0, 0.0), (100.0, 1e3, f64::INFINITY), None).contains("cannot stretch"));
-    let rough = Bed {
+    let rough = RigidBed {
         below_a_m: 20.0,
         slope_rad: 0.0,
         friction: 0.5,
     };
     assert!(refuse((80.0, 0.0), chain, Some(rough)).contains("friction"));
-    let slope = Bed {
+    let slope = RigidBed {
         below_a_m: 0.0,
         slope_rad: 0.2,
         friction: 0.0,
@@ -310,9 +316,9 @@ fn extremes_give_an_answer_or_a_refusal() {
             for &length in &numbers {
                 for &w in &[0.0, 1e-300, 1e-9, 1.0, 1e12, -1.0] {
                     for &ea in &[1e-9, 1.0, 1e5, 1e12, 1e30, f64::INFINITY] {
-                        let section = [SectionProps::new(length, w, ea)];
-                        for bed in [None, Some(Bed::default())] {
-                            if let Ok(rest) = line(Ends { x_m, z_m }, &section, bed).solve() {
+                        let section = [SectionProperties::new(length, w, ea)];
+                        for bed in [None, Some(RigidBed::default())] {
+                            if let Ok(rest) = line(EndOffset { x_m, z_m }, &section, bed).solve() {
                                 assert!(forces(&rest).iter().all(|f| f.is_finite()));
                                 assert!(rest.residual <= 1e-6 && rest.h_b_n >= 0.0);
                             }
@@ -324,7 +330,7 @@ fn extremes_give_an_answer_or_a_refusal() {
     }
 }
 
-fn any_line() -> impl Strategy<Value = (Ends, SectionProps, Option<Bed>)> {
+fn any_line() -> impl Strategy<Value = (EndOffset, SectionProperties, Option<RigidBed>)> {
     let bed = prop_oneof![Just(None), (0.0..1.0_f64).prop_map(Some), Just(Some(0.0)),];
     (
         -3.0..4.0_f64,
@@ -336,12 +342,12 @@ fn any_line() -> impl Strategy<Value = (Ends, SectionProps, Option<Bed>)> {
     )
         .prop_map(|(l, w, ea, x, z, below)| {
             let length = 10_f64.powf(l);
-            let bed = below.map(|below| Bed {
+            let bed = below.map(|below| RigidBed {
                 below_a_m: below * length,
-                ..Bed::default()
+                ..RigidBed::default()
             });
-            let section = SectionProps::new(length, 10_f64.powf(w), 10_f64.powf(ea));
-            let ends = Ends {
+            let section = SectionProperties::new(length, 10_f64.powf(w), 10_f64.powf(ea));
+            let ends = EndOffset {
                 x_m: x * length,
                 z_m: z * length,
             };
@@ -355,9 +361,9 @@ proptest! {
     #[test]
     fn to_the_left_and_upside_down_are_the_same((ends, section, _) in any_line()) {
         let there = line(ends, &[section], None).solve();
-        let left = line(Ends { x_m: -ends.x_m, ..ends }, &[section], None).solve();
-        let floating = SectionProps { weight_n_per_m: -section.weight_n_per_m, ..section };
-        let over = line(Ends { z_m: -ends.z_m, ..ends }, &[floating], None).solve();
+        let left = line(EndOffset { x_m: -ends.x_m, ..ends }, &[section], None).solve();
+        let floating = SectionProperties { weight_n_per_m: -section.weight_n_per_m, ..section };
+        let over = line(EndOffset { z_m: -ends.z_m, ..ends }, &[floating], None).solve();
         let there = there.unwrap();
         prop_assert!(apart(forces(&left.unwrap()), forces(&there)) < 1e-15);
         let over = over.unwrap();
@@ -367,9 +373,9 @@ proptest! {
 
     #[test]
     fn swapping_the_ends_swaps_the_forces((ends, section, bed) in any_line()) {
-        let below = bed.map(|bed| Bed { below_a_m: bed.below_a_m + ends.z_m, ..bed });
+        let below = bed.map(|bed| RigidBed { below_a_m: bed.below_a_m + ends.z_m, ..bed });
         let there = line(ends, &[section], bed).solve();
-        let back = line(Ends { z_m: -ends.z_m, ..ends }, &[section], below).solve();
+        let back = line(EndOffset { z_m: -ends.z_m, ..ends }, &[section], below).solve();
         if let (Ok(there), Ok(back)) = (there, back) {
             let swapped = [back.h_a_n, -back.v_a_n, back.h_b_n, -back.v_b_n];
             prop_assert!(apart(swapped, forces(&there)) < 1e-9);
@@ -379,14 +385,14 @@ proptest! {
     #[test]
     fn scaling_lengths_and_weights_scales_forces((ends, section, bed) in any_line()) {
         // Twice as long and a quarter as heavy by the metre: half the weight, half the forces.
-        let half = SectionProps {
+        let half = SectionProperties {
             length_m: 2.0 * section.length_m,
             weight_n_per_m: 0.25 * section.weight_n_per_m,
             ea_n: 0.5 * section.ea_n,
             clump_n: 0.0,
         };
-        let wide = Ends { x_m: 2.0 * ends.x_m, z_m: 2.0 * ends.z_m };
-        let deep = bed.map(|bed| Bed { below_a_m: 2.0 * bed.below_a_m, ..bed });
+        let wide = EndOffset { x_m: 2.0 * ends.x_m, z_m: 2.0 * ends.z_m };
+        let deep = bed.map(|bed| RigidBed { below_a_m: 2.0 * bed.below_a_m, ..bed });
         let there = line(ends, &[section], bed).solve();
         let scaled = line(wide, &[half], deep).solve();
         match (there, scaled) {

@@ -1,7 +1,9 @@
 //! Lines of several sections at rest against independent answers, and what must hold for any of them.
 
 use proptest::prelude::*;
-use seacable::statics::catenary::{Bed, Ends, Line, SectionProps, Shape, Solution};
+use seacable::statics::catenary::{EndOffset, RigidBed, SectionProperties, Shape, Solution};
+
+use super::sections::{check_stiffness, line, sections, total};
 
 /// `tests/data/composite.txt`: lines with clumps, buoys, floating sections, on the bed or not; answers from an
 /// independent 40-digit solution.
@@ -9,9 +11,9 @@ const TABLE: &str = include_str!("../data/composite.txt");
 
 struct Row {
     kind: String,
-    ends: Ends,
-    sections: Vec<SectionProps>,
-    bed: Option<Bed>,
+    ends: EndOffset,
+    sections: Vec<SectionProperties>,
+    bed: Option<RigidBed>,
     /// h, v_b, v_a, on_bed
     answer: [f64; 4],
 }
@@ -23,45 +25,23 @@ fn rows() -> Vec<Row> {
 fn row(line: &str) -> Row {
     let cells: Vec<&str> = line.split(';').collect();
     let number = |i: usize| cells[i].parse::<f64>().unwrap();
-    let section = |text: &str| {
-        let n: Vec<f64> = text.split(',').map(|n| n.parse().unwrap()).collect();
-        SectionProps {
-            length_m: n[0],
-            weight_n_per_m: n[1],
-            ea_n: n[2],
-            clump_n: n[3],
-        }
-    };
     Row {
         kind: cells[0].to_string(),
-        ends: Ends {
+        ends: EndOffset {
             x_m: number(1),
             z_m: number(2),
         },
         bed: cells[3].parse().ok().map(flat),
-        sections: cells[4].split('|').map(section).collect(),
+        sections: sections(cells[4]),
         answer: [number(5), number(6), number(7), number(8)],
     }
 }
 
-fn flat(below_a_m: f64) -> Bed {
-    Bed {
+fn flat(below_a_m: f64) -> RigidBed {
+    RigidBed {
         below_a_m,
-        ..Bed::default()
+        ..RigidBed::default()
     }
-}
-
-fn line(ends: Ends, sections: &[SectionProps], bed: Option<Bed>) -> Line<'_> {
-    Line {
-        ends,
-        sections,
-        bed,
-        surface_above_a_m: None,
-    }
-}
-
-fn total(sections: &[SectionProps]) -> f64 {
-    sections.iter().map(|s| s.length_m).sum()
 }
 
 #[test]
@@ -94,40 +74,22 @@ fn every_kind_agrees_with_the_independent_answer() {
 #[test]
 fn end_stiffness_is_the_derivative_of_the_end_force() {
     for row in rows() {
-        let at = |x: f64, z: f64| {
-            let ends = Ends {
-                x_m: row.ends.x_m + x,
-                z_m: row.ends.z_m + z,
-            };
-            line(ends, &row.sections, row.bed).solve().expect(&row.kind)
-        };
-        let rest = at(0.0, 0.0);
-        let k = rest.stiffness_n_per_m;
-        let stiff = k.iter().flatten().fold(0.0_f64, |m, v| m.max(v.abs()));
-        // Small for the end tension, and for the horizontal force where that is small.
-        let top = rest.tension_b_n().max(rest.tension_a_n());
-        let step = (1e-5 * top / stiff).min(1e-4 * rest.h_b_n / k[0][0].max(k[0][1].abs()));
-        for (column, (x, z)) in [(step, 0.0), (0.0, step)].into_iter().enumerate() {
-            let (up, down) = (at(x, z), at(-x, -z));
-            let found = [
-                (up.h_b_n - down.h_b_n) / (2.0 * step),
-                (up.v_b_n - down.v_b_n) / (2.0 * step),
-            ];
-            for (i, found) in found.into_iter().enumerate() {
-                let error = (found - k[i][column]).abs() / stiff;
-                assert!(error < 1e-4, "{} [{i}][{column}] {error:e}", row.kind);
-            }
-        }
+        check_stiffness(
+            &row.kind,
+            row.ends,
+            |rest| rest.tension_b_n().max(rest.tension_a_n()),
+            |ends| line(ends, &row.sections, row.bed).solve().expect(&row.kind),
+        );
     }
 }
 
 #[test]
 fn a_line_cut_in_pieces_is_the_same_line() {
-    let whole = [SectionProps::new(900.0, 1200.0, 5e8)];
+    let whole = [SectionProperties::new(900.0, 1200.0, 5e8)];
     let cut = [
-        SectionProps::new(200.0, 1200.0, 5e8),
-        SectionProps::new(450.0, 1200.0, 5e8),
-        SectionProps::new(250.0, 1200.0, 5e8),
+        SectionProperties::new(200.0, 1200.0, 5e8),
+        SectionProperties::new(450.0, 1200.0, 5e8),
+        SectionProperties::new(250.0, 1200.0, 5e8),
     ];
     for (x_m, z_m, bed) in [
         (800.0, 300.0, None),
@@ -139,7 +101,7 @@ fn a_line_cut_in_pieces_is_the_same_line() {
         (910.0, 0.0, Some(0.0)),
         (0.0, 200.0, None),
     ] {
-        let ends = Ends { x_m, z_m };
+        let ends = EndOffset { x_m, z_m };
         let one = line(ends, &whole, bed.map(flat)).solve().unwrap();
         let many = line(ends, &cut, bed.map(flat)).solve().unwrap();
         let top = one.tension_b_n().max(one.tension_a_n());
@@ -153,15 +115,17 @@ fn a_line_cut_in_pieces_is_the_same_line() {
 #[test]
 fn a_lazy_wave_rests_rises_over_its_buoys_and_hangs() {
     let riser = [
-        SectionProps::new(300.0, 500.0, 5e8),
-        SectionProps::new(100.0, -600.0, 5e8),
-        SectionProps::new(200.0, 500.0, 5e8),
+        SectionProperties::new(300.0, 500.0, 5e8),
+        SectionProperties::new(100.0, -600.0, 5e8),
+        SectionProperties::new(200.0, 500.0, 5e8),
     ];
-    let ends = Ends {
+    let ends = EndOffset {
         x_m: 400.0,
         z_m: 200.0,
     };
-    let rest = line(ends, &riser, Some(Bed::default())).solve().unwrap();
+    let rest = line(ends, &riser, Some(RigidBed::default()))
+        .solve()
+        .unwrap();
     assert_eq!(rest.shape, Shape::PartlyOnBed);
     let heights: Vec<f64> = (0..=600).map(|s| rest.at(f64::from(s)).z_m).collect();
     let turns = heights
@@ -174,18 +138,20 @@ fn a_lazy_wave_rests_rises_over_its_buoys_and_hangs() {
 #[test]
 fn a_body_heavier_than_its_buoy_rests_on_the_bed_between_two_equilibria() {
     let mooring = [
-        SectionProps {
+        SectionProperties {
             clump_n: -6e4,
-            ..SectionProps::new(150.0, 300.0, 5e8)
+            ..SectionProperties::new(150.0, 300.0, 5e8)
         },
-        SectionProps::new(300.0, 300.0, 5e8),
-        SectionProps::new(150.0, 300.0, 5e8),
+        SectionProperties::new(300.0, 300.0, 5e8),
+        SectionProperties::new(150.0, 300.0, 5e8),
     ];
-    let ends = Ends {
+    let ends = EndOffset {
         x_m: 500.0,
         z_m: 100.0,
     };
-    let rest = line(ends, &mooring, Some(Bed::default())).solve().unwrap();
+    let rest = line(ends, &mooring, Some(RigidBed::default()))
+        .solve()
+        .unwrap();
     assert_eq!(rest.shape, Shape::ManyOnBed);
     assert!(rest.at(150.0).z_m > 10.0 && rest.on_bed_m > 10.0);
     no_deeper_than_the_bed(&rest, total(&mooring), 0.0);
@@ -195,16 +161,16 @@ fn a_body_heavier_than_its_buoy_rests_on_the_bed_between_two_equilibria() {
 fn a_slack_line_hangs_plumb_on_both_sides_however_its_weight_rounds() {
     // The vertical force where the first leg touches down is the rounding of 98.2 N - 28.7 N - 69.5 N.
     let sections = [
-        SectionProps::new(
+        SectionProperties::new(
             32.529_601_634_673_76,
             3.019_765_801_797_352_5,
             49_988_126_491.875_07,
         ),
-        SectionProps::new(28.835_618_092_323_86, 1.0, 1e6),
+        SectionProperties::new(28.835_618_092_323_86, 1.0, 1e6),
     ];
     let length = total(&sections);
     let below = 0.154_951_762_500_636_41 * length;
-    let ends = Ends {
+    let ends = EndOffset {
         x_m: 0.01 * length,
         z_m: 0.0,
     };
@@ -221,12 +187,12 @@ fn a_slack_line_hangs_plumb_on_both_sides_however_its_weight_rounds() {
 #[test]
 fn a_line_lies_exactly_as_long_as_its_bed_either_way_round() {
     let sections = [
-        SectionProps::new(258.502_978_499_591_6, 3819.0, 1.16e10),
-        SectionProps::new(209.352_315_955_867_6, 8.05, 8.28e9),
-        SectionProps::new(413.129_640_213_824_9, 821.2, 1.43e6),
+        SectionProperties::new(258.502_978_499_591_6, 3819.0, 1.16e10),
+        SectionProperties::new(209.352_315_955_867_6, 8.05, 8.28e9),
+        SectionProperties::new(413.129_640_213_824_9, 821.2, 1.43e6),
     ];
     let round = [sections[2], sections[1], sections[0]];
-    let ends = Ends {
+    let ends = EndOffset {
         x_m: total(&sections),
         z_m: 0.0,
     };
@@ -240,11 +206,11 @@ fn a_line_lies_exactly_as_long_as_its_bed_either_way_round() {
 fn sections_that_cannot_stretch_are_the_limit_of_stiff_ones() {
     let of = |ea: f64| {
         [
-            SectionProps::new(500.0, 1200.0, ea),
-            SectionProps::new(400.0, 600.0, ea),
+            SectionProperties::new(500.0, 1200.0, ea),
+            SectionProperties::new(400.0, 600.0, ea),
         ]
     };
-    let ends = Ends {
+    let ends = EndOffset {
         x_m: 840.0,
         z_m: 120.0,
     };
@@ -267,7 +233,7 @@ fn no_deeper_than_the_bed(rest: &Solution, length: f64, below: f64) {
     }
 }
 
-fn any_section() -> impl Strategy<Value = SectionProps> {
+fn any_section() -> impl Strategy<Value = SectionProperties> {
     let body = prop_oneof![
         3 => Just(0.0),
         1 => (1.0..5.0_f64).prop_map(|c| 10_f64.powf(c)),
@@ -280,7 +246,7 @@ fn any_section() -> impl Strategy<Value = SectionProps> {
         prop_oneof![Just(1.0), Just(1.0), Just(-0.3)],
         body,
     )
-        .prop_map(|(l, w, ea, sign, clump_n)| SectionProps {
+        .prop_map(|(l, w, ea, sign, clump_n)| SectionProperties {
             length_m: 10_f64.powf(l),
             weight_n_per_m: sign * 10_f64.powf(w),
             ea_n: 10_f64.powf(ea),
@@ -299,7 +265,7 @@ proptest! {
         sections.last_mut().unwrap().clump_n = 0.0;
         let length = total(&sections);
         let below = depth * length;
-        let ends = Ends { x_m: x * length, z_m: z.max(-depth) * length };
+        let ends = EndOffset { x_m: x * length, z_m: z.max(-depth) * length };
         let rest = line(ends, &sections, bed.then(|| flat(below))).solve();
         prop_assert!(rest.is_ok(), "{:?}", rest);
         let rest = rest.unwrap();
@@ -310,11 +276,11 @@ proptest! {
             no_deeper_than_the_bed(&rest, length, below);
         }
         // Turned round end for end: the same forces at the same places.
-        let mut round: Vec<SectionProps> = sections.iter().rev().copied().collect();
+        let mut round: Vec<SectionProperties> = sections.iter().rev().copied().collect();
         for i in 0..round.len() {
             round[i].clump_n = if i + 1 < round.len() { sections[round.len() - 2 - i].clump_n } else { 0.0 };
         }
-        let back = Ends { z_m: -ends.z_m, ..ends };
+        let back = EndOffset { z_m: -ends.z_m, ..ends };
         let turned = line(back, &round, bed.then(|| flat(below + ends.z_m))).solve();
         prop_assert!(turned.is_ok(), "turned {:?}", turned);
         let turned = turned.unwrap();

@@ -2,16 +2,20 @@
 //! of one section.
 
 use proptest::prelude::*;
-use seacable::statics::catenary::{Bed, CatenaryError, Ends, Line, SectionProps, Shape, Solution};
+use seacable::statics::catenary::{
+    CatenaryError, CatenaryLine, EndOffset, RigidBed, SectionProperties, Shape, Solution,
+};
+
+use super::sections::{check_stiffness, forces, line, sections, total};
 
 /// Forces chosen, end positions computed with 50 digits, forces corrected for the rounding of the positions.
 const TABLE: &str = include_str!("../data/grounded_lines.txt");
 
 struct Row {
     kind: String,
-    ends: Ends,
-    sections: Vec<SectionProps>,
-    bed: Bed,
+    ends: EndOffset,
+    sections: Vec<SectionProperties>,
+    bed: RigidBed,
     /// h_b, v_b, h_a, v_a, on_bed
     answer: [f64; 5],
 }
@@ -23,44 +27,20 @@ fn rows() -> Vec<Row> {
 fn row(line: &str) -> Row {
     let cells: Vec<&str> = line.split(';').collect();
     let number = |i: usize| cells[i].parse::<f64>().unwrap();
-    let section = |text: &str| {
-        let n: Vec<f64> = text.split(',').map(|n| n.parse().unwrap()).collect();
-        SectionProps {
-            clump_n: n[3],
-            ..SectionProps::new(n[0], n[1], n[2])
-        }
-    };
     Row {
         kind: cells[0].to_string(),
-        ends: Ends {
+        ends: EndOffset {
             x_m: number(1),
             z_m: number(2),
         },
-        bed: Bed {
+        bed: RigidBed {
             below_a_m: number(3),
             slope_rad: number(4).to_radians(),
             friction: number(5),
         },
-        sections: cells[6].split('|').map(section).collect(),
+        sections: sections(cells[6]),
         answer: [7, 8, 9, 10, 11].map(number),
     }
-}
-
-fn line(ends: Ends, sections: &[SectionProps], bed: Bed) -> Line<'_> {
-    Line {
-        ends,
-        sections,
-        bed: Some(bed),
-        surface_above_a_m: None,
-    }
-}
-
-fn total(sections: &[SectionProps]) -> f64 {
-    sections.iter().map(|s| s.length_m).sum()
-}
-
-fn forces(rest: &Solution) -> [f64; 4] {
-    [rest.h_b_n, rest.v_b_n, rest.h_a_n, rest.v_a_n]
 }
 
 #[test]
@@ -93,36 +73,19 @@ fn every_line_agrees_with_the_independent_answer() {
 #[test]
 fn end_stiffness_is_the_derivative_of_the_end_force() {
     for row in rows() {
-        let at = |x: f64, z: f64| {
-            let ends = Ends {
-                x_m: row.ends.x_m + x,
-                z_m: row.ends.z_m + z,
-            };
+        check_stiffness(&row.kind, row.ends, Solution::tension_b_n, |ends| {
             line(ends, &row.sections, row.bed).solve().expect(&row.kind)
-        };
-        let rest = at(0.0, 0.0);
-        let k = rest.stiffness_n_per_m;
-        let stiff = k.iter().flatten().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let step =
-            (1e-5 * rest.tension_b_n() / stiff).min(1e-4 * rest.h_b_n / k[0][0].max(k[0][1].abs()));
-        for (column, (x, z)) in [(step, 0.0), (0.0, step)].into_iter().enumerate() {
-            let (up, down) = (at(x, z), at(-x, -z));
-            for (i, row_of_k) in k.iter().enumerate() {
-                let found = (forces(&up)[i] - forces(&down)[i]) / (2.0 * step);
-                let error = (found - row_of_k[column]).abs() / stiff;
-                assert!(error < 1e-4, "{} [{i}][{column}] {error:e}", row.kind);
-            }
-        }
+        });
     }
 }
 
 #[test]
 fn a_line_cut_in_pieces_is_the_same_line() {
-    let whole = [SectionProps::new(900.0, 1200.0, 5e8)];
+    let whole = [SectionProperties::new(900.0, 1200.0, 5e8)];
     let cut = [
-        SectionProps::new(200.0, 1200.0, 5e8),
-        SectionProps::new(450.0, 1200.0, 5e8),
-        SectionProps::new(250.0, 1200.0, 5e8),
+        SectionProperties::new(200.0, 1200.0, 5e8),
+        SectionProperties::new(450.0, 1200.0, 5e8),
+        SectionProperties::new(250.0, 1200.0, 5e8),
     ];
     for (x_m, z_m, slope, friction) in [
         (840.0, 120.0, 0.0, 0.7),
@@ -136,12 +99,12 @@ fn a_line_cut_in_pieces_is_the_same_line() {
         (300.0, 350.0, 0.1, 0.7),
         (850.0, 300.0, 0.1, 0.7),
     ] {
-        let bed = Bed {
+        let bed = RigidBed {
             below_a_m: 0.0,
             slope_rad: slope,
             friction,
         };
-        let ends = Ends { x_m, z_m };
+        let ends = EndOffset { x_m, z_m };
         let one = line(ends, &whole, bed).solve().unwrap();
         let many = line(ends, &cut, bed).solve().unwrap();
         let top = one.tension_b_n().max(one.tension_a_n());
@@ -156,16 +119,18 @@ fn a_line_cut_in_pieces_is_the_same_line() {
 #[test]
 fn what_friction_or_a_slope_leaves_open_is_refused() {
     let chain = [
-        SectionProps::new(100.0, 1200.0, 5e8),
-        SectionProps::new(100.0, 600.0, 5e8),
+        SectionProperties::new(100.0, 1200.0, 5e8),
+        SectionProperties::new(100.0, 600.0, 5e8),
     ];
     let refusal = |x_m, z_m, below_a_m, slope_rad, friction| {
-        let bed = Bed {
+        let bed = RigidBed {
             below_a_m,
             slope_rad,
             friction,
         };
-        line(Ends { x_m, z_m }, &chain, bed).solve().unwrap_err()
+        line(EndOffset { x_m, z_m }, &chain, bed)
+            .solve()
+            .unwrap_err()
     };
     assert_eq!(
         refusal(180.0, 0.0, 20.0, 0.0, 0.5),
@@ -184,20 +149,20 @@ fn what_friction_or_a_slope_leaves_open_is_refused() {
 #[test]
 fn a_line_clear_of_a_slope_hangs_free() {
     let chain = [
-        SectionProps::new(100.0, 1200.0, 5e8),
-        SectionProps::new(100.0, 600.0, 5e8),
+        SectionProperties::new(100.0, 1200.0, 5e8),
+        SectionProperties::new(100.0, 600.0, 5e8),
     ];
-    let ends = Ends {
+    let ends = EndOffset {
         x_m: 150.0,
         z_m: 60.0,
     };
-    let bed = Bed {
+    let bed = RigidBed {
         below_a_m: 80.0,
         slope_rad: 0.2,
         friction: 0.4,
     };
     let over = line(ends, &chain, bed).solve().unwrap();
-    let free = Line {
+    let free = CatenaryLine {
         bed: None,
         ..line(ends, &chain, bed)
     };
@@ -205,7 +170,7 @@ fn a_line_clear_of_a_slope_hangs_free() {
     assert_eq!(over.shape, Shape::Hanging);
 }
 
-fn any_section() -> impl Strategy<Value = SectionProps> {
+fn any_section() -> impl Strategy<Value = SectionProperties> {
     (
         0.5..3.0_f64,
         0.0..4.0_f64,
@@ -213,9 +178,9 @@ fn any_section() -> impl Strategy<Value = SectionProps> {
         prop::bool::weighted(0.2),
         1.0..5.0_f64,
     )
-        .prop_map(|(length, weight, ea, hung, body)| SectionProps {
+        .prop_map(|(length, weight, ea, hung, body)| SectionProperties {
             clump_n: if hung { 10_f64.powf(body) } else { 0.0 },
-            ..SectionProps::new(10_f64.powf(length), 10_f64.powf(weight), 10_f64.powf(ea))
+            ..SectionProperties::new(10_f64.powf(length), 10_f64.powf(weight), 10_f64.powf(ea))
         })
 }
 
@@ -229,9 +194,9 @@ proptest! {
     ) {
         sections.last_mut().unwrap().clump_n = 0.0;
         let length = total(&sections);
-        let bed = Bed { below_a_m: 0.0, slope_rad: slope, friction };
+        let bed = RigidBed { below_a_m: 0.0, slope_rad: slope, friction };
         let x_m = x * length;
-        let ends = Ends { x_m, z_m: x_m * slope.tan() + up * length };
+        let ends = EndOffset { x_m, z_m: x_m * slope.tan() + up * length };
         let rest = line(ends, &sections, bed).solve();
         if let Err(CatenaryError::SlackOnSlope { .. }) = rest {
             prop_assert!(friction < slope.tan().abs());

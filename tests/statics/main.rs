@@ -9,6 +9,7 @@ mod lines;
 #[path = "../common/rest.rs"]
 mod rest;
 
+mod cantilever;
 mod catenary;
 mod closed_forms;
 mod composite;
@@ -16,5 +17,6 @@ mod equilibrium;
 mod grounded_lines;
 mod random_lines;
 mod reconfiguration;
+mod sections;
 mod umbilical;
 mod warnings;

@@ -5,7 +5,7 @@ use crate::lines::line;
 use seacable::numerics::V3;
 use seacable::scene::{self, Scene};
 use seacable::solve::{State, StaticSearch};
-use seacable::statics::catenary::{Ends, Line, SectionProps};
+use seacable::statics::catenary::{CatenaryLine, EndOffset, SectionProperties};
 use seacable::statics::equilibrium::{Equilibrium, EquilibriumSearch, instabilities};
 
 /// Numbers from a fixed seed (Marsaglia's xorshift).
@@ -137,9 +137,9 @@ fn hanging_lines_pull_on_their_ends_as_the_catenary_does() {
 /// estimated; whether it is much closer, as it must be unless the line turns too sharply for its segments.
 fn check(l: &Random) -> bool {
     let weight = l.weight_kg_per_m * 9.80665;
-    let sections = [SectionProps::new(l.length, weight, l.ea)];
-    let exact = Line {
-        ends: Ends::between([0.0; 3], l.end.into()),
+    let sections = [SectionProperties::new(l.length, weight, l.ea)];
+    let exact = CatenaryLine {
+        ends: EndOffset::between([0.0; 3], l.end.into()),
         sections: &sections,
         bed: None,
         surface_above_a_m: None,

@@ -3,7 +3,8 @@
 use seacable::case::{self, edit};
 use seacable::scene;
 use seacable::statics::equilibrium::EquilibriumSearch;
-use seacable::statics::reconfiguration::Cantilever;
+
+use super::cantilever::Cantilever;
 
 /// Drag on the rod by that of the same rod, rigid.
 fn drag(speed: f64, float_kg: f64, segments: usize) -> f64 {

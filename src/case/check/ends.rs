@@ -11,8 +11,8 @@ const MOST_STRETCH: f64 = 1.5;
 
 /// Checks of the ends.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
-    let mut found: Vec<Finding> = ends(case).flat_map(held).collect();
-    for end in ends(case) {
+    let mut found: Vec<Finding> = case.each_end().flat_map(held).collect();
+    for end in case.each_end() {
         found.extend(motion(case, end));
         found.extend(clamp(end));
     }
@@ -20,12 +20,6 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
     found.extend(reach(case));
     found.extend(nothing_holds(case));
     found
-}
-
-/// The ends that the case has, end A first.
-pub(super) fn ends<'k, 'a>(case: &'k CaseKeys<'a>) -> impl Iterator<Item = &'k EndKeys<'a>> {
-    let both = case.ends.iter().flat_map(|ends| [&ends.a, &ends.b]);
-    both.flatten()
 }
 
 fn is_held(end: &EndKeys<'_>) -> bool {
@@ -201,7 +195,7 @@ fn nothing_holds(case: &CaseKeys<'_>) -> Option<Finding> {
         .map_or(Some(Method::Alpha), |solver| solver.method.value())?;
     let needed =
         shape == StartShape::Equilibrium || matches!(method, Method::Static | Method::Quasi);
-    (needed && ends(case).all(loose)).then(|| {
+    (needed && case.each_end().all(loose)).then(|| {
         let remedy = "hold one end (fixed, anchor or moving), or let a dynamic run begin with start.shape = \"straight\"";
         b.kind.finding("nothing holds the line, so it has no equilibrium", remedy)
     })

@@ -1,15 +1,16 @@
 //! Every table and value of a file against the fields of its kind: unknown keys, missing units,
 //! wrong types, numbers out of range, required keys that are not there.
 
+use std::ops::Range;
+
 use crate::case::diagnostic::Finding;
-use crate::case::fields::check_value;
-use crate::case::fields::{Absent, Field, Schema, Table, TableShape};
-use crate::case::fields::{join, unknown_key};
-use crate::case::tree::{Entry, Node, element_names};
+use crate::case::fields::{AbsentValue, Field, Schema, TableSchema, TableShape};
+use crate::case::fields::{check_value, join, unknown_key};
+use crate::case::tree::{TomlEntry, TomlNode, element_names};
 
 /// Checks the whole document.
-pub(crate) fn check(schema: &'static Schema, root: &Node) -> Vec<Finding> {
-    let mut walk = Walk {
+pub(crate) fn check(schema: &'static Schema, root: &TomlNode) -> Vec<Finding> {
+    let mut walk = KeyChecker {
         schema,
         found: Vec::new(),
     };
@@ -17,14 +18,25 @@ pub(crate) fn check(schema: &'static Schema, root: &Node) -> Vec<Finding> {
     walk.found
 }
 
-struct Walk {
+struct KeyChecker {
     schema: &'static Schema,
     found: Vec<Finding>,
 }
 
-impl Walk {
+impl KeyChecker {
+    fn report(
+        &mut self,
+        span: &Range<usize>,
+        path: &[String],
+        problem: impl Into<String>,
+        remedy: impl Into<String>,
+    ) {
+        let finding = Finding::new(span, join(path), problem, remedy);
+        self.found.push(finding);
+    }
+
     /// A table instance: `pattern` is the pattern of the table, `path` its own key path.
-    fn table(&mut self, node: &Node, pattern: &str, path: &mut Vec<String>) {
+    fn table(&mut self, node: &TomlNode, pattern: &str, path: &mut Vec<String>) {
         let known = fields_here(self.schema, node, pattern);
         let mut meant = Vec::new();
         for entry in node.entries() {
@@ -40,9 +52,9 @@ impl Walk {
         }
         for field in known {
             let required = match field.absent {
-                Absent::Required => exists(self.schema, field, node) == Some(true),
-                Absent::RequiredWithout(other) => node.get(other).is_none(),
-                Absent::Default(_) | Absent::Means(_) => false,
+                AbsentValue::Required => exists(self.schema, field, node) == Some(true),
+                AbsentValue::RequiredWithout(other) => node.get(other).is_none(),
+                AbsentValue::Default(_) | AbsentValue::Means(_) => false,
             };
             if required && node.get(field.key()).is_none() && !meant.contains(&field.key()) {
                 self.missing_field(field, node, path);
@@ -51,14 +63,18 @@ impl Walk {
         self.missing_tables(node, pattern, path);
     }
 
-    fn value(&mut self, field: &Field, entry: &Entry, path: &[String]) {
-        if let Err(fault) = check_value(field, &entry.node) {
-            let finding = Finding::new(&fault.span, join(path), fault.problem, fault.remedy);
-            self.found.push(finding);
+    fn value(&mut self, field: &Field, entry: &TomlEntry, path: &[String]) {
+        if let Err(error) = check_value(field, &entry.node) {
+            self.report(&error.span, path, error.problem, error.remedy);
         }
     }
 
-    fn subtables(&mut self, table: &'static Table, entry: &Entry, path: &mut Vec<String>) {
+    fn subtables(
+        &mut self,
+        table: &'static TableSchema,
+        entry: &TomlEntry,
+        path: &mut Vec<String>,
+    ) {
         let inner = table.pattern();
         match table.shape {
             TableShape::One if entry.node.is_table() => {
@@ -90,37 +106,23 @@ impl Walk {
     }
 
     /// A required list of tables that holds none.
-    fn empty(&mut self, table: &Table, node: &Node, path: &[String]) {
+    fn empty(&mut self, table: &TableSchema, node: &TomlNode, path: &[String]) {
         if table.required && node.items().is_empty() && node.entries().is_empty() {
-            let finding = Finding::new(
-                &node.span,
-                join(path),
-                "is empty",
-                format!("add {}", table.header()),
-            );
-            self.found.push(finding);
+            let remedy = format!("add {}", table.header());
+            self.report(&node.span, path, "is empty", remedy);
         }
     }
 
-    fn not_a_table(&mut self, table: &Table, node: &Node, path: &[String]) {
-        let problem = format!(
-            "must be written as {}, and is {}",
-            table.header(),
-            node.describe()
-        );
-        let finding = Finding::new(
-            &node.span,
-            join(path),
-            problem,
-            format!("write {}", table.header()),
-        );
-        self.found.push(finding);
+    fn not_a_table(&mut self, table: &TableSchema, node: &TomlNode, path: &[String]) {
+        let (header, what) = (table.header(), node.describe());
+        let problem = format!("must be written as {header}, and is {what}");
+        self.report(&node.span, path, problem, format!("write {header}"));
     }
 
     /// Reports an unknown key; returns the key that was meant, when that is clear.
     fn unknown(
         &mut self,
-        entry: &Entry,
+        entry: &TomlEntry,
         pattern: &str,
         known: &[&'static Field],
         path: &[String],
@@ -133,27 +135,21 @@ impl Walk {
             .and_then(|field| field.only_if);
         if let Some((key, wanted)) = wrong_kind {
             let problem = format!("belongs to a table with {key} = \"{wanted}\"");
-            let finding = Finding::new(
-                &entry.key_span,
-                join(path),
-                problem,
-                format!("remove it, or set {key} = \"{wanted}\""),
-            );
-            self.found.push(finding);
+            let remedy = format!("remove it, or set {key} = \"{wanted}\"");
+            self.report(&entry.key_span, path, problem, remedy);
             return None;
         }
-        let tables: Vec<&str> = self.schema.tables_in(pattern).map(Table::key).collect();
+        let tables: Vec<&str> = self
+            .schema
+            .tables_in(pattern)
+            .map(TableSchema::key)
+            .collect();
         let said = unknown_key(self.schema, &entry.key, known, &tables);
-        self.found.push(Finding::new(
-            &entry.key_span,
-            join(path),
-            said.problem,
-            said.remedy,
-        ));
+        self.report(&entry.key_span, path, said.problem, said.remedy);
         said.meant
     }
 
-    fn missing_field(&mut self, field: &Field, node: &Node, path: &mut Vec<String>) {
+    fn missing_field(&mut self, field: &Field, node: &TomlNode, path: &mut Vec<String>) {
         path.push(field.key().to_owned());
         let remedy = format!(
             "add `{} = ...` ({}): {}",
@@ -161,19 +157,17 @@ impl Walk {
             field.label,
             field.range_text()
         );
-        self.found
-            .push(Finding::new(&node.span, join(path), "is missing", remedy));
+        self.report(&node.span, path, "is missing", remedy);
         path.pop();
     }
 
-    fn missing_tables(&mut self, node: &Node, pattern: &str, path: &mut Vec<String>) {
+    fn missing_tables(&mut self, node: &TomlNode, pattern: &str, path: &mut Vec<String>) {
         for table in self.schema.tables_in(pattern) {
             let key = table.key();
             if table.required && node.get(key).is_none() {
                 path.push(key.to_owned());
                 let remedy = format!("add {}: {}", table.header(), table.help);
-                self.found
-                    .push(Finding::new(&node.span, join(path), "is missing", remedy));
+                self.report(&node.span, path, "is missing", remedy);
                 path.pop();
             }
         }
@@ -183,7 +177,7 @@ impl Walk {
 /// The fields a table of this pattern has, given what its own keys say.
 pub(crate) fn fields_here(
     schema: &'static Schema,
-    node: &Node,
+    node: &TomlNode,
     pattern: &str,
 ) -> Vec<&'static Field> {
     schema
@@ -194,7 +188,7 @@ pub(crate) fn fields_here(
 
 /// Whether this table has the field at all; nothing when the key that decides it is itself wrong or missing. A key that is
 /// left out decides by its default.
-fn exists(schema: &'static Schema, field: &Field, node: &Node) -> Option<bool> {
+fn exists(schema: &'static Schema, field: &Field, node: &TomlNode) -> Option<bool> {
     let Some((key, wanted)) = field.only_if else {
         return Some(true);
     };
@@ -206,11 +200,11 @@ fn exists(schema: &'static Schema, field: &Field, node: &Node) -> Option<bool> {
             check_value(decides, deciding).ok()?;
             Some(deciding.text() == Some(wanted))
         }
-        (None, Absent::Default(value)) => Some(value.trim_matches('"') == wanted),
+        (None, AbsentValue::Default(value)) => Some(value.trim_matches('"') == wanted),
         (None, _) => None,
     }
 }
 
-fn subtable(schema: &'static Schema, pattern: &str, key: &str) -> Option<&'static Table> {
+fn subtable(schema: &'static Schema, pattern: &str, key: &str) -> Option<&'static TableSchema> {
     schema.tables_in(pattern).find(|table| table.key() == key)
 }

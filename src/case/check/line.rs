@@ -1,7 +1,6 @@
 //! The line as a whole: materials its sections name, names of sections, ends and bodies, floats and bodies inside their
 //! section or on the line.
 
-use super::ends::ends;
 use super::names::{unknown, used_twice};
 use crate::case::diagnostic::Finding;
 use crate::case::fields::quantity;
@@ -49,7 +48,7 @@ fn materials(case: &CaseKeys<'_>) -> Vec<Finding> {
     let known = super::paths::names(case.place.node, "materials");
     let sections = case.line.iter();
     sections
-        .filter_map(|(_, section)| unknown(&section.material, &known, "material"))
+        .filter_map(|(_, section)| unknown(&section.material, &known, "material", "case"))
         .collect()
 }
 
@@ -58,7 +57,7 @@ fn names(case: &CaseKeys<'_>) -> Vec<Finding> {
     let sections = case.line.iter().map(|(_, section)| &section.name);
     let clumps = case.clumps.iter().map(|(_, clump)| &clump.name);
     let all = sections
-        .chain(ends(case).map(|end| &end.name))
+        .chain(case.each_end().map(|end| &end.name))
         .chain(clumps)
         .chain(case.traveller.iter().map(|traveller| &traveller.name));
     used_twice(
@@ -70,7 +69,7 @@ fn names(case: &CaseKeys<'_>) -> Vec<Finding> {
 /// The length of the section that a key names \[m\]; a finding where there is no such section.
 fn section_length(case: &CaseKeys<'_>, key: &Key<'_, String>) -> Result<Option<f64>, Finding> {
     let known: Vec<&str> = case.line.iter().map(|(name, _)| name.as_str()).collect();
-    if let Some(finding) = unknown(key, &known, "section") {
+    if let Some(finding) = unknown(key, &known, "section", "case") {
         return Err(finding);
     }
     let mut sections = case.line.iter();

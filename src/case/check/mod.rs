@@ -18,15 +18,14 @@ mod trials;
 mod validation_data;
 
 use super::diagnostic::Finding;
-use super::model::{CASE, Case, CaseKeys};
-use super::schema::{Place, TableType};
-use super::tree::Node;
+use super::model::CaseKeys;
 
 pub(crate) use keys::{check as check_keys, fields_here};
-pub(crate) use paths::unknown_path;
+pub(crate) use names::{unknown, unknown_name, used_twice};
+pub(crate) use paths::{marks, unknown_path};
 
-/// Everything wrong with the file, in the order of its lines.
-pub(crate) fn check(root: &Node) -> Vec<Finding> {
+/// Errors of the keys of a case against each other.
+pub(super) fn check(keys: &CaseKeys<'_>) -> Vec<Finding> {
     const CHECKS: [fn(&CaseKeys<'_>) -> Vec<Finding>; 9] = [
         line::check,
         ends::check,
@@ -38,9 +37,5 @@ pub(crate) fn check(root: &Node) -> Vec<Finding> {
         validation_data::check,
         trials::check,
     ];
-    let case = Case::keys(&Place::root(root));
-    let mut found = keys::check(&CASE, root);
-    found.extend(CHECKS.iter().flat_map(|check| check(&case)));
-    found.sort_by_key(|finding| finding.span.start);
-    found
+    CHECKS.iter().flat_map(|check| check(keys)).collect()
 }

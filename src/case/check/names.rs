@@ -1,24 +1,26 @@
-//! Words that must be the name of something in the case.
+//! Words that must be the name of something in a file.
 
 use crate::case::diagnostic::Finding;
 use crate::case::fields::{either, nearest};
 use crate::case::schema::Key;
 
-/// A finding where a key names something that is not among those known.
-pub(super) fn unknown<S: AsRef<str>>(
+/// A finding where a key names something that is not among those known of a kind of file.
+pub(crate) fn unknown<S: AsRef<str>>(
     key: &Key<'_, String>,
     known: &[S],
     what: &str,
+    of: &str,
 ) -> Option<Finding> {
-    let (problem, remedy) = unknown_name(key.get()?, known, what)?;
+    let (problem, remedy) = unknown_name(key.get()?, known, what, of)?;
     Some(key.finding(problem, remedy))
 }
 
 /// Problem and remedy of a word that is not among those known: the nearest one.
-pub(super) fn unknown_name<S: AsRef<str>>(
+pub(crate) fn unknown_name<S: AsRef<str>>(
     word: &str,
     known: &[S],
     what: &str,
+    of: &str,
 ) -> Option<(String, String)> {
     let known: Vec<&str> = known.iter().map(AsRef::as_ref).collect();
     if known.contains(&word) {
@@ -27,14 +29,14 @@ pub(super) fn unknown_name<S: AsRef<str>>(
     let problem = format!("there is no {what} named \"{}\"", word.escape_default());
     let remedy = match nearest(word, known.iter().copied()) {
         Some(near) => format!("did you mean \"{near}\"?"),
-        None if known.is_empty() => format!("the case has no {what} yet; add one"),
-        None => format!("the case has {}", either(&known).replace(" or ", " and ")),
+        None if known.is_empty() => format!("the {of} has no {what} yet; add one"),
+        None => format!("the {of} has {}", either(&known).replace(" or ", " and ")),
     };
     Some((problem, remedy))
 }
 
 /// Findings where a name is used twice.
-pub(super) fn used_twice<'k, 'a: 'k>(
+pub(crate) fn used_twice<'k, 'a: 'k>(
     keys: impl Iterator<Item = &'k Key<'a, String>>,
     remedy: &str,
 ) -> Vec<Finding> {

@@ -1,9 +1,9 @@
 //! The channels that a run of the case would record, by name.
 
 use crate::case::Subject;
-use crate::case::along::STEADY;
 use crate::case::channels::{RecordedEnd, RecordedLine};
-use crate::case::model::{CaseKeys, EndKeys, Modes};
+use crate::case::line_quantity::{EnergyQuantity, STEADY};
+use crate::case::model::{CaseKeys, EndKeys};
 
 /// Names of the channels a run would record, and of the numbers that it gives beside them; nothing while line or ends are
 /// themselves faulty.
@@ -15,6 +15,8 @@ pub(super) fn names(case: &CaseKeys<'_>) -> Option<Vec<String>> {
         .as_ref()
         .is_some_and(|output| output.response_from_s.is_given());
     names.extend(response.then(|| STEADY.to_owned()));
+    // Of dynamic runs; a method of another kind may be set for a trial of the case.
+    names.extend(EnergyQuantity::ALL.map(|quantity| quantity.name().to_owned()));
     Some(names)
 }
 
@@ -53,6 +55,7 @@ fn channel_names(case: &CaseKeys<'_>) -> Option<Vec<String>> {
         rotates: payload.is_some_and(|payload| payload.rotation.is_some()),
         bodies: bodies?,
         traveller,
+        bed: case.seabed.is_some(),
         waves: case.waves.is_some(),
         energy: output.is_some_and(|output| output.energy.is(&true)),
     };
@@ -62,12 +65,10 @@ fn channel_names(case: &CaseKeys<'_>) -> Option<Vec<String>> {
 
 /// Names of what a run gives of natural modes.
 fn modal_names(case: &CaseKeys<'_>) -> Vec<String> {
-    let wanted = case.modes.as_ref().and_then(|modes| {
-        Some(Modes {
-            count: modes.count.value()?,
-            near_hz: modes.near_hz.value(),
-        })
+    let subjects = case.modes.as_ref().and_then(|modes| {
+        let near = modes.near_hz.get().is_some();
+        Some(Subject::of_modes(modes.count.value()?, near))
     });
-    let subjects = wanted.map_or_else(Vec::new, |modes| Subject::of_modes(&modes));
+    let subjects = subjects.unwrap_or_default();
     subjects.iter().map(ToString::to_string).collect()
 }

@@ -3,7 +3,7 @@
 use crate::case::diagnostic::Finding;
 use crate::case::fields::number;
 use crate::case::model::{CaseKeys, DynamicStiffness, MaterialKeys};
-use crate::case::schema::{Key, Value};
+use crate::case::schema::{Key, KeyValue};
 
 /// Checks of every material's elasticity and axial damping.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
@@ -30,7 +30,7 @@ fn of_material(material: &MaterialKeys<'_>) -> Vec<Finding> {
 }
 
 /// Two keys that say the same thing: a finding at the later one.
-fn given_once<A: Value, B: Value>(
+fn given_once<A: KeyValue, B: KeyValue>(
     one: &Key<'_, A>,
     other: &Key<'_, B>,
     problem: &str,

@@ -1,15 +1,15 @@
 //! What a published value or trend is taken over: a statistic that suits it, a window of time, a stretch of the line.
 
-use crate::case::along::AlongLine;
 use crate::case::diagnostic::Finding;
 use crate::case::fields::{either, quantity};
 use crate::case::model::Statistic;
 use crate::case::schema::Key;
+use crate::case::{LineQuantity, Subject};
 
 /// Statistics over time are taken of channels, those over arc length of quantities of the whole line.
-pub(super) fn suits(statistic: &Key<'_, Statistic>, channel: &Key<'_, String>) -> Option<Finding> {
+pub(super) fn suits(statistic: &Key<'_, Statistic>, channel: &Key<'_, Subject>) -> Option<Finding> {
     let (taken, channel) = (statistic.value()?, channel.get()?);
-    let along = AlongLine::named(channel).is_some();
+    let along = matches!(channel, Subject::Line(_));
     let fits = if along {
         Statistic::along_line
     } else {
@@ -32,7 +32,7 @@ pub(super) fn suits(statistic: &Key<'_, Statistic>, channel: &Key<'_, String>) -
             format!(
                 "take {}, or name a quantity of the whole line: {}",
                 either(&words),
-                either(&AlongLine::ALL.map(AlongLine::name))
+                either(&LineQuantity::ALL.map(LineQuantity::name))
             ),
         )
     };
@@ -41,12 +41,10 @@ pub(super) fn suits(statistic: &Key<'_, Statistic>, channel: &Key<'_, String>) -
 
 /// A window runs forward. One that ends after the run is no fault: whoever shortens a run for a
 /// first look may do so, and the row is then not computed.
-pub(super) fn window(window: &Key<'_, [f64; 2]>, channel: &Key<'_, String>) -> Option<Finding> {
-    if let Some(channel) = channel
-        .get()
-        .filter(|name| AlongLine::named(name).is_some())
-    {
-        let problem = format!("`{channel}` of the whole line is taken over the whole run");
+pub(super) fn window(window: &Key<'_, [f64; 2]>, channel: Option<&Subject>) -> Option<Finding> {
+    if let Some(Subject::Line(quantity)) = channel {
+        let name = quantity.name();
+        let problem = format!("`{name}` of the whole line is taken over the whole run");
         return window.if_given(problem, "leave the window out");
     }
     let [from, to] = window.value()?;
@@ -61,11 +59,9 @@ pub(super) fn window(window: &Key<'_, [f64; 2]>, channel: &Key<'_, String>) -> O
 }
 
 /// A stretch runs from A towards B, and is one of a quantity of the whole line.
-pub(super) fn stretch(stretch: &Key<'_, [f64; 2]>, channel: &Key<'_, String>) -> Option<Finding> {
-    if let Some(channel) = channel
-        .get()
-        .filter(|name| AlongLine::named(name).is_none())
-    {
+pub(super) fn stretch(stretch: &Key<'_, [f64; 2]>, channel: &Key<'_, Subject>) -> Option<Finding> {
+    let over_time = |subject: &&Subject| !matches!(subject, Subject::Line(_));
+    if let Some(channel) = channel.get().filter(over_time) {
         let problem = format!("`{channel}` is recorded against time, not along the line");
         let remedy = "leave the stretch out, or name a quantity of the whole line";
         return stretch.if_given(problem, remedy);

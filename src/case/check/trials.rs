@@ -4,8 +4,8 @@ use super::names::{unknown, unknown_name};
 use super::paths::unknown_path;
 use crate::case::diagnostic::Finding;
 use crate::case::fields::split;
-use crate::case::model::{CaseKeys, TrialKeys, field_at};
-use crate::case::tree::Node;
+use crate::case::model::{CASE, CaseKeys, TrialKeys, field_at};
+use crate::case::tree::TomlNode;
 
 /// Checks of the trials.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
@@ -25,10 +25,15 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
         }));
         let named = trial.rows.get().into_iter().flatten().enumerate();
         found.extend(named.filter_map(|(index, word)| {
-            let (problem, remedy) = unknown_name(word, &rows, "published value")?;
+            let (problem, remedy) = unknown_name(word, &rows, "published value", "case")?;
             Some(trial.rows.finding_at_item(index, problem, remedy))
         }));
-        found.extend(unknown(&trial.same_as, &earlier, "trial further up"));
+        found.extend(unknown(
+            &trial.same_as,
+            &earlier,
+            "trial further up",
+            "case",
+        ));
         found.extend(idle(trial));
         earlier.extend(trial.name.get().map(String::as_str));
     }
@@ -64,7 +69,7 @@ fn idle(trial: &TrialKeys<'_>) -> Vec<Finding> {
 }
 
 /// Problem and remedy of a word that is not `key=value` with a key that a case can have.
-fn sets(root: &Node, word: &str) -> Option<(String, String)> {
+fn sets(root: &TomlNode, word: &str) -> Option<(String, String)> {
     let Some((path, _)) = word.split_once('=') else {
         let problem = format!("`{word}` gives no value");
         return Some((
@@ -73,5 +78,5 @@ fn sets(root: &Node, word: &str) -> Option<(String, String)> {
         ));
     };
     let known = split(path).is_some_and(|parts| field_at(&parts).is_some());
-    (!known).then(|| unknown_path(root, path.trim()))
+    (!known).then(|| unknown_path(&CASE, root, path.trim()))
 }

@@ -1,25 +1,23 @@
-//! Validation data: studies of keys that exist, published values and trends of channels that a run records, marks of inputs
-//! that the file has.
+//! Validation data: studies of keys that exist, published values and trends of channels that a run records.
 
-use super::names::{unknown, used_twice};
+use super::names::{unknown, unknown_name, used_twice};
 use super::paths::existing;
 use super::recorded;
 use super::taken::{stretch, suits, window};
-use crate::case::along::AlongLine;
 use crate::case::diagnostic::Finding;
-use crate::case::fields::{Field, Kind, check_value, number};
+use crate::case::fields::{Field, ValueType, check_value, number};
 use crate::case::model::{
-    AtKeys, CaseKeys, PublishedCurveKeys, PublishedKeys, StudyKeys, StudyValue, TrendKeys,
+    AtKeys, CASE, CaseKeys, PublishedCurveKeys, PublishedKeys, StudyKeys, StudyValue, TrendKeys,
 };
-use crate::case::schema::Key;
-use crate::case::tree::Node;
+use crate::case::schema::{Key, KeyValue};
+use crate::case::tree::TomlNode;
+use crate::case::{ChannelId, LineQuantity};
 
-/// Checks of studies, published values, trends and marks.
+/// Checks of studies, published values and trends.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
     let mut found = studies(case);
-    found.extend(marks(case));
     let recorded = recorded::names(case);
-    let quantities = AlongLine::ALL.map(|quantity| quantity.name().to_owned());
+    let quantities = LineQuantity::ALL.map(|quantity| quantity.name().to_owned());
     let all = recorded
         .as_ref()
         .map(|names| [&names[..], &quantities].concat());
@@ -39,8 +37,9 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
 }
 
 /// A key that names none of the channels; nothing where these are not known.
-fn channel(key: &Key<'_, String>, known: Option<&[String]>) -> Option<Finding> {
-    unknown(key, known?, "channel")
+fn channel<T: KeyValue>(key: &Key<'_, T>, known: Option<&[String]>) -> Option<Finding> {
+    let (problem, remedy) = unknown_name(key.text()?, known?, "channel", "case")?;
+    Some(key.finding(problem, remedy))
 }
 
 fn curve(
@@ -48,9 +47,12 @@ fn curve(
     row: &PublishedCurveKeys<'_>,
     recorded: Option<&[String]>,
 ) -> Vec<Finding> {
+    let is_channel = |name: &&String| name.parse::<ChannelId>().is_ok();
+    let channels =
+        recorded.map(|names| names.iter().filter(is_channel).cloned().collect::<Vec<_>>());
     let found = [
-        channel(&row.channel, recorded),
-        window(&row.window_s, &row.channel),
+        channel(&row.channel, channels.as_deref()),
+        window(&row.window_s, None),
         points(row),
         row.at.as_ref().and_then(|at| point(case, at)),
     ];
@@ -65,7 +67,7 @@ fn published(
     let found = [
         channel(&row.channel, known),
         suits(&row.statistic, &row.channel),
-        window(&row.window_s, &row.channel),
+        window(&row.window_s, row.channel.get()),
         stretch(&row.stretch_m, &row.channel),
         stretch(&row.by_stretch_m, &row.channel),
         tolerance(row),
@@ -85,7 +87,7 @@ fn trend(case: &CaseKeys<'_>, row: &TrendKeys<'_>, known: Option<&[String]>) -> 
     let found = [
         channel(&row.channel, known),
         suits(&row.statistic, &row.channel),
-        window(&row.window_s, &row.channel),
+        window(&row.window_s, row.channel.get()),
         stretch(&row.stretch_m, &row.channel),
         study_of(case, &row.study).err(),
     ];
@@ -109,9 +111,9 @@ fn studies(case: &CaseKeys<'_>) -> Vec<Finding> {
 }
 
 /// The field a study varies.
-fn varied(root: &Node, key: &str) -> Result<&'static Field, (String, String)> {
-    let field = existing(root, key)?;
-    if field.takes_number() || matches!(field.kind, Kind::Choice(_)) {
+fn varied(root: &TomlNode, key: &str) -> Result<&'static Field, (String, String)> {
+    let field = existing(&CASE, root, key)?;
+    if field.takes_number() || matches!(field.kind, ValueType::Choice(_)) {
         return Ok(field);
     }
     let problem = format!("`{key}` is not a number, so a study cannot vary it");
@@ -131,23 +133,6 @@ fn study_values(study: &StudyKeys<'_>, field: &Field) -> Vec<Finding> {
         )
     });
     wrong.collect()
-}
-
-/// Marks point to inputs that the case has.
-fn marks(case: &CaseKeys<'_>) -> Vec<Finding> {
-    let root = case.place.node;
-    let marks = root.get("marks").map_or(&[] as &[_], Node::entries);
-    let place = case.place.inner(root, "marks");
-    let lost = marks.iter().filter_map(|mark| {
-        let (problem, remedy) = existing(root, &mark.key).err()?;
-        Some(Finding::new(
-            &mark.key_span,
-            place.key(&mark.key),
-            problem,
-            remedy,
-        ))
-    });
-    lost.collect()
 }
 
 /// A curve has as many values as times, at least two, and its times increase.
@@ -217,7 +202,7 @@ fn study_of<'k, 'a>(
     key: &Key<'_, String>,
 ) -> Result<Option<&'k StudyKeys<'a>>, Finding> {
     let known: Vec<&str> = case.study.iter().map(|(name, _)| name.as_str()).collect();
-    if let Some(finding) = unknown(key, &known, "study") {
+    if let Some(finding) = unknown(key, &known, "study", "case") {
         return Err(finding);
     }
     let mut studies = case.study.iter();

@@ -10,13 +10,13 @@ pub struct Field {
     /// What it is, in a few words.
     pub label: &'static str,
     /// What may be written.
-    pub kind: Kind,
+    pub kind: ValueType,
     /// Unit as shown; empty for words, "-" for pure numbers.
     pub unit: &'static str,
     /// Range of every number in it.
     pub range: Range,
     /// What holds when the key is absent.
-    pub absent: Absent,
+    pub absent: AbsentValue,
     /// One line of help.
     pub help: &'static str,
     /// A key of the same table and the value it needs for this field to exist: the dimensions of a
@@ -24,15 +24,15 @@ pub struct Field {
     pub only_if: Option<(&'static str, &'static str)>,
     /// Keys of the same table and the words of which each must be one for this field to have an effect: the motion of an
     /// end that does not move has no period. Such a key may be given all the same.
-    pub matters: Needs,
+    pub matters: Conditions,
 }
 
 /// What a key needs: each of these keys of its table, as one of these words.
-pub type Needs = &'static [(&'static str, &'static [&'static str])];
+pub type Conditions = &'static [(&'static str, &'static [&'static str])];
 
 /// What may be written for a field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum ValueType {
     /// A number.
     Number,
     /// A whole number.
@@ -65,7 +65,7 @@ pub enum Kind {
     NumbersOrWords,
 }
 
-impl Kind {
+impl ValueType {
     /// Whether it is made of numbers.
     fn holds_numbers(self) -> bool {
         !matches!(
@@ -83,7 +83,7 @@ impl Kind {
 
 /// What holds when a key is absent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Absent {
+pub enum AbsentValue {
     /// The key must be there.
     Required,
     /// The key must be there unless this other one of its table is, which says the same in another way.
@@ -94,12 +94,11 @@ pub enum Absent {
     Means(&'static str),
 }
 
-/// A field as it is declared, piece by piece.
 impl Field {
     /// A required field without a range, known by its key alone; its unit is the one in which the key ends.
     pub(crate) fn new(
         key: &'static str,
-        kind: Kind,
+        kind: ValueType,
         label: &'static str,
         help: &'static str,
     ) -> Self {
@@ -114,7 +113,7 @@ impl Field {
             kind,
             unit,
             range: Range::ANY,
-            absent: Absent::Required,
+            absent: AbsentValue::Required,
             help,
             only_if: None,
             matters: &[],
@@ -130,48 +129,6 @@ impl Field {
         field
     }
 
-    pub(crate) fn default(mut self, text: &'static str) -> Self {
-        self.absent = Absent::Default(text);
-        self
-    }
-
-    pub(crate) fn kind(mut self, kind: Kind) -> Self {
-        self.kind = kind;
-        self
-    }
-
-    pub(crate) fn unit(mut self, unit: &'static str) -> Self {
-        self.unit = unit;
-        self
-    }
-
-    pub(crate) fn range(mut self, range: Range) -> Self {
-        self.range = range;
-        self
-    }
-
-    pub(crate) fn absent(mut self, means: &'static str) -> Self {
-        self.absent = Absent::Means(means);
-        self
-    }
-
-    pub(crate) fn unless(mut self, other: &'static str) -> Self {
-        self.absent = Absent::RequiredWithout(other);
-        self
-    }
-
-    pub(crate) fn only(mut self, tag: (&'static str, &'static str)) -> Self {
-        self.only_if = Some(tag);
-        self
-    }
-
-    pub(crate) fn matters(mut self, needs: Needs) -> Self {
-        self.matters = needs;
-        self
-    }
-}
-
-impl Field {
     /// The last part of the path: the key itself.
     #[must_use]
     pub fn key(&self) -> &str {
@@ -198,21 +155,21 @@ impl Field {
     pub fn range_text(&self) -> String {
         let numbers = self.range.text(self.unit);
         match self.kind {
-            Kind::Number => numbers,
-            Kind::Integer => self.range.whole_text(),
-            Kind::Boolean => "true or false".to_owned(),
-            Kind::Text => "text".to_owned(),
-            Kind::Name => "a name of letters, digits, - and _".to_owned(),
-            Kind::Choice(words) => either(words),
-            Kind::NumberOrChoice(words) => format!("{numbers}; or {}", either(words)),
-            Kind::NumberOrList => format!("{numbers}; or a list of such numbers"),
-            Kind::NumberOrTriple => format!("{numbers}; or three such numbers, along x, y, z"),
-            Kind::List => format!("a list, each {numbers}"),
-            Kind::Pair => format!("two numbers, each {numbers}"),
-            Kind::Triple => format!("three numbers along x, y, z, each {numbers}"),
-            Kind::Words => "a list of words in quotes".to_owned(),
-            Kind::NumberOrText => format!("{numbers}; or a word in quotes"),
-            Kind::NumbersOrWords => {
+            ValueType::Number => numbers,
+            ValueType::Integer => self.range.whole_text(),
+            ValueType::Boolean => "true or false".to_owned(),
+            ValueType::Text => "text".to_owned(),
+            ValueType::Name => "a name of letters, digits, - and _".to_owned(),
+            ValueType::Choice(words) => either(words),
+            ValueType::NumberOrChoice(words) => format!("{numbers}; or {}", either(words)),
+            ValueType::NumberOrList => format!("{numbers}; or a list of such numbers"),
+            ValueType::NumberOrTriple => format!("{numbers}; or three such numbers, along x, y, z"),
+            ValueType::List => format!("a list, each {numbers}"),
+            ValueType::Pair => format!("two numbers, each {numbers}"),
+            ValueType::Triple => format!("three numbers along x, y, z, each {numbers}"),
+            ValueType::Words => "a list of words in quotes".to_owned(),
+            ValueType::NumberOrText => format!("{numbers}; or a word in quotes"),
+            ValueType::NumbersOrWords => {
                 format!("a list, each {numbers}; or a list of words in quotes")
             }
         }
@@ -222,11 +179,11 @@ impl Field {
     #[must_use]
     pub fn absent_text(&self) -> String {
         match self.absent {
-            Absent::Required => "required".to_owned(),
-            Absent::RequiredWithout(other) => format!("required without {other}"),
-            Absent::Default("\"\"") => "default: empty".to_owned(),
-            Absent::Default(value) => format!("default {value}"),
-            Absent::Means(meaning) => format!("without it: {meaning}"),
+            AbsentValue::Required => "required".to_owned(),
+            AbsentValue::RequiredWithout(other) => format!("required without {other}"),
+            AbsentValue::Default("\"\"") => "default: empty".to_owned(),
+            AbsentValue::Default(value) => format!("default {value}"),
+            AbsentValue::Means(meaning) => format!("without it: {meaning}"),
         }
     }
 
@@ -247,7 +204,7 @@ impl Field {
     pub fn takes_words(&self) -> bool {
         matches!(
             self.kind,
-            Kind::Text | Kind::Name | Kind::Choice(_) | Kind::NumberOrChoice(_)
+            ValueType::Text | ValueType::Name | ValueType::Choice(_) | ValueType::NumberOrChoice(_)
         )
     }
 
@@ -256,11 +213,11 @@ impl Field {
     pub fn takes_number(&self) -> bool {
         matches!(
             self.kind,
-            Kind::Number
-                | Kind::Integer
-                | Kind::NumberOrChoice(_)
-                | Kind::NumberOrList
-                | Kind::NumberOrTriple
+            ValueType::Number
+                | ValueType::Integer
+                | ValueType::NumberOrChoice(_)
+                | ValueType::NumberOrList
+                | ValueType::NumberOrTriple
         )
     }
 }

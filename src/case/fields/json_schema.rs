@@ -2,8 +2,8 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{Absent, Field, Kind, Schema, Table, TableShape};
-use crate::case::tree::{Data, Node};
+use super::{AbsentValue, Field, Schema, TableSchema, TableShape, ValueType};
+use crate::case::tree::{TomlData, TomlNode};
 
 /// The schema as a JSON Schema, draft 2020-12, of files converted from TOML to JSON.
 #[must_use]
@@ -29,13 +29,13 @@ fn table_schema(schema: &'static Schema, pattern: &str) -> Map<String, Value> {
     for field in fields.iter().filter(|field| field.only_if.is_none()) {
         properties.insert(field.key().to_owned(), value_schema(field));
         match field.absent {
-            Absent::Required => required.push(field.key()),
-            Absent::RequiredWithout(other) => {
+            AbsentValue::Required => required.push(field.key()),
+            AbsentValue::RequiredWithout(other) => {
                 rules.push(
                     json!({ "anyOf": [{ "required": [field.key()] }, { "required": [other] }] }),
                 );
             }
-            Absent::Default(_) | Absent::Means(_) => {}
+            AbsentValue::Default(_) | AbsentValue::Means(_) => {}
         }
     }
     for field in fields.iter().filter(|field| field.only_if.is_some()) {
@@ -70,7 +70,7 @@ fn table_schema(schema: &'static Schema, pattern: &str) -> Map<String, Value> {
 }
 
 /// One table, tables by name, or a list of tables.
-fn tables_schema(schema: &'static Schema, table: &'static Table) -> Value {
+fn tables_schema(schema: &'static Schema, table: &'static TableSchema) -> Value {
     let mut inner = table_schema(schema, &table.pattern());
     let least = usize::from(table.required);
     match table.shape {
@@ -101,7 +101,7 @@ fn conditions(fields: &[&Field]) -> Vec<Value> {
             .clone()
             .map(|field| (field.key().to_owned(), value_schema(field)))
             .collect();
-        let needed = here.filter(|field| field.absent == Absent::Required);
+        let needed = here.filter(|field| field.absent == AbsentValue::Required);
         let needed: Vec<&str> = needed.map(|field| field.key()).collect();
         rules.push(json!({
             "if": is_one_of(fields, tag, &[word]),
@@ -128,7 +128,7 @@ fn conditions(fields: &[&Field]) -> Vec<Value> {
 fn is_one_of(fields: &[&Field], tag: &str, words: &[&str]) -> Value {
     let declared = fields.iter().find(|field| field.key() == tag);
     let default = declared.and_then(|field| match field.absent {
-        Absent::Default(text) => Some(text.trim_matches('"')),
+        AbsentValue::Default(text) => Some(text.trim_matches('"')),
         _ => None,
     });
     let needed: &[&str] = match default {
@@ -151,25 +151,25 @@ fn value_schema(field: &Field) -> Value {
     };
     let texts = || json!({ "type": "array", "items": { "type": "string" }, "minItems": 1 });
     let mut value = match field.kind {
-        Kind::Number => number(),
-        Kind::Integer => number_schema(field, "integer"),
-        Kind::Boolean => json!({ "type": "boolean" }),
-        Kind::Text => json!({ "type": "string" }),
-        Kind::Name => json!({ "type": "string", "pattern": "^[\\p{L}\\p{N}_-]+$" }),
-        Kind::Choice(words) => word(words),
-        Kind::NumberOrChoice(words) => json!({ "anyOf": [number(), word(words)] }),
-        Kind::NumberOrList => json!({ "anyOf": [number(), list(1, None)] }),
-        Kind::NumberOrTriple => json!({ "anyOf": [number(), list(3, Some(3))] }),
-        Kind::List => list(1, None),
-        Kind::Pair => list(2, Some(2)),
-        Kind::Triple => list(3, Some(3)),
-        Kind::Words => texts(),
-        Kind::NumberOrText => json!({ "anyOf": [number(), { "type": "string" }] }),
-        Kind::NumbersOrWords => json!({ "anyOf": [list(1, None), texts()] }),
+        ValueType::Number => number(),
+        ValueType::Integer => number_schema(field, "integer"),
+        ValueType::Boolean => json!({ "type": "boolean" }),
+        ValueType::Text => json!({ "type": "string" }),
+        ValueType::Name => json!({ "type": "string", "pattern": "^[\\p{L}\\p{N}_-]+$" }),
+        ValueType::Choice(words) => word(words),
+        ValueType::NumberOrChoice(words) => json!({ "anyOf": [number(), word(words)] }),
+        ValueType::NumberOrList => json!({ "anyOf": [number(), list(1, None)] }),
+        ValueType::NumberOrTriple => json!({ "anyOf": [number(), list(3, Some(3))] }),
+        ValueType::List => list(1, None),
+        ValueType::Pair => list(2, Some(2)),
+        ValueType::Triple => list(3, Some(3)),
+        ValueType::Words => texts(),
+        ValueType::NumberOrText => json!({ "anyOf": [number(), { "type": "string" }] }),
+        ValueType::NumbersOrWords => json!({ "anyOf": [list(1, None), texts()] }),
     };
     value["description"] = json!(description(field));
-    if let Absent::Default(text) = field.absent
-        && let Some(default) = Node::parse_value(text)
+    if let AbsentValue::Default(text) = field.absent
+        && let Some(default) = TomlNode::parse_value(text)
     {
         value["default"] = json_of(&default);
     }
@@ -193,12 +193,12 @@ fn number_schema(field: &Field, name: &str) -> Value {
     number
 }
 
-fn json_of(node: &Node) -> Value {
+fn json_of(node: &TomlNode) -> Value {
     match &node.data {
-        Data::Text(text) => json!(text),
-        Data::Integer(value) => json!(value),
-        Data::Float(value) => json!(value),
-        Data::Boolean(value) => json!(value),
+        TomlData::Text(text) => json!(text),
+        TomlData::Integer(value) => json!(value),
+        TomlData::Float(value) => json!(value),
+        TomlData::Boolean(value) => json!(value),
         _ => node.items().iter().map(json_of).collect(),
     }
 }
@@ -209,7 +209,7 @@ fn description(field: &Field) -> String {
     if !matches!(field.unit, "" | "-") {
         text += &format!(" Unit: {}.", field.unit);
     }
-    if let Absent::Means(meaning) = field.absent {
+    if let AbsentValue::Means(meaning) = field.absent {
         text += &format!(" Without it: {meaning}.");
     }
     if let Some(condition) = field.condition() {

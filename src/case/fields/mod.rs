@@ -13,11 +13,11 @@ mod value;
 mod words;
 
 pub(crate) use field::either;
-pub use field::{Absent, Field, Kind, Needs, unit_suffix};
+pub use field::{AbsentValue, Conditions, Field, ValueType, unit_suffix};
 pub use json_schema::json_schema;
 pub use range::Range;
 pub(crate) use range::{number, of, positive, quantity};
-pub use tables::{Table, TableShape};
+pub use tables::{TableSchema, TableShape};
 pub(crate) use value::{check as check_value, text as value_text};
 pub(crate) use words::{join, nearest, split, unknown_key};
 
@@ -33,7 +33,7 @@ pub struct Schema {
     /// The numbers within values that can be set one by one.
     pub parts: Vec<Field>,
     /// Its tables.
-    pub tables: Vec<Table>,
+    pub tables: Vec<TableSchema>,
 }
 
 impl Schema {
@@ -49,8 +49,8 @@ impl Schema {
             let part = |(axis, label)| Field {
                 path: format!("{path}.{axis}"),
                 label,
-                kind: Kind::Number,
-                absent: Absent::Required,
+                kind: ValueType::Number,
+                absent: AbsentValue::Required,
                 help: "Coordinate of the position.",
                 ..whole.clone()
             };
@@ -68,7 +68,7 @@ impl Schema {
     }
 
     /// The tables that stand in a table of this pattern.
-    pub fn tables_in(&'static self, pattern: &str) -> impl Iterator<Item = &'static Table> {
+    pub fn tables_in(&'static self, pattern: &str) -> impl Iterator<Item = &'static TableSchema> {
         self.tables
             .iter()
             .filter(move |table| match table.path.rsplit_once('.') {

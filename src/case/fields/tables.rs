@@ -6,7 +6,7 @@ use TableShape::{ByName, List, One};
 
 /// A table of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Table {
+pub struct TableSchema {
     /// Path pattern: `materials`, `ends.a`.
     pub path: String,
     /// How many there are.
@@ -19,7 +19,7 @@ pub struct Table {
     shared: Option<String>,
 }
 
-impl Table {
+impl TableSchema {
     pub(crate) fn new(path: String, shape: TableShape, required: bool, help: &'static str) -> Self {
         Self {
             path,

@@ -3,50 +3,50 @@
 use std::ops::Range as Span;
 
 use super::words::{is_name_letter, nearest};
-use super::{Field, Kind, either, number, quantity};
-use crate::case::tree::{Data, Node};
+use super::{Field, ValueType, either, number, quantity};
+use crate::case::tree::{TomlData, TomlNode};
 
 /// What is wrong with a value, and where.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Fault {
+pub(crate) struct ValueError {
     pub(crate) span: Span<usize>,
     pub(crate) problem: String,
     pub(crate) remedy: String,
 }
 
 /// Holds a value against its field.
-pub(crate) fn check(field: &Field, node: &Node) -> Result<(), Fault> {
+pub(crate) fn check(field: &Field, node: &TomlNode) -> Result<(), ValueError> {
     match field.kind {
-        Kind::Number => one_number(field, node),
-        Kind::Integer => whole_number(field, node),
-        Kind::Boolean => match node.data {
-            Data::Boolean(_) => Ok(()),
+        ValueType::Number => one_number(field, node),
+        ValueType::Integer => whole_number(field, node),
+        ValueType::Boolean => match node.data {
+            TomlData::Boolean(_) => Ok(()),
             _ => Err(wrong_type(field, node, "true or false")),
         },
-        Kind::Text => a_text(field, node).map(|_| ()),
-        Kind::Name => name(field, node),
-        Kind::Choice(words) => choice(field, node, words),
-        Kind::NumberOrChoice(words) => match node.data {
-            Data::Text(_) => choice(field, node, words),
+        ValueType::Text => a_text(field, node).map(|_| ()),
+        ValueType::Name => name(field, node),
+        ValueType::Choice(words) => choice(field, node, words),
+        ValueType::NumberOrChoice(words) => match node.data {
+            TomlData::Text(_) => choice(field, node, words),
             _ => one_number(field, node),
         },
-        Kind::NumberOrList => match node.data {
-            Data::List(_) => list(field, node, None),
+        ValueType::NumberOrList => match node.data {
+            TomlData::List(_) => list(field, node, None),
             _ => one_number(field, node),
         },
-        Kind::NumberOrTriple => match node.data {
-            Data::List(_) => list(field, node, Some(3)),
+        ValueType::NumberOrTriple => match node.data {
+            TomlData::List(_) => list(field, node, Some(3)),
             _ => one_number(field, node),
         },
-        Kind::List => list(field, node, None),
-        Kind::Pair => list(field, node, Some(2)),
-        Kind::Triple => list(field, node, Some(3)),
-        Kind::Words => words(field, node),
-        Kind::NumberOrText => match node.data {
-            Data::Text(_) => Ok(()),
+        ValueType::List => list(field, node, None),
+        ValueType::Pair => list(field, node, Some(2)),
+        ValueType::Triple => list(field, node, Some(3)),
+        ValueType::Words => words(field, node),
+        ValueType::NumberOrText => match node.data {
+            TomlData::Text(_) => Ok(()),
             _ => one_number(field, node),
         },
-        Kind::NumbersOrWords
+        ValueType::NumbersOrWords
             if node
                 .items()
                 .first()
@@ -54,56 +54,57 @@ pub(crate) fn check(field: &Field, node: &Node) -> Result<(), Fault> {
         {
             words(field, node)
         }
-        Kind::NumbersOrWords => list(field, node, None),
+        ValueType::NumbersOrWords => list(field, node, None),
     }
 }
 
 /// A value as the user sees and types it: text without its quotes, anything else as in the file.
-pub(crate) fn text(file: &str, node: &Node) -> String {
+pub(crate) fn text(file: &str, node: &TomlNode) -> String {
     match node.text() {
         Some(text) => text.to_owned(),
         None => file.get(node.span.clone()).unwrap_or_default().to_owned(),
     }
 }
 
-fn fault(node: &Node, problem: impl Into<String>, remedy: impl Into<String>) -> Fault {
-    Fault {
+fn fault(node: &TomlNode, problem: impl Into<String>, remedy: impl Into<String>) -> ValueError {
+    ValueError {
         span: node.span.clone(),
         problem: problem.into(),
         remedy: remedy.into(),
     }
 }
 
-fn wrong_type(field: &Field, node: &Node, wanted: &str) -> Fault {
-    let problem = format!("must be {wanted}, and is {}", node.describe());
+/// A value that its field cannot have, and what it can.
+fn unfit(field: &Field, node: &TomlNode, problem: impl Into<String>) -> ValueError {
     fault(node, problem, format!("give {}", field.range_text()))
 }
 
-fn one_number(field: &Field, node: &Node) -> Result<(), Fault> {
+fn wrong_type(field: &Field, node: &TomlNode, wanted: &str) -> ValueError {
+    let problem = format!("must be {wanted}, and is {}", node.describe());
+    unfit(field, node, problem)
+}
+
+fn one_number(field: &Field, node: &TomlNode) -> Result<(), ValueError> {
     let value = match node.data {
-        Data::Integer(value) => value as f64,
-        Data::Float(value) => value,
-        Data::Text(ref text) => return Err(number_in_quotes(field, node, text)),
+        TomlData::Integer(value) => value as f64,
+        TomlData::Float(value) => value,
+        TomlData::Text(ref text) => return Err(number_in_quotes(field, node, text)),
         _ => return Err(wrong_type(field, node, "a number")),
     };
-    let wanted = format!("give {}", field.range_text());
     if !value.is_finite() {
         let shown = if value.is_nan() { "nan" } else { "inf" };
-        return Err(fault(
-            node,
-            format!("must be a finite number, and is {shown}"),
-            wanted,
-        ));
+        let problem = format!("must be a finite number, and is {shown}");
+        return Err(unfit(field, node, problem));
     }
     if !field.range.contains(value) {
         let shown = quantity(value, field.unit);
-        return Err(fault(node, format!("is out of range: {shown}"), wanted));
+        return Err(unfit(field, node, format!("is out of range: {shown}")));
     }
     Ok(())
 }
 
 /// `length_m = "25 m"`: says how to write the number that stands in the text.
-fn number_in_quotes(field: &Field, node: &Node, text: &str) -> Fault {
+fn number_in_quotes(field: &Field, node: &TomlNode, text: &str) -> ValueError {
     let digits = text
         .trim()
         .trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.');
@@ -122,16 +123,12 @@ fn number_in_quotes(field: &Field, node: &Node, text: &str) -> Fault {
     fault(node, "must be a number, and is text", remedy)
 }
 
-fn whole_number(field: &Field, node: &Node) -> Result<(), Fault> {
+fn whole_number(field: &Field, node: &TomlNode) -> Result<(), ValueError> {
     match node.data {
-        Data::Integer(value) if field.range.contains(value as f64) => Ok(()),
-        Data::Integer(value) => Err(fault(
-            node,
-            format!("is out of range: {value}"),
-            format!("give {}", field.range_text()),
-        )),
-        Data::Float(value) if !value.is_finite() => one_number(field, node),
-        Data::Float(_) => Err(wrong_type(
+        TomlData::Integer(value) if field.range.contains(value as f64) => Ok(()),
+        TomlData::Integer(value) => Err(unfit(field, node, format!("is out of range: {value}"))),
+        TomlData::Float(value) if !value.is_finite() => one_number(field, node),
+        TomlData::Float(_) => Err(wrong_type(
             field,
             node,
             "a whole number without a decimal point",
@@ -140,12 +137,12 @@ fn whole_number(field: &Field, node: &Node) -> Result<(), Fault> {
     }
 }
 
-fn a_text<'a>(field: &Field, node: &'a Node) -> Result<&'a str, Fault> {
+fn a_text<'a>(field: &Field, node: &'a TomlNode) -> Result<&'a str, ValueError> {
     node.text()
         .ok_or_else(|| wrong_type(field, node, "text in quotes"))
 }
 
-fn name(field: &Field, node: &Node) -> Result<(), Fault> {
+fn name(field: &Field, node: &TomlNode) -> Result<(), ValueError> {
     let text = a_text(field, node)?;
     if !text.is_empty() && text.chars().all(is_name_letter) {
         return Ok(());
@@ -161,7 +158,7 @@ fn name(field: &Field, node: &Node) -> Result<(), Fault> {
     ))
 }
 
-fn choice(field: &Field, node: &Node, words: &[&str]) -> Result<(), Fault> {
+fn choice(field: &Field, node: &TomlNode, words: &[&str]) -> Result<(), ValueError> {
     let text = a_text(field, node)?;
     if words.contains(&text) {
         return Ok(());
@@ -180,35 +177,27 @@ fn choice(field: &Field, node: &Node, words: &[&str]) -> Result<(), Fault> {
     ))
 }
 
-fn list(field: &Field, node: &Node, count: Option<usize>) -> Result<(), Fault> {
-    let Data::List(items) = &node.data else {
+fn list(field: &Field, node: &TomlNode, count: Option<usize>) -> Result<(), ValueError> {
+    let TomlData::List(items) = &node.data else {
         return Err(wrong_type(field, node, "a list of numbers in brackets"));
     };
     let wrong_count = count.filter(|count| *count != items.len());
     if let Some(count) = wrong_count {
         let problem = format!("must hold {count} numbers, and holds {}", items.len());
-        return Err(fault(node, problem, format!("give {}", field.range_text())));
+        return Err(unfit(field, node, problem));
     }
     if items.is_empty() {
-        return Err(fault(
-            node,
-            "is an empty list",
-            format!("give {}", field.range_text()),
-        ));
+        return Err(unfit(field, node, "is an empty list"));
     }
     items.iter().try_for_each(|item| one_number(field, item))
 }
 
-fn words(field: &Field, node: &Node) -> Result<(), Fault> {
-    let Data::List(items) = &node.data else {
+fn words(field: &Field, node: &TomlNode) -> Result<(), ValueError> {
+    let TomlData::List(items) = &node.data else {
         return Err(wrong_type(field, node, "a list of words in brackets"));
     };
     if items.is_empty() {
-        return Err(fault(
-            node,
-            "is an empty list",
-            format!("give {}", field.range_text()),
-        ));
+        return Err(unfit(field, node, "is an empty list"));
     }
     items
         .iter()

@@ -56,7 +56,7 @@ pub(crate) fn nearest<'a>(
 }
 
 /// What to say about a key that its table does not know.
-pub(crate) struct Unknown {
+pub(crate) struct UnknownKey {
     pub(crate) problem: String,
     pub(crate) remedy: String,
     /// The key that was meant, when that is clear; it is then not reported as missing too.
@@ -69,7 +69,7 @@ pub(crate) fn unknown_key(
     key: &str,
     known: &[&'static Field],
     tables: &[&str],
-) -> Unknown {
+) -> UnknownKey {
     if let Some(field) = with_unit(schema, key, known) {
         return unit_slip(key, field);
     }
@@ -82,7 +82,7 @@ pub(crate) fn unknown_key(
             .iter()
             .map(|field| field.key())
             .find(|name| *name == near);
-        return Unknown {
+        return UnknownKey {
             problem: "is not a known key".to_owned(),
             remedy: format!("did you mean `{near}`?"),
             meant,
@@ -99,7 +99,7 @@ pub(crate) fn unknown_key(
             either(&names).replace(" or ", " and ")
         )
     });
-    Unknown {
+    UnknownKey {
         problem: "is not a known key".to_owned(),
         remedy,
         meant: None,
@@ -129,69 +129,24 @@ fn with_unit(schema: &Schema, key: &str, known: &[&'static Field]) -> Option<&'s
 
 /// Units people put into key names, the right ones among them.
 fn is_unit(schema: &Schema, suffix: &str) -> bool {
-    const OTHERS: &[&str] = &[
-        "mm",
-        "cm",
-        "km",
-        "ft",
-        "in",
-        "inch",
-        "min",
-        "h",
-        "ms",
-        "kn",
-        "mn",
-        "gn",
-        "lbf",
-        "kgf",
-        "tf",
-        "t",
-        "te",
-        "g",
-        "lb",
-        "mt",
-        "rad",
-        "degrees",
-        "knots",
-        "kt",
-        "km_per_h",
-        "cm2",
-        "mm2",
-        "cm3",
-        "l",
-        "t_per_m",
-        "g_per_m",
-        "n_per_m",
-        "kn_per_m",
-        "kn_s",
-        "ns",
-        "mps",
-        "seconds",
-        "metres",
-        "meters",
-        "newton",
-        "newtons",
-        "pa",
-        "gpa",
-        "mpa",
-        "g_per_cm3",
-        "t_per_m3",
-    ];
+    const OTHERS: &str = "mm cm km ft in inch min h ms kn mn gn lbf kgf tf t te g lb mt rad degrees knots kt \
+        km_per_h cm2 mm2 cm3 l t_per_m g_per_m n_per_m kn_per_m kn_s ns mps seconds metres \
+        meters newton newtons pa gpa mpa g_per_cm3 t_per_m3";
     let known = schema
         .fields
         .iter()
         .any(|field| unit_suffix(field.unit) == Some(suffix));
-    known || OTHERS.contains(&suffix)
+    known || OTHERS.split(' ').any(|other| other == suffix)
 }
 
-fn unit_slip(key: &str, field: &'static Field) -> Unknown {
+fn unit_slip(key: &str, field: &'static Field) -> UnknownKey {
     let (right, unit) = (field.key(), field.unit);
     let problem = if key == field.stem() {
         "has no unit in its name".to_owned()
     } else {
         "has the wrong unit in its name".to_owned()
     };
-    Unknown {
+    UnknownKey {
         problem,
         remedy: format!("write `{right}`, with the value in {unit}"),
         meant: Some(right),
@@ -233,13 +188,13 @@ mod tests {
 
     #[test]
     fn a_unit_left_out_or_wrong_names_the_right_key() {
-        let known: Vec<_> = crate::case::fields_of("line.*").collect();
+        let known: Vec<_> = crate::case::model::CASE.fields_of("line.*").collect();
         let bare = unknown_key(&crate::case::CASE, "length", &known, &[]);
         assert_eq!(bare.remedy, "write `length_m`, with the value in m");
         assert_eq!(bare.meant, Some("length_m"));
         let wrong = unknown_key(&crate::case::CASE, "length_ft", &known, &[]);
         assert_eq!(wrong.problem, "has the wrong unit in its name");
-        let known: Vec<_> = crate::case::fields_of("materials.*").collect();
+        let known: Vec<_> = crate::case::model::CASE.fields_of("materials.*").collect();
         assert_eq!(
             unknown_key(&crate::case::CASE, "mass_kg", &known, &[]).meant,
             Some("mass_kg_per_m")

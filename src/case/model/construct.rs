@@ -20,7 +20,7 @@
 use std::fmt::Write;
 
 use super::{
-    About, Attachment, Case, Clump, End, EndKind, Ends, Material, MotionName, Seabed, Section,
+    Attachment, Case, CaseInfo, Clump, End, EndKind, Ends, Material, MotionName, Seabed, Section,
     Traveller, WaveKind, Waves,
 };
 
@@ -28,9 +28,9 @@ impl Case {
     /// A case of this title with these ends, without materials and sections; all else as in a file that leaves it out.
     #[must_use]
     pub fn new(title: &str, ends: Ends) -> Self {
-        let case = About {
+        let case = CaseInfo {
             title: title.to_owned(),
-            ..About::default()
+            ..CaseInfo::default()
         };
         Self {
             case,

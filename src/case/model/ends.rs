@@ -1,7 +1,7 @@
 //! What holds the ends, and the payload.
 
-use crate::case::fields::Kind::{Name, NumberOrTriple};
-use crate::case::fields::{Needs, of, positive};
+use crate::case::fields::ValueType::{Name, NumberOrTriple};
+use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, variants, words};
 
 use super::OneOrMany;
@@ -19,12 +19,13 @@ table! {
 }
 
 /// Ends that are held, and so may move, be clamped, or be let go.
-const HELD: Needs = &[("kind", &["fixed", "anchor", "moving"])];
-const MOVING: Needs = &[("kind", &["moving"])];
-const HARMONIC: Needs = &[("kind", &["moving"]), ("motion", &["harmonic"])];
-const IRREGULAR: Needs = &[("kind", &["moving"]), ("motion", &["irregular"])];
-const FROM_FILE: Needs = &[("kind", &["moving"]), ("motion", &["table", "vessel"])];
-const VESSEL: Needs = &[("kind", &["moving"]), ("motion", &["vessel"])];
+const HELD: Conditions = &[("kind", &["fixed", "anchor", "moving"])];
+const MOVING: Conditions = &[("kind", &["moving"])];
+const HARMONIC: Conditions = &[("kind", &["moving"]), ("motion", &["harmonic"])];
+const IRREGULAR: Conditions = &[("kind", &["moving"]), ("motion", &["irregular"])];
+const FROM_FILE: Conditions = &[("kind", &["moving"]), ("motion", &["table", "vessel"])];
+const TABLE: Conditions = &[("kind", &["moving"]), ("motion", &["table"])];
+const VESSEL: Conditions = &[("kind", &["moving"]), ("motion", &["vessel"])];
 
 table! {
     /// One end of the line.
@@ -50,6 +51,8 @@ table! {
         motion: MotionName = MotionName::Harmonic, "motion", matters MOVING;
         /// CSV file beside the case: time_s,x_m,y_m,z_m from the position, or a vessel's responses over period_s.
         motion_file: Option<String>, "motion file", absent "not used", matters FROM_FILE;
+        /// Between the rows of a table: a C2 spline, which may overshoot, monotone cubics (C1), or straight lines.
+        motion_interpolation: MotionInterpolation = MotionInterpolation::Spline, "motion interpolation", matters TABLE;
         /// Root mean square of an irregular motion along x, y, z.
         rms_m: Option<[f64; 3]>, "motion rms", range of(0.0, 1e3), absent "not used", matters IRREGULAR;
         /// Period of the peak of an irregular motion's spectrum.
@@ -84,6 +87,20 @@ words! {
         Irregular = "irregular",
         /// As a vessel does in the waves of the case.
         Vessel = "vessel",
+    }
+}
+
+words! {
+    /// How a table of places over time is interpolated.
+    #[derive(Default)]
+    pub enum MotionInterpolation {
+        /// Natural cubic spline: continuous in velocity and acceleration.
+        #[default]
+        Spline = "spline",
+        /// Monotone cubic Hermite (Fritsch and Butland 1984): continuous in velocity, between neighbouring rows.
+        Monotone = "monotone",
+        /// Straight lines.
+        Linear = "linear",
     }
 }
 
@@ -126,12 +143,20 @@ table! {
         drag_area_m2: Option<OneOrMany>, "drag area", kind NumberOrTriple, range of(0.0, 1e6), absent "from the shape";
         /// Added mass: one number, or along x, y, z.
         added_mass_kg: Option<OneOrMany>, "added mass", kind NumberOrTriple, range of(0.0, 1e10), absent "from the shape";
+        /// Area that bears on the sea bed.
+        bed_area_m2: Option<f64>, "area on the bed", range of(0.0, 1e6), absent "by the shape, or the bottom of a cube of its volume";
+        /// From the hang point down to what bears on the bed.
+        bottom_m: Option<f64>, "bottom", range of(0.0, 1e3), absent "at its position";
+        /// Greatest pull by which the bed holds the body back once it has borne on it.
+        breakout_n: f64 = 0.0, "breakout force", range of(0.0, 1e10);
+        /// Distance off the bed at which it is free of that pull.
+        breakout_distance_m: f64 = 0.1, "breakout distance", range positive(100.0);
         /// The payload is cut off the line at this time.
         release_s: Option<f64>, "release", range of(0.0, 1e6), absent "never";
     }
     tables {
         /// The form of the payload, for what its other keys leave out.
-        shape: Option<Shape>;
+        shape: Option<PayloadShape>;
         /// How the payload turns about the end of the line; absent means that it is a point.
         rotation: Option<Rotation>;
     }
@@ -167,7 +192,7 @@ table! {
 
 variants! {
     /// The form of a payload.
-    pub enum Shape => ShapeKeys by kind, "shape", "Form of the payload." {
+    pub enum PayloadShape => ShapeKeys by kind, "shape", "Form of the payload." {
         /// A box.
         Box(BoxShape) = "box",
         /// A sphere and an upright cylinder.

@@ -1,13 +1,13 @@
 //! The line: materials, sections, floats.
 
 use super::OneOrMany;
-use crate::case::Node;
-use crate::case::fields::Kind::{self, Name, NumberOrChoice, NumberOrTriple};
+use crate::case::TomlNode;
+use crate::case::fields::ValueType::{self, Name, NumberOrChoice, NumberOrTriple};
 use crate::case::fields::{of, positive};
-use crate::case::schema::{FromDefault, Value, table, words};
+use crate::case::schema::{FromDefault, KeyValue, table, words};
 
-const NORMAL_DRAG: Kind = NumberOrChoice(&["jia-2019-normal"]);
-const TANGENTIAL_DRAG: Kind = NumberOrChoice(&["jia-2019-tangential"]);
+const NORMAL_DRAG: ValueType = NumberOrChoice(&["jia-2019-normal"]);
+const TANGENTIAL_DRAG: ValueType = NumberOrChoice(&["jia-2019-tangential"]);
 
 table! {
     /// What a stretch of line is made of.
@@ -42,9 +42,9 @@ table! {
         /// Fraction of critical of a segment's highest axial mode. Give this or axial_damping_n_s.
         axial_damping_ratio: Option<f64>, "axial damping ratio", range of(0.0, 10.0), absent "no axial damping";
         /// Coefficient on the diameter, or a law of the Reynolds number by name.
-        drag_normal: DragLaw = 0.0, "normal drag", kind NORMAL_DRAG, range of(0.0, 100.0);
+        drag_normal: DragCoefficient = 0.0, "normal drag", kind NORMAL_DRAG, range of(0.0, 100.0);
         /// Coefficient on the width below, or a law of the Reynolds number by name.
-        drag_tangential: DragLaw = 0.0, "tangential drag", kind TANGENTIAL_DRAG, range of(0.0, 100.0);
+        drag_tangential: DragCoefficient = 0.0, "tangential drag", kind TANGENTIAL_DRAG, range of(0.0, 100.0);
         /// What tangential drag refers to: the diameter D, or the perimeter pi D.
         drag_tangential_width: DragWidth = DragWidth::Diameter, "tangential drag width";
         /// Coefficient on the displaced volume, across the line.
@@ -74,21 +74,21 @@ words! {
 
 /// A drag coefficient, constant or from a named law of the Reynolds number.
 #[derive(Debug, Clone, PartialEq)]
-pub enum DragLaw {
+pub enum DragCoefficient {
     /// The same at every Reynolds number.
     Constant(f64),
     /// A law by name.
     Named(DragLawName),
 }
 
-impl Value for DragLaw {
-    const KIND: Kind = NumberOrChoice(&["jia-2019-normal", "jia-2019-tangential"]);
+impl KeyValue for DragCoefficient {
+    const KIND: ValueType = NumberOrChoice(&["jia-2019-normal", "jia-2019-tangential"]);
 
     fn blank() -> Self {
         Self::Constant(0.0)
     }
 
-    fn read(node: &Node) -> Option<Self> {
+    fn read(node: &TomlNode) -> Option<Self> {
         let constant = node.number().map(Self::Constant);
         constant.or_else(|| DragLawName::read(node).map(Self::Named))
     }
@@ -101,7 +101,7 @@ impl Value for DragLaw {
     }
 }
 
-impl FromDefault<f64> for DragLaw {
+impl FromDefault<f64> for DragCoefficient {
     fn from_default(declared: f64) -> Self {
         Self::Constant(declared)
     }
@@ -183,6 +183,14 @@ table! {
         drag_area_m2: OneOrMany = 0.0, "drag area", kind NumberOrTriple, range of(0.0, 1e6);
         /// Added mass: one number, or along x, y, z.
         added_mass_kg: OneOrMany = 0.0, "added mass", kind NumberOrTriple, range of(0.0, 1e10);
+        /// Area that bears on the sea bed.
+        bed_area_m2: Option<f64>, "area on the bed", range of(0.0, 1e6), absent "the bottom of a cube of its volume";
+        /// From the node down to what bears on the bed.
+        bottom_m: f64 = 0.0, "bottom", range of(0.0, 1e3);
+        /// Greatest pull by which the bed holds the body back once it has borne on it.
+        breakout_n: f64 = 0.0, "breakout force", range of(0.0, 1e10);
+        /// Distance off the bed at which it is free of that pull.
+        breakout_distance_m: f64 = 0.1, "breakout distance", range positive(100.0);
     }
 }
 

@@ -47,6 +47,18 @@ table! {
 }
 
 words! {
+    /// Length of a taut line that drag acts on.
+    #[derive(Default)]
+    pub enum DragLength {
+        /// As it is stretched.
+        #[default]
+        Stretched = "stretched",
+        /// As it would be without tension.
+        Unstretched = "unstretched",
+    }
+}
+
+words! {
     /// The kinds of waves.
     pub enum WaveKind {
         /// One component.

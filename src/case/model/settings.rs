@@ -1,9 +1,9 @@
 //! How a case is computed: start, solver, output.
 
-use crate::case::fields::{Needs, of, positive};
+use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 
-const STRAIGHT: Needs = &[("shape", &["straight"])];
+const STRAIGHT: Conditions = &[("shape", &["straight"])];
 
 table! {
     /// Where the line is at time zero, at rest.
@@ -67,7 +67,7 @@ table! {
 
 words! {
     /// The solvers.
-    #[derive(Default)]
+    #[derive(Default, clap::ValueEnum)]
     pub enum Method {
         /// Static equilibrium by Newton on the nodes.
         Static = "static",
@@ -93,22 +93,8 @@ table! {
         shape_interval_s: f64 = 5.0, "shape interval", range positive(1e6);
         /// Whether the energy of the line is recorded: kinetic, of position and of stretch, bending and bed.
         energy: bool = false, "energy";
-        /// Envelopes along the line at output times or at every step; limits and published extremes ask for every step.
-        envelope: EnvelopeOf = EnvelopeOf::Outputs, "envelope";
         /// From this time on root mean square displacements along the line are taken, about the mean.
         response_from_s: Option<f64>, "response from", range of(0.0, 1e6), absent "not used";
-    }
-}
-
-words! {
-    /// What the envelopes along the line are of.
-    #[derive(Default)]
-    pub enum EnvelopeOf {
-        /// The output times, unless a limit, a published extreme or a trend of the line asks for more.
-        #[default]
-        Outputs = "outputs",
-        /// Every step.
-        Steps = "steps",
     }
 }
 

@@ -2,10 +2,12 @@
 
 use std::fmt;
 
-use crate::case::Node;
-use crate::case::fields::Kind::{self, Name};
+use crate::case::TomlNode;
+use crate::case::channel_id::ChannelId;
+use crate::case::fields::ValueType::{self, Name};
 use crate::case::fields::{of, positive};
-use crate::case::schema::{Listed, Value, table, words};
+use crate::case::schema::{KeyValue, ListElement, table, words};
+use crate::case::subject::Subject;
 
 table! {
     /// Where an input comes from when the source does not print it.
@@ -67,14 +69,14 @@ impl StudyValue {
     }
 }
 
-impl Value for StudyValue {
-    const KIND: Kind = Kind::NumberOrText;
+impl KeyValue for StudyValue {
+    const KIND: ValueType = ValueType::NumberOrText;
 
     fn blank() -> Self {
         Self::Number(0.0)
     }
 
-    fn read(node: &Node) -> Option<Self> {
+    fn read(node: &TomlNode) -> Option<Self> {
         let number = node.number().map(Self::Number);
         number.or_else(|| String::read(node).map(Self::Word))
     }
@@ -91,8 +93,8 @@ impl Value for StudyValue {
     }
 }
 
-impl Listed for StudyValue {
-    const LIST: Kind = Kind::NumbersOrWords;
+impl ListElement for StudyValue {
+    const LIST: ValueType = ValueType::NumbersOrWords;
 }
 
 impl fmt::Display for StudyValue {
@@ -111,7 +113,7 @@ table! {
         /// What the value is, in words.
         name: String, "name";
         /// Channel of the history, such as tension_n[wire|payload], or of the whole line, such as tension_n.
-        channel: String, "channel";
+        channel: Subject, "channel";
         /// What is taken of the channel.
         statistic: Statistic, "statistic";
         /// Window of time for the statistic.
@@ -137,11 +139,11 @@ table! {
     }
     tables {
         /// The point of a study this row belongs to.
-        at: Option<At>;
+        at: Option<StudyPoint>;
         /// The point of a study from which this row's value is the change.
-        change_from: Option<At>;
+        change_from: Option<StudyPoint>;
         /// The point of a study by which this row's value is divided.
-        ratio_to: Option<At>;
+        ratio_to: Option<StudyPoint>;
     }
 }
 
@@ -153,7 +155,7 @@ table! {
         /// What the curve is, in words.
         name: String, "name";
         /// Channel of the history, such as tension_n[wire|payload].
-        channel: String, "channel";
+        channel: ChannelId, "channel";
         /// CSV file beside the case with the curve's points: time_s,value. In the place of time_s and value.
         points_file: Option<String>, "points file", absent "not used";
         /// Times of the curve's points, increasing.
@@ -175,7 +177,7 @@ table! {
     }
     tables {
         /// The point of a study this curve belongs to.
-        at: Option<At>;
+        at: Option<StudyPoint>;
     }
 }
 
@@ -198,7 +200,7 @@ impl Trend {
 table! {
     /// A point of a study.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct At => AtKeys {
+    pub struct StudyPoint => AtKeys {
         /// Name of the study.
         study: String, "study";
         /// Value of its key.
@@ -209,9 +211,9 @@ table! {
 impl super::Case {
     /// Whether the case as it stands is at this point of a study: its key has that value here.
     #[must_use]
-    pub fn stands_at(&self, at: &At) -> bool {
+    pub fn stands_at(&self, at: &StudyPoint) -> bool {
         let study = self.study.iter().find(|study| study.name == at.study);
-        let tree = Node::parse(&crate::case::write::write_all(self)).ok();
+        let tree = TomlNode::parse(&crate::case::write::write_all(self)).ok();
         let (Some(study), Some(tree)) = (study, tree) else {
             return false;
         };
@@ -334,7 +336,7 @@ table! {
         /// The study it is checked along.
         study: String, "study";
         /// Channel of the history, or quantity of the whole line.
-        channel: String, "channel";
+        channel: Subject, "channel";
         /// What is taken of the channel.
         statistic: Statistic, "statistic";
         /// Window of time for the statistic.

@@ -3,21 +3,21 @@
 use std::ops::Range;
 use std::rc::Rc;
 
-use super::value::Value;
+use super::value::KeyValue;
 use crate::case::diagnostic::Finding;
 use crate::case::fields::{Field, check_value, join};
-use crate::case::tree::{Entry, Node};
+use crate::case::tree::{TomlEntry, TomlNode};
 
 /// A table of a file and its key path.
 #[derive(Debug, Clone)]
-pub(crate) struct Place<'a> {
-    pub(crate) node: &'a Node,
+pub(crate) struct TableNode<'a> {
+    pub(crate) node: &'a TomlNode,
     pub(crate) path: Rc<str>,
 }
 
-impl<'a> Place<'a> {
+impl<'a> TableNode<'a> {
     /// The file as a whole.
-    pub(crate) fn root(node: &'a Node) -> Self {
+    pub(crate) fn root(node: &'a TomlNode) -> Self {
         Self {
             node,
             path: "".into(),
@@ -25,7 +25,7 @@ impl<'a> Place<'a> {
     }
 
     /// A table in this one, or an element of a list of tables.
-    pub(crate) fn inner(&self, node: &'a Node, name: &str) -> Self {
+    pub(crate) fn inner(&self, node: &'a TomlNode, name: &str) -> Self {
         Self {
             node,
             path: self.key(name).into(),
@@ -40,6 +40,22 @@ impl<'a> Place<'a> {
         } else {
             format!("{}.{name}", self.path)
         }
+    }
+
+    /// A finding at the table.
+    pub(crate) fn finding(&self, problem: impl Into<String>, remedy: impl Into<String>) -> Finding {
+        Finding::new(&self.node.span, &*self.path, problem, remedy)
+    }
+
+    /// A finding at a value of the table, such as the word that gives its kind.
+    pub(crate) fn finding_at(
+        &self,
+        name: &str,
+        problem: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Finding {
+        let node = self.node.get(name).unwrap_or(self.node);
+        Finding::new(&node.span, self.key(name), problem, remedy)
     }
 
     /// A finding about a key that the checks passed and that still cannot be read: a fault of the checks.
@@ -57,23 +73,23 @@ impl<'a> Place<'a> {
 /// A key of a table as it is read.
 #[derive(Debug, Clone)]
 pub(crate) struct Key<'a, T> {
-    table: Place<'a>,
+    table: TableNode<'a>,
     name: &'static str,
-    entry: Option<&'a Entry>,
+    entry: Option<&'a TomlEntry>,
     value: Option<T>,
 }
 
-impl<'a, T: Value> Key<'a, T> {
+impl<'a, T: KeyValue> Key<'a, T> {
     /// Reads a key of a table; a key that is not given has its default, if it has one.
     pub(crate) fn read(
-        table: &Place<'a>,
+        table: &TableNode<'a>,
         name: &'static str,
         fields: &[Field],
         default: Option<T>,
     ) -> Self {
         let entry = table.node.entry(name);
         let field = fields.iter().find(|field| field.key() == name);
-        let sound = |entry: &&Entry| field.is_some_and(|f| check_value(f, &entry.node).is_ok());
+        let sound = |entry: &&TomlEntry| field.is_some_and(|f| check_value(f, &entry.node).is_ok());
         let value = match entry {
             None => default,
             Some(_) => entry.filter(sound).and_then(|entry| T::read(&entry.node)),
@@ -114,8 +130,18 @@ impl<'a, T: Value> Key<'a, T> {
         self.entry.is_some()
     }
 
+    /// The text that the file gives, whether it is a value or not.
+    pub(crate) fn text(&self) -> Option<&'a str> {
+        self.entry.and_then(|entry| entry.node.text())
+    }
+
+    /// Whether the file gives the key with a value that it cannot have.
+    pub(crate) fn is_faulty(&self) -> bool {
+        self.entry.is_some() && self.value.is_none()
+    }
+
     /// The elements of a list, as they stand in the file.
-    pub(crate) fn items(&self) -> &'a [Node] {
+    pub(crate) fn items(&self) -> &'a [TomlNode] {
         self.entry.map_or(&[], |entry| entry.node.items())
     }
 

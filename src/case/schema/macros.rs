@@ -66,8 +66,8 @@ macro_rules! table {
         #[doc = concat!("The keys of [`", stringify!($name), "`] as they are read.")]
         #[derive(Debug)]
         pub(crate) struct $keys<'a> {
-            pub(crate) place: $crate::case::schema::Place<'a>,
-            $( pub(crate) $key: $crate::case::schema::Key<'a, <$type as $crate::case::schema::Held>::Given>, )*
+            pub(crate) place: $crate::case::schema::TableNode<'a>,
+            $( pub(crate) $key: $crate::case::schema::Key<'a, <$type as $crate::case::schema::FieldType>::Given>, )*
             $($( pub(crate) $table: <$table_type as $crate::case::schema::SubTable>::Keys<'a>, )*)?
         }
 
@@ -76,24 +76,26 @@ macro_rules! table {
             fn fields() -> &'static [$crate::case::fields::Field] {
                 static FIELDS: std::sync::LazyLock<Vec<$crate::case::fields::Field>> = std::sync::LazyLock::new(|| vec![
                     $(
-                        $crate::case::fields::Field::new(
-                            stringify!($key),
-                            <<$type as $crate::case::schema::Held>::Given as $crate::case::schema::Value>::KIND,
-                            $label,
-                            $help.trim_ascii(),
-                        )
-                        $( .default({
-                            let value: <$type as $crate::case::schema::Held>::Given =
-                                $crate::case::schema::FromDefault::from_default($default);
-                            $crate::case::schema::Value::default_text(&value, stringify!($default))
-                        }) )?
-                        $( .kind($kind) )?
-                        $( .unit($unit) )?
-                        $( .range($range) )?
-                        $( .absent($absent) )?
-                        $( .unless(stringify!($unless)) )?
-                        $( .only((stringify!($tag), $word)) )?
-                        $( .matters($needs) )?,
+                        $crate::case::fields::Field {
+                            $( absent: $crate::case::fields::AbsentValue::Default({
+                                let value: <$type as $crate::case::schema::FieldType>::Given =
+                                    $crate::case::schema::FromDefault::from_default($default);
+                                $crate::case::schema::KeyValue::default_text(&value, stringify!($default))
+                            }), )?
+                            $( kind: $kind, )?
+                            $( unit: $unit, )?
+                            $( range: $range, )?
+                            $( absent: $crate::case::fields::AbsentValue::Means($absent), )?
+                            $( absent: $crate::case::fields::AbsentValue::RequiredWithout(stringify!($unless)), )?
+                            $( only_if: Some((stringify!($tag), $word)), )?
+                            $( matters: $needs, )?
+                            ..$crate::case::fields::Field::new(
+                                stringify!($key),
+                                <<$type as $crate::case::schema::FieldType>::Given as $crate::case::schema::KeyValue>::KIND,
+                                $label,
+                                $help.trim_ascii(),
+                            )
+                        },
                     )*
                 ]);
                 &FIELDS
@@ -104,7 +106,7 @@ macro_rules! table {
         impl Default for $name {
             fn default() -> Self {
                 Self {
-                    $( $key: $crate::case::schema::Held::or_blank(
+                    $( $key: $crate::case::schema::FieldType::or_blank(
                         None $( .or(Some($crate::case::schema::FromDefault::from_default($default))) )?,
                     ), )*
                     $($( $table: Default::default(), )*)?
@@ -115,7 +117,7 @@ macro_rules! table {
         impl $crate::case::schema::TableType for $name {
             type Keys<'a> = $keys<'a>;
 
-            fn declare(pattern: &str, schema: &mut $crate::case::schema::Declared) {
+            fn declare(pattern: &str, schema: &mut $crate::case::schema::DeclaredSchema) {
                 schema.fields(pattern, Self::fields());
                 $($(
                     let presence = [$(stringify!($presence))?];
@@ -123,7 +125,7 @@ macro_rules! table {
                 )*)?
             }
 
-            fn keys<'a>(place: &$crate::case::schema::Place<'a>) -> $keys<'a> {
+            fn keys<'a>(place: &$crate::case::schema::TableNode<'a>) -> $keys<'a> {
                 $keys {
                     $( $key: $crate::case::schema::Key::read(
                         place,
@@ -138,7 +140,7 @@ macro_rules! table {
 
             fn from_keys(keys: &$keys<'_>) -> Result<Self, $crate::case::Finding> {
                 Ok(Self {
-                    $( $key: $crate::case::schema::Held::hold(keys.$key.value())
+                    $( $key: $crate::case::schema::FieldType::hold(keys.$key.value())
                         .ok_or_else(|| keys.place.faulty(stringify!($key)))?, )*
                     $($( $table: <$table_type as $crate::case::schema::SubTable>::from_keys(
                         &keys.$table,
@@ -148,7 +150,7 @@ macro_rules! table {
                 })
             }
 
-            fn write(&self, written: $crate::case::schema::Written) -> toml_edit::Table {
+            fn write(&self, written: $crate::case::schema::WrittenKeys) -> toml_edit::Table {
                 let mut table = toml_edit::Table::new();
                 $( $crate::case::schema::put(
                     &mut table,
@@ -210,14 +212,14 @@ macro_rules! words {
             }
         }
 
-        impl $crate::case::schema::Value for $name {
-            const KIND: $crate::case::fields::Kind = $crate::case::fields::Kind::Choice(&[$($word),*]);
+        impl $crate::case::schema::KeyValue for $name {
+            const KIND: $crate::case::fields::ValueType = $crate::case::fields::ValueType::Choice(&[$($word),*]);
 
             fn blank() -> Self {
                 Self::ALL[0]
             }
 
-            fn read(node: &$crate::case::Node) -> Option<Self> {
+            fn read(node: &$crate::case::TomlNode) -> Option<Self> {
                 match node.text()? {
                     $( $word => Some(Self::$variant), )*
                     _ => None,
@@ -273,27 +275,27 @@ macro_rules! variants {
         #[derive(Debug)]
         pub(crate) enum $keys<'a> {
             /// The kind is faulty or missing.
-            Unknown($crate::case::schema::Place<'a>),
+            Unknown($crate::case::schema::TableNode<'a>),
             $( #[doc = $of] $variant(Box<<$inner as $crate::case::schema::TableType>::Keys<'a>>), )*
         }
 
         impl $crate::case::schema::TableType for $name {
             type Keys<'a> = $keys<'a>;
 
-            fn declare(pattern: &str, schema: &mut $crate::case::schema::Declared) {
-                let kinds = [$( ($word, $crate::case::schema::Declared::of::<$inner>()) ),*];
+            fn declare(pattern: &str, schema: &mut $crate::case::schema::DeclaredSchema) {
+                let kinds = [$( ($word, $crate::case::schema::DeclaredSchema::of::<$inner>()) ),*];
                 let words: &'static [&'static str] = &[$($word),*];
                 let tag = $crate::case::fields::Field::new(
                     stringify!($tag),
-                    $crate::case::fields::Kind::Choice(words),
+                    $crate::case::fields::ValueType::Choice(words),
                     $label,
                     $help,
                 );
                 schema.kinds(pattern, (stringify!($tag), tag), &kinds);
             }
 
-            fn keys<'a>(place: &$crate::case::schema::Place<'a>) -> $keys<'a> {
-                match place.node.get(stringify!($tag)).and_then($crate::case::Node::text) {
+            fn keys<'a>(place: &$crate::case::schema::TableNode<'a>) -> $keys<'a> {
+                match place.node.get(stringify!($tag)).and_then($crate::case::TomlNode::text) {
                     $( Some($word) => $keys::$variant(Box::new(<$inner as $crate::case::schema::TableType>::keys(place))), )*
                     _ => $keys::Unknown(place.clone()),
                 }
@@ -306,7 +308,7 @@ macro_rules! variants {
                 }
             }
 
-            fn write(&self, written: $crate::case::schema::Written) -> toml_edit::Table {
+            fn write(&self, written: $crate::case::schema::WrittenKeys) -> toml_edit::Table {
                 let (word, inner) = match self {
                     $( Self::$variant(inner) => ($word, $crate::case::schema::TableType::write(inner, written)), )*
                 };

@@ -9,7 +9,7 @@ mod macros;
 mod table;
 mod value;
 
-pub(crate) use key::{Key, Place};
+pub(crate) use key::{Key, TableNode};
 pub(crate) use macros::{table, variants, words};
-pub(crate) use table::{Declared, SubTable, TableType, Written, put, schema_of};
-pub(crate) use value::{FromDefault, Held, Listed, Value};
+pub(crate) use table::{DeclaredSchema, SubTable, TableType, WrittenKeys, put, schema_of};
+pub(crate) use value::{FieldType, FromDefault, KeyValue, ListElement};

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use toml_edit::{ArrayOfTables, Item, Table as TomlTable};
 
-use super::key::Place;
-use super::value::{Held, Value};
+use super::key::TableNode;
+use super::value::{FieldType, KeyValue};
 use crate::case::diagnostic::Finding;
-use crate::case::fields::{Field, Schema, Table, TableShape};
-use crate::case::tree::{Node, element_names};
+use crate::case::fields::{Field, Schema, TableSchema, TableShape};
+use crate::case::tree::{TomlNode, element_names};
 
 /// A table as a type: declared with [`table!`](super::table!) or [`variants!`](super::variants).
 pub(crate) trait TableType: Sized {
@@ -16,26 +16,26 @@ pub(crate) trait TableType: Sized {
     type Keys<'a>;
 
     /// Adds its keys, and those of the tables in it, to the schema, below the pattern of its path.
-    fn declare(pattern: &str, schema: &mut Declared);
+    fn declare(pattern: &str, schema: &mut DeclaredSchema);
 
     /// Reads what can be read of a table.
-    fn keys<'a>(place: &Place<'a>) -> Self::Keys<'a>;
+    fn keys<'a>(place: &TableNode<'a>) -> Self::Keys<'a>;
 
     /// The table, of keys without faults.
     fn from_keys(keys: &Self::Keys<'_>) -> Result<Self, Finding>;
 
     /// Its keys as TOML.
-    fn write(&self, written: Written) -> TomlTable;
+    fn write(&self, written: WrittenKeys) -> TomlTable;
 }
 
 /// Tables and fields as they are declared.
 #[derive(Debug, Default)]
-pub(crate) struct Declared {
-    pub(crate) tables: Vec<Table>,
+pub(crate) struct DeclaredSchema {
+    pub(crate) tables: Vec<TableSchema>,
     pub(crate) fields: Vec<Field>,
 }
 
-impl Declared {
+impl DeclaredSchema {
     /// The fields of a table of this pattern.
     pub(crate) fn fields(&mut self, pattern: &str, fields: &[Field]) {
         let placed = fields.iter().map(|field| field.below(pattern));
@@ -65,7 +65,10 @@ impl Declared {
             .partition(|field| field.key() == "name");
         let of_one = kinds.iter().flat_map(|(word, fields)| {
             let own = fields.iter().filter(|field| !of_all(field));
-            own.map(|field| field.clone().only((tag_name, *word)))
+            own.map(|field| Field {
+                only_if: Some((tag_name, *word)),
+                ..field.clone()
+            })
         });
         let mut fields: Vec<Field> = names.into_iter().cloned().collect();
         fields.push(tag.clone());
@@ -91,7 +94,7 @@ impl Declared {
         } else {
             format!("{pattern}.{key}")
         };
-        let mut table = Table::new(path, S::SHAPE, required, help);
+        let mut table = TableSchema::new(path, S::SHAPE, required, help);
         if presence == Some(&"alike") {
             table = table.with_fields(format!("{pattern}.*"));
         }
@@ -106,7 +109,7 @@ impl Declared {
 
 /// The schema of a kind of file, of the declaration of its tables.
 pub(crate) fn schema_of<T: TableType>(what: &'static str, least: &'static str) -> Schema {
-    let mut declared = Declared::default();
+    let mut declared = DeclaredSchema::default();
     T::declare("", &mut declared);
     Schema {
         what,
@@ -119,7 +122,7 @@ pub(crate) fn schema_of<T: TableType>(what: &'static str, least: &'static str) -
 
 /// Which keys are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Written {
+pub(crate) enum WrittenKeys {
     /// All that hold a value.
     All,
     /// Those that hold something else than their default.
@@ -127,20 +130,21 @@ pub(crate) enum Written {
 }
 
 /// Writes a key, unless it holds nothing, or its default and defaults are left out.
-pub(crate) fn put<H: Held>(
+pub(crate) fn put<H: FieldType>(
     table: &mut TomlTable,
     key: &str,
     held: &H,
     default: Option<H::Given>,
-    written: Written,
+    written: WrittenKeys,
 ) where
     H::Given: PartialEq,
 {
     let Some(given) = held.given() else {
         return;
     };
-    let idle = written == Written::WithoutDefaults && default.is_some_and(|d| d == *given);
-    if !idle {
+    let idle = written == WrittenKeys::WithoutDefaults && default.is_some_and(|d| d == *given);
+    let absent = H::Given::absent().is_some_and(|absent| absent == *given);
+    if !idle && !absent {
         table.insert(key, Item::Value(given.write()));
     }
 }
@@ -157,13 +161,13 @@ pub(crate) trait SubTable: Sized {
     const REQUIRED: bool = false;
 
     /// Reads what can be read of the tables below a key.
-    fn keys<'a>(place: &Place<'a>, key: &str) -> Self::Keys<'a>;
+    fn keys<'a>(place: &TableNode<'a>, key: &str) -> Self::Keys<'a>;
 
     /// The tables below a key, of keys without faults.
-    fn from_keys(keys: &Self::Keys<'_>, place: &Place<'_>, key: &str) -> Result<Self, Finding>;
+    fn from_keys(keys: &Self::Keys<'_>, place: &TableNode<'_>, key: &str) -> Result<Self, Finding>;
 
     /// The tables as TOML, if there are any.
-    fn write(&self, written: Written) -> Option<Item>;
+    fn write(&self, written: WrittenKeys) -> Option<Item>;
 }
 
 impl<T: TableType> SubTable for T {
@@ -172,27 +176,27 @@ impl<T: TableType> SubTable for T {
     const SHAPE: TableShape = TableShape::One;
     const REQUIRED: bool = true;
 
-    fn keys<'a>(place: &Place<'a>, key: &str) -> Self::Keys<'a> {
+    fn keys<'a>(place: &TableNode<'a>, key: &str) -> Self::Keys<'a> {
         let node = place.node.get(key).filter(|node| node.is_table())?;
         Some(T::keys(&place.inner(node, key)))
     }
 
-    fn from_keys(keys: &Self::Keys<'_>, place: &Place<'_>, key: &str) -> Result<Self, Finding> {
+    fn from_keys(keys: &Self::Keys<'_>, place: &TableNode<'_>, key: &str) -> Result<Self, Finding> {
         match keys {
             Some(keys) => T::from_keys(keys),
             None => defaults().ok_or_else(|| place.faulty(key)),
         }
     }
 
-    fn write(&self, written: Written) -> Option<Item> {
+    fn write(&self, written: WrittenKeys) -> Option<Item> {
         Some(Item::Table(TableType::write(self, written)))
     }
 }
 
 /// The table that holds where the file leaves it out; nothing where it has keys without default.
 pub(crate) fn defaults<T: TableType>() -> Option<T> {
-    let nothing = Node::empty_table();
-    T::from_keys(&T::keys(&Place::root(&nothing))).ok()
+    let nothing = TomlNode::of(&TomlTable::new());
+    T::from_keys(&T::keys(&TableNode::root(&nothing))).ok()
 }
 
 impl<T: TableType> SubTable for Option<T> {
@@ -200,18 +204,18 @@ impl<T: TableType> SubTable for Option<T> {
     type Keys<'a> = Option<T::Keys<'a>>;
     const SHAPE: TableShape = TableShape::One;
 
-    fn keys<'a>(place: &Place<'a>, key: &str) -> Self::Keys<'a> {
+    fn keys<'a>(place: &TableNode<'a>, key: &str) -> Self::Keys<'a> {
         <T as SubTable>::keys(place, key)
     }
 
-    fn from_keys(keys: &Self::Keys<'_>, _: &Place<'_>, _: &str) -> Result<Self, Finding> {
+    fn from_keys(keys: &Self::Keys<'_>, _: &TableNode<'_>, _: &str) -> Result<Self, Finding> {
         match keys {
             Some(keys) => T::from_keys(keys).map(Some),
             None => Ok(None),
         }
     }
 
-    fn write(&self, written: Written) -> Option<Item> {
+    fn write(&self, written: WrittenKeys) -> Option<Item> {
         self.as_ref()
             .and_then(|table| SubTable::write(table, written))
     }
@@ -222,7 +226,7 @@ impl<T: TableType> SubTable for BTreeMap<String, T> {
     type Keys<'a> = Vec<(String, T::Keys<'a>)>;
     const SHAPE: TableShape = TableShape::ByName;
 
-    fn keys<'a>(place: &Place<'a>, key: &str) -> Self::Keys<'a> {
+    fn keys<'a>(place: &TableNode<'a>, key: &str) -> Self::Keys<'a> {
         let Some(node) = place.node.get(key) else {
             return Vec::new();
         };
@@ -236,14 +240,14 @@ impl<T: TableType> SubTable for BTreeMap<String, T> {
             .collect()
     }
 
-    fn from_keys(keys: &Self::Keys<'_>, _: &Place<'_>, _: &str) -> Result<Self, Finding> {
+    fn from_keys(keys: &Self::Keys<'_>, _: &TableNode<'_>, _: &str) -> Result<Self, Finding> {
         let named = keys
             .iter()
             .map(|(name, keys)| Ok((name.clone(), T::from_keys(keys)?)));
         named.collect()
     }
 
-    fn write(&self, written: Written) -> Option<Item> {
+    fn write(&self, written: WrittenKeys) -> Option<Item> {
         let mut table = TomlTable::new();
         table.set_implicit(true);
         for (name, inner) in self {
@@ -258,7 +262,7 @@ impl<T: TableType> SubTable for Vec<T> {
     type Keys<'a> = Vec<(String, T::Keys<'a>)>;
     const SHAPE: TableShape = TableShape::List;
 
-    fn keys<'a>(place: &Place<'a>, key: &str) -> Self::Keys<'a> {
+    fn keys<'a>(place: &TableNode<'a>, key: &str) -> Self::Keys<'a> {
         let Some(node) = place.node.get(key) else {
             return Vec::new();
         };
@@ -273,11 +277,11 @@ impl<T: TableType> SubTable for Vec<T> {
             .collect()
     }
 
-    fn from_keys(keys: &Self::Keys<'_>, _: &Place<'_>, _: &str) -> Result<Self, Finding> {
+    fn from_keys(keys: &Self::Keys<'_>, _: &TableNode<'_>, _: &str) -> Result<Self, Finding> {
         keys.iter().map(|(_, keys)| T::from_keys(keys)).collect()
     }
 
-    fn write(&self, written: Written) -> Option<Item> {
+    fn write(&self, written: WrittenKeys) -> Option<Item> {
         let mut list = ArrayOfTables::new();
         for table in self {
             list.push(table.write(written));

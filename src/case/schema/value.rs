@@ -2,19 +2,19 @@
 
 use toml_edit::{Array, Value as Toml};
 
-use crate::case::fields::Kind;
-use crate::case::tree::{Data, Node};
+use crate::case::fields::ValueType;
+use crate::case::tree::{TomlData, TomlNode};
 
 /// A type that the value of a key is read into.
-pub(crate) trait Value: Sized + Clone {
+pub(crate) trait KeyValue: Sized + Clone {
     /// What may be written for it.
-    const KIND: Kind;
+    const KIND: ValueType;
 
     /// 0, nothing, or the first of some words.
     fn blank() -> Self;
 
     /// The value in a file; nothing where it is of another type.
-    fn read(node: &Node) -> Option<Self>;
+    fn read(node: &TomlNode) -> Option<Self>;
 
     /// The value as TOML.
     fn write(&self) -> Toml;
@@ -31,9 +31,9 @@ pub(crate) trait Value: Sized + Clone {
 }
 
 /// The type of a field: a value, or an optional one.
-pub(crate) trait Held: Sized {
+pub(crate) trait FieldType: Sized {
     /// The value.
-    type Given: Value;
+    type Given: KeyValue;
 
     /// The field of what a key holds; nothing where a value is needed and there is none.
     fn hold(given: Option<Self::Given>) -> Option<Self>;
@@ -45,7 +45,7 @@ pub(crate) trait Held: Sized {
     fn given(&self) -> Option<&Self::Given>;
 }
 
-impl<T: Value> Held for T {
+impl<T: KeyValue> FieldType for T {
     type Given = T;
 
     fn hold(given: Option<T>) -> Option<Self> {
@@ -61,7 +61,7 @@ impl<T: Value> Held for T {
     }
 }
 
-impl<T: Value> Held for Option<T> {
+impl<T: KeyValue> FieldType for Option<T> {
     type Given = T;
 
     fn hold(given: Option<T>) -> Option<Self> {
@@ -100,14 +100,14 @@ macro_rules! own_default {
 
 own_default!(f64, bool, usize, u32, u64, [f64; 2], [f64; 3]);
 
-impl Value for f64 {
-    const KIND: Kind = Kind::Number;
+impl KeyValue for f64 {
+    const KIND: ValueType = ValueType::Number;
 
     fn blank() -> Self {
         0.0
     }
 
-    fn read(node: &Node) -> Option<Self> {
+    fn read(node: &TomlNode) -> Option<Self> {
         node.number()
     }
 
@@ -118,16 +118,16 @@ impl Value for f64 {
 
 macro_rules! whole_number {
     ($($type:ty),*) => { $(
-        impl Value for $type {
-            const KIND: Kind = Kind::Integer;
+        impl KeyValue for $type {
+            const KIND: ValueType = ValueType::Integer;
 
             fn blank() -> Self {
                 0
             }
 
-            fn read(node: &Node) -> Option<Self> {
+            fn read(node: &TomlNode) -> Option<Self> {
                 match node.data {
-                    Data::Integer(value) => Self::try_from(value).ok(),
+                    TomlData::Integer(value) => Self::try_from(value).ok(),
                     _ => None,
                 }
             }
@@ -141,16 +141,16 @@ macro_rules! whole_number {
 
 whole_number!(usize, u32, u64);
 
-impl Value for bool {
-    const KIND: Kind = Kind::Boolean;
+impl KeyValue for bool {
+    const KIND: ValueType = ValueType::Boolean;
 
     fn blank() -> Self {
         false
     }
 
-    fn read(node: &Node) -> Option<Self> {
+    fn read(node: &TomlNode) -> Option<Self> {
         match node.data {
-            Data::Boolean(value) => Some(value),
+            TomlData::Boolean(value) => Some(value),
             _ => None,
         }
     }
@@ -160,14 +160,14 @@ impl Value for bool {
     }
 }
 
-impl Value for String {
-    const KIND: Kind = Kind::Text;
+impl KeyValue for String {
+    const KIND: ValueType = ValueType::Text;
 
     fn blank() -> Self {
         Self::new()
     }
 
-    fn read(node: &Node) -> Option<Self> {
+    fn read(node: &TomlNode) -> Option<Self> {
         node.text().map(str::to_owned)
     }
 
@@ -176,64 +176,54 @@ impl Value for String {
     }
 }
 
-fn written<T: Value>(items: &[T]) -> Toml {
-    Toml::Array(items.iter().map(Value::write).collect::<Array>())
+fn written<T: KeyValue>(items: &[T]) -> Toml {
+    Toml::Array(items.iter().map(KeyValue::write).collect::<Array>())
 }
 
-fn items<T: Value>(node: &Node) -> Option<Vec<T>> {
+fn items<T: KeyValue>(node: &TomlNode) -> Option<Vec<T>> {
     match &node.data {
-        Data::List(items) => items.iter().map(T::read).collect(),
+        TomlData::List(items) => items.iter().map(T::read).collect(),
         _ => None,
     }
 }
 
-impl Value for [f64; 2] {
-    const KIND: Kind = Kind::Pair;
+macro_rules! numbers {
+    ($($count:literal: $kind:ident),*) => { $(
+        impl KeyValue for [f64; $count] {
+            const KIND: ValueType = ValueType::$kind;
 
-    fn blank() -> Self {
-        [0.0; 2]
-    }
+            fn blank() -> Self {
+                [0.0; $count]
+            }
 
-    fn read(node: &Node) -> Option<Self> {
-        node.numbers()?.try_into().ok()
-    }
+            fn read(node: &TomlNode) -> Option<Self> {
+                node.numbers()?.try_into().ok()
+            }
 
-    fn write(&self) -> Toml {
-        written(self)
-    }
+            fn write(&self) -> Toml {
+                written(self)
+            }
+        }
+    )* };
 }
 
-impl Value for [f64; 3] {
-    const KIND: Kind = Kind::Triple;
-
-    fn blank() -> Self {
-        [0.0; 3]
-    }
-
-    fn read(node: &Node) -> Option<Self> {
-        node.numbers()?.try_into().ok()
-    }
-
-    fn write(&self) -> Toml {
-        written(self)
-    }
-}
+numbers!(2: Pair, 3: Triple);
 
 /// A type that lists are made of.
-pub(crate) trait Listed: Value {
-    const LIST: Kind;
+pub(crate) trait ListElement: KeyValue {
+    const LIST: ValueType;
 }
 
-impl Listed for f64 {
-    const LIST: Kind = Kind::List;
+impl ListElement for f64 {
+    const LIST: ValueType = ValueType::List;
 }
 
-impl Listed for String {
-    const LIST: Kind = Kind::Words;
+impl ListElement for String {
+    const LIST: ValueType = ValueType::Words;
 }
 
-impl<T: Listed> Value for Vec<T> {
-    const KIND: Kind = T::LIST;
+impl<T: ListElement> KeyValue for Vec<T> {
+    const KIND: ValueType = T::LIST;
 
     fn blank() -> Self {
         Self::new()
@@ -244,7 +234,7 @@ impl<T: Listed> Value for Vec<T> {
         Some(Self::new())
     }
 
-    fn read(node: &Node) -> Option<Self> {
+    fn read(node: &TomlNode) -> Option<Self> {
         items(node)
     }
 

@@ -18,7 +18,7 @@
 //! `T = Tm + k MBL (e - e_m)`. With `B = alpha + beta Lm` and `D = e - e_m`: `T = Tm + MBL B D / (1 + c D)`. A line
 //! at rest has its static tensions.
 
-use super::{Elastic, TensionTable};
+use super::{ElasticTension, TensionTable};
 
 /// A fibre rope with dynamic stiffness.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,14 +85,14 @@ impl FibreRope {
 
     /// Tension and slope at rest, the mean being the tension itself.
     #[must_use]
-    pub fn at_rest(&self, strain: f64) -> Elastic {
+    pub fn at_rest(&self, strain: f64) -> ElasticTension {
         match &self.reading {
             StiffnessForm::AboutTheMean(curve) => curve.at(strain),
             StiffnessForm::Secant => {
                 let strain_in = strain.clamp(0.0, self.strain_parted());
                 let left = 1.0 - 100.0 * self.beta * strain_in;
                 let by_strain = self.strength * self.alpha / (left * left);
-                Elastic {
+                ElasticTension {
                     tension: self.strength * self.alpha * strain_in / left
                         + by_strain * (strain - strain_in),
                     by_strain,
@@ -103,14 +103,14 @@ impl FibreRope {
 
     /// Tension and slope about a mean. A strain at which the rope is slack has the straight continuation.
     #[must_use]
-    pub fn in_motion(&self, strain: f64, mean: &MeanState) -> Elastic {
+    pub fn in_motion(&self, strain: f64, mean: &MeanState) -> ElasticTension {
         let (from, stiffness, start) = self.branch(mean);
         let c = 100.0 * self.gamma;
         let slack = self.slack(mean);
         let inside = (strain - from).max(slack);
         let left = 1.0 / (1.0 + c * inside);
         let by_strain = stiffness * left * left;
-        Elastic {
+        ElasticTension {
             tension: start + stiffness * inside * left + by_strain * (strain - from - inside),
             by_strain,
         }
@@ -237,9 +237,9 @@ impl FibreRope {
 impl StaticElasticity {
     /// Tension and slope at a strain.
     #[must_use]
-    pub fn at(&self, strain: f64) -> Elastic {
+    pub fn at(&self, strain: f64) -> ElasticTension {
         match self {
-            Self::Linear(ea) => Elastic {
+            Self::Linear(ea) => ElasticTension {
                 tension: ea * strain,
                 by_strain: *ea,
             },

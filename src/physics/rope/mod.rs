@@ -9,7 +9,7 @@ pub use table::TensionTable;
 
 /// Elastic tension of a rope, and its slope.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Elastic {
+pub struct ElasticTension {
     /// Tension \[N\]; negative where the rope, were it a rod, would push.
     pub tension: f64,
     /// Derivative by strain \[N\].
@@ -29,7 +29,7 @@ impl TensionLaw {
     /// Tension and slope at a strain \[-\]; about a mean, or at rest where there is none.
     #[inline]
     #[must_use]
-    pub fn at(&self, strain: f64, mean: Option<&MeanState>) -> Elastic {
+    pub fn at(&self, strain: f64, mean: Option<&MeanState>) -> ElasticTension {
         match (self, mean) {
             (Self::TensionTable(table), _) => table.at(strain),
             (Self::FibreRope(rope), None) => rope.at_rest(strain),

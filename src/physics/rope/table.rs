@@ -4,7 +4,7 @@
 //! doi 10.1137/0905021, their simple formula), at both ends that of the stretch there. Tension then rises
 //! everywhere, without overshoot, and its slope has no jump, so that Newton and the time steps see none.
 
-use super::Elastic;
+use super::ElasticTension;
 use crate::numerics::roots::Bracket;
 
 /// Tension of a rope over its strain.
@@ -56,10 +56,10 @@ impl TensionTable {
 
     /// Tension and slope at a strain. Below zero, where only a rod goes, the line through zero goes on straight.
     #[must_use]
-    pub fn at(&self, strain: f64) -> Elastic {
+    pub fn at(&self, strain: f64) -> ElasticTension {
         let Some(i) = self.stretch(strain) else {
             let i = if strain < 0.0 { 0 } else { self.last() };
-            return Elastic {
+            return ElasticTension {
                 tension: self.tension[i] + self.slope[i] * (strain - self.strain[i]),
                 by_strain: self.slope[i],
             };
@@ -71,7 +71,7 @@ impl TensionTable {
             3.0 * rise - h * (2.0 * d[0] + d[1]),
             h * (d[0] + d[1]) - 2.0 * rise,
         );
-        Elastic {
+        ElasticTension {
             tension: self.tension[i] + s * (h * d[0] + s * (b + s * c)),
             by_strain: d[0] + s * (2.0 * b + 3.0 * s * c) / h,
         }

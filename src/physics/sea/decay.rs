@@ -16,7 +16,7 @@ pub enum DepthDecay {
 
 /// Share of the surface's motion at a height, across (as `cosh`) and up (as `sinh`), with derivatives by z.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Share {
+pub(super) struct DecayFactors {
     pub(super) across: f64,
     pub(super) up: f64,
     /// \[1/m\]
@@ -39,7 +39,7 @@ impl DepthDecay {
 
     /// For a wave of number k \[1/m\] over this depth \[m\], at height z \[m\].
     #[inline]
-    pub(super) fn share(&self, k: f64, depth: f64, z: f64) -> Share {
+    pub(super) fn share(&self, k: f64, depth: f64, z: f64) -> DecayFactors {
         match *self {
             Self::Airy => airy(k, depth, z),
             Self::AiryAbove(limit) => fade(airy(k, depth, z), limit, z),
@@ -50,11 +50,11 @@ impl DepthDecay {
 
 /// `cosh k(z+h) / sinh kh` and `sinh k(z+h) / sinh kh`, in exponentials that do not overflow.
 #[inline]
-fn airy(k: f64, depth: f64, z: f64) -> Share {
+fn airy(k: f64, depth: f64, z: f64) -> DecayFactors {
     let falling = (k * z).exp();
     let kh = k * depth;
     if kh > 20.0 {
-        return Share {
+        return DecayFactors {
             across: falling,
             up: falling,
             across_by_z: k * falling,
@@ -64,7 +64,7 @@ fn airy(k: f64, depth: f64, z: f64) -> Share {
     let back = (-k * z - 2.0 * kh).exp();
     let whole = 1.0 / -(-2.0 * kh).exp_m1();
     let (across, up) = ((falling + back) * whole, (falling - back) * whole);
-    Share {
+    DecayFactors {
         across,
         up,
         across_by_z: k * up,
@@ -73,17 +73,17 @@ fn airy(k: f64, depth: f64, z: f64) -> Share {
 }
 
 /// The share times a cubic that rises from 0 to 1 over the last tenth above the limit.
-fn fade(s: Share, limit: f64, z: f64) -> Share {
+fn fade(s: DecayFactors, limit: f64, z: f64) -> DecayFactors {
     let layer = FADE * limit;
     let x = (z + limit) / layer;
     if x >= 1.0 {
         return s;
     }
     if x <= 0.0 {
-        return Share::default();
+        return DecayFactors::default();
     }
     let (f, f_z) = (x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x) / layer);
-    Share {
+    DecayFactors {
         across: s.across * f,
         up: s.up * f,
         across_by_z: s.across_by_z * f + s.across * f_z,
@@ -91,7 +91,7 @@ fn fade(s: Share, limit: f64, z: f64) -> Share {
     }
 }
 
-fn logarithmic(limit: f64, z: f64) -> Share {
+fn logarithmic(limit: f64, z: f64) -> DecayFactors {
     let c = (std::f64::consts::E - 1.0) / limit;
     let (f, f_z) = if z >= 0.0 {
         (1.0, 0.0)
@@ -100,7 +100,7 @@ fn logarithmic(limit: f64, z: f64) -> Share {
     } else {
         (1.0 - (c * -z).ln_1p(), c / (1.0 - c * z))
     };
-    Share {
+    DecayFactors {
         across: f,
         up: f,
         across_by_z: f_z,

@@ -3,7 +3,7 @@
 //! * [`Spectrum`]: JONSWAP and Pierson-Moskowitz, by significant height or by root mean square.
 //! * [`synthesise`]: a spectrum into regular [`Component`]s, the same for the same seed.
 //! * [`wave_number`]: dispersion at any depth.
-//! * [`Waves`]: velocity and acceleration of the water, with their gradients.
+//! * [`WaveField`]: velocity and acceleration of the water, with their gradients.
 //! * [`Rao`]: the response of a vessel to a regular wave in six degrees of freedom.
 //! * [`Harmonics`]: a motion in space as a sum of harmonics, the form in which motions of ends are computed.
 //!
@@ -25,8 +25,8 @@ pub use component::{Component, Moments};
 pub use decay::DepthDecay;
 pub use dispersion::wave_number;
 pub use harmonics::{Harmonic, Harmonics};
-pub use rao::{DEGREES, Rao, RaoError, Response};
+pub use rao::{DEGREES, Rao, RaoError, RaoResponse};
 pub use spectrum::Spectrum;
 pub use stretching::Stretching;
 pub use synthesis::synthesise;
-pub use waves::{Flow, Load as WaveLoad, WaveSettings, Waves};
+pub use waves::{WaterMotion, WaveField, WaveLoading as WaveLoad, WaveSettings};

@@ -20,7 +20,7 @@ use crate::numerics::interpolation::{mix, share};
 pub const DEGREES: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
 
 /// Complex response per wave amplitude: surge, sway, heave \[m/m\], roll, pitch, yaw \[rad/m\].
-pub type Response = [Complex<f64>; 6];
+pub type RaoResponse = [Complex<f64>; 6];
 
 /// Why a table is none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -37,11 +37,11 @@ pub enum RaoError {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rao {
     omega: Vec<f64>,
-    response: Vec<Response>,
+    response: Vec<RaoResponse>,
 }
 
 /// The response a share of the way between two.
-fn mixed(from: &Response, to: &Response, share: f64) -> Response {
+fn mixed(from: &RaoResponse, to: &RaoResponse, share: f64) -> RaoResponse {
     std::array::from_fn(|i| mix(from[i], to[i], share))
 }
 
@@ -50,7 +50,7 @@ impl Rao {
     ///
     /// # Errors
     /// [`RaoError`] when it is empty or its frequencies do not rise.
-    pub fn new(entries: Vec<(f64, Response)>) -> Result<Self, RaoError> {
+    pub fn new(entries: Vec<(f64, RaoResponse)>) -> Result<Self, RaoError> {
         if entries.is_empty() {
             return Err(RaoError::Empty);
         }
@@ -67,7 +67,7 @@ impl Rao {
 
     /// The response at an angular frequency \[rad/s\].
     #[must_use]
-    pub fn response(&self, omega: f64) -> Response {
+    pub fn response(&self, omega: f64) -> RaoResponse {
         let next = self.omega.partition_point(|known| *known <= omega);
         if next == 0 || next == self.omega.len() {
             return self.response[next.saturating_sub(1)];
@@ -99,7 +99,7 @@ impl Rao {
     /// The table for waves from the other side: sway, roll and yaw go the other way.
     #[must_use]
     pub fn mirrored(&self) -> Self {
-        let turned = |r: &Response| -> Response {
+        let turned = |r: &RaoResponse| -> RaoResponse {
             std::array::from_fn(|i| if matches!(i, 1 | 3 | 5) { -r[i] } else { r[i] })
         };
         Self {
@@ -143,7 +143,7 @@ mod tests {
     use super::*;
     use std::f64::consts::FRAC_PI_2;
 
-    fn zero() -> Response {
+    fn zero() -> RaoResponse {
         [Complex::new(0.0, 0.0); 6]
     }
 

@@ -8,9 +8,9 @@
 //! # Cost
 //! One sine and cosine, one exponential (two in water of finite depth) and a few multiplications a component and node:
 //! 30 to 60 ns each on the machines at hand. So a line takes the water once a step, not in every iteration
-//! ([`Flow`] goes on from there to first order), and leaves out components that do not reach down to a node.
+//! ([`WaterMotion`] goes on from there to first order), and leaves out components that do not reach down to a node.
 
-use super::decay::{DepthDecay, Share};
+use super::decay::{DecayFactors, DepthDecay};
 use super::stretching::{StretchedHeight, Stretching};
 use super::{Component, wave_number};
 use crate::numerics::{M3, V3};
@@ -21,7 +21,7 @@ const FAINT: f64 = -25.0;
 
 /// Long-crested waves.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Waves {
+pub struct WaveField {
     /// Components as they pass the origin, frequencies rising; the surface is their sum.
     components: Vec<Component>,
     /// Wave numbers \[1/m\], rising.
@@ -34,12 +34,12 @@ pub struct Waves {
     decay: DepthDecay,
     /// They grow from nothing over this time \[s\].
     ramp: f64,
-    load: Load,
+    load: WaveLoading,
 }
 
 /// What of the water's motion reaches the line.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Load {
+pub enum WaveLoading {
     /// Velocity and acceleration: Morison's load, drag by the speed relative to the moving water.
     #[default]
     Morison,
@@ -64,12 +64,12 @@ pub struct WaveSettings {
     /// They grow from nothing over this time \[s\].
     pub ramp: f64,
     /// What of the water's motion reaches the line.
-    pub load: Load,
+    pub load: WaveLoading,
 }
 
 /// What waves make of the water around a place, to first order in the distance from it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Flow {
+pub struct WaterMotion {
     /// The place \[m\].
     pub place: V3,
     /// Velocity \[m/s\].
@@ -84,9 +84,11 @@ pub struct Flow {
     pub elevation: f64,
     /// Its derivative by the place \[-\].
     pub slope: V3,
+    /// Its rate at the place \[m/s\].
+    pub elevation_rate: f64,
 }
 
-impl Flow {
+impl WaterMotion {
     /// Velocity \[m/s\] at a place nearby.
     #[inline]
     #[must_use]
@@ -111,7 +113,7 @@ impl Flow {
 
 /// Sums over the components: `c`, `s` stand for cosine and sine of theta, `k` for another wave number in the sum.
 #[derive(Debug, Clone, Copy, Default)]
-struct Sums {
+struct ComponentSums {
     // Weighted by a omega, then by a omega².
     across: [f64; 2],
     up: [f64; 2],
@@ -121,7 +123,7 @@ struct Sums {
     up_z: [f64; 2],
 }
 
-impl Waves {
+impl WaveField {
     /// Waves of these components, as they pass the origin, frequencies rising.
     #[must_use]
     pub fn new(components: Vec<Component>, setting: &WaveSettings) -> Self {
@@ -141,12 +143,6 @@ impl Waves {
         }
     }
 
-    /// The components as they pass the origin.
-    #[must_use]
-    pub fn components(&self) -> &[Component] {
-        &self.components
-    }
-
     /// The components as they pass a place \[m\].
     #[must_use]
     pub fn at_point(&self, place: &V3) -> Vec<Component> {
@@ -160,22 +156,17 @@ impl Waves {
             .collect()
     }
 
-    /// The time \[s\] over which they grow from nothing.
-    #[must_use]
-    pub fn ramp(&self) -> f64 {
-        self.ramp
-    }
-
     /// Height of the surface \[m\], its slope along the waves and its rate \[m/s\], at a time and a place, grown to
     /// the full.
-    fn surface(&self, t: f64, along: f64) -> (f64, f64) {
-        let (mut eta, mut slope) = (0.0, 0.0);
+    fn surface(&self, t: f64, along: f64) -> (f64, f64, f64) {
+        let (mut eta, mut slope, mut rate) = (0.0, 0.0, 0.0);
         for (c, k) in self.components.iter().zip(&self.numbers) {
             let (sin, cos) = (c.omega * t - k * along + c.phase).sin_cos();
             eta += c.amplitude * cos;
             slope += c.amplitude * k * sin;
+            rate -= c.amplitude * c.omega * sin;
         }
-        (eta, slope)
+        (eta, slope, rate)
     }
 
     /// Height of the surface above still water \[m\] at time t \[s\] over a place.
@@ -187,20 +178,21 @@ impl Waves {
     /// What they make of the water at a place at time t \[s\]; with the height of the surface only where `surface`
     /// or the stretching asks for it.
     #[must_use]
-    pub fn flow(&self, t: f64, place: &V3, surface: bool) -> Flow {
+    pub fn flow(&self, t: f64, place: &V3, surface: bool) -> WaterMotion {
         let (r, r1, _) = smooth_ramp(t, self.ramp);
         let along = self.direction.dot(place);
-        let (eta, slope) = if surface || self.stretching.needs_elevation() {
-            let (eta, slope) = self.surface(t, along);
-            (r * eta, r * slope)
+        let (eta, slope, elevation_rate) = if surface || self.stretching.needs_elevation() {
+            let (eta, slope, rate) = self.surface(t, along);
+            (r * eta, r * slope, r * rate + r1 * eta)
         } else {
-            (0.0, 0.0)
+            (0.0, 0.0, 0.0)
         };
-        let mut flow = Flow {
+        let mut flow = WaterMotion {
             place: *place,
             elevation: eta,
             slope: self.direction * slope,
-            ..Flow::default()
+            elevation_rate,
+            ..WaterMotion::default()
         };
         let reading = self.stretching.read(place.z, eta, self.depth);
         if reading.z <= self.decay.reach() {
@@ -209,7 +201,7 @@ impl Waves {
         let sums = self.sums(t, along, &reading);
         let (velocity, gradient) = self.turned(&sums, &reading, slope, 0);
         let (acceleration, its_gradient) = self.turned(&sums, &reading, slope, 1);
-        if self.load == Load::Morison {
+        if self.load == WaveLoading::Morison {
             flow.velocity = velocity * r;
             flow.gradient = gradient * r;
         }
@@ -220,8 +212,8 @@ impl Waves {
     }
 
     /// The sums over all components that reach down to where the formula is read.
-    fn sums(&self, t: f64, along: f64, reading: &StretchedHeight) -> Sums {
-        let mut sums = Sums::default();
+    fn sums(&self, t: f64, along: f64, reading: &StretchedHeight) -> ComponentSums {
+        let mut sums = ComponentSums::default();
         let decays = !matches!(self.decay, DepthDecay::Logarithmic(_));
         for (c, k) in self.components.iter().zip(&self.numbers) {
             if decays && k * reading.z < FAINT {
@@ -237,7 +229,13 @@ impl Waves {
     }
 
     /// Velocity (`which` 0) or acceleration (1) along the axes of the case, and its derivative by the place.
-    fn turned(&self, sums: &Sums, reading: &StretchedHeight, slope: f64, which: usize) -> (V3, M3) {
+    fn turned(
+        &self,
+        sums: &ComponentSums,
+        reading: &StretchedHeight,
+        slope: f64,
+        which: usize,
+    ) -> (V3, M3) {
         let d = &self.direction;
         let (across, up) = (sums.across[which], sums.up[which]);
         // By the distance along the waves: through theta, and through the height of the surface.
@@ -257,10 +255,10 @@ impl Waves {
     }
 }
 
-impl Sums {
+impl ComponentSums {
     /// Adds a component at `(sin, cos)` of its theta.
     #[inline]
-    fn add(&mut self, c: &Component, k: f64, (sin, cos): (f64, f64), share: &Share) {
+    fn add(&mut self, c: &Component, k: f64, (sin, cos): (f64, f64), share: &DecayFactors) {
         let v = c.amplitude * c.omega;
         // Velocity goes with (C cos, -S sin), acceleration by time with (-C sin, -S cos) omega, both by place
         // with d theta / d along = -k.
@@ -280,8 +278,8 @@ impl Sums {
 }
 
 /// The shares at a distance above still water, along the straight line that touches there.
-fn beyond(s: Share, above: f64) -> Share {
-    Share {
+fn beyond(s: DecayFactors, above: f64) -> DecayFactors {
+    DecayFactors {
         across: s.across + s.across_by_z * above,
         up: s.up + s.up_by_z * above,
         ..s
@@ -301,17 +299,17 @@ mod tests {
             stretching: Stretching::Vertical,
             decay: DepthDecay::Airy,
             ramp: 0.0,
-            load: Load::Morison,
+            load: WaveLoading::Morison,
         }
     }
 
-    fn irregular(setting: &WaveSettings) -> Waves {
+    fn irregular(setting: &WaveSettings) -> WaveField {
         let spectrum = Spectrum::jonswap(4.0, 9.0, 3.3);
-        Waves::new(synthesise(&spectrum, 30, 3, 0), setting)
+        WaveField::new(synthesise(&spectrum, 30, 3, 0), setting)
     }
 
     /// Every derivative against central differences.
-    fn differences(waves: &Waves, t: f64, place: &V3) {
+    fn differences(waves: &WaveField, t: f64, place: &V3) {
         let h = 1e-5;
         let at = waves.flow(t, place, true);
         for axis in 0..3 {
@@ -337,13 +335,13 @@ mod tests {
     fn the_load_of_inertia_leaves_out_the_speed_alone() {
         let whole = irregular(&setting(300.0));
         let part = irregular(&WaveSettings {
-            load: Load::Inertia,
+            load: WaveLoading::Inertia,
             ..setting(300.0)
         });
         let place = V3::new(13.0, 0.0, -7.0);
         let (whole, part) = (whole.flow(5.0, &place, true), part.flow(5.0, &place, true));
         assert!(whole.velocity.norm() > 0.1);
-        let expected = Flow {
+        let expected = WaterMotion {
             velocity: V3::zeros(),
             gradient: M3::zeros(),
             ..whole
@@ -403,6 +401,7 @@ mod tests {
         let flow = waves.flow(t, &place, true);
         let rate = (waves.elevation(t + h, &place) - waves.elevation(t - h, &place)) / (2.0 * h);
         assert!((flow.velocity.z - rate).abs() < 1e-8);
+        assert!((flow.elevation_rate - rate).abs() < 1e-8);
         let level = V3::new(flow.acceleration.x, flow.acceleration.y, 0.0);
         assert!((level + flow.slope * 9.81).norm() < 1e-12);
         let bed = waves.flow(t, &V3::new(5.0, 7.0, -40.0), false);

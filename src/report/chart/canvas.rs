@@ -2,7 +2,7 @@
 
 use super::clip::{Dot, clip};
 use super::decimate::decimate;
-use super::picture::{Ink, PlotFrame, dot_of};
+use super::picture::{PicturePart, PlotFrame, dot_of};
 use super::range::drawable;
 use super::{Glyphs, Series, marker};
 
@@ -14,11 +14,11 @@ const MARKER_SPACING: usize = 14;
 
 /// One cell of the plot.
 #[derive(Debug, Clone, Copy, Default)]
-struct Cell {
+struct DotCell {
     /// Braille bits, or 1 in ASCII.
     bits: u8,
     /// What the cell's dots belong to.
-    ink: Ink,
+    ink: PicturePart,
     /// A marker that covers the dots.
     marker: Option<char>,
 }
@@ -27,7 +27,7 @@ struct Cell {
 pub(super) struct DotCanvas {
     frame: PlotFrame,
     glyphs: Glyphs,
-    cells: Vec<Cell>,
+    cells: Vec<DotCell>,
 }
 
 /// The cells a line passes, in order, without repeats in a row.
@@ -38,7 +38,7 @@ impl DotCanvas {
         Self {
             frame,
             glyphs,
-            cells: vec![Cell::default(); frame.width * frame.height],
+            cells: vec![DotCell::default(); frame.width * frame.height],
         }
     }
 
@@ -127,9 +127,9 @@ impl DotCanvas {
         }
         let cell = &mut self.cells[row * self.frame.width + column];
         if cell.ink != pen.ink {
-            *cell = Cell {
+            *cell = DotCell {
                 ink: pen.ink,
-                ..Cell::default()
+                ..DotCell::default()
             };
         }
         cell.bits |= match self.glyphs {
@@ -164,13 +164,13 @@ impl DotCanvas {
     }
 
     /// What is drawn in a cell, if anything.
-    pub(super) fn get(&self, column: usize, row: usize) -> Option<(char, Ink)> {
+    pub(super) fn get(&self, column: usize, row: usize) -> Option<(char, PicturePart)> {
         let cell = self.cells.get(row * self.frame.width + column)?;
         let ch = match (cell.marker, self.glyphs, cell.ink) {
             (Some(marker), _, _) => marker,
             (None, _, _) if cell.bits == 0 => return None,
             (None, Glyphs::Braille, _) => char::from_u32(0x2800 + u32::from(cell.bits))?,
-            (None, Glyphs::Ascii, Ink::Series(slot)) => marker(slot),
+            (None, Glyphs::Ascii, PicturePart::Series(slot)) => marker(slot),
             (None, Glyphs::Ascii, _) => '.',
         };
         Some((ch, cell.ink))
@@ -179,7 +179,7 @@ impl DotCanvas {
 
 /// How a line is being drawn.
 struct Pen {
-    ink: Ink,
+    ink: PicturePart,
     /// Broken.
     dimmed: bool,
     /// Dots passed so far, drawn or not.
@@ -188,11 +188,11 @@ struct Pen {
 }
 
 /// The ink of a series.
-pub(super) fn ink(series: &Series) -> Ink {
+pub(super) fn ink(series: &Series) -> PicturePart {
     if series.dimmed {
-        Ink::Dimmed(series.slot)
+        PicturePart::Dimmed(series.slot)
     } else {
-        Ink::Series(series.slot)
+        PicturePart::Series(series.slot)
     }
 }
 

@@ -5,7 +5,7 @@ use super::clip::Dot;
 
 /// Neighbouring dots of one column.
 #[derive(Debug, Clone, Copy)]
-struct Column {
+struct DotColumn {
     number: f64,
     first: Dot,
     /// Lowest and highest, each with its place in the order of points.
@@ -14,7 +14,7 @@ struct Column {
     last: (usize, Dot),
 }
 
-impl Column {
+impl DotColumn {
     fn begin(dot: Dot) -> Self {
         Self {
             number: dot.0.round(),
@@ -57,12 +57,12 @@ impl Column {
 /// The dots reduced column by column; the line through them covers the same dots.
 pub(super) fn decimate(dots: impl Iterator<Item = Dot>) -> Vec<Dot> {
     let mut kept = Vec::new();
-    let mut column: Option<Column> = None;
+    let mut column: Option<DotColumn> = None;
     for dot in dots {
         match &mut column {
             Some(open) if same(open.number, dot.0.round()) => open.add(dot),
             _ => {
-                if let Some(done) = column.replace(Column::begin(dot)) {
+                if let Some(done) = column.replace(DotColumn::begin(dot)) {
                     done.keep(&mut kept);
                 }
             }

@@ -5,10 +5,10 @@ use std::borrow::Cow;
 use unicode_width::UnicodeWidthStr;
 
 use super::canvas::{DotCanvas, DotPath};
-use super::layout::{self, Columns, Rows};
+use super::layout::{self, PictureColumns, PictureRows};
 use super::legend;
 use super::marks;
-use super::picture::{Ink, Picture, PlotFrame};
+use super::picture::{Picture, PicturePart, PlotFrame};
 use super::range::{AxisRange, equalise, extent, fit, sane};
 use super::ticks::{self, Tick};
 use super::{Chart, Glyphs, Series};
@@ -23,7 +23,7 @@ pub fn draw(chart: &Chart, width: usize, height: usize, glyphs: Glyphs) -> Pictu
     if width == 0 || height == 0 {
         return picture;
     }
-    let plan = Plan::make(chart, width, height, glyphs);
+    let plan = ChartPlan::make(chart, width, height, glyphs);
     picture.frame = plan.frame;
     draw_head(chart, &plan, glyphs, &mut picture);
     draw_axes(chart, &plan, glyphs, &mut picture);
@@ -38,7 +38,7 @@ pub fn frame(chart: &Chart, width: usize, height: usize, glyphs: Glyphs) -> Plot
     if width == 0 || height == 0 {
         return PlotFrame::default();
     }
-    Plan::make(&in_glyphs(chart, glyphs), width, height, glyphs).frame
+    ChartPlan::make(&in_glyphs(chart, glyphs), width, height, glyphs).frame
 }
 
 /// The chart with all its words in ASCII, when that is what is wanted.
@@ -61,9 +61,9 @@ fn in_glyphs(chart: &Chart, glyphs: Glyphs) -> Cow<'_, Chart> {
 }
 
 /// What goes where.
-struct Plan {
-    rows: Rows,
-    columns: Columns,
+struct ChartPlan {
+    rows: PictureRows,
+    columns: PictureColumns,
     frame: PlotFrame,
     /// Ticks of the y axis; empty when there is no room for their numbers.
     up: Vec<Tick>,
@@ -71,7 +71,7 @@ struct Plan {
     name: String,
 }
 
-impl Plan {
+impl ChartPlan {
     /// Room for the numbers at the y axis depends on the range, which at equal scale depends on the
     /// room; so the room grows until the numbers fit, which takes two or three turns.
     fn make(chart: &Chart, width: usize, height: usize, glyphs: Glyphs) -> Self {
@@ -98,12 +98,12 @@ impl Plan {
         glyphs: Glyphs,
         numbers: usize,
     ) -> Self {
-        let columns = Columns::share(width, numbers);
+        let columns = PictureColumns::share(width, numbers);
         let (x, y) = ranges(chart);
         let unit = ticks::scale(y, &chart.y.unit).unit(&chart.y.unit);
         let name = axis_name(&chart.y.label, &unit, width);
         let indent = head_indent(&name);
-        let rows = Rows::share(chart, height, layout::legend_rows(chart, width, indent));
+        let rows = PictureRows::share(chart, height, layout::legend_rows(chart, width, indent));
         let dots = glyphs.dots();
         let mut frame = PlotFrame {
             left: columns.left,
@@ -211,17 +211,17 @@ fn roomy_along(ticks: &[Tick], frame: &PlotFrame, width: usize) -> bool {
 }
 
 /// Title, name of the y axis, legend.
-fn draw_head(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
+fn draw_head(chart: &Chart, plan: &ChartPlan, glyphs: Glyphs, on: &mut Picture) {
     let width = on.width;
     if let Some(row) = plan.rows.title {
         let title = shorten(&chart.title, width, glyphs);
-        on.write((width - title.width()) / 2, row, &title, Ink::Title);
+        on.write((width - title.width()) / 2, row, &title, PicturePart::Title);
     }
     let (top, rows) = plan.rows.head;
     if rows == 0 {
         return;
     }
-    on.write(0, top, &plan.name, Ink::Label);
+    on.write(0, top, &plan.name, PicturePart::Label);
     if let Some(map) = &chart.map {
         map.scale(head_indent(&plan.name), top, glyphs, on);
     } else if chart.legend {
@@ -252,63 +252,50 @@ fn shorten(text: &str, room: usize, glyphs: Glyphs) -> String {
 }
 
 /// Both axes with ticks and numbers, and the name of the x axis.
-fn draw_axes(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
-    let ascii = glyphs == Glyphs::Ascii;
+fn draw_axes(chart: &Chart, plan: &ChartPlan, glyphs: Glyphs, on: &mut Picture) {
+    let [vertical, horizontal, corner, tick_up, tick_along] = match glyphs {
+        Glyphs::Ascii => ['|', '-', '+', '+', '+'],
+        Glyphs::Braille => ['│', '─', '└', '┤', '┬'],
+    };
     let frame = plan.frame;
     if let Some(column) = plan.columns.axis {
         for row in 0..frame.height {
-            on.put(
-                column,
-                frame.top + row,
-                if ascii { '|' } else { '│' },
-                Ink::Axis,
-            );
+            on.put(column, frame.top + row, vertical, PicturePart::Axis);
         }
         for tick in &plan.up {
-            let Some(row) = frame.row_of(tick.value) else {
-                continue;
-            };
-            on.put(
-                column,
-                frame.top + row,
-                if ascii { '+' } else { '┤' },
-                Ink::Axis,
-            );
-            let start = plan.columns.numbers.saturating_sub(tick.label.width());
-            on.write(start, frame.top + row, &tick.label, Ink::Label);
+            if let Some(row) = frame.row_of(tick.value) {
+                on.put(column, frame.top + row, tick_up, PicturePart::Axis);
+                let start = plan.columns.numbers.saturating_sub(tick.label.width());
+                on.write(start, frame.top + row, &tick.label, PicturePart::Label);
+            }
         }
     }
     let Some(row) = plan.rows.axis else { return };
     if let Some(column) = plan.columns.axis {
-        on.put(column, row, if ascii { '+' } else { '└' }, Ink::Axis);
+        on.put(column, row, corner, PicturePart::Axis);
     }
     for column in frame.left..on.width {
-        on.put(column, row, if ascii { '-' } else { '─' }, Ink::Axis);
+        on.put(column, row, horizontal, PicturePart::Axis);
     }
     let width = on.width;
     let along = ticks::choose(frame.x, &chart.x.unit, |t| roomy_along(t, &frame, width));
     for (tick, (start, _)) in along.iter().zip(places_along(&along, &frame, width)) {
         if let Some(column) = frame.column_of(tick.value) {
-            on.put(
-                frame.left + column,
-                row,
-                if ascii { '+' } else { '┬' },
-                Ink::Axis,
-            );
+            on.put(frame.left + column, row, tick_along, PicturePart::Axis);
         }
-        on.write(start, row + 1, &tick.label, Ink::Label);
+        on.write(start, row + 1, &tick.label, PicturePart::Label);
     }
     if let Some(row) = plan.rows.name {
         let unit = ticks::scale(frame.x, &chart.x.unit).unit(&chart.x.unit);
         let name = axis_name(&chart.x.label, &unit, width - frame.left);
         let start = frame.left + (width - frame.left - name.width()) / 2;
-        on.write(start, row, &name, Ink::Label);
+        on.write(start, row, &name, PicturePart::Label);
     }
 }
 
 /// Everything inside the axes: reference lines below, series, markers, then cursor and names where
 /// cells are free.
-fn draw_plot(chart: &Chart, plan: &Plan, glyphs: Glyphs, on: &mut Picture) {
+fn draw_plot(chart: &Chart, plan: &ChartPlan, glyphs: Glyphs, on: &mut Picture) {
     let frame = plan.frame;
     let canvas = draw_series(chart, frame, glyphs);
     if let Some(map) = &chart.map {

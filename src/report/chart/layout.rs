@@ -6,7 +6,7 @@ use super::legend;
 
 /// Rows of a picture, from the top.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) struct Rows {
+pub(super) struct PictureRows {
     /// The title's row.
     pub(super) title: Option<usize>,
     /// First row of the y axis' name and the legend, and how many.
@@ -21,7 +21,7 @@ pub(super) struct Rows {
     pub(super) name: Option<usize>,
 }
 
-impl Rows {
+impl PictureRows {
     /// Shares out the rows of a picture. `legend_rows` is how many the legend would like.
     pub(super) fn share(chart: &Chart, height: usize, legend_rows: usize) -> Self {
         let mut rows = Self::default();
@@ -49,7 +49,7 @@ impl Rows {
 
 /// Columns to the left of the plot: room for the numbers, and the axis itself.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) struct Columns {
+pub(super) struct PictureColumns {
     /// Columns of the numbers.
     pub(super) numbers: usize,
     /// Column of the axis.
@@ -60,7 +60,7 @@ pub(super) struct Columns {
     pub(super) width: usize,
 }
 
-impl Columns {
+impl PictureColumns {
     /// Shares out the columns, given how wide the numbers at the y axis are.
     pub(super) fn share(width: usize, numbers: usize) -> Self {
         let axes = width >= 5;

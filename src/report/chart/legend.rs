@@ -3,7 +3,7 @@
 use unicode_width::UnicodeWidthStr;
 
 use super::canvas::ink;
-use super::picture::{Ink, Picture};
+use super::picture::{Picture, PicturePart};
 use super::{Chart, Glyphs, Series, marker};
 
 /// Columns of a sample of a line, and the blank after it.
@@ -14,14 +14,14 @@ const GAP: usize = 3;
 
 /// Positions of the entries of a legend.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(super) struct Flow {
+pub(super) struct LegendLayout {
     /// Series by number, with row and column.
     entries: Vec<(usize, usize, usize)>,
     /// How many found no place, and where that is said: row and column.
     more: Option<(usize, usize, usize)>,
 }
 
-impl Flow {
+impl LegendLayout {
     /// Rows used.
     pub(super) fn rows(&self) -> usize {
         self.entries.last().map_or(0, |(_, row, _)| row + 1)
@@ -30,8 +30,8 @@ impl Flow {
 
 /// Sets the entries one after the other into rows, the first beginning after `indent` columns, the
 /// others at the left. What does not fit whole is left out and counted.
-pub(super) fn flow(chart: &Chart, width: usize, indent: usize, rows: usize) -> Flow {
-    let mut flow = Flow::default();
+pub(super) fn flow(chart: &Chart, width: usize, indent: usize, rows: usize) -> LegendLayout {
+    let mut flow = LegendLayout::default();
     let (mut row, mut column) = (0, indent);
     let mut left_out = 0;
     for (number, series) in chart.series.iter().enumerate() {
@@ -63,7 +63,13 @@ pub(super) fn flow(chart: &Chart, width: usize, indent: usize, rows: usize) -> F
 }
 
 /// Draws the entries.
-pub(super) fn draw(chart: &Chart, flow: &Flow, top: usize, glyphs: Glyphs, on: &mut Picture) {
+pub(super) fn draw(
+    chart: &Chart,
+    flow: &LegendLayout,
+    top: usize,
+    glyphs: Glyphs,
+    on: &mut Picture,
+) {
     for (number, row, column) in &flow.entries {
         let Some(series) = chart.series.get(*number) else {
             continue;
@@ -74,10 +80,15 @@ pub(super) fn draw(chart: &Chart, flow: &Flow, top: usize, glyphs: Glyphs, on: &
             &sample(series, glyphs),
             sample_ink(series),
         );
-        on.write(column + SAMPLE, top + row, &series.label, Ink::Legend);
+        on.write(
+            column + SAMPLE,
+            top + row,
+            &series.label,
+            PicturePart::Legend,
+        );
     }
     if let Some((count, row, column)) = flow.more {
-        on.write(column, top + row, &more(count), Ink::Legend);
+        on.write(column, top + row, &more(count), PicturePart::Legend);
     }
 }
 
@@ -98,10 +109,10 @@ fn sample(series: &Series, glyphs: Glyphs) -> String {
     format!("{side}{marker}{side}")
 }
 
-fn sample_ink(series: &Series) -> Ink {
+fn sample_ink(series: &Series) -> PicturePart {
     if series.visible {
         ink(series)
     } else {
-        Ink::Legend
+        PicturePart::Legend
     }
 }

@@ -2,13 +2,13 @@
 //! values of the same size and opposite sign, so that crests are dark, troughs light and what rests is between them; inks
 //! repeat the sign where there is colour.
 
-use super::picture::{Ink, Picture, PlotFrame};
+use super::picture::{Picture, PicturePart, PlotFrame};
 use super::{Axis, Glyphs};
 use crate::report::number;
 
 /// Values on a grid; between its points they are interpolated on both axes.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Map {
+pub struct GridMap {
     /// Places along the x axis, increasing.
     pub x: Vec<f64>,
     /// Places along the y axis, increasing.
@@ -27,7 +27,7 @@ const ORDER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 
 /// Cells of the scale beside the name of the y axis.
 const SCALE: usize = 10;
 
-impl Map {
+impl GridMap {
     /// The value at a place; nothing outside the grid, or where the values around are not finite.
     #[must_use]
     pub fn at(&self, x: f64, y: f64) -> Option<f64> {
@@ -114,7 +114,7 @@ impl Map {
         if column + name.chars().count() + SCALE + end.chars().count() + 2 > on.width {
             return;
         }
-        let mut at = on.write(column, row, &name, Ink::Legend) + 1;
+        let mut at = on.write(column, row, &name, PicturePart::Legend) + 1;
         for cell in 0..SCALE {
             let level = (cell as f64 + 0.5) / SCALE as f64;
             let ch = match glyphs {
@@ -124,7 +124,7 @@ impl Map {
             on.put(at, row, ch, ink(level));
             at += 1;
         }
-        on.write(at + 1, row, &end, Ink::Legend);
+        on.write(at + 1, row, &end, PicturePart::Legend);
     }
 }
 
@@ -173,8 +173,8 @@ fn dithered(levels: &[Option<f64>], corner: (usize, usize)) -> char {
     char::from_u32(0x2800 + u32::from(bits)).unwrap_or(' ')
 }
 
-fn ink(level: f64) -> Ink {
-    Ink::Shade(match level {
+fn ink(level: f64) -> PicturePart {
+    PicturePart::Shade(match level {
         l if l < 0.2 => -2,
         l if l < 0.4 => -1,
         l if l < 0.6 => 0,
@@ -187,8 +187,8 @@ fn ink(level: f64) -> Ink {
 mod tests {
     use super::*;
 
-    fn saddle() -> Map {
-        Map {
+    fn saddle() -> GridMap {
+        GridMap {
             x: vec![0.0, 1.0, 3.0],
             y: vec![0.0, 2.0],
             values: vec![0.0, 2.0, 1.0, 4.0, -3.0, f64::NAN],
@@ -205,14 +205,14 @@ mod tests {
         assert_eq!(map.at(3.0, 2.0), None);
         assert_eq!(map.at(3.1, 0.0), None);
         assert!((map.greatest() - 4.0).abs() < 1e-15);
-        let row = Map {
+        let row = GridMap {
             x: vec![0.0, 1.0],
             y: vec![5.0],
             values: vec![1.0, 2.0],
-            ..Map::default()
+            ..GridMap::default()
         };
         assert_eq!(row.at(0.5, 5.0), Some(1.5));
-        assert_eq!(Map::default().at(0.0, 0.0), None);
+        assert_eq!(GridMap::default().at(0.0, 0.0), None);
     }
 
     #[test]

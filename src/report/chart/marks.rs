@@ -2,7 +2,7 @@
 
 use unicode_width::UnicodeWidthStr;
 
-use super::picture::{Ink, Picture, PlotFrame};
+use super::picture::{Picture, PicturePart, PlotFrame};
 use super::{Chart, Glyphs, LimitLine};
 
 /// Reference lines, to be drawn before the series.
@@ -14,7 +14,7 @@ pub(super) fn limits(chart: &Chart, frame: PlotFrame, glyphs: Glyphs, on: &mut P
                 let Some(row) = frame.row_of(y) else { continue };
                 for column in 0..frame.width {
                     let ch = if ascii { '-' } else { '╌' };
-                    on.put(frame.left + column, frame.top + row, ch, Ink::Limit);
+                    on.put(frame.left + column, frame.top + row, ch, PicturePart::Limit);
                 }
             }
             LimitLine::Vertical(x) => {
@@ -23,7 +23,7 @@ pub(super) fn limits(chart: &Chart, frame: PlotFrame, glyphs: Glyphs, on: &mut P
                 };
                 for row in 0..frame.height {
                     let ch = if ascii { ':' } else { '╎' };
-                    on.put(frame.left + column, frame.top + row, ch, Ink::Limit);
+                    on.put(frame.left + column, frame.top + row, ch, PicturePart::Limit);
                 }
             }
         }
@@ -46,17 +46,32 @@ pub(super) fn cursor(
         Glyphs::Braille => ('┃', '╋'),
     };
     for row in 0..frame.height {
-        on.put(frame.left + column, frame.top + row, line, Ink::Cursor);
+        on.put(
+            frame.left + column,
+            frame.top + row,
+            line,
+            PicturePart::Cursor,
+        );
     }
     if let Some(row) = chart.cursor_y.and_then(|y| frame.row_of(y)) {
         let across = if glyphs == Glyphs::Ascii { '-' } else { '━' };
         for column in 0..frame.width {
-            on.put(frame.left + column, frame.top + row, across, Ink::Cursor);
+            on.put(
+                frame.left + column,
+                frame.top + row,
+                across,
+                PicturePart::Cursor,
+            );
         }
-        on.put(frame.left + column, frame.top + row, mark, Ink::Cursor);
+        on.put(
+            frame.left + column,
+            frame.top + row,
+            mark,
+            PicturePart::Cursor,
+        );
     }
     if let Some(row) = axis {
-        on.put(frame.left + column, row, mark, Ink::Cursor);
+        on.put(frame.left + column, row, mark, PicturePart::Cursor);
     }
 }
 
@@ -85,7 +100,7 @@ pub(super) fn names(chart: &Chart, frame: PlotFrame, on: &mut Picture) {
                 frame.left + column,
                 frame.top + row,
                 &limit.label,
-                Ink::Limit,
+                PicturePart::Limit,
             );
         }
     }
@@ -102,8 +117,8 @@ fn free(
     let is_free = |column: usize, row: usize| {
         let cell = on.get(frame.left + column, frame.top + row);
         cell.is_some_and(|cell| match cell.ink {
-            Ink::Blank => true,
-            Ink::Limit => matches!(cell.ch, '-' | '╌'),
+            PicturePart::Blank => true,
+            PicturePart::Limit => matches!(cell.ch, '-' | '╌'),
             _ => false,
         })
     };

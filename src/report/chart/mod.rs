@@ -1,7 +1,7 @@
 //! Charts as data (axes, series, marks, cursor) and their drawing in characters.
 //!
 //! A [`Chart`] says what is shown; [`draw()`] turns it into a [`Picture`], a grid of characters each
-//! with an [`Ink`] that says what it is. Screen and report draw the same chart; only the screen
+//! with an [`PicturePart`] that says what it is. Screen and report draw the same chart; only the screen
 //! turns inks into colours, and nothing is shown by colour alone: every series has a marker of its
 //! own, shown in the legend and along its line.
 //!
@@ -33,8 +33,8 @@ mod readout;
 mod ticks;
 
 pub use draw::{draw, frame};
-pub use map::Map;
-pub use picture::{CONTINUATION, Ink, Picture, PictureCell, PlotFrame};
+pub use map::GridMap;
+pub use picture::{CONTINUATION, Picture, PictureCell, PicturePart, PlotFrame};
 pub use range::{AxisRange, StickyRange, extent, fit};
 pub use readout::{Readout, ReadoutMethod, readout};
 
@@ -52,7 +52,7 @@ pub struct Chart {
     /// Reference lines.
     pub limits: Vec<Limit>,
     /// A field over both axes, below everything else.
-    pub map: Option<Map>,
+    pub map: Option<GridMap>,
     /// Position of the cursor on the x axis.
     pub cursor: Option<f64>,
     /// Its position on the y axis, on a chart with a map.
@@ -64,10 +64,23 @@ pub struct Chart {
 }
 
 impl Chart {
+    /// A chart of series with a legend.
+    #[must_use]
+    pub fn new(title: impl Into<String>, x: Axis, y: Axis, series: Vec<Series>) -> Self {
+        Self {
+            title: title.into(),
+            x,
+            y,
+            series,
+            legend: true,
+            ..Self::default()
+        }
+    }
+
     /// Whether there is nothing on it.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        let empty = |map: &Map| map.values.is_empty();
+        let empty = |map: &GridMap| map.values.is_empty();
         self.series.iter().all(|s| s.points.is_empty()) && self.map.as_ref().is_none_or(empty)
     }
 }
@@ -93,7 +106,19 @@ impl Axis {
             range: None,
         }
     }
+
+    /// The same, showing this range; all its data where there is none.
+    #[must_use]
+    pub fn over(self, range: impl Into<Option<AxisRange>>) -> Self {
+        Self {
+            range: range.into(),
+            ..self
+        }
+    }
 }
+
+/// Points of outlines; one that is not finite separates two.
+pub type Outline = Vec<(f64, f64)>;
 
 /// A line through points. A point that is not finite breaks the line.
 #[derive(Debug, Clone, PartialEq)]
@@ -133,6 +158,15 @@ pub struct Limit {
     pub line: LimitLine,
 }
 
+impl Limit {
+    /// A line of this name.
+    #[must_use]
+    pub fn new(label: impl Into<String>, line: LimitLine) -> Self {
+        let label = label.into();
+        Self { label, line }
+    }
+}
+
 /// Where a reference line lies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LimitLine {
@@ -143,7 +177,7 @@ pub enum LimitLine {
 }
 
 /// The characters a chart is drawn with.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Glyphs {
     /// Unicode braille, 2x4 dots a cell, and box-drawing axes.
     #[default]

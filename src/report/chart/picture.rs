@@ -7,7 +7,7 @@ use crate::visible;
 
 /// What a character of a picture is part of; the screen chooses colours by it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Ink {
+pub enum PicturePart {
     /// Nothing.
     #[default]
     Blank,
@@ -40,7 +40,7 @@ pub struct PictureCell {
     /// The character, or [`CONTINUATION`].
     pub ch: char,
     /// What it is part of.
-    pub ink: Ink,
+    pub ink: PicturePart,
 }
 
 /// Where the plot lies in its picture and what it shows, so that a cursor or a zoom can be mapped.
@@ -123,7 +123,7 @@ impl Picture {
     pub fn blank(width: usize, height: usize) -> Self {
         let empty = PictureCell {
             ch: ' ',
-            ink: Ink::Blank,
+            ink: PicturePart::Blank,
         };
         Self {
             width,
@@ -157,14 +157,20 @@ impl Picture {
     }
 
     /// Puts one character; outside the picture nothing happens.
-    pub(super) fn put(&mut self, column: usize, row: usize, ch: char, ink: Ink) {
+    pub(super) fn put(&mut self, column: usize, row: usize, ch: char, ink: PicturePart) {
         if column < self.width && row < self.height {
             self.cells[row * self.width + column] = PictureCell { ch, ink };
         }
     }
 
     /// Writes text from a column on, at most to the picture's edge; returns the column after it.
-    pub(super) fn write(&mut self, column: usize, row: usize, text: &str, ink: Ink) -> usize {
+    pub(super) fn write(
+        &mut self,
+        column: usize,
+        row: usize,
+        text: &str,
+        ink: PicturePart,
+    ) -> usize {
         let mut at = column;
         for ch in visible::line(text).chars() {
             let wide = ch.width().unwrap_or(0);

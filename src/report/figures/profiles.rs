@@ -113,15 +113,7 @@ pub(super) fn over_arc<'p>(
     let length = sources
         .iter()
         .filter_map(|s| s.profile?.arc.last().copied());
-    Chart {
-        title: title.to_owned(),
-        x: Axis {
-            range: extent(length.chain([0.0])).filter(|range| range.1 > range.0),
-            ..Axis::new("arc length from end A", "m")
-        },
-        y,
-        series: all,
-        legend: true,
-        ..Chart::default()
-    }
+    let range = extent(length.chain([0.0])).filter(|range| range.1 > range.0);
+    let arc = Axis::new("arc length from end A", "m").over(range);
+    Chart::new(title, arc, y, all)
 }

@@ -15,12 +15,6 @@ fn chart(row: &ValidationRow) -> Option<Chart> {
     if !overlay.computed.is_empty() {
         series.insert(0, Series::new("computed", 1, overlay.computed.clone()));
     }
-    Some(Chart {
-        title: row.name.clone(),
-        x: Axis::new("time", "s"),
-        y: Axis::new(&overlay.channel, &overlay.unit),
-        series,
-        legend: true,
-        ..Chart::default()
-    })
+    let y = Axis::new(&overlay.channel.to_string(), overlay.unit);
+    Some(Chart::new(&row.name, Axis::new("time", "s"), y, series))
 }

@@ -9,7 +9,7 @@ use super::{
     wave_amplitudes, wavelengths,
 };
 use crate::case::{
-    self, Case, ChannelQuantity, ChannelSpec, End, Method, OneOrMany, Site, WaveKind,
+    self, Case, ChannelLocation, ChannelQuantity, ChannelSpec, End, Method, OneOrMany, WaveKind,
 };
 use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, extent};
@@ -146,7 +146,7 @@ fn moves(c: &CaseContents) -> bool {
     let of_end = |spec: &ChannelSpec| {
         matches!(
             (spec.id.quantity, spec.site),
-            (ChannelQuantity::X, Site::End(_))
+            (ChannelQuantity::X, ChannelLocation::End(_))
         )
     };
     c.dynamic && c.channels.iter().any(of_end)
@@ -180,6 +180,14 @@ fn studied(c: &CaseContents) -> bool {
     !c.case.trend.is_empty()
         || !c.case.published_curve.is_empty()
         || published.any(|p| p.at.is_some())
+}
+
+/// Whether any section has a bending stiffness.
+fn bends(c: &CaseContents) -> bool {
+    c.case.line.iter().any(|section| {
+        let material = c.case.materials.get(&section.material);
+        material.is_some_and(|material| material.ei_n_m2 > 0.0)
+    })
 }
 
 /// Whether the line may leave a plane along x; a line at rest is always seen from three sides.
@@ -272,9 +280,9 @@ pub const FIGURES: [Figure; 21] = [
     figure(Id::Profile, "Profile", Other, |d| tension_profile(d.runs))
         .curves(ENVELOPE).in_report(13),
     figure(Id::Curvature, "Curvature", Other, |d| curvature_profile(d.runs))
-        .when(|c| case::bends(c.case)).curves(END_AND_GREATEST).in_report(14),
+        .when(bends).curves(END_AND_GREATEST).in_report(14),
     figure(Id::Moment, "Moment", Other, |d| moment_profile(d.runs))
-        .when(|c| case::bends(c.case)).curves(END_AND_GREATEST).in_report(15),
+        .when(bends).curves(END_AND_GREATEST).in_report(15),
     figure(Id::Map, "Map", Time, map)
         .when(response).curves(CurveNames::Variants(map_names)).in_report(20),
     figure(Id::Rms, "Rms", Other, |d| rms_profile(d.runs))

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use super::PlottedRun;
 use super::profiles::{over_arc, points};
-use crate::modes::Plane;
+use crate::modes::LinePlane;
 use crate::numerics::V3;
-use crate::report::chart::{Axis, AxisRange, Chart, Map, extent};
+use crate::report::chart::{Axis, AxisRange, Chart, GridMap, extent};
 use crate::run::{LineShape, Profile};
 
 /// What a map of the response shows.
@@ -74,7 +74,7 @@ pub fn response_map(sources: &[PlottedRun], from: Option<f64>, of: ResponseMapKi
 }
 
 /// The displacements on the grid of shapes and nodes.
-fn field(source: &PlottedRun, from: f64, of: ResponseMapKind) -> Option<Map> {
+fn field(source: &PlottedRun, from: f64, of: ResponseMapKind) -> Option<GridMap> {
     let arc = arc(source)?;
     let of_line = |shape: &&LineShape| shape.nodes.len() == arc.len();
     let all: Vec<&LineShape> = source.shapes.iter().filter(of_line).collect();
@@ -83,7 +83,7 @@ fn field(source: &PlottedRun, from: f64, of: ResponseMapKind) -> Option<Map> {
     let steady = all.get(begin..).filter(|steady| steady.len() > 2);
     let steady = steady.unwrap_or(&all);
     let mean = mean(steady, arc.len());
-    let plane = Plane::of(&mean);
+    let plane = LinePlane::of(&mean);
     let directions = match of {
         ResponseMapKind::OutOfPlane => vec![plane.normal; arc.len()],
         _ => plane.across(&mean),
@@ -105,13 +105,10 @@ fn field(source: &PlottedRun, from: f64, of: ResponseMapKind) -> Option<Map> {
     let mut axis = Axis::new("displacement", if diameters.is_some() { "D" } else { "m" });
     if of == ResponseMapKind::Normalised {
         even(&mut values, arc.len());
-        axis = Axis {
-            // A harmonic motion has 1.41.
-            range: Some((-1.5, 1.5)),
-            ..Axis::new("by its rms", "")
-        };
+        // A harmonic motion has 1.41.
+        axis = Axis::new("by its rms", "").over((-1.5, 1.5));
     }
-    Some(Map {
+    Some(GridMap {
         x: shown.iter().map(|shape| shape.time).collect(),
         y: arc,
         values,

@@ -34,7 +34,7 @@ pub fn trajectory(sources: &[PlottedRun], instant: Option<f64>) -> Chart {
 
 /// From where the line is looked at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum View {
+enum ViewDirection {
     /// Along y: z against x.
     Side,
     /// From above: y against x.
@@ -43,7 +43,7 @@ enum View {
     Front,
 }
 
-impl View {
+impl ViewDirection {
     /// The coordinates to the right and up.
     fn axes(self) -> (usize, usize) {
         match self {
@@ -71,22 +71,22 @@ impl View {
 /// axes show all stored shapes, so that they stay fixed during a run.
 #[must_use]
 pub fn line_shape(sources: &[PlottedRun], time: f64) -> Chart {
-    view(sources, time, View::Side)
+    view(sources, time, ViewDirection::Side)
 }
 
 /// The line from above, y against x \[m\], as [`line_shape`].
 #[must_use]
 pub fn line_from_above(sources: &[PlottedRun], time: f64) -> Chart {
-    view(sources, time, View::Plan)
+    view(sources, time, ViewDirection::Plan)
 }
 
 /// The line along the x axis, z against y \[m\], as [`line_shape`].
 #[must_use]
 pub fn line_from_ahead(sources: &[PlottedRun], time: f64) -> Chart {
-    view(sources, time, View::Front)
+    view(sources, time, ViewDirection::Front)
 }
 
-fn view(sources: &[PlottedRun], time: f64, view: View) -> Chart {
+fn view(sources: &[PlottedRun], time: f64, view: ViewDirection) -> Chart {
     let mut all = Vec::new();
     for (source, slot) in sources.iter().zip(slots(sources, 1)) {
         let (label, nodes) = match (shape_at(source.shapes, time), source.profile) {
@@ -106,38 +106,31 @@ fn view(sources: &[PlottedRun], time: f64, view: View) -> Chart {
         all.push(series(source, slot, &label, view.project(nodes).collect()));
     }
     let mut chart = in_space(view.title(), all);
-    if view == View::Plan {
+    if view == ViewDirection::Plan {
         chart.limits.clear();
     }
     let (right, up) = view.axes();
     let letters = ["x", "y", "z"];
-    chart.x = Axis::new(letters[right], "m");
-    chart.y = Axis::new(letters[up], "m");
     let (across, upward) = reach(sources, view);
-    chart.x.range = across.map(|r| fit(Some(r)));
-    chart.y.range = upward.map(|r| fit(Some(r)));
+    let axis = |i: usize, reach: Option<AxisRange>| {
+        Axis::new(letters[i], "m").over(reach.map(|r| fit(Some(r))))
+    };
+    chart.x = axis(right, across);
+    chart.y = axis(up, upward);
     chart
 }
 
 /// A chart of the vertical plane, still water marked.
 fn in_space(title: &str, series: Vec<Series>) -> Chart {
     Chart {
-        title: title.to_owned(),
-        x: Axis::new("x", "m"),
-        y: Axis::new("z", "m"),
-        series,
-        limits: vec![Limit {
-            label: "still water".to_owned(),
-            line: LimitLine::Horizontal(0.0),
-        }],
+        limits: vec![Limit::new("still water", LimitLine::Horizontal(0.0))],
         equal_scale: true,
-        legend: true,
-        ..Chart::default()
+        ..Chart::new(title, Axis::new("x", "m"), Axis::new("z", "m"), series)
     }
 }
 
 /// From where to where the line goes across and up, in all shapes of all runs.
-fn reach(sources: &[PlottedRun], view: View) -> (Option<AxisRange>, Option<AxisRange>) {
+fn reach(sources: &[PlottedRun], view: ViewDirection) -> (Option<AxisRange>, Option<AxisRange>) {
     let all = || {
         sources.iter().flat_map(|source| {
             let end = source

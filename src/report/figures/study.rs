@@ -6,13 +6,13 @@ use crate::report::chart::{Axis, Chart, Series};
 use crate::run::{self, QuantityId};
 
 /// What a number is: of which study, of which channel, which statistic, within which window or stretch.
-type Subject<'c> = (&'c str, &'c str, Statistic, Option<[f64; 2]>);
+type CurveKey<'c> = (&'c str, &'c run::Subject, Statistic, Option<[f64; 2]>);
 
 /// The charts of the studies of a case, from the rows of its validation table: one for each quantity that is stated at
 /// several points of a study, or of which a trend is stated; in the order in which the case states them.
 #[must_use]
 pub fn along_studies(case: &Case, rows: &[ValidationRow]) -> Vec<Chart> {
-    let mut all: Vec<(Subject<'_>, Chart)> = Vec::new();
+    let mut all: Vec<(CurveKey<'_>, Chart)> = Vec::new();
     for (published, row) in case.published.iter().zip(rows) {
         let plain = row.from.is_none() && row.by.is_none() && published.by_stretch_m.is_none();
         let Some(at) = published.at.as_ref().filter(|_| plain) else {
@@ -25,7 +25,7 @@ pub fn along_studies(case: &Case, rows: &[ValidationRow]) -> Vec<Chart> {
         let within = published.within();
         let subject = (
             at.study.as_str(),
-            published.channel.as_str(),
+            &published.channel,
             published.statistic,
             within,
         );
@@ -40,7 +40,7 @@ pub fn along_studies(case: &Case, rows: &[ValidationRow]) -> Vec<Chart> {
     for (trend, row) in trends {
         let subject = (
             trend.study.as_str(),
-            trend.channel.as_str(),
+            &trend.channel,
             trend.statistic,
             trend.within(),
         );
@@ -61,9 +61,9 @@ pub fn along_studies(case: &Case, rows: &[ValidationRow]) -> Vec<Chart> {
 
 /// The chart of this subject, made where it is not there yet.
 fn of<'a, 'c>(
-    all: &'a mut Vec<(Subject<'c>, Chart)>,
+    all: &'a mut Vec<(CurveKey<'c>, Chart)>,
     case: &Case,
-    subject: Subject<'c>,
+    subject: CurveKey<'c>,
     row: &ValidationRow,
 ) -> &'a mut Chart {
     let place = all.iter().position(|(known, _)| *known == subject);
@@ -76,20 +76,17 @@ fn of<'a, 'c>(
 
 fn empty(
     case: &Case,
-    (study, channel, statistic, within): Subject<'_>,
+    (study, channel, statistic, within): CurveKey<'_>,
     row: &ValidationRow,
 ) -> Chart {
-    let of = channel.parse::<run::Subject>();
-    let quantity = of.map(|of| QuantityId::new(of, statistic, within).to_string());
-    let quantity = quantity.unwrap_or_else(|_| channel.to_owned());
+    let quantity = QuantityId::new(channel.clone(), statistic, within);
     let key = case.study.iter().find(|s| s.name == study);
-    Chart {
-        title: format!("{quantity} along {study}"),
-        x: key.map_or_else(Axis::default, axis),
-        y: Axis::new(statistic.name(), &row.unit),
-        legend: true,
-        ..Chart::default()
-    }
+    Chart::new(
+        format!("{quantity} along {study}"),
+        key.map_or_else(Axis::default, axis),
+        Axis::new(statistic.name(), &row.unit),
+        Vec::new(),
+    )
 }
 
 /// The axis of the key that a study varies.

@@ -1,7 +1,7 @@
 //! What the charts of runs are made of.
 
 use super::*;
-use crate::report::chart::LimitLine;
+use crate::report::chart::{Chart, LimitLine};
 use crate::run::{Channel, Profile};
 
 fn channel(name: &str, values: Vec<f64>) -> Channel {
@@ -32,8 +32,12 @@ fn shapes() -> Vec<LineShape> {
     vec![at(0.0, 1400.0, 0.0), at(5.0, 0.0, -1390.0)]
 }
 
-fn labels(chart: &crate::report::chart::Chart) -> Vec<&str> {
+fn labels(chart: &Chart) -> Vec<&str> {
     chart.series.iter().map(|s| s.label.as_str()).collect()
+}
+
+fn tensions(sources: &[PlottedRun]) -> Chart {
+    against_time(sources, ChannelQuantity::Tension)
 }
 
 #[test]
@@ -118,7 +122,7 @@ fn a_line_at_rest_is_seen_from_three_sides_and_has_no_envelope() {
         ..PlottedRun::streamed(&history, &[], label)
     };
     let alone = [named("a")];
-    let points = |chart: crate::report::chart::Chart| chart.series[0].points.clone();
+    let points = |chart: Chart| chart.series[0].points.clone();
     assert_eq!(points(line_shape(&alone, 0.0))[1], (3.0, 0.0));
     assert_eq!(points(line_from_above(&alone, 0.0))[1], (3.0, 1.0));
     assert_eq!(points(line_from_ahead(&alone, 0.0))[1], (1.0, 0.0));

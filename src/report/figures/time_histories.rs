@@ -5,12 +5,6 @@ use super::{PlottedRun, body, histories, named, places, series, slots, values};
 use crate::case::ChannelQuantity;
 use crate::report::chart::{Axis, Chart};
 
-/// Tension at the joints against time \[s, N\], a series a joint and run.
-#[must_use]
-pub fn tensions(sources: &[PlottedRun]) -> Chart {
-    against_time(sources, ChannelQuantity::Tension)
-}
-
 /// Position of the payload against time \[s, m\]: x along the scene, z up from still water.
 #[must_use]
 pub fn payload_position(sources: &[PlottedRun]) -> Chart {
@@ -52,17 +46,8 @@ fn chart(
             }
         }
     }
-    Chart {
-        title: title.to_owned(),
-        x: Axis {
-            range: time_range(sources),
-            ..Axis::new("time", "s")
-        },
-        y,
-        series: all,
-        legend: true,
-        ..Chart::default()
-    }
+    let time = Axis::new("time", "s").over(time_range(sources));
+    Chart::new(title, time, y, all)
 }
 
 /// From the first instant to the end of the longest run, exactly: a time axis is not rounded up.

@@ -5,13 +5,13 @@ use std::f64::consts::TAU;
 use super::tables::{METRES, NEWTONS};
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::number::percent;
-use crate::report::table::{Align, Format, Table};
+use crate::report::table::{Align, NumberFormat, Table};
 use crate::ropeway::SolvedRopeway;
 use crate::ropeway::dynamic_crossing::CrossingState;
 use crate::ropeway::oscillator::{CargoOscillator, CargoState, taut_string_rad_per_s};
 
 /// A period.
-const SECONDS: Format = Format::Decimals(3, "s");
+const SECONDS: NumberFormat = NumberFormat::Decimals(3, "s");
 
 /// Motion of the cargo with one degree of freedom: periods, and ranges over the ship's motion.
 #[must_use]
@@ -46,7 +46,7 @@ fn facts(
     solved: &SolvedRopeway,
     swing: &CargoOscillator,
     mass: f64,
-) -> Vec<(&'static str, Format, f64)> {
+) -> Vec<(&'static str, NumberFormat, f64)> {
     let hang = solved.cargo_position(solved.ropeway.cargo.position);
     let natural = swing.natural_rad_per_s(&hang);
     let mut facts = vec![
@@ -60,7 +60,7 @@ fn facts(
     facts.extend([
         (
             "damping ratio",
-            Format::Decimals(3, ""),
+            NumberFormat::Decimals(3, ""),
             swing.damping_ratio,
         ),
         (
@@ -98,13 +98,13 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
 
 /// The crossing by one of its models; absent where a model has no value.
 #[derive(Debug, Clone, Copy, Default)]
-struct Crossing {
+struct CrossingSummary {
     period_s: Option<f64>,
     lowest_m: Option<f64>,
     greatest_n: Option<f64>,
 }
 
-impl Crossing {
+impl CrossingSummary {
     /// Lowest height and greatest tension of a path.
     fn of(places: impl Iterator<Item = (f64, f64)>) -> Self {
         let (lowest, greatest) = places.fold((f64::INFINITY, 0.0_f64), |(low, high), (z, n)| {
@@ -151,7 +151,7 @@ pub fn dynamic_crossing(solved: &SolvedRopeway) -> (Chart, Table) {
 }
 
 /// The crossing by eq. (12), over the line, and at rest at the positions of the line.
-fn crossings(solved: &SolvedRopeway, hauled: &[CrossingState]) -> [Crossing; 3] {
+fn crossings(solved: &SolvedRopeway, hauled: &[CrossingState]) -> [CrossingSummary; 3] {
     let height = solved.ropeway.platform.height_m;
     let position = solved.ropeway.cargo.position;
     let inside = position > 0.0 && position < 1.0;
@@ -167,24 +167,24 @@ fn crossings(solved: &SolvedRopeway, hauled: &[CrossingState]) -> [Crossing; 3] 
         ))
     });
     let one = if own.is_empty() {
-        Crossing::default()
+        CrossingSummary::default()
     } else {
-        Crossing::of(own.iter().map(|s| (height - s.depth_m, most(s))))
+        CrossingSummary::of(own.iter().map(|s| (height - s.depth_m, most(s))))
     };
     [
-        Crossing {
+        CrossingSummary {
             period_s: swing
                 .map(|swing| TAU / swing.natural_rad_per_s(&solved.cargo_position(position))),
             ..one
         },
-        Crossing {
+        CrossingSummary {
             period_s: solved
                 .line_frequency_hz(position)
                 .ok()
                 .map(|hz| TAU / (TAU * hz)),
-            ..Crossing::of(hauled.iter().map(|h| (h.z_m, h.platform_n.max(h.ship_n))))
+            ..CrossingSummary::of(hauled.iter().map(|h| (h.z_m, h.platform_n.max(h.ship_n))))
         },
-        Crossing::of(rest),
+        CrossingSummary::of(rest),
     ]
 }
 
@@ -202,12 +202,10 @@ pub fn crossing_chart(solved: &SolvedRopeway) -> Chart {
         let points = swung.iter().map(|s| (s.position.x_m, height - s.depth_m));
         series.push(Series::new("eq. (12)", 1, points.collect()));
     }
-    Chart {
-        title: "Path of the cargo from the ship to the platform".to_owned(),
-        x: Axis::new("from the platform", "m"),
-        y: Axis::new("height", "m"),
+    Chart::new(
+        "Path of the cargo from the ship to the platform",
+        Axis::new("from the platform", "m"),
+        Axis::new("height", "m"),
         series,
-        legend: true,
-        ..Chart::default()
-    }
+    )
 }

@@ -1,6 +1,6 @@
 //! Elevation of a ropeway as a chart: platform, ship, water, the rope and the cargo on it.
 
-use crate::report::chart::{Axis, Chart, Limit, LimitLine, Series};
+use crate::report::chart::{Axis, Chart, Limit, LimitLine, Outline, Series};
 use crate::ropeway::unloaded::UnloadedRope;
 use crate::ropeway::{ModelResults, SolvedRopeway};
 
@@ -9,8 +9,6 @@ const POINTS: usize = 80;
 
 /// Widths of platform and ship relative to the span.
 const ASIDE: f64 = 0.12;
-
-type Points = Vec<(f64, f64)>;
 
 const BREAK: (f64, f64) = (f64::NAN, f64::NAN);
 
@@ -32,21 +30,12 @@ pub fn chart(solved: &SolvedRopeway, results: &ModelResults) -> Chart {
     let mut unloaded_rope = Series::new("unloaded rope", 5, unloaded(solved));
     unloaded_rope.dimmed = true;
     let crest = solved.ropeway.water.crest_m;
-    let crests = Limit {
-        label: "wave crest".to_owned(),
-        line: LimitLine::Horizontal(crest),
-    };
-    Chart {
-        title: solved.ropeway.about.title.clone(),
-        x: Axis {
-            range: Some((left, right)),
-            ..Axis::new("from the platform", "m")
-        },
-        y: Axis {
-            range: Some((from, to)),
-            ..Axis::new("height", "m")
-        },
-        series: vec![
+    let crests = Limit::new("wave crest", LimitLine::Horizontal(crest));
+    let mut chart = Chart::new(
+        &solved.ropeway.about.title,
+        Axis::new("from the platform", "m").over((left, right)),
+        Axis::new("height", "m").over((from, to)),
+        vec![
             unloaded_rope,
             Series::new("water", 3, vec![(left, 0.0), (right, 0.0)]),
             Series::new("platform", 2, platform(solved, from)),
@@ -54,30 +43,25 @@ pub fn chart(solved: &SolvedRopeway, results: &ModelResults) -> Chart {
             Series::new("rope", 0, rope),
             Series::new("cargo", 1, cargo),
         ],
-        limits: if crest > 0.0 {
-            vec![crests]
-        } else {
-            Vec::new()
-        },
-        legend: true,
-        ..Chart::default()
-    }
+    );
+    chart.limits.extend((crest > 0.0).then_some(crests));
+    chart
 }
 
-fn rope(solved: &SolvedRopeway, results: &ModelResults) -> Points {
+fn rope(solved: &SolvedRopeway, results: &ModelResults) -> Outline {
     let (rest, height) = (&results.exact, solved.ropeway.platform.height_m);
     let at = |i: usize| {
         let point = rest.solution.at(rest.length_m * i as f64 / POINTS as f64);
         (point.x_m, height + point.z_m)
     };
-    let mut points: Points = (0..=POINTS).map(at).collect();
+    let mut points: Outline = (0..=POINTS).map(at).collect();
     points.push((rest.cargo_m.0, height + rest.cargo_m.1));
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     points
 }
 
 /// The unloaded rope of the inextensible model.
-fn unloaded(solved: &SolvedRopeway) -> Points {
+fn unloaded(solved: &SolvedRopeway) -> Outline {
     let Ok(inextensible) = &solved.inextensible else {
         return Vec::new();
     };
@@ -90,7 +74,7 @@ fn unloaded(solved: &SolvedRopeway) -> Points {
 }
 
 /// A box below the rope, at least 0.5 m high to be visible.
-fn cargo(solved: &SolvedRopeway, results: &ModelResults) -> Points {
+fn cargo(solved: &SolvedRopeway, results: &ModelResults) -> Outline {
     let (x, below) = results.exact.cargo_m;
     let z = solved.ropeway.platform.height_m + below;
     let half = 0.012 * solved.rope.geometry.span_m;
@@ -107,7 +91,7 @@ fn cargo(solved: &SolvedRopeway, results: &ModelResults) -> Points {
 }
 
 /// A deck on two legs, beside the span.
-fn platform(solved: &SolvedRopeway, bottom: f64) -> Points {
+fn platform(solved: &SolvedRopeway, bottom: f64) -> Outline {
     let (deck, wide) = (
         solved.ropeway.platform.height_m,
         ASIDE * solved.rope.geometry.span_m,
@@ -125,7 +109,7 @@ fn platform(solved: &SolvedRopeway, bottom: f64) -> Points {
 }
 
 /// A hull with a mast that holds the rope, beside the span.
-fn ship(solved: &SolvedRopeway) -> Points {
+fn ship(solved: &SolvedRopeway) -> Outline {
     let (span, top) = (solved.rope.geometry.span_m, solved.ropeway.ship.height_m);
     let (deck, wide) = (0.35 * top, ASIDE * span);
     let keel = -0.25 * top;

@@ -5,10 +5,10 @@ pub mod drawing;
 pub mod tables;
 pub mod winch;
 
+use crate::case::kind;
 use crate::report::chart::Glyphs;
 use crate::report::text::{Page, inputs};
-use crate::ropeway::edit;
-use crate::ropeway::{ModelResults, SolvedRopeway};
+use crate::ropeway::{ModelResults, Ropeway, SolvedRopeway};
 
 /// Lines of a picture and of a chart.
 const LINES: usize = 18;
@@ -24,7 +24,8 @@ pub fn report(
 ) -> String {
     let about = &solved.ropeway.about;
     let mut page = Page::default();
-    page.head(&about.title, [&about.source, &about.notes]);
+    page.title(&about.title);
+    page.prose([&about.source, &about.notes]);
     page.chart(&drawing::chart(solved, results), LINES, glyphs);
     let warnings = tables::warnings(solved, results);
     if !warnings.is_empty() {
@@ -51,7 +52,7 @@ pub fn report(
     page.table(&comparison);
     inputs(
         &mut page,
-        &edit::rows(text),
+        &kind::rows::<Ropeway>(text),
         !about.source.trim().is_empty(),
     );
     page.finish()

@@ -1,16 +1,16 @@
 //! A ropeway at rest in tables: its models side by side, the crossing, the ropes; warnings.
 
 use crate::report::number::{percent, rounded};
-use crate::report::table::{Align, Cell, Format, Table};
+use crate::report::table::{Align, Cell, NumberFormat, Table};
 use crate::ropeway::elastic::{Carrier, RopeEquilibrium};
 use crate::ropeway::weight_check::WeightCheck;
 use crate::ropeway::{ModelResults, SolvedRopeway};
 
 /// A force in newtons as the paper prints them.
-pub(super) const NEWTONS: Format = Format::With(newtons);
+pub(super) const NEWTONS: NumberFormat = NumberFormat::With(newtons);
 
 /// A length in metres.
-pub(super) const METRES: Format = Format::Decimals(3, "m");
+pub(super) const METRES: NumberFormat = NumberFormat::Decimals(3, "m");
 
 pub(super) fn newtons(value: f64) -> String {
     let decimals = if value.abs() >= 1e6 { -1 } else { 1 };
@@ -23,7 +23,7 @@ pub(super) fn metres(value: f64) -> String {
 
 /// Results of a model of the ropeway; absent where it has none.
 #[derive(Debug, Clone, Copy, Default)]
-struct Summary {
+struct ModelSummary {
     length_m: Option<f64>,
     horizontal_n: Option<f64>,
     platform_n: Option<f64>,
@@ -33,7 +33,7 @@ struct Summary {
     clearance_m: Option<f64>,
 }
 
-impl Summary {
+impl ModelSummary {
     fn new(horizontal_n: Option<f64>, (platform_n, ship_n): (f64, f64), sag_m: f64) -> Self {
         Self {
             horizontal_n,
@@ -73,37 +73,37 @@ pub fn models(solved: &SolvedRopeway, results: &ModelResults) -> Table {
 }
 
 /// The inextensible model, parabola theory, the elastic rope, and the discretised line.
-fn summaries(solved: &SolvedRopeway, results: &ModelResults) -> [Option<Summary>; 4] {
+fn summaries(solved: &SolvedRopeway, results: &ModelResults) -> [Option<ModelSummary>; 4] {
     let exact = &results.exact;
     let model = solved
         .inextensible
         .as_ref()
         .ok()
-        .map(|inextensible| Summary {
+        .map(|inextensible| ModelSummary {
             length_m: Some(inextensible.rope.length_m()),
             horizontal_n: Some(inextensible.rope.horizontal_n),
             greatest_n: Some(inextensible.max_tension_n),
             sag_m: Some(inextensible.rope.sag_m()),
-            ..Summary::default()
+            ..ModelSummary::default()
         });
     let parabola = results.parabola.map(|(platform, ship, sag)| {
-        Summary::new(model.and_then(|m| m.horizontal_n), (platform, ship), sag)
+        ModelSummary::new(model.and_then(|m| m.horizontal_n), (platform, ship), sag)
     });
     let ends = (exact.platform_n(), exact.ship_n());
-    let elastic = Summary {
+    let elastic = ModelSummary {
         length_m: Some(exact.length_m),
-        ..Summary::new(Some(exact.solution.h_b_n), ends, exact.sag_m)
+        ..ModelSummary::new(Some(exact.solution.h_b_n), ends, exact.sag_m)
     };
-    let line = results.line.as_ref().ok().map(|line| Summary {
+    let line = results.line.as_ref().ok().map(|line| ModelSummary {
         length_m: Some(exact.length_m),
-        ..Summary::new(
+        ..ModelSummary::new(
             Some(line.horizontal_n),
             (line.platform_n, line.ship_n),
             line.sag_m,
         )
     });
     // At the position of the elastic rope, lower by the difference of the sags.
-    let with_clearance = |summary: Summary| Summary {
+    let with_clearance = |summary: ModelSummary| ModelSummary {
         clearance_m: summary
             .sag_m
             .map(|sag| solved.clearance_m(exact) + exact.sag_m - sag),
@@ -226,14 +226,14 @@ pub fn ropes(solved: &SolvedRopeway, results: &ModelResults) -> Table {
     let title = "Ropes, with their shares of the greatest tension";
     Table::of(title, &solved.ropeway.ropes)
         .text("rope", |rope| &rope.name)
-        .number("diameter", Format::Decimals(1, "mm"), |rope| {
+        .number("diameter", NumberFormat::Decimals(1, "mm"), |rope| {
             1e3 * rope.diameter_m
         })
-        .number("mass", Format::Decimals(3, "kg/m"), |rope| {
+        .number("mass", NumberFormat::Decimals(3, "kg/m"), |rope| {
             rope.mass_kg_per_m
         })
         .number("length", METRES, |rope| rope.length_m)
-        .number("share", Format::Percent, |rope| rope.ea_n / ea)
+        .number("share", NumberFormat::Percent, |rope| rope.ea_n / ea)
         .number("tension", NEWTONS, |rope| rope.ea_n / ea * most)
         .cell("use of breaking load", Align::Decimal, |rope| {
             let part = rope.break_load_n.map(|load| rope.ea_n / ea * most / load);
@@ -263,7 +263,9 @@ pub fn weight_check(solved: &SolvedRopeway) -> Option<Table> {
     let table = Table::of("Difference to the finite-element check", &rows)
         .text("", |row| row.0)
         .number("tension", NEWTONS, |row| row.1)
-        .number("ratio", Format::Percent, |row| row.1 / check.tension_n)
+        .number("ratio", NumberFormat::Percent, |row| {
+            row.1 / check.tension_n
+        })
         .build();
     Some(table.noted([format!(
         "The bar of the check weighs {} more than the rope of the model. The paper's conclusion 5 attributes the difference to the simple theory and calls for simulation beyond 80 m; its cause is the weight.",

@@ -4,7 +4,7 @@ use super::tables::{METRES, NEWTONS, metres, newtons};
 use crate::numerics::statistics::Statistics;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::number::percent;
-use crate::report::table::{Format, Table};
+use crate::report::table::{NumberFormat, Table};
 use crate::ropeway::hauling::{HaulingPoint, haul};
 use crate::ropeway::winch::{WinchSample, WinchState, statistics};
 use crate::ropeway::{SolvedRopeway, WinchRun};
@@ -20,17 +20,15 @@ pub fn hauling_chart(solved: &SolvedRopeway) -> Chart {
         let points = hauls.iter().map(|h| (h.distance_m, of(h)));
         Series::new(label, slot, points.collect())
     };
-    Chart {
-        title: "Hauling the unloaded rope out to the ship".to_owned(),
-        x: Axis::new("distance from the platform", "m"),
-        y: Axis::new("tension at the ship", "N"),
-        series: vec![
+    Chart::new(
+        "Hauling the unloaded rope out to the ship",
+        Axis::new("distance from the platform", "m"),
+        Axis::new("tension at the ship", "N"),
+        vec![
             series("end tension", 0, |h| h.ship_n),
             series("horizontal component", 1, |h| h.horizontal_n),
         ],
-        legend: true,
-        ..Chart::default()
-    }
+    )
 }
 
 /// The same in numbers.
@@ -50,41 +48,45 @@ pub fn hauling(solved: &SolvedRopeway) -> Table {
         ])
 }
 
+/// Names of the ways in which the rope is held.
+const WAYS: [&str; 2] = ["made fast", "on the winch"];
+
 /// The rope made fast and on the constant-tension winch; absent where it has no solution.
 fn ways(run: &WinchRun) -> [Option<&[WinchSample]>; 2] {
-    let kept = run
-        .constant_tension
-        .as_ref()
-        .and_then(|kept| kept.as_deref().ok());
+    let kept = run.constant_tension.as_ref();
+    let kept = kept.and_then(|kept| kept.as_deref().ok());
     [run.made_fast.as_deref().ok(), kept]
+}
+
+/// Tension at the ship against time, made fast and on the winch, up to a time \[s\].
+pub(in crate::report) fn tensions(run: &WinchRun, until: f64) -> Vec<Series> {
+    let series = |(slot, (label, samples)): (usize, (&str, Option<&[WinchSample]>))| {
+        let drawn = samples?.iter().take_while(|s| s.ship.time_s <= until);
+        let points = drawn.map(|s| (s.ship.time_s, s.ship_n)).collect();
+        Some(Series::new(label, slot, points))
+    };
+    let ways = WAYS.into_iter().zip(ways(run));
+    ways.enumerate().filter_map(series).collect()
 }
 
 /// Tension at the ship against time, made fast and on the winch.
 #[must_use]
 pub fn winch_chart(run: &WinchRun) -> Chart {
-    let tension =
-        |moments: &[WinchSample]| moments.iter().map(|m| (m.ship.time_s, m.ship_n)).collect();
-    let labels = ["made fast", "on the winch"];
-    let ways = labels.into_iter().zip(ways(run)).enumerate();
-    let series = ways
-        .filter_map(|(slot, (label, moments))| Some(Series::new(label, slot, tension(moments?))));
-    Chart {
-        title: "Tension at the moving ship".to_owned(),
-        x: Axis::new("time", "s"),
-        y: Axis::new("tension", "N"),
-        series: series.collect(),
-        legend: true,
-        ..Chart::default()
-    }
+    Chart::new(
+        "Tension at the moving ship",
+        Axis::new("time", "s"),
+        Axis::new("tension", "N"),
+        tensions(run, f64::INFINITY),
+    )
 }
 
 /// Statistics of the rope over the ship's motion, made fast and on the winch, and the duty of the winch.
 #[must_use]
 pub fn winch(solved: &SolvedRopeway, run: &WinchRun) -> Table {
-    const SPEED: Format = Format::Si("m/s");
-    const POWER: Format = Format::Si("W");
+    const SPEED: NumberFormat = NumberFormat::Si("m/s");
+    const POWER: NumberFormat = NumberFormat::Si("W");
     let [fast, kept] = ways(run);
-    let ways = [("made fast", fast), ("on the winch", kept)];
+    let ways = [(WAYS[0], fast), (WAYS[1], kept)];
     let ship = |m: &[WinchSample]| statistics(m, |x| x.ship_n);
     let length = |m: &[WinchSample]| statistics(m, |x| x.length_m);
     let speed = |m: &[WinchSample]| statistics(m, |x| x.speed_m_per_s);
@@ -134,21 +136,18 @@ fn notes(run: &WinchRun) -> Vec<String> {
     notes
 }
 
-/// How often the winch is at a limit.
-fn limits(kept: &[WinchSample]) -> impl Iterator<Item = String> {
+/// Warnings of how often the winch is at a limit.
+pub(in crate::report) fn limits(kept: &[WinchSample]) -> impl Iterator<Item = String> {
     let limits = [
-        (WinchState::SpeedLimit, "it is at its speed limit"),
-        (WinchState::PowerLimit, "it is at its power limit"),
-        (WinchState::RopeOut, "all its rope is paid out"),
+        (WinchState::SpeedLimit, "its maximum speed"),
+        (WinchState::PowerLimit, "its maximum power"),
+        (WinchState::RopeOut, "the end of its rope"),
     ];
-    limits.into_iter().filter_map(|(held, words)| {
+    limits.into_iter().filter_map(|(held, limit)| {
         let count = kept.iter().filter(|m| m.state == held).count();
-        let part = count as f64 / kept.len().max(1) as f64;
-        (part > 0.0).then(|| {
-            format!(
-                "The winch does not keep the tension for {} of the time: {words}.",
-                percent(part)
-            )
+        let part = percent(count as f64 / kept.len() as f64);
+        (count > 0).then(|| {
+            format!("WARNING: the winch is at {limit} for {part} of the time and does not keep its tension.")
         })
     })
 }

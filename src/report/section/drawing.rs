@@ -5,42 +5,26 @@
 
 use std::f64::consts::TAU;
 
-use crate::report::chart::{Axis, Chart, Glyphs, Series, draw};
-use crate::section::{Design, Element, Helix, Shell};
+use crate::report::chart::{Axis, Chart, Outline, Series};
+use crate::section::{CableElement, Design, Helix, LaidLayer};
 
 /// Corners of an outline that is drawn as a circle.
 const CORNERS: u32 = 72;
-
-/// Corners of outlines \[mm\]; what is not a number ends one.
-type Points = Vec<(f64, f64)>;
 
 /// The section as a chart, in millimetres, equal in both directions.
 #[must_use]
 pub fn chart(design: &Design) -> Chart {
     let reach = 1.03e3 * design.layout.outer_radius;
-    let axis = |name: &str| Axis {
-        range: Some((-reach, reach)),
-        ..Axis::new(name, "mm")
-    };
+    let axis = |name: &str| Axis::new(name, "mm").over((-reach, reach));
+    let title = &design.section.about.title;
     Chart {
-        title: design.section.about.title.clone(),
-        x: axis("x"),
-        y: axis("y"),
-        series: series(design),
         equal_scale: true,
-        legend: true,
-        ..Chart::default()
+        ..Chart::new(title, axis("x"), axis("y"), series(design))
     }
 }
 
-/// The section in characters, at most this wide and high.
-#[must_use]
-pub fn text(design: &Design, width: usize, height: usize, glyphs: Glyphs) -> String {
-    draw(&chart(design), width, height, glyphs).to_text()
-}
-
 fn series(design: &Design) -> Vec<Series> {
-    let mut outlines: Vec<(String, Points)> = Vec::new();
+    let mut outlines: Vec<(String, Outline)> = Vec::new();
     if let Some(centre) = &design.layout.centre {
         let mut points = unit(&centre.element, 0.0, 0.0, 1.0);
         if centre.radius > centre.element.radius {
@@ -50,8 +34,8 @@ fn series(design: &Design) -> Vec<Series> {
     }
     for shell in &design.layout.shells {
         match shell {
-            Shell::Helix(helix) => outlines.extend(layer(helix)),
-            Shell::Tube(tube) => {
+            LaidLayer::Helix(helix) => outlines.extend(layer(helix)),
+            LaidLayer::Tube(tube) => {
                 let mut points = ellipse(0.0, 0.0, tube.inner_radius, tube.inner_radius);
                 points.extend(ellipse(0.0, 0.0, tube.outer_radius, tube.outer_radius));
                 outlines.push((tube.input.name.clone(), points));
@@ -65,8 +49,8 @@ fn series(design: &Design) -> Vec<Series> {
 }
 
 /// The outlines of a layer, one set for each kind of unit.
-fn layer(helix: &Helix) -> Vec<(String, Points)> {
-    let mut kinds: Vec<(&str, usize, Points)> = Vec::new();
+fn layer(helix: &Helix) -> Vec<(String, Outline)> {
+    let mut kinds: Vec<(&str, usize, Outline)> = Vec::new();
     let stretch = 1.0 / helix.angle.cos();
     for (element, place) in helix.elements.iter().zip(&helix.places) {
         let points = unit(element, helix.pitch_radius, *place, stretch);
@@ -89,7 +73,7 @@ fn layer(helix: &Helix) -> Vec<(String, Points)> {
 }
 
 /// The outline of a unit at a place of its layer, and that of its bore.
-fn unit(element: &Element, pitch_radius: f64, place: f64, stretch: f64) -> Points {
+fn unit(element: &CableElement, pitch_radius: f64, place: f64, stretch: f64) -> Outline {
     let mut points = ellipse(
         pitch_radius,
         place,
@@ -105,7 +89,7 @@ fn unit(element: &Element, pitch_radius: f64, place: f64, stretch: f64) -> Point
 
 /// A closed outline \[mm\] about a point at this distance and angle, so thick across and around;
 /// what is not a number ends it.
-fn ellipse(distance: f64, place: f64, across: f64, around: f64) -> Points {
+fn ellipse(distance: f64, place: f64, across: f64, around: f64) -> Outline {
     // The first unit lies at the top.
     let (sin, cos) = (0.25 * TAU - place).sin_cos();
     let corner = |i: u32| {
@@ -116,7 +100,7 @@ fn ellipse(distance: f64, place: f64, across: f64, around: f64) -> Points {
             1e3 * (out * sin + along * cos),
         )
     };
-    let mut points: Points = (0..=CORNERS).map(corner).collect();
+    let mut points: Outline = (0..=CORNERS).map(corner).collect();
     points.push((f64::NAN, f64::NAN));
     points
 }

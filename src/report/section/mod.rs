@@ -5,6 +5,7 @@ pub mod tables;
 
 use crate::report::chart::Glyphs;
 use crate::report::table::Table;
+use crate::report::text::Page;
 use crate::section::Design;
 use crate::section::stiffness::EndRotation;
 
@@ -23,43 +24,21 @@ pub fn tension(design: &Design) -> f64 {
 pub fn report(design: &Design, width: usize, glyphs: Glyphs, tension: Option<f64>) -> String {
     let about = &design.section.about;
     let tension = tension.unwrap_or_else(|| self::tension(design));
-    let prose = [&about.source, &about.notes];
-    let mut parts = vec![drawing::text(design, width, width / 2, glyphs)];
-    parts.extend(
-        prose
-            .iter()
-            .filter(|w| !w.is_empty())
-            .map(|w| paragraph(w, width)),
-    );
+    let mut page = Page::new(width);
+    page.chart(&drawing::chart(design), width / 2, glyphs);
+    page.prose([&about.source, &about.notes]);
     if !design.layout.warnings.is_empty() {
-        parts.push(warnings(design).to_text(width));
+        let warnings = design.layout.warnings.iter();
+        page.table(&Table::titled("Warnings").noted(warnings.map(ToString::to_string)));
     }
-    parts.push(tables::layers(design).to_text(width));
-    parts.push(tables::summary(design).to_text(width));
-    parts.push(tables::stiffness(design).to_text(width));
-    parts
-        .push(tables::load_sharing(design, about.core, EndRotation::Fixed, tension).to_text(width));
-    parts.join("\n")
-}
-
-fn paragraph(words: &str, width: usize) -> String {
-    let table = Table {
-        title: words.split_whitespace().collect::<Vec<_>>().join(" "),
-        ..Table::default()
-    };
-    table.to_text(width)
-}
-
-/// Warnings about the geometry.
-fn warnings(design: &Design) -> Table {
-    Table {
-        title: "Warnings".to_owned(),
-        notes: design
-            .layout
-            .warnings
-            .iter()
-            .map(ToString::to_string)
-            .collect(),
-        ..Table::default()
-    }
+    page.table(&tables::layers(design));
+    page.table(&tables::summary(design));
+    page.table(&tables::stiffness(design));
+    page.table(&tables::load_sharing(
+        design,
+        about.core,
+        EndRotation::Fixed,
+        tension,
+    ));
+    page.finish()
 }

@@ -1,24 +1,24 @@
 //! A cross-section in tables: layers, stiffness, weight and strength, load sharing.
 
 use crate::report::number::{digits, percent, si};
-use crate::report::table::{Align, Cell, Format, Table};
+use crate::report::table::{Align, Cell, NumberFormat, Table};
 use crate::section::model::{Core, Voids};
 use crate::section::stiffness::{EndRotation, StiffnessMatrix, ea_with_core_pressure};
 use crate::section::strength::load_shares;
-use crate::section::{Design, Helix, Shell};
+use crate::section::{Design, Helix, LaidLayer};
 
 /// A length in millimetres.
-const MM: Format = Format::With(mm);
+const MM: NumberFormat = NumberFormat::With(mm);
 
 /// Stiffness in bending and torsion.
-const STIFFNESS: Format = Format::Si("N m²");
+const STIFFNESS: NumberFormat = NumberFormat::Si("N m²");
 
 fn mm(metres: f64) -> String {
     format!("{} mm", digits(metres * 1e3, 4))
 }
 
 /// A layer as the table shows it.
-struct Layer<'a> {
+struct LayerRow<'a> {
     name: &'a str,
     made_of: String,
     angle: String,
@@ -30,7 +30,7 @@ struct Layer<'a> {
 /// The layers, from the inside out.
 #[must_use]
 pub fn layers(design: &Design) -> Table {
-    let centre = design.layout.centre.iter().map(|centre| Layer {
+    let centre = design.layout.centre.iter().map(|centre| LayerRow {
         name: "centre",
         made_of: format!("{} {}", centre.element.what, centre.element.name),
         angle: "straight".to_owned(),
@@ -39,35 +39,32 @@ pub fn layers(design: &Design) -> Table {
         mass: centre.mass(),
     });
     let shells = design.layout.shells.iter().map(layer);
-    let layers: Vec<Layer<'_>> = centre.chain(shells).collect();
-    let dash = || "-".to_owned();
-    let around = |layer: &Layer<'_>, of: fn(&Helix) -> String| {
-        Cell::plain(layer.helix.map_or_else(dash, of))
-    };
+    let layers: Vec<LayerRow<'_>> = centre.chain(shells).collect();
+    let around = |layer: &LayerRow<'_>, of: fn(&Helix) -> f64| layer.helix.map(of);
     Table::of("Layers, from the inside out", &layers)
         .text("layer", |layer| layer.name)
         .text("made of", |layer| &layer.made_of)
         .text("lay angle", |layer| &layer.angle)
-        .cell("pitch radius", Align::Decimal, |layer| {
-            around(layer, |helix| mm(helix.pitch_radius))
+        .number("pitch radius", MM, |layer| {
+            around(layer, |helix| helix.pitch_radius)
         })
-        .cell("lay length", Align::Decimal, |layer| {
-            around(layer, |helix| si(helix.lay_length(), "m"))
+        .number("lay length", NumberFormat::Si("m"), |layer| {
+            around(layer, Helix::lay_length)
         })
-        .cell("cover", Align::Decimal, |layer| {
-            around(layer, |helix| percent(helix.coverage))
+        .number("cover", NumberFormat::Percent, |layer| {
+            around(layer, |helix| helix.coverage)
         })
         .number("outer diameter", MM, |layer| 2.0 * layer.outer_radius)
-        .number("mass", Format::Si("kg/m"), |layer| layer.mass)
+        .number("mass", NumberFormat::Si("kg/m"), |layer| layer.mass)
         .build()
 }
 
-fn layer(shell: &Shell) -> Layer<'_> {
+fn layer(shell: &LaidLayer) -> LayerRow<'_> {
     match shell {
-        Shell::Helix(helix) => {
+        LaidLayer::Helix(helix) => {
             let side = if helix.angle < 0.0 { "left" } else { "right" };
             let angle = digits(helix.angle.abs().to_degrees(), 4);
-            Layer {
+            LayerRow {
                 name: &helix.name,
                 made_of: made_of(helix),
                 angle: format!("{angle} deg {side}"),
@@ -76,7 +73,7 @@ fn layer(shell: &Shell) -> Layer<'_> {
                 mass: helix.mass(),
             }
         }
-        Shell::Tube(tube) => Layer {
+        LaidLayer::Tube(tube) => LayerRow {
             name: &tube.input.name,
             made_of: format!("sheath of {}", mm(tube.input.thickness_m)),
             angle: "-".to_owned(),
@@ -112,9 +109,9 @@ fn made_of(helix: &Helix) -> String {
 }
 
 /// A stiffness with a rigid and an incompressible core.
-struct Stiffness {
+struct StiffnessRow {
     name: &'static str,
-    format: Format,
+    format: NumberFormat,
     values: [f64; 2],
     spread: String,
     theory: &'static str,
@@ -125,7 +122,7 @@ struct Stiffness {
 pub fn stiffness(design: &Design) -> Table {
     let mut rows = tension_and_torsion(design);
     rows.extend(bending(design));
-    let cell = |row: &Stiffness, core: usize| row.format.cell(Some(row.values[core]));
+    let cell = |row: &StiffnessRow, core: usize| row.format.cell(Some(row.values[core]));
     Table::of("Stiffness", &rows)
         .text("quantity", |row| row.name)
         .cell("rigid core, Theta = 0", Align::Decimal, |row| cell(row, 0))
@@ -141,11 +138,11 @@ pub fn stiffness(design: &Design) -> Table {
 }
 
 /// Name, format and value of a coefficient of the stiffness matrix.
-type Coefficient = (&'static str, Format, fn(&StiffnessMatrix) -> f64);
+type Coefficient = (&'static str, NumberFormat, fn(&StiffnessMatrix) -> f64);
 
-fn tension_and_torsion(design: &Design) -> Vec<Stiffness> {
-    const N: Format = Format::Si("N");
-    const NM: Format = Format::Si("N m");
+fn tension_and_torsion(design: &Design) -> Vec<StiffnessRow> {
+    const N: NumberFormat = NumberFormat::Si("N");
+    const NM: NumberFormat = NumberFormat::Si("N m");
     let has_core = design.layout.centre.is_some();
     let quantities: [Coefficient; 6] = [
         ("EA, ends fixed", N, |m| m.ea(EndRotation::Fixed)),
@@ -165,7 +162,7 @@ fn tension_and_torsion(design: &Design) -> Vec<Stiffness> {
     ];
     let rows = quantities.map(|(name, format, of)| {
         let [rigid, soft] = [of(&design.rigid), of(&design.incompressible)];
-        Stiffness {
+        StiffnessRow {
             name,
             format,
             values: [rigid, soft],
@@ -180,7 +177,7 @@ fn tension_and_torsion(design: &Design) -> Vec<Stiffness> {
     rows.into()
 }
 
-fn bending(design: &Design) -> [Stiffness; 4] {
+fn bending(design: &Design) -> [StiffnessRow; 4] {
     let bending = &design.bending;
     let rows = [
         (
@@ -200,7 +197,7 @@ fn bending(design: &Design) -> [Stiffness; 4] {
             "plane sections remain plane",
         ),
     ];
-    rows.map(|(name, value, theory)| Stiffness {
+    rows.map(|(name, value, theory)| StiffnessRow {
         name,
         format: STIFFNESS,
         values: [value; 2],
@@ -346,8 +343,8 @@ pub fn load_sharing(design: &Design, core: Core, twist: EndRotation, tension: f6
         .text("layer", |share| &share.layer)
         .text("unit", |share| &share.unit)
         .count("count", |share| share.count)
-        .number("share", Format::Percent, |share| share.share)
-        .number("force per unit", Format::Si("N"), |share| share.force)
+        .number("share", NumberFormat::Percent, |share| share.share)
+        .number("force per unit", NumberFormat::Si("N"), |share| share.force)
         .cell("stress", Align::Decimal, |share| {
             known(share.stress.map(|stress| si(stress, "Pa")))
         })

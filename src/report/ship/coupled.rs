@@ -3,7 +3,7 @@
 use super::motion::DRAWN;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::number::{digits, percent};
-use crate::report::table::{Format, Table};
+use crate::report::table::{NumberFormat, Table};
 use crate::ship::coupled::{CHANNELS, CoupledAnalysis};
 
 /// Channels of the charts of ship and line.
@@ -14,49 +14,45 @@ const LINE: [usize; 2] = [9, 10];
 #[must_use]
 pub fn motions(coupled: &CoupledAnalysis) -> Chart {
     let label = |(name, unit): (&str, &str)| format!("{name} [{unit}]");
-    Chart {
-        title: "Ship on its anchor line: motions in the horizontal plane".to_owned(),
-        y: Axis::new("motion", ""),
-        ..chart(coupled, &SHIP, label)
-    }
+    let title = "Ship on its anchor line: motions in the horizontal plane";
+    let series = series(coupled, &SHIP, label);
+    Chart::new(
+        title,
+        Axis::new("time", "s"),
+        Axis::new("motion", ""),
+        series,
+    )
 }
 
 /// Tension of the anchor line over the same time.
 #[must_use]
 pub fn tension(coupled: &CoupledAnalysis) -> Chart {
-    Chart {
-        title: "Tension of the anchor line".to_owned(),
-        y: Axis::new("tension", "N"),
-        ..chart(coupled, &LINE, |(name, _)| name.to_owned())
-    }
+    let series = series(coupled, &LINE, |(name, _)| name.to_owned());
+    let (time, tension) = (Axis::new("time", "s"), Axis::new("tension", "N"));
+    Chart::new("Tension of the anchor line", time, tension, series)
 }
 
-fn chart(
+fn series(
     coupled: &CoupledAnalysis,
     channels: &[usize],
     label: impl Fn((&str, &str)) -> String,
-) -> Chart {
+) -> Vec<Series> {
     let from = (coupled.settings.from_s / coupled.step).round() as usize;
     let count = (DRAWN / coupled.step) as usize;
-    let series = channels.iter().enumerate().map(|(slot, channel)| {
+    let one = |(slot, channel): (usize, &usize)| {
         let record = coupled.records.get(*channel).map_or(&[][..], Vec::as_slice);
         let drawn = record.iter().enumerate().skip(from).take(count + 1);
         let points = drawn.map(|(i, value)| (coupled.step * i as f64, *value));
         Series::new(&label(CHANNELS[*channel]), slot, points.collect())
-    });
-    Chart {
-        x: Axis::new("time", "s"),
-        series: series.collect(),
-        legend: true,
-        ..Chart::default()
-    }
+    };
+    channels.iter().enumerate().map(one).collect()
 }
 
 /// Statistics of every channel with time-step and mesh errors.
 #[must_use]
 pub fn statistics(coupled: &CoupledAnalysis) -> Table {
-    const FOUR: Format = Format::Digits(4, "");
-    const TWO: Format = Format::Digits(2, "");
+    const FOUR: NumberFormat = NumberFormat::Digits(4, "");
+    const TWO: NumberFormat = NumberFormat::Digits(2, "");
     let title = format!(
         "Ship and anchor line in the time domain, from {} s to {} s",
         digits(coupled.settings.from_s, 6),
@@ -113,13 +109,7 @@ pub fn decay(coupled: &CoupledAnalysis) -> Table {
     let title = "Free decay in the slowest oscillating mode, no waves";
     let decay = match &coupled.decay {
         Ok(decay) => decay,
-        Err(error) => {
-            let table = Table {
-                title: title.to_owned(),
-                ..Table::default()
-            };
-            return table.noted([format!("No free decay: {error}.")]);
-        }
+        Err(error) => return Table::titled(title).noted([format!("No free decay: {error}.")]),
     };
     let error = decay.measured_s / decay.linear_s - 1.0;
     let rows = [
@@ -128,8 +118,8 @@ pub fn decay(coupled: &CoupledAnalysis) -> Table {
     ];
     Table::of(title, &rows)
         .text("model", |row| row.0)
-        .number("period", Format::Digits(5, "s"), |row| row.1)
-        .number("amplitude ratio of a period", Format::Percent, |row| row.2)
+        .number("period", NumberFormat::Digits(5, "s"), |row| row.1)
+        .number("amplitude ratio of a period", NumberFormat::Percent, |row| row.2)
         .build()
         .noted([
             format!("The periods differ by {}.", percent(error)),

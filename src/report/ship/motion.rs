@@ -6,7 +6,7 @@ use crate::numerics::statistics::{Statistics, expected_gaussian_maximum};
 use crate::physics::sea::{DEGREES, Moments};
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::number::{digits, percent};
-use crate::report::table::{Align, Cell, CellInk, Format, Table};
+use crate::report::table::{Align, Cell, CellStyle, NumberFormat, Table};
 use crate::ship::motion::DegreeOfFreedom;
 use crate::ship::quantities::{UNITS, scale};
 use crate::ship::{MotionAnalysis, WaveRealisation};
@@ -17,7 +17,7 @@ pub(super) const DRAWN: f64 = 300.0;
 /// Fraction of wave energy beyond the periods of the RAOs that deserves a warning.
 const ENERGY_OUTSIDE: f64 = 0.02;
 
-const FOUR: Format = Format::Digits(4, "");
+const FOUR: NumberFormat = NumberFormat::Digits(4, "");
 
 /// The motions over the first minutes of the record: all six, or one alone.
 #[must_use]
@@ -33,25 +33,23 @@ pub fn motions(analysis: &MotionAnalysis, alone: Option<usize>) -> Chart {
             ..Series::new(&label, degree, points.collect())
         }
     });
-    Chart {
-        title: "Motion of the ship".to_owned(),
-        x: Axis::new("time", "s"),
-        y: Axis::new("motion", ""),
-        series: series.collect(),
-        legend: true,
-        ..Chart::default()
-    }
+    Chart::new(
+        "Motion of the ship",
+        Axis::new("time", "s"),
+        Axis::new("motion", ""),
+        series.collect(),
+    )
 }
 
 /// Target and realised statistics of a displacement, velocity or acceleration.
-struct Realised<'a> {
+struct RealisedMotion<'a> {
     name: String,
     scale: f64,
     target_rms: f64,
     record: &'a Statistics,
 }
 
-impl Realised<'_> {
+impl RealisedMotion<'_> {
     fn scaled(&self, value: f64) -> f64 {
         value * self.scale
     }
@@ -63,9 +61,9 @@ impl Realised<'_> {
         }
         let error = self.scaled(self.record.rms) / target - 1.0;
         let ink = if error.abs() < 0.01 {
-            CellInk::Good
+            CellStyle::Good
         } else {
-            CellInk::Warn
+            CellStyle::Warn
         };
         Cell::new(relative(error), ink)
     }
@@ -96,9 +94,9 @@ impl Realised<'_> {
 pub fn statistics(analysis: &MotionAnalysis, seed: u64) -> Table {
     let motion = &analysis.motion;
     let degrees = motion.degrees.iter().enumerate();
-    let rows: Vec<Realised<'_>> = degrees
+    let rows: Vec<RealisedMotion<'_>> = degrees
         .flat_map(|(i, degree)| {
-            (0..3).map(move |rate| Realised {
+            (0..3).map(move |rate| RealisedMotion {
                 name: format!("{} [{}]", DEGREES[i], UNITS[i / 3][rate]),
                 scale: scale(i),
                 target_rms: degree.target_rms(rate),
@@ -119,11 +117,11 @@ pub fn statistics(analysis: &MotionAnalysis, seed: u64) -> Table {
         .text("motion", |row| row.name.as_str())
         .number("target rms", FOUR, |row| row.scaled(row.target_rms))
         .number("rms", FOUR, |row| row.scaled(row.record.rms))
-        .cell("error", Align::Decimal, Realised::error)
-        .number("mean", FOUR, Realised::mean)
+        .cell("error", Align::Decimal, RealisedMotion::error)
+        .number("mean", FOUR, RealisedMotion::mean)
         .number("min", FOUR, |row| row.scaled(row.record.min))
         .number("max", FOUR, |row| row.scaled(row.record.max))
-        .cell("expected max", Align::Decimal, Realised::expected_maximum)
+        .cell("expected max", Align::Decimal, RealisedMotion::expected_maximum)
         .build()
         .noted([
             "Root mean squares are about zero, the mean included. The expected maximum is the mean, over many records of this length, of the maximum of a Gaussian record, with its standard deviation from record to record (Cartwright and Longuet-Higgins 1956).",
@@ -137,7 +135,7 @@ fn relative(error: f64) -> String {
 }
 
 /// Target and realised moments of a spectrum.
-struct Spectrum<'a> {
+struct SpectrumComparison<'a> {
     name: String,
     target: Moments,
     realised: Moments,
@@ -153,9 +151,9 @@ fn period(moments: &Moments) -> Option<f64> {
 /// first where the motion is a response to them.
 #[must_use]
 pub fn spectra(analysis: &MotionAnalysis) -> Table {
-    const MOMENT: Format = Format::With(|m0| format!("{m0:.4e}"));
-    const THREE: Format = Format::Decimals(3, "");
-    let waves = analysis.waves.iter().map(|waves| Spectrum {
+    const MOMENT: NumberFormat = NumberFormat::With(|m0| format!("{m0:.4e}"));
+    const THREE: NumberFormat = NumberFormat::Decimals(3, "");
+    let waves = analysis.waves.iter().map(|waves| SpectrumComparison {
         name: "waves".to_owned(),
         target: waves.target,
         realised: waves.realised,
@@ -168,21 +166,22 @@ pub fn spectra(analysis: &MotionAnalysis) -> Table {
             m0: x * x * square,
             m2: v * v * square,
         };
-        Spectrum {
+        SpectrumComparison {
             name: format!("{}{}", DEGREES[i], bands(degree)),
             target: moments(degree.target.displacement, degree.target.velocity),
             realised: moments(record[0].deviation, record[1].deviation),
             record: &record[0],
         }
     });
-    let rows: Vec<Spectrum<'_>> = waves.chain(motions).collect();
-    let error =
-        |row: &Spectrum<'_>| (row.target.m0 > 0.0).then(|| row.realised.m0 / row.target.m0 - 1.0);
+    let rows: Vec<SpectrumComparison<'_>> = waves.chain(motions).collect();
+    let error = |row: &SpectrumComparison<'_>| {
+        (row.target.m0 > 0.0).then(|| row.realised.m0 / row.target.m0 - 1.0)
+    };
     Table::of("Spectra: target and record", &rows)
         .text("motion", |row| row.name.as_str())
         .number("target m0", MOMENT, |row| row.target.m0)
         .number("m0", MOMENT, |row| row.realised.m0)
-        .number("error", Format::With(relative), error)
+        .number("error", NumberFormat::With(relative), error)
         .number("target Tz", FOUR, |row| period(&row.target))
         .number("Tz", FOUR, |row| period(&row.realised))
         .number("skewness", THREE, |row| row.record.skewness)

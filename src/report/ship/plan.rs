@@ -1,9 +1,9 @@
 //! Plan view of a ship: its anchor, every equilibrium position, and the directions of wind, current and waves.
 
-use crate::report::chart::{Axis, Chart, Series, extent};
+use crate::report::chart::{Axis, Chart, Outline, Series, extent};
 use crate::ship::loads::EnvironmentalLoad;
 use crate::ship::yaw_equilibria::YawStability;
-use crate::ship::{Equilibrium, StaticAnalysis};
+use crate::ship::{MooredEquilibrium, StaticAnalysis};
 
 /// Breadth of the drawn outline as a fraction of the length.
 const BREADTH: f64 = 0.18;
@@ -11,9 +11,6 @@ const BREADTH: f64 = 0.18;
 /// Tails and heads of the arrows of the flows, as fractions of the radius of the picture.
 const TAIL: f64 = 1.35;
 const HEAD: f64 = 1.02;
-
-/// Points of an outline; NaN separates two.
-type Points = Vec<(f64, f64)>;
 
 /// The ship at every equilibrium, in metres from the anchor, +x to the right; all but the chosen one dimmed.
 #[must_use]
@@ -32,7 +29,7 @@ pub fn chart(statics: &StaticAnalysis, chosen: usize) -> Chart {
             ..Series::new(&label, i, ship(statics, equilibrium))
         });
     }
-    let frame = Frame::of(&series, statics.ship.ship.length_m);
+    let frame = DrawnExtent::of(&series, statics.ship.ship.length_m);
     let anchor = cross(0.04 * frame.radius);
     series.push(Series::new("anchor", equilibria.len(), anchor));
     for (i, load) in statics.loads.each.iter().enumerate() {
@@ -41,18 +38,11 @@ pub fn chart(statics: &StaticAnalysis, chosen: usize) -> Chart {
         series.push(Series::new(name(load), equilibria.len() + 1 + i, points));
     }
     let room = 1.42 * frame.radius;
-    let axis = |name: &str, middle: f64| Axis {
-        range: Some((middle - room, middle + room)),
-        ..Axis::new(name, "m")
-    };
+    let axis = |name: &str, middle: f64| Axis::new(name, "m").over((middle - room, middle + room));
+    let (x, y) = (axis("x", frame.middle.0), axis("y", frame.middle.1));
     Chart {
-        title: "Plan view; the anchor at the origin".to_owned(),
-        x: axis("x", frame.middle.0),
-        y: axis("y", frame.middle.1),
-        series,
         equal_scale: true,
-        legend: true,
-        ..Chart::default()
+        ..Chart::new("Plan view; the anchor at the origin", x, y, series)
     }
 }
 
@@ -68,7 +58,7 @@ pub fn name(load: &EnvironmentalLoad) -> &'static str {
 
 /// Label of the stability of an equilibrium: dynamic where it is known and statically stable.
 #[must_use]
-pub fn stability(equilibrium: &Equilibrium) -> &'static str {
+pub fn stability(equilibrium: &MooredEquilibrium) -> &'static str {
     match (equilibrium.yaw.stability, equilibrium.dynamic_stability()) {
         (YawStability::Stable, Some(dynamic_stability)) => dynamic_stability.label(),
         (stability, _) => stability.label(),
@@ -76,12 +66,12 @@ pub fn stability(equilibrium: &Equilibrium) -> &'static str {
 }
 
 /// A circle around everything drawn.
-struct Frame {
+struct DrawnExtent {
     middle: (f64, f64),
     radius: f64,
 }
 
-impl Frame {
+impl DrawnExtent {
     fn of(ships: &[Series], length: f64) -> Self {
         let points = || ships.iter().flat_map(|one| &one.points);
         let (x, y) = (
@@ -95,7 +85,7 @@ impl Frame {
     }
 
     /// An arrow on the upstream side of a flow, in its direction.
-    fn arrow(&self, towards: f64, aside: f64) -> Points {
+    fn arrow(&self, towards: f64, aside: f64) -> Outline {
         let (sin, cos) = towards.sin_cos();
         let place = |along: f64, across: f64| {
             let across = across + aside;
@@ -118,7 +108,7 @@ impl Frame {
 }
 
 /// Position of the mooring point; a ship's length from the anchor without a mooring solution.
-fn bow(statics: &StaticAnalysis, equilibrium: &Equilibrium) -> (f64, f64) {
+fn bow(statics: &StaticAnalysis, equilibrium: &MooredEquilibrium) -> (f64, f64) {
     let solved = equilibrium.positions(statics.loads.arm);
     solved.map(|[bow, _]| bow).unwrap_or_else(|| {
         let (sin, cos) = equilibrium.yaw.force_direction.sin_cos();
@@ -128,7 +118,7 @@ fn bow(statics: &StaticAnalysis, equilibrium: &Equilibrium) -> (f64, f64) {
 }
 
 /// The mooring line and the outline of the ship.
-fn ship(statics: &StaticAnalysis, equilibrium: &Equilibrium) -> Points {
+fn ship(statics: &StaticAnalysis, equilibrium: &MooredEquilibrium) -> Outline {
     let length = statics.ship.ship.length_m;
     let bow = bow(statics, equilibrium);
     let (sin, cos) = equilibrium.yaw.heading.sin_cos();
@@ -152,7 +142,7 @@ fn ship(statics: &StaticAnalysis, equilibrium: &Equilibrium) -> Points {
     points
 }
 
-fn cross(size: f64) -> Points {
+fn cross(size: f64) -> Outline {
     vec![
         (-size, 0.0),
         (size, 0.0),

@@ -4,47 +4,25 @@ use super::motion::DRAWN;
 use crate::numerics::statistics::Statistics;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::number::{digits, percent, si};
-use crate::report::table::{Columns, Format, Table};
+use crate::report::ropeway::winch;
+use crate::report::table::{Columns, NumberFormat, Table};
 use crate::ropeway::RopewayError;
-use crate::ropeway::winch::WinchSample;
+use crate::ropeway::winch::{WinchSample, statistics as samples_statistics};
 use crate::ship::rope::RopeAnalysis;
 use crate::ship::rope::dynamic::DynamicRope;
 
-const FORCE: Format = Format::Si("N");
+const FORCE: NumberFormat = NumberFormat::Si("N");
 
 fn tension_chart(title: &str, series: Vec<Series>) -> Chart {
-    Chart {
-        title: title.to_owned(),
-        x: Axis::new("time", "s"),
-        y: Axis::new("tension at the ship", "N"),
-        series,
-        legend: true,
-        ..Chart::default()
-    }
+    let tension = Axis::new("tension at the ship", "N");
+    Chart::new(title, Axis::new("time", "s"), tension, series)
 }
 
-/// Tension at the ship over the first minutes, made fast and held by the winch.
+/// Tension at the ship over the first minutes, made fast and on the winch.
 #[must_use]
 pub fn chart(rope: &RopeAnalysis) -> Chart {
-    let series = |label: &str, slot: usize, moments: &[WinchSample]| {
-        let drawn = moments
-            .iter()
-            .take_while(|moment| moment.ship.time_s <= DRAWN);
-        let points = drawn.map(|moment| (moment.ship.time_s, moment.ship_n));
-        Series::new(label, slot, points.collect())
-    };
-    let fast = rope.winch.made_fast.as_ref().ok();
-    let kept = rope
-        .winch
-        .constant_tension
-        .as_ref()
-        .and_then(|kept| kept.as_ref().ok());
-    let fast = fast.map(|moments| series("made fast", 0, moments));
-    let kept = kept.map(|moments| series("held by the winch", 1, moments));
-    tension_chart(
-        "Tension of the rope at the ship",
-        fast.into_iter().chain(kept).collect(),
-    )
+    let series = winch::tensions(&rope.winch, DRAWN);
+    tension_chart("Tension of the rope at the ship", series)
 }
 
 /// Statistics of a tension \[N\], a column each.
@@ -73,42 +51,32 @@ fn values(statistics: &Statistics) -> [f64; 5] {
     [mean, rms, deviation, min, max]
 }
 
-/// Statistics of the tension, made fast and held by the winch, and the expected maximum.
+/// Statistics of the tension, made fast and on the winch, and the expected maximum.
 #[must_use]
 pub fn table(rope: &RopeAnalysis) -> Table {
     let title = format!(
         "Rope at the moving ship: {}",
         rope.ropeway.ropeway.about.title
     );
-    let fast = ("made fast", &rope.winch.made_fast);
-    let kept = rope
-        .winch
-        .constant_tension
-        .as_ref()
-        .map(|kept| ("held by the winch", kept));
+    let kept = rope.winch.constant_tension.as_ref();
     let rows: Vec<(&str, &Result<Vec<WinchSample>, RopewayError>)> =
-        [fast].into_iter().chain(kept).collect();
+        std::iter::once(("made fast", &rope.winch.made_fast))
+            .chain(kept.map(|kept| ("on the winch", kept)))
+            .collect();
     let of = |row: &(&str, &Result<Vec<WinchSample>, RopewayError>)| {
-        let moments = row.1.as_ref().ok()?;
-        Some(values(&RopeAnalysis::tension_statistics(moments)))
+        let samples = row.1.as_ref().ok()?;
+        Some(values(&samples_statistics(samples, |s| s.ship_n)))
     };
-    let failures = rows.iter().filter_map(|(name, moments)| {
-        let error = moments.as_ref().err()?;
+    let failures = rows.iter().filter_map(|(name, samples)| {
+        let error = samples.as_ref().err()?;
         Some(format!("WARNING: {name}: {error}."))
     });
-    let failures: Vec<String> = failures.collect();
-    let winch = rope
-        .winch
-        .constant_tension
-        .as_ref()
-        .and_then(|kept| kept.as_ref().ok());
-    let winch = winch.map_or_else(Vec::new, |moments| {
-        winch_notes(moments, rope.winch.tension_n)
-    });
+    let winch = kept.and_then(|kept| kept.as_ref().ok());
+    let winch = winch.map(|samples| winch_notes(samples, rope.winch.tension_n));
     statistics(Table::of(title, &rows).text("rope", |row| row.0), of)
         .build()
         .noted(failures)
-        .noted(winch)
+        .noted(winch.into_iter().flatten())
         .noted(expected_maximum(rope))
         .noted([
             "Each instant is an equilibrium of the exact rope with its cargo; the table of the dynamic solver includes inertia.",
@@ -158,11 +126,8 @@ pub fn dynamic_table(rope: &RopeAnalysis) -> Option<Table> {
     let dynamic = match rope.dynamic.as_ref()? {
         Ok(dynamic) => dynamic,
         Err(error) => {
-            let table = Table {
-                title: title.to_owned(),
-                ..Table::default()
-            };
-            return Some(table.noted([format!("WARNING: no solution: {error}.")]));
+            let warning = format!("WARNING: no solution: {error}.");
+            return Some(Table::titled(title).noted([warning]));
         }
     };
     let [quasi_static, inertial] = dynamic.statistics();
@@ -203,29 +168,16 @@ fn dynamic_notes(dynamic: &DynamicRope, deviation: f64) -> [String; 2] {
 }
 
 /// What the winch does, and how often it is at a limit.
-fn winch_notes(moments: &[WinchSample], tension: f64) -> Vec<String> {
-    let max = |of: &dyn Fn(&WinchSample) -> f64| moments.iter().map(of).fold(0.0, f64::max);
-    let length = |moment: &WinchSample| moment.length_m;
-    let shortest = moments.iter().map(length).fold(f64::INFINITY, f64::min);
+fn winch_notes(samples: &[WinchSample], tension: f64) -> Vec<String> {
+    let of = |quantity: fn(&WinchSample) -> f64| samples_statistics(samples, quantity);
+    let length = of(|s| s.length_m);
     let mut notes = vec![format!(
         "The winch keeps {}: rope speed up to {} m/s, power up to {}, {} m of rope paid out and hauled in.",
         si(tension, "N"),
-        digits(max(&|m| m.speed_m_per_s.abs()), 3),
-        si(max(&|m| m.power_w.abs()), "W"),
-        digits(max(&length) - shortest, 3),
+        digits(of(|s| s.speed_m_per_s.abs()).max, 3),
+        si(of(|s| s.power_w.abs()).max, "W"),
+        digits(length.max - length.min, 3),
     )];
-    let limits = RopeAnalysis::winch_limits(moments);
-    for (count, limit) in [
-        (limits.at_speed, "its maximum speed"),
-        (limits.at_power, "its maximum power"),
-        (limits.rope_out, "the end of its rope"),
-    ] {
-        if count > 0 {
-            notes.push(format!(
-                "WARNING: the winch is at {limit} for {} of the time and does not keep its tension.",
-                percent(count as f64 / moments.len() as f64)
-            ));
-        }
-    }
+    notes.extend(winch::limits(samples));
     notes
 }

@@ -6,21 +6,21 @@ use nalgebra::Complex;
 
 use crate::report::chart::{Axis, Chart, Limit, LimitLine, Series};
 use crate::report::number::{digits, si};
-use crate::report::table::{Align, Cell, CellInk, Format, Table};
+use crate::report::table::{Align, Cell, CellStyle, NumberFormat, Table};
 use crate::ship::loads::PlanarLoad;
 use crate::ship::mooring::MooringSolution;
 use crate::ship::stability::{DynamicStability, PlanarDynamics};
 use crate::ship::yaw_equilibria::YawStability;
-use crate::ship::{Equilibrium, StaticAnalysis};
+use crate::ship::{MooredEquilibrium, StaticAnalysis};
 
 /// Points of a curve over all headings.
 const POINTS: u32 = 720;
 
-const DEGREES: Format = Format::With(degrees);
-const SECONDS: Format = Format::Si("s");
-const FORCE: Format = Format::Si("N");
-const MOMENT: Format = Format::Si("N m");
-const STIFFNESS: Format = Format::Si("N/m");
+const DEGREES: NumberFormat = NumberFormat::With(degrees);
+const SECONDS: NumberFormat = NumberFormat::Si("s");
+const FORCE: NumberFormat = NumberFormat::Si("N");
+const MOMENT: NumberFormat = NumberFormat::Si("N m");
+const STIFFNESS: NumberFormat = NumberFormat::Si("N/m");
 
 /// An angle \[rad\] as text: `-12.3 deg`.
 fn degrees(radians: f64) -> String {
@@ -43,31 +43,21 @@ pub fn moments(statics: &StaticAnalysis) -> Chart {
             value[2] - value[1] * loads.arm
         })
     }));
+    let title = "Moment about the mooring point; zero at equilibrium";
+    let heading = Axis::new("heading", "deg").over((-180.0, 180.0));
     Chart {
-        title: "Moment about the mooring point; zero at equilibrium".to_owned(),
-        x: Axis {
-            range: Some((-180.0, 180.0)),
-            ..Axis::new("heading", "deg")
-        },
-        y: Axis::new("moment", "N m"),
-        series,
         limits: marks(statics),
-        legend: true,
-        ..Chart::default()
+        ..Chart::new(title, heading, Axis::new("moment", "N m"), series)
     }
 }
 
 fn marks(statics: &StaticAnalysis) -> Vec<Limit> {
-    let mark = |label: &str, line: LimitLine| Limit {
-        label: label.to_owned(),
-        line,
-    };
     let equilibria = statics.equilibria.as_deref().unwrap_or_default();
     let headings = equilibria.iter().map(|one| {
         let heading = LimitLine::Vertical(one.yaw.heading.to_degrees());
-        mark(one.yaw.stability.label(), heading)
+        Limit::new(one.yaw.stability.label(), heading)
     });
-    std::iter::once(mark("", LimitLine::Horizontal(0.0)))
+    std::iter::once(Limit::new("", LimitLine::Horizontal(0.0)))
         .chain(headings)
         .collect()
 }
@@ -80,10 +70,10 @@ pub fn headings(statics: &StaticAnalysis) -> Table {
         .number("heading", DEGREES, |one| one.yaw.heading)
         .cell("static stability", Align::Left, |one| static_stability(one.yaw.stability))
         .cell("dynamic stability", Align::Left, |one| dynamic_stability(one.dynamic_stability()))
-        .number("yaw stiffness", Format::Si("N m/rad"), |one| one.yaw.yaw_stiffness)
+        .number("yaw stiffness", NumberFormat::Si("N m/rad"), |one| one.yaw.yaw_stiffness)
         .number("pull", FORCE, |one| one.yaw.pull)
         .number("bow towards", DEGREES, |one| one.yaw.force_direction)
-        .number("bow from anchor", Format::Si("m"), |one| Some(line(one)?.distance))
+        .number("bow from anchor", NumberFormat::Si("m"), |one| Some(line(one)?.distance))
         .number("stiffness along", STIFFNESS, |one| Some(line(one)?.stiffness_along))
         .number("stiffness across", STIFFNESS, |one| Some(line(one)?.stiffness_across))
         .build()
@@ -95,7 +85,7 @@ pub fn headings(statics: &StaticAnalysis) -> Table {
 }
 
 /// The solved mooring line of an equilibrium.
-fn line(one: &Equilibrium) -> Option<&MooringSolution> {
+fn line(one: &MooredEquilibrium) -> Option<&MooringSolution> {
     one.line.as_ref()?.as_ref().ok()
 }
 
@@ -107,7 +97,7 @@ fn heading_warnings(statics: &StaticAnalysis) -> Vec<String> {
     if statics.ship.mooring.is_none() {
         return vec!["No mooring line is given.".to_owned()];
     }
-    let warning = |one: &Equilibrium| {
+    let warning = |one: &MooredEquilibrium| {
         let error = one.line.as_ref()?.as_ref().err()?;
         Some(format!(
             "WARNING: at {}: {error}.",
@@ -119,9 +109,9 @@ fn heading_warnings(statics: &StaticAnalysis) -> Vec<String> {
 
 fn static_stability(stability: YawStability) -> Cell {
     let ink = match stability {
-        YawStability::Stable => CellInk::Good,
-        YawStability::Unstable => CellInk::Dim,
-        YawStability::SemiStable | YawStability::Neutral => CellInk::Warn,
+        YawStability::Stable => CellStyle::Good,
+        YawStability::Unstable => CellStyle::Dim,
+        YawStability::SemiStable | YawStability::Neutral => CellStyle::Warn,
     };
     Cell::new(stability.label(), ink)
 }
@@ -131,9 +121,11 @@ fn dynamic_stability(stability: Option<DynamicStability>) -> Cell {
         return Cell::none();
     };
     let ink = match stability {
-        DynamicStability::Stable { .. } => CellInk::Good,
-        DynamicStability::Neutral => CellInk::Warn,
-        DynamicStability::Divergence { .. } | DynamicStability::Fishtailing { .. } => CellInk::Bad,
+        DynamicStability::Stable { .. } => CellStyle::Good,
+        DynamicStability::Neutral => CellStyle::Warn,
+        DynamicStability::Divergence { .. } | DynamicStability::Fishtailing { .. } => {
+            CellStyle::Bad
+        }
     };
     Cell::new(stability.label(), ink)
 }
@@ -143,8 +135,8 @@ fn dynamic_stability(stability: Option<DynamicStability>) -> Cell {
 pub fn eigenvalues(statics: &StaticAnalysis) -> Option<Table> {
     let equilibria = statics.equilibria.as_ref().ok()?;
     equilibria.iter().find(|one| one.dynamics.is_some())?;
-    let times = |one: &Equilibrium| one.dynamic_stability().map(DynamicStability::times);
-    let roots = |one: &Equilibrium| {
+    let times = |one: &MooredEquilibrium| one.dynamic_stability().map(DynamicStability::times);
+    let roots = |one: &MooredEquilibrium| {
         let roots = one.dynamics.as_ref().and_then(PlanarDynamics::eigenvalues);
         roots.map_or_else(|| "-".to_owned(), |roots| complex(&roots))
     };

@@ -1,11 +1,12 @@
 //! A ship as a text report on 80 columns.
 
 use super::{coupled, motion, plan, rope, statics};
+use crate::case::kind;
 use crate::report::chart::Glyphs;
 use crate::report::text::{self, Page, inputs};
 use crate::ship::rope::RopeAnalysis;
-use crate::ship::{DynamicAnalysis, Equilibrium, MotionAnalysis, StaticAnalysis};
-use crate::ship::{edit, validation};
+use crate::ship::validation;
+use crate::ship::{DynamicAnalysis, MooredEquilibrium, MotionAnalysis, Ship, StaticAnalysis};
 
 /// Lines of a chart, and of the plan view.
 const LINES: usize = 18;
@@ -23,10 +24,8 @@ pub fn text(
 ) -> String {
     let particulars = &statics.ship.ship;
     let mut page = Page::default();
-    page.head(
-        &particulars.title,
-        [&particulars.source, &particulars.notes],
-    );
+    page.title(&particulars.title);
+    page.prose([&particulars.source, &particulars.notes]);
     static_section(&mut page, statics, glyphs);
     match dynamic {
         Some(dynamic) => dynamic_sections(&mut page, statics, dynamic, glyphs),
@@ -40,7 +39,7 @@ pub fn text(
     }
     inputs(
         &mut page,
-        &edit::rows(text),
+        &kind::rows::<Ship>(text),
         !particulars.source.trim().is_empty(),
     );
     page.finish()
@@ -51,7 +50,8 @@ pub fn text(
 pub fn governing(statics: &StaticAnalysis) -> usize {
     let equilibria = statics.equilibria.as_deref().unwrap_or_default();
     let governing = statics.governing();
-    let same = |one: &Equilibrium| governing.is_some_and(|governing| std::ptr::eq(one, governing));
+    let same =
+        |one: &MooredEquilibrium| governing.is_some_and(|governing| std::ptr::eq(one, governing));
     equilibria.iter().position(same).unwrap_or(0)
 }
 

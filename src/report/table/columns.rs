@@ -1,24 +1,24 @@
 //! Tables from a description of their columns: heading, format, and how a cell is read from a record.
 //!
 //! ```
-//! use seacable::report::table::{Format, Table};
+//! use seacable::report::table::{NumberFormat, Table};
 //!
 //! let joints = [("vessel|chain", 3.94e6, Some(0.41)), ("wire|payload", 1.9e6, None)];
 //! let table = Table::of("Joints", &joints)
 //!     .text("joint", |joint| joint.0)
-//!     .number("tension", Format::Si("N"), |joint| joint.1)
-//!     .number("of breaking load", Format::Percent, |joint| joint.2)
+//!     .number("tension", NumberFormat::Si("N"), |joint| joint.1)
+//!     .number("of breaking load", NumberFormat::Percent, |joint| joint.2)
 //!     .build();
 //! assert_eq!(table.cell(1, 1).text, "1.9 MN");
 //! assert_eq!(table.cell(1, 2).text, "-");
 //! ```
 
-use super::{Align, Cell, CellInk, Column, Table};
+use super::{Align, Cell, CellStyle, Column, Table};
 use crate::report::number::{digits, percent, rounded, si};
 
 /// How a number is written, with its unit.
 #[derive(Debug, Clone, Copy)]
-pub enum Format {
+pub enum NumberFormat {
     /// Four significant digits with an engineering prefix where the unit takes one: `1.961 MN`.
     Si(&'static str),
     /// So many significant digits without trailing zeros.
@@ -31,7 +31,7 @@ pub enum Format {
     With(fn(f64) -> String),
 }
 
-impl Format {
+impl NumberFormat {
     /// The number as text.
     #[must_use]
     pub fn write(self, value: f64) -> String {
@@ -59,13 +59,20 @@ impl Cell {
     /// The cell of a missing value: a dim dash.
     #[must_use]
     pub fn none() -> Self {
-        Self::new("-", CellInk::Dim)
+        Self::new("-", CellStyle::Dim)
     }
 
     /// A cell marked bad where a condition holds, plain elsewhere.
     #[must_use]
     pub fn bad_if(bad: bool, text: impl Into<String>) -> Self {
-        Self::new(text, if bad { CellInk::Bad } else { CellInk::Plain })
+        Self::new(
+            text,
+            if bad {
+                CellStyle::Bad
+            } else {
+                CellStyle::Plain
+            },
+        )
     }
 }
 
@@ -84,13 +91,21 @@ pub struct Comparison<R> {
 }
 
 impl Table {
+    /// A title alone, in the place of a table that there is no result for, or with notes to follow.
+    #[must_use]
+    pub fn titled(title: impl Into<String>) -> Self {
+        Self {
+            title: title.into(),
+            ..Self::default()
+        }
+    }
+
     /// A table of records, one a row; the columns follow.
     #[must_use]
     pub fn of<R>(title: impl Into<String>, records: &[R]) -> Columns<'_, R> {
         let table = Self {
-            title: title.into(),
             rows: vec![Vec::new(); records.len()],
-            ..Self::default()
+            ..Self::titled(title)
         };
         Columns { records, table }
     }
@@ -108,9 +123,8 @@ impl Table {
         Comparison {
             records: records.iter().map(|(_, record)| *record).collect(),
             table: Self {
-                title: title.into(),
                 columns,
-                ..Self::default()
+                ..Self::titled(title)
             },
         }
     }
@@ -153,7 +167,7 @@ impl<'a, R> Columns<'a, R> {
     pub fn number<N: Into<Option<f64>>>(
         self,
         head: &str,
-        format: Format,
+        format: NumberFormat,
         read: impl Fn(&'a R) -> N,
     ) -> Self {
         self.cell(head, Align::Decimal, |record| {
@@ -180,7 +194,7 @@ impl<R: Copy> Comparison<R> {
     pub fn number<N: Into<Option<f64>>>(
         mut self,
         name: &str,
-        format: Format,
+        format: NumberFormat,
         read: impl Fn(R) -> N,
     ) -> Self {
         let cells = self.records.iter();
@@ -212,9 +226,11 @@ mod tests {
         let table = |errors: bool| {
             Table::of("Modes", &[1.5, 2.0])
                 .count("mode", |hz| *hz)
-                .number("period", Format::Digits(3, "s"), |hz| 1.0 / hz)
+                .number("period", NumberFormat::Digits(3, "s"), |hz| 1.0 / hz)
                 .when(errors, |columns| {
-                    columns.number("error", Format::Percent, |hz| (*hz > 1.8).then_some(0.01))
+                    columns.number("error", NumberFormat::Percent, |hz| {
+                        (*hz > 1.8).then_some(0.01)
+                    })
                 })
                 .build()
         };
@@ -227,9 +243,9 @@ mod tests {
     #[test]
     fn a_record_a_column() {
         let table = Table::compare("Rope", "", &[("fast", Some(2e3)), ("kept", None)])
-            .number("tension", Format::Si("N"), |n| n)
+            .number("tension", NumberFormat::Si("N"), |n| n)
             .when(true, |t| {
-                t.number("half", Format::Decimals(2, "N"), |n| n / 2.0)
+                t.number("half", NumberFormat::Decimals(2, "N"), |n| n / 2.0)
             })
             .build();
         let texts = |row: usize| [1, 2].map(|column| table.cell(row, column).text);

@@ -6,8 +6,8 @@
 
 use unicode_width::UnicodeWidthStr;
 
-use super::wrap::{narrowest, padded, wrap};
-use super::{Align, CellInk, Table};
+use super::{Align, CellStyle, Table};
+use crate::report::wrap::{self, WideWords, narrowest, padded};
 
 /// Blanks between columns.
 const GAP: usize = 2;
@@ -20,20 +20,20 @@ const WORD: usize = 10;
 
 /// A table as lines.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Layout {
+pub struct TableLayout {
     /// The lines, from the top.
-    pub lines: Vec<Line>,
+    pub lines: Vec<TableLine>,
     /// Width of the widest line.
     pub width: usize,
 }
 
 /// A line of a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Line {
+pub struct TableLine {
     /// The part of the table it belongs to.
     pub kind: LineKind,
     /// Its text in pieces, blanks included.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<StyledText>,
 }
 
 /// The part of a table that a line belongs to.
@@ -55,17 +55,17 @@ pub enum LineKind {
 
 /// Text of one style.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Piece {
+pub struct StyledText {
     /// The text, padded to its column.
     pub text: String,
     /// Its style.
-    pub ink: CellInk,
+    pub ink: CellStyle,
 }
 
 impl Table {
     /// Lays the table out in a width.
     #[must_use]
-    pub fn layout(&self, width: usize) -> Layout {
+    pub fn layout(&self, width: usize) -> TableLayout {
         let width = width.max(1);
         let mut lines = Vec::new();
         if !self.title.is_empty() {
@@ -80,25 +80,25 @@ impl Table {
         for note in &self.notes {
             self.add_text(&mut lines, LineKind::Note, note, width);
         }
-        let wide = |line: &Line| line.pieces.iter().map(|p| p.text.width()).sum();
+        let wide = |line: &TableLine| line.pieces.iter().map(|p| p.text.width()).sum();
         let width = lines.iter().map(wide).max().unwrap_or(0);
-        Layout { lines, width }
+        TableLayout { lines, width }
     }
 
-    fn add_text(&self, lines: &mut Vec<Line>, kind: LineKind, text: &str, width: usize) {
-        lines.extend(wrap(text, width).into_iter().map(|text| Line {
+    fn add_text(&self, lines: &mut Vec<TableLine>, kind: LineKind, text: &str, width: usize) {
+        lines.extend(lines_of(text, width).into_iter().map(|text| TableLine {
             kind,
             pieces: vec![plain(text)],
         }));
     }
 
-    fn add_body(&self, lines: &mut Vec<Line>, width: usize) {
+    fn add_body(&self, lines: &mut Vec<TableLine>, width: usize) {
         let all: Vec<usize> = (0..self.columns.len()).collect();
-        let flat = Grid::fit(self, &all, width, GAP).map(|grid| self.flat(&grid));
+        let flat = ColumnGrid::fit(self, &all, width, GAP).map(|grid| self.flat(&grid));
         let inner = width.saturating_sub(GAP);
         let stacked = || {
-            let grid = Grid::fit(self, &all[1..], inner, GAP)
-                .or_else(|| Grid::fit(self, &all[1..], inner, NARROW_GAP))?;
+            let grid = ColumnGrid::fit(self, &all[1..], inner, GAP)
+                .or_else(|| ColumnGrid::fit(self, &all[1..], inner, NARROW_GAP))?;
             Some(self.stacked(&grid, width))
         };
         let body = match flat {
@@ -115,7 +115,7 @@ impl Table {
     }
 
     /// One line per row.
-    fn flat(&self, grid: &Grid) -> Vec<Line> {
+    fn flat(&self, grid: &ColumnGrid) -> Vec<TableLine> {
         let mut lines = Vec::new();
         grid.head(self, &mut lines);
         for row in 0..self.rows.len() {
@@ -125,7 +125,7 @@ impl Table {
     }
 
     /// The first column above the others, which are indented.
-    fn stacked(&self, grid: &Grid, width: usize) -> Vec<Line> {
+    fn stacked(&self, grid: &ColumnGrid, width: usize) -> Vec<TableLine> {
         let mut lines = Vec::new();
         self.add_text(&mut lines, LineKind::Head, &self.columns[0].head, width);
         let start = lines.len();
@@ -135,11 +135,11 @@ impl Table {
         }
         for row in 0..self.rows.len() {
             let first = self.cell(row, 0);
-            for text in wrap(&first.text, width) {
+            for text in lines_of(&first.text, width) {
                 let ink = first.ink;
-                lines.push(Line {
+                lines.push(TableLine {
                     kind: LineKind::Row(row),
-                    pieces: vec![Piece { text, ink }],
+                    pieces: vec![StyledText { text, ink }],
                 });
             }
             grid.row(self, row, GAP, &mut lines);
@@ -148,7 +148,7 @@ impl Table {
     }
 
     /// One line per cell, `heading: text`, a blank line between rows.
-    fn records(&self, width: usize) -> Vec<Line> {
+    fn records(&self, width: usize) -> Vec<TableLine> {
         let mut lines = Vec::new();
         for row in 0..self.rows.len() {
             if row > 0 {
@@ -157,10 +157,10 @@ impl Table {
             for (number, column) in self.columns.iter().enumerate() {
                 let cell = self.cell(row, number);
                 let ink = cell.ink;
-                for text in wrap(&format!("{}: {}", column.head, cell.text), width) {
-                    lines.push(Line {
+                for text in lines_of(&format!("{}: {}", column.head, cell.text), width) {
+                    lines.push(TableLine {
                         kind: LineKind::Row(row),
-                        pieces: vec![Piece { text, ink }],
+                        pieces: vec![StyledText { text, ink }],
                     });
                 }
             }
@@ -169,14 +169,14 @@ impl Table {
     }
 }
 
-impl Line {
+impl TableLine {
     fn is_row(&self) -> bool {
         matches!(self.kind, LineKind::Row(_))
     }
 }
 
 /// Columns side by side.
-struct Grid {
+struct ColumnGrid {
     /// Blanks between them.
     gap: usize,
     columns: Vec<GridColumn>,
@@ -191,7 +191,7 @@ struct GridColumn {
     after: usize,
 }
 
-impl Grid {
+impl ColumnGrid {
     /// The columns reduced to a width; `None` where they do not fit.
     fn fit(table: &Table, numbers: &[usize], width: usize, gap: usize) -> Option<Self> {
         let mut columns: Vec<GridColumn> = numbers.iter().map(|n| measure(table, *n)).collect();
@@ -209,11 +209,11 @@ impl Grid {
     }
 
     /// The headings, bottom-aligned, and a rule.
-    fn head(&self, table: &Table, lines: &mut Vec<Line>) {
+    fn head(&self, table: &Table, lines: &mut Vec<TableLine>) {
         let heads: Vec<Vec<String>> = self
             .columns
             .iter()
-            .map(|column| wrap(&table.columns[column.number].head, column.width))
+            .map(|column| lines_of(&table.columns[column.number].head, column.width))
             .collect();
         let rows = heads.iter().map(Vec::len).max().unwrap_or(0);
         for row in 0..rows {
@@ -227,21 +227,21 @@ impl Grid {
                 };
                 plain(padded(text, before, column.width))
             });
-            lines.push(Line {
+            lines.push(TableLine {
                 kind: LineKind::Head,
                 pieces: self.gapped(pieces),
             });
         }
         let rules = self.columns.iter().map(|c| plain("-".repeat(c.width)));
-        lines.push(Line {
+        lines.push(TableLine {
             kind: LineKind::Rule,
             pieces: self.gapped(rules),
         });
     }
 
     /// A row, of as many lines as its tallest cell.
-    fn row(&self, table: &Table, row: usize, indent: usize, lines: &mut Vec<Line>) {
-        let cells: Vec<(Vec<String>, CellInk)> = self
+    fn row(&self, table: &Table, row: usize, indent: usize, lines: &mut Vec<TableLine>) {
+        let cells: Vec<(Vec<String>, CellStyle)> = self
             .columns
             .iter()
             .map(|column| {
@@ -253,7 +253,7 @@ impl Grid {
         for line in 0..height {
             let pieces = self.columns.iter().zip(&cells).map(|(column, (set, ink))| {
                 let empty = || " ".repeat(column.width);
-                Piece {
+                StyledText {
                     text: set.get(line).cloned().unwrap_or_else(empty),
                     ink: *ink,
                 }
@@ -262,14 +262,14 @@ impl Grid {
             if indent > 0 {
                 pieces.insert(0, plain(" ".repeat(indent)));
             }
-            lines.push(Line {
+            lines.push(TableLine {
                 kind: LineKind::Row(row),
                 pieces,
             });
         }
     }
 
-    fn gapped(&self, pieces: impl Iterator<Item = Piece>) -> Vec<Piece> {
+    fn gapped(&self, pieces: impl Iterator<Item = StyledText>) -> Vec<StyledText> {
         let mut row = Vec::new();
         for piece in pieces {
             if !row.is_empty() {
@@ -285,7 +285,7 @@ impl GridColumn {
     /// A cell's text in lines of the column's width.
     fn set(&self, text: &str) -> Vec<String> {
         match self.align {
-            Align::Left => wrap(text, self.width)
+            Align::Left => lines_of(text, self.width)
                 .iter()
                 .map(|line| padded(line, 0, self.width))
                 .collect(),
@@ -308,7 +308,7 @@ impl GridColumn {
 /// A column at its width without wrapping.
 fn measure(table: &Table, number: usize) -> GridColumn {
     let column = &table.columns[number];
-    let texts = Texts::of(table, number);
+    let texts = CellTexts::of(table, number);
     let body = match column.align {
         Align::Decimal => texts.words.max(texts.before + texts.after),
         Align::Left | Align::Right => texts.widest,
@@ -323,7 +323,7 @@ fn measure(table: &Table, number: usize) -> GridColumn {
 
 /// Least width of a column: text and headings wrap, numbers do not.
 fn least(table: &Table, column: &GridColumn) -> usize {
-    let texts = Texts::of(table, column.number);
+    let texts = CellTexts::of(table, column.number);
     let body = match column.align {
         Align::Left => texts.least,
         Align::Right => texts.widest,
@@ -335,7 +335,7 @@ fn least(table: &Table, column: &GridColumn) -> usize {
 
 /// Measures of the cells of a column.
 #[derive(Default)]
-struct Texts {
+struct CellTexts {
     /// Widest cell.
     widest: usize,
     /// Widest part that is never broken.
@@ -348,7 +348,7 @@ struct Texts {
     words: usize,
 }
 
-impl Texts {
+impl CellTexts {
     fn of(table: &Table, number: usize) -> Self {
         let mut all = Self::default();
         for row in 0..table.rows.len() {
@@ -376,16 +376,20 @@ fn point(text: &str) -> Option<usize> {
     Some(text[..end].width())
 }
 
-fn plain(text: String) -> Piece {
-    Piece {
+fn plain(text: String) -> StyledText {
+    StyledText {
         text,
-        ink: CellInk::Plain,
+        ink: CellStyle::Plain,
     }
 }
 
-fn blank() -> Line {
-    Line {
+fn blank() -> TableLine {
+    TableLine {
         kind: LineKind::Blank,
         pieces: Vec::new(),
     }
+}
+
+fn lines_of(text: &str, width: usize) -> Vec<String> {
+    wrap::wrap(text, width, WideWords::BrokenUnlessNumbers)
 }

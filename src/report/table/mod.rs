@@ -5,14 +5,13 @@
 mod columns;
 mod export;
 mod layout;
-mod wrap;
 
 use std::borrow::Cow;
 
 use crate::visible;
 
-pub use columns::{Columns, Comparison, Format};
-pub use layout::{Layout, Line, LineKind, Piece};
+pub use columns::{Columns, Comparison, NumberFormat};
+pub use layout::{LineKind, StyledText, TableLayout, TableLine};
 
 /// A table: columns, rows of cells, notes.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -81,13 +80,13 @@ pub struct Cell {
     /// The text.
     pub text: String,
     /// Its style; the text must convey the same.
-    pub ink: CellInk,
+    pub ink: CellStyle,
 }
 
 impl Cell {
     /// A cell of this style.
     #[must_use]
-    pub fn new(text: impl Into<String>, ink: CellInk) -> Self {
+    pub fn new(text: impl Into<String>, ink: CellStyle) -> Self {
         Self {
             text: text.into(),
             ink,
@@ -97,13 +96,13 @@ impl Cell {
     /// A cell of plain style.
     #[must_use]
     pub fn plain(text: impl Into<String>) -> Self {
-        Self::new(text, CellInk::Plain)
+        Self::new(text, CellStyle::Plain)
     }
 }
 
 /// Style of a cell; the screen chooses its colour by it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum CellInk {
+pub enum CellStyle {
     /// As it is.
     #[default]
     Plain,

@@ -1,16 +1,15 @@
 //! Every input with its value and where it comes from.
 
-use super::layout::{Page, WIDTH};
+use super::layout::Page;
 use crate::{
-    case::{Case, FieldRow, fields::Kind},
-    reference::standing_word,
-    report::table::{Cell, CellInk, Column, Table},
+    case::{Case, FieldRow, fields::ValueType, kind},
+    report::table::{Align, Cell, CellStyle, Table},
     run::Run,
 };
 
 /// The inputs table, and below it the reason of every input that its source does not print.
 pub(super) fn table(page: &mut Page, run: &Run, case: &Case) {
-    let all = crate::case::rows(&run.case_text, case);
+    let all = kind::rows::<Case>(&run.case_text);
     list(page, &all, !case.case.source.trim().is_empty());
 }
 
@@ -20,8 +19,7 @@ pub(crate) fn list(page: &mut Page, all: &[FieldRow], sourced: bool) {
     if rows.is_empty() {
         return;
     }
-    page.heading("Inputs");
-    page.block(&lines(&rows, sourced).to_text(WIDTH));
+    page.section("Inputs", &lines(&rows, sourced));
 
     let marked = || {
         rows.iter()
@@ -31,7 +29,7 @@ pub(crate) fn list(page: &mut Page, all: &[FieldRow], sourced: bool) {
         page.line("");
         page.paragraph("Inputs that the source does not print, and why they have their value:");
         for (row, mark) in marked() {
-            let head = format!("{} ({}):", row.path, standing_word(mark.status));
+            let head = format!("{} ({}):", row.path, mark.status.name());
             page.hanging("* ", &format!("{head} {}", mark.reason.trim()));
         }
     }
@@ -39,33 +37,34 @@ pub(crate) fn list(page: &mut Page, all: &[FieldRow], sourced: bool) {
 
 /// Names are in the headings; keys that have no effect are left out.
 fn shown(row: &FieldRow) -> bool {
-    !row.value.is_empty() && row.field.kind != Kind::Name && row.is_shown()
+    !row.value.is_empty() && row.field.kind != ValueType::Name && row.is_shown()
 }
 
 fn lines(rows: &[&FieldRow], sourced: bool) -> Table {
-    let mut group = "";
     let mut lines = Vec::new();
-    for row in rows {
-        if row.group != group {
-            group = &row.group;
-            lines.push(vec![Cell::plain(format!("{group}:"))]);
-        }
-        let unit = if row.unit == "-" { "" } else { row.unit };
-        lines.push(vec![
-            Cell::plain(row.label),
-            Cell::plain(format!("{} {unit}", row.value).trim_end()),
-            standing(row, sourced),
-        ]);
+    for group in rows.chunk_by(|a, b| a.group == b.group) {
+        lines.push((group[0], true));
+        lines.extend(group.iter().map(|row| (*row, false)));
     }
-    Table {
-        columns: vec![
-            Column::left("input"),
-            Column::left("value"),
-            Column::left("standing"),
-        ],
-        rows: lines,
-        ..Table::default()
-    }
+    // The line of a group has its name alone.
+    let unless = |heads_group: bool, cell: Cell| if heads_group { Cell::default() } else { cell };
+    Table::of("", &lines)
+        .text("input", |(row, heads_group)| match heads_group {
+            true => format!("{}:", row.group),
+            false => row.label.to_owned(),
+        })
+        .cell("value", Align::Left, |(row, heads_group)| {
+            unless(*heads_group, value(row))
+        })
+        .cell("standing", Align::Left, |(row, heads_group)| {
+            unless(*heads_group, standing(row, sourced))
+        })
+        .build()
+}
+
+fn value(row: &FieldRow) -> Cell {
+    let unit = if row.unit == "-" { "" } else { row.unit };
+    Cell::plain(format!("{} {unit}", row.value).trim_end())
 }
 
 /// Inputs of a sourced case that carry no mark are printed in the source; what the file leaves out has
@@ -73,14 +72,14 @@ fn lines(rows: &[&FieldRow], sourced: bool) -> Table {
 fn standing(row: &FieldRow, sourced: bool) -> Cell {
     let number = !matches!(
         row.field.kind,
-        Kind::Name | Kind::Text | Kind::Choice(_) | Kind::Integer
+        ValueType::Name | ValueType::Text | ValueType::Choice(_) | ValueType::Integer
     );
     let setting = ["solver", "output", "start"]
         .iter()
         .any(|table| row.path.starts_with(table));
     match (&row.standing, row.given) {
-        (Some(mark), _) => Cell::new(standing_word(mark.status), CellInk::Warn),
-        (None, false) => Cell::new("default", CellInk::Dim),
+        (Some(mark), _) => Cell::new(mark.status.name(), CellStyle::Warn),
+        (None, false) => Cell::new("default", CellStyle::Dim),
         (None, true) if setting => Cell::plain("setting"),
         (None, true) if number && sourced => Cell::plain("published"),
         (None, true) => Cell::plain(""),

@@ -4,18 +4,32 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::report::chart::{Chart, Glyphs, draw};
 use crate::report::table::Table;
+use crate::report::wrap::WideWords;
 use crate::visible;
 
 /// Characters a line.
 pub(crate) const WIDTH: usize = 80;
 
 /// A page being written from top to bottom.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Page {
+    width: usize,
     text: String,
 }
 
+impl Default for Page {
+    fn default() -> Self {
+        Self::new(WIDTH)
+    }
+}
+
 impl Page {
+    /// A page of so many columns.
+    pub(crate) fn new(width: usize) -> Self {
+        let text = String::new();
+        Self { width, text }
+    }
+
     /// The text.
     pub(crate) fn finish(self) -> String {
         self.text
@@ -24,12 +38,19 @@ impl Page {
     /// The title of the whole, underlined over the full width.
     pub(crate) fn title(&mut self, words: &str) {
         self.paragraph(words);
-        self.line(&"=".repeat(WIDTH));
+        self.line(&"=".repeat(self.width));
+    }
+
+    /// A blank line, unless the page is still empty.
+    fn space(&mut self) {
+        if !self.text.is_empty() {
+            self.line("");
+        }
     }
 
     /// The heading of a section, with space above.
     pub(crate) fn heading(&mut self, words: &str) {
-        self.line("");
+        self.space();
         self.line(words);
         self.line(&"-".repeat(words.width()));
     }
@@ -47,25 +68,30 @@ impl Page {
         }
     }
 
-    /// The title with source and notes below.
-    pub(crate) fn head(&mut self, title: &str, prose: [&str; 2]) {
-        self.title(title);
+    /// Source and notes, as far as there are any, with space above each.
+    pub(crate) fn prose(&mut self, prose: [&str; 2]) {
         for prose in prose.iter().filter(|prose| !prose.trim().is_empty()) {
-            self.line("");
+            self.space();
             self.paragraph(prose);
         }
     }
 
     /// A table, with space above.
     pub(crate) fn table(&mut self, table: &Table) {
-        self.line("");
-        self.block(&table.to_text(WIDTH));
+        self.space();
+        self.block(&table.to_text(self.width));
+    }
+
+    /// A section of a table alone.
+    pub(crate) fn section(&mut self, heading: &str, table: &Table) {
+        self.heading(heading);
+        self.block(&table.to_text(self.width));
     }
 
     /// A chart of so many lines, with space above.
     pub(crate) fn chart(&mut self, chart: &Chart, lines: usize, glyphs: Glyphs) {
-        self.line("");
-        self.block(&draw(chart, WIDTH, lines, glyphs).to_text());
+        self.space();
+        self.block(&draw(chart, self.width, lines, glyphs).to_text());
     }
 
     /// Words broken into lines; line ends of the source that are not blank lines do not count.
@@ -78,7 +104,7 @@ impl Page {
     /// A first word, and words broken into lines that all begin behind it.
     pub(crate) fn hanging(&mut self, head: &str, words: &str) {
         let indent = head.width();
-        let lines = wrap(words, WIDTH.saturating_sub(indent));
+        let lines = wrap(words, self.width.saturating_sub(indent));
         for (i, line) in lines.iter().enumerate() {
             let head = if i == 0 {
                 head.to_owned()
@@ -104,23 +130,9 @@ impl Page {
     }
 }
 
-/// Breaks words into lines of at most so many characters; a longer word gets a line of its own.
+/// Words in lines of at most so many characters, whatever lines they were in; a longer word gets a line of its own.
 pub(crate) fn wrap(words: &str, width: usize) -> Vec<String> {
-    let mut lines = Vec::new();
-    let mut line = String::new();
-    for word in visible::text(words).split_whitespace() {
-        if !line.is_empty() && line.width() + 1 + word.width() > width {
-            lines.push(std::mem::take(&mut line));
-        }
-        if !line.is_empty() {
-            line.push(' ');
-        }
-        line.push_str(word);
-    }
-    if !line.is_empty() || lines.is_empty() {
-        lines.push(line);
-    }
-    lines
+    crate::report::wrap::wrap(&words.replace('\n', " "), width, WideWords::Whole)
 }
 
 #[cfg(test)]
@@ -133,7 +145,6 @@ mod tests {
             wrap("one two  three\nfour", 9),
             ["one two", "three", "four"]
         );
-        assert_eq!(wrap("a verylongword b", 5), ["a", "verylongword", "b"]);
         assert_eq!(wrap("", 5), [""]);
     }
 

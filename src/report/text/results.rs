@@ -4,12 +4,12 @@ use super::layout::{Page, WIDTH};
 use crate::{
     case::Case,
     report::{
-        limits as limits_table, nodes as nodes_table,
+        nodes,
         number::{order, si, with_error},
         response,
         table::{Align, Cell, Table},
     },
-    run::{Quantity, Run, Subject, limits::check},
+    run::{Quantity, Run, Subject},
 };
 
 /// Rows of the table of nodes in a report, about.
@@ -40,33 +40,24 @@ pub fn summary(run: &Run) -> String {
     table.noted(note).to_text(WIDTH)
 }
 
-/// The sections against their breaking load and least bending radius, on 80 columns; nothing where the case states
-/// neither.
-#[must_use]
-pub fn limits(run: &Run, case: &Case) -> Option<String> {
-    let table = limits_table::table(&check(case, &run.profile))?;
-    Some(table.to_text(WIDTH))
-}
-
 /// Peaks and valleys of the response, and the waves on the sections.
 pub(super) fn answer(page: &mut Page, run: &Run, case: &Case) {
     if run.profile.rms.is_empty() {
         return;
     }
-    page.heading("Peaks and valleys of the response");
-    page.block(&response::peaks(&run.profile).to_text(WIDTH));
+    let peaks = response::peaks(&run.profile);
+    page.section("Peaks and valleys of the response", &peaks);
     let waves = response::waves(case, &run.profile);
     if !waves.rows.is_empty() {
-        page.heading("Waves on the line");
-        page.block(&waves.to_text(WIDTH));
+        page.section("Waves on the line", &waves);
     }
 }
 
 /// The line node by node at the end of the run.
 pub(super) fn nodes(page: &mut Page, run: &Run) {
     if !run.profile.nodes.is_empty() {
-        page.heading("The line node by node");
-        page.block(&nodes_table::sampled(&run.profile, NODES).to_text(WIDTH));
+        let nodes = nodes::sampled(&run.profile, NODES);
+        page.section("The line node by node", &nodes);
     }
 }
 

@@ -11,7 +11,7 @@ use super::number::{parse, text};
 use super::table::{CsvReader, CsvWriter, not_a_number};
 
 /// A column of numbers of a table `T`.
-pub(super) struct Column<T> {
+pub(super) struct CsvColumn<T> {
     /// Name with unit, as in the file.
     pub(super) name: &'static str,
     /// Whether a table without it cannot be read; all its values are numbers.
@@ -33,7 +33,7 @@ macro_rules! column {
         column!($table, $name, $field, false, $written)
     };
     ($table:ty, $name:literal, $field:ident, $required:literal, $written:expr) => {
-        Column::<$table> {
+        CsvColumn::<$table> {
             name: $name,
             required: $required,
             written: $written,
@@ -46,7 +46,7 @@ pub(super) use column;
 
 /// The file of a table with this many rows.
 pub(super) fn write<T>(
-    columns: &[Column<T>],
+    columns: &[CsvColumn<T>],
     table: &T,
     rows: usize,
 ) -> Result<Vec<u8>, StoreError> {
@@ -62,7 +62,7 @@ pub(super) fn write<T>(
 
 /// Reads a table as far as it can be read, and what is wrong with its file.
 pub(super) fn read<T: Default>(
-    columns: &[Column<T>],
+    columns: &[CsvColumn<T>],
     dir: &Path,
     name: &str,
 ) -> (T, Option<String>) {

@@ -5,13 +5,14 @@ use std::path::Path;
 use super::{
     CASE, CHANNELS, ERRORS, HISTORY, PROFILE, ROPES, RUN, SHAPES, SUMMARY, StoreError, columns,
     create::{info_text, replace},
+    history_csv::write_history,
     number::{text, text_or_empty},
-    profile::{PROFILE_COLUMNS, ROPE_COLUMNS},
-    shapes::{SHAPE_COLUMNS, write_shape},
+    profile_csv::{PROFILE_COLUMNS, ROPE_COLUMNS},
+    shapes_csv::write_shapes,
     table::CsvWriter,
 };
 use crate::case::ChannelId;
-use crate::run::{Channel, History, LineShape, Quantity, Run, RunInfo};
+use crate::run::{Channel, Quantity, Run, RunInfo};
 
 /// Columns of `summary.csv`.
 pub(super) const SUMMARY_COLUMNS: [&str; 4] = ["quantity", "value", "unit", "error_estimate"];
@@ -34,8 +35,8 @@ pub(super) fn all(dir: &Path, id: &str, run: &Run, streamed: bool) -> Result<(),
     replace(dir, ERRORS, &errors(&run.summary)?)?;
     replace(dir, CHANNELS, &channels(&run.history.channels)?)?;
     if !streamed {
-        replace(dir, HISTORY, &history(&run.history)?)?;
-        replace(dir, SHAPES, &all_shapes(&run.shapes)?)?;
+        replace(dir, HISTORY, &write_history(&run.history)?)?;
+        replace(dir, SHAPES, &write_shapes(&run.shapes)?)?;
     }
     let profile = &run.profile;
     let nodes = profile.nodes.len();
@@ -93,27 +94,6 @@ pub(super) fn channel_units(channels: &[ChannelId]) -> Result<Vec<u8>, StoreErro
     let mut csv = CsvWriter::new(CHANNEL_COLUMNS)?;
     for id in channels {
         csv.row([&id.to_string(), id.quantity.unit(), "", "", "", ""])?;
-    }
-    csv.bytes()
-}
-
-fn history(history: &History) -> Result<Vec<u8>, StoreError> {
-    let names = history.channels.iter().map(Channel::name);
-    let mut csv = CsvWriter::new(std::iter::once("time_s".to_owned()).chain(names))?;
-    for (i, time) in history.time.iter().enumerate() {
-        let values = history
-            .channels
-            .iter()
-            .map(|c| text_or_empty(c.values.get(i).copied()));
-        csv.row(std::iter::once(text(*time)).chain(values))?;
-    }
-    csv.bytes()
-}
-
-fn all_shapes(shapes: &[LineShape]) -> Result<Vec<u8>, StoreError> {
-    let mut csv = CsvWriter::new(SHAPE_COLUMNS)?;
-    for shape in shapes {
-        write_shape(&mut csv, shape)?;
     }
     csv.bytes()
 }

@@ -8,12 +8,12 @@ use super::{
     complete::{CHANNEL_COLUMNS, ERROR_COLUMNS, SUMMARY_COLUMNS},
     is_locked,
     number::parse,
-    profile::{PROFILE_COLUMNS, ROPE_COLUMNS},
+    profile_csv::{PROFILE_COLUMNS, ROPE_COLUMNS},
     table::{CsvReader, not_a_number},
 };
 use crate::case::ChannelId;
 use crate::run::{
-    Channel, Checkpoint, DecimatedRecord, History, Profile, Quantity, QuantityId, Resume, Run,
+    Channel, Checkpoint, DecimatedRecord, History, Profile, Quantity, QuantityId, ResumedRun, Run,
     RunInfo, RunState, VERSION,
 };
 
@@ -26,7 +26,7 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
     let info = read_info(dir)?;
     // A run that never finished has no summary or profile to miss.
     let whole = info.state != RunState::Partial;
-    let mut reader = Reader {
+    let mut reader = RunReader {
         dir,
         whole,
         warnings: Vec::new(),
@@ -64,7 +64,7 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
 ///
 /// # Errors
 /// The run has no checkpoint, or one that cannot be understood.
-pub fn resume(dir: &Path) -> Result<Resume, StoreError> {
+pub fn resume(dir: &Path) -> Result<ResumedRun, StoreError> {
     let file = dir.join(CHECKPOINT);
     let text = fs::read_to_string(&file).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => StoreError::NoCheckpoint(dir.to_owned()),
@@ -77,7 +77,7 @@ pub fn resume(dir: &Path) -> Result<Resume, StoreError> {
     };
     let checkpoint: Checkpoint = toml::from_str(&text).map_err(damaged)?;
     let dir = dir.to_owned();
-    Ok(Resume { checkpoint, dir })
+    Ok(ResumedRun { checkpoint, dir })
 }
 
 /// Reads only the text of its case.
@@ -146,13 +146,13 @@ fn field(fields: &csv::StringRecord, column: Option<usize>) -> &str {
     column.and_then(|at| fields.get(at)).unwrap_or("")
 }
 
-struct Reader<'a> {
+struct RunReader<'a> {
     dir: &'a Path,
     whole: bool,
     warnings: Vec<String>,
 }
 
-impl Reader<'_> {
+impl RunReader<'_> {
     fn case_text(&mut self) -> String {
         fs::read_to_string(self.dir.join(CASE)).unwrap_or_else(|error| {
             self.warnings

@@ -2,24 +2,38 @@
 
 use crate::case::{self, FrictionLaw};
 use crate::numerics::{BlockBand, V3};
-use crate::physics::Seabed;
+use crate::physics::ElasticBed;
+use crate::physics::bed_friction::{Friction, FrictionAnchor, FrictionContact, FrictionModel};
 use crate::physics::bed_reaction::BedReaction;
-use crate::physics::friction::{Contact, Friction, FrictionForce, FrictionModel, Grip};
 use crate::scene::element::{At, Element};
-use crate::scene::{End, LumpedLine, Segment};
+use crate::scene::{EndCondition, LumpedLine, Segment};
 use crate::solve::{Factors, State};
 
 /// The sea bed and the area of line on it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BedContact {
     /// The sea bed.
-    pub seabed: Seabed,
+    pub seabed: ElasticBed,
     /// Contact area of every node, diameter times length \[m²\].
     pub footprint: Vec<f64>,
 }
 
+/// The half of a segment at one of its nodes, and what acts on it beside the bed.
+pub(in crate::scene) struct HalfSegment {
+    /// The segment.
+    pub(in crate::scene) segment: usize,
+    /// The node.
+    pub(in crate::scene) node: usize,
+    /// Unit vector along the segment.
+    pub(in crate::scene) tangent: V3,
+    /// Pull of the segment on the node \[N\].
+    pub(in crate::scene) pull: V3,
+    /// Weight, drag and (negative) inertia of the half \[N\].
+    pub(in crate::scene) load: V3,
+}
+
 /// The bed of the case.
-fn seabed(bed: &case::Seabed) -> Seabed {
+pub(super) fn seabed(bed: &case::Seabed) -> ElasticBed {
     let (slope, azimuth) = (
         bed.slope_deg.to_radians(),
         bed.slope_azimuth_deg.to_radians(),
@@ -28,16 +42,16 @@ fn seabed(bed: &case::Seabed) -> Seabed {
     let friction = bed
         .friction
         .filter(|axial| *axial > 0.0 || bed.friction_lateral.is_some_and(|lateral| lateral > 0.0));
-    Seabed {
+    ElasticBed {
         z: -bed.depth_m - slope.tan() * (x * azimuth.cos() + y * azimuth.sin()),
-        slope: Seabed::sloping(slope, azimuth),
+        slope: ElasticBed::sloping(slope, azimuth),
         stiffness: bed.stiffness_n_per_m3,
         damping: bed.damping_n_s_per_m3,
         friction: friction.map(|axial| Friction {
             axial,
             lateral: bed.friction_lateral.unwrap_or(axial),
             law: match bed.friction_law {
-                FrictionLaw::Grip => FrictionModel::Grip(
+                FrictionLaw::Grip => FrictionModel::ElasticPlastic(
                     bed.grip_stiffness_n_per_m3
                         .unwrap_or(bed.stiffness_n_per_m3),
                 ),
@@ -47,11 +61,11 @@ fn seabed(bed: &case::Seabed) -> Seabed {
     }
 }
 
-/// Contact area of every node: the diameter times the halves of its segments.
+/// Contact area of every node: the width that bears times the halves of its segments.
 fn footprint(segments: &[Segment]) -> Vec<f64> {
     let mut area = vec![0.0; segments.len() + 1];
     for (i, segment) in segments.iter().enumerate() {
-        let half = 0.5 * segment.axial.length * segment.diameter;
+        let half = 0.5 * segment.axial.length * segment.bearing_width;
         area[i] += half;
         area[i + 1] += half;
     }
@@ -86,8 +100,10 @@ impl Element for BedContact {
             *block -= normal * (normal * k).transpose();
             if push.force > 0.0
                 && let Some(friction) = &bed.friction
-                && let Some(held) =
-                    friction_with_tangent(friction, &contact(&normal, &push, i, state), i, state)
+                && let Some(held) = friction.with_tangent(
+                    &contact(&normal, &push, i, state),
+                    state.memory.grips.get(i),
+                )
             {
                 *block -= held.by_position * c.stiffness + held.by_velocity * c.damping;
             }
@@ -132,13 +148,20 @@ impl Element for BedContact {
         let mut taken = 0.0;
         for i in 0..self.footprint.len() {
             let (x, v) = (&state.x[i], &state.v[i]);
+            let depth = -bed.height(x);
+            if depth <= 0.0 {
+                continue;
+            }
             let push = self.push(i, state);
-            let elastic = bed.stiffness * self.footprint[i] * (-bed.height(x)).max(0.0);
+            let elastic = bed.stiffness * self.footprint[i] * depth;
             taken -= (push.force - elastic) * normal.dot(v);
             let Some(law) = bed.friction.as_ref().filter(|_| push.force > 0.0) else {
                 continue;
             };
-            let force = friction(law, &contact(&normal, &push, i, state), i, state);
+            let force = law.force(
+                &contact(&normal, &push, i, state),
+                state.memory.grips.get(i),
+            );
             taken -= force.dot(v);
         }
         *power += taken;
@@ -183,7 +206,7 @@ impl BedContact {
     fn friction_springs(&self) -> Option<(Friction, f64)> {
         let friction = self.seabed.friction?;
         match friction.law {
-            FrictionModel::Grip(stiffness) => Some((friction, stiffness)),
+            FrictionModel::ElasticPlastic(stiffness) => Some((friction, stiffness)),
             FrictionModel::Regularised(_) => None,
         }
     }
@@ -192,7 +215,7 @@ impl BedContact {
     pub(in crate::scene) fn slip_speed(&self) -> Option<f64> {
         match self.seabed.friction?.law {
             FrictionModel::Regularised(slip) => Some(slip),
-            FrictionModel::Grip(_) => None,
+            FrictionModel::ElasticPlastic(_) => None,
         }
     }
 
@@ -211,13 +234,16 @@ impl BedContact {
         }
         let normal = self.seabed.normal();
         let along = self.seabed.friction.as_ref().map_or_else(V3::zeros, |law| {
-            friction(law, &contact(&normal, &push, i, state), i, state)
+            law.force(
+                &contact(&normal, &push, i, state),
+                state.memory.grips.get(i),
+            )
         });
         normal * push.force + along
     }
 
     /// Friction springs without force at these positions; none for other laws.
-    pub(in crate::scene) fn grips_at(&self, nodes: &[V3]) -> Vec<Grip> {
+    pub(in crate::scene) fn grips_at(&self, nodes: &[V3]) -> Vec<FrictionAnchor> {
         let Some((_, stiffness)) = self.friction_springs() else {
             return Vec::new();
         };
@@ -227,7 +253,7 @@ impl BedContact {
         let along = flat
             .try_normalize(1e-12)
             .unwrap_or_else(|| tangent_of(&normal));
-        let grip = |(at, area): (&V3, &f64)| Grip {
+        let grip = |(at, area): (&V3, &f64)| FrictionAnchor {
             at: *at,
             along,
             stiffness: stiffness * area,
@@ -237,40 +263,62 @@ impl BedContact {
         nodes.iter().zip(&self.footprint).map(grip).collect()
     }
 
-    /// Reaction of the bed on the half of segment i at one of its nodes \[N\], from the tension of the segment on that node and
-    /// its other load. A prescribed end on the bed does not penetrate it, so that its springs carry nothing: the bed there
-    /// bears the load normal to it, with the friction of the neighbouring node, no more than resists.
-    pub(in crate::scene) fn force_on_half(
+    /// Reaction of the bed that bears the half of a segment at one of its nodes \[N\]: the node's by the share of the half in
+    /// its footprint, but no more than bears the load of the half across it. What the bed bears beyond that is a body at the
+    /// node, or a line that stands on its end: no tension. An end held on the bed has no penetration: see
+    /// [`BedContact::force_on_end`].
+    pub(in crate::scene) fn reaction_on_half(&self, half: &HalfSegment, at: At<'_>) -> V3 {
+        if self.end_held_on_bed(half.node, at).is_some() {
+            return self.force_on_end(half.node, (&half.pull, &half.load), at);
+        }
+        let segment = &at.line.segments[half.segment];
+        let share = 0.5 * segment.axial.length * segment.bearing_width / self.footprint[half.node];
+        let force = self.force(half.node, at.state) * share;
+        let normal = self.seabed.normal();
+        let borne = normal.dot(&force);
+        let upright = normal.dot(&half.tangent).powi(2);
+        let needed = (-normal.dot(&half.load)).max(0.0) * (1.0 - upright);
+        if borne > needed {
+            force * (needed / borne)
+        } else {
+            force
+        }
+    }
+
+    /// Which end is held at a node, where it is held on the bed: it does not penetrate, so that its springs carry nothing.
+    fn end_held_on_bed(&self, node: usize, at: At<'_>) -> Option<usize> {
+        let last = at.line.segments.len();
+        let end = match node {
+            0 => 0,
+            n if n == last => 1,
+            _ => return None,
+        };
+        let tolerance = 1e-9 * at.line.arc[last];
+        let held = matches!(at.line.ends[end], EndCondition::Prescribed(_))
+            && self.height(&at.state.x[node]).abs() <= tolerance;
+        held.then_some(end)
+    }
+
+    /// Reaction of the bed on the first or last node \[N\], from the tension of its segment and the other load on it. Where an
+    /// end is held on the bed, the bed bears the load normal to it, with the friction of the neighbouring node, no more than
+    /// resists.
+    pub(in crate::scene) fn force_on_end(
         &self,
-        i: usize,
         node: usize,
         (pull, load): (&V3, &V3),
         at: At<'_>,
     ) -> V3 {
-        let At { line, state, .. } = at;
-        let last = line.segments.len();
-        let end = match node {
-            0 => 0,
-            n if n == last => 1,
-            _ => {
-                let segment = &line.segments[i];
-                let half = 0.5 * segment.axial.length * segment.diameter;
-                return self.force(node, state) * (half / self.footprint[node]);
-            }
+        let Some(end) = self.end_held_on_bed(node, at) else {
+            return self.force(node, at.state);
         };
-        let tolerance = 1e-9 * line.arc[last];
-        let on_bed = matches!(line.ends[end], End::Prescribed(_))
-            && self.height(&state.x[node]).abs() <= tolerance;
-        if !on_bed {
-            return self.force(node, state);
-        }
+        let last = at.line.segments.len();
         let normal = self.seabed.normal();
         let push = normal * (-normal.dot(&(pull + load))).max(0.0);
-        let beside = if node == i { i + 1 } else { i };
+        let beside = if end == 0 { 1 } else { last - 1 };
         if beside == 0 || beside == last {
             return push;
         }
-        let force = self.force(beside, state);
+        let force = self.force(beside, at.state);
         let borne = normal.dot(&force);
         if borne <= 0.0 {
             return push;
@@ -289,7 +337,10 @@ impl BedContact {
     pub(in crate::scene) fn energy(&self, state: &State) -> f64 {
         let mut energy = 0.0;
         for (x, area) in state.x.iter().zip(&self.footprint) {
-            let depth = (-self.height(x)).max(0.0);
+            let depth = -self.height(x);
+            if depth <= 0.0 {
+                continue;
+            }
             energy += 0.5 * self.seabed.stiffness * area * depth.powi(2);
         }
         energy
@@ -320,33 +371,14 @@ impl BedContact {
     }
 }
 
-/// Friction on node i in contact \[N\].
-fn friction(friction: &Friction, c: &Contact<'_>, i: usize, state: &State) -> V3 {
-    match friction.law {
-        FrictionModel::Grip(_) => match state.memory.grips.get(i) {
-            Some(grip) => friction.grip_force(c, grip).0,
-            None => V3::zeros(),
-        },
-        FrictionModel::Regularised(slip) => friction.regularised(c, slip).force,
-    }
-}
-
-/// The same with its derivatives; none without a friction spring.
-fn friction_with_tangent(
-    friction: &Friction,
-    c: &Contact<'_>,
-    i: usize,
-    state: &State,
-) -> Option<FrictionForce> {
-    match friction.law {
-        FrictionModel::Grip(_) => Some(friction.grip(c, state.memory.grips.get(i)?)),
-        FrictionModel::Regularised(slip) => Some(friction.regularised(c, slip)),
-    }
-}
-
 /// Contact at node i.
-fn contact<'a>(normal: &'a V3, push: &'a BedReaction, i: usize, state: &'a State) -> Contact<'a> {
-    Contact {
+fn contact<'a>(
+    normal: &'a V3,
+    push: &'a BedReaction,
+    i: usize,
+    state: &'a State,
+) -> FrictionContact<'a> {
+    FrictionContact {
         normal,
         push,
         x: &state.x[i],

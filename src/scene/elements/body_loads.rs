@@ -50,6 +50,23 @@ impl Element for BodyLoads {
         }
     }
 
+    fn add_water_drag_power(&self, at: At<'_>, power: &mut f64) {
+        for (number, AttachedBody { node, body }) in at.line.bodies.iter().enumerate() {
+            let BodyInWater { u, share, .. } = at.line.body_in_water(number, at.state);
+            *power += body.drag(&u).dot(&(u + at.state.v[*node])) * share;
+        }
+    }
+
+    /// Of the submerged fraction, as the body moves through the surface.
+    fn add_growth(&self, at: At<'_>, power: &mut f64) {
+        for (number, AttachedBody { node, body }) in at.line.bodies.iter().enumerate() {
+            let by = at.line.body_in_water(number, at.state).by_place;
+            let v = &at.state.v[*node];
+            let rate = by.dot(v) - by.z * at.line.elevation_rate(*node, at.state);
+            *power += 0.5 * rate * v.dot(&body.added.component_mul(v));
+        }
+    }
+
     fn add_end_force(&self, at: At<'_>, node: usize, force: &mut V3) {
         for (number, hung) in at.line.bodies.iter().enumerate() {
             if hung.node == node {

@@ -3,7 +3,7 @@
 use crate::case::{self, Case};
 use crate::numerics::lanes;
 use crate::numerics::{BlockBand, M3, V3};
-use crate::physics::bending::{self, Bend, curvature};
+use crate::physics::bending::{self, BendAngle, curvature};
 use crate::physics::tension::Chord;
 use crate::scene::element::{At, Element};
 use crate::scene::vectors::direction;
@@ -46,7 +46,7 @@ impl Element for Flexure {
         self.linearise_joints(line, state, c.stiffness, r, tangent);
         self.add_clamps(line, state, r);
         for (i, chord, direction, k) in self.clamped_ends(line, state) {
-            let bend = Bend::new((&chord.tangent, chord.inverse), (&direction, 0.0));
+            let bend = BendAngle::new((&chord.tangent, chord.inverse), (&direction, 0.0));
             let own = lanes::block(&bend.tangent(k * c.stiffness).own, 0);
             tangent.diag[i] += own;
             tangent.diag[i + 1] += own;
@@ -185,13 +185,6 @@ impl Flexure {
         force
     }
 
-    /// Curvature \[1/m\] at every node.
-    #[must_use]
-    pub fn curvatures(&self, line: &LumpedLine, state: &State) -> Vec<f64> {
-        let nodes = 0..=line.segments.len();
-        nodes.map(|i| self.curvature_at(i, line, state)).collect()
-    }
-
     /// Curvature \[1/m\] at node i.
     fn curvature_at(&self, i: usize, line: &LumpedLine, state: &State) -> f64 {
         let last = line.segments.len();
@@ -287,8 +280,8 @@ impl Flexure {
 
 /// The bend between two segments.
 #[inline(always)]
-fn between(first: &Chord, second: &Chord) -> Bend {
-    Bend::new(
+fn between(first: &Chord, second: &Chord) -> BendAngle {
+    BendAngle::new(
         (&first.tangent, first.inverse),
         (&second.tangent, second.inverse),
     )
@@ -368,5 +361,5 @@ pub(in crate::scene) fn clamps_without_effect(case: &Case, segments: &[Segment])
 
 /// Gradient of the energy of a clamp by the chord of its segment; the same at both ends, since the bend is symmetric.
 fn clamped(k: f64, direction: &V3, chord: &Chord) -> V3 {
-    Bend::new((&chord.tangent, chord.inverse), (direction, 0.0)).forces(k)[0]
+    BendAngle::new((&chord.tangent, chord.inverse), (direction, 0.0)).forces(k)[0]
 }

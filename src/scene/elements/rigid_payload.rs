@@ -17,7 +17,7 @@ use crate::physics::kirchhoff::RelativeMotion;
 use crate::scene::LumpedLine;
 use crate::scene::element::{At, Element};
 use crate::solve::{Factors, State};
-use hydrodynamics::WaterAround;
+use hydrodynamics::SurroundingWater;
 
 /// A rigid body at the end of the line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,8 +67,16 @@ impl Element for RigidPayload {
         *power += self.dissipation(at.line, at.state);
     }
 
-    fn add_wave_power(&self, at: At<'_>, still: &State, power: &mut f64) {
-        *power += self.wave_power(at.line, at.state, still);
+    fn add_wave_power(&self, at: At<'_>, power: &mut f64) {
+        *power += self.wave_power(at.line, at.state);
+    }
+
+    fn add_water_drag_power(&self, at: At<'_>, power: &mut f64) {
+        *power += self.water_drag_power(at.line, at.state);
+    }
+
+    fn add_growth(&self, at: At<'_>, power: &mut f64) {
+        *power += self.growth(at.line, at.state);
     }
 }
 
@@ -83,7 +91,7 @@ impl RigidPayload {
     }
 
     /// Motion of the body relative to the water, at these accelerations of both nodes.
-    fn moving(&self, there: &WaterAround, state: &State, a: [V3; 2]) -> RelativeMotion {
+    fn moving(&self, there: &SurroundingWater, state: &State, a: [V3; 2]) -> RelativeMotion {
         let (at, inverse) = (self.body.buoyancy_at, 1.0 / self.body.reach);
         RelativeMotion {
             t: there.axis.tangent,
@@ -119,13 +127,13 @@ impl RigidPayload {
     }
 
     /// Derivative of the axis by the difference of both nodes \[1/m\].
-    fn axis_by_difference(there: &WaterAround) -> M3 {
+    fn axis_by_difference(there: &SurroundingWater) -> M3 {
         let t = &there.axis.tangent;
         (M3::identity() - t * t.transpose()) * there.axis.inverse
     }
 
     /// Tangent of added mass, wave pressure, buoyancy and gyroscopic couple.
-    fn inertia_blocks(&self, there: &WaterAround, state: &State, c: Factors) -> Blocks {
+    fn inertia_blocks(&self, there: &SurroundingWater, state: &State, c: Factors) -> Blocks {
         let moving = self.moving(there, state, [state.a[self.node], state.a[self.node + 1]]);
         let (needs, [force, couple]) = (
             self.body.added.force_and_couple(&moving),
@@ -163,7 +171,7 @@ impl RigidPayload {
     /// Subtracts the tangent of drag: by the relative velocity of each strip, by the axis, and by the submerged fraction.
     fn add_drag_blocks(
         &self,
-        there: &WaterAround,
+        there: &SurroundingWater,
         line: &LumpedLine,
         state: &State,
         c: Factors,

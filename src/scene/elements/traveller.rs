@@ -20,7 +20,7 @@ use path::PathPoint;
 
 /// A body that travels along the line.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Traveller {
+pub struct TravellingBody {
     /// Mass \[kg\].
     pub mass: f64,
     /// Weight \[N\], positive down.
@@ -42,7 +42,7 @@ pub struct Traveller {
 }
 
 /// Drag on the traveller, with derivatives.
-struct Drag {
+struct TravellerDrag {
     /// Drag of the submerged fraction \[N\], and its derivative by the relative velocity \[N s/m\].
     drag: V3,
     by_velocity: M3,
@@ -50,7 +50,7 @@ struct Drag {
     by_place: M3,
 }
 
-impl Traveller {
+impl TravellingBody {
     /// Unstretched arc length \[m\], its rate \[m/s\] and the rate's \[m/s²\] at time t \[s\].
     #[must_use]
     pub fn at(&self, t: f64) -> (f64, f64, f64) {
@@ -78,7 +78,7 @@ impl Traveller {
     }
 }
 
-impl Element for Traveller {
+impl Element for TravellingBody {
     fn add_residual(&self, at: At<'_>, r: &mut [V3]) {
         let point = self.path_point(at.line, at.t);
         let load = self.load(&point, at.line, at.state);
@@ -121,7 +121,7 @@ impl Element for Traveller {
     }
 }
 
-impl Traveller {
+impl TravellingBody {
     /// The traveller of a case.
     pub(super) fn of_case(case: &Case) -> Option<Self> {
         let (words, water) = (case.traveller.as_ref()?, &case.environment);
@@ -170,7 +170,7 @@ impl Traveller {
     }
 
     /// Drag on the traveller, by current, waves and its own velocity.
-    fn drag_at(&self, point: &PathPoint, line: &LumpedLine, state: &State) -> Drag {
+    fn drag_at(&self, point: &PathPoint, line: &LumpedLine, state: &State) -> TravellerDrag {
         let place = point.place(state);
         let (mut water, shear) = line.current.at(place.z);
         let mut gradient = shear * V3::z().transpose();
@@ -194,7 +194,7 @@ impl Traveller {
         let by_velocity = (M3::from_diagonal(&(self.drag * speed))
             + self.drag.component_mul(&u) * direction.transpose())
             * share;
-        Drag {
+        TravellerDrag {
             drag: drag * share,
             by_velocity,
             by_place: by_velocity * gradient + drag * (slope * steep).transpose(),
@@ -215,7 +215,7 @@ mod tests {
     #[test]
     fn rates_are_derivatives_and_it_stays_where_it_should() {
         for (from, to) in [(3.0, 20.0), (20.0, 3.0)] {
-            let traveller = Traveller {
+            let traveller = TravellingBody {
                 mass: 1.0,
                 weight: 1.0,
                 drag: V3::zeros(),

@@ -42,7 +42,7 @@ impl Element for WaterLoads {
             let chord = line.chord(i, state);
             let drag = line.full_drag(i, &chord, state);
             let wet = line.wet(i, state);
-            let segment = Segment {
+            let segment = WetSegment {
                 i,
                 chord: &chord,
                 drag: &drag,
@@ -69,13 +69,13 @@ impl Element for WaterLoads {
         true
     }
 
-    fn add_wave_power(&self, at: At<'_>, still: &State, power: &mut f64) {
+    fn add_wave_power(&self, at: At<'_>, power: &mut f64) {
         let At { line, state, .. } = at;
         for i in 0..line.segments.len() {
             let (t, wet) = (line.chord(i, state).tangent, line.wet(i, state));
             for half in [0, 1] {
                 let load = line.wave_force(i, half, &t, wet.as_ref(), state);
-                let load = load - line.lost_buoyancy(i, half, still);
+                let load = load - line.lost_in_still_water(i, half, state);
                 *power += load.dot(&state.v[i + half]);
             }
         }
@@ -87,7 +87,8 @@ impl Element for WaterLoads {
                 ..
             } = line.body_in_water(number, state);
             let load = load + hung.body.added.component_mul(&carried) * share;
-            *power += (load - line.body_in_water(number, still).load).dot(&state.v[hung.node]);
+            let load = load - line.body_lost_in_still_water(number, state);
+            *power += load.dot(&state.v[hung.node]);
         }
     }
 
@@ -101,7 +102,7 @@ impl Element for WaterLoads {
 }
 
 /// A segment in the water.
-struct Segment<'a> {
+struct WetSegment<'a> {
     i: usize,
     chord: &'a Chord,
     /// Drag of both halves as if all of it were wet.
@@ -109,7 +110,7 @@ struct Segment<'a> {
     wet: Option<&'a [Submergence; 2]>,
 }
 
-impl Segment<'_> {
+impl WetSegment<'_> {
     /// Derivatives of the residual of a half by the positions of its own node and of the other one, as far as they come from
     /// the water: `f [ -(M_added + m) dA/dx - dF/du dU/dx ] + (load as if all were wet) (df/dx)'`, f the submerged fraction.
     fn half_by_position(

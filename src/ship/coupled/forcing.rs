@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn the_tangent_is_the_derivative() {
         let text = include_str!("../../../cases/ship/anchored.toml");
-        let rest = crate::ship::parse(text, "ship.toml").unwrap();
+        let rest = crate::case::kind::parse::<crate::ship::Ship>(text, "ship.toml").unwrap();
         let forcing = Forcing {
             environment: Some((rest.loads, 0.4)),
             ..Forcing::default()

@@ -11,7 +11,7 @@ use crate::dynamics::March;
 use crate::dynamics::generalized_alpha::GeneralizedAlpha;
 use crate::numerics::V3;
 use crate::ship::stability::PlanarDynamics;
-use crate::solve::{ExplicitRhs, Instant, Kinematics, Progressing};
+use crate::solve::{AcceptedStep, ExplicitRhs, Kinematics, Progressing};
 
 /// Free decay in the slowest oscillating mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -153,13 +153,12 @@ fn release(
     let march = March {
         duration: PERIODS * period,
         step: period / STEPS,
-        output: period / STEPS,
     };
     let mut method = GeneralizedAlpha::new(moored.nodes(), 0.0, 1e-11, 30);
     let planar = |all: &Vector6<f64>| Vector3::new(all[0], all[1], all[5]);
     let mut states = Vec::new();
-    let mut record = |instant: Instant<'_>| {
-        if instant.output {
+    let mut record = |instant: AcceptedStep<'_>| {
+        if instant.whole {
             states.push(PlanarState {
                 time: instant.time,
                 q: planar(&moored.motion(instant.state)),

@@ -18,7 +18,7 @@ pub use self::error::CoupledError;
 use self::forcing::{Forcing, wave_loads};
 use self::free_decay::FreeDecay;
 use self::model::CoupledModel;
-pub use self::time_domain::{CHANNELS, Work};
+pub use self::time_domain::{CHANNELS, CoupledWork};
 use self::time_domain::{TimeHistory, integrate};
 use super::model::CoupledSettings;
 use super::motion::rigid_displacement;
@@ -43,7 +43,7 @@ pub struct CoupledAnalysis {
     /// Root mean square mesh error, likewise.
     pub mesh_errors: Option<Vec<f64>>,
     /// Work of the run, without those for the errors.
-    pub work: Work,
+    pub work: CoupledWork,
     /// Free decay against the linearised equations.
     pub decay: Result<FreeDecay, String>,
     /// Whether wave loads act.

@@ -5,13 +5,13 @@ use nalgebra::Vector6;
 use super::CoupledError;
 use super::forcing::Forcing;
 use super::moored_ship::{MooredShip, ShipBody};
-use crate::case::{Case, DragLaw, End, EndKind, Ends, Material, Seabed, Section};
+use crate::case::{Case, DragCoefficient, End, EndKind, Ends, Material, Seabed, Section};
 use crate::numerics::V3;
 use crate::scene::{self, Scene};
 use crate::ship::hull::HullMatrices;
 use crate::ship::model::{CoupledSettings, Mooring};
 use crate::ship::mooring::MooringSolution;
-use crate::ship::static_analysis::{Equilibrium, StaticAnalysis};
+use crate::ship::static_analysis::{MooredEquilibrium, StaticAnalysis};
 use crate::solve::{Kinematics, State};
 use crate::statics::equilibrium::EquilibriumSearch;
 
@@ -26,7 +26,7 @@ pub struct CoupledModel<'a> {
     /// Settings of the coupled analysis.
     pub settings: &'a CoupledSettings,
     /// The governing equilibrium.
-    pub equilibrium: &'a Equilibrium,
+    pub equilibrium: &'a MooredEquilibrium,
     /// The mooring line.
     pub mooring: &'a Mooring,
     /// Its solution at the equilibrium.
@@ -137,8 +137,8 @@ impl<'a> CoupledModel<'a> {
         let (mooring, settings) = (self.mooring, self.settings);
         Material {
             wet_weight_kg_per_m: Some(mooring.wet_weight_kg_per_m),
-            drag_normal: DragLaw::Constant(settings.drag_normal),
-            drag_tangential: DragLaw::Constant(settings.drag_tangential),
+            drag_normal: DragCoefficient::Constant(settings.drag_normal),
+            drag_tangential: DragCoefficient::Constant(settings.drag_tangential),
             added_mass_normal: settings.added_mass_normal,
             ..Material::new(
                 settings.line_diameter_m,

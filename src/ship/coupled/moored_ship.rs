@@ -236,6 +236,18 @@ impl Kinematics for MooredShip {
         (state.x[f], state.v[f], state.a[f]) = held;
     }
 
+    fn next_kink(&self, state: &State) -> f64 {
+        self.line.next_kink(state)
+    }
+
+    fn pass_kink(&self, t: f64, state: &mut State) -> bool {
+        let f = self.fairlead();
+        let held = (state.x[f], state.v[f], state.a[f]);
+        let jumps = self.line.pass_kink(t, state);
+        (state.x[f], state.v[f], state.a[f]) = held;
+        jumps
+    }
+
     fn update_wave_kinematics(&self, t: f64, state: &mut State) {
         self.line.update_wave_kinematics(t, state);
     }

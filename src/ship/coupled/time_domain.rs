@@ -10,7 +10,7 @@ use crate::dynamics::generalized_alpha::GeneralizedAlpha;
 use crate::dynamics::{Integrator, March};
 use crate::numerics::V3;
 use crate::ship::motion::rigid_displacement;
-use crate::solve::{ExplicitRhs, Instant, Kinematics, Progressing, State};
+use crate::solve::{AcceptedStep, ExplicitRhs, Kinematics, Progressing, State};
 
 /// Spectral radius at infinite frequency: damping enough for a line that snaps taut.
 const RHO_INF: f64 = 0.4;
@@ -35,7 +35,7 @@ pub const CHANNELS: [(&str, &str); 11] = [
 
 /// Work of a time integration, independent of the machine.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Work {
+pub struct CoupledWork {
     /// Steps.
     pub steps: u64,
     /// Steps halved.
@@ -47,7 +47,7 @@ pub struct Work {
 /// Records of all channels with the work of the integration.
 pub(super) struct TimeHistory {
     pub(super) records: Vec<Vec<f64>>,
-    pub(super) work: Work,
+    pub(super) work: CoupledWork,
 }
 
 /// Integrates with so many segments and the time step halved so often, at the output times of the whole step.
@@ -63,16 +63,19 @@ pub(super) fn integrate(
     let mut state = ship.rotated(&line, V3::z() * yaw);
     ship.accelerate(0.0, &mut state);
     let mut method = GeneralizedAlpha::new(ship.nodes(), RHO_INF, NEWTON.0, NEWTON.1);
+    let intervals = (settings.duration_s / settings.step_s).round().max(1.0);
+    let interval_steps = 1_u32 << halvings;
     let march = March {
         duration: settings.duration_s,
-        step: settings.step_s / f64::from(1_u32 << halvings),
-        output: settings.step_s,
+        step: settings.duration_s / intervals / f64::from(interval_steps),
     };
-    let instants = (settings.duration_s / settings.step_s).round() as usize + 1;
-    let mut records = vec![Vec::with_capacity(instants); CHANNELS.len()];
+    let mut records = vec![Vec::with_capacity(intervals as usize + 1); CHANNELS.len()];
+    let mut whole_steps = 0_u32;
     let hang_off = model.hang_off();
-    let mut record = |instant: Instant<'_>| {
-        if instant.output {
+    let mut record = |instant: AcceptedStep<'_>| {
+        let recorded = instant.whole && whole_steps.is_multiple_of(interval_steps);
+        whole_steps += u32::from(instant.whole);
+        if recorded {
             let values = channels(&ship, instant.state, &hang_off);
             for (record, value) in records.iter_mut().zip(values) {
                 record.push(value);
@@ -90,7 +93,7 @@ pub(super) fn integrate(
     }
     Ok(TimeHistory {
         records,
-        work: Work {
+        work: CoupledWork {
             steps: outcome.steps,
             halved: outcome.rejections,
             iterations: method.work_counts().iterations,

@@ -1,7 +1,7 @@
 //! Settings of the environmental loads: wind, current and mean wave drift.
 
 use crate::case::fields::of;
-use crate::case::schema::{table, words};
+use crate::case::schema::{Key, TableNode, table, words};
 
 /// What holds without a table of coefficients, and without Fourier series.
 const TABLE: &str = "Fourier series are given instead";
@@ -40,11 +40,23 @@ macro_rules! load {
         impl $name {
             /// The coefficients against the angle of attack.
             #[must_use]
-            pub fn coefficients(&self) -> Coefficients<'_> {
-                Coefficients {
+            pub fn coefficients(&self) -> LoadCoefficients<'_> {
+                LoadCoefficients {
                     angle_deg: &self.angle_deg,
                     table: [&self.surge, &self.sway, &self.yaw],
                     interpolation: self.interpolation,
+                    series: [&self.surge_cosines, &self.sway_sines, &self.yaw_sines],
+                }
+            }
+        }
+
+        impl<'a> $keys<'a> {
+            /// The coefficients as they are read.
+            pub(crate) fn coefficients(&self) -> CoefficientKeys<'_, 'a> {
+                CoefficientKeys {
+                    place: &self.place,
+                    angle_deg: &self.angle_deg,
+                    table: [&self.surge, &self.sway, &self.yaw],
                     series: [&self.surge_cosines, &self.sway_sines, &self.yaw_sines],
                 }
             }
@@ -55,7 +67,7 @@ macro_rules! load {
 load! {
     /// The wind, and the ship's coefficients in it.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct Wind => WindKeys {
+    pub struct WindLoad => WindKeys {
         /// Speed of the wind.
         speed_m_per_s: f64, "speed", range of(0.0, 150.0);
         /// Direction that the wind blows to, from +x towards +y.
@@ -74,7 +86,7 @@ load! {
 load! {
     /// The current, and the ship's coefficients in it.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct Current => CurrentKeys {
+    pub struct CurrentLoad => CurrentKeys {
         /// Speed of the current over the draught.
         speed_m_per_s: f64, "speed", range of(0.0, 20.0);
         /// Direction that the current runs to, from +x towards +y.
@@ -89,7 +101,7 @@ load! {
 load! {
     /// Mean wave drift, and the ship's coefficients for it.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct Drift => DriftKeys {
+    pub struct DriftLoad => DriftKeys {
         /// Significant wave height.
         significant_height_m: f64, "significant height", range of(0.0, 30.0);
         /// Direction that the waves run to, from +x towards +y.
@@ -116,7 +128,7 @@ words! {
 /// Coefficients of a load in surge, sway and yaw against the angle of attack, from the bow to the direction of the flow: a table
 /// or Fourier series.
 #[derive(Debug, Clone, Copy)]
-pub struct Coefficients<'a> {
+pub struct LoadCoefficients<'a> {
     /// Angles of the table, ascending from 0: up to 180, the other side by symmetry, or to less than 360 \[deg\].
     pub angle_deg: &'a [f64],
     /// Coefficients at the angles \[-\].
@@ -125,4 +137,13 @@ pub struct Coefficients<'a> {
     pub interpolation: Interpolation,
     /// Amplitudes of the surge cosines from cos(0), of the sway and yaw sines from sin(α) \[-\].
     pub series: [&'a [f64]; 3],
+}
+
+/// The same as they are read.
+#[derive(Debug)]
+pub(crate) struct CoefficientKeys<'k, 'a> {
+    pub(crate) place: &'k TableNode<'a>,
+    pub(crate) angle_deg: &'k Key<'a, Vec<f64>>,
+    pub(crate) table: [&'k Key<'a, Vec<f64>>; 3],
+    pub(crate) series: [&'k Key<'a, Vec<f64>>; 3],
 }

@@ -7,7 +7,7 @@ use crate::ship::motion::spectral_band::MotionRms;
 table! {
     /// The ship's motion in waves: by published statistics, or by its RAOs.
     #[derive(Debug, Clone, PartialEq)]
-    pub struct Motion => MotionKeys {
+    pub struct MotionSettings => MotionKeys {
         /// Whether the motion has published statistics, or is the ship's response to a sea by its RAOs.
         by: MotionSource = MotionSource::Statistics, "made from";
         /// Seed of the records: the same seed gives the same record.
@@ -79,7 +79,7 @@ words! {
     }
 }
 
-impl Motion {
+impl MotionSettings {
     /// The seed as the generator takes it.
     #[must_use]
     pub fn seed(&self) -> u64 {

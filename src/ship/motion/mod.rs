@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use self::record::MotionRecord;
 use self::spectral_band::{MotionRms, SpectralBand, SpectralBandError, fit_bands};
 use self::wave_response::WaveResponse;
-use super::model::Motion;
+use super::model::MotionSettings;
 use crate::numerics::V3;
 use crate::physics::sea::Component;
 
@@ -73,7 +73,7 @@ impl ShipMotion {
     /// # Errors
     /// [`MotionStatisticsError`] for statistics that no motion has.
     pub fn new(
-        settings: &Motion,
+        settings: &MotionSettings,
         response: Option<&WaveResponse>,
         seed: u64,
     ) -> Result<Self, MotionStatisticsError> {
@@ -100,7 +100,7 @@ impl ShipMotion {
     }
 
     fn degree(
-        settings: &Motion,
+        settings: &MotionSettings,
         degree: usize,
         seed: u64,
     ) -> Result<DegreeOfFreedom, MotionStatisticsError> {

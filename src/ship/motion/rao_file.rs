@@ -9,7 +9,7 @@
 use std::cmp::Ordering;
 use std::f64::consts::{PI, TAU};
 
-use crate::case::attachments::{Placed, placed, response_columns};
+use crate::case::attachments::{PlacedNumber, placed, response_columns};
 use crate::case::{Diagnostic, Finding};
 use crate::number::digits;
 use crate::physics::sea::{DEGREES, Rao};
@@ -29,8 +29,8 @@ pub(super) struct HeadingRao {
 pub(super) fn read(text: &str, file: &str) -> Result<Vec<HeadingRao>, Diagnostic> {
     let has_headings = has_headings(text);
     let rows = rows(text, file, has_headings)?;
-    let rao = |block: &[Vec<Placed>]| {
-        let entry = |row: &Vec<Placed>| {
+    let rao = |block: &[Vec<PlacedNumber>]| {
+        let entry = |row: &Vec<PlacedNumber>| {
             let numbers: Vec<f64> = row.iter().skip(1).map(|placed| placed.value).collect();
             response_entry(&numbers)
         };
@@ -54,13 +54,13 @@ fn has_headings(text: &str) -> bool {
 }
 
 /// The rows of the file with a heading first, zero in a file without, sorted by heading and descending period.
-fn rows(text: &str, file: &str, has_headings: bool) -> Result<Vec<Vec<Placed>>, Diagnostic> {
+fn rows(text: &str, file: &str, has_headings: bool) -> Result<Vec<Vec<PlacedNumber>>, Diagnostic> {
     let mut columns = vec!["heading_deg".to_owned()];
     columns.extend(response_columns());
     let mut rows = placed(text, file, &columns[usize::from(!has_headings)..])?;
     for row in &mut rows {
         if !has_headings {
-            let heading = Placed {
+            let heading = PlacedNumber {
                 value: 0.0,
                 span: 0..0,
             };
@@ -76,7 +76,7 @@ fn rows(text: &str, file: &str, has_headings: bool) -> Result<Vec<Vec<Placed>>, 
             remedy,
         ));
     }
-    let key = |row: &[Placed]| (row[0].value, -row[1].value);
+    let key = |row: &[PlacedNumber]| (row[0].value, -row[1].value);
     rows.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(Ordering::Equal));
     if let Some(pair) = rows.windows(2).find(|pair| key(&pair[0]) == key(&pair[1])) {
         let spans = [&pair[0][1].span, &pair[1][1].span];
@@ -93,7 +93,7 @@ fn rows(text: &str, file: &str, has_headings: bool) -> Result<Vec<Vec<Placed>>, 
 }
 
 /// Rejects values that are not physical.
-fn check(row: &[Placed], columns: &[String]) -> Result<(), Finding> {
+fn check(row: &[PlacedNumber], columns: &[String]) -> Result<(), Finding> {
     let error = |i: usize, problem: String, remedy: &str| {
         Err(Finding::new(&row[i].span, &columns[i], problem, remedy))
     };

@@ -6,8 +6,8 @@ use std::path::Path;
 use super::DegreeOfFreedom;
 use super::rao_file;
 use crate::case::Diagnostic;
-use crate::physics::sea::{Component, Rao, Response, Spectrum, synthesise};
-use crate::ship::model::{Motion, SpectrumKind};
+use crate::physics::sea::{Component, Rao, RaoResponse, Spectrum, synthesise};
+use crate::ship::model::{MotionSettings, SpectrumKind};
 use crate::ship::motion::spectral_band::MotionRms;
 
 /// Response of a ship to a sea state at one relative wave direction.
@@ -30,7 +30,11 @@ impl WaveResponse {
     ///
     /// # Errors
     /// What is wrong with the file, with line and column.
-    pub fn read(settings: &Motion, heading: f64, folder: &Path) -> Result<Self, Diagnostic> {
+    pub fn read(
+        settings: &MotionSettings,
+        heading: f64,
+        folder: &Path,
+    ) -> Result<Self, Diagnostic> {
         let path = folder.join(settings.responses.as_deref().unwrap_or_default());
         let file = path.display().to_string();
         let text = std::fs::read_to_string(&path).map_err(|error| {
@@ -66,9 +70,9 @@ impl WaveResponse {
     /// The six motions in these waves.
     #[must_use]
     pub fn degrees(&self, waves: &[Component]) -> Vec<DegreeOfFreedom> {
-        let each: Vec<Response> = waves.iter().map(|c| self.rao.response(c.omega)).collect();
+        let each: Vec<RaoResponse> = waves.iter().map(|c| self.rao.response(c.omega)).collect();
         let degree = |i: usize| {
-            let component = |(wave, response): (&Component, &Response)| Component {
+            let component = |(wave, response): (&Component, &RaoResponse)| Component {
                 omega: wave.omega,
                 amplitude: wave.amplitude * response[i].norm(),
                 phase: wave.phase + response[i].arg(),
@@ -98,7 +102,7 @@ impl WaveResponse {
     }
 }
 
-fn spectrum(settings: &Motion) -> Spectrum {
+fn spectrum(settings: &MotionSettings) -> Spectrum {
     let gamma = match settings.spectrum {
         SpectrumKind::Jonswap => settings.gamma,
         SpectrumKind::PiersonMoskowitz => 1.0,

@@ -4,26 +4,30 @@ use crate::numerics::V3;
 use crate::ropeway::winch::ShipOffset;
 use crate::ship::MotionAnalysis;
 use crate::ship::coupled::CoupledAnalysis;
-use crate::ship::model::{Motion, Rope};
+use crate::ship::model::{MotionSettings, PlatformRope};
 use crate::ship::motion::wave_response::WaveResponse;
 
 /// Motion of the hang-off point of a rope.
 #[derive(Debug, Clone)]
 pub struct HangOffMotion<'a> {
     /// Settings of the rope.
-    pub rope: &'a Rope,
+    pub rope: &'a PlatformRope,
     /// Displacements in ship axes, at equal steps from t = 0 \[m\].
     pub displacements: Vec<V3>,
     /// Step \[s\].
     pub step: f64,
     /// Settings of the motion and its response to waves, for records of other seeds; absent where there are none.
-    pub seeds: Option<(&'a Motion, Option<&'a WaveResponse>)>,
+    pub seeds: Option<(&'a MotionSettings, Option<&'a WaveResponse>)>,
 }
 
 impl<'a> HangOffMotion<'a> {
     /// That of the motion analysis.
     #[must_use]
-    pub fn of_motion(rope: &'a Rope, settings: &'a Motion, analysis: &'a MotionAnalysis) -> Self {
+    pub fn of_motion(
+        rope: &'a PlatformRope,
+        settings: &'a MotionSettings,
+        analysis: &'a MotionAnalysis,
+    ) -> Self {
         Self {
             rope,
             displacements: analysis.point_displacements(&V3::from(settings.hang_point_m)),
@@ -35,8 +39,8 @@ impl<'a> HangOffMotion<'a> {
     /// That of the coupled analysis, which has one record.
     #[must_use]
     pub fn of_coupled(
-        rope: &'a Rope,
-        settings: Option<&Motion>,
+        rope: &'a PlatformRope,
+        settings: Option<&MotionSettings>,
         coupled: &CoupledAnalysis,
     ) -> Self {
         let hang_off = settings.map_or([0.0; 3], |settings| settings.hang_point_m);

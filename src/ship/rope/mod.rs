@@ -16,13 +16,14 @@ use rayon::prelude::*;
 use self::dynamic::DynamicRope;
 pub use self::hang_off::HangOffMotion;
 use self::tension_surface::{TensionSurface, exact_tension};
-use super::model::Motion;
+use super::model::MotionSettings;
 use super::motion::wave_response::WaveResponse;
 use super::motion::{ShipMotion, point_displacement};
+use crate::case::kind;
 use crate::numerics::V3;
-use crate::numerics::statistics::{Gumbel, Statistics};
-use crate::ropeway::winch::{ShipOffset, WinchSample, WinchState};
-use crate::ropeway::{self, RopewayError, SolvedRopeway, WinchRun};
+use crate::numerics::statistics::Gumbel;
+use crate::ropeway::winch::ShipOffset;
+use crate::ropeway::{Ropeway, RopewayError, SolvedRopeway, WinchRun};
 
 /// Instants of a record at which the exact tension is computed.
 const TOP: usize = 100;
@@ -46,28 +47,18 @@ pub struct RopeAnalysis {
     pub dynamic: Option<Result<DynamicRope, RopewayError>>,
 }
 
-/// Instants at which the winch does not keep its tension.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct WinchLimits {
-    /// Instants at its maximum speed.
-    pub at_speed: usize,
-    /// Instants at its maximum power.
-    pub at_power: usize,
-    /// Instants with all rope paid out.
-    pub rope_out: usize,
-}
-
 impl RopeAnalysis {
     /// Follows the hang-off point with the ropeway of the settings. `folder` is that of the ship's file.
     ///
     /// # Errors
     /// In words: a ropeway that cannot be read or has no solution.
     pub fn load(hang_off: &HangOffMotion<'_>, folder: &Path) -> Result<Self, String> {
-        let loaded = ropeway::load(&folder.join(&hang_off.rope.ropeway)).map_err(|all| {
-            all.first()
-                .map_or_else(|| "it cannot be read".to_owned(), ToString::to_string)
-        })?;
-        Self::new(hang_off, loaded.worked)
+        let loaded =
+            kind::load::<Ropeway>(&folder.join(&hang_off.rope.ropeway)).map_err(|all| {
+                all.first()
+                    .map_or_else(|| "it cannot be read".to_owned(), ToString::to_string)
+            })?;
+        Self::new(hang_off, loaded.computed)
     }
 
     /// Follows the hang-off point with a ropeway.
@@ -103,7 +94,7 @@ impl RopeAnalysis {
     fn add_seeds(
         &mut self,
         hang_off: &HangOffMotion<'_>,
-        settings: &Motion,
+        settings: &MotionSettings,
         response: Option<&WaveResponse>,
     ) -> Result<(), String> {
         let surface =
@@ -134,23 +125,5 @@ impl RopeAnalysis {
         self.maxima_n.extend(others.ok_or(too_short)?);
         self.gumbel = Gumbel::fit(&self.maxima_n);
         Ok(())
-    }
-
-    /// Statistics of the tension at the ship \[N\].
-    #[must_use]
-    pub fn tension_statistics(moments: &[WinchSample]) -> Statistics {
-        let values: Vec<f64> = moments.iter().map(|moment| moment.ship_n).collect();
-        Statistics::of(&values)
-    }
-
-    /// How often the winch does not keep its tension.
-    #[must_use]
-    pub fn winch_limits(moments: &[WinchSample]) -> WinchLimits {
-        let count = |held: WinchState| moments.iter().filter(|moment| moment.state == held).count();
-        WinchLimits {
-            at_speed: count(WinchState::SpeedLimit),
-            at_power: count(WinchState::PowerLimit),
-            rope_out: count(WinchState::RopeOut),
-        }
     }
 }

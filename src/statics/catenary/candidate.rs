@@ -6,7 +6,7 @@
 
 use super::error::CatenaryError;
 use super::profile::Pieces;
-use super::solution::{Frame, Seed, Shape, Solution};
+use super::solution::{LocalFrame, Shape, Solution, StartingUnknown};
 
 /// Greatest error of force, over the end tension, that is accepted.
 pub(super) const ACCEPTED: f64 = 1e-7;
@@ -22,7 +22,7 @@ pub(super) struct Candidate {
     pub iterations: u32,
     pub residual: f64,
     pub stiffness: [[f64; 2]; 2],
-    pub seed: Seed,
+    pub seed: StartingUnknown,
 }
 
 impl Candidate {
@@ -30,7 +30,11 @@ impl Candidate {
     ///
     /// # Errors
     /// [`CatenaryError::NotVerified`] where the residual is too great or a force is not finite.
-    pub(super) fn verified(&self, frame: Frame, pieces: Pieces) -> Result<Solution, CatenaryError> {
+    pub(super) fn verified(
+        &self,
+        frame: LocalFrame,
+        pieces: Pieces,
+    ) -> Result<Solution, CatenaryError> {
         let up = frame.up;
         let [(h_a, v_a), (h_b, v_b)] = self.ends;
         let finite = h_a.is_finite() && v_a.is_finite() && h_b.is_finite() && v_b.is_finite();

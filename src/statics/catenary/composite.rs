@@ -7,15 +7,15 @@
 use super::composite_line::{CompositeLine, ContactPattern};
 use super::composite_touchdown;
 use super::convex_newton::{BayUnknowns, minimise, offset_for_rise};
-use super::elements::{Bay, Run};
+use super::elements::{Bay, ElementRange};
 use super::error::CatenaryError;
-use super::line::{Bed, Line};
+use super::line::{CatenaryLine, RigidBed};
 use super::local_frame::in_local_frame;
 use super::planar_line::ON_BED;
 use super::solution::Solution;
 
 /// Solves a line of any number of sections.
-pub(super) fn solve(line: &Line<'_>) -> Result<Solution, CatenaryError> {
+pub(super) fn solve(line: &CatenaryLine<'_>) -> Result<Solution, CatenaryError> {
     let problem = in_local_frame(line)?;
     if let Some(bed) = line.bed.filter(|bed| bed.slope_rad != 0.0) {
         return over_slope(&problem, bed);
@@ -39,7 +39,7 @@ pub(super) fn solve(line: &Line<'_>) -> Result<Solution, CatenaryError> {
 }
 
 /// On a level bed with friction: as laid from A.
-fn over_rough_bed(problem: &CompositeLine, bed: Bed) -> Result<Solution, CatenaryError> {
+fn over_rough_bed(problem: &CompositeLine, bed: RigidBed) -> Result<Solution, CatenaryError> {
     if bed.below_a_m > ON_BED * problem.chain.length {
         return Err(CatenaryError::FrictionUndetermined);
     }
@@ -47,7 +47,7 @@ fn over_rough_bed(problem: &CompositeLine, bed: Bed) -> Result<Solution, Catenar
 }
 
 /// Over a sloping bed: grounded from A, or clear of it.
-fn over_slope(problem: &CompositeLine, bed: Bed) -> Result<Solution, CatenaryError> {
+fn over_slope(problem: &CompositeLine, bed: RigidBed) -> Result<Solution, CatenaryError> {
     let slip = ON_BED * (problem.chain.length + problem.z.abs());
     if bed.below_a_m <= slip
         && let Some(lies) = composite_touchdown::solve(problem, bed)?
@@ -82,7 +82,7 @@ fn over_slope(problem: &CompositeLine, bed: Bed) -> Result<Solution, CatenaryErr
 
 impl CompositeLine {
     /// The bays between grounded runs.
-    fn bays(&self, grounded: &[Run]) -> Vec<Bay> {
+    fn bays(&self, grounded: &[ElementRange]) -> Vec<Bay> {
         let depth = self.bed.unwrap_or(0.0);
         let n = grounded.len();
         let mut bays = Vec::with_capacity(n + 1);
@@ -159,7 +159,7 @@ impl CompositeLine {
     /// Equilibrium for given grounded runs.
     fn equilibrium(
         &self,
-        grounded: Vec<Run>,
+        grounded: Vec<ElementRange>,
         start: BayUnknowns,
         evaluations: &mut u32,
     ) -> Result<ContactPattern, CatenaryError> {
@@ -198,7 +198,12 @@ impl CompositeLine {
     }
 
     /// Everything suspended vertically, if that leaves enough length on the bed (or needs none).
-    fn slack(&self, grounded: &[Run], bays: &[Bay], start: &BayUnknowns) -> Option<BayUnknowns> {
+    fn slack(
+        &self,
+        grounded: &[ElementRange],
+        bays: &[Bay],
+        start: &BayUnknowns,
+    ) -> Option<BayUnknowns> {
         if grounded.is_empty() && self.x > 1e-120 * self.chain.length {
             return None;
         }
@@ -270,7 +275,12 @@ impl CompositeLine {
 }
 
 /// The pattern with one grounded run more, cutting `bay` in two at its lowest point.
-fn with(pattern: &ContactPattern, run: Run, bay: usize, offset: f64) -> (Vec<Run>, BayUnknowns) {
+fn with(
+    pattern: &ContactPattern,
+    run: ElementRange,
+    bay: usize,
+    offset: f64,
+) -> (Vec<ElementRange>, BayUnknowns) {
     let mut grounded = pattern.grounded.clone();
     let place = grounded.partition_point(|other| other.0 < run.0);
     grounded.insert(place, run);
@@ -281,7 +291,7 @@ fn with(pattern: &ContactPattern, run: Run, bay: usize, offset: f64) -> (Vec<Run
 }
 
 /// The pattern with one grounded run less, joining the bays on its sides.
-fn without(pattern: &ContactPattern, released: usize) -> (Vec<Run>, BayUnknowns) {
+fn without(pattern: &ContactPattern, released: usize) -> (Vec<ElementRange>, BayUnknowns) {
     let run = pattern.grounded[released];
     let mut grounded = pattern.grounded.clone();
     grounded.remove(released);

@@ -1,24 +1,24 @@
 //! A line of several sections in the local frame, and its equilibrium with given grounded runs.
 
 use super::convex_newton::BayUnknowns;
-use super::elements::{Bay, Elements, Run};
-use super::solution::Frame;
+use super::elements::{Bay, ElementRange, LineElements};
+use super::solution::LocalFrame;
 use super::span::length;
 use super::suspended;
 
 /// A line of several sections in the local frame.
 pub(super) struct CompositeLine {
-    pub chain: Elements,
+    pub chain: LineElements,
     pub x: f64,
     pub z: f64,
     /// Depth of the bed below A.
     pub bed: Option<f64>,
-    pub frame: Frame,
+    pub frame: LocalFrame,
 }
 
 /// The equilibrium with given grounded runs.
 pub(super) struct ContactPattern {
-    pub grounded: Vec<Run>,
+    pub grounded: Vec<ElementRange>,
     pub bays: Vec<Bay>,
     pub state: BayUnknowns,
     pub slack: bool,
@@ -31,7 +31,7 @@ impl CompositeLine {
     }
 
     /// The maximal run of sinking elements around one, if that one sinks.
-    pub(super) fn run(&self, at: usize) -> Run {
+    pub(super) fn run(&self, at: usize) -> ElementRange {
         let sinks = |i: &usize| self.chain.elements[*i].total() >= 0.0;
         let first = (0..=at).rev().take_while(sinks).last().unwrap_or(at);
         let last = (at..=self.last()).take_while(sinks).last().unwrap_or(at);

@@ -3,10 +3,10 @@
 use super::candidate::Candidate;
 use super::composite_line::{CompositeLine, ContactPattern};
 use super::convex_newton::{BayUnknowns, Residuals, relative, residuals};
-use super::elements::{Elements, SuspendedPart};
+use super::elements::{LineElements, SuspendedPart};
 use super::error::CatenaryError;
 use super::profile::{PieceLaw, Pieces, ProfileBuilder};
-use super::solution::{Seed, Shape, Solution};
+use super::solution::{Shape, Solution, StartingUnknown};
 
 impl CompositeLine {
     /// Newton steps on the misses with 30 digits until they are rounding; the error left.
@@ -81,7 +81,7 @@ impl CompositeLine {
             iterations: pattern.evaluations,
             residual,
             stiffness,
-            seed: Seed::None,
+            seed: StartingUnknown::None,
         };
         candidate.verified(self.frame, self.pieces(pattern, &state))
     }
@@ -122,7 +122,7 @@ impl CompositeLine {
 
 /// The profile of a line up to a point of one of its elements.
 struct CompositeProfile<'a> {
-    chain: &'a Elements,
+    chain: &'a LineElements,
     h: f64,
     /// Distance on the bed that a slack metre takes up.
     crowding: f64,

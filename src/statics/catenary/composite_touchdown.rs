@@ -14,14 +14,14 @@
 //! `elements`, and friction adds stretch that rises with H. For one section this is `touchdown` (Jonkman 2007, eqs 2-37 and 2-38, on a level bed).
 
 use super::composite_line::CompositeLine;
-use super::elements::{Bay, Elements, SuspendedPart};
+use super::elements::{Bay, LineElements, SuspendedPart};
 use super::error::CatenaryError;
-use super::line::Bed;
+use super::line::RigidBed;
 use super::slope::Slope;
 use super::solution::Solution;
 use super::span::{Span, length};
 use crate::numerics::double_double::DoubleDouble;
-use crate::numerics::log_newton::{Sample, increasing_root};
+use crate::numerics::log_newton::{FunctionSample, increasing_root};
 use crate::numerics::roots::decreasing_root;
 
 /// The line in the local frame with the bed through A.
@@ -68,7 +68,10 @@ pub(super) const SEVERAL_TOUCHDOWNS: CatenaryError = CatenaryError::UnsupportedC
 );
 
 /// The line grounded from A, or `None` when it touches the bed at A at most.
-pub(super) fn solve(line: &CompositeLine, bed: Bed) -> Result<Option<Solution>, CatenaryError> {
+pub(super) fn solve(
+    line: &CompositeLine,
+    bed: RigidBed,
+) -> Result<Option<Solution>, CatenaryError> {
     if line.chain.elements[0].total() <= 0.0 {
         return Ok(None);
     }
@@ -127,7 +130,7 @@ pub(super) fn passes_below_bed(
 }
 
 impl<'a> CompositeTouchdown<'a> {
-    fn new(line: &'a CompositeLine, bed: Bed) -> Self {
+    fn new(line: &'a CompositeLine, bed: RigidBed) -> Self {
         let slope = Slope::new(&bed);
         let run = line.run(0);
         let height = line.z - line.x * slope.tan;
@@ -146,7 +149,7 @@ impl<'a> CompositeTouchdown<'a> {
         }
     }
 
-    pub(super) fn chain(&self) -> &Elements {
+    pub(super) fn chain(&self) -> &LineElements {
         &self.line.chain
     }
 
@@ -305,7 +308,7 @@ impl<'a> CompositeTouchdown<'a> {
             } else {
                 reach.x_by[1] * reach.z_by[0] / reach.z_by[1]
             };
-            Sample {
+            FunctionSample {
                 value: reach.x - wanted,
                 log_slope: h * (reach.x_by[0] - held),
                 scale: reach.scale + wanted.abs(),

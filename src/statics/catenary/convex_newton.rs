@@ -5,8 +5,8 @@
 //! shortened by the secant. That needs no energy values, only the residuals, and converges from every start
 //! to the one minimum. The caller verifies the result, so a search that runs out of steps is detected.
 
-use super::elements::{Bay, BayReach, Elements};
-use crate::numerics::log_newton::{Sample, increasing_root};
+use super::elements::{Bay, BayReach, LineElements};
+use crate::numerics::log_newton::{FunctionSample, increasing_root};
 use crate::numerics::roots::decreasing_root;
 
 /// Horizontal force and vertical offsets.
@@ -30,7 +30,12 @@ pub(super) struct Residuals {
 /// Greatest number of evaluations of the line.
 const LIMIT: u32 = 60;
 
-pub(super) fn residuals(chain: &Elements, bays: &[Bay], state: &BayUnknowns, x: f64) -> Residuals {
+pub(super) fn residuals(
+    chain: &LineElements,
+    bays: &[Bay],
+    state: &BayUnknowns,
+    x: f64,
+) -> Residuals {
     let mut miss = x - chain.length - state.h * chain.compliance;
     let mut spreads = Vec::with_capacity(bays.len());
     let mut z = Vec::with_capacity(bays.len());
@@ -106,7 +111,7 @@ pub(super) fn relative(step: &BayUnknowns, state: &BayUnknowns, top: f64) -> f64
 /// From `start` to the minimum; with the number of evaluations. By Newton's method, and where that
 /// converges slowly (nearly slack lines have corners everywhere) by bisection within bisection.
 pub(super) fn minimise(
-    chain: &Elements,
+    chain: &LineElements,
     bays: &[Bay],
     start: BayUnknowns,
     x: f64,
@@ -124,7 +129,7 @@ pub(super) fn minimise(
 
 /// For every H the offsets that give the rises; then the reach rises with H alone.
 fn nested_bisection(
-    chain: &Elements,
+    chain: &LineElements,
     bays: &[Bay],
     start: &BayUnknowns,
     x: f64,
@@ -141,7 +146,7 @@ fn nested_bisection(
     };
     let root = increasing_root(start.h.max(1e-200), f64::INFINITY, |h| {
         let here = residuals(chain, bays, &at(h), x);
-        Sample {
+        FunctionSample {
             value: -here.x,
             log_slope: h * here.by_h(),
             scale: chain.length,
@@ -152,7 +157,7 @@ fn nested_bisection(
 
 /// Newton's method, and whether it converged.
 fn newton(
-    chain: &Elements,
+    chain: &LineElements,
     bays: &[Bay],
     start: BayUnknowns,
     x: f64,
@@ -196,7 +201,7 @@ fn newton(
 }
 
 /// The offset at which a bay has its rise for a given H, zero included; the rise grows with the offset.
-pub(super) fn offset_for_rise(chain: &Elements, bay: &Bay, h: f64, guess: f64) -> Option<f64> {
+pub(super) fn offset_for_rise(chain: &LineElements, bay: &Bay, h: f64, guess: f64) -> Option<f64> {
     decreasing_root(guess, chain.absolute_weight(), |at| {
         let spread = chain.bay_reach(bay, h, at);
         (bay.rise - spread.z, spread.vv)

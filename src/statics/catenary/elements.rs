@@ -16,7 +16,7 @@ use crate::numerics::double_double::DoubleDouble;
 
 /// A section, or a body (length zero) between sections.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Element {
+pub(super) struct LineElement {
     pub length: f64,
     /// Weight per unstretched length.
     pub weight: f64,
@@ -25,7 +25,7 @@ pub(super) struct Element {
     pub load: f64,
 }
 
-impl Element {
+impl LineElement {
     /// Weight of the whole element.
     pub(super) fn total(&self) -> f64 {
         self.weight * self.length + self.load
@@ -41,24 +41,24 @@ impl Element {
 }
 
 /// Elements from the first to the last, both included.
-pub(super) type Run = (usize, usize);
+pub(super) type ElementRange = (usize, usize);
 
 /// A suspended bay: from where the line leaves one grounded run (or A) to the next (or B).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bay {
     /// Elements it can extend over.
-    pub over: Run,
+    pub over: ElementRange,
     /// Run it rises from, and run it comes down on; none at A and at B.
-    pub from: Option<Run>,
-    pub onto: Option<Run>,
+    pub from: Option<ElementRange>,
+    pub onto: Option<ElementRange>,
     /// Height of its end above its beginning.
     pub rise: f64,
 }
 
 /// The line with W at the beginning of every element.
 #[derive(Debug, Clone)]
-pub(super) struct Elements {
-    pub elements: Vec<Element>,
+pub(super) struct LineElements {
+    pub elements: Vec<LineElement>,
     pub weight_before: Vec<f64>,
     pub length: f64,
     /// Σ L/EA
@@ -88,12 +88,12 @@ pub(super) struct BayReach {
     pub vv: f64,
 }
 
-fn within(run: Option<Run>, element: usize) -> bool {
+fn within(run: Option<ElementRange>, element: usize) -> bool {
     run.is_some_and(|(first, last)| (first..=last).contains(&element))
 }
 
-impl Elements {
-    pub(super) fn new(elements: Vec<Element>) -> Self {
+impl LineElements {
+    pub(super) fn new(elements: Vec<LineElement>) -> Self {
         let mut weight = 0.0;
         let weight_before = elements
             .iter()

@@ -5,7 +5,7 @@ use super::error::CatenaryError;
 use super::grounded_span::{GroundedForces, GroundedSpan};
 use super::planar_line::PlanarLine;
 use super::profile::{Piece, PieceLaw, Pieces, grounded_tension_sum};
-use super::solution::{Seed, Shape, Solution};
+use super::solution::{Shape, Solution, StartingUnknown};
 use super::span::length;
 use super::touchdown::{TouchdownLine, TouchdownUnknowns};
 
@@ -51,7 +51,7 @@ pub(super) fn partial_contact(
         iterations,
         residual,
         stiffness: [[by_x.0, by_z.0], [by_x.1, by_z.1]],
-        seed: Seed::Touchdown(state.beta),
+        seed: StartingUnknown::Touchdown(state.beta),
     };
     let lying = touchdown.grounded_length(t0, on_bed);
     let lift_off = (lying * touchdown.slope.cos, lying * touchdown.slope.sin);
@@ -116,7 +116,7 @@ pub(super) fn full_contact(touchdown: &TouchdownLine, t_b: f64) -> Result<Soluti
             [k * cos * cos, k * cos * sin],
             [k * cos * sin, k * sin * sin],
         ],
-        seed: Seed::None,
+        seed: StartingUnknown::None,
     };
     found.verified(
         line.frame,
@@ -155,7 +155,7 @@ pub(super) fn slack_contact(
         iterations: 0,
         residual: straight_error(line, straight, touchdown.height),
         stiffness: [[0.0, 0.0], [0.0, lift_stiffness(line, v)]],
-        seed: Seed::None,
+        seed: StartingUnknown::None,
     };
     let heap = Piece {
         length: on_bed,
@@ -201,9 +201,9 @@ pub(super) fn grounded_span(
         residual,
         stiffness,
         seed: if slack {
-            Seed::None
+            StartingUnknown::None
         } else {
-            Seed::GroundedSpan(forces.h)
+            StartingUnknown::GroundedSpan(forces.h)
         },
     };
     found.verified(

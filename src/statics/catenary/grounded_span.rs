@@ -21,7 +21,7 @@ use super::planar_line::PlanarLine;
 use super::span::length;
 use crate::numerics::double_double::DoubleDouble;
 use crate::numerics::hyperbolic::{asinh_minus_sine, x_minus_asinh};
-use crate::numerics::log_newton::{Sample, increasing_root};
+use crate::numerics::log_newton::{FunctionSample, increasing_root};
 
 /// The line in the local frame: weight downwards, B to the right, both ends above the bed.
 #[derive(Debug, Clone, Copy)]
@@ -108,7 +108,7 @@ impl GroundedSpan {
     }
 
     /// Length beyond the distance less length taken out by sag.
-    fn value(&self, h: f64, legs: &[Leg; 2]) -> Sample {
+    fn value(&self, h: f64, legs: &[Leg; 2]) -> FunctionSample {
         let spare = self.line.length - self.line.x;
         let mut value = spare + h * self.line.length / self.line.ea;
         let mut scale = spare.abs() + h * self.line.length / self.line.ea;
@@ -121,7 +121,7 @@ impl GroundedSpan {
             scale += lost;
             slope -= (dv * leg.y / t - asinh_minus_sine(sigma)) / self.line.w;
         }
-        Sample {
+        FunctionSample {
             value,
             log_slope: h * slope,
             scale,

@@ -4,7 +4,7 @@ use super::candidate::Candidate;
 use super::composite_touchdown::{CompositeTouchdown, CompositeUnknowns};
 use super::error::CatenaryError;
 use super::profile::{PieceLaw, Pieces, ProfileBuilder, grounded_tension_sum};
-use super::solution::{Seed, Shape, Solution};
+use super::solution::{Shape, Solution, StartingUnknown};
 
 impl CompositeTouchdown<'_> {
     pub(super) fn solution(
@@ -28,7 +28,7 @@ impl CompositeTouchdown<'_> {
             iterations,
             residual,
             stiffness: self.stiffness(state),
-            seed: Seed::None,
+            seed: StartingUnknown::None,
         };
         candidate.verified(self.line.frame, self.pieces(state))
     }

@@ -4,14 +4,14 @@ use super::error::CatenaryError;
 
 /// End B seen from end A, in the vertical plane through both.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ends {
+pub struct EndOffset {
     /// Horizontal distance from A to B \[m\]; of any sign.
     pub x_m: f64,
     /// Height of B above A \[m\]; of any sign.
     pub z_m: f64,
 }
 
-impl Ends {
+impl EndOffset {
     /// From two points in space, z up: the plane is the vertical one through both.
     #[must_use]
     pub fn between(a_m: [f64; 3], b_m: [f64; 3]) -> Self {
@@ -24,7 +24,7 @@ impl Ends {
 
 /// A uniform section of a line and the body at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SectionProps {
+pub struct SectionProperties {
     /// Unstretched length \[m\].
     pub length_m: f64,
     /// Weight in water per unstretched length \[N/m\]; negative when it is buoyant.
@@ -36,7 +36,7 @@ pub struct SectionProps {
     pub clump_n: f64,
 }
 
-impl SectionProps {
+impl SectionProperties {
     /// A section without a body at its end.
     #[must_use]
     pub fn new(length_m: f64, weight_n_per_m: f64, ea_n: f64) -> Self {
@@ -51,7 +51,7 @@ impl SectionProps {
 
 /// The sea bed: rigid, flat or evenly sloping in the line's plane.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Bed {
+pub struct RigidBed {
     /// Height of end A above the bed \[m\].
     pub below_a_m: f64,
     /// Slope \[rad\], positive when it rises from A towards B.
@@ -63,13 +63,13 @@ pub struct Bed {
 
 /// One line at rest in still water, in a vertical plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Line<'a> {
+pub struct CatenaryLine<'a> {
     /// Where B is.
-    pub ends: Ends,
+    pub ends: EndOffset,
     /// Sections from A to B.
-    pub sections: &'a [SectionProps],
+    pub sections: &'a [SectionProperties],
     /// The bed under the line, if there is one in reach.
-    pub bed: Option<Bed>,
+    pub bed: Option<RigidBed>,
     /// Height above A of a flat, frictionless surface against which a buoyant line comes to rest \[m\].
     pub surface_above_a_m: Option<f64>,
 }
@@ -94,7 +94,7 @@ fn need(
 /// Greatest magnitude of any input: squares and products of three must stay finite.
 const HUGE: f64 = 1e60;
 
-impl Ends {
+impl EndOffset {
     pub(super) fn check(&self) -> Result<(), CatenaryError> {
         let fine = |v: f64| v.abs() <= HUGE;
         need(
@@ -112,7 +112,7 @@ impl Ends {
     }
 }
 
-impl SectionProps {
+impl SectionProperties {
     pub(super) fn check(&self) -> Result<(), CatenaryError> {
         let (l, w, ea) = (self.length_m, self.weight_n_per_m, self.ea_n);
         need(
@@ -143,7 +143,7 @@ impl SectionProps {
     }
 }
 
-impl Bed {
+impl RigidBed {
     pub(super) fn check(&self) -> Result<(), CatenaryError> {
         let Self {
             below_a_m,

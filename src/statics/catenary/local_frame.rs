@@ -2,14 +2,14 @@
 //! bed below.
 
 use super::composite_line::CompositeLine;
-use super::elements::{Element, Elements};
+use super::elements::{LineElement, LineElements};
 use super::error::CatenaryError;
-use super::line::{Bed, Line, SectionProps};
+use super::line::{CatenaryLine, RigidBed, SectionProperties};
 use super::planar_line::ends_above;
-use super::solution::Frame;
+use super::solution::LocalFrame;
 
 /// The line in the local frame.
-pub(super) fn in_local_frame(line: &Line<'_>) -> Result<CompositeLine, CatenaryError> {
+pub(super) fn in_local_frame(line: &CatenaryLine<'_>) -> Result<CompositeLine, CatenaryError> {
     line.ends.check()?;
     if line.sections.is_empty() {
         return Err(CatenaryError::Input {
@@ -40,9 +40,9 @@ pub(super) fn in_local_frame(line: &Line<'_>) -> Result<CompositeLine, CatenaryE
         (bed, _) => (1.0, bed.map(|bed| bed.below_a_m)),
     };
     if up < 0.0 {
-        let flipped = Bed {
+        let flipped = RigidBed {
             below_a_m: bed.unwrap_or(0.0),
-            ..Bed::default()
+            ..RigidBed::default()
         };
         ends_above(&flipped, line.ends.x_m, -line.ends.z_m, length).map_err(
             |refusal| match refusal {
@@ -55,31 +55,31 @@ pub(super) fn in_local_frame(line: &Line<'_>) -> Result<CompositeLine, CatenaryE
         )?;
     }
     Ok(CompositeLine {
-        chain: Elements::new(elements(line.sections, up)),
+        chain: LineElements::new(elements(line.sections, up)),
         x: line.ends.x_m.abs(),
         z: up * line.ends.z_m,
         // Sloping beds are treated separately.
         bed: bed
             .filter(|_| line.bed.is_none_or(|bed| bed.slope_rad == 0.0))
             .map(|depth| depth.max(0.0)),
-        frame: Frame {
+        frame: LocalFrame {
             along: if line.ends.x_m < 0.0 { -1.0 } else { 1.0 },
             up,
         },
     })
 }
 
-fn elements(sections: &[SectionProps], up: f64) -> Vec<Element> {
+fn elements(sections: &[SectionProperties], up: f64) -> Vec<LineElement> {
     let mut elements = Vec::with_capacity(2 * sections.len());
     for section in sections {
-        elements.push(Element {
+        elements.push(LineElement {
             length: section.length_m,
             weight: up * section.weight_n_per_m,
             ea: section.ea_n,
             load: 0.0,
         });
         if section.clump_n != 0.0 {
-            elements.push(Element {
+            elements.push(LineElement {
                 length: 0.0,
                 weight: 0.0,
                 ea: section.ea_n,

@@ -2,24 +2,24 @@
 //!
 //! A line is elastic, without bending stiffness, and uniform by sections; the bed is rigid. Forces are
 //! found to rounding, not to a tolerance in metres, and every answer is put back into the equations with
-//! 30 digits before it is returned; otherwise [`Line::solve`] fails with a [`CatenaryError`].
+//! 30 digits before it is returned; otherwise [`CatenaryLine::solve`] fails with a [`CatenaryError`].
 //!
 //! ```
-//! use seacable::statics::catenary::{Bed, Ends, Line, SectionProps, Shape};
+//! use seacable::statics::catenary::{CatenaryLine, EndOffset, RigidBed, SectionProperties, Shape};
 //!
 //! // 900 m of chain from an anchor on the bed to a fairlead 100 m above it, 860 m away.
-//! let chain = [SectionProps::new(900.0, 1_200.0, 5.0e8)];
-//! let line = Line {
-//!     ends: Ends { x_m: 860.0, z_m: 100.0 },
+//! let chain = [SectionProperties::new(900.0, 1_200.0, 5.0e8)];
+//! let line = CatenaryLine {
+//!     ends: EndOffset { x_m: 860.0, z_m: 100.0 },
 //!     sections: &chain,
-//!     bed: Some(Bed::default()),
+//!     bed: Some(RigidBed::default()),
 //!     surface_above_a_m: None,
 //! };
 //! let rest = line.solve()?;
 //! assert_eq!(rest.shape, Shape::PartlyOnBed);
 //! assert!(rest.residual < 1e-12);
 //! // A fairlead moved by a metre: start from here.
-//! let moved = Line { ends: Ends { x_m: 861.0, z_m: 100.0 }, ..line }.solve_from(&rest)?;
+//! let moved = CatenaryLine { ends: EndOffset { x_m: 861.0, z_m: 100.0 }, ..line }.solve_from(&rest)?;
 //! assert!(moved.h_b_n > rest.h_b_n);
 //! # Ok::<(), seacable::statics::catenary::CatenaryError>(())
 //! ```
@@ -58,31 +58,31 @@ mod suspended_solution;
 mod touchdown;
 
 pub use error::CatenaryError;
-pub use line::{Bed, Ends, Line, SectionProps};
-pub use profile::Point;
+pub use line::{CatenaryLine, EndOffset, RigidBed, SectionProperties};
+pub use profile::ProfilePoint;
 pub use solution::{Shape, Solution};
 
-use solution::Seed;
+use solution::StartingUnknown;
 
-impl Line<'_> {
+impl CatenaryLine<'_> {
     /// The line at rest.
     ///
     /// # Errors
     /// [`CatenaryError`]: invalid inputs, lines without an equilibrium or without a unique one, and solutions that fail
     /// their verification.
     pub fn solve(&self) -> Result<Solution, CatenaryError> {
-        self.start(Seed::None)
+        self.start(StartingUnknown::None)
     }
 
     /// The line at rest, started from the solution of a similar line; quicker, with the same result.
     ///
     /// # Errors
-    /// As [`Line::solve`].
+    /// As [`CatenaryLine::solve`].
     pub fn solve_from(&self, neighbour: &Solution) -> Result<Solution, CatenaryError> {
         self.start(neighbour.seed)
     }
 
-    fn start(&self, seed: Seed) -> Result<Solution, CatenaryError> {
+    fn start(&self, seed: StartingUnknown) -> Result<Solution, CatenaryError> {
         match self.sections {
             [only] if only.clump_n == 0.0 => {
                 single::solve(self.ends, *only, self.bed, self.surface_above_a_m, seed)

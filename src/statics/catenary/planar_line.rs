@@ -1,9 +1,9 @@
 //! A line of one section in the local frame: A at the origin, B to the right, the weight pulling down.
 
 use super::error::CatenaryError;
-use super::line::Bed;
+use super::line::RigidBed;
 use super::profile::{Piece, PieceLaw};
-use super::solution::Frame;
+use super::solution::LocalFrame;
 use super::span::Span;
 
 /// A line of one section in the local frame.
@@ -14,8 +14,8 @@ pub(super) struct PlanarLine {
     pub length: f64,
     pub w: f64,
     pub ea: f64,
-    pub bed: Option<Bed>,
-    pub frame: Frame,
+    pub bed: Option<RigidBed>,
+    pub frame: LocalFrame,
 }
 
 impl PlanarLine {
@@ -56,7 +56,7 @@ impl PlanarLine {
 pub(super) const ON_BED: f64 = 1e-12;
 
 /// Both ends must be on the bed or above.
-pub(super) fn ends_above(bed: &Bed, x: f64, z: f64, length: f64) -> Result<(), CatenaryError> {
+pub(super) fn ends_above(bed: &RigidBed, x: f64, z: f64, length: f64) -> Result<(), CatenaryError> {
     let rise = x.abs() * bed.slope_rad.tan();
     let slip = ON_BED * (length + z.abs() + rise.abs());
     for (end, height) in [('A', bed.below_a_m), ('B', bed.below_a_m + z - rise)] {

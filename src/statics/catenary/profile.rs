@@ -4,7 +4,7 @@ use super::span::{Span, length};
 
 /// A point of the line, seen from end A.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Point {
+pub struct ProfilePoint {
     /// Unstretched arc length from A \[m\].
     pub arc_m: f64,
     /// Horizontal position \[m\].
@@ -96,7 +96,7 @@ pub(super) fn grounded_tension_sum(end: f64, loss: f64, n: f64) -> f64 {
 }
 
 impl Piece {
-    pub(super) fn point(&self, arc: f64) -> Point {
+    pub(super) fn point(&self, arc: f64) -> ProfilePoint {
         let u = (arc - self.from).clamp(0.0, self.length);
         let (dx, dz, tension_n) = match self.kind {
             PieceLaw::Suspended { h, va, w, ea } => {
@@ -130,7 +130,7 @@ impl Piece {
                 (part * (x - self.x), part * (z - self.z), 0.0)
             }
         };
-        Point {
+        ProfilePoint {
             arc_m: arc,
             x_m: self.x + dx,
             z_m: self.z + dz,
@@ -139,7 +139,7 @@ impl Piece {
     }
 
     /// The lowest point of this piece.
-    pub(super) fn lowest(&self) -> Point {
+    pub(super) fn lowest(&self) -> ProfilePoint {
         let (begin, end) = (self.point(self.from), self.point(self.from + self.length));
         let mut low = if end.z_m < begin.z_m { end } else { begin };
         if let PieceLaw::Suspended { va, w, .. } = self.kind

@@ -6,21 +6,21 @@
 use super::error::CatenaryError;
 use super::grounded_solution;
 use super::grounded_span::GroundedSpan;
-use super::line::{Bed, Ends, SectionProps};
+use super::line::{EndOffset, RigidBed, SectionProperties};
 use super::planar_line::{ON_BED, PlanarLine, ends_above};
 use super::slope::Slope;
-use super::solution::{Frame, Seed, Solution};
+use super::solution::{LocalFrame, Solution, StartingUnknown};
 use super::suspended;
 use super::suspended_solution;
-use super::touchdown::{BedContact, TouchdownLine};
+use super::touchdown::{TouchdownLine, TouchdownState};
 
 /// Solves one section; `seed` comes from a neighbouring solution.
 pub(super) fn solve(
-    ends: Ends,
-    section: SectionProps,
-    bed: Option<Bed>,
+    ends: EndOffset,
+    section: SectionProperties,
+    bed: Option<RigidBed>,
     surface_above_a: Option<f64>,
-    seed: Seed,
+    seed: StartingUnknown,
 ) -> Result<Solution, CatenaryError> {
     ends.check()?;
     section.check()?;
@@ -34,18 +34,18 @@ pub(super) fn solve(
     }
     match (line.bed, seed) {
         (None, _) => suspended_line(&line, seed),
-        (Some(bed), Seed::Suspended(_)) => match suspended_line(&line, seed) {
+        (Some(bed), StartingUnknown::Suspended(_)) => match suspended_line(&line, seed) {
             Ok(found) if !touches(&line, &bed, &found) => Ok(found),
-            _ => over_bed(&line, bed, Seed::None),
+            _ => over_bed(&line, bed, StartingUnknown::None),
         },
         (Some(bed), _) => over_bed(&line, bed, seed),
     }
 }
 
 fn planar_line(
-    ends: Ends,
-    section: SectionProps,
-    bed: Option<Bed>,
+    ends: EndOffset,
+    section: SectionProperties,
+    bed: Option<RigidBed>,
     surface_above_a: Option<f64>,
 ) -> Result<PlanarLine, CatenaryError> {
     let floats = section.weight_n_per_m < 0.0;
@@ -62,7 +62,7 @@ fn planar_line(
         w: section.weight_n_per_m.abs(),
         ea: section.ea_n,
         bed,
-        frame: Frame {
+        frame: LocalFrame {
             along: if ends.x_m < 0.0 { -1.0 } else { 1.0 },
             up,
         },
@@ -70,7 +70,7 @@ fn planar_line(
 }
 
 /// The surface as the bed of the line turned upside down.
-fn surface(above_a: Option<f64>, z: f64, length: f64) -> Result<Option<Bed>, CatenaryError> {
+fn surface(above_a: Option<f64>, z: f64, length: f64) -> Result<Option<RigidBed>, CatenaryError> {
     let Some(above) = above_a else {
         return Ok(None);
     };
@@ -80,16 +80,16 @@ fn surface(above_a: Option<f64>, z: f64, length: f64) -> Result<Option<Bed>, Cat
             return Err(CatenaryError::EndAboveSurface { end, above_m: over });
         }
     }
-    Ok(Some(Bed {
+    Ok(Some(RigidBed {
         below_a_m: above.max(0.0),
-        ..Bed::default()
+        ..RigidBed::default()
     }))
 }
 
 /// The suspended line, as if there were no bed.
-fn suspended_line(line: &PlanarLine, seed: Seed) -> Result<Solution, CatenaryError> {
+fn suspended_line(line: &PlanarLine, seed: StartingUnknown) -> Result<Solution, CatenaryError> {
     let start = match seed {
-        Seed::Suspended(xi) => Some(xi),
+        StartingUnknown::Suspended(xi) => Some(xi),
         _ => None,
     };
     let found = suspended::solve(line.x, line.z, line.length, line.w, line.ea, start);
@@ -101,7 +101,7 @@ fn suspended_line(line: &PlanarLine, seed: Seed) -> Result<Solution, CatenaryErr
 }
 
 /// Whether a suspended line would pass under the bed.
-fn touches(line: &PlanarLine, bed: &Bed, found: &Solution) -> bool {
+fn touches(line: &PlanarLine, bed: &RigidBed, found: &Solution) -> bool {
     let tan = bed.slope_rad.tan();
     // In the local frame; the line runs along the bed's slope where V = H tan θ.
     let up = line.frame.up;
@@ -117,7 +117,11 @@ fn touches(line: &PlanarLine, bed: &Bed, found: &Solution) -> bool {
 }
 
 /// A line over a bed.
-fn over_bed(line: &PlanarLine, bed: Bed, seed: Seed) -> Result<Solution, CatenaryError> {
+fn over_bed(
+    line: &PlanarLine,
+    bed: RigidBed,
+    seed: StartingUnknown,
+) -> Result<Solution, CatenaryError> {
     // Without friction on a level bed even the shortest leg down from A is a leg.
     let legless = if bed.friction > 0.0 || bed.slope_rad != 0.0 {
         ON_BED * line.length
@@ -137,7 +141,11 @@ fn over_bed(line: &PlanarLine, bed: Bed, seed: Seed) -> Result<Solution, Catenar
     }
 }
 
-fn on_bed_through_a(line: &PlanarLine, bed: Bed, seed: Seed) -> Result<Solution, CatenaryError> {
+fn on_bed_through_a(
+    line: &PlanarLine,
+    bed: RigidBed,
+    seed: StartingUnknown,
+) -> Result<Solution, CatenaryError> {
     let slope = Slope::new(&bed);
     let height = line.z - line.x * slope.tan;
     let slip = ON_BED * (line.length + line.z.abs());
@@ -151,26 +159,30 @@ fn on_bed_through_a(line: &PlanarLine, bed: Bed, seed: Seed) -> Result<Solution,
         },
     };
     let start = match seed {
-        Seed::Touchdown(beta) => Some(beta),
+        StartingUnknown::Touchdown(beta) => Some(beta),
         _ => None,
     };
     match touchdown.solve(start)? {
-        BedContact::Clear => clear_of_bed(line, &bed, seed),
-        BedContact::Partial(state, iterations) => {
+        TouchdownState::Clear => clear_of_bed(line, &bed, seed),
+        TouchdownState::Partial(state, iterations) => {
             grounded_solution::partial_contact(&touchdown, state, iterations)
         }
-        BedContact::Full(tension) => grounded_solution::full_contact(&touchdown, tension),
-        BedContact::Slack(straight) => grounded_solution::slack_contact(&touchdown, straight),
+        TouchdownState::Full(tension) => grounded_solution::full_contact(&touchdown, tension),
+        TouchdownState::Slack(straight) => grounded_solution::slack_contact(&touchdown, straight),
     }
 }
 
-fn over_level_bed(line: &PlanarLine, bed: Bed, seed: Seed) -> Result<Solution, CatenaryError> {
+fn over_level_bed(
+    line: &PlanarLine,
+    bed: RigidBed,
+    seed: StartingUnknown,
+) -> Result<Solution, CatenaryError> {
     let grounded = GroundedSpan {
         line: *line,
         rise: [bed.below_a_m, (bed.below_a_m + line.z).max(0.0)],
     };
     let start = match seed {
-        Seed::GroundedSpan(h) => Some(h),
+        StartingUnknown::GroundedSpan(h) => Some(h),
         _ => None,
     };
     let Some(forces) = grounded.solve(start) else {
@@ -183,7 +195,11 @@ fn over_level_bed(line: &PlanarLine, bed: Bed, seed: Seed) -> Result<Solution, C
 }
 
 /// The line is clear of the bed: the suspended line must confirm that.
-fn clear_of_bed(line: &PlanarLine, bed: &Bed, seed: Seed) -> Result<Solution, CatenaryError> {
+fn clear_of_bed(
+    line: &PlanarLine,
+    bed: &RigidBed,
+    seed: StartingUnknown,
+) -> Result<Solution, CatenaryError> {
     let found = suspended_line(line, seed)?;
     if touches(line, bed, &found) {
         return Err(CatenaryError::NotVerified {

@@ -1,7 +1,7 @@
 //! The bed under a line that lies on it: level or sloping, with Coulomb friction.
 
 use super::error::CatenaryError;
-use super::line::Bed;
+use super::line::RigidBed;
 
 /// A bed of slope θ and coefficient of friction μ.
 #[derive(Debug, Clone, Copy)]
@@ -13,7 +13,7 @@ pub(super) struct Slope {
 }
 
 impl Slope {
-    pub(super) fn new(bed: &Bed) -> Self {
+    pub(super) fn new(bed: &RigidBed) -> Self {
         let (sin, cos) = bed.slope_rad.sin_cos();
         Self {
             sin,

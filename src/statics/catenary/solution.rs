@@ -1,6 +1,6 @@
 //! A line at rest: forces at its ends, and shape and tension anywhere on it.
 
-use super::profile::{Pieces, Point};
+use super::profile::{Pieces, ProfilePoint};
 
 /// The form of a line at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,7 +61,7 @@ impl Shape {
 
 /// The unknown of a solution, to start a neighbouring line from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Seed {
+pub(super) enum StartingUnknown {
     None,
     Suspended(f64),
     Touchdown(f64),
@@ -93,14 +93,14 @@ pub struct Solution {
     /// Change of (`h_b_n`, `v_b_n`) per metre that B moves along (x, z), A held \[N/m\]:
     /// \[\[h/x, h/z\], \[v/x, v/z\]\]. x counts as positive away from A.
     pub stiffness_n_per_m: [[f64; 2]; 2],
-    pub(super) frame: Frame,
+    pub(super) frame: LocalFrame,
     pub(super) pieces: Pieces,
-    pub(super) seed: Seed,
+    pub(super) seed: StartingUnknown,
 }
 
 /// The local frame in that of the user.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Frame {
+pub(super) struct LocalFrame {
     /// 1, or -1 when B lies on the other side of A.
     pub along: f64,
     /// 1, or -1 for a buoyant line solved upside down.
@@ -133,19 +133,21 @@ impl Solution {
     ///
     /// Slack line is spread evenly over its room on the bed.
     #[must_use]
-    pub fn at(&self, arc_m: f64) -> Point {
+    pub fn at(&self, arc_m: f64) -> ProfilePoint {
         let pieces = self.pieces.slice();
         let arc_m = arc_m.clamp(0.0, self.length_m());
         let found = pieces
             .iter()
             .find(|piece| arc_m <= piece.from + piece.length)
             .or(pieces.last());
-        found.map_or_else(Point::default, |piece| self.shown(piece.point(arc_m)))
+        found.map_or_else(ProfilePoint::default, |piece| {
+            self.shown(piece.point(arc_m))
+        })
     }
 
     /// The lowest point of the line.
     #[must_use]
-    pub fn lowest(&self) -> Point {
+    pub fn lowest(&self) -> ProfilePoint {
         let mut low = self.at(0.0);
         let end = self.at(self.length_m());
         if end.z_m < low.z_m {
@@ -176,8 +178,8 @@ impl Solution {
     }
 
     /// From the local frame to that of the user.
-    fn shown(&self, point: Point) -> Point {
-        Point {
+    fn shown(&self, point: ProfilePoint) -> ProfilePoint {
+        ProfilePoint {
             x_m: self.frame.along * point.x_m,
             z_m: self.frame.up * point.z_m,
             ..point

@@ -20,7 +20,7 @@
 
 use crate::numerics::double_double::DoubleDouble;
 use crate::numerics::hyperbolic::hyperbolic;
-use crate::numerics::log_newton::{Root, Sample, increasing_root};
+use crate::numerics::log_newton::{FunctionSample, Root, increasing_root};
 
 /// The forces of a suspended line: horizontal, and the mean of the vertical ones.
 #[derive(Debug, Clone, Copy)]
@@ -102,7 +102,7 @@ impl Dimensionless {
     }
 
     /// Left side less right side.
-    fn value(&self, xi: f64) -> Sample {
+    fn value(&self, xi: f64) -> FunctionSample {
         let f = hyperbolic(xi);
         let (sh, ch) = (f.sinh, 1.0 + f.cosh_minus_1);
         let coth = ch / sh;
@@ -123,7 +123,7 @@ impl Dimensionless {
         let dc = xi * (coth - quotient / sh);
         let dlng = xi * sh / ch - (de + dc) / (c + e);
         let stretch_term = self.z * self.z * stretch;
-        Sample {
+        FunctionSample {
             value: sag_term + stretch_term - self.excess,
             log_slope: 2.0 * (xg * xg * dlng - zk * zk * k * de),
             scale: sag_term.abs() - stretch_term + self.excess.abs(),

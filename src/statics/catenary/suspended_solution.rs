@@ -4,7 +4,7 @@ use super::candidate::{Candidate, ROUNDING};
 use super::error::CatenaryError;
 use super::planar_line::PlanarLine;
 use super::profile::Pieces;
-use super::solution::{Seed, Shape, Solution};
+use super::solution::{Shape, Solution, StartingUnknown};
 use super::span::{Span, length};
 use super::suspended::SuspendedForces;
 use crate::numerics::double_double::DoubleDouble;
@@ -57,7 +57,7 @@ pub(super) fn straight(line: &PlanarLine) -> Result<Option<Solution>, CatenaryEr
         iterations: 0,
         residual: 0.0,
         stiffness,
-        seed: Seed::None,
+        seed: StartingUnknown::None,
     };
     let piece = line.suspended_piece(0.0, length, (0.0, 0.0), h, v - 0.5 * load);
     found.verified(line.frame, Pieces::few(&[piece])).map(Some)
@@ -103,7 +103,7 @@ pub(super) fn suspended(
         iterations: forces.iterations,
         residual,
         stiffness,
-        seed: Seed::Suspended(forces.xi),
+        seed: StartingUnknown::Suspended(forces.xi),
     };
     let piece = line.suspended_piece(0.0, length, (0.0, 0.0), h, va);
     found.verified(line.frame, Pieces::few(&[piece]))

@@ -23,7 +23,7 @@ use super::profile::grounded_tension_sum;
 use super::slope::Slope;
 use crate::numerics::double_double::DoubleDouble;
 use crate::numerics::hyperbolic::hyperbolic;
-use crate::numerics::log_newton::{Sample, increasing_root};
+use crate::numerics::log_newton::{FunctionSample, increasing_root};
 
 /// The line in the local frame: weight downwards, B to the right, A on the bed.
 #[derive(Debug, Clone, Copy)]
@@ -36,7 +36,7 @@ pub(super) struct TouchdownLine {
 
 /// How the line touches the bed.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum BedContact {
+pub(super) enum TouchdownState {
     /// Grounded from A to the touchdown point, then suspended.
     Partial(TouchdownUnknowns, u32),
     /// Grounded from end to end, with this tension at B.
@@ -56,7 +56,7 @@ pub(super) struct TouchdownUnknowns {
 
 /// The suspended leg and the line's reach, with derivatives by (H, β).
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Leg {
+pub(super) struct SuspendedLeg {
     /// Suspended length.
     pub s: f64,
     /// Along-bed gain e_bed + H s cosh a/EA - (H/w) R, so that x/cos θ = L + gain.
@@ -110,7 +110,7 @@ impl TouchdownLine {
         load / (p + (p * p + load / self.line.ea * q * q).sqrt())
     }
 
-    pub(super) fn leg(&self, state: TouchdownUnknowns) -> Leg {
+    pub(super) fn leg(&self, state: TouchdownUnknowns) -> SuspendedLeg {
         let TouchdownUnknowns { h, beta } = state;
         let f = hyperbolic(beta);
         let (ca, sa, w, ea) = (self.cosh_a(), self.slope.tan, self.line.w, self.line.ea);
@@ -124,7 +124,7 @@ impl TouchdownLine {
         let gain = (sum + h * s * ca) / ea - h / w * r;
         let gain_h = (by_t0 * ca + (2.0 * h * ca - by_length) * q / w) / ea - r / w;
         let gain_beta = h / w * (cosh_b * (h * ca - by_length) / ea - dr);
-        Leg {
+        SuspendedLeg {
             s,
             gain,
             jacobian: [
@@ -140,7 +140,7 @@ impl TouchdownLine {
     }
 
     /// The contact with the bed; `seed` is a β to start from.
-    pub(super) fn solve(&self, seed: Option<f64>) -> Result<BedContact, CatenaryError> {
+    pub(super) fn solve(&self, seed: Option<f64>) -> Result<TouchdownState, CatenaryError> {
         if self.height <= 0.0 {
             return self.wholly();
         }
@@ -153,7 +153,7 @@ impl TouchdownLine {
                 self.excess_length() - straight + self.bed_sum(0.0, on_bed).0 / self.line.ea;
             if slack >= 0.0 {
                 return if self.slope.holds() {
-                    Ok(BedContact::Slack(straight))
+                    Ok(TouchdownState::Slack(straight))
                 } else {
                     Err(self.slope.slides())
                 };
@@ -162,7 +162,7 @@ impl TouchdownLine {
         self.partly(seed.unwrap_or_else(|| self.guess(straight)))
     }
 
-    fn partly(&self, guess: f64) -> Result<BedContact, CatenaryError> {
+    fn partly(&self, guess: f64) -> Result<TouchdownState, CatenaryError> {
         let excess = self.excess_length();
         let mut clear = false;
         let root = increasing_root(guess, STEEPEST, |beta| {
@@ -172,7 +172,7 @@ impl TouchdownLine {
             // More than the whole line is suspended, and a greater β suspends more (not so down a steep slope).
             if value > 0.0 && leg.s > self.line.length && self.slope.sin >= 0.0 {
                 clear = true;
-                return Sample {
+                return FunctionSample {
                     value: f64::NAN,
                     log_slope: 1.0,
                     scale: 0.0,
@@ -180,7 +180,7 @@ impl TouchdownLine {
             }
             let [[gain_h, gain_beta], [z_h, z_beta]] = leg.jacobian;
             let slope = -beta * (gain_beta - gain_h * z_beta / z_h);
-            Sample {
+            FunctionSample {
                 value,
                 log_slope: slope,
                 scale: excess.abs() + leg.gain.abs(),
@@ -188,7 +188,7 @@ impl TouchdownLine {
         });
         let Some(root) = root else {
             return if clear {
-                Ok(BedContact::Clear)
+                Ok(TouchdownState::Clear)
             } else {
                 Err(CatenaryError::NotVerified {
                     error: f64::INFINITY,
@@ -202,30 +202,30 @@ impl TouchdownLine {
         };
         let s = self.leg(state).s;
         if s > self.line.length {
-            return Ok(BedContact::Clear);
+            return Ok(TouchdownState::Clear);
         }
         let at_a = state.h * self.cosh_a() - self.loss() * (self.line.length - s);
         if at_a < 0.0 && !self.slope.holds() {
             return Err(self.slope.slides());
         }
-        Ok(BedContact::Partial(state, root.evaluations))
+        Ok(TouchdownState::Partial(state, root.evaluations))
     }
 
     /// B on the bed: a bar on a slope, with friction.
-    fn wholly(&self) -> Result<BedContact, CatenaryError> {
+    fn wholly(&self) -> Result<TouchdownState, CatenaryError> {
         let stretch = -self.line.ea * self.excess_length();
         let loss = self.loss();
         let whole = stretch / self.line.length + 0.5 * loss * self.line.length;
         if whole >= loss * self.line.length && whole >= 0.0 {
-            return Ok(BedContact::Full(whole));
+            return Ok(TouchdownState::Full(whole));
         }
         if !self.slope.holds() {
             return Err(self.slope.slides());
         }
         if stretch > 0.0 {
-            return Ok(BedContact::Full((2.0 * loss * stretch).sqrt()));
+            return Ok(TouchdownState::Full((2.0 * loss * stretch).sqrt()));
         }
-        Ok(BedContact::Slack(0.0))
+        Ok(TouchdownState::Slack(0.0))
     }
 
     /// A starting β: parabola when flat, exponential when steep, stretch when too short.
@@ -249,7 +249,7 @@ impl TouchdownLine {
     }
 
     /// Distance from the end that the forces of `state` reach to B, to 30 digits on a level bed.
-    pub(super) fn residual(&self, state: TouchdownUnknowns, leg: &Leg) -> (f64, f64) {
+    pub(super) fn residual(&self, state: TouchdownUnknowns, leg: &SuspendedLeg) -> (f64, f64) {
         let va = DoubleDouble::from(state.h) * self.slope.tan;
         let (dx, dz) = self.line.span(leg.s).reach_exactly(state.h, va);
         let t0 = state.h / self.slope.cos;
@@ -267,7 +267,7 @@ impl TouchdownLine {
     }
 
     /// Error of force from the rounding of the slope's sine and cosine: on a slope the position of B has 16 digits.
-    pub(super) fn slope_rounding(&self, state: TouchdownUnknowns, leg: &Leg) -> f64 {
+    pub(super) fn slope_rounding(&self, state: TouchdownUnknowns, leg: &SuspendedLeg) -> f64 {
         if self.slope.sin == 0.0 {
             return 0.0;
         }
@@ -278,7 +278,7 @@ impl TouchdownLine {
     }
 
     /// Changes of H and β that move B by (x, z).
-    pub(super) fn step(&self, leg: &Leg, x: f64, z: f64) -> (f64, f64) {
+    pub(super) fn step(&self, leg: &SuspendedLeg, x: f64, z: f64) -> (f64, f64) {
         let (along, height) = (x * self.cosh_a(), z - x * self.slope.tan);
         let [[a, b], [c, d]] = leg.jacobian;
         let det = a * d - b * c;
@@ -289,12 +289,16 @@ impl TouchdownLine {
     }
 
     /// Change of (H, V) at B for a step of (H, β).
-    pub(super) fn force_step(state: TouchdownUnknowns, leg: &Leg, step: (f64, f64)) -> (f64, f64) {
+    pub(super) fn force_step(
+        state: TouchdownUnknowns,
+        leg: &SuspendedLeg,
+        step: (f64, f64),
+    ) -> (f64, f64) {
         (step.0, leg.sinh_b * step.0 + state.h * leg.cosh_b * step.1)
     }
 
     /// Vertical force at B.
-    pub(super) fn v_b(&self, state: TouchdownUnknowns, leg: &Leg) -> f64 {
+    pub(super) fn v_b(&self, state: TouchdownUnknowns, leg: &SuspendedLeg) -> f64 {
         self.slope.tan * state.h + self.line.w * leg.s
     }
 

@@ -4,43 +4,33 @@ use csv::StringRecord;
 
 use super::END_FORCES_AND_STATUS;
 use super::in_current::LineInCurrent;
-use super::table::{Column, Layout, Numbers, RowAnswer, RowError, names, reader};
-use crate::statics::catenary::SectionProps;
+use super::table::{InputColumn, LineTableFormat, RowAnswer, RowError, RowNumbers, names, reader};
+use crate::statics::catenary::SectionProperties;
 
 /// Column of the current along x.
 const CURRENT_X: usize = 13;
 /// Column of the current along z: may be left out, since a current is level.
 const CURRENT_Z: usize = 15;
 
-const fn column(names: &'static [&'static str]) -> Column {
-    Column {
-        names,
-        required: true,
-    }
-}
-
 /// Columns by name, and by a short name.
-pub(super) const LAYOUT: Layout = Layout {
+pub(super) const LAYOUT: LineTableFormat = LineTableFormat {
     columns: &[
-        column(&["a_x_m", "ax"]),
-        column(&["a_y_m", "ay"]),
-        column(&["a_z_m", "az"]),
-        column(&["b_x_m", "bx"]),
-        column(&["b_y_m", "by"]),
-        column(&["b_z_m", "bz"]),
-        column(&["length_m", "l"]),
-        column(&["weight_n_per_m", "w_npm"]),
-        column(&["ea_n"]),
-        column(&["diameter_m", "d_m"]),
-        column(&["drag_normal", "cd"]),
-        column(&["drag_tangential", "cdax"]),
-        column(&["water_density_kg_per_m3", "rho"]),
-        column(&["current_x_m_per_s", "ux"]),
-        column(&["current_y_m_per_s", "uy"]),
-        Column {
-            names: &["current_z_m_per_s", "uz"],
-            required: false,
-        },
+        InputColumn::required(&["a_x_m", "ax"]),
+        InputColumn::required(&["a_y_m", "ay"]),
+        InputColumn::required(&["a_z_m", "az"]),
+        InputColumn::required(&["b_x_m", "bx"]),
+        InputColumn::required(&["b_y_m", "by"]),
+        InputColumn::required(&["b_z_m", "bz"]),
+        InputColumn::required(&["length_m", "l"]),
+        InputColumn::required(&["weight_n_per_m", "w_npm"]),
+        InputColumn::required(&["ea_n"]),
+        InputColumn::required(&["diameter_m", "d_m"]),
+        InputColumn::required(&["drag_normal", "cd"]),
+        InputColumn::required(&["drag_tangential", "cdax"]),
+        InputColumn::required(&["water_density_kg_per_m3", "rho"]),
+        InputColumn::required(&["current_x_m_per_s", "ux"]),
+        InputColumn::required(&["current_y_m_per_s", "uy"]),
+        InputColumn::optional(&["current_z_m_per_s", "uz"]),
     ],
     answers: &END_FORCES_AND_STATUS,
     answer,
@@ -57,7 +47,7 @@ pub(super) fn recognises(input: &[u8]) -> bool {
         .any(|name| known.contains(&name.as_str()))
 }
 
-fn answer(numbers: &Numbers) -> Result<RowAnswer, RowError> {
+fn answer(numbers: &RowNumbers) -> Result<RowAnswer, RowError> {
     let wrong = |column: Option<usize>, problem: String| RowError {
         column: column.map(|i| LAYOUT.columns[i].names[0]),
         problem,
@@ -76,7 +66,7 @@ fn answer(numbers: &Numbers) -> Result<RowAnswer, RowError> {
     let line = LineInCurrent {
         a_m: [n(0), n(1), n(2)],
         b_m: [n(3), n(4), n(5)],
-        sections: vec![SectionProps::new(n(6), n(7), n(8))],
+        sections: vec![SectionProperties::new(n(6), n(7), n(8))],
         diameter_m: n(9),
         drag_normal: n(10),
         drag_tangential: n(11),

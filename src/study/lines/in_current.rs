@@ -2,11 +2,12 @@
 
 use crate::case::field_at;
 use crate::case::{
-    Case, Clump, Current, DragLaw, End, Ends, Environment, Material, Method, OneOrMany, Section,
+    Case, Clump, Current, DragCoefficient, End, Ends, Environment, Material, Method, OneOrMany,
+    Section,
 };
 use crate::numerics::V3;
 use crate::scene;
-use crate::statics::catenary::SectionProps;
+use crate::statics::catenary::SectionProperties;
 use crate::statics::equilibrium::{EquilibriumSearch, instabilities};
 
 /// A line between two points in a current.
@@ -17,7 +18,7 @@ pub struct LineInCurrent {
     /// As `a_m`.
     pub b_m: [f64; 3],
     /// Sections from A to B; bodies between them have no drag.
-    pub sections: Vec<SectionProps>,
+    pub sections: Vec<SectionProperties>,
     /// Width that drag refers to \[m\].
     pub diameter_m: f64,
     /// Drag coefficient across the line \[-\].
@@ -188,14 +189,14 @@ impl LineInCurrent {
         case
     }
 
-    fn material(&self, section: &SectionProps) -> Material {
+    fn material(&self, section: &SectionProperties) -> Material {
         let wet = section.weight_n_per_m / GRAVITY;
         // Mass is for the search alone: any will do.
         let mass = wet.abs().max(1e-3);
         Material {
             wet_weight_kg_per_m: Some(wet),
-            drag_normal: DragLaw::Constant(self.drag_normal),
-            drag_tangential: DragLaw::Constant(self.drag_tangential),
+            drag_normal: DragCoefficient::Constant(self.drag_normal),
+            drag_tangential: DragCoefficient::Constant(self.drag_tangential),
             ..Material::new(self.diameter_m, mass, section.ea_n)
         }
     }
@@ -220,7 +221,7 @@ impl LineInCurrent {
 }
 
 /// The body at the end of a section.
-fn clump(i: usize, section: &SectionProps) -> Clump {
+fn clump(i: usize, section: &SectionProperties) -> Clump {
     let wet = section.clump_n / GRAVITY;
     Clump {
         name: format!("c{i}"),
@@ -230,6 +231,10 @@ fn clump(i: usize, section: &SectionProps) -> Clump {
         wet_mass_kg: wet,
         drag_area_m2: OneOrMany::One(0.0),
         added_mass_kg: OneOrMany::One(0.0),
+        bed_area_m2: None,
+        bottom_m: 0.0,
+        breakout_n: 0.0,
+        breakout_distance_m: 0.1,
     }
 }
 

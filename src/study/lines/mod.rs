@@ -33,7 +33,7 @@ pub enum TableError {
 
 /// A table with its answers.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Answered {
+pub struct AnsweredTable {
     /// The table, as CSV or JSON lines.
     pub text: Vec<u8>,
     /// Rows in it.
@@ -77,7 +77,7 @@ fn at_rest(solution: &Solution) -> [f64; 5] {
 ///
 /// # Errors
 /// [`TableError`] when the columns are not there or the bytes are no table.
-pub fn solve(input: &[u8]) -> Result<Answered, TableError> {
+pub fn solve(input: &[u8]) -> Result<AnsweredTable, TableError> {
     let input = input.strip_prefix(b"\xef\xbb\xbf").unwrap_or(input);
     if input.trim_ascii_start().first() == Some(&b'{') {
         return Ok(objects(&String::from_utf8_lossy(input)));
@@ -91,14 +91,14 @@ pub fn solve(input: &[u8]) -> Result<Answered, TableError> {
 }
 
 /// JSON lines with their answers added; blank lines and notes (objects with none of the keys of a line) stay as they are.
-fn objects(text: &str) -> Answered {
+fn objects(text: &str) -> AnsweredTable {
     let lines: Vec<&str> = text.lines().collect();
-    let answers: Vec<object::Answer> = lines
+    let answers: Vec<object::AnsweredLine> = lines
         .par_iter()
         .enumerate()
         .map(|(i, line)| object::answer(line, i + 1))
         .collect();
-    let mut answered = Answered::default();
+    let mut answered = AnsweredTable::default();
     for answer in answers {
         answered.rows += usize::from(answer.is_line);
         answered.refused += usize::from(answer.refused);

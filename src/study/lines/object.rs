@@ -10,10 +10,10 @@ use serde_json::value::RawValue;
 
 use super::in_current::LineInCurrent;
 use super::{END_FORCES_AND_STATUS, shown};
-use crate::statics::catenary::{Bed, Ends, Line, SectionProps};
+use crate::statics::catenary::{CatenaryLine, EndOffset, RigidBed, SectionProperties};
 
 /// A line of text with its answer.
-pub(super) struct Answer {
+pub(super) struct AnsweredLine {
     pub text: String,
     pub is_line: bool,
     pub refused: bool,
@@ -25,7 +25,7 @@ struct LineError<'a> {
     problem: String,
 }
 
-type Result<'a, T> = std::result::Result<T, LineError<'a>>;
+type LineResult<'a, T> = Result<T, LineError<'a>>;
 
 /// Names and values of an answer, in JSON.
 type Values = Vec<(&'static str, String)>;
@@ -56,27 +56,24 @@ const IN_CURRENT: [&str; 7] = [
 const AT_REST: [&str; 5] = ["h_b_n", "v_b_n", "h_a_n", "v_a_n", "on_bed_m"];
 
 /// The keys, in their quotes, and values of an object in their order, as they are written.
-struct Object<'a>(Vec<(&'a RawValue, &'a RawValue)>);
+struct JsonObject<'a>(Vec<(&'a RawValue, &'a RawValue)>);
 
-impl<'de> Deserialize<'de> for Object<'de> {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> std::result::Result<Self, D::Error> {
+impl<'de> Deserialize<'de> for JsonObject<'de> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         struct Entries;
         impl<'de> Visitor<'de> for Entries {
-            type Value = Object<'de>;
+            type Value = JsonObject<'de>;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
                 f.write_str("a JSON object: {\"key\": value, ...}")
             }
 
-            fn visit_map<A: MapAccess<'de>>(
-                self,
-                mut map: A,
-            ) -> std::result::Result<Self::Value, A::Error> {
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
                 let mut entries = Vec::new();
                 while let Some(entry) = map.next_entry()? {
                     entries.push(entry);
                 }
-                Ok(Object(entries))
+                Ok(JsonObject(entries))
             }
         }
         from.deserialize_map(Entries)
@@ -89,8 +86,8 @@ fn plain(key: &RawValue) -> &str {
 }
 
 /// Answers one line of text; `number` counts from 1.
-pub(super) fn answer(text: &str, number: usize) -> Answer {
-    let unchanged = || Answer {
+pub(super) fn answer(text: &str, number: usize) -> AnsweredLine {
+    let unchanged = || AnsweredLine {
         text: text.to_owned(),
         is_line: false,
         refused: false,
@@ -98,7 +95,7 @@ pub(super) fn answer(text: &str, number: usize) -> Answer {
     if text.trim().is_empty() {
         return unchanged();
     }
-    let object: Object = match serde_json::from_str(text) {
+    let object: JsonObject = match serde_json::from_str(text) {
         Ok(object) => object,
         Err(error) => {
             let byte = if error.is_eof() {
@@ -107,7 +104,7 @@ pub(super) fn answer(text: &str, number: usize) -> Answer {
                 error.column().saturating_sub(1)
             };
             let status = format!("{}: {}", place(text, number, byte), problem(&error));
-            return Answer {
+            return AnsweredLine {
                 text: format!("{{\"status\": {}}}", quoted(&status)),
                 is_line: true,
                 refused: true,
@@ -127,7 +124,7 @@ pub(super) fn answer(text: &str, number: usize) -> Answer {
         Ok(values) => (values, "ok".to_owned()),
         Err(error) => (Vec::new(), error.status(text, number)),
     };
-    Answer {
+    AnsweredLine {
         refused: status != "ok",
         text: object.with(&values, &status),
         is_line: true,
@@ -182,7 +179,7 @@ impl<'a> LineError<'a> {
     }
 }
 
-impl<'a> Object<'a> {
+impl<'a> JsonObject<'a> {
     /// The object as it was, answers of an earlier time left out, and these added.
     fn with(&self, values: &Values, status: &str) -> String {
         let old = |key: &str| {
@@ -199,7 +196,7 @@ impl<'a> Object<'a> {
     }
 
     /// The value of the one key of these that is there.
-    fn find(&self, keys: &[&str]) -> Result<'a, Option<(&'a str, &'a RawValue)>> {
+    fn find(&self, keys: &[&str]) -> LineResult<'a, Option<(&'a str, &'a RawValue)>> {
         let each = self.0.iter().map(|(key, value)| (plain(key), *value));
         let mut found = each.filter(|(key, _)| keys.contains(key));
         let first = found.next();
@@ -210,7 +207,7 @@ impl<'a> Object<'a> {
     }
 
     /// A number; `None` where the key is absent or, with one name, its value is null.
-    fn number(&self, keys: &[&str]) -> Result<'a, Option<f64>> {
+    fn number(&self, keys: &[&str]) -> LineResult<'a, Option<f64>> {
         match self.find(keys)? {
             None => Ok(None),
             Some((_, value))
@@ -222,7 +219,7 @@ impl<'a> Object<'a> {
         }
     }
 
-    fn required(&self, keys: &[&str]) -> Result<'a, f64> {
+    fn required(&self, keys: &[&str]) -> LineResult<'a, f64> {
         self.number(keys)?
             .ok_or_else(|| LineError::missing(keys[0]))
     }
@@ -233,7 +230,7 @@ impl<'a> Object<'a> {
         keys: &[&str],
         counts: &RangeInclusive<usize>,
         form: &str,
-    ) -> Result<'a, Vec<Vec<f64>>> {
+    ) -> LineResult<'a, Vec<Vec<f64>>> {
         let (key, value) = self
             .find(keys)?
             .ok_or_else(|| LineError::missing(keys[0]))?;
@@ -250,24 +247,24 @@ impl<'a> Object<'a> {
         }
     }
 
-    fn point(&self, key: &str) -> Result<'a, [f64; 3]> {
+    fn point(&self, key: &str) -> LineResult<'a, [f64; 3]> {
         let (key, value) = self.find(&[key])?.ok_or_else(|| LineError::missing(key))?;
         let list = numbers(key, value, &(3..=3), "[x, y, z]")?;
         Ok([list[0], list[1], list[2]])
     }
 
-    fn sections(&self) -> Result<'a, Vec<SectionProps>> {
+    fn sections(&self) -> LineResult<'a, Vec<SectionProperties>> {
         let form = "[length_m, weight_n_per_m, ea_n] or [length_m, weight_n_per_m, ea_n, body_n]";
-        let section = |n: Vec<f64>| SectionProps {
+        let section = |n: Vec<f64>| SectionProperties {
             clump_n: n.get(3).copied().unwrap_or(0.0),
-            ..SectionProps::new(n[0], n[1], n[2])
+            ..SectionProperties::new(n[0], n[1], n[2])
         };
         let lists = self.rows(&["sections", "segs"], &(3..=4), form)?;
         Ok(lists.into_iter().map(section).collect())
     }
 }
 
-fn number<'a>(key: &'a str, value: &'a RawValue) -> Result<'a, f64> {
+fn number<'a>(key: &'a str, value: &'a RawValue) -> LineResult<'a, f64> {
     serde_json::from_str(value.get()).map_err(|_| LineError::at(key, value, "a number is needed"))
 }
 
@@ -282,13 +279,13 @@ fn numbers<'a>(
     value: &'a RawValue,
     counts: &RangeInclusive<usize>,
     form: &str,
-) -> Result<'a, Vec<f64>> {
+) -> LineResult<'a, Vec<f64>> {
     let wrong = || LineError::at(key, value, format!("{form} is needed"));
     let items = items(value).ok_or_else(wrong)?;
     let list: Vec<f64> = items
         .into_iter()
         .map(|item| number(key, item))
-        .collect::<Result<_>>()?;
+        .collect::<LineResult<_>>()?;
     if counts.contains(&list.len()) {
         Ok(list)
     } else {
@@ -296,7 +293,7 @@ fn numbers<'a>(
     }
 }
 
-fn at_rest<'a>(object: &Object<'a>) -> Result<'a, Values> {
+fn at_rest<'a>(object: &JsonObject<'a>) -> LineResult<'a, Values> {
     let sections = object.sections()?;
     let anchored = object.find(&["depth"])?.is_some() || object.find(&["radius"])?.is_some();
     let below = object
@@ -311,13 +308,13 @@ fn at_rest<'a>(object: &Object<'a>) -> Result<'a, Values> {
             "there is a slope or friction but no bed; give bed_below_a_m, 0 for a bed through A",
         ));
     }
-    let line = Line {
-        ends: Ends {
+    let line = CatenaryLine {
+        ends: EndOffset {
             x_m: object.required(&["x_m", "radius"])?,
             z_m: object.required(&["z_m", "depth"])?,
         },
         sections: &sections,
-        bed: below.map(|below_a_m| Bed {
+        bed: below.map(|below_a_m| RigidBed {
             below_a_m,
             slope_rad: slope.unwrap_or(0.0).to_radians(),
             friction: friction.unwrap_or(0.0),
@@ -335,7 +332,7 @@ fn at_rest<'a>(object: &Object<'a>) -> Result<'a, Values> {
     Ok(values)
 }
 
-fn in_current<'a>(object: &Object<'a>) -> Result<'a, Values> {
+fn in_current<'a>(object: &JsonObject<'a>) -> LineResult<'a, Values> {
     let still = |key: &str| STILL[2..].contains(&key);
     if let Some((key, value)) = object.0.iter().find(|(key, _)| still(plain(key))) {
         let problem = "a line in a current goes from a_m to b_m and has no bed; leave this key out";
@@ -366,7 +363,7 @@ mod tests {
     #[test]
     fn keys_and_values_keep_their_text() {
         let text = r#"{"b \" é": [1, [-2.50e3]],"x_m":1.0e0,  "null": null}"#;
-        let object: Object = serde_json::from_str(text).unwrap();
+        let object: JsonObject = serde_json::from_str(text).unwrap();
         let expected = r#"{"b \" é": [1, [-2.50e3]], "x_m": 1.0e0, "null": null, "status": "ok"}"#;
         assert_eq!(object.with(&Vec::new(), "ok"), expected);
     }

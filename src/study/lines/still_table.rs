@@ -1,35 +1,23 @@
 //! CSV of single lines in still water.
 
 use super::at_rest;
-use super::table::{Column, Layout, Numbers, RowAnswer, RowError};
-use crate::statics::catenary::{Bed, CatenaryError, Ends, Line, SectionProps};
-
-const fn required(names: &'static [&'static str]) -> Column {
-    Column {
-        names,
-        required: true,
-    }
-}
-
-const fn optional(names: &'static [&'static str]) -> Column {
-    Column {
-        names,
-        required: false,
-    }
-}
+use super::table::{InputColumn, LineTableFormat, RowAnswer, RowError, RowNumbers};
+use crate::statics::catenary::{
+    CatenaryError, CatenaryLine, EndOffset, RigidBed, SectionProperties,
+};
 
 /// `bed_below_a_m` empty: no bed; `bed_slope_deg` positive uphill from A to B; `surface_above_a_m` for buoyant lines.
-pub(super) const LAYOUT: Layout = Layout {
+pub(super) const LAYOUT: LineTableFormat = LineTableFormat {
     columns: &[
-        required(&["x_m"]),
-        required(&["z_m"]),
-        required(&["length_m"]),
-        required(&["ea_n"]),
-        required(&["weight_n_per_m"]),
-        optional(&["friction"]),
-        optional(&["bed_below_a_m"]),
-        optional(&["bed_slope_deg"]),
-        optional(&["surface_above_a_m"]),
+        InputColumn::required(&["x_m"]),
+        InputColumn::required(&["z_m"]),
+        InputColumn::required(&["length_m"]),
+        InputColumn::required(&["ea_n"]),
+        InputColumn::required(&["weight_n_per_m"]),
+        InputColumn::optional(&["friction"]),
+        InputColumn::optional(&["bed_below_a_m"]),
+        InputColumn::optional(&["bed_slope_deg"]),
+        InputColumn::optional(&["surface_above_a_m"]),
     ],
     answers: &[
         "h_b_n", "v_b_n", "h_a_n", "v_a_n", "on_bed_m", "status", "shape",
@@ -37,7 +25,7 @@ pub(super) const LAYOUT: Layout = Layout {
     answer,
 };
 
-fn answer(numbers: &Numbers) -> Result<RowAnswer, RowError> {
+fn answer(numbers: &RowNumbers) -> Result<RowAnswer, RowError> {
     let required = |i: usize| numbers[i].unwrap_or(f64::NAN);
     let [friction, below, slope, surface_above_a_m] = [5, 6, 7, 8].map(|i: usize| numbers[i]);
     if below.is_none() && slope.is_some_and(|slope| slope != 0.0) {
@@ -47,14 +35,18 @@ fn answer(numbers: &Numbers) -> Result<RowAnswer, RowError> {
                 .to_owned(),
         });
     }
-    let section = [SectionProps::new(required(2), required(4), required(3))];
-    let line = Line {
-        ends: Ends {
+    let section = [SectionProperties::new(
+        required(2),
+        required(4),
+        required(3),
+    )];
+    let line = CatenaryLine {
+        ends: EndOffset {
             x_m: required(0),
             z_m: required(1),
         },
         sections: &section,
-        bed: below.map(|below_a_m| Bed {
+        bed: below.map(|below_a_m| RigidBed {
             below_a_m,
             slope_rad: slope.unwrap_or(0.0).to_radians(),
             friction: friction.unwrap_or(0.0),

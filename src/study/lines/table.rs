@@ -5,13 +5,27 @@ use std::io;
 use csv::{ByteRecord, ReaderBuilder, StringRecord, Terminator, WriterBuilder};
 use rayon::prelude::*;
 
-use super::{Answered, TableError, shown};
+use super::{AnsweredTable, TableError, shown};
 
 /// A column of numbers, by the names it may have.
-pub(super) struct Column {
+pub(super) struct InputColumn {
     pub names: &'static [&'static str],
     /// Whether every row needs a number; otherwise the column may be absent and a cell empty.
     pub required: bool,
+}
+
+impl InputColumn {
+    /// A column in which every row needs a number.
+    pub(super) const fn required(names: &'static [&'static str]) -> Self {
+        let required = true;
+        Self { names, required }
+    }
+
+    /// A column that may be absent.
+    pub(super) const fn optional(names: &'static [&'static str]) -> Self {
+        let required = false;
+        Self { names, required }
+    }
 }
 
 /// Numbers of the answer to a row in the order of their columns, and its shape where there is such a column.
@@ -21,19 +35,19 @@ pub(super) struct RowAnswer {
 }
 
 /// Numbers of a row in the order of the columns of the layout.
-pub(super) type Numbers = [Option<f64>; MOST_COLUMNS];
+pub(super) type RowNumbers = [Option<f64>; MOST_COLUMNS];
 
 /// Greatest number of columns of a layout.
 const MOST_COLUMNS: usize = 16;
 
 /// The columns of a kind of table, and the answer to a row.
-pub(super) struct Layout {
-    pub columns: &'static [Column],
+pub(super) struct LineTableFormat {
+    pub columns: &'static [InputColumn],
     /// Columns that are written: numbers, then `status`, then `shape` where there is one. Present in the input they are
     /// left out of what is passed through.
     pub answers: &'static [&'static str],
     /// The answer to the numbers of a row.
-    pub answer: fn(&Numbers) -> Result<RowAnswer, RowError>,
+    pub answer: fn(&RowNumbers) -> Result<RowAnswer, RowError>,
 }
 
 /// Why a row has no answer.
@@ -58,11 +72,11 @@ pub(super) fn names(head: &StringRecord) -> Vec<String> {
 ///
 /// # Errors
 /// [`TableError`] when the columns are not there or the bytes are no table.
-pub(super) fn solve(input: &[u8], layout: &Layout) -> Result<Answered, TableError> {
+pub(super) fn solve(input: &[u8], layout: &LineTableFormat) -> Result<AnsweredTable, TableError> {
     let mut reader = reader(input);
     let head = StringRecord::from_byte_record_lossy(reader.byte_headers()?.clone());
     let names = names(&head);
-    let table = Table {
+    let table = InputTable {
         layout,
         count: head.len(),
         places: places(layout.columns, &names)?,
@@ -73,7 +87,7 @@ pub(super) fn solve(input: &[u8], layout: &Layout) -> Result<Answered, TableErro
     let kept: Vec<usize> = (0..head.len())
         .filter(|&i| !layout.answers.contains(&names[i].as_str()))
         .collect();
-    Ok(Answered {
+    Ok(AnsweredTable {
         text: write(&head, &kept, &rows, layout.answers, &answers)?,
         rows: rows.len(),
         refused: answers.iter().filter(|answer| answer.is_err()).count(),
@@ -81,8 +95,8 @@ pub(super) fn solve(input: &[u8], layout: &Layout) -> Result<Answered, TableErro
 }
 
 /// Which column of the input each column of the layout is.
-fn places(columns: &[Column], names: &[String]) -> Result<Vec<Option<usize>>, TableError> {
-    let of = |column: &Column| -> Vec<usize> {
+fn places(columns: &[InputColumn], names: &[String]) -> Result<Vec<Option<usize>>, TableError> {
+    let of = |column: &InputColumn| -> Vec<usize> {
         let known = |i: &usize| column.names.contains(&names[*i].as_str());
         (0..names.len()).filter(known).collect()
     };
@@ -101,15 +115,15 @@ fn places(columns: &[Column], names: &[String]) -> Result<Vec<Option<usize>>, Ta
     Ok(found.iter().map(|places| places.first().copied()).collect())
 }
 
-struct Table<'a> {
-    layout: &'a Layout,
+struct InputTable<'a> {
+    layout: &'a LineTableFormat,
     /// Columns of the input.
     count: usize,
     /// Where the columns of the layout are.
     places: Vec<Option<usize>>,
 }
 
-impl Table<'_> {
+impl InputTable<'_> {
     fn answer(&self, row: &ByteRecord) -> Result<RowAnswer, String> {
         let line = row.position().map_or(0, csv::Position::line);
         if row.len() != self.count {
@@ -126,7 +140,7 @@ impl Table<'_> {
         })
     }
 
-    fn numbers(&self, row: &ByteRecord) -> Result<Numbers, RowError> {
+    fn numbers(&self, row: &ByteRecord) -> Result<RowNumbers, RowError> {
         let mut numbers = [None; MOST_COLUMNS];
         let columns = self.layout.columns.iter().zip(&self.places);
         for (number, (column, place)) in numbers.iter_mut().zip(columns) {
@@ -139,7 +153,7 @@ impl Table<'_> {
 }
 
 /// The number in a cell; `None` where it is empty and may be.
-fn cell(column: &Column, bytes: &[u8]) -> Result<Option<f64>, RowError> {
+fn cell(column: &InputColumn, bytes: &[u8]) -> Result<Option<f64>, RowError> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim();
     let wrong = |problem: String| RowError {

@@ -5,17 +5,16 @@
 //! the median of their work and errors. Constant steps are interpolated between by the logarithms of work and error, at
 //! every spectral radius, and the cheapest counts.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use super::{
-    STEPS, SpeedError, SpeedSetting, TOLERANCES, cheapest, error, longest_step, plan, rounded, with,
+    Runner, STEPS, SpeedError, SpeedSetting, TOLERANCES, error, longest_step, plan, rounded, with,
 };
 use crate::case::{Case, Method};
 use crate::number::digits;
 use crate::numerics::interpolation::mix;
 use crate::numerics::statistics::median;
-use crate::report::table::{Cell, Column, Table};
-use crate::run::RunState;
+use crate::report::table::{Align, NumberFormat, Table};
 use crate::scene;
 
 /// Spectral radii at which steps are measured.
@@ -71,32 +70,18 @@ pub fn compare(
 ) -> Result<Vec<WorkComparison>, SpeedError> {
     let settings = settings(case)?;
     let exact = plan(case)?.reference;
-    let total = variants * (settings.len() + 1);
-    let mut begun = 0;
-    let mut run = |setting: &SpeedSetting| {
-        begun += 1;
-        progress(
-            begun,
-            total,
-            &format!("{}, {}", setting.solver, setting.setting),
-        );
-        let run = cheapest(&setting.case, 1, cancel);
-        if cancel.load(Ordering::Relaxed) {
-            return Err(SpeedError::Stopped);
-        }
-        Ok(run)
+    let mut runner = Runner {
+        total: variants * (settings.len() + 1),
+        begun: 0,
+        cancel,
+        progress,
     };
     let mut points = vec![Vec::new(); settings.len()];
     for number in 0..variants {
-        let reference = run(&varied(exact.clone(), number))?;
-        if reference.info.state != RunState::Done {
-            return Err(SpeedError::Reference {
-                setting: format!("variant {number}"),
-                why: reference.info.failure.unwrap_or_default(),
-            });
-        }
+        let exact = varied(exact.clone(), number);
+        let reference = runner.reference(&exact, format!("variant {number}"))?;
         for (setting, points) in settings.iter().zip(&mut points) {
-            let run = run(&varied(setting.clone(), number))?;
+            let run = runner.run(&varied(setting.clone(), number), 1)?;
             // What failed is no point of its median.
             if let Some(errors) = error::errors(&run, &reference) {
                 points.push((run.info.work.iterations as f64, errors));
@@ -213,22 +198,22 @@ fn middle(rows: &[WorkComparison], rho: f64) -> Option<f64> {
 /// The table: a row a setting, bare numbers with their units in the heads.
 #[must_use]
 pub fn comparison_table(rows: &[WorkComparison], variants: usize) -> Table {
-    let of = |value: Option<f64>, count: i32| {
-        Cell::plain(value.map_or_else(|| "-".to_owned(), |v| digits(v, count)))
-    };
-    let row = |row: &WorkComparison| {
-        let mut cells = vec![
-            Cell::plain(row.rho.to_string()),
-            Cell::plain(format!("{:.1e}", row.tolerance)),
-            Cell::plain(format!("{:.0}", row.median.work)),
-        ];
-        for (which, ratio) in row.ratios().into_iter().enumerate() {
-            cells.push(of(Some(100.0 * row.median.errors[which]), 3));
-            cells.push(of(row.constant[which].map(f64::round), 5));
-            cells.push(of(ratio, 2));
-        }
-        cells
-    };
+    let title = "Steps of varying length beside the best constant step of the same error";
+    let mut table = Table::of(title, rows)
+        .count("rho", |row| row.rho)
+        .count("tolerance", |row| format!("{:.1e}", row.tolerance))
+        .count("iterations", |row| format!("{:.0}", row.median.work));
+    let errors = ["tension rms [% of peak]", "tension max [% of peak]"];
+    for (which, head) in errors.into_iter().enumerate() {
+        table = table
+            .count(head, |row| digits(100.0 * row.median.errors[which], 3))
+            .cell("best constant [iterations]", Align::Right, |row| {
+                NumberFormat::Digits(5, "").cell(row.constant[which].map(f64::round))
+            })
+            .cell("ratio", Align::Right, |row| {
+                NumberFormat::Digits(2, "").cell(row.ratios()[which])
+            });
+    }
     let medians = RADII.iter().filter_map(|rho| {
         let middle = middle(rows, *rho)?;
         Some(format!(
@@ -236,28 +221,11 @@ pub fn comparison_table(rows: &[WorkComparison], variants: usize) -> Table {
             digits(middle, 2)
         ))
     });
-    let mut notes: Vec<String> = medians.collect();
-    notes.push(format!(
+    table.build().noted(medians).noted([format!(
         "Iterations and errors are medians over {variants} variants of the case, gravity a thousandth different in each: the \
          error of a single run is partly chance. The best constant step is the cheapest at any rho of {RADII:?} that has the \
          same error, interpolated by logarithms; a dash where none measured has."
-    ));
-    Table {
-        title: "Steps of varying length beside the best constant step of the same error".to_owned(),
-        columns: vec![
-            Column::right("rho"),
-            Column::right("tolerance"),
-            Column::right("iterations"),
-            Column::right("tension rms [% of peak]"),
-            Column::right("best constant [iterations]"),
-            Column::right("ratio"),
-            Column::right("tension max [% of peak]"),
-            Column::right("best constant [iterations]"),
-            Column::right("ratio"),
-        ],
-        rows: rows.iter().map(row).collect(),
-        notes,
-    }
+    )])
 }
 
 #[cfg(test)]

@@ -96,7 +96,7 @@ pub enum SpeedError {
 const DEAREST: f64 = 1e9;
 
 /// Shares of the tolerance of the case at which steps of varying length are measured.
-const TOLERANCES: [f64; 5] = [8.0, 2.0, 1.0, 0.25, 0.0625];
+const TOLERANCES: [f64; 5] = [4.0, 1.0, 0.25, 0.0625, 0.015_625];
 
 /// Shares of the longest step that suits the case at which constant steps are measured.
 const STEPS: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
@@ -180,33 +180,18 @@ pub fn compute(
     cancel: &AtomicBool,
     progress: &mut dyn FnMut(usize, usize, &str),
 ) -> Result<SpeedStudy, SpeedError> {
-    let total = plan.points.len() + 3;
-    let mut begun = 0;
-    let mut run = |setting: &SpeedSetting, repeats| {
-        begun += 1;
-        progress(
-            begun,
-            total,
-            &format!("{}, {}", setting.solver, setting.setting),
-        );
-        let run = cheapest(&setting.case, repeats, cancel);
-        if cancel.load(Ordering::Relaxed) {
-            return Err(SpeedError::Stopped);
-        }
-        Ok(run)
+    let mut runner = Runner {
+        total: plan.points.len() + 3,
+        begun: 0,
+        cancel,
+        progress,
     };
-    let reference = run(&plan.reference, 1)?;
-    if reference.info.state != RunState::Done {
-        return Err(SpeedError::Reference {
-            setting: format!("{}, {}", plan.reference.solver, plan.reference.setting),
-            why: reference.info.failure.unwrap_or_default(),
-        });
-    }
+    let reference = runner.reference(&plan.reference, plan.reference.name())?;
     // The whole difference to twice the step: no order is presumed where forces may jump.
-    let own = error::errors(&run(&plan.coarser, 1)?, &reference);
+    let own = error::errors(&runner.run(&plan.coarser, 1)?, &reference);
     let mut points = Vec::with_capacity(plan.points.len());
     for setting in plan.points {
-        let run = run(&setting, repeats)?;
+        let run = runner.run(&setting, repeats)?;
         let errors = error::errors(&run, &reference);
         points.push(SpeedPoint {
             setting,
@@ -221,7 +206,7 @@ pub fn compute(
         setting: "and with half the segments".to_owned(),
         case: estimated,
     };
-    let mesh = run(&unchanged, 1)?.summary;
+    let mesh = runner.run(&unchanged, 1)?.summary;
     Ok(SpeedStudy {
         points,
         reference: SpeedPoint {
@@ -232,6 +217,49 @@ pub fn compute(
         mesh,
         left_out: plan.left_out,
     })
+}
+
+impl SpeedSetting {
+    /// Curve and setting.
+    fn name(&self) -> String {
+        format!("{}, {}", self.solver, self.setting)
+    }
+}
+
+/// Runs settings one after the other, and reports each before it begins.
+struct Runner<'a> {
+    /// How many there are, and have begun.
+    total: usize,
+    begun: usize,
+    cancel: &'a AtomicBool,
+    progress: &'a mut dyn FnMut(usize, usize, &str),
+}
+
+impl Runner<'_> {
+    /// The run of a setting, the cheapest of several.
+    fn run(&mut self, setting: &SpeedSetting, repeats: usize) -> Result<Run, SpeedError> {
+        self.begun += 1;
+        (self.progress)(self.begun, self.total, &setting.name());
+        let run = cheapest(&setting.case, repeats, self.cancel);
+        let stopped = self.cancel.load(Ordering::Relaxed);
+        if stopped {
+            Err(SpeedError::Stopped)
+        } else {
+            Ok(run)
+        }
+    }
+
+    /// A run that others are held against, by its name in an error.
+    fn reference(&mut self, setting: &SpeedSetting, name: String) -> Result<Run, SpeedError> {
+        let run = self.run(setting, 1)?;
+        if run.info.state == RunState::Done {
+            return Ok(run);
+        }
+        Err(SpeedError::Reference {
+            setting: name,
+            why: run.info.failure.unwrap_or_default(),
+        })
+    }
 }
 
 /// The longest step that suits the case \[s\]: its own, or the one chosen for it.

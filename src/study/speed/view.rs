@@ -3,7 +3,7 @@
 use super::{Errors, SpeedPoint, SpeedStudy};
 use crate::number::{digits, with_error};
 use crate::report::chart::{Axis, Chart, Series};
-use crate::report::table::{Align, Cell, CellInk, Format, Table};
+use crate::report::table::{Align, Cell, CellStyle, NumberFormat, Table};
 use crate::run::{Quantity, RunState};
 
 /// Errors within this many times that of the reference are not significant.
@@ -17,7 +17,7 @@ pub fn table(study: &SpeedStudy) -> Table {
     let failed = failed(&points);
     let is_reference = |point: &SpeedPoint| std::ptr::eq(point, &raw const study.reference);
     let error = |point: &SpeedPoint, of: fn(&Errors) -> f64| {
-        Format::Digits(3, "").cell(point.errors.as_ref().map(of))
+        NumberFormat::Digits(3, "").cell(point.errors.as_ref().map(of))
     };
     let table = Table::of("", &points)
         .text("solver", |point| {
@@ -69,10 +69,10 @@ fn mark(point: &SpeedPoint, failed: &[&SpeedPoint], study: &SpeedStudy) -> Cell 
         None => {
             let number = failed.iter().position(|one| std::ptr::eq(*one, point));
             let number = number.map_or(0, |number| number + 1);
-            Cell::new(format!("FAILED [{number}]"), CellInk::Bad)
+            Cell::new(format!("FAILED [{number}]"), CellStyle::Bad)
         }
         Some(_) if std::ptr::eq(point, &raw const study.reference) => Cell::plain("own error"),
-        Some(errors) if is_near(errors, study) => Cell::new("near the reference", CellInk::Warn),
+        Some(errors) if is_near(errors, study) => Cell::new("near the reference", CellStyle::Warn),
         Some(_) => Cell::default(),
     }
 }
@@ -167,12 +167,10 @@ pub fn chart(study: &SpeedStudy) -> Chart {
         }
         series[slot].points.push(at);
     }
-    Chart {
-        title: "Cost against error: lower left is better".to_owned(),
-        x: Axis::new("log10 of the tension error, rms, % of peak", ""),
-        y: Axis::new("log10 of CPU time, ms", ""),
+    Chart::new(
+        "Cost against error: lower left is better",
+        Axis::new("log10 of the tension error, rms, % of peak", ""),
+        Axis::new("log10 of CPU time, ms", ""),
         series,
-        legend: true,
-        ..Chart::default()
-    }
+    )
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::run::store::{self, RunLocation};
 use crate::run::{Run, RunInfo, RunState};
 use crate::tui::msg::Msg;
-use crate::tui::state::{Level, RunEntry, RunStatus};
+use crate::tui::state::{RunEntry, RunStatus, Severity};
 
 /// The runs of these case files, the newest last; those of another case than the first are labelled with its name.
 pub(super) fn list_runs(files: &[String]) -> Vec<RunEntry> {
@@ -49,7 +49,7 @@ pub(super) fn delete_run(dir: PathBuf) -> Msg {
     match deleted {
         Ok(()) => Msg::RunDeleted(dir),
         Err(error) => Msg::Say(
-            Level::Error,
+            Severity::Error,
             format!("{} cannot be deleted: {error}", dir.display()),
         ),
     }
@@ -60,6 +60,6 @@ pub(super) fn keep_run(run: Arc<Run>) -> Msg {
     let place = RunLocation::Below(PathBuf::from(store::DEFAULT_ROOT));
     match store::save(&place, &run) {
         Ok(dir) => Msg::Kept(dir, run),
-        Err(error) => Msg::Say(Level::Error, format!("The run cannot be kept: {error}")),
+        Err(error) => Msg::Say(Severity::Error, format!("The run cannot be kept: {error}")),
     }
 }

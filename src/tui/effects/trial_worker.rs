@@ -6,15 +6,15 @@ use std::sync::atomic::AtomicBool;
 use crossbeam_channel::Sender;
 
 use crate::case;
-use crate::kinds::Kind;
+use crate::kinds::FileType;
 use crate::study::hard_cases::{self, HardCase, TrialRun};
 use crate::tui::msg::Msg;
-use crate::tui::state::Ticket;
+use crate::tui::state::JobNumber;
 use crate::tui::state::trials::{TrialProgress, TrialsOf};
 
 /// Computes trials, on all cores but the one of the screen; reports each, and the end.
 pub(super) fn compute_trials(
-    ticket: Ticket,
+    ticket: JobNumber,
     of: TrialsOf,
     cancel: &AtomicBool,
     out: &Sender<Msg>,
@@ -55,7 +55,7 @@ pub(super) fn compute_trials(
 
 /// A case file with trials.
 fn hard_case(path: &Path) -> Option<HardCase> {
-    if Kind::of(path) != Kind::Line {
+    if FileType::of(path) != FileType::Line {
         return None;
     }
     let loaded = case::load(path).ok()?;

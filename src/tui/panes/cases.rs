@@ -2,46 +2,46 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{About, Pane, about};
+use super::{Pane, PaneInfo, about};
 use crate::report::chart::Glyphs;
-use crate::tui::command::{self, Command, FILTER, Id, LIST, main, other};
+use crate::tui::command::{self, Command, CommandId, FILTER, LIST, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::state::{AppState, CaseEntry};
 use crate::tui::update::motion::{moved, step};
 use crate::tui::update::trials;
-use crate::tui::view::paint::wrap;
+use crate::tui::view::paint::{span, wrap};
 use crate::tui::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
-    main(Id::Open, &["enter", "l", "right"], "open", "Open the case under the cursor"),
+    main(CommandId::Open, &["enter", "l", "right"], "open", "Open the case under the cursor"),
     FILTER,
-    other(Id::Trials, &["T"], "trials", "Compute the trials of all hard cases listed, and compare them with the results required"),
-    other(Id::Reload, &["ctrl+r"], "", "Read the list of cases again"),
+    other(CommandId::Trials, &["T"], "trials", "Compute the trials of all hard cases listed, and compare them with the results required"),
+    other(CommandId::Reload, &["ctrl+r"], "", "Read the list of cases again"),
     command::DOWN,
 ];
 
-pub(super) struct Cases;
+pub(super) struct CasesPane;
 
-impl Pane for Cases {
-    fn about(&self) -> About {
+impl Pane for CasesPane {
+    fn about(&self) -> PaneInfo {
         about("Cases", "", &[COMMANDS, LIST])
     }
 
-    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
-        (id == Id::Open && state.cases.current().is_none())
+    fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
+        (id == CommandId::Open && state.cases.current().is_none())
             .then_some("There is no case here. `ctrl+r` reads the directory again.")
     }
 
-    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         match id {
-            Id::Open => {
+            CommandId::Open => {
                 let entry = state.cases.current()?;
                 Some(vec![Effect::ReadCase(entry.path.clone())])
             }
-            Id::Reload => Some(vec![Effect::ReadCases]),
-            Id::Trials => Some(trials::show(state)),
-            Id::Filter => {
+            CommandId::Reload => Some(vec![Effect::ReadCases]),
+            CommandId::Trials => Some(trials::show(state)),
+            CommandId::Filter => {
                 state.cases.filter.typing = true;
                 Some(Vec::new())
             }
@@ -99,18 +99,8 @@ impl Pane for Cases {
 fn case_line(painter: &mut Painter, line: Rect, entry: &CaseEntry, selected: bool, width: u16) {
     let style = painter.line_style(selected);
     painter.buf.set_style(line, style);
-    let name = Rect {
-        x: line.x + 1,
-        width,
-        ..line
-    };
-    painter.text(name, &entry.name, style);
-    let x = line.x + width + 3;
-    let rest = Rect {
-        x,
-        width: line.right().saturating_sub(x),
-        ..line
-    };
+    painter.text(span(line, 1, width), &entry.name, style);
+    let rest = span(line, width + 3, u16::MAX);
     match &entry.about {
         Ok((title, _)) => painter.text(rest, title, style),
         Err((problem, _)) => {

@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
-use super::{About, Pane, about};
-use crate::report::chart::{self, Map};
+use super::{Pane, PaneInfo, about};
+use crate::report::chart::{self, GridMap};
 use crate::report::figures::{FIGURES, Figure, FigureAxis, FigureId};
 use crate::report::number;
-use crate::tui::command::{self, Command, Id, main, other};
+use crate::tui::command::{self, Command, CommandId, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::{PlotPane, PlotVerb};
@@ -27,55 +27,57 @@ const INSTANTS: (f64, f64) = (60.0, 10.0);
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
-    main(Id::NextChart, &["]", "n"], "chart", "Show the next chart"),
-    main(Id::NextSeries, &["j", "down"], "curve", "Show the next joint or component alone; after the last: all of them"),
-    main(Id::CursorRight, &["l", "right"], "cursor", "Move the cursor right; on the line's shape: a later instant"),
-    main(Id::ZoomIn, &["+", "="], "zoom", "Zoom in about the cursor"),
+    main(CommandId::NextChart, &["]", "n"], "chart", "Show the next chart"),
+    main(CommandId::NextSeries, &["j", "down"], "curve", "Show the next joint or component alone; after the last: all of them"),
+    main(CommandId::CursorRight, &["l", "right"], "cursor", "Move the cursor right; on the line's shape: a later instant"),
+    main(CommandId::ZoomIn, &["+", "="], "zoom", "Zoom in about the cursor"),
     command::write("Write the chart to a text file, a map also as CSV"),
-    other(Id::Fit, &["0"], "fit", "Show everything again, at the newest instant"),
-    other(Id::Freeze, &["f"], "freeze", "Hold the curves still while the job continues, or let them continue"),
-    other(Id::PreviousChart, &["[", "p"], "", "Show the previous chart"),
-    other(Id::PreviousSeries, &["k", "up"], "", "Show the previous joint or component alone"),
-    other(Id::CursorLeft, &["h", "left"], "", "Move the cursor left; on the line's shape: an earlier instant"),
-    other(Id::LeapRight, &["pgdn", "ctrl+d"], "", "Move the cursor right by a tenth of the chart"),
-    other(Id::LeapLeft, &["pgup", "ctrl+u"], "", "Move the cursor left by a tenth of the chart"),
-    other(Id::ZoomOut, &["-"], "", "Zoom out about the cursor"),
-    other(Id::PanRight, &["L"], "", "Pan right"),
-    other(Id::PanLeft, &["H"], "", "Pan left"),
-    other(Id::PanUp, &["}"], "", "Pan up; on the map: read the place above"),
-    other(Id::PanDown, &["{"], "", "Pan down; on the map: read the place below"),
-    other(Id::FitHeight, &["z"], "", "Fit the height to what is seen"),
-    other(Id::Mark, &["m"], "", "Set a mark at the cursor, or remove the mark there"),
-    other(Id::Copy, &["y"], "", "Copy the values at the cursor to the clipboard of your terminal, and write them to a file"),
+    other(CommandId::Fit, &["0"], "fit", "Show everything again, at the newest instant"),
+    other(CommandId::Freeze, &["f"], "freeze", "Hold the curves still while the job continues, or let them continue"),
+    other(CommandId::PreviousChart, &["[", "p"], "", "Show the previous chart"),
+    other(CommandId::PreviousSeries, &["k", "up"], "", "Show the previous joint or component alone"),
+    other(CommandId::CursorLeft, &["h", "left"], "", "Move the cursor left; on the line's shape: an earlier instant"),
+    other(CommandId::LeapRight, &["pgdn", "ctrl+d"], "", "Move the cursor right by a tenth of the chart"),
+    other(CommandId::LeapLeft, &["pgup", "ctrl+u"], "", "Move the cursor left by a tenth of the chart"),
+    other(CommandId::ZoomOut, &["-"], "", "Zoom out about the cursor"),
+    other(CommandId::PanRight, &["L"], "", "Pan right"),
+    other(CommandId::PanLeft, &["H"], "", "Pan left"),
+    other(CommandId::PanUp, &["}"], "", "Pan up; on the map: read the place above"),
+    other(CommandId::PanDown, &["{"], "", "Pan down; on the map: read the place below"),
+    other(CommandId::FitHeight, &["z"], "", "Fit the height to what is seen"),
+    other(CommandId::Mark, &["m"], "", "Set a mark at the cursor, or remove the mark there"),
+    other(CommandId::Copy, &["y"], "", "Copy the values at the cursor to the clipboard of your terminal, and write them to a file"),
 ];
 
-pub(super) struct Charts;
+pub(super) struct ChartsPane;
 
-impl Pane for Charts {
-    fn about(&self) -> About {
+impl Pane for ChartsPane {
+    fn about(&self) -> PaneInfo {
         about("Charts", "Go to the charts", &[COMMANDS])
     }
 
-    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let glyphs = state.capabilities.glyphs;
         let area = layout::chart_area(state);
         let stem = state.editor()?.stem().to_owned();
         let line = state.line_mut()?;
         match id {
-            Id::NextChart => line.chart = line.chart.beside(&FigureId::of(&line.case), true),
-            Id::PreviousChart => line.chart = line.chart.beside(&FigureId::of(&line.case), false),
-            Id::NextSeries => next_series(line, true),
-            Id::PreviousSeries => next_series(line, false),
-            Id::Freeze => return Some(freeze(state)),
-            Id::Copy => return Some(copy(state)),
-            Id::Write => return Some(write(line, &stem, glyphs)),
+            CommandId::NextChart => line.chart = line.chart.beside(&FigureId::of(&line.case), true),
+            CommandId::PreviousChart => {
+                line.chart = line.chart.beside(&FigureId::of(&line.case), false);
+            }
+            CommandId::NextSeries => next_series(line, true),
+            CommandId::PreviousSeries => next_series(line, false),
+            CommandId::Freeze => return Some(freeze(state)),
+            CommandId::Copy => return Some(copy(state)),
+            CommandId::Write => return Some(write(line, &stem, glyphs)),
             _ => match (instant_step(id), plot_verb(id)) {
                 (Some((way, parts)), _) if line.chart.figure().axis == FigureAxis::Space => {
                     move_instant(line, way, parts);
                 }
                 (_, verb) => {
                     let size = (area.width.into(), area.height.into());
-                    act(line, &verb?, size, glyphs);
+                    act(line, verb?, size, glyphs);
                 }
             },
         }
@@ -121,12 +123,12 @@ fn next_series(line: &mut LineView, forward: bool) {
     };
 }
 
-fn instant_step(id: Id) -> Option<(f64, f64)> {
+fn instant_step(id: CommandId) -> Option<(f64, f64)> {
     Some(match id {
-        Id::CursorRight => (1.0, INSTANTS.0),
-        Id::CursorLeft => (-1.0, INSTANTS.0),
-        Id::LeapRight => (1.0, INSTANTS.1),
-        Id::LeapLeft => (-1.0, INSTANTS.1),
+        CommandId::CursorRight => (1.0, INSTANTS.0),
+        CommandId::CursorLeft => (-1.0, INSTANTS.0),
+        CommandId::LeapRight => (1.0, INSTANTS.1),
+        CommandId::LeapLeft => (-1.0, INSTANTS.1),
         _ => return None,
     })
 }
@@ -136,7 +138,7 @@ fn against_time(id: FigureId) -> bool {
     id.figure().axis == FigureAxis::Time
 }
 
-fn act(line: &mut LineView, verb: &PlotVerb, size: (usize, usize), glyphs: chart::Glyphs) {
+fn act(line: &mut LineView, verb: PlotVerb, size: (usize, usize), glyphs: chart::Glyphs) {
     let base = plots::chart(line, line.chart);
     let mut view = std::mem::take(&mut line.views[line.chart.index()]);
     if against_time(line.chart) {
@@ -147,7 +149,7 @@ fn act(line: &mut LineView, verb: &PlotVerb, size: (usize, usize), glyphs: chart
     if against_time(line.chart) {
         line.instant = view.cursor();
     }
-    if *verb == PlotVerb::Fit {
+    if verb == PlotVerb::Fit {
         line.instant = None;
         view.set_cursor(None);
     }
@@ -183,7 +185,7 @@ fn freeze(state: &mut AppState) -> Vec<Effect> {
         let frame = chart::PlotFrame::default();
         let view = &mut line.views[id.index()];
         if view.is_frozen() == frozen {
-            view.act(&PlotVerb::Freeze, &base, frame);
+            view.act(PlotVerb::Freeze, &base, frame);
         }
     }
     info(
@@ -233,7 +235,7 @@ fn write(line: &LineView, stem: &str, glyphs: chart::Glyphs) -> Vec<Effect> {
     let name = line.chart.figure().title.to_lowercase();
     let path = |end: &str| PathBuf::from(format!("{stem}-{name}.{end}"));
     let mut effects = export::write(path("txt"), Some(text), "The chart");
-    let csv = shown.map.as_ref().map(Map::csv);
+    let csv = shown.map.as_ref().map(GridMap::csv);
     effects.extend(export::write(path("csv"), csv, "The map"));
     effects
 }

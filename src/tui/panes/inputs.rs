@@ -3,47 +3,46 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 
-use super::{About, Pane, about};
-use crate::case::Provenance;
-use crate::tui::command::{self, Command, FILTER, Id, LIST, main, other};
+use super::{Pane, PaneInfo, about};
+use crate::tui::command::{self, Command, CommandId, FILTER, LIST, main, other};
 use crate::tui::facade::FieldRow;
 use crate::tui::msg::Effect;
 use crate::tui::state::{AppState, Document, ParameterEditor};
 use crate::tui::update::edit::{self, optional};
 use crate::tui::update::motion::{moved, step};
-use crate::tui::view::paint::{row, wrap};
+use crate::tui::view::paint::{below_head, rest, row, span, wrap};
 use crate::tui::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
-    main(Id::Edit, &["enter", "e"], "edit", "Edit the value under the cursor"),
+    main(CommandId::Edit, &["enter", "e"], "edit", "Edit the value under the cursor"),
     FILTER,
-    other(Id::ExternalEditor, &["E"], "editor", "Open the file in $VISUAL or $EDITOR, and read it again afterwards"),
-    other(Id::Reset, &["r"], "reset", "Put the field back to the value of the file"),
-    other(Id::NextGroup, &["]"], "", "Go to the next group of fields"),
-    other(Id::PreviousGroup, &["["], "", "Go to the previous group of fields"),
+    other(CommandId::ExternalEditor, &["E"], "editor", "Open the file in $VISUAL or $EDITOR, and read it again afterwards"),
+    other(CommandId::Reset, &["r"], "reset", "Put the field back to the value of the file"),
+    other(CommandId::NextGroup, &["]"], "", "Go to the next group of fields"),
+    other(CommandId::PreviousGroup, &["["], "", "Go to the previous group of fields"),
     command::DOWN,
 ];
 
-pub(super) struct Inputs;
+pub(super) struct InputsPane;
 
-impl Pane for Inputs {
-    fn about(&self) -> About {
+impl Pane for InputsPane {
+    fn about(&self) -> PaneInfo {
         about("Inputs", "Go to the inputs", &[COMMANDS, LIST])
     }
 
-    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let by = step(state, id);
         match id {
-            Id::Edit => edit::begin(state),
-            Id::Reset => return Some(edit::reset(state)),
-            Id::NextGroup => edit::next_group(state, true),
-            Id::PreviousGroup => edit::next_group(state, false),
-            Id::ExternalEditor => {
+            CommandId::Edit => edit::begin(state),
+            CommandId::Reset => return Some(edit::reset(state)),
+            CommandId::NextGroup => edit::next_group(state, true),
+            CommandId::PreviousGroup => edit::next_group(state, false),
+            CommandId::ExternalEditor => {
                 let path = state.editor()?.path.clone();
                 return Some(vec![Effect::EditFile(path)]);
             }
-            Id::Filter => state.editor_mut()?.filter.typing = true,
+            CommandId::Filter => state.editor_mut()?.filter.typing = true,
             _ => {
                 let editor = state.editor_mut()?;
                 editor.field = moved(editor.field, by?, editor.fields().count());
@@ -74,13 +73,13 @@ fn filter_line(painter: &mut Painter, list: Rect, editor: &ParameterEditor) -> R
     if !editor.filter.typing && editor.filter.is_empty() {
         return list;
     }
-    let [line, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(list);
+    let [line, rest] = below_head(list);
     painter.prompt(line, "filter: ", &editor.filter.input, editor.filter.typing);
     rest
 }
 
 /// A line of the list.
-enum Line<'a> {
+enum ListLine<'a> {
     Group(&'a str),
     Field(usize, &'a FieldRow),
 }
@@ -92,32 +91,22 @@ fn fields(painter: &mut Painter, list: Rect, editor: &ParameterEditor) {
     for (i, field) in editor.fields().enumerate() {
         if field.group != group {
             group = &field.group;
-            lines.push(Line::Group(group));
+            lines.push(ListLine::Group(group));
         }
         if i == editor.field {
             cursor = lines.len();
         }
-        lines.push(Line::Field(i, field));
+        lines.push(ListLine::Field(i, field));
     }
     if lines.is_empty() {
         painter.text(list, "No field passes the filter.", painter.theme.plain());
     }
     painter.list(list, cursor, lines.len(), |painter, at, i| match lines[i] {
-        Line::Group(name) => {
+        ListLine::Group(name) => {
             painter.text(at, name, painter.theme.head());
         }
-        Line::Field(i, field) => field_line(painter, at, field, i == editor.field),
+        ListLine::Field(i, field) => field_line(painter, at, field, i == editor.field),
     });
-}
-
-/// The word for where a value comes from.
-fn standing_word(standing: Provenance) -> &'static str {
-    match standing {
-        Provenance::Published => "published",
-        Provenance::Derived => "derived",
-        Provenance::Calibrated => "calibrated",
-        Provenance::Assumed => "assumed",
-    }
 }
 
 /// Label, value, unit, and where the value comes from.
@@ -126,7 +115,7 @@ fn field_line(painter: &mut Painter, line: Rect, field: &FieldRow, selected: boo
     let base = painter.line_style(selected);
     painter.buf.set_style(line, base);
     let note = match &field.standing {
-        Some(mark) => standing_word(mark.status),
+        Some(mark) => mark.status.name(),
         None if !field.applies => "no effect",
         None if !field.given => "default",
         None => "",
@@ -154,13 +143,7 @@ fn field_line(painter: &mut Painter, line: Rect, field: &FieldRow, selected: boo
         (unit_x + unit_width + 1, line.width, note, note_style),
     ];
     for (from, width, words, style) in cells {
-        let width = width.min(line.width.saturating_sub(from));
-        let cell = Rect {
-            x: line.x + from,
-            width,
-            ..line
-        };
-        painter.text(cell, words, style);
+        painter.text(span(line, from, width), words, style);
     }
 }
 
@@ -171,7 +154,7 @@ fn help_lines(painter: &mut Painter, area: Rect, editor: &ParameterEditor) {
     };
     let mut words = format!("{}: {}\n{}", field.path, field.help, range_words(field));
     if let Some(mark) = &field.standing {
-        let standing = standing_word(mark.status);
+        let standing = mark.status.name();
         words.push_str(&format!("\n{standing}: {}", mark.reason));
     }
     let (plain, faint) = (painter.theme.plain(), painter.theme.faint());
@@ -195,17 +178,9 @@ fn edit_lines(painter: &mut Painter, area: Rect, document: &Document) {
         format!(" [{}]", field.unit)
     };
     let prompt = format!("{}{unit} = ", field.label);
-    let half = Rect {
-        width: line.width / 2,
-        ..line
-    };
+    let half = span(line, 0, line.width / 2);
     let x = painter.text(half, &prompt, painter.theme.strong()).x;
-    let rest = Rect {
-        x,
-        width: line.right().saturating_sub(x),
-        ..line
-    };
-    painter.input(rest, &editing.input, true);
+    painter.input(rest(line, x), &editing.input, true);
     let (words, style) = match &editing.problem {
         Some(problem) => (format!("Refused: {problem}"), painter.theme.error()),
         None => {
@@ -219,7 +194,7 @@ fn edit_lines(painter: &mut Painter, area: Rect, document: &Document) {
             (words, painter.theme.faint())
         }
     };
-    let [_, below] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
+    let [_, below] = below_head(area);
     let lines = wrap(&words, area.width.into());
     painter.lines(below, lines.into_iter().map(|line| (line, style)));
 }

@@ -2,41 +2,38 @@
 
 use ratatui::layout::Rect;
 
-use super::{About, Pane, about};
+use super::{Pane, PaneInfo, about};
 use crate::report::number;
-use crate::tui::command::{self, Command, Id, LIST, main};
+use crate::tui::command::{self, Command, CommandId, LIST, main};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
-use crate::tui::state::{AppState, JobLine, JobState, Purpose};
+use crate::tui::state::{AppState, JobLine, JobPurpose, JobState};
 use crate::tui::update::jobs;
 use crate::tui::update::motion::{moved, step};
+use crate::tui::view::paint::span;
 use crate::tui::view::painter::Painter;
 
+#[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
-    main(
-        Id::CancelJob,
-        &["x", "d"],
-        "cancel",
-        "Cancel the job under the cursor",
-    ),
+    main(CommandId::CancelJob, &["x", "d"], "cancel", "Cancel the job under the cursor"),
     command::DOWN,
 ];
 
-pub(super) struct Jobs;
+pub(super) struct JobsPane;
 
-impl Pane for Jobs {
-    fn about(&self) -> About {
+impl Pane for JobsPane {
+    fn about(&self) -> PaneInfo {
         about("Jobs", "Go to the jobs", &[COMMANDS, LIST])
     }
 
-    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
+    fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let line = state.jobs.lines.get(state.jobs.cursor);
         let open = line.is_some_and(|line| line.state.is_open());
-        (id == Id::CancelJob && !open).then_some("There is no running job under the cursor.")
+        (id == CommandId::CancelJob && !open).then_some("There is no running job under the cursor.")
     }
 
-    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
-        if id == Id::CancelJob {
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
+        if id == CommandId::CancelJob {
             let ticket = state.jobs.lines.get(state.jobs.cursor)?.ticket;
             return Some(jobs::cancel(state, ticket));
         }
@@ -58,18 +55,8 @@ impl Pane for Jobs {
             let style = painter.line_style(i == jobs.cursor && focused);
             painter.buf.set_style(at, style);
             let half = (area.width / 2).max(20);
-            let name = Rect {
-                width: half.saturating_sub(1),
-                ..at
-            };
-            painter.text(name, &line.name, style);
-            let x = at.x + half;
-            let rest = Rect {
-                x,
-                width: at.right().saturating_sub(x),
-                ..at
-            };
-            painter.text(rest, &job_words(line), style);
+            painter.text(span(at, 0, half.saturating_sub(1)), &line.name, style);
+            painter.text(span(at, half, u16::MAX), &job_words(line), style);
         });
     }
 }
@@ -77,7 +64,7 @@ impl Pane for Jobs {
 fn job_words(line: &JobLine) -> String {
     let p = line.progress;
     match &line.state {
-        JobState::Running if line.purpose == Purpose::Trials => {
+        JobState::Running if line.purpose == JobPurpose::Trials => {
             format!("{:.0} of {:.0} trials", p.time, p.duration)
         }
         JobState::Running if p.estimating => "estimating errors".to_owned(),

@@ -18,8 +18,8 @@ mod validation;
 
 use ratatui::layout::Rect;
 
-use super::command::{self, Command, Id};
-use super::key::Key;
+use super::command::{self, Command, CommandId};
+use super::key::KeyPress;
 use super::msg::Effect;
 use super::pane::PaneId;
 use super::state::{AppState, ParameterEditor};
@@ -27,7 +27,7 @@ use super::view::painter::Painter;
 
 /// What a pane is called and which commands it has.
 #[derive(Debug, Clone, Copy)]
-pub struct About {
+pub struct PaneInfo {
     /// The name on its frame and tab.
     pub title: &'static str,
     /// What its number key does, for the help.
@@ -40,8 +40,8 @@ const fn about(
     title: &'static str,
     go: &'static str,
     commands: &'static [&'static [Command]],
-) -> About {
-    About {
+) -> PaneInfo {
+    PaneInfo {
         title,
         go,
         commands,
@@ -51,15 +51,15 @@ const fn about(
 /// A pane of the screen.
 pub trait Pane: Sync {
     /// What it is called and which commands it has.
-    fn about(&self) -> About;
+    fn about(&self) -> PaneInfo;
 
     /// Why a command cannot be done now.
-    fn reason(&self, _state: &AppState, _id: Id) -> Option<&'static str> {
+    fn reason(&self, _state: &AppState, _id: CommandId) -> Option<&'static str> {
         None
     }
 
     /// Does a command; nothing where it is none of this pane.
-    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>>;
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>>;
 
     /// Draws it.
     fn view(&self, painter: &mut Painter, area: Rect);
@@ -69,20 +69,20 @@ pub trait Pane: Sync {
 #[must_use]
 pub fn pane(id: PaneId) -> &'static dyn Pane {
     match id {
-        PaneId::Cases => &cases::Cases,
-        PaneId::Inputs => &inputs::Inputs,
-        PaneId::Charts => &charts::Charts,
-        PaneId::Runs => &runs::Runs,
-        PaneId::Validation => &validation::Validation,
-        PaneId::Report => &report::Report,
-        PaneId::Jobs => &jobs::Jobs,
+        PaneId::Cases => &cases::CasesPane,
+        PaneId::Inputs => &inputs::InputsPane,
+        PaneId::Charts => &charts::ChartsPane,
+        PaneId::Runs => &runs::RunsPane,
+        PaneId::Validation => &validation::ValidationPane,
+        PaneId::Report => &report::ReportPane,
+        PaneId::Jobs => &jobs::JobsPane,
         PaneId::Trials => &trials::TrialsPane,
-        PaneId::Nodes => &nodes::Nodes,
-        PaneId::Modes => &modes::Modes,
-        PaneId::Tables => &tables::Tables,
-        PaneId::Drawing => &drawing::Drawing,
-        PaneId::Ropeway => &ropeway::Ropeway,
-        PaneId::Ship => &ship::Ship,
+        PaneId::Nodes => &nodes::NodesPane,
+        PaneId::Modes => &modes::ModesPane,
+        PaneId::Tables => &tables::TablesPane,
+        PaneId::Drawing => &drawing::DrawingPane,
+        PaneId::Ropeway => &ropeway::RopewayPane,
+        PaneId::Ship => &ship::ShipPane,
     }
 }
 
@@ -95,7 +95,7 @@ pub fn commands(state: &AppState) -> Vec<Command> {
         let kind = document.kind();
         all.extend(kind.commands());
         all.extend(command::DOCUMENT);
-        let numbered = (1..).zip(kind.panes());
+        let numbered = (1..).zip(kind.info().panes);
         all.extend(numbered.filter_map(|(n, id)| command::pane(n, pane(*id).about().go)));
     }
     all.extend(command::EVERYWHERE);
@@ -112,7 +112,7 @@ pub fn commands(state: &AppState) -> Vec<Command> {
 
 /// The command of a key.
 #[must_use]
-pub fn find(state: &AppState, key: Key) -> Option<Command> {
+pub fn find(state: &AppState, key: KeyPress) -> Option<Command> {
     let name = key.to_string();
     let all = commands(state);
     all.into_iter().find(|c| c.keys.contains(&name.as_str()))
@@ -122,7 +122,7 @@ pub fn find(state: &AppState, key: Key) -> Option<Command> {
 ///
 /// # Errors
 /// The reason, as a full sentence.
-pub fn enabled(state: &AppState, id: Id) -> Result<(), String> {
+pub fn enabled(state: &AppState, id: CommandId) -> Result<(), String> {
     let focus = state.focus();
     let reason = pane(focus).reason(state, id);
     let reason = reason.or_else(|| {
@@ -136,17 +136,17 @@ pub fn enabled(state: &AppState, id: Id) -> Result<(), String> {
 }
 
 /// What the editor of every kind of file cannot do now.
-fn in_editor(editor: &ParameterEditor, id: Id) -> Option<&'static str> {
+fn in_editor(editor: &ParameterEditor, id: CommandId) -> Option<&'static str> {
     let when = |condition: bool, reason: &'static str| condition.then_some(reason);
     match id {
-        Id::Undo => when(editor.undo.is_empty(), "There is nothing to undo."),
-        Id::Redo => when(editor.redo.is_empty(), "There is nothing to redo."),
-        Id::ExternalEditor => when(
+        CommandId::Undo => when(editor.undo.is_empty(), "There is nothing to undo."),
+        CommandId::Redo => when(editor.redo.is_empty(), "There is nothing to redo."),
+        CommandId::ExternalEditor => when(
             editor.unsaved(),
             "There are changes that the file does not hold; `s` saves them first.",
         ),
-        Id::Save => when(!editor.unsaved(), "The file already holds everything."),
-        Id::Edit | Id::Reset => when(
+        CommandId::Save => when(!editor.unsaved(), "The file already holds everything."),
+        CommandId::Edit | CommandId::Reset => when(
             editor.current_field().is_none(),
             "No field passes the filter. `/` and Esc drop it.",
         ),

@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{About, Pane, about};
+use super::{Pane, PaneInfo, about};
 use crate::modes::LineModes;
 use crate::report::modes as views;
 use crate::report::table::Table;
-use crate::tui::command::{Command, Id, LIST, WIDE, main, other};
+use crate::tui::command::{Command, CommandId, LIST, WIDE, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::state::{AppState, LineView};
 use crate::tui::update::export;
@@ -21,13 +21,13 @@ const BOTH: (u16, u16) = (110, 24);
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
-    main(Id::Down, &["j", "down"], "mode", "Select the next mode"),
-    main(Id::NextChart, &["]", "n"], "picture", "Show the mode along the line, or over the line at rest"),
-    main(Id::Write, &["w"], "write", "Write the modes with their shapes as CSV"),
-    other(Id::PreviousChart, &["[", "p"], "", "Show the mode along the line, or over the line at rest"),
+    main(CommandId::Down, &["j", "down"], "mode", "Select the next mode"),
+    main(CommandId::NextChart, &["]", "n"], "picture", "Show the mode along the line, or over the line at rest"),
+    main(CommandId::Write, &["w"], "write", "Write the modes with their shapes as CSV"),
+    other(CommandId::PreviousChart, &["[", "p"], "", "Show the mode along the line, or over the line at rest"),
 ];
 
-pub(super) struct Modes;
+pub(super) struct ModesPane;
 
 /// The modes computed last, if any.
 fn computed(line: &LineView) -> Option<Arc<LineModes>> {
@@ -37,22 +37,22 @@ fn computed(line: &LineView) -> Option<Arc<LineModes>> {
     }
 }
 
-impl Pane for Modes {
-    fn about(&self) -> About {
+impl Pane for ModesPane {
+    fn about(&self) -> PaneInfo {
         about("Modes", "Go to the natural modes", &[COMMANDS, LIST, WIDE])
     }
 
-    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
+    fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let none = computed(state.line()?).is_none();
-        (id == Id::Write && none).then_some("There are no modes to write.")
+        (id == CommandId::Write && none).then_some("There are no modes to write.")
     }
 
-    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let verb = table_verb(state, id);
         let (line, editor) = state.document.as_mut()?.line_and_editor()?;
         match id {
-            Id::NextChart | Id::PreviousChart => line.modes.over = !line.modes.over,
-            Id::Write => {
+            CommandId::NextChart | CommandId::PreviousChart => line.modes.over = !line.modes.over,
+            CommandId::Write => {
                 let path = PathBuf::from(format!("{}-modes.csv", editor.stem()));
                 let text = computed(line).map(|modes| views::csv(&modes));
                 return Some(export::write(path, text, "The table of modes"));

@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{About, Pane, about};
-use crate::report::limits as limits_table;
+use super::{Pane, PaneInfo, about};
+use crate::report::limits;
 use crate::report::table::Table;
-use crate::run::{Run, limits};
-use crate::tui::command::{self, Command, DOWN, Id, LIST, SORT, WIDE, main, other};
+use crate::run::Run;
+use crate::tui::command::{self, Command, CommandId, DOWN, LIST, SORT, WIDE, main, other};
 use crate::tui::facade;
 use crate::tui::line_tables::LineTable;
 use crate::tui::msg::Effect;
@@ -19,28 +19,19 @@ use crate::tui::update::export;
 use crate::tui::update::motion::table_verb;
 use crate::tui::view::painter::Painter;
 
+#[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
-    main(
-        Id::NextTable,
-        &["]", "n"],
-        "table",
-        "Show the next table of the line",
-    ),
+    main(CommandId::NextTable, &["]", "n"], "table", "Show the next table of the line"),
     command::write("Write the table to a CSV file"),
     SORT,
-    other(
-        Id::PreviousTable,
-        &["[", "p"],
-        "",
-        "Show the previous table of the line",
-    ),
+    other(CommandId::PreviousTable, &["[", "p"], "", "Show the previous table of the line"),
     DOWN,
 ];
 
-pub(super) struct Nodes;
+pub(super) struct NodesPane;
 
-impl Pane for Nodes {
-    fn about(&self) -> About {
+impl Pane for NodesPane {
+    fn about(&self) -> PaneInfo {
         about(
             "Nodes",
             "Go to the line node by node",
@@ -48,19 +39,19 @@ impl Pane for Nodes {
         )
     }
 
-    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
+    fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let none = state.line()?.reported().is_none();
-        (id == Id::Write && none)
+        (id == CommandId::Write && none)
             .then_some("There is no finished run to write the nodes of. `R` runs the case.")
     }
 
-    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let verb = table_verb(state, id);
         let (line, editor) = state.document.as_mut()?.line_and_editor()?;
         match id {
-            Id::NextTable => next_table(line, true),
-            Id::PreviousTable => next_table(line, false),
-            Id::Write => {
+            CommandId::NextTable => next_table(line, true),
+            CommandId::PreviousTable => next_table(line, false),
+            CommandId::Write => {
                 let (_, run, _) = line.reported()?;
                 let table = line.line_table.or_nodes(&run);
                 let path = PathBuf::from(format!("{}-{}.csv", editor.stem(), table.name()));
@@ -119,10 +110,9 @@ fn next_table(line: &mut LineView, forward: bool) {
 fn limits_above(painter: &mut Painter, area: Rect, run: &Arc<Run>) -> Rect {
     // A stored run may be of another text than the one that is open.
     let case = facade::parse(&run.case_text, &run.info.case_file);
-    let table = case.ok().and_then(|case| {
-        let checks = limits::check(&case, &run.profile);
-        limits_table::table(&checks)
-    });
+    let table = case
+        .ok()
+        .and_then(|case| limits::of_run(&case, &run.profile));
     let lines = table.map_or_else(String::new, |table| table.to_text(area.width.into()));
     let height = u16::try_from(lines.lines().count()).unwrap_or(u16::MAX);
     // The nodes keep at least half of the room.
@@ -131,7 +121,7 @@ fn limits_above(painter: &mut Painter, area: Rect, run: &Arc<Run>) -> Rect {
     }
     let theme = painter.theme;
     let style = |line: &str| {
-        if line.contains(limits_table::EXCEEDED) {
+        if line.contains(limits::EXCEEDED) {
             theme.error()
         } else {
             theme.plain()

@@ -2,14 +2,15 @@
 
 use std::path::PathBuf;
 
-use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::layout::Rect;
 
-use super::{About, Pane, about};
-use crate::tui::command::{self, Command, DOWN, Id, LIST, WIDE};
+use super::{Pane, PaneInfo, about};
+use crate::tui::command::{self, Command, CommandId, DOWN, LIST, WIDE};
 use crate::tui::msg::Effect;
 use crate::tui::state::AppState;
 use crate::tui::update::export;
 use crate::tui::update::motion::{moved, step};
+use crate::tui::view::paint::below_head;
 use crate::tui::view::painter::Painter;
 
 /// Columns that a key scrolls sideways, and the last column to scroll to.
@@ -21,33 +22,33 @@ const COMMANDS: &[Command] = &[
     DOWN,
 ];
 
-pub(super) struct Report;
+pub(super) struct ReportPane;
 
-impl Pane for Report {
-    fn about(&self) -> About {
+impl Pane for ReportPane {
+    fn about(&self) -> PaneInfo {
         about("Report", "Go to the report", &[COMMANDS, LIST, WIDE])
     }
 
-    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
+    fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let none = state.line()?.report.is_none();
-        (id == Id::Write && none)
+        (id == CommandId::Write && none)
             .then_some("There is no finished run to report on. `R` runs the case.")
     }
 
-    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let by = step(state, id);
         let (line, editor) = state.document.as_mut()?.line_and_editor()?;
         let across = &mut line.report_scroll.1;
         match id {
-            Id::Write => {
+            CommandId::Write => {
                 let beside = format!("{}-report.txt", editor.stem());
                 let dir = line.reported().and_then(|(_, _, dir)| dir);
                 let path = dir.map_or_else(|| PathBuf::from(beside), |dir| dir.join("report.txt"));
                 let text = line.report.as_ref().map(|(_, text)| text.clone());
                 return Some(export::write(path, text, "The report"));
             }
-            Id::ScrollRight => *across = moved(*across, SIDEWAYS, LAST_COLUMN),
-            Id::ScrollLeft => *across = moved(*across, -SIDEWAYS, LAST_COLUMN),
+            CommandId::ScrollRight => *across = moved(*across, SIDEWAYS, LAST_COLUMN),
+            CommandId::ScrollLeft => *across = moved(*across, -SIDEWAYS, LAST_COLUMN),
             _ => {
                 let report = line.report.as_ref();
                 let lines = report.map_or(0, |(_, text)| text.lines().count());
@@ -65,8 +66,7 @@ impl Pane for Report {
             let words = "There is no finished run to report on yet. `R` runs the case.";
             return painter.paragraph(area, words);
         };
-        let [head, below] =
-            Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
+        let [head, below] = below_head(area);
         let words = format!("Report on {name}; `w` saves it.");
         painter.text(head, &words, painter.theme.strong());
         let (down, across) = line.report_scroll;

@@ -2,16 +2,16 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{About, Pane, about};
+use super::{Pane, PaneInfo, about};
 use crate::report::chart::Glyphs;
 use crate::report::number::{percent, rounded};
 use crate::report::ropeway::{drawing, tables};
 use crate::report::table::Table;
 use crate::ropeway::ModelResults;
 use crate::ropeway::elastic::Carrier;
-use crate::tui::command::{Command, Id, main, other};
+use crate::tui::command::{Command, CommandId, main, other};
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Content, Document, RopewayView};
+use crate::tui::state::{AppState, DocumentContent, RopewayView};
 use crate::tui::update::edit;
 use crate::tui::view::painter::Painter;
 
@@ -24,38 +24,32 @@ const LEAP: f64 = 0.1;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
-    main(Id::CursorRight, &["l", "right"], "to ship", "Move the cargo towards the ship"),
-    main(Id::CursorLeft, &["h", "left"], "to platform", "Move the cargo towards the platform"),
-    main(Id::Fit, &["0"], "file's place", "Put the cargo back to its position in the file"),
-    main(Id::KeepPosition, &["K"], "keep place", "Set cargo.position in the file to the position of the cargo"),
-    other(Id::LeapRight, &["L", "pgdn"], "", "Move the cargo towards the ship by a tenth of the span"),
-    other(Id::LeapLeft, &["H", "pgup"], "", "Move the cargo towards the platform by a tenth of the span"),
+    main(CommandId::CursorRight, &["l", "right"], "to ship", "Move the cargo towards the ship"),
+    main(CommandId::CursorLeft, &["h", "left"], "to platform", "Move the cargo towards the platform"),
+    main(CommandId::Fit, &["0"], "file's place", "Put the cargo back to its position in the file"),
+    main(CommandId::KeepPosition, &["K"], "keep place", "Set cargo.position in the file to the position of the cargo"),
+    other(CommandId::LeapRight, &["L", "pgdn"], "", "Move the cargo towards the ship by a tenth of the span"),
+    other(CommandId::LeapLeft, &["H", "pgup"], "", "Move the cargo towards the platform by a tenth of the span"),
 ];
 
-pub(super) struct Ropeway;
+pub(super) struct RopewayPane;
 
-/// The ropeway that is open.
-fn ropeway(document: &mut Document) -> Option<&mut RopewayView> {
-    match &mut document.content {
-        Content::Ropeway(ropeway) => Some(ropeway),
-        _ => None,
-    }
-}
-
-impl Pane for Ropeway {
-    fn about(&self) -> About {
+impl Pane for RopewayPane {
+    fn about(&self) -> PaneInfo {
         about("Ropeway", "Go to the drawing", &[COMMANDS])
     }
 
-    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
-        let ropeway = ropeway(state.document.as_mut()?)?;
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
+        let DocumentContent::Ropeway(ropeway) = &mut state.document.as_mut()?.content else {
+            return None;
+        };
         match id {
-            Id::CursorLeft => ropeway.put(ropeway.position - STEP),
-            Id::CursorRight => ropeway.put(ropeway.position + STEP),
-            Id::LeapLeft => ropeway.put(ropeway.position - LEAP),
-            Id::LeapRight => ropeway.put(ropeway.position + LEAP),
-            Id::Fit => ropeway.put(ropeway.worked.ropeway.cargo.position),
-            Id::KeepPosition => {
+            CommandId::CursorLeft => ropeway.put(ropeway.position - STEP),
+            CommandId::CursorRight => ropeway.put(ropeway.position + STEP),
+            CommandId::LeapLeft => ropeway.put(ropeway.position - LEAP),
+            CommandId::LeapRight => ropeway.put(ropeway.position + LEAP),
+            CommandId::Fit => ropeway.put(ropeway.worked.ropeway.cargo.position),
+            CommandId::KeepPosition => {
                 let value = format!("{:?}", (ropeway.position * 1e4).round() / 1e4);
                 return Some(edit::set(state, "cargo.position", &value));
             }
@@ -66,7 +60,8 @@ impl Pane for Ropeway {
 
     fn view(&self, painter: &mut Painter, area: Rect) {
         let document = painter.state.document.as_ref();
-        let Some(Content::Ropeway(ropeway)) = document.map(|document| &document.content) else {
+        let Some(DocumentContent::Ropeway(ropeway)) = document.map(|document| &document.content)
+        else {
             return;
         };
         let results = match &ropeway.results {

@@ -1,12 +1,12 @@
 //! The runs of a line case.
 
-use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::{About, Pane, about};
+use super::{Pane, PaneInfo, about};
 use crate::report::number;
 use crate::run::settings::method_name;
-use crate::tui::command::{self, Command, Id, LIST, main, other};
+use crate::tui::command::{self, Command, CommandId, LIST, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::{
@@ -14,46 +14,47 @@ use crate::tui::state::{
 };
 use crate::tui::update::motion::{moved, step};
 use crate::tui::update::{resume, runs};
+use crate::tui::view::paint::{below_head, span};
 use crate::tui::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
-    main(Id::ShowAlone, &["enter"], "show", "Show this run alone on the charts, in the table and in the report"),
-    main(Id::Select, &["space"], "overlay", "Add this run to the charts or take it off"),
-    main(Id::Resume, &["c"], "resume", "Resume this stored run from its last checkpoint, up to a time that is asked for"),
-    other(Id::SelectNone, &["a"], "live only", "Show the live run only"),
-    other(Id::Delete, &["d"], "delete", "Delete this stored run (asks first)"),
+    main(CommandId::ShowAlone, &["enter"], "show", "Show this run alone on the charts, in the table and in the report"),
+    main(CommandId::Select, &["space"], "overlay", "Add this run to the charts or take it off"),
+    main(CommandId::Resume, &["c"], "resume", "Resume this stored run from its last checkpoint, up to a time that is asked for"),
+    other(CommandId::SelectNone, &["a"], "live only", "Show the live run only"),
+    other(CommandId::Delete, &["d"], "delete", "Delete this stored run (asks first)"),
     command::DOWN,
 ];
 
-pub(super) struct Runs;
+pub(super) struct RunsPane;
 
-impl Pane for Runs {
-    fn about(&self) -> About {
+impl Pane for RunsPane {
+    fn about(&self) -> PaneInfo {
         about("Runs", "Go to the runs", &[COMMANDS, LIST])
     }
 
-    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
+    fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let run = state.line()?.current_run();
         match id {
-            Id::Delete => why_not_deleted(run),
-            Id::Resume => why_not_resumed(run),
+            CommandId::Delete => why_not_deleted(run),
+            CommandId::Resume => why_not_resumed(run),
             _ => None,
         }
     }
 
-    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let by = step(state, id);
         let line = state.line_mut()?;
         match id {
-            Id::ShowAlone => return Some(runs::show_alone(state)),
-            Id::Select => return Some(runs::select(line)),
-            Id::Resume => return Some(resume::ask(state)),
-            Id::SelectNone => {
+            CommandId::ShowAlone => return Some(runs::show_alone(state)),
+            CommandId::Select => return Some(runs::select(line)),
+            CommandId::Resume => return Some(resume::ask(state)),
+            CommandId::SelectNone => {
                 line.runs.iter_mut().for_each(|entry| entry.shown = false);
                 line.live.hidden = false;
             }
-            Id::Delete => {
+            CommandId::Delete => {
                 let entry = line.current_run()?;
                 let (dir, id) = (entry.dir.clone()?, entry.id.clone());
                 state.overlay = Some(Overlay::Ask(Question::DeleteRun { dir, id }));
@@ -68,8 +69,7 @@ impl Pane for Runs {
         let Some(line) = state.line() else {
             return;
         };
-        let [head, list] =
-            Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
+        let [head, list] = below_head(area);
         let strong = painter.theme.strong();
         columns(
             painter,
@@ -122,16 +122,10 @@ fn why_not_deleted(run: Option<&RunEntry>) -> Option<&'static str> {
 
 fn columns(painter: &mut Painter, line: Rect, words: [&str; 5], style: Style) {
     let name_width = line.width.saturating_sub(38).clamp(12, 60);
-    let mut x = line.x;
+    let mut from = 0_u16;
     for (word, width) in words.into_iter().zip([name_width, 10, 6, 8, 10]) {
-        let width_left = line.right().saturating_sub(x).min(width);
-        let cell = Rect {
-            x,
-            width: width_left,
-            ..line
-        };
-        painter.text(cell, word, style);
-        x = x.saturating_add(width + 1);
+        painter.text(span(line, from, width), word, style);
+        from = from.saturating_add(width + 1);
     }
 }
 

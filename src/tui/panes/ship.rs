@@ -3,16 +3,16 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 
-use super::{About, Pane, about};
+use super::{Pane, PaneInfo, about};
 use crate::report::chart::marker;
 use crate::report::number::{digits, si};
 use crate::report::ship::plan;
-use crate::ship::Equilibrium;
+use crate::ship::MooredEquilibrium;
 use crate::ship::stability::DynamicStability;
 use crate::ship::yaw_equilibria::YawStability;
-use crate::tui::command::{self, DOWN, Id};
+use crate::tui::command::{self, CommandId, DOWN};
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Content, ShipView};
+use crate::tui::state::{AppState, DocumentContent, ShipView};
 use crate::tui::theme::Theme;
 use crate::tui::update::motion::{moved, step};
 use crate::tui::view::paint::wrap;
@@ -21,16 +21,16 @@ use crate::tui::view::painter::Painter;
 /// Columns of the list of headings.
 const LIST: u16 = 34;
 
-pub(super) struct Ship;
+pub(super) struct ShipPane;
 
-impl Pane for Ship {
-    fn about(&self) -> About {
+impl Pane for ShipPane {
+    fn about(&self) -> PaneInfo {
         about("Ship", "Go to the drawing", &[&[DOWN], command::LIST])
     }
 
-    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let by = step(state, id)?;
-        if let Content::Ship(ship) = &mut state.document.as_mut()?.content {
+        if let DocumentContent::Ship(ship) = &mut state.document.as_mut()?.content {
             let count = ship.statics.equilibria.as_ref().map_or(0, Vec::len);
             ship.equilibrium = moved(ship.equilibrium, by, count);
         }
@@ -39,7 +39,7 @@ impl Pane for Ship {
 
     fn view(&self, painter: &mut Painter, area: Rect) {
         let document = painter.state.document.as_ref();
-        let Some(Content::Ship(ship)) = document.map(|document| &document.content) else {
+        let Some(DocumentContent::Ship(ship)) = document.map(|document| &document.content) else {
             return;
         };
         let [drawing, list] =
@@ -93,7 +93,7 @@ fn headings(theme: Theme, ship: &ShipView) -> Vec<(String, Style)> {
 fn equilibrium_lines(
     theme: Theme,
     i: usize,
-    equilibrium: &Equilibrium,
+    equilibrium: &MooredEquilibrium,
     chosen: bool,
 ) -> Vec<(String, Style)> {
     let yaw = &equilibrium.yaw;

@@ -2,43 +2,44 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{About, Pane, about};
-use crate::tui::command::{Command, DOWN, Id, LIST, SORT, WIDE, main, other};
+use super::{Pane, PaneInfo, about};
+use crate::tui::command::{Command, CommandId, DOWN, LIST, SORT, WIDE, main, other};
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Content};
+use crate::tui::state::{AppState, DocumentContent};
 use crate::tui::update::motion::table_verb;
 use crate::tui::update::ship;
+use crate::tui::view::paint::below_head;
 use crate::tui::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
-    main(Id::NextTable, &["]", "n"], "table", "Show the next table"),
-    main(Id::NextTrace, &["c"], "motion", "Draw the next of a ship's six motions alone; after the last: all of them"),
-    other(Id::PreviousTable, &["[", "p"], "", "Show the previous table"),
+    main(CommandId::NextTable, &["]", "n"], "table", "Show the next table"),
+    main(CommandId::NextTrace, &["c"], "motion", "Draw the next of a ship's six motions alone; after the last: all of them"),
+    other(CommandId::PreviousTable, &["[", "p"], "", "Show the previous table"),
     SORT,
     DOWN,
 ];
 
-pub(super) struct Tables;
+pub(super) struct TablesPane;
 
-impl Pane for Tables {
-    fn about(&self) -> About {
+impl Pane for TablesPane {
+    fn about(&self) -> PaneInfo {
         about("Tables", "Go to the tables", &[COMMANDS, LIST, WIDE])
     }
 
-    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
-        let ship = matches!(state.document.as_ref()?.content, Content::Ship(_));
-        (id == Id::NextTrace && !ship).then_some("Only a ship has six motions.")
+    fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
+        let ship = matches!(state.document.as_ref()?.content, DocumentContent::Ship(_));
+        (id == CommandId::NextTrace && !ship).then_some("Only a ship has six motions.")
     }
 
-    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let verb = table_verb(state, id);
         let document = state.document.as_mut()?;
         let tabs = document.tables.len().max(1);
         match (id, &mut document.content) {
-            (Id::NextTable, _) => document.tab = (document.tab + 1) % tabs,
-            (Id::PreviousTable, _) => document.tab = (document.tab + tabs - 1) % tabs,
-            (Id::NextTrace, Content::Ship(ship)) => ship::next_motion(ship),
+            (CommandId::NextTable, _) => document.tab = (document.tab + 1) % tabs,
+            (CommandId::PreviousTable, _) => document.tab = (document.tab + tabs - 1) % tabs,
+            (CommandId::NextTrace, DocumentContent::Ship(ship)) => ship::next_motion(ship),
             _ => {
                 let verb = verb?;
                 let (_, table) = document.shown();
@@ -54,9 +55,8 @@ impl Pane for Tables {
         let Some(document) = &painter.state.document else {
             return;
         };
-        let [names, rest] =
-            Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
-        painter.tabs(names, document.kind().tabs(), Some(document.tab));
+        let [names, rest] = below_head(area);
+        painter.tabs(names, document.kind().info().tabs, Some(document.tab));
         let (chart, table) = document.shown();
         let below = match chart {
             None => rest,

@@ -4,16 +4,16 @@ use std::path::PathBuf;
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{About, Pane, about};
+use super::{Pane, PaneInfo, about};
 use crate::study::{hard_cases, tally};
-use crate::tui::command::{Command, DOWN, Id, LIST, WIDE, main};
+use crate::tui::command::{Command, CommandId, DOWN, LIST, WIDE, main};
 use crate::tui::msg::Effect;
 use crate::tui::state::AppState;
 use crate::tui::state::trials::{self as data, Trials, TrialsOf};
 use crate::tui::update::motion::table_verb;
 use crate::tui::update::notice::info;
 use crate::tui::update::{export, trials};
-use crate::tui::view::paint::wrap;
+use crate::tui::view::paint::{below_head, wrap};
 use crate::tui::view::painter::Painter;
 
 /// Columns of the table in a file.
@@ -21,27 +21,27 @@ const TEXT_WIDTH: usize = 160;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
-    main(Id::CancelJob, &["x"], "stop", "Stop computing the trials"),
-    main(Id::Sort, &["o"], "sort", "Sort by the next column; after the last: in the original order"),
-    main(Id::Write, &["w"], "write", "Write the table to a text file"),
-    main(Id::Trials, &["T"], "anew", "Compute the trials again"),
-    main(Id::Back, &["esc", "b"], "back", "Back to where you were; the trials continue"),
+    main(CommandId::CancelJob, &["x"], "stop", "Stop computing the trials"),
+    main(CommandId::Sort, &["o"], "sort", "Sort by the next column; after the last: in the original order"),
+    main(CommandId::Write, &["w"], "write", "Write the table to a text file"),
+    main(CommandId::Trials, &["T"], "anew", "Compute the trials again"),
+    main(CommandId::Back, &["esc", "b"], "back", "Back to where you were; the trials continue"),
     DOWN,
 ];
 
 pub(super) struct TrialsPane;
 
 impl Pane for TrialsPane {
-    fn about(&self) -> About {
+    fn about(&self) -> PaneInfo {
         about("Trials", "", &[COMMANDS, LIST, WIDE])
     }
 
-    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
+    fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let trials = state.trials.as_ref()?;
         let when = |condition: bool, reason: &'static str| condition.then_some(reason);
         match id {
-            Id::CancelJob => when(!trials.running(), "All trials are computed already."),
-            Id::Write => when(
+            CommandId::CancelJob => when(!trials.running(), "All trials are computed already."),
+            CommandId::Write => when(
                 trials.progress.findings.is_empty(),
                 "No trial is computed yet.",
             ),
@@ -49,21 +49,21 @@ impl Pane for TrialsPane {
         }
     }
 
-    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let (verb, columns) = (table_verb(state, id), state.size.0);
         let trials = state.trials.as_mut()?;
         match id {
-            Id::Trials => {
+            CommandId::Trials => {
                 let of = trials.of.clone();
                 return Some(trials::begin(state, of));
             }
-            Id::Back => trials.shown = false,
-            Id::CancelJob | Id::Interrupt if trials.running() => {
+            CommandId::Back => trials.shown = false,
+            CommandId::CancelJob | CommandId::Interrupt if trials.running() => {
                 let effects = trials::stop(state);
                 info(state, "Stopped; `T` computes the trials again.");
                 return Some(effects);
             }
-            Id::Write => {
+            CommandId::Write => {
                 let tally = tally(&trials.progress.findings);
                 let table = trials.table(u16::MAX).to_text(TEXT_WIDTH);
                 let text = format!("{table}\n{tally}\n");
@@ -82,8 +82,7 @@ impl Pane for TrialsPane {
         let Some(trials) = &painter.state.trials else {
             return;
         };
-        let [head, rest] =
-            Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
+        let [head, rest] = below_head(area);
         headline(painter, head, trials);
         if trials.progress.findings.is_empty() {
             let words = if trials.running() || trials.stopped {

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 
 use ratatui::layout::Rect;
 
-use super::{About, Pane, about};
+use super::{Pane, PaneInfo, about};
 use crate::reference;
 use crate::report::text;
-use crate::tui::command::{self, Command, DOWN, Id, LIST, SORT, WIDE};
+use crate::tui::command::{self, Command, CommandId, DOWN, LIST, SORT, WIDE};
 use crate::tui::msg::Effect;
 use crate::tui::state::AppState;
 use crate::tui::update::export::{self, TEXT_WIDTH};
@@ -23,10 +23,10 @@ const COMMANDS: &[Command] = &[
     DOWN,
 ];
 
-pub(super) struct Validation;
+pub(super) struct ValidationPane;
 
-impl Pane for Validation {
-    fn about(&self) -> About {
+impl Pane for ValidationPane {
+    fn about(&self) -> PaneInfo {
         about(
             "Validation",
             "Go to the validation table",
@@ -34,16 +34,16 @@ impl Pane for Validation {
         )
     }
 
-    fn reason(&self, state: &AppState, id: Id) -> Option<&'static str> {
+    fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let empty = state.document.as_ref()?.kind().checks().is_empty();
-        (id == Id::Write && empty).then_some(NO_PUBLISHED_VALUES)
+        (id == CommandId::Write && empty).then_some(NO_PUBLISHED_VALUES)
     }
 
-    fn update(&self, state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let verb = table_verb(state, id);
         let document = state.document.as_mut()?;
         let checks = document.content.kind().checks();
-        if id == Id::Write {
+        if id == CommandId::Write {
             let words = match document.line() {
                 Some(_) => reference::table(checks).to_text(TEXT_WIDTH),
                 None => text::validation(checks),

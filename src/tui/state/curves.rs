@@ -3,13 +3,15 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::jobs::{JobState, Ticket};
-use crate::case::{At, ChannelId};
-use crate::run::{DecimatedRecord, Frame, History, LineShape, Progress, Run, RunInfo, RunState};
+use super::jobs::{JobNumber, JobState};
+use crate::case::{ChannelId, StudyPoint};
+use crate::run::{
+    DecimatedRecord, History, LineShape, OutputFrame, Progress, Run, RunInfo, RunState,
+};
 
 /// What is known of a run so far.
 #[derive(Debug, Clone, Default)]
-pub struct Curves {
+pub struct RunCurves {
     streamed: DecimatedRecord,
     /// The run, once it is complete.
     pub run: Option<Arc<Run>>,
@@ -17,7 +19,7 @@ pub struct Curves {
     pub progress: Progress,
 }
 
-impl Curves {
+impl RunCurves {
     /// The curves of a complete run.
     #[must_use]
     pub fn whole(run: Arc<Run>) -> Self {
@@ -33,7 +35,7 @@ impl Curves {
     }
 
     /// Adds an output instant.
-    pub fn push(&mut self, frame: Frame) {
+    pub fn push(&mut self, frame: OutputFrame) {
         self.progress = frame.progress;
         self.streamed.row(frame.time, &frame.values);
         if let Some(shape) = frame.shape {
@@ -121,13 +123,13 @@ impl RunStatus {
 #[derive(Debug, Clone)]
 pub struct RunEntry {
     /// Number of its job, in this session.
-    pub ticket: Option<Ticket>,
+    pub ticket: Option<JobNumber>,
     /// Name, as of its directory once it has one.
     pub id: String,
     /// What is special about it ("current.speed_m_per_s = 0.2"), or empty.
     pub label: String,
     /// The point of a study it belongs to; absent: the edited case.
-    pub at: Option<At>,
+    pub at: Option<StudyPoint>,
     /// The case text it computes, to decide whether it is of the edited case.
     pub text: String,
     /// Where it comes from.
@@ -143,7 +145,7 @@ pub struct RunEntry {
     /// Whether the charts show it.
     pub shown: bool,
     /// Its curves; a stored run has none before it is first shown.
-    pub curves: Curves,
+    pub curves: RunCurves,
 }
 
 impl RunEntry {
@@ -169,7 +171,7 @@ impl RunEntry {
             dir: None,
             cost: Some((info.work.steps, info.cost.cpu_s)),
             shown: false,
-            curves: Curves::default(),
+            curves: RunCurves::default(),
         }
     }
 }

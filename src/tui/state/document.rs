@@ -1,21 +1,27 @@
 //! The document that is open: its text and edits, the result of its text, and what its panes show. What
 //! differs between the kinds of file is behind [`DocumentKind`].
 
+use std::path::Path;
+
 use super::document_kind::DocumentKind;
 use super::line::LineView;
 use super::parameter_editor::ParameterEditor;
 use super::ropeway::RopewayView;
 use super::section::SectionView;
 use super::ship::ShipView;
-use crate::case::Diagnostic;
+use crate::case::{self, Diagnostic, kind};
+use crate::kinds::FileType;
 use crate::report::chart::Chart;
 use crate::report::table::Table;
+use crate::ropeway::Ropeway;
+use crate::section::CrossSection;
+use crate::ship::Ship;
 use crate::tui::pane::PaneId;
 use crate::tui::table_pane::TablePane;
 
 /// The kinds of file, with the result of the text.
 #[derive(Debug, Clone)]
-pub enum Content {
+pub enum DocumentContent {
     /// A line case.
     Line(Box<LineView>),
     /// A cross-section.
@@ -26,7 +32,35 @@ pub enum Content {
     Ship(Box<ShipView>),
 }
 
-impl Content {
+impl DocumentContent {
+    /// The text of a file and its content, by the kind of the file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the file.
+    pub fn read(path: &Path) -> Result<(String, Self), Vec<Diagnostic>> {
+        Ok(match FileType::of(path) {
+            FileType::Line => {
+                let file = case::load(path)?;
+                (file.text, Self::Line(Box::new(LineView::new(file.case))))
+            }
+            FileType::Section => {
+                let file = kind::load::<CrossSection>(path)?;
+                let view = SectionView::new(file.computed);
+                (file.text, Self::Section(Box::new(view)))
+            }
+            FileType::Ropeway => {
+                let file = kind::load::<Ropeway>(path)?;
+                let view = RopewayView::new(file.computed);
+                (file.text, Self::Ropeway(Box::new(view)))
+            }
+            FileType::Ship => {
+                let file = kind::load::<Ship>(path)?;
+                let view = ShipView::new(file.computed);
+                (file.text, Self::Ship(Box::new(view)))
+            }
+        })
+    }
+
     /// What the screen needs of it.
     #[must_use]
     pub fn kind(&self) -> &dyn DocumentKind {
@@ -55,7 +89,7 @@ pub struct Document {
     /// Its text, fields and edits.
     pub editor: ParameterEditor,
     /// The result of its text.
-    pub content: Content,
+    pub content: DocumentContent,
     /// The pane that has the focus.
     pub pane: PaneId,
     /// The tab of the tables that is shown.
@@ -69,12 +103,12 @@ pub struct Document {
 impl Document {
     /// A file as read, with its fields still to be listed.
     #[must_use]
-    pub fn new(editor: ParameterEditor, content: Content) -> Self {
-        let kind = content.kind();
+    pub fn new(editor: ParameterEditor, content: DocumentContent) -> Self {
+        let kind = content.kind().info();
         Self {
-            pane: kind.first_pane(),
+            pane: kind.first,
             tab: 0,
-            tables: vec![TablePane::default(); kind.tabs().len()],
+            tables: vec![TablePane::default(); kind.tabs.len()],
             checks_pane: TablePane::default(),
             editor,
             content,
@@ -91,7 +125,7 @@ impl Document {
     #[must_use]
     pub fn line(&self) -> Option<&LineView> {
         match &self.content {
-            Content::Line(line) => Some(line),
+            DocumentContent::Line(line) => Some(line),
             _ => None,
         }
     }
@@ -99,7 +133,7 @@ impl Document {
     /// The line case, to be changed.
     pub fn line_mut(&mut self) -> Option<&mut LineView> {
         match &mut self.content {
-            Content::Line(line) => Some(line),
+            DocumentContent::Line(line) => Some(line),
             _ => None,
         }
     }
@@ -107,7 +141,7 @@ impl Document {
     /// The line case, to be changed, and its text.
     pub fn line_and_editor(&mut self) -> Option<(&mut LineView, &ParameterEditor)> {
         match &mut self.content {
-            Content::Line(line) => Some((line, &self.editor)),
+            DocumentContent::Line(line) => Some((line, &self.editor)),
             _ => None,
         }
     }
@@ -124,7 +158,7 @@ impl Document {
     /// All that is wrong; everything is then unchanged.
     pub fn refresh(&mut self) -> Result<(), Vec<Diagnostic>> {
         self.content.kind_mut().read(&self.editor)?;
-        self.editor.rows = self.kind().rows(&self.editor.text, &self.editor);
+        self.editor.rows = self.kind().rows(&self.editor.text);
         self.content.kind_mut().validate(&self.editor);
         Ok(())
     }

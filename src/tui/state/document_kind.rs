@@ -7,37 +7,35 @@ use crate::case::Diagnostic;
 use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::table::Table;
-use crate::tui::command::{Command, Id, MODEL};
+use crate::tui::command::{Command, CommandId, MODEL};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 
+/// A kind of file and its panes, and what is said of one file.
+#[derive(Debug, Clone, Copy)]
+pub struct KindInfo<'a> {
+    /// Name of the kind.
+    pub name: &'static str,
+    /// The title of this file.
+    pub title: &'a str,
+    /// The source of its data.
+    pub source: &'a str,
+    /// Its panes, in the order of their numbers.
+    pub panes: &'static [PaneId],
+    /// The pane that has the focus at first.
+    pub first: PaneId,
+    /// The names of the tabs of its tables pane.
+    pub tabs: &'static [&'static str],
+}
+
 /// What the screen needs of a kind of file. A `source` gives path and name of the file of a text.
 pub trait DocumentKind {
-    /// Name of the kind.
-    fn name(&self) -> &'static str;
+    /// The kind with its panes, and title and source of this file.
+    fn info(&self) -> KindInfo<'_>;
 
     /// What the first line of the screen says of it.
     fn headline(&self) -> String {
-        self.name().to_owned()
-    }
-
-    /// The title of this file.
-    fn title(&self) -> &str;
-
-    /// The source of its data.
-    fn source(&self) -> &str;
-
-    /// Its panes, in the order of their numbers.
-    fn panes(&self) -> &'static [PaneId];
-
-    /// The pane that has the focus at first.
-    fn first_pane(&self) -> PaneId {
-        self.panes().get(1).copied().unwrap_or(PaneId::Inputs)
-    }
-
-    /// The names of the tabs of its tables pane.
-    fn tabs(&self) -> &'static [&'static str] {
-        &[]
+        self.info().name.to_owned()
     }
 
     /// A tab: its chart, where it has one, and its table.
@@ -45,8 +43,8 @@ pub trait DocumentKind {
         (None, Table::default())
     }
 
-    /// The fields of a text of this kind; none where it is invalid.
-    fn rows(&self, text: &str, source: &ParameterEditor) -> Vec<FieldRow>;
+    /// The fields of a text of this kind; none where it is not TOML.
+    fn rows(&self, text: &str) -> Vec<FieldRow>;
 
     /// A text of this kind with one key set.
     ///
@@ -100,8 +98,8 @@ pub trait DocumentKind {
     }
 
     /// Why one of them cannot be done now.
-    fn reason(&self, id: Id) -> Option<&'static str> {
-        (id == Id::Copy && self.copy().is_none())
+    fn reason(&self, id: CommandId) -> Option<&'static str> {
+        (id == CommandId::Copy && self.copy().is_none())
             .then_some("Only the material of a cross-section is copied; `M` writes it to a file.")
     }
 
@@ -113,14 +111,5 @@ pub trait DocumentKind {
     /// Input for a line case: the name of a file beside `stem`, its text, and what it is.
     fn line_input(&self, _stem: &str) -> (PathBuf, Option<String>, &'static str) {
         (PathBuf::new(), None, "")
-    }
-}
-
-/// A table of a title alone, in the place of one that there is no result for.
-#[must_use]
-pub fn message_table(words: &str) -> Table {
-    Table {
-        title: words.to_owned(),
-        ..Table::default()
     }
 }

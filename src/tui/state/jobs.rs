@@ -3,14 +3,14 @@
 use std::collections::VecDeque;
 
 use crate::run::job::Request;
-use crate::run::{Progress, Resume};
+use crate::run::{Progress, ResumedRun};
 
 /// Number of a job in this session; a message with a number we no longer wait for is dropped.
-pub type Ticket = u64;
+pub type JobNumber = u64;
 
 /// What a job is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Purpose {
+pub enum JobPurpose {
     /// The re-solve after an edit; the newest wins and nothing is stored.
     Live,
     /// Asked for by the user, and stored.
@@ -58,11 +58,11 @@ impl JobState {
 #[derive(Debug, Clone)]
 pub struct JobLine {
     /// Its number.
-    pub ticket: Ticket,
+    pub ticket: JobNumber,
     /// What it computes, in words.
     pub name: String,
     /// What it is for.
-    pub purpose: Purpose,
+    pub purpose: JobPurpose,
     /// Its state.
     pub state: JobState,
     /// How far it is.
@@ -71,13 +71,13 @@ pub struct JobLine {
 
 /// A request that waits for its turn.
 #[derive(Debug, Clone)]
-pub struct Waiting {
+pub struct QueuedRequest {
     /// Number of its job.
-    pub ticket: Ticket,
+    pub ticket: JobNumber,
     /// What to compute.
     pub request: Box<Request>,
     /// Where it is resumed from.
-    pub from: Option<Box<Resume>>,
+    pub from: Option<Box<ResumedRun>>,
 }
 
 /// All jobs of the session, oldest first.
@@ -86,13 +86,13 @@ pub struct Jobs {
     /// The jobs.
     pub lines: Vec<JobLine>,
     /// Requests that wait for their turn.
-    pub waiting: VecDeque<Waiting>,
+    pub waiting: VecDeque<QueuedRequest>,
     /// How many stored runs may compute at a time.
     pub limit: usize,
     /// Cursor in the list.
     pub cursor: usize,
     /// The next number.
-    pub next: Ticket,
+    pub next: JobNumber,
 }
 
 impl Default for Jobs {
@@ -109,21 +109,21 @@ impl Default for Jobs {
 
 impl Jobs {
     /// A new number, never used before.
-    pub fn ticket(&mut self) -> Ticket {
+    pub fn ticket(&mut self) -> JobNumber {
         let ticket = self.next;
         self.next += 1;
         ticket
     }
 
     /// The job of this number.
-    pub fn get_mut(&mut self, ticket: Ticket) -> Option<&mut JobLine> {
+    pub fn get_mut(&mut self, ticket: JobNumber) -> Option<&mut JobLine> {
         self.lines.iter_mut().find(|line| line.ticket == ticket)
     }
 
     /// How many compute for the store at this moment.
     #[must_use]
     pub fn computing(&self) -> usize {
-        self.of(Purpose::Run)
+        self.of(JobPurpose::Run)
             .filter(|l| l.state == JobState::Running)
             .count()
     }
@@ -131,16 +131,12 @@ impl Jobs {
     /// How many stored runs wait or compute.
     #[must_use]
     pub fn open(&self) -> usize {
-        self.of(Purpose::Run).filter(|l| l.state.is_open()).count()
+        self.of(JobPurpose::Run)
+            .filter(|l| l.state.is_open())
+            .count()
     }
 
-    fn of(&self, purpose: Purpose) -> impl Iterator<Item = &JobLine> {
+    fn of(&self, purpose: JobPurpose) -> impl Iterator<Item = &JobLine> {
         self.lines.iter().filter(move |l| l.purpose == purpose)
-    }
-
-    /// True while anything computes or waits, live solves too.
-    #[must_use]
-    pub fn busy(&self) -> bool {
-        self.lines.iter().any(|l| l.state.is_open())
     }
 }

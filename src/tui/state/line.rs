@@ -3,17 +3,17 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::curves::{Curves, RunEntry};
-use super::document_kind::DocumentKind;
-use super::jobs::Ticket;
+use super::curves::{RunCurves, RunEntry};
+use super::document_kind::{DocumentKind, KindInfo};
+use super::jobs::JobNumber;
 use super::modes::ModesView;
 use super::parameter_editor::ParameterEditor;
-use crate::case::{self, At, Case, Diagnostic};
+use crate::case::{Case, Diagnostic, StudyPoint, kind};
 use crate::reference;
 use crate::report::figures::{FIGURES, FigureId};
 use crate::run::settings::method_name;
 use crate::run::{Run, RunState};
-use crate::tui::command::{Command, Id, LINE};
+use crate::tui::command::{Command, CommandId, LINE};
 use crate::tui::facade::{self, FieldRow, ValidationRow};
 use crate::tui::line_tables::LineTable;
 use crate::tui::pane::PaneId;
@@ -24,13 +24,13 @@ use crate::tui::table_pane::TablePane;
 #[derive(Debug, Clone, Default)]
 pub struct LiveSolve {
     /// The job that computes now.
-    pub ticket: Option<Ticket>,
+    pub ticket: Option<JobNumber>,
     /// Its curves so far.
-    pub going: Option<Curves>,
+    pub going: Option<RunCurves>,
     /// The text that `going` computes.
     pub going_text: String,
     /// The last complete curves, dimmed while `going` is incomplete.
-    pub done: Option<Curves>,
+    pub done: Option<RunCurves>,
     /// The text that `done` computed.
     pub done_text: String,
     /// Where it was kept on disk, if the user did.
@@ -132,8 +132,8 @@ impl LineView {
 
     /// The points of the studies that the validation table needs, with the text of each.
     #[must_use]
-    pub fn needed(&self, source: &ParameterEditor) -> Vec<(Option<At>, String)> {
-        let variant = |at: Option<At>| {
+    pub fn needed(&self, source: &ParameterEditor) -> Vec<(Option<StudyPoint>, String)> {
+        let variant = |at: Option<StudyPoint>| {
             let found = facade::variant(&source.text, &self.case, at.as_ref(), &source.file);
             Some((at, found.ok()?.0))
         };
@@ -161,55 +161,50 @@ impl LineView {
 }
 
 impl DocumentKind for LineView {
-    fn name(&self) -> &'static str {
-        "line case"
+    fn info(&self) -> KindInfo<'_> {
+        KindInfo {
+            name: "line case",
+            title: &self.case.case.title,
+            source: &self.case.case.source,
+            panes: &[
+                PaneId::Inputs,
+                PaneId::Charts,
+                PaneId::Runs,
+                PaneId::Validation,
+                PaneId::Report,
+                PaneId::Jobs,
+                PaneId::Nodes,
+                PaneId::Modes,
+            ],
+            first: PaneId::Inputs,
+            tabs: &[],
+        }
     }
 
     fn headline(&self) -> String {
         format!("solver {}", method_name(self.case.solver.method))
     }
 
-    fn title(&self) -> &str {
-        &self.case.case.title
-    }
-
-    fn source(&self) -> &str {
-        &self.case.case.source
-    }
-
-    fn panes(&self) -> &'static [PaneId] {
-        &[
-            PaneId::Inputs,
-            PaneId::Charts,
-            PaneId::Runs,
-            PaneId::Validation,
-            PaneId::Report,
-            PaneId::Jobs,
-            PaneId::Nodes,
-            PaneId::Modes,
-        ]
-    }
-
     fn commands(&self) -> &'static [Command] {
         LINE
     }
 
-    fn reason(&self, id: Id) -> Option<&'static str> {
+    fn reason(&self, id: CommandId) -> Option<&'static str> {
         let when = |condition: bool, reason: &'static str| condition.then_some(reason);
         let case = &self.case;
         match id {
-            Id::Study => when(
+            CommandId::Study => when(
                 case.study.is_empty(),
                 "This case has no study. A `[[study]]` table in its file makes one.",
             ),
-            Id::Validate => when(
+            CommandId::Validate => when(
                 case.published.is_empty()
                     && case.trend.is_empty()
                     && case.published_curve.is_empty(),
                 "This case states no published values to compare with.",
             ),
-            Id::Keep => self.live.why_not_kept(),
-            Id::Trials => when(
+            CommandId::Keep => self.live.why_not_kept(),
+            CommandId::Trials => when(
                 case.trial.is_empty(),
                 "This case has no trials. A `[[trial]]` table in its file makes one; in the list of cases `T` computes all.",
             ),
@@ -217,13 +212,8 @@ impl DocumentKind for LineView {
         }
     }
 
-    fn first_pane(&self) -> PaneId {
-        PaneId::Inputs
-    }
-
-    fn rows(&self, text: &str, source: &ParameterEditor) -> Vec<FieldRow> {
-        let case = facade::parse_at(text, &source.path, &source.file);
-        case.map_or_else(|_| Vec::new(), |case| case::rows(text, &case))
+    fn rows(&self, text: &str) -> Vec<FieldRow> {
+        kind::rows::<Case>(text)
     }
 
     fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {

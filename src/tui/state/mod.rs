@@ -15,10 +15,10 @@ pub mod ship;
 pub mod trials;
 
 pub use case_list::{CaseEntry, CaseList, Filter};
-pub use curves::{Curves, RunEntry, RunOrigin, RunStatus};
-pub use document::{Content, Document};
+pub use curves::{RunCurves, RunEntry, RunOrigin, RunStatus};
+pub use document::{Document, DocumentContent};
 pub use document_kind::DocumentKind;
-pub use jobs::{JobLine, JobState, Jobs, Purpose, Ticket, Waiting};
+pub use jobs::{JobLine, JobNumber, JobPurpose, JobState, Jobs, QueuedRequest};
 pub use line::LineView;
 pub use overlay::{Overlay, PromptPurpose, Question};
 pub use parameter_editor::{Editing, ParameterEditor};
@@ -47,25 +47,25 @@ pub struct AppState {
     /// What lies over the screen and takes the keys.
     pub overlay: Option<Overlay>,
     /// The latest message.
-    pub note: Option<Note>,
+    pub note: Option<StatusMessage>,
     /// All messages, oldest first.
-    pub log: Vec<Note>,
+    pub log: Vec<StatusMessage>,
     /// True after a Ctrl-C: the next one quits.
     pub interrupted: bool,
 }
 
 /// A message to the user.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Note {
+pub struct StatusMessage {
     /// How much it matters.
-    pub level: Level,
+    pub level: Severity,
     /// Full sentences.
     pub text: String,
 }
 
 /// How much a message matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Level {
+pub enum Severity {
     /// Goes away with the next key.
     Info,
     /// Stays until the next message.
@@ -117,7 +117,7 @@ impl AppState {
     #[must_use]
     pub fn panes(&self) -> &'static [PaneId] {
         let document = self.document.as_ref();
-        document.map_or(&[], |document| document.kind().panes())
+        document.map_or(&[], |document| document.kind().info().panes)
     }
 
     /// The text and fields of what is open.
@@ -154,8 +154,8 @@ impl AppState {
     }
 
     /// Says something and keeps it in the log.
-    pub fn say(&mut self, level: Level, text: impl Into<String>) {
-        let note = Note {
+    pub fn say(&mut self, level: Severity, text: impl Into<String>) {
+        let note = StatusMessage {
             level,
             text: text.into(),
         };

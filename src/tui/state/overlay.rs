@@ -115,7 +115,7 @@ impl Question {
             ),
             Self::Glyphs => (
                 "No locale is set, so nothing says what this terminal can show. \
-                 Is this a row of dot patterns?   \u{2801}\u{2803}\u{2807}\u{2847}\u{28c7}\u{28e7}\u{28f7}\u{28ff}"
+                 Is this a row of dot patterns? \u{2801}\u{2803}\u{2807}\u{2847}\u{28c7}\u{28e7}\u{28f7}\u{28ff}"
                     .to_owned(),
                 &[('y', "yes, draw with dots"), ('n', "no, draw with ASCII")],
             ),

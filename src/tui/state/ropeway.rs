@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::document_kind::{DocumentKind, message_table};
+use super::document_kind::{DocumentKind, KindInfo};
 use super::parameter_editor::ParameterEditor;
 use crate::case::{Diagnostic, kind};
 use crate::reference::ValidationRow;
@@ -10,9 +10,7 @@ use crate::report::chart::{Chart, Glyphs};
 use crate::report::ropeway::{self as views, cargo, tables, winch};
 use crate::report::table::Table;
 use crate::ropeway::elastic::Carrier;
-use crate::ropeway::{
-    self, ModelResults, RopewayError, RopewayFile, SolvedRopeway, line, validation,
-};
+use crate::ropeway::{ModelResults, Ropeway, RopewayError, SolvedRopeway, line, validation};
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::pane::PaneId;
 
@@ -50,42 +48,33 @@ impl RopewayView {
 
     fn winch(&self) -> (Option<Chart>, Table) {
         let Some(series) = self.worked.ship_motion() else {
-            return (None, message_table("The ship does not move; add [motion]."));
+            return (None, Table::titled("The ship does not move; add [motion]."));
         };
         match self.worked.run_winch(&series) {
             Ok(followed) => (
                 Some(winch::winch_chart(&followed)),
                 winch::winch(&self.worked, &followed),
             ),
-            Err(error) => (None, message_table(&format!("No solution: {error}."))),
+            Err(error) => (None, Table::titled(format!("No solution: {error}."))),
         }
     }
 }
 
 impl DocumentKind for RopewayView {
-    fn name(&self) -> &'static str {
-        "ropeway"
-    }
-
-    fn title(&self) -> &str {
-        &self.worked.ropeway.about.title
-    }
-
-    fn source(&self) -> &str {
-        &self.worked.ropeway.about.source
-    }
-
-    fn panes(&self) -> &'static [PaneId] {
-        &[
-            PaneId::Inputs,
-            PaneId::Ropeway,
-            PaneId::Tables,
-            PaneId::Validation,
-        ]
-    }
-
-    fn tabs(&self) -> &'static [&'static str] {
-        &["Crossing", "Hauling", "Winch", "Cargo", "Ropes", "Check"]
+    fn info(&self) -> KindInfo<'_> {
+        KindInfo {
+            name: "ropeway",
+            title: &self.worked.ropeway.about.title,
+            source: &self.worked.ropeway.about.source,
+            panes: &[
+                PaneId::Inputs,
+                PaneId::Ropeway,
+                PaneId::Tables,
+                PaneId::Validation,
+            ],
+            first: PaneId::Ropeway,
+            tabs: &["Crossing", "Hauling", "Winch", "Cargo", "Ropes", "Check"],
+        }
     }
 
     fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
@@ -96,24 +85,24 @@ impl DocumentKind for RopewayView {
             (2, _) => self.winch(),
             (3, _) => (Some(cargo::crossing_chart(worked)), cargo::cargo(worked)),
             (4, Ok(results)) => (None, tables::ropes(worked, results)),
-            (4, Err(error)) => (None, message_table(&format!("No solution: {error}."))),
+            (4, Err(error)) => (None, Table::titled(format!("No solution: {error}."))),
             _ => {
-                let none = || message_table("The file has no finite-element check.");
+                let none = || Table::titled("The file has no finite-element check.");
                 (None, tables::weight_check(worked).unwrap_or_else(none))
             }
         }
     }
 
-    fn rows(&self, text: &str, _: &ParameterEditor) -> Vec<FieldRow> {
-        kind::rows::<RopewayFile>(text)
+    fn rows(&self, text: &str) -> Vec<FieldRow> {
+        kind::rows::<Ropeway>(text)
     }
 
     fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {
-        ropeway::edit::set(text, key, value).map_err(|all| facade::refusal(key, &all))
+        kind::set::<Ropeway>(text, key, value).map_err(|all| facade::refusal(key, &all))
     }
 
     fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
-        let worked = ropeway::parse(&source.text, &source.file)?;
+        let worked = kind::parse::<Ropeway>(&source.text, &source.file)?;
         // Where the file's own place changes, the cargo goes there.
         let moved = self.worked.ropeway.cargo.position != worked.ropeway.cargo.position;
         let position = if moved {

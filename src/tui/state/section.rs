@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-use super::document_kind::DocumentKind;
+use super::document_kind::{DocumentKind, KindInfo};
 use super::parameter_editor::ParameterEditor;
 use crate::case::{Diagnostic, kind};
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::section::{self as views, tables};
 use crate::report::table::Table;
 use crate::section::stiffness::EndRotation;
-use crate::section::{self, Design, SectionFile};
+use crate::section::{self, CrossSection, Design};
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::PlotPane;
@@ -38,28 +38,15 @@ impl SectionView {
 }
 
 impl DocumentKind for SectionView {
-    fn name(&self) -> &'static str {
-        "cross-section"
-    }
-
-    fn title(&self) -> &str {
-        &self.design.section.about.title
-    }
-
-    fn source(&self) -> &str {
-        &self.design.section.about.source
-    }
-
-    fn panes(&self) -> &'static [PaneId] {
-        &[PaneId::Inputs, PaneId::Drawing, PaneId::Tables]
-    }
-
-    fn first_pane(&self) -> PaneId {
-        PaneId::Inputs
-    }
-
-    fn tabs(&self) -> &'static [&'static str] {
-        &["Layers", "Whole", "Stiffness", "Carried"]
+    fn info(&self) -> KindInfo<'_> {
+        KindInfo {
+            name: "cross-section",
+            title: &self.design.section.about.title,
+            source: &self.design.section.about.source,
+            panes: &[PaneId::Inputs, PaneId::Drawing, PaneId::Tables],
+            first: PaneId::Inputs,
+            tabs: &["Layers", "Whole", "Stiffness", "Carried"],
+        }
     }
 
     fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
@@ -76,16 +63,16 @@ impl DocumentKind for SectionView {
         (None, table)
     }
 
-    fn rows(&self, text: &str, _: &ParameterEditor) -> Vec<FieldRow> {
-        kind::rows::<SectionFile>(text)
+    fn rows(&self, text: &str) -> Vec<FieldRow> {
+        kind::rows::<CrossSection>(text)
     }
 
     fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {
-        section::edit::set(text, key, value).map_err(|all| facade::refusal(key, &all))
+        kind::set::<CrossSection>(text, key, value).map_err(|all| facade::refusal(key, &all))
     }
 
     fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
-        self.design = section::parse(&source.text, &source.file)?;
+        self.design = kind::parse::<CrossSection>(&source.text, &source.file)?;
         Ok(())
     }
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::document_kind::{DocumentKind, message_table};
+use super::document_kind::{DocumentKind, KindInfo};
 use super::parameter_editor::ParameterEditor;
 use crate::case::{Diagnostic, kind};
 use crate::numerics::V3;
@@ -14,7 +14,7 @@ use crate::report::chart::{Chart, Glyphs};
 use crate::report::ship::{coupled, motion, rope, statics, text};
 use crate::report::table::Table;
 use crate::ship::rope::RopeAnalysis;
-use crate::ship::{self, DynamicAnalysis, MotionAnalysis, ShipFile, StaticAnalysis, validation};
+use crate::ship::{self, DynamicAnalysis, MotionAnalysis, Ship, StaticAnalysis, validation};
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::pane::PaneId;
 
@@ -55,16 +55,16 @@ impl ShipView {
         of: impl Fn(&'a DynamicAnalysis) -> Option<T>,
         none: &str,
     ) -> Result<T, Table> {
-        let wait = || message_table("The dynamic analysis is still running.");
+        let wait = || Table::titled("The dynamic analysis is still running.");
         let dynamic = self.dynamic.as_ref().ok_or_else(wait)?;
-        of(dynamic).ok_or_else(|| message_table(none))
+        of(dynamic).ok_or_else(|| Table::titled(none))
     }
 
     fn motion(&self) -> Result<&MotionAnalysis, Table> {
         let none = "No motion analysis: the file has no [motion].";
         match self.part(|dynamic| dynamic.motion.as_ref(), none)? {
             Ok(motion) => Ok(motion),
-            Err(error) => Err(message_table(&format!(
+            Err(error) => Err(Table::titled(format!(
                 "The motion analysis failed: {error}."
             ))),
         }
@@ -74,9 +74,7 @@ impl ShipView {
         let none = "No rope analysis: the file has no [rope].";
         match self.part(|dynamic| dynamic.rope.as_ref(), none)? {
             Ok(rope) => Ok(rope),
-            Err(error) => Err(message_table(&format!(
-                "The rope analysis failed: {error}."
-            ))),
+            Err(error) => Err(Table::titled(format!("The rope analysis failed: {error}."))),
         }
     }
 
@@ -87,7 +85,7 @@ impl ShipView {
             .ship
             .motion
             .as_ref()
-            .map_or(0, ship::model::Motion::seed);
+            .map_or(0, ship::model::MotionSettings::seed);
         Ok(match tab {
             1 => {
                 let analysis = self.motion()?;
@@ -101,7 +99,7 @@ impl ShipView {
             }
             4 => {
                 let rope = self.rope()?;
-                let none = || message_table("The rope made fast has no solution.");
+                let none = || Table::titled("The rope made fast has no solution.");
                 let table = rope::dynamic_table(rope).unwrap_or_else(none);
                 (rope::dynamic_chart(rope), table)
             }
@@ -114,7 +112,7 @@ impl ShipView {
                     ),
                     Ok(coupled) => (Some(coupled::tension(coupled)), coupled::decay(coupled)),
                     Err(error) => {
-                        return Err(message_table(&format!(
+                        return Err(Table::titled(format!(
                             "The coupled analysis failed: {error}."
                         )));
                     }
@@ -125,45 +123,36 @@ impl ShipView {
 }
 
 impl DocumentKind for ShipView {
-    fn name(&self) -> &'static str {
-        "ship"
-    }
-
-    fn title(&self) -> &str {
-        &self.statics.ship.ship.title
-    }
-
-    fn source(&self) -> &str {
-        &self.statics.ship.ship.source
-    }
-
-    fn panes(&self) -> &'static [PaneId] {
-        &[
-            PaneId::Inputs,
-            PaneId::Ship,
-            PaneId::Tables,
-            PaneId::Validation,
-        ]
-    }
-
-    fn tabs(&self) -> &'static [&'static str] {
-        &[
-            "Headings",
-            "Motion",
-            "Spectra",
-            "Rope",
-            "Inertia",
-            "Coupled",
-            "Decay",
-            "Stability",
-            "Loads",
-            "Mooring",
-        ]
+    fn info(&self) -> KindInfo<'_> {
+        KindInfo {
+            name: "ship",
+            title: &self.statics.ship.ship.title,
+            source: &self.statics.ship.ship.source,
+            panes: &[
+                PaneId::Inputs,
+                PaneId::Ship,
+                PaneId::Tables,
+                PaneId::Validation,
+            ],
+            first: PaneId::Ship,
+            tabs: &[
+                "Headings",
+                "Motion",
+                "Spectra",
+                "Rope",
+                "Inertia",
+                "Coupled",
+                "Decay",
+                "Stability",
+                "Loads",
+                "Mooring",
+            ],
+        }
     }
 
     fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
         let statics = &self.statics;
-        let or = |table: Option<Table>, words: &str| table.unwrap_or_else(|| message_table(words));
+        let or = |table: Option<Table>, words: &str| table.unwrap_or_else(|| Table::titled(words));
         match tab {
             0 => (Some(statics::moments(statics)), statics::headings(statics)),
             1..=6 => self.dynamic_tab(tab).unwrap_or_else(|table| (None, table)),
@@ -182,16 +171,16 @@ impl DocumentKind for ShipView {
         }
     }
 
-    fn rows(&self, text: &str, _: &ParameterEditor) -> Vec<FieldRow> {
-        kind::rows::<ShipFile>(text)
+    fn rows(&self, text: &str) -> Vec<FieldRow> {
+        kind::rows::<Ship>(text)
     }
 
     fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {
-        ship::edit::set(text, key, value).map_err(|all| facade::refusal(key, &all))
+        kind::set::<Ship>(text, key, value).map_err(|all| facade::refusal(key, &all))
     }
 
     fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
-        let statics = ship::parse(&source.text, &source.file)?;
+        let statics = kind::parse::<Ship>(&source.text, &source.file)?;
         let count = |statics: &StaticAnalysis| statics.equilibria.as_ref().map_or(0, Vec::len);
         if count(&statics) != count(&self.statics) {
             self.equilibrium = text::governing(&statics);

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::Ticket;
+use super::JobNumber;
 use crate::report::table::Table;
 use crate::study::{TrialVerdict, hard_cases};
 use crate::tui::table_pane::TablePane;
@@ -43,7 +43,7 @@ pub struct Trials {
     /// Whose they are.
     pub of: TrialsOf,
     /// Number of the job.
-    pub ticket: Ticket,
+    pub ticket: JobNumber,
     /// How far they are.
     pub progress: TrialProgress,
     /// Whether they were stopped.

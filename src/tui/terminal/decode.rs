@@ -3,13 +3,13 @@
 //! A slow link may cut an escape sequence anywhere, also right after its Esc. The decoder therefore
 //! keeps what is incomplete and lets the caller decide how long a lone Esc may wait to become more.
 
-use crate::tui::key::Key;
+use crate::tui::key::KeyPress;
 
 /// What a person did at the terminal.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Input {
+pub enum TerminalInput {
     /// A key.
-    Key(Key),
+    Key(KeyPress),
     /// Text pasted as one piece; never commands.
     Paste(String),
 }
@@ -26,20 +26,20 @@ pub struct Decoder {
 }
 
 /// What the first pending bytes are.
-enum Step {
+enum DecodeStep {
     /// More bytes are needed to decide.
     Wait,
     /// So many bytes mean nothing to us.
     Skip(usize),
     /// So many bytes are this key.
-    Take(usize, Key),
+    Take(usize, KeyPress),
     /// So many bytes begin a paste.
     BeginPaste(usize),
 }
 
 impl Decoder {
     /// Adds bytes and returns what they complete, in order.
-    pub fn feed(&mut self, bytes: &[u8]) -> Vec<Input> {
+    pub fn feed(&mut self, bytes: &[u8]) -> Vec<TerminalInput> {
         let mut out = Vec::new();
         for &byte in bytes {
             if self.paste.is_some() {
@@ -59,27 +59,27 @@ impl Decoder {
     }
 
     /// Nothing more came: a lone Esc is the Esc key, and half a sequence is dropped.
-    pub fn give_up(&mut self) -> Vec<Input> {
+    pub fn give_up(&mut self) -> Vec<TerminalInput> {
         let lone_escape = self.pending == [0x1b];
         self.pending.clear();
         if lone_escape {
-            vec![Input::Key(Key::Esc)]
+            vec![TerminalInput::Key(KeyPress::Esc)]
         } else {
             Vec::new()
         }
     }
 
-    fn drain(&mut self, out: &mut Vec<Input>) {
+    fn drain(&mut self, out: &mut Vec<TerminalInput>) {
         while !self.pending.is_empty() {
             let used = match first(&self.pending) {
-                Step::Wait if self.pending.len() < LONGEST_SEQUENCE => return,
-                Step::Wait => self.pending.len(),
-                Step::Skip(n) => n,
-                Step::Take(n, key) => {
-                    out.push(Input::Key(key));
+                DecodeStep::Wait if self.pending.len() < LONGEST_SEQUENCE => return,
+                DecodeStep::Wait => self.pending.len(),
+                DecodeStep::Skip(n) => n,
+                DecodeStep::Take(n, key) => {
+                    out.push(TerminalInput::Key(key));
                     n
                 }
-                Step::BeginPaste(n) => {
+                DecodeStep::BeginPaste(n) => {
                     self.paste = Some(Vec::new());
                     n
                 }
@@ -89,13 +89,13 @@ impl Decoder {
     }
 
     /// Ctrl-C ends a paste whose end mark got lost, so that the keyboard never goes dead.
-    fn feed_paste(&mut self, byte: u8) -> Option<Input> {
+    fn feed_paste(&mut self, byte: u8) -> Option<TerminalInput> {
         let text = self.paste.as_mut()?;
         text.push(byte);
         let ended = text.ends_with(PASTE_END);
         if byte == 0x03 {
             self.paste = None;
-            return Some(Input::Key(Key::Ctrl('c')));
+            return Some(TerminalInput::Key(KeyPress::Ctrl('c')));
         }
         if !ended && text.len() < LONGEST_PASTE {
             return None;
@@ -104,111 +104,114 @@ impl Decoder {
         if ended {
             text.truncate(text.len() - PASTE_END.len());
         }
-        Some(Input::Paste(String::from_utf8_lossy(&text).into_owned()))
+        Some(TerminalInput::Paste(
+            String::from_utf8_lossy(&text).into_owned(),
+        ))
     }
 }
 
-fn first(bytes: &[u8]) -> Step {
+fn first(bytes: &[u8]) -> DecodeStep {
     match bytes[0] {
         0x1b => escape(bytes),
-        b'\r' | b'\n' => Step::Take(1, Key::Enter),
-        b'\t' => Step::Take(1, Key::Tab),
-        0x7f | 0x08 => Step::Take(1, Key::Backspace),
-        control @ 1..=26 => Step::Take(1, Key::Ctrl(char::from(b'a' + control - 1))),
-        0 | 27..=31 => Step::Skip(1),
+        b'\r' | b'\n' => DecodeStep::Take(1, KeyPress::Enter),
+        b'\t' => DecodeStep::Take(1, KeyPress::Tab),
+        0x7f | 0x08 => DecodeStep::Take(1, KeyPress::Backspace),
+        control @ 1..=26 => DecodeStep::Take(1, KeyPress::Ctrl(char::from(b'a' + control - 1))),
+        0 | 27..=31 => DecodeStep::Skip(1),
         _ => character(bytes),
     }
 }
 
 /// Esc with any other character after it is Esc and then that character: nothing here is bound to
 /// Alt, and over a slow link the two arrive together.
-fn escape(bytes: &[u8]) -> Step {
+fn escape(bytes: &[u8]) -> DecodeStep {
     match bytes.get(1) {
-        None => Step::Wait,
+        None => DecodeStep::Wait,
         Some(b'[') => control_sequence(bytes),
         Some(b'O') => match bytes.get(2) {
-            None => Step::Wait,
-            Some(last) => letter(*last).map_or(Step::Skip(3), |key| Step::Take(3, key)),
+            None => DecodeStep::Wait,
+            Some(last) => letter(*last).map_or(DecodeStep::Skip(3), |key| DecodeStep::Take(3, key)),
         },
-        Some(_) => Step::Take(1, Key::Esc),
+        Some(_) => DecodeStep::Take(1, KeyPress::Esc),
     }
 }
 
-fn control_sequence(bytes: &[u8]) -> Step {
+fn control_sequence(bytes: &[u8]) -> DecodeStep {
     // The Linux console sends F1 to F5 as Esc [ [ A.
     if bytes.get(2) == Some(&b'[') {
         return match bytes.get(3) {
-            None => Step::Wait,
-            Some(last @ b'A'..=b'E') => Step::Take(4, Key::F(last - b'A' + 1)),
-            Some(_) => Step::Skip(4),
+            None => DecodeStep::Wait,
+            Some(last @ b'A'..=b'E') => DecodeStep::Take(4, KeyPress::F(last - b'A' + 1)),
+            Some(_) => DecodeStep::Skip(4),
         };
     }
     let Some(end) = bytes[2..].iter().position(|b| !(0x20..=0x3f).contains(b)) else {
-        return Step::Wait;
+        return DecodeStep::Wait;
     };
     let length = end + 3;
     let parameters = &bytes[2..length - 1];
     match bytes[length - 1] {
         b'~' => numbered(parameters, length),
-        b'Z' => Step::Take(length, Key::BackTab),
+        b'Z' => DecodeStep::Take(length, KeyPress::BackTab),
         // Any other control character breaks the sequence off and counts by itself.
-        0..=0x1f => Step::Skip(length - 1),
-        last => letter(last).map_or(Step::Skip(length), |key| Step::Take(length, key)),
+        0..=0x1f => DecodeStep::Skip(length - 1),
+        last => letter(last).map_or(DecodeStep::Skip(length), |key| {
+            DecodeStep::Take(length, key)
+        }),
     }
 }
 
-fn letter(last: u8) -> Option<Key> {
+fn letter(last: u8) -> Option<KeyPress> {
     Some(match last {
-        b'A' => Key::Up,
-        b'B' => Key::Down,
-        b'C' => Key::Right,
-        b'D' => Key::Left,
-        b'H' => Key::Home,
-        b'F' => Key::End,
-        b'M' => Key::Enter,
-        b'P'..=b'S' => Key::F(last - b'P' + 1),
+        b'A' => KeyPress::Up,
+        b'B' => KeyPress::Down,
+        b'C' => KeyPress::Right,
+        b'D' => KeyPress::Left,
+        b'H' => KeyPress::Home,
+        b'F' => KeyPress::End,
+        b'M' => KeyPress::Enter,
+        b'P'..=b'S' => KeyPress::F(last - b'P' + 1),
         _ => return None,
     })
 }
 
-fn numbered(parameters: &[u8], length: usize) -> Step {
+fn numbered(parameters: &[u8], length: usize) -> DecodeStep {
     let number = parameters
         .split(|b| *b == b';')
         .next()
         .and_then(|n| std::str::from_utf8(n).ok())
         .and_then(|n| n.parse::<u8>().ok());
     let key = match number {
-        Some(200) => return Step::BeginPaste(length),
-        Some(1 | 7) => Key::Home,
-        Some(4 | 8) => Key::End,
-        Some(2) => Key::Insert,
-        Some(3) => Key::Delete,
-        Some(5) => Key::PageUp,
-        Some(6) => Key::PageDown,
-        Some(n @ 11..=15) => Key::F(n - 10),
-        Some(n @ 17..=21) => Key::F(n - 11),
-        Some(n @ 23..=24) => Key::F(n - 12),
-        _ => return Step::Skip(length),
+        Some(200) => return DecodeStep::BeginPaste(length),
+        Some(1 | 7) => KeyPress::Home,
+        Some(4 | 8) => KeyPress::End,
+        Some(2) => KeyPress::Insert,
+        Some(3) => KeyPress::Delete,
+        Some(5) => KeyPress::PageUp,
+        Some(6) => KeyPress::PageDown,
+        Some(n @ 11..=15) => KeyPress::F(n - 10),
+        Some(n @ 17..=21) => KeyPress::F(n - 11),
+        Some(n @ 23..=24) => KeyPress::F(n - 12),
+        _ => return DecodeStep::Skip(length),
     };
-    Step::Take(length, key)
+    DecodeStep::Take(length, key)
 }
 
-fn character(bytes: &[u8]) -> Step {
+fn character(bytes: &[u8]) -> DecodeStep {
     let length = match bytes[0] {
         0x20..=0x7e => 1,
         0xc2..=0xdf => 2,
         0xe0..=0xef => 3,
         0xf0..=0xf4 => 4,
-        _ => return Step::Skip(1),
+        _ => return DecodeStep::Skip(1),
     };
     match bytes.get(..length).map(std::str::from_utf8) {
-        Some(Ok(text)) => text
-            .chars()
-            .next()
-            .map_or(Step::Skip(length), |c| Step::Take(length, Key::Char(c))),
-        Some(Err(_)) => Step::Skip(1),
-        None if bytes[1..].iter().all(|b| b & 0xc0 == 0x80) => Step::Wait,
-        None => Step::Skip(1),
+        Some(Ok(text)) => text.chars().next().map_or(DecodeStep::Skip(length), |c| {
+            DecodeStep::Take(length, KeyPress::Char(c))
+        }),
+        Some(Err(_)) => DecodeStep::Skip(1),
+        None if bytes[1..].iter().all(|b| b & 0xc0 == 0x80) => DecodeStep::Wait,
+        None => DecodeStep::Skip(1),
     }
 }
 
@@ -218,7 +221,7 @@ mod tests {
 
     use super::*;
 
-    fn keys(bytes: &[u8]) -> Vec<Input> {
+    fn keys(bytes: &[u8]) -> Vec<TerminalInput> {
         let mut decoder = Decoder::default();
         let mut out = decoder.feed(bytes);
         out.extend(decoder.give_up());
@@ -228,22 +231,22 @@ mod tests {
     #[test]
     fn common_sequences() {
         for (bytes, key) in [
-            (&b"\x1b[A"[..], Key::Up),
-            (b"\x1bOB", Key::Down),
-            (b"\x1b[1;5C", Key::Right),
-            (b"\x1b[3~", Key::Delete),
-            (b"\x1b[6~", Key::PageDown),
-            (b"\x1b[Z", Key::BackTab),
-            (b"\x1bOP", Key::F(1)),
-            (b"\x1b[[B", Key::F(2)),
-            (b"\x1b[24~", Key::F(12)),
-            (b"\x03", Key::Ctrl('c')),
-            (b"\x1a", Key::Ctrl('z')),
-            (b"\x7f", Key::Backspace),
-            (b"\x1b", Key::Esc),
-            ("é".as_bytes(), Key::Char('é')),
+            (&b"\x1b[A"[..], KeyPress::Up),
+            (b"\x1bOB", KeyPress::Down),
+            (b"\x1b[1;5C", KeyPress::Right),
+            (b"\x1b[3~", KeyPress::Delete),
+            (b"\x1b[6~", KeyPress::PageDown),
+            (b"\x1b[Z", KeyPress::BackTab),
+            (b"\x1bOP", KeyPress::F(1)),
+            (b"\x1b[[B", KeyPress::F(2)),
+            (b"\x1b[24~", KeyPress::F(12)),
+            (b"\x03", KeyPress::Ctrl('c')),
+            (b"\x1a", KeyPress::Ctrl('z')),
+            (b"\x7f", KeyPress::Backspace),
+            (b"\x1b", KeyPress::Esc),
+            ("é".as_bytes(), KeyPress::Char('é')),
         ] {
-            assert_eq!(keys(bytes), [Input::Key(key)], "{bytes:?}");
+            assert_eq!(keys(bytes), [TerminalInput::Key(key)], "{bytes:?}");
         }
     }
 
@@ -253,7 +256,7 @@ mod tests {
         assert_eq!(decoder.feed(b"\x1b"), []);
         assert!(decoder.waiting());
         assert_eq!(decoder.feed(b"["), []);
-        assert_eq!(decoder.feed(b"B"), [Input::Key(Key::Down)]);
+        assert_eq!(decoder.feed(b"B"), [TerminalInput::Key(KeyPress::Down)]);
         assert!(!decoder.waiting());
     }
 
@@ -263,15 +266,18 @@ mod tests {
         assert_eq!(
             paste,
             [
-                Input::Paste("q:quit\r\x1b[A".to_owned()),
-                Input::Key(Key::Char('j'))
+                TerminalInput::Paste("q:quit\r\x1b[A".to_owned()),
+                TerminalInput::Key(KeyPress::Char('j'))
             ]
         );
     }
 
     #[test]
     fn control_c_gets_out_of_a_paste_without_an_end() {
-        assert_eq!(keys(b"\x1b[200~abc\x03"), [Input::Key(Key::Ctrl('c'))]);
+        assert_eq!(
+            keys(b"\x1b[200~abc\x03"),
+            [TerminalInput::Key(KeyPress::Ctrl('c'))]
+        );
     }
 
     proptest! {

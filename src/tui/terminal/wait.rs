@@ -12,7 +12,7 @@ use rustix::io::Errno;
 
 /// Why the wait ended; all false when the time was up.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Woken {
+pub struct WakeReasons {
     /// The terminal has bytes.
     pub input: bool,
     /// A signal came.
@@ -29,7 +29,7 @@ pub fn wait(
     terminal: BorrowedFd<'_>,
     signals: BorrowedFd<'_>,
     limit: Option<Duration>,
-) -> io::Result<Woken> {
+) -> io::Result<WakeReasons> {
     let mut fds = [
         PollFd::from_borrowed_fd(terminal, PollFlags::IN),
         PollFd::from_borrowed_fd(signals, PollFlags::IN),
@@ -38,15 +38,15 @@ pub fn wait(
     match poll(&mut fds, limit.as_ref()) {
         Ok(_) => {}
         Err(Errno::INTR) => {
-            return Ok(Woken {
+            return Ok(WakeReasons {
                 signal: true,
-                ..Woken::default()
+                ..WakeReasons::default()
             });
         }
         Err(error) => return Err(error.into()),
     }
     let gone = PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL;
-    Ok(Woken {
+    Ok(WakeReasons {
         input: fds[0].revents().contains(PollFlags::IN),
         signal: fds[1].revents().contains(PollFlags::IN),
         hung_up: fds[0].revents().intersects(gone),

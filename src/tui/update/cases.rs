@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use super::{edit, jobs, runs, ship};
 use crate::tui::case_library::FIRST;
 use crate::tui::msg::{Effect, FileRead};
-use crate::tui::state::{AppState, CaseEntry, Document, Level, Overlay, ParameterEditor, Question};
+use crate::tui::state::{
+    AppState, CaseEntry, Document, Overlay, ParameterEditor, Question, Severity,
+};
 
 pub(super) fn listed(state: &mut AppState, dir: PathBuf, entries: Vec<CaseEntry>) -> Vec<Effect> {
     let before = state.cases.current().map(|e| e.path.clone());
@@ -24,7 +26,7 @@ pub(super) fn listed(state: &mut AppState, dir: PathBuf, entries: Vec<CaseEntry>
 }
 
 pub(super) fn rejected(state: &mut AppState, title: String, text: String) -> Vec<Effect> {
-    state.say(Level::Error, format!("{title} cannot be opened."));
+    state.say(Severity::Error, format!("{title} cannot be opened."));
     state.overlay = Some(Overlay::Text {
         title,
         text,

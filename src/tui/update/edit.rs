@@ -5,12 +5,12 @@ use tui_input::Input;
 use super::notice::{info, warn};
 use super::text_input::type_key;
 use super::{jobs, runs};
-use crate::case::fields::Absent;
+use crate::case::fields::AbsentValue;
 use crate::run::settings::method_name;
 use crate::tui::facade::{self, FieldRow};
-use crate::tui::key::Key;
+use crate::tui::key::KeyPress;
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Editing, Level};
+use crate::tui::state::{AppState, Editing, Severity};
 
 const METHODS: [&str; 4] = ["static", "quasi", "rk4", "alpha"];
 
@@ -31,13 +31,13 @@ pub fn begin(state: &mut AppState) {
 }
 
 /// Keys while a value is typed.
-pub(super) fn typing_key(state: &mut AppState, key: Key) -> Option<Vec<Effect>> {
+pub(super) fn typing_key(state: &mut AppState, key: KeyPress) -> Option<Vec<Effect>> {
     let editor = state.editor_mut()?;
     let editing = editor.editing.as_mut()?;
     match key {
-        Key::Ctrl('z') => return Some(vec![Effect::Suspend]),
-        Key::Esc | Key::Ctrl('c') => editor.editing = None,
-        Key::Enter => return Some(accept(state)),
+        KeyPress::Ctrl('z') => return Some(vec![Effect::Suspend]),
+        KeyPress::Esc | KeyPress::Ctrl('c') => editor.editing = None,
+        KeyPress::Enter => return Some(accept(state)),
         _ => {
             if type_key(&mut editing.input, key) {
                 editing.problem = None;
@@ -93,7 +93,7 @@ fn accept(state: &mut AppState) -> Vec<Effect> {
 /// Whether a field is one that the file gives and may leave out.
 #[must_use]
 pub fn optional(row: &FieldRow) -> bool {
-    row.given && row.field.absent != Absent::Required
+    row.given && row.field.absent != AbsentValue::Required
 }
 
 /// Takes a new text as an edit that can be undone.
@@ -189,7 +189,7 @@ pub(super) fn refresh(state: &mut AppState) {
     editor.field = editor.field.min(editor.fields().count().saturating_sub(1));
     if let Err(all) = read {
         let problem = facade::first(&all, &editor.file);
-        state.say(Level::Error, problem);
+        state.say(Severity::Error, problem);
     }
     runs::check(state);
 }
@@ -203,7 +203,7 @@ pub fn reset(state: &mut AppState) -> Vec<Effect> {
     let Some(row) = editor.current_field() else {
         return Vec::new();
     };
-    let saved = kind.rows(&editor.saved, editor);
+    let saved = kind.rows(&editor.saved);
     let saved = saved.iter().find(|saved| saved.path == row.path);
     let added = saved.is_some_and(|saved| !saved.given) && optional(row);
     if added && let Some(text) = kind.unset(&editor.text, &row.path) {

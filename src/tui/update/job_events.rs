@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use super::jobs::{set_state, slot, start_waiting};
 use super::runs;
-use crate::run::job::Event;
+use crate::run::job::JobEvent;
 use crate::run::{Progress, Run, RunState};
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Curves, JobState, Level, Overlay, Question, Ticket};
+use crate::tui::state::{AppState, JobNumber, JobState, Overlay, Question, RunCurves, Severity};
 
 /// An event of a job. Events of jobs that nothing waits for any more are dropped.
-pub(super) fn event(state: &mut AppState, ticket: Ticket, event: Event) -> Vec<Effect> {
+pub(super) fn event(state: &mut AppState, ticket: JobNumber, event: JobEvent) -> Vec<Effect> {
     if state
         .jobs
         .get_mut(ticket)
@@ -20,13 +20,13 @@ pub(super) fn event(state: &mut AppState, ticket: Ticket, event: Event) -> Vec<E
     }
     let live = is_live(state, ticket);
     match event {
-        Event::Finished(run) => return finished(state, ticket, Arc::from(run), live),
-        Event::Started { channels } => {
+        JobEvent::Finished(run) => return finished(state, ticket, Arc::from(run), live),
+        JobEvent::Started { channels } => {
             if let Some(curves) = curves(state, ticket, live) {
                 curves.begin(channels);
             }
         }
-        Event::Frame(frame) => {
+        JobEvent::Frame(frame) => {
             if let Some(line) = state.jobs.get_mut(ticket) {
                 line.progress = frame.progress;
             }
@@ -34,8 +34,8 @@ pub(super) fn event(state: &mut AppState, ticket: Ticket, event: Event) -> Vec<E
                 curves.push(*frame);
             }
         }
-        Event::Checkpoint(_) => {}
-        Event::Estimating => {
+        JobEvent::Checkpoint(_) => {}
+        JobEvent::Estimating => {
             if let Some(line) = state.jobs.get_mut(ticket) {
                 line.progress.estimating = true;
             }
@@ -48,7 +48,7 @@ pub(super) fn event(state: &mut AppState, ticket: Ticket, event: Event) -> Vec<E
 }
 
 /// What a job has recorded since it was last asked; dropped where nothing waits for it any more.
-pub(super) fn recorded(state: &mut AppState, ticket: Ticket, later: &Curves) -> Vec<Effect> {
+pub(super) fn recorded(state: &mut AppState, ticket: JobNumber, later: &RunCurves) -> Vec<Effect> {
     let Some(line) = state.jobs.get_mut(ticket).filter(|l| l.state.is_open()) else {
         return Vec::new();
     };
@@ -66,20 +66,20 @@ pub(super) fn recorded(state: &mut AppState, ticket: Ticket, later: &Curves) -> 
 }
 
 /// Whether a job is the live solve of what is open.
-fn is_live(state: &AppState, ticket: Ticket) -> bool {
+fn is_live(state: &AppState, ticket: JobNumber) -> bool {
     state
         .line()
         .is_some_and(|line| line.live.ticket == Some(ticket))
 }
 
-fn curves(state: &mut AppState, ticket: Ticket, live: bool) -> Option<&mut Curves> {
+fn curves(state: &mut AppState, ticket: JobNumber, live: bool) -> Option<&mut RunCurves> {
     if live {
         return state.line_mut()?.live.going.as_mut();
     }
     Some(&mut slot(state, ticket)?.curves)
 }
 
-fn finished(state: &mut AppState, ticket: Ticket, run: Arc<Run>, live: bool) -> Vec<Effect> {
+fn finished(state: &mut AppState, ticket: JobNumber, run: Arc<Run>, live: bool) -> Vec<Effect> {
     let failure = run
         .info
         .failure
@@ -98,7 +98,7 @@ fn finished(state: &mut AppState, ticket: Ticket, run: Arc<Run>, live: bool) -> 
         slot.curves.finish(run);
     }
     match new {
-        JobState::Failed(why) => state.say(Level::Error, format!("The run failed: {why}")),
+        JobState::Failed(why) => state.say(Severity::Error, format!("The run failed: {why}")),
         JobState::Done if !live => said_done(state, ticket),
         _ => {}
     }
@@ -119,7 +119,7 @@ fn live_finished(state: &mut AppState, run: Arc<Run>, new: &JobState) {
         // A cancelled solve leaves the old curve as it was.
         JobState::Cancelled => live.failure = Some("cancelled".to_owned()),
         _ => {
-            live.done = Some(Curves::whole(run));
+            live.done = Some(RunCurves::whole(run));
             live.done_text = std::mem::take(&mut live.going_text);
             live.kept = None;
             live.failure = match new {
@@ -130,7 +130,7 @@ fn live_finished(state: &mut AppState, run: Arc<Run>, new: &JobState) {
     }
 }
 
-fn said_done(state: &mut AppState, ticket: Ticket) {
+fn said_done(state: &mut AppState, ticket: JobNumber) {
     let left = state.jobs.open();
     let Some(slot) = slot(state, ticket) else {
         return;
@@ -142,7 +142,7 @@ fn said_done(state: &mut AppState, ticket: Ticket) {
         ),
         _ => format!("{} is done; {left} runs to go.", slot.id),
     };
-    state.say(Level::Info, text);
+    state.say(Severity::Info, text);
 }
 
 /// A quit that waits for jobs continues when they have ended.
@@ -156,13 +156,13 @@ fn quit_if_asked(state: &mut AppState) -> Vec<Effect> {
 }
 
 /// A job could not be started or stored.
-pub(super) fn failed(state: &mut AppState, ticket: Ticket, reason: String) -> Vec<Effect> {
+pub(super) fn failed(state: &mut AppState, ticket: JobNumber, reason: String) -> Vec<Effect> {
     if state
         .jobs
         .get_mut(ticket)
         .is_none_or(|l| !l.state.is_open())
     {
-        state.say(Level::Error, reason);
+        state.say(Severity::Error, reason);
         return Vec::new();
     }
     set_state(state, ticket, JobState::Failed(reason.clone()));
@@ -173,7 +173,7 @@ pub(super) fn failed(state: &mut AppState, ticket: Ticket, reason: String) -> Ve
         line.live.going = None;
         line.live.failure = Some(reason.clone());
     }
-    state.say(Level::Error, reason);
+    state.say(Severity::Error, reason);
     let mut effects = start_waiting(state);
     effects.extend(quit_if_asked(state));
     effects

@@ -2,16 +2,16 @@
 
 use super::notice::info;
 use super::trials;
-use crate::case::{At, Case};
-use crate::run::Resume;
+use crate::case::{Case, StudyPoint};
+use crate::run::ResumedRun;
 use crate::run::job::Request;
 use crate::run::settings::method_name;
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::{
-    AppState, Curves, Document, DocumentKind, JobLine, JobState, LineView, ParameterEditor,
-    Purpose, RunEntry, RunOrigin, RunStatus, Ticket, Waiting,
+    AppState, Document, DocumentKind, JobLine, JobNumber, JobPurpose, JobState, LineView,
+    ParameterEditor, QueuedRequest, RunCurves, RunEntry, RunOrigin, RunStatus,
 };
 
 /// Solves the edited case in the background; the newest wins.
@@ -24,7 +24,7 @@ pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
     };
     let request = request(line, editor, &editor.text, line.case.clone(), "live");
     let live = &mut line.live;
-    live.going = Some(Curves::default());
+    live.going = Some(RunCurves::default());
     live.going_text.clone_from(&editor.text);
     live.failure = None;
     live.hidden = false;
@@ -37,11 +37,11 @@ pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
         effects.push(Effect::Cancel(old));
     }
     // Of live solves only the newest has a line in the list.
-    state.jobs.lines.retain(|l| l.purpose != Purpose::Live);
-    state
-        .jobs
-        .lines
-        .insert(0, job_line(ticket, name, Purpose::Live, JobState::Running));
+    state.jobs.lines.retain(|l| l.purpose != JobPurpose::Live);
+    state.jobs.lines.insert(
+        0,
+        job_line(ticket, name, JobPurpose::Live, JobState::Running),
+    );
     effects.push(Effect::Start {
         ticket,
         request: Box::new(request),
@@ -51,7 +51,12 @@ pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
     effects
 }
 
-pub(super) fn job_line(ticket: Ticket, name: String, purpose: Purpose, state: JobState) -> JobLine {
+pub(super) fn job_line(
+    ticket: JobNumber,
+    name: String,
+    purpose: JobPurpose,
+    state: JobState,
+) -> JobLine {
     JobLine {
         ticket,
         name,
@@ -76,12 +81,12 @@ fn overrides(line: &LineView, editor: &ParameterEditor, text: &str) -> Vec<Strin
     if text == editor.saved {
         return Vec::new();
     }
-    let saved = line.rows(&editor.saved, editor);
+    let saved = line.rows(&editor.saved);
     let changed = |row: &FieldRow| {
         let old = saved.iter().find(|old| old.path == row.path);
         old.is_none_or(|old| old.value != row.value)
     };
-    let rows = line.rows(text, editor).into_iter();
+    let rows = line.rows(text).into_iter();
     rows.filter(changed)
         .map(|row| format!("{}={}", row.path, row.value))
         .collect()
@@ -114,7 +119,13 @@ pub(super) fn start_newest(state: &mut AppState) -> Vec<Effect> {
 }
 
 /// Puts a run of the open case at the end of the queue.
-pub(super) fn enqueue(state: &mut AppState, text: &str, case: Case, at: Option<At>, shown: bool) {
+pub(super) fn enqueue(
+    state: &mut AppState,
+    text: &str,
+    case: Case,
+    at: Option<StudyPoint>,
+    shown: bool,
+) {
     let document = state.document.as_mut();
     let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
         return;
@@ -130,9 +141,9 @@ pub(super) fn enqueue(state: &mut AppState, text: &str, case: Case, at: Option<A
 pub(super) fn queue(
     state: &mut AppState,
     request: Request,
-    from: Option<Resume>,
+    from: Option<ResumedRun>,
     label: String,
-    at: Option<At>,
+    at: Option<StudyPoint>,
     shown: bool,
 ) {
     let ticket = state.jobs.ticket();
@@ -155,13 +166,13 @@ pub(super) fn queue(
         dir: None,
         cost: None,
         shown,
-        curves: Curves::default(),
+        curves: RunCurves::default(),
     });
     state
         .jobs
         .lines
-        .push(job_line(ticket, name, Purpose::Run, JobState::Queued));
-    state.jobs.waiting.push_back(Waiting {
+        .push(job_line(ticket, name, JobPurpose::Run, JobState::Queued));
+    state.jobs.waiting.push_back(QueuedRequest {
         ticket,
         request: Box::new(request),
         from: from.map(Box::new),
@@ -182,7 +193,7 @@ pub(super) fn start_waiting(state: &mut AppState) -> Vec<Effect> {
         let Some(next) = state.jobs.waiting.pop_front() else {
             break;
         };
-        let Waiting {
+        let QueuedRequest {
             ticket,
             request,
             from,
@@ -211,15 +222,15 @@ pub(super) fn cancel_focused(state: &mut AppState) -> Vec<Effect> {
         let line = state.jobs.lines.iter().find(|l| l.ticket == ticket)?;
         (state.focus() == PaneId::Runs && line.state.is_open()).then_some(line)
     });
-    let newest = |purpose: Purpose| {
+    let newest = |purpose: JobPurpose| {
         let mut lines = state.jobs.lines.iter();
         lines.rfind(|l| l.purpose == purpose && l.state == JobState::Running)
     };
     let found = in_jobs
         .or(in_runs)
-        .or_else(|| newest(Purpose::Run))
-        .or_else(|| newest(Purpose::Trials))
-        .or_else(|| newest(Purpose::Live));
+        .or_else(|| newest(JobPurpose::Run))
+        .or_else(|| newest(JobPurpose::Trials))
+        .or_else(|| newest(JobPurpose::Live));
     match found.map(|l| (l.ticket, l.name.clone())) {
         Some((ticket, name)) => {
             let effects = cancel(state, ticket);
@@ -234,7 +245,7 @@ pub(super) fn cancel_focused(state: &mut AppState) -> Vec<Effect> {
 }
 
 /// Cancels a job.
-pub fn cancel(state: &mut AppState, ticket: Ticket) -> Vec<Effect> {
+pub fn cancel(state: &mut AppState, ticket: JobNumber) -> Vec<Effect> {
     if state.trials.as_ref().is_some_and(|t| t.ticket == ticket) {
         return trials::stop(state);
     }
@@ -249,7 +260,7 @@ pub fn cancel(state: &mut AppState, ticket: Ticket) -> Vec<Effect> {
 }
 
 /// Sets job and run to a state.
-pub(super) fn set_state(state: &mut AppState, ticket: Ticket, new: JobState) {
+pub(super) fn set_state(state: &mut AppState, ticket: JobNumber, new: JobState) {
     if let Some(slot) = slot(state, ticket) {
         slot.state = RunStatus::Job(new.clone());
     }
@@ -258,7 +269,7 @@ pub(super) fn set_state(state: &mut AppState, ticket: Ticket, new: JobState) {
     }
 }
 
-pub(super) fn slot(state: &mut AppState, ticket: Ticket) -> Option<&mut RunEntry> {
+pub(super) fn slot(state: &mut AppState, ticket: JobNumber) -> Option<&mut RunEntry> {
     let runs = &mut state.line_mut()?.runs;
     runs.iter_mut().find(|s| s.ticket == Some(ticket))
 }
@@ -266,11 +277,11 @@ pub(super) fn slot(state: &mut AppState, ticket: Ticket) -> Option<&mut RunEntry
 /// Jobs of the open case end with it; trials keep running.
 pub(super) fn cancel_all(state: &mut AppState) -> Vec<Effect> {
     state.jobs.waiting.clear();
-    let open: Vec<Ticket> = state
+    let open: Vec<JobNumber> = state
         .jobs
         .lines
         .iter_mut()
-        .filter(|l| l.state.is_open() && l.purpose != Purpose::Trials)
+        .filter(|l| l.state.is_open() && l.purpose != JobPurpose::Trials)
         .map(|l| {
             l.state = JobState::Cancelled;
             l.ticket

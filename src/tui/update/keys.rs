@@ -4,16 +4,20 @@ use super::motion::moved;
 use super::notice::info;
 use super::text_input::{type_key, type_text};
 use super::{edit, overlay, quit};
-use crate::tui::key::Key;
+use crate::tui::key::KeyPress;
 use crate::tui::msg::Effect;
 use crate::tui::panes;
-use crate::tui::state::{AppState, Filter, Level, Overlay};
+use crate::tui::state::{AppState, Filter, Overlay, Severity};
 
-pub(super) fn key(state: &mut AppState, key: Key) -> Vec<Effect> {
-    if state.note.as_ref().is_some_and(|n| n.level == Level::Info) {
+pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
+    if state
+        .note
+        .as_ref()
+        .is_some_and(|n| n.level == Severity::Info)
+    {
         state.note = None;
     }
-    if key != Key::Ctrl('c') {
+    if key != KeyPress::Ctrl('c') {
         state.interrupted = false;
     }
     if state.overlay.is_some() {
@@ -27,7 +31,7 @@ pub(super) fn key(state: &mut AppState, key: Key) -> Vec<Effect> {
     }
     match panes::find(state, key) {
         Some(found) => overlay::run_command(state, found.id),
-        None if key == Key::Esc => Vec::new(),
+        None if key == KeyPress::Esc => Vec::new(),
         None => info(
             state,
             format!("`{key}` does nothing here. `?` shows the keys that do."),
@@ -36,20 +40,20 @@ pub(super) fn key(state: &mut AppState, key: Key) -> Vec<Effect> {
 }
 
 /// Keys while a filter is typed.
-fn filter_key(state: &mut AppState, key: Key) -> Option<Vec<Effect>> {
+fn filter_key(state: &mut AppState, key: KeyPress) -> Option<Vec<Effect>> {
     let (filter, cursor, lines) = state.filter_mut();
     if !filter.typing {
         return None;
     }
     match key {
-        Key::Ctrl('z') => return Some(vec![Effect::Suspend]),
-        Key::Enter => filter.typing = false,
-        Key::Esc | Key::Ctrl('c') => {
+        KeyPress::Ctrl('z') => return Some(vec![Effect::Suspend]),
+        KeyPress::Enter => filter.typing = false,
+        KeyPress::Esc | KeyPress::Ctrl('c') => {
             *filter = Filter::default();
             *cursor = 0;
         }
-        Key::Down => *cursor = moved(*cursor, 1, lines),
-        Key::Up => *cursor = moved(*cursor, -1, lines),
+        KeyPress::Down => *cursor = moved(*cursor, 1, lines),
+        KeyPress::Up => *cursor = moved(*cursor, -1, lines),
         _ => {
             if type_key(&mut filter.input, key) {
                 *cursor = 0;

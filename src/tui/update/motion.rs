@@ -1,6 +1,6 @@
 //! Cursors: how far a command moves one in a list, a table or a chart.
 
-use crate::tui::command::Id;
+use crate::tui::command::CommandId;
 use crate::tui::plot_pane::{PlotVerb, Stride};
 use crate::tui::state::AppState;
 use crate::tui::table_pane::TableVerb;
@@ -15,55 +15,47 @@ pub fn moved(cursor: usize, by: isize, lines: usize) -> usize {
 
 /// By how many lines a command moves a cursor.
 #[must_use]
-pub fn step(state: &AppState, id: Id) -> Option<isize> {
+pub fn step(state: &AppState, id: CommandId) -> Option<isize> {
     let page = isize::try_from(state.size.1.saturating_sub(8).max(2) / 2).unwrap_or(8);
     match id {
-        Id::Down => Some(1),
-        Id::Up => Some(-1),
-        Id::PageDown => Some(page),
-        Id::PageUp => Some(-page),
-        Id::Top => Some(isize::MIN / 2),
-        Id::Bottom => Some(isize::MAX / 2),
+        CommandId::Down => Some(1),
+        CommandId::Up => Some(-1),
+        CommandId::PageDown => Some(page),
+        CommandId::PageUp => Some(-page),
+        CommandId::Top => Some(isize::MIN / 2),
+        CommandId::Bottom => Some(isize::MAX / 2),
         _ => None,
     }
 }
 
 /// What a command does to a table.
 #[must_use]
-pub fn table_verb(state: &AppState, id: Id) -> Option<TableVerb> {
+pub fn table_verb(state: &AppState, id: CommandId) -> Option<TableVerb> {
     Some(match id {
-        Id::ScrollLeft => TableVerb::Left,
-        Id::ScrollRight => TableVerb::Right,
-        Id::Sort => TableVerb::SortNext,
-        _ => {
-            let by = step(state, id)?;
-            let rows = by.unsigned_abs();
-            if by < 0 {
-                TableVerb::PageUp(rows)
-            } else {
-                TableVerb::PageDown(rows)
-            }
-        }
+        CommandId::ScrollLeft => TableVerb::Scroll(-8),
+        CommandId::ScrollRight => TableVerb::Scroll(8),
+        CommandId::Sort => TableVerb::Sort,
+        _ => TableVerb::Select(step(state, id)?),
     })
 }
 
 /// What a command does to a chart.
 #[must_use]
-pub fn plot_verb(id: Id) -> Option<PlotVerb> {
+pub fn plot_verb(id: CommandId) -> Option<PlotVerb> {
     Some(match id {
-        Id::CursorRight => PlotVerb::CursorRight(Stride::Fine),
-        Id::CursorLeft => PlotVerb::CursorLeft(Stride::Fine),
-        Id::LeapRight => PlotVerb::CursorRight(Stride::Coarse),
-        Id::LeapLeft => PlotVerb::CursorLeft(Stride::Coarse),
-        Id::PanRight => PlotVerb::PanRight,
-        Id::PanLeft => PlotVerb::PanLeft,
-        Id::PanUp => PlotVerb::PanUp,
-        Id::PanDown => PlotVerb::PanDown,
-        Id::ZoomIn => PlotVerb::ZoomIn,
-        Id::ZoomOut => PlotVerb::ZoomOut,
-        Id::Fit => PlotVerb::Fit,
-        Id::FitHeight => PlotVerb::FitUp,
-        Id::Mark => PlotVerb::Mark,
+        CommandId::CursorRight => PlotVerb::Cursor(1.0, Stride::Fine),
+        CommandId::CursorLeft => PlotVerb::Cursor(-1.0, Stride::Fine),
+        CommandId::LeapRight => PlotVerb::Cursor(1.0, Stride::Coarse),
+        CommandId::LeapLeft => PlotVerb::Cursor(-1.0, Stride::Coarse),
+        CommandId::PanRight => PlotVerb::Pan(0.25, 0.0),
+        CommandId::PanLeft => PlotVerb::Pan(-0.25, 0.0),
+        CommandId::PanUp => PlotVerb::Pan(0.0, 0.25),
+        CommandId::PanDown => PlotVerb::Pan(0.0, -0.25),
+        CommandId::ZoomIn => PlotVerb::Zoom(0.5),
+        CommandId::ZoomOut => PlotVerb::Zoom(2.0),
+        CommandId::Fit => PlotVerb::Fit,
+        CommandId::FitHeight => PlotVerb::FitUp,
+        CommandId::Mark => PlotVerb::Mark,
         _ => return None,
     })
 }

@@ -1,16 +1,16 @@
 //! Messages to the user, as the result of a command.
 
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Level};
+use crate::tui::state::{AppState, Severity};
 
 /// Says something that goes away with the next key.
 pub fn info(state: &mut AppState, text: impl Into<String>) -> Vec<Effect> {
-    state.say(Level::Info, text);
+    state.say(Severity::Info, text);
     Vec::new()
 }
 
 /// Says something that the user should not miss.
 pub fn warn(state: &mut AppState, text: impl Into<String>) -> Vec<Effect> {
-    state.say(Level::Warning, text);
+    state.say(Severity::Warning, text);
     Vec::new()
 }

@@ -7,46 +7,37 @@ use super::notice::info;
 use super::text_input::type_key;
 use super::{edit, export, jobs, keys, quit, resume, runs, studies, trials};
 use crate::report::chart::Glyphs;
-use crate::tui::command::{Command, Id};
-use crate::tui::key::Key;
+use crate::tui::command::{Command, CommandId};
+use crate::tui::key::KeyPress;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::panes;
 use crate::tui::state::parameter_editor::AfterSave;
 use crate::tui::state::{AppState, Overlay, PromptPurpose, Question};
 
-pub(super) fn key(state: &mut AppState, key: Key) -> Vec<Effect> {
-    if key == Key::Ctrl('z') {
+pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
+    if key == KeyPress::Ctrl('z') {
         return vec![Effect::Suspend];
     }
-    let Some(overlay) = state.overlay.take() else {
+    let Some(mut overlay) = state.overlay.take() else {
         return Vec::new();
     };
-    if key == Key::Ctrl('c') && !matches!(overlay, Overlay::Ask(_)) {
+    let last = match &overlay {
+        Overlay::Messages { .. } => state.log.len(),
+        Overlay::Text { text, .. } => text.lines().count(),
+        _ => usize::MAX,
+    };
+    if key == KeyPress::Ctrl('c') && !matches!(overlay, Overlay::Ask(_)) {
         return Vec::new();
     }
     match overlay {
-        Overlay::Help { scroll } => {
-            state.overlay = scrolled(scroll, key).map(|scroll| Overlay::Help { scroll });
-            Vec::new()
-        }
-        Overlay::Messages { scroll } => {
-            state.overlay = scrolled(scroll, key).map(|scroll| Overlay::Messages {
-                scroll: scroll.min(state.log.len()),
-            });
-            Vec::new()
-        }
-        Overlay::Text {
-            title,
-            text,
-            scroll,
-        } => {
-            let lines = text.lines().count();
-            state.overlay = scrolled(scroll, key).map(|scroll| Overlay::Text {
-                title,
-                text,
-                scroll: scroll.min(lines),
-            });
+        Overlay::Help { ref mut scroll }
+        | Overlay::Messages { ref mut scroll }
+        | Overlay::Text { ref mut scroll, .. } => {
+            if let Some(moved) = scrolled(*scroll, key) {
+                *scroll = moved.min(last);
+                state.overlay = Some(overlay);
+            }
             Vec::new()
         }
         Overlay::Palette { input, cursor } => palette(state, input, cursor, key),
@@ -61,13 +52,13 @@ pub(super) fn key(state: &mut AppState, key: Key) -> Vec<Effect> {
 }
 
 /// The new scroll position; none closes.
-fn scrolled(scroll: usize, key: Key) -> Option<usize> {
+fn scrolled(scroll: usize, key: KeyPress) -> Option<usize> {
     Some(match key {
-        Key::Down | Key::Char('j') => scroll + 1,
-        Key::Up | Key::Char('k') => scroll.saturating_sub(1),
-        Key::PageDown | Key::Char(' ') => scroll + 10,
-        Key::PageUp => scroll.saturating_sub(10),
-        Key::Home | Key::Char('g') => 0,
+        KeyPress::Down | KeyPress::Char('j') => scroll + 1,
+        KeyPress::Up | KeyPress::Char('k') => scroll.saturating_sub(1),
+        KeyPress::PageDown | KeyPress::Char(' ') => scroll + 10,
+        KeyPress::PageUp => scroll.saturating_sub(10),
+        KeyPress::Home | KeyPress::Char('g') => 0,
         _ => return None,
     })
 }
@@ -84,18 +75,23 @@ pub fn palette_matches(state: &AppState, typed: &str) -> Vec<Command> {
     commands
 }
 
-fn palette(state: &mut AppState, mut input: Input, mut cursor: usize, key: Key) -> Vec<Effect> {
+fn palette(
+    state: &mut AppState,
+    mut input: Input,
+    mut cursor: usize,
+    key: KeyPress,
+) -> Vec<Effect> {
     let found = palette_matches(state, input.value());
     match key {
-        Key::Esc => return Vec::new(),
-        Key::Enter => {
+        KeyPress::Esc => return Vec::new(),
+        KeyPress::Enter => {
             return match found.get(cursor) {
                 Some(command) => run_command(state, command.id),
                 None => info(state, "No command has that name."),
             };
         }
-        Key::Down | Key::Tab => cursor = moved(cursor, 1, found.len()),
-        Key::Up | Key::BackTab => cursor = moved(cursor, -1, found.len()),
+        KeyPress::Down | KeyPress::Tab => cursor = moved(cursor, 1, found.len()),
+        KeyPress::Up | KeyPress::BackTab => cursor = moved(cursor, -1, found.len()),
         _ => {
             if type_key(&mut input, key) {
                 cursor = 0;
@@ -110,13 +106,13 @@ fn choose_study(
     state: &mut AppState,
     items: Vec<String>,
     mut cursor: usize,
-    key: Key,
+    key: KeyPress,
 ) -> Vec<Effect> {
     match key {
-        Key::Esc | Key::Char('q') => return Vec::new(),
-        Key::Enter => return studies::study(state, cursor),
-        Key::Down | Key::Char('j') => cursor = moved(cursor, 1, items.len()),
-        Key::Up | Key::Char('k') => cursor = moved(cursor, -1, items.len()),
+        KeyPress::Esc | KeyPress::Char('q') => return Vec::new(),
+        KeyPress::Enter => return studies::study(state, cursor),
+        KeyPress::Down | KeyPress::Char('j') => cursor = moved(cursor, 1, items.len()),
+        KeyPress::Up | KeyPress::Char('k') => cursor = moved(cursor, -1, items.len()),
         _ => {}
     }
     state.overlay = Some(Overlay::Studies { items, cursor });
@@ -128,21 +124,21 @@ fn prompt(
     purpose: PromptPurpose,
     mut input: Input,
     mut words: String,
-    key: Key,
+    key: KeyPress,
 ) -> Vec<Effect> {
     match (key, &purpose) {
-        (Key::Esc, _) => {
+        (KeyPress::Esc, _) => {
             if let Some(editor) = state.editor_mut() {
                 editor.after_save = AfterSave::Stay;
             }
             return Vec::new();
         }
-        (Key::Enter, PromptPurpose::SaveAs) => {
+        (KeyPress::Enter, PromptPurpose::SaveAs) => {
             if let Some(effects) = quit::save_as(state, input.value().trim()) {
                 return effects;
             }
         }
-        (Key::Enter, PromptPurpose::Resume(dir)) => {
+        (KeyPress::Enter, PromptPurpose::Resume(dir)) => {
             match resume::until(dir.clone(), input.value().trim()) {
                 Ok(effects) => return effects,
                 Err(problem) => words = problem,
@@ -160,11 +156,11 @@ fn prompt(
     Vec::new()
 }
 
-fn answer(state: &mut AppState, question: Question, key: Key) -> Vec<Effect> {
+fn answer(state: &mut AppState, question: Question, key: KeyPress) -> Vec<Effect> {
     let (_, answers) = question.wording();
     let chosen = match key {
-        Key::Char(c) => answers.iter().find(|(k, _)| *k == c.to_ascii_lowercase()),
-        Key::Esc | Key::Ctrl('c') => answers.last(),
+        KeyPress::Char(c) => answers.iter().find(|(k, _)| *k == c.to_ascii_lowercase()),
+        KeyPress::Esc | KeyPress::Ctrl('c') => answers.last(),
         _ => None,
     };
     let Some(&(chosen, _)) = chosen else {
@@ -203,7 +199,7 @@ fn choose_glyphs(state: &mut AppState, glyphs: Glyphs) -> Vec<Effect> {
 }
 
 /// Does what the command says, or says why not.
-pub fn run_command(state: &mut AppState, id: Id) -> Vec<Effect> {
+pub fn run_command(state: &mut AppState, id: CommandId) -> Vec<Effect> {
     if let Err(reason) = panes::enabled(state, id) {
         return info(state, reason);
     }
@@ -214,23 +210,23 @@ pub fn run_command(state: &mut AppState, id: Id) -> Vec<Effect> {
 }
 
 /// What a command does to the document that is open, whatever pane has the focus.
-fn document_command(state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+fn document_command(state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
     let document = state.document.as_ref()?;
     Some(match id {
-        Id::NextPane | Id::PreviousPane | Id::Pane(_) => go(state, id)?,
-        Id::Undo => edit::undo(state),
-        Id::Redo => edit::redo(state),
-        Id::Method => edit::next_method(state),
-        Id::Save => quit::save(state),
-        Id::Back => quit::back(state),
-        Id::Run => jobs::run(state),
-        Id::Study => studies::ask(state),
-        Id::Validate => studies::validate(state),
-        Id::Keep => runs::keep(state),
-        Id::Trials => trials::show(state),
-        Id::LineInput => export::write_line_input(state),
-        Id::Write => export::write_report(state),
-        Id::Copy => {
+        CommandId::NextPane | CommandId::PreviousPane | CommandId::Pane(_) => go(state, id)?,
+        CommandId::Undo => edit::undo(state),
+        CommandId::Redo => edit::redo(state),
+        CommandId::Method => edit::next_method(state),
+        CommandId::Save => quit::save(state),
+        CommandId::Back => quit::back(state),
+        CommandId::Run => jobs::run(state),
+        CommandId::Study => studies::ask(state),
+        CommandId::Validate => studies::validate(state),
+        CommandId::Keep => runs::keep(state),
+        CommandId::Trials => trials::show(state),
+        CommandId::LineInput => export::write_line_input(state),
+        CommandId::Write => export::write_report(state),
+        CommandId::Copy => {
             let text = document.kind().copy()?;
             vec![Effect::Copy(text)]
         }
@@ -239,41 +235,41 @@ fn document_command(state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
 }
 
 /// What a command does wherever it is given.
-fn everywhere(state: &mut AppState, id: Id) -> Vec<Effect> {
+fn everywhere(state: &mut AppState, id: CommandId) -> Vec<Effect> {
     match id {
-        Id::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
-        Id::Messages => state.overlay = Some(Overlay::Messages { scroll: 0 }),
-        Id::Palette => {
+        CommandId::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
+        CommandId::Messages => state.overlay = Some(Overlay::Messages { scroll: 0 }),
+        CommandId::Palette => {
             state.overlay = Some(Overlay::Palette {
                 input: Input::default(),
                 cursor: 0,
             });
         }
-        Id::Glyphs => {
+        CommandId::Glyphs => {
             let other = match state.capabilities.glyphs {
                 Glyphs::Braille => Glyphs::Ascii,
                 Glyphs::Ascii => Glyphs::Braille,
             };
             return choose_glyphs(state, other);
         }
-        Id::Redraw => return vec![Effect::Repaint],
-        Id::Interrupt => return keys::interrupt(state),
-        Id::Suspend => return vec![Effect::Suspend],
-        Id::Quit => return quit::quit(state),
+        CommandId::Redraw => return vec![Effect::Repaint],
+        CommandId::Interrupt => return keys::interrupt(state),
+        CommandId::Suspend => return vec![Effect::Suspend],
+        CommandId::Quit => return quit::quit(state),
         _ => {}
     }
     Vec::new()
 }
 
 /// Goes to another pane.
-fn go(state: &mut AppState, id: Id) -> Option<Vec<Effect>> {
+fn go(state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
     let document = state.document.as_mut()?;
-    let panes = document.kind().panes();
+    let panes = document.kind().info().panes;
     let now = panes.iter().position(|pane| *pane == document.pane)?;
     let next = match id {
-        Id::NextPane => now + 1,
-        Id::PreviousPane => now + panes.len() - 1,
-        Id::Pane(number) => usize::from(number.saturating_sub(1)).min(panes.len() - 1),
+        CommandId::NextPane => now + 1,
+        CommandId::PreviousPane => now + panes.len() - 1,
+        CommandId::Pane(number) => usize::from(number.saturating_sub(1)).min(panes.len() - 1),
         _ => now,
     };
     document.pane = panes[next % panes.len()];

@@ -9,7 +9,8 @@ use super::{edit, jobs};
 use crate::tui::msg::Effect;
 use crate::tui::state::parameter_editor::AfterSave;
 use crate::tui::state::{
-    AppState, Filter, JobLine, Level, Overlay, ParameterEditor, PromptPurpose, Purpose, Question,
+    AppState, Filter, JobLine, JobPurpose, Overlay, ParameterEditor, PromptPurpose, Question,
+    Severity,
 };
 
 pub(super) fn quit(state: &mut AppState) -> Vec<Effect> {
@@ -53,7 +54,7 @@ pub(super) fn back(state: &mut AppState) -> Vec<Effect> {
 fn close(state: &mut AppState) -> Vec<Effect> {
     let mut effects = jobs::cancel_all(state);
     state.close();
-    let goes_on = |l: &JobLine| l.purpose == Purpose::Trials && l.state.is_open();
+    let goes_on = |l: &JobLine| l.purpose == JobPurpose::Trials && l.state.is_open();
     state.jobs.lines.retain(goes_on);
     state.jobs.cursor = 0;
     effects.push(Effect::ReadCases);
@@ -132,7 +133,7 @@ pub(super) fn saved(state: &mut AppState, path: PathBuf, text: String) -> Vec<Ef
 }
 
 pub(super) fn not_saved(state: &mut AppState, why: &str) -> Vec<Effect> {
-    state.say(Level::Error, why);
+    state.say(Severity::Error, why);
     ask_name(state, why)
 }
 

@@ -6,7 +6,7 @@ use tui_input::Input;
 
 use super::jobs::{queue, start_newest};
 use super::notice::info;
-use crate::run::Resume;
+use crate::run::ResumedRun;
 use crate::run::job::Request;
 use crate::tui::facade;
 use crate::tui::msg::Effect;
@@ -57,7 +57,7 @@ pub(super) fn found(
     state: &mut AppState,
     dir: PathBuf,
     until: f64,
-    found: Result<Box<(Request, Resume)>, String>,
+    found: Result<Box<(Request, ResumedRun)>, String>,
 ) -> Vec<Effect> {
     let (mut request, from) = match found {
         Ok(found) => *found,
@@ -76,7 +76,7 @@ pub(super) fn found(
     line.hide_runs();
     request.id = request.file.trim_end_matches(".toml").to_owned();
     let label = format!("to {until} s");
-    let time = from.checkpoint.place.time;
+    let time = from.checkpoint.time();
     queue(state, request, Some(from), label, None, true);
     let effects = start_newest(state);
     info(

@@ -11,7 +11,8 @@ use crate::tui::facade;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::{
-    AppState, Curves, Document, JobState, Level, LineView, RunEntry, RunOrigin, RunStatus, Ticket,
+    AppState, Document, JobNumber, JobState, LineView, RunCurves, RunEntry, RunOrigin, RunStatus,
+    Severity,
 };
 
 /// Stores the live run.
@@ -69,7 +70,7 @@ pub(super) fn load(entry: &RunEntry) -> Vec<Effect> {
         .collect()
 }
 
-pub(super) fn stored(state: &mut AppState, ticket: Ticket, dir: PathBuf) -> Vec<Effect> {
+pub(super) fn stored(state: &mut AppState, ticket: JobNumber, dir: PathBuf) -> Vec<Effect> {
     if let Some(line) = state.line_mut()
         && let Some(entry) = line.runs.iter_mut().find(|s| s.ticket == Some(ticket))
     {
@@ -88,7 +89,7 @@ pub(super) fn kept(state: &mut AppState, dir: &Path, run: Arc<Run>) -> Vec<Effec
             entry.id = name.to_string_lossy().into_owned();
         }
         entry.dir = Some(dir.to_owned());
-        entry.curves = Curves::whole(run);
+        entry.curves = RunCurves::whole(run);
         line.runs.push(entry);
         line.live.kept = Some(dir.to_owned());
     }
@@ -149,7 +150,7 @@ pub(super) fn read(state: &mut AppState, dir: &Path, run: Result<Arc<Run>, Strin
     let mut problem = None;
     if let Some(entry) = line.runs.iter_mut().find(|s| s.dir.as_deref() == Some(dir)) {
         match run {
-            Ok(run) => entry.curves = Curves::whole(run),
+            Ok(run) => entry.curves = RunCurves::whole(run),
             Err(why) => {
                 entry.shown = false;
                 entry.state = RunStatus::Unreadable(why.clone());
@@ -158,7 +159,7 @@ pub(super) fn read(state: &mut AppState, dir: &Path, run: Result<Arc<Run>, Strin
         }
     }
     if let Some(why) = problem {
-        state.say(Level::Error, why);
+        state.say(Severity::Error, why);
     }
     check(state);
     Vec::new()

@@ -7,11 +7,11 @@ use std::sync::atomic::AtomicBool;
 use crate::physics::sea::DEGREES;
 use crate::ship::DynamicAnalysis;
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Content, Document, DocumentKind, ShipView};
+use crate::tui::state::{AppState, Document, DocumentContent, DocumentKind, ShipView};
 
 fn ship(document: &mut Document) -> Option<&mut ShipView> {
     match &mut document.content {
-        Content::Ship(ship) => Some(ship),
+        DocumentContent::Ship(ship) => Some(ship),
         _ => None,
     }
 }

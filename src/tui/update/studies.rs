@@ -3,12 +3,12 @@
 use super::jobs::{enqueue, start_waiting};
 use super::notice::info;
 use super::runs;
-use crate::case::At;
+use crate::case::StudyPoint;
 use crate::reference;
 use crate::tui::facade;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
-use crate::tui::state::{AppState, Document, JobState, Level, Overlay, RunEntry, RunStatus};
+use crate::tui::state::{AppState, Document, JobState, Overlay, RunEntry, RunStatus, Severity};
 
 /// Runs the study of the case, or asks which.
 pub(super) fn ask(state: &mut AppState) -> Vec<Effect> {
@@ -41,7 +41,7 @@ pub(super) fn study(state: &mut AppState, index: usize) -> Vec<Effect> {
     };
     line.hide_runs();
     let points = study.values.iter().map(|value| {
-        Some(At {
+        Some(StudyPoint {
             study: study.name.clone(),
             value: value.clone(),
         })
@@ -66,7 +66,7 @@ pub(super) fn validate(state: &mut AppState) -> Vec<Effect> {
 }
 
 /// Queues the variants that are not there yet, and shows those that are.
-fn variants(state: &mut AppState, points: Vec<Option<At>>, shown: bool) -> Vec<Effect> {
+fn variants(state: &mut AppState, points: Vec<Option<StudyPoint>>, shown: bool) -> Vec<Effect> {
     let mut effects = Vec::new();
     let mut begun = 0;
     for at in points {
@@ -78,7 +78,7 @@ fn variants(state: &mut AppState, points: Vec<Option<At>>, shown: bool) -> Vec<E
             match facade::variant(&editor.text, &line.case, at.as_ref(), &editor.file) {
                 Ok(found) => found,
                 Err(problem) => {
-                    state.say(Level::Error, problem);
+                    state.say(Severity::Error, problem);
                     continue;
                 }
             };

@@ -2,21 +2,21 @@
 
 use tui_input::{Input, InputRequest};
 
-use crate::tui::key::Key;
+use crate::tui::key::KeyPress;
 
 /// Edits the line; false when the key is no editing key.
-pub(super) fn type_key(input: &mut Input, key: Key) -> bool {
+pub(super) fn type_key(input: &mut Input, key: KeyPress) -> bool {
     let request = match key {
-        Key::Char(c) => InputRequest::InsertChar(c),
-        Key::Backspace => InputRequest::DeletePrevChar,
-        Key::Delete => InputRequest::DeleteNextChar,
-        Key::Left => InputRequest::GoToPrevChar,
-        Key::Right => InputRequest::GoToNextChar,
-        Key::Home => InputRequest::GoToStart,
-        Key::End | Key::Ctrl('e') => InputRequest::GoToEnd,
-        Key::Ctrl('u') => InputRequest::DeleteLine,
-        Key::Ctrl('w') => InputRequest::DeletePrevWord,
-        Key::Ctrl('k') => InputRequest::DeleteTillEnd,
+        KeyPress::Char(c) => InputRequest::InsertChar(c),
+        KeyPress::Backspace => InputRequest::DeletePrevChar,
+        KeyPress::Delete => InputRequest::DeleteNextChar,
+        KeyPress::Left => InputRequest::GoToPrevChar,
+        KeyPress::Right => InputRequest::GoToNextChar,
+        KeyPress::Home => InputRequest::GoToStart,
+        KeyPress::End | KeyPress::Ctrl('e') => InputRequest::GoToEnd,
+        KeyPress::Ctrl('u') => InputRequest::DeleteLine,
+        KeyPress::Ctrl('w') => InputRequest::DeletePrevWord,
+        KeyPress::Ctrl('k') => InputRequest::DeleteTillEnd,
         _ => return false,
     };
     input.handle(request);

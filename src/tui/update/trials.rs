@@ -6,7 +6,7 @@ use crate::case;
 use crate::study::tally;
 use crate::tui::msg::Effect;
 use crate::tui::state::trials::{TrialProgress, Trials, TrialsOf};
-use crate::tui::state::{AppState, JobState, Purpose, Ticket};
+use crate::tui::state::{AppState, JobNumber, JobPurpose, JobState};
 use crate::tui::table_pane::TablePane;
 
 /// Shows the trials of the open case, or those of all cases listed; computes them unless they are done or running.
@@ -35,7 +35,7 @@ pub fn begin(state: &mut AppState, of: TrialsOf) -> Vec<Effect> {
         TrialsOf::Case { file, .. } => format!("trials of {file}"),
         TrialsOf::Files(_) => "trials of all hard cases".to_owned(),
     };
-    let line = jobs::job_line(ticket, name, Purpose::Trials, JobState::Running);
+    let line = jobs::job_line(ticket, name, JobPurpose::Trials, JobState::Running);
     state.jobs.lines.push(line);
     state.trials = Some(Trials {
         of: of.clone(),
@@ -64,7 +64,7 @@ pub fn stop(state: &mut AppState) -> Vec<Effect> {
 /// How far the trials are; dropped where nothing waits for them any more.
 pub(super) fn progress(
     state: &mut AppState,
-    ticket: Ticket,
+    ticket: JobNumber,
     progress: TrialProgress,
 ) -> Vec<Effect> {
     let Some(trials) = &mut state.trials else {

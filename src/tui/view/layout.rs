@@ -177,7 +177,7 @@ pub fn inside(screen: Rect, pane: Rect) -> Rect {
 
 /// The parts of the chart pane: tabs, the charts with their areas, the readout.
 #[derive(Debug, Clone)]
-pub struct Charts {
+pub struct ChartAreas {
     /// Names of the charts; empty when all are seen.
     pub tabs: Rect,
     /// The charts seen.
@@ -188,7 +188,7 @@ pub struct Charts {
 
 /// Cuts the inside of the chart pane.
 #[must_use]
-pub fn charts(inside: Rect, kinds: &[FigureId], chosen: FigureId) -> Charts {
+pub fn charts(inside: Rect, kinds: &[FigureId], chosen: FigureId) -> ChartAreas {
     let page = kinds.chunks(TOGETHER).find(|page| page.contains(&chosen));
     let page = page.unwrap_or_default();
     // A chart that is alone on its page has the tabs of the others above it.
@@ -206,7 +206,7 @@ pub fn charts(inside: Rect, kinds: &[FigureId], chosen: FigureId) -> Charts {
     } else {
         vec![(chosen, middle)]
     };
-    Charts {
+    ChartAreas {
         tabs,
         charts,
         readout,

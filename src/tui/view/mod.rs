@@ -9,10 +9,10 @@ use ratatui::Frame;
 use ratatui::layout::Rect;
 
 use self::painter::Painter;
-use super::command::{Command, Id};
+use super::command::{Command, CommandId};
 use super::pane::PaneId;
 use super::panes;
-use super::state::{AppState, JobState, Level, Purpose};
+use super::state::{AppState, JobPurpose, JobState, Overlay, Question, Severity};
 use super::theme::Theme;
 use crate::report::chart::Glyphs;
 use crate::report::number;
@@ -28,7 +28,9 @@ pub fn draw(state: &AppState, frame: &mut Frame) {
     };
     canvas.screen(screen);
     let cursor = canvas.cursor;
-    if state.capabilities.glyphs == Glyphs::Ascii {
+    // The question of what the terminal shows is asked with the dots in question.
+    let asks = matches!(state.overlay, Some(Overlay::Ask(Question::Glyphs)));
+    if state.capabilities.glyphs == Glyphs::Ascii && !asks {
         paint::only_ascii(frame.buffer_mut());
     }
     if let Some(at) = cursor.filter(|at| screen.contains((*at).into())) {
@@ -112,14 +114,14 @@ impl Painter<'_> {
     fn progress(&self, room: usize) -> String {
         let jobs = &self.state.jobs;
         let running = jobs.lines.iter().filter(|l| l.state == JobState::Running);
-        let Some(line) = running.max_by_key(|l| (l.purpose == Purpose::Run, l.ticket)) else {
+        let Some(line) = running.max_by_key(|l| (l.purpose == JobPurpose::Run, l.ticket)) else {
             return String::new();
         };
         let p = line.progress;
         let what = match line.purpose {
-            Purpose::Live => "live".to_owned(),
-            Purpose::Run => format!("{} to go", jobs.open()),
-            Purpose::Trials => {
+            JobPurpose::Live => "live".to_owned(),
+            JobPurpose::Run => format!("{} to go", jobs.open()),
+            JobPurpose::Trials => {
                 let words = format!("{:.0} of {:.0} trials", p.time, p.duration);
                 return fitting(room, &[words]);
             }
@@ -158,7 +160,7 @@ impl Painter<'_> {
         let room = rest.width.saturating_sub(2);
         if let Some(document) = state.document.as_ref().filter(|_| room > 20) {
             let rest = Rect::new(line.right() - room, line.y, room, 1);
-            self.text(rest, document.kind().title(), self.theme.faint());
+            self.text(rest, document.kind().info().title, self.theme.faint());
         }
     }
 
@@ -167,9 +169,9 @@ impl Painter<'_> {
             return;
         };
         let (word, style) = match note.level {
-            Level::Info => ("", self.theme.plain()),
-            Level::Warning => ("Note: ", self.theme.warning()),
-            Level::Error => ("Error: ", self.theme.error()),
+            Severity::Info => ("", self.theme.plain()),
+            Severity::Warning => ("Note: ", self.theme.warning()),
+            Severity::Error => ("Error: ", self.theme.error()),
         };
         let words = format!("{word}{}", note.text.replace('\n', " "));
         self.text(line, &words, style);
@@ -180,7 +182,7 @@ impl Painter<'_> {
         let (ends, others): (Vec<Command>, Vec<Command>) = panes::commands(self.state)
             .into_iter()
             .filter(|command| !command.label.is_empty())
-            .partition(|command| matches!(command.id, Id::Help | Id::Quit));
+            .partition(|command| matches!(command.id, CommandId::Help | CommandId::Quit));
         let mut room = line.width.saturating_sub(ends.iter().map(key_width).sum());
         let mut rest = line;
         let now = others
@@ -204,12 +206,7 @@ impl Painter<'_> {
         };
         let rest = self.text(line, key, self.theme.selected());
         let rest = self.text(rest, &format!(" {}", command.label), self.theme.plain());
-        let x = rest.x + 2;
-        Rect {
-            x,
-            width: line.right().saturating_sub(x),
-            ..line
-        }
+        paint::rest(line, rest.x + 2)
     }
 }
 

@@ -3,7 +3,7 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 use tui_input::Input;
 
-use super::paint::{over, row, wrap};
+use super::paint::{below_head, over, row, wrap};
 use super::painter::Painter;
 use crate::tui::command::Command;
 use crate::tui::panes;
@@ -109,8 +109,7 @@ impl Painter<'_> {
             (90, 18),
             "Commands (type a word, Enter does it, Esc closes)",
         );
-        let [head, list] =
-            Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
+        let [head, list] = below_head(area);
         self.prompt(head, ":", input, true);
         self.list(list, cursor, found.len(), |painter, at, i| {
             painter.command_line(at, &found[i], i == cursor);

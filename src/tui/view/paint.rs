@@ -1,7 +1,7 @@
 //! Small strokes: text into cells, lists with a cursor, frames.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 use ratatui::symbols::border;
 use ratatui::widgets::{Block, Clear, Widget};
@@ -9,6 +9,7 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::report::chart::Glyphs;
 use crate::report::plain::ascii;
+use crate::report::wrap::WideWords;
 use crate::visible;
 
 /// Writes text from a column on, at most so many columns; returns the column after it.
@@ -40,6 +41,21 @@ pub(in crate::tui) fn row(area: Rect, index: u16) -> Rect {
         return Rect::new(area.x, area.y, 0, 0);
     }
     Rect::new(area.x, area.y + index, area.width, 1)
+}
+
+/// A part of a line: from so many columns after its beginning, at most so wide.
+pub(in crate::tui) fn span(line: Rect, from: u16, width: u16) -> Rect {
+    Rect::new(line.x.saturating_add(from), line.y, width, line.height).intersection(line)
+}
+
+/// The rest of a line from a column of the screen on.
+pub(in crate::tui) fn rest(line: Rect, column: u16) -> Rect {
+    span(line, column.saturating_sub(line.x), u16::MAX)
+}
+
+/// The first row of an area, and the others.
+pub(in crate::tui) fn below_head(area: Rect) -> [Rect; 2] {
+    Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area)
 }
 
 /// The first line to show so that the cursor is seen, with lines around it where there are any.
@@ -105,33 +121,7 @@ pub(in crate::tui) fn over(
 
 /// Breaks text into lines of a width, between words where it can.
 pub(in crate::tui) fn wrap(words: &str, width: usize) -> Vec<String> {
-    let width = width.max(1);
-    let mut lines = Vec::new();
-    for paragraph in words.lines() {
-        let mut line = String::new();
-        for word in paragraph.split(' ') {
-            let mut word = word;
-            if !line.is_empty() && line.width() + 1 + word.width() > width {
-                lines.push(std::mem::take(&mut line));
-            } else if !line.is_empty() {
-                line.push(' ');
-            }
-            while line.is_empty() && word.width() > width {
-                let cut = word
-                    .char_indices()
-                    .map(|(i, c)| i + c.len_utf8())
-                    .take_while(|end| word[..*end].width() <= width)
-                    .last()
-                    .or_else(|| word.chars().next().map(char::len_utf8))
-                    .unwrap_or(word.len());
-                lines.push(word[..cut].to_owned());
-                word = &word[cut..];
-            }
-            line.push_str(word);
-        }
-        lines.push(line);
-    }
-    lines
+    crate::report::wrap::wrap(words, width, WideWords::Broken)
 }
 
 /// Replaces what ASCII lacks, on the whole screen: text of case files may hold anything.
@@ -147,15 +137,6 @@ pub(in crate::tui) fn only_ascii(buf: &mut Buffer) {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn words_are_kept_whole_where_they_fit() {
-        assert_eq!(wrap("one two three", 7), ["one two", "three"]);
-        assert_eq!(wrap("abcdefghij k", 4), ["abcd", "efgh", "ij k"]);
-        assert_eq!(wrap("a\n\nb", 9), ["a", "", "b"]);
-        assert_eq!(wrap("日本語", 2), ["日", "本", "語"]);
-        assert_eq!(wrap("日", 1), ["日", ""]);
-    }
 
     #[test]
     fn the_cursor_is_always_seen() {

@@ -5,7 +5,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 use tui_input::Input;
 
-use super::paint::{first_line, row, text, wrap};
+use super::paint::{first_line, rest, row, span, text, wrap};
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::table::Table;
 use crate::tui::plot_pane::draw_chart;
@@ -35,11 +35,7 @@ impl Painter<'_> {
     /// Writes text at the left of a line; returns the rest of the line.
     pub fn text(&mut self, line: Rect, words: &str, style: Style) -> Rect {
         let x = text(self.buf, (line.x, line.y), line.width, words, style);
-        Rect {
-            x,
-            width: line.right().saturating_sub(x),
-            ..line
-        }
+        rest(line, x)
     }
 
     /// Writes lines from the top of an area down, as many as it has.
@@ -128,11 +124,7 @@ impl Painter<'_> {
         let room = line.width.saturating_sub(1);
         let scroll = input.visual_scroll(room.into());
         let value: String = input.value().chars().skip(scroll).collect();
-        let field = Rect {
-            width: room,
-            ..line
-        };
-        self.text(field, &value, self.theme.plain());
+        self.text(span(line, 0, room), &value, self.theme.plain());
         if typing {
             let at = u16::try_from(input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
             self.cursor = Some((line.x.saturating_add(at), line.y));

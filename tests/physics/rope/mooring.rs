@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use seacable::case::{self, At, Case, StudyValue, edit};
+use seacable::case::{self, Case, StudyPoint, StudyValue, edit};
 use seacable::reference::{self, Outcome, ValidationRow};
 use seacable::run::job::{self, Request};
 use seacable::run::{Run, RunState};
@@ -32,7 +32,7 @@ const READING: &str = "materials.polyester.dynamic_stiffness";
 /// Rows of a case, every variant computed.
 fn rows(text: &str) -> Vec<ValidationRow> {
     let case: Case = case::parse(text, "hybrid.toml").unwrap();
-    let runs: Vec<(Option<At>, Run)> = reference::plan(&case)
+    let runs: Vec<(Option<StudyPoint>, Run)> = reference::plan(&case)
         .into_iter()
         .map(|at| {
             let value = at.as_ref().map(|at| at.value.clone());

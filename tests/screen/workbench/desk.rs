@@ -10,14 +10,14 @@ use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::{Color, Modifier};
 use seacable::case;
 use seacable::report::chart::Glyphs;
-use seacable::run::job::{Event, Request};
+use seacable::run::job::{JobEvent, Request};
 use seacable::run::{
-    Channel, Cost, Frame, History, LineShape, Profile, Progress, Quantity, QuantityId, Run,
-    RunInfo, RunState, Settings, VERSION, Work,
+    Channel, Cost, History, LineShape, OutputFrame, Profile, Progress, Quantity, QuantityId, Run,
+    RunInfo, RunState, Settings, Subject, VERSION, Work,
 };
-use seacable::tui::key::Key;
+use seacable::tui::key::KeyPress;
 use seacable::tui::msg::FileRead;
-use seacable::tui::state::{CaseEntry, Content, LineView, Ticket};
+use seacable::tui::state::{CaseEntry, DocumentContent, JobNumber, LineView};
 use seacable::tui::terminal::capabilities::Capabilities;
 use seacable::tui::{AppState, Effect, Msg, draw, update};
 
@@ -39,8 +39,8 @@ pub(crate) fn looks(glyphs: Glyphs, colour: bool) -> Capabilities {
 }
 
 /// A line case as the content of a document.
-pub(crate) fn content_of(case: case::Case) -> Content {
-    Content::Line(Box::new(LineView::new(case)))
+pub(crate) fn content_of(case: case::Case) -> DocumentContent {
+    DocumentContent::Line(Box::new(LineView::new(case)))
 }
 
 impl Desk {
@@ -105,7 +105,7 @@ impl Desk {
     /// Presses keys, given by their names with blanks between them.
     pub(crate) fn keys(&mut self, names: &str) {
         for name in names.split_whitespace() {
-            let key: Key = name.parse().unwrap();
+            let key: KeyPress = name.parse().unwrap();
             self.tell(Msg::Key(key));
         }
     }
@@ -113,12 +113,12 @@ impl Desk {
     /// Types a text letter by letter.
     pub(crate) fn type_text(&mut self, text: &str) {
         for c in text.chars() {
-            self.tell(Msg::Key(Key::Char(c)));
+            self.tell(Msg::Key(KeyPress::Char(c)));
         }
     }
 
     /// The jobs asked for and not yet answered.
-    pub(crate) fn started(&mut self) -> Vec<(Ticket, Request)> {
+    pub(crate) fn started(&mut self) -> Vec<(JobNumber, Request)> {
         let mut started = Vec::new();
         self.asked.retain(|effect| match effect {
             Effect::Start {
@@ -145,22 +145,25 @@ impl Desk {
                     PathBuf::from(format!("runs/body-{ticket}")),
                 ));
                 let run = run(&request, RunState::Done);
-                self.tell(Msg::Job(ticket, Box::new(Event::Finished(Box::new(run)))));
+                self.tell(Msg::Job(
+                    ticket,
+                    Box::new(JobEvent::Finished(Box::new(run))),
+                ));
             }
         }
     }
 
     /// Sends the beginning of a job: channels, and frames up to a time.
-    pub(crate) fn stream(&mut self, ticket: Ticket, request: &Request, until: f64) {
+    pub(crate) fn stream(&mut self, ticket: JobNumber, request: &Request, until: f64) {
         let whole = run(request, RunState::Done);
         let channels = whole.history.channels.iter();
         let channels = channels.map(|c| c.id.clone()).collect();
-        self.tell(Msg::Job(ticket, Box::new(Event::Started { channels })));
+        self.tell(Msg::Job(ticket, Box::new(JobEvent::Started { channels })));
         for (i, time) in whole.history.time.iter().enumerate() {
             if *time > until {
                 break;
             }
-            let frame = Frame {
+            let frame = OutputFrame {
                 time: *time,
                 values: whole.history.channels.iter().map(|c| c.values[i]).collect(),
                 shape: whole.shapes.iter().find(|s| s.time == *time).cloned(),
@@ -172,7 +175,7 @@ impl Desk {
                     estimating: false,
                 },
             };
-            self.tell(Msg::Job(ticket, Box::new(Event::Frame(Box::new(frame)))));
+            self.tell(Msg::Job(ticket, Box::new(JobEvent::Frame(Box::new(frame)))));
         }
     }
 
@@ -282,8 +285,8 @@ pub(crate) fn run(request: &Request, state: RunState) -> Run {
         ..Profile::default()
     };
     let rows = request.case.published.iter();
-    let quantity = |channel: &str, statistic, window, value| Quantity {
-        id: QuantityId::new(channel.parse().unwrap(), statistic, window),
+    let quantity = |subject: &Subject, statistic, window, value| Quantity {
+        id: QuantityId::new(subject.clone(), statistic, window),
         value,
         time_error: Some(200.0),
         mesh_error: Some(100.0),

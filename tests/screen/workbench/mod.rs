@@ -19,10 +19,10 @@ use std::path::PathBuf;
 use desk::{Desk, content_of, looks, run, shared};
 use seacable::report::chart::Glyphs;
 use seacable::run::RunState;
-use seacable::run::job::Event;
-use seacable::tui::key::Key;
+use seacable::run::job::JobEvent;
+use seacable::tui::key::KeyPress;
 use seacable::tui::panes;
-use seacable::tui::state::{JobState, Level, Overlay, PromptPurpose, Question};
+use seacable::tui::state::{JobState, Overlay, PromptPurpose, Question, Severity};
 use seacable::tui::update::palette_matches;
 use seacable::tui::{Effect, Msg};
 
@@ -151,14 +151,17 @@ fn the_newest_solve_wins_and_the_old_curve_stays_dimmed_until_it_lands() {
     let before = desk.buffer();
     desk.stream(first.0, &first.1, 600.0);
     let late = run(&first.1, RunState::Done);
-    desk.tell(Msg::Job(first.0, Box::new(Event::Finished(Box::new(late)))));
+    desk.tell(Msg::Job(
+        first.0,
+        Box::new(JobEvent::Finished(Box::new(late))),
+    ));
     assert_eq!(desk.buffer(), before);
     desk.keys("2");
     snapshot("tui_live_80x24", &desk);
     let whole = run(&second.1, RunState::Done);
     desk.tell(Msg::Job(
         second.0,
-        Box::new(Event::Finished(Box::new(whole))),
+        Box::new(JobEvent::Finished(Box::new(whole))),
     ));
     let open = desk.state.line().unwrap();
     assert!(open.live.going.is_none() && open.live.done_text == desk.state.editor().unwrap().text);
@@ -246,7 +249,7 @@ fn control_c_cancels_first_and_quits_second() {
     let cancelled = run(&request, RunState::Cancelled);
     desk.tell(Msg::Job(
         ticket,
-        Box::new(Event::Finished(Box::new(cancelled))),
+        Box::new(JobEvent::Finished(Box::new(cancelled))),
     ));
     desk.keys("ctrl+c");
     assert!(has(&desk, |e| matches!(e, Effect::Quit)));
@@ -303,7 +306,7 @@ fn a_file_that_cannot_be_written_offers_another_name() {
             ..
         })
     ));
-    assert_eq!(desk.state.note.as_ref().unwrap().level, Level::Error);
+    assert_eq!(desk.state.note.as_ref().unwrap().level, Severity::Error);
     desk.asked.clear();
     desk.keys("enter");
     assert!(has(&desk, |e| matches!(
@@ -327,6 +330,16 @@ fn edits_of_an_earlier_session_are_offered() {
     assert!(desk.state.editor().unwrap().unsaved());
     desk.keys("u");
     assert_eq!(desk.state.editor().unwrap().text, desk::CASE);
+}
+
+#[test]
+fn the_question_of_dots_shows_dots() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.state.capabilities = looks(Glyphs::Ascii, true);
+    desk.state.overlay = Some(Overlay::Ask(Question::Glyphs));
+    assert!(desk.screen().contains('\u{28ff}'));
+    desk.keys("n");
+    assert!(desk.screen().is_ascii());
 }
 
 #[test]
@@ -410,7 +423,7 @@ fn every_command_can_be_reached_by_a_key_or_by_its_name() {
                 let found = palette_matches(&desk.state, command.doc);
                 assert!(found.iter().any(|c| c.id == command.id), "{}", command.doc);
                 for key in command.keys {
-                    let spelled = key.parse::<Key>().map(|k| k.to_string());
+                    let spelled = key.parse::<KeyPress>().map(|k| k.to_string());
                     assert_eq!(spelled.as_deref(), Ok(*key));
                     assert!(
                         !eaten.contains(key),

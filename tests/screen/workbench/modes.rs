@@ -64,7 +64,7 @@ fn modes_are_found_in_the_background_drawn_and_followed() {
         found.modes[0].mode.frequency_hz()
     };
     let before = frequency(&desk);
-    desk.keys("1 / l e n g t h enter enter ctrl+u 8 0 0 enter");
+    desk.keys("1 / l e n g t h _ m enter enter ctrl+u 8 0 0 enter");
     assert_eq!(frequency(&desk).to_bits(), before.to_bits());
     assert!(
         desk.state.line().unwrap().modes.beside,

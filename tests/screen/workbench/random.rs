@@ -3,14 +3,14 @@
 use proptest::prelude::*;
 use seacable::report::chart::Glyphs;
 use seacable::tui::Msg;
-use seacable::tui::key::Key;
+use seacable::tui::key::KeyPress;
 
 use super::desk::{Desk, looks};
 
 fn any_msg() -> impl Strategy<Value = Msg> {
     let letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 []{}+-=?:/.,";
-    let letters: Vec<Key> = letters.chars().map(Key::Char).collect();
-    let named: Vec<Key> = [
+    let letters: Vec<KeyPress> = letters.chars().map(KeyPress::Char).collect();
+    let named: Vec<KeyPress> = [
         "enter",
         "esc",
         "tab",

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use seacable::case;
 use seacable::report::figures::FigureId;
-use seacable::run::job::{self, Event};
+use seacable::run::job::{self, JobEvent};
 use seacable::tui::msg::FileRead;
 use seacable::tui::{Effect, Msg};
 
@@ -33,7 +33,10 @@ fn cable(size: (u16, u16)) -> Desk {
         let mut run = job::execute(&request, &AtomicBool::new(false), &mut |_| ());
         // The time it took is another one every time.
         run.info.cost.cpu_s = 0.05;
-        desk.tell(Msg::Job(ticket, Box::new(Event::Finished(Box::new(run)))));
+        desk.tell(Msg::Job(
+            ticket,
+            Box::new(JobEvent::Finished(Box::new(run))),
+        ));
     }
     desk
 }

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use seacable::case;
 use seacable::run::job::{self, Request};
 use seacable::run::resume_request;
-use seacable::run::store::{RunLocation, Writer};
+use seacable::run::store::{RunLocation, RunWriter};
 use seacable::tui::{Effect, Msg};
 
 use super::desk::Desk;
@@ -48,7 +48,7 @@ fn a_stored_run_is_resumed_from_the_list() {
         overrides: Vec::new(),
         id: String::new(),
     };
-    let mut writer = Writer::begin(
+    let mut writer = RunWriter::begin(
         &RunLocation::Exactly(dir.clone()),
         request.initial_info(),
         text,

@@ -2,11 +2,12 @@
 
 use std::path::PathBuf;
 
+use seacable::case::kind;
 use seacable::report::chart::Glyphs;
-use seacable::ropeway as core;
+use seacable::ropeway::Ropeway;
 use seacable::tui::msg::FileRead;
 use seacable::tui::pane::PaneId;
-use seacable::tui::state::{Content, Document, RopewayView};
+use seacable::tui::state::{Document, DocumentContent, RopewayView};
 use seacable::tui::{Effect, Msg};
 
 use super::desk::{Desk, looks};
@@ -21,8 +22,8 @@ impl Desk {
         desk.tell(Msg::FileRead(Box::new(FileRead {
             path: PathBuf::from("cases/span_80.toml"),
             text: TEXT.to_owned(),
-            content: Content::Ropeway(Box::new(RopewayView::new(
-                core::parse(TEXT, "span_80.toml").unwrap(),
+            content: DocumentContent::Ropeway(Box::new(RopewayView::new(
+                kind::parse::<Ropeway>(TEXT, "span_80.toml").unwrap(),
             ))),
             recovered: None,
         })));
@@ -35,7 +36,7 @@ fn open(desk: &Desk) -> &Document {
 }
 
 fn ropeway(desk: &Desk) -> &RopewayView {
-    let Content::Ropeway(ropeway) = &open(desk).content else {
+    let DocumentContent::Ropeway(ropeway) = &open(desk).content else {
         panic!("no ropeway");
     };
     ropeway

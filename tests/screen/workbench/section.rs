@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
-use seacable::section;
+use seacable::case::kind;
+use seacable::section::CrossSection;
 use seacable::tui::msg::FileRead;
 use seacable::tui::pane::PaneId;
-use seacable::tui::state::{Content, Document, Overlay, Question, SectionView};
+use seacable::tui::state::{Document, DocumentContent, Overlay, Question, SectionView};
 use seacable::tui::{Effect, Msg};
 
 use super::desk::Desk;
@@ -20,8 +21,8 @@ impl Desk {
         desk.tell(Msg::FileRead(Box::new(FileRead {
             path: PathBuf::from("cases/section.toml"),
             text: TEXT.to_owned(),
-            content: Content::Section(Box::new(SectionView::new(
-                section::parse(TEXT, "section.toml").unwrap(),
+            content: DocumentContent::Section(Box::new(SectionView::new(
+                kind::parse::<CrossSection>(TEXT, "section.toml").unwrap(),
             ))),
             recovered: None,
         })));
@@ -34,7 +35,7 @@ fn open(desk: &Desk) -> &Document {
 }
 
 fn section(desk: &Desk) -> &SectionView {
-    let Content::Section(section) = &open(desk).content else {
+    let DocumentContent::Section(section) = &open(desk).content else {
         panic!("no section");
     };
     section

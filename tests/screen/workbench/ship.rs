@@ -4,11 +4,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
+use seacable::case::kind;
 use seacable::report::chart::Glyphs;
-use seacable::ship::{self, DynamicAnalysis};
+use seacable::ship::{DynamicAnalysis, Ship};
 use seacable::tui::msg::FileRead;
 use seacable::tui::pane::PaneId;
-use seacable::tui::state::{Content, Document, ShipView};
+use seacable::tui::state::{Document, DocumentContent, ShipView};
 use seacable::tui::{Effect, Msg};
 
 use super::desk::{Desk, looks};
@@ -26,11 +27,11 @@ impl Desk {
     /// The anchored ship, open, still to be computed at sea.
     pub(crate) fn with_ship(size: (u16, u16)) -> Self {
         let mut desk = Self::new(size);
-        let rest = ship::parse(&text(), "anchored.toml").unwrap();
+        let rest = kind::parse::<Ship>(&text(), "anchored.toml").unwrap();
         desk.tell(Msg::FileRead(Box::new(FileRead {
             path: PathBuf::from("cases/ship/anchored.toml"),
             text: text(),
-            content: Content::Ship(Box::new(ShipView::new(rest))),
+            content: DocumentContent::Ship(Box::new(ShipView::new(rest))),
             recovered: None,
         })));
         desk
@@ -54,7 +55,7 @@ fn open(desk: &Desk) -> &Document {
 }
 
 fn ship(desk: &Desk) -> &ShipView {
-    let Content::Ship(ship) = &open(desk).content else {
+    let DocumentContent::Ship(ship) = &open(desk).content else {
         panic!("no ship");
     };
     ship

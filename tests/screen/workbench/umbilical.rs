@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use seacable::case;
 use seacable::report::figures::FigureId;
-use seacable::run::job::{self, Event};
+use seacable::run::job::{self, JobEvent};
 use seacable::tui::msg::FileRead;
 use seacable::tui::{Effect, Msg};
 
@@ -35,7 +35,10 @@ fn compute(desk: &mut Desk) {
         }
         for (ticket, request) in started {
             let run = job::execute(&request, &AtomicBool::new(false), &mut |_| ());
-            desk.tell(Msg::Job(ticket, Box::new(Event::Finished(Box::new(run)))));
+            desk.tell(Msg::Job(
+                ticket,
+                Box::new(JobEvent::Finished(Box::new(run))),
+            ));
         }
     }
 }

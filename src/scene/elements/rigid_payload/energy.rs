@@ -35,16 +35,42 @@ impl RigidPayload {
     }
 
     /// Power of the pressure of waves and of their acceleration on the added mass, beyond its potential in still water \[W\].
-    pub(in crate::scene) fn wave_power(
-        &self,
-        line: &LumpedLine,
-        state: &State,
-        still: &State,
-    ) -> f64 {
+    pub(in crate::scene) fn wave_power(&self, line: &LumpedLine, state: &State) -> f64 {
         let there = self.water_around(line, state);
         let dragged = self.body.added.matrix(&there.axis.tangent) * there.carried.0 * there.wet.0;
-        let lost = self.lift(&self.water_around(line, still));
+        let lost = V3::z() * (self.body.buoyancy * (self.wet_in_still_water(line, state) - 1.0));
         (self.lift(&there) + dragged - lost).dot(&self.at(&state.v, self.body.buoyancy_at))
+    }
+
+    /// Submerged fraction where the surface is still.
+    fn wet_in_still_water(&self, line: &LumpedLine, state: &State) -> f64 {
+        let Some(water) = line.water.as_ref().filter(|water| water.crossed) else {
+            return 1.0;
+        };
+        let z = self.at(&state.x, self.body.buoyancy_at).z;
+        submergence::sphere(water.radius_of(self.displaced(water)), z).0
+    }
+
+    /// Power that moving water puts into it by drag \[W\].
+    pub(super) fn water_drag_power(&self, line: &LumpedLine, state: &State) -> f64 {
+        let there = self.water_around(line, state);
+        let by_strip = self.strips(line, state).map(|strip| {
+            let drag = self.body.drag(&there.axis.tangent, &strip.u);
+            drag.dot(&(strip.u + strip.v)) * strip.part
+        });
+        by_strip.sum::<f64>() * there.wet.0
+    }
+
+    /// Rate of the kinetic energy of its added mass by its submerged fraction alone \[W\]. Its turning is in the forces
+    /// already, which follow from Lagrange's equations.
+    pub(super) fn growth(&self, line: &LumpedLine, state: &State) -> f64 {
+        let (at, by) = (self.body.buoyancy_at, self.wet(line, state).1);
+        let shares = [self.node, self.node + 1].into_iter().zip([1.0 - at, at]);
+        let rising: f64 = shares
+            .map(|(node, share)| line.elevation_rate(node, state) * share)
+            .sum();
+        let rate = by.dot(&self.at(&state.v, at)) - by.z * rising;
+        rate * self.body.added.energy(&self.in_still_water(line, state))
     }
 
     /// Potential of its lost buoyancy in still water \[J\].

@@ -7,13 +7,13 @@
 use super::RigidPayload;
 use crate::numerics::{M3, V3};
 use crate::physics::RigidBody;
-use crate::physics::sea::Flow;
+use crate::physics::sea::WaterMotion;
 use crate::physics::tension::Chord;
 use crate::scene::{LumpedLine, Water, submergence};
 use crate::solve::State;
 
 /// The body in the water.
-pub(super) struct WaterAround {
+pub(super) struct SurroundingWater {
     pub(super) axis: Chord,
     /// Velocity of the water at the centre of buoyancy \[m/s\], and its gradient \[1/s\].
     pub(super) flow: (V3, M3),
@@ -39,7 +39,11 @@ pub(super) struct Strip {
 
 impl RigidPayload {
     /// Wave kinematics at both nodes, with their shares at a place on the rod.
-    fn waves<'s>(&self, place: f64, state: &'s State) -> impl Iterator<Item = (f64, &'s Flow)> {
+    fn waves<'s>(
+        &self,
+        place: f64,
+        state: &'s State,
+    ) -> impl Iterator<Item = (f64, &'s WaterMotion)> {
         let nodes = (self.node..).zip(RigidBody::shares(place));
         nodes.filter_map(|(node, share)| Some((share, state.wave_flow.get(node)?)))
     }
@@ -56,7 +60,7 @@ impl RigidPayload {
         (velocity, gradient)
     }
 
-    pub(super) fn water_around(&self, line: &LumpedLine, state: &State) -> WaterAround {
+    pub(super) fn water_around(&self, line: &LumpedLine, state: &State) -> SurroundingWater {
         let lift_at = self.body.buoyancy_at;
         let centre = self.at(&state.x, lift_at);
         let mut carried = (V3::zeros(), M3::zeros());
@@ -64,7 +68,7 @@ impl RigidPayload {
             carried.0 += flow.acceleration_at(&centre) * share;
             carried.1 += flow.acceleration_gradient * share;
         }
-        WaterAround {
+        SurroundingWater {
             axis: line.chord(self.node, state),
             flow: self.flow(line, lift_at, state),
             carried,
@@ -110,12 +114,12 @@ impl RigidPayload {
     }
 
     /// Wave pressure on the submerged part, less the buoyancy of the dry one: a load at the centre of buoyancy \[N\].
-    pub(super) fn lift(&self, there: &WaterAround) -> V3 {
+    pub(super) fn lift(&self, there: &SurroundingWater) -> V3 {
         self.lift_if_wet(there) * there.wet.0 - V3::z() * self.body.buoyancy
     }
 
     /// Wave pressure and buoyancy of the whole body \[N\].
-    pub(super) fn lift_if_wet(&self, there: &WaterAround) -> V3 {
+    pub(super) fn lift_if_wet(&self, there: &SurroundingWater) -> V3 {
         there.carried.0 * there.displaced + V3::z() * self.body.buoyancy
     }
 }

@@ -32,15 +32,15 @@ pub struct Friction {
 /// How friction acts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FrictionModel {
-    /// By a grip that holds and is dragged along; its stiffness per area \[N/m³\].
-    Grip(f64),
+    /// Elastic-plastic: an anchor that holds as a spring of this stiffness per area \[N/m³\], and is dragged along at the limit.
+    ElasticPlastic(f64),
     /// Against the velocity, in full above this speed \[m/s\] and in proportion below it.
     Regularised(f64),
 }
 
-/// Where the bed has hold of a node.
+/// The anchor of a node on the bed, about which friction acts as a spring.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Grip {
+pub struct FrictionAnchor {
     /// The place \[m\]; only its part along the bed counts.
     pub at: V3,
     /// Unit vector along the line there, in the bed.
@@ -73,7 +73,7 @@ const LEAST: f64 = 1e-9;
 
 /// What the bed and the node are like.
 #[derive(Debug, Clone, Copy)]
-pub struct Contact<'a> {
+pub struct FrictionContact<'a> {
     /// Normal of the bed.
     pub normal: &'a V3,
     /// Push of the bed.
@@ -84,7 +84,7 @@ pub struct Contact<'a> {
     pub v: &'a V3,
 }
 
-impl Contact<'_> {
+impl FrictionContact<'_> {
     /// The part of a vector along the bed.
     #[inline]
     fn along_bed(&self, vector: &V3) -> V3 {
@@ -97,10 +97,35 @@ impl Contact<'_> {
 }
 
 impl Friction {
+    /// Force by whichever law \[N\]; a grip law without a grip holds nothing.
+    #[inline]
+    #[must_use]
+    pub fn force(&self, c: &FrictionContact<'_>, grip: Option<&FrictionAnchor>) -> V3 {
+        match self.law {
+            FrictionModel::ElasticPlastic(_) => {
+                grip.map_or_else(V3::zeros, |grip| self.grip_force(c, grip).0)
+            }
+            FrictionModel::Regularised(slip) => self.regularised(c, slip).force,
+        }
+    }
+
+    /// The same with its derivatives; none without a grip that holds.
+    #[must_use]
+    pub fn with_tangent(
+        &self,
+        c: &FrictionContact<'_>,
+        grip: Option<&FrictionAnchor>,
+    ) -> Option<FrictionForce> {
+        match self.law {
+            FrictionModel::ElasticPlastic(_) => grip.map(|grip| self.grip(c, grip)),
+            FrictionModel::Regularised(slip) => Some(self.regularised(c, slip)),
+        }
+    }
+
     /// Force by the grip, without derivatives \[N\], and whether the node slides.
     #[inline]
     #[must_use]
-    pub fn grip_force(&self, c: &Contact<'_>, grip: &Grip) -> (V3, bool) {
+    pub fn grip_force(&self, c: &FrictionContact<'_>, grip: &FrictionAnchor) -> (V3, bool) {
         let limit = c.push.force;
         if limit <= 0.0 {
             return (V3::zeros(), true);
@@ -117,7 +142,7 @@ impl Friction {
     /// Force by the grip, with its exact derivatives: where the node slides the limit moves with the push, which makes
     /// them unsymmetric.
     #[must_use]
-    pub fn grip(&self, c: &Contact<'_>, grip: &Grip) -> FrictionForce {
+    pub fn grip(&self, c: &FrictionContact<'_>, grip: &FrictionAnchor) -> FrictionForce {
         let (force, slides) = self.grip_force(c, grip);
         let limit = c.push.force;
         if limit <= 0.0 {
@@ -155,18 +180,18 @@ impl Friction {
     #[must_use]
     pub fn slide_grip(
         &self,
-        c: &Contact<'_>,
-        grip: &Grip,
+        c: &FrictionContact<'_>,
+        grip: &FrictionAnchor,
         (hold, damping): (f64, f64),
         along: &V3,
-    ) -> Grip {
+    ) -> FrictionAnchor {
         let (force, slides) = self.grip_force(c, grip);
         let at = if slides || grip.laid || grip.stiffness != hold {
             c.x + force / hold
         } else {
             grip.at
         };
-        Grip {
+        FrictionAnchor {
             at,
             along: self.axis(c.normal, along, &grip.along),
             stiffness: hold,
@@ -183,7 +208,7 @@ impl Friction {
 
     /// The push that bears this force \[N\].
     #[inline]
-    fn mobilised(&self, force: &V3, grip: &Grip) -> f64 {
+    fn mobilised(&self, force: &V3, grip: &FrictionAnchor) -> f64 {
         if self.axial == self.lateral && !grip.laid {
             return force.norm() / self.axial.max(LEAST);
         }
@@ -196,8 +221,8 @@ impl Friction {
 
     /// Whether a grip bears more than friction does: only one that was laid may.
     #[must_use]
-    pub fn exceeds_friction(&self, c: &Contact<'_>, grip: &Grip) -> bool {
-        let free = Grip {
+    pub fn exceeds_friction(&self, c: &FrictionContact<'_>, grip: &FrictionAnchor) -> bool {
+        let free = FrictionAnchor {
             laid: false,
             ..*grip
         };
@@ -207,7 +232,7 @@ impl Friction {
 
     /// Force by the regularised law, with its derivatives.
     #[must_use]
-    pub fn regularised(&self, c: &Contact<'_>, slip: f64) -> FrictionForce {
+    pub fn regularised(&self, c: &FrictionContact<'_>, slip: f64) -> FrictionForce {
         let v = c.along_bed(c.v);
         let speed = v.norm();
         let (slides, size) = (speed > slip, speed.max(slip));
@@ -228,19 +253,19 @@ impl Friction {
 
 /// What spring and damper of a grip would pull \[N\].
 #[inline]
-fn pull(c: &Contact<'_>, grip: &Grip) -> V3 {
+fn pull(c: &FrictionContact<'_>, grip: &FrictionAnchor) -> V3 {
     c.along_bed(&((grip.at - c.x) * grip.stiffness - c.v * grip.damping))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::Seabed;
+    use crate::physics::ElasticBed;
 
-    fn bed() -> Seabed {
-        Seabed {
+    fn bed() -> ElasticBed {
+        ElasticBed {
             z: -10.0,
-            slope: Seabed::sloping(0.2, 0.7),
+            slope: ElasticBed::sloping(0.2, 0.7),
             stiffness: 1e4,
             damping: 50.0,
             friction: None,
@@ -271,7 +296,7 @@ mod tests {
             let friction = Friction {
                 axial,
                 lateral,
-                law: FrictionModel::Grip(1e4),
+                law: FrictionModel::ElasticPlastic(1e4),
             };
             for (off, slides, laid) in [
                 (1e-3, false, false),
@@ -282,7 +307,7 @@ mod tests {
                 let sideways = if slides { 1.5 } else { 1e-3 };
                 let x =
                     V3::new(1.0, 2.0, 0.0) - normal * (bed.height(&V3::new(1.0, 2.0, 0.0)) + 0.1);
-                let grip = Grip {
+                let grip = FrictionAnchor {
                     at: x + V3::new(off, sideways, -0.2 * off),
                     along,
                     stiffness: 3e3,
@@ -292,7 +317,7 @@ mod tests {
                 let v = V3::new(0.02, -0.05, 0.01);
                 let force = |x: &V3, v: &V3| {
                     let push = bed.push(x, v, 0.7);
-                    let contact = Contact {
+                    let contact = FrictionContact {
                         normal: &normal,
                         push: &push,
                         x,
@@ -304,7 +329,7 @@ mod tests {
                 assert!(mismatch(force, x, v) < 1e-6, "{}", mismatch(force, x, v));
                 let regularised = |x: &V3, v: &V3| {
                     let push = bed.push(x, v, 0.7);
-                    let contact = Contact {
+                    let contact = FrictionContact {
                         normal: &normal,
                         push: &push,
                         x,
@@ -324,12 +349,12 @@ mod tests {
         let friction = Friction {
             axial: 0.5,
             lateral: 0.5,
-            law: FrictionModel::Grip(1e4),
+            law: FrictionModel::ElasticPlastic(1e4),
         };
         let x = -normal * (bed.height(&V3::zeros()) + 0.1);
         let v = V3::zeros();
         let push = bed.push(&x, &v, 1.0);
-        let contact = Contact {
+        let contact = FrictionContact {
             normal: &normal,
             push: &push,
             x: &x,
@@ -337,7 +362,7 @@ mod tests {
         };
         let along = (V3::x() - normal * normal.x).normalize();
         for (off, slides) in [(0.01, false), (0.2, true)] {
-            let grip = Grip {
+            let grip = FrictionAnchor {
                 at: x + along * off,
                 along,
                 stiffness: 1e4,

@@ -1,35 +1,56 @@
-//! The keys of a section file as an editor lists and sets them.
+//! The section as a kind of file.
 
-use super::read::SectionFile;
-use crate::case::{self, Diagnostic, Mark, Provenance, kind};
-use crate::case::{FieldRow, Lister};
+use std::sync::LazyLock;
 
-/// Every key the file can have, given or not, from the section as a whole to the outermost layer. Where a value comes from
-/// is read from the comment behind it, when that begins with `printed`, `published`, `derived`,
-/// `calibrated` or `assumed`.
-///
-/// A text that is not TOML gives no rows.
-#[must_use]
-pub fn rows(text: &str) -> Vec<FieldRow> {
-    kind::rows::<SectionFile>(text)
+use super::check::{check, located};
+use super::design::{Design, design};
+use super::model::{CrossSection, SectionKeys};
+use crate::case::fields::Schema;
+use crate::case::file_kind::{FileContent, FileKind};
+use crate::case::schema::schema_of;
+use crate::case::{FieldLister, FieldRow, Finding, Mark, Provenance, split};
+
+/// The section file.
+pub static SECTION: LazyLock<Schema> = LazyLock::new(|| {
+    let least = "a section has at least [section] with a name and a title, [units.<name>], and a [centre] or a [[layer]]";
+    schema_of::<CrossSection>("section", least)
+});
+
+impl FileContent for CrossSection {
+    type Computed = Design;
 }
 
-pub(super) fn list(lister: &Lister<'_>) -> Vec<FieldRow> {
-    let root = lister.root;
-    let mut rows = lister.table("section", &["section"], "section");
-    rows.extend(lister.named("units", "unit"));
-    if root.get("centre").is_some() {
-        rows.extend(lister.table("centre", &["centre"], "centre"));
+impl FileKind for CrossSection {
+    fn schema() -> &'static Schema {
+        &SECTION
     }
-    rows.extend(lister.named("layer", "layer"));
-    for row in rows.iter_mut().filter(|row| row.given) {
-        let node = case::split(&row.path).and_then(|parts| root.find(&parts));
-        row.standing = node.and_then(|node| standing(lister.text.get(node.span.end..)?));
+
+    fn check(keys: &SectionKeys<'_>) -> Vec<Finding> {
+        check(keys)
     }
-    rows
+
+    fn compute(self, keys: &SectionKeys<'_>) -> Result<Design, Finding> {
+        design(&self).map_err(|error| located(&error, keys))
+    }
+
+    /// From the section as a whole to the outermost layer.
+    fn list(lister: &FieldLister<'_>) -> Vec<FieldRow> {
+        let mut rows = [
+            lister.always("section"),
+            lister.named("units", "unit"),
+            lister.if_given(&["centre"], "centre"),
+            lister.named("layer", "layer"),
+        ]
+        .concat();
+        for row in rows.iter_mut().filter(|row| row.given) {
+            let node = split(&row.path).and_then(|parts| lister.root.find(&parts));
+            row.standing = node.and_then(|node| standing(lister.text.get(node.span.end..)?));
+        }
+        rows
+    }
 }
 
-/// Where a value comes from, by the comment behind it.
+/// Where a value comes from, by the comment behind it, when that begins with `printed`, `published`, `derived`, `calibrated` or `assumed`.
 fn standing(behind: &str) -> Option<Mark> {
     let line = behind.lines().next()?.trim();
     let comment = line.strip_prefix('#')?.trim();
@@ -47,37 +68,26 @@ fn standing(behind: &str) -> Option<Mark> {
     })
 }
 
-/// The text of the section with one key set to a value, given as a user types it: a TOML value, or
-/// a bare word where the field takes words. Nothing but the value changes; a key that the file
-/// leaves out is added to its table.
-///
-/// # Errors
-///
-/// The key is not known, the value is of the wrong type or out of range, or all faults of the
-/// section with it: an edited section is one that can be laid out.
-pub fn set(text: &str, key_path: &str, value: &str) -> Result<String, Vec<Diagnostic>> {
-    kind::set_all::<SectionFile>(text, &[(key_path, value)])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::kind::{rows, set};
 
     const TEXT: &str = include_str!("../../cases/umbilical/section.toml");
 
     #[test]
     fn one_value_changes_and_every_comment_stays() {
-        let edited = set(TEXT, "units.tube.wall_m", "0.002").unwrap();
+        let edited = set::<CrossSection>(TEXT, "units.tube.wall_m", "0.002").unwrap();
         assert_eq!(edited, TEXT.replace("wall_m = 0.00165", "wall_m = 0.002"));
-        let edited = set(TEXT, "section.voids", "flooded").unwrap();
+        let edited = set::<CrossSection>(TEXT, "section.voids", "flooded").unwrap();
         assert_eq!(edited, TEXT.replace("\"dry\"", "\"flooded\""));
     }
 
     #[test]
     fn a_key_left_out_is_added_to_the_table_of_its_kind() {
-        let edited = set(TEXT, "layer.inner-armour.poisson_ratio", "0.28").unwrap();
+        let edited = set::<CrossSection>(TEXT, "layer.inner-armour.poisson_ratio", "0.28").unwrap();
         let row = |text: &str| {
-            let rows = rows(text);
+            let rows = rows::<CrossSection>(text);
             let at = |row: &&FieldRow| row.path == "layer.inner-armour.poisson_ratio";
             rows.iter()
                 .find(at)
@@ -89,7 +99,11 @@ mod tests {
 
     #[test]
     fn a_value_that_cannot_be_is_refused_and_so_is_a_layout() {
-        let why = |key: &str, value: &str| set(TEXT, key, value).unwrap_err()[0].problem.clone();
+        let why = |key: &str, value: &str| {
+            set::<CrossSection>(TEXT, key, value).unwrap_err()[0]
+                .problem
+                .clone()
+        };
         assert!(why("units.tube.wall_m", "-1").contains("out of range"));
         assert!(why("layer.inner-armour.count", "500").contains("fit"));
         assert!(why("units.tube.colour", "3").contains("no key"));
@@ -97,7 +111,7 @@ mod tests {
 
     #[test]
     fn every_key_of_the_file_is_listed_and_comments_tell_standings() {
-        let rows = rows(TEXT);
+        let rows = rows::<CrossSection>(TEXT);
         let given = rows.iter().filter(|row| row.given).count();
         let keys = TEXT
             .lines()

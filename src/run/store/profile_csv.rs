@@ -1,6 +1,6 @@
 //! The columns of `profile.csv` and `ropes.csv`.
 
-use super::columns::{Column, column};
+use super::columns::{CsvColumn, column};
 use crate::run::{Profile, RopeProfile};
 
 fn bends(profile: &Profile) -> bool {
@@ -12,7 +12,7 @@ fn responds(profile: &Profile) -> bool {
 }
 
 /// The number of a node, which is not kept.
-const NODE: Column<Profile> = Column {
+const NODE: CsvColumn<Profile> = CsvColumn {
     name: "node",
     required: true,
     written: |_| true,
@@ -21,8 +21,8 @@ const NODE: Column<Profile> = Column {
 };
 
 /// A coordinate of the nodes.
-const fn coordinate<const AXIS: usize>(name: &'static str) -> Column<Profile> {
-    Column {
+const fn coordinate<const AXIS: usize>(name: &'static str) -> CsvColumn<Profile> {
+    CsvColumn {
         name,
         required: true,
         written: |_| true,
@@ -37,7 +37,7 @@ const fn coordinate<const AXIS: usize>(name: &'static str) -> Column<Profile> {
 }
 
 /// Phase of the motion at the driving period, which follows from its amplitudes.
-const PHASE: Column<Profile> = Column {
+const PHASE: CsvColumn<Profile> = CsvColumn {
     name: "wave_phase_deg",
     required: false,
     written: responds,
@@ -49,7 +49,7 @@ const PHASE: Column<Profile> = Column {
 };
 
 /// Columns of `profile.csv`; those of bending and of the response are written where a run has them.
-pub(super) const PROFILE_COLUMNS: [Column<Profile>; 25] = [
+pub(super) const PROFILE_COLUMNS: [CsvColumn<Profile>; 25] = [
     NODE,
     column!(Profile, "arc_m", arc, required),
     coordinate::<0>("x_m"),
@@ -78,7 +78,7 @@ pub(super) const PROFILE_COLUMNS: [Column<Profile>; 25] = [
 ];
 
 /// Columns of `ropes.csv`.
-pub(super) const ROPE_COLUMNS: [Column<RopeProfile>; 7] = [
+pub(super) const ROPE_COLUMNS: [CsvColumn<RopeProfile>; 7] = [
     column!(RopeProfile, "arc_m", arc, required),
     column!(RopeProfile, "mean_load_percent", mean_load, required),
     column!(

@@ -9,28 +9,28 @@ use std::{
 
 use super::{
     CHANNELS, CHECKPOINT, HISTORY, RunLocation, SHAPES, StoreError, complete, create,
+    history_csv::{history_header, history_row},
     lock::DirectoryLock,
-    number,
-    shapes::{SHAPE_COLUMNS, write_shape},
+    shapes_csv::{SHAPE_COLUMNS, shape_rows},
     table::CsvWriter,
 };
 use crate::case::ChannelId;
 use crate::files::create_stream;
-use crate::run::{Checkpoint, Frame, LineShape, Run, RunInfo, event::Event};
+use crate::run::{Checkpoint, OutputFrame, Run, RunInfo, event::JobEvent};
 
 /// How long rows may wait in memory.
 const FLUSH: Duration = Duration::from_secs(1);
 
-/// Writes a run while it is computed: [`Writer::begin`], [`Writer::event`] for all that the job says (or
-/// [`Writer::channels`] and [`Writer::frame`]), and [`Writer::finish`].
+/// Writes a run while it is computed: [`RunWriter::begin`], [`RunWriter::event`] for all that the job says (or
+/// [`RunWriter::channels`] and [`RunWriter::frame`]), and [`RunWriter::finish`].
 ///
 /// Dropped without `finish`, it leaves a run marked partial.
 #[derive(Debug)]
-pub struct Writer {
+pub struct RunWriter {
     dir: PathBuf,
     id: String,
     /// History and shapes, once the channels are known.
-    streams: Vec<Stream>,
+    streams: Vec<GrowingFile>,
     flushed: Instant,
     /// The lock on the directory, held while the run is written.
     _held: Option<DirectoryLock>,
@@ -38,12 +38,12 @@ pub struct Writer {
 
 /// A file that grows while the run is computed.
 #[derive(Debug)]
-struct Stream {
+struct GrowingFile {
     path: PathBuf,
     file: BufWriter<File>,
 }
 
-impl Stream {
+impl GrowingFile {
     /// A new file with the names of its columns.
     fn create(path: PathBuf, head: CsvWriter) -> Result<Self, StoreError> {
         let file = create_stream(&path).map_err(StoreError::io("Writing", &path))?;
@@ -73,10 +73,10 @@ impl Stream {
     }
 }
 
-impl Writer {
+impl RunWriter {
     /// Makes the run directory with the exact case and `run.toml` in state partial.
     ///
-    /// The name of the run becomes that of the directory, see [`Writer::id`].
+    /// The name of the run becomes that of the directory, see [`RunWriter::id`].
     ///
     /// # Errors
     /// The directory holds files already, or the system refuses.
@@ -107,17 +107,17 @@ impl Writer {
         &self.id
     }
 
-    /// Writes an event of a job; the end is for [`Writer::finish`].
+    /// Writes an event of a job; the end is for [`RunWriter::finish`].
     ///
     /// # Errors
     /// The system refuses, for example because the disk is full.
-    pub fn event(&mut self, event: &Event) -> Result<(), StoreError> {
+    pub fn event(&mut self, event: &JobEvent) -> Result<(), StoreError> {
         match event {
-            Event::Started { channels } => self.channels(channels),
-            Event::Frame(frame) => self.frame(frame),
-            Event::Checkpoint(checkpoint) => self.checkpoint(checkpoint),
-            Event::Estimating => self.flush(),
-            Event::Finished(_) => Ok(()),
+            JobEvent::Started { channels } => self.channels(channels),
+            JobEvent::Frame(frame) => self.frame(frame),
+            JobEvent::Checkpoint(checkpoint) => self.checkpoint(checkpoint),
+            JobEvent::Estimating => self.flush(),
+            JobEvent::Finished(_) => Ok(()),
         }
     }
 
@@ -127,10 +127,9 @@ impl Writer {
     /// The system refuses.
     pub fn channels(&mut self, channels: &[ChannelId]) -> Result<(), StoreError> {
         create::replace(&self.dir, CHANNELS, &complete::channel_units(channels)?)?;
-        let names = channels.iter().map(ToString::to_string);
-        let columns = std::iter::once("time_s".to_owned()).chain(names);
-        let history = Stream::create(self.dir.join(HISTORY), CsvWriter::new(columns)?)?;
-        let shapes = Stream::create(self.dir.join(SHAPES), CsvWriter::new(SHAPE_COLUMNS)?)?;
+        let header = history_header(channels.iter())?;
+        let history = GrowingFile::create(self.dir.join(HISTORY), header)?;
+        let shapes = GrowingFile::create(self.dir.join(SHAPES), CsvWriter::new(SHAPE_COLUMNS)?)?;
         self.streams = vec![history, shapes];
         Ok(())
     }
@@ -139,15 +138,8 @@ impl Writer {
     ///
     /// # Errors
     /// The system refuses.
-    pub fn frame(&mut self, frame: &Frame) -> Result<(), StoreError> {
-        let mut row = CsvWriter::headless();
-        row.row(
-            std::iter::once(&frame.time)
-                .chain(&frame.values)
-                .copied()
-                .map(number::text),
-        )?;
-        let row = row.bytes()?;
+    pub fn frame(&mut self, frame: &OutputFrame) -> Result<(), StoreError> {
+        let row = history_row(frame)?;
         let shape = frame.shape.as_ref().map(shape_rows).transpose()?;
         if let [history, shapes] = &mut self.streams[..] {
             history.write(&row)?;
@@ -175,7 +167,7 @@ impl Writer {
     /// The system refuses.
     pub fn flush(&mut self) -> Result<(), StoreError> {
         self.flushed = Instant::now();
-        self.streams.iter_mut().try_for_each(Stream::flush)
+        self.streams.iter_mut().try_for_each(GrowingFile::flush)
     }
 
     /// Writes the complete run, `run.toml` with its final state last. Returns the run directory.
@@ -184,17 +176,11 @@ impl Writer {
     /// The system refuses; the directory then still reads as a partial run.
     pub fn finish(mut self, run: &Run) -> Result<PathBuf, StoreError> {
         self.flush()?;
-        self.streams.iter().try_for_each(Stream::sync)?;
+        self.streams.iter().try_for_each(GrowingFile::sync)?;
         let streamed = !self.streams.is_empty();
         complete::all(&self.dir, &self.id, run, streamed)?;
         Ok(self.dir)
     }
-}
-
-fn shape_rows(shape: &LineShape) -> Result<Vec<u8>, StoreError> {
-    let mut csv = CsvWriter::headless();
-    write_shape(&mut csv, shape)?;
-    csv.bytes()
 }
 
 /// Writes a run that is already complete. Returns its directory.
@@ -202,5 +188,5 @@ fn shape_rows(shape: &LineShape) -> Result<Vec<u8>, StoreError> {
 /// # Errors
 /// The directory holds files already, or the system refuses.
 pub fn save(place: &RunLocation, run: &Run) -> Result<PathBuf, StoreError> {
-    Writer::begin(place, run.info.clone(), &run.case_text)?.finish(run)
+    RunWriter::begin(place, run.info.clone(), &run.case_text)?.finish(run)
 }

@@ -1,13 +1,12 @@
 //! Quantities along the whole line, which published values, trends and the summary may name beside the
 //! channels: they have no place in brackets, and their statistics go over arc length.
 
-use super::Case;
 use super::schema::words;
 
 words! {
     /// A quantity along the whole line; its word stands in the place of a channel: `tension_n` in `tension_n.max`.
     #[derive(Hash)]
-    pub enum AlongLine {
+    pub enum LineQuantity {
         /// Tension \[N\].
         Tension = "tension_n",
         /// Height above still water \[m\].
@@ -37,10 +36,45 @@ words! {
     }
 }
 
+words! {
+    /// A term of the energy balance of a dynamic run.
+    #[derive(Hash)]
+    pub enum EnergyQuantity {
+        /// Work of ends, waves, current and traveller \[J\].
+        Supplied = "energy_in_j",
+        /// Dissipated by drag, axial damping, ropes and the bed \[J\].
+        Dissipated = "energy_dissipated_j",
+        /// Change of kinetic, potential and elastic energy \[J\].
+        Stored = "energy_stored_j",
+        /// What does not add up \[J\]: stored and dissipated less put in, and less the growth of the added mass.
+        Drift = "energy_drift_j",
+        /// The same in percent of all that passed through: work and dissipation without their signs, the greatest kinetic
+        /// energy, and a millionth of the greatest energy.
+        DriftShare = "energy_drift_percent",
+    }
+}
+
+impl EnergyQuantity {
+    /// Its unit as shown.
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Supplied | Self::Dissipated | Self::Stored | Self::Drift => "J",
+            Self::DriftShare => "%",
+        }
+    }
+
+    /// The quantity of this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|known| known.name() == name)
+    }
+}
+
 /// The name of the time from which on the response of a run is steady, in the place of a channel.
 pub const STEADY: &str = "response_steady_s";
 
-impl AlongLine {
+impl LineQuantity {
     /// Its unit as shown.
     #[must_use]
     pub const fn unit(self) -> &'static str {
@@ -79,13 +113,4 @@ impl AlongLine {
             .into_iter()
             .find(|quantity| quantity.name() == name)
     }
-}
-
-/// Whether any section of the case has a bending stiffness.
-#[must_use]
-pub fn bends(case: &Case) -> bool {
-    case.line.iter().any(|section| {
-        let material = case.materials.get(&section.material);
-        material.is_some_and(|material| material.ei_n_m2 > 0.0)
-    })
 }

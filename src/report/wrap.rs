@@ -4,9 +4,24 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::visible;
 
-/// The text in lines no wider than `width`, broken between words. A word that is wider is broken
-/// inside, unless it holds a digit: numbers are never cut.
-pub(super) fn wrap(text: &str, width: usize) -> Vec<String> {
+/// What becomes of words that are wider than a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum WideWords {
+    /// They have lines of their own.
+    Whole,
+    /// They are broken inside.
+    Broken,
+    /// They are broken inside unless they hold a digit: numbers are never cut.
+    BrokenUnlessNumbers,
+}
+
+/// The text in lines no wider than `width`, broken between words.
+pub(crate) fn wrap(text: &str, width: usize, wide: WideWords) -> Vec<String> {
+    let breaks = |word: &str| match wide {
+        WideWords::Whole => false,
+        WideWords::Broken => true,
+        WideWords::BrokenUnlessNumbers => breakable(word),
+    };
     let mut lines = Vec::new();
     for paragraph in text.split('\n') {
         let paragraph = visible::text(paragraph);
@@ -19,7 +34,7 @@ pub(super) fn wrap(text: &str, width: usize) -> Vec<String> {
                 line.push(' ');
             }
             line.push_str(word);
-            while line.width() > width && breakable(&line) {
+            while line.width() > width && breaks(&line) {
                 let at = split_at(&line, width);
                 if at == line.len() {
                     break;
@@ -34,7 +49,7 @@ pub(super) fn wrap(text: &str, width: usize) -> Vec<String> {
 }
 
 /// The narrowest a text can be made without breaking numbers, or words of up to `keep` columns.
-pub(super) fn narrowest(text: &str, keep: usize) -> usize {
+pub(crate) fn narrowest(text: &str, keep: usize) -> usize {
     let least = |word: &str| {
         if breakable(word) {
             word.width().min(keep)
@@ -63,7 +78,7 @@ fn split_at(text: &str, width: usize) -> usize {
 }
 
 /// The text with blanks before and after it.
-pub(super) fn padded(text: &str, before: usize, width: usize) -> String {
+pub(crate) fn padded(text: &str, before: usize, width: usize) -> String {
     let after = width.saturating_sub(before + text.width());
     format!("{:before$}{text}{:after$}", "", "")
 }
@@ -75,24 +90,31 @@ mod tests {
     #[test]
     fn words_are_kept_whole_where_they_fit() {
         assert_eq!(
-            wrap("mean tension at the wire joint", 12),
+            wrap("mean tension at the wire joint", 12, WideWords::Whole),
             ["mean tension", "at the wire", "joint"]
         );
-        assert_eq!(wrap("", 5), [""]);
-        assert_eq!(wrap("a\nb", 5), ["a", "b"]);
+        assert_eq!(wrap("", 5, WideWords::Broken), [""]);
+        assert_eq!(wrap("a\n\nb", 5, WideWords::Broken), ["a", "", "b"]);
+        let lines = wrap("a verylongword b", 5, WideWords::Whole);
+        assert_eq!(lines, ["a", "verylongword", "b"]);
+        let lines = wrap("abcdefghij k", 4, WideWords::Broken);
+        assert_eq!(lines, ["abcd", "efgh", "ij k"]);
     }
 
     #[test]
     fn long_words_are_broken_and_numbers_are_not() {
-        assert_eq!(wrap("uncomfortable", 5), ["uncom", "forta", "ble"]);
-        assert_eq!(wrap("1.234567e-12", 5), ["1.234567e-12"]);
+        let wrap = |text| wrap(text, 5, WideWords::BrokenUnlessNumbers);
+        assert_eq!(wrap("uncomfortable"), ["uncom", "forta", "ble"]);
+        assert_eq!(wrap("1.234567e-12"), ["1.234567e-12"]);
         assert_eq!(narrowest("a 1.234567 uncomfortable", 8), 8);
     }
 
     #[test]
     fn wide_characters_count_twice() {
+        let wrap = |text, width| wrap(text, width, WideWords::Broken);
         assert_eq!(wrap("漢字漢字", 5), ["漢字", "漢字"]);
         assert_eq!(padded("漢", 1, 5), " 漢  ");
         assert_eq!(wrap("漢字", 1), ["漢", "字"]);
+        assert_eq!(wrap("日", 1), ["日"]);
     }
 }

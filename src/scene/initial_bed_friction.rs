@@ -11,7 +11,7 @@
 
 use super::Scene;
 use crate::numerics::V3;
-use crate::physics::friction::{Friction, FrictionModel, Grip};
+use crate::physics::bed_friction::{Friction, FrictionAnchor, FrictionModel};
 
 /// Stiffness of the friction springs of line just laid, relative to that of its segments.
 const HOLD: f64 = 10.0;
@@ -20,7 +20,7 @@ const ON_BED: f64 = 1e-3;
 
 /// The friction springs of a line in equilibrium, and a remark on them.
 pub(super) struct InitialFriction {
-    pub(super) grips: Vec<Grip>,
+    pub(super) grips: Vec<FrictionAnchor>,
     pub(super) remark: Option<String>,
 }
 
@@ -43,7 +43,7 @@ impl Scene {
     }
 
     /// Attaches the friction springs where the line was laid; returns a remark.
-    fn lay(&self, guess: &[V3], tension: &[f64], grips: &mut [Grip]) -> String {
+    fn lay(&self, guess: &[V3], tension: &[f64], grips: &mut [FrictionAnchor]) -> String {
         let last = guess.len() - 1;
         let end = [0, last].into_iter().find(|end| self.lies(&guess[*end]));
         let Some(end) = end else {
@@ -81,7 +81,7 @@ impl Scene {
     }
 
     /// On a slope, moves the springs uphill so that they carry the weight of the line laid, up to the friction limit.
-    fn hold_weight_on_slope(&self, grips: &mut [Grip]) {
+    fn hold_weight_on_slope(&self, grips: &mut [FrictionAnchor]) {
         let Some((bed, friction)) = self.seabed().and_then(|b| Some((b, b.friction?))) else {
             return;
         };
@@ -104,7 +104,12 @@ impl Scene {
     }
 
     /// Friction springs if neither end is on the bed: only on line that lies there without tension; returns a remark.
-    fn lay_between_lifted_ends(&self, guess: &[V3], tension: &[f64], grips: &mut [Grip]) -> String {
+    fn lay_between_lifted_ends(
+        &self,
+        guess: &[V3],
+        tension: &[f64],
+        grips: &mut [FrictionAnchor],
+    ) -> String {
         let last = guess.len() - 1;
         let tall = 1e-9 * self.line.arc[last];
         let heap = |i: usize| {
@@ -135,7 +140,7 @@ impl Scene {
     }
 
     /// Positions of the springs of a line laid straight from one end towards the other, at rest under its weight.
-    fn lay_straight(&self, end: usize, to: V3, grips: &mut [Grip]) {
+    fn lay_straight(&self, end: usize, to: V3, grips: &mut [FrictionAnchor]) {
         let Some(bed) = self.seabed() else { return };
         let normal = bed.normal();
         let from = grips[end].at;
@@ -165,7 +170,12 @@ impl Scene {
     }
 
     /// Removes the springs where the line touches down a second time, seen from the end on the bed; whether it does.
-    fn release_beyond_first_contact(&self, end: usize, guess: &[V3], grips: &mut [Grip]) -> bool {
+    fn release_beyond_first_contact(
+        &self,
+        end: usize,
+        guess: &[V3],
+        grips: &mut [FrictionAnchor],
+    ) -> bool {
         let Some(bed) = self.seabed() else {
             return false;
         };

@@ -10,28 +10,27 @@
 
 /// What the shape depends on, all without unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cantilever {
+pub(crate) struct Cantilever {
     /// Drag against bending, C_Y (the Cauchy number).
-    pub drag: f64,
+    pub(crate) drag: f64,
     /// Net lift along the rod against bending, B.
-    pub lift: f64,
+    pub(crate) lift: f64,
     /// Lift of the float against bending, B_f.
-    pub float_lift: f64,
+    pub(crate) float_lift: f64,
     /// Where the float sits, from the clamp by the length.
-    pub float_at: f64,
+    pub(crate) float_at: f64,
 }
 
 /// Steps from the tip to the clamp.
 const STEPS: usize = 2000;
 
 /// Angle, its slope, and the drag beyond the place along and across the flow.
-type Section = [f64; 4];
+type CantileverState = [f64; 4];
 
 impl Cantilever {
     /// The reconfiguration number R: drag by that of the same rod, rigid. Nothing where no shape was found: a lift of
     /// thousands makes the angle grow beyond all numbers on the way to the clamp.
-    #[must_use]
-    pub fn reconfiguration(&self) -> Option<f64> {
+    pub(crate) fn reconfiguration(&self) -> Option<f64> {
         // The tip's angle is the unknown: from upright to all but along the flow.
         let (mut low, mut high) = (0.0, std::f64::consts::FRAC_PI_2);
         if self.at_clamp(high)?.0 < 0.0 {
@@ -50,8 +49,7 @@ impl Cantilever {
     }
 
     /// The Vogel exponent nu: twice the slope of log R over log C_Y.
-    #[must_use]
-    pub fn vogel_exponent(&self) -> Option<f64> {
+    pub(crate) fn vogel_exponent(&self) -> Option<f64> {
         let at = |factor: f64| {
             let drag = self.drag * factor;
             Self { drag, ..*self }.reconfiguration()
@@ -63,7 +61,7 @@ impl Cantilever {
     /// The angle at the clamp, and R, when the tip leans by `tip` \[rad\].
     fn at_clamp(&self, tip: f64) -> Option<(f64, f64)> {
         let h = 1.0 / STEPS as f64;
-        let mut y: Section = [tip, 0.0, 0.0, 0.0];
+        let mut y: CantileverState = [tip, 0.0, 0.0, 0.0];
         for k in 0..STEPS {
             y = self.back(1.0 - k as f64 * h, h, &y);
         }
@@ -71,8 +69,8 @@ impl Cantilever {
     }
 
     /// One step of Runge-Kutta of order 4 towards the clamp.
-    fn back(&self, s: f64, h: f64, y: &Section) -> Section {
-        let moved = |k: &Section, by: f64| std::array::from_fn(|i| y[i] - k[i] * by);
+    fn back(&self, s: f64, h: f64, y: &CantileverState) -> CantileverState {
+        let moved = |k: &CantileverState, by: f64| std::array::from_fn(|i| y[i] - k[i] * by);
         let k1 = self.slope(s, y);
         let k2 = self.slope(s - 0.5 * h, &moved(&k1, 0.5 * h));
         let k3 = self.slope(s - 0.5 * h, &moved(&k2, 0.5 * h));
@@ -81,7 +79,7 @@ impl Cantilever {
     }
 
     /// Derivatives along s. Drag beyond a place falls towards the tip.
-    fn slope(&self, s: f64, [theta, turn, along, across]: &Section) -> Section {
+    fn slope(&self, s: f64, [theta, turn, along, across]: &CantileverState) -> CantileverState {
         let (sin, cos) = theta.sin_cos();
         let float = if s < self.float_at {
             self.float_lift
@@ -94,7 +92,6 @@ impl Cantilever {
     }
 }
 
-#[cfg(test)]
 mod tests {
     use super::*;
 

@@ -1,0 +1,175 @@
+//! What identifies a channel: a quantity at a place. Its text (`tension_n[wire|payload]`) is its name in files.
+//!
+//! One table declares every [`ChannelQuantity`] with name, unit and the words of its chart.
+
+use std::fmt;
+use std::str::FromStr;
+
+use toml_edit::Value as Toml;
+
+use super::fields::ValueType;
+use super::schema::KeyValue;
+use super::tree::TomlNode;
+
+/// Declares the quantities: variant, name in files, unit, label on the axis of a chart, title of the chart.
+macro_rules! channel_quantities {
+    ($($(#[$doc:meta])* $variant:ident: $name:literal, $unit:literal, $label:literal, $title:literal;)*) => {
+        /// A quantity that is recorded against time.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum ChannelQuantity { $($(#[$doc])* $variant,)* }
+
+        impl ChannelQuantity {
+            /// All quantities.
+            pub const ALL: &[Self] = &[$(Self::$variant),*];
+
+            /// Name in files, which ends in the unit: `tension_n`.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $name,)* }
+            }
+
+            /// Unit as shown: "N", "m/s"; "-" where there is none.
+            #[must_use]
+            pub const fn unit(self) -> &'static str {
+                match self { $(Self::$variant => $unit,)* }
+            }
+
+            /// Label on the axis of a chart.
+            #[must_use]
+            pub const fn label(self) -> &'static str {
+                match self { $(Self::$variant => $label,)* }
+            }
+
+            /// Title of a chart against time.
+            #[must_use]
+            pub const fn title(self) -> &'static str {
+                match self { $(Self::$variant => $title,)* }
+            }
+        }
+    };
+}
+
+channel_quantities! {
+    /// Effective tension of the line \[N\].
+    Tension: "tension_n", "N", "tension", "Tension at the joints";
+    /// First coordinate \[m\].
+    X: "x_m", "m", "x", "x";
+    /// Second coordinate \[m\].
+    Y: "y_m", "m", "y", "y";
+    /// Height above still water \[m\].
+    Z: "z_m", "m", "z", "z";
+    /// Speed over ground \[m/s\].
+    Speed: "speed_m_per_s", "m/s", "speed", "Speed";
+    /// Angle between the axis of a rigid payload and straight down \[deg\].
+    Tilt: "tilt_deg", "deg", "tilt", "Tilt of the payload";
+    /// Unstretched length from end A to a body that travels along the line \[m\].
+    Arc: "arc_m", "m", "arc length", "Place along the line";
+    /// First component of the line's force on a held end \[N\].
+    ForceX: "force_x_n", "N", "force", "Force on the ends, x";
+    /// Second component of the line's force on a held end \[N\].
+    ForceY: "force_y_n", "N", "force", "Force on the ends, y";
+    /// Vertical component of the line's force on a held end \[N\].
+    ForceZ: "force_z_n", "N", "force", "Force on the ends, z";
+    /// Normal force of the sea bed on a body or a loose end \[N\]; negative where suction holds it.
+    BedForce: "bed_force_n", "N", "force", "Force of the bed";
+    /// Speed normal to the bed at which a body landed, the greatest so far \[m/s\]; 0 before.
+    LandingSpeed: "landing_speed_m_per_s", "m/s", "speed", "Landing speed";
+    /// Height of the waves above still water over the gauge \[m\].
+    WaveElevation: "wave_elevation_m", "m", "elevation", "Height of the waves";
+    /// Energy of the whole line and what hangs on it \[J\].
+    Energy: "energy_j", "J", "energy", "Energy";
+    /// Lm: mean of the past tension of a rope with dynamic stiffness \[% of the breaking load\].
+    MeanLoad: "mean_load_percent", "%", "of the breaking load", "Mean load (Lm)";
+    /// La: deviation of the tension from that mean \[% of the breaking load\].
+    LoadDeviation: "load_deviation_percent", "%", "of the breaking load", "Deviation from the mean load (La)";
+    /// k: stiffness EA by breaking load of such a rope \[-\].
+    Stiffness: "stiffness_k", "-", "EA by breaking load", "Dynamic stiffness";
+}
+
+impl ChannelQuantity {
+    /// Coordinates of a position, x first.
+    pub const POSITION: [Self; 3] = [Self::X, Self::Y, Self::Z];
+    /// Components of a force, x first.
+    pub const FORCE: [Self; 3] = [Self::ForceX, Self::ForceY, Self::ForceZ];
+    /// Quantities of dynamic stiffness.
+    pub const ROPE: [Self; 3] = [Self::MeanLoad, Self::LoadDeviation, Self::Stiffness];
+
+    /// The quantity at a place.
+    #[must_use]
+    pub fn at(self, place: impl Into<String>) -> ChannelId {
+        ChannelId {
+            quantity: self,
+            place: place.into(),
+        }
+    }
+}
+
+/// What identifies a channel. Its text is the name in files: `tension_n[wire|payload]`.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct ChannelId {
+    /// What is recorded.
+    pub quantity: ChannelQuantity,
+    /// Where: name of an end or body, `section|section` at a joint, `section.a` at an end of a section.
+    pub place: String,
+}
+
+impl fmt::Display for ChannelId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}[{}]", self.quantity.name(), self.place)
+    }
+}
+
+/// A name that is that of no channel.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("`{0}` is no quantity that this version knows")]
+pub struct ChannelNameError(pub String);
+
+impl FromStr for ChannelId {
+    type Err = ChannelNameError;
+
+    fn from_str(text: &str) -> Result<Self, ChannelNameError> {
+        let split = text.split_once('[');
+        let id = split.and_then(|(quantity, rest)| {
+            let mut all = ChannelQuantity::ALL.iter();
+            let quantity = all.find(|q| q.name() == quantity)?;
+            Some(quantity.at(rest.strip_suffix(']')?))
+        });
+        id.ok_or_else(|| ChannelNameError(text.to_owned()))
+    }
+}
+
+impl KeyValue for ChannelId {
+    const KIND: ValueType = ValueType::Text;
+
+    fn blank() -> Self {
+        ChannelQuantity::Tension.at("")
+    }
+
+    fn read(node: &TomlNode) -> Option<Self> {
+        node.text()?.parse().ok()
+    }
+
+    fn write(&self) -> Toml {
+        self.to_string().into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_reads_back_as_its_channel() {
+        for quantity in ChannelQuantity::ALL {
+            let id = quantity.at("pay,load].x");
+            assert_eq!(id.to_string().parse(), Ok(id));
+        }
+        assert_eq!(
+            ChannelQuantity::Tension.at("wire|payload").to_string(),
+            "tension_n[wire|payload]"
+        );
+        for wrong in ["tension_n", "heat_w[wire]", "x_m[", "x_m]", ""] {
+            assert!(wrong.parse::<ChannelId>().is_err(), "{wrong}");
+        }
+    }
+}

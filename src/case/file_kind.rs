@@ -1,0 +1,41 @@
+//! What all kinds of file have in common: how they are checked, computed and listed. A kind is the type of its root table.
+
+use super::check::{check_keys, marks};
+use super::diagnostic::Finding;
+use super::fields::Schema;
+use super::rows::{FieldLister, FieldRow};
+use super::schema::{TableNode, TableType};
+use super::tree::TomlNode;
+
+/// The root table of a kind of file.
+pub trait FileContent {
+    /// The result of a file: a design, a solved ropeway.
+    type Computed;
+}
+
+/// A kind of file.
+pub(crate) trait FileKind: FileContent + TableType {
+    /// Its tables and fields.
+    fn schema() -> &'static Schema;
+
+    /// Errors of keys against each other. Keys that are missing or faulty are passed over.
+    fn check(keys: &Self::Keys<'_>) -> Vec<Finding>;
+
+    /// The result of a file without errors; `keys` are those that it was read from.
+    ///
+    /// # Errors
+    /// What shows only in the computation.
+    fn compute(self, keys: &Self::Keys<'_>) -> Result<Self::Computed, Finding>;
+
+    /// Every key the file can have, given or not, in reading order.
+    fn list(lister: &FieldLister<'_>) -> Vec<FieldRow>;
+}
+
+/// Everything wrong with a file, in the order of its lines: each key against its declaration, and keys against each other.
+pub(crate) fn errors<K: FileKind>(root: &TomlNode) -> Vec<Finding> {
+    let mut found = check_keys(K::schema(), root);
+    found.extend(marks(K::schema(), root));
+    found.extend(K::check(&K::keys(&TableNode::root(root))));
+    found.sort_by_key(|finding| finding.span.start);
+    found
+}

@@ -1,0 +1,44 @@
+//! What each kind of file gives the command line: its keys, and its comparison with published values.
+
+use std::path::Path;
+
+use super::{CommandError, cases::OtherFile};
+use crate::{
+    case::{CASE, fields::Schema, kind},
+    kinds::FileType,
+    reference::ValidationRow,
+    ropeway::{self, ROPEWAY, Ropeway},
+    section::SECTION,
+    ship::{self, MotionAnalysis, SHIP, Ship},
+};
+
+/// The tables and keys of a kind.
+pub(super) fn schema(kind: FileType) -> &'static Schema {
+    match kind {
+        FileType::Line => &CASE,
+        FileType::Section => &SECTION,
+        FileType::Ropeway => &ROPEWAY,
+        FileType::Ship => &SHIP,
+    }
+}
+
+/// Title and validation of a file that is computed without a run.
+pub(super) fn validation(file: &OtherFile) -> Result<(String, Vec<ValidationRow>), CommandError> {
+    let OtherFile { kind, name, text } = file;
+    let wrong = CommandError::invalid(text);
+    Ok(match kind {
+        FileType::Ropeway => {
+            let solved = kind::parse::<Ropeway>(text, name).map_err(wrong)?;
+            let rows = ropeway::validation::rows(&solved, text);
+            (solved.ropeway.about.title, rows)
+        }
+        FileType::Ship => {
+            let statics = kind::parse::<Ship>(text, name).map_err(wrong)?;
+            let folder = Path::new(name).parent().unwrap_or(Path::new(""));
+            let motion = MotionAnalysis::of(&statics, folder);
+            let rows = ship::validation::rows(&statics.ship, motion.as_ref());
+            (statics.ship.ship.title, rows)
+        }
+        FileType::Line | FileType::Section => (String::new(), Vec::new()),
+    })
+}

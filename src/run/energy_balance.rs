@@ -1,0 +1,121 @@
+//! Energy balance of a dynamic run: `work put in + growth of the added mass = dissipated + stored + drift`.
+//!
+//! The powers of every accepted step ([`Scene::energy_rates`](crate::scene::Scene::energy_rates)) are integrated between the
+//! steps by the parabola of [`StepInterval`]. What is stored is the change of the energy between events: what a release takes along
+//! is neither work nor stored. The drift is numerical only, since every force has its term: it is the error of the method in
+//! time, and falls with its order.
+
+use serde::{Deserialize, Serialize};
+
+use super::step_interval::StepInterval;
+use super::{Quantity, QuantityId, Subject};
+use crate::case::{Case, EnergyQuantity, Method};
+
+/// Share of all that passes through a run that it may drift without a warning: less than this the numerical damping of
+/// generalized-alpha takes on purpose, of axial waves at the start of a swing for instance.
+const ALLOWED: f64 = 0.02;
+/// The most that its error from the time step adds to that.
+const OF_TIME_ERROR: f64 = 0.01;
+/// Share of the energy itself that counts as passed through: in a line at rest rounding is all that does.
+const AT_REST: f64 = 1e-6;
+
+/// Energies of a run so far \[J\].
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct EnergyBalance {
+    /// Work of ends, waves, current and traveller.
+    supplied: f64,
+    /// Dissipated by drag, axial damping, ropes and the bed.
+    dissipated: f64,
+    /// Growth of the added mass as it turns and submerges.
+    growth: f64,
+    /// Change of the energy of the line between events.
+    stored: f64,
+    /// Work and dissipation without their signs.
+    passed: f64,
+    /// The greatest kinetic energy.
+    kinetic: f64,
+    /// The greatest energy without its sign.
+    greatest: f64,
+}
+
+/// Whether runs of a case have an energy balance: those in time with inertia.
+pub(super) fn is_stated(case: &Case) -> bool {
+    match case.solver.method {
+        Method::Alpha | Method::Auto | Method::Rk4 => true,
+        Method::Static | Method::Quasi => false,
+    }
+}
+
+impl EnergyBalance {
+    /// Takes in what lies between two accepted steps.
+    pub(super) fn update(&mut self, between: &StepInterval<'_>) {
+        let [from, to] = between.energy();
+        let [t0, t1] = between.time();
+        self.supplied += between.integral(|sample| sample.energy.supplied);
+        self.dissipated += between.integral(|sample| sample.energy.dissipated);
+        self.growth += between.integral(|sample| sample.energy.growth);
+        self.stored += to.energy - from.energy;
+        let size =
+            |rates: &crate::scene::EnergyRates| rates.supplied.abs() + rates.dissipated.abs();
+        self.passed += 0.5 * (t1 - t0) * (size(from) + size(to));
+        self.kinetic = self.kinetic.max(from.kinetic).max(to.kinetic);
+        let size = from.energy.abs().max(to.energy.abs());
+        self.greatest = self.greatest.max(size);
+    }
+
+    /// What does not add up \[J\].
+    fn drift(&self) -> f64 {
+        self.stored + self.dissipated - self.supplied - self.growth
+    }
+
+    /// All that passed through \[J\]: work and dissipation without their signs, the greatest kinetic energy, and a millionth of the
+    /// greatest energy.
+    fn passed_through(&self) -> f64 {
+        self.passed + self.kinetic + AT_REST * self.greatest
+    }
+
+    /// Its single numbers, without errors.
+    pub(super) fn quantities(&self) -> Vec<Quantity> {
+        let drift = self.drift();
+        let through = self.passed_through();
+        let share = if through > 0.0 { drift / through } else { 0.0 };
+        let value = |quantity| match quantity {
+            EnergyQuantity::Supplied => self.supplied,
+            EnergyQuantity::Dissipated => self.dissipated,
+            EnergyQuantity::Stored => self.stored,
+            EnergyQuantity::Drift => drift,
+            EnergyQuantity::DriftShare => 100.0 * share,
+        };
+        let all = EnergyQuantity::ALL.into_iter();
+        all.map(|quantity| {
+            let id = QuantityId::single(Subject::Energy(quantity));
+            Quantity::new(id, value(quantity))
+        })
+        .collect()
+    }
+}
+
+/// The warning where the drift exceeds what is stated of it: a share of all that passed through, and its error from the time
+/// step. Of that a part counts only: at second order it is as large as any drift.
+pub(super) fn warning(summary: &[Quantity]) -> Option<String> {
+    let find = |wanted| {
+        let is = |q: &&Quantity| q.id == QuantityId::single(Subject::Energy(wanted));
+        summary.iter().find(is)
+    };
+    let (drift, share) = (
+        find(EnergyQuantity::Drift)?,
+        find(EnergyQuantity::DriftShare)?,
+    );
+    let (percent, allowed) = (share.value.abs(), 100.0 * ALLOWED);
+    let by_time = share.time_error.unwrap_or(0.0);
+    let stated = allowed + by_time.min(100.0 * OF_TIME_ERROR);
+    if percent <= stated {
+        return None;
+    }
+    let way = if drift.value > 0.0 { "gains" } else { "loses" };
+    Some(format!(
+        "the energy balance does not close: the run {way} {:.3e} J that no force accounts for, {percent:.2} % of all that passed \
+         through it; try a smaller time_step_s or step_tolerance",
+        drift.value.abs()
+    ))
+}
