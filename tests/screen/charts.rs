@@ -1,12 +1,16 @@
 //! Charts as people see them, and what must hold at any size and for any data.
 
 use std::f64::consts::TAU;
+use std::sync::atomic::AtomicBool;
 
 use proptest::prelude::*;
+use seacable::case::{self, shipped::SHIPPED};
 use seacable::report::chart::{
     Axis, Chart, Glyphs, GridMap, Limit, LimitLine, PictureCell, PicturePart, Series, draw, marker,
     readout,
 };
+use seacable::report::figures::{FigureData, FigureId, PlottedRun};
+use seacable::run::job::{self, Request};
 
 /// Accepted pictures live in the top-level `snapshots/`, named by what they show.
 fn accept(name: &str, text: &str) {
@@ -98,6 +102,38 @@ fn a_trajectory_to_equal_scale() {
     accept(
         "chart_trajectory_60x24_ascii",
         &draw(&chart, 60, 24, Glyphs::Ascii).to_text(),
+    );
+}
+
+/// The force of the bed is drawn where a case records it: here on a clump that lands.
+#[test]
+fn the_bed_force_on_a_clump_that_lands() {
+    let text = |file: &str| SHIPPED.iter().find(|case| case.0 == file).unwrap().1;
+    let parse = |file: &str| case::parse(text(file), file).unwrap();
+    let without_bed = FigureId::of(&parse("basics/pendulum.toml"));
+    assert!(!without_bed.contains(&FigureId::BedForce));
+    let mut clump = parse("hard/clump_on_bed.toml");
+    (clump.solver.duration_s, clump.output.interval_s) = (4.0, 0.02);
+    clump.solver.error_estimate = false;
+    let request = Request {
+        case: clump.clone(),
+        text: String::new(),
+        file: "clump.toml".to_owned(),
+        overrides: Vec::new(),
+        id: "clump".to_owned(),
+    };
+    let run = job::execute(&request, &AtomicBool::new(false), &mut |_| {});
+    assert!(FigureId::of(&clump).contains(&FigureId::BedForce));
+    let chart = FigureId::BedForce.figure().draw(&FigureData {
+        case: &clump,
+        runs: &[PlottedRun::whole(&run, "")],
+        checks: &[],
+        instant: None,
+        chosen: None,
+    });
+    accept(
+        "chart_bed_force_80x24",
+        &draw(&chart, 80, 24, Glyphs::Ascii).to_text(),
     );
 }
 
