@@ -52,7 +52,7 @@ struct MeshCompanions {
     /// Segments twice as long, and four times.
     coarse: Option<Computed>,
     coarser: Option<Computed>,
-    /// Segments half as long, where there is no coarser mesh or none that comes to its end.
+    /// Segments half as long, where there is no coarser mesh or none whose run is complete.
     finer: Option<Computed>,
 }
 

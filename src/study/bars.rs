@@ -142,7 +142,7 @@ fn refined(case: &Case) -> Case {
     case
 }
 
-/// Computes settings and their converged runs, on all cores; `done` is told after each.
+/// Computes settings and their converged runs, on all cores; `done` is called after each.
 pub fn compute(
     settings: Vec<BarSetting>,
     cancel: &AtomicBool,

@@ -270,7 +270,7 @@ impl BodyContact {
         self.with_contact(body, &push, state, |c| friction.with_tangent(c, grip))
     }
 
-    /// What a law makes of the contact of a body.
+    /// Evaluates a friction law at the contact of a body.
     fn with_contact<T>(
         &self,
         body: &BearingBody,
