@@ -50,8 +50,8 @@ pub fn channels(case: &Case) -> Vec<ChannelSpec> {
 pub(crate) struct RecordedLine<'a> {
     /// Ends A and B.
     pub(crate) ends: [RecordedEnd<'a>; 2],
-    /// Sections from A to B, and whether they have dynamic stiffness.
-    pub(crate) sections: Vec<(&'a str, bool)>,
+    /// Sections from A to B.
+    pub(crate) sections: Vec<RecordedSection<'a>>,
     /// Whether the payload at end B is a rigid body that rotates.
     pub(crate) rotates: bool,
     /// Bodies attached to the line.
@@ -64,6 +64,15 @@ pub(crate) struct RecordedLine<'a> {
     pub(crate) waves: bool,
     /// Whether the case asks for the energy.
     pub(crate) energy: bool,
+}
+
+/// A section of the line.
+#[derive(Clone, Copy)]
+pub(crate) struct RecordedSection<'a> {
+    /// Its name.
+    pub(crate) name: &'a str,
+    /// Whether it has dynamic stiffness.
+    pub(crate) dynamic_stiffness: bool,
 }
 
 /// An end of the line.
@@ -87,7 +96,10 @@ impl<'a> RecordedLine<'a> {
         let section = |section: &'a Section| {
             let material = case.materials.get(&section.material);
             let is_dynamic = |m: &Material| m.dynamic_stiffness != DynamicStiffness::None;
-            (section.name.as_str(), material.is_some_and(is_dynamic))
+            RecordedSection {
+                name: &section.name,
+                dynamic_stiffness: material.is_some_and(is_dynamic),
+            }
         };
         Self {
             ends: [end(&case.ends.a), end(&case.ends.b)],
@@ -186,11 +198,10 @@ impl<'a> RecordedLine<'a> {
 
     /// Dynamic stiffness at both ends of the sections that have it.
     fn add_dynamic_stiffness(&self, list: &mut Vec<ChannelSpec>) {
-        for (index, (name, _)) in self.sections.iter().enumerate().filter(|(_, s)| s.1) {
-            for quantity in ChannelQuantity::ROPE {
-                for (letter, end) in [("a", LineEnd::A), ("b", LineEnd::B)] {
-                    let site = ChannelLocation::Section(index, end);
-                    add(list, &[quantity], &format!("{name}.{letter}"), site);
+        for (index, section) in self.sections.iter().enumerate() {
+            if section.dynamic_stiffness {
+                for quantity in ChannelQuantity::ROPE {
+                    add_at_both_ends(list, quantity, (index, section.name));
                 }
             }
         }
@@ -199,7 +210,7 @@ impl<'a> RecordedLine<'a> {
     /// Tensions at the joints between ends and sections, from A to B.
     fn joint_tensions(&self) -> Vec<ChannelSpec> {
         let [a, b] = self.ends.map(|end| end.name);
-        let sections: Vec<&str> = self.sections.iter().map(|section| section.0).collect();
+        let sections: Vec<&str> = self.sections.iter().map(|section| section.name).collect();
         let names = [&[a], &sections[..], &[b]].concat();
         let joints = names.windows(2).enumerate();
         let tension = |(joint, pair): (usize, &[&str])| ChannelSpec {
@@ -214,6 +225,18 @@ impl RecordedEnd<'_> {
     /// Whether nothing holds it, at least from some time on.
     fn is_loose(&self) -> bool {
         self.released || matches!(self.kind, EndKind::Payload | EndKind::Free)
+    }
+}
+
+/// Adds channels of a quantity at both ends of a section, by its number and name.
+fn add_at_both_ends(
+    list: &mut Vec<ChannelSpec>,
+    quantity: ChannelQuantity,
+    (index, name): (usize, &str),
+) {
+    for (letter, end) in [("a", LineEnd::A), ("b", LineEnd::B)] {
+        let site = ChannelLocation::Section(index, end);
+        add(list, &[quantity], &format!("{name}.{letter}"), site);
     }
 }
 

@@ -15,11 +15,12 @@ impl Scene {
     #[must_use]
     pub fn tension_at(&self, node: usize, state: &State) -> f64 {
         let last = self.line_nodes() - 1;
-        let (i, sign) = if node < last {
-            (node, 1.0)
-        } else {
-            (last - 1, -1.0)
-        };
+        self.tension_beside(node.min(last - 1), node, state)
+    }
+
+    /// The same by segment i, which begins or ends at the node.
+    fn tension_beside(&self, i: usize, node: usize, state: &State) -> f64 {
+        let sign = if node == i { 1.0 } else { -1.0 };
         let chord = self.line.chord(i, state);
         let pull = chord.tangent * (self.line.tension_now(i, &chord, state).value * sign);
         // A slack segment has no direction: the load of its half is no tension.

@@ -1,7 +1,7 @@
 //! The channels that a run of the case would record, by name.
 
 use crate::case::Subject;
-use crate::case::channels::{RecordedEnd, RecordedLine};
+use crate::case::channels::{RecordedEnd, RecordedLine, RecordedSection};
 use crate::case::line_quantity::{EnergyQuantity, STEADY};
 use crate::case::model::{CaseKeys, EndKeys};
 
@@ -36,9 +36,12 @@ fn channel_names(case: &CaseKeys<'_>) -> Option<Vec<String>> {
         let material = case.materials.iter().find(|(name, _)| name == material);
         // A variant with static stiffness lacks them, but statements about the other variants are no fault.
         let dynamic = material.is_some_and(|(_, keys)| keys.dynamic_stiffness.is_given());
-        Some((section.name.get()?.as_str(), dynamic))
+        Some(RecordedSection {
+            name: section.name.get()?,
+            dynamic_stiffness: dynamic,
+        })
     });
-    let sections: Option<Vec<(&str, bool)>> = sections.collect();
+    let sections: Option<Vec<RecordedSection<'_>>> = sections.collect();
     let bodies = case
         .clumps
         .iter()
