@@ -52,6 +52,8 @@ macro_rules! channel_quantities {
 channel_quantities! {
     /// Effective tension of the line \[N\].
     Tension: "tension_n", "N", "tension", "Tension at the joints";
+    /// Tension of the wall of a pipe \[N\]: see [`PipeWall`](crate::physics::PipeWall).
+    WallTension: "wall_tension_n", "N", "tension", "Tension of the pipe wall";
     /// First coordinate \[m\].
     X: "x_m", "m", "x", "x";
     /// Second coordinate \[m\].

@@ -73,6 +73,8 @@ pub(crate) struct RecordedSection<'a> {
     pub(crate) name: &'a str,
     /// Whether it has dynamic stiffness.
     pub(crate) dynamic_stiffness: bool,
+    /// Whether it is a pipe with a bore.
+    pub(crate) bore: bool,
 }
 
 /// An end of the line.
@@ -99,6 +101,7 @@ impl<'a> RecordedLine<'a> {
             RecordedSection {
                 name: &section.name,
                 dynamic_stiffness: material.is_some_and(is_dynamic),
+                bore: material.is_some_and(|m| m.bore.is_some()),
             }
         };
         Self {
@@ -121,7 +124,7 @@ impl<'a> RecordedLine<'a> {
     /// every end that is free (of a rigid payload: of its centre of gravity, and its tilt), position of every attached
     /// body, position, arc length and tension of the traveller, force on every held end, force of the bed on loose ends
     /// and bodies and the speed at which these land, height of the waves, energy, dynamic stiffness at both ends of every
-    /// section that has it.
+    /// section that has it, tension of the wall at both ends of every section that is a pipe.
     pub(crate) fn channels(&self) -> Vec<ChannelSpec> {
         let mut list = self.joint_tensions();
         self.add_motion(&mut list);
@@ -135,6 +138,10 @@ impl<'a> RecordedLine<'a> {
             add(&mut list, &energy, "line", ChannelLocation::Line);
         }
         self.add_dynamic_stiffness(&mut list);
+        for (index, section) in self.sections.iter().enumerate().filter(|(_, s)| s.bore) {
+            let wall = ChannelQuantity::WallTension;
+            add_at_both_ends(&mut list, wall, (index, section.name));
+        }
         list
     }
 

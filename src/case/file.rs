@@ -25,7 +25,7 @@ impl FileKind for Case {
         Ok(self)
     }
 
-    /// Environment, current, sea bed, each material, each section, ends, payload, floats, clumps, modules, traveller, start,
+    /// Environment, current, sea bed, each material with its bore, each section, ends, payload, floats, clumps, modules, traveller, start,
     /// solver, output.
     fn list(lister: &FieldLister<'_>) -> Vec<FieldRow> {
         let end = |letter: &str| {
@@ -39,7 +39,7 @@ impl FileKind for Case {
             lister.always("current"),
             lister.if_given(&["waves"], "waves"),
             lister.if_given(&["seabed"], "sea bed"),
-            lister.named("materials", "material"),
+            materials(lister),
             lister.named("line", "section"),
             end("a"),
             end("b"),
@@ -56,4 +56,21 @@ impl FileKind for Case {
         ]
         .concat()
     }
+}
+
+/// Every material, each followed by its bore where it has one.
+fn materials(lister: &FieldLister<'_>) -> Vec<FieldRow> {
+    let names = lister
+        .root
+        .get("materials")
+        .map_or_else(Vec::new, TomlNode::names);
+    let each = names.iter().flat_map(|name| {
+        let (path, group) = (["materials", name, "bore"], format!("material {name}"));
+        let mut rows = lister.table("materials.*", &path[..2], &group);
+        if lister.root.find(&path).is_some() {
+            rows.extend(lister.table("materials.*.bore", &path, &group));
+        }
+        rows
+    });
+    each.collect()
 }

@@ -24,11 +24,11 @@ pub use ends::{
     PayloadShape, Rotation, SphereAndCylinder,
 };
 pub(crate) use ends::{EndKeys, PayloadKeys, RotationKeys, ShapeKeys};
-pub(crate) use line::MaterialKeys;
 pub use line::{
-    Clump, DragCoefficient, DragLawName, DragWidth, DynamicStiffness, Floats, Material, Modules,
-    Section, Traveller,
+    Bore, Clump, DragCoefficient, DragLawName, DragWidth, DynamicStiffness, Floats, Material,
+    Modules, Section, Traveller,
 };
+pub(crate) use line::{BoreKeys, MaterialKeys};
 pub use sea::{
     DecayName, DragLength, SpectrumName, StretchingName, WaterSurface, WaveKind, WaveLoadName,
     Waves,

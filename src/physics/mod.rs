@@ -18,6 +18,7 @@ pub mod rope;
 pub mod sea;
 pub mod seabed;
 pub mod tension;
+pub mod wall_tension;
 
 pub use bed_friction::{Friction, FrictionAnchor};
 pub use current::CurrentProfile;
@@ -26,3 +27,4 @@ pub use motion::EndMotion;
 pub use payload::BodyProperties;
 pub use rigid_body::RigidBody;
 pub use seabed::ElasticBed;
+pub use wall_tension::PipeWall;

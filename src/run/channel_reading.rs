@@ -34,6 +34,7 @@ impl<'a> ChannelReading<'a> {
         let (scene, state) = (self.scene, self.state);
         match quantity {
             Q::Tension => self.tension(site),
+            Q::WallTension => self.wall_tension(site),
             Q::X => self.position(site).map(|x| x[0]),
             Q::Y => self.position(site).map(|x| x[1]),
             Q::Z => self.position(site).map(|x| x[2]),
@@ -66,6 +67,14 @@ impl<'a> ChannelReading<'a> {
             ChannelLocation::Traveller => self.scene.traveller_tension(self.time, self.state),
             _ => None,
         }
+    }
+
+    fn wall_tension(&self, site: ChannelLocation) -> Option<f64> {
+        let ChannelLocation::Section(section, end) = site else {
+            return None;
+        };
+        self.scene
+            .wall_tension(section, end == LineEnd::B, self.state)
     }
 
     fn position(&self, site: ChannelLocation) -> Option<V3> {

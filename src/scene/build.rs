@@ -15,7 +15,7 @@ use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::DragProperties;
 use crate::physics::rope::TensionLaw;
 use crate::physics::tension::AxialConstants;
-use crate::physics::{CurrentProfile, DragLaw};
+use crate::physics::{CurrentProfile, DragLaw, PipeWall};
 
 /// Builds the scene of a case, every section divided into `1 / coarsening` of its segments (rounded up): 1 for the run itself,
 /// 2 for the companion that estimates the mesh error.
@@ -46,6 +46,11 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
     remarks.extend(unused_inputs::remarks(case));
     let mut scene = Scene {
         line,
+        walls: case
+            .line
+            .iter()
+            .map(|section| wall(case, section))
+            .collect(),
         elements,
         start: InitialState {
             velocity: V3::from(case.start.velocity_m_per_s),
@@ -275,6 +280,20 @@ fn bare_segment(
         diameter: material.diameter_m,
         bearing_width: material.diameter_m,
     }
+}
+
+/// The pipe wall of a section; none without a bore.
+fn wall(case: &Case, section: &case::Section) -> Option<PipeWall> {
+    let (material, water) = (case.materials.get(&section.material)?, &case.environment);
+    let bore = material.bore.as_ref()?;
+    Some(PipeWall {
+        outer_diameter: material.diameter_m,
+        inner_diameter: bore.diameter_m,
+        water_weight: water.water_density_kg_per_m3 * water.gravity_m_per_s2,
+        content_weight: bore.content_density_kg_per_m3 * water.gravity_m_per_s2,
+        inner_pressure: bore.pressure_pa,
+        pressure_height: bore.pressure_height_m,
+    })
 }
 
 fn law(law: &case::DragCoefficient) -> DragLaw {

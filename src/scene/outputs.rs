@@ -31,6 +31,15 @@ impl Scene {
         self.tension_from((i, node - i), &chord, (&pull, load), state)
     }
 
+    /// Tension of the pipe wall at the first or last node of a section, by its number \[N\]; none where it has no bore.
+    #[must_use]
+    pub fn wall_tension(&self, section: usize, at_end: bool, state: &State) -> Option<f64> {
+        let wall = self.walls.get(section)?.as_ref()?;
+        let node = self.labels.joints[section + usize::from(at_end)].node;
+        let tension = self.tension_beside(node - usize::from(at_end), node, state);
+        Some(wall.tension(tension, state.x[node].z))
+    }
+
     /// Tension at a node of segment i from the pull of the segment on it and the load of the half between, without the bed.
     #[inline(always)]
     pub(super) fn tension_from(

@@ -4,7 +4,7 @@ use super::element::At;
 use super::elements::Elements;
 use super::{LumpedLine, SceneEvent, labels::Labels};
 use crate::numerics::V3;
-use crate::physics::{CurrentProfile, ElasticBed, FrictionAnchor};
+use crate::physics::{CurrentProfile, ElasticBed, FrictionAnchor, PipeWall};
 use crate::solve::{Kinematics, State};
 
 /// A case ready to compute, in SI units.
@@ -12,6 +12,8 @@ use crate::solve::{Kinematics, State};
 pub struct Scene {
     /// The line: nodes, segments, point bodies, and the water around them.
     pub line: LumpedLine,
+    /// Pipe walls of the sections from A to B; none of those without a bore.
+    pub walls: Vec<Option<PipeWall>>,
     /// The other forces on it.
     pub elements: Elements,
     /// Its state at time zero.

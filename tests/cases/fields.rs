@@ -6,7 +6,7 @@ use seacable::case::{CASE, field_at, kind};
 
 /// A case that gives nothing that has a default, but holds every table.
 const BARE: &str = r#"
-materials.m = { diameter_m = 0.1, mass_kg_per_m = 10.0, ea_n = 1e8 }
+materials.m = { diameter_m = 0.1, mass_kg_per_m = 10.0, ea_n = 1e8, bore = { diameter_m = 0.05 } }
 line = [{ name = "s", material = "m", length_m = 10.0, segments = 2 }]
 floats = [{ section = "s", lift_kg = 1.0 }]
 clumps = [{ name = "c", section = "s", at_m = 5.0, mass_kg = 1.0, wet_mass_kg = 1.0 }]
@@ -49,6 +49,7 @@ fn with(field: &Field, written: &str) -> String {
         table => {
             let list = table.split('.').next().unwrap();
             let name = match list {
+                "materials" => "m",
                 "floats" | "modules" => "s",
                 "clumps" => "c",
                 "study" => "t",

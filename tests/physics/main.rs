@@ -23,3 +23,4 @@ mod sea;
 mod seabed;
 mod tangents;
 mod traveller;
+mod wall_tension;

@@ -36,9 +36,11 @@ fn channel_names(case: &CaseKeys<'_>) -> Option<Vec<String>> {
         let material = case.materials.iter().find(|(name, _)| name == material);
         // A variant with static stiffness lacks them, but statements about the other variants are no fault.
         let dynamic = material.is_some_and(|(_, keys)| keys.dynamic_stiffness.is_given());
+        let bore = material.is_some_and(|(_, keys)| keys.bore.is_some());
         Some(RecordedSection {
             name: section.name.get()?,
             dynamic_stiffness: dynamic,
+            bore,
         })
     });
     let sections: Option<Vec<RecordedSection<'_>>> = sections.collect();

@@ -1,8 +1,10 @@
-//! How materials stretch: by one stiffness or by a table, whose strains and tensions rise from 0.
+//! Materials: their stiffness given once, by a number or by a table that rises from 0, and bores inside their diameter.
+
+use std::f64::consts::FRAC_PI_4;
 
 use crate::case::diagnostic::Finding;
 use crate::case::fields::number;
-use crate::case::model::{CaseKeys, DynamicStiffness, MaterialKeys};
+use crate::case::model::{BoreKeys, CaseKeys, DynamicStiffness, MaterialKeys};
 use crate::case::schema::{Key, KeyValue};
 
 /// Checks of every material's elasticity and axial damping.
@@ -26,7 +28,31 @@ fn of_material(material: &MaterialKeys<'_>) -> Vec<Finding> {
         "the axial damping is given twice, by axial_damping_n_s and by axial_damping_ratio",
     ));
     found.extend(dynamic(material));
+    found.extend(material.bore.as_ref().and_then(|b| bore(material, b)));
     found
+}
+
+/// A bore is narrower than its pipe, and its content weighs no more than pipe and content together.
+fn bore(material: &MaterialKeys<'_>, bore: &BoreKeys<'_>) -> Option<Finding> {
+    let (inner, outer) = (bore.diameter_m.value()?, material.diameter_m.value()?);
+    if inner >= outer {
+        let problem = format!("is no bore of a pipe {} m wide", number(outer));
+        return Some(
+            bore.diameter_m
+                .finding(problem, "give less than diameter_m"),
+        );
+    }
+    let content = bore.content_density_kg_per_m3.value()? * FRAC_PI_4 * inner * inner;
+    let mass = material.mass_kg_per_m.value()?;
+    (content >= mass).then(|| {
+        let problem = format!(
+            "the content alone weighs {} kg/m, and mass_kg_per_m, of which it is part, is {}",
+            number((1e3 * content).round() / 1e3),
+            number(mass)
+        );
+        let remedy = "give the mass of pipe and content as mass_kg_per_m";
+        bore.content_density_kg_per_m3.finding(problem, remedy)
+    })
 }
 
 /// Two keys that say the same thing: a finding at the later one.

@@ -11,7 +11,7 @@ use crate::case::model::{
 };
 use crate::case::schema::{Key, KeyValue};
 use crate::case::tree::TomlNode;
-use crate::case::{ChannelId, LineQuantity};
+use crate::case::{ChannelId, ChannelQuantity, LineQuantity};
 
 /// Checks of studies, published values and trends.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
@@ -37,9 +37,35 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
 }
 
 /// A key that names none of the channels; nothing where these are not known.
-fn channel<T: KeyValue>(key: &Key<'_, T>, known: Option<&[String]>) -> Option<Finding> {
+fn channel<T: KeyValue>(
+    case: &CaseKeys<'_>,
+    key: &Key<'_, T>,
+    known: Option<&[String]>,
+) -> Option<Finding> {
     let (problem, remedy) = unknown_name(key.text()?, known?, "channel", "case")?;
+    let (problem, remedy) = without_bore(case, key.text()?).unwrap_or((problem, remedy));
     Some(key.finding(problem, remedy))
+}
+
+/// Problem and remedy where the wall tension of a section without a bore is asked for.
+fn without_bore(case: &CaseKeys<'_>, channel: &str) -> Option<(String, String)> {
+    let id: ChannelId = channel.parse().ok()?;
+    let place = id
+        .place
+        .strip_suffix(".a")
+        .or(id.place.strip_suffix(".b"))?;
+    let mut sections = case.line.iter().map(|(_, section)| section);
+    let section = sections.find(|section| section.name.get().is_some_and(|name| name == place))?;
+    let material = section.material.get()?;
+    let mut materials = case.materials.iter();
+    let has_bore = materials.any(|(name, keys)| name == material && keys.bore.is_some());
+    (id.quantity == ChannelQuantity::WallTension && !has_bore).then(|| {
+        let problem = format!(
+            "section {place} has no wall tension: its material {material} is no pipe with a bore"
+        );
+        let remedy = format!("add [materials.{material}.bore] with its diameter_m");
+        (problem, remedy)
+    })
 }
 
 fn curve(
@@ -51,7 +77,7 @@ fn curve(
     let channels =
         recorded.map(|names| names.iter().filter(is_channel).cloned().collect::<Vec<_>>());
     let found = [
-        channel(&row.channel, channels.as_deref()),
+        channel(case, &row.channel, channels.as_deref()),
         window(&row.window_s, None),
         points(row),
         row.at.as_ref().and_then(|at| point(case, at)),
@@ -65,7 +91,7 @@ fn published(
     known: Option<&[String]>,
 ) -> Vec<Finding> {
     let found = [
-        channel(&row.channel, known),
+        channel(case, &row.channel, known),
         suits(&row.statistic, &row.channel),
         window(&row.window_s, row.channel.get()),
         stretch(&row.stretch_m, &row.channel),
@@ -85,7 +111,7 @@ fn published(
 
 fn trend(case: &CaseKeys<'_>, row: &TrendKeys<'_>, known: Option<&[String]>) -> Vec<Finding> {
     let found = [
-        channel(&row.channel, known),
+        channel(case, &row.channel, known),
         suits(&row.statistic, &row.channel),
         window(&row.window_s, row.channel.get()),
         stretch(&row.stretch_m, &row.channel),

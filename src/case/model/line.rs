@@ -56,6 +56,25 @@ table! {
         /// Smallest radius it may be bent to; the run warns where it is bent more sharply.
         min_bend_radius_m: Option<f64>, "least bending radius", range positive(1e5), absent "not used";
     }
+    tables {
+        /// The bore of a pipe, for the tension of its wall; absent means that none is computed.
+        bore: Option<Bore>;
+    }
+}
+
+table! {
+    /// The bore of a pipe and its content, which is part of the material's mass_kg_per_m and wet_weight_kg_per_m.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Bore => BoreKeys {
+        /// Inner diameter of the pipe.
+        diameter_m: f64, "bore", range positive(10.0);
+        /// Density of the content, for its pressure over depth; its mass is part of mass_kg_per_m already, and not added.
+        content_density_kg_per_m3: f64 = 0.0, "content density", range of(0.0, 2e4);
+        /// Inner pressure over the atmosphere's, at pressure_height_m.
+        pressure_pa: f64 = 0.0, "inner pressure", range of(-1e5, 1e9);
+        /// Height above still water at which the inner pressure is given, such as that of the top end.
+        pressure_height_m: f64 = 0.0, "height of the pressure", range of(-2e4, 2e4);
+    }
 }
 
 words! {

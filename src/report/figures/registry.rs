@@ -20,6 +20,8 @@ use crate::run::{Run, response};
 pub enum FigureId {
     /// Tension at the joints against time.
     Tensions,
+    /// Tension of the pipe wall against time.
+    WallTension,
     /// Payload x and z against time.
     Payload,
     /// Path of the payload, z against x, to equal scale.
@@ -261,50 +263,52 @@ use FigureId as Id;
 
 /// The figures, in the order in which the screen shows them.
 #[rustfmt::skip] // a table: one figure an entry
-pub const FIGURES: [Figure; 22] = [
+pub const FIGURES: [Figure; 23] = [
     figure(Id::Tensions, "Tensions", Time, |d| against_time(d.runs, Quantity::Tension))
         .when(|c| c.dynamic).at_places(Quantity::Tension).in_report(1),
+    figure(Id::WallTension, "Pipe wall", Time, |d| against_time(d.runs, Quantity::WallTension))
+        .when(|c| c.records(Quantity::WallTension)).at_places(Quantity::WallTension).in_report(2),
     figure(Id::Payload, "Payload", Time, |d| payload_position(d.runs))
-        .when(moves).curves(CurveNames::Fixed(&["x", "z"])).in_report(2),
+        .when(moves).curves(CurveNames::Fixed(&["x", "z"])).in_report(3),
     figure(Id::Path, "Path", Space, |d| trajectory(d.runs, d.instant))
-        .when(moves).in_report(7),
+        .when(moves).in_report(8),
     figure(Id::Speed, "Speed", Time, |d| against_time(d.runs, Quantity::Speed))
-        .when(|c| c.records(Quantity::Speed)).at_places(Quantity::Speed).in_report(3),
+        .when(|c| c.records(Quantity::Speed)).at_places(Quantity::Speed).in_report(4),
     figure(Id::Tilt, "Tilt", Time, |d| against_time(d.runs, Quantity::Tilt))
-        .when(|c| c.records(Quantity::Tilt)).at_places(Quantity::Tilt).in_report(4),
+        .when(|c| c.records(Quantity::Tilt)).at_places(Quantity::Tilt).in_report(5),
     figure(Id::BedForce, "Bed force", Time, |d| against_time(d.runs, Quantity::BedForce))
-        .when(|c| c.records(Quantity::BedForce)).at_places(Quantity::BedForce).in_report(5),
+        .when(|c| c.records(Quantity::BedForce)).at_places(Quantity::BedForce).in_report(6),
     figure(Id::Elevation, "Sea", Time, |d| against_time(d.runs, Quantity::WaveElevation))
-        .when(irregular_sea).in_report(6),
-    figure(Id::Shape, "Shape", Space, |d| line_shape(d.runs, d.instant())).in_report(11),
+        .when(irregular_sea).in_report(7),
+    figure(Id::Shape, "Shape", Space, |d| line_shape(d.runs, d.instant())).in_report(12),
     figure(Id::Plan, "Plan", Space, |d| line_from_above(d.runs, d.instant()))
-        .when(spatial).in_report(12),
-    figure(Id::Front, "Front", Space, |d| line_from_ahead(d.runs, d.instant()))
         .when(spatial).in_report(13),
+    figure(Id::Front, "Front", Space, |d| line_from_ahead(d.runs, d.instant()))
+        .when(spatial).in_report(14),
     figure(Id::Profile, "Profile", Other, |d| tension_profile(d.runs))
-        .curves(ENVELOPE).in_report(14),
+        .curves(ENVELOPE).in_report(15),
     figure(Id::Curvature, "Curvature", Other, |d| curvature_profile(d.runs))
-        .when(bends).curves(END_AND_GREATEST).in_report(15),
-    figure(Id::Moment, "Moment", Other, |d| moment_profile(d.runs))
         .when(bends).curves(END_AND_GREATEST).in_report(16),
+    figure(Id::Moment, "Moment", Other, |d| moment_profile(d.runs))
+        .when(bends).curves(END_AND_GREATEST).in_report(17),
     figure(Id::Map, "Map", Time, map)
-        .when(response).curves(CurveNames::Variants(map_names)).in_report(21),
+        .when(response).curves(CurveNames::Variants(map_names)).in_report(22),
     figure(Id::Rms, "Rms", Other, |d| rms_profile(d.runs))
-        .when(response).in_report(18),
+        .when(response).in_report(19),
     figure(Id::Amplitudes, "Waves", Other, |d| wave_amplitudes(d.runs)).when(driven)
-        .curves(CurveNames::Fixed(&["motion", "towards A", "towards B", "WKB, no drag"])).in_report(19),
+        .curves(CurveNames::Fixed(&["motion", "towards A", "towards B", "WKB, no drag"])).in_report(20),
     figure(Id::Wavelengths, "Wavelength", Other, |d| wavelengths(d.runs))
-        .when(driven).curves(CurveNames::Fixed(&["computed", "WKB"])).in_report(20),
+        .when(driven).curves(CurveNames::Fixed(&["computed", "WKB"])).in_report(21),
     figure(Id::Study, "Study", Other, study)
         .when(studied).curves(CurveNames::Variants(study_names)),
     figure(Id::Stiffness, "Stiffness", Time, |d| against_time(d.runs, Quantity::Stiffness))
-        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::Stiffness).in_report(10),
+        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::Stiffness).in_report(11),
     figure(Id::StiffnessAlong, "Along rope", Other, |d| stiffness_profile(d.runs))
-        .when(rope).curves(ENVELOPE).in_report(17),
+        .when(rope).curves(ENVELOPE).in_report(18),
     figure(Id::MeanLoad, "Mean load", Time, |d| against_time(d.runs, Quantity::MeanLoad))
-        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::MeanLoad).in_report(8),
+        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::MeanLoad).in_report(9),
     figure(Id::Deviation, "Deviation", Time, |d| against_time(d.runs, Quantity::LoadDeviation))
-        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::LoadDeviation).in_report(9),
+        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::LoadDeviation).in_report(10),
 ];
 
 impl FigureId {

@@ -133,3 +133,44 @@ fn a_rope_with_dynamic_stiffness_does_not_bend() {
         "set it to 0",
     );
 }
+
+#[test]
+fn bores_that_are_none() {
+    let bore = |keys: &str| format!("ea_n = 1e9\nbore = {{ {keys} }}");
+    let fault = spoilt("ea_n = 1e9", &bore("diameter_m = 0.1"));
+    assert_fault(
+        &fault,
+        (12, 23),
+        "materials.chain.bore.diameter_m",
+        "is no bore of a pipe 0.1 m wide",
+        "give less than diameter_m",
+    );
+    let heavy = bore("diameter_m = 0.09, content_density_kg_per_m3 = 2e4");
+    let light = heavy.replace("ea_n = 1e9", "ea_n = 1e9\nbreak_load_n = 1e7");
+    let fault = spoilt(
+        "mass_kg_per_m = 200.0\nea_n = 1e9",
+        &format!("mass_kg_per_m = 100.0\n{light}"),
+    );
+    assert_fault(
+        &fault,
+        (13, 57),
+        "materials.chain.bore.content_density_kg_per_m3",
+        "the content alone weighs 127.235 kg/m, and mass_kg_per_m, of which it is part, is 100",
+        "give the mass of pipe and content as mass_kg_per_m",
+    );
+}
+
+#[test]
+fn wall_tension_of_what_is_no_pipe() {
+    let fault = spoilt(
+        "channel = \"tension_n[lower|load]\"",
+        "channel = \"wall_tension_n[lower.b]\"",
+    );
+    assert_fault(
+        &fault,
+        (58, 11),
+        "published.\"tension at the load\".channel",
+        "section lower has no wall tension: its material chain is no pipe with a bore",
+        "add [materials.chain.bore] with its diameter_m",
+    );
+}
