@@ -70,22 +70,32 @@ struct HalfCoefficients {
     by_other: Two,
 }
 
-/// Normal and tangential parts of two relative velocities.
-#[derive(Debug, Clone, Copy)]
-struct VelocityParts {
+/// The relative velocities of the water at both nodes of a segment in parts, normal and tangential to it.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct VelocityParts {
+    /// Normal parts \[m/s\].
     un: TwoV3,
+    /// Their sizes \[m/s\].
     speed: Two,
+    /// One over these \[s/m\], 0 at rest.
+    inverse_speed: Two,
+    /// Tangential parts \[m/s\].
     ut: Two,
 }
 
 impl VelocityParts {
+    /// Of the relative velocities at both nodes \[m/s\], along and across the tangent t.
     #[inline(always)]
-    fn new(t: &TwoV3, u: &TwoV3) -> Self {
-        let ut = dot(t, u);
+    pub(crate) fn new(t: &V3, u: [&V3; 2]) -> Self {
+        let (t, u) = (lanes::twice(t), lanes::vectors(u[0], u[1]));
+        let ut = dot(&t, &u);
         let un = u - t * ut;
+        let speed = dot(&un, &un).sqrt();
+        let moving = speed.simd_gt(Two::ZERO);
         Self {
             un,
-            speed: dot(&un, &un).sqrt(),
+            speed,
+            inverse_speed: moving.select(Two::ONE / speed, Two::ZERO),
             ut,
         }
     }
@@ -97,17 +107,27 @@ impl DragProperties {
     #[inline(always)]
     #[must_use]
     pub fn drag(&self, t: &V3, u: [&V3; 2], length: f64, held: Option<&[f64; 2]>) -> Drag<Two> {
-        let t = lanes::twice(t);
-        let split = VelocityParts::new(&t, &lanes::vectors(u[0], u[1]));
+        self.by_parts(t, &VelocityParts::new(t, u), length, held)
+    }
+
+    /// The same by relative velocities in parts.
+    #[inline(always)]
+    pub(crate) fn by_parts(
+        &self,
+        t: &V3,
+        parts: &VelocityParts,
+        length: f64,
+        held: Option<&[f64; 2]>,
+    ) -> Drag<Two> {
         let normal = match held {
             Some(held) => HalfCoefficients {
                 value: Two::new(*held),
                 by_own: Two::ZERO,
                 by_other: Two::ZERO,
             },
-            None => self.normal(split.speed),
+            None => self.normal(parts.speed),
         };
-        self.both_halves(&t, &split, &normal, length)
+        self.both_halves(&lanes::twice(t), parts, &normal, length)
     }
 
     /// Drag per length and speed squared \[kg/m²\], no less than it is whichever way the water passes at this
@@ -122,19 +142,27 @@ impl DragProperties {
     /// The normal coefficients of both halves at the relative velocities of the water at its nodes \[m/s\].
     #[must_use]
     pub fn normal_coefficients(&self, t: &V3, u: [&V3; 2]) -> [f64; 2] {
-        let split = VelocityParts::new(&lanes::twice(t), &lanes::vectors(u[0], u[1]));
-        self.normal(split.speed).value.to_array()
+        self.normal(VelocityParts::new(t, u).speed).value.to_array()
     }
 
     #[inline(always)]
     fn normal(&self, speeds: Two) -> HalfCoefficients {
-        let each = self.each(speeds);
+        let mut each = self.each(speeds);
         let beyond = speeds.simd_gt(Two::splat(self.crisis));
         if beyond.any() && !beyond.all() {
-            self.astride(speeds.to_array(), each)
-        } else {
-            each
+            // Numbers go in and out, so that lanes stay in registers where there is no crisis.
+            let [value, by_own, by_other] = self.astride(
+                speeds.to_array(),
+                each.value.to_array(),
+                each.by_own.to_array(),
+            );
+            each = HalfCoefficients {
+                value: Two::new(value),
+                by_own: Two::new(by_own),
+                by_other: Two::new(by_other),
+            };
         }
+        each
     }
 
     /// The coefficients where the whole segment is on one side of the crisis.
@@ -151,11 +179,11 @@ impl DragProperties {
     /// The coefficients of both halves where the crisis lies at a share x of the segment: the half that holds it
     /// mixes both sides, the other half is wholly on its own side, as `each` has them.
     #[cold]
-    fn astride(&self, speeds: [f64; 2], each: HalfCoefficients) -> HalfCoefficients {
+    #[inline(never)]
+    fn astride(&self, speeds: [f64; 2], sides: [f64; 2], by_own: [f64; 2]) -> [[f64; 2]; 3] {
         let span = speeds[1] - speeds[0];
         let x = (self.crisis - speeds[0]) / span;
         let x_by = [-(1.0 - x) / span, -x / span];
-        let sides = each.value.to_array();
         let difference = sides[0] - sides[1];
         // The share of the mixed half that lies on the first node's side is 2x, or 2x - 1.
         let (mixed, share) = if x < 0.5 {
@@ -163,28 +191,28 @@ impl DragProperties {
         } else {
             (1, 2.0 * x - 1.0)
         };
-        let set = |all: Two, value: f64| {
-            let mut all = all.to_array();
-            all[mixed] = value;
-            Two::new(all)
-        };
+        let (mut value, mut by_own, mut by_other) = (sides, by_own, [0.0; 2]);
+        value[mixed] = sides[1] + difference * share;
         // The branches are flat on both sides of the crisis, so only its place has slopes.
-        HalfCoefficients {
-            value: set(each.value, sides[1] + difference * share),
-            by_own: set(each.by_own, 2.0 * difference * x_by[mixed]),
-            by_other: set(each.by_other, 2.0 * difference * x_by[1 - mixed]),
-        }
+        by_own[mixed] = 2.0 * difference * x_by[mixed];
+        by_other[mixed] = 2.0 * difference * x_by[1 - mixed];
+        [value, by_own, by_other]
     }
 
     #[inline(always)]
     fn both_halves(
         &self,
         t: &TwoV3,
-        split: &VelocityParts,
+        parts: &VelocityParts,
         normal: &HalfCoefficients,
         length: f64,
     ) -> Drag<Two> {
-        let VelocityParts { un, speed, ut } = *split;
+        let VelocityParts {
+            un,
+            speed,
+            inverse_speed,
+            ut,
+        } = *parts;
         let sliding = ut.abs();
         let re_t = sliding * self.reynolds;
         let (ct, ct_re) = coefficients(self.tangential_law, re_t);
@@ -192,8 +220,6 @@ impl DragProperties {
         let a = (normal.value * kn + length * self.floats) * speed;
         let b = ct * sliding * kt;
         let faster = speed * speed * kn;
-        let moving = speed.simd_gt(Two::ZERO);
-        let inverse_speed = moving.select(Two::ONE / speed, Two::ZERO);
         Drag {
             force: un * a + t * (b * ut),
             un,

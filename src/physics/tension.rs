@@ -26,7 +26,7 @@ pub struct AxialConstants {
 }
 
 /// Where a segment is and how it moves.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Chord {
     /// Unit tangent from its first to its second node.
     pub tangent: V3,
@@ -107,6 +107,13 @@ impl AxialConstants {
     #[must_use]
     pub fn stiffness(&self) -> f64 {
         self.ea * self.inverse
+    }
+
+    /// 1 / unstretched length \[1/m\].
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse_length(&self) -> f64 {
+        self.inverse
     }
 
     /// Strain of a segment of this length \[-\].

@@ -10,7 +10,7 @@ impl LumpedLine {
     pub(super) fn force_in_segments(&self, d: &[V3], state: &State) -> f64 {
         let mut most = 0.0_f64;
         for (i, segment) in self.segments.iter().enumerate() {
-            let inverse = 1.0 / segment.axial.length;
+            let inverse = segment.axial.inverse_length();
             let opened = d[i + 1] - d[i];
             let along = opened.dot(&(state.x[i + 1] - state.x[i])) * inverse;
             let stretched = segment.axial.ea * along;

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector6;
 
+use super::segment_block::SegmentPass;
 use super::water::BodyInWater;
 use super::{AttachedBody, EndCondition, LumpedLine, Scene};
 use crate::numerics::{M3, V3};
@@ -32,7 +33,7 @@ impl Scene {
         let preloaded = self.preload(t, state);
         let mut bodies = self.line.bodies.iter().enumerate().peekable();
         let (mut f, mut m) = (V3::zeros(), SymmetricBlock::default());
-        let mut near = self.line.around::<PLAIN>(0, state);
+        let mut pass = SegmentPass::<PLAIN>::new(&self.line, state);
         for i in 0..self.line.nodes() {
             // Force and mass of node i: from the segment before, then from the segment after.
             let (mut beyond, mut next) = (V3::zeros(), SymmetricBlock::default());
@@ -45,11 +46,10 @@ impl Scene {
                 f += bed.force(i, state);
             }
             if i < self.line.segments.len() {
-                let far = self.line.around::<PLAIN>(i + 1, state);
-                let chord = self.line.chord_between(i, &near, &far);
-                let along = &chord.tangent;
-                let pull = along * self.line.tension_as::<PLAIN>(i, &chord, t, state).0.value;
-                let (wet, drag) = self.line.drag_as::<PLAIN>(i, &chord, [&near, &far], state);
+                let segment = pass.segment(i, &self.line, state);
+                let (chord, along) = (segment.chord, &segment.chord.tangent);
+                let pull = along * self.line.tension_as::<PLAIN>(i, chord, t, state).0.value;
+                let (wet, drag) = self.line.drag_as::<PLAIN>(i, &segment, state);
                 let [here, there] = drag.forces();
                 let added = self.line.added(i, wet.as_ref());
                 m.add_directed(along, added[0].normal, added[0].tangential);
@@ -60,7 +60,6 @@ impl Scene {
                     f += self.line.wave_force(i, 0, along, wet.as_ref(), state);
                     beyond += self.line.wave_force(i, 1, along, wet.as_ref(), state);
                 }
-                near = far;
             }
             while let Some((number, AttachedBody { body, .. })) =
                 bodies.next_if(|(_, h)| h.node == i)
@@ -325,20 +324,21 @@ impl SymmetricBlock {
         )
     }
 
-    /// By LDL', without pivoting since the block is positive definite.
+    /// By LDL', without pivoting since the block is positive definite. The pivots are ratios of the leading minors, so that no
+    /// division waits for another one.
     #[inline(always)]
     fn solve(&self, f: &V3) -> V3 {
-        let d0 = 1.0 / self.xx;
-        let l10 = self.xy * d0;
-        let l20 = self.xz * d0;
-        let d1 = 1.0 / (self.yy - l10 * self.xy);
-        let l21 = (self.yz - l20 * self.xy) * d1;
-        let d2 = 1.0 / (self.zz - l20 * self.xz - l21 * (self.yz - l20 * self.xy));
+        let a = self.xx;
+        let d11 = a * self.yy - self.xy * self.xy;
+        let d12 = a * self.yz - self.xz * self.xy;
+        let d22 = a * self.zz - self.xz * self.xz;
+        let (by_a, by_d11, by_d) = (1.0 / a, 1.0 / d11, 1.0 / (d11 * d22 - d12 * d12));
+        let (l10, l20, l21) = (self.xy * by_a, self.xz * by_a, d12 * by_d11);
         let y1 = f.y - l10 * f.x;
         let y2 = f.z - l20 * f.x - l21 * y1;
-        let z = y2 * d2;
-        let y = y1 * d1 - l21 * z;
-        let x = f.x * d0 - l10 * y - l20 * z;
+        let z = y2 * (a * d11 * by_d);
+        let y = y1 * (a * by_d11) - l21 * z;
+        let x = f.x * by_a - l10 * y - l20 * z;
         V3::new(x, y, z)
     }
 }

@@ -32,6 +32,7 @@ pub mod outputs;
 pub mod rope;
 #[expect(clippy::module_inception, reason = "the type of the room")]
 pub mod scene;
+mod segment_block;
 mod segment_kernel;
 mod segment_tangent;
 mod snap;

@@ -6,6 +6,7 @@
 //! on both its sides, and both halves of a segment in the two lanes of a register.
 
 use super::LumpedLine;
+use super::segment_block::{SegmentKinematics, SegmentPass};
 use super::segment_tangent::{SegmentHalves, SegmentTangent, pull_by_chord};
 use super::submergence::Submergence;
 use crate::numerics::lanes::{self, Two};
@@ -15,35 +16,6 @@ use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Drag;
 use crate::physics::tension::{Chord, Tension};
 use crate::solve::{Factors, State};
-
-/// Kinematics of a node and of the water around it.
-#[derive(Clone, Copy)]
-pub(super) struct NodeKinematics {
-    /// Its position \[m\].
-    x: V3,
-    /// Its velocity \[m/s\].
-    v: V3,
-    /// Velocity of the water relative to it \[m/s\].
-    u: V3,
-    /// Its acceleration relative to the water's \[m/s²\].
-    a: V3,
-    /// Shear of the current \[1/s\]; zero if the current is uniform.
-    shear: V3,
-}
-
-impl NodeKinematics {
-    /// Its velocity, and that of the water relative to it \[m/s\].
-    #[inline(always)]
-    pub(super) fn velocities(&self) -> (&V3, &V3) {
-        (&self.v, &self.u)
-    }
-
-    /// Its acceleration relative to the water's \[m/s²\].
-    #[inline(always)]
-    pub(super) fn relative_acceleration(&self) -> V3 {
-        self.a
-    }
-}
 
 impl LumpedLine {
     /// Sets the residual to that of the nodes (mass and weight) and segments.
@@ -82,46 +54,6 @@ impl LumpedLine {
     }
 
     #[inline(always)]
-    pub(super) fn around<const PLAIN: bool>(&self, node: usize, state: &State) -> NodeKinematics {
-        if PLAIN {
-            let v = state.v[node];
-            return NodeKinematics {
-                x: state.x[node],
-                v,
-                u: self.current.at(0.0).0 - v,
-                a: state.a[node],
-                shear: V3::zeros(),
-            };
-        }
-        let (x, v) = (&state.x[node], state.v[node]);
-        let (mut u, shear) = self.current.at(x.z);
-        let mut a = state.a[node];
-        if let Some(flow) = state.wave_flow.get(node) {
-            u += flow.velocity_at(x);
-            a -= flow.acceleration_at(x);
-        }
-        NodeKinematics {
-            x: *x,
-            v,
-            u: u - v,
-            a,
-            shear,
-        }
-    }
-
-    /// The chord of segment i between its nodes.
-    #[inline(always)]
-    pub(super) fn chord_between(
-        &self,
-        i: usize,
-        near: &NodeKinematics,
-        far: &NodeKinematics,
-    ) -> Chord {
-        let length = self.segments[i].axial.length;
-        Chord::new((&near.x, &far.x), (&near.v, &far.v), length)
-    }
-
-    #[inline(always)]
     pub(super) fn tension_as<const PLAIN: bool>(
         &self,
         i: usize,
@@ -137,23 +69,25 @@ impl LumpedLine {
         }
     }
 
-    /// Submerged fractions of both halves, and their drag.
+    /// Submerged fractions of both halves of segment i, and their drag.
     #[inline(always)]
     pub(super) fn drag_as<const PLAIN: bool>(
         &self,
         i: usize,
-        chord: &Chord,
-        [near, far]: [&NodeKinematics; 2],
+        segment: &SegmentKinematics<'_>,
         state: &State,
     ) -> (Option<[Submergence; 2]>, Drag<Two>) {
+        let chord = segment.chord;
         let length = 0.5 * self.wetted_length(i, chord).0;
-        let u = [&near.u, &far.u];
         let profile = &self.segments[i].drag;
         if PLAIN {
-            return (None, profile.drag(&chord.tangent, u, length, None));
+            return (
+                None,
+                profile.by_parts(&chord.tangent, segment.parts, length, None),
+            );
         }
         let held = state.memory.drag_coefficients.get(i);
-        let full = profile.drag(&chord.tangent, u, length, held);
+        let full = profile.by_parts(&chord.tangent, segment.parts, length, held);
         match self.wet(i, state) {
             None => (None, full),
             Some(wet) => {
@@ -166,19 +100,18 @@ impl LumpedLine {
     #[inline(always)]
     fn residual_as<const PLAIN: bool>(&self, t: f64, state: &State, r: &mut [V3]) {
         let segments = self.segments.len();
-        let mut near = self.around::<PLAIN>(0, state);
+        let mut pass = SegmentPass::<PLAIN>::new(self, state);
         let mut here = self.lumped_load(0, state);
         for (i, out) in r[..segments].iter_mut().enumerate() {
-            let far = self.around::<PLAIN>(i + 1, state);
-            let chord = self.chord_between(i, &near, &far);
-            let pull = chord.tangent * self.tension_as::<PLAIN>(i, &chord, t, state).0.value;
-            let (wet, drag) = self.drag_as::<PLAIN>(i, &chord, [&near, &far], state);
+            let segment = pass.segment(i, self, state);
+            let (chord, [near, far]) = (segment.chord, segment.nodes);
+            let pull = chord.tangent * self.tension_as::<PLAIN>(i, chord, t, state).0.value;
+            let (wet, drag) = self.drag_as::<PLAIN>(i, &segment, state);
             let added = AddedMass::of(self.added(i, wet.as_ref()));
             let a = lanes::vectors(&near.a, &far.a);
             let load = added.force(&lanes::twice(&chord.tangent), &a) - drag.force;
             *out = here + lanes::vector(&load, 0) - pull;
             here = self.lumped_load(i + 1, state) + lanes::vector(&load, 1) + pull;
-            near = far;
         }
         r[segments] = here;
     }
@@ -199,23 +132,23 @@ impl LumpedLine {
             &mut tangent.lower[..=segments],
         );
         let sheared = !PLAIN && matches!(self.current, CurrentProfile::Table { .. });
-        let mut near = self.around::<PLAIN>(0, state);
+        let mut pass = SegmentPass::<PLAIN>::new(self, state);
         // Row of the node so far: its own part and that of the segment before it.
         let mut here = (self.lumped_load(0, state), self.lumped_mass(0, c));
         for i in 0..segments {
-            let far = self.around::<PLAIN>(i + 1, state);
-            let chord = self.chord_between(i, &near, &far);
-            let (tension, extrapolated) = self.tension_as::<PLAIN>(i, &chord, t, state);
+            let segment = pass.segment(i, self, state);
+            let (chord, [near, far]) = (segment.chord, segment.nodes);
+            let (tension, extrapolated) = self.tension_as::<PLAIN>(i, chord, t, state);
             let pull = chord.tangent * tension.value;
-            let (wet, drag) = self.drag_as::<PLAIN>(i, &chord, [&near, &far], state);
+            let (wet, drag) = self.drag_as::<PLAIN>(i, &segment, state);
             let halves = SegmentHalves {
                 added: AddedMass::of(self.added(i, wet.as_ref())),
-                chord: &chord,
-                pull: pull_by_chord(&chord, &extrapolated, c),
+                chord,
+                pull: pull_by_chord(chord, &extrapolated, c),
                 drag: &drag,
                 a: lanes::vectors(&near.a, &far.a),
                 shear: sheared.then(|| lanes::vectors(&near.shear, &far.shear)),
-                stretch: self.wetted_length(i, &chord).1,
+                stretch: self.wetted_length(i, chord).1,
             };
             let load = halves.load();
             let SegmentTangent { own, coupling } = halves.slopes(c);
@@ -227,7 +160,6 @@ impl LumpedLine {
                 self.lumped_load(i + 1, state) + lanes::vector(&load, 1) + pull,
                 self.lumped_mass(i + 1, c) + lanes::block(&own, 1),
             );
-            near = far;
         }
         (r[segments], diag[segments]) = here;
     }

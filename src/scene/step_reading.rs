@@ -6,7 +6,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::segment_kernel::NodeKinematics;
+use super::segment_block::{NodeKinematics, SegmentPass};
 use super::submergence::Submergence;
 use super::{EndCondition, Scene};
 use crate::numerics::V3;
@@ -80,19 +80,19 @@ impl Scene {
         let line = &self.line;
         let last = self.line_nodes() - 1;
         let mut rates = EnergyRates::default();
-        let mut near = line.around::<PLAIN>(0, state);
+        let mut pass = SegmentPass::<PLAIN>::new(line, state);
         for i in 0..line.segments.len() {
-            let far = line.around::<PLAIN>(i + 1, state);
-            let chord = line.chord_between(i, &near, &far);
-            let (wet, drag) = line.drag_as::<PLAIN>(i, &chord, [&near, &far], state);
+            let kinematics = pass.segment(i, line, state);
+            let chord = kinematics.chord;
+            let (wet, drag) = line.drag_as::<PLAIN>(i, &kinematics, state);
             let segment = SegmentReading {
                 i,
-                chord: &chord,
-                tension: line.tension_now(i, &chord, state).value,
+                chord,
+                tension: line.tension_now(i, chord, state).value,
                 drag: &drag,
                 wet: wet.as_ref(),
                 added: line.added(i, wet.as_ref()),
-                nodes: [&near, &far],
+                nodes: kinematics.nodes,
             };
             if let Some(tension) = tensions.get_mut(i).filter(|_| i < last) {
                 *tension = self.tension_of(&segment, 0, state);
@@ -103,7 +103,6 @@ impl Scene {
             if ENERGY {
                 self.add_segment(&segment, state, &mut rates);
             }
-            near = far;
         }
         if ENERGY {
             self.add_nodes(state, &mut rates);
@@ -122,7 +121,7 @@ impl Scene {
             return 0.0;
         }
         let own = &self.line.segments[i];
-        let relative = segment.nodes[half].relative_acceleration();
+        let relative = segment.nodes[half].a;
         let added = segment.added[half].force(&chord.tangent, &relative);
         let inertia = state.a[i + half] * own.half_mass + added;
         let mut load = segment.drag.forces()[half] - inertia - V3::z() * own.half_weight;
@@ -139,8 +138,9 @@ impl Scene {
         let (stored, damped) = line.strain_energy(i, chord, segment.tension, state);
         rates.energy += stored;
         rates.dissipated += damped;
-        let [(v0, u0), (v1, u1)] = segment.nodes.map(NodeKinematics::velocities);
-        let (v, u) = (lanes::vectors(v0, v1), lanes::vectors(u0, u1));
+        let [near, far] = segment.nodes;
+        let v = lanes::vectors(&state.v[i], &state.v[i + 1]);
+        let u = lanes::vectors(&near.u, &far.u);
         rates.dissipated += dot(&segment.drag.force, &u).reduce_add();
         rates.supplied += dot(&segment.drag.force, &(u + v)).reduce_add();
         let closing = chord.tangent.dot(&chord.opening);
