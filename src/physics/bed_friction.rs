@@ -16,6 +16,7 @@
 use super::bed_reaction::BedReaction;
 use serde::{Deserialize, Serialize};
 
+use crate::numerics::lanes::outer;
 use crate::numerics::{M3, V3};
 
 /// Friction between bed and line.
@@ -66,6 +67,19 @@ pub struct FrictionForce {
     pub by_velocity: M3,
     /// Whether the node slides.
     pub slides: bool,
+}
+
+/// The pull of a grip and what of it friction bears.
+#[derive(Debug, Clone, Copy, Default)]
+struct MobilisedGrip {
+    /// What spring and damper pull \[N\].
+    pull: V3,
+    /// The push that bears it \[N\].
+    s: f64,
+    /// What is borne of it \[N\].
+    force: V3,
+    /// Whether that is less.
+    slides: bool,
 }
 
 /// A coefficient below this counts as zero.
@@ -122,57 +136,101 @@ impl Friction {
         }
     }
 
+    /// Force by whichever law \[N\], and `stiffness dF/dx + damping dF/dv` of it; none without a grip that holds.
+    #[inline]
+    #[must_use]
+    pub fn with_weighted_tangent(
+        &self,
+        c: &FrictionContact<'_>,
+        grip: Option<&FrictionAnchor>,
+        (stiffness, damping): (f64, f64),
+    ) -> Option<(V3, M3)> {
+        match self.law {
+            FrictionModel::ElasticPlastic(_) => grip.map(|grip| {
+                let mobilised = self.mobilise(c, grip);
+                let by_pull = -(stiffness * grip.stiffness + damping * grip.damping);
+                let by_push = stiffness * c.push.by_height + damping * c.push.by_speed;
+                (
+                    mobilised.force,
+                    self.slope(c, grip, &mobilised, (by_pull, by_push)),
+                )
+            }),
+            FrictionModel::Regularised(slip) => {
+                let held = self.regularised(c, slip);
+                let tangent = held.by_position * stiffness + held.by_velocity * damping;
+                Some((held.force, tangent))
+            }
+        }
+    }
+
     /// Force by the grip, without derivatives \[N\], and whether the node slides.
     #[inline]
     #[must_use]
     pub fn grip_force(&self, c: &FrictionContact<'_>, grip: &FrictionAnchor) -> (V3, bool) {
-        let limit = c.push.force;
-        if limit <= 0.0 {
-            return (V3::zeros(), true);
-        }
-        let pull = pull(c, grip);
-        let s = self.mobilised(&pull, grip);
-        if s <= limit {
-            (pull, false)
-        } else {
-            (pull * (limit / s), true)
-        }
+        let mobilised = self.mobilise(c, grip);
+        (mobilised.force, mobilised.slides)
     }
 
     /// Force by the grip, with its exact derivatives: where the node slides the limit moves with the push, which makes
     /// them unsymmetric.
     #[must_use]
     pub fn grip(&self, c: &FrictionContact<'_>, grip: &FrictionAnchor) -> FrictionForce {
-        let (force, slides) = self.grip_force(c, grip);
+        let mobilised = self.mobilise(c, grip);
+        let slope = |by_pull, by_push| self.slope(c, grip, &mobilised, (by_pull, by_push));
+        FrictionForce {
+            force: mobilised.force,
+            by_position: slope(-grip.stiffness, c.push.by_height),
+            by_velocity: slope(-grip.damping, c.push.by_speed),
+            slides: mobilised.slides,
+        }
+    }
+
+    /// What of the pull of a grip friction bears.
+    #[inline(always)]
+    fn mobilise(&self, c: &FrictionContact<'_>, grip: &FrictionAnchor) -> MobilisedGrip {
         let limit = c.push.force;
         if limit <= 0.0 {
-            return FrictionForce {
-                force,
-                by_position: M3::zeros(),
-                by_velocity: M3::zeros(),
-                slides,
-            };
+            return MobilisedGrip::default();
         }
-        let mut by_pull = c.projector();
-        let mut by_limit = V3::zeros();
-        if slides {
-            let pull = pull(c, grip);
-            let s = self.mobilised(&pull, grip);
-            let (mut a, l) = (1.0 / self.axial.max(LEAST), 1.0 / self.lateral.max(LEAST));
-            if grip.laid && pull.dot(&grip.along) > 0.0 {
-                a = 0.0;
-            }
-            let turned = pull * (l * l) + grip.along * (pull.dot(&grip.along) * (a * a - l * l));
-            by_limit = pull / s;
-            by_pull = (by_pull - pull * (turned / (s * s)).transpose()) * (limit / s);
-        }
-        let by_push = by_limit * c.normal.transpose();
-        FrictionForce {
+        let pull = pull(c, grip);
+        let s = self.mobilised(&pull, grip);
+        let slides = s > limit;
+        let force = if slides { pull * (limit / s) } else { pull };
+        MobilisedGrip {
+            pull,
+            s,
             force,
-            by_position: by_push * c.push.by_height - by_pull * grip.stiffness,
-            by_velocity: by_push * c.push.by_speed - by_pull * grip.damping,
             slides,
         }
+    }
+
+    /// `dF/d(pull) by_pull + dF/dN n' by_push`.
+    #[inline(always)]
+    fn slope(
+        &self,
+        c: &FrictionContact<'_>,
+        grip: &FrictionAnchor,
+        mobilised: &MobilisedGrip,
+        (by_pull, by_push): (f64, f64),
+    ) -> M3 {
+        let limit = c.push.force;
+        if limit <= 0.0 {
+            return M3::zeros();
+        }
+        let along_bed = c.normal * -by_pull;
+        let projector = M3::from_diagonal_element(by_pull) + outer(&along_bed, c.normal);
+        if !mobilised.slides {
+            return projector;
+        }
+        let MobilisedGrip { pull, s, .. } = mobilised;
+        let (mut a, l) = (1.0 / self.axial.max(LEAST), 1.0 / self.lateral.max(LEAST));
+        if grip.laid && pull.dot(&grip.along) > 0.0 {
+            a = 0.0;
+        }
+        let turned = pull * (l * l) + grip.along * (pull.dot(&grip.along) * (a * a - l * l));
+        let (share, by_s) = (limit / s, 1.0 / s);
+        let row = turned * (by_pull * share * by_s * by_s) - c.normal * (by_push * by_s);
+        projector * share - outer(pull, &row)
     }
 
     /// The grip after an accepted step: unchanged, or slid to the limit of friction. `hold` and `damping` are

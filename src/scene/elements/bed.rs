@@ -1,6 +1,7 @@
 //! Contact of the line with the sea bed: normal springs and dampers and friction at every node.
 
 use crate::case::{self, FrictionLaw};
+use crate::numerics::lanes::outer;
 use crate::numerics::{BlockBand, V3};
 use crate::physics::ElasticBed;
 use crate::physics::bed_friction::{Friction, FrictionAnchor, FrictionContact, FrictionModel};
@@ -86,27 +87,34 @@ impl Element for BedContact {
     }
 
     fn linearise(&self, at: At<'_>, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
-        self.add_residual(at, r);
         let (bed, state) = (&self.seabed, at.state);
         let normal = bed.normal();
         // The nodes of the line: a ship at its end has more.
-        for (i, block) in tangent.diag[..self.footprint.len()].iter_mut().enumerate() {
+        let nodes = tangent.diag[..self.footprint.len()].iter_mut().zip(r);
+        for (i, (block, out)) in nodes.enumerate() {
             let push = self.push(i, state);
             let k = c.stiffness * push.by_height + c.damping * push.by_speed;
             if bed.is_plain() {
+                out.z -= push.force;
                 block[(2, 2)] -= k;
                 continue;
             }
-            *block -= normal * (normal * k).transpose();
-            if push.force > 0.0
-                && let Some(friction) = &bed.friction
-                && let Some(held) = friction.with_tangent(
+            if push.force <= 0.0 {
+                continue;
+            }
+            let mut force = normal * push.force;
+            *block -= outer(&normal, &(normal * k));
+            if let Some(friction) = &bed.friction
+                && let Some((along, slope)) = friction.with_weighted_tangent(
                     &contact(&normal, &push, i, state),
                     state.memory.grips.get(i),
+                    (c.stiffness, c.damping),
                 )
             {
-                *block -= held.by_position * c.stiffness + held.by_velocity * c.damping;
+                force += along;
+                *block -= slope;
             }
+            *out -= force;
         }
     }
 
