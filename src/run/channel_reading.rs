@@ -10,16 +10,19 @@ pub(super) struct ChannelReading<'a> {
     scene: &'a Scene,
     time: f64,
     state: &'a State,
+    /// Tension of the nodes of the line \[N\].
+    tensions: &'a [f64],
     end_forces: [Option<V3>; 2],
 }
 
 impl<'a> ChannelReading<'a> {
-    /// Of a line at a time \[s\].
-    pub(super) fn new(scene: &'a Scene, time: f64, state: &'a State) -> Self {
+    /// Of a line at a time \[s\], with the tensions of its nodes \[N\].
+    pub(super) fn new(scene: &'a Scene, time: f64, state: &'a State, tensions: &'a [f64]) -> Self {
         Self {
             scene,
             time,
             state,
+            tensions,
             end_forces: [None; 2],
         }
     }
@@ -62,7 +65,7 @@ impl<'a> ChannelReading<'a> {
         match site {
             ChannelLocation::Joint(joint) => {
                 let node = self.scene.labels.joints[joint].node;
-                Some(self.scene.tension_at(node, self.state))
+                self.tensions.get(node).copied()
             }
             ChannelLocation::Traveller => self.scene.traveller_tension(self.time, self.state),
             _ => None,

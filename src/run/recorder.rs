@@ -167,13 +167,19 @@ impl<'a> Recorder<'a> {
     fn read(&mut self, time: f64, state: &State) {
         let sample = self.latest.next();
         sample.time = time;
-        let mut reading = ChannelReading::new(self.scene, time, state);
-        for (value, channel) in sample.values.iter_mut().zip(&self.channels) {
+        let StepSample {
+            values,
+            tension,
+            nodes,
+            energy,
+            ..
+        } = sample;
+        *energy = self.scene.read_step(time, state, self.balances, tension);
+        let mut reading = ChannelReading::new(self.scene, time, state, tension);
+        for (value, channel) in values.iter_mut().zip(&self.channels) {
             let read = reading.channel(channel.id.quantity, channel.site);
             *value = read.unwrap_or(f64::NAN);
         }
-        let StepSample { tension, nodes, .. } = sample;
-        sample.energy = self.scene.read_step(time, state, self.balances, tension);
         let known = nodes.len();
         nodes.copy_from_slice(&state.x[..known]);
         if self.balances && self.rows == 0 {

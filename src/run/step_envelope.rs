@@ -27,11 +27,12 @@ impl StepEnvelope {
     /// Takes in what lies between two steps; does not allocate.
     pub(super) fn widen(&self, between: &StepInterval<'_>, profile: &mut Profile) {
         for i in 0..between.nodes() {
-            let (tension, z) = (between.tension(i), between.coordinate(i, 2));
-            profile.tension_min[i] = profile.tension_min[i].min(tension.smallest().0);
-            profile.tension_max[i] = profile.tension_max[i].max(tension.greatest().0);
-            profile.z_min[i] = profile.z_min[i].min(z.smallest().0);
-            profile.z_max[i] = profile.z_max[i].max(z.greatest().0);
+            let ([slackest, tautest], [lowest, highest]) =
+                (between.tension_range(i), between.height_range(i));
+            profile.tension_min[i] = profile.tension_min[i].min(slackest);
+            profile.tension_max[i] = profile.tension_max[i].max(tautest);
+            profile.z_min[i] = profile.z_min[i].min(lowest);
+            profile.z_max[i] = profile.z_max[i].max(highest);
         }
     }
 }

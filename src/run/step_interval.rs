@@ -45,6 +45,30 @@ pub(super) struct StepInterval<'a> {
     after: Option<&'a StepSample>,
     /// Channels that are not negative.
     positive: &'a [bool],
+    by: InverseTimes,
+}
+
+/// One over the times between the steps of an interval \[1/s\]: divided by once for all quantities.
+#[derive(Debug, Clone, Copy, Default)]
+struct InverseTimes {
+    /// Of the interval itself.
+    own: f64,
+    /// From the step before to the first, and to the second.
+    before: [f64; 2],
+    /// From the second to the step after, and from the first.
+    after: [f64; 2],
+}
+
+impl InverseTimes {
+    fn between(before: Option<&StepSample>, t: [f64; 2], after: Option<&StepSample>) -> Self {
+        let early = before.map(|s| t.map(|t| 1.0 / (t - s.time)));
+        let late = after.map(|s| [t[1], t[0]].map(|t| 1.0 / (s.time - t)));
+        Self {
+            own: 1.0 / (t[1] - t[0]),
+            before: early.unwrap_or_default(),
+            after: late.unwrap_or_default(),
+        }
+    }
 }
 
 /// A quantity between two steps: `y0 + (y1 - y0) s/h + c s (s - h)` with s the time since the first.
@@ -115,12 +139,15 @@ impl LatestSteps {
 
     fn interval<'a>(&'a self, from: usize, positive: &'a [bool]) -> Option<StepInterval<'a>> {
         let known = &self.samples[..self.known];
+        let before = from.checked_sub(1).and_then(|i| known.get(i));
+        let (from, to, after) = (known.get(from)?, known.get(from + 1)?, known.get(from + 2));
         Some(StepInterval {
-            before: from.checked_sub(1).and_then(|i| known.get(i)),
-            from: known.get(from)?,
-            to: known.get(from + 1)?,
-            after: known.get(from + 2),
+            before,
+            from,
+            to,
+            after,
             positive,
+            by: InverseTimes::between(before, [from.time, to.time], after),
         })
     }
 
@@ -147,15 +174,7 @@ impl StepInterval<'_> {
     pub(super) fn arc(&self, of: impl Fn(&StepSample) -> f64) -> Arc {
         let (y0, y1) = (of(self.from), of(self.to));
         let (t0, t1) = (self.from.time, self.to.time);
-        let slope = (y1 - y0) / (t1 - t0);
-        let before = self.before.map(|s| {
-            let other = (y0 - of(s)) / (t0 - s.time);
-            (slope - other) / (t1 - s.time)
-        });
-        let after = self.after.map(|s| {
-            let other = (of(s) - y1) / (s.time - t1);
-            (other - slope) / (s.time - t0)
-        });
+        let [before, after] = self.curvatures([y0, y1], of);
         let curvature = match (before, after) {
             (Some(a), Some(b)) if a * b <= 0.0 => 0.0,
             (Some(a), Some(b)) if a.abs() < b.abs() => a,
@@ -173,6 +192,58 @@ impl StepInterval<'_> {
         }
     }
 
+    /// Curvatures of the parabolas through the step before and through the step after, where there is one.
+    #[inline(always)]
+    fn curvatures(&self, [y0, y1]: [f64; 2], of: impl Fn(&StepSample) -> f64) -> [Option<f64>; 2] {
+        let (slope, by) = ((y1 - y0) * self.by.own, &self.by);
+        let before = self.before.map(|s| {
+            let other = (y0 - of(s)) * by.before[0];
+            (slope - other) * by.before[1]
+        });
+        let after = self.after.map(|s| {
+            let other = (of(s) - y1) * by.after[0];
+            (other - slope) * by.after[1]
+        });
+        [before, after]
+    }
+
+    /// Whether a quantity may turn in between. Most do not, and are smallest and greatest at the steps.
+    #[inline(always)]
+    fn may_turn(&self, of: impl Fn(&StepSample) -> f64) -> bool {
+        let (y0, y1) = (of(self.from), of(self.to));
+        let h = self.to.time - self.from.time;
+        match self.curvatures([y0, y1], of) {
+            [Some(a), Some(b)] => {
+                let least = a.abs().min(b.abs());
+                a * b > 0.0 && least * h * h > (y1 - y0).abs()
+            }
+            _ => true,
+        }
+    }
+
+    /// Smallest and greatest value of a quantity between the two steps, of its arc where it may turn.
+    #[inline(always)]
+    fn range(&self, of: impl Fn(&StepSample) -> f64, arc: impl FnOnce() -> Arc) -> [f64; 2] {
+        if self.may_turn(&of) {
+            let arc = arc();
+            return [arc.smallest().0, arc.greatest().0];
+        }
+        let (y0, y1) = (of(self.from), of(self.to));
+        if y0 < y1 { [y0, y1] } else { [y1, y0] }
+    }
+
+    /// Smallest and greatest tension of a node between the two steps \[N\].
+    #[inline]
+    pub(super) fn tension_range(&self, node: usize) -> [f64; 2] {
+        self.range(|sample| sample.tension[node], || self.tension(node))
+    }
+
+    /// Smallest and greatest height of a node between the two steps \[m\].
+    #[inline]
+    pub(super) fn height_range(&self, node: usize) -> [f64; 2] {
+        self.range(|sample| sample.nodes[node].z, || self.coordinate(node, 2))
+    }
+
     /// Energy and powers at both steps.
     pub(super) fn energy(&self) -> [&EnergyRates; 2] {
         [&self.from.energy, &self.to.energy]
@@ -182,16 +253,15 @@ impl StepInterval<'_> {
     /// than a factor of two, the quantity is smooth, and the cubic through all four steps counts: fourth order, otherwise third.
     pub(super) fn integral(&self, of: impl Fn(&StepSample) -> f64) -> f64 {
         let mut arc = self.arc(&of);
-        if let (Some(before), Some(after)) = (self.before, self.after) {
-            let ([t0, t1], [y0, y1]) = (arc.time, arc.value);
-            let slope = (y1 - y0) / (t1 - t0);
-            let [early, late] = [t0 - before.time, after.time - t1];
-            let a = (slope - (y0 - of(before)) / early) / (t1 - before.time);
-            let b = ((of(after) - y1) / late - slope) / (after.time - t0);
-            if a * b > 0.0 && a.abs() < 2.0 * b.abs() && b.abs() < 2.0 * a.abs() {
-                let share = (early + 0.5 * (t1 - t0)) / (after.time - before.time);
-                arc.curvature = a + (b - a) * share;
-            }
+        if let (Some(before), Some(after)) = (self.before, self.after)
+            && let [Some(a), Some(b)] = self.curvatures(arc.value, of)
+            && a * b > 0.0
+            && a.abs() < 2.0 * b.abs()
+            && b.abs() < 2.0 * a.abs()
+        {
+            let [t0, t1] = arc.time;
+            let share = (t0 - before.time + 0.5 * (t1 - t0)) / (after.time - before.time);
+            arc.curvature = a + (b - a) * share;
         }
         arc.integral()
     }
