@@ -19,8 +19,13 @@ pub(super) fn existing(
             "write a key path such as `current.speed_m_per_s`".to_owned(),
         ));
     };
+    let field = schema.fields_at(&parts).next();
+    // Most are given: the list of all keys is long.
+    if let Some(field) = field.filter(|_| is_given(root, &parts)) {
+        return Ok(field);
+    }
     let here = given_or_defaulted(schema, root);
-    let Some(field) = schema.fields_at(&parts).next() else {
+    let Some(field) = field else {
         return Err(unknown(near_path(schema, path, &here)));
     };
     if here.iter().any(|known| *known == join(&parts)) {
@@ -72,6 +77,20 @@ fn near_path(schema: &Schema, path: &str, here: &[String]) -> String {
         None if schema.what == CASE.what => "name a key as in `materials.<name>.ea_n`, `line.<section>.length_m`, `ends.b.position_m`".to_owned(),
         None => "name a key as the file groups them: table, name, key".to_owned(),
     }
+}
+
+/// Whether a key path has a value in the file.
+fn is_given(root: &TomlNode, parts: &[String]) -> bool {
+    let value = parts.split_last().and_then(|(key, table)| {
+        let table = root.find(table)?;
+        let is_table = matches!(table.data, TomlData::Table(..));
+        table.get(key).filter(|_| is_table)
+    });
+    value.is_some_and(|value| match &value.data {
+        TomlData::Table(..) => false,
+        TomlData::List(items) => items.is_empty() || !value.is_list_of_tables(),
+        _ => true,
+    })
 }
 
 /// Key paths with a value: those given, and those left to their default.
