@@ -46,6 +46,7 @@ pub const SHIPPED: &[Shipped] = &[
     shipped!("hard/frames.toml"),
     shipped!("hard/free_fall.toml"),
     shipped!("hard/limit.toml"),
+    shipped!("hard/manifold_on_bed.toml"),
     shipped!("hard/relaxed.toml"),
     shipped!("hard/release.toml"),
     shipped!("hard/resonance.toml"),
