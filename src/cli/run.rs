@@ -16,10 +16,7 @@ use crate::{
 
 pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     let (mut request, from) = match &args.resume {
-        Some(dir) => {
-            let (request, from) = resume_request(dir, args.until).map_err(CommandError::Usage)?;
-            (request, Some(from))
-        }
+        Some(dir) => resume_request(dir, args.until).map_err(CommandError::Usage)?,
         None => (request(args)?, None),
     };
     let stop = StopFlag::listen()?;

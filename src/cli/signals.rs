@@ -1,4 +1,4 @@
-//! SIGINT and SIGTERM stop a run, which keeps what it has computed. A second one ends the program at once.
+//! SIGINT, SIGTERM and SIGHUP stop a run, which keeps what it has computed. A second one ends the program at once.
 
 use std::{
     io,
@@ -11,12 +11,20 @@ use std::{
 
 use super::CommandError;
 use signal_hook::{
-    consts::{SIGINT, SIGTERM},
+    consts::{SIGHUP, SIGINT, SIGTERM},
     flag,
 };
 
 /// Exit status of a program ended by signal `n`, less n.
 const BY_SIGNAL: i32 = 128;
+
+/// Whether the program was started to outlive its terminal, as by `nohup`, which a handler would undo.
+fn hang_up_is_ignored() -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_some_and(|mask| mask >> (SIGHUP - 1) & 1 == 1)
+}
 
 /// Set when the user or the system asks the program to stop.
 #[derive(Debug, Clone, Default)]
@@ -26,7 +34,7 @@ pub(super) struct StopFlag {
 }
 
 impl StopFlag {
-    /// Listens to both signals from now on.
+    /// Listens to these signals from now on.
     pub(super) fn listen() -> Result<Self, CommandError> {
         let caught = Self::register();
         caught.map_err(|e| CommandError::Usage(format!("Signals cannot be caught: {e}")))
@@ -34,7 +42,8 @@ impl StopFlag {
 
     fn register() -> io::Result<Self> {
         let stop = Self::default();
-        for signal in [SIGINT, SIGTERM] {
+        let hang_up = (!hang_up_is_ignored()).then_some(SIGHUP);
+        for signal in [SIGINT, SIGTERM].into_iter().chain(hang_up) {
             let again = BY_SIGNAL + signal;
             flag::register_conditional_shutdown(signal, again, Arc::clone(&stop.cancel))?;
             let number = usize::try_from(signal).unwrap_or_default();

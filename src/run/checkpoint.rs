@@ -1,5 +1,6 @@
 //! The state of a computation after an accepted step, complete enough to be resumed to the same bits.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
@@ -10,6 +11,7 @@ use super::response::ResponseSums;
 use super::step_interval::LatestSteps;
 use super::touchdown_speed::TouchdownSpeed;
 use super::{Profile, step_envelope};
+use crate::case::{self, Case};
 use crate::dynamics::{MarchProgress, MethodState};
 use crate::scene::Scene;
 use crate::solve::{Kinematics, State};
@@ -17,6 +19,9 @@ use crate::solve::{Kinematics, State};
 /// The state of a computation after an accepted step. Written as `checkpoint.toml`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Checkpoint {
+    /// Digests of the case by its tables ([`digests`](case::digests)); empty where an earlier build of this version wrote it.
+    #[serde(default)]
+    pub case: BTreeMap<String, String>,
     /// Length of a whole step \[s\].
     pub whole_step_s: f64,
     /// Interval of the rows of the record \[s\].
@@ -74,6 +79,34 @@ impl Checkpoint {
     #[must_use]
     pub fn can_be_resumed(&self) -> bool {
         self.latest.latest().is_some()
+    }
+
+    /// Checks that it is one of this case.
+    ///
+    /// # Errors
+    /// Which tables of the case differ, in words.
+    pub(super) fn check_case(&self, case: &Case) -> Result<(), String> {
+        let here = case::digests(case);
+        let differs = |name: &&String| self.case.get(*name) != here.get(*name);
+        let names: BTreeSet<&String> = self.case.keys().chain(here.keys()).collect();
+        let changed: Vec<String> = names
+            .into_iter()
+            .filter(differs)
+            .map(|name| format!("[{name}]"))
+            .collect();
+        if changed.is_empty() || self.case.is_empty() {
+            return Ok(());
+        }
+        let changed = changed.join(", ");
+        Err(format!(
+            "the case was changed in {changed} since it was written; undo the change, or compute the case anew"
+        ))
+    }
+
+    /// A warning where nothing says which case it is of.
+    pub(super) fn unknown_case(&self) -> Option<String> {
+        let words = "the checkpoint that this run was resumed from does not say which case it is of: that the case is unchanged since is not checked";
+        self.case.is_empty().then(|| words.to_owned())
     }
 
     /// Checks that it belongs to this line and these channels: sizes agree, and all numbers are finite.

@@ -34,8 +34,17 @@ pub(super) struct Computed {
 impl Computed {
     /// A computation that failed before it began.
     fn failed(failure: String) -> Self {
+        Self::without_record(MarchResult::failed(failure, Work::default()))
+    }
+
+    /// A computation that was stopped before it began.
+    pub(super) fn stopped() -> Self {
+        Self::without_record(MarchResult::stopped())
+    }
+
+    fn without_record(outcome: MarchResult) -> Self {
         Self {
-            outcome: MarchResult::failed(failure, Work::default()),
+            outcome,
             warnings: Vec::new(),
             settings: Settings::default(),
             cost: Cost::default(),
@@ -87,6 +96,7 @@ pub(super) fn compute(
     let (cpu, wall) = (cpu_time(), Instant::now());
     let stop = || cancel.load(Ordering::Relaxed);
     let mut warnings = warnings(&scene, &settings);
+    warnings.extend(from.and_then(|from| from.checkpoint.unknown_case()));
     let phases = phases(scene);
     let mut recorder = Recorder::new(case, &phases[0], events, &stop);
     let outcome = simulate(case, &phases, &settings, &mut recorder, &mut warnings, from);

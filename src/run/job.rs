@@ -120,9 +120,15 @@ pub fn execute_from(
 ) -> Run {
     let started = rfc3339(SystemTime::now());
     let (chosen, reason) = chosen(request, cancel);
+    // The method of a trial that was stopped may be another one than that of the whole trial.
+    let stopped = chosen.is_some() && cancel.load(Ordering::Relaxed);
     let request = chosen.as_ref().unwrap_or(request);
     let case = &request.case;
-    let mut computed = compute(case, Resolution::AS_SET, from, cancel, events);
+    let mut computed = if stopped {
+        Computed::stopped()
+    } else {
+        compute(case, Resolution::AS_SET, from, cancel, events)
+    };
     let companions = Instant::now();
     let done = computed.outcome.state == RunState::Done;
     let estimates = if done && case.solver.error_estimate {

@@ -90,6 +90,14 @@ pub enum RunState {
     Cancelled,
 }
 
+impl RunState {
+    /// Whether it was stopped, by a signal, a kill or the user.
+    #[must_use]
+    pub const fn was_stopped(self) -> bool {
+        matches!(self, Self::Partial | Self::Cancelled)
+    }
+}
+
 /// Settings used by the solver.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Settings {

@@ -88,6 +88,7 @@ impl<'a> Recorder<'a> {
 
     /// Completes a checkpoint by the state of the observers, and sends it.
     pub(super) fn send_checkpoint(&mut self, mut checkpoint: Checkpoint) {
+        checkpoint.case = case::digests(self.case);
         checkpoint.profile = self.record.profile.clone();
         checkpoint.output_interval_s = self.output_times.interval;
         checkpoint.rows = self.rows;
@@ -130,6 +131,11 @@ impl<'a> Recorder<'a> {
     pub(super) fn enter(&mut self, scene: &'a Scene, time: f64, state: &State) {
         self.scene = scene;
         self.read(time, state);
+    }
+
+    /// The case.
+    pub(super) fn case(&self) -> &Case {
+        self.case
     }
 
     /// Number of channels.

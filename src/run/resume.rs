@@ -4,14 +4,19 @@ use std::path::Path;
 
 use super::job::Request;
 use super::recorder::OutputTimes;
-use super::{ResumedRun, RunState, store};
-use crate::case::{self, Diagnostic};
+use super::store::{self, StoreError};
+use super::{Checkpoint, ResumedRun, RunInfo, RunState};
+use crate::case::{self, Case, Diagnostic, Method};
 
-/// The request of a stored run, up to its own end or a later one \[s\], and its checkpoint.
+/// The request of a stored run, up to its own end or a later one \[s\], and its checkpoint; none of a run that was stopped before it
+/// wrote one, which is computed from its start.
 ///
 /// # Errors
 /// Why the run cannot be resumed.
-pub fn resume_request(dir: &Path, until: Option<f64>) -> Result<(Request, ResumedRun), String> {
+pub fn resume_request(
+    dir: &Path,
+    until: Option<f64>,
+) -> Result<(Request, Option<ResumedRun>), String> {
     let info = store::read_info(dir).map_err(|e| e.to_string())?;
     if store::is_locked(dir) {
         return Err(format!(
@@ -19,9 +24,13 @@ pub fn resume_request(dir: &Path, until: Option<f64>) -> Result<(Request, Resume
             dir.display()
         ));
     }
-    let from = store::resume(dir).map_err(|e| e.to_string())?;
+    let from = match store::resume(dir) {
+        // Stopped before its first step, and so begun anew.
+        Err(StoreError::NoCheckpoint(_)) if info.state.was_stopped() => None,
+        found => Some(found.map_err(|e| e.to_string())?),
+    };
     let mut text = store::case_text(dir).map_err(|e| e.to_string())?;
-    let mut overrides = info.overrides;
+    let mut overrides = info.overrides.clone();
     let first = |all: &[Diagnostic]| all.first().map(ToString::to_string).unwrap_or_default();
     if let Some(until) = until {
         let value = format!("{until:?}");
@@ -30,15 +39,31 @@ pub fn resume_request(dir: &Path, until: Option<f64>) -> Result<(Request, Resume
         overrides.push(format!("solver.duration_s={value}"));
     }
     let case = case::parse(&text, &info.case_file).map_err(|all| first(&all))?;
-    if !from.checkpoint.can_be_resumed() {
+    if let Some(from) = &from {
+        check(dir, &info, &case, &from.checkpoint)?;
+    }
+    let request = Request {
+        case,
+        text,
+        file: info.case_file.clone(),
+        overrides,
+        id: String::new(),
+    };
+    Ok((request, from))
+}
+
+/// Checks that a case can be computed on from a checkpoint of a run of it.
+fn check(dir: &Path, info: &RunInfo, case: &Case, checkpoint: &Checkpoint) -> Result<(), String> {
+    if !checkpoint.can_be_resumed() {
         return Err(format!(
             "{} was written by version {}, whose checkpoints this version cannot resume; compute the case anew.",
             dir.display(),
             info.version
         ));
     }
-    let times = OutputTimes::of(&case);
-    if times.interval.to_bits() != from.checkpoint.output_interval_s.to_bits() {
+    check_tables(dir, case, checkpoint)?;
+    let times = OutputTimes::of(case);
+    if times.interval.to_bits() != checkpoint.output_interval_s.to_bits() {
         return Err(format!(
             "The run cannot be resumed to {} s, which is not a whole number of its output intervals of {} s.",
             case.solver.duration_s, case.output.interval_s
@@ -47,18 +72,25 @@ pub fn resume_request(dir: &Path, until: Option<f64>) -> Result<(Request, Resume
     // A run that was stopped while its errors were estimated has only those left.
     let finished =
         info.state == RunState::Done && case.solver.duration_s <= info.settings.duration_s;
-    if finished || case.solver.duration_s < from.checkpoint.time() {
+    if finished || case.solver.duration_s < checkpoint.time() {
         return Err(format!(
             "The run is at {} s already; name a later time.",
-            info.settings.duration_s.max(from.checkpoint.time())
+            info.settings.duration_s.max(checkpoint.time())
         ));
     }
-    let request = Request {
-        case,
-        text,
-        file: info.case_file,
-        overrides,
-        id: String::new(),
+    Ok(())
+}
+
+/// Checks that the tables of the case are those that the checkpoint was written with, by the method that `auto` chose.
+fn check_tables(dir: &Path, case: &Case, checkpoint: &Checkpoint) -> Result<(), String> {
+    let by = |method: Method| {
+        let mut chosen = case.clone();
+        chosen.solver.method = method;
+        checkpoint.check_case(&chosen)
     };
-    Ok((request, from))
+    let checked = match case.solver.method {
+        Method::Auto => by(Method::Rk4).or_else(|_| by(Method::Alpha)),
+        method => by(method),
+    };
+    checked.map_err(|reason| format!("{} cannot be resumed: {reason}.", dir.display()))
 }

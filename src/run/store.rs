@@ -85,7 +85,7 @@ pub enum StoreError {
         reason: String,
     },
     /// A run that cannot be resumed.
-    #[error("{} has no checkpoint.toml to resume from: it stopped before its first one, or is static.", .0.display())]
+    #[error("{} has no checkpoint.toml to resume from: it is static, or its checkpoint was removed.", .0.display())]
     NoCheckpoint(PathBuf),
     /// The directory chosen for a run already holds something.
     #[error("{} already holds files; a run never overwrites. Name a directory that does not exist yet.", .0.display())]

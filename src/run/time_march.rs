@@ -1,5 +1,6 @@
 //! The time march of a run from event to event, with the line as it is in between.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::recorder::Recorder;
@@ -21,6 +22,16 @@ pub(super) struct MarchResult {
 }
 
 impl MarchResult {
+    /// A computation that was stopped before it began.
+    pub(super) fn stopped() -> Self {
+        Self {
+            state: RunState::Cancelled,
+            failure: None,
+            work: Work::default(),
+            lengths: Vec::new(),
+        }
+    }
+
     /// A computation that failed before its first step.
     pub(super) fn failed(failure: String, work: Work) -> Self {
         Self {
@@ -140,7 +151,8 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
     ) -> Result<(), StoreError> {
         let from = &resume.checkpoint;
         let scene = &phases[from.phase.min(phases.len() - 1)];
-        from.check(scene, self.recorder.channels())
+        from.check_case(self.recorder.case())
+            .and_then(|()| from.check(scene, self.recorder.channels()))
             .map_err(|reason| StoreError::Damaged {
                 file: resume.dir.join("checkpoint.toml"),
                 reason: format!("it does not belong to this case: {reason}"),
@@ -163,6 +175,10 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
     ) -> Result<Progressing, MarchError> {
         let first = self.phase;
         let mut going = begun;
+        // Stopped before its first step.
+        if going == Progressing::Stop {
+            self.send_checkpoint(state);
+        }
         for (phase, scene) in phases.iter().enumerate().skip(first) {
             if going == Progressing::Stop {
                 break;
@@ -221,6 +237,7 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
 
     fn send_checkpoint(&mut self, state: &State) {
         self.recorder.send_checkpoint(Checkpoint {
+            case: BTreeMap::new(),
             whole_step_s: self.march.step,
             output_interval_s: 0.0,
             rows: 0,

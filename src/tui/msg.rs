@@ -32,7 +32,11 @@ pub enum Msg {
     /// How far trials are.
     TrialProgress(JobNumber, Box<TrialProgress>),
     /// How a stored run is resumed up to a later end \[s\], or why it does not.
-    ResumeReady(PathBuf, f64, Result<Box<(Request, ResumedRun)>, String>),
+    ResumeReady(
+        PathBuf,
+        f64,
+        Result<Box<(Request, Option<ResumedRun>)>, String>,
+    ),
     /// What a job has recorded since it was last asked.
     Recorded(JobNumber, Box<RunCurves>),
     /// The run of a job has this directory.

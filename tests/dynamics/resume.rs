@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use seacable::case;
 use seacable::run::job::{self, JobEvent, Request};
 use seacable::run::store::{self, RunLocation, RunWriter};
-use seacable::run::{Checkpoint, ResumedRun, Run, RunState};
+use seacable::run::{Checkpoint, ResumedRun, Run, RunState, resume_request};
 
 /// A line that is dragged over a rough bed, snaps and is let go, so that every memory there is counts.
 fn request(method: &str, duration: f64) -> Request {
@@ -150,7 +150,7 @@ fn a_killed_run_resumes_from_its_last_checkpoint() {
         .event(&JobEvent::Checkpoint(Box::new(checkpoint)))
         .unwrap();
     assert!(store::is_locked(&dir));
-    let refused = seacable::run::resume_request(&dir, None).unwrap_err();
+    let refused = resume_request(&dir, None).unwrap_err();
     assert!(refused.contains("still being computed"), "{refused}");
     let reported = store::read(&dir).unwrap().info.warnings;
     assert!(
@@ -197,6 +197,52 @@ fn a_record_cut_short_is_told() {
         why.contains("history.csv") && why.contains("middle of a line"),
         "{why}"
     );
+}
+
+/// A checkpoint belongs to its case: one of a case that was edited since is refused in words, but for what only describes or
+/// records. One that does not say its case, as builds before wrote it, is resumed with a warning.
+#[test]
+fn a_checkpoint_of_an_edited_case_is_refused() {
+    let place = tempfile::tempdir().unwrap();
+    let dir = place.path().join("run");
+    stored(&request("alpha", 3.0), None, &dir);
+    let case = dir.join("case.toml");
+    let text = std::fs::read_to_string(&case).unwrap();
+    let resume = |old: &str, new: &str| {
+        assert!(text.contains(old));
+        std::fs::write(&case, text.replace(old, new)).unwrap();
+        resume_request(&dir, Some(8.0))
+    };
+    for (old, new, table) in [
+        ("ea_n = 1e6", "ea_n = 1.1e6", "[materials]"),
+        ("friction = 0.5", "friction = 0.4", "[seabed]"),
+        ("period_s = 3.0", "period_s = 3.1", "[ends]"),
+        ("\"alpha\"", "\"alpha\", rho_inf = 0.3", "[solver]"),
+        ("current.speed_m_per_s = 0.3", "", "[current]"),
+    ] {
+        let refused = resume(old, new).unwrap_err();
+        assert!(
+            refused.contains(&format!("the case was changed in {table} since")),
+            "{refused}"
+        );
+    }
+    let (request_as_before, from) = resume("goes on", "goes on and on").unwrap();
+    let from = from.unwrap();
+    let (_, checkpoint) = run(&request_as_before, Some(&from));
+    assert_eq!(checkpoint.case, from.checkpoint.case);
+    // The library holds the checkpoint against the case as the program does.
+    let mut other = request("alpha", 8.0);
+    other.case.environment.water_density_kg_per_m3 = 1000.0;
+    let never = AtomicBool::new(false);
+    let failed = job::execute_from(&other, Some(&from), &never, &mut |_| {});
+    let why = failed.info.failure.unwrap();
+    assert!(why.contains("changed in [environment]"), "{why}");
+
+    let mut unsaid = from.clone();
+    unsaid.checkpoint.case.clear();
+    let (resumed, _) = run(&request("alpha", 8.0), Some(&unsaid));
+    let mut warnings = resumed.info.warnings.iter();
+    assert!(warnings.any(|warning| warning.contains("does not say which case")));
 }
 
 /// Paths of all lists of more than one entry in a table.

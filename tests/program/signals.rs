@@ -66,7 +66,7 @@ fn computing(dir: &Path) -> PathBuf {
 
 #[test]
 fn signals_stop_a_run_and_keep_what_it_had() {
-    for (which, code) in [(Signal::INT, 130), (Signal::TERM, 143)] {
+    for (which, code) in [(Signal::INT, 130), (Signal::TERM, 143), (Signal::HUP, 129)] {
         let dir = endless();
         let mut child = spawn(dir.path());
         let run = computing(dir.path());
@@ -117,4 +117,61 @@ fn a_kill_at_any_moment_leaves_a_whole_run_or_a_partial_one() {
         let _ = fs::remove_dir_all(dir.path().join("runs"));
     }
     assert!(done > 0 && partial > 0, "{done} whole, {partial} partial");
+}
+
+/// Stopped before its first step, in the trial by which `auto` chooses, on its way or among its companions: resumed, it gives
+/// the bytes of a run that was never stopped.
+#[test]
+fn a_run_stopped_at_any_moment_resumes_to_the_same_results() {
+    let small = SMALL.replace(
+        "duration_s = 5.0",
+        "duration_s = 100.0\ntime_step_s = 0.002",
+    );
+    for text in [
+        small.clone(),
+        small.replace(
+            "time_step_s = 0.002",
+            "step_tolerance = 1e-9\nmethod = \"auto\"",
+        ),
+    ] {
+        let dir = place(&text);
+        let run = |more: &[&str]| {
+            let mut process = Process::new(env!("CARGO_BIN_EXE_seacable"));
+            process.arg("run").args(more).current_dir(dir.path());
+            process.stdout(Stdio::null()).stderr(Stdio::null());
+            process.spawn().unwrap()
+        };
+        let read = |run: &str| {
+            let file = |name: &&str| fs::read(dir.path().join(run).join(name)).unwrap();
+            ["summary.csv", "errors.csv", "history.csv", "profile.csv"].map(|name| file(&name))
+        };
+        let time = Instant::now();
+        assert!(
+            run(&["small.toml", "--out", "whole"])
+                .wait()
+                .unwrap()
+                .success()
+        );
+        let whole = time.elapsed();
+        let mut stopped = 0;
+        for i in 0..12_u32 {
+            let (first, second) = (format!("first-{i}"), format!("second-{i}"));
+            let mut child = run(&["small.toml", "--out", &first]);
+            thread::sleep(whole * i / 12);
+            signal(&child, [Signal::TERM, Signal::HUP][i as usize % 2]);
+            child.wait().unwrap();
+            // Signalled before it listened it leaves nothing, and at its end the whole run.
+            let state = store::read(&dir.path().join(&first)).map(|run| run.info.state);
+            if state.is_ok_and(|state| state == RunState::Cancelled) {
+                let resumed = run(&["--resume", &first, "--out", &second]).wait();
+                assert!(resumed.unwrap().success(), "{i}");
+                assert!(
+                    read(&second) == read("whole"),
+                    "stopped at {i}/12 of the time"
+                );
+                stopped += 1;
+            }
+        }
+        assert!(stopped > 6, "{stopped}");
+    }
 }

@@ -83,7 +83,7 @@ fn starting_from_a_run_is_going_on_with_it() {
         let (resumed, stands) = resume_request(&dir, Some(4.0)).unwrap();
         let whole = job::execute_from(
             &resumed,
-            Some(&stands),
+            stands.as_ref(),
             &AtomicBool::new(false),
             &mut |_| {},
         );

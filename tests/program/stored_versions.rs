@@ -61,7 +61,7 @@ fn changed(run: &Path, change: impl Fn(&str, String) -> String) -> tempfile::Tem
 fn assert_resumes(dir: &Path) {
     let (request, from) = resume_request(dir, Some(5.0)).unwrap();
     let never = AtomicBool::new(false);
-    let resumed = job::execute_from(&request, Some(&from), &never, &mut |_| ());
+    let resumed = job::execute_from(&request, from.as_ref(), &never, &mut |_| ());
     let whole = job::execute(&request, &never, &mut |_| ());
     assert_eq!(resumed.history, whole.history);
     assert_eq!(resumed.shapes, whole.shapes);

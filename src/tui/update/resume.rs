@@ -57,7 +57,7 @@ pub(super) fn found(
     state: &mut AppState,
     dir: PathBuf,
     until: f64,
-    found: Result<Box<(Request, ResumedRun)>, String>,
+    found: Result<Box<(Request, Option<ResumedRun>)>, String>,
 ) -> Vec<Effect> {
     let (mut request, from) = match found {
         Ok(found) => *found,
@@ -76,8 +76,8 @@ pub(super) fn found(
     line.hide_runs();
     request.id = request.file.trim_end_matches(".toml").to_owned();
     let label = format!("to {until} s");
-    let time = from.checkpoint.time();
-    queue(state, request, Some(from), label, None, true);
+    let time = from.as_ref().map_or(0.0, |from| from.checkpoint.time());
+    queue(state, request, from, label, None, true);
     let effects = start_newest(state);
     info(
         state,
