@@ -102,6 +102,23 @@ pub fn with_error(value: f64, error: Option<f64>, unit: &str) -> String {
     )
 }
 
+/// A range with its unit, to two significant digits of its width: `5.1 to 7.3 MN`.
+#[must_use]
+pub fn range(least: f64, greatest: f64, unit: &str) -> String {
+    if !least.is_finite() || !greatest.is_finite() {
+        return "not available".to_owned();
+    }
+    let scale = Scale::of(least.abs().max(greatest.abs()), unit);
+    let [least, greatest] = [least, greatest].map(|end| end / scale.factor);
+    let decimals = supported_decimals(greatest, 0.5 * (greatest - least));
+    let (power, unit) = (scale.power(), scale_unit(scale, unit));
+    format!(
+        "{}{power} to {}{power}{unit}",
+        rounded(least, decimals),
+        rounded(greatest, decimals)
+    )
+}
+
 /// A number with its unit, to four significant digits: `1.961 MN`, `1404 m`, `0.3 m/s`.
 #[must_use]
 pub fn si(value: f64, unit: &str) -> String {

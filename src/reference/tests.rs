@@ -63,6 +63,7 @@ fn run(quantities: &[(&str, f64, f64)]) -> Run {
         value,
         time_error: Some(error / 2.0),
         mesh_error: Some(error / 2.0),
+        unsettled: None,
     };
     let channel = Channel::new("tension_n[wire|payload]".parse().unwrap());
     Run {

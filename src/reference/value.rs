@@ -89,6 +89,7 @@ fn found<'r>(
         value: quantity.value - before.value,
         time_error: both(quantity.time_error, before.time_error),
         mesh_error: both(quantity.mesh_error, before.mesh_error),
+        unsettled: None,
         ..quantity
     })
 }
@@ -106,6 +107,7 @@ fn ratio(quantity: &Quantity, other: &Quantity) -> Quantity {
         value,
         time_error: both(quantity.time_error, other.time_error),
         mesh_error: both(quantity.mesh_error, other.mesh_error),
+        unsettled: None,
     }
 }
 

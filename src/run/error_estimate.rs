@@ -1,20 +1,15 @@
-//! Numerical errors of a run, estimated by companions: one with another time step, and others with other meshes. Time error and mesh
+//! Numerical errors of a run, estimated by companions: runs with other time steps, and on other meshes. Time error and mesh
 //! error are kept apart; model error is what a validation table shows.
-//!
-//! With an order p and a ratio r between the steps, the error of the finer result is about `|fine - coarse| / (r^p - 1)`
-//! (Richardson), times a factor of safety (Roache 1994, doi 10.1115/1.2910291): 1.25 where the order is observed on three meshes,
-//! 3 where it is that of the method. The order observed is held between 1/2 and 2; differences that do not fall from mesh to
-//! mesh count as of order 1/2. A force that jumps (a drag crisis) leaves no method its order: the whole difference counts
-//! then.
 
 use std::sync::atomic::AtomicBool;
 
-use super::compute::{Computed, Resolution, compute};
+use super::companions::{self, Companions};
+use super::compute::Computed;
 use super::line_statistics;
 use super::requested_statistics::{RequestedStatistic, StatisticSource};
-use super::{Quantity, QuantityId, RunState, Subject};
-use crate::case::{Case, DragCoefficient, DragLawName, Method};
-use crate::dynamics::march::March;
+use super::richardson::{self, OBSERVED, PRESUMED};
+use super::{Quantity, QuantityId, Subject};
+use crate::case::{Case, ChannelQuantity, LineQuantity, Method, Section, Statistic};
 use crate::numerics::interpolation::linear_clamped;
 
 /// The single numbers of a run with their estimated errors.
@@ -28,32 +23,6 @@ pub(super) struct ErrorEstimates {
     pub(super) method: String,
     /// What the user should know.
     pub(super) warnings: Vec<String>,
-}
-
-/// Factor of safety of an observed order, and of one that is presumed.
-const OBSERVED: f64 = 1.25;
-const PRESUMED: f64 = 3.0;
-/// The orders in the mesh that an observation may give.
-const ORDERS: [f64; 2] = [0.5, 2.0];
-
-/// A companion run, and what makes an error of a difference from it: a factor or, where there is a third run on a mesh twice as
-/// coarse, the order observed.
-#[derive(Clone, Copy)]
-struct Companion<'a> {
-    run: Option<&'a Computed>,
-    factor: f64,
-    /// The third run, and the ratio between the meshes.
-    third: Option<(&'a Computed, f64)>,
-}
-
-/// Companions on other meshes.
-#[derive(Default)]
-struct MeshCompanions {
-    /// Segments twice as long, and four times.
-    coarse: Option<Computed>,
-    coarser: Option<Computed>,
-    /// Segments half as long, where there is no coarser mesh or none whose run is complete.
-    finer: Option<Computed>,
 }
 
 /// The single numbers without errors.
@@ -70,170 +39,36 @@ pub(super) fn without_errors(run: &Computed) -> ErrorEstimates {
     }
 }
 
-/// Runs the companions, side by side where there are cores, and estimates the errors of all single numbers.
+/// Runs the companions and estimates the errors of all single numbers.
 pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> ErrorEstimates {
-    let order = order(case.solver.method);
-    let ratio = mesh_ratio(case, 2);
-    let step_ratio = step_ratio(run);
-    let (other_step, meshes) = companions(case, order.map(|_| step_ratio), cancel);
-    // Where a force jumps, the whole difference is the error.
-    let crisis = has_crisis(case);
-    let time = Companion {
-        run: other_step.as_ref(),
-        factor: other_step.as_ref().map_or(1.0, |other| {
-            let ratio = effective_ratio(run, other, step_ratio);
-            let by_order = PRESUMED / (ratio.powi(order.unwrap_or(0)) - 1.0).abs();
-            if crisis { 1.0 } else { by_order }
-        }),
-        third: None,
-    };
-    let mesh = meshes.companion(case, crisis);
+    let (time, mesh) = companions::compute_all(case, run, cancel);
+    let (time, mesh) = (time.as_ref(), Some(&mesh));
     let mut warnings = Vec::new();
-    let mut finished = statistics(run);
-    add_errors(
-        &mut finished,
-        time.finished("time", &mut warnings),
-        mesh.finished("mesh", &mut warnings),
+    let [whole_time, whole_mesh] = [("time", time), ("mesh", mesh)]
+        .map(|(what, companions)| companions.filter(|c| is_finished(c, what, &mut warnings)));
+    let mut statistics = with_errors(whole_time, whole_mesh, run, statistics);
+    limit_resolution(&mut statistics, case, run);
+    let lists = [
         statistics,
-    );
-    limit_resolution(&mut finished, run);
-    let mut curves = run.curves.clone();
-    add_errors(&mut curves, time.whole(), mesh.whole(), |c| {
-        c.curves.clone()
-    });
-    let mut modes = run.modes.clone();
-    add_errors(&mut modes, None, mesh.whole(), |c| c.modes.clone());
-    let mut energy = run.record.energy.clone();
-    add_errors(&mut energy, time.whole(), mesh.whole(), |c| {
-        c.record.energy.clone()
-    });
+        with_errors(time, mesh, run, |c| c.curves.clone()),
+        with_errors(None, mesh, run, |c| c.modes.clone()),
+        with_errors(time, mesh, run, |c| c.record.energy.clone()),
+    ];
     ErrorEstimates {
-        summary: [finished, curves, modes, energy].concat(),
+        summary: lists.concat(),
         rms: rms_error(run, [time, mesh]),
-        method: describe(case, order, step_ratio, &mesh.describe(ratio)),
+        method: describe(case, time, mesh),
         warnings,
     }
 }
 
-/// Computes the case with another step, where a ratio is given, and on other meshes.
-fn companions(
-    case: &Case,
-    step_ratio: Option<f64>,
-    cancel: &AtomicBool,
-) -> (Option<Computed>, MeshCompanions) {
-    let companion = |coarsening, step_ratio| {
-        let resolution = Resolution {
-            coarsening,
-            step_ratio,
-        };
-        compute(case, resolution, None, cancel, &mut |_| {})
-    };
-    let done = |run: &Computed| run.outcome.state == RunState::Done;
-    let meshes = || {
-        let coarse = (mesh_ratio(case, 2) > 1.0 && every_section_coarsens(case))
-            .then(|| companion(2, 1.0))
-            .filter(done);
-        if coarse.is_none() {
-            let finer = compute(&halved(case), Resolution::AS_SET, None, cancel, &mut |_| {});
-            return MeshCompanions {
-                finer: Some(finer),
-                ..MeshCompanions::default()
-            };
-        }
-        let coarser = mesh_ratio(case, 4) > 1.5 * mesh_ratio(case, 2);
-        let coarser = coarser.then(|| companion(4, 1.0)).filter(done);
-        MeshCompanions {
-            coarse,
-            coarser,
-            finer: None,
-        }
-    };
-    rayon::join(|| step_ratio.map(|ratio| companion(1, ratio)), meshes)
-}
-
-/// Whether no section is a single segment, which has no coarser mesh.
-fn every_section_coarsens(case: &Case) -> bool {
-    case.line.iter().all(|section| section.segments > 1)
-}
-
-/// The case with segments half as long.
-fn halved(case: &Case) -> Case {
-    let mut case = case.clone();
-    for section in &mut case.line {
-        section.segments *= 2;
-    }
-    case
-}
-
-impl MeshCompanions {
-    /// The mesh that errors are estimated from.
-    fn companion(&self, case: &Case, crisis: bool) -> Companion<'_> {
-        let ratio = mesh_ratio(case, 2);
-        let (run, factor) = match (&self.coarse, &self.finer) {
-            (Some(coarse), _) => (Some(coarse), PRESUMED / (ratio * ratio - 1.0)),
-            // Of the coarser of the two results: `r^p / (r^p - 1)` of the difference.
-            (None, finer) => (finer.as_ref(), PRESUMED * 4.0 / 3.0),
-        };
-        let third = self
-            .coarser
-            .as_ref()
-            .filter(|_| self.coarse.is_some() && !crisis);
-        Companion {
-            run,
-            factor: if crisis { 1.0 } else { factor },
-            third: third.map(|third| (third, ratio)),
-        }
-    }
-}
-
-impl<'a> Companion<'a> {
-    /// How an error of the mesh comes from it, in words.
-    fn describe(&self, ratio: f64) -> String {
-        match (self.run, self.third) {
-            (None, _) => "not estimated".to_owned(),
-            (Some(_), Some(_)) => format!(
-                "half the segments and a quarter (ratio {ratio:.2}), {OBSERVED} times Richardson by the order observed"
-            ),
-            (Some(_), None) if ratio > 1.0 && self.factor <= PRESUMED => {
-                format!(
-                    "half the segments (ratio {ratio:.2}), {PRESUMED} times Richardson, order 2"
-                )
-            }
-            _ => format!("twice the segments, {PRESUMED} times Richardson, order 2"),
-        }
-    }
-
-    /// The same, if there is a run.
-    fn whole(self) -> Option<Self> {
-        self.run.map(|_| self)
-    }
-
-    /// The same, if the companion came to its end; a warning where it did not.
-    fn finished(self, what: &str, warnings: &mut Vec<String>) -> Option<Self> {
-        let run = self.run?;
-        if run.outcome.state == RunState::Done {
-            return Some(self);
-        }
-        let why = run.outcome.failure.as_deref().unwrap_or("it was stopped");
-        warnings.push(format!(
-            "the {what} error is not estimated, its companion run did not finish: {why}"
-        ));
-        None
-    }
-
-    /// The error of a value, by those of the companion and of the third run.
-    fn error(&self, value: f64, other: f64, third: Option<f64>) -> f64 {
-        let difference = value - other;
-        let Some((third, (_, ratio))) = third.zip(self.third) else {
-            return self.factor * difference.abs();
-        };
-        if difference == 0.0 {
-            return 0.0;
-        }
-        let growth = (other - third) / difference;
-        let order = (growth.max(f64::MIN_POSITIVE).ln() / ratio.ln()).clamp(ORDERS[0], ORDERS[1]);
-        OBSERVED * difference.abs() / (ratio.powf(order) - 1.0)
-    }
+/// Whether the companion came to its end; a warning where it did not.
+fn is_finished(companions: &Companions, what: &str, warnings: &mut Vec<String>) -> bool {
+    let failure = companions.failure();
+    warnings.extend(failure.map(|why| {
+        format!("the {what} error is not estimated, its companion run did not finish: {why}")
+    }));
+    failure.is_none()
 }
 
 /// The statistics of a run, without errors; those that cannot be taken are left out.
@@ -250,53 +85,97 @@ fn statistics(run: &Computed) -> Vec<Quantity> {
     run.record.statistics.iter().filter_map(quantity).collect()
 }
 
-/// A companion with its numbers and those of the third run.
-type CompanionNumbers<'a> = (Companion<'a>, Vec<Quantity>, Option<Vec<Quantity>>);
+/// What reads numbers from a computation.
+type Numbers = fn(&Computed) -> Vec<Quantity>;
 
-/// Adds the errors, by the same numbers of the companions.
-fn add_errors(
-    list: &mut [Quantity],
-    time: Option<Companion<'_>>,
-    mesh: Option<Companion<'_>>,
-    numbers: impl Fn(&Computed) -> Vec<Quantity>,
-) {
-    let [time, mesh] = [time, mesh].map(|companion| {
-        let companion = companion?;
-        let third = companion.third.map(|(third, _)| numbers(third));
-        Some((companion, numbers(companion.run?), third))
-    });
-    let same = |list: &[Quantity], q: &Quantity| {
-        let found = list.iter().find(|other| other.id == q.id);
-        found.map(|other| other.value)
-    };
-    let error = |q: &Quantity, read: Option<&CompanionNumbers<'_>>| {
-        let (companion, others, third) = read?;
-        let third = third.as_ref().and_then(|third| same(third, q));
-        Some(companion.error(q.value, same(others, q)?, third))
-    };
-    for quantity in list {
-        quantity.time_error = error(quantity, time.as_ref());
-        quantity.mesh_error = error(quantity, mesh.as_ref());
+/// The same numbers of the companions.
+struct CompanionNumbers<'a> {
+    companions: &'a Companions,
+    coarse: Vec<Quantity>,
+    coarser: Vec<Quantity>,
+}
+
+impl<'a> CompanionNumbers<'a> {
+    fn read(companions: &'a Companions, of: Numbers) -> Self {
+        Self {
+            companions,
+            coarse: of(&companions.coarse),
+            coarser: companions.coarser.as_ref().map_or_else(Vec::new, of),
+        }
+    }
+
+    /// The values of a number in the companions, those that have it.
+    fn values(&self, id: &QuantityId) -> (Option<f64>, Option<f64>) {
+        let value = |list: &[Quantity]| list.iter().find(|q| q.id == *id).map(|q| q.value);
+        (value(&self.coarse), value(&self.coarser))
+    }
+
+    fn error(&self, q: &Quantity) -> Option<f64> {
+        let (coarse, coarser) = self.values(&q.id);
+        Some(self.companions.error(q.value, coarse?, coarser))
+    }
+
+    /// The values of the companions where they and the run's do not approach each other.
+    fn unsettled(&self, q: &Quantity) -> Option<[f64; 2]> {
+        let (coarse, coarser) = self.values(&q.id);
+        let (coarse, coarser) = (coarse?, coarser?);
+        richardson::is_unsettled(q.value, coarse, coarser).then_some([coarse, coarser])
     }
 }
 
-/// A place along the line has at least the mesh error of half a segment.
-fn limit_resolution(list: &mut [Quantity], run: &Computed) {
+/// The numbers of a run with their errors, by the same numbers of the companions.
+fn with_errors(
+    time: Option<&Companions>,
+    mesh: Option<&Companions>,
+    run: &Computed,
+    of: Numbers,
+) -> Vec<Quantity> {
+    let read = |companions| CompanionNumbers::read(companions, of);
+    let (time, mesh) = (time.map(read), mesh.map(read));
+    let mut list = of(run);
+    for q in &mut list {
+        q.time_error = time.as_ref().and_then(|time| time.error(q));
+        q.mesh_error = mesh.as_ref().and_then(|mesh| mesh.error(q));
+        let unsettled = |by: &Option<CompanionNumbers<'_>>| by.as_ref()?.unsettled(q);
+        let others = [unsettled(&time), unsettled(&mesh)];
+        q.unsettled = range(
+            q,
+            &others.into_iter().flatten().flatten().collect::<Vec<_>>(),
+        );
+    }
+    list
+}
+
+/// The range that holds a number with its error and the same of companions that do not approach it; none without such.
+fn range(q: &Quantity, others: &[f64]) -> Option<[f64; 2]> {
+    let error = q.error_estimate().filter(|_| !others.is_empty())?;
+    let least = others.iter().copied().fold(q.value - error, f64::min);
+    let greatest = others.iter().copied().fold(q.value + error, f64::max);
+    Some([least, greatest])
+}
+
+/// A place along the line has at least the mesh error of a segment, and the tension of a line that goes slack between nodes that of
+/// the weight of half a segment.
+fn limit_resolution(list: &mut [Quantity], case: &Case, run: &Computed) {
     for quantity in list {
+        let mut least = 0.0;
         if let QuantityId::Statistic { statistic, .. } = &quantity.id {
-            let least = line_statistics::resolution(&run.record.profile, *statistic);
-            quantity.mesh_error = quantity.mesh_error.map(|error| error.max(least));
+            least = line_statistics::resolution(&run.record.profile, *statistic);
+            if quantity.value == 0.0 && is_least_tension(&quantity.id) {
+                least = half_a_segment(case);
+            }
         }
+        quantity.mesh_error = quantity.mesh_error.map(|error| error.max(least));
     }
 }
 
 /// Errors of the root mean square displacements: sums of the differences from the companions, each times its factor.
-fn rms_error(run: &Computed, companions: [Companion<'_>; 2]) -> Vec<f64> {
+fn rms_error(run: &Computed, companions: [Option<&Companions>; 2]) -> Vec<f64> {
     let profile = &run.record.profile;
-    let others = companions.into_iter().filter_map(|companion| {
-        let other = &companion.run?.record.profile;
+    let others = companions.into_iter().flatten().filter_map(|companions| {
+        let other = &companions.coarse.record.profile;
         let recorded = other.rms.len() == other.arc.len() && other.arc.len() > 1;
-        recorded.then_some((other, companion.factor))
+        recorded.then_some((other, companions))
     });
     let others: Vec<_> = others.collect();
     if others.is_empty() {
@@ -304,77 +183,80 @@ fn rms_error(run: &Computed, companions: [Companion<'_>; 2]) -> Vec<f64> {
     }
     let error = |(s, rms): (&f64, &f64)| {
         let each = others.iter();
-        each.map(|(other, by)| (linear_clamped(&other.arc, &other.rms, *s) - rms).abs() * by)
+        each.map(|(other, by)| by.presumed(*rms, linear_clamped(&other.arc, &other.rms, *s)))
             .sum()
     };
     profile.arc.iter().zip(&profile.rms).map(error).collect()
 }
 
+/// Whether it is the least tension somewhere or on the whole line.
+fn is_least_tension(id: &QuantityId) -> bool {
+    let QuantityId::Statistic { of, statistic, .. } = id else {
+        return false;
+    };
+    let is_tension = match of {
+        Subject::Channel(channel) => channel.quantity == ChannelQuantity::Tension,
+        Subject::Line(quantity) => *quantity == LineQuantity::Tension,
+        _ => false,
+    };
+    is_tension && *statistic == Statistic::Min
+}
+
+/// The least submerged weight of half a segment on the line \[N\].
+fn half_a_segment(case: &Case) -> f64 {
+    let water = &case.environment;
+    let weight = |section: &Section| {
+        let material = case.materials.get(&section.material)?;
+        let area = 0.25 * std::f64::consts::PI * material.diameter_m.powi(2);
+        let mass = material.mass_kg_per_m - water.water_density_kg_per_m3 * area;
+        let length = section.length_m / section.segments as f64;
+        Some(0.5 * length * water.gravity_m_per_s2 * mass.abs())
+    };
+    let weights = case.line.iter().filter_map(weight);
+    weights.reduce(f64::min).unwrap_or(0.0)
+}
+
 /// How the errors are estimated, in words.
-fn describe(case: &Case, order: Option<i32>, times: f64, mesh: &str) -> String {
-    let varies = case.solver.time_step_s.is_none() && case.solver.method == Method::Alpha;
-    let step = match (varies, times) {
-        (true, 2.0) => "eight times the error allowed in a step".to_owned(),
-        (true, _) => format!(
-            "{:.3} times the error allowed in a step, the longest {times:.2} times as long",
-            times.powi(3)
-        ),
-        (false, 2.0) => "twice the step".to_owned(),
-        (false, _) => format!("{times:.2} times the step"),
+fn describe(case: &Case, time: Option<&Companions>, mesh: Option<&Companions>) -> String {
+    let order = |companions: &Companions| {
+        if companions.coarser.is_some() {
+            return format!("{OBSERVED} times Richardson by the order observed");
+        }
+        let order = companions.refinement.order;
+        format!("{PRESUMED} times Richardson, order {order}")
     };
-    let time = order.map_or_else(String::new, |_| format!("time: {step}; "));
-    let how = match order {
-        _ if has_crisis(case) => "whole differences, since a drag coefficient jumps".to_owned(),
-        Some(order) => format!("{PRESUMED} times Richardson in time, order {order}"),
-        None => String::new(),
-    };
-    let how = if how.is_empty() {
-        how
+    let steps = time.map(|time| {
+        let varies = case.solver.time_step_s.is_none() && case.solver.method == Method::Alpha;
+        let and = time.coarser.is_some();
+        let steps = match (varies, time.is_single_step()) {
+            (true, _) if and => "8 and 64 times the error allowed in a step",
+            (true, _) => "another error allowed in a step",
+            (false, true) => "half the step",
+            (false, false) if and => "steps twice and four times as long",
+            (false, false) => "steps twice as long",
+        };
+        format!("time: {steps}, {}; ", order(time))
+    });
+    let mesh = mesh.map(|mesh| {
+        let segments = match (mesh.is_finer, mesh.coarser.is_some()) {
+            (true, _) => "twice the segments",
+            (false, true) => "half the segments and a quarter",
+            (false, false) => "half the segments",
+        };
+        format!(
+            "mesh: {segments} (ratio {:.2}), {}",
+            mesh.refinement.ratio,
+            order(mesh)
+        )
+    });
+    let crisis = if companions::has_crisis(case) {
+        "; no order above 1.5, since a drag coefficient jumps"
     } else {
-        format!("; {how}")
+        ""
     };
-    format!("{time}mesh: {mesh}{how}")
-}
-
-/// Whether any drag coefficient of the line jumps with the speed.
-fn has_crisis(case: &Case) -> bool {
-    case.line
-        .iter()
-        .filter_map(|section| case.materials.get(&section.material))
-        .any(|material| material.drag_normal == DragCoefficient::Named(DragLawName::Jia2019Normal))
-}
-
-/// The order in time of a method; none for statics.
-fn order(method: Method) -> Option<i32> {
-    match method {
-        Method::Static => None,
-        Method::Quasi | Method::Alpha | Method::Auto => Some(2),
-        Method::Rk4 => Some(4),
-    }
-}
-
-/// Length of the companion's steps by that of the run's: twice, and half where the run is a single step.
-fn step_ratio(run: &Computed) -> f64 {
-    let march = March {
-        duration: run.settings.duration_s,
-        step: run.settings.time_step_s,
-    };
-    if march.whole_steps() > 1 { 2.0 } else { 0.5 }
-}
-
-/// The same of steps that vary, by their numbers: those of the companion are twice as long where the error sets them, and less
-/// where something else does. Steps that are hardly longer say little, and their difference counts more.
-fn effective_ratio(run: &Computed, companion: &Computed, ratio: f64) -> f64 {
-    const LEAST: f64 = 1.1;
-    if run.settings.step_tolerance.is_none() {
-        return ratio;
-    }
-    let (fine, coarse) = (run.outcome.work.steps, companion.outcome.work.steps);
-    (fine as f64 / coarse.max(1) as f64).clamp(LEAST, ratio.max(LEAST))
-}
-
-/// Segment length of the coarse mesh by that of the fine one, over the whole line.
-fn mesh_ratio(case: &Case, coarsening: usize) -> f64 {
-    let segments = |coarsening| crate::scene::mesh::segments(case, coarsening) as f64;
-    segments(1) / segments(coarsening)
+    format!(
+        "{}{}{crisis}",
+        steps.unwrap_or_default(),
+        mesh.unwrap_or_default()
+    )
 }

@@ -82,12 +82,12 @@ pub fn evaluate(
     value.is_finite().then_some(value)
 }
 
-/// The resolution of a statistic on the nodes: for a place along the line half of the longest segment \[m\].
+/// The resolution of a statistic on the nodes: for a place along the line the longest segment \[m\].
 pub(super) fn resolution(profile: &Profile, statistic: Statistic) -> f64 {
     match statistic {
         Statistic::ArcOfMax | Statistic::ArcOfMin => {
             let lengths = profile.arc.windows(2).map(|pair| pair[1] - pair[0]);
-            0.5 * lengths.fold(0.0, f64::max)
+            lengths.fold(0.0, f64::max)
         }
         _ => 0.0,
     }
@@ -277,6 +277,6 @@ mod tests {
         assert_eq!(take(LineQuantity::Tension, Statistic::ArcOfMin), Some(5.0));
         assert_eq!(take(LineQuantity::Tension, Statistic::Mean), None);
         assert_eq!(take(LineQuantity::Moment, Statistic::Max), None);
-        assert!((resolution(&profile, Statistic::ArcOfMax) - 1.5).abs() < 1e-12);
+        assert!((resolution(&profile, Statistic::ArcOfMax) - 3.0).abs() < 1e-12);
     }
 }

@@ -5,6 +5,7 @@
 mod channel_reading;
 mod channel_statistics;
 mod checkpoint;
+mod companions;
 mod compute;
 mod cycles;
 mod decimation;
@@ -25,6 +26,7 @@ mod replay;
 pub mod requested_statistics;
 pub mod response;
 mod resume;
+mod richardson;
 pub mod settings;
 mod simulation;
 mod spill_buffer;

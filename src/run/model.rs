@@ -382,6 +382,9 @@ pub struct Quantity {
     pub time_error: Option<f64>,
     /// Estimated error from the mesh; absent when not estimated.
     pub mesh_error: Option<f64>,
+    /// The range in which the number lies where the run and its companions do not approach each other, so that no error can be
+    /// derived from their differences: "not settled".
+    pub unsettled: Option<[f64; 2]>,
 }
 
 impl Quantity {
@@ -393,6 +396,7 @@ impl Quantity {
             value,
             time_error: None,
             mesh_error: None,
+            unsettled: None,
         }
     }
 
@@ -408,9 +412,13 @@ impl Quantity {
         self.id.unit()
     }
 
-    /// Time and mesh error together; absent unless at least one was estimated.
+    /// Time and mesh error together; absent unless at least one was estimated. Of a number that is not settled the distance to
+    /// the farther end of its range.
     #[must_use]
     pub fn error_estimate(&self) -> Option<f64> {
+        if let Some([least, greatest]) = self.unsettled {
+            return Some((self.value - least).max(greatest - self.value));
+        }
         match (self.time_error, self.mesh_error) {
             (None, None) => None,
             (t, m) => Some(t.unwrap_or(0.0) + m.unwrap_or(0.0)),

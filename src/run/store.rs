@@ -5,7 +5,7 @@
 //! | `case.toml` | the exact input, overrides applied |
 //! | `run.toml` | [`RunInfo`](super::RunInfo): state, settings, work, cost, warnings, version |
 //! | `summary.csv` | `quantity,value,unit,error_estimate` |
-//! | `errors.csv` | `quantity,unit,time_error,mesh_error`: the two parts of the error estimate |
+//! | `errors.csv` | `quantity,unit,time_error,mesh_error,least,greatest`: the two parts of the error estimate; the range of a result that is not settled |
 //! | `channels.csv` | `channel,unit,max,time_of_max_s,min,time_of_min_s`, over every step of the solver |
 //! | `history.csv` | `time_s` and one column a channel, at the output times |
 //! | `profile.csv` | the line node by node at the end, and its envelope over time |

@@ -35,8 +35,10 @@ pub struct BarResult {
     pub value: f64,
     /// Estimated error.
     pub bar: f64,
-    /// Difference from the converged value.
-    pub error: f64,
+    /// The converged value.
+    pub converged: f64,
+    /// The range that is given in the place of a bar where the result is not settled.
+    pub unsettled: Option<[f64; 2]>,
 }
 
 /// All results of a setting; none where one of the two runs did not come to its end.
@@ -55,6 +57,8 @@ pub struct BarTally {
     pub results: usize,
     /// Those whose error lies inside the bar.
     pub inside: usize,
+    /// Those that are not settled.
+    pub unsettled: usize,
     /// Those whose bar is more than ten times the error.
     pub too_large: usize,
     /// Median of bar over error.
@@ -75,15 +79,25 @@ const TOO_LARGE: f64 = 10.0;
 const ZERO: f64 = 1e-9;
 
 impl BarResult {
-    /// Whether the error lies inside the bar.
+    /// Difference from the converged value.
     #[must_use]
-    pub fn is_inside(&self) -> bool {
-        self.error <= self.bar
+    pub fn error(&self) -> f64 {
+        (self.value - self.converged).abs()
     }
 
-    /// Bar by error.
-    fn ratio(&self) -> f64 {
-        self.bar / self.error.max(f64::MIN_POSITIVE)
+    /// Whether the error lies inside the bar, or the converged value in the range.
+    #[must_use]
+    pub fn is_inside(&self) -> bool {
+        match self.unsettled {
+            Some([least, greatest]) => (least..=greatest).contains(&self.converged),
+            None => self.error() <= self.bar,
+        }
+    }
+
+    /// Bar by error, where there is a bar.
+    fn ratio(&self) -> Option<f64> {
+        let ratio = self.bar / self.error().max(f64::MIN_POSITIVE);
+        self.unsettled.is_none().then_some(ratio)
     }
 }
 
@@ -171,10 +185,11 @@ fn results(setting: &BarSetting, cancel: &AtomicBool) -> Result<Vec<BarResult>, 
             unit: q.unit(),
             value: q.value,
             bar: q.error_estimate()?,
-            error: (q.value - exact.value).abs(),
+            converged: exact.value,
+            unsettled: q.unsettled,
         };
         let scale = ZERO * largest(&q.unit());
-        let trivial = exact.value.abs() <= scale || result.error <= ZERO * exact.value.abs();
+        let trivial = exact.value.abs() <= scale || result.error() <= ZERO * exact.value.abs();
         (!trivial).then_some(result)
     };
     Ok(run.summary.iter().filter_map(result).collect())
@@ -199,11 +214,12 @@ fn run(case: &Case, cancel: &AtomicBool) -> Result<Run, String> {
 #[must_use]
 pub fn tally<'r>(results: impl IntoIterator<Item = &'r BarResult>) -> BarTally {
     let results: Vec<&BarResult> = results.into_iter().collect();
-    let mut ratios: Vec<f64> = results.iter().map(|r| r.ratio()).collect();
+    let mut ratios: Vec<f64> = results.iter().filter_map(|r| r.ratio()).collect();
     ratios.sort_by(f64::total_cmp);
     BarTally {
         results: results.len(),
         inside: results.iter().filter(|r| r.is_inside()).count(),
+        unsettled: results.iter().filter(|r| r.unsettled.is_some()).count(),
         too_large: ratios.iter().filter(|ratio| **ratio > TOO_LARGE).count(),
         median: ratios.get(ratios.len() / 2).copied().unwrap_or(f64::NAN),
     }
@@ -244,6 +260,11 @@ pub fn table(checks: &[BarCheck]) -> Table {
         })
         .number("inside", NumberFormat::Percent, share(|tally| tally.inside))
         .number(
+            "not settled",
+            NumberFormat::Percent,
+            share(|tally| tally.unsettled),
+        )
+        .number(
             "bar over ten times the error",
             NumberFormat::Percent,
             share(|tally| tally.too_large),
@@ -281,6 +302,6 @@ pub fn outside_table(checks: &[BarCheck]) -> Table {
         .text("unit", |row| row.1.unit.clone())
         .number("value", NumberFormat::Digits(6, ""), |row| row.1.value)
         .number("bar", NumberFormat::Digits(2, ""), |row| row.1.bar)
-        .number("error", NumberFormat::Digits(2, ""), |row| row.1.error)
+        .number("error", NumberFormat::Digits(2, ""), |row| row.1.error())
         .build()
 }

@@ -106,5 +106,6 @@ fn quantity(name: &str, value: f64, time_error: Option<f64>, mesh_error: Option<
         value,
         time_error,
         mesh_error,
+        unsettled: None,
     }
 }

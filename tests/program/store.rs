@@ -69,7 +69,10 @@ fn files_begin_with_the_promised_columns() {
         text.lines().next().unwrap().to_owned()
     };
     assert_eq!(head("summary.csv"), "quantity,value,unit,error_estimate");
-    assert_eq!(head("errors.csv"), "quantity,unit,time_error,mesh_error");
+    assert_eq!(
+        head("errors.csv"),
+        "quantity,unit,time_error,mesh_error,least,greatest"
+    );
     assert_eq!(
         head("history.csv"),
         "time_s,tension_n[wire|payload],\"z_m[pay,load]\""

@@ -5,7 +5,7 @@ use crate::{
     case::Case,
     report::{
         nodes,
-        number::{order, si, with_error},
+        number::{order, range, si, with_error},
         response,
         table::{Align, Cell, Table},
     },
@@ -29,10 +29,16 @@ pub fn summary(run: &Run) -> String {
         .when(estimated, |table| {
             table
                 .cell("time error", Align::Right, |row| {
-                    row.cell(|q| error(q.time_error, &q.unit()))
+                    row.cell(|q| match q.unsettled {
+                        Some(_) => Cell::none(),
+                        None => error(q.time_error, &q.unit()),
+                    })
                 })
                 .cell("mesh error", Align::Right, |row| {
-                    row.cell(|q| error(q.mesh_error, &q.unit()))
+                    row.cell(|q| match q.unsettled {
+                        Some(_) => Cell::plain("not settled"),
+                        None => error(q.mesh_error, &q.unit()),
+                    })
                 })
         })
         .build();
@@ -105,6 +111,9 @@ fn grouped(quantities: &[Quantity]) -> Vec<SummaryRow<'_>> {
 }
 
 fn value(quantity: &Quantity) -> Cell {
+    if let Some([least, greatest]) = quantity.unsettled {
+        return Cell::plain(range(least, greatest, &quantity.unit()));
+    }
     let error = quantity.error_estimate().filter(|error| *error > 0.0);
     Cell::plain(match error {
         Some(_) => with_error(quantity.value, error, &quantity.unit()),

@@ -17,7 +17,14 @@ use crate::run::{Channel, Quantity, Run, RunInfo};
 /// Columns of `summary.csv`.
 pub(super) const SUMMARY_COLUMNS: [&str; 4] = ["quantity", "value", "unit", "error_estimate"];
 /// Columns of `errors.csv`.
-pub(super) const ERROR_COLUMNS: [&str; 4] = ["quantity", "unit", "time_error", "mesh_error"];
+pub(super) const ERROR_COLUMNS: [&str; 6] = [
+    "quantity",
+    "unit",
+    "time_error",
+    "mesh_error",
+    "least",
+    "greatest",
+];
 /// Columns of `channels.csv`.
 pub(super) const CHANNEL_COLUMNS: [&str; 6] = [
     "channel",
@@ -75,7 +82,9 @@ fn errors(quantities: &[Quantity]) -> Result<Vec<u8>, StoreError> {
     let mut csv = CsvWriter::new(ERROR_COLUMNS)?;
     for q in quantities {
         let (time, mesh) = (text_or_empty(q.time_error), text_or_empty(q.mesh_error));
-        csv.row([q.name(), q.unit(), time, mesh])?;
+        let [least, greatest] =
+            [0, 1].map(|end| text_or_empty(q.unsettled.map(|range| range[end])));
+        csv.row([q.name(), q.unit(), time, mesh, least, greatest])?;
     }
     csv.bytes()
 }

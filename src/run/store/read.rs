@@ -161,11 +161,16 @@ impl RunReader<'_> {
         })
     }
 
-    /// Opens a table that needs the first of these columns, and knows the others.
+    /// Opens a table that needs these columns.
     fn table(&self, name: &str, columns: &[&str]) -> CsvReader {
+        self.table_of(name, columns, columns)
+    }
+
+    /// Opens a table that needs some columns and knows more.
+    fn table_of(&self, name: &str, needed: &[&str], known: &[&str]) -> CsvReader {
         let mut csv = CsvReader::open(self.dir, name);
-        csv.require(columns);
-        csv.note_unknown(|name| columns.contains(&name));
+        csv.require(needed);
+        csv.note_unknown(|name| known.contains(&name));
         csv
     }
 
@@ -251,8 +256,10 @@ impl RunReader<'_> {
     }
 
     fn add_errors(&mut self, summary: &mut [Quantity]) {
-        let mut csv = self.table(ERRORS, &ERROR_COLUMNS);
-        let [name, _, time, mesh] = ERROR_COLUMNS.map(|column| csv.position(column));
+        // Runs of version 0.1 have no ranges.
+        let mut csv = self.table_of(ERRORS, &ERROR_COLUMNS[..4], &ERROR_COLUMNS);
+        let [name, _, time, mesh, least, greatest] =
+            ERROR_COLUMNS.map(|column| csv.position(column));
         let mut next = 0;
         while let Some((_, fields)) = csv.next() {
             let text = |place| field(fields, place);
@@ -268,6 +275,8 @@ impl RunReader<'_> {
             if let Some(at) = found {
                 summary[at].time_error = parse(text(time));
                 summary[at].mesh_error = parse(text(mesh));
+                let range = parse(text(least)).zip(parse(text(greatest)));
+                summary[at].unsettled = range.map(|(least, greatest)| [least, greatest]);
                 next = at + 1;
             }
         }

@@ -290,6 +290,7 @@ pub(crate) fn run(request: &Request, state: RunState) -> Run {
         value,
         time_error: Some(200.0),
         mesh_error: Some(100.0),
+        unsettled: None,
     };
     let summary = rows
         .map(|row| quantity(&row.channel, row.statistic, row.window_s, 1.955e6))
