@@ -324,21 +324,20 @@ impl SymmetricBlock {
         )
     }
 
-    /// By LDL', without pivoting since the block is positive definite. The pivots are ratios of the leading minors, so that no
-    /// division waits for another one.
+    /// By LDL', without pivoting since the block is positive definite.
     #[inline(always)]
     fn solve(&self, f: &V3) -> V3 {
-        let a = self.xx;
-        let d11 = a * self.yy - self.xy * self.xy;
-        let d12 = a * self.yz - self.xz * self.xy;
-        let d22 = a * self.zz - self.xz * self.xz;
-        let (by_a, by_d11, by_d) = (1.0 / a, 1.0 / d11, 1.0 / (d11 * d22 - d12 * d12));
-        let (l10, l20, l21) = (self.xy * by_a, self.xz * by_a, d12 * by_d11);
+        let d0 = 1.0 / self.xx;
+        let l10 = self.xy * d0;
+        let l20 = self.xz * d0;
+        let d1 = 1.0 / (self.yy - l10 * self.xy);
+        let l21 = (self.yz - l20 * self.xy) * d1;
+        let d2 = 1.0 / (self.zz - l20 * self.xz - l21 * (self.yz - l20 * self.xy));
         let y1 = f.y - l10 * f.x;
         let y2 = f.z - l20 * f.x - l21 * y1;
-        let z = y2 * (a * d11 * by_d);
-        let y = y1 * (a * by_d11) - l21 * z;
-        let x = f.x * by_a - l10 * y - l20 * z;
+        let z = y2 * d2;
+        let y = y1 * d1 - l21 * z;
+        let x = f.x * d0 - l10 * y - l20 * z;
         V3::new(x, y, z)
     }
 }
