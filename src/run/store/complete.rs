@@ -43,7 +43,7 @@ pub(super) fn all(dir: &Path, id: &str, run: &Run, streamed: bool) -> Result<(),
     replace(dir, CHANNELS, &channels(&run.history.channels)?)?;
     if !streamed {
         replace(dir, HISTORY, &write_history(&run.history)?)?;
-        replace(dir, SHAPES, &write_shapes(&run.shapes)?)?;
+        replace(dir, SHAPES, write_shapes(&run.shapes).as_bytes())?;
     }
     let profile = &run.profile;
     let nodes = profile.nodes.len();

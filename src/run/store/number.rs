@@ -1,13 +1,25 @@
 //! Numbers as text that read back to the same bits.
 
+use std::fmt::Write as _;
+
 /// The fewest digits that read back to the same number.
 pub(super) fn text(x: f64) -> String {
-    let full = format!("{x:?}");
-    match full.strip_suffix(".0") {
-        Some(short) => short.to_owned(),
-        None => full,
+    let mut text = String::new();
+    append(&mut text, x);
+    text
+}
+
+/// The same at the end of a text.
+pub(super) fn append(text: &mut String, x: f64) {
+    // A string refuses nothing.
+    let _ = write!(text, "{x:?}");
+    if text.ends_with(".0") {
+        text.truncate(text.len() - 2);
     }
 }
+
+/// Room for a number and a comma: most take no more.
+pub(super) const ROOM: usize = 24;
 
 /// As [`text`]; nothing for an absent number.
 pub(super) fn text_or_empty(x: Option<f64>) -> String {

@@ -139,11 +139,11 @@ impl RunWriter {
     /// # Errors
     /// The system refuses.
     pub fn frame(&mut self, frame: &OutputFrame) -> Result<(), StoreError> {
-        let row = history_row(frame)?;
-        let shape = frame.shape.as_ref().map(shape_rows).transpose()?;
         if let [history, shapes] = &mut self.streams[..] {
-            history.write(&row)?;
-            shapes.write(&shape.unwrap_or_default())?;
+            history.write(history_row(frame).as_bytes())?;
+            if let Some(shape) = &frame.shape {
+                shapes.write(shape_rows(shape).as_bytes())?;
+            }
         }
         if self.flushed.elapsed() >= FLUSH {
             self.flush()?;

@@ -3,38 +3,39 @@
 use std::path::Path;
 
 use super::{
-    SHAPES, StoreError,
-    number::{parse, text},
-    table::{CsvReader, CsvWriter, not_a_number},
+    SHAPES,
+    number::{ROOM, append, parse, text},
+    table::{CsvReader, not_a_number},
 };
 use crate::run::LineShape;
 
 /// Columns of `shapes.csv`.
 pub(super) const SHAPE_COLUMNS: [&str; 6] = ["time_s", "node", "x_m", "y_m", "z_m", "tension_n"];
 
-/// Adds a shape to a table.
-fn write_shape(csv: &mut CsvWriter, shape: &LineShape) -> Result<(), StoreError> {
-    for (node, ([x, y, z], tension)) in shape.nodes.iter().zip(&shape.tension).enumerate() {
-        let [time, x, y, z, tension] = [shape.time, *x, *y, *z, *tension].map(text);
-        csv.row([time, node.to_string(), x, y, z, tension])?;
-    }
-    Ok(())
-}
-
 /// The whole file of shapes that are held in memory.
-pub(super) fn write_shapes(shapes: &[LineShape]) -> Result<Vec<u8>, StoreError> {
-    let mut csv = CsvWriter::new(SHAPE_COLUMNS)?;
+pub(super) fn write_shapes(shapes: &[LineShape]) -> String {
+    let mut file = SHAPE_COLUMNS.join(",") + "\n";
     for shape in shapes {
-        write_shape(&mut csv, shape)?;
+        file += &shape_rows(shape);
     }
-    csv.bytes()
+    file
 }
 
-/// The rows of a shape.
-pub(super) fn shape_rows(shape: &LineShape) -> Result<Vec<u8>, StoreError> {
-    let mut csv = CsvWriter::headless();
-    write_shape(&mut csv, shape)?;
-    csv.bytes()
+/// The rows of a shape. Numbers need no quotes.
+pub(super) fn shape_rows(shape: &LineShape) -> String {
+    let time = text(shape.time);
+    let mut rows = String::with_capacity(5 * ROOM * shape.nodes.len());
+    for (node, (place, tension)) in shape.nodes.iter().zip(&shape.tension).enumerate() {
+        rows += &time;
+        rows.push(',');
+        rows += &node.to_string();
+        for value in place.iter().chain([tension]) {
+            rows.push(',');
+            append(&mut rows, *value);
+        }
+        rows.push('\n');
+    }
+    rows
 }
 
 /// The shapes of `shapes.csv`.
