@@ -2,12 +2,15 @@
 //! every slope between neighbours besides. Constant drag coefficients, taut throughout, nothing that sets in with
 //! a kink: what is measured is the method.
 
+use std::sync::atomic::AtomicBool;
+
 use crate::elastic_catenary::Catenary;
-use crate::{march, rest};
+use crate::{lines, march, rest};
 use seacable::dynamics::quasi_static::QuasiStatic;
 use seacable::dynamics::{Integrator, StepError, Stepper, TimeStep, WorkCounts};
+use seacable::run::job::{Request, execute};
 use seacable::scene::Scene;
-use seacable::solve::{Kinematics, State};
+use seacable::solve::{Hysteresis, Kinematics, State};
 
 /// Slopes of log error over log step: over all by least squares, then between neighbours.
 fn slopes(points: &[(f64, f64)]) -> (f64, Vec<f64>) {
@@ -240,4 +243,116 @@ fn a_line_in_a_current_converges_to_order_two_in_segment_length() {
     let tension = change(&|k, i| (solved[k][i].1 - solved[k + 1][i].1).abs());
     assert_order("shape", &shape, 2.0, (0.05, 0.1));
     assert_order("tension", &tension, 2.0, (0.05, 0.1));
+}
+
+/// An end that travels ten metres and more: the state of the line at the end of its way, by the length of its segments.
+#[test]
+fn a_line_behind_a_travelling_end_converges_to_order_two_in_segment_length() {
+    let travelled = |n: usize| {
+        let scene = rest::build(&format!(
+            r#"
+            environment.water_density_kg_per_m3 = 1025.0
+            current.speed_m_per_s = 2.0
+            materials.rope = {{ mass_kg_per_m = 12.0, drag_normal = 1.2, drag_tangential = 0.02, added_mass_normal = 1.0, axial_damping_n_s = 2e4, ea_n = 2e5 }}
+            line.segments = {n}
+            ends.a = {{ kind = "moving", amplitude_m = [-20.0, 6.0, 8.0], period_s = 40.0, ramp_s = 20.0 }}
+            ends.b = {{ name = "bob", kind = "payload" }}
+            payload = {{ dry_mass_kg = 1000.0, wet_mass_kg = 700.0, drag_area_m2 = 1.0, added_mass_kg = 500.0 }}
+            "#
+        ));
+        let mut state = rest::at_rest(&scene);
+        let start = state.x[0];
+        march::march(
+            march::alpha(&scene, 0.8),
+            &scene,
+            &mut state,
+            (DURATION, 0.01),
+            |_, _| {},
+        );
+        assert!((state.x[0] - start).norm() > 10.0);
+        let places = (0..=4).map(|k| k * n / 4);
+        let tension = |i: usize| scene.tension_at(i, &state);
+        places.map(|i| (state.x[i], tension(i))).collect::<Vec<_>>()
+    };
+    let meshes = [32, 64, 128, 256, 512];
+    let solved = meshes.map(travelled);
+    let change = |of: &dyn Fn(usize, usize) -> f64| -> Vec<(f64, f64)> {
+        let worst = |k: usize| (0..=4).map(|i| of(k, i)).fold(0.0, f64::max);
+        (0..meshes.len() - 1)
+            .map(|k| (100.0 / meshes[k] as f64, worst(k)))
+            .collect()
+    };
+    let place = change(&|k, i| (solved[k][i].0 - solved[k + 1][i].0).norm());
+    let tension = change(&|k, i| (solved[k][i].1 - solved[k + 1][i].1).abs());
+    assert_order("place", &place, 2.0, (0.1, 0.2));
+    assert_order("tension", &tension, 2.0, (0.1, 0.2));
+}
+
+/// A body that the bed bears throughout, heaved by its rope and rocking on the bed's spring: contact without a kink.
+const BORNE: &str = r#"
+    environment.water_density_kg_per_m3 = 0.0
+    materials.rope = { diameter_m = 0.02, mass_kg_per_m = 1.0, ea_n = 2.5e4, axial_damping_n_s = 500.0 }
+    line = { length_m = 30.0, segments = 4 }
+    ends.a = { kind = "moving", position_m = [0.0, 0.0, 5.0], amplitude_m = [0.0, 0.0, 2.4], period_s = 5.0, ramp_s = 10.0 }
+    ends.b = { name = "body", kind = "payload" }
+    payload = { dry_mass_kg = 1000.0, wet_mass_kg = 1000.0, drag_area_m2 = 0.0, added_mass_kg = 0.0, bed_area_m2 = 2.0, bottom_m = 1.0 }
+    seabed = { depth_m = 30.0, stiffness_n_per_m3 = 1e5, damping_n_s_per_m3 = 2e3 }
+"#;
+
+/// The state of the borne body at the end.
+fn borne(scene: &Scene, method: impl Stepper<Scene>, step: f64) -> State {
+    let mut state = rest::at_rest(scene);
+    scene.commit(0.0, 0.0, &mut state);
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    march::march(method, scene, &mut state, (8.0, step), |_, s| {
+        let force = scene.bed_force_at(scene.line_nodes() - 1, s);
+        (least, most) = (least.min(force), most.max(force));
+        assert!(scene.tension_at(0, s) > 100.0);
+    });
+    assert!(least > 1e3 && most > 1.5 * least, "{least} {most}");
+    state
+}
+
+#[test]
+fn a_body_in_contact_keeps_the_order_in_time() {
+    let scene = rest::build(BORNE);
+    let exact = borne(&scene, march::rk4(&scene), 0.0002);
+    let rk4 = points(0.008, 4, |h| {
+        apart(&borne(&scene, march::rk4(&scene), h), &exact)
+    });
+    assert_order("rk4", &rk4, 4.0, (0.1, 0.2));
+    for rho in [0.0, 0.4, 0.8] {
+        let error = |h| apart(&borne(&scene, march::alpha(&scene, rho), h), &exact);
+        let what = format!("contact, rho = {rho}");
+        assert_order(&what, &points(0.016, 5, error), 2.0, (0.1, 0.2));
+    }
+}
+
+/// What is written between steps lies on a parabola through three of them: of order three, by the known motion of an end.
+#[test]
+fn output_between_steps_is_of_order_three() {
+    let error = |step: f64| {
+        let case = lines::line(&format!(
+            r#"
+            environment.water_density_kg_per_m3 = 1025.0
+            materials.rope = {{ mass_kg_per_m = 12.0, drag_normal = 1.2 }}
+            ends.a = {{ kind = "moving", amplitude_m = [0.0, 0.0, 1.5], period_s = 8.0 }}
+            solver = {{ method = "alpha", duration_s = 24.0, time_step_s = {step:?} }}
+            output.interval_s = 0.0173
+            "#
+        ));
+        let request = Request {
+            case,
+            text: String::new(),
+            file: "test.toml".to_owned(),
+            overrides: Vec::new(),
+            id: "test".to_owned(),
+        };
+        let run = execute(&request, &AtomicBool::new(false), &mut |_| {});
+        let heights = &run.history.channel("z_m[top]").unwrap().values;
+        let known = |t: &f64| 1.5 * (std::f64::consts::TAU * t / 8.0).sin();
+        let pairs = run.history.time.iter().zip(heights);
+        pairs.map(|(t, z)| (z - known(t)).abs()).fold(0.0, f64::max)
+    };
+    assert_order("rows", &points(0.4, 5, error), 3.0, (0.1, 0.2));
 }

@@ -3,6 +3,7 @@
 use crate::lines;
 use std::sync::atomic::AtomicBool;
 
+use seacable::case::Case;
 use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
 
@@ -19,6 +20,10 @@ fn computed(solver: &str, interval: f64) -> Run {
         output = {{ interval_s = {interval:?} }}
         "#
     ));
+    execute_case(case)
+}
+
+fn execute_case(case: Case) -> Run {
     let request = Request {
         case,
         text: String::new(),
@@ -47,6 +52,53 @@ fn no_result_depends_on_the_output_times() {
         assert_eq!(often.summary, rarely.summary, "{solver}");
         for (a, b) in often.history.channels.iter().zip(&rarely.history.channels) {
             assert_eq!((a.peak, a.trough), (b.peak, b.trough), "{solver} {}", a.id);
+        }
+    }
+}
+
+/// A body that lands on the bed, is dragged over it and lifted off: written every 10 s or every 0.05 s, it takes the same steps
+/// and has the same extremes, of its contact too.
+#[test]
+fn landing_does_not_depend_on_the_output_times() {
+    for method in ["alpha", "rk4"] {
+        let [often, rarely] = [0.05, 10.0].map(|interval| {
+            let case = lines::line(&format!(
+                r#"
+                environment.water_density_kg_per_m3 = 1025.0
+                materials.rope = {{ diameter_m = 0.03, mass_kg_per_m = 3.5, ea_n = 2e6, drag_normal = 1.2, axial_damping_ratio = 0.1 }}
+                line = {{ length_m = 60.0, segments = 6 }}
+                ends.a = {{ kind = "moving", amplitude_m = [2.0, 0.0, 3.0], period_s = 16.0, ramp_s = 4.0 }}
+                ends.b = {{ name = "body", kind = "payload" }}
+                payload = {{ dry_mass_kg = 2000.0, wet_mass_kg = 1200.0, drag_area_m2 = 2.0, added_mass_kg = 800.0, bed_area_m2 = 2.0 }}
+                seabed = {{ depth_m = 61.0, stiffness_n_per_m3 = 1e5, damping_n_s_per_m3 = 1e4, friction = 0.4 }}
+                solver = {{ method = "{method}", duration_s = 40.0 }}
+                output = {{ interval_s = {interval:?} }}
+                "#
+            ));
+            execute_case(case)
+        });
+        assert_eq!(often.info.work, rarely.info.work, "{method}");
+        assert_eq!(
+            (often.history.time.len(), rarely.history.time.len()),
+            (801, 5)
+        );
+        assert_eq!(often.profile, rarely.profile, "{method}");
+        let landed = often
+            .history
+            .channel("landing_speed_m_per_s[body]")
+            .unwrap();
+        assert!(landed.peak.0 > 0.3, "{method}: {:?}", landed.peak);
+        let borne = often.history.channel("bed_force_n[body]").unwrap();
+        assert!(
+            borne.peak.0 > 1e4 && borne.values[800] == 0.0,
+            "{:?}",
+            borne.peak
+        );
+        for (a, b) in often.history.channels.iter().zip(&rarely.history.channels) {
+            let range = a.peak.0 - a.trough.0;
+            let same = |a: f64, b: f64| (a - b).abs() <= 1e-3 * range;
+            let extremes = same(a.peak.0, b.peak.0) && same(a.trough.0, b.trough.0);
+            assert!(extremes, "{method} {}", a.id);
         }
     }
 }

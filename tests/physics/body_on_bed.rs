@@ -190,3 +190,53 @@ fn the_weight_of_a_body_on_the_bed_is_no_tension() {
     assert!((borne + foot - 11e3 * G).abs() < 1.0, "{borne} {foot}");
     assert!((state.x[30] - V3::new(0.0, 0.0, -250.10)).norm() < 0.01);
 }
+
+/// Lowered onto the bed, left there on a slack rope and lifted off, a body gains the momentum that the reported forces give it:
+/// `m dv = (T + N - W) dt`, and the weight of the lower half segment, of 30 g, which lies on it while the rope is slack.
+#[test]
+fn momentum_is_kept_through_landing_and_lift_off() {
+    let scene = hung(
+        r#"
+        line = { length_m = 30.0, segments = 5 }
+        ends.a = { name = "top", kind = "moving", position_m = [0.0, 0.0, -9.0], amplitude_m = [0.0, 0.0, -3.0], period_s = 20.0, ramp_s = 2.0 }
+        seabed = { depth_m = 40.0, stiffness_n_per_m3 = 1e5, damping_n_s_per_m3 = 1e4 }
+        "#,
+    );
+    let (weight, slack_rope) = (1000.0 * G, 0.03 * G);
+    for (what, step, share) in [("rk4", 2e-4, 1e-5), ("alpha", 1e-3, 1e-4)] {
+        let mut state = rest::at_rest(&scene);
+        scene.commit(0.0, 0.0, &mut state);
+        // Time of the latest step, force then, impulse so far, greatest momentum and greatest difference.
+        let (mut before, mut impulse) = ((0.0, 0.0), 0.0);
+        let (mut greatest, mut off) = (0.0_f64, 0.0_f64);
+        let mut contact = Vec::new();
+        let see = |t: f64, s: &State| {
+            let borne = bed_force(&scene, s);
+            let tension = scene.tension_at(5, s);
+            let beside = if tension == 0.0 { slack_rope } else { 0.0 };
+            let force = tension + borne - weight - beside;
+            impulse += 0.5 * (force + before.1) * (t - before.0);
+            before = (t, force);
+            let momentum = 1000.0 * s.v[5].z;
+            greatest = greatest.max(momentum.abs());
+            off = off.max((momentum - impulse).abs());
+            if contact.last() != Some(&(borne > 0.0)) {
+                contact.push(borne > 0.0);
+            }
+        };
+        let span = (16.0, step);
+        match what {
+            "rk4" => march::march(march::rk4(&scene), &scene, &mut state, span, see),
+            _ => march::march(march::alpha(&scene, 0.4), &scene, &mut state, span, see),
+        }
+        // Off, on and off the bed, with what bounces there are.
+        assert!(
+            contact.len() >= 3 && !contact[0] && !contact[contact.len() - 1],
+            "{contact:?}"
+        );
+        assert!(
+            greatest > 500.0 && off < share * greatest,
+            "{what}: {off} of {greatest}"
+        );
+    }
+}
