@@ -279,9 +279,13 @@ impl BedContact {
         if self.end_held_on_bed(half.node, at).is_some() {
             return self.force_on_end(half.node, (&half.pull, &half.load), at);
         }
+        let whole = self.force(half.node, at.state);
+        if whole == V3::zeros() {
+            return whole;
+        }
         let segment = &at.line.segments[half.segment];
         let share = 0.5 * segment.axial.length * segment.bearing_width / self.footprint[half.node];
-        let force = self.force(half.node, at.state) * share;
+        let force = whole * share;
         let normal = self.seabed.normal();
         let borne = normal.dot(&force);
         let upright = normal.dot(&half.tangent).powi(2);
