@@ -77,7 +77,12 @@ pub(super) trait Observer {
     /// Takes in what lies between two accepted steps, one after the other without gaps; must not allocate.
     fn interval(&mut self, _between: &StepInterval<'_>, _profile: &mut Profile) {}
 
-    /// Takes in an output time.
+    /// Whether it reads the line at every output time.
+    fn reads_line(&self) -> bool {
+        false
+    }
+
+    /// Takes in an output time, where [any](Observer::reads_line) reads the line.
     fn output(&mut self, _sample: &OutputSample<'_>) {}
 
     /// Takes in a row of the record.

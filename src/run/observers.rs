@@ -68,6 +68,10 @@ impl Observer for TouchdownSpeed {
 }
 
 impl Observer for Option<ResponseSums> {
+    fn reads_line(&self) -> bool {
+        self.is_some()
+    }
+
     fn output(&mut self, sample: &OutputSample<'_>) {
         if let Some(response) = self {
             response.add(sample.time, sample.nodes);

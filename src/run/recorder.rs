@@ -25,8 +25,10 @@ pub(super) struct Recorder<'a> {
     balances: bool,
     /// Which channels are nowhere negative: tensions.
     positive: Vec<bool>,
-    /// The line at an output time, and the values of the channels there.
+    /// The values of the channels at an output time, and the line there where it is read.
     row: StepSample,
+    /// Whether an observer reads the line at every output time.
+    reads_line: bool,
     /// Rows recorded so far.
     rows: u64,
     output_times: OutputTimes,
@@ -54,11 +56,13 @@ impl<'a> Recorder<'a> {
     ) -> Self {
         let channels = case::channels(case);
         let at_rest = case.solver.method == Method::Static;
+        let observers = observers(case, scene, &channels);
         Self {
             case,
             initial: scene,
             scene,
-            observers: observers(case, scene, &channels),
+            reads_line: observers.iter().any(|observer| observer.reads_line()),
+            observers,
             record: RunRecord {
                 profile: step_envelope::profile(scene),
                 ..RunRecord::default()
@@ -69,10 +73,7 @@ impl<'a> Recorder<'a> {
                 .iter()
                 .map(|channel| channel.id.quantity == ChannelQuantity::Tension)
                 .collect(),
-            row: StepSample {
-                values: vec![0.0; channels.len()],
-                ..StepSample::default()
-            },
+            row: StepSample::new(channels.len(), scene.line_nodes()),
             rows: 0,
             output_times: OutputTimes::of(case),
             channels,
@@ -220,8 +221,13 @@ impl<'a> Recorder<'a> {
         }
         let until = between.time()[1];
         while let Some(time) = self.output_times.due(self.rows, until) {
+            let reads_line = self.reads_line || self.shape_is_due(time);
             if let Some(between) = interval(&self.latest, &self.positive, last) {
-                between.sample(time, &mut self.row);
+                let row = &mut self.row;
+                between.sample_channels(time, &mut row.values);
+                if reads_line {
+                    between.sample_line(time, &mut row.tension, &mut row.nodes);
+                }
             }
             self.output(time);
         }
@@ -229,12 +235,11 @@ impl<'a> Recorder<'a> {
 
     /// Records an output time, read into the row.
     fn output(&mut self, time: f64) {
-        let sample = OutputSample {
-            time,
-            nodes: &self.row.nodes,
-        };
-        for observer in &mut self.observers {
-            observer.output(&sample);
+        if self.reads_line {
+            let nodes = &self.row.nodes;
+            for observer in &mut self.observers {
+                observer.output(&OutputSample { time, nodes });
+            }
         }
         self.progress = Progress {
             time,

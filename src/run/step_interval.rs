@@ -28,6 +28,19 @@ pub(super) struct StepSample {
     pub energy: EnergyRates,
 }
 
+impl StepSample {
+    /// Room for this many channels and nodes of the line.
+    pub(super) fn new(channels: usize, nodes: usize) -> Self {
+        Self {
+            time: 0.0,
+            values: vec![0.0; channels],
+            tension: vec![0.0; nodes],
+            nodes: vec![V3::zeros(); nodes],
+            energy: EnergyRates::default(),
+        }
+    }
+}
+
 /// The latest four accepted steps since the last event, the oldest first. Allocates when it is made only.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct LatestSteps {
@@ -85,15 +98,8 @@ const SAMPLES: usize = 4;
 impl LatestSteps {
     /// For this many channels and nodes of the line.
     pub(super) fn new(channels: usize, nodes: usize) -> Self {
-        let sample = StepSample {
-            time: 0.0,
-            values: vec![0.0; channels],
-            tension: vec![0.0; nodes],
-            nodes: vec![V3::zeros(); nodes],
-            energy: EnergyRates::default(),
-        };
         Self {
-            samples: vec![sample; SAMPLES],
+            samples: vec![StepSample::new(channels, nodes); SAMPLES],
             known: 0,
         }
     }
@@ -291,20 +297,19 @@ impl StepInterval<'_> {
         self.arc(|sample| sample.nodes[node][axis])
     }
 
-    /// Everything at a time \[s\] in the interval; allocates where sizes differ only.
-    pub(super) fn sample(&self, time: f64, out: &mut StepSample) {
-        out.clone_from(self.to);
-        out.time = time;
-        if time >= self.to.time {
-            return;
-        }
-        for (number, value) in out.values.iter_mut().enumerate() {
+    /// The channels at a time \[s\] in the interval.
+    pub(super) fn sample_channels(&self, time: f64, out: &mut [f64]) {
+        for (number, value) in out.iter_mut().enumerate() {
             *value = self.channel(number).at(time);
         }
-        for (node, tension) in out.tension.iter_mut().enumerate() {
+    }
+
+    /// Tensions and places of the nodes of the line at a time \[s\] in the interval.
+    pub(super) fn sample_line(&self, time: f64, tensions: &mut [f64], nodes: &mut [V3]) {
+        for (node, tension) in tensions.iter_mut().enumerate() {
             *tension = self.tension(node).at(time);
         }
-        for (node, place) in out.nodes.iter_mut().enumerate() {
+        for (node, place) in nodes.iter_mut().enumerate() {
             *place = V3::from_fn(|axis, _| self.coordinate(node, axis).at(time));
         }
     }
