@@ -10,13 +10,7 @@
 
 mod speed;
 
-use std::hint::black_box;
-use std::time::Instant;
-
 use seacable::case::{self, Case, Method};
-use seacable::numerics::{BlockBand, V3};
-use seacable::scene::{self, Scene};
-use seacable::solve::{ExplicitRhs, Factors, Kinematics, Residual, State};
 use speed::{alpha_rows, by, controlled, heading, row, run, with};
 
 const MANIFOLD: &str = include_str!("../cases/pendulous/manifold.toml");
@@ -24,9 +18,7 @@ const MANIFOLD: &str = include_str!("../cases/pendulous/manifold.toml");
 fn main() {
     let mut case = case::parse(MANIFOLD, "manifold.toml").unwrap();
     case.solver.error_estimate = false;
-    kernels(&case);
     let bending = bending(&case);
-    kernels(&bending);
     let reference = run(&by(&case, Method::Rk4, Some(0.00125), 0.4), 1).history;
     println!("\nreference: RK4 in steps of 1.25 ms");
     heading();
@@ -62,68 +54,4 @@ fn bending(case: &Case) -> Case {
             material.ei_n_m2 = 1e4;
         }
     })
-}
-
-/// What one node costs, in the middle of the swing: least of many batches.
-fn kernels(case: &Case) {
-    let scene = scene::build(case, 1).unwrap();
-    let mut state = swinging(&scene);
-    let nodes = scene.nodes();
-    let mut r = vec![V3::zeros(); nodes];
-    let mut tangent = BlockBand::new(nodes);
-    if scene.is_pentadiagonal() {
-        tangent.widen();
-    }
-    let c = Factors {
-        mass: 64.0,
-        damping: 6.0,
-        stiffness: 1.0,
-    };
-    let [assembled, solved] = if scene.is_pentadiagonal() {
-        println!("kernels with bending, ns per node ({nodes} nodes)");
-        ["not measured", "asked for: 150"]
-    } else {
-        println!("kernels, ns per node ({nodes} nodes)      physical limit seen");
-        [
-            "41-57 (one drag a node, symmetric)",
-            "67-85, asked for: 100",
-        ]
-    };
-    let residual = best(nodes, || scene.residual(0.0, &state, black_box(&mut r)));
-    println!("  residual                       {residual:6.1}");
-    let assembly = best(nodes, || {
-        scene.linearise(0.0, &state, c, black_box(&mut r), &mut tangent);
-    });
-    println!("  residual and exact tangent     {assembly:6.1}      {assembled}");
-    let iteration = best(nodes, || {
-        scene.linearise(0.0, &state, c, &mut r, &mut tangent);
-        tangent.solve(scene.free(), black_box(&mut r)).unwrap();
-    });
-    println!("  the same and block solve       {iteration:6.1}      {solved}");
-    let acceleration = best(nodes, || scene.accelerate(0.0, black_box(&mut state)));
-    println!("  explicit acceleration          {acceleration:6.1}      7-28");
-}
-
-/// A line part of the way down, moving.
-fn swinging(scene: &Scene) -> State {
-    let mut state = scene.initial_state();
-    for i in 0..scene.nodes() {
-        let s = i as f64;
-        state.x[i].z -= 0.3 * s * s;
-        state.v[i] = V3::new(0.5, 0.01 * s, -0.08 * s);
-    }
-    scene.accelerate(0.0, &mut state);
-    state
-}
-
-fn best(nodes: usize, mut work: impl FnMut()) -> f64 {
-    let mut least = f64::INFINITY;
-    for _ in 0..300 {
-        let start = Instant::now();
-        for _ in 0..100 {
-            work();
-        }
-        least = least.min(start.elapsed().as_secs_f64());
-    }
-    least * 1e7 / nodes as f64
 }
