@@ -106,7 +106,7 @@ impl FrictionContact<'_> {
     }
 
     fn projector(&self) -> M3 {
-        M3::identity() - self.normal * self.normal.transpose()
+        M3::identity() - outer(self.normal, self.normal)
     }
 }
 
@@ -124,6 +124,7 @@ impl Friction {
     }
 
     /// The same with its derivatives; none without a grip that holds.
+    #[inline]
     #[must_use]
     pub fn with_tangent(
         &self,
@@ -133,33 +134,6 @@ impl Friction {
         match self.law {
             FrictionModel::ElasticPlastic(_) => grip.map(|grip| self.grip(c, grip)),
             FrictionModel::Regularised(slip) => Some(self.regularised(c, slip)),
-        }
-    }
-
-    /// Force by whichever law \[N\], and `stiffness dF/dx + damping dF/dv` of it; none without a grip that holds.
-    #[inline]
-    #[must_use]
-    pub fn with_weighted_tangent(
-        &self,
-        c: &FrictionContact<'_>,
-        grip: Option<&FrictionAnchor>,
-        (stiffness, damping): (f64, f64),
-    ) -> Option<(V3, M3)> {
-        match self.law {
-            FrictionModel::ElasticPlastic(_) => grip.map(|grip| {
-                let mobilised = self.mobilise(c, grip);
-                let by_pull = -(stiffness * grip.stiffness + damping * grip.damping);
-                let by_push = stiffness * c.push.by_height + damping * c.push.by_speed;
-                (
-                    mobilised.force,
-                    self.slope(c, grip, &mobilised, (by_pull, by_push)),
-                )
-            }),
-            FrictionModel::Regularised(slip) => {
-                let held = self.regularised(c, slip);
-                let tangent = held.by_position * stiffness + held.by_velocity * damping;
-                Some((held.force, tangent))
-            }
         }
     }
 
@@ -173,15 +147,45 @@ impl Friction {
 
     /// Force by the grip, with its exact derivatives: where the node slides the limit moves with the push, which makes
     /// them unsymmetric.
+    #[inline]
     #[must_use]
     pub fn grip(&self, c: &FrictionContact<'_>, grip: &FrictionAnchor) -> FrictionForce {
-        let mobilised = self.mobilise(c, grip);
-        let slope = |by_pull, by_push| self.slope(c, grip, &mobilised, (by_pull, by_push));
+        let MobilisedGrip {
+            pull,
+            s,
+            force,
+            slides,
+        } = self.mobilise(c, grip);
+        let limit = c.push.force;
+        if limit <= 0.0 {
+            return FrictionForce {
+                force,
+                by_position: M3::zeros(),
+                by_velocity: M3::zeros(),
+                slides,
+            };
+        }
+        let mut by_pull = c.projector();
+        if !slides {
+            return FrictionForce {
+                force,
+                by_position: by_pull * -grip.stiffness,
+                by_velocity: by_pull * -grip.damping,
+                slides,
+            };
+        }
+        let (mut a, l) = (1.0 / self.axial.max(LEAST), 1.0 / self.lateral.max(LEAST));
+        if grip.laid && pull.dot(&grip.along) > 0.0 {
+            a = 0.0;
+        }
+        let turned = pull * (l * l) + grip.along * (pull.dot(&grip.along) * (a * a - l * l));
+        by_pull = (by_pull - outer(&pull, &(turned / (s * s)))) * (limit / s);
+        let by_push = outer(&(pull / s), c.normal);
         FrictionForce {
-            force: mobilised.force,
-            by_position: slope(-grip.stiffness, c.push.by_height),
-            by_velocity: slope(-grip.damping, c.push.by_speed),
-            slides: mobilised.slides,
+            force,
+            by_position: by_push * c.push.by_height - by_pull * grip.stiffness,
+            by_velocity: by_push * c.push.by_speed - by_pull * grip.damping,
+            slides,
         }
     }
 
@@ -190,7 +194,10 @@ impl Friction {
     fn mobilise(&self, c: &FrictionContact<'_>, grip: &FrictionAnchor) -> MobilisedGrip {
         let limit = c.push.force;
         if limit <= 0.0 {
-            return MobilisedGrip::default();
+            return MobilisedGrip {
+                slides: true,
+                ..MobilisedGrip::default()
+            };
         }
         let pull = pull(c, grip);
         let s = self.mobilised(&pull, grip);
@@ -202,35 +209,6 @@ impl Friction {
             force,
             slides,
         }
-    }
-
-    /// `dF/d(pull) by_pull + dF/dN n' by_push`.
-    #[inline(always)]
-    fn slope(
-        &self,
-        c: &FrictionContact<'_>,
-        grip: &FrictionAnchor,
-        mobilised: &MobilisedGrip,
-        (by_pull, by_push): (f64, f64),
-    ) -> M3 {
-        let limit = c.push.force;
-        if limit <= 0.0 {
-            return M3::zeros();
-        }
-        let along_bed = c.normal * -by_pull;
-        let projector = M3::from_diagonal_element(by_pull) + outer(&along_bed, c.normal);
-        if !mobilised.slides {
-            return projector;
-        }
-        let MobilisedGrip { pull, s, .. } = mobilised;
-        let (mut a, l) = (1.0 / self.axial.max(LEAST), 1.0 / self.lateral.max(LEAST));
-        if grip.laid && pull.dot(&grip.along) > 0.0 {
-            a = 0.0;
-        }
-        let turned = pull * (l * l) + grip.along * (pull.dot(&grip.along) * (a * a - l * l));
-        let (share, by_s) = (limit / s, 1.0 / s);
-        let row = turned * (by_pull * share * by_s * by_s) - c.normal * (by_push * by_s);
-        projector * share - outer(pull, &row)
     }
 
     /// The grip after an accepted step: unchanged, or slid to the limit of friction. `hold` and `damping` are

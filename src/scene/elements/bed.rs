@@ -105,14 +105,13 @@ impl Element for BedContact {
             let mut force = normal * push.force;
             *block -= outer(&normal, &(normal * k));
             if let Some(friction) = &bed.friction
-                && let Some((along, slope)) = friction.with_weighted_tangent(
+                && let Some(held) = friction.with_tangent(
                     &contact(&normal, &push, i, state),
                     state.memory.grips.get(i),
-                    (c.stiffness, c.damping),
                 )
             {
-                force += along;
-                *block -= slope;
+                force += held.force;
+                *block -= held.by_position * c.stiffness + held.by_velocity * c.damping;
             }
             *out -= force;
         }
