@@ -340,6 +340,14 @@ pub(super) struct RunArgs {
     #[arg(long)]
     pub(super) solver: Option<Method>,
 
+    /// Search mesh and steps with which 95 % of the results are as accurate as this, as a share of their channel's range: 0.001.
+    #[arg(long, value_name = "SHARE", conflicts_with = "resume")]
+    pub(super) accuracy: Option<f64>,
+
+    /// Wall time that the search for an accuracy may take: 10s, 2min; 60s by default.
+    #[arg(long, value_name = "TIME", value_parser = super::duration::seconds, conflicts_with = "resume")]
+    pub(super) budget: Option<f64>,
+
     /// Directory to write, which must not exist yet; by default runs/CASE-TIME.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,

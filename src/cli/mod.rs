@@ -8,6 +8,7 @@
 mod args;
 mod cases;
 mod catenary;
+mod duration;
 mod error;
 mod inputs;
 mod keys;

@@ -40,6 +40,9 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     if let Some(limits) = limits::of_run(&request.case, &run.profile) {
         text.push_str(&format!("\n{}", limits.to_text(text::WIDTH)));
     }
+    if let Some(accuracy) = &run.info.settings.accuracy {
+        text.push_str(&format!("\nAccuracy: {accuracy}\n"));
+    }
     if let Some(damping) = text::numerical_damping(&run.info.settings) {
         text.push_str(&format!("\nNumerical damping: {damping}\n"));
     }
@@ -52,6 +55,8 @@ fn request(args: &RunArgs) -> Result<Request, CommandError> {
     let loaded = cases::load(args.case.as_deref().unwrap_or(Path::new("")))?;
     let mut overrides = args.set.clone();
     overrides.extend(args.solver.map(|s| format!("solver.method={}", s.name())));
+    overrides.extend(args.accuracy.map(|a| format!("solver.accuracy={a:?}")));
+    overrides.extend(args.budget.map(|b| format!("solver.budget_s={b:?}")));
     let text = cases::set(&loaded.text, &overrides)?;
     let case = cases::parse(&text, &loaded.name)?;
     Ok(Request {

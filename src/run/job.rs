@@ -12,8 +12,8 @@ pub use super::event::JobEvent;
 use super::observer::RunRecord;
 use super::store::rfc3339;
 use super::{
-    Cost, Quantity, ResumedRun, Run, RunInfo, RunState, Settings, VERSION, Work, energy_balance,
-    error_estimate, limits, settings,
+    Cost, Quantity, ResumedRun, Run, RunInfo, RunState, Settings, VERSION, Work, accuracy,
+    energy_balance, error_estimate, limits, settings,
 };
 use crate::case::{Case, Method, stand_alone};
 use crate::scene;
@@ -123,6 +123,17 @@ pub fn execute_from(
     // The method of a trial that was stopped may be another one than that of the whole trial.
     let stopped = chosen.is_some() && cancel.load(Ordering::Relaxed);
     let request = chosen.as_ref().unwrap_or(request);
+    // A resumed run goes on with the mesh and the steps found for it.
+    let accuracy = request
+        .case
+        .solver
+        .accuracy
+        .filter(|_| from.is_none() && !stopped);
+    let mut reached = accuracy.map(|accuracy| accuracy::search(request, accuracy, cancel));
+    let known = reached
+        .as_mut()
+        .and_then(|reached| reached.estimates.take());
+    let request = reached.as_ref().map_or(request, |reached| &reached.request);
     let case = &request.case;
     let mut computed = if stopped {
         Computed::stopped()
@@ -131,11 +142,13 @@ pub fn execute_from(
     };
     let companions = Instant::now();
     let done = computed.outcome.state == RunState::Done;
-    let estimates = if done && case.solver.error_estimate {
-        events(JobEvent::Estimating);
-        error_estimate::estimate(case, &computed, cancel)
-    } else {
-        error_estimate::without_errors(&computed)
+    let estimates = match known {
+        Some(known) if done => known,
+        _ if done && case.solver.error_estimate => {
+            events(JobEvent::Estimating);
+            error_estimate::estimate(case, &computed, cancel)
+        }
+        _ => error_estimate::without_errors(&computed),
     };
     // Stopped among its companions: resumed, it has its errors left to estimate.
     if done && case.solver.error_estimate && cancel.load(Ordering::Relaxed) {
@@ -151,6 +164,10 @@ pub fn execute_from(
     computed.record.profile.rms_error = estimates.rms;
     computed.cost.companions_wall_s = companions.elapsed().as_secs_f64();
     computed.settings.method_reason = reason;
+    if let Some(reached) = &reached {
+        computed.settings.accuracy = Some(reached.words.clone());
+        computed.warnings.extend(reached.failure.clone());
+    }
     computed.settings.error_method = estimates.method;
     assemble(request, computed, started, estimates.summary)
 }

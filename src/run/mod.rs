@@ -2,6 +2,7 @@
 //!
 //! [`model`] holds a [`Run`] as plain data; [`store`] keeps it on disk.
 
+mod accuracy;
 mod channel_reading;
 mod channel_statistics;
 mod checkpoint;

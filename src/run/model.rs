@@ -124,6 +124,9 @@ pub struct Settings {
     /// Why this method, where the case leaves the choice to the program.
     #[serde(default)]
     pub method_reason: Option<String>,
+    /// The accuracy asked for, and what was reached by which settings, in words.
+    #[serde(default)]
+    pub accuracy: Option<String>,
     /// Stability limit of explicit methods \[s\].
     pub stability_limit_s: Option<f64>,
     /// Where that limit comes from ("segment 57, wire").

@@ -22,6 +22,7 @@ pub(crate) fn info() -> RunInfo {
             numerical_damping: Some(1e-4 / 3.0),
             numerical_damping_period_s: Some(10.0),
             method_reason: Some("it costs less".to_owned()),
+            accuracy: None,
             method: "alpha".to_owned(),
             duration_s: 1200.0,
             time_step_s: 0.1 + 0.2,

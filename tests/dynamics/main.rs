@@ -13,6 +13,7 @@ mod period;
 #[path = "../common/rest.rs"]
 mod rest;
 
+mod accuracy;
 mod agreement;
 mod closed_forms;
 mod convergence_orders;

@@ -62,6 +62,10 @@ table! {
         position_tolerance_m: f64 = 1e-5, "position tolerance", range positive(1.0);
         /// Whether companion runs estimate the time and mesh error of every result.
         error_estimate: bool = true, "error estimate";
+        /// Refine mesh and steps until 95 % of the results err by less than this share of their channel's range.
+        accuracy: Option<f64>, "accuracy", range of(1e-7, 0.5), absent "mesh and steps as set";
+        /// Wall time after which the search for an accuracy takes no dearer round.
+        budget_s: f64 = 60.0, "budget", range positive(1e6);
     }
 }
 

@@ -62,6 +62,7 @@ pub(super) fn settings(page: &mut Page, info: &RunInfo) {
     page.pairs(&[
         ("Method", method(&s.method)),
         ("Chosen", s.method_reason.clone().unwrap_or_default()),
+        ("Accuracy", s.accuracy.clone().unwrap_or_default()),
         ("Simulated time", si(s.duration_s, "s")),
         ("Time step", step(s)),
         (

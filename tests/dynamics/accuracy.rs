@@ -1,0 +1,110 @@
+//! Accuracy as an input: what is asked is reached, against a converged run, and what is not reached is said.
+
+use crate::lines;
+use std::sync::atomic::AtomicBool;
+
+use seacable::case::{self, Case};
+use seacable::run::job::{Request, execute};
+use seacable::run::{Run, RunState};
+
+/// A heaved line of few segments.
+fn request(solver: &str) -> Request {
+    let case = lines::line(&format!(
+        r#"
+        environment.water_density_kg_per_m3 = 1025.0
+        materials.rope = {{ mass_kg_per_m = 12.0, drag_normal = 1.2 }}
+        line = {{ length_m = 60.0, segments = 6 }}
+        ends.a = {{ kind = "moving", amplitude_m = [0.4, 0.0, 0.5], period_s = 4.0, ramp_s = 4.0 }}
+        ends.b = {{ name = "foot", kind = "anchor", position_m = [30.0, 0.0, -40.0] }}
+        solver = {{ {solver}, duration_s = 12.0, error_estimate = true }}
+        "#
+    ));
+    Request {
+        text: case::write(&case),
+        case,
+        file: "test.toml".to_owned(),
+        overrides: Vec::new(),
+        id: "test".to_owned(),
+    }
+}
+
+fn computed(request: &Request) -> Run {
+    let run = execute(request, &AtomicBool::new(false), &mut |_| {});
+    assert_eq!(run.info.state, RunState::Done, "{:?}", run.info.failure);
+    run
+}
+
+fn found(run: &Run) -> Case {
+    let mut case = case::parse(&run.case_text, "test.toml").unwrap();
+    case.solver.accuracy = None;
+    case
+}
+
+#[test]
+fn what_is_asked_is_reached_and_computed_anew_from_what_is_kept() {
+    let run = computed(&request("accuracy = 2e-3"));
+    let words = run.info.settings.accuracy.clone().unwrap();
+    assert!(
+        !run.info.warnings.iter().any(|w| w.contains("not reached")),
+        "{words}"
+    );
+    assert!(
+        run.info.overrides.iter().any(|o| o.starts_with("line.")),
+        "{words}"
+    );
+    let kept = found(&run);
+    assert!(kept.line[0].segments > 6, "{words}");
+    let again = computed(&Request {
+        case: kept.clone(),
+        ..request("accuracy = 2e-3")
+    });
+    assert_eq!(again.summary, run.summary);
+
+    let mut finer = kept;
+    finer.line[0].segments *= 3;
+    finer.solver.step_tolerance /= 32.0;
+    finer.solver.error_estimate = false;
+    let converged = computed(&Request {
+        case: finer,
+        ..request("accuracy = 2e-3")
+    });
+    let mut missed = Vec::new();
+    let mut count = 0;
+    for channel in &converged.history.channels {
+        let range = channel.peak.0 - channel.trough.0;
+        for statistic in ["max", "min", "mean"] {
+            let name = format!("{}.{statistic}", channel.id);
+            let value = |run: &Run| {
+                run.summary
+                    .iter()
+                    .find(|q| q.name() == name)
+                    .map(|q| q.value)
+            };
+            let (Some(value), Some(exact)) = (value(&run), value(&converged)) else {
+                continue;
+            };
+            count += 1;
+            if (value - exact).abs() > 2e-3 * range {
+                missed.push((name, value, exact));
+            }
+        }
+    }
+    assert!(
+        count > 10 && 20 * missed.len() <= count,
+        "{count}: {missed:#?}\n{words}"
+    );
+}
+
+#[test]
+fn what_a_budget_does_not_allow_is_said_and_the_best_is_kept() {
+    let run = computed(&request("accuracy = 1e-6, budget_s = 1e-6"));
+    let warning = run
+        .info
+        .warnings
+        .iter()
+        .find(|w| w.contains("not reached"))
+        .unwrap();
+    assert!(warning.contains("next round needs"), "{warning}");
+    assert_eq!(found(&run).line[0].segments, 6);
+    assert!(run.summary.iter().any(|q| q.error_estimate().is_some()));
+}
