@@ -123,7 +123,7 @@ pub fn execute_from(
     // The method of a trial that was stopped may be another one than that of the whole trial.
     let stopped = chosen.is_some() && cancel.load(Ordering::Relaxed);
     let request = chosen.as_ref().unwrap_or(request);
-    // A resumed run goes on with the mesh and the steps found for it.
+    // A resumed run keeps the mesh and the steps found for it.
     let accuracy = request
         .case
         .solver

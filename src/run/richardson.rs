@@ -16,7 +16,7 @@ const NOTABLE: f64 = 0.02;
 /// By how much the difference between the two finer results counts as greater for what it falls short of the order of the method:
 /// it may have passed through zero.
 const CROSSING: f64 = 4.0;
-/// By how much at most: a difference much smaller than that is no chance.
+/// By how much at most: a difference smaller still is not small by chance.
 const CHANCE: f64 = 30.0;
 
 /// What is known of a family of results.
