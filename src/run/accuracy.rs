@@ -72,9 +72,6 @@ const MESH_ORDER: f64 = 1.5;
 const AIM: f64 = 0.9;
 /// Part of what is asked below which an error is smaller than it need be.
 const IDLE: f64 = 0.1;
-/// The largest error allowed in a step.
-const LOOSEST: f64 = 1e-2;
-
 /// Searches mesh and steps for a request that asks for an accuracy.
 pub(super) fn search(request: &Request, accuracy: f64, cancel: &AtomicBool) -> Reached {
     let begun = Instant::now();
@@ -170,7 +167,7 @@ impl Fineness {
         }
         let solver = &mut case.solver;
         solver.time_step_s = solver.time_step_s.map(|step| self.steps * step);
-        solver.step_tolerance = (solver.step_tolerance * self.steps.powi(3)).min(LOOSEST);
+        solver.step_tolerance *= self.steps.powi(3);
         case
     }
 }
