@@ -125,18 +125,14 @@ fn a_slow_crossing_is_the_static_influence_line() {
         deepest = deepest.max(-place.z);
         let pull = scene.end_force(0, s).x.abs();
         let string = (0.5 * weight + load / 80.0) / pull * place.x * (80.0 - place.x);
-        // Shared by three nodes 2 m apart it hangs less by Q/2H sum n_i n_j |x_i - x_j|: halved with the segments.
-        let off = 0.5 * place.x - (0.5 * place.x).round();
-        let (before, after) = (0.5 * (0.5 - off).powi(2), 0.5 * (0.5 + off).powi(2));
-        let spread = (before + after) * (0.75 - off * off) + 2.0 * before * after;
-        let string = string - load / pull * 2.0 * spread;
+        // Shared by nodes 2 m apart it hangs less by a quarter of that times Q/H.
+        let string = string - load / pull * 0.25 * 2.0;
         if place.x > 8.0 && place.x < 72.0 {
             worst = worst.max((-place.z / string - 1.0).abs());
         }
     });
     assert!(deepest > 0.7, "{deepest}");
-    // What is left is the tremble of the line as the load goes from segment to segment.
-    assert!(worst < 0.01, "{worst}");
+    assert!(worst < 0.0025, "{worst}");
 }
 
 /// At every place of a slow crossing the line is where it would rest with the traveller there.
