@@ -37,15 +37,7 @@ impl Companions {
         self.refinement.ratio < 1.0
     }
 
-    /// Error of a value by those of the companions.
-    pub(super) fn error(&self, value: f64, coarse: f64, coarser: Option<f64>) -> f64 {
-        match coarser {
-            Some(coarser) => self.refinement.observed(value, coarse, coarser),
-            None => self.presumed(value, coarse),
-        }
-    }
-
-    /// The same where the order is not observed.
+    /// Error of a value by that of the companion, where the order is not observed.
     pub(super) fn presumed(&self, value: f64, coarse: f64) -> f64 {
         // Of the coarser of the two results: `r^p / (r^p - 1)` of the difference.
         let by = self.refinement.ratio.powf(self.refinement.order);

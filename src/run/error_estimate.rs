@@ -93,34 +93,49 @@ struct CompanionNumbers<'a> {
     companions: &'a Companions,
     coarse: Vec<Quantity>,
     coarser: Vec<Quantity>,
+    /// The quotient of differences that is usual among them.
+    usual: f64,
 }
 
 impl<'a> CompanionNumbers<'a> {
-    fn read(companions: &'a Companions, of: Numbers) -> Self {
-        Self {
+    fn read(companions: &'a Companions, run: &[Quantity], of: Numbers) -> Self {
+        let mut numbers = Self {
             companions,
             coarse: of(&companions.coarse),
             coarser: companions.coarser.as_ref().map_or_else(Vec::new, of),
-        }
+            usual: 0.0,
+        };
+        let three = run.iter().filter_map(|q| numbers.three(q));
+        numbers.usual = richardson::usual_quotient(three);
+        numbers
     }
 
-    /// The values of a number in the companions, those that have it.
-    fn values(&self, id: &QuantityId) -> (Option<f64>, Option<f64>) {
-        let value = |list: &[Quantity]| list.iter().find(|q| q.id == *id).map(|q| q.value);
-        (value(&self.coarse), value(&self.coarser))
+    /// The values of a number in the run and both companions, where both have it.
+    fn three(&self, q: &Quantity) -> Option<[f64; 3]> {
+        Some([
+            q.value,
+            value(&self.coarse, &q.id)?,
+            value(&self.coarser, &q.id)?,
+        ])
     }
 
     fn error(&self, q: &Quantity) -> Option<f64> {
-        let (coarse, coarser) = self.values(&q.id);
-        Some(self.companions.error(q.value, coarse?, coarser))
+        if let Some(three) = self.three(q) {
+            return Some(self.companions.refinement.observed(three, self.usual));
+        }
+        let coarse = value(&self.coarse, &q.id)?;
+        Some(self.companions.presumed(q.value, coarse))
     }
 
     /// The values of the companions where they and the run's do not approach each other.
     fn unsettled(&self, q: &Quantity) -> Option<[f64; 2]> {
-        let (coarse, coarser) = self.values(&q.id);
-        let (coarse, coarser) = (coarse?, coarser?);
-        richardson::is_unsettled(q.value, coarse, coarser).then_some([coarse, coarser])
+        let [value, coarse, coarser] = self.three(q)?;
+        richardson::is_unsettled(value, coarse, coarser).then_some([coarse, coarser])
     }
+}
+
+fn value(list: &[Quantity], id: &QuantityId) -> Option<f64> {
+    list.iter().find(|q| q.id == *id).map(|q| q.value)
 }
 
 /// The numbers of a run with their errors, by the same numbers of the companions.
@@ -130,9 +145,9 @@ fn with_errors(
     run: &Computed,
     of: Numbers,
 ) -> Vec<Quantity> {
-    let read = |companions| CompanionNumbers::read(companions, of);
-    let (time, mesh) = (time.map(read), mesh.map(read));
     let mut list = of(run);
+    let read = |companions| CompanionNumbers::read(companions, &list, of);
+    let (time, mesh) = (time.map(read), mesh.map(read));
     for q in &mut list {
         q.time_error = time.as_ref().and_then(|time| time.error(q));
         q.mesh_error = mesh.as_ref().and_then(|mesh| mesh.error(q));
@@ -146,23 +161,29 @@ fn with_errors(
     list
 }
 
-/// The range that holds a number with its error and the same of companions that do not approach it; none without such.
+/// By how much of itself the range of results that do not approach each other is wider to either side: another one lies between
+/// three that scatter in half of the cases only.
+const SCATTER: f64 = 0.5;
+
+/// The range that holds a number with its error and the same of companions that do not approach it, with room for another; none
+/// without such.
 fn range(q: &Quantity, others: &[f64]) -> Option<[f64; 2]> {
     let error = q.error_estimate().filter(|_| !others.is_empty())?;
     let least = others.iter().copied().fold(q.value - error, f64::min);
     let greatest = others.iter().copied().fold(q.value + error, f64::max);
-    Some([least, greatest])
+    let room = SCATTER * (greatest - least);
+    Some([least - room, greatest + room])
 }
 
 /// A place along the line has at least the mesh error of a segment, and the tension of a line that goes slack between nodes that of
-/// the weight of half a segment.
+/// its weight.
 fn limit_resolution(list: &mut [Quantity], case: &Case, run: &Computed) {
     for quantity in list {
         let mut least = 0.0;
         if let QuantityId::Statistic { statistic, .. } = &quantity.id {
             least = line_statistics::resolution(&run.record.profile, *statistic);
             if quantity.value == 0.0 && is_least_tension(&quantity.id) {
-                least = half_a_segment(case);
+                least = segment_weight(case);
             }
         }
         quantity.mesh_error = quantity.mesh_error.map(|error| error.max(least));
@@ -202,15 +223,15 @@ fn is_least_tension(id: &QuantityId) -> bool {
     is_tension && *statistic == Statistic::Min
 }
 
-/// The least submerged weight of half a segment on the line \[N\].
-fn half_a_segment(case: &Case) -> f64 {
+/// The least submerged weight of a segment on the line \[N\].
+fn segment_weight(case: &Case) -> f64 {
     let water = &case.environment;
     let weight = |section: &Section| {
         let material = case.materials.get(&section.material)?;
         let area = 0.25 * std::f64::consts::PI * material.diameter_m.powi(2);
         let mass = material.mass_kg_per_m - water.water_density_kg_per_m3 * area;
         let length = section.length_m / section.segments as f64;
-        Some(0.5 * length * water.gravity_m_per_s2 * mass.abs())
+        Some(length * water.gravity_m_per_s2 * mass.abs())
     };
     let weights = case.line.iter().filter_map(weight);
     weights.reduce(f64::min).unwrap_or(0.0)
