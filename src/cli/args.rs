@@ -149,6 +149,10 @@ pub(super) enum StudyArgs {
     ///
     /// The converged run has a mesh three times as fine and a time error ten times as small. Takes some minutes for all cases.
     Bars(HardArgs),
+    /// Hold an accuracy asked against the true one, and its cost against the cheapest setting that is as accurate.
+    ///
+    /// The truth is a run on twice the mesh found, with a time error four times as small. Takes some minutes for all cases.
+    Accuracy(AccuracyArgs),
 }
 
 // The arguments that commands share; doc comments here would replace the help of the commands.
@@ -210,6 +214,24 @@ pub(super) struct HardArgs {
     /// Case files with trials, or directories of them; by default those that come with the program.
     #[arg(value_name = "CASE")]
     pub(super) cases: Vec<PathBuf>,
+
+    #[command(flatten)]
+    pub(super) table: TableArgs,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct AccuracyArgs {
+    /// Case files, or directories of them; by default those that come with the program.
+    #[arg(value_name = "CASE")]
+    pub(super) cases: Vec<PathBuf>,
+
+    /// Accuracies asked, as shares of what each result is a part of.
+    #[arg(long, value_name = "SHARE", value_delimiter = ',', default_values_t = [1e-2, 1e-3])]
+    pub(super) accuracy: Vec<f64>,
+
+    /// Wall time that each search may take: 10s, 2min.
+    #[arg(long, value_name = "TIME", value_parser = super::duration::seconds, default_value = "10s")]
+    pub(super) budget: f64,
 
     #[command(flatten)]
     pub(super) table: TableArgs,

@@ -79,6 +79,7 @@ fn compute(
     let mut store_error = None;
     let run = job::execute_from(request, from, stop.cancel(), &mut |event: JobEvent| {
         match &event {
+            JobEvent::Searching(search) => line.show(&search.to_string()),
             JobEvent::Frame(frame) => line.run(&frame.progress),
             JobEvent::Estimating => line.show("Estimating the numerical errors"),
             JobEvent::Started { .. } | JobEvent::Checkpoint(_) | JobEvent::Finished(_) => {}

@@ -4,7 +4,7 @@ use std::{io, process::ExitCode, sync::Mutex};
 
 use super::{
     BAD_RESULT, CommandError,
-    args::{CaseArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs},
+    args::{AccuracyArgs, CaseArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs},
     cases::{self, NamedCase},
     output::{self, FileFormat, OutputFile},
     progress,
@@ -14,6 +14,7 @@ use crate::case::Case;
 use crate::report::chart::draw;
 use crate::report::table::Table;
 use crate::study::{
+    accuracy::{self, AccuracyTrial},
     bars::{self, BarSetting},
     hard_cases::{self, HardCase, TrialRun},
     speed::{self, SpeedError},
@@ -32,6 +33,7 @@ pub(super) fn study(args: &StudyArgs) -> Result<ExitCode, CommandError> {
         StudyArgs::Speed(args) => speed_of(args),
         StudyArgs::Steps(args) => steps_of(args),
         StudyArgs::Bars(args) => bars_of(args),
+        StudyArgs::Accuracy(args) => accuracy_of(args),
     }
 }
 
@@ -173,6 +175,51 @@ fn bars_of(args: &HardArgs) -> Result<ExitCode, CommandError> {
         args.table.ascii,
     )?;
     Ok(ExitCode::SUCCESS)
+}
+
+fn accuracy_of(args: &AccuracyArgs) -> Result<ExitCode, CommandError> {
+    let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &args.cases)?;
+    let cases = cases::of_lines(&args.cases)?;
+    let stop = StopFlag::listen()?;
+    let trials: Vec<AccuracyTrial> = cases.iter().flat_map(|named| trials(named, args)).collect();
+    let mut line = progress::ProgressLine::new();
+    let mut rows = Vec::with_capacity(trials.len());
+    let total = trials.len();
+    for (number, trial) in trials.into_iter().enumerate() {
+        line.show(&format!(
+            "{} of {total}: {}, {:e}",
+            number + 1,
+            trial.name,
+            trial.asked
+        ));
+        let found = accuracy::check(&trial, stop.cancel());
+        if let Some(status) = stop.status() {
+            output::message("Stopped before all searches were computed; nothing was judged.");
+            return Ok(status);
+        }
+        rows.push((trial, found));
+    }
+    drop(line);
+    let table = accuracy::table(&rows);
+    write_csv(&table, file.as_ref())?;
+    let totals = accuracy::totals(&rows).to_text(WIDTH);
+    output::results(
+        &format!("{}\n{totals}", table.to_text(WIDTH)),
+        args.table.ascii,
+    )?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// A trial of a case for each accuracy.
+fn trials(named: &NamedCase, args: &AccuracyArgs) -> Vec<AccuracyTrial> {
+    let trial = |asked: &f64| AccuracyTrial {
+        name: named.name.clone(),
+        text: named.text.clone(),
+        case: named.case.clone(),
+        asked: *asked,
+        budget_s: args.budget,
+    };
+    args.accuracy.iter().map(trial).collect()
 }
 
 fn hard_case(loaded: NamedCase) -> HardCase {

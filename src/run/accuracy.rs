@@ -5,64 +5,54 @@
 //! mesh, steps by that of the method. It takes nothing coarser: runs that are all too coarse agree with each other, as a pendulum does
 //! in steps of 0.08 s, none of which sees its line go slack.
 
+mod deadline;
+mod event_record;
+mod fineness;
+mod reached;
+mod shares;
+
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use super::compute::{Computed, Resolution, compute};
 use super::error_estimate::{self, ErrorEstimates};
+use super::event::JobEvent;
 use super::job::Request;
-use super::{History, Quantity, QuantityId, RunState, Subject};
-use crate::case::{Case, Method, Statistic, edit};
+use super::{RunState, SearchProgress};
+use crate::case::{Case, Method};
 use crate::number::si;
+use deadline::Deadline;
+use event_record::EventRecord;
+use fineness::{Fineness, OWN};
+pub(super) use reached::Reached;
+use reached::reached;
+use shares::Shares;
 
-/// A case as it reaches its accuracy, or comes nearest to it.
-pub(super) struct Reached {
-    /// The request with the mesh and the steps found.
-    pub(super) request: Request,
-    /// The errors of its run; absent where none was complete.
-    pub(super) estimates: Option<ErrorEstimates>,
-    /// What was asked, found and reached, in words.
-    pub(super) words: String,
-    /// Why it was not reached.
-    pub(super) failure: Option<String>,
-}
-
-/// Mesh and steps by those of the case.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Fineness {
-    /// Segments by those of the case.
-    mesh: f64,
-    /// Length of the steps by that of the case.
-    steps: f64,
+/// A run of the search.
+pub(super) struct EstimatedRun {
+    pub(super) computed: Computed,
+    pub(super) estimates: ErrorEstimates,
+    /// All that it reported; absent where that is too much to keep.
+    pub(super) events: Option<Vec<JobEvent>>,
 }
 
 /// What a run with an estimate came to.
 struct Round {
     fineness: Fineness,
     case: Case,
-    estimates: ErrorEstimates,
+    run: EstimatedRun,
     shares: Shares,
     wall_s: f64,
 }
 
-/// Errors of results by what is asked of them.
-#[derive(Debug, Clone, PartialEq)]
-struct Shares {
-    /// Of the results that count, from the smallest to the greatest.
-    all: Vec<(f64, String)>,
-    time: f64,
-    mesh: f64,
-}
-
-/// Share of the results that must be as accurate as asked.
-const WITHIN: f64 = 0.95;
-/// Where a search begins.
-const OWN: Fineness = Fineness {
-    mesh: 1.0,
-    steps: 1.0,
-};
+/// Wall time of a search whose case sets none \[s\].
+const BUDGET_S: f64 = 60.0;
 /// Rounds of a search, at most.
 const ROUNDS: usize = 8;
+/// A round is more accurate than the best before it where its share is below this of that one's; after so many that are not, the
+/// search ends.
+const GAIN: f64 = 0.8;
+const IDLE_ROUNDS: usize = 2;
 /// By how much a round may refine or coarsen the mesh and the steps.
 const MOST_MESH: f64 = 3.0;
 const MOST_STEPS: f64 = 4.0;
@@ -73,103 +63,145 @@ const AIM: f64 = 0.9;
 /// Part of what is asked below which an error is smaller than it need be.
 const IDLE: f64 = 0.1;
 /// Searches mesh and steps for a request that asks for an accuracy.
-pub(super) fn search(request: &Request, accuracy: f64, cancel: &AtomicBool) -> Reached {
-    let begun = Instant::now();
-    let budget = request.case.solver.budget_s;
-    let mut fineness = OWN;
-    let mut best: Option<Round> = None;
-    let mut limit = format!("not in {ROUNDS} rounds");
-    let mut rounds = 0;
-    while rounds < ROUNDS && !cancel.load(Ordering::Relaxed) {
-        rounds += 1;
-        let next = match round(&request.case, fineness, accuracy, cancel) {
+pub(super) fn search(
+    request: &Request,
+    accuracy: f64,
+    cancel: &AtomicBool,
+    events: &mut dyn FnMut(JobEvent),
+) -> Reached {
+    let mut search = Search {
+        case: &request.case,
+        accuracy,
+        cancel,
+        deadline: Deadline::after(request.case.solver.budget_s.unwrap_or(BUDGET_S)),
+        fineness: OWN,
+        best: None,
+        rounds: 0,
+        idle: 0,
+    };
+    let limit = loop {
+        events(JobEvent::Searching(SearchProgress {
+            round: search.rounds + 1,
+            asked: accuracy,
+            reached: search
+                .best
+                .as_ref()
+                .map(|best| best.shares.reached() * accuracy),
+        }));
+        match search.advance() {
+            Ok(fineness) => search.fineness = fineness,
+            Err(limit) => break limit,
+        }
+    };
+    let spent = search.deadline.begun.elapsed().as_secs_f64();
+    let plural = if search.rounds == 1 { "" } else { "s" };
+    let cost = format!("{} round{plural}, {}", search.rounds, si(spent, "s"));
+    reached(request, accuracy, search.best, &cost, &limit)
+}
+
+/// A search while it lasts.
+struct Search<'a> {
+    case: &'a Case,
+    accuracy: f64,
+    cancel: &'a AtomicBool,
+    deadline: Deadline,
+    /// That of the round to come.
+    fineness: Fineness,
+    best: Option<Round>,
+    /// Rounds computed.
+    rounds: usize,
+    /// Those of them, at the end, that were hardly more accurate than the best before.
+    idle: usize,
+}
+
+impl Search<'_> {
+    /// Computes a round. Returns how fine the next one is, or why there is none.
+    fn advance(&mut self) -> Result<Fineness, String> {
+        self.rounds += 1;
+        let round = self.round();
+        let next = match round {
             Some(round) => {
-                let next = round.next();
-                let better = |best: &Round| round.shares.reached() < best.shares.reached();
-                let cost = round.cost_of(next);
-                if best.as_ref().is_none_or(better) {
-                    best = Some(round);
+                let (next, cost) = (round.next(), round.cost_of(round.next()));
+                self.keep(round);
+                if self.reached() <= 1.0 {
+                    return Err("reached".to_owned());
                 }
-                let spent = begun.elapsed().as_secs_f64();
-                if best
-                    .as_ref()
-                    .is_some_and(|best| best.shares.reached() <= 1.0)
-                {
-                    break;
-                }
-                if spent + cost > budget {
-                    limit = format!("the next round needs some {}", si(cost, "s"));
-                    break;
+                if self.deadline.left() < cost {
+                    return Err(format!("the next round needs some {}", si(cost, "s")));
                 }
                 next
             }
-            None => fineness.finer(1.0, 2.0),
+            None if self.deadline.left() > 0.0 => self.fineness.finer(1.0, 2.0),
+            None => return Err("its time is over".to_owned()),
         };
-        if next == fineness {
-            "its mesh or steps cannot be finer".clone_into(&mut limit);
-            break;
+        if self.cancel.load(Ordering::Relaxed) {
+            return Err("it was stopped".to_owned());
         }
-        fineness = next;
+        if self.idle >= IDLE_ROUNDS {
+            return Err("finer meshes and shorter steps make it no more accurate".to_owned());
+        }
+        if self.rounds == ROUNDS {
+            return Err(format!("not in {ROUNDS} rounds"));
+        }
+        if next == self.fineness {
+            return Err("its mesh or steps cannot be finer".to_owned());
+        }
+        Ok(next)
     }
-    let spent = begun.elapsed().as_secs_f64();
-    reached(
-        request,
-        accuracy,
-        best,
-        &format!("{rounds} rounds, {}", si(spent, "s")),
-        &limit,
-    )
+
+    /// The first round has all the time that it takes.
+    fn round(&self) -> Option<Round> {
+        let compute = |cancel: &AtomicBool| round(self.case, self.fineness, self.accuracy, cancel);
+        if self.rounds == 1 {
+            return compute(self.cancel);
+        }
+        self.deadline.watch(self.cancel, compute)
+    }
+
+    fn keep(&mut self, round: Round) {
+        let (best, share) = (self.reached(), round.shares.reached());
+        self.idle = if share < GAIN * best {
+            0
+        } else {
+            self.idle + 1
+        };
+        if share < best || self.best.is_none() {
+            self.best = Some(round);
+        }
+    }
+
+    /// The share of what is asked that the best round reaches; infinite without one.
+    fn reached(&self) -> f64 {
+        let best = self.best.as_ref();
+        best.map_or(f64::INFINITY, |best| best.shares.reached())
+    }
 }
 
 /// Computes a case as fine as this, and its errors; none where the run is not complete.
 fn round(case: &Case, fineness: Fineness, accuracy: f64, cancel: &AtomicBool) -> Option<Round> {
     let begun = Instant::now();
     let case = fineness.applied_to(case);
-    let run = compute(&case, Resolution::AS_SET, None, cancel, &mut |_| {});
-    if run.outcome.state != RunState::Done {
+    let mut record = EventRecord::new();
+    let computed = compute(&case, Resolution::AS_SET, None, cancel, &mut |event| {
+        record.push(event);
+    });
+    if computed.outcome.state != RunState::Done {
         return None;
     }
-    let estimates = error_estimate::estimate(&case, &run, cancel);
-    let shares = Shares::of(&case, &run, &estimates.summary, accuracy);
+    let estimates = error_estimate::estimate(&case, &computed, cancel);
+    let shares = Shares::of(&case, &computed, &estimates.summary, accuracy);
+    let run = EstimatedRun {
+        computed,
+        estimates,
+        events: record.finish(),
+    };
     Some(Round {
         fineness,
         case,
-        estimates,
+        run,
         shares,
         wall_s: begun.elapsed().as_secs_f64(),
     })
-}
-
-impl Fineness {
-    /// With so many times the segments, and steps so many times shorter.
-    fn finer(self, mesh: f64, steps: f64) -> Self {
-        Self {
-            mesh: self.mesh * mesh,
-            steps: self.steps / steps,
-        }
-    }
-
-    /// The case with this mesh and these steps. On a section with clumps the number of segments stays a multiple of its own, so that
-    /// they stay where they hang.
-    fn applied_to(self, case: &Case) -> Case {
-        let mut case = case.clone();
-        for section in &mut case.line {
-            let own = section.segments;
-            let hung = case
-                .clumps
-                .iter()
-                .any(|clump| clump.section == section.name);
-            section.segments = if hung {
-                own * (self.mesh.ceil() as usize).max(1)
-            } else {
-                (own as f64 * self.mesh).round() as usize
-            };
-        }
-        let solver = &mut case.solver;
-        solver.time_step_s = solver.time_step_s.map(|step| self.steps * step);
-        solver.step_tolerance *= self.steps.powi(3);
-        case
-    }
 }
 
 impl Round {
@@ -185,8 +217,16 @@ impl Round {
         } else {
             2.0
         };
-        let mesh = factor(self.shares.mesh, MESH_ORDER, MOST_MESH);
-        let steps = factor(self.shares.time, order, MOST_STEPS);
+        // Where either error is small enough in as many results as it must be, but not the sum, the greater one is as the sum.
+        let Shares { time, mesh, .. } = self.shares;
+        let sum = self.shares.reached();
+        let (time, mesh) = match time.max(mesh) {
+            greater if greater > AIM => (time, mesh),
+            greater if greater == time => (sum, mesh),
+            _ => (time, sum),
+        };
+        let mesh = factor(mesh, MESH_ORDER, MOST_MESH);
+        let steps = factor(time, order, MOST_STEPS);
         let next = self.fineness.finer(mesh, steps);
         Fineness {
             mesh: next.mesh.max(OWN.mesh),
@@ -205,218 +245,4 @@ impl Round {
         };
         self.wall_s * mesh * steps
     }
-}
-
-impl Shares {
-    fn of(case: &Case, run: &Computed, summary: &[Quantity], accuracy: f64) -> Self {
-        let scales = Scales {
-            case,
-            summary,
-            history: &run.record.history,
-        };
-        let counted = summary.iter().filter_map(|q| {
-            let allowed = accuracy * scales.of(q)?;
-            Some((q, allowed, q.error_estimate()? / allowed))
-        });
-        let counted: Vec<_> = counted.filter(|(.., share)| share.is_finite()).collect();
-        let mut all: Vec<_> = counted
-            .iter()
-            .map(|(q, _, share)| (*share, q.name()))
-            .collect();
-        all.sort_by(|a, b| a.0.total_cmp(&b.0));
-        // Either error may be half of what is asked; at rest there is one.
-        let parts = if case.solver.method == Method::Static {
-            1.0
-        } else {
-            2.0
-        };
-        let part = |error: fn(&Quantity) -> Option<f64>| {
-            let shares = counted
-                .iter()
-                .filter_map(|(q, allowed, _)| Some(parts * error(q)? / allowed));
-            let mut shares: Vec<f64> = shares.collect();
-            shares.sort_by(f64::total_cmp);
-            quantile(&shares)
-        };
-        Self {
-            time: part(|q| q.time_error),
-            mesh: part(|q| q.mesh_error),
-            all,
-        }
-    }
-
-    /// The share that [`WITHIN`] of the results reach.
-    fn reached(&self) -> f64 {
-        let shares: Vec<f64> = self.all.iter().map(|(share, _)| *share).collect();
-        quantile(&shares)
-    }
-
-    /// Results that are not as accurate as asked, the worst first.
-    fn missed(&self) -> impl Iterator<Item = &(f64, String)> {
-        self.all.iter().rev().take_while(|(share, _)| *share > 1.0)
-    }
-}
-
-/// The least of these sorted numbers that [`WITHIN`] of them do not exceed; zero of none.
-fn quantile(sorted: &[f64]) -> f64 {
-    let count = (WITHIN * sorted.len() as f64).ceil() as usize;
-    count.checked_sub(1).map_or(0.0, |last| sorted[last])
-}
-
-/// What results are a part of.
-struct Scales<'a> {
-    case: &'a Case,
-    summary: &'a [Quantity],
-    history: &'a History,
-}
-
-impl Scales<'_> {
-    /// The range of its channel; of what is at rest or along the line its magnitude; of a time the duration. None of
-    /// what is zero but for rounding, of places along the line, and of what is neither of a channel nor of the line.
-    fn of(&self, q: &Quantity) -> Option<f64> {
-        const ZERO: f64 = 1e-9;
-        let QuantityId::Statistic { of, statistic, .. } = &q.id else {
-            return None;
-        };
-        match statistic {
-            Statistic::TimeOfMax
-            | Statistic::TimeOfMin
-            | Statistic::SettlingTime
-            | Statistic::RiseTime => {
-                return Some(self.case.solver.duration_s);
-            }
-            // A place is known to a segment, whatever the forces are.
-            Statistic::ArcOfMax | Statistic::ArcOfMin => return None,
-            _ => {}
-        }
-        let unit = q.unit();
-        let same_unit = self.summary.iter().filter(|other| other.unit() == unit);
-        let largest = same_unit.map(|other| other.value.abs()).fold(0.0, f64::max);
-        let scale = match of {
-            Subject::Channel(_) => self.range(q).max(q.value.abs() * self.at_rest(q)),
-            Subject::Line(_) => self.magnitude(of),
-            _ => return None,
-        };
-        (scale > ZERO * largest).then_some(scale)
-    }
-
-    /// One for a channel that does not move, else zero.
-    fn at_rest(&self, q: &Quantity) -> f64 {
-        const STILL: f64 = 1e-6;
-        f64::from(u8::from(self.range(q) <= STILL * q.value.abs()))
-    }
-
-    /// The range of the channel that a result is taken of.
-    fn range(&self, q: &Quantity) -> f64 {
-        let QuantityId::Statistic {
-            of: Subject::Channel(id),
-            ..
-        } = &q.id
-        else {
-            return 0.0;
-        };
-        let channel = self
-            .history
-            .channels
-            .iter()
-            .find(|channel| channel.id == *id);
-        channel.map_or(0.0, |channel| channel.peak.0 - channel.trough.0)
-    }
-
-    /// The largest result of a subject.
-    fn magnitude(&self, of: &Subject) -> f64 {
-        let same = self.summary.iter().filter(|q| {
-            matches!(&q.id, QuantityId::Statistic { of: other, statistic, .. }
-                if other == of && !matches!(statistic, Statistic::ArcOfMax | Statistic::ArcOfMin))
-        });
-        same.map(|q| q.value.abs()).fold(0.0, f64::max)
-    }
-}
-
-/// The request with what was found, and what that is in words.
-fn reached(
-    request: &Request,
-    accuracy: f64,
-    best: Option<Round>,
-    cost: &str,
-    limit: &str,
-) -> Reached {
-    let Some(best) = best else {
-        return Reached {
-            request: request.clone(),
-            estimates: None,
-            words: format!("{accuracy} asked; no run was complete ({cost})"),
-            failure: Some(format!(
-                "the accuracy of {accuracy} is not reached: no run of the search was complete"
-            )),
-        };
-    };
-    let share = best.shares.reached();
-    let missed: Vec<String> = best.shares.missed().map(|(_, name)| name.clone()).collect();
-    let count = best.shares.all.len();
-    let settings = settings(request, &best.case);
-    let list: Vec<String> = settings
-        .iter()
-        .map(|(key, value)| format!("{key}={value}"))
-        .collect();
-    let words = format!(
-        "{accuracy} asked; {:.2e} reached by 95 % of {count} results, {} of them are within; {} ({cost})",
-        share * accuracy,
-        count - missed.len(),
-        list.join(", "),
-    );
-    let failure = (share > 1.0).then(|| {
-        let few: Vec<&str> = missed.iter().take(3).map(String::as_str).collect();
-        let more = missed.len() - few.len();
-        let and = if more > 0 { format!(" and {more} more") } else { String::new() };
-        format!(
-            "the accuracy of {accuracy} is not reached ({limit}): {:.1e} is; {}{and} are less accurate",
-            share * accuracy,
-            few.join(", ")
-        )
-    });
-    let edits: Vec<(&str, &str)> = settings
-        .iter()
-        .map(|(key, value)| (key.as_str(), value.as_str()))
-        .collect();
-    let mut request = request.clone();
-    if let Ok(text) = edit::set_all(&request.text, &edits) {
-        request.text = text;
-    }
-    request.overrides.extend(list);
-    request.case = best.case;
-    Reached {
-        request,
-        estimates: Some(best.estimates),
-        words,
-        failure,
-    }
-}
-
-/// The keys of mesh and steps, with their values.
-fn settings(request: &Request, found: &Case) -> Vec<(String, String)> {
-    let mut keys: Vec<(String, String)> = Vec::new();
-    for (own, section) in request.case.line.iter().zip(&found.line) {
-        if own.segments != section.segments {
-            keys.push((
-                format!("line.{}.segments", section.name),
-                section.segments.to_string(),
-            ));
-        }
-    }
-    let solver = &found.solver;
-    if solver.method == Method::Alpha && solver.time_step_s.is_none() {
-        keys.push((
-            "solver.step_tolerance".to_owned(),
-            format!("{:?}", solver.step_tolerance),
-        ));
-    }
-    if let Some(step) = solver.time_step_s {
-        keys.push(("solver.time_step_s".to_owned(), format!("{step:?}")));
-    }
-    keys.push((
-        "solver.method".to_owned(),
-        super::settings::method_name(solver.method).to_owned(),
-    ));
-    keys
 }

@@ -1,11 +1,13 @@
 //! What a job reports while it computes.
 
-use super::{Checkpoint, OutputFrame, Run};
+use super::{Checkpoint, OutputFrame, Run, SearchProgress};
 use crate::case::ChannelId;
 
 /// What a job reports while it computes.
 #[derive(Debug, Clone, PartialEq)]
 pub enum JobEvent {
+    /// A round of the search for an accuracy begins.
+    Searching(SearchProgress),
     /// The computation begins; these channels will be recorded.
     Started {
         /// In the order of [`OutputFrame::values`].

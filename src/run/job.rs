@@ -8,6 +8,7 @@ use std::time::{Instant, SystemTime};
 use crossbeam_channel::Sender;
 
 use super::compute::{Computed, Resolution, compute};
+use super::error_estimate::ErrorEstimates;
 pub use super::event::JobEvent;
 use super::observer::RunRecord;
 use super::store::rfc3339;
@@ -129,16 +130,17 @@ pub fn execute_from(
         .solver
         .accuracy
         .filter(|_| from.is_none() && !stopped);
-    let mut reached = accuracy.map(|accuracy| accuracy::search(request, accuracy, cancel));
-    let known = reached
-        .as_mut()
-        .and_then(|reached| reached.estimates.take());
+    let mut reached = accuracy.map(|accuracy| accuracy::search(request, accuracy, cancel, events));
+    let found = reached.as_mut().and_then(|reached| reached.run.take());
     let request = reached.as_ref().map_or(request, |reached| &reached.request);
     let case = &request.case;
-    let mut computed = if stopped {
-        Computed::stopped()
-    } else {
-        compute(case, Resolution::AS_SET, from, cancel, events)
+    let (mut computed, known) = match found {
+        _ if stopped => (Computed::stopped(), None),
+        Some(found) => computed_of(found, case, cancel, events),
+        None => (
+            compute(case, Resolution::AS_SET, from, cancel, events),
+            None,
+        ),
     };
     let companions = Instant::now();
     let done = computed.outcome.state == RunState::Done;
@@ -170,6 +172,23 @@ pub fn execute_from(
     }
     computed.settings.error_method = estimates.method;
     assemble(request, computed, started, estimates.summary)
+}
+
+/// The run that a search ended with, its events sent again; computed anew where they were not kept. With its errors.
+fn computed_of(
+    found: accuracy::EstimatedRun,
+    case: &Case,
+    cancel: &AtomicBool,
+    events: &mut dyn FnMut(JobEvent),
+) -> (Computed, Option<ErrorEstimates>) {
+    let computed = match found.events {
+        Some(kept) => {
+            kept.into_iter().for_each(events);
+            found.computed
+        }
+        None => compute(case, Resolution::AS_SET, None, cancel, events),
+    };
+    (computed, Some(found.estimates))
 }
 
 /// The request with the method that the program chooses where its case leaves the choice open, and the reason.

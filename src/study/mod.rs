@@ -1,6 +1,7 @@
 //! Studies over many lines: hard cases, each computed by every method that applies and compared with expected values;
 //! tables of lines at rest; speed against error of one case.
 
+pub mod accuracy;
 pub mod bars;
 pub mod hard_cases;
 pub mod lines;

@@ -4,8 +4,10 @@ use crate::lines;
 use std::sync::atomic::AtomicBool;
 
 use seacable::case::{self, Case};
+use seacable::run::event::JobEvent;
 use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
+use seacable::study::accuracy::{self, AccuracyTrial};
 
 /// A heaved line of few segments.
 fn request(solver: &str) -> Request {
@@ -107,4 +109,68 @@ fn what_a_budget_does_not_allow_is_said_and_the_best_is_kept() {
     assert!(warning.contains("next round needs"), "{warning}");
     assert_eq!(found(&run).line[0].segments, 6);
     assert!(run.summary.iter().any(|q| q.error_estimate().is_some()));
+}
+
+/// The rounds are told as they come; the run that is kept is reported once, whole.
+#[test]
+fn a_search_tells_its_rounds_and_reports_one_run() {
+    let (mut rounds, mut started, mut frames) = (Vec::new(), 0, 0);
+    let run = execute(
+        &request("accuracy = 2e-3"),
+        &AtomicBool::new(false),
+        &mut |event| match event {
+            JobEvent::Searching(search) => rounds.push(search),
+            JobEvent::Started { .. } => started += 1,
+            JobEvent::Frame(_) => frames += 1,
+            _ => {}
+        },
+    );
+    assert_eq!((started, frames), (1, run.history.time.len()));
+    assert!(
+        rounds.len() > 1 && rounds[0].reached.is_none(),
+        "{rounds:?}"
+    );
+    let words = rounds[1].to_string();
+    assert!(words.starts_with("accuracy 2e-3: round 2, "), "{words}");
+}
+
+#[test]
+fn the_study_finds_it_met_and_a_cheapest_setting() {
+    let mut request = request("method = \"alpha\"");
+    request.case.line[0].segments = 24;
+    let trial = AccuracyTrial {
+        name: "line".to_owned(),
+        text: case::write(&request.case),
+        case: request.case,
+        asked: 3e-2,
+        budget_s: 20.0,
+    };
+    let found = accuracy::check(&trial, &AtomicBool::new(false)).unwrap();
+    assert!(found.said && found.results > 20, "{found:?}");
+    assert!(20 * found.within >= 19 * found.results, "{found:?}");
+    let (_, cheapest) = found.cheapest.unwrap();
+    assert!(cheapest > 0.0 && cheapest < found.cpu_s);
+}
+
+/// Where nothing moves, forces across that are zero but for rounding are a part of the weight.
+#[test]
+fn forces_that_are_zero_are_a_part_of_those_that_are_not() {
+    let case = lines::line(
+        r#"
+        materials.rope = { mass_kg_per_m = 12.0 }
+        line = { length_m = 60.0, segments = 6 }
+        ends.a = { kind = "fixed" }
+        ends.b = { name = "load", kind = "payload" }
+        payload = { dry_mass_kg = 100.0, wet_mass_kg = 100.0, added_mass_kg = 0.0, drag_area_m2 = 1.0 }
+        solver = { method = "static", accuracy = 1e-2 }
+        "#,
+    );
+    let run = computed(&Request {
+        text: case::write(&case),
+        case,
+        ..request("accuracy = 2e-3")
+    });
+    let words = run.info.settings.accuracy.clone().unwrap();
+    assert!(words.contains("(1 round,"), "{words}");
+    assert!(!run.info.warnings.iter().any(|w| w.contains("not reached")));
 }

@@ -65,7 +65,7 @@ table! {
         /// Refine mesh and steps until 95 % of the results err by less than this share of their channel's range.
         accuracy: Option<f64>, "accuracy", range of(1e-7, 0.5), absent "mesh and steps as set";
         /// Wall time after which the search for an accuracy takes no dearer round.
-        budget_s: f64 = 60.0, "budget", range positive(1e6);
+        budget_s: Option<f64>, "budget", range positive(1e6), absent "60 s";
     }
 }
 

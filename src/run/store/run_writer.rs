@@ -117,7 +117,7 @@ impl RunWriter {
             JobEvent::Frame(frame) => self.frame(frame),
             JobEvent::Checkpoint(checkpoint) => self.checkpoint(checkpoint),
             JobEvent::Estimating => self.flush(),
-            JobEvent::Finished(_) => Ok(()),
+            JobEvent::Searching(_) | JobEvent::Finished(_) => Ok(()),
         }
     }
 

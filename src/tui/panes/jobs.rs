@@ -68,7 +68,9 @@ fn job_words(line: &JobLine) -> String {
             format!("{:.0} of {:.0} trials", p.time, p.duration)
         }
         JobState::Running if p.estimating => "estimating errors".to_owned(),
-        JobState::Running if p.steps == 0 => "starting".to_owned(),
+        JobState::Running if p.steps == 0 => p
+            .search
+            .map_or_else(|| "starting".to_owned(), |search| search.to_string()),
         JobState::Running => {
             let left = p.remaining_s();
             let left = left.map_or_else(String::new, |s| format!(", {} left", number::duration(s)));

@@ -21,7 +21,15 @@ pub(super) fn event(state: &mut AppState, ticket: JobNumber, event: JobEvent) ->
     let live = is_live(state, ticket);
     match event {
         JobEvent::Finished(run) => return finished(state, ticket, Arc::from(run), live),
+        JobEvent::Searching(search) => {
+            if let Some(line) = state.jobs.get_mut(ticket) {
+                line.progress.search = Some(search);
+            }
+        }
         JobEvent::Started { channels } => {
+            if let Some(line) = state.jobs.get_mut(ticket) {
+                line.progress.search = None;
+            }
             if let Some(curves) = curves(state, ticket, live) {
                 curves.begin(channels);
             }

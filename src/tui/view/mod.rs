@@ -130,7 +130,10 @@ impl Painter<'_> {
             return fitting(room, &[format!("{what}: estimating errors"), what]);
         }
         if p.steps == 0 {
-            return fitting(room, &[format!("{what}: starting"), what]);
+            let doing = p
+                .search
+                .map_or_else(|| "starting".to_owned(), |search| search.to_string());
+            return fitting(room, &[format!("{what}: {doing}"), what]);
         }
         let left = p.remaining_s().map_or_else(
             || "starting".to_owned(),

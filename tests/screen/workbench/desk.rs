@@ -172,7 +172,7 @@ impl Desk {
                     duration: 600.0,
                     steps: 10 * i as u64,
                     wall_s: *time / 100.0,
-                    estimating: false,
+                    ..Progress::default()
                 },
             };
             self.tell(Msg::Job(ticket, Box::new(JobEvent::Frame(Box::new(frame)))));

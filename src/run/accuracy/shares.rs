@@ -1,0 +1,73 @@
+//! Estimated errors of results as shares of what is asked of them.
+
+use crate::case::{Case, Method};
+use crate::run::Quantity;
+use crate::run::compute::Computed;
+use crate::run::result_scale::Scales;
+
+/// Share of the results that must be as accurate as asked.
+const WITHIN: f64 = 0.95;
+/// Errors of results by what is asked of them.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Shares {
+    /// Of the results that count, from the smallest to the greatest.
+    pub(super) all: Vec<(f64, String)>,
+    pub(super) time: f64,
+    pub(super) mesh: f64,
+}
+
+impl Shares {
+    pub(super) fn of(case: &Case, run: &Computed, summary: &[Quantity], accuracy: f64) -> Self {
+        let scales = Scales {
+            case,
+            summary,
+            history: &run.record.history,
+        };
+        let counted = summary.iter().filter_map(|q| {
+            let allowed = accuracy * scales.of(q)?;
+            Some((q, allowed, q.error_estimate()? / allowed))
+        });
+        let counted: Vec<_> = counted.filter(|(.., share)| share.is_finite()).collect();
+        let mut all: Vec<_> = counted
+            .iter()
+            .map(|(q, _, share)| (*share, q.name()))
+            .collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        // Either error may be half of what is asked; at rest there is one.
+        let parts = if case.solver.method == Method::Static {
+            1.0
+        } else {
+            2.0
+        };
+        let part = |error: fn(&Quantity) -> Option<f64>| {
+            let shares = counted
+                .iter()
+                .filter_map(|(q, allowed, _)| Some(parts * error(q)? / allowed));
+            let mut shares: Vec<f64> = shares.collect();
+            shares.sort_by(f64::total_cmp);
+            quantile(&shares)
+        };
+        Self {
+            time: part(|q| q.time_error),
+            mesh: part(|q| q.mesh_error),
+            all,
+        }
+    }
+
+    /// The share that [`WITHIN`] of the results reach.
+    pub(super) fn reached(&self) -> f64 {
+        let shares: Vec<f64> = self.all.iter().map(|(share, _)| *share).collect();
+        quantile(&shares)
+    }
+
+    /// Results that are not as accurate as asked, the worst first.
+    pub(super) fn missed(&self) -> impl Iterator<Item = &(f64, String)> {
+        self.all.iter().rev().take_while(|(share, _)| *share > 1.0)
+    }
+}
+
+/// The least of these sorted numbers that [`WITHIN`] of them do not exceed; zero of none.
+pub(super) fn quantile(sorted: &[f64]) -> f64 {
+    let count = (WITHIN * sorted.len() as f64).ceil() as usize;
+    count.checked_sub(1).map_or(0.0, |last| sorted[last])
+}

@@ -1,0 +1,274 @@
+//! Accuracy as an input, held against the truth: what a search for it found, beside a run on twice the mesh with a time error four
+//! times as small, and what it cost, beside the cheapest of some settings that are as accurate.
+//!
+//! A setting is as accurate as asked where [`WITHIN`] of its results are, as shares of what [`result_scales`] says.
+
+use std::sync::atomic::AtomicBool;
+
+use rayon::prelude::*;
+use rustix::time::{ClockId, clock_gettime};
+
+use crate::case::{self, Case};
+use crate::numerics::statistics::median;
+use crate::report::table::{NumberFormat, Table};
+use crate::run::job::{self, Request};
+use crate::run::{QuantityId, Run, RunState, result_scales};
+
+/// Share of the results that must be as accurate as asked.
+pub const WITHIN: f64 = 0.95;
+/// The mesh of the run that counts as true by that found, and its steps.
+const FINER_MESH: usize = 2;
+const SHORTER_STEPS: f64 = 0.5;
+/// Segments and steps of the settings compared with, by those of the case.
+const MESHES: [f64; 3] = [0.5, 1.0, 2.0];
+const STEPS: [f64; 5] = [8.0, 4.0, 2.0, 1.0, 0.5];
+
+/// A case and the accuracy asked of it.
+#[derive(Debug, Clone)]
+pub struct AccuracyTrial {
+    /// The case's name.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+    /// What it says.
+    pub case: Case,
+    /// The accuracy asked, as a share.
+    pub asked: f64,
+    /// Wall time that the search may take \[s\].
+    pub budget_s: f64,
+}
+
+/// What came of a trial.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AccuracyFinding {
+    /// The case's name.
+    pub name: String,
+    /// The accuracy asked.
+    pub asked: f64,
+    /// Whether the run says that it is reached.
+    pub said: bool,
+    /// Results that have an accuracy.
+    pub results: usize,
+    /// Those that are as accurate as asked.
+    pub within: usize,
+    /// CPU time of the search, its run included \[s\].
+    pub cpu_s: f64,
+    /// The cheapest setting that is as accurate, in words, and its CPU time \[s\]; none where none of those tried is.
+    pub cheapest: Option<(String, f64)>,
+}
+
+impl AccuracyFinding {
+    /// CPU time by that of the cheapest setting.
+    #[must_use]
+    pub fn cost(&self) -> Option<f64> {
+        self.cheapest.as_ref().map(|(_, cpu)| self.cpu_s / cpu)
+    }
+}
+
+/// A trial, and what came of it or why nothing did.
+pub type AccuracyRow = (AccuracyTrial, Result<AccuracyFinding, String>);
+
+/// Searches, and holds against the truth. The search is computed alone, so that its CPU time is that of the process.
+///
+/// # Errors
+/// The reason for which the search or the run that counts as true did not come to its end.
+pub fn check(trial: &AccuracyTrial, cancel: &AtomicBool) -> Result<AccuracyFinding, String> {
+    let mut asked = trial.case.clone();
+    asked.solver.accuracy = Some(trial.asked);
+    asked.solver.budget_s = Some(trial.budget_s);
+    let begun = cpu(ClockId::ProcessCPUTime);
+    let run = run(asked, &trial.text, cancel)?;
+    let cpu_s = cpu(ClockId::ProcessCPUTime) - begun;
+    let found = case::parse(&run.case_text, &trial.name).map_err(|_| "its case is not read")?;
+    let exact = self::run(finer(&found), "", cancel).map_err(|why| format!("true run: {why}"))?;
+    let judge = Judge {
+        scales: result_scales(&found, &run),
+        exact: &exact,
+        asked: trial.asked,
+    };
+    let (results, within) = judge.count(&run);
+    Ok(AccuracyFinding {
+        name: trial.name.clone(),
+        asked: trial.asked,
+        said: !run
+            .info
+            .warnings
+            .iter()
+            .any(|w| w.contains("is not reached")),
+        results,
+        within,
+        cpu_s,
+        cheapest: cheapest(&trial.case, &judge, cancel),
+    })
+}
+
+/// Holds runs against the true one.
+struct Judge<'a> {
+    scales: Vec<(QuantityId, f64)>,
+    exact: &'a Run,
+    asked: f64,
+}
+
+impl Judge<'_> {
+    /// Results that have an accuracy, and those of them that are as accurate as asked.
+    fn count(&self, run: &Run) -> (usize, usize) {
+        let value = |run: &Run, id: &QuantityId| {
+            let found = run.summary.iter().find(|q| q.id == *id);
+            found.map(|q| q.value)
+        };
+        let share = |(id, scale): &(QuantityId, f64)| {
+            Some((value(run, id)? - value(self.exact, id)?).abs() / scale)
+        };
+        let shares: Vec<f64> = self.scales.iter().filter_map(share).collect();
+        let within = shares.iter().filter(|share| **share <= self.asked).count();
+        (shares.len(), within)
+    }
+
+    fn is_met(&self, run: &Run) -> bool {
+        let (results, within) = self.count(run);
+        within as f64 >= WITHIN * results as f64
+    }
+}
+
+/// The cheapest of the settings that are as accurate as asked.
+fn cheapest(case: &Case, judge: &Judge<'_>, cancel: &AtomicBool) -> Option<(String, f64)> {
+    let settings = MESHES
+        .iter()
+        .flat_map(|mesh| STEPS.map(|steps| (*mesh, steps)));
+    let settings: Vec<(f64, f64)> = settings.collect();
+    let met = settings.into_par_iter().filter_map(|(mesh, steps)| {
+        let begun = cpu(ClockId::ThreadCPUTime);
+        let run = run(with(case, mesh, steps), "", cancel).ok()?;
+        let spent = cpu(ClockId::ThreadCPUTime) - begun;
+        let words = format!("{mesh} x segments, {steps} x steps");
+        judge.is_met(&run).then_some((words, spent))
+    });
+    met.min_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+fn finer(found: &Case) -> Case {
+    with(found, FINER_MESH as f64, SHORTER_STEPS)
+}
+
+/// The case with these segments and steps by its own, without a search or bars.
+fn with(case: &Case, mesh: f64, steps: f64) -> Case {
+    let mut case = case.clone();
+    for section in &mut case.line {
+        section.segments = ((section.segments as f64 * mesh).ceil() as usize).max(1);
+    }
+    let solver = &mut case.solver;
+    solver.accuracy = None;
+    solver.error_estimate = false;
+    // The error in a step grows with one power more than that of the run.
+    solver.step_tolerance = (solver.step_tolerance * steps.powi(3)).min(1.0);
+    solver.time_step_s = solver.time_step_s.map(|step| step * steps);
+    case
+}
+
+fn run(case: Case, text: &str, cancel: &AtomicBool) -> Result<Run, String> {
+    let request = Request {
+        case,
+        text: text.to_owned(),
+        file: String::new(),
+        overrides: Vec::new(),
+        id: "accuracy".to_owned(),
+    };
+    let run = job::execute(&request, cancel, &mut |_| {});
+    match run.info.state {
+        RunState::Done => Ok(run),
+        _ => Err(run.info.failure.unwrap_or_else(|| "stopped".to_owned())),
+    }
+}
+
+/// CPU time by this clock \[s\].
+fn cpu(clock: ClockId) -> f64 {
+    let t = clock_gettime(clock);
+    t.tv_sec as f64 + 1e-9 * t.tv_nsec as f64
+}
+
+/// The table: a row a trial.
+#[must_use]
+pub fn table(rows: &[AccuracyRow]) -> Table {
+    let found = |row: &AccuracyRow| row.1.as_ref().ok().cloned();
+    Table::of("Accuracy asked, and the true one", rows)
+        .text("case", |row| row.0.name.clone())
+        .number("asked", NumberFormat::Digits(2, ""), |row| row.0.asked)
+        .text("said", move |row| match found(row) {
+            Some(found) if found.said => "reached".to_owned(),
+            Some(_) => "not reached".to_owned(),
+            None => String::new(),
+        })
+        .number("results", NumberFormat::Decimals(0, ""), move |row| {
+            found(row).map(|found| found.results as f64)
+        })
+        .number("within", NumberFormat::Percent, move |row| {
+            let found = found(row).filter(|found| found.results > 0)?;
+            Some(found.within as f64 / found.results as f64)
+        })
+        .number("CPU", NumberFormat::Digits(3, "s"), move |row| {
+            found(row).map(|found| found.cpu_s)
+        })
+        .number("cheapest", NumberFormat::Digits(3, "s"), move |row| {
+            found(row)?.cheapest.map(|(_, cpu)| cpu)
+        })
+        .number("CPU by it", NumberFormat::Digits(2, ""), move |row| {
+            found(row)?.cost()
+        })
+        .text("its setting", move |row| {
+            found(row)
+                .and_then(|found| found.cheapest)
+                .map_or_else(String::new, |(words, _)| words)
+        })
+        .text("not computed", |row| {
+            row.1.as_ref().err().cloned().unwrap_or_default()
+        })
+        .build()
+}
+
+/// All trials of each accuracy together.
+#[must_use]
+pub fn totals(rows: &[AccuracyRow]) -> Table {
+    let mut asked: Vec<f64> = rows.iter().map(|(trial, _)| trial.asked).collect();
+    asked.sort_by(|a, b| b.total_cmp(a));
+    asked.dedup();
+    let of = |asked: f64| {
+        let all = rows.iter().filter_map(|(_, found)| found.as_ref().ok());
+        all.filter(|found| found.asked == asked).cloned().collect()
+    };
+    let totals: Vec<(f64, Vec<AccuracyFinding>)> =
+        asked.into_iter().map(|asked| (asked, of(asked))).collect();
+    let share = |found: &[AccuracyFinding], said: bool| {
+        let counted = || found.iter().filter(|found| found.said || !said);
+        let results: usize = counted().map(|found| found.results).sum();
+        let within: usize = counted().map(|found| found.within).sum();
+        (results > 0).then(|| within as f64 / results as f64)
+    };
+    Table::of("All of them", &totals)
+        .number("asked", NumberFormat::Digits(2, ""), |row| row.0)
+        .number("cases", NumberFormat::Decimals(0, ""), |row| {
+            row.1.len() as f64
+        })
+        .number("said reached", NumberFormat::Decimals(0, ""), |row| {
+            row.1.iter().filter(|found| found.said).count() as f64
+        })
+        .number("results within", NumberFormat::Percent, move |row| {
+            share(&row.1, false)
+        })
+        .number("of those said reached", NumberFormat::Percent, move |row| {
+            share(&row.1, true)
+        })
+        .number(
+            "median of CPU by the cheapest",
+            NumberFormat::Digits(2, ""),
+            |row| median(row.1.iter().filter_map(AccuracyFinding::cost).collect()),
+        )
+        .number(
+            "at most three times",
+            NumberFormat::Decimals(0, ""),
+            |row| {
+                let costs = row.1.iter().filter_map(AccuracyFinding::cost);
+                costs.filter(|cost| *cost <= 3.0).count() as f64
+            },
+        )
+        .build()
+}
