@@ -9,6 +9,7 @@ mod deadline;
 mod event_record;
 mod fineness;
 mod reached;
+mod section_errors;
 mod shares;
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -23,10 +24,11 @@ use crate::case::{Case, Method};
 use crate::number::si;
 use deadline::Deadline;
 use event_record::EventRecord;
-use fineness::{Fineness, OWN};
+use fineness::Fineness;
 pub(super) use reached::Reached;
 use reached::reached;
-use shares::Shares;
+use section_errors::{factors, section_errors};
+use shares::{AllowedErrors, Shares};
 
 /// A run of the search.
 pub(super) struct EstimatedRun {
@@ -58,6 +60,8 @@ const MOST_MESH: f64 = 3.0;
 const MOST_STEPS: f64 = 4.0;
 /// The order that segments are refined by: lower than that of the mesh, which bends, the bed and joints do not leave as it is.
 const MESH_ORDER: f64 = 1.5;
+/// Part of what the finest mesh of a round takes away that is aimed at by refining some sections more than others.
+const ONE_ROUND: f64 = 0.8;
 /// Part of what is asked that an error is brought to.
 const AIM: f64 = 0.9;
 /// Part of what is asked below which an error is smaller than it need be.
@@ -74,7 +78,7 @@ pub(super) fn search(
         accuracy,
         cancel,
         deadline: Deadline::after(request.case.solver.budget_s.unwrap_or(BUDGET_S)),
-        fineness: OWN,
+        fineness: Fineness::own(&request.case),
         best: None,
         rounds: 0,
         idle: 0,
@@ -121,17 +125,22 @@ impl Search<'_> {
         let round = self.round();
         let next = match round {
             Some(round) => {
-                let (next, cost) = (round.next(), round.cost_of(round.next()));
-                self.keep(round);
-                if self.reached() <= 1.0 {
+                if round.shares.reached() <= 1.0 {
+                    self.keep(round);
                     return Err("reached".to_owned());
                 }
+                let next = |cancel: &AtomicBool| round.next(self.accuracy, cancel);
+                let next = self.deadline.watch(self.cancel, next);
+                let cost = round.cost_of(self.case, &next);
+                self.keep(round);
                 if self.deadline.left() < cost {
                     return Err(format!("the next round needs some {}", si(cost, "s")));
                 }
                 next
             }
-            None if self.deadline.left() > 0.0 => self.fineness.finer(1.0, 2.0),
+            None if self.deadline.left() > 0.0 => {
+                self.fineness.finer(&vec![1.0; self.case.line.len()], 2.0)
+            }
             None => return Err("its time is over".to_owned()),
         };
         if self.cancel.load(Ordering::Relaxed) {
@@ -151,7 +160,8 @@ impl Search<'_> {
 
     /// The first round has all the time that it takes.
     fn round(&self) -> Option<Round> {
-        let compute = |cancel: &AtomicBool| round(self.case, self.fineness, self.accuracy, cancel);
+        let compute =
+            |cancel: &AtomicBool| round(self.case, self.fineness.clone(), self.accuracy, cancel);
         if self.rounds == 1 {
             return compute(self.cancel);
         }
@@ -206,7 +216,7 @@ fn round(case: &Case, fineness: Fineness, accuracy: f64, cancel: &AtomicBool) ->
 
 impl Round {
     /// How fine the next round is: by which the errors would be a little smaller than asked.
-    fn next(&self) -> Fineness {
+    fn next(&self, accuracy: f64, cancel: &AtomicBool) -> Fineness {
         let factor = |share: f64, order: f64, most: f64| match share / AIM {
             share if share > 1.0 => share.powf(1.0 / order).min(most),
             share if share < IDLE => (share / IDLE).powf(1.0 / order).max(1.0 / most),
@@ -225,18 +235,42 @@ impl Round {
             greater if greater == time => (sum, mesh),
             _ => (time, sum),
         };
-        let mesh = factor(mesh, MESH_ORDER, MOST_MESH);
         let steps = factor(time, order, MOST_STEPS);
-        let next = self.fineness.finer(mesh, steps);
-        Fineness {
-            mesh: next.mesh.max(OWN.mesh),
-            steps: next.steps.min(OWN.steps),
+        self.fineness
+            .finer(&self.refined(mesh, accuracy, cancel), steps)
+    }
+
+    /// By how many times each section has more segments where the mesh error is this share of what is asked.
+    fn refined(&self, share: f64, accuracy: f64, cancel: &AtomicBool) -> Vec<f64> {
+        let (excess, summary) = (share / AIM, &self.run.estimates.summary);
+        if excess <= 1.0 {
+            return vec![1.0; self.case.line.len()];
+        }
+        let allowed = AllowedErrors::of(&self.case, &self.run.computed, summary, accuracy);
+        match section_errors(&self.case, &allowed, cancel) {
+            Some(parts) => {
+                // No more than one round can take away, lest every section become as fine as it may.
+                let excess = excess.min(ONE_ROUND * MOST_MESH.powf(MESH_ORDER));
+                let errors: Vec<f64> = parts.iter().map(|part| part * excess).collect();
+                let segments = self.case.line.iter().map(|section| section.segments);
+                factors(
+                    &errors,
+                    &segments.collect::<Vec<_>>(),
+                    MESH_ORDER,
+                    MOST_MESH,
+                )
+            }
+            None => {
+                let factor = excess.powf(1.0 / MESH_ORDER).min(MOST_MESH);
+                vec![factor; self.case.line.len()]
+            }
         }
     }
 
     /// Wall time that a round as fine as this would take \[s\].
-    fn cost_of(&self, next: Fineness) -> f64 {
-        let mesh = next.mesh / self.fineness.mesh;
+    fn cost_of(&self, case: &Case, next: &Fineness) -> f64 {
+        let segments = |case: &Case| crate::scene::mesh::segments(case, 1) as f64;
+        let mesh = segments(&next.applied_to(case)) / segments(&self.case);
         // Explicit steps are as short as the segments, whatever is asked.
         let steps = match self.case.solver.method {
             Method::Rk4 => mesh,

@@ -174,3 +174,29 @@ fn forces_that_are_zero_are_a_part_of_those_that_are_not() {
     assert!(words.contains("(1 round,"), "{words}");
     assert!(!run.info.warnings.iter().any(|w| w.contains("not reached")));
 }
+
+/// The coarse section is refined, the fine one much less.
+#[test]
+fn segments_go_where_the_error_is_made() {
+    let case = lines::line(
+        r#"
+        environment.water_density_kg_per_m3 = 1025.0
+        materials.rope = { mass_kg_per_m = 12.0, drag_normal = 1.2 }
+        line = [
+            { name = "long", material = "rope", length_m = 50.0, segments = 5 },
+            { name = "short", material = "rope", length_m = 10.0, segments = 10 },
+        ]
+        ends.a = { kind = "moving", amplitude_m = [0.4, 0.0, 0.5], period_s = 4.0, ramp_s = 4.0 }
+        ends.b = { name = "foot", kind = "anchor", position_m = [30.0, 0.0, -40.0] }
+        solver = { accuracy = 5e-3, duration_s = 12.0 }
+        "#,
+    );
+    let run = computed(&Request {
+        text: case::write(&case),
+        case,
+        ..request("accuracy = 5e-3")
+    });
+    let segments: Vec<usize> = found(&run).line.iter().map(|s| s.segments).collect();
+    let (long, short) = (segments[0] as f64 / 5.0, segments[1] as f64 / 10.0);
+    assert!(long > 4.0 * short, "{segments:?}");
+}

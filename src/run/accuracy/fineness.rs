@@ -3,42 +3,43 @@
 use crate::case::Case;
 
 /// Mesh and steps by those of the case.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Fineness {
-    /// Segments by those of the case.
-    pub(super) mesh: f64,
+    /// Segments of every section by those of the case.
+    pub(super) mesh: Vec<f64>,
     /// Length of the steps by that of the case.
     pub(super) steps: f64,
 }
 
-/// Where a search begins.
-pub(super) const OWN: Fineness = Fineness {
-    mesh: 1.0,
-    steps: 1.0,
-};
 impl Fineness {
-    /// With so many times the segments, and steps so many times shorter.
-    pub(super) fn finer(self, mesh: f64, steps: f64) -> Self {
+    /// As the case sets it.
+    pub(super) fn own(case: &Case) -> Self {
         Self {
-            mesh: self.mesh * mesh,
-            steps: self.steps / steps,
+            mesh: vec![1.0; case.line.len()],
+            steps: 1.0,
+        }
+    }
+
+    /// With so many times the segments on each section, and steps so many times shorter; nothing coarser than the case.
+    pub(super) fn finer(&self, mesh: &[f64], steps: f64) -> Self {
+        let mesh = self.mesh.iter().zip(mesh);
+        Self {
+            mesh: mesh.map(|(now, by)| (now * by).max(1.0)).collect(),
+            steps: (self.steps / steps).min(1.0),
         }
     }
 
     /// The case with this mesh and these steps. On a section with clumps the number of segments stays a multiple of its own, so that
     /// they stay where they hang.
-    pub(super) fn applied_to(self, case: &Case) -> Case {
+    pub(super) fn applied_to(&self, case: &Case) -> Case {
         let mut case = case.clone();
-        for section in &mut case.line {
+        for (section, mesh) in case.line.iter_mut().zip(&self.mesh) {
             let own = section.segments;
-            let hung = case
-                .clumps
-                .iter()
-                .any(|clump| clump.section == section.name);
-            section.segments = if hung {
-                own * (self.mesh.ceil() as usize).max(1)
+            let mut clumps = case.clumps.iter();
+            section.segments = if clumps.any(|clump| clump.section == section.name) {
+                own * mesh.ceil() as usize
             } else {
-                (own as f64 * self.mesh).round() as usize
+                (own as f64 * mesh).round() as usize
             };
         }
         let solver = &mut case.solver;

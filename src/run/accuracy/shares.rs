@@ -1,12 +1,43 @@
 //! Estimated errors of results as shares of what is asked of them.
 
 use crate::case::{Case, Method};
-use crate::run::Quantity;
 use crate::run::compute::Computed;
+use crate::run::error_estimate::without_errors;
 use crate::run::result_scale::Scales;
+use crate::run::{Quantity, QuantityId};
 
 /// Share of the results that must be as accurate as asked.
 const WITHIN: f64 = 0.95;
+/// What every result that counts may err by.
+pub(super) struct AllowedErrors(Vec<(QuantityId, f64)>);
+
+impl AllowedErrors {
+    pub(super) fn of(case: &Case, run: &Computed, summary: &[Quantity], accuracy: f64) -> Self {
+        let scales = Scales {
+            case,
+            summary,
+            history: &run.record.history,
+        };
+        let allowed = summary
+            .iter()
+            .filter_map(|q| Some((q.id.clone(), accuracy * scales.of(q)?)));
+        Self(allowed.collect())
+    }
+
+    /// What two runs differ by as a share of what is allowed, in [`WITHIN`] of the results.
+    pub(super) fn difference(&self, a: &Computed, b: &Computed) -> f64 {
+        let (a, b) = (without_errors(a).summary, without_errors(b).summary);
+        let value =
+            |list: &[Quantity], id: &QuantityId| list.iter().find(|q| q.id == *id).map(|q| q.value);
+        let share = |(id, allowed): &(QuantityId, f64)| {
+            Some((value(&a, id)? - value(&b, id)?).abs() / allowed)
+        };
+        let mut shares: Vec<f64> = self.0.iter().filter_map(share).collect();
+        shares.sort_by(f64::total_cmp);
+        quantile(&shares)
+    }
+}
+
 /// Errors of results by what is asked of them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shares {
