@@ -9,6 +9,7 @@ mod field;
 mod json_schema;
 mod range;
 mod tables;
+mod typed_number;
 mod value;
 mod words;
 

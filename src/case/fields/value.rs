@@ -2,6 +2,7 @@
 
 use std::ops::Range as Span;
 
+use super::typed_number::TypedNumber;
 use super::words::{is_name_letter, nearest};
 use super::{Field, ValueType, either, number, quantity};
 use crate::case::tree::{TomlData, TomlNode};
@@ -105,22 +106,45 @@ fn one_number(field: &Field, node: &TomlNode) -> Result<(), ValueError> {
 
 /// `length_m = "25 m"`: says how to write the number that stands in the text.
 fn number_in_quotes(field: &Field, node: &TomlNode, text: &str) -> ValueError {
-    let digits = text
-        .trim()
-        .trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.');
-    let Ok(value) = digits.parse::<f64>() else {
+    let Some(typed) = TypedNumber::read(text, field.unit) else {
         return wrong_type(field, node, "a number");
     };
     let in_unit = match field.unit {
         "" | "-" => String::new(),
-        unit => format!(", with the value in {unit}"),
+        unit => format!(" in {unit}"),
     };
-    let remedy = format!(
-        "write it without quotes and without a unit{in_unit}: {} = {}",
-        field.key(),
-        number(value)
-    );
-    fault(node, "must be a number, and is text", remedy)
+    let (how, value) = match typed {
+        TypedNumber::Plain(value) if in_unit.is_empty() => (
+            "write it without quotes and without a unit".to_owned(),
+            value,
+        ),
+        TypedNumber::Plain(value) => {
+            let how =
+                format!("write it without quotes and without a unit, with the value{in_unit}");
+            (how, value)
+        }
+        TypedNumber::Converted(value) => (
+            format!("write the value{in_unit}, without quotes and without a unit"),
+            value,
+        ),
+        TypedNumber::Comma(value) => ("write it with a decimal point".to_owned(), value),
+        TypedNumber::Computed(value) => (
+            "write the result, nothing is computed here".to_owned(),
+            value,
+        ),
+        TypedNumber::UnknownUnit => {
+            let remedy = format!("write the value{in_unit}, without quotes and without a unit");
+            return fault(node, "must be a number, and is text", remedy);
+        }
+    };
+    let remedy = format!("{how}: {} = {}", field.key(), number(value));
+    match typed {
+        TypedNumber::Comma(_) | TypedNumber::Computed(_) => {
+            let shown = text.trim().escape_default();
+            fault(node, format!("is not a number: {shown}"), remedy)
+        }
+        _ => fault(node, "must be a number, and is text", remedy),
+    }
 }
 
 fn whole_number(field: &Field, node: &TomlNode) -> Result<(), ValueError> {

@@ -43,6 +43,35 @@ fn unit_in_the_value() {
 }
 
 #[test]
+fn a_number_as_one_types_it() {
+    for (typed, problem, remedy) in [
+        (
+            "0.5 km",
+            "must be a number, and is text",
+            "the value in m, without quotes and without a unit: length_m = 500",
+        ),
+        (
+            "5 furlongs",
+            "must be a number, and is text",
+            "the value in m, without quotes and without a unit",
+        ),
+        (
+            "1,5",
+            "is not a number: 1,5",
+            "with a decimal point: length_m = 1.5",
+        ),
+        (
+            "2*250",
+            "is not a number: 2*250",
+            "the result, nothing is computed here: length_m = 500",
+        ),
+    ] {
+        let fault = spoilt("length_m = 80.0", &format!("length_m = \"{typed}\""));
+        assert_fault(&fault, (18, 12), "line.upper.length_m", problem, remedy);
+    }
+}
+
+#[test]
 fn table_written_as_a_value() {
     let fault = spoilt(
         "[marks]\n\"payload.drag_area_m2\" = { status = \"assumed\", reason = \"a guess\" }",
