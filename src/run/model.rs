@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::QuantityId;
+use super::{QuantityId, SearchProgress};
 use crate::case::{ChannelId, ChannelQuantity};
 
 /// Version of the program, written into every run.
@@ -444,28 +444,6 @@ pub struct Progress {
     pub estimating: bool,
     /// How far the search for its mesh and steps is, while it lasts.
     pub search: Option<SearchProgress>,
-}
-
-/// How far the search for an accuracy is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SearchProgress {
-    /// The round that begins, from 1.
-    pub round: usize,
-    /// The accuracy asked.
-    pub asked: f64,
-    /// The best reached so far, once a round is complete.
-    pub reached: Option<f64>,
-}
-
-impl std::fmt::Display for SearchProgress {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { round, asked, .. } = self;
-        write!(f, "accuracy {asked:e}: round {round}")?;
-        match self.reached {
-            Some(reached) => write!(f, ", {reached:.1e} reached"),
-            None => Ok(()),
-        }
-    }
 }
 
 impl Progress {

@@ -38,7 +38,7 @@ pub struct AccuracyTrial {
     pub budget_s: f64,
 }
 
-/// What came of a trial.
+/// The outcome of a trial.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AccuracyFinding {
     /// The case's name.
@@ -65,7 +65,7 @@ impl AccuracyFinding {
     }
 }
 
-/// A trial, and what came of it or why nothing did.
+/// A trial with its outcome, or the reason why it has none.
 pub type AccuracyRow = (AccuracyTrial, Result<AccuracyFinding, String>);
 
 /// Searches, and holds against the truth. The search is computed alone, so that its CPU time is that of the process.
