@@ -43,6 +43,7 @@ struct Round {
     fineness: Fineness,
     case: Case,
     run: EstimatedRun,
+    allowed: AllowedErrors,
     shares: Shares,
     wall_s: f64,
 }
@@ -66,6 +67,7 @@ const ONE_ROUND: f64 = 0.8;
 const AIM: f64 = 0.9;
 /// Part of what is asked below which an error is smaller than it need be.
 const IDLE: f64 = 0.1;
+
 /// Searches mesh and steps for a request that asks for an accuracy.
 pub(super) fn search(
     request: &Request,
@@ -129,7 +131,7 @@ impl Search<'_> {
                     self.keep(round);
                     return Err("reached".to_owned());
                 }
-                let next = |cancel: &AtomicBool| round.next(self.accuracy, cancel);
+                let next = |cancel: &AtomicBool| round.next(cancel);
                 let next = self.deadline.watch(self.cancel, next);
                 let cost = round.cost_of(self.case, &next);
                 self.keep(round);
@@ -199,7 +201,8 @@ fn round(case: &Case, fineness: Fineness, accuracy: f64, cancel: &AtomicBool) ->
         return None;
     }
     let estimates = error_estimate::estimate(&case, &computed, cancel);
-    let shares = Shares::of(&case, &computed, &estimates.summary, accuracy);
+    let allowed = AllowedErrors::of(&case, &computed, &estimates.summary, accuracy);
+    let shares = Shares::of(&case, &allowed, &estimates.summary);
     let run = EstimatedRun {
         computed,
         estimates,
@@ -209,6 +212,7 @@ fn round(case: &Case, fineness: Fineness, accuracy: f64, cancel: &AtomicBool) ->
         fineness,
         case,
         run,
+        allowed,
         shares,
         wall_s: begun.elapsed().as_secs_f64(),
     })
@@ -216,7 +220,7 @@ fn round(case: &Case, fineness: Fineness, accuracy: f64, cancel: &AtomicBool) ->
 
 impl Round {
     /// How fine the next round is: by which the errors would be a little smaller than asked.
-    fn next(&self, accuracy: f64, cancel: &AtomicBool) -> Fineness {
+    fn next(&self, cancel: &AtomicBool) -> Fineness {
         let factor = |share: f64, order: f64, most: f64| match share / AIM {
             share if share > 1.0 => share.powf(1.0 / order).min(most),
             share if share < IDLE => (share / IDLE).powf(1.0 / order).max(1.0 / most),
@@ -236,18 +240,16 @@ impl Round {
             _ => (time, sum),
         };
         let steps = factor(time, order, MOST_STEPS);
-        self.fineness
-            .finer(&self.refined(mesh, accuracy, cancel), steps)
+        self.fineness.finer(&self.refined(mesh, cancel), steps)
     }
 
     /// By how many times each section has more segments where the mesh error is this share of what is asked.
-    fn refined(&self, share: f64, accuracy: f64, cancel: &AtomicBool) -> Vec<f64> {
-        let (excess, summary) = (share / AIM, &self.run.estimates.summary);
+    fn refined(&self, share: f64, cancel: &AtomicBool) -> Vec<f64> {
+        let excess = share / AIM;
         if excess <= 1.0 {
             return vec![1.0; self.case.line.len()];
         }
-        let allowed = AllowedErrors::of(&self.case, &self.run.computed, summary, accuracy);
-        match section_errors(&self.case, &allowed, cancel) {
+        match section_errors(&self.case, &self.allowed, cancel) {
             Some(parts) => {
                 // No more than one round can take away, lest every section become as fine as it may.
                 let excess = excess.min(ONE_ROUND * MOST_MESH.powf(MESH_ORDER));

@@ -8,6 +8,7 @@ use crate::run::{Quantity, QuantityId};
 
 /// Share of the results that must be as accurate as asked.
 const WITHIN: f64 = 0.95;
+
 /// What every result that counts may err by.
 pub(super) struct AllowedErrors(Vec<(QuantityId, f64)>);
 
@@ -48,15 +49,10 @@ pub(super) struct Shares {
 }
 
 impl Shares {
-    pub(super) fn of(case: &Case, run: &Computed, summary: &[Quantity], accuracy: f64) -> Self {
-        let scales = Scales {
-            case,
-            summary,
-            history: &run.record.history,
-        };
-        let counted = summary.iter().filter_map(|q| {
-            let allowed = accuracy * scales.of(q)?;
-            Some((q, allowed, q.error_estimate()? / allowed))
+    pub(super) fn of(case: &Case, allowed: &AllowedErrors, summary: &[Quantity]) -> Self {
+        let counted = allowed.0.iter().filter_map(|(id, allowed)| {
+            let q = summary.iter().find(|q| q.id == *id)?;
+            Some((q, *allowed, q.error_estimate()? / allowed))
         });
         let counted: Vec<_> = counted.filter(|(.., share)| share.is_finite()).collect();
         let mut all: Vec<_> = counted
