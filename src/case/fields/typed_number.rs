@@ -42,10 +42,11 @@ impl TypedNumber {
         let unit = plain(unit);
         let rest = rest.trim();
         if let Some(decimals) = rest.strip_prefix(',') {
-            let digits = !decimals.is_empty() && decimals.bytes().all(|b| b.is_ascii_digit());
-            return digits
-                .then(|| text.trim().replace(',', ".").parse().ok())?
-                .map(Self::Comma);
+            // `1,500` may be either of 1.5 and 1500.
+            let is_clear = !decimals.is_empty() && decimals.len() != 3;
+            let digits = is_clear && decimals.bytes().all(|b| b.is_ascii_digit());
+            let value = text.trim().replace(',', ".").parse().ok();
+            return value.filter(|_| digits).map(Self::Comma);
         }
         if rest.starts_with(['*', '/']) {
             return computed(value, rest).map(Self::Computed);
@@ -144,6 +145,7 @@ mod tests {
             ("2*", "m", None),
             ("1/0", "m", None),
             ("1,5,2", "m", None),
+            ("1,500", "m", None),
             ("5 furlongs", "m", Some(UnknownUnit)),
             ("2 km2", "m²", Some(UnknownUnit)),
             ("inf", "m", None),
