@@ -24,6 +24,18 @@ pub fn digests(case: &Case) -> BTreeMap<String, String> {
     named.map(digest).collect()
 }
 
+/// The digest of a text, by which texts are known to be the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct TextDigest(pub u64);
+
+impl TextDigest {
+    /// The digest of this text.
+    #[must_use]
+    pub fn of(text: &str) -> Self {
+        Self(fnv1a(text.as_bytes()))
+    }
+}
+
 /// The case without all that changes no state of its line.
 fn physics(case: &Case) -> Case {
     let mut kept = case.clone();

@@ -33,7 +33,7 @@ pub use attachments::stand_alone;
 pub use channel_id::{ChannelId, ChannelNameError, ChannelQuantity};
 pub use channels::{ChannelLocation, ChannelSpec, LineEnd, channels};
 pub use diagnostic::{Diagnostic, render_all};
-pub use digest::digests;
+pub use digest::{TextDigest, digests};
 pub use kind::LoadedFile;
 pub use line_quantity::{EnergyQuantity, LineQuantity, STEADY};
 pub use model::*;

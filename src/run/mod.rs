@@ -13,6 +13,7 @@ mod decimation;
 mod energy_balance;
 mod error_estimate;
 pub mod event;
+pub mod index;
 mod initial_equilibrium;
 pub mod job;
 pub mod limits;

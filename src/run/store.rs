@@ -10,6 +10,7 @@
 //! | `history.csv` | `time_s` and one column a channel, at the output times |
 //! | `profile.csv` | the line node by node at the end, and its envelope over time |
 //! | `ropes.csv` | dynamic stiffness along the ropes that have it, at the end, and its envelope over time |
+//! | `notes.toml` | the name, tags and note that the user gave the run, where there are any |
 //! | `checkpoint.toml` | everything that is needed to resume the run |
 //! | `shapes.csv` | `time_s,node,x_m,y_m,z_m,tension_n`: stored shapes one after the other |
 //!
@@ -27,6 +28,7 @@ mod create;
 mod history_csv;
 mod list;
 mod lock;
+mod notes;
 mod number;
 mod profile_csv;
 mod read;
@@ -43,6 +45,7 @@ pub use create::RunLocation;
 pub(in crate::run) use history_csv::HistoryReader;
 pub use list::{StoredRun, list};
 pub use lock::is_locked;
+pub use notes::RunNotes;
 pub use read::{case_text, read, read_info, resume};
 pub use run_writer::{RunWriter, save};
 pub(in crate::run) use shapes_csv::ShapeReader;
@@ -61,10 +64,11 @@ pub(crate) const PROFILE: &str = "profile.csv";
 pub(crate) const ROPES: &str = "ropes.csv";
 pub(crate) const SHAPES: &str = "shapes.csv";
 pub(crate) const CHECKPOINT: &str = "checkpoint.toml";
+pub(crate) const NOTES: &str = "notes.toml";
 
 /// All files of a run.
-pub(crate) const FILES: [&str; 10] = [
-    CASE, RUN, SUMMARY, ERRORS, CHANNELS, HISTORY, PROFILE, ROPES, SHAPES, CHECKPOINT,
+pub(crate) const FILES: [&str; 11] = [
+    CASE, RUN, SUMMARY, ERRORS, CHANNELS, HISTORY, PROFILE, ROPES, SHAPES, CHECKPOINT, NOTES,
 ];
 
 /// Why a run cannot be written or read.
