@@ -2,7 +2,7 @@
 //! sent; a bounded channel makes the solver wait for its receiver, a receiver that is gone does not.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Instant, SystemTime};
 
 use crossbeam_channel::Sender;
@@ -16,6 +16,7 @@ use super::{
     Cost, Quantity, ResumedRun, Run, RunInfo, RunState, Settings, VERSION, Work, accuracy,
     energy_balance, error_estimate, limits, settings,
 };
+use crate::background::lower_priority;
 use crate::case::{Case, Method, stand_alone};
 use crate::scene;
 
@@ -59,51 +60,27 @@ impl Request {
     }
 }
 
-/// Names a job among all of this process.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct JobId(pub u64);
-
-/// A running job. Dropping it does not stop it.
-#[derive(Debug, Clone)]
-pub struct Job {
-    /// Its name.
-    pub id: JobId,
-    cancel: Arc<AtomicBool>,
-}
-
-impl Job {
-    /// Asks the job to stop after the step it is at.
-    pub fn cancel(&self) {
-        self.cancel.store(true, Ordering::Relaxed);
-    }
-}
-
-/// Starts a thread that computes the request, or resumes an earlier run of it, and sends its events with the name of the
-/// job. The last one is always [`JobEvent::Finished`].
+/// Starts a thread of lower priority that computes the request, or resumes an earlier run of it, until `cancel` is set, and
+/// sends its events. The last one is always [`JobEvent::Finished`].
 ///
 /// # Errors
 /// When the system gives no thread.
 pub fn start(
     request: Request,
     from: Option<ResumedRun>,
-    events: Sender<(JobId, JobEvent)>,
-) -> std::io::Result<Job> {
-    static NEXT: AtomicU64 = AtomicU64::new(1);
-    let id = JobId(NEXT.fetch_add(1, Ordering::Relaxed));
-    let cancel = Arc::new(AtomicBool::new(false));
-    let job = Job {
-        id,
-        cancel: Arc::clone(&cancel),
-    };
+    cancel: Arc<AtomicBool>,
+    events: Sender<JobEvent>,
+) -> std::io::Result<()> {
     std::thread::Builder::new()
-        .name(format!("job-{}", id.0))
+        .name(format!("job {}", request.id))
         .spawn(move || {
+            lower_priority();
             // A channel that nobody listens to any more is no reason to stop early.
-            let mut send = |event| drop(events.send((id, event)));
+            let mut send = |event| drop(events.send(event));
             let run = execute_from(&request, from.as_ref(), &cancel, &mut send);
             send(JobEvent::Finished(Box::new(run)));
         })?;
-    Ok(job)
+    Ok(())
 }
 
 /// Computes a request, with its companions if the case asks for error estimates. A failure is reported in the run,

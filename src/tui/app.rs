@@ -1,13 +1,13 @@
 //! The loop of the workbench: terminal, signals and jobs in; frames out; and every way to end.
 
 use std::any::Any;
+use std::collections::VecDeque;
 use std::io;
 use std::os::fd::AsFd;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use crossbeam_channel::Sender;
 use crossterm::clipboard::CopyToClipboard;
 use crossterm::{Command, style};
 use rustix::io::Errno;
@@ -16,6 +16,7 @@ use rustix::process::{
 };
 
 use super::effects::EffectRunner;
+use super::effects::outbox::Outbox;
 use super::key::KeyPress;
 use super::msg::{Effect, Msg};
 use super::state::{AppState, Overlay, Question, Severity};
@@ -25,8 +26,10 @@ use super::terminal::screen::{Screen, restore};
 use super::terminal::signals::{Signal, Signals};
 use super::terminal::wait::{read, wait};
 use super::{case_library, draw, external_editor, recovery, update};
+use crate::background::lower_priority;
 use crate::files::Target;
 use crate::report::chart::Glyphs;
+use crate::run::job::JobEvent;
 
 /// How the workbench is opened.
 #[derive(Debug, Clone, Default)]
@@ -69,15 +72,14 @@ enum ExitReason {
     HangUp,
 }
 
-/// Time between frames, and the longest wait for the rest of an escape sequence.
+/// Time between frames, those that show what was asked for and those that show what jobs record; and the longest wait for the
+/// rest of an escape sequence.
 #[derive(Debug, Clone, Copy)]
 struct Timing {
+    answer: Duration,
     frame: Duration,
     escape: Duration,
 }
-
-/// How often jobs are listened to while any runs.
-const LISTEN: Duration = Duration::from_millis(30);
 
 /// Opens the workbench, and returns when the user quits.
 ///
@@ -95,17 +97,22 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
         // selection away as well.
         style::force_color_output(true);
     }
-    let mut effects = EffectRunner::new(dir);
-    guard_panics(effects.sender());
+    let mut effects = EffectRunner::new(dir)?;
+    guard_panics(effects.outbox());
+    // What solvers share their work with goes behind the screen as they do; a pool that exists already stays as it is.
+    let pool = rayon::ThreadPoolBuilder::new().start_handler(|_| lower_priority());
+    drop(pool.build_global());
     let signals = Signals::register()?;
     let mut screen = Screen::enter()?;
     let pace = if options.slow_link {
         Timing {
+            answer: Duration::from_millis(100),
             frame: Duration::from_millis(250),
             escape: Duration::from_millis(400),
         }
     } else {
         Timing {
+            answer: Duration::ZERO,
             frame: Duration::from_millis(100),
             escape: Duration::from_millis(80),
         }
@@ -118,9 +125,11 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
         effects: &mut effects,
         pace,
         capabilities,
+        typed: VecDeque::new(),
         may_panic: std::env::var_os("SEACABLE_MAY_PANIC").is_some(),
     };
     let ended = panic::catch_unwind(AssertUnwindSafe(|| app.run(file)));
+    effects.finish(LAST_FILES);
     finish(ended)
 }
 
@@ -195,7 +204,7 @@ fn whereto(options: &WorkbenchOptions) -> Result<(PathBuf, Option<PathBuf>), Ope
 
 /// A panic of the screen restores the terminal before it is reported; a panic of a job is reported on the
 /// screen, which keeps running.
-fn guard_panics(sender: Sender<Msg>) {
+fn guard_panics(out: Outbox) {
     let screen_thread = std::thread::current().id();
     let tell = panic::take_hook();
     panic::set_hook(Box::new(move |info| {
@@ -204,9 +213,45 @@ fn guard_panics(sender: Sender<Msg>) {
             tell(info);
         } else {
             let words = format!("A fault in seacable: {info}");
-            drop(sender.send(Msg::Say(Severity::Error, words)));
+            out.send(Msg::Say(Severity::Error, words));
         }
     }));
+}
+
+/// How long keys wait for a file; those typed later than that after it was asked for go to what is there.
+const KEY_HOLD: Duration = Duration::from_millis(400);
+
+fn is_typed(message: &Msg) -> bool {
+    matches!(message, Msg::Key(_) | Msg::Paste(_))
+}
+
+/// How long the first frame waits for the files that it shows.
+const FIRST_FRAME: Duration = Duration::from_millis(300);
+
+/// How long a frame waits for files.
+const KEPT_FIRST: Duration = Duration::from_millis(8);
+
+/// How long the end of the program waits for files that are still to be written.
+const LAST_FILES: Duration = Duration::from_secs(5);
+
+/// When a frame is due.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Due {
+    /// At once: a key was pressed, or something that was asked for is there.
+    Now,
+    /// Not more often than needed to see that jobs go on.
+    Sometime,
+}
+
+impl Due {
+    /// When what a message says is to be seen.
+    fn of(message: &Msg) -> Self {
+        match message {
+            Msg::Recorded(..) | Msg::TrialProgress(..) => Self::Sometime,
+            Msg::Job(_, event) if !matches!(**event, JobEvent::Finished(_)) => Self::Sometime,
+            _ => Self::Now,
+        }
+    }
 }
 
 struct App<'a> {
@@ -216,6 +261,8 @@ struct App<'a> {
     effects: &'a mut EffectRunner,
     pace: Timing,
     capabilities: Capabilities,
+    /// Keys and pastes that wait for a file.
+    typed: VecDeque<Msg>,
     /// Lets the tests see that a panic gives the terminal back.
     may_panic: bool,
 }
@@ -227,39 +274,73 @@ impl App<'_> {
         if self.capabilities.unsure {
             self.state.overlay = Some(Overlay::Ask(Question::Glyphs));
         }
-        let first = [Some(Effect::ReadCases), file.map(Effect::ReadCase)];
-        let mut end = self.perform(first.into_iter().flatten().collect())?;
+        let mut end = self.begin(file)?;
         let mut decoder = Decoder::default();
-        let mut dirty = true;
+        let mut due = Some(Due::Now);
         let mut drawn: Option<Instant> = None;
         while end.is_none() {
-            let since = drawn.map_or(Duration::MAX, |at| at.elapsed());
-            if dirty && since >= self.pace.frame {
+            if due.is_some_and(|due| self.wait_for(due, drawn).is_zero()) {
+                // What the screen shows as edited is kept for recovery already, unless the disk is slow.
+                self.effects.finish(KEPT_FIRST);
                 self.screen.draw(|frame| draw(&self.state, frame))?;
                 drawn = Some(Instant::now());
-                dirty = false;
+                due = None;
             }
-            let limit = self.limit(dirty, drawn, decoder.waiting());
+            let limit = self.limit(due.map(|due| self.wait_for(due, drawn)), decoder.waiting());
             let (messages, ended) = self.listen(&mut decoder, limit)?;
-            dirty |= !messages.is_empty();
             end = ended;
-            for message in messages {
-                if end.is_none() {
-                    end = self.take(message)?;
-                }
+            let (typed, heard): (Vec<Msg>, Vec<Msg>) = messages.into_iter().partition(is_typed);
+            self.typed.extend(typed);
+            for message in heard {
+                due = Some(Due::of(&message)).into_iter().chain(due).min();
+                end = end.or(self.take(message)?);
+            }
+            while end.is_none() && self.key_hold().is_none() {
+                let Some(key) = self.typed.pop_front() else {
+                    break;
+                };
+                due = Some(Due::Now);
+                end = self.take(key)?;
             }
         }
         Ok(end.unwrap_or(ExitReason::Quit))
     }
 
+    /// How long keys typed ahead still wait for the file that an earlier one asked for, which they are meant for.
+    fn key_hold(&self) -> Option<Duration> {
+        let left = KEY_HOLD.checked_sub(self.effects.files_busy_for()?)?;
+        (!left.is_zero()).then_some(left)
+    }
+
+    /// Asks for what the first frame shows, and waits for it, unless the disk is slow.
+    fn begin(&mut self, file: Option<PathBuf>) -> io::Result<Option<ExitReason>> {
+        let (first, later) = match file {
+            Some(path) => (Effect::ReadCase(path), Some(Effect::ReadCases)),
+            None => (Effect::ReadCases, None),
+        };
+        let mut end = self.perform(vec![first])?;
+        self.effects.finish(FIRST_FRAME);
+        for message in self.effects.poll() {
+            end = end.or(self.take(message)?);
+        }
+        Ok(end.or(self.perform(later.into_iter().collect())?))
+    }
+
+    /// How long a frame that is due has to wait after the last one.
+    fn wait_for(&self, due: Due, drawn: Option<Instant>) -> Duration {
+        let pause = match due {
+            Due::Now => self.pace.answer,
+            Due::Sometime => self.pace.frame,
+        };
+        drawn.map_or(Duration::ZERO, |at| pause.saturating_sub(at.elapsed()))
+    }
+
     /// How long nothing needs to be done.
-    fn limit(&self, dirty: bool, drawn: Option<Instant>, waiting: bool) -> Option<Duration> {
-        let frame = drawn
-            .filter(|_| dirty)
-            .map(|at| self.pace.frame.saturating_sub(at.elapsed()));
+    fn limit(&self, frame: Option<Duration>, waiting: bool) -> Option<Duration> {
         let escape = waiting.then_some(self.pace.escape);
-        let jobs = self.effects.busy().then_some(LISTEN);
-        [frame, escape, jobs].into_iter().flatten().min()
+        let jobs = self.effects.recording().then_some(self.pace.frame);
+        let keys = self.key_hold().filter(|_| !self.typed.is_empty());
+        [frame, escape, jobs, keys].into_iter().flatten().min()
     }
 
     /// Waits, and returns what happened.
@@ -270,7 +351,12 @@ impl App<'_> {
     ) -> io::Result<(Vec<Msg>, Option<ExitReason>)> {
         let began = Instant::now();
         let terminal = io::stdin();
-        let woken = wait(terminal.as_fd(), self.signals.fd(), limit)?;
+        let woken = wait(
+            terminal.as_fd(),
+            self.signals.fd(),
+            self.effects.fd(),
+            limit,
+        )?;
         if woken.hung_up {
             return Ok((Vec::new(), Some(ExitReason::HangUp)));
         }

@@ -1,19 +1,25 @@
 //! Files and threads: does what the effects ask for, and answers with messages.
 
+mod file_worker;
 mod open;
+pub mod outbox;
 mod runs;
 mod trial_worker;
 
 use std::collections::HashMap;
 use std::io;
+use std::os::fd::BorrowedFd;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
 
-use crossbeam_channel::{Receiver, Sender, bounded, unbounded};
+use crossbeam_channel::{Receiver, bounded};
 
+use self::file_worker::FileWorker;
 use self::open::read_case;
+use self::outbox::{Inbox, Outbox};
 use self::runs::{delete_run, keep_run, list_runs};
 use self::trial_worker::compute_trials;
 use super::case_library;
@@ -23,9 +29,10 @@ use super::recovery;
 use super::state::modes::COUNT;
 use super::state::trials::TrialsOf;
 use super::state::{JobNumber, RunCurves, Severity};
+use crate::background::lower_priority;
 use crate::case;
 use crate::modes;
-use crate::run::job::{self, Job, JobEvent, JobId, Request};
+use crate::run::job::{self, JobEvent, Request};
 use crate::run::store::{self, RunLocation, RunWriter};
 use crate::run::{ResumedRun, resume_request};
 use crate::ship::DynamicAnalysis;
@@ -34,20 +41,19 @@ use crate::ship::DynamicAnalysis;
 #[derive(Debug)]
 pub struct EffectRunner {
     dir: PathBuf,
-    sender: Sender<Msg>,
-    receiver: Receiver<Msg>,
+    out: Outbox,
+    inbox: Inbox,
+    files: FileWorker,
     jobs: HashMap<JobNumber, RunningJob>,
     /// The trials that compute, and the flag that stops them.
     trials: Option<(JobNumber, Arc<AtomicBool>)>,
-    /// Threads that read or work something out aside.
-    aside: Arc<AtomicUsize>,
 }
 
 /// A running job, and what it has recorded since the screen last asked. However long the screen takes, that stays within
 /// bounds.
 #[derive(Debug)]
 struct RunningJob {
-    job: Job,
+    cancel: Arc<AtomicBool>,
     fresh: Arc<Mutex<RunCurves>>,
 }
 
@@ -56,23 +62,42 @@ const AHEAD: usize = 256;
 
 impl EffectRunner {
     /// A world that lists the cases of a directory.
-    #[must_use]
-    pub fn new(dir: PathBuf) -> Self {
-        let (sender, receiver) = unbounded();
-        Self {
+    ///
+    /// # Errors
+    /// The system gives no socket.
+    pub fn new(dir: PathBuf) -> io::Result<Self> {
+        let (out, inbox) = Inbox::new()?;
+        Ok(Self {
             dir,
-            sender,
-            receiver,
+            files: FileWorker::start(out.clone()),
+            out,
+            inbox,
             jobs: HashMap::new(),
             trials: None,
-            aside: Arc::default(),
-        }
+        })
     }
 
     /// Where other threads send what happened.
     #[must_use]
-    pub fn sender(&self) -> Sender<Msg> {
-        self.sender.clone()
+    pub fn outbox(&self) -> Outbox {
+        self.out.clone()
+    }
+
+    /// Readable when another thread has said something.
+    #[must_use]
+    pub fn fd(&self) -> BorrowedFd<'_> {
+        self.inbox.fd()
+    }
+
+    /// For how long files have been read or written without a pause; nothing when all is done.
+    #[must_use]
+    pub fn files_busy_for(&self) -> Option<Duration> {
+        self.files.busy_for()
+    }
+
+    /// Waits until all files are read and written that were asked for, or the time is up.
+    pub fn finish(&self, limit: Duration) {
+        self.files.finish(limit);
     }
 
     /// What jobs said since the last call.
@@ -83,7 +108,7 @@ impl EffectRunner {
             Some(Msg::Recorded(*ticket, Box::new(curves.take()?)))
         });
         let fresh: Vec<Msg> = fresh.collect();
-        let mut heard: Vec<Msg> = self.receiver.try_iter().collect();
+        let mut heard = self.inbox.take();
         for msg in &heard {
             let ended = match msg {
                 Msg::Job(ticket, event) if matches!(**event, JobEvent::Finished(_)) => Some(ticket),
@@ -98,28 +123,23 @@ impl EffectRunner {
         heard
     }
 
-    /// True while another thread may still say something.
+    /// True while a job records curves, which are asked for.
     #[must_use]
-    pub fn busy(&self) -> bool {
-        !self.jobs.is_empty() || self.aside.load(Ordering::SeqCst) > 0 || !self.receiver.is_empty()
+    pub fn recording(&self) -> bool {
+        !self.jobs.is_empty()
     }
 
     /// Does something on a thread of its own, so that the screen does not wait for it.
     fn aside(&self, work: impl FnOnce() -> Msg + Send + 'static) -> Vec<Msg> {
-        let (out, count) = (self.sender.clone(), Arc::clone(&self.aside));
-        count.fetch_add(1, Ordering::SeqCst);
+        let out = self.out.clone();
         let started = std::thread::Builder::new().spawn(move || {
-            drop(out.send(work()));
-            count.fetch_sub(1, Ordering::SeqCst);
+            lower_priority();
+            out.send(work());
         });
-        match started {
-            Ok(_) => Vec::new(),
-            Err(error) => {
-                self.aside.fetch_sub(1, Ordering::SeqCst);
-                let words = format!("The system gives no thread: {error}.");
-                vec![Msg::Say(Severity::Error, words)]
-            }
-        }
+        started.err().map_or_else(Vec::new, |error| {
+            let words = format!("The system gives no thread: {error}.");
+            vec![Msg::Say(Severity::Error, words)]
+        })
     }
 
     /// Does what the effect asks for. Effects of the terminal itself are not for here.
@@ -151,40 +171,10 @@ impl EffectRunner {
         }
     }
 
-    /// Effects that read or write files and answer at once.
+    /// Effects that read or write files.
     fn files(&self, effect: Effect) -> Vec<Msg> {
-        let answer = match effect {
-            Effect::ReadCases => Msg::CasesRead(self.dir.clone(), case_library::list(&self.dir)),
-            Effect::ReadCase(path) => read_case(&path),
-            Effect::SaveCase {
-                path,
-                text,
-                expected,
-                new,
-            } => save_case(path, text, expected.as_deref(), new),
-            Effect::KeepRecovery { path, text } => {
-                let kept = recovery::store(&path, text.as_deref());
-                return warning(kept, "The unsaved changes cannot be kept for recovery");
-            }
-            Effect::DropRecovery(path) => {
-                let dropped = recovery::discard(&path);
-                return warning(dropped, "The kept changes cannot be dropped");
-            }
-            Effect::RememberGlyphs(glyphs) => {
-                let kept = recovery::remember_glyphs(glyphs);
-                return warning(kept, "The choice cannot be remembered");
-            }
-            Effect::PrepareResume(dir, until) => {
-                let found = resume_request(&dir, Some(until)).map(Box::new);
-                Msg::ResumeReady(dir, until, found)
-            }
-            Effect::ListRuns(files) => Msg::RunsListed(list_runs(&files)),
-            Effect::DeleteRun(dir) => delete_run(dir),
-            Effect::KeepRun(run) => keep_run(run),
-            Effect::WriteText { path, text, what } => write_text(&path, &text, what),
-            _ => return Vec::new(),
-        };
-        vec![answer]
+        let dir = self.dir.clone();
+        self.files.perform(move || file_effect(effect, &dir))
     }
 
     fn cancel(&self, ticket: JobNumber) -> Vec<Msg> {
@@ -192,7 +182,7 @@ impl EffectRunner {
             cancel.store(true, Ordering::Relaxed);
         }
         if let Some(running) = self.jobs.get(&ticket) {
-            running.job.cancel();
+            running.cancel.store(true, Ordering::Relaxed);
         }
         Vec::new()
     }
@@ -200,12 +190,12 @@ impl EffectRunner {
     fn start_trials(&mut self, ticket: JobNumber, of: TrialsOf) -> Vec<Msg> {
         let cancel = Arc::new(AtomicBool::new(false));
         self.trials = Some((ticket, Arc::clone(&cancel)));
-        let out = self.sender.clone();
+        let out = self.out.clone();
         self.aside(move || compute_trials(ticket, of, &cancel, &out))
     }
 
-    /// Starts a job, and a thread that passes on what it says; the same thread stores the run, so
-    /// that a slow disk never holds the screen up.
+    /// Starts a job, and a thread that stores its run and passes on what it says, so that a slow disk never holds the screen
+    /// up.
     fn start(
         &mut self,
         ticket: JobNumber,
@@ -213,34 +203,87 @@ impl EffectRunner {
         from: Option<ResumedRun>,
         store: bool,
     ) -> Vec<Msg> {
-        let writer = match store.then(|| begin(&request)).transpose() {
-            Ok(writer) => writer,
-            Err(error) => return vec![Msg::JobFailed(ticket, error.to_string())],
+        let (cancel, fresh): (Arc<AtomicBool>, Arc<Mutex<RunCurves>>) = Default::default();
+        let going = RunningJob {
+            cancel: Arc::clone(&cancel),
+            fresh: Arc::clone(&fresh),
         };
-        let mut messages = Vec::new();
-        if let Some(writer) = &writer {
-            messages.push(Msg::Stored(ticket, writer.dir().to_owned()));
-        }
-        let (events, said) = bounded(AHEAD);
-        let started = job::start(request, from, events).and_then(|job| {
-            let fresh = Arc::new(Mutex::new(RunCurves::default()));
-            let (out, record) = (self.sender.clone(), Arc::clone(&fresh));
-            std::thread::Builder::new()
-                .name(format!("relay-{ticket}"))
-                .spawn(move || relay(ticket, &said, writer, &record, &out))?;
-            Ok(RunningJob { job, fresh })
-        });
+        let out = self.out.clone();
+        let started = std::thread::Builder::new()
+            .name(format!("relay-{ticket}"))
+            .spawn(move || {
+                if let Err(why) = compute(ticket, request, from, store, cancel, &fresh, &out) {
+                    out.send(Msg::JobFailed(ticket, why));
+                }
+            });
         match started {
-            Ok(going) => {
+            Ok(_) => {
                 self.jobs.insert(ticket, going);
+                Vec::new()
             }
-            Err(error) => messages.push(Msg::JobFailed(
-                ticket,
-                format!("The system gives no thread for the run: {error}."),
-            )),
+            Err(error) => vec![Msg::JobFailed(ticket, no_thread(&error))],
         }
-        messages
     }
+}
+
+fn no_thread(error: &io::Error) -> String {
+    format!("The system gives no thread for the run: {error}.")
+}
+
+/// Makes the directory of a run that is stored, starts its job, and passes on its events.
+fn compute(
+    ticket: JobNumber,
+    request: Request,
+    from: Option<ResumedRun>,
+    store: bool,
+    cancel: Arc<AtomicBool>,
+    fresh: &Mutex<RunCurves>,
+    out: &Outbox,
+) -> Result<(), String> {
+    let writer = store.then(|| begin(&request)).transpose();
+    let writer = writer.map_err(|error| error.to_string())?;
+    if let Some(writer) = &writer {
+        out.send(Msg::Stored(ticket, writer.dir().to_owned()));
+    }
+    let (events, said) = bounded(AHEAD);
+    job::start(request, from, cancel, events).map_err(|error| no_thread(&error))?;
+    relay(ticket, &said, writer, fresh, out)
+}
+
+/// Reads or writes files as an effect asks for.
+fn file_effect(effect: Effect, dir: &Path) -> Vec<Msg> {
+    let answer = match effect {
+        Effect::ReadCases => Msg::CasesRead(dir.to_owned(), case_library::list(dir)),
+        Effect::ReadCase(path) => read_case(&path),
+        Effect::SaveCase {
+            path,
+            text,
+            expected,
+            new,
+        } => save_case(path, text, expected.as_deref(), new),
+        Effect::KeepRecovery { path, text } => {
+            let kept = recovery::store(&path, text.as_deref());
+            return warning(kept, "The unsaved changes cannot be kept for recovery");
+        }
+        Effect::DropRecovery(path) => {
+            let dropped = recovery::discard(&path);
+            return warning(dropped, "The kept changes cannot be dropped");
+        }
+        Effect::RememberGlyphs(glyphs) => {
+            let kept = recovery::remember_glyphs(glyphs);
+            return warning(kept, "The choice cannot be remembered");
+        }
+        Effect::PrepareResume(dir, until) => {
+            let found = resume_request(&dir, Some(until)).map(Box::new);
+            Msg::ResumeReady(dir, until, found)
+        }
+        Effect::ListRuns(files) => Msg::RunsListed(list_runs(&files)),
+        Effect::DeleteRun(dir) => delete_run(dir),
+        Effect::KeepRun(run) => keep_run(run),
+        Effect::WriteText { path, text, what } => write_text(&path, &text, what),
+        _ => return Vec::new(),
+    };
+    vec![answer]
 }
 
 fn warning(result: io::Result<()>, what: &str) -> Vec<Msg> {
@@ -251,17 +294,16 @@ fn warning(result: io::Result<()>, what: &str) -> Vec<Msg> {
         .collect()
 }
 
-/// Passes on the events of a job; returns after the last, or when nothing receives them.
+/// Passes on the events of a job; returns after the last.
 fn relay(
     ticket: JobNumber,
-    said: &Receiver<(JobId, JobEvent)>,
+    said: &Receiver<JobEvent>,
     mut writer: Option<RunWriter>,
     record: &Mutex<RunCurves>,
-    out: &Sender<Msg>,
-) {
+    out: &Outbox,
+) -> Result<(), String> {
     let mut complaint = None;
-    for (_, event) in said {
-        let mut event = event;
+    for mut event in said {
         let last = matches!(event, JobEvent::Finished(_));
         if let JobEvent::Finished(run) = &mut event {
             if let Some(writer) = writer.take() {
@@ -277,7 +319,7 @@ fn relay(
         }
         if let Some(error) = complaint.take() {
             let words = format!("The run cannot be stored: {error}");
-            drop(out.send(Msg::Say(Severity::Error, words)));
+            out.send(Msg::Say(Severity::Error, words));
         }
         let recorded = || record.lock().unwrap_or_else(PoisonError::into_inner);
         match event {
@@ -287,14 +329,14 @@ fn relay(
                 if let JobEvent::Started { channels } = &event {
                     recorded().begin(channels.clone());
                 }
-                if out.send(Msg::Job(ticket, Box::new(event))).is_err() || last {
-                    return;
+                out.send(Msg::Job(ticket, Box::new(event)));
+                if last {
+                    return Ok(());
                 }
             }
         }
     }
-    let words = "The run ended without a result; this is a fault of seacable.".to_owned();
-    drop(out.send(Msg::JobFailed(ticket, words)));
+    Err("The run ended without a result; this is a fault of seacable.".to_owned())
 }
 
 fn begin(request: &Request) -> Result<RunWriter, store::StoreError> {

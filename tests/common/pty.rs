@@ -298,11 +298,16 @@ fn program_below(ancestor: u32) -> Option<i32> {
 
 /// Waits until a process is gone.
 pub(crate) fn wait_gone(process: i32) {
-    let until = Instant::now() + PATIENCE;
     let place = PathBuf::from(format!("/proc/{process}/stat"));
     let there = || std::fs::read_to_string(&place).is_ok_and(|stat| !stat.contains(") Z "));
-    while there() {
-        assert!(Instant::now() < until, "the process is still there");
+    wait_until("the process is gone", || !there());
+}
+
+/// Waits until something is so that sends no word.
+pub(crate) fn wait_until(what: &str, so: impl Fn() -> bool) {
+    let until = Instant::now() + PATIENCE;
+    while !so() {
+        assert!(Instant::now() < until, "timed out waiting until {what}");
         std::thread::sleep(POLL);
     }
 }

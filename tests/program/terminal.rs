@@ -5,7 +5,7 @@
 use crate::pty;
 use std::time::Duration;
 
-use crate::pty::{Start, wait_gone};
+use crate::pty::{Start, wait_gone, wait_until};
 use rustix::process::{Pid, Signal, kill_process};
 
 const LIST: &str = "Manifold, 300 t";
@@ -299,7 +299,16 @@ fn unsaved_changes_survive_a_kill_and_are_offered_again() {
     pty.wait("the solver changed", |screen| {
         screen.contents().contains("solver static")
     });
-    assert_eq!(std::fs::read_dir(&kept).unwrap().count(), 1);
+    // A busy disk may take longer than a frame.
+    wait_until("the edit is kept", || {
+        let names = std::fs::read_dir(&kept)
+            .unwrap()
+            .map(|item| item.unwrap().path());
+        names
+            .filter(|path| path.extension().is_some_and(|end| end == "toml"))
+            .count()
+            == 1
+    });
     signal(process, Signal::KILL);
     pty.wait_for("[ended 137]");
     let dir = std::mem::replace(&mut pty.dir, tempfile::tempdir().unwrap());

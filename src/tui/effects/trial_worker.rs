@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-use crossbeam_channel::Sender;
-
+use super::outbox::Outbox;
+use crate::background::lower_priority;
 use crate::case;
 use crate::kinds::FileType;
 use crate::study::hard_cases::{self, HardCase, TrialRun};
@@ -17,7 +17,7 @@ pub(super) fn compute_trials(
     ticket: JobNumber,
     of: TrialsOf,
     cancel: &AtomicBool,
-    out: &Sender<Msg>,
+    out: &Outbox,
 ) -> Msg {
     let cases: Vec<HardCase> = match of {
         TrialsOf::Case { file, text } => {
@@ -39,10 +39,11 @@ pub(super) fn compute_trials(
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(cores.saturating_sub(1).max(1))
+        .start_handler(|_| lower_priority())
         .build();
     let compute = || {
         hard_cases::compute_all(&cases, cancel, &|all, done| {
-            drop(out.send(tell(all, done, false)));
+            out.send(tell(all, done, false));
         })
     };
     let computed = match pool {

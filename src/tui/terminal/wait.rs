@@ -17,22 +17,27 @@ pub struct WakeReasons {
     pub input: bool,
     /// A signal came.
     pub signal: bool,
+    /// Another thread has sent a message.
+    pub message: bool,
     /// The terminal has hung up.
     pub hung_up: bool,
 }
 
-/// Waits until the terminal or the signal socket has something, or the time is up; no limit: `None`.
+/// Waits until the terminal, the socket of the signals or that of the messages has something, or the time is up; no limit:
+/// `None`.
 ///
 /// # Errors
 /// What `poll(2)` reports, except that an interruption by a signal counts as one.
 pub fn wait(
     terminal: BorrowedFd<'_>,
     signals: BorrowedFd<'_>,
+    messages: BorrowedFd<'_>,
     limit: Option<Duration>,
 ) -> io::Result<WakeReasons> {
     let mut fds = [
         PollFd::from_borrowed_fd(terminal, PollFlags::IN),
         PollFd::from_borrowed_fd(signals, PollFlags::IN),
+        PollFd::from_borrowed_fd(messages, PollFlags::IN),
     ];
     let limit = limit.and_then(|d| Timespec::try_from(d).ok());
     match poll(&mut fds, limit.as_ref()) {
@@ -49,6 +54,7 @@ pub fn wait(
     Ok(WakeReasons {
         input: fds[0].revents().contains(PollFlags::IN),
         signal: fds[1].revents().contains(PollFlags::IN),
+        message: fds[2].revents().contains(PollFlags::IN),
         hung_up: fds[0].revents().intersects(gone),
     })
 }
