@@ -68,6 +68,15 @@ fn main() {
     let answered = first_key(first, began);
     println!("{:44}{:>9.0} ms", "  first key painted after", answered.1);
     let mut screen = answered.0;
+    unfiltered(&mut screen);
+    screen.send("3");
+    screen.wait_for(&format!("run ({})", asked.runs));
+    println!(
+        "{:44}{:>9.0} ms",
+        "all runs read and in the table after",
+        elapsed(began)
+    );
+    screen.send("1");
     settle(&screen);
     keys("key to paint, idle", &mut screen);
     unfiltered(&mut screen);
@@ -84,6 +93,18 @@ fn main() {
     let (mut screen, after) = first_key(again, began);
     println!("{:44}{:>9.0} ms", "  first key painted after", after);
     unfiltered(&mut screen);
+    let all = format!("run ({})", asked.runs);
+    let began = Instant::now();
+    screen.send("3");
+    screen.wait_for(&all);
+    println!(
+        "{:44}{:>9.0} ms",
+        "table of all runs after its key",
+        elapsed(began)
+    );
+    keys("key to paint, filter of the table", &mut screen);
+    unfiltered(&mut screen);
+    screen.send("1");
     // The published values of the case need many runs: all cores compute from now on.
     screen.send("V");
     screen.send("1");
@@ -106,21 +127,25 @@ fn start(asked: &Asked, dir: tempfile::TempDir) -> Pty {
     start.go_in(dir)
 }
 
+/// Since then \[ms\].
+fn elapsed(began: Instant) -> f64 {
+    began.elapsed().as_secs_f64() * 1e3
+}
+
 /// Until the whole screen is there \[ms\].
 fn waited(screen: &Pty, began: Instant) -> f64 {
     screen.wait("the full frame", |screen| {
         let text = screen.contents();
         text.contains("Inputs") && text.contains("q quit")
     });
-    began.elapsed().as_secs_f64() * 1e3
+    elapsed(began)
 }
 
 /// Until a key pressed at once is painted \[ms\].
 fn first_key(mut screen: Pty, began: Instant) -> (Pty, f64) {
     screen.send("/");
     screen.wait_for("filter: ");
-    let after = began.elapsed().as_secs_f64() * 1e3;
-    (screen, after)
+    (screen, elapsed(began))
 }
 
 /// Drops the filter.
@@ -172,11 +197,11 @@ fn keys(what: &str, screen: &mut Pty) {
 }
 
 /// The left part of the screen with its colours: the inputs and their cursor, not the charts.
-fn inputs(screen: &Pty) -> Vec<u8> {
+fn inputs(screen: &Pty) -> String {
     let found = std::cell::RefCell::default();
     screen.wait("a look at it", |screen| {
         let rows = screen.rows_formatted(0, 60).take(40);
-        found.replace(rows.flatten().collect());
+        found.replace(rows.collect());
         true
     });
     found.into_inner()

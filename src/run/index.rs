@@ -66,6 +66,8 @@ pub struct IndexedRun {
     pub started: String,
     /// Its method.
     pub method: String,
+    /// Simulated time asked for \[s\].
+    pub duration_s: f64,
     /// Accepted time steps.
     pub steps: u64,
     /// CPU time of the run itself \[s\].

@@ -5,6 +5,7 @@ pub mod accuracy;
 pub mod bars;
 pub mod hard_cases;
 pub mod lines;
+pub mod results;
 pub mod speed;
 mod verdict;
 mod verdict_table;

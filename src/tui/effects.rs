@@ -1,6 +1,7 @@
 //! Files and threads: does what the effects ask for, and answers with messages.
 
 mod file_worker;
+mod index_worker;
 mod open;
 pub mod outbox;
 mod runs;
@@ -18,9 +19,10 @@ use std::time::Duration;
 use crossbeam_channel::{Receiver, bounded};
 
 use self::file_worker::FileWorker;
+use self::index_worker::{IndexWorker, Question};
 use self::open::read_case;
 use self::outbox::{Inbox, Outbox};
-use self::runs::{delete_run, keep_run, list_runs};
+use self::runs::{delete_runs, keep_run, read_run_case, write_notes};
 use self::trial_worker::compute_trials;
 use super::case_library;
 use super::files::{save_case, write_text};
@@ -28,7 +30,7 @@ use super::msg::{Effect, Msg};
 use super::recovery;
 use super::state::modes::COUNT;
 use super::state::trials::TrialsOf;
-use super::state::{JobNumber, RunCurves, Severity};
+use super::state::{JobNumber, RunCurves, Severity, VariantPlan};
 use crate::background::lower_priority;
 use crate::case;
 use crate::modes;
@@ -44,6 +46,7 @@ pub struct EffectRunner {
     out: Outbox,
     inbox: Inbox,
     files: FileWorker,
+    runs: IndexWorker,
     jobs: HashMap<JobNumber, RunningJob>,
     /// The trials that compute, and the flag that stops them.
     trials: Option<(JobNumber, Arc<AtomicBool>)>,
@@ -70,6 +73,7 @@ impl EffectRunner {
         Ok(Self {
             dir,
             files: FileWorker::start(out.clone()),
+            runs: IndexWorker::default(),
             out,
             inbox,
             jobs: HashMap::new(),
@@ -167,6 +171,13 @@ impl EffectRunner {
                 let run = store::read(&dir).map(Arc::new).map_err(|e| e.to_string());
                 Msg::RunRead(dir, run)
             }),
+            Effect::Plan { case, text, file } => {
+                self.aside(move || Msg::Planned(Box::new(VariantPlan::new(&text, &case, &file))))
+            }
+            Effect::ListRuns { files, results } => {
+                self.runs.ask(Question::List { files, results }, &self.out)
+            }
+            Effect::RefreshRuns => self.runs.ask(Question::Refresh, &self.out),
             effect => self.files(effect),
         }
     }
@@ -277,8 +288,9 @@ fn file_effect(effect: Effect, dir: &Path) -> Vec<Msg> {
             let found = resume_request(&dir, Some(until)).map(Box::new);
             Msg::ResumeReady(dir, until, found)
         }
-        Effect::ListRuns(files) => Msg::RunsListed(list_runs(&files)),
-        Effect::DeleteRun(dir) => delete_run(dir),
+        Effect::DeleteRuns(dirs) => return delete_runs(dirs),
+        Effect::WriteNotes(dir, notes) => return write_notes(&dir, &notes),
+        Effect::ReadRunCase(dir, wanted) => read_run_case(dir, wanted),
         Effect::KeepRun(run) => keep_run(run),
         Effect::WriteText { path, text, what } => write_text(&path, &text, what),
         _ => return Vec::new(),

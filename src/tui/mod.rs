@@ -25,6 +25,8 @@ pub mod panes;
 pub mod plot_pane;
 pub mod plots;
 pub mod recovery;
+pub mod run_cells;
+pub mod run_filter;
 pub mod state;
 pub mod table_pane;
 pub mod terminal;

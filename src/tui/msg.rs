@@ -6,11 +6,15 @@ use std::sync::atomic::AtomicBool;
 
 use super::key::KeyPress;
 use super::state::trials::{TrialProgress, TrialsOf};
-use super::state::{CaseEntry, DocumentContent, JobNumber, RunCurves, RunEntry, Severity};
+use super::state::{
+    CaseEntry, DocumentContent, JobNumber, RunCurves, RunEntry, Severity, VariantPlan,
+};
 use crate::case::Case;
 use crate::modes::LineModes;
 use crate::report::chart::Glyphs;
+use crate::run::index::{RunColumns, SyncProgress};
 use crate::run::job::{JobEvent, Request};
+use crate::run::store::RunNotes;
 use crate::run::{ResumedRun, Run};
 use crate::ship::{DynamicAnalysis, StaticAnalysis};
 
@@ -57,16 +61,44 @@ pub enum Msg {
     NotSaved(String),
     /// The file of a case is not what it was when it was read.
     ChangedOnDisk,
-    /// The runs of the open case found on disk.
-    RunsListed(Vec<RunEntry>),
+    /// What the index says of the runs of the open case.
+    RunsListed(Box<RunsFound>),
+    /// How far the index is in step with the directories of the runs.
+    Indexing(SyncProgress),
+    /// The variants of the case with this text.
+    Planned(Box<VariantPlan>),
+    /// The exact case of a stored run, for this.
+    RunCase(PathBuf, RunCaseUse, Result<String, String>),
     /// A stored run was read.
     RunRead(PathBuf, Result<Arc<Run>, String>),
-    /// A stored run was deleted.
-    RunDeleted(PathBuf),
+    /// Stored runs were deleted.
+    RunsDeleted(Vec<PathBuf>),
     /// The live run was kept here.
     Kept(PathBuf, Arc<Run>),
     /// A message to the user.
     Say(Severity, String),
+}
+
+/// What the exact case of a stored run is wanted for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RunCaseUse {
+    /// To be edited.
+    Edit,
+    /// To be run again.
+    RunAgain,
+}
+
+/// What the index says of the runs of a case.
+#[derive(Debug, Clone, Default)]
+pub struct RunsFound {
+    /// Runs that are new or have changed, oldest first.
+    pub changed: Vec<RunEntry>,
+    /// The numbers of all, ascending.
+    pub all: Vec<i64>,
+    /// The columns of the table, where they may have changed.
+    pub columns: Option<RunColumns>,
+    /// True when the index is in step with the directories.
+    pub whole: bool,
 }
 
 /// A file as read.
@@ -142,12 +174,32 @@ pub enum Effect {
     },
     /// Prepare to resume a stored run up to a later end \[s\].
     PrepareResume(PathBuf, f64),
-    /// List the stored runs of a case file, the first, and of those beside it.
-    ListRuns(Vec<String>),
+    /// List the stored runs of a case file, the first, and of those beside it, with these results.
+    ListRuns {
+        /// Names of the case files.
+        files: Vec<String>,
+        /// Names of the results.
+        results: Vec<String>,
+    },
+    /// Look for runs that are new or have changed.
+    RefreshRuns,
+    /// Work out the variants of a case.
+    Plan {
+        /// The case.
+        case: Box<Case>,
+        /// Its text.
+        text: String,
+        /// The name of its file.
+        file: String,
+    },
+    /// Keep what the user says of a stored run.
+    WriteNotes(PathBuf, RunNotes),
+    /// Read the exact case of a stored run, for this.
+    ReadRunCase(PathBuf, RunCaseUse),
     /// Read a stored run.
     ReadRun(PathBuf),
-    /// Delete a stored run.
-    DeleteRun(PathBuf),
+    /// Delete stored runs.
+    DeleteRuns(Vec<PathBuf>),
     /// Store a run that is in memory.
     KeepRun(Arc<Run>),
     /// Write a text to a new file; when the name is taken, to the next free one.

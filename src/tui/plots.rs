@@ -45,7 +45,7 @@ fn shown(line: &LineView) -> Vec<Shown<'_>> {
             dimmed: false,
         }));
     }
-    list.extend(line.runs.iter().filter(|s| s.shown).map(|slot| Shown {
+    list.extend(line.runs.on_charts().map(|slot| Shown {
         label: if slot.label.is_empty() {
             &slot.id
         } else {

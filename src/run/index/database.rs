@@ -27,6 +27,7 @@ const TABLES: &str = "
         damaged INTEGER NOT NULL,
         started TEXT NOT NULL,
         method TEXT NOT NULL,
+        duration_s REAL NOT NULL,
         steps INTEGER NOT NULL,
         cpu_s REAL NOT NULL,
         overrides TEXT NOT NULL,

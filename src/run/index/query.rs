@@ -12,7 +12,7 @@ use crate::run::RunState;
 /// Runs of some case files: those that have changed since an earlier answer, and the numbers of all.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct RunRows {
-    /// Runs that are new or have changed, oldest first.
+    /// Runs that are new or have changed, and those that are partial: what computes them is seen elsewhere. Oldest first.
     pub changed: Vec<IndexedRun>,
     /// The numbers of all runs, ascending.
     pub all: Vec<i64>,
@@ -94,9 +94,9 @@ impl RunIndex {
             for id in all.query_map([file], |row| row.get(0))? {
                 answer.all.push(id?);
             }
-            let mut changed = self
-                .database
-                .prepare_cached("SELECT * FROM runs WHERE case_file = ?1 AND change > ?2")?;
+            let mut changed = self.database.prepare_cached(
+                "SELECT * FROM runs WHERE case_file = ?1 AND (change > ?2 OR state = 'partial')",
+            )?;
             let rows = changed.query_map((file, since), |row| {
                 let change: i64 = row.get("change")?;
                 Ok((change, run(row)?))
@@ -210,6 +210,7 @@ fn run(row: &Row) -> rusqlite::Result<IndexedRun> {
         damaged: row.get("damaged")?,
         started: row.get("started")?,
         method: row.get("method")?,
+        duration_s: row.get("duration_s")?,
         steps: row.get::<_, i64>("steps")?.cast_unsigned(),
         cpu_s: row.get("cpu_s")?,
         overrides: serde_json::from_str(&json).unwrap_or_default(),

@@ -172,10 +172,11 @@ fn insert_row(
     let json = |words: serde_json::Result<String>| words.unwrap_or_default();
     step.prepare_cached(
         "INSERT INTO runs (name, stamp, change, case_file, state, failure, damaged, started, method, steps, cpu_s,
-             overrides, text, notes)
-         VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14)
+             overrides, text, notes, duration_s)
+         VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15)
          ON CONFLICT (name) DO UPDATE SET stamp = ?2, change = ?3, case_file = ?4, state = ?5, failure = ?6, damaged = ?7,
-             started = ?8, method = ?9, steps = ?10, cpu_s = ?11, overrides = ?12, text = ?13, notes = ?14
+             started = ?8, method = ?9, steps = ?10, cpu_s = ?11, overrides = ?12, text = ?13, notes = ?14,
+             duration_s = ?15
          RETURNING id",
     )?
     .query_row(
@@ -194,6 +195,7 @@ fn insert_row(
             json(serde_json::to_string(info.map_or(&Vec::new(), |i| &i.overrides))),
             run.text.0.cast_signed(),
             json(serde_json::to_string(&run.notes)),
+            info.map_or(0.0, |i| i.settings.duration_s),
         ],
         |row| row.get(0),
     )

@@ -1,29 +1,38 @@
-//! The runs of a line case.
+//! The runs of a line case: a table of what differs among them, their results, their cost.
 
 use ratatui::layout::Rect;
 use ratatui::style::Style;
+use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
-use crate::report::number;
-use crate::run::settings::method_name;
-use crate::tui::command::{self, Command, CommandId, LIST, main, other};
-use crate::tui::msg::Effect;
+use crate::tui::command::{self, Command, CommandId, FILTER, LIST, SORT, WIDE, main, other};
+use crate::tui::msg::{Effect, RunCaseUse};
 use crate::tui::pane::PaneId;
-use crate::tui::state::{
-    AppState, JobState, LineView, Overlay, Question, RunEntry, RunOrigin, RunStatus,
-};
+use crate::tui::run_cells::{cell, head, live_cell};
+use crate::tui::state::overlay::RunText;
+use crate::tui::state::{AppState, JobState, LineView, RunColumn, RunEntry, RunList, RunStatus};
 use crate::tui::update::motion::{moved, step};
-use crate::tui::update::{resume, runs};
-use crate::tui::view::paint::{below_head, span};
+use crate::tui::update::{resume, run_table, runs};
+use crate::tui::view::paint::{below_head, first_line, rest, span};
 use crate::tui::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
     main(CommandId::ShowAlone, &["enter"], "show", "Show this run alone on the charts, in the table and in the report"),
     main(CommandId::Select, &["space"], "overlay", "Add this run to the charts or take it off"),
-    main(CommandId::Resume, &["c"], "resume", "Resume this stored run from its last checkpoint, up to a time that is asked for"),
-    other(CommandId::SelectNone, &["a"], "live only", "Show the live run only"),
-    other(CommandId::Delete, &["d"], "delete", "Delete this stored run (asks first)"),
+    main(CommandId::Mark, &["m"], "mark", "Mark this run for what is done to several, or take the mark off"),
+    FILTER,
+    SORT,
+    other(CommandId::Delete, &["d"], "delete", "Delete the marked runs, or this one (asks first)"),
+    other(CommandId::TagRuns, &["#"], "tag", "Tag the marked runs, or this one"),
+    other(CommandId::NameRun, &["n"], "name", "Give this run a name of your own"),
+    other(CommandId::RunCase, &["e"], "its case", "Edit the exact case of this run in place of the open one; `u` takes it back"),
+    other(CommandId::Resume, &["c"], "resume", "Resume this stored run from its last checkpoint, up to a time that is asked for"),
+    other(CommandId::RunAgain, &["X"], "again", "Compute the exact case of this run again, as a run of its own"),
+    other(CommandId::NoteRun, &["N"], "note", "Write a note about this run"),
+    other(CommandId::MarkAll, &["*"], "", "Mark all runs of the table; where any is marked: none"),
+    other(CommandId::SortAround, &["O"], "", "Sort the other way round"),
+    other(CommandId::SelectNone, &["a"], "live only", "Show the live run only, and take all marks off"),
     command::DOWN,
 ];
 
@@ -31,14 +40,30 @@ pub(super) struct RunsPane;
 
 impl Pane for RunsPane {
     fn about(&self) -> PaneInfo {
-        about("Runs", "Go to the runs", &[COMMANDS, LIST])
+        about("Runs", "Go to the runs", &[COMMANDS, LIST, WIDE])
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let run = state.line()?.current_run();
+        let any_marked = || {
+            state
+                .line()
+                .is_some_and(|line| line.runs.all().iter().any(|r| r.marked))
+        };
         match id {
-            CommandId::Delete => why_not_deleted(run),
+            CommandId::Delete if any_marked() => None,
+            CommandId::Delete => match run {
+                None => Some("The live run is in memory only; there is nothing to delete."),
+                Some(run) => run_table::why_not_deleted(run),
+            },
             CommandId::Resume => why_not_resumed(run),
+            CommandId::TagRuns if any_marked() => None,
+            CommandId::Mark
+            | CommandId::NameRun
+            | CommandId::TagRuns
+            | CommandId::NoteRun
+            | CommandId::RunCase
+            | CommandId::RunAgain => why_not_stored(run),
             _ => None,
         }
     }
@@ -50,16 +75,24 @@ impl Pane for RunsPane {
             CommandId::ShowAlone => return Some(runs::show_alone(state)),
             CommandId::Select => return Some(runs::select(line)),
             CommandId::Resume => return Some(resume::ask(state)),
-            CommandId::SelectNone => {
-                line.runs.iter_mut().for_each(|entry| entry.shown = false);
-                line.live.hidden = false;
+            CommandId::SelectNone => run_table::live_only(state),
+            CommandId::Mark => run_table::mark(state),
+            CommandId::MarkAll => return Some(run_table::mark_all(state)),
+            CommandId::Delete => return Some(run_table::ask_to_delete(state)),
+            CommandId::NameRun => return Some(run_table::ask_text(state, RunText::Name)),
+            CommandId::TagRuns => return Some(run_table::ask_text(state, RunText::Tags)),
+            CommandId::NoteRun => return Some(run_table::ask_text(state, RunText::Note)),
+            CommandId::RunCase => return Some(run_table::read_case(state, RunCaseUse::Edit)),
+            CommandId::RunAgain => return Some(run_table::read_case(state, RunCaseUse::RunAgain)),
+            CommandId::Filter => line.runs.filter.typing = true,
+            CommandId::Sort => run_table::sort(state, false),
+            CommandId::SortAround => run_table::sort(state, true),
+            CommandId::ScrollRight => {
+                let last = line.runs.shown_columns().len().saturating_sub(2);
+                line.runs.scroll = (line.runs.scroll + 1).min(last);
             }
-            CommandId::Delete => {
-                let entry = line.current_run()?;
-                let (dir, id) = (entry.dir.clone()?, entry.id.clone());
-                state.overlay = Some(Overlay::Ask(Question::DeleteRun { dir, id }));
-            }
-            _ => line.run = moved(line.run, by?, line.runs.len() + 1),
+            CommandId::ScrollLeft => line.runs.scroll = line.runs.scroll.saturating_sub(1),
+            _ => line.runs.cursor = moved(line.runs.cursor, by?, line.runs.lines()),
         }
         Some(Vec::new())
     }
@@ -69,23 +102,139 @@ impl Pane for RunsPane {
         let Some(line) = state.line() else {
             return;
         };
-        let [head, list] = below_head(area);
+        let area = filter_line(painter, area, &line.runs);
+        let [heads, list] = below_head(area);
+        let rows = first_line(line.runs.cursor, line.runs.lines(), list.height.into());
+        let rows: Vec<usize> = (rows..line.runs.lines()).take(list.height.into()).collect();
+        let table = TableView::new(line, &rows, area.width);
         let strong = painter.theme.strong();
-        columns(
-            painter,
-            head,
-            ["    run", "state", "solver", "steps", "CPU"],
-            strong,
-        );
+        table.line(painter, heads, strong, |column| head(&line.runs, column));
         let focused = state.focus() == PaneId::Runs;
-        painter.list(list, line.run, line.runs.len() + 1, |painter, at, i| {
-            let style = painter.line_style(i == line.run && focused);
+        for (number, y) in rows.into_iter().zip(list.top()..) {
+            let at = Rect::new(list.x, y, list.width, 1);
+            let style = painter.line_style(number == line.runs.cursor && focused);
             painter.buf.set_style(at, style);
-            match i.checked_sub(1).and_then(|i| line.runs.get(i)) {
-                None => live_line(painter, at, line, style),
-                Some(entry) => run_line(painter, at, entry, style),
+            match run_of(line, number) {
+                None => table.line(painter, at, style, |column| live_cell(line, column)),
+                Some(run) => {
+                    let style = run_style(painter, run, style);
+                    table.line(painter, at, style, |column| cell(&line.runs, run, column));
+                }
             }
-        });
+        }
+    }
+}
+
+/// The run of a line of the table; nothing for the live run.
+fn run_of(line: &LineView, number: usize) -> Option<&RunEntry> {
+    let at = *line.runs.rows().get(number.checked_sub(1)?)?;
+    line.runs.all().get(at)
+}
+
+fn run_style(painter: &Painter, run: &RunEntry, style: Style) -> Style {
+    match run.state {
+        RunStatus::Job(JobState::Failed(_)) | RunStatus::Unreadable(_) => {
+            style.patch(painter.theme.error())
+        }
+        _ => style,
+    }
+}
+
+/// What is typed as a filter, and how far the index is; the rest of the area.
+fn filter_line(painter: &mut Painter, area: Rect, runs: &RunList) -> Rect {
+    let filtered = runs.filter.typing || !runs.filter.is_empty();
+    if !filtered && runs.indexing.is_none() {
+        return area;
+    }
+    let [line, below] = below_head(area);
+    let half = span(line, 0, line.width / 2);
+    if filtered {
+        painter.prompt(half, "filter: ", &runs.filter.input, runs.filter.typing);
+    }
+    let words = match runs.indexing {
+        Some(now) => format!("reading the runs: {} of {}", now.done, now.all),
+        None => format!("{} of {} runs", runs.rows().len(), runs.len()),
+    };
+    let faint = painter.theme.faint();
+    painter.text(rest(line, half.right() + 1), &words, faint);
+    below
+}
+
+/// Blanks between columns.
+const GAP: u16 = 2;
+
+/// The columns that fit, with their widths.
+struct TableView {
+    columns: Vec<(RunColumn, u16)>,
+}
+
+impl TableView {
+    /// The name of the run always, then what fits to the right of what is hidden.
+    fn new(line: &LineView, rows: &[usize], room: u16) -> Self {
+        let mut all = line.runs.shown_columns().into_iter();
+        let name = all.next();
+        let mut columns = Vec::new();
+        let mut used = 0;
+        for column in name.into_iter().chain(all.skip(line.runs.scroll)) {
+            let width = width(line, rows, column);
+            // The last column may be cut, but not to nothing.
+            let left = room.saturating_sub(used);
+            if left < 4 || (left < width && width > 12 && used > 0 && left < 8) {
+                break;
+            }
+            columns.push((column, width.min(left)));
+            used += width + GAP;
+        }
+        Self { columns }
+    }
+
+    fn line(
+        &self,
+        painter: &mut Painter,
+        at: Rect,
+        style: Style,
+        text: impl Fn(RunColumn) -> String,
+    ) {
+        let mut from = 0;
+        for (column, width) in &self.columns {
+            let words = text(*column);
+            let place = span(at, from, *width);
+            if is_number(*column) {
+                let indent = width.saturating_sub(u16::try_from(words.width()).unwrap_or(*width));
+                painter.text(span(at, from + indent, width - indent), &words, style);
+            } else {
+                painter.text(place, &words, style);
+            }
+            from += width + GAP;
+        }
+    }
+}
+
+/// Numbers are at the right of their column.
+const fn is_number(column: RunColumn) -> bool {
+    matches!(
+        column,
+        RunColumn::Input(_) | RunColumn::Result(_) | RunColumn::Steps | RunColumn::Cpu
+    )
+}
+
+/// The width of a column: that of its widest cell in sight.
+fn width(line: &LineView, rows: &[usize], column: RunColumn) -> u16 {
+    let cells = rows.iter().map(|number| match run_of(line, *number) {
+        Some(run) => cell(&line.runs, run, column),
+        None => live_cell(line, column),
+    });
+    let widest = cells.map(|words| words.width()).max().unwrap_or(0);
+    let widest = widest.max(head(&line.runs, column).width());
+    u16::try_from(widest).unwrap_or(u16::MAX).min(48)
+}
+
+/// Why nothing can be done to a run that is not stored.
+fn why_not_stored(run: Option<&RunEntry>) -> Option<&'static str> {
+    match run {
+        None => Some("The live run is in memory only; `K` keeps it."),
+        Some(run) if run.dir.is_none() => Some("This run has no directory yet."),
+        Some(_) => None,
     }
 }
 
@@ -102,72 +251,4 @@ fn why_not_resumed(run: Option<&RunEntry>) -> Option<&'static str> {
         _ if run.dir.is_none() => Some("This run has no directory to resume from."),
         _ => None,
     }
-}
-
-fn why_not_deleted(run: Option<&RunEntry>) -> Option<&'static str> {
-    let Some(run) = run else {
-        return Some("The live run is in memory only; there is nothing to delete.");
-    };
-    match &run.state {
-        RunStatus::Job(state) if state.is_open() => {
-            Some("This run is still running; `ctrl+c` cancels it.")
-        }
-        RunStatus::Elsewhere => Some("Another program is still computing this run."),
-        _ if run.kind == RunOrigin::Session && run.dir.is_none() => {
-            Some("This run has no directory to delete.")
-        }
-        _ => None,
-    }
-}
-
-fn columns(painter: &mut Painter, line: Rect, words: [&str; 5], style: Style) {
-    let name_width = line.width.saturating_sub(38).clamp(12, 60);
-    let mut from = 0_u16;
-    for (word, width) in words.into_iter().zip([name_width, 10, 6, 8, 10]) {
-        painter.text(span(line, from, width), word, style);
-        from = from.saturating_add(width + 1);
-    }
-}
-
-fn live_line(painter: &mut Painter, at: Rect, line: &LineView, style: Style) {
-    let live = &line.live;
-    let mark = if live.hidden { "[ ]" } else { "[x]" };
-    let kept = if live.kept.is_some() { ", kept" } else { "" };
-    let name = format!("{mark} live, in memory{kept}");
-    let state = match (&live.ticket, &live.failure, &live.done) {
-        (Some(_), ..) => "running",
-        (None, Some(why), _) if why == "cancelled" => "cancelled",
-        (None, Some(_), _) => "failed",
-        (None, None, Some(_)) => "done",
-        (None, None, None) => "",
-    };
-    let run = live.done.as_ref().and_then(|done| done.run.as_ref());
-    let (steps, cpu) = cost_words(run.map(|run| (run.info.work.steps, run.info.cost.cpu_s)));
-    let method = method_name(line.case.solver.method);
-    columns(painter, at, [&name, state, method, &steps, &cpu], style);
-}
-
-fn run_line(painter: &mut Painter, at: Rect, entry: &RunEntry, style: Style) {
-    let mark = if entry.shown { "[x]" } else { "[ ]" };
-    let label = if entry.label.is_empty() {
-        String::new()
-    } else {
-        format!("{}: ", entry.label)
-    };
-    let name = format!("{mark} {label}{}", entry.id);
-    let (steps, cpu) = cost_words(entry.cost);
-    let style = match entry.state {
-        RunStatus::Job(JobState::Failed(_)) | RunStatus::Unreadable(_) => {
-            style.patch(painter.theme.error())
-        }
-        _ => style,
-    };
-    let words = [&name, entry.state.word(), &entry.method, &steps, &cpu];
-    columns(painter, at, words, style);
-}
-
-fn cost_words(cost: Option<(u64, f64)>) -> (String, String) {
-    cost.map_or_else(Default::default, |(steps, cpu)| {
-        (steps.to_string(), number::duration(cpu))
-    })
 }

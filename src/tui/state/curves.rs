@@ -4,10 +4,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::jobs::{JobNumber, JobState};
-use crate::case::{ChannelId, StudyPoint};
-use crate::run::{
-    DecimatedRecord, History, LineShape, OutputFrame, Progress, Run, RunInfo, RunState,
-};
+use crate::case::{ChannelId, StudyPoint, TextDigest};
+use crate::run::index::IndexedRun;
+use crate::run::store::RunNotes;
+use crate::run::{DecimatedRecord, History, LineShape, OutputFrame, Progress, Run, RunState};
 
 /// What is known of a run so far.
 #[derive(Debug, Clone, Default)]
@@ -130,8 +130,18 @@ pub struct RunEntry {
     pub label: String,
     /// The point of a study it belongs to; absent: the edited case.
     pub at: Option<StudyPoint>,
+    /// Its number in the index of runs, once it is there.
+    pub number: Option<i64>,
     /// The case text it computes, to decide whether it is of the edited case.
-    pub text: String,
+    pub text: TextDigest,
+    /// When it began, RFC 3339 in UTC; empty before.
+    pub started: String,
+    /// Simulated time asked for \[s\].
+    pub duration_s: f64,
+    /// What the user says of it.
+    pub notes: RunNotes,
+    /// Chosen for what is done to several runs.
+    pub marked: bool,
     /// Where it comes from.
     pub kind: RunOrigin,
     /// Its state.
@@ -149,29 +159,86 @@ pub struct RunEntry {
 }
 
 impl RunEntry {
-    /// A stored run, without its curves.
+    /// A run of this session that waits for its turn.
     #[must_use]
-    pub fn stored(info: &RunInfo, text: String) -> Self {
+    pub fn session(text: TextDigest, method: String) -> Self {
         Self {
             ticket: None,
-            id: info.id.clone(),
+            id: String::new(),
             label: String::new(),
             at: None,
+            number: None,
             text,
-            kind: RunOrigin::Stored,
-            state: match info.state {
-                RunState::Done => RunStatus::Job(JobState::Done),
-                RunState::Partial => RunStatus::Partial,
-                RunState::Cancelled => RunStatus::Job(JobState::Cancelled),
-                RunState::Failed => {
-                    RunStatus::Job(JobState::Failed(info.failure.clone().unwrap_or_default()))
-                }
-            },
-            method: info.settings.method.clone(),
+            started: String::new(),
+            duration_s: 0.0,
+            notes: RunNotes::default(),
+            marked: false,
+            kind: RunOrigin::Session,
+            state: RunStatus::Job(JobState::Queued),
+            method,
             dir: None,
-            cost: Some((info.work.steps, info.cost.cpu_s)),
+            cost: None,
             shown: false,
             curves: RunCurves::default(),
+        }
+    }
+
+    /// A stored run, without its curves; `held` while a program computes it.
+    #[must_use]
+    pub fn stored(run: IndexedRun, dir: PathBuf, held: bool) -> Self {
+        let failure = run.failure.unwrap_or_default();
+        Self {
+            ticket: None,
+            id: run.name,
+            label: run.overrides.join(", "),
+            at: None,
+            number: Some(run.id),
+            text: run.text,
+            started: run.started,
+            duration_s: run.duration_s,
+            notes: run.notes,
+            marked: false,
+            kind: RunOrigin::Stored,
+            state: match run.state {
+                RunState::Done => RunStatus::Job(JobState::Done),
+                RunState::Partial if held => RunStatus::Elsewhere,
+                RunState::Partial => RunStatus::Partial,
+                RunState::Cancelled => RunStatus::Job(JobState::Cancelled),
+                RunState::Failed => RunStatus::Job(JobState::Failed(failure)),
+            },
+            method: run.method,
+            dir: Some(dir),
+            cost: Some((run.steps, run.cpu_s)),
+            shown: false,
+            curves: RunCurves::default(),
+        }
+    }
+
+    /// What the index says anew of a run that is in the list.
+    pub fn renew(&mut self, new: Self) {
+        self.number = new.number;
+        self.notes = new.notes;
+        self.started = new.started;
+        // What this session computes it knows better.
+        if self.kind == RunOrigin::Stored {
+            let changed = self.state != new.state || self.text != new.text;
+            self.state = new.state;
+            self.text = new.text;
+            self.cost = new.cost;
+            self.method = new.method;
+            if changed {
+                self.curves = RunCurves::default();
+            }
+        }
+    }
+
+    /// How the run is called: by the name that the user gave it, or by that of its directory without the one of its case.
+    #[must_use]
+    pub fn title(&self) -> String {
+        if self.notes.name.is_empty() {
+            self.id.clone()
+        } else {
+            self.notes.name.clone()
         }
     }
 }

@@ -8,8 +8,9 @@ use super::document_kind::{DocumentKind, KindInfo};
 use super::jobs::JobNumber;
 use super::modes::ModesView;
 use super::parameter_editor::ParameterEditor;
-use crate::case::{Case, Diagnostic, StudyPoint, kind};
-use crate::reference;
+use super::run_list::RunList;
+use super::variants::VariantPlan;
+use crate::case::{Case, Diagnostic, TextDigest, kind};
 use crate::report::figures::{FIGURES, FigureId};
 use crate::run::settings::method_name;
 use crate::run::{Run, RunState};
@@ -56,6 +57,15 @@ impl LiveSolve {
     }
 }
 
+/// Work that needs the variants of the case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlannedWork {
+    /// Run the study of this number.
+    Study(usize),
+    /// Run what the published values need.
+    Validate,
+}
+
 /// A line case that is open.
 #[derive(Debug, Clone)]
 pub struct LineView {
@@ -71,10 +81,14 @@ pub struct LineView {
     pub instant: Option<f64>,
     /// The re-solve after an edit.
     pub live: LiveSolve,
-    /// Runs of the case, the oldest first.
-    pub runs: Vec<RunEntry>,
-    /// Cursor among the runs; 0 is the live one.
-    pub run: usize,
+    /// Runs of the case.
+    pub runs: RunList,
+    /// The variants of the case, of the text that is named there.
+    pub plan: VariantPlan,
+    /// True while the variants of a newer text are worked out.
+    pub planning: bool,
+    /// What was asked for and waits for the variants.
+    pub planned: Option<PlannedWork>,
     /// The validation table, made anew when a run lands.
     pub checks: Vec<ValidationRow>,
     /// The table of the line that is shown.
@@ -101,8 +115,10 @@ impl LineView {
             series: None,
             instant: None,
             live: LiveSolve::default(),
-            runs: Vec::new(),
-            run: 0,
+            runs: RunList::default(),
+            plan: VariantPlan::default(),
+            planning: false,
+            planned: None,
             checks: Vec::new(),
             line_table: LineTable::default(),
             nodes_pane: TablePane::default(),
@@ -115,7 +131,7 @@ impl LineView {
     /// The run under the cursor; nothing for the live solve.
     #[must_use]
     pub fn current_run(&self) -> Option<&RunEntry> {
-        self.run.checked_sub(1).and_then(|i| self.runs.get(i))
+        self.runs.current()
     }
 
     /// The run that tables and report show: the one under the cursor of the list, else the live solve.
@@ -130,30 +146,22 @@ impl LineView {
         Some(("live".to_owned(), run, self.live.kept.clone()))
     }
 
-    /// The points of the studies that the validation table needs, with the text of each.
-    #[must_use]
-    pub fn needed(&self, source: &ParameterEditor) -> Vec<(Option<StudyPoint>, String)> {
-        let variant = |at: Option<StudyPoint>| {
-            let found = facade::variant(&source.text, &self.case, at.as_ref(), &source.file);
-            Some((at, found.ok()?.0))
-        };
-        let points = reference::plan(&self.case).into_iter();
-        points.filter_map(variant).collect()
-    }
-
     /// Takes all runs off the charts.
     pub fn hide_runs(&mut self) {
         self.live.hidden = true;
-        self.runs.iter_mut().for_each(|entry| entry.shown = false);
+        self.runs.change_all(|entry| entry.shown = false);
     }
 
     /// The newest complete run of exactly this text.
-    fn complete_run(&self, text: &str) -> Option<Arc<Run>> {
+    fn complete_run(&self, text: TextDigest) -> Option<Arc<Run>> {
         let live = self.live.done.as_ref();
-        let live = live.filter(|_| self.live.done_text == text);
-        let entries = self.runs.iter().rev().filter(|entry| entry.text == text);
-        let curves = entries.map(|entry| &entry.curves).chain(live);
+        let live = live.filter(|_| TextDigest::of(&self.live.done_text) == text);
+        let entries = self.runs.all().iter().rev();
+        let curves = entries
+            .filter(|entry| entry.text == text)
+            .map(|entry| &entry.curves);
         curves
+            .chain(live)
             .filter_map(|curves| curves.run.as_ref())
             .find(|run| run.info.state == RunState::Done)
             .cloned()
@@ -230,9 +238,16 @@ impl DocumentKind for LineView {
     }
 
     fn validate(&mut self, source: &ParameterEditor) {
-        let needed = self.needed(source).into_iter();
-        let runs = needed.filter_map(|(at, text)| Some((at, self.complete_run(&text)?)));
-        self.checks = facade::checks(&self.case, &runs.collect::<Vec<_>>());
+        let mut runs = Vec::new();
+        // The variants follow when they are worked out.
+        if self.plan.text == source.text {
+            let needed = self.plan.of_published_values().iter();
+            let found = needed.filter_map(|v| Some((v.at.clone(), self.complete_run(v.digest)?)));
+            runs.extend(found);
+        } else if let Some(run) = self.complete_run(TextDigest::of(&source.text)) {
+            runs.push((None, run));
+        }
+        self.checks = facade::checks(&self.case, &runs);
     }
 
     fn checks(&self) -> &[ValidationRow] {

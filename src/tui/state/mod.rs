@@ -10,9 +10,11 @@ pub mod modes;
 pub mod overlay;
 pub mod parameter_editor;
 pub mod ropeway;
+pub mod run_list;
 pub mod section;
 pub mod ship;
 pub mod trials;
+pub mod variants;
 
 pub use case_list::{CaseEntry, CaseList, Filter};
 pub use curves::{RunCurves, RunEntry, RunOrigin, RunStatus};
@@ -23,8 +25,10 @@ pub use line::LineView;
 pub use overlay::{Overlay, PromptPurpose, Question};
 pub use parameter_editor::{Editing, ParameterEditor};
 pub use ropeway::RopewayView;
+pub use run_list::{RunColumn, RunList};
 pub use section::SectionView;
 pub use ship::ShipView;
+pub use variants::{Variant, VariantPlan};
 
 use super::pane::PaneId;
 use super::terminal::capabilities::Capabilities;
@@ -131,9 +135,17 @@ impl AppState {
         self.document.as_mut().map(|document| &mut document.editor)
     }
 
-    /// The filter of the list that is open, fields or cases; its cursor; and how many lines pass.
+    /// The filter of the list that is open, runs, fields or cases; its cursor; and how many lines pass.
     pub fn filter_mut(&mut self) -> (&mut Filter, &mut usize, usize) {
         match &mut self.document {
+            Some(Document {
+                pane: PaneId::Runs,
+                content: DocumentContent::Line(line),
+                ..
+            }) => {
+                let lines = line.runs.lines();
+                (&mut line.runs.filter, &mut line.runs.cursor, lines)
+            }
             Some(Document { editor, .. }) => {
                 let lines = editor.fields().count();
                 (&mut editor.filter, &mut editor.field, lines)

@@ -53,11 +53,29 @@ pub enum Overlay {
     },
 }
 
+/// What the user may say of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RunText {
+    /// A name.
+    Name,
+    /// Tags.
+    Tags,
+    /// A note.
+    Note,
+}
+
 /// What a typed line is for.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum PromptPurpose {
     /// The time \[s\] up to which the run in this directory is resumed.
     Resume(PathBuf),
+    /// A text about these runs.
+    RunText {
+        /// Which.
+        what: RunText,
+        /// Their directories.
+        dirs: Vec<PathBuf>,
+    },
     /// Another file name, for a case whose own file cannot be written.
     SaveAs,
 }
@@ -72,12 +90,12 @@ pub enum Question {
     },
     /// Jobs are in the way of quitting.
     JobsRunning,
-    /// A stored run is to be deleted.
-    DeleteRun {
-        /// Its directory.
-        dir: PathBuf,
-        /// Its name.
-        id: String,
+    /// Stored runs are to be deleted.
+    DeleteRuns {
+        /// Their directories.
+        dirs: Vec<PathBuf>,
+        /// What they are, in words.
+        what: String,
     },
     /// Edits of an earlier session were kept.
     Recover {
@@ -105,9 +123,13 @@ impl Question {
                     .to_owned(),
                 &[('q', "stop them and quit"), ('c', "stay here")],
             ),
-            Self::DeleteRun { id, .. } => (
-                format!("Delete the stored run {id} with all of its files? This cannot be undone."),
-                &[('d', "delete"), ('c', "keep it")],
+            Self::DeleteRuns { dirs, what } => (
+                format!("Delete {what} with all files? This cannot be undone."),
+                if dirs.len() == 1 {
+                    &[('d', "delete"), ('c', "keep it")]
+                } else {
+                    &[('d', "delete"), ('c', "keep them")]
+                },
             ),
             Self::Recover { .. } => (
                 "An earlier session ended before its edits of this case were saved.".to_owned(),

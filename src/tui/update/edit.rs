@@ -57,7 +57,7 @@ pub fn set(state: &mut AppState, key: &str, value: &str) -> Vec<Effect> {
 }
 
 /// Takes a text as an edit, or reports why there is none.
-fn take(state: &mut AppState, text: Result<String, String>) -> Vec<Effect> {
+pub(super) fn take(state: &mut AppState, text: Result<String, String>) -> Vec<Effect> {
     match text {
         Ok(text) => change(state, text),
         Err(problem) => warn(state, problem),

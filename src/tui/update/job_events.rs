@@ -112,6 +112,9 @@ fn finished(state: &mut AppState, ticket: JobNumber, run: Arc<Run>, live: bool) 
     }
     runs::check(state);
     let mut effects = start_waiting(state);
+    if !live {
+        effects.push(Effect::RefreshRuns);
+    }
     effects.extend(quit_if_asked(state));
     effects
 }

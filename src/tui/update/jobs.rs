@@ -2,7 +2,7 @@
 
 use super::notice::info;
 use super::trials;
-use crate::case::{Case, StudyPoint};
+use crate::case::{Case, StudyPoint, TextDigest};
 use crate::run::ResumedRun;
 use crate::run::job::Request;
 use crate::run::settings::method_name;
@@ -11,7 +11,7 @@ use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::{
     AppState, Document, DocumentKind, JobLine, JobNumber, JobPurpose, JobState, LineView,
-    ParameterEditor, QueuedRequest, RunCurves, RunEntry, RunOrigin, RunStatus,
+    ParameterEditor, QueuedRequest, RunCurves, RunEntry, RunStatus,
 };
 
 /// Solves the edited case in the background; the newest wins.
@@ -113,7 +113,7 @@ pub(super) fn run(state: &mut AppState) -> Vec<Effect> {
 /// Puts the cursor on the newest run, and starts what waits.
 pub(super) fn start_newest(state: &mut AppState) -> Vec<Effect> {
     if let Some(line) = state.line_mut() {
-        line.run = line.runs.len();
+        line.runs.go_to_newest();
     }
     start_waiting(state)
 }
@@ -153,21 +153,15 @@ pub(super) fn queue(
     let method = method_name(request.case.solver.method).to_owned();
     let stem = request.file.trim_end_matches(".toml");
     let name = joined_label(&[stem, &label, &method]);
-    let text = request.text.clone();
-    line.runs.push(RunEntry {
+    line.runs.extend([RunEntry {
         ticket: Some(ticket),
         id: name.clone(),
         label,
         at,
-        text,
-        kind: RunOrigin::Session,
-        state: RunStatus::Job(JobState::Queued),
-        method,
-        dir: None,
-        cost: None,
+        duration_s: request.case.solver.duration_s,
         shown,
-        curves: RunCurves::default(),
-    });
+        ..RunEntry::session(TextDigest::of(&request.text), method)
+    }]);
     state
         .jobs
         .lines
@@ -270,8 +264,10 @@ pub(super) fn set_state(state: &mut AppState, ticket: JobNumber, new: JobState) 
 }
 
 pub(super) fn slot(state: &mut AppState, ticket: JobNumber) -> Option<&mut RunEntry> {
-    let runs = &mut state.line_mut()?.runs;
-    runs.iter_mut().find(|s| s.ticket == Some(ticket))
+    state
+        .line_mut()?
+        .runs
+        .newest_mut(|run| run.ticket == Some(ticket))
 }
 
 /// Jobs of the open case end with it; trials keep running.

@@ -45,6 +45,7 @@ fn filter_key(state: &mut AppState, key: KeyPress) -> Option<Vec<Effect>> {
     if !filter.typing {
         return None;
     }
+    let before = filter.input.value().to_owned();
     match key {
         KeyPress::Ctrl('z') => return Some(vec![Effect::Suspend]),
         KeyPress::Enter => filter.typing = false,
@@ -59,6 +60,11 @@ fn filter_key(state: &mut AppState, key: KeyPress) -> Option<Vec<Effect>> {
                 *cursor = 0;
             }
         }
+    }
+    if filter.input.value() != before
+        && let Some(line) = state.line_mut()
+    {
+        line.runs.arrange();
     }
     Some(Vec::new())
 }
@@ -89,6 +95,9 @@ pub(super) fn paste(state: &mut AppState, text: &str) -> Vec<Effect> {
     if filter.typing {
         type_text(&mut filter.input, text);
         *cursor = 0;
+        if let Some(line) = state.line_mut() {
+            line.runs.arrange();
+        }
         return Vec::new();
     }
     info(

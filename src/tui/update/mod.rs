@@ -12,6 +12,7 @@ pub mod notice;
 mod overlay;
 mod quit;
 pub mod resume;
+pub mod run_table;
 pub mod runs;
 pub mod ship;
 mod studies;
@@ -36,6 +37,7 @@ pub fn update(state: &mut AppState, msg: Msg) -> Vec<Effect> {
         }
     }
     effects.extend(modes::follow(state));
+    effects.extend(runs::plan(state));
     effects
 }
 
@@ -65,9 +67,12 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
         Msg::Saved(path, text) => quit::saved(state, path, text),
         Msg::NotSaved(why) => quit::not_saved(state, &why),
         Msg::ChangedOnDisk => quit::changed_on_disk(state),
-        Msg::RunsListed(slots) => runs::listed(state, slots),
+        Msg::RunsListed(found) => runs::listed(state, *found),
+        Msg::Indexing(progress) => runs::indexing(state, progress),
+        Msg::Planned(plan) => runs::planned(state, *plan),
+        Msg::RunCase(dir, wanted, text) => run_table::exact_case(state, &dir, wanted, text),
         Msg::RunRead(dir, run) => runs::read(state, &dir, run),
-        Msg::RunDeleted(dir) => runs::deleted(state, &dir),
+        Msg::RunsDeleted(dirs) => runs::deleted(state, &dirs),
         Msg::Kept(dir, run) => runs::kept(state, &dir, run),
         Msg::Say(level, text) => {
             state.say(level, text);

@@ -5,7 +5,7 @@ use tui_input::Input;
 use super::motion::moved;
 use super::notice::info;
 use super::text_input::type_key;
-use super::{edit, export, jobs, keys, quit, resume, runs, studies, trials};
+use super::{edit, export, jobs, keys, quit, resume, run_table, runs, studies, trials};
 use crate::report::chart::Glyphs;
 use crate::tui::command::{Command, CommandId};
 use crate::tui::key::KeyPress;
@@ -138,6 +138,9 @@ fn prompt(
                 return effects;
             }
         }
+        (KeyPress::Enter, PromptPurpose::RunText { what, dirs }) => {
+            return run_table::take_text(state, *what, dirs, input.value().trim());
+        }
         (KeyPress::Enter, PromptPurpose::Resume(dir)) => {
             match resume::until(dir.clone(), input.value().trim()) {
                 Ok(effects) => return effects,
@@ -171,7 +174,7 @@ fn answer(state: &mut AppState, question: Question, key: KeyPress) -> Vec<Effect
         (Question::Unsaved { quit }, 's') => quit::save_then_leave(state, quit),
         (Question::Unsaved { quit }, 'd') => quit::drop_edits(state, quit),
         (Question::JobsRunning, 'q') => vec![Effect::Quit],
-        (Question::DeleteRun { dir, .. }, 'd') => vec![Effect::DeleteRun(dir)],
+        (Question::DeleteRuns { dirs, .. }, 'd') => vec![Effect::DeleteRuns(dirs)],
         (Question::Recover { text }, 'r') => edit::recover(state, text),
         (Question::Recover { .. }, 'd') => state
             .editor()
@@ -276,7 +279,7 @@ fn go(state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
     match document.pane {
         PaneId::Report => export::make_report(document),
         // Runs that other programs computed may have ended.
-        PaneId::Runs => return Some(runs::list(state).into_iter().collect()),
+        PaneId::Runs => return Some(vec![Effect::RefreshRuns]),
         _ => {}
     }
     Some(Vec::new())

@@ -8,25 +8,21 @@ use super::jobs::{queue, start_newest};
 use super::notice::info;
 use crate::run::ResumedRun;
 use crate::run::job::Request;
-use crate::tui::facade;
 use crate::tui::msg::Effect;
 use crate::tui::state::{AppState, JobState, Overlay, PromptPurpose, RunStatus};
 
 /// Asks for the end of the run under the cursor.
 pub fn ask(state: &mut AppState) -> Vec<Effect> {
-    let (Some(line), Some(editor)) = (state.line(), state.editor()) else {
+    let Some(line) = state.line() else {
         return Vec::new();
     };
     let Some((slot, dir)) = line.current_run().and_then(|s| Some((s, s.dir.clone()?))) else {
         return Vec::new();
     };
-    let end = facade::parse(&slot.text, &editor.file).map(|case| case.solver.duration_s);
+    let end = slot.duration_s;
     let whole = slot.state == RunStatus::Job(JobState::Done);
     // A run that was stopped is offered its own end, a complete one twice its time.
-    let offer = end.map_or_else(
-        |_| String::new(),
-        |end| format!("{}", if whole { 2.0 * end } else { end }),
-    );
+    let offer = format!("{}", if whole { 2.0 * end } else { end });
     let words = if whole {
         "The run is complete. It is resumed as a run of its own, to the same bits as if it had never stopped."
     } else {

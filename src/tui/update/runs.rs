@@ -6,13 +6,17 @@ use std::sync::Arc;
 use super::export;
 use super::motion::moved;
 use super::notice::info;
+use crate::case::TextDigest;
 use crate::run::Run;
+use crate::run::index::SyncProgress;
+use crate::study::results::main_results;
 use crate::tui::facade;
-use crate::tui::msg::Effect;
+use crate::tui::msg::{Effect, RunsFound};
 use crate::tui::pane::PaneId;
+use crate::tui::state::line::PlannedWork;
 use crate::tui::state::{
     AppState, Document, JobNumber, JobState, LineView, RunCurves, RunEntry, RunOrigin, RunStatus,
-    Severity,
+    Severity, VariantPlan,
 };
 
 /// Stores the live run.
@@ -27,35 +31,38 @@ pub fn show_alone(state: &mut AppState) -> Vec<Effect> {
     let Some(line) = state.line_mut() else {
         return Vec::new();
     };
-    let at = line.run;
-    line.live.hidden = at > 0;
-    for (i, entry) in line.runs.iter_mut().enumerate() {
-        entry.shown = i + 1 == at;
-    }
-    let name = line
-        .current_run()
-        .map_or_else(|| "the live run".to_owned(), |r| r.id.clone());
-    let effects = at
-        .checked_sub(1)
-        .and_then(|i| line.runs.get(i))
-        .map_or_else(Vec::new, load);
+    line.hide_runs();
+    let mut effects = Vec::new();
+    let name = match line.runs.current_mut() {
+        Some(entry) => {
+            entry.shown = true;
+            effects = load(entry);
+            entry.title()
+        }
+        None => {
+            line.live.hidden = false;
+            "the live run".to_owned()
+        }
+    };
+    line.runs.arrange();
     info(state, format!("Charts and report now show {name}."));
     effects
 }
 
 /// Shows the run under the cursor beside the others, or takes it off.
 pub fn select(line: &mut LineView) -> Vec<Effect> {
-    let effects = match line.run.checked_sub(1).and_then(|i| line.runs.get_mut(i)) {
+    let mut effects = Vec::new();
+    match line.runs.current_mut() {
         Some(entry) => {
             entry.shown = !entry.shown;
-            if entry.shown { load(entry) } else { Vec::new() }
+            if entry.shown {
+                effects = load(entry);
+            }
         }
-        None => {
-            line.live.hidden = !line.live.hidden;
-            Vec::new()
-        }
-    };
-    line.run = moved(line.run, 1, line.runs.len() + 1);
+        None => line.live.hidden = !line.live.hidden,
+    }
+    line.runs.arrange();
+    line.runs.cursor = moved(line.runs.cursor, 1, line.runs.lines());
     effects
 }
 
@@ -71,29 +78,43 @@ pub(super) fn load(entry: &RunEntry) -> Vec<Effect> {
 }
 
 pub(super) fn stored(state: &mut AppState, ticket: JobNumber, dir: PathBuf) -> Vec<Effect> {
-    if let Some(line) = state.line_mut()
-        && let Some(entry) = line.runs.iter_mut().find(|s| s.ticket == Some(ticket))
-    {
+    let Some(line) = state.line_mut() else {
+        return Vec::new();
+    };
+    // The index may have been quicker.
+    line.runs
+        .retain(|run| run.ticket.is_some() || run.dir.as_ref() != Some(&dir));
+    if let Some(entry) = line.runs.newest_mut(|run| run.ticket == Some(ticket)) {
         if let Some(name) = dir.file_name() {
             entry.id = name.to_string_lossy().into_owned();
         }
         entry.dir = Some(dir);
     }
-    Vec::new()
+    line.runs.arrange();
+    vec![Effect::RefreshRuns]
 }
 
 pub(super) fn kept(state: &mut AppState, dir: &Path, run: Arc<Run>) -> Vec<Effect> {
     if let Some(line) = state.line_mut() {
-        let mut entry = RunEntry::stored(&run.info, run.case_text.clone());
+        line.live.kept = Some(dir.to_owned());
+        let info = &run.info;
+        let mut entry =
+            RunEntry::session(TextDigest::of(&run.case_text), info.settings.method.clone());
         if let Some(name) = dir.file_name() {
             entry.id = name.to_string_lossy().into_owned();
         }
+        entry.state = RunStatus::Job(JobState::Done);
+        entry.cost = Some((info.work.steps, info.cost.cpu_s));
+        entry.started.clone_from(&info.started);
+        entry.duration_s = info.settings.duration_s;
+        entry.label = info.overrides.join(", ");
+        entry.kind = RunOrigin::Stored;
         entry.dir = Some(dir.to_owned());
         entry.curves = RunCurves::whole(run);
-        line.runs.push(entry);
-        line.live.kept = Some(dir.to_owned());
+        line.runs.extend([entry]);
     }
-    info(state, format!("Kept in {}.", dir.display()))
+    info(state, format!("Kept in {}.", dir.display()));
+    vec![Effect::RefreshRuns]
 }
 
 /// Asks for the stored runs of a line case, and of those beside it.
@@ -101,45 +122,115 @@ pub(super) fn list(state: &AppState) -> Option<Effect> {
     let (line, editor) = (state.line()?, state.editor()?);
     let mut files = vec![editor.file.clone()];
     files.extend(line.case.case.beside.iter().flatten().cloned());
-    Some(Effect::ListRuns(files))
+    let results = main_results(&line.case);
+    Some(Effect::ListRuns {
+        files,
+        results: results.iter().map(ToString::to_string).collect(),
+    })
 }
 
-/// Stored runs join the list; those that the validation table needs are read.
-pub(super) fn listed(state: &mut AppState, entries: Vec<RunEntry>) -> Vec<Effect> {
+/// What the index says: stored runs join the list, change or leave it; those that the validation table needs are read.
+pub(super) fn listed(state: &mut AppState, found: RunsFound) -> Vec<Effect> {
+    let Some(line) = state.line_mut() else {
+        return Vec::new();
+    };
+    let runs = &mut line.runs;
+    if let Some(columns) = found.columns {
+        runs.columns = columns;
+    }
+    if found.whole {
+        runs.indexing = None;
+    }
+    let mut effects = Vec::new();
+    let mut new = Vec::new();
+    for entry in found.changed {
+        match entry.dir.as_deref().and_then(|dir| runs.in_dir_mut(dir)) {
+            Some(known) => {
+                known.renew(entry);
+                if known.shown {
+                    effects.extend(load(known));
+                }
+            }
+            None => new.push(entry),
+        }
+    }
+    runs.extend(new);
+    // Runs of this session are in the list before they are in the index.
+    runs.retain(|run| {
+        run.number
+            .is_none_or(|number| found.all.binary_search(&number).is_ok())
+    });
+    effects.extend(load_needed(state));
+    check(state);
+    effects
+}
+
+/// How far the index is.
+pub(super) fn indexing(state: &mut AppState, progress: SyncProgress) -> Vec<Effect> {
+    if let Some(line) = state.line_mut() {
+        line.runs.indexing = (progress.done < progress.all).then_some(progress);
+    }
+    Vec::new()
+}
+
+/// Names the runs that the validation table needs by their points, and reads them.
+pub(super) fn load_needed(state: &mut AppState) -> Vec<Effect> {
     let document = state.document.as_mut();
     let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
         return Vec::new();
     };
-    let needed = line.needed(editor);
-    let mut effects = Vec::new();
-    for mut entry in entries {
-        let same = |s: &&mut RunEntry| s.dir.is_some() && s.dir == entry.dir;
-        if let Some(known) = line.runs.iter_mut().find(same) {
-            if known.state != entry.state && known.kind == RunOrigin::Stored {
-                entry.shown = known.shown;
-                entry.at = known.at.take();
-                entry.label = std::mem::take(&mut known.label);
-                *known = entry;
-                effects.extend(
-                    Some(&*known)
-                        .filter(|s| s.shown)
-                        .map(load)
-                        .unwrap_or_default(),
-                );
-            }
-            continue;
-        }
-        if let Some((at, _)) = needed.iter().find(|(_, text)| *text == entry.text)
-            && entry.state == RunStatus::Job(JobState::Done)
-        {
-            entry.label = at
-                .as_ref()
-                .map_or_else(String::new, |at| facade::at_label(&line.case, at));
-            entry.at.clone_from(at);
-            effects.extend(load(&entry));
-        }
-        line.runs.push(entry);
+    if line.plan.text != editor.text {
+        return Vec::new();
     }
+    let mut effects = Vec::new();
+    for variant in line.plan.of_published_values() {
+        let done = RunStatus::Job(JobState::Done);
+        let of = |run: &RunEntry| run.text == variant.digest && run.state == done;
+        if let Some(run) = line.runs.newest_mut(of) {
+            if let Some(at) = &variant.at {
+                run.label = facade::at_label(&line.case, at);
+            }
+            run.at.clone_from(&variant.at);
+            effects.extend(load(run));
+        }
+    }
+    effects
+}
+
+/// Asks for the variants of the text as it is, one text after the other.
+pub(super) fn plan(state: &mut AppState) -> Option<Effect> {
+    let document = state.document.as_mut()?;
+    let (line, editor) = document.line_and_editor()?;
+    if line.planning || line.plan.text == editor.text {
+        return None;
+    }
+    line.planning = true;
+    Some(Effect::Plan {
+        case: Box::new(line.case.clone()),
+        text: editor.text.clone(),
+        file: editor.file.clone(),
+    })
+}
+
+/// The variants are there: what waited for them goes on.
+pub(super) fn planned(state: &mut AppState, plan: VariantPlan) -> Vec<Effect> {
+    let document = state.document.as_mut();
+    let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
+        return Vec::new();
+    };
+    line.planning = false;
+    line.plan = plan;
+    if line.plan.text != editor.text {
+        return Vec::new();
+    }
+    let waiting = line.planned.take();
+    let mut effects = load_needed(state);
+    check(state);
+    effects.extend(match waiting {
+        Some(PlannedWork::Study(index)) => super::studies::study(state, index),
+        Some(PlannedWork::Validate) => super::studies::validate(state),
+        None => Vec::new(),
+    });
     effects
 }
 
@@ -148,7 +239,7 @@ pub(super) fn read(state: &mut AppState, dir: &Path, run: Result<Arc<Run>, Strin
         return Vec::new();
     };
     let mut problem = None;
-    if let Some(entry) = line.runs.iter_mut().find(|s| s.dir.as_deref() == Some(dir)) {
+    if let Some(entry) = line.runs.in_dir_mut(dir) {
         match run {
             Ok(run) => entry.curves = RunCurves::whole(run),
             Err(why) => {
@@ -158,6 +249,7 @@ pub(super) fn read(state: &mut AppState, dir: &Path, run: Result<Arc<Run>, Strin
             }
         }
     }
+    line.runs.arrange();
     if let Some(why) = problem {
         state.say(Severity::Error, why);
     }
@@ -165,16 +257,22 @@ pub(super) fn read(state: &mut AppState, dir: &Path, run: Result<Arc<Run>, Strin
     Vec::new()
 }
 
-pub(super) fn deleted(state: &mut AppState, dir: &Path) -> Vec<Effect> {
-    if let Some(line) = state.line_mut() {
-        line.runs.retain(|s| s.dir.as_deref() != Some(dir));
-        line.run = line.run.min(line.runs.len());
-        if line.live.kept.as_deref() == Some(dir) {
-            line.live.kept = None;
-        }
+pub(super) fn deleted(state: &mut AppState, dirs: &[PathBuf]) -> Vec<Effect> {
+    let (Some(line), false) = (state.line_mut(), dirs.is_empty()) else {
+        return Vec::new();
+    };
+    let gone = |dir: &Option<PathBuf>| dir.as_ref().is_some_and(|dir| dirs.contains(dir));
+    line.runs.retain(|run| !gone(&run.dir));
+    if gone(&line.live.kept) {
+        line.live.kept = None;
     }
     check(state);
-    info(state, format!("Deleted {}.", dir.display()))
+    let words = match dirs {
+        [dir] => format!("Deleted {}.", dir.display()),
+        _ => format!("Deleted {} runs.", dirs.len()),
+    };
+    info(state, words);
+    vec![Effect::RefreshRuns]
 }
 
 /// Updates the validation table from the runs of the edited case, and the report where it is seen.

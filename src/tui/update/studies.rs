@@ -3,12 +3,13 @@
 use super::jobs::{enqueue, start_waiting};
 use super::notice::info;
 use super::runs;
-use crate::case::StudyPoint;
-use crate::reference;
 use crate::tui::facade;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
-use crate::tui::state::{AppState, Document, JobState, Overlay, RunEntry, RunStatus, Severity};
+use crate::tui::state::line::PlannedWork;
+use crate::tui::state::{
+    AppState, JobState, LineView, Overlay, RunEntry, RunStatus, Severity, Variant,
+};
 
 /// Runs the study of the case, or asks which.
 pub(super) fn ask(state: &mut AppState) -> Vec<Effect> {
@@ -33,20 +34,15 @@ pub(super) fn ask(state: &mut AppState) -> Vec<Effect> {
 
 /// Runs all variants of a study and overlays them.
 pub(super) fn study(state: &mut AppState, index: usize) -> Vec<Effect> {
-    let Some(line) = state.line_mut() else {
+    let Some(line) = ready(state, PlannedWork::Study(index)) else {
         return Vec::new();
     };
-    let Some(study) = line.case.study.get(index).cloned() else {
+    let Some(study) = line.case.study.get(index) else {
         return Vec::new();
     };
+    let wanted: Vec<Variant> = line.plan.of_study(&study.name).cloned().collect();
     line.hide_runs();
-    let points = study.values.iter().map(|value| {
-        Some(StudyPoint {
-            study: study.name.clone(),
-            value: value.clone(),
-        })
-    });
-    let effects = variants(state, points.collect(), true);
+    let effects = variants(state, wanted, true);
     if let Some(document) = &mut state.document {
         document.pane = PaneId::Charts;
     }
@@ -55,54 +51,62 @@ pub(super) fn study(state: &mut AppState, index: usize) -> Vec<Effect> {
 
 /// Runs all that the published values of the case need.
 pub(super) fn validate(state: &mut AppState) -> Vec<Effect> {
-    let Some(document) = &mut state.document else {
+    if let Some(document) = &mut state.document {
+        document.pane = PaneId::Validation;
+    }
+    let Some(line) = ready(state, PlannedWork::Validate) else {
         return Vec::new();
     };
-    document.pane = PaneId::Validation;
-    let plan = document
-        .line()
-        .map_or_else(Vec::new, |line| reference::plan(&line.case));
-    variants(state, plan, false)
+    let wanted = line.plan.of_published_values().to_vec();
+    variants(state, wanted, false)
+}
+
+/// The case with its variants; where they are not worked out yet, the work waits for them.
+fn ready(state: &mut AppState, work: PlannedWork) -> Option<&mut LineView> {
+    let document = state.document.as_mut()?;
+    let (line, editor) = document.line_and_editor()?;
+    if line.plan.text == editor.text {
+        return Some(line);
+    }
+    line.planned = Some(work);
+    None
 }
 
 /// Queues the variants that are not there yet, and shows those that are.
-fn variants(state: &mut AppState, points: Vec<Option<StudyPoint>>, shown: bool) -> Vec<Effect> {
+fn variants(state: &mut AppState, wanted: Vec<Variant>, shown: bool) -> Vec<Effect> {
     let mut effects = Vec::new();
     let mut begun = 0;
-    for at in points {
-        let document = state.document.as_mut();
-        let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
+    for variant in wanted {
+        let case = match variant.case {
+            Ok(case) => *case,
+            Err(problem) => {
+                state.say(Severity::Error, problem);
+                continue;
+            }
+        };
+        let Some(line) = state.line_mut() else {
             break;
         };
-        let (text, case) =
-            match facade::variant(&editor.text, &line.case, at.as_ref(), &editor.file) {
-                Ok(found) => found,
-                Err(problem) => {
-                    state.say(Severity::Error, problem);
-                    continue;
-                }
-            };
-        if let Some(slot) = line
-            .runs
-            .iter_mut()
-            .rev()
-            .find(|s| s.text == text && usable(s))
-        {
-            slot.at.clone_from(&at);
-            slot.label = at
-                .as_ref()
-                .map_or_else(String::new, |at| facade::at_label(&line.case, at));
+        let same = |run: &RunEntry| run.text == variant.digest && usable(run);
+        if let Some(slot) = line.runs.newest_mut(same) {
+            slot.at.clone_from(&variant.at);
+            if let Some(at) = &variant.at {
+                slot.label = facade::at_label(&line.case, at);
+            }
             slot.shown |= shown;
             effects.extend(runs::load(slot));
             continue;
         }
         let live = &line.live;
-        if at.is_none() && !shown && (live.done_text == text || live.going_text == text) {
-            // The live run is of this text.
+        let is_live = live.done_text == variant.text || live.going_text == variant.text;
+        if variant.at.is_none() && !shown && is_live {
             continue;
         }
         begun += 1;
-        enqueue(state, &text, case, at, shown);
+        enqueue(state, &variant.text, case, variant.at, shown);
+    }
+    if let Some(line) = state.line_mut() {
+        line.runs.arrange();
     }
     effects.extend(start_waiting(state));
     runs::check(state);

@@ -1,5 +1,7 @@
 //! What lies over the screen: help, palette, questions.
 
+use std::path::PathBuf;
+
 use ratatui::layout::{Constraint, Layout, Rect};
 use tui_input::Input;
 
@@ -7,8 +9,27 @@ use super::paint::{below_head, over, row, wrap};
 use super::painter::Painter;
 use crate::tui::command::Command;
 use crate::tui::panes;
+use crate::tui::state::overlay::RunText;
 use crate::tui::state::{Overlay, PromptPurpose, Question};
 use crate::tui::update::palette_matches;
+
+/// Title and prompt of a text about runs.
+fn run_text_words(what: RunText, dirs: &[PathBuf]) -> (String, &'static str) {
+    let (title, prompt) = match what {
+        RunText::Name => ("Name", "Name: "),
+        RunText::Tags => ("Tags", "Tags: "),
+        RunText::Note => ("Note", "Note: "),
+    };
+    let of = match dirs {
+        [dir] => dir
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned(),
+        _ => format!("{} runs", dirs.len()),
+    };
+    (format!("{title} of {of}"), prompt)
+}
 
 impl Painter<'_> {
     pub(super) fn overlay(&mut self, screen: Rect, overlay: &Overlay) {
@@ -31,6 +52,7 @@ impl Painter<'_> {
             } => {
                 let (title, prompt) = match purpose {
                     PromptPurpose::SaveAs => ("Save under another name".to_owned(), "File: "),
+                    PromptPurpose::RunText { what, dirs } => run_text_words(*what, dirs),
                     PromptPurpose::Resume(dir) => {
                         let name = dir.file_name().unwrap_or_default().to_string_lossy();
                         (format!("Resume {name}"), "Until [s]: ")

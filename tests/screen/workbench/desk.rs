@@ -17,7 +17,7 @@ use seacable::run::{
 };
 use seacable::tui::key::KeyPress;
 use seacable::tui::msg::FileRead;
-use seacable::tui::state::{CaseEntry, DocumentContent, JobNumber, LineView};
+use seacable::tui::state::{CaseEntry, DocumentContent, JobNumber, LineView, VariantPlan};
 use seacable::tui::terminal::capabilities::Capabilities;
 use seacable::tui::{AppState, Effect, Msg, draw, update};
 
@@ -99,7 +99,16 @@ impl Desk {
 
     pub(crate) fn tell(&mut self, msg: Msg) {
         let effects = update(&mut self.state, msg);
-        self.asked.extend(effects);
+        for effect in effects {
+            match effect {
+                Effect::Plan { case, text, file } => {
+                    self.tell(Msg::Planned(Box::new(VariantPlan::new(
+                        &text, &case, &file,
+                    ))));
+                }
+                effect => self.asked.push(effect),
+            }
+        }
     }
 
     /// Presses keys, given by their names with blanks between them.

@@ -220,14 +220,14 @@ fn runs_can_be_overlaid_shown_alone_and_deleted_after_a_question() {
     desk.keys("d");
     snapshot("tui_delete_80x24", &desk);
     desk.keys("esc");
-    assert!(!has(&desk, |e| matches!(e, Effect::DeleteRun(_))));
+    assert!(!has(&desk, |e| matches!(e, Effect::DeleteRuns(_))));
     desk.keys("d d");
     let dir = desk.state.line().unwrap().runs[0].dir.clone().unwrap();
     assert!(has(
         &desk,
-        |e| matches!(e, Effect::DeleteRun(d) if *d == dir)
+        |e| matches!(e, Effect::DeleteRuns(d) if *d == [dir.clone()])
     ));
-    desk.tell(Msg::RunDeleted(dir));
+    desk.tell(Msg::RunsDeleted(vec![dir]));
     assert_eq!(desk.state.line().unwrap().runs.len(), 1);
 }
 

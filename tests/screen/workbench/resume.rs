@@ -64,5 +64,5 @@ fn a_stored_run_is_resumed_from_the_list() {
     assert_eq!(started.len(), 1);
     assert_eq!(started[0].1.case.solver.duration_s, 4.0);
     let runs = &desk.state.line().unwrap().runs;
-    assert_eq!(runs.last().map(|r| r.label.as_str()), Some("to 4 s"));
+    assert_eq!(runs.all().last().map(|r| r.label.as_str()), Some("to 4 s"));
 }

@@ -1,0 +1,322 @@
+//! The runs of the open case: all of them, which are on the charts, and the table's filter, order and columns.
+
+use std::cmp::Ordering;
+use std::collections::HashMap;
+use std::ops::Index;
+use std::path::{Path, PathBuf};
+
+use super::case_list::Filter;
+use super::curves::RunEntry;
+use crate::run::index::{MeasuredResult, RunColumns, SyncProgress};
+use crate::tui::run_filter::RunFilter;
+
+/// A column of the table of runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RunColumn {
+    /// Its name.
+    Name,
+    /// Its state.
+    State,
+    /// The input of this number among those that differ.
+    Input(usize),
+    /// The result of this number among those shown.
+    Result(usize),
+    /// Its method.
+    Method,
+    /// Time steps.
+    Steps,
+    /// CPU time.
+    Cpu,
+    /// When it began.
+    Age,
+    /// Its tags.
+    Tags,
+}
+
+/// The runs of the open case.
+#[derive(Debug, Clone, Default)]
+pub struct RunList {
+    /// The runs, the oldest first.
+    entries: Vec<RunEntry>,
+    /// Where each directory is among them.
+    places: HashMap<PathBuf, usize>,
+    /// Those on the charts, in their order.
+    on_charts: Vec<usize>,
+    /// Those that pass the filter, in the order of the table.
+    rows: Vec<usize>,
+    /// Cursor in the table; 0 is the live run.
+    pub cursor: usize,
+    /// The filter: words and conditions.
+    pub filter: Filter,
+    /// The column that sorts, and whether the greatest comes first; absent: oldest first.
+    pub sort: Option<(RunColumn, bool)>,
+    /// Columns hidden at the left.
+    pub scroll: usize,
+    /// Inputs that differ among the runs, and results.
+    pub columns: RunColumns,
+    /// How far the index is in step with the directories, while it is not.
+    pub indexing: Option<SyncProgress>,
+}
+
+impl Index<usize> for RunList {
+    type Output = RunEntry;
+
+    fn index(&self, at: usize) -> &RunEntry {
+        &self.entries[at]
+    }
+}
+
+impl RunList {
+    /// All runs, the oldest first.
+    #[must_use]
+    pub fn all(&self) -> &[RunEntry] {
+        &self.entries
+    }
+
+    /// How many runs there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// True when there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// The runs of the table, in its order.
+    #[must_use]
+    pub fn rows(&self) -> &[usize] {
+        &self.rows
+    }
+
+    /// How many lines the table has, the live run among them.
+    #[must_use]
+    pub fn lines(&self) -> usize {
+        self.rows.len() + 1
+    }
+
+    /// The run under the cursor; nothing for the live run.
+    #[must_use]
+    pub fn current(&self) -> Option<&RunEntry> {
+        Some(&self.entries[self.current_place()?])
+    }
+
+    fn current_place(&self) -> Option<usize> {
+        self.rows.get(self.cursor.checked_sub(1)?).copied()
+    }
+
+    /// The run under the cursor, to be changed.
+    pub fn current_mut(&mut self) -> Option<&mut RunEntry> {
+        let at = self.current_place()?;
+        self.entries.get_mut(at)
+    }
+
+    /// The runs on the charts, in the order of the list.
+    pub fn on_charts(&self) -> impl Iterator<Item = &RunEntry> {
+        self.on_charts.iter().map(|at| &self.entries[*at])
+    }
+
+    /// The marked runs; the one under the cursor where none is marked.
+    #[must_use]
+    pub fn chosen(&self) -> Vec<&RunEntry> {
+        let marked: Vec<_> = self.entries.iter().filter(|run| run.marked).collect();
+        if marked.is_empty() {
+            return self.current().into_iter().collect();
+        }
+        marked
+    }
+
+    /// The run in a directory.
+    #[must_use]
+    pub fn in_dir(&self, dir: &Path) -> Option<&RunEntry> {
+        self.places.get(dir).map(|at| &self.entries[*at])
+    }
+
+    /// The run in a directory, to be changed.
+    pub fn in_dir_mut(&mut self, dir: &Path) -> Option<&mut RunEntry> {
+        let at = *self.places.get(dir)?;
+        self.entries.get_mut(at)
+    }
+
+    /// The newest run for which something is so, to be changed.
+    pub fn newest_mut(&mut self, so: impl Fn(&RunEntry) -> bool) -> Option<&mut RunEntry> {
+        self.entries.iter_mut().rev().find(|run| so(run))
+    }
+
+    /// Adds runs at the end.
+    pub fn extend(&mut self, runs: impl IntoIterator<Item = RunEntry>) {
+        self.entries.extend(runs);
+        self.arrange();
+    }
+
+    /// Drops the runs for which nothing is so any more.
+    pub fn retain(&mut self, keep: impl FnMut(&RunEntry) -> bool) {
+        self.entries.retain(keep);
+        self.arrange();
+    }
+
+    /// Changes all runs.
+    pub fn change_all(&mut self, change: impl FnMut(&mut RunEntry)) {
+        self.entries.iter_mut().for_each(change);
+        self.arrange();
+    }
+
+    /// Puts the cursor on the newest run, and shows it also where the filter would not.
+    pub fn go_to_newest(&mut self) {
+        self.filter = Filter::default();
+        self.arrange();
+        let newest = self.entries.len().checked_sub(1);
+        let row = self.rows.iter().position(|at| Some(*at) == newest);
+        self.cursor = row.map_or(0, |row| row + 1);
+    }
+
+    /// Brings places, charts and table in step with the runs, the filter and the order. The cursor stays on its run.
+    pub fn arrange(&mut self) {
+        let under = self.current_place().and_then(|at| self.entries.get(at));
+        let under = under.map(|run| (run.dir.clone(), run.ticket));
+        self.places.clear();
+        self.on_charts.clear();
+        for (at, run) in self.entries.iter().enumerate() {
+            if let Some(dir) = &run.dir {
+                self.places.insert(dir.clone(), at);
+            }
+            if run.shown {
+                self.on_charts.push(at);
+            }
+        }
+        let filter = RunFilter::new(self.filter.input.value());
+        let passing = (0..self.entries.len()).filter(|at| filter.passes(self, &self.entries[*at]));
+        self.rows = passing.collect();
+        if let Some((column, down)) = self.sort {
+            self.order(column, down);
+        }
+        let same = |run: &RunEntry| under == Some((run.dir.clone(), run.ticket));
+        let row = self.rows.iter().position(|at| same(&self.entries[*at]));
+        self.cursor = match row {
+            Some(row) => row + 1,
+            None => self.cursor.min(self.rows.len()),
+        };
+    }
+
+    fn order(&mut self, column: RunColumn, down: bool) {
+        let mut rows: Vec<(SortKey, usize)> = self
+            .rows
+            .iter()
+            .map(|at| (self.sort_key(&self.entries[*at], column), *at))
+            .collect();
+        // Without a value last in both directions.
+        rows.sort_by(|(a, _), (b, _)| match (a, b) {
+            (SortKey::Nothing, SortKey::Nothing) => Ordering::Equal,
+            (SortKey::Nothing, _) => Ordering::Greater,
+            (_, SortKey::Nothing) => Ordering::Less,
+            (a, b) if down => b.compare(a),
+            (a, b) => a.compare(b),
+        });
+        self.rows = rows.into_iter().map(|(_, at)| at).collect();
+    }
+
+    fn sort_key(&self, run: &RunEntry, column: RunColumn) -> SortKey {
+        let number = SortKey::Number;
+        match column {
+            RunColumn::Input(_) => self.input(run, column).map_or(SortKey::Nothing, |text| {
+                text.parse()
+                    .map_or_else(|_| SortKey::Word(text.to_owned()), number)
+            }),
+            RunColumn::Result(at) => self
+                .result(run, at)
+                .map_or(SortKey::Nothing, |r| number(r.value)),
+            RunColumn::Steps => run
+                .cost
+                .map_or(SortKey::Nothing, |(steps, _)| number(steps as f64)),
+            RunColumn::Cpu => run.cost.map_or(SortKey::Nothing, |(_, cpu)| number(cpu)),
+            RunColumn::Name => SortKey::Word(run.title().to_lowercase()),
+            RunColumn::State => SortKey::Word(run.state.word().to_owned()),
+            RunColumn::Method => SortKey::Word(run.method.clone()),
+            RunColumn::Age => SortKey::Word(run.started.clone()),
+            RunColumn::Tags => SortKey::Word(run.notes.tags.join(" ")),
+        }
+    }
+
+    /// The value of an input of a run, as its file writes it.
+    #[must_use]
+    pub fn input(&self, run: &RunEntry, column: RunColumn) -> Option<&str> {
+        let RunColumn::Input(at) = column else {
+            return None;
+        };
+        self.columns.inputs.get(at)?.of(run.number?)
+    }
+
+    /// The value of a result of a run.
+    #[must_use]
+    pub fn result(&self, run: &RunEntry, at: usize) -> Option<&MeasuredResult> {
+        self.columns.results.get(at)?.of(run.number?)
+    }
+
+    /// The columns of the table: inputs that differ among its rows, then results, then the rest.
+    #[must_use]
+    pub fn shown_columns(&self) -> Vec<RunColumn> {
+        let inputs = (0..self.columns.inputs.len()).map(RunColumn::Input);
+        let differ = inputs.filter(|column| self.differs(*column));
+        let results = (0..self.columns.results.len()).map(RunColumn::Result);
+        let rest = [
+            RunColumn::Method,
+            RunColumn::Steps,
+            RunColumn::Cpu,
+            RunColumn::Age,
+            RunColumn::Tags,
+        ];
+        let first = [RunColumn::Name, RunColumn::State].into_iter();
+        first.chain(differ).chain(results).chain(rest).collect()
+    }
+
+    /// Whether an input is not the same in all rows of the table.
+    fn differs(&self, column: RunColumn) -> bool {
+        let indexed = self.rows.iter().map(|at| &self.entries[*at]);
+        let mut values = indexed
+            .filter(|run| run.number.is_some())
+            .map(|run| self.input(run, column));
+        let first = values.next();
+        values.any(|value| Some(value) != first)
+    }
+
+    /// Sorts by the next column; after the last in the original order again.
+    pub fn sort_next(&mut self) {
+        let columns = self.shown_columns();
+        let at = self
+            .sort
+            .and_then(|(now, _)| columns.iter().position(|c| *c == now));
+        let next = at.map_or(0, |at| at + 1);
+        self.sort = columns.get(next).map(|column| (*column, false));
+        self.arrange();
+    }
+
+    /// Turns the order around.
+    pub fn sort_around(&mut self) {
+        let (column, down) = self.sort.unwrap_or((RunColumn::Age, false));
+        self.sort = Some((column, !down));
+        self.arrange();
+    }
+}
+
+/// What a row is sorted by.
+#[derive(Debug)]
+enum SortKey {
+    Nothing,
+    Number(f64),
+    Word(String),
+}
+
+impl SortKey {
+    /// Numbers before words.
+    fn compare(&self, other: &Self) -> Ordering {
+        match (self, other) {
+            (Self::Number(a), Self::Number(b)) => a.total_cmp(b),
+            (Self::Number(_), _) => Ordering::Less,
+            (_, Self::Number(_)) => Ordering::Greater,
+            (Self::Word(a), Self::Word(b)) => a.cmp(b),
+            _ => Ordering::Equal,
+        }
+    }
+}
