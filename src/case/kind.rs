@@ -7,11 +7,13 @@ use std::path::{Path, PathBuf};
 
 use super::diagnostic::Diagnostic;
 use super::edit::put_all;
+use super::edited::{self, EditedKey, Origin};
 pub use super::file_kind::FileContent;
 use super::file_kind::{FileKind, errors};
 use super::read::{checked, diagnose, text_of};
 use super::rows::{FieldLister, FieldRow};
 use super::schema::{TableNode, WrittenKeys};
+use super::shipped;
 use super::tree::TomlNode;
 
 /// A file with its text and its result.
@@ -76,6 +78,25 @@ pub fn rows<K: FileKind>(text: &str) -> Vec<FieldRow> {
         |_| Vec::new(),
         |root| K::list(&FieldLister::new(K::schema(), text, &root)),
     )
+}
+
+/// The rows of a text that was edited, its own inputs marked as the user's, and their keys. `before` is the text that the file has; an
+/// edited copy of a file that comes with the program is compared with that.
+#[must_use]
+pub fn edited_rows<K: FileKind>(text: &str, before: &str) -> (Vec<FieldRow>, Vec<EditedKey>) {
+    let (before, origin) = match shipped::of_title(before) {
+        Some(shipped) => (shipped, Origin::Shipped),
+        None => (before, Origin::File),
+    };
+    let mut rows = rows::<K>(text);
+    let keys = edited::edited(
+        &rows,
+        &self::rows::<K>(before),
+        origin,
+        edited::is_sourced(before),
+    );
+    edited::mark(&mut rows, &keys);
+    (rows, keys)
 }
 
 /// The text with one key set to a value as a user types it: a TOML value, or a bare word where the key takes words.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::check::fields_here;
+use super::edited::{ReplacedValue, void};
 use super::fields::{AbsentValue, Field, Schema, join, value_text};
 use super::model::Mark;
 use super::schema::{SubTable, TableNode};
@@ -29,6 +30,8 @@ pub struct FieldRow {
     pub help: &'static str,
     /// Where the value comes from, when the case marks it.
     pub standing: Option<Mark>,
+    /// The value in whose place the user's is; absent where the value is the file's own.
+    pub replaced: Option<ReplacedValue>,
     /// True when the file gives it, false when the default holds.
     pub given: bool,
     /// Whether it matters beside the other keys of its table; editor and report leave it out where it neither matters nor is
@@ -133,8 +136,11 @@ impl<'a> FieldLister<'a> {
                 (String::new(), None)
             }
         };
+        let mark = self.marks.get(&path);
+        let replaced = mark.and_then(|mark| void(mark, &value, field.unit));
         FieldRow {
-            standing: self.marks.get(&path).cloned(),
+            standing: mark.filter(|_| replaced.is_none()).cloned(),
+            replaced,
             path,
             group: group.to_owned(),
             label: field.label,

@@ -107,6 +107,21 @@ pub const BY_KIND: [(FileType, &[Shipped]); FileType::ALL.len()] = [
     (FileType::Ship, SHIPS),
 ];
 
+/// The shipped file that has the title of this text: what an edited copy of it was before.
+#[must_use]
+pub fn of_title(text: &str) -> Option<&'static str> {
+    let title = title(text)?;
+    let mut all = BY_KIND.iter().flat_map(|(_, files)| *files);
+    let (_, shipped) = all.find(|(_, shipped)| self::title(shipped) == Some(title))?;
+    Some(shipped)
+}
+
+/// The line of a text that gives its title.
+fn title(text: &str) -> Option<&str> {
+    let mut lines = text.lines().map(str::trim);
+    lines.find(|line| line.starts_with("title"))
+}
+
 #[cfg(test)]
 mod tests {
     use std::{

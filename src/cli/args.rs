@@ -385,6 +385,11 @@ pub(super) struct ValidateArgs {
     #[arg(value_name = "CASE")]
     pub(super) cases: Vec<PathBuf>,
 
+    /// Set a key on top of every file, for example current.speed_m_per_s=0.45; may be repeated. Published values for another
+    /// value of the key then read EDITED, and count neither as passed nor as failed.
+    #[arg(long = "set", value_name = "KEY=VALUE", requires = "cases")]
+    pub(super) set: Vec<String>,
+
     /// Print with ASCII characters only.
     #[arg(long)]
     pub(super) ascii: bool,

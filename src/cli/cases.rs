@@ -7,7 +7,7 @@ use std::{
 
 use super::CommandError;
 use crate::{
-    case::{self, Case, edit, file_kind::FileKind, kind, shipped},
+    case::{self, Case, FieldRow, edit, file_kind::FileKind, kind, shipped},
     kinds::FileType,
 };
 
@@ -67,20 +67,21 @@ pub(super) fn set(text: &str, words: &[String]) -> Result<String, CommandError> 
     edit::set_all(text, &edits).map_err(wrong)
 }
 
-/// A file of a kind that is read with keys set, and its result.
+/// The fields of a file of a kind that is read with keys set, and its result.
 pub(super) fn load_with<K: FileKind>(
     path: &Path,
     words: &[String],
-) -> Result<(String, K::Computed), CommandError> {
+) -> Result<(Vec<FieldRow>, K::Computed), CommandError> {
     let loaded = kind::load::<K>(path).map_err(CommandError::invalid_file(path))?;
+    let fields = |text: &str| kind::edited_rows::<K>(text, &loaded.text).0;
     if words.is_empty() {
-        return Ok((loaded.text, loaded.computed));
+        return Ok((fields(&loaded.text), loaded.computed));
     }
     let text = kind::set_all::<K>(&loaded.text, &edits(words)?)
         .map_err(CommandError::invalid(&loaded.text))?;
     let computed = kind::parse::<K>(&text, &path.display().to_string())
         .map_err(CommandError::invalid(&text))?;
-    Ok((text, computed))
+    Ok((fields(&text), computed))
 }
 
 /// What may state published values.

@@ -6,7 +6,7 @@ use super::{CommandError, cases::OtherFile};
 use crate::{
     case::{CASE, fields::Schema, kind},
     kinds::FileType,
-    reference::ValidationRow,
+    reference::{self, ValidationRow},
     ropeway::{self, ROPEWAY, Ropeway},
     section::SECTION,
     ship::{self, MotionAnalysis, SHIP, Ship},
@@ -23,20 +23,30 @@ pub(super) fn schema(kind: FileType) -> &'static Schema {
 }
 
 /// Title and validation of a file that is computed without a run.
-pub(super) fn validation(file: &OtherFile) -> Result<(String, Vec<ValidationRow>), CommandError> {
+pub(super) fn validation(
+    file: &OtherFile,
+    set: &[(&str, &str)],
+) -> Result<(String, Vec<ValidationRow>), CommandError> {
     let OtherFile { kind, name, text } = file;
+    let before = text;
     let wrong = CommandError::invalid(text);
     Ok(match kind {
         FileType::Ropeway => {
+            let text = &kind::set_all::<Ropeway>(text, set).map_err(&wrong)?;
             let solved = kind::parse::<Ropeway>(text, name).map_err(wrong)?;
-            let rows = ropeway::validation::rows(&solved, text);
+            let mut rows = ropeway::validation::rows(&solved, text);
+            let (_, edited) = kind::edited_rows::<Ropeway>(text, before);
+            reference::set_edited_aside(&mut rows, &edited);
             (solved.ropeway.about.title, rows)
         }
         FileType::Ship => {
+            let text = &kind::set_all::<Ship>(text, set).map_err(&wrong)?;
             let statics = kind::parse::<Ship>(text, name).map_err(wrong)?;
             let folder = Path::new(name).parent().unwrap_or(Path::new(""));
             let motion = MotionAnalysis::of(&statics, folder);
-            let rows = ship::validation::rows(&statics.ship, motion.as_ref());
+            let mut rows = ship::validation::rows(&statics.ship, motion.as_ref());
+            let (_, edited) = kind::edited_rows::<Ship>(text, before);
+            reference::set_edited_aside(&mut rows, &edited);
             (statics.ship.ship.title, rows)
         }
         FileType::Line | FileType::Section => (String::new(), Vec::new()),

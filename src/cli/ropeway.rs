@@ -16,7 +16,7 @@ use crate::{
 pub(super) fn ropeway(args: &RopewayArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];
     let file = OutputFile::check_option("--line", args.line.as_deref(), args.force, &inputs)?;
-    let (text, worked) = cases::load_with::<Ropeway>(&args.file, &args.set)?;
+    let (fields, worked) = cases::load_with::<Ropeway>(&args.file, &args.set)?;
     let results = worked
         .results(worked.ropeway.cargo.position)
         .map_err(|error| CommandError::Usage(format!("The ropeway has no solution: {error}.")))?;
@@ -24,7 +24,7 @@ pub(super) fn ropeway(args: &RopewayArgs) -> Result<ExitCode, CommandError> {
         write(&file, &worked, &results)?;
     }
     let glyphs = output::glyphs(args.ascii);
-    let text = report::ropeway::report(&worked, &results, &text, glyphs);
+    let text = report::ropeway::report(&worked, &results, &fields, glyphs);
     output::results(&text, args.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

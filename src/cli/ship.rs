@@ -9,7 +9,7 @@ use crate::{
 };
 
 pub(super) fn ship(args: &ShipArgs) -> Result<ExitCode, CommandError> {
-    let (text, rest) = cases::load_with::<Ship>(&args.file, &args.set)?;
+    let (fields, rest) = cases::load_with::<Ship>(&args.file, &args.set)?;
     let folder = args.file.parent().unwrap_or(Path::new(""));
     let sea = DynamicAnalysis::new(&rest, folder, &AtomicBool::new(false));
     if let Some(Some(Err(MotionError::File(diagnostic)))) = sea.as_ref().map(|sea| &sea.motion) {
@@ -17,7 +17,7 @@ pub(super) fn ship(args: &ShipArgs) -> Result<ExitCode, CommandError> {
         return Err(invalid(vec![diagnostic.clone()]));
     }
     let glyphs = output::glyphs(args.ascii);
-    let page = page::text(&rest, sea.as_ref(), &text, glyphs);
+    let page = page::text(&rest, sea.as_ref(), &fields, glyphs);
     output::results(&page, args.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -15,7 +15,7 @@ use super::{
     signals::StopFlag,
 };
 use crate::{
-    case::StudyPoint,
+    case::{Case, EditedKey, StudyPoint, kind},
     reference::{self, Outcome, OutcomeCounts, ValidationRow},
     report::text,
     run::{
@@ -27,12 +27,17 @@ use crate::{
 
 pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
     let named = cases::named_or_shipped(&args.cases)?;
+    let set = cases::edits(&args.set)?;
     let others = named.others.iter().map(|file| {
-        let (title, rows) = kinds::validation(file)?;
+        let (title, rows) = kinds::validation(file, &set)?;
         Ok(ValidatedFile::new(&title, &file.name, rows))
     });
     let others: Vec<ValidatedFile> = others.collect::<Result<_, CommandError>>()?;
-    let cases = named.lines;
+    let cases: Vec<EditedCase> = named
+        .lines
+        .into_iter()
+        .map(|loaded| EditedCase::new(loaded, &args.set))
+        .collect::<Result<_, CommandError>>()?;
     let variants = variants(&cases)?;
     let stop = StopFlag::listen()?;
     let runs = compute(&variants, &stop);
@@ -42,14 +47,14 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
     }
 
     let mut tables = Vec::with_capacity(cases.len());
-    for (i, loaded) in cases.iter().enumerate() {
+    for (i, EditedCase { loaded, edited }) in cases.iter().enumerate() {
         let of_case = || variants.iter().zip(&runs).filter(|(v, _)| v.case == i);
         let lookup = |at: Option<&StudyPoint>| {
             of_case()
                 .find(|(v, _)| v.at.as_ref() == at)
                 .map(|(_, run)| run)
         };
-        let rows = reference::rows(&loaded.case, &lookup);
+        let rows = reference::rows_of_edited(&loaded.case, edited, &lookup);
         tables.push(ValidatedFile::new(
             &loaded.case.case.title,
             &loaded.name,
@@ -69,6 +74,30 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
     })
 }
 
+/// A case with the keys set on top of its file.
+struct EditedCase {
+    loaded: NamedCase,
+    /// The inputs that are not those of the file.
+    edited: Vec<EditedKey>,
+}
+
+impl EditedCase {
+    fn new(loaded: NamedCase, set: &[String]) -> Result<Self, CommandError> {
+        let text = cases::set(&loaded.text, set)?;
+        let (_, edited) = kind::edited_rows::<Case>(&text, &loaded.text);
+        let case = match set {
+            [] => loaded.case,
+            _ => cases::parse(&text, &loaded.name)?,
+        };
+        let loaded = NamedCase {
+            text,
+            case,
+            ..loaded
+        };
+        Ok(Self { loaded, edited })
+    }
+}
+
 /// A variant of a case, ready to be computed.
 struct VariantRequest {
     case: usize,
@@ -76,9 +105,9 @@ struct VariantRequest {
     request: Request,
 }
 
-fn variants(cases: &[NamedCase]) -> Result<Vec<VariantRequest>, CommandError> {
+fn variants(cases: &[EditedCase]) -> Result<Vec<VariantRequest>, CommandError> {
     let mut variants = Vec::new();
-    for (i, loaded) in cases.iter().enumerate() {
+    for (i, EditedCase { loaded, .. }) in cases.iter().enumerate() {
         for at in reference::plan(&loaded.case) {
             let request = request(loaded, at.as_ref())?;
             variants.push(VariantRequest {

@@ -12,6 +12,7 @@
 //! numbers with published ones by [`compare()`] and [`compare_trend()`]; tables, tallies and words are the same.
 
 mod curve;
+mod edited;
 mod note;
 mod outcome_counts;
 mod plan;
@@ -22,6 +23,7 @@ mod trend;
 mod value;
 mod variant;
 
+pub use edited::judge_plain as set_edited_aside;
 pub use outcome_counts::{OutcomeCounts, count_outcomes};
 pub use plan::plan;
 pub use published_number::PublishedNumber;
@@ -30,10 +32,10 @@ pub use table::table;
 pub use trend::{TrendStatement, compare_trend};
 pub use value::compare;
 pub(crate) use value::tolerance;
-pub use variant::{Variant, matches_variant, rows_of_run, variant};
+pub use variant::{Variant, rows_of_run, variant};
 
 use crate::{
-    case::{Case, StudyPoint},
+    case::{Case, EditedKey, StudyPoint},
     run::Run,
 };
 
@@ -58,6 +60,18 @@ pub fn rows<'r>(
     let curves = case.published_curve.iter().enumerate();
     let curves = curves.map(|(number, curve)| curve::row(number, curve, lookup));
     values.chain(trends).chain(curves).collect()
+}
+
+/// The same of a case with edited inputs: the rows whose published values are not for it read EDITED, with the reason.
+#[must_use]
+pub fn rows_of_edited<'r>(
+    case: &Case,
+    edited: &[EditedKey],
+    lookup: &dyn Fn(Option<&StudyPoint>) -> Option<&'r Run>,
+) -> Vec<ValidationRow> {
+    let mut rows = rows(case, lookup);
+    edited::judge(&mut rows, case, edited);
+    rows
 }
 
 #[cfg(test)]

@@ -13,6 +13,8 @@ pub struct OutcomeCounts {
     pub fail: usize,
     /// Declared out of reach, and outside tolerance.
     pub differs: usize,
+    /// Not judged, because an input was edited.
+    pub edited: usize,
     /// Without a computed number.
     pub not_run: usize,
 }
@@ -26,6 +28,7 @@ pub fn count_outcomes(rows: &[ValidationRow]) -> OutcomeCounts {
             Outcome::Pass => &mut counts.pass,
             Outcome::Fail => &mut counts.fail,
             Outcome::Differs => &mut counts.differs,
+            Outcome::Edited => &mut counts.edited,
             Outcome::NotRun => &mut counts.not_run,
         } += 1;
     }
@@ -36,10 +39,11 @@ impl OutcomeCounts {
     /// All rows.
     #[must_use]
     pub const fn total(&self) -> usize {
-        self.pass + self.fail + self.differs + self.not_run
+        self.pass + self.fail + self.differs + self.edited + self.not_run
     }
 
-    /// True when no row is outside its tolerance and none is left without a number.
+    /// True when no row is outside its tolerance and none is left without a number. Rows of edited inputs say
+    /// nothing for or against.
     #[must_use]
     pub const fn holds(&self) -> bool {
         self.fail == 0 && self.not_run == 0
@@ -52,13 +56,18 @@ impl fmt::Display for OutcomeCounts {
             pass,
             fail,
             differs,
+            edited,
             not_run,
         } = self;
         write!(
             f,
-            "{} rows: {pass} PASS, {fail} FAIL, {differs} DIFFERS, {not_run} NOT RUN",
+            "{} rows: {pass} PASS, {fail} FAIL, {differs} DIFFERS, ",
             self.total()
-        )
+        )?;
+        if *edited > 0 {
+            write!(f, "{edited} EDITED, ")?;
+        }
+        write!(f, "{not_run} NOT RUN")
     }
 }
 
@@ -70,6 +79,7 @@ impl std::ops::Add for OutcomeCounts {
             pass: self.pass + other.pass,
             fail: self.fail + other.fail,
             differs: self.differs + other.differs,
+            edited: self.edited + other.edited,
             not_run: self.not_run + other.not_run,
         }
     }

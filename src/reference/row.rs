@@ -128,19 +128,22 @@ pub enum Outcome {
     Fail,
     /// Outside its tolerance, and the case says beforehand why the number is out of reach.
     Differs,
+    /// Not judged: an input is not the one that the published value is for.
+    Edited,
     /// There is no run, or the run does not hold the number.
     #[default]
     NotRun,
 }
 
 impl Outcome {
-    /// The word for it: `PASS`, `FAIL`, `DIFFERS`, `NOT RUN`.
+    /// The word for it: `PASS`, `FAIL`, `DIFFERS`, `EDITED`, `NOT RUN`.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
             Self::Pass => "PASS",
             Self::Fail => "FAIL",
             Self::Differs => "DIFFERS",
+            Self::Edited => "EDITED",
             Self::NotRun => "NOT RUN",
         }
     }

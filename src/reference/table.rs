@@ -55,11 +55,12 @@ fn number(row: &ValidationRow, value: Option<f64>, word: impl Fn(f64) -> String)
 }
 
 fn error(row: &ValidationRow) -> Cell {
-    let unknown = row.error.is_none() && row.trend.is_none();
-    match row.outcome {
-        Outcome::NotRun => number(row, None, |_| String::new()),
-        _ if unknown => Cell::new("unknown", CellStyle::Warn),
-        _ => number(row, row.error, |error| significant(error, 2, &row.unit)),
+    if row.outcome == Outcome::NotRun || row.computed.is_none() {
+        return number(row, None, |_| String::new());
+    }
+    match row.error {
+        None => Cell::new("unknown", CellStyle::Warn),
+        error => number(row, error, |error| significant(error, 2, &row.unit)),
     }
 }
 
@@ -124,7 +125,7 @@ fn done(outcome: Outcome) -> Cell {
     match outcome {
         Outcome::Pass => Cell::plain("it does"),
         Outcome::Fail | Outcome::Differs => Cell::plain("it does not"),
-        Outcome::NotRun => Cell::none(),
+        Outcome::Edited | Outcome::NotRun => Cell::none(),
     }
 }
 
@@ -132,7 +133,7 @@ fn ink(outcome: Outcome) -> CellStyle {
     match outcome {
         Outcome::Pass => CellStyle::Good,
         Outcome::Fail => CellStyle::Bad,
-        Outcome::Differs => CellStyle::Warn,
+        Outcome::Differs | Outcome::Edited => CellStyle::Warn,
         Outcome::NotRun => CellStyle::Dim,
     }
 }

@@ -1,9 +1,9 @@
 //! Variants of a case: one made from its text, and found again among stored runs.
 
-use super::{ValidationRow, rows};
+use super::{ValidationRow, rows_of_edited};
 use crate::{
-    case::{self, Case, Diagnostic, StudyPoint, edit},
-    run::Run,
+    case::{self, Case, Diagnostic, EditedKey, StudyPoint, edit},
+    run::{Run, edited_inputs},
 };
 
 /// A case set to a point of one of its studies.
@@ -35,32 +35,37 @@ pub fn variant(text: &str, case: &Case, at: &StudyPoint) -> Result<Variant, Vec<
     })
 }
 
-/// The rows of one run: those of the case without a study where only keys of solver and output were overridden, and
-/// those of every point of a study that the run was computed at. The others read NOT RUN.
+/// The rows of one run: those of the case without a study, and those of every point of a study that the run was computed at.
+/// The others read NOT RUN. Rows whose published values are not for the inputs of the run read EDITED; a run at a point of
+/// a study is no edited case.
 #[must_use]
 pub fn rows_of_run(run: &Run, case: &Case) -> Vec<ValidationRow> {
-    rows(case, &|at| matches_variant(run, case, at).then_some(run))
+    let (points, edited): (Vec<EditedKey>, Vec<EditedKey>) = edited_inputs(run)
+        .into_iter()
+        .partition(|key| is_point(key, case));
+    rows_of_edited(case, &edited, &|at| {
+        let computed = match at {
+            None => points.is_empty(),
+            Some(at) => {
+                let study = case.study.iter().find(|s| s.name == at.study);
+                let own = |key: &EditedKey| study.is_some_and(|s| s.key == key.path);
+                points.iter().all(own) && stands_at(run, case, at)
+            }
+        };
+        computed.then_some(run)
+    })
 }
 
-/// True when a run was computed at this point of a study, or is the case without one.
-#[must_use]
-pub fn matches_variant(run: &Run, case: &Case, at: Option<&StudyPoint>) -> bool {
-    let key = at
-        .and_then(|at| case.study.iter().find(|s| s.name == at.study))
-        .map(|s| &s.key);
-    let foreign = run.info.overrides.iter().any(|word| {
-        let set = word
-            .split_once('=')
-            .map_or(word.as_str(), |(key, _)| key.trim());
-        !(set.starts_with("solver.") || set.starts_with("output.") || key.is_some_and(|k| k == set))
-    });
-    if foreign {
-        return false;
-    }
-    // A run was computed at a point when setting the point does not change its case.
-    at.is_none_or(|at| {
-        let set = variant(&run.case_text, case, at).ok();
-        let again = set.and_then(|v| case::parse(&v.text, &run.info.case_file).ok());
-        again.is_some_and(|again| again == *case)
-    })
+/// Whether a key was set to a value of its study.
+fn is_point(key: &EditedKey, case: &Case) -> bool {
+    let own = case.study.iter().filter(|study| study.key == key.path);
+    let mut values = own.flat_map(|study| &study.values);
+    values.any(|value| key.has_value(&value.to_string()))
+}
+
+/// A run was computed at a point when setting the point does not change its case.
+fn stands_at(run: &Run, case: &Case, at: &StudyPoint) -> bool {
+    let set = variant(&run.case_text, case, at).ok();
+    let again = set.and_then(|v| case::parse(&v.text, &run.info.case_file).ok());
+    again.is_some_and(|again| again == *case)
 }

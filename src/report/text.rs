@@ -45,7 +45,7 @@ pub fn report(run: &Run, case: &Case, rows: &[ValidationRow], glyphs: Glyphs) ->
     if !rows.is_empty() {
         page.heading("Published values");
         page.block(&validation(rows));
-        validation::unrun(&mut page, rows);
+        validation::not_judged(&mut page, rows);
     }
     about::work(&mut page, &run.info);
     page.finish()

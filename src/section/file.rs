@@ -65,6 +65,7 @@ fn standing(behind: &str) -> Option<Mark> {
     Some(Mark {
         status,
         reason: comment.to_owned(),
+        value: None,
     })
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::case::{self, Case, StudyPoint};
+use crate::case::{self, Case, EditedKey, StudyPoint};
 use crate::reference;
 use crate::report::chart::Glyphs;
 use crate::run::Run;
@@ -119,10 +119,14 @@ pub fn variant(
     Ok((text, case))
 }
 
-/// Compares runs with the published values.
+/// Compares runs of a case, which may have edited inputs, with the published values.
 #[must_use]
-pub fn checks(case: &Case, runs: &[(Option<StudyPoint>, Arc<Run>)]) -> Vec<ValidationRow> {
-    reference::rows(case, &|at| {
+pub fn checks(
+    case: &Case,
+    edited: &[EditedKey],
+    runs: &[(Option<StudyPoint>, Arc<Run>)],
+) -> Vec<ValidationRow> {
+    reference::rows_of_edited(case, edited, &|at| {
         runs.iter()
             .find(|(have, _)| have.as_ref() == at)
             .map(|(_, run)| run.as_ref())

@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use assert_cmd::Command;
 use predicates::{prelude::*, str::contains};
 use proptest::prelude::*;
-use seacable::case::kind;
+use seacable::case::{FieldRow, kind};
 use seacable::physics::sea::DEGREES;
 use seacable::reference::Outcome;
 use seacable::report::chart::Glyphs;
@@ -17,6 +17,11 @@ use seacable::ship::yaw_equilibria::YawStability;
 use seacable::ship::{DynamicAnalysis, MotionAnalysis, Ship, StaticAnalysis, validation};
 
 const TEXT: &str = include_str!("../../cases/ship/anchored.toml");
+
+/// The fields of a text.
+fn fields(text: &str) -> Vec<FieldRow> {
+    kind::rows::<Ship>(text)
+}
 
 fn shipped() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/ship/anchored.toml")
@@ -189,7 +194,7 @@ fn no_heading_in_balance_is_said() {
     let text = "[ship]\ntitle = \"wheel\"\nlength_m = 50.0\ndraft_m = 2.0\n[current]\nspeed_m_per_s = 1.0\ntowards_deg = 0.0\nangle_deg = [0.0, 120.0, 240.0]\nsurge = [0.1, 0.1, 0.1]\nsway = [0.0, 0.0, 0.0]\nyaw = [0.2, 0.1, 0.3]\n";
     let rest = rest(text);
     assert!(rest.equilibria.is_err());
-    let page = text::text(&rest, None, text, Glyphs::Ascii);
+    let page = text::text(&rest, None, &fields(text), Glyphs::Ascii);
     assert!(page.contains("never vanishes"), "{page}");
 }
 
@@ -376,7 +381,7 @@ fn a_winch_out_of_its_depth_is_said() {
         .as_ref()
         .unwrap();
     assert!(kept.iter().any(|s| s.state == WinchState::SpeedLimit));
-    let page = text::text(&rest(&text), Some(&sea), &text, Glyphs::Ascii);
+    let page = text::text(&rest(&text), Some(&sea), &fields(&text), Glyphs::Ascii);
     let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         page.contains("WARNING: the winch is at its maximum speed"),
@@ -424,7 +429,7 @@ proptest! {
             }
             prop_assert_eq!(turns, 0, "{:?}", equilibria);
         }
-        let page = text::text(&rest, None, &text, Glyphs::Braille);
+        let page = text::text(&rest, None, &fields(&text), Glyphs::Braille);
         prop_assert!(!page.contains("NaN"));
     }
 }

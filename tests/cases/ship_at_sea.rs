@@ -192,7 +192,7 @@ fn a_ship_at_rest_without_waves_stays_and_its_rope_follows() {
     let page = text::text(
         &rest(&text),
         None,
-        &text,
+        &kind::rows::<Ship>(&text),
         seacable::report::chart::Glyphs::Ascii,
     );
     assert!(page.contains("dynamic analysis is still running"));

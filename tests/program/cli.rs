@@ -280,6 +280,46 @@ fn validation_sets_the_exit_status() {
 }
 
 #[test]
+fn published_values_do_not_judge_an_edited_case() {
+    let dir = place(&format!("{SMALL}{}", published(400.0, "")));
+    let validate = |set: &[&str]| {
+        let mut command = seacable(dir.path());
+        command.args(["validate", "small.toml"]);
+        for word in set {
+            command.args(["--set", word]);
+        }
+        command.assert()
+    };
+    validate(&[]).code(1).stdout(contains("1 FAIL"));
+    validate(&["payload.wet_mass_kg=500"])
+        .success()
+        .stdout(contains("0 FAIL, 0 DIFFERS, 1 EDITED"))
+        .stdout(contains("payload.wet_mass_kg is yours: 500 kg for"));
+    // A published value holds for every well-resolved computation, so another solver is judged by it.
+    validate(&["solver.time_step_s=0.01"])
+        .code(1)
+        .stdout(contains("1 FAIL"));
+    seacable(dir.path())
+        .args(["validate", "--set", "solver.rho_inf=0.5"])
+        .assert()
+        .code(2);
+
+    seacable(dir.path())
+        .args(["run", "small.toml", "--out", "r"])
+        .args(["--set", "payload.wet_mass_kg=500"])
+        .assert()
+        .success();
+    seacable(dir.path())
+        .args(["report", "r"])
+        .assert()
+        .success()
+        .stdout(contains("1 EDITED"))
+        .stdout(contains(
+            "payload.wet_mass_kg: yours; set on top of the file",
+        ));
+}
+
+#[test]
 fn a_reader_that_leaves_is_not_an_error() {
     let dir = place(SMALL);
     seacable(dir.path())

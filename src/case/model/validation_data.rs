@@ -17,6 +17,8 @@ table! {
         status: Provenance, "standing";
         /// Why this value.
         reason: String, "reason";
+        /// The value that the mark is for; the mark is void where the key has another.
+        value: Option<StudyValue>, "value", absent "whatever the key has";
     }
 }
 

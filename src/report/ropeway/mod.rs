@@ -5,21 +5,21 @@ pub mod drawing;
 pub mod tables;
 pub mod winch;
 
-use crate::case::kind;
+use crate::case::FieldRow;
 use crate::report::chart::Glyphs;
 use crate::report::text::{Page, inputs};
-use crate::ropeway::{ModelResults, Ropeway, SolvedRopeway};
+use crate::ropeway::{ModelResults, SolvedRopeway};
 
 /// Lines of a picture and of a chart.
 const LINES: usize = 18;
 
 /// The report of a ropeway at the position of the results: drawing, models side by side, crossing, hauling, winch, motion of
-/// the cargo, inputs with their provenance. `text` is that of the file.
+/// the cargo, inputs with their provenance. `fields` are those of its file.
 #[must_use]
 pub fn report(
     solved: &SolvedRopeway,
     results: &ModelResults,
-    text: &str,
+    fields: &[FieldRow],
     glyphs: Glyphs,
 ) -> String {
     let about = &solved.ropeway.about;
@@ -50,11 +50,7 @@ pub fn report(
     let (path, comparison) = cargo::dynamic_crossing(solved);
     page.chart(&path, LINES, glyphs);
     page.table(&comparison);
-    inputs(
-        &mut page,
-        &kind::rows::<Ropeway>(text),
-        !about.source.trim().is_empty(),
-    );
+    inputs(&mut page, fields, !about.source.trim().is_empty());
     page.finish()
 }
 

@@ -1,25 +1,26 @@
 //! A ship as a text report on 80 columns.
 
 use super::{coupled, motion, plan, rope, statics};
-use crate::case::kind;
+use crate::case::{FieldRow, edited};
+use crate::reference;
 use crate::report::chart::Glyphs;
 use crate::report::text::{self, Page, inputs};
 use crate::ship::rope::RopeAnalysis;
 use crate::ship::validation;
-use crate::ship::{DynamicAnalysis, MooredEquilibrium, MotionAnalysis, Ship, StaticAnalysis};
+use crate::ship::{DynamicAnalysis, MooredEquilibrium, MotionAnalysis, StaticAnalysis};
 
 /// Lines of a chart, and of the plan view.
 const LINES: usize = 18;
 const PLAN: usize = 34;
 
 /// The report of a ship: plan view, equilibrium headings with their stability, loads, mooring; motions and spectra; ship and
-/// anchor line in the time domain; the rope; validation; inputs with their provenance. `text` is that of the file; without a
+/// anchor line in the time domain; the rope; validation; inputs with their provenance. `fields` are those of its file; without a
 /// dynamic analysis the report says that it is still running.
 #[must_use]
 pub fn text(
     statics: &StaticAnalysis,
     dynamic: Option<&DynamicAnalysis>,
-    text: &str,
+    fields: &[FieldRow],
     glyphs: Glyphs,
 ) -> String {
     let particulars = &statics.ship.ship;
@@ -35,13 +36,11 @@ pub fn text(
     if !statics.ship.published.is_empty() {
         page.heading("Validation");
         page.line("");
-        page.block(&text::validation(&validation::rows(&statics.ship, motion)));
+        let mut rows = validation::rows(&statics.ship, motion);
+        reference::set_edited_aside(&mut rows, &edited::of_rows(fields));
+        page.block(&text::validation(&rows));
     }
-    inputs(
-        &mut page,
-        &kind::rows::<Ship>(text),
-        !particulars.source.trim().is_empty(),
-    );
+    inputs(&mut page, fields, !particulars.source.trim().is_empty());
     page.finish()
 }
 

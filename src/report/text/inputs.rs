@@ -2,14 +2,15 @@
 
 use super::layout::Page;
 use crate::{
-    case::{Case, FieldRow, fields::ValueType, kind},
+    case::{Case, FieldRow, Provenance, YOURS, edited, fields::ValueType, kind},
     report::table::{Align, Cell, CellStyle, Table},
-    run::Run,
+    run::{Run, edited_inputs},
 };
 
 /// The inputs table, and below it the reason of every input that its source does not print.
 pub(super) fn table(page: &mut Page, run: &Run, case: &Case) {
-    let all = kind::rows::<Case>(&run.case_text);
+    let mut all = kind::rows::<Case>(&run.case_text);
+    edited::mark(&mut all, &edited_inputs(run));
     list(page, &all, !case.case.source.trim().is_empty());
 }
 
@@ -21,6 +22,17 @@ pub(crate) fn list(page: &mut Page, all: &[FieldRow], sourced: bool) {
     }
     page.section("Inputs", &lines(&rows, sourced));
 
+    let yours = || {
+        rows.iter()
+            .filter_map(|row| Some((row, row.replaced.as_ref()?)))
+    };
+    if yours().next().is_some() {
+        page.line("");
+        page.paragraph("Inputs that are yours, not those of the file:");
+        for (row, replaced) in yours() {
+            page.hanging("* ", &format!("{}: {}", row.path, replaced.words()));
+        }
+    }
     let marked = || {
         rows.iter()
             .filter_map(|row| Some((row, row.standing.as_ref()?)))
@@ -70,18 +82,13 @@ fn value(row: &FieldRow) -> Cell {
 /// Inputs of a sourced case that carry no mark are printed in the source; what the file leaves out has
 /// its default.
 fn standing(row: &FieldRow, sourced: bool) -> Cell {
-    let number = !matches!(
-        row.field.kind,
-        ValueType::Name | ValueType::Text | ValueType::Choice(_) | ValueType::Integer
-    );
-    let setting = ["solver", "output", "start"]
-        .iter()
-        .any(|table| row.path.starts_with(table));
+    if row.replaced.is_some() {
+        return Cell::new(YOURS, CellStyle::Warn);
+    }
     match (&row.standing, row.given) {
         (Some(mark), _) => Cell::new(mark.status.name(), CellStyle::Warn),
         (None, false) => Cell::new("default", CellStyle::Dim),
-        (None, true) if setting => Cell::plain("setting"),
-        (None, true) if number && sourced => Cell::plain("published"),
-        (None, true) => Cell::plain(""),
+        (None, true) if row.is_setting() => Cell::plain("setting"),
+        (None, true) => Cell::plain(row.provenance(sourced).map_or("", Provenance::name)),
     }
 }

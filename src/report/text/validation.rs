@@ -13,10 +13,16 @@ pub fn validation(rows: &[ValidationRow]) -> String {
     page.finish()
 }
 
-/// Says of a single run that its case has rows for other variants.
-pub(super) fn unrun(page: &mut Page, rows: &[ValidationRow]) {
-    let count = reference::count_outcomes(rows).not_run;
-    if count > 0 {
+/// Says of a single run that its case has rows for other variants, and why edited inputs are not judged.
+pub(super) fn not_judged(page: &mut Page, rows: &[ValidationRow]) {
+    let counts = reference::count_outcomes(rows);
+    if counts.edited > 0 {
+        page.line("");
+        page.paragraph(
+            "Rows that read EDITED are not judged: their published values are for other inputs than this run has.",
+        );
+    }
+    if counts.not_run > 0 {
         page.line("");
         page.paragraph(
             "Rows that read NOT RUN belong to other variants of the case, or to numbers this run does \

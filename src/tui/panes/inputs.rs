@@ -4,6 +4,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 
 use super::{Pane, PaneInfo, about};
+use crate::case::YOURS;
 use crate::tui::command::{self, Command, CommandId, FILTER, LIST, main, other};
 use crate::tui::facade::FieldRow;
 use crate::tui::msg::Effect;
@@ -115,6 +116,7 @@ fn field_line(painter: &mut Painter, line: Rect, field: &FieldRow, selected: boo
     let base = painter.line_style(selected);
     painter.buf.set_style(line, base);
     let note = match &field.standing {
+        _ if field.replaced.is_some() => YOURS,
         Some(mark) => mark.status.name(),
         None if !field.applies => "no effect",
         None if !field.given => "default",
@@ -131,9 +133,10 @@ fn field_line(painter: &mut Painter, line: Rect, field: &FieldRow, selected: boo
         _ if field.given => (field.value.as_str(), base.patch(theme.strong())),
         _ => (field.value.as_str(), base),
     };
-    let note_style = match field.standing {
-        Some(_) => base.patch(theme.warning()),
-        None => base.patch(theme.faint()),
+    let note_style = match (&field.standing, &field.replaced) {
+        (_, Some(_)) => base.patch(theme.strong()),
+        (Some(_), None) => base.patch(theme.warning()),
+        (None, None) => base.patch(theme.faint()),
     };
     let unit_x = 3 + label_width + value_width;
     let cells: [(u16, u16, &str, Style); 4] = [
@@ -153,6 +156,9 @@ fn help_lines(painter: &mut Painter, area: Rect, editor: &ParameterEditor) {
         return;
     };
     let mut words = format!("{}: {}\n{}", field.path, field.help, range_words(field));
+    if let Some(replaced) = &field.replaced {
+        words.push_str(&format!("\n{}", replaced.words()));
+    }
     if let Some(mark) = &field.standing {
         let standing = mark.status.name();
         words.push_str(&format!("\n{standing}: {}", mark.reason));

@@ -158,7 +158,8 @@ impl Document {
     /// All that is wrong; everything is then unchanged.
     pub fn refresh(&mut self) -> Result<(), Vec<Diagnostic>> {
         self.content.kind_mut().read(&self.editor)?;
-        self.editor.rows = self.kind().rows(&self.editor.text);
+        let kind = self.content.kind();
+        self.editor.list_fields(|text| kind.rows(text));
         self.content.kind_mut().validate(&self.editor);
         Ok(())
     }

@@ -88,7 +88,7 @@ pub trait DocumentKind {
     }
 
     /// The text report; absent where there is no result.
-    fn report(&self, _text: &str, _glyphs: Glyphs) -> Option<String> {
+    fn report(&self, _source: &ParameterEditor, _glyphs: Glyphs) -> Option<String> {
         None
     }
 

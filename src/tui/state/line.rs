@@ -247,7 +247,7 @@ impl DocumentKind for LineView {
         } else if let Some(run) = self.complete_run(TextDigest::of(&source.text)) {
             runs.push((None, run));
         }
-        self.checks = facade::checks(&self.case, &runs);
+        self.checks = facade::checks(&self.case, &source.edited, &runs);
     }
 
     fn checks(&self) -> &[ValidationRow] {

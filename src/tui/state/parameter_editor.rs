@@ -5,7 +5,35 @@ use std::path::PathBuf;
 use tui_input::Input;
 
 use super::case_list::Filter;
+use crate::case::edited::{self, EditedKey, Origin};
+use crate::case::shipped;
 use crate::tui::facade::FieldRow;
+
+/// The inputs of a file as it was opened, or as it is shipped: edits are told by them, also once they are saved.
+#[derive(Debug, Clone, Default)]
+pub struct InputsBefore {
+    /// The text that states them.
+    text: String,
+    /// Its fields.
+    rows: Vec<FieldRow>,
+    /// Whether its file comes with the program.
+    shipped: bool,
+    /// Whether what carries no mark there is printed in its source.
+    sourced: bool,
+}
+
+impl InputsBefore {
+    fn new(opened: &str, rows: impl Fn(&str) -> Vec<FieldRow>) -> Self {
+        let shipped = shipped::of_title(opened);
+        let text = shipped.unwrap_or(opened);
+        Self {
+            text: text.to_owned(),
+            rows: rows(text),
+            shipped: shipped.is_some(),
+            sourced: edited::is_sourced(text),
+        }
+    }
+}
 
 /// What follows a save that was asked for on the way out.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -43,6 +71,10 @@ pub struct ParameterEditor {
     pub text: String,
     /// The fields of the editor.
     pub rows: Vec<FieldRow>,
+    /// What the inputs were before the user's edits.
+    pub before: InputsBefore,
+    /// The inputs that are the user's.
+    pub edited: Vec<EditedKey>,
     /// Texts before each edit, oldest first.
     pub undo: Vec<String>,
     /// Texts undone, to be redone.
@@ -71,6 +103,8 @@ impl ParameterEditor {
             saved: text.clone(),
             text,
             rows: Vec::new(),
+            before: InputsBefore::default(),
+            edited: Vec::new(),
             undo: Vec::new(),
             redo: Vec::new(),
             after_save: AfterSave::Stay,
@@ -78,6 +112,22 @@ impl ParameterEditor {
             filter: Filter::default(),
             editing: None,
         }
+    }
+
+    /// Lists the fields of the text anew, and the inputs among them that are the user's.
+    pub fn list_fields(&mut self, rows: impl Fn(&str) -> Vec<FieldRow>) {
+        if self.before.text.is_empty() {
+            self.before = InputsBefore::new(&self.saved, &rows);
+        }
+        let before = &self.before;
+        let origin = match before.shipped {
+            true => Origin::Shipped,
+            false if self.saved == before.text => Origin::File,
+            false => Origin::Opened,
+        };
+        self.rows = rows(&self.text);
+        self.edited = edited::edited(&self.rows, &before.rows, origin, before.sourced);
+        edited::mark(&mut self.rows, &self.edited);
     }
 
     /// The name of the file without its ending.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::parameter_editor::ParameterEditor;
 use crate::case::{Diagnostic, kind};
-use crate::reference::ValidationRow;
+use crate::reference::{self, ValidationRow};
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::ropeway::{self as views, cargo, tables, winch};
 use crate::report::table::Table;
@@ -117,15 +117,16 @@ impl DocumentKind for RopewayView {
 
     fn validate(&mut self, source: &ParameterEditor) {
         self.checks = validation::rows(&self.worked, &source.text);
+        reference::set_edited_aside(&mut self.checks, &source.edited);
     }
 
     fn checks(&self) -> &[ValidationRow] {
         &self.checks
     }
 
-    fn report(&self, text: &str, glyphs: Glyphs) -> Option<String> {
+    fn report(&self, source: &ParameterEditor, glyphs: Glyphs) -> Option<String> {
         let results = self.results.as_ref().ok()?;
-        Some(views::report(&self.worked, results, text, glyphs))
+        Some(views::report(&self.worked, results, &source.rows, glyphs))
     }
 
     fn line_input(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {

@@ -80,7 +80,7 @@ impl DocumentKind for SectionView {
         ("tables", "The cross-section with its tables")
     }
 
-    fn report(&self, _text: &str, glyphs: Glyphs) -> Option<String> {
+    fn report(&self, _source: &ParameterEditor, glyphs: Glyphs) -> Option<String> {
         Some(views::report(&self.design, PAPER_WIDTH, glyphs, None))
     }
 

@@ -9,7 +9,7 @@ use super::document_kind::{DocumentKind, KindInfo};
 use super::parameter_editor::ParameterEditor;
 use crate::case::{Diagnostic, kind};
 use crate::numerics::V3;
-use crate::reference::ValidationRow;
+use crate::reference::{self, ValidationRow};
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::ship::{coupled, motion, rope, statics, text};
 use crate::report::table::Table;
@@ -189,12 +189,13 @@ impl DocumentKind for ShipView {
         Ok(())
     }
 
-    fn validate(&mut self, _: &ParameterEditor) {
+    fn validate(&mut self, source: &ParameterEditor) {
         let motion = self
             .dynamic
             .as_ref()
             .and_then(|dynamic| dynamic.motion.as_ref());
         self.checks = validation::rows(&self.statics.ship, motion);
+        reference::set_edited_aside(&mut self.checks, &source.edited);
     }
 
     fn checks(&self) -> &[ValidationRow] {
@@ -211,11 +212,11 @@ impl DocumentKind for ShipView {
         self.running.as_ref().map(|_| "dynamic analysis: running")
     }
 
-    fn report(&self, words: &str, glyphs: Glyphs) -> Option<String> {
+    fn report(&self, source: &ParameterEditor, glyphs: Glyphs) -> Option<String> {
         Some(text::text(
             &self.statics,
             self.dynamic.as_deref(),
-            words,
+            &source.rows,
             glyphs,
         ))
     }

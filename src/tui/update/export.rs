@@ -1,9 +1,9 @@
 //! Files written from what the panes show, and the text report of a run.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use super::notice::info;
+use crate::reference;
 use crate::tui::facade;
 use crate::tui::msg::Effect;
 use crate::tui::state::{AppState, Document};
@@ -30,7 +30,7 @@ pub(super) fn make_report(document: &mut Document) {
                 let rows = if run.case_text == editor.text {
                     line.checks.clone()
                 } else {
-                    facade::checks(&case, &[(None, Arc::clone(&run))])
+                    reference::rows_of_run(&run, &case)
                 };
                 facade::report(&run, &case, &rows)
             }
@@ -52,7 +52,7 @@ pub(super) fn write_report(state: &mut AppState) -> Vec<Effect> {
     }
     let (name, what) = kind.report_name();
     let path = PathBuf::from(format!("{}-{name}.txt", document.editor.stem()));
-    write(path, kind.report(&document.editor.text, glyphs), what)
+    write(path, kind.report(&document.editor, glyphs), what)
 }
 
 /// Writes the input for a line case.

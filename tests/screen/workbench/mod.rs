@@ -5,6 +5,7 @@
 mod beside;
 mod desk;
 mod hostile_text;
+mod marks;
 mod modes;
 mod random;
 mod response;
