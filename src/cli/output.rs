@@ -13,12 +13,18 @@ use super::{BAD_INPUT, CommandError, inputs};
 use crate::{
     files::{Existing, Target},
     report::{chart::Glyphs, plain},
+    tui::terminal::capabilities,
     visible,
 };
 
 /// Prints results.
 pub(super) fn results(text: &str, ascii: bool) -> Result<(), CommandError> {
-    print(&page(text, ascii))
+    print(&page(text, ascii || plain_terminal(&io::stdout())))
+}
+
+/// Whether output goes to a terminal of which no locale says that it knows more than ASCII.
+fn plain_terminal(stream: &impl io::IsTerminal) -> bool {
+    stream.is_terminal() && !capabilities::knows_utf8(&|name| std::env::var(name).ok())
 }
 
 /// A page as it is printed or written to a file: nothing invisible in it, and only ASCII where wanted.
@@ -133,13 +139,20 @@ impl FileFormat {
 
 /// Prints a message on standard error. A closed standard error is not an error.
 pub(super) fn message(text: &str) {
-    let _ = writeln!(io::stderr().lock(), "{}", visible::text(text));
+    let text = visible::text(text);
+    let text = match plain_terminal(&io::stderr()) {
+        true => plain::ascii(&text),
+        false => text,
+    };
+    let _ = writeln!(io::stderr().lock(), "{text}");
 }
 
 /// Prints a message with the program's own colours, `plain` without. If invisible characters came into it, the colours
 /// are left out, since escapes of the text and of the program are the same bytes.
 pub(super) fn coloured_message(plain: &str, coloured: &str) {
+    let plain_only = plain_terminal(&io::stderr()) && !plain.is_ascii();
     match visible::text(plain) {
+        Cow::Borrowed(text) if plain_only => message(text),
         Cow::Borrowed(_) => {
             let _ = writeln!(io::stderr().lock(), "{coloured}");
         }
@@ -172,9 +185,9 @@ pub(super) fn report_panic(info: &PanicHookInfo<'_>) {
     }
 }
 
-/// The characters to draw with.
+/// The characters to draw with on standard output.
 pub(super) fn glyphs(ascii: bool) -> Glyphs {
-    if ascii {
+    if ascii || plain_terminal(&io::stdout()) {
         Glyphs::Ascii
     } else {
         Glyphs::Braille

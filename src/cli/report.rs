@@ -8,7 +8,11 @@ use super::{
     cases,
     output::{self, FileFormat, OutputFile},
 };
-use crate::{reference, report::text, run::store};
+use crate::{
+    reference,
+    report::{chart::Glyphs, text},
+    run::store,
+};
 
 pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.dir.clone()];
@@ -16,7 +20,11 @@ pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
     let run = store::read(&args.dir)?;
     let case = cases::parse(&run.case_text, &run.info.case_file)?;
     let rows = reference::rows_of_run(&run, &case);
-    let glyphs = output::glyphs(args.ascii);
+    // A file is the same whatever the terminal shows.
+    let glyphs = match (&file, args.ascii) {
+        (Some(_), false) => Glyphs::Braille,
+        (_, ascii) => output::glyphs(ascii),
+    };
     let text = text::report(&run, &case, &rows, glyphs);
     match file {
         None => output::results(&text, args.ascii)?,

@@ -19,7 +19,7 @@ use super::effects::EffectRunner;
 use super::effects::outbox::Outbox;
 use super::key::KeyPress;
 use super::msg::{Effect, Msg};
-use super::state::{AppState, Overlay, Question, Severity};
+use super::state::{AppState, Severity};
 use super::terminal::capabilities::{self, Capabilities};
 use super::terminal::decode::{Decoder, TerminalInput};
 use super::terminal::screen::{Screen, restore};
@@ -272,7 +272,10 @@ impl App<'_> {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         self.state.jobs.limit = cores.saturating_sub(1).max(1);
         if self.capabilities.unsure {
-            self.state.overlay = Some(Overlay::Ask(Question::Glyphs));
+            self.state.say(
+                Severity::Info,
+                "No locale is set, so this is ASCII. `:` and `braille` change to dots.",
+            );
         }
         let mut end = self.begin(file)?;
         let mut decoder = Decoder::default();

@@ -229,20 +229,44 @@ fn lang_c_gets_ascii_and_nothing_else() {
 }
 
 #[test]
-fn without_a_locale_the_user_is_asked_once() {
+fn without_a_locale_every_pane_is_ascii_and_no_character_is_lost() {
     let mut pty = Start {
         vars: &[],
         ..Start::default()
     }
     .go();
-    pty.wait_for("No locale is set");
-    pty.send("n");
-    pty.wait("the list", |screen| {
-        !screen.contents().contains("No locale")
-    });
+    pty.wait_for("No locale is set, so this is ASCII.");
+    pty.send("\r");
+    pty.wait_for("1 Inputs");
+    for pane in ["1", "2", "3", "4", "5", "6", "7", "8"] {
+        pty.send(pane);
+        pty.wait("the pane", |screen| {
+            let text = screen.contents();
+            let foot = text.lines().last().unwrap_or_default();
+            // The one question mark is the key of the help.
+            text.contains(&format!(" {pane} "))
+                && foot.contains("? help")
+                && text.matches('?').count() == 1
+        });
+    }
     pty.send("q");
     pty.ended(0);
-    assert!(pty.dir.path().join(".local/state/seacable/glyphs").exists());
+    assert!(pty.bytes().is_ascii());
+}
+
+#[test]
+fn results_for_a_terminal_without_a_locale_are_ascii() {
+    let start = |vars| Start {
+        vars,
+        args: &["keys", "payload"],
+        ..Start::default()
+    };
+    let pty = start(&[]).go();
+    pty.ended(0);
+    assert!(pty.bytes().is_ascii());
+    let pty = start(&[("LC_ALL", "C.UTF-8")]).go();
+    pty.ended(0);
+    assert!(pty.text().contains('²'));
 }
 
 #[test]

@@ -102,8 +102,6 @@ pub enum Question {
         /// The text with those edits.
         text: String,
     },
-    /// Nothing says whether the terminal shows braille.
-    Glyphs,
     /// The file changed on disk since it was read.
     Overwrite,
 }
@@ -133,17 +131,19 @@ impl Question {
             ),
             Self::Recover { .. } => (
                 "An earlier session ended before its edits of this case were saved.".to_owned(),
-                &[('r', "bring them back"), ('d', "drop them"), ('c', "decide later")],
-            ),
-            Self::Glyphs => (
-                "No locale is set, so nothing says what this terminal can show. \
-                 Is this a row of dot patterns? \u{2801}\u{2803}\u{2807}\u{2847}\u{28c7}\u{28e7}\u{28f7}\u{28ff}"
-                    .to_owned(),
-                &[('y', "yes, draw with dots"), ('n', "no, draw with ASCII")],
+                &[
+                    ('r', "bring them back"),
+                    ('d', "drop them"),
+                    ('c', "decide later"),
+                ],
             ),
             Self::Overwrite => (
                 "The file has changed on disk since it was opened.".to_owned(),
-                &[('o', "overwrite it"), ('a', "save under another name"), ('c', "leave it")],
+                &[
+                    ('o', "overwrite it"),
+                    ('a', "save under another name"),
+                    ('c', "leave it"),
+                ],
             ),
         }
     }

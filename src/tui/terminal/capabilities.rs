@@ -23,13 +23,7 @@ pub fn decide(
     var: &dyn Fn(&str) -> Option<String>,
 ) -> Capabilities {
     let set = |name: &str| var(name).filter(|v| !v.is_empty());
-    let locale = set("LC_ALL")
-        .or_else(|| set("LC_CTYPE"))
-        .or_else(|| set("LANG"));
-    let utf8 = locale.as_ref().map(|l| {
-        let l = l.to_ascii_lowercase();
-        l.contains("utf-8") || l.contains("utf8")
-    });
+    let utf8 = utf8_locale(var);
     // The Linux console has no braille in its fonts.
     let console = var("TERM").is_some_and(|t| t == "linux" || t.starts_with("vt"));
     let (glyphs, unsure) = match (flag.or(remembered), utf8) {
@@ -44,6 +38,21 @@ pub fn decide(
         colour: set("NO_COLOR").is_none(),
         unsure,
     }
+}
+
+/// Whether the effective locale says UTF-8; absent where none is set.
+fn utf8_locale(var: &dyn Fn(&str) -> Option<String>) -> Option<bool> {
+    let set = |name: &str| var(name).filter(|v| !v.is_empty());
+    let locale = set("LC_ALL")
+        .or_else(|| set("LC_CTYPE"))
+        .or_else(|| set("LANG"))?;
+    let locale = locale.to_ascii_lowercase();
+    Some(locale.contains("utf-8") || locale.contains("utf8"))
+}
+
+/// Whether the locale says that text may hold more than ASCII.
+pub fn knows_utf8(var: &dyn Fn(&str) -> Option<String>) -> bool {
+    utf8_locale(var).unwrap_or(false)
 }
 
 #[cfg(test)]

@@ -181,14 +181,6 @@ fn answer(state: &mut AppState, question: Question, key: KeyPress) -> Vec<Effect
             .map(|editor| Effect::DropRecovery(editor.path.clone()))
             .into_iter()
             .collect(),
-        (Question::Glyphs, c) => choose_glyphs(
-            state,
-            if c == 'y' {
-                Glyphs::Braille
-            } else {
-                Glyphs::Ascii
-            },
-        ),
         (Question::Overwrite, 'o') => quit::overwrite(state),
         (Question::Overwrite, 'a') => quit::ask_name(state, "the file has changed on disk"),
         _ => Vec::new(),

@@ -12,7 +12,7 @@ use self::painter::Painter;
 use super::command::{Command, CommandId};
 use super::pane::PaneId;
 use super::panes;
-use super::state::{AppState, JobPurpose, JobState, Overlay, Question, Severity};
+use super::state::{AppState, JobPurpose, JobState, Severity};
 use super::theme::Theme;
 use crate::report::chart::Glyphs;
 use crate::report::number;
@@ -28,9 +28,7 @@ pub fn draw(state: &AppState, frame: &mut Frame) {
     };
     canvas.screen(screen);
     let cursor = canvas.cursor;
-    // The question of what the terminal shows is asked with the dots in question.
-    let asks = matches!(state.overlay, Some(Overlay::Ask(Question::Glyphs)));
-    if state.capabilities.glyphs == Glyphs::Ascii && !asks {
+    if state.capabilities.glyphs == Glyphs::Ascii {
         paint::only_ascii(frame.buffer_mut());
     }
     if let Some(at) = cursor.filter(|at| screen.contains((*at).into())) {

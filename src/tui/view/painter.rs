@@ -7,6 +7,7 @@ use tui_input::Input;
 
 use super::paint::{first_line, rest, row, span, text, wrap};
 use crate::report::chart::{Chart, Glyphs};
+use crate::report::plain::ascii;
 use crate::report::table::Table;
 use crate::tui::plot_pane::draw_chart;
 use crate::tui::state::AppState;
@@ -34,7 +35,11 @@ impl Painter<'_> {
 
     /// Writes text at the left of a line; returns the rest of the line.
     pub fn text(&mut self, line: Rect, words: &str, style: Style) -> Rect {
-        let x = text(self.buf, (line.x, line.y), line.width, words, style);
+        let words = match self.glyphs() {
+            Glyphs::Braille => words.into(),
+            Glyphs::Ascii => ascii(words),
+        };
+        let x = text(self.buf, (line.x, line.y), line.width, &words, style);
         rest(line, x)
     }
 

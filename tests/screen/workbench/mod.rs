@@ -334,13 +334,17 @@ fn edits_of_an_earlier_session_are_offered() {
 }
 
 #[test]
-fn the_question_of_dots_shows_dots() {
+fn a_terminal_of_ascii_is_sent_ascii_whatever_a_file_says() {
     let mut desk = Desk::with_case(SMALL);
     desk.state.capabilities = looks(Glyphs::Ascii, true);
-    desk.state.overlay = Some(Overlay::Ask(Question::Glyphs));
-    assert!(desk.screen().contains('\u{28ff}'));
-    desk.keys("n");
-    assert!(desk.screen().is_ascii());
+    desk.state
+        .say(Severity::Info, "Dépôt at 20 °C: 5 ± 1 m², 0…1");
+    let screen = desk.screen();
+    assert!(screen.is_ascii());
+    assert!(
+        screen.contains("Depot at 20 degC: 5 +/- 1 m2, 0...1"),
+        "{screen}"
+    );
 }
 
 #[test]
