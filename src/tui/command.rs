@@ -239,7 +239,7 @@ pub const EVERYWHERE: &[Command] = &[
     command(CommandOrder::Everywhere, CommandId::Help, &["?", "f1"], "help", "Show every key that works here"),
     command(CommandOrder::Everywhere, CommandId::Palette, &[":"], "", "Find a command by its name"),
     command(CommandOrder::Everywhere, CommandId::Glyphs, &[], "", "Change between braille and ASCII characters, and remember it"),
-    command(CommandOrder::Everywhere, CommandId::Messages, &[], "", "Show the messages so far"),
+    command(CommandOrder::Everywhere, CommandId::Messages, &["!"], "", "Show the messages so far in full"),
     command(CommandOrder::Everywhere, CommandId::Redraw, &["ctrl+l"], "", "Paint the screen anew"),
     command(CommandOrder::Everywhere, CommandId::Interrupt, &["ctrl+c"], "", "Cancel the running job; pressed again: quit"),
     command(CommandOrder::Everywhere, CommandId::Suspend, &["ctrl+z"], "", "Stop the program; `fg` in the shell brings it back"),

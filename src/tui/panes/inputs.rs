@@ -2,6 +2,7 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
+use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
 use crate::case::YOURS;
@@ -102,16 +103,36 @@ fn fields(painter: &mut Painter, list: Rect, editor: &ParameterEditor) {
     if lines.is_empty() {
         painter.text(list, "No field passes the filter.", painter.theme.plain());
     }
+    let label = |field: &FieldRow| field.label.width();
+    let unit = |field: &FieldRow| field.unit.width();
+    let longest = (
+        editor.fields().map(label).max().unwrap_or(0),
+        editor.fields().map(unit).max().unwrap_or(0),
+    );
     painter.list(list, cursor, lines.len(), |painter, at, i| match lines[i] {
         ListLine::Group(name) => {
             painter.text(at, name, painter.theme.head());
         }
-        ListLine::Field(i, field) => field_line(painter, at, field, i == editor.field),
+        ListLine::Field(i, field) => field_line(painter, at, field, longest, i == editor.field),
     });
 }
 
+/// Columns of a number with its sign and exponent.
+const NUMBER: u16 = 12;
+
+/// Columns of labels and units: as many as the longest needs, where numbers have room beside them.
+fn columns(longest: usize) -> u16 {
+    u16::try_from(longest + 1).unwrap_or(u16::MAX)
+}
+
 /// Label, value, unit, and where the value comes from.
-fn field_line(painter: &mut Painter, line: Rect, field: &FieldRow, selected: bool) {
+fn field_line(
+    painter: &mut Painter,
+    line: Rect,
+    field: &FieldRow,
+    longest: (usize, usize),
+    selected: bool,
+) {
     let theme = painter.theme;
     let base = painter.line_style(selected);
     painter.buf.set_style(line, base);
@@ -123,9 +144,10 @@ fn field_line(painter: &mut Painter, line: Rect, field: &FieldRow, selected: boo
         None => "",
     };
     let note_width = 11.min(line.width / 4);
-    let unit_width = 9.min(line.width / 6);
+    let unit_width = columns(longest.1).clamp(4, 9).min(line.width / 6);
     let room = line.width.saturating_sub(note_width + unit_width + 4);
-    let label_width = 25.min(room / 2);
+    let left = room.saturating_sub(NUMBER).max(room / 2);
+    let label_width = columns(longest.0).max(25).min(left);
     let value_width = room - label_width;
     let (value, style) = match field.absent {
         Some(words) if field.value.is_empty() => (words, base.patch(theme.faint())),

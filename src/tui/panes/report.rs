@@ -7,9 +7,11 @@ use ratatui::layout::Rect;
 use super::{Pane, PaneInfo, about};
 use crate::tui::command::{self, Command, CommandId, DOWN, LIST, WIDE};
 use crate::tui::msg::Effect;
+use crate::tui::pane::PaneId;
 use crate::tui::state::AppState;
 use crate::tui::update::export;
 use crate::tui::update::motion::{moved, step};
+use crate::tui::view::layout;
 use crate::tui::view::paint::below_head;
 use crate::tui::view::painter::Painter;
 
@@ -24,6 +26,11 @@ const COMMANDS: &[Command] = &[
 
 pub(super) struct ReportPane;
 
+/// Rows of the text in the pane, below its head.
+fn text_rows(area: Rect) -> usize {
+    usize::from(area.height.saturating_sub(1))
+}
+
 impl Pane for ReportPane {
     fn about(&self) -> PaneInfo {
         about("Report", "Go to the report", &[COMMANDS, LIST, WIDE])
@@ -37,6 +44,7 @@ impl Pane for ReportPane {
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let by = step(state, id);
+        let page = layout::pane_area(state, PaneId::Report).map_or(0, text_rows);
         let (line, editor) = state.document.as_mut()?.line_and_editor()?;
         let across = &mut line.report_scroll.1;
         match id {
@@ -52,7 +60,9 @@ impl Pane for ReportPane {
             _ => {
                 let report = line.report.as_ref();
                 let lines = report.map_or(0, |(_, text)| text.lines().count());
-                line.report_scroll.0 = moved(line.report_scroll.0, by?, lines);
+                // The last line is at the foot of the pane at most.
+                let last = lines.saturating_sub(page);
+                line.report_scroll.0 = moved(line.report_scroll.0.min(last), by?, last + 1);
             }
         }
         Some(Vec::new())
@@ -70,6 +80,8 @@ impl Pane for ReportPane {
         let words = format!("Report on {name}; `w` saves it.");
         painter.text(head, &words, painter.theme.strong());
         let (down, across) = line.report_scroll;
+        let last = report.lines().count().saturating_sub(text_rows(area));
+        let down = down.min(last);
         let plain = painter.theme.plain();
         let lines = report.lines().skip(down);
         let seen = lines.map(|line| (line.chars().skip(across).collect::<String>(), plain));

@@ -14,6 +14,7 @@ use crate::tui::pane::PaneId;
 use crate::tui::panes;
 use crate::tui::state::parameter_editor::AfterSave;
 use crate::tui::state::{AppState, Overlay, PromptPurpose, Question};
+use crate::tui::view::last_scroll;
 
 pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
     if key == KeyPress::Ctrl('z') {
@@ -22,11 +23,7 @@ pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
     let Some(mut overlay) = state.overlay.take() else {
         return Vec::new();
     };
-    let last = match &overlay {
-        Overlay::Messages { .. } => state.log.len(),
-        Overlay::Text { text, .. } => text.lines().count(),
-        _ => usize::MAX,
-    };
+    let last = last_scroll(state, &overlay);
     if key == KeyPress::Ctrl('c') && !matches!(overlay, Overlay::Ask(_)) {
         return Vec::new();
     }
@@ -54,11 +51,12 @@ pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
 /// The new scroll position; none closes.
 fn scrolled(scroll: usize, key: KeyPress) -> Option<usize> {
     Some(match key {
-        KeyPress::Down | KeyPress::Char('j') => scroll + 1,
+        KeyPress::Down | KeyPress::Char('j') => scroll.saturating_add(1),
         KeyPress::Up | KeyPress::Char('k') => scroll.saturating_sub(1),
-        KeyPress::PageDown | KeyPress::Char(' ') => scroll + 10,
+        KeyPress::PageDown | KeyPress::Char(' ') => scroll.saturating_add(10),
         KeyPress::PageUp => scroll.saturating_sub(10),
         KeyPress::Home | KeyPress::Char('g') => 0,
+        KeyPress::End | KeyPress::Char('G') => usize::MAX,
         _ => return None,
     })
 }

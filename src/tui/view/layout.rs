@@ -153,11 +153,7 @@ fn file_panes(
 /// Where a cross-section is drawn.
 #[must_use]
 pub fn drawing_area(state: &AppState) -> Rect {
-    let screen = Rect::new(0, 0, state.size.0, state.size.1);
-    panes(screen, state)
-        .into_iter()
-        .find(|(place, _)| *place == PaneId::Drawing)
-        .map_or_else(Rect::default, |(_, pane)| inside(screen, pane))
+    pane_area(state, PaneId::Drawing).unwrap_or_default()
 }
 
 /// The inside of a pane.
@@ -230,20 +226,25 @@ fn together(area: Rect, page: &[FigureId]) -> Vec<(FigureId, Rect)> {
     [row(above, upper), row(below, lower)].concat()
 }
 
+/// The inside of a pane, where it is seen.
+#[must_use]
+pub fn pane_area(state: &AppState, id: PaneId) -> Option<Rect> {
+    let screen = Rect::new(0, 0, state.size.0, state.size.1);
+    let mut seen = panes(screen, state).into_iter();
+    let (_, area) = seen.find(|(place, _)| *place == id)?;
+    Some(inside(screen, area))
+}
+
 /// Where the chosen chart is drawn.
 #[must_use]
 pub fn chart_area(state: &AppState) -> Rect {
-    let screen = Rect::new(0, 0, state.size.0, state.size.1);
-    let Some(line) = state.line() else {
+    let (Some(line), Some(pane)) = (state.line(), pane_area(state, PaneId::Charts)) else {
         return Rect::default();
     };
-    panes(screen, state)
-        .into_iter()
-        .find(|(place, _)| *place == PaneId::Charts)
-        .and_then(|(_, pane)| {
-            let kinds = FigureId::of(&line.case);
-            let charts = charts(inside(screen, pane), &kinds, line.chart).charts;
-            charts.into_iter().find(|(kind, _)| *kind == line.chart)
-        })
+    let mut charts = charts(pane, &FigureId::of(&line.case), line.chart)
+        .charts
+        .into_iter();
+    charts
+        .find(|(kind, _)| *kind == line.chart)
         .map_or_else(Rect::default, |(_, area)| area)
 }

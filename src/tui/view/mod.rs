@@ -7,7 +7,10 @@ pub mod painter;
 
 use ratatui::Frame;
 use ratatui::layout::Rect;
+use ratatui::style::Style;
+use ratatui::widgets::{Clear, Widget};
 
+pub(super) use self::overlay::last_scroll;
 use self::painter::Painter;
 use super::command::{Command, CommandId};
 use super::pane::PaneId;
@@ -41,7 +44,9 @@ impl Painter<'_> {
         let (width, height) = layout::SMALLEST;
         if screen.width < width || screen.height < height {
             let words = format!("need {width}x{height}");
-            self.text(screen, &words, self.theme.plain());
+            // No mark: it would take the place of the last letter.
+            let at = (screen.x, screen.y);
+            paint::text(self.buf, at, screen.width, &words, self.theme.plain());
             return;
         }
         let areas = layout::areas(screen);
@@ -175,14 +180,35 @@ impl Painter<'_> {
             Severity::Error => ("Error: ", self.theme.error()),
         };
         let words = format!("{word}{}", note.text.replace('\n', " "));
-        self.text(line, &words, style);
+        self.message(line, &words, style);
+    }
+
+    /// A message on the line of messages or, where it is longer, on the line above too; what is longer still is cut, with the key
+    /// that shows all of it.
+    fn message(&mut self, line: Rect, words: &str, style: Style) {
+        let mut lines = paint::wrap(words, line.width.into()).into_iter();
+        let (Some(first), Some(second)) = (lines.next(), lines.next()) else {
+            self.text(line, words, style);
+            return;
+        };
+        let above = Rect::new(line.x, line.y.saturating_sub(1), line.width, 1);
+        Clear.render(above, self.buf);
+        self.text(above, &first, style);
+        if lines.next().is_none() {
+            self.text(line, &second, style);
+            return;
+        }
+        let more = " (! shows all)";
+        let room = line.width.saturating_sub(width(more));
+        let second = format!("{second} {}", lines.collect::<String>());
+        let rest = self.text(paint::span(line, 0, room), &second, style);
+        self.text(paint::rest(line, rest.x), more, self.theme.faint());
     }
 
     /// The keys that work now, then `?` and `q`.
     fn foot(&mut self, line: Rect) {
-        let (ends, others): (Vec<Command>, Vec<Command>) = panes::commands(self.state)
+        let (ends, others): (Vec<Command>, Vec<Command>) = offered(self.state)
             .into_iter()
-            .filter(|command| !command.label.is_empty())
             .partition(|command| matches!(command.id, CommandId::Help | CommandId::Quit));
         let mut room = line.width.saturating_sub(ends.iter().map(key_width).sum());
         let mut rest = line;
@@ -211,9 +237,22 @@ impl Painter<'_> {
     }
 }
 
+/// The commands that the footer offers, as far as there is room: those that can be done now.
+#[must_use]
+pub fn offered(state: &AppState) -> Vec<Command> {
+    let mut commands = panes::commands(state);
+    commands
+        .retain(|command| !command.label.is_empty() && panes::enabled(state, command.id).is_ok());
+    commands
+}
+
 fn key_width(command: &Command) -> u16 {
     let key = command.keys.first().map_or(0, |k| k.len());
     u16::try_from(key + command.label.len() + 3).unwrap_or(u16::MAX)
+}
+
+fn width(words: &str) -> u16 {
+    u16::try_from(words.len()).unwrap_or(u16::MAX)
 }
 
 /// The first of the wordings that fits.

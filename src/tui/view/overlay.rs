@@ -10,8 +10,56 @@ use super::painter::Painter;
 use crate::tui::command::Command;
 use crate::tui::panes;
 use crate::tui::state::overlay::RunText;
-use crate::tui::state::{Overlay, PromptPurpose, Question};
+use crate::tui::state::{AppState, Overlay, PromptPurpose, Question};
 use crate::tui::update::palette_matches;
+
+/// Columns of the help, and size of the box of messages.
+const HELP: u16 = 96;
+const MESSAGES: (u16, u16) = (100, 20);
+
+/// The furthest that an overlay scrolls: its last line is at its foot.
+#[must_use]
+pub(in crate::tui) fn last_scroll(state: &AppState, overlay: &Overlay) -> usize {
+    let (columns, rows) = state.size;
+    let (lines, most) = match overlay {
+        Overlay::Help { .. } => (help_lines(state, HELP.min(columns)).len(), rows),
+        Overlay::Messages { .. } => {
+            let width = MESSAGES.0.min(columns).saturating_sub(2);
+            (message_lines(state, width).len(), MESSAGES.1)
+        }
+        Overlay::Text { text, .. } => (text.lines().count(), rows),
+        _ => (0, rows),
+    };
+    lines.saturating_sub(most.min(rows).saturating_sub(2).into())
+}
+
+/// The keys of the pane with the focus, as the help shows them.
+fn help_lines(state: &AppState, width: u16) -> Vec<String> {
+    let mut lines = Vec::new();
+    for command in panes::commands(state) {
+        if command.keys.is_empty() {
+            continue;
+        }
+        let words = match panes::enabled(state, command.id) {
+            Ok(()) => command.doc.to_owned(),
+            Err(why) => format!("{}. Not now: {why}", command.doc),
+        };
+        let parts = wrap(&words, usize::from(width.saturating_sub(21)));
+        let keys = std::iter::once(command.keys.join(" ")).chain(std::iter::repeat(String::new()));
+        lines.extend(
+            keys.zip(parts)
+                .map(|(keys, part)| format!(" {keys:<16} {part}")),
+        );
+    }
+    lines
+}
+
+fn message_lines(state: &AppState, width: u16) -> Vec<String> {
+    let newest_first = state.log.iter().rev();
+    newest_first
+        .flat_map(|note| wrap(&note.text, width.into()))
+        .collect()
+}
 
 /// Title and prompt of a text about runs.
 fn run_text_words(what: RunText, dirs: &[PathBuf]) -> (String, &'static str) {
@@ -75,24 +123,8 @@ impl Painter<'_> {
     }
 
     fn help(&mut self, screen: Rect, scroll: usize) {
-        let width = 96.min(screen.width);
-        let mut lines = Vec::new();
-        for command in panes::commands(self.state) {
-            if command.keys.is_empty() {
-                continue;
-            }
-            let words = match panes::enabled(self.state, command.id) {
-                Ok(()) => command.doc.to_owned(),
-                Err(why) => format!("{}. Not now: {why}", command.doc),
-            };
-            let parts = wrap(&words, usize::from(width.saturating_sub(21)));
-            let keys =
-                std::iter::once(command.keys.join(" ")).chain(std::iter::repeat(String::new()));
-            lines.extend(
-                keys.zip(parts)
-                    .map(|(keys, part)| format!(" {keys:<16} {part}")),
-            );
-        }
+        let width = HELP.min(screen.width);
+        let lines = help_lines(self.state, width);
         let height = u16::try_from(lines.len() + 2).unwrap_or(u16::MAX);
         let title = format!(
             "Keys: {} (j and k scroll, any other key closes)",
@@ -139,14 +171,8 @@ impl Painter<'_> {
     }
 
     fn messages(&mut self, screen: Rect, scroll: usize) {
-        let area = self.boxed(screen, (100, 20), "Messages, newest first");
-        let lines: Vec<String> = self
-            .state
-            .log
-            .iter()
-            .rev()
-            .flat_map(|note| wrap(&note.text, area.width.into()))
-            .collect();
+        let area = self.boxed(screen, MESSAGES, "Messages, newest first");
+        let lines = message_lines(self.state, area.width);
         self.scrolled(area, &lines, scroll);
     }
 

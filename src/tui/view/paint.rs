@@ -1,11 +1,14 @@
 //! Small strokes: text into cells, lists with a cursor, frames.
 
+use std::borrow::Cow;
+use std::ops::Range;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 use ratatui::symbols::border;
 use ratatui::widgets::{Block, Clear, Widget};
-use unicode_width::UnicodeWidthStr;
+use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::report::chart::Glyphs;
 use crate::report::plain::ascii;
@@ -25,6 +28,48 @@ pub(in crate::tui) fn text(
     }
     let (x, _) = buf.set_stringn(at.0, at.1, visible::line(words), width.into(), style);
     x
+}
+
+/// The text as far as it fits, with a mark at its end where it is cut.
+pub(in crate::tui) fn cut(words: &str, width: usize, glyphs: Glyphs) -> Cow<'_, str> {
+    // What is only blank at its end loses nothing.
+    if words.width() <= width || words.trim_end().width() <= width {
+        return Cow::Borrowed(words);
+    }
+    let mark = match glyphs {
+        Glyphs::Braille => "…",
+        Glyphs::Ascii if width > 20 => "...",
+        Glyphs::Ascii => "~",
+    };
+    let room = width.saturating_sub(mark.width());
+    let mut used = 0;
+    let fits = |c: &char| {
+        used += c.width().unwrap_or(0);
+        used <= room
+    };
+    let kept: String = words.chars().take_while(fits).collect();
+    Cow::Owned(format!("{kept}{mark}"))
+}
+
+/// The tabs that are seen of those of these widths: all, or as many as fit around the selected one beside the marks that there
+/// are more.
+pub(in crate::tui) fn tabs_seen(widths: &[usize], selected: usize, room: usize) -> Range<usize> {
+    let needed = |seen: &Range<usize>| {
+        let columns = widths[seen.clone()].iter().sum::<usize>() + usize::from(seen.start > 0);
+        // The blank behind the last of all is not needed.
+        match seen.end < widths.len() {
+            true => columns + 1,
+            false => columns.saturating_sub(1),
+        }
+    };
+    let mut seen = 0..widths.len();
+    while needed(&seen) > room && seen.end > selected + 1 {
+        seen.end -= 1;
+    }
+    while needed(&seen) > room && seen.start < selected {
+        seen.start += 1;
+    }
+    seen
 }
 
 /// Writes text that ends at the right edge of a line.
@@ -137,6 +182,28 @@ pub(in crate::tui) fn only_ascii(buf: &mut Buffer) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn cut_text_ends_with_a_mark() {
+        assert_eq!(cut("as it is", 8, Glyphs::Braille), "as it is");
+        assert_eq!(cut("longer than that", 8, Glyphs::Braille), "longer …");
+        assert_eq!(cut("longer than that", 8, Glyphs::Ascii), "longer ~");
+        assert_eq!(cut("深海ケーブル", 5, Glyphs::Braille), "深海…");
+        assert_eq!(cut("blank    ", 6, Glyphs::Braille), "blank    ");
+    }
+
+    #[test]
+    fn the_selected_tab_is_always_seen() {
+        let widths = [9, 10, 7, 13, 9, 7, 8, 8];
+        for room in 15..80 {
+            for selected in 0..widths.len() {
+                let seen = tabs_seen(&widths, selected, room);
+                assert!(seen.contains(&selected), "{selected} in {room}: {seen:?}");
+                assert!(widths[seen].iter().sum::<usize>() <= room + 1);
+            }
+        }
+        assert_eq!(tabs_seen(&widths, 3, 70), 0..8);
+    }
 
     #[test]
     fn the_cursor_is_always_seen() {

@@ -4,8 +4,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 use tui_input::Input;
+use unicode_width::UnicodeWidthStr;
 
-use super::paint::{first_line, rest, row, span, text, wrap};
+use super::paint::{cut, first_line, rest, row, span, tabs_seen, text, wrap};
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::plain::ascii;
 use crate::report::table::Table;
@@ -33,12 +34,13 @@ impl Painter<'_> {
         self.state.capabilities.glyphs
     }
 
-    /// Writes text at the left of a line; returns the rest of the line.
+    /// Writes text at the left of a line, with a mark at its end where it does not fit; returns the rest of the line.
     pub fn text(&mut self, line: Rect, words: &str, style: Style) -> Rect {
         let words = match self.glyphs() {
             Glyphs::Braille => words.into(),
             Glyphs::Ascii => ascii(words),
         };
+        let words = cut(&words, line.width.into(), self.glyphs());
         let x = text(self.buf, (line.x, line.y), line.width, &words, style);
         rest(line, x)
     }
@@ -93,17 +95,31 @@ impl Painter<'_> {
         }
     }
 
-    /// Names beside each other, one of them selected; returns the rest of the line.
+    /// Names beside each other, one of them selected; returns the rest of the line. Where there is no room for all, the selected one
+    /// is among those seen, and `<` and `>` say that there are more.
     pub fn tabs<T: AsRef<str>>(
         &mut self,
         line: Rect,
         names: impl IntoIterator<Item = T>,
         selected: Option<usize>,
     ) -> Rect {
+        let names: Vec<String> = names
+            .into_iter()
+            .map(|name| format!(" {} ", name.as_ref()))
+            .collect();
+        let widths: Vec<usize> = names.iter().map(|name| name.width()).collect();
+        let seen = tabs_seen(&widths, selected.unwrap_or(0), line.width.into());
+        let faint = self.theme.faint();
         let mut rest = line;
-        for (i, name) in names.into_iter().enumerate() {
+        if seen.start > 0 {
+            rest = self.text(rest, "<", faint);
+        }
+        for i in seen.clone() {
             let style = self.line_style(Some(i) == selected);
-            rest = self.text(rest, &format!(" {} ", name.as_ref()), style);
+            rest = self.text(rest, &names[i], style);
+        }
+        if seen.end < names.len() {
+            rest = self.text(rest, ">", faint);
         }
         rest
     }
@@ -129,7 +145,9 @@ impl Painter<'_> {
         let room = line.width.saturating_sub(1);
         let scroll = input.visual_scroll(room.into());
         let value: String = input.value().chars().skip(scroll).collect();
-        self.text(span(line, 0, room), &value, self.theme.plain());
+        // What scrolls under a cursor carries no mark.
+        let at = span(line, 0, room);
+        text(self.buf, (at.x, at.y), at.width, &value, self.theme.plain());
         if typing {
             let at = u16::try_from(input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
             self.cursor = Some((line.x.saturating_add(at), line.y));
