@@ -53,8 +53,8 @@ pub enum Msg {
     FileRead(Box<FileRead>),
     /// A ship at sea was computed, by the thread that this stops; nothing where it was stopped or failed.
     ShipComputed(Arc<AtomicBool>, Option<Arc<DynamicAnalysis>>),
-    /// A case file cannot be opened: title, and all that is wrong.
-    CaseRejected(String, String),
+    /// A case file cannot be opened: the file, and all that is wrong.
+    CaseRejected(PathBuf, String),
     /// A case was saved here.
     Saved(PathBuf, String),
     /// A case cannot be saved, for this reason.

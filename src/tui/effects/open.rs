@@ -15,6 +15,6 @@ pub(super) fn read_case(path: &Path) -> Msg {
             text,
             content,
         })),
-        Err(all) => Msg::CaseRejected(path.display().to_string(), case_library::story(path, &all)),
+        Err(all) => Msg::CaseRejected(path.to_owned(), case_library::story(path, &all)),
     }
 }

@@ -17,6 +17,7 @@ const COMMANDS: &[Command] = &[
     main(CommandId::Open, &["enter", "l", "right"], "open", "Open the case under the cursor"),
     FILTER,
     other(CommandId::Trials, &["T"], "trials", "Compute the trials of all hard cases listed, and compare them with the results required"),
+    other(CommandId::ExternalEditor, &["E"], "editor", "Open the file under the cursor in $VISUAL or $EDITOR, also one that cannot be read, at its first fault"),
     other(CommandId::Reload, &["ctrl+r"], "", "Read the list of cases again"),
     command::DOWN,
 ];
@@ -29,7 +30,8 @@ impl Pane for CasesPane {
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
-        (id == CommandId::Open && state.cases.current().is_none())
+        let of_file = matches!(id, CommandId::Open | CommandId::ExternalEditor);
+        (of_file && state.cases.current().is_none())
             .then_some("There is no case here. `ctrl+r` reads the directory again.")
     }
 
@@ -38,6 +40,10 @@ impl Pane for CasesPane {
             CommandId::Open => {
                 let entry = state.cases.current()?;
                 Some(vec![Effect::ReadCase(entry.path.clone())])
+            }
+            CommandId::ExternalEditor => {
+                let entry = state.cases.current()?;
+                Some(vec![Effect::EditFile(entry.path.clone())])
             }
             CommandId::Reload => Some(vec![Effect::ReadCases]),
             CommandId::Trials => Some(trials::show(state)),

@@ -32,6 +32,8 @@ pub enum Overlay {
         text: String,
         /// First line shown.
         scroll: usize,
+        /// The file that it is about, to be opened in the user's editor.
+        file: PathBuf,
     },
     /// A question with an answer a key.
     Ask(Question),

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::notice::info;
 use super::{edit, jobs, runs, ship};
 use crate::tui::case_library::FIRST;
 use crate::tui::msg::{Effect, FileRead};
@@ -25,12 +26,31 @@ pub(super) fn listed(state: &mut AppState, dir: PathBuf, entries: Vec<CaseEntry>
     Vec::new()
 }
 
-pub(super) fn rejected(state: &mut AppState, title: String, text: String) -> Vec<Effect> {
+/// A file of the list as the user's editor left it: the list is read again, and what is wrong with the file is shown.
+pub(super) fn edited(state: &mut AppState, read: Result<String, String>) -> Vec<Effect> {
+    let file = state.cases.current().map(|entry| entry.path.clone());
+    match (read, file) {
+        (Ok(_), _) => info(state, "The list is read again; Enter opens the file."),
+        (Err(story), file) => {
+            let title = "The file as the editor left it".to_owned();
+            rejected(state, title, file.unwrap_or_default(), story)
+        }
+    };
+    vec![Effect::ReadCases]
+}
+
+pub(super) fn rejected(
+    state: &mut AppState,
+    title: String,
+    file: PathBuf,
+    text: String,
+) -> Vec<Effect> {
     state.say(Severity::Error, format!("{title} cannot be opened."));
     state.overlay = Some(Overlay::Text {
         title,
         text,
         scroll: 0,
+        file,
     });
     Vec::new()
 }

@@ -138,7 +138,7 @@ pub(super) fn redo(state: &mut AppState) -> Vec<Effect> {
 /// The file as an editor left it: taken as an edit that can be undone, or refused with all that is wrong with it.
 pub(super) fn edited(state: &mut AppState, read: Result<String, String>) -> Vec<Effect> {
     let Some(editor) = state.editor_mut() else {
-        return Vec::new();
+        return super::cases::edited(state, read);
     };
     match read {
         Ok(text) if text == editor.saved => info(state, "The file is as it was."),
@@ -152,7 +152,8 @@ pub(super) fn edited(state: &mut AppState, read: Result<String, String>) -> Vec<
             effects
         }
         Err(story) => {
-            super::cases::rejected(state, "The file as the editor left it".to_owned(), story)
+            let (title, file) = ("The file as the editor left it", editor.path.clone());
+            super::cases::rejected(state, title.to_owned(), file, story)
         }
     }
 }

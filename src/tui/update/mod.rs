@@ -63,7 +63,9 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
             ship::computed(state, &by, sea);
             Vec::new()
         }
-        Msg::CaseRejected(title, text) => cases::rejected(state, title, text),
+        Msg::CaseRejected(file, text) => {
+            cases::rejected(state, file.display().to_string(), file, text)
+        }
         Msg::Saved(path, text) => quit::saved(state, path, text),
         Msg::NotSaved(why) => quit::not_saved(state, &why),
         Msg::ChangedOnDisk => quit::changed_on_disk(state),

@@ -28,6 +28,7 @@ pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
         return Vec::new();
     }
     match overlay {
+        Overlay::Text { file, .. } if key == KeyPress::Char('E') => vec![Effect::EditFile(file)],
         Overlay::Help { ref mut scroll }
         | Overlay::Messages { ref mut scroll }
         | Overlay::Text { ref mut scroll, .. } => {

@@ -90,7 +90,11 @@ impl Painter<'_> {
                 title,
                 text,
                 scroll,
-            } => self.long_text(screen, title, text, *scroll),
+                ..
+            } => {
+                let title = format!("{title} (E opens it in your editor)");
+                self.long_text(screen, &title, text, *scroll);
+            }
             Overlay::Ask(question) => self.ask(screen, question),
             Overlay::Studies { items, cursor } => self.choose(screen, items, *cursor),
             Overlay::Prompt {

@@ -348,6 +348,74 @@ fn a_terminal_of_ascii_is_sent_ascii_whatever_a_file_says() {
 }
 
 #[test]
+fn a_broken_case_opens_in_the_editor_from_the_list() {
+    let mut desk = Desk::new(SMALL);
+    desk.keys("G");
+    let edits =
+        |effect: &Effect| matches!(effect, Effect::EditFile(path) if path.ends_with("broken.toml"));
+    desk.keys("E");
+    assert!(has(&desk, edits));
+    desk.asked.clear();
+    // As the editor left it, it is still broken; the list of what is wrong offers the editor too.
+    desk.tell(Msg::Edited(Err("line 21 is wrong".to_owned())));
+    assert!(has(&desk, |effect| matches!(effect, Effect::ReadCases)));
+    assert!(desk.screen().contains("E opens it in your editor"));
+    desk.asked.clear();
+    desk.keys("E");
+    assert!(has(&desk, edits));
+    desk.tell(Msg::Edited(Ok(String::new())));
+    assert!(said(&desk).contains("Enter opens the file"));
+}
+
+#[test]
+fn long_messages_take_two_lines_and_say_where_the_rest_is() {
+    let mut desk = Desk::with_case(SMALL);
+    let long = "word ".repeat(25);
+    desk.state.say(Severity::Error, format!("{long}end"));
+    let screen = desk.screen();
+    assert!(
+        screen.contains("end") && !screen.contains("shows all"),
+        "{screen}"
+    );
+    desk.state.say(Severity::Error, format!("{long}{long}end"));
+    let screen = desk.screen();
+    assert!(screen.contains("… (! shows all)"), "{screen}");
+    desk.keys("! G");
+    assert!(desk.screen().contains("end"));
+}
+
+#[test]
+fn the_report_scrolls_to_its_last_page_and_back() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys("R");
+    desk.finish_jobs();
+    desk.keys("5");
+    let first = desk.screen();
+    desk.keys("G");
+    let (_, report) = desk.state.line().unwrap().report.clone().unwrap();
+    let rows: Vec<String> = desk.screen().lines().take(22).map(str::to_owned).collect();
+    let last = report.lines().last().unwrap();
+    // Head, tabs, the name of the report, 19 lines of it, and the line of messages.
+    assert_eq!(rows[21].trim_end(), last.trim_end(), "{rows:#?}");
+    desk.keys("k g");
+    assert_eq!(desk.screen(), first);
+}
+
+#[test]
+fn the_selected_tab_is_seen_on_narrow_screens() {
+    for columns in [40, 60] {
+        let mut desk = Desk::with_case((columns, 24));
+        for (number, title) in [(1, "Inputs"), (4, "Validation"), (6, "Jobs"), (8, "Modes")] {
+            desk.keys(&number.to_string());
+            let screen = desk.screen();
+            let tabs = screen.lines().nth(1).unwrap();
+            assert!(tabs.contains(&format!("{number} {title}")), "{screen}");
+            assert!(tabs.contains('<') || tabs.contains('>'), "{screen}");
+        }
+    }
+}
+
+#[test]
 fn the_palette_finds_a_command_by_its_words_and_does_it() {
     let mut desk = Desk::with_case(SMALL);
     desk.keys(":");
