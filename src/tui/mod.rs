@@ -25,6 +25,7 @@ pub mod panes;
 pub mod plot_pane;
 pub mod plots;
 pub mod recovery;
+pub mod result_lines;
 pub mod run_cells;
 pub mod run_filter;
 pub mod state;

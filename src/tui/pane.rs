@@ -9,6 +9,8 @@ pub enum PaneId {
     Inputs,
     /// The charts of a line case.
     Charts,
+    /// The results of the live run.
+    Results,
     /// Its runs.
     Runs,
     /// The validation table.

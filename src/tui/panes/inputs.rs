@@ -5,20 +5,29 @@ use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
-use crate::case::YOURS;
+use crate::case::{ReplacedValue, YOURS};
 use crate::tui::command::{self, Command, CommandId, FILTER, LIST, main, other};
 use crate::tui::facade::FieldRow;
 use crate::tui::msg::Effect;
 use crate::tui::state::{AppState, Document, ParameterEditor};
 use crate::tui::update::edit::{self, optional};
 use crate::tui::update::motion::{moved, step};
+use crate::tui::update::results;
+use crate::tui::update::step_value::step_value;
 use crate::tui::view::paint::{below_head, rest, row, span, wrap};
 use crate::tui::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
     main(CommandId::Edit, &["enter", "e"], "edit", "Edit the value under the cursor"),
+    main(CommandId::StepUp, &["right", "l"], "step", "Step the value up: a number by a small round part of it, a word to the next"),
     FILTER,
+    other(CommandId::StepDown, &["left", "h"], "", "Step the value down"),
+    other(CommandId::LeapUp, &["L"], "", "Step the value up by ten steps"),
+    other(CommandId::LeapDown, &["H"], "", "Step the value down by ten steps"),
+    other(CommandId::HoldAgainst, &["v"], "hold", "Hold the results: later ones are shown with their difference from them"),
+    other(CommandId::Zoom, &["z"], "zoom", "Give the inputs the whole screen, with their help, or share it with chart and results"),
+    other(CommandId::Fold, &["x"], "defaults", "Show the defaults among the inputs, or fold them"),
     other(CommandId::ExternalEditor, &["E"], "editor", "Open the file in $VISUAL or $EDITOR, and read it again afterwards"),
     other(CommandId::Reset, &["r"], "reset", "Put the field back to the value of the file"),
     other(CommandId::NextGroup, &["]"], "", "Go to the next group of fields"),
@@ -37,6 +46,16 @@ impl Pane for InputsPane {
         let by = step(state, id);
         match id {
             CommandId::Edit => edit::begin(state),
+            CommandId::StepUp => return Some(step_value(state, 1.0)),
+            CommandId::StepDown => return Some(step_value(state, -1.0)),
+            CommandId::LeapUp => return Some(step_value(state, 10.0)),
+            CommandId::LeapDown => return Some(step_value(state, -10.0)),
+            CommandId::HoldAgainst => return Some(results::hold_live(state)),
+            CommandId::Fold => edit::fold(state),
+            CommandId::Zoom => {
+                let document = state.document.as_mut()?;
+                document.zoomed = !document.zoomed;
+            }
             CommandId::Reset => return Some(edit::reset(state)),
             CommandId::NextGroup => edit::next_group(state, true),
             CommandId::PreviousGroup => edit::next_group(state, false),
@@ -58,7 +77,8 @@ impl Pane for InputsPane {
             return;
         };
         let editor = &document.editor;
-        let help_rows = if area.height > 14 { 5 } else { 3 };
+        let compact = area.width < COMPACT;
+        let help_rows = if area.height > 14 && !compact { 5 } else { 3 };
         let [list, help] =
             Layout::vertical([Constraint::Min(0), Constraint::Length(help_rows)]).areas(area);
         let list = filter_line(painter, list, editor);
@@ -84,6 +104,8 @@ fn filter_line(painter: &mut Painter, list: Rect, editor: &ParameterEditor) -> R
 enum ListLine<'a> {
     Group(&'a str),
     Field(usize, &'a FieldRow),
+    /// The fields that are folded away.
+    Folded,
 }
 
 fn fields(painter: &mut Painter, list: Rect, editor: &ParameterEditor) {
@@ -103,6 +125,10 @@ fn fields(painter: &mut Painter, list: Rect, editor: &ParameterEditor) {
     if lines.is_empty() {
         painter.text(list, "No field passes the filter.", painter.theme.plain());
     }
+    if editor.folded && editor.filter.is_empty() && editor.folded_away().0 > 0 {
+        lines.push(ListLine::Folded);
+    }
+    let compact = list.width < COMPACT;
     let label = |field: &FieldRow| field.label.width();
     let unit = |field: &FieldRow| field.unit.width();
     let longest = (
@@ -113,8 +139,74 @@ fn fields(painter: &mut Painter, list: Rect, editor: &ParameterEditor) {
         ListLine::Group(name) => {
             painter.text(at, name, painter.theme.head());
         }
+        ListLine::Field(i, field) if compact => {
+            compact_line(painter, at, field, i == editor.field);
+        }
         ListLine::Field(i, field) => field_line(painter, at, field, longest, i == editor.field),
+        ListLine::Folded => folded_line(painter, at, editor),
     });
+}
+
+/// Narrower lists have value, unit and standing close together.
+const COMPACT: u16 = 56;
+
+/// What is folded away.
+fn folded_line(painter: &mut Painter, at: Rect, editor: &ParameterEditor) {
+    let (count, assumed) = editor.folded_away();
+    let words = format!("+ {count} defaults, {assumed} inputs assumed (x)");
+    painter.text(at, &words, painter.theme.faint());
+}
+
+/// Label, value with unit, and where the value comes from, in little room.
+fn compact_line(painter: &mut Painter, line: Rect, field: &FieldRow, selected: bool) {
+    let base = painter.line_style(selected);
+    painter.buf.set_style(line, base);
+    let note = note(field);
+    let note_width = u16::try_from(note.width()).unwrap_or(0).max(5);
+    let value = match field.absent {
+        Some(words) if field.value.is_empty() => words.to_owned(),
+        _ => format!("{} {}", field.value, field.unit)
+            .trim_end()
+            .to_owned(),
+    };
+    let value_width = u16::try_from(value.width()).unwrap_or(0);
+    let room = line.width.saturating_sub(note_width + 2);
+    let label_width = room.saturating_sub(value_width + 1).max(room / 2);
+    painter.text(
+        span(line, 1, label_width.saturating_sub(1)),
+        field.label,
+        base,
+    );
+    let at = span(line, label_width, room - label_width);
+    let strong = if field.given {
+        base.patch(painter.theme.strong())
+    } else {
+        base
+    };
+    let from = at.width.saturating_sub(value_width);
+    painter.text(span(at, from, at.width - from), &value, strong);
+    let style = note_style(painter, field, base);
+    painter.text(span(line, room + 1, note_width), note, style);
+}
+
+/// Where a value comes from, in a word.
+fn note(field: &FieldRow) -> &'static str {
+    match &field.standing {
+        _ if field.replaced.is_some() => YOURS,
+        Some(mark) => mark.status.name(),
+        None if !field.applies => "no effect",
+        None if !field.given => "default",
+        None => "",
+    }
+}
+
+fn note_style(painter: &Painter, field: &FieldRow, base: Style) -> Style {
+    let theme = painter.theme;
+    match (&field.standing, &field.replaced) {
+        (_, Some(_)) => base.patch(theme.strong()),
+        (Some(_), None) => base.patch(theme.warning()),
+        (None, None) => base.patch(theme.faint()),
+    }
 }
 
 /// Columns of a number with its sign and exponent.
@@ -136,13 +228,7 @@ fn field_line(
     let theme = painter.theme;
     let base = painter.line_style(selected);
     painter.buf.set_style(line, base);
-    let note = match &field.standing {
-        _ if field.replaced.is_some() => YOURS,
-        Some(mark) => mark.status.name(),
-        None if !field.applies => "no effect",
-        None if !field.given => "default",
-        None => "",
-    };
+    let note = note(field);
     let note_width = 11.min(line.width / 4);
     let unit_width = columns(longest.1).clamp(4, 9).min(line.width / 6);
     let room = line.width.saturating_sub(note_width + unit_width + 4);
@@ -155,11 +241,7 @@ fn field_line(
         _ if field.given => (field.value.as_str(), base.patch(theme.strong())),
         _ => (field.value.as_str(), base),
     };
-    let note_style = match (&field.standing, &field.replaced) {
-        (_, Some(_)) => base.patch(theme.strong()),
-        (Some(_), None) => base.patch(theme.warning()),
-        (None, None) => base.patch(theme.faint()),
-    };
+    let note_style = note_style(painter, field, base);
     let unit_x = 3 + label_width + value_width;
     let cells: [(u16, u16, &str, Style); 4] = [
         (2, label_width.saturating_sub(1), field.label, base),
@@ -177,14 +259,19 @@ fn help_lines(painter: &mut Painter, area: Rect, editor: &ParameterEditor) {
     let Some(field) = editor.current_field() else {
         return;
     };
-    let mut words = format!("{}: {}\n{}", field.path, field.help, range_words(field));
-    if let Some(replaced) = &field.replaced {
-        words.push_str(&format!("\n{}", replaced.words()));
+    let mut words = vec![
+        format!("{}: {}", field.path, field.help),
+        range_words(field),
+    ];
+    let replaced = field.replaced.as_ref().map(ReplacedValue::words);
+    let standing = field.standing.as_ref();
+    let standing = standing.map(|mark| format!("{}: {}", mark.status.name(), mark.reason));
+    words.extend(replaced.into_iter().chain(standing));
+    if area.width < COMPACT {
+        // In little room first what is not in the documentation.
+        words.rotate_left(2);
     }
-    if let Some(mark) = &field.standing {
-        let standing = mark.status.name();
-        words.push_str(&format!("\n{standing}: {}", mark.reason));
-    }
+    let words = words.join("\n");
     let (plain, faint) = (painter.theme.plain(), painter.theme.faint());
     let styles = std::iter::once(plain).chain(std::iter::repeat(faint));
     painter.lines(

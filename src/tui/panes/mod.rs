@@ -9,6 +9,7 @@ mod jobs;
 mod modes;
 mod nodes;
 mod report;
+pub mod results;
 mod ropeway;
 mod runs;
 mod ship;
@@ -72,6 +73,7 @@ pub fn pane(id: PaneId) -> &'static dyn Pane {
         PaneId::Cases => &cases::CasesPane,
         PaneId::Inputs => &inputs::InputsPane,
         PaneId::Charts => &charts::ChartsPane,
+        PaneId::Results => &results::ResultsPane,
         PaneId::Runs => &runs::RunsPane,
         PaneId::Validation => &validation::ValidationPane,
         PaneId::Report => &report::ReportPane,

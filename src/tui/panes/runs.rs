@@ -12,7 +12,7 @@ use crate::tui::run_cells::{cell, head, live_cell};
 use crate::tui::state::overlay::RunText;
 use crate::tui::state::{AppState, JobState, LineView, RunColumn, RunEntry, RunList, RunStatus};
 use crate::tui::update::motion::{moved, step};
-use crate::tui::update::{resume, run_table, runs};
+use crate::tui::update::{results, resume, run_table, runs};
 use crate::tui::view::paint::{below_head, first_line, rest, span};
 use crate::tui::view::painter::Painter;
 
@@ -23,6 +23,7 @@ const COMMANDS: &[Command] = &[
     main(CommandId::Mark, &["m"], "mark", "Mark this run for what is done to several, or take the mark off"),
     FILTER,
     SORT,
+    other(CommandId::HoldAgainst, &["v"], "hold", "Hold the results beside the inputs against this run"),
     other(CommandId::Delete, &["d"], "delete", "Delete the marked runs, or this one (asks first)"),
     other(CommandId::TagRuns, &["#"], "tag", "Tag the marked runs, or this one"),
     other(CommandId::NameRun, &["n"], "name", "Give this run a name of your own"),
@@ -75,6 +76,7 @@ impl Pane for RunsPane {
             CommandId::ShowAlone => return Some(runs::show_alone(state)),
             CommandId::Select => return Some(runs::select(line)),
             CommandId::Resume => return Some(resume::ask(state)),
+            CommandId::HoldAgainst => return Some(results::hold_run(state)),
             CommandId::SelectNone => run_table::live_only(state),
             CommandId::Mark => run_table::mark(state),
             CommandId::MarkAll => return Some(run_table::mark_all(state)),

@@ -92,6 +92,8 @@ pub struct Document {
     pub content: DocumentContent,
     /// The pane that has the focus.
     pub pane: PaneId,
+    /// True while the pane with the focus has the whole screen where it would share it.
+    pub zoomed: bool,
     /// The tab of the tables that is shown.
     pub tab: usize,
     /// Selection, sorting and scrolling of each tab.
@@ -107,6 +109,7 @@ impl Document {
         let kind = content.kind().info();
         Self {
             pane: kind.first,
+            zoomed: false,
             tab: 0,
             tables: vec![TablePane::default(); kind.tabs.len()],
             checks_pane: TablePane::default(),

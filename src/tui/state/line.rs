@@ -10,7 +10,7 @@ use super::modes::ModesView;
 use super::parameter_editor::ParameterEditor;
 use super::run_list::RunList;
 use super::variants::VariantPlan;
-use crate::case::{Case, Diagnostic, TextDigest, kind};
+use crate::case::{Case, Diagnostic, QuantityId, TextDigest, kind};
 use crate::report::figures::{FIGURES, FigureId};
 use crate::run::settings::method_name;
 use crate::run::{Run, RunState};
@@ -81,6 +81,14 @@ pub struct LineView {
     pub instant: Option<f64>,
     /// The re-solve after an edit.
     pub live: LiveSolve,
+    /// The results beside the inputs.
+    pub results: Vec<QuantityId>,
+    /// The run that they are held against, and its name.
+    pub against: Option<(String, Arc<Run>)>,
+    /// The directory of a run that will be held against when it is read.
+    pub hold: Option<PathBuf>,
+    /// Cursor among all results.
+    pub result: usize,
     /// Runs of the case.
     pub runs: RunList,
     /// The variants of the case, of the text that is named there.
@@ -115,6 +123,10 @@ impl LineView {
             series: None,
             instant: None,
             live: LiveSolve::default(),
+            results: Vec::new(),
+            against: None,
+            hold: None,
+            result: 0,
             runs: RunList::default(),
             plan: VariantPlan::default(),
             planning: false,
@@ -183,6 +195,7 @@ impl DocumentKind for LineView {
                 PaneId::Jobs,
                 PaneId::Nodes,
                 PaneId::Modes,
+                PaneId::Results,
             ],
             first: PaneId::Inputs,
             tabs: &[],

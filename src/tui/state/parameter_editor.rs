@@ -81,6 +81,8 @@ pub struct ParameterEditor {
     pub redo: Vec<String>,
     /// What follows the next save.
     pub after_save: AfterSave,
+    /// Whether only the fields are shown that the file gives.
+    pub folded: bool,
     /// Cursor among the fields that pass the filter.
     pub field: usize,
     /// Filter of the fields.
@@ -108,6 +110,7 @@ impl ParameterEditor {
             undo: Vec::new(),
             redo: Vec::new(),
             after_save: AfterSave::Stay,
+            folded: false,
             field: 0,
             filter: Filter::default(),
             editing: None,
@@ -145,13 +148,33 @@ impl ParameterEditor {
     /// The fields that pass the filter.
     pub fn fields(&self) -> impl Iterator<Item = &FieldRow> {
         let filter = self.filter.input.value().to_lowercase();
-        let shown = self.rows.iter().filter(|row| row.is_shown());
+        // Who looks for a field finds it.
+        let folded = self.folded && filter.is_empty();
+        let shown = self
+            .rows
+            .iter()
+            .filter(move |row| row.is_shown() && (!folded || row.given || row.replaced.is_some()));
         shown.filter(move |row| {
             super::case_list::passes(
                 &format!("{} {} {}", row.path, row.group, row.label),
                 &filter,
             )
         })
+    }
+
+    /// How many fields are folded, and how many of all fields are marked as assumed.
+    #[must_use]
+    pub fn folded_away(&self) -> (usize, usize) {
+        let shown = self.rows.iter().filter(|row| row.is_shown()).count();
+        let assumed = |row: &&FieldRow| {
+            row.standing
+                .as_ref()
+                .is_some_and(|mark| mark.status.name() == "assumed")
+        };
+        (
+            shown - self.fields().count().min(shown),
+            self.rows.iter().filter(assumed).count(),
+        )
     }
 
     /// The field under the cursor.

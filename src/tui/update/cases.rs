@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use super::notice::info;
-use super::{edit, jobs, runs, ship};
+use super::{edit, jobs, results, runs, ship};
 use crate::tui::case_library::FIRST;
 use crate::tui::msg::{Effect, FileRead};
 use crate::tui::state::{
@@ -60,6 +60,15 @@ pub(super) fn opened(state: &mut AppState, read: FileRead) -> Vec<Effect> {
     let editor = ParameterEditor::new(read.path, read.text);
     state.document = Some(Document::new(editor, read.content));
     edit::refresh(state);
+    if let Some(editor) = state
+        .document
+        .as_mut()
+        .filter(|d| d.line().is_some())
+        .map(|d| &mut d.editor)
+    {
+        editor.folded = true;
+    }
+    results::main_ones(state);
     let mut effects = jobs::resolve(state);
     effects.extend(ship::resolve(state));
     effects.extend(runs::list(state));

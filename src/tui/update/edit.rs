@@ -222,6 +222,21 @@ pub fn reset(state: &mut AppState) -> Vec<Effect> {
     }
 }
 
+/// Shows all fields, or only those that the file gives; the cursor stays on its field where that is shown.
+pub fn fold(state: &mut AppState) {
+    let Some(editor) = state.editor_mut() else {
+        return;
+    };
+    let path = editor.current_field().map(|row| row.path.clone());
+    editor.folded = !editor.folded;
+    let at = editor
+        .fields()
+        .position(|row| Some(&row.path) == path.as_ref());
+    editor.field = at
+        .unwrap_or(editor.field)
+        .min(editor.fields().count().saturating_sub(1));
+}
+
 /// Moves the cursor to the next or the previous group of fields.
 pub fn next_group(state: &mut AppState, forward: bool) {
     if let Some(editor) = state.editor_mut() {

@@ -7,7 +7,9 @@ use super::runs;
 use crate::run::job::JobEvent;
 use crate::run::{Progress, Run, RunState};
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, JobNumber, JobState, Overlay, Question, RunCurves, Severity};
+use crate::tui::state::{
+    AppState, Document, JobNumber, JobState, Overlay, Question, RunCurves, Severity,
+};
 
 /// An event of a job. Events of jobs that nothing waits for any more are dropped.
 pub(super) fn event(state: &mut AppState, ticket: JobNumber, event: JobEvent) -> Vec<Effect> {
@@ -120,9 +122,11 @@ fn finished(state: &mut AppState, ticket: JobNumber, run: Arc<Run>, live: bool) 
 }
 
 fn live_finished(state: &mut AppState, run: Arc<Run>, new: &JobState) {
-    let Some(line) = state.line_mut() else {
+    let document = state.document.as_mut();
+    let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
         return;
     };
+    let of_file = line.live.going_text == editor.saved;
     let live = &mut line.live;
     live.ticket = None;
     live.going = None;
@@ -130,6 +134,9 @@ fn live_finished(state: &mut AppState, run: Arc<Run>, new: &JobState) {
         // A cancelled solve leaves the old curve as it was.
         JobState::Cancelled => live.failure = Some("cancelled".to_owned()),
         _ => {
+            if line.against.is_none() && *new == JobState::Done && of_file {
+                line.against = Some(("the file's".to_owned(), Arc::clone(&run)));
+            }
             live.done = Some(RunCurves::whole(run));
             live.done_text = std::mem::take(&mut live.going_text);
             live.kept = None;

@@ -250,6 +250,13 @@ pub(super) fn read(state: &mut AppState, dir: &Path, run: Result<Arc<Run>, Strin
         }
     }
     line.runs.arrange();
+    if line.hold.as_deref() == Some(dir)
+        && let Some(entry) = line.runs.in_dir(dir)
+        && let Some(run) = entry.curves.run.clone()
+    {
+        line.against = Some((entry.title(), run));
+        line.hold = None;
+    }
     if let Some(why) = problem {
         state.say(Severity::Error, why);
     }

@@ -7,6 +7,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 
 use crate::report::figures::FigureId;
 use crate::tui::pane::PaneId;
+use crate::tui::panes::results;
 use crate::tui::state::AppState;
 
 /// The smallest screen that is drawn.
@@ -68,6 +69,9 @@ pub fn panes(screen: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
         return file_panes(screen, body, focus, state.panes());
     }
     if screen.width < WIDE {
+        if focus == PaneId::Inputs && has_room(body, state) {
+            return Vec::from(cockpit(body, state));
+        }
         return vec![(focus, body)];
     }
     if screen.width < FULL.0 || screen.height < FULL.1 {
@@ -78,7 +82,9 @@ pub fn panes(screen: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
             PaneId::Inputs => PaneId::Charts,
             focus => focus,
         };
-        return vec![(PaneId::Inputs, left), (other, right)];
+        let mut panes = with_band(left, state);
+        panes.push((other, right));
+        return panes;
     }
     let [left, right] =
         Layout::horizontal([Constraint::Length(66), Constraint::Min(0)]).areas(body);
@@ -88,11 +94,8 @@ pub fn panes(screen: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
         Constraint::Length(8),
     ])
     .areas(left);
-    let mut panes = vec![
-        (PaneId::Inputs, inputs),
-        (PaneId::Runs, runs),
-        (PaneId::Jobs, jobs),
-    ];
+    let mut panes = with_band(inputs, state);
+    panes.extend([(PaneId::Runs, runs), (PaneId::Jobs, jobs)]);
     if focus == PaneId::Report {
         panes.push((PaneId::Report, right));
     } else if modes {
@@ -101,14 +104,61 @@ pub fn panes(screen: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
         let [charts, table] =
             Layout::vertical([Constraint::Fill(2), Constraint::Fill(1)]).areas(right);
         panes.push((PaneId::Charts, charts));
-        let shown = if focus == PaneId::Nodes {
-            PaneId::Nodes
-        } else {
-            PaneId::Validation
+        let shown = match focus {
+            PaneId::Nodes | PaneId::Results => focus,
+            _ => PaneId::Validation,
         };
         panes.push((shown, table));
     }
     panes
+}
+
+/// The inputs with the band of results below them; without it where all results are seen.
+fn with_band(area: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
+    let height = match state.focus() {
+        PaneId::Results => 0,
+        _ => state.line().map_or(0, results::band_height),
+    };
+    let [inputs, band] =
+        Layout::vertical([Constraint::Min(0), Constraint::Length(height)]).areas(area);
+    let mut panes = vec![(PaneId::Inputs, inputs)];
+    if height > 0 {
+        panes.push((PaneId::Results, band));
+    }
+    panes
+}
+
+/// The least room for inputs, chart and results in one view.
+const COCKPIT: (u16, u16) = (70, 16);
+
+/// Whether inputs, chart and results are seen in one view.
+fn has_room(body: Rect, state: &AppState) -> bool {
+    let open = state
+        .document
+        .as_ref()
+        .is_some_and(|document| document.zoomed);
+    !open && body.width >= COCKPIT.0 && body.height >= COCKPIT.1
+}
+
+/// Inputs and chart beside each other, and the results below.
+fn cockpit(body: Rect, state: &AppState) -> [(PaneId, Rect); 3] {
+    let height = state.line().map_or(0, results::band_height);
+    let [above, band] =
+        Layout::vertical([Constraint::Min(0), Constraint::Length(height)]).areas(body);
+    let [given, chart] = Layout::horizontal([Constraint::Fill(21), Constraint::Fill(19)])
+        .spacing(1)
+        .areas(above);
+    [
+        (PaneId::Inputs, given),
+        (PaneId::Charts, chart),
+        (PaneId::Results, band),
+    ]
+}
+
+/// Whether a pane is the band of results that belongs to the inputs, not the pane of all results.
+#[must_use]
+pub fn is_band(id: PaneId, state: &AppState) -> bool {
+    id == PaneId::Results && state.focus() != PaneId::Results
 }
 
 /// The visible panes of a file other than a line case: its inputs, its drawing, and its tables or checks.

@@ -69,6 +69,10 @@ impl Painter<'_> {
 
     fn pane(&mut self, screen: Rect, id: PaneId, area: Rect) {
         let pane = panes::pane(id);
+        if layout::is_band(id, self.state) {
+            panes::results::band(self, area);
+            return;
+        }
         let inside = if layout::framed(screen) {
             let focused = self.state.focus() == id;
             let (style, mark) = if focused {

@@ -34,7 +34,7 @@ fn an_edited_input_is_yours_and_the_help_says_what_the_file_says() {
     let mut desk = edited(NARROW, "payload.drag_area_m2", "120");
     desk.keys("/");
     desk.type_text("drag area");
-    desk.keys("enter");
+    desk.keys("enter z");
     let screen = desk.screen();
     assert!(
         screen.contains("yours; the file says 141.0 m² (calibrated)"),

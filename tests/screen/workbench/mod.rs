@@ -442,7 +442,7 @@ fn a_paste_goes_to_the_field_and_never_to_the_commands() {
     let mut desk = Desk::with_case(SMALL);
     desk.tell(Msg::Paste("q\nq".to_owned()));
     assert!(desk.state.overlay.is_none());
-    desk.keys("enter ctrl+u");
+    desk.keys("x g enter ctrl+u");
     desk.tell(Msg::Paste("9.81\n".to_owned()));
     desk.keys("enter");
     assert_eq!(

@@ -1,0 +1,197 @@
+//! The results of the live run: all of them in a pane, those that matter in a band of the cockpit.
+
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use unicode_width::UnicodeWidthStr;
+
+use super::{Pane, PaneInfo, about};
+use crate::tui::command::{self, Command, CommandId, LIST, main, other};
+use crate::tui::msg::Effect;
+use crate::tui::result_lines::{self, ResultLine};
+use crate::tui::state::{AppState, LineView};
+use crate::tui::update::motion::{moved, step};
+use crate::tui::update::results;
+use crate::tui::view::paint::{below_head, right, span};
+use crate::tui::view::painter::Painter;
+
+#[rustfmt::skip] // a table: one command a line
+const COMMANDS: &[Command] = &[
+    main(CommandId::Select, &["space", "enter"], "choose", "Show this result beside the inputs, or take it off"),
+    main(CommandId::HoldAgainst, &["v"], "hold", "Hold these results: later ones are shown with their difference from them"),
+    other(CommandId::Fit, &["0"], "main ones", "Show the main results of the case beside the inputs again"),
+    command::DOWN,
+];
+
+pub(super) struct ResultsPane;
+
+impl Pane for ResultsPane {
+    fn about(&self) -> PaneInfo {
+        about("Results", "Go to the results", &[COMMANDS, LIST])
+    }
+
+    fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
+        let empty = state
+            .line()
+            .is_none_or(|line| result_lines::shown_run(line).is_none());
+        let needs = matches!(id, CommandId::Select | CommandId::HoldAgainst);
+        (needs && empty).then_some("There is no result yet.")
+    }
+
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
+        let by = step(state, id);
+        match id {
+            CommandId::Select => return Some(results::choose(state)),
+            CommandId::HoldAgainst => return Some(results::hold_live(state)),
+            CommandId::Fit => results::main_ones(state),
+            _ => {
+                let line = state.line_mut()?;
+                let count = result_lines::shown_run(line).map_or(0, |run| run.summary.len());
+                line.result = moved(line.result, by?, count);
+            }
+        }
+        Some(Vec::new())
+    }
+
+    fn view(&self, painter: &mut Painter, area: Rect) {
+        let Some(line) = painter.state.line() else {
+            return;
+        };
+        let [head, list] = below_head(area);
+        let lines = result_lines::all(line);
+        let widths = Widths::of(&lines, area.width);
+        title(painter, head, line);
+        painter.list(list, line.result, lines.len(), |painter, at, i| {
+            let style = painter.line_style(i == line.result);
+            painter.buf.set_style(at, style);
+            let mark = if lines[i].chosen { "[x] " } else { "[ ] " };
+            painter.text(at, mark, style);
+            widths.line(painter, span(at, 4, at.width), &lines[i], style);
+        });
+    }
+}
+
+/// How many lines the band takes, its title included; none where the case is not solved yet.
+#[must_use]
+pub fn band_height(line: &LineView) -> u16 {
+    u16::try_from(line.results.len()).map_or(0, |count| count.min(5) + 1)
+}
+
+/// The band of the cockpit: the results chosen, below a line that says what they are held against and how old they are.
+pub fn band(painter: &mut Painter, area: Rect) {
+    let Some(line) = painter.state.line() else {
+        return;
+    };
+    let [head, list] = below_head(area);
+    title(painter, head, line);
+    let lines = result_lines::chosen(line);
+    let widths = Widths::of(&lines, area.width);
+    let stale = staleness(painter.state).is_some();
+    for (words, y) in lines.iter().zip(list.top()..list.bottom()) {
+        let at = Rect::new(list.x, y, list.width, 1);
+        let style = if stale {
+            painter.theme.faint()
+        } else {
+            painter.theme.plain()
+        };
+        widths.line(painter, span(at, 2, at.width), words, style);
+    }
+}
+
+/// What the results are of, when not of the inputs as they are.
+fn staleness(state: &AppState) -> Option<&'static str> {
+    let (line, editor) = (state.line()?, state.editor()?);
+    let live = &line.live;
+    if live.done.is_none() {
+        return Some(if live.failure.is_some() {
+            "no results: the solve failed"
+        } else {
+            "solving"
+        });
+    }
+    if live.done_text == editor.text && live.ticket.is_none() {
+        return None;
+    }
+    Some(match (&live.ticket, &live.failure) {
+        (Some(_), _) => "older than the inputs: solving",
+        (None, Some(_)) => "older than the inputs: the last solve failed",
+        (None, None) => "older than the inputs",
+    })
+}
+
+fn title(painter: &mut Painter, head: Rect, line: &LineView) {
+    let rule = if painter.glyphs() == crate::report::chart::Glyphs::Braille {
+        "\u{2500}"
+    } else {
+        "-"
+    };
+    let faint = painter.theme.faint();
+    painter.text(head, &rule.repeat(head.width.into()), faint);
+    let style = painter.theme.head();
+    painter.text(span(head, 2, head.width), " results ", style);
+    let against = line
+        .against
+        .as_ref()
+        .map(|(name, _)| format!(" against {name} "));
+    let words = match (staleness(painter.state), against) {
+        (Some(stale), _) => format!(" {stale} "),
+        (None, Some(against)) => against,
+        (None, None) => String::new(),
+    };
+    let style = if staleness(painter.state).is_some() {
+        painter.theme.warning()
+    } else {
+        faint
+    };
+    right(
+        painter.buf,
+        span(head, 12, head.width.saturating_sub(14)),
+        &words,
+        style,
+    );
+}
+
+/// Columns of the results.
+struct Widths {
+    name: u16,
+    value: u16,
+    difference: u16,
+}
+
+impl Widths {
+    fn of(lines: &[ResultLine], room: u16) -> Self {
+        let widest = |of: fn(&ResultLine) -> &str| {
+            let width = lines.iter().map(|line| of(line).width()).max().unwrap_or(0);
+            u16::try_from(width).unwrap_or(u16::MAX)
+        };
+        let value = widest(|line| &line.value).min(30);
+        let difference = widest(|line| &line.difference).max(6);
+        let share = widest(|line| &line.share);
+        let taken = value + difference + share + 10;
+        let name = widest(|line| &line.name).min(room.saturating_sub(taken).max(12));
+        Self {
+            name,
+            value,
+            difference,
+        }
+    }
+
+    fn line(&self, painter: &mut Painter, at: Rect, line: &ResultLine, style: Style) {
+        painter.text(span(at, 0, self.name), &line.name, style);
+        let mut from = self.name + 2;
+        right(painter.buf, span(at, from, self.value), &line.value, style);
+        from += self.value + 2;
+        right(
+            painter.buf,
+            span(at, from, self.difference),
+            &line.difference,
+            style,
+        );
+        from += self.difference + 2;
+        let style = if line.exceeded {
+            painter.theme.error()
+        } else {
+            style
+        };
+        painter.text(span(at, from, at.width), &line.share, style);
+    }
+}

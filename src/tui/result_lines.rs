@@ -1,0 +1,142 @@
+//! The results of the live run as the cockpit shows them: each with its error, its difference from the run held against, and
+//! its share of a limit.
+
+use std::sync::Arc;
+
+use super::state::LineView;
+use crate::case::{Case, ChannelQuantity, LineQuantity, QuantityId, Statistic, Subject};
+use crate::number;
+use crate::run::{Quantity, Run, limits};
+
+/// A result in words.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct ResultLine {
+    /// Its name.
+    pub name: String,
+    /// Its value with unit and error.
+    pub value: String,
+    /// Its difference from the run held against; empty where there is none.
+    pub difference: String,
+    /// Its share of a limit; empty where there is none.
+    pub share: String,
+    /// True where the share is above one.
+    pub exceeded: bool,
+    /// Whether the cockpit shows it.
+    pub chosen: bool,
+}
+
+/// The run whose results are shown: the one solved last.
+#[must_use]
+pub fn shown_run(line: &LineView) -> Option<&Arc<Run>> {
+    line.live.done.as_ref()?.run.as_ref()
+}
+
+/// The results that the cockpit shows.
+#[must_use]
+pub fn chosen(line: &LineView) -> Vec<ResultLine> {
+    let Some(run) = shown_run(line) else {
+        return Vec::new();
+    };
+    let found = line
+        .results
+        .iter()
+        .filter_map(|id| run.summary.iter().find(|q| q.id == *id));
+    found.map(|quantity| one(line, run, quantity)).collect()
+}
+
+/// All results.
+#[must_use]
+pub fn all(line: &LineView) -> Vec<ResultLine> {
+    shown_run(line).map_or_else(Vec::new, |run| {
+        run.summary
+            .iter()
+            .map(|quantity| one(line, run, quantity))
+            .collect()
+    })
+}
+
+fn one(line: &LineView, run: &Run, quantity: &Quantity) -> ResultLine {
+    let against = line
+        .against
+        .as_ref()
+        .and_then(|(_, against)| against.summary.iter().find(|other| other.id == quantity.id));
+    let share = share(&line.case, run, quantity);
+    ResultLine {
+        name: quantity.name(),
+        value: value(quantity),
+        difference: against.map_or_else(String::new, |other| difference(quantity, other)),
+        exceeded: share.as_ref().is_some_and(|(share, _)| *share > 1.0),
+        share: share.map_or_else(String::new, |(share, of)| {
+            format!("{} of {of}", number::percent(share))
+        }),
+        chosen: line.results.contains(&quantity.id),
+    }
+}
+
+fn value(quantity: &Quantity) -> String {
+    match quantity.unsettled {
+        Some([least, greatest]) => format!(
+            "not settled: {}",
+            number::range(least, greatest, &quantity.unit())
+        ),
+        None => number::with_error(quantity.value, quantity.error_estimate(), &quantity.unit()),
+    }
+}
+
+/// The difference from another run: in per cent of it for forces and the like, in units for lengths, times and angles.
+fn difference(quantity: &Quantity, other: &Quantity) -> String {
+    let by = quantity.value - other.value;
+    if by == 0.0 {
+        return "same".to_owned();
+    }
+    let error = |q: &Quantity| q.error_estimate().unwrap_or(0.0);
+    if by.abs() <= error(quantity) + error(other) {
+        return "within \u{b1}".to_owned();
+    }
+    let sign = if by > 0.0 { "+" } else { "-" };
+    let in_units = matches!(quantity.unit().as_str(), "m" | "s" | "deg" | "%");
+    if in_units || other.value == 0.0 {
+        return format!("{sign}{}", number::si(by.abs(), &quantity.unit()));
+    }
+    format!("{sign}{}", number::percent((by / other.value).abs()))
+}
+
+/// The share of a limit: of the breaking load, or of the bending radius allowed.
+fn share(case: &Case, run: &Run, quantity: &Quantity) -> Option<(f64, &'static str)> {
+    let of_break = "break";
+    let QuantityId::Statistic { of, statistic, .. } = &quantity.id else {
+        return None;
+    };
+    match (of, statistic) {
+        (Subject::Line(LineQuantity::Tension), Statistic::Max) => {
+            let checks = limits::check(case, &run.profile);
+            let shares = checks
+                .iter()
+                .filter_map(limits::LimitCheck::tension_utilisation);
+            Some((shares.reduce(f64::max)?, of_break))
+        }
+        (Subject::Line(LineQuantity::BendRadius), Statistic::Min) => {
+            let checks = limits::check(case, &run.profile);
+            let shares = checks
+                .iter()
+                .filter_map(limits::LimitCheck::bending_utilisation);
+            Some((shares.reduce(f64::max)?, "bending"))
+        }
+        (Subject::Channel(channel), Statistic::Max | Statistic::Final | Statistic::Mean)
+            if channel.quantity == ChannelQuantity::Tension =>
+        {
+            Some((quantity.value / weakest(case, &channel.place)?, of_break))
+        }
+        _ => None,
+    }
+}
+
+/// The smallest breaking load of the sections that meet at a place.
+fn weakest(case: &Case, place: &str) -> Option<f64> {
+    let named = |name: &str| case.line.iter().find(|section| section.name == name);
+    let loads = place.split('|').filter_map(named).filter_map(|section| {
+        let material = case.materials.get(&section.material)?;
+        material.break_load_n.filter(|load| *load > 0.0)
+    });
+    loads.reduce(f64::min)
+}

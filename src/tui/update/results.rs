@@ -1,0 +1,81 @@
+//! The results beside the inputs: which, and what they are held against.
+
+use super::notice::info;
+use crate::study::results::main_results;
+use crate::tui::msg::Effect;
+use crate::tui::result_lines::shown_run;
+use crate::tui::state::AppState;
+
+/// The most results beside the inputs.
+const MOST: usize = 5;
+
+/// Shows the result under the cursor beside the inputs, or takes it off.
+pub fn choose(state: &mut AppState) -> Vec<Effect> {
+    let Some(line) = state.line_mut() else {
+        return Vec::new();
+    };
+    let found = shown_run(line).and_then(|run| run.summary.get(line.result));
+    let Some(id) = found.map(|quantity| quantity.id.clone()) else {
+        return Vec::new();
+    };
+    if let Some(at) = line.results.iter().position(|chosen| *chosen == id) {
+        line.results.remove(at);
+    } else if line.results.len() < MOST {
+        line.results.push(id);
+    } else {
+        return info(
+            state,
+            "Five results stand beside the inputs already; `space` takes one off.",
+        );
+    }
+    Vec::new()
+}
+
+/// Shows the main results of the case again.
+pub fn main_ones(state: &mut AppState) {
+    if let Some(line) = state.line_mut() {
+        line.results = main_results(&line.case);
+        line.results.truncate(MOST);
+    }
+}
+
+/// Holds the results as they are now.
+pub fn hold_live(state: &mut AppState) -> Vec<Effect> {
+    let Some(line) = state.line_mut() else {
+        return Vec::new();
+    };
+    let Some(run) = shown_run(line).cloned() else {
+        return info(state, "There is no result yet.");
+    };
+    line.against = Some(("the results held".to_owned(), run));
+    info(
+        state,
+        "Held: later results are shown with their difference from these.",
+    )
+}
+
+/// Holds the run under the cursor of the table, which is read where it is not yet.
+pub fn hold_run(state: &mut AppState) -> Vec<Effect> {
+    let Some(line) = state.line_mut() else {
+        return Vec::new();
+    };
+    let Some(entry) = line.runs.current() else {
+        return hold_live(state);
+    };
+    let name = entry.title();
+    match &entry.curves.run {
+        Some(run) => {
+            line.against = Some((name.clone(), run.clone()));
+            line.hold = None;
+            info(
+                state,
+                format!("The results beside the inputs are held against {name}."),
+            )
+        }
+        None => {
+            let effects = super::runs::load(entry);
+            line.hold.clone_from(&entry.dir);
+            effects
+        }
+    }
+}
