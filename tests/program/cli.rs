@@ -280,6 +280,20 @@ fn validation_sets_the_exit_status() {
 }
 
 #[test]
+fn at_rest_each_quantity_is_shown_once() {
+    let dir = place(SMALL);
+    seacable(dir.path())
+        .args(["run", "small.toml", "--out", "r", "--solver", "static"])
+        .assert()
+        .success()
+        .stdout(contains("tension_n[rope|payload]  "))
+        .stdout(contains(".mean").not());
+    // The file for other programs has all of them.
+    let summary = fs::read_to_string(dir.path().join("r/summary.csv")).unwrap();
+    assert!(summary.contains("tension_n[rope|payload].mean,"));
+}
+
+#[test]
 fn published_values_do_not_judge_an_edited_case() {
     let dir = place(&format!("{SMALL}{}", published(400.0, "")));
     let validate = |set: &[&str]| {

@@ -21,7 +21,7 @@ pub fn summary(run: &Run) -> String {
     if run.summary.is_empty() {
         return "The run holds no results.\n".to_owned();
     }
-    let rows = grouped(&run.summary);
+    let rows = grouped(&run.summary, run.history.time.len() <= 1);
     let estimated = run.summary.iter().any(|q| q.error_estimate().is_some());
     let table = Table::of("", &rows)
         .text("quantity", |row| row.name.as_str())
@@ -81,8 +81,8 @@ impl SummaryRow<'_> {
 }
 
 /// Quantities by channel, in the order in which the channels come: below the heading `tension_n[wire|payload]` the rows
-/// `.max` and `.mean(0..200)`, which together are the names in `summary.csv`.
-fn grouped(quantities: &[Quantity]) -> Vec<SummaryRow<'_>> {
+/// `.max` and `.mean(0..200)`, which together are the names in `summary.csv`. At rest a channel has one value, which is all of these.
+fn grouped(quantities: &[Quantity], at_rest: bool) -> Vec<SummaryRow<'_>> {
     let mut groups: Vec<(String, Vec<SummaryRow<'_>>)> = Vec::new();
     for quantity in quantities {
         let (head, name) = match quantity.id.parts() {
@@ -100,14 +100,39 @@ fn grouped(quantities: &[Quantity]) -> Vec<SummaryRow<'_>> {
             None => groups.push((head, vec![row])),
         }
     }
-    let with_heading = |(name, rows)| {
-        let heading = SummaryRow {
-            name,
-            quantity: None,
-        };
-        std::iter::once(heading).chain(rows)
+    groups
+        .into_iter()
+        .flat_map(|(name, rows)| under_heading(name, rows, at_rest))
+        .collect()
+}
+
+/// The rows of a channel below its name; at rest the name with its one value.
+fn under_heading(
+    name: String,
+    mut rows: Vec<SummaryRow<'_>>,
+    at_rest: bool,
+) -> Vec<SummaryRow<'_>> {
+    let alone = same_value(&rows).filter(|_| at_rest);
+    let heading = SummaryRow {
+        name,
+        quantity: alone,
     };
-    groups.into_iter().flat_map(with_heading).collect()
+    if alone.is_some() {
+        return vec![heading];
+    }
+    rows.insert(0, heading);
+    rows
+}
+
+/// The quantity that all rows of a channel are, where they have one value.
+fn same_value<'a>(rows: &[SummaryRow<'a>]) -> Option<&'a Quantity> {
+    let mut all = rows.iter().filter_map(|row| row.quantity);
+    let first = all.next()?;
+    let of_channel = matches!(first.id.parts().0, Subject::Channel(_));
+    let same = |other: &Quantity| {
+        other.value.to_bits() == first.value.to_bits() && other.unit() == first.unit()
+    };
+    (of_channel && all.all(same)).then_some(first)
 }
 
 fn value(quantity: &Quantity) -> Cell {
