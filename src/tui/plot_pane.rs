@@ -77,6 +77,12 @@ impl PlotPane {
         self.frozen.is_some()
     }
 
+    /// Whether all of the chart is shown, and no cursor on it.
+    #[must_use]
+    pub fn is_fitted(&self) -> bool {
+        self.x.is_none() && self.y.is_none() && self.cursor.is_none()
+    }
+
     /// The chart as it is to be drawn: the one given, or the frozen one, with the user's ranges,
     /// cursor and marks.
     #[must_use]

@@ -63,6 +63,14 @@ pub fn runs_shown(line: &LineView) -> usize {
     shown(line).iter().filter(|s| !s.dimmed).count()
 }
 
+/// Whether the runs shown have anything to draw.
+#[must_use]
+pub fn has_curves(line: &LineView) -> bool {
+    let drawn =
+        |run: &Shown| !run.curves.history().time.is_empty() || !run.curves.shapes().is_empty();
+    shown(line).iter().any(drawn)
+}
+
 /// The figure of this name as the user has it: with zoom, cursor and marks.
 #[must_use]
 pub fn viewed(line: &LineView, id: FigureId) -> Chart {

@@ -56,6 +56,29 @@ impl Pane for ChartsPane {
         about("Charts", "Go to the charts", &[COMMANDS])
     }
 
+    fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
+        let line = state.line()?;
+        let of_curves = matches!(
+            id,
+            CommandId::NextSeries
+                | CommandId::PreviousSeries
+                | CommandId::CursorRight
+                | CommandId::CursorLeft
+                | CommandId::ZoomIn
+                | CommandId::Freeze
+                | CommandId::Write
+        );
+        if of_curves && !plots::has_curves(line) {
+            return Some("There are no curves yet. `R` runs the case.");
+        }
+        let alone = matches!(id, CommandId::NextSeries | CommandId::PreviousSeries);
+        if alone && plots::curve_count(line, line.chart) == 0 {
+            return Some("This chart has no curves to show one by one.");
+        }
+        let fitted = line.instant.is_none() && line.views[line.chart.index()].is_fitted();
+        (id == CommandId::Fit && fitted).then_some("Everything is shown already.")
+    }
+
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let glyphs = state.capabilities.glyphs;
         let area = layout::chart_area(state);

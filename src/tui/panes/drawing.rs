@@ -34,6 +34,14 @@ impl Pane for DrawingPane {
         about("Drawing", "Go to the drawing", &[COMMANDS])
     }
 
+    fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
+        let DocumentContent::Section(section) = &state.document.as_ref()?.content else {
+            return None;
+        };
+        (id == CommandId::Fit && section.view.is_fitted())
+            .then_some("The whole cross-section is shown already.")
+    }
+
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let glyphs = state.capabilities.glyphs;
         let area = layout::drawing_area(state);

@@ -147,6 +147,7 @@ fn in_editor(editor: &ParameterEditor, id: CommandId) -> Option<&'static str> {
             editor.unsaved(),
             "There are changes that the file does not hold; `s` saves them first.",
         ),
+        CommandId::Reset if !editor.unsaved() => Some("The field is as the file has it."),
         CommandId::Save => when(!editor.unsaved(), "The file already holds everything."),
         CommandId::Edit | CommandId::Reset => when(
             editor.current_field().is_none(),

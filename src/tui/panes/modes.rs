@@ -43,8 +43,16 @@ impl Pane for ModesPane {
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
-        let none = computed(state.line()?).is_none();
-        (id == CommandId::Write && none).then_some("There are no modes to write.")
+        let of_modes = matches!(
+            id,
+            CommandId::Write
+                | CommandId::Down
+                | CommandId::Up
+                | CommandId::NextChart
+                | CommandId::PreviousChart
+        );
+        let none = of_modes && computed(state.line()?).is_none();
+        none.then_some("There are no modes yet.")
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {

@@ -40,9 +40,15 @@ impl Pane for NodesPane {
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
-        let none = state.line()?.reported().is_none();
-        (id == CommandId::Write && none)
-            .then_some("There is no finished run to write the nodes of. `R` runs the case.")
+        let of_table = matches!(
+            id,
+            CommandId::Write | CommandId::Sort | CommandId::NextTable | CommandId::PreviousTable
+        );
+        let Some((_, run, _)) = state.line()?.reported() else {
+            return of_table.then_some("There is no finished run. `R` runs the case.");
+        };
+        let next = matches!(id, CommandId::NextTable | CommandId::PreviousTable);
+        (next && LineTable::of(&run).len() < 2).then_some("This run has one table of the line.")
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {

@@ -39,6 +39,15 @@ impl Pane for RopewayPane {
         about("Ropeway", "Go to the drawing", &[COMMANDS])
     }
 
+    fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
+        let DocumentContent::Ropeway(ropeway) = &state.document.as_ref()?.content else {
+            return None;
+        };
+        let moved = (ropeway.position - ropeway.worked.ropeway.cargo.position).abs() > 0.0;
+        let of_place = matches!(id, CommandId::Fit | CommandId::KeepPosition);
+        (of_place && !moved).then_some("The cargo is where the file has it.")
+    }
+
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let DocumentContent::Ropeway(ropeway) = &mut state.document.as_mut()?.content else {
             return None;

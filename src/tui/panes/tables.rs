@@ -5,6 +5,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::{Pane, PaneInfo, about};
 use crate::tui::command::{Command, CommandId, DOWN, LIST, SORT, WIDE, main, other};
 use crate::tui::msg::Effect;
+use crate::tui::state::ship::MOTIONS;
 use crate::tui::state::{AppState, DocumentContent};
 use crate::tui::update::motion::table_verb;
 use crate::tui::update::ship;
@@ -28,8 +29,13 @@ impl Pane for TablesPane {
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
-        let ship = matches!(state.document.as_ref()?.content, DocumentContent::Ship(_));
-        (id == CommandId::NextTrace && !ship).then_some("Only a ship has six motions.")
+        let document = state.document.as_ref()?;
+        let of_motions = match &document.content {
+            DocumentContent::Ship(ship) => document.tab == MOTIONS && ship.has_motion(),
+            _ => return (id == CommandId::NextTrace).then_some("Only a ship has six motions."),
+        };
+        (id == CommandId::NextTrace && !of_motions)
+            .then_some("The motions of the ship have a table of their own; `]` goes there.")
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {

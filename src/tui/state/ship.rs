@@ -35,6 +35,9 @@ pub struct ShipView {
     pub checks: Vec<ValidationRow>,
 }
 
+/// The tab of its motions.
+pub const MOTIONS: usize = 1;
+
 impl ShipView {
     /// A ship as read, without a dynamic analysis yet.
     #[must_use]
@@ -47,6 +50,12 @@ impl ShipView {
             trace: None,
             checks: Vec::new(),
         }
+    }
+
+    /// Whether its motion in the sea is computed.
+    #[must_use]
+    pub fn has_motion(&self) -> bool {
+        self.motion().is_ok()
     }
 
     /// A part of the dynamic analysis, or why there is none.
@@ -87,7 +96,7 @@ impl ShipView {
             .as_ref()
             .map_or(0, ship::model::MotionSettings::seed);
         Ok(match tab {
-            1 => {
+            MOTIONS => {
                 let analysis = self.motion()?;
                 let table = motion::statistics(analysis, seed);
                 (Some(motion::motions(analysis, self.trace)), table)

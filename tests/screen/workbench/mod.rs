@@ -4,6 +4,7 @@
 
 mod beside;
 mod desk;
+mod footer;
 mod hostile_text;
 mod marks;
 mod modes;
