@@ -9,7 +9,7 @@ use super::layout::{self, PictureColumns, PictureRows};
 use super::legend;
 use super::marks;
 use super::picture::{Picture, PicturePart, PlotFrame};
-use super::range::{AxisRange, equalise, extent, fit, sane};
+use super::range::{AxisRange, equalise, extent, fit, fit_above_noise, sane};
 use super::ticks::{self, Tick};
 use super::{Chart, Glyphs, Series};
 use crate::report::plain;
@@ -145,7 +145,8 @@ fn ranges(chart: &Chart) -> (AxisRange, AxisRange) {
     let x = chart.x.range.map_or_else(|| fit(extent(xs)), sane);
     // A zoomed x axis does not change the y axis: the eye compares heights.
     let ys = shown().flat_map(|s| s.points.iter().map(|p| p.1));
-    let y = chart.y.range.map_or_else(|| fit(extent(ys)), sane);
+    let y = chart.y.range;
+    let y = y.map_or_else(|| fit_above_noise(extent(ys), &chart.y.unit), sane);
     (x, y)
 }
 

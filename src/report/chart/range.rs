@@ -44,6 +44,35 @@ pub fn fit(data: Option<AxisRange>) -> AxisRange {
     sane((step.value(first), step.value(last)))
 }
 
+/// Span of the values of a unit below which they are rounding and no result: of forces, moments, lengths, angles.
+fn noise(unit: &str) -> f64 {
+    match unit {
+        "N" | "N m" => 1e-4,
+        "m" | "m/s" => 1e-7,
+        "deg" => 1e-6,
+        "1/m" => 1e-10,
+        _ => 0.0,
+    }
+}
+
+/// Smallest span of results, relative to the values: what differs by less is constant but for rounding.
+const FINEST_RESULT: f64 = 1e-8;
+
+/// The range of results, as [`fit`]; a span that is only rounding is not blown up to the height of the plot.
+#[must_use]
+pub(super) fn fit_above_noise(data: Option<AxisRange>, unit: &str) -> AxisRange {
+    let Some((low, high)) = data else {
+        return fit(data);
+    };
+    let (noise, size) = (noise(unit), low.abs().max(high.abs()));
+    let middle = 0.5 * (low + high);
+    match high - low {
+        span if span > noise.max(size * FINEST_RESULT) || noise <= 0.0 => fit(data),
+        _ if size <= noise => fit(Some((0.0, 0.0))),
+        _ => fit(Some((middle, middle))),
+    }
+}
+
 /// A range that can be divided by: finite, in order, wide enough to be resolved.
 pub(super) fn sane((low, high): AxisRange) -> AxisRange {
     if !low.is_finite() || !high.is_finite() {
@@ -125,6 +154,22 @@ mod tests {
         assert_eq!(fit(Some((0.0, 0.0))), (-1.0, 1.0));
         assert_eq!(fit(None), (0.0, 1.0));
         assert_eq!(fit(Some((f64::NAN, 1.0))), (0.0, 1.0));
+    }
+
+    #[test]
+    fn rounding_is_not_blown_up() {
+        assert_eq!(fit_above_noise(Some((-2e-9, 1e-9)), "N"), (-1.0, 1.0));
+        let (low, high) = fit_above_noise(Some((1e6, 1e6 + 1e-5)), "N");
+        assert!(high - low > 1e4, "{low} {high}");
+        assert_eq!(
+            fit_above_noise(Some((0.0, 6e-3)), "N"),
+            fit(Some((0.0, 6e-3)))
+        );
+        assert_eq!(
+            fit_above_noise(Some((0.0, 1e-9)), ""),
+            fit(Some((0.0, 1e-9)))
+        );
+        assert_eq!(fit_above_noise(None, "N"), (0.0, 1.0));
     }
 
     #[test]
