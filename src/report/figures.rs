@@ -16,6 +16,7 @@ mod published;
 mod registry;
 mod response;
 mod shapes;
+mod stated;
 mod study;
 mod time_histories;
 

@@ -46,6 +46,7 @@ pub enum CommandId {
     LeapLeft,
     LeapRight,
     Freeze,
+    Limits,
     Copy,
     ShowAlone,
     Select,

@@ -86,6 +86,7 @@ fn with_data<T>(line: &LineView, make: impl FnOnce(&FigureData) -> T) -> T {
         checks: &line.checks,
         instant: line.instant,
         chosen: line.series,
+        limits: !line.without_limits,
     })
 }
 

@@ -129,6 +129,7 @@ fn the_bed_force_on_a_clump_that_lands() {
         runs: &[PlottedRun::whole(&run, "")],
         checks: &[],
         instant: None,
+        limits: true,
         chosen: None,
     });
     accept(

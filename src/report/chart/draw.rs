@@ -11,7 +11,7 @@ use super::marks;
 use super::picture::{Picture, PicturePart, PlotFrame};
 use super::range::{AxisRange, equalise, extent, fit, fit_above_noise, sane};
 use super::ticks::{self, Tick};
-use super::{Chart, Glyphs, Series};
+use super::{Chart, Glyphs, LimitLine, Series};
 use crate::report::plain;
 
 /// Draws a chart into so many columns and rows. Any size will do: what has no room is left out
@@ -145,6 +145,11 @@ fn ranges(chart: &Chart) -> (AxisRange, AxisRange) {
     let x = chart.x.range.map_or_else(|| fit(extent(xs)), sane);
     // A zoomed x axis does not change the y axis: the eye compares heights.
     let ys = shown().flat_map(|s| s.points.iter().map(|p| p.1));
+    let bands = chart.limits.iter().flat_map(|limit| match limit.line {
+        LimitLine::Band { y, .. } => vec![y.0, y.1],
+        _ => Vec::new(),
+    });
+    let ys = ys.chain(bands);
     let y = chart.y.range;
     let y = y.map_or_else(|| fit_above_noise(extent(ys), &chart.y.unit), sane);
     (x, y)
@@ -311,7 +316,7 @@ fn draw_plot(chart: &Chart, plan: &ChartPlan, glyphs: Glyphs, on: &mut Picture) 
             }
         }
     }
-    marks::names(chart, frame, on);
+    marks::names(chart, frame, glyphs, on);
 }
 
 /// Dimmed series first, so that they lie below; markers last.

@@ -174,6 +174,15 @@ pub enum LimitLine {
     Horizontal(f64),
     /// From bottom to top at this x.
     Vertical(f64),
+    /// Across the plot at this y; where it lies beyond the plot, its name is at the edge nearest to it.
+    Bound(f64),
+    /// An area from one x to another, and from one y to another.
+    Band {
+        /// From where to where along x.
+        x: (f64, f64),
+        /// From where to where along y.
+        y: (f64, f64),
+    },
 }
 
 /// The characters a chart is drawn with.

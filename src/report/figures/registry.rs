@@ -5,8 +5,8 @@
 use super::{
     PlottedRun, ResponseMapKind, against_time, along_studies, curvature_profile, histories,
     line_from_above, line_from_ahead, line_shape, moment_profile, payload_position, places,
-    published_curves, response_map, rms_profile, stiffness_profile, tension_profile, trajectory,
-    wave_amplitudes, wavelengths,
+    published_curves, response_map, rms_profile, stated, stiffness_profile, tension_profile,
+    trajectory, wave_amplitudes, wavelengths,
 };
 use crate::case::{
     self, Case, ChannelLocation, ChannelQuantity, ChannelSpec, End, Method, OneOrMany, WaveKind,
@@ -105,6 +105,8 @@ pub struct FigureData<'a> {
     pub instant: Option<f64>,
     /// Number of the curve or variant that is chosen.
     pub chosen: Option<usize>,
+    /// Whether limits and published values are drawn.
+    pub limits: bool,
 }
 
 impl FigureData<'_> {
@@ -350,10 +352,20 @@ impl FigureId {
 }
 
 impl Figure {
-    /// The figure with all of its curves.
+    /// The figure with all of its curves, and the limits and published values that the case states for them.
     #[must_use]
     pub fn draw(&self, data: &FigureData) -> Chart {
-        (self.draw)(data)
+        let mut chart = (self.draw)(data);
+        let names = self.curve_names(data);
+        let shown = match data
+            .chosen
+            .and_then(|i| names.get(i.min(names.len().saturating_sub(1))))
+        {
+            Some(one) => std::slice::from_ref(one),
+            None => &names,
+        };
+        stated::add(&mut chart, self.id, data, shown);
+        chart
     }
 
     /// Whether a choice among its names is another figure, not a curve of this one.
@@ -422,6 +434,7 @@ pub fn report_figures(run: &Run, case: &Case, checks: &[ValidationRow]) -> Vec<C
         checks,
         instant: None,
         chosen: None,
+        limits: true,
     };
     let mut figures: Vec<&Figure> = FIGURES.iter().filter(|f| f.report.is_some()).collect();
     figures.sort_by_key(|figure| figure.report);

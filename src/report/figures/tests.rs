@@ -149,3 +149,116 @@ fn nothing_yet_is_an_empty_chart() {
         assert!(chart.series.is_empty());
     }
 }
+
+const STATED: &str = r#"
+[case]
+title = "x"
+[materials.wire]
+diameter_m = 0.1
+mass_kg_per_m = 10.0
+ea_n = 1e8
+break_load_n = 2.5e6
+[[line]]
+name = "wire"
+material = "wire"
+length_m = 100.0
+segments = 4
+[seabed]
+depth_m = 1500.0
+[ends.a]
+name = "vessel"
+kind = "fixed"
+[ends.b]
+name = "payload"
+kind = "free"
+[solver]
+duration_s = 2.0
+[[published]]
+name = "late tension"
+channel = "tension_n[wire|payload]"
+statistic = "mean"
+window_s = [1.0, 2.0]
+value = 1.1e6
+tolerance_rel = 0.1
+source = "table 1"
+inputs = "published"
+"#;
+
+#[test]
+fn limits_and_published_values_are_drawn_where_the_case_states_them() {
+    let case = crate::case::parse_keys(STATED).unwrap();
+    let history = history();
+    let runs = [PlottedRun::streamed(&history, &[], "a")];
+    let mut row = crate::reference::ValidationRow::default();
+    let lines = |id: FigureId, limits: bool, chosen: Option<usize>, checks: &[_]| {
+        let data = FigureData {
+            case: &case,
+            runs: &runs,
+            checks,
+            instant: None,
+            chosen,
+            limits,
+        };
+        let chart = id.figure().draw(&data);
+        chart
+            .limits
+            .into_iter()
+            .map(|limit| (limit.label, limit.line))
+            .collect::<Vec<_>>()
+    };
+    let breaks = ("wire breaks at 2.5 MN".to_owned(), LimitLine::Bound(2.5e6));
+    let band = (
+        "published: late tension".to_owned(),
+        LimitLine::Band {
+            x: (1.0, 2.0),
+            y: (1.1e6 - 0.1 * 1.1e6, 1.1e6 + 0.1 * 1.1e6),
+        },
+    );
+    let all = lines(FigureId::Tensions, true, None, &[]);
+    assert_eq!(all, [breaks.clone(), band.clone()]);
+    // Of the joint at the vessel nothing is published.
+    assert_eq!(
+        lines(FigureId::Tensions, true, Some(0), &[]),
+        std::slice::from_ref(&breaks)
+    );
+    assert_eq!(lines(FigureId::Tensions, true, Some(1), &[]).len(), 2);
+    assert!(lines(FigureId::Tensions, false, None, &[]).is_empty());
+    let bed = lines(FigureId::Payload, true, None, &[]);
+    assert_eq!(bed, [("sea bed".to_owned(), LimitLine::Bound(-1500.0))]);
+    // A published value does not stand beside the curves of an edited case.
+    row.outcome = crate::reference::Outcome::Edited;
+    let edited = lines(FigureId::Tensions, true, None, &[row]);
+    assert_eq!(edited, [breaks]);
+}
+
+#[test]
+fn a_bound_beyond_the_plot_is_named_at_its_edge() {
+    use crate::report::chart::{Axis, Glyphs, Limit, Series, draw};
+    let series = vec![Series::new("top", 0, vec![(0.0, 0.0), (600.0, 2.0e6)])];
+    let mut chart = Chart::new(
+        "t",
+        Axis::new("time", "s"),
+        Axis::new("tension", "N"),
+        series,
+    );
+    chart.limits = vec![
+        Limit::new("breaks", LimitLine::Bound(9e6)),
+        Limit::new("bed", LimitLine::Bound(-9e6)),
+        Limit::new(
+            "published",
+            LimitLine::Band {
+                x: (300.0, 500.0),
+                y: (2e5, 4e5),
+            },
+        ),
+    ];
+    let text = draw(&chart, 60, 16, Glyphs::Ascii).to_text();
+    assert!(
+        text.contains("^ breaks") && text.contains("v bed"),
+        "{text}"
+    );
+    assert!(
+        text.contains("=====") && text.contains("published"),
+        "{text}"
+    );
+}

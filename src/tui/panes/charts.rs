@@ -33,6 +33,7 @@ const COMMANDS: &[Command] = &[
     main(CommandId::ZoomIn, &["+", "="], "zoom", "Zoom in about the cursor"),
     command::write("Write the chart to a text file, a map also as CSV"),
     other(CommandId::Fit, &["0"], "fit", "Show everything again, at the newest instant"),
+    other(CommandId::Limits, &["t"], "limits", "Show limits and published values, or leave them out"),
     other(CommandId::Freeze, &["f"], "freeze", "Hold the curves still while the job continues, or let them continue"),
     other(CommandId::PreviousChart, &["[", "p"], "", "Show the previous chart"),
     other(CommandId::PreviousSeries, &["k", "up"], "", "Show the previous joint or component alone"),
@@ -92,6 +93,7 @@ impl Pane for ChartsPane {
             CommandId::NextSeries => next_series(line, true),
             CommandId::PreviousSeries => next_series(line, false),
             CommandId::Freeze => return Some(freeze(state)),
+            CommandId::Limits => return Some(limits(state)),
             CommandId::Copy => return Some(copy(state)),
             CommandId::Write => return Some(write(line, &stem, glyphs)),
             _ => match (instant_step(id), plot_verb(id)) {
@@ -261,6 +263,19 @@ fn write(line: &LineView, stem: &str, glyphs: chart::Glyphs) -> Vec<Effect> {
     let csv = shown.map.as_ref().map(GridMap::csv);
     effects.extend(export::write(path("csv"), csv, "The map"));
     effects
+}
+
+/// Shows limits and published values, or leaves them out.
+fn limits(state: &mut AppState) -> Vec<Effect> {
+    let Some(line) = state.line_mut() else {
+        return Vec::new();
+    };
+    line.without_limits = !line.without_limits;
+    let words = match line.without_limits {
+        true => "Limits and published values are left out. `t` shows them.",
+        false => "Limits and published values are shown where the case states them.",
+    };
+    info(state, words)
 }
 
 fn chart_tabs(painter: &mut Painter, tabs: Rect, line: &LineView) {

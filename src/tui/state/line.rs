@@ -77,6 +77,8 @@ pub struct LineView {
     pub views: [PlotPane; FIGURES.len()],
     /// The joint or component shown alone; absent: all, or the last one when several runs are shown.
     pub series: Option<usize>,
+    /// Whether charts leave out limits and published values.
+    pub without_limits: bool,
     /// The instant that all charts show \[s\]; absent: the newest.
     pub instant: Option<f64>,
     /// The re-solve after an edit.
@@ -121,6 +123,7 @@ impl LineView {
             case,
             views: Default::default(),
             series: None,
+            without_limits: false,
             instant: None,
             live: LiveSolve::default(),
             results: Vec::new(),
