@@ -35,7 +35,7 @@ pub fn ascii(text: &str) -> Cow<'_, str> {
             '↓' => out.push('v'),
             '│' | '┃' | '╎' => out.push('|'),
             '┌' | '┐' | '└' | '┘' | '├' | '┤' | '┬' | '┴' | '┼' | '╋' => {
-                out.push('+')
+                out.push('+');
             }
             '▶' => out.push('>'),
             '◀' => out.push('<'),
