@@ -14,6 +14,7 @@ use crate::tui::update::edit::{self, optional};
 use crate::tui::update::motion::{moved, step};
 use crate::tui::update::results;
 use crate::tui::update::step_value::step_value;
+use crate::tui::view::layout;
 use crate::tui::view::paint::{below_head, rest, row, span, wrap};
 use crate::tui::view::painter::Painter;
 
@@ -40,6 +41,18 @@ pub(super) struct InputsPane;
 impl Pane for InputsPane {
     fn about(&self) -> PaneInfo {
         about("Inputs", "Go to the inputs", &[COMMANDS, LIST])
+    }
+
+    fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
+        match id {
+            CommandId::HoldAgainst => results::why_no_result(state),
+            CommandId::Zoom => layout::why_not_zoomed(state),
+            CommandId::Reset if state.line().is_some() => {
+                let own = state.editor()?.current_field()?.replaced.is_none();
+                own.then_some("The field is as the file has it.")
+            }
+            _ => None,
+        }
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {

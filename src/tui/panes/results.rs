@@ -30,11 +30,12 @@ impl Pane for ResultsPane {
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
-        let empty = state
-            .line()
-            .is_none_or(|line| result_lines::shown_run(line).is_none());
-        let needs = matches!(id, CommandId::Select | CommandId::HoldAgainst);
-        (needs && empty).then_some("There is no result yet.")
+        match id {
+            CommandId::Select | CommandId::HoldAgainst => results::why_no_result(state),
+            CommandId::Fit => results::shows_main_ones(state)
+                .then_some("The main results stand beside the inputs already."),
+            _ => None,
+        }
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {

@@ -58,6 +58,15 @@ impl Pane for RunsPane {
                 Some(run) => run_table::why_not_deleted(run),
             },
             CommandId::Resume => why_not_resumed(run),
+            CommandId::HoldAgainst => match run {
+                None => results::why_no_result(state),
+                Some(run) => why_not_stored(Some(run)),
+            },
+            CommandId::SelectNone => {
+                let line = state.line()?;
+                let alone = !line.live.hidden && line.runs.on_charts().next().is_none();
+                (alone && !any_marked()).then_some("The live run is shown alone already.")
+            }
             CommandId::TagRuns if any_marked() => None,
             CommandId::Mark
             | CommandId::NameRun

@@ -31,6 +31,22 @@ pub fn choose(state: &mut AppState) -> Vec<Effect> {
     Vec::new()
 }
 
+/// Why nothing can be done with a result.
+#[must_use]
+pub fn why_no_result(state: &AppState) -> Option<&'static str> {
+    let none = state.line().is_none_or(|line| shown_run(line).is_none());
+    none.then_some("There is no result yet.")
+}
+
+/// Whether the main results of the case stand beside the inputs.
+#[must_use]
+pub fn shows_main_ones(state: &AppState) -> bool {
+    state.line().is_none_or(|line| {
+        let main = main_results(&line.case);
+        line.results[..] == main[..main.len().min(MOST)]
+    })
+}
+
 /// Shows the main results of the case again.
 pub fn main_ones(state: &mut AppState) {
     if let Some(line) = state.line_mut() {

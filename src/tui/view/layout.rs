@@ -140,6 +140,15 @@ fn has_room(body: Rect, state: &AppState) -> bool {
     !open && body.width >= COCKPIT.0 && body.height >= COCKPIT.1
 }
 
+/// Why the inputs cannot be given the whole screen.
+#[must_use]
+pub fn why_not_zoomed(state: &AppState) -> Option<&'static str> {
+    let (width, height) = state.size;
+    let body = areas(Rect::new(0, 0, width, height)).body;
+    let shares = width < WIDE && body.width >= COCKPIT.0 && body.height >= COCKPIT.1;
+    (state.line().is_none() || !shares).then_some("The inputs share their place with nothing here.")
+}
+
 /// Inputs and chart beside each other, and the results below.
 fn cockpit(body: Rect, state: &AppState) -> [(PaneId, Rect); 3] {
     let height = state.line().map_or(0, results::band_height);

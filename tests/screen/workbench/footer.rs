@@ -24,9 +24,7 @@ fn press_all(name: &str, desk: &Desk, idle: &mut Vec<String>) {
             note.level == Severity::Error || note.text.starts_with("There is no")
         });
         let seen = copy.screen() != before || !copy.asked.is_empty();
-        // "Live only" where nothing else is shown.
-        let same = desk.state.focus() == PaneId::Runs && command.id == CommandId::SelectNone;
-        if !same && (!seen || refused) {
+        if !seen || refused {
             let (columns, _) = desk.state.size;
             idle.push(format!(
                 "{name}, {columns} columns, {pane:?}: `{key}` {}",
