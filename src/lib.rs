@@ -23,6 +23,7 @@
 //! * [`ropeway`]: a ropeway between a platform and a ship.
 //! * [`kinds`]: which of these a file is.
 //! * [`reference`](mod@reference): published data and how a run compares with them.
+//! * [`comparison`]: stored runs compared: inputs, results with error bars, curves.
 //! * [`study`]: hard cases by every method that applies; speed against error; tables of lines.
 //! * [`report`]: tables, charts and pages, shared by every view; [`number`]: numbers as text.
 //! * [`files`]: the one way to write a file; [`visible`]: the one way out for text.
@@ -37,6 +38,7 @@
 pub mod background;
 pub mod case;
 pub mod cli;
+pub mod comparison;
 pub mod dynamics;
 pub mod equations;
 pub mod files;

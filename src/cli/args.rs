@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
+use super::study_args::CompareArgs;
 use crate::case::Method;
 use crate::kinds::FileType;
 use crate::report::chart::Glyphs;
@@ -57,6 +58,10 @@ pub(super) enum CliCommand {
     Validate(ValidateArgs),
     /// Print the text report of a stored run.
     Report(ReportArgs),
+    /// Compare stored runs: inputs and settings that differ, every result with its error bar, channels, published values, cost.
+    ///
+    /// Differences are from the first run. Two results differ where their error bars do not overlap.
+    Compare(CompareArgs),
     /// Solve a table of lines at rest, in still water or in a current.
     ///
     /// CSV, a single line a row, hanging between end A and end B, seen from A: columns x_m, z_m, length_m,
@@ -400,6 +405,10 @@ pub(super) struct ReportArgs {
     /// The run directory.
     #[arg(value_name = "RUN_DIR")]
     pub(super) dir: PathBuf,
+
+    /// Another run, from which the differences of this one follow the report.
+    #[arg(long, value_name = "RUN_DIR")]
+    pub(super) against: Option<PathBuf>,
 
     /// Write the report to this file instead of standard output.
     #[arg(short, long = "output", value_name = "FILE")]

@@ -8,6 +8,7 @@
 mod args;
 mod cases;
 mod catenary;
+mod compare;
 mod duration;
 mod error;
 mod inputs;
@@ -23,6 +24,7 @@ mod section;
 mod ship;
 mod signals;
 mod study;
+mod study_args;
 mod validate;
 mod workbench;
 
@@ -51,6 +53,7 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Run(args)) => run::run(args),
         Some(CliCommand::Validate(args)) => validate::validate(args),
         Some(CliCommand::Report(args)) => report::report(args),
+        Some(CliCommand::Compare(args)) => compare::compare(args),
         Some(CliCommand::Catenary(args)) => catenary::catenary(args),
         Some(CliCommand::Section(args)) => section::section(args),
         Some(CliCommand::Ship(args)) => ship::ship(args),

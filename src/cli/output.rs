@@ -3,7 +3,7 @@
 use std::{
     backtrace::{Backtrace, BacktraceStatus},
     borrow::Cow,
-    io::{self, Write},
+    io::{self, IsTerminal, Write},
     panic::PanicHookInfo,
     path::{Path, PathBuf},
     process::ExitCode,
@@ -23,7 +23,7 @@ pub(super) fn results(text: &str, ascii: bool) -> Result<(), CommandError> {
 }
 
 /// Whether output goes to a terminal of which no locale says that it knows more than ASCII.
-fn plain_terminal(stream: &impl io::IsTerminal) -> bool {
+fn plain_terminal(stream: &impl IsTerminal) -> bool {
     stream.is_terminal() && !capabilities::knows_utf8(&|name| std::env::var(name).ok())
 }
 
@@ -183,6 +183,17 @@ pub(super) fn report_panic(info: &PanicHookInfo<'_>) {
     if trace.status() == BacktraceStatus::Captured {
         message(&trace.to_string());
     }
+}
+
+/// Columns of a page: as asked for, or those of the terminal, 80 at least.
+pub(super) fn page_width(asked: Option<usize>) -> usize {
+    const LEAST: usize = 80;
+    let terminal = || {
+        let size = io::stdout().is_terminal().then(crossterm::terminal::size);
+        size.and_then(Result::ok)
+            .map(|(columns, _)| usize::from(columns))
+    };
+    asked.unwrap_or_else(|| terminal().unwrap_or(LEAST).max(LEAST))
 }
 
 /// The characters to draw with on standard output.

@@ -9,13 +9,17 @@ use super::{
     output::{self, FileFormat, OutputFile},
 };
 use crate::{
+    comparison::Comparison,
     reference,
-    report::{chart::Glyphs, text},
+    report::{chart::Glyphs, comparison, text},
     run::store,
 };
 
 pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
-    let inputs = [args.dir.clone()];
+    let inputs: Vec<_> = [Some(args.dir.clone()), args.against.clone()]
+        .into_iter()
+        .flatten()
+        .collect();
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
     let run = store::read(&args.dir)?;
     let case = cases::parse(&run.case_text, &run.info.case_file)?;
@@ -25,7 +29,12 @@ pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
         (Some(_), false) => Glyphs::Braille,
         (_, ascii) => output::glyphs(ascii),
     };
-    let text = text::report(&run, &case, &rows, glyphs);
+    let mut text = text::report(&run, &case, &rows, glyphs);
+    if let Some(dir) = &args.against {
+        let other = store::read(dir)?;
+        let compared = Comparison::of(&[&other, &run]);
+        text.push_str(&format!("\n{}", comparison::report_section(&compared)));
+    }
     match file {
         None => output::results(&text, args.ascii)?,
         Some(file) => {

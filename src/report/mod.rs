@@ -1,6 +1,7 @@
 //! What every view shares: tables, charts and the wording of numbers, as plain text.
 
 pub mod chart;
+pub mod comparison;
 pub mod figures;
 pub mod limits;
 pub mod modes;

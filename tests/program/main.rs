@@ -11,6 +11,7 @@ mod sample;
 mod small;
 
 mod cli;
+mod compare;
 mod documents;
 mod hostile_text;
 mod output_files;

@@ -6,6 +6,7 @@
 mod sample;
 
 mod charts;
+mod comparison;
 mod tables;
 mod text_report;
 mod workbench;

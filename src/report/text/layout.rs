@@ -30,6 +30,11 @@ impl Page {
         Self { width, text }
     }
 
+    /// Its columns.
+    pub(crate) fn width(&self) -> usize {
+        self.width
+    }
+
     /// The text.
     pub(crate) fn finish(self) -> String {
         self.text
