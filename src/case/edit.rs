@@ -171,6 +171,33 @@ pub fn get(text: &str, key_path: &str) -> Option<String> {
     Some(value_text(text, node))
 }
 
+/// The field of a key path of a case.
+///
+/// # Errors
+///
+/// The case has no such key; the remedy names the one that was probably meant.
+pub fn field(text: &str, key_path: &str) -> Result<&'static Field, Diagnostic> {
+    let root = tree_of(text).map_err(|_| {
+        let problem = "stands in a file that is not TOML".to_owned();
+        refusal(
+            key_path,
+            "",
+            problem,
+            "mend the file in an editor first".to_owned(),
+        )
+    })?;
+    let found = split(key_path).and_then(|parts| {
+        let field = field_of(&CASE, &root, &parts)?;
+        let (_, table) = parts.split_last()?;
+        let by_name = table.len() > 1 || field.table().contains('*');
+        (!by_name || root.find(table).is_some()).then_some(field)
+    });
+    found.ok_or_else(|| {
+        let (problem, remedy) = unknown_path(&CASE, &root, key_path);
+        refusal(key_path, "", problem, remedy)
+    })
+}
+
 /// Sets one key of a file, checking key and value but not the file as a whole.
 fn put(
     schema: &'static Schema,

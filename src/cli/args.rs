@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
-use super::study_args::CompareArgs;
+use super::study_args::{CompareArgs, VaryArgs};
 use crate::case::Method;
 use crate::kinds::FileType;
 use crate::report::chart::Glyphs;
@@ -158,6 +158,13 @@ pub(super) enum StudyArgs {
     ///
     /// The truth is a run on twice the mesh found, with a time error four times as small. Takes some minutes for all cases.
     Accuracy(AccuracyArgs),
+    /// Compute a case over ranges of its keys, and show results against them.
+    ///
+    /// `--vary KEY=A..B/N` takes N values from A to B in even steps, `A..B/Nlog` in even ratios, `KEY=a,b,c` the values listed; each with a
+    /// unit where it is not that of the key (`line.wire.length_m=0.1..0.5 km/3`). Given twice, all combinations are computed. Runs are
+    /// computed side by side, one for each core, and stored below `runs`. A point that fails says why and stops no other; the exit status
+    /// is then 1.
+    Vary(VaryArgs),
 }
 
 // The arguments that commands share; doc comments here would replace the help of the commands.

@@ -25,7 +25,9 @@ mod ship;
 mod signals;
 mod study;
 mod study_args;
+mod study_page;
 mod validate;
+mod vary;
 mod workbench;
 
 use std::{panic, process::ExitCode};

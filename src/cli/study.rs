@@ -9,6 +9,7 @@ use super::{
     output::{self, FileFormat, OutputFile},
     progress,
     signals::StopFlag,
+    vary,
 };
 use crate::case::Case;
 use crate::report::chart::draw;
@@ -34,6 +35,7 @@ pub(super) fn study(args: &StudyArgs) -> Result<ExitCode, CommandError> {
         StudyArgs::Steps(args) => steps_of(args),
         StudyArgs::Bars(args) => bars_of(args),
         StudyArgs::Accuracy(args) => accuracy_of(args),
+        StudyArgs::Vary(args) => vary::vary(args),
     }
 }
 

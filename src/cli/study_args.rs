@@ -1,8 +1,8 @@
-//! The arguments of comparisons.
+//! The arguments of comparisons and of studies of one case.
 
 use std::path::PathBuf;
 
-use super::args::TableArgs;
+use super::args::{CaseArgs, TableArgs};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct CompareArgs {
@@ -20,6 +20,27 @@ fn width(word: &str) -> Result<usize, String> {
         Ok(value) if (40..=1000).contains(&value) => Ok(value),
         _ => Err("give a whole number from 40 to 1000".to_owned()),
     }
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct VaryArgs {
+    #[command(flatten)]
+    pub(super) case: CaseArgs,
+
+    /// A key and its values, such as current.speed_m_per_s=0.2..0.8/4; may be repeated for a grid.
+    #[arg(long, value_name = "KEY=VALUES", required = true)]
+    pub(super) vary: Vec<String>,
+
+    /// A result to show, by its name in the summary of a run, such as tension_n.max; may be repeated. By default the main results.
+    #[arg(long, value_name = "NAME")]
+    pub(super) result: Vec<String>,
+
+    /// Store no runs.
+    #[arg(long)]
+    pub(super) no_store: bool,
+
+    #[command(flatten)]
+    pub(super) page: StudyPageArgs,
 }
 
 #[derive(Debug, clap::Args)]

@@ -14,6 +14,7 @@ pub mod section;
 pub mod ship;
 pub mod table;
 pub mod text;
+pub mod variation;
 pub(crate) mod wrap;
 
 pub use crate::number;

@@ -2,6 +2,23 @@
 
 use std::borrow::Cow;
 
+use super::table::Table;
+
+/// The table with all its words in ASCII, before it is laid out.
+#[must_use]
+pub fn ascii_table(table: &Table) -> Table {
+    let mut plain = table.clone();
+    let heads = plain.columns.iter_mut().map(|column| &mut column.head);
+    let cells = plain.rows.iter_mut().flatten().map(|cell| &mut cell.text);
+    let title = std::iter::once(&mut plain.title);
+    for text in title.chain(heads).chain(cells).chain(&mut plain.notes) {
+        if let Cow::Owned(replaced) = ascii(text) {
+            *text = replaced;
+        }
+    }
+    plain
+}
+
 /// The text with every character that ASCII lacks replaced by the nearest words: `±` becomes `+/-`,
 /// `m²` becomes `m2`; what has no neighbour becomes a question mark.
 #[must_use]

@@ -5,8 +5,10 @@ pub mod accuracy;
 pub mod bars;
 pub mod hard_cases;
 pub mod lines;
+pub mod points;
 pub mod results;
 pub mod speed;
+pub mod vary;
 mod verdict;
 mod verdict_table;
 

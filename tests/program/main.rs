@@ -21,3 +21,4 @@ mod store;
 mod stored_versions;
 mod study_speed;
 mod terminal;
+mod vary;

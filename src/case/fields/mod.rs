@@ -19,6 +19,7 @@ pub use json_schema::json_schema;
 pub use range::Range;
 pub(crate) use range::{number, of, positive, quantity};
 pub use tables::{TableSchema, TableShape};
+pub(crate) use typed_number::TypedNumber;
 pub(crate) use value::{check as check_value, text as value_text};
 pub(crate) use words::{join, nearest, split, unknown_key};
 

@@ -3,7 +3,7 @@
 
 /// What the text stands for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum TypedNumber {
+pub(crate) enum TypedNumber {
     /// The number, alone or with the unit of the field.
     Plain(f64),
     /// A number with another unit of the same kind, in the unit of the field.
@@ -37,7 +37,7 @@ const OTHERS: [(&str, &str, f64); 12] = [
 
 impl TypedNumber {
     /// Reads the text for a field of this unit; nothing where it begins with no number.
-    pub(super) fn read(text: &str, unit: &str) -> Option<Self> {
+    pub(crate) fn read(text: &str, unit: &str) -> Option<Self> {
         let (value, rest) = leading_number(text.trim())?;
         let unit = plain(unit);
         let rest = rest.trim();
@@ -58,6 +58,13 @@ impl TypedNumber {
         Some(
             conversion(&written, &unit).map_or(Self::UnknownUnit, |by| Self::Converted(value * by)),
         )
+    }
+}
+
+impl TypedNumber {
+    /// What follows the number of a text; nothing where it begins with no number.
+    pub(crate) fn unit_text(text: &str) -> Option<&str> {
+        leading_number(text.trim()).map(|(_, rest)| rest.trim())
     }
 }
 

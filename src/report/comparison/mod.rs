@@ -7,6 +7,7 @@ mod tables;
 
 pub use charts::difference_chart;
 pub use csv::csv;
+pub(crate) use results::result_text;
 pub use results::results_table;
 pub use tables::{channels_table, cost_table, inputs_table, settings_table, validation_table};
 

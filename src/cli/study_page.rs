@@ -1,0 +1,71 @@
+//! What studies of one case have in common: their case, the results they show, the page they print.
+
+use std::{io, path::Path};
+
+use super::{
+    CommandError, cases,
+    output::{self, FileFormat, OutputFile},
+    study_args::StudyPageArgs,
+};
+use crate::case::{self, Case, QuantityId};
+use crate::report::chart::{Chart, draw};
+use crate::report::plain;
+use crate::report::table::Table;
+use crate::study::points::BaseCase;
+use crate::study::results::{main_results, named_result};
+
+/// Rows of a chart, and its columns at most.
+const CHART: (usize, usize) = (18, 100);
+
+/// A case with keys set on top of its file, and what points are set on.
+pub(super) fn base_case(file: &Path, set: &[String]) -> Result<(BaseCase, Case), CommandError> {
+    let loaded = cases::load(file)?;
+    let text = cases::set(&loaded.text, set)?;
+    let case = cases::parse(&text, &loaded.name)?;
+    let base = BaseCase {
+        text: case::stand_alone(&text, &case).into_owned(),
+        path: loaded.name,
+        overrides: set.to_vec(),
+    };
+    Ok((base, case))
+}
+
+/// The results that are named, or the main ones.
+pub(super) fn results(case: &Case, names: &[String]) -> Result<Vec<QuantityId>, CommandError> {
+    if names.is_empty() {
+        return Ok(main_results(case));
+    }
+    let named = names.iter().map(|name| named_result(case, name));
+    let named: Result<Vec<QuantityId>, _> = named.collect();
+    named.map_err(|error| CommandError::Usage(format!("--result: {error}.")))
+}
+
+/// Prints tables with charts below, or CSV, and writes the CSV to the file asked for.
+pub(super) fn print(
+    page: &StudyPageArgs,
+    file: Option<&OutputFile<'_>>,
+    (tables, csv): (&[Table], &Table),
+    charts: &[Chart],
+) -> Result<(), CommandError> {
+    let mut text = Vec::new();
+    let written = csv.write_csv(&mut text).map_err(io::Error::other);
+    written.map_err(CommandError::Output)?;
+    if let Some(file) = file {
+        file.write(&text, FileFormat::Text)?;
+    }
+    if page.csv {
+        return output::document(&text, FileFormat::Text);
+    }
+    let (width, ascii) = (output::page_width(page.width), page.table.ascii);
+    let text = |table: &Table| match ascii {
+        true => plain::ascii_table(table).to_text(width),
+        false => table.to_text(width),
+    };
+    let texts: Vec<String> = tables.iter().map(text).collect();
+    let mut words = texts.join("\n");
+    for chart in charts {
+        let picture = draw(chart, width.min(CHART.1), CHART.0, output::glyphs(ascii));
+        words.push_str(&format!("\n{}", picture.to_text()));
+    }
+    output::results(&words, ascii)
+}

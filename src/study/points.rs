@@ -1,0 +1,224 @@
+//! A case computed at many points, side by side: what studies have in common.
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use crate::case::fields::number;
+use crate::case::{self, Diagnostic, QuantityId, StudyValue, edit, stand_alone};
+use crate::run::job::{self, Request};
+use crate::run::store::{RunLocation, RunWriter, StoreError};
+use crate::run::{Quantity, Run, RunInfo, RunState};
+
+/// The case that points are set on top of.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct BaseCase {
+    /// Its text, overrides applied.
+    pub text: String,
+    /// Where it stands, so that the files it names are found.
+    pub path: String,
+    /// Keys that were set on top of the file, as `key=value`.
+    pub overrides: Vec<String>,
+}
+
+/// A key with the value it has at a point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Setting {
+    /// Key path.
+    pub key: String,
+    /// Its value, in the unit of the key.
+    pub value: StudyValue,
+}
+
+impl Setting {
+    /// A key at a value.
+    #[must_use]
+    pub fn new(key: &str, value: StudyValue) -> Self {
+        Self {
+            key: key.to_owned(),
+            value,
+        }
+    }
+
+    /// The value as it is written in a case file.
+    #[must_use]
+    pub fn written(&self) -> String {
+        match &self.value {
+            StudyValue::Number(value) => number(*value),
+            StudyValue::Word(word) => word.clone(),
+        }
+    }
+}
+
+/// A point at which a case is computed.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Point {
+    /// What is set there.
+    pub settings: Vec<Setting>,
+}
+
+/// What is computed at a point, or why the case refuses it.
+pub type PointRequest = Result<Request, String>;
+
+impl BaseCase {
+    /// A case without overrides.
+    #[must_use]
+    pub fn new(text: &str, path: &str) -> Self {
+        Self {
+            text: text.to_owned(),
+            path: path.to_owned(),
+            overrides: Vec::new(),
+        }
+    }
+
+    /// The case with some settings on top.
+    ///
+    /// # Errors
+    /// Why the case refuses them.
+    pub fn request(&self, settings: &[Setting]) -> PointRequest {
+        let written: Vec<String> = settings.iter().map(Setting::written).collect();
+        let keys = settings.iter().map(|setting| setting.key.as_str());
+        let edits: Vec<(&str, &str)> = keys.zip(written.iter().map(String::as_str)).collect();
+        let text = edit::set_all(&self.text, &edits).map_err(|faults| reasons(&faults))?;
+        let set = edits.iter().map(|(key, value)| format!("{key}={value}"));
+        let overrides = self.overrides.iter().cloned().chain(set).collect();
+        self.request_of(text, overrides)
+    }
+
+    /// The case as another text, with these overrides.
+    ///
+    /// # Errors
+    /// What is wrong with the text.
+    pub fn request_of(&self, text: String, overrides: Vec<String>) -> PointRequest {
+        let case = case::parse(&text, &self.path).map_err(|faults| reasons(&faults))?;
+        let file = Path::new(&self.path).file_name();
+        Ok(Request {
+            case,
+            text,
+            file: file.map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
+            overrides,
+            id: String::new(),
+        })
+    }
+}
+
+/// Diagnostics in a line.
+fn reasons(faults: &[Diagnostic]) -> String {
+    let problems = faults.iter().map(|d| format!("{}: {}", d.key, d.problem));
+    problems.collect::<Vec<_>>().join("; ")
+}
+
+/// The run of a point, without its history.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PointRun {
+    /// What was computed, how, at what cost.
+    pub info: RunInfo,
+    /// Its results.
+    pub summary: Vec<Quantity>,
+    /// Where it is stored, if it is.
+    pub dir: Option<PathBuf>,
+}
+
+impl PointRun {
+    /// A result of a run that came to its end.
+    #[must_use]
+    pub fn result(&self, id: &QuantityId) -> Option<&Quantity> {
+        let done = self.info.state == RunState::Done;
+        self.summary.iter().find(|q| done && q.id == *id)
+    }
+
+    /// Why it did not come to its end; none where it did.
+    #[must_use]
+    pub fn failure(&self) -> Option<&str> {
+        match self.info.state {
+            RunState::Done => None,
+            RunState::Failed => Some(self.info.failure.as_deref().unwrap_or("it failed")),
+            RunState::Cancelled | RunState::Partial => Some("it was stopped"),
+        }
+    }
+}
+
+/// What became of a point: its run, or the reason why the case refuses it or the run cannot be stored.
+pub type PointOutcome = Result<PointRun, String>;
+
+/// How far the computation of some points is.
+#[derive(Debug, Clone, Copy)]
+pub struct PointProgress<'a> {
+    /// Points computed so far, this one included.
+    pub done: usize,
+    /// Points in all.
+    pub of: usize,
+    /// The point that has just been computed.
+    pub index: usize,
+    /// What became of it.
+    pub outcome: &'a PointOutcome,
+}
+
+/// Computes points side by side on the threads of the caller's pool, one at a time on each, and stores their runs below a directory
+/// where one is given. A point that fails stops no other. Once `cancel` is set no further one begins; a point that did not begin has no
+/// outcome.
+pub fn compute(
+    requests: Vec<PointRequest>,
+    store: Option<&Path>,
+    cancel: &AtomicBool,
+    progress: &(dyn Fn(PointProgress<'_>) + Sync),
+) -> Vec<Option<PointOutcome>> {
+    let (of, count) = (requests.len(), AtomicUsize::new(0));
+    let one = |(index, request): (usize, PointRequest)| {
+        if cancel.load(Ordering::Relaxed) {
+            return None;
+        }
+        let outcome = request.and_then(|request| outcome(request, store, cancel));
+        let done = 1 + count.fetch_add(1, Ordering::Relaxed);
+        progress(PointProgress {
+            done,
+            of,
+            index,
+            outcome: &outcome,
+        });
+        Some(outcome)
+    };
+    let points = requests.into_par_iter().enumerate().with_max_len(1);
+    points.map(one).collect()
+}
+
+/// Computes a point, and stores its run where a directory is given.
+fn outcome(mut request: Request, store: Option<&Path>, cancel: &AtomicBool) -> PointOutcome {
+    let (run, dir) = match store {
+        None => (job::execute(&request, cancel, &mut |_| {}), None),
+        Some(root) => {
+            let stored = execute_stored(&mut request, root, cancel);
+            let stored = stored.map_err(|error| format!("its run cannot be stored: {error}"));
+            let (run, dir) = stored?;
+            (run, Some(dir))
+        }
+    };
+    let Run { info, summary, .. } = run;
+    Ok(PointRun { info, summary, dir })
+}
+
+/// Computes a request and stores its run below a directory while it is computed.
+fn execute_stored(
+    request: &mut Request,
+    root: &Path,
+    cancel: &AtomicBool,
+) -> Result<(Run, PathBuf), StoreError> {
+    let place = RunLocation::Below(root.to_owned());
+    let text = stand_alone(&request.text, &request.case);
+    let mut writer = RunWriter::begin(&place, request.initial_info(), &text)?;
+    writer.id().clone_into(&mut request.id);
+    let mut failure = None;
+    let run = job::execute(request, cancel, &mut |event| {
+        if failure.is_none() {
+            failure = writer.event(&event).err();
+        }
+    });
+    match failure {
+        Some(error) => Err(error),
+        None => {
+            let dir = writer.finish(&run)?;
+            Ok((run, dir))
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! A key of a case with the values it is varied over.
+
+use super::{RangeError, ValueRange, VariationError};
+use crate::case::edit;
+use crate::case::fields::{Field, ValueType};
+
+/// A key that is varied.
+#[derive(Debug, Clone, PartialEq)]
+pub struct VariedKey {
+    /// Key path: `current.speed_m_per_s`.
+    pub path: String,
+    /// The key.
+    pub field: &'static Field,
+    /// Its values.
+    pub range: ValueRange,
+}
+
+impl VariedKey {
+    /// Reads `KEY=VALUES` for a case.
+    ///
+    /// # Errors
+    /// The case has no such key, or the key cannot have these values.
+    pub fn parse(word: &str, case_text: &str) -> Result<Self, VariationError> {
+        let parts = word.split_once('=');
+        let (path, values) = parts.ok_or_else(|| VariationError::Syntax(word.to_owned()))?;
+        let path = path.trim();
+        let field = edit::field(case_text, path).map_err(VariationError::Key)?;
+        if field.kind == ValueType::Triple {
+            return Err(VariationError::Coordinates(path.to_owned()));
+        }
+        let takes_words = matches!(field.kind, ValueType::Choice(_) | ValueType::Boolean);
+        if !field.takes_number() && !takes_words {
+            return Err(VariationError::NoNumber(
+                path.to_owned(),
+                field.range_text(),
+            ));
+        }
+        let wrong = |error: RangeError| VariationError::Range(path.to_owned(), error);
+        let range = ValueRange::parse(values, field).map_err(wrong)?;
+        Ok(Self {
+            path: path.to_owned(),
+            field,
+            range,
+        })
+    }
+
+    /// Unit as shown; empty for pure numbers and words.
+    #[must_use]
+    pub fn unit(&self) -> &'static str {
+        if self.field.unit == "-" {
+            ""
+        } else {
+            self.field.unit
+        }
+    }
+}

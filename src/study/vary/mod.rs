@@ -1,0 +1,133 @@
+//! A case computed at many points: keys varied over ranges, alone or as a grid.
+//!
+//! [`Variation`] says what is computed, [`compute`](super::points::compute) computes its [`Variation::requests`], and
+//! [`report::variation`](crate::report::variation) shows the results. Points need not be a grid: each is a list of settings of its own,
+//! so that a sweep over load cases is a [`Variation`] with other points.
+
+mod error;
+mod key;
+mod range;
+
+pub use error::{RangeError, VariationError};
+pub use key::VariedKey;
+pub use range::{Spacing, ValueRange};
+
+use super::points::{BaseCase, Point, PointRequest, Setting};
+
+/// Points of a variation, at most.
+pub const MOST_POINTS: usize = 10_000;
+
+/// A case and the points at which it is computed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variation {
+    /// The case.
+    pub base: BaseCase,
+    /// The keys that are varied; each point has a setting for each of them, in their order.
+    pub keys: Vec<VariedKey>,
+    /// The points.
+    pub points: Vec<Point>,
+}
+
+impl Variation {
+    /// The full product of the values of some keys, each given as `KEY=VALUES` ([`ValueRange`]); the last key varies fastest.
+    ///
+    /// # Errors
+    /// A key that is not known or given twice, values that it cannot have, or too many points.
+    pub fn grid<S: AsRef<str>>(base: BaseCase, words: &[S]) -> Result<Self, VariationError> {
+        let mut keys: Vec<VariedKey> = Vec::with_capacity(words.len());
+        for word in words {
+            let key = VariedKey::parse(word.as_ref(), &base.text)?;
+            if keys.iter().any(|known| known.path == key.path) {
+                return Err(VariationError::Twice(key.path));
+            }
+            keys.push(key);
+        }
+        let counts = keys.iter().map(|key| key.range.values.len());
+        let count = counts.fold(1_usize, usize::saturating_mul);
+        if count > MOST_POINTS {
+            return Err(VariationError::TooMany(count));
+        }
+        let points = product(&keys);
+        Ok(Self { base, keys, points })
+    }
+
+    /// What is computed at each point; the reason where the case refuses it.
+    #[must_use]
+    pub fn requests(&self) -> Vec<PointRequest> {
+        let points = self.points.iter();
+        points
+            .map(|point| self.base.request(&point.settings))
+            .collect()
+    }
+}
+
+/// Every combination of the values of the keys.
+fn product(keys: &[VariedKey]) -> Vec<Point> {
+    let mut points = vec![Point::default()];
+    for key in keys {
+        let with = |point: &Point| {
+            let values = key.range.values.iter();
+            let settings = values.map(|value| Setting::new(&key.path, value.clone()));
+            let points = settings.map(|setting| Point {
+                settings: [point.settings.clone(), vec![setting]].concat(),
+            });
+            points.collect::<Vec<Point>>()
+        };
+        points = points.iter().flat_map(with).collect();
+    }
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::shipped::SHIPPED;
+
+    fn base() -> BaseCase {
+        let (path, text) = SHIPPED
+            .iter()
+            .find(|(path, _)| path.ends_with("pendulous/manifold.toml"))
+            .unwrap();
+        BaseCase::new(text, path)
+    }
+
+    #[test]
+    fn two_keys_make_a_grid() {
+        let words = ["current.speed_m_per_s=0.2..0.4/3", "line.wire.segments=2,4"];
+        let variation = Variation::grid(base(), &words).unwrap();
+        assert_eq!(variation.points.len(), 6);
+        let requests = variation.requests();
+        let last = requests[5].as_ref().unwrap();
+        assert_eq!(
+            last.overrides,
+            ["current.speed_m_per_s=0.4", "line.wire.segments=4"]
+        );
+        assert_eq!(last.case.line[2].segments, 4);
+    }
+
+    #[test]
+    fn what_cannot_be_varied_is_named() {
+        let fault = |words: &[&str]| Variation::grid(base(), words).unwrap_err().to_string();
+        for (words, why) in [
+            (&["current.sped_m_per_s=1,2"][..], "did you mean"),
+            (&["current.speed_m_per_s"], "KEY=A..B/N"),
+            (&["current.speed_m_per_s=1..2"], "number of values"),
+            (
+                &["payload.wet_mass_kg=1,2", "payload.wet_mass_kg=3,4"],
+                "twice",
+            ),
+            (
+                &[
+                    "payload.wet_mass_kg=1..9/200",
+                    "payload.drag_area_m2=1..9/200",
+                ],
+                "40000 points",
+            ),
+            (&["ends.a.position_m=1,2"], "ends.a.position_m.x"),
+            (&["case.title=a,b"], "takes no number"),
+        ] {
+            let found = fault(words);
+            assert!(found.contains(why), "{words:?}: {found}");
+        }
+    }
+}

@@ -1,0 +1,228 @@
+//! `seacable study vary`: ranges, grids, failures, stored runs.
+
+use std::path::Path;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use assert_cmd::Command;
+use predicates::{prelude::*, str::contains};
+use seacable::run::{RunState, store};
+use seacable::study::points::{self, BaseCase};
+use seacable::study::vary::Variation;
+
+use crate::small::SMALL;
+
+fn seacable(dir: &Path) -> Command {
+    let mut command = Command::cargo_bin("seacable").unwrap();
+    command.current_dir(dir).env("NO_COLOR", "1");
+    command
+}
+
+fn place() -> tempfile::TempDir {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("small.toml"), SMALL).unwrap();
+    dir
+}
+
+fn vary(dir: &Path, words: &[&str]) -> Command {
+    let mut command = seacable(dir);
+    command.args(["study", "vary", "small.toml"]).args(words);
+    command
+}
+
+fn printed(mut command: Command) -> String {
+    let done = command.assert().success();
+    String::from_utf8(done.get_output().stdout.clone()).unwrap()
+}
+
+#[test]
+fn a_key_over_a_range_gives_a_table_a_chart_and_stored_runs() {
+    let dir = place();
+    let words = [
+        "--vary",
+        "payload.wet_mass_kg=0.3..0.5 t/3",
+        "--result",
+        "tension_n.max",
+        "--ascii",
+    ];
+    let text = printed(vary(dir.path(), &words));
+    for word in [
+        "payload.wet_mass_kg",
+        "300 kg",
+        "400 kg",
+        "500 kg",
+        "tension_n.max",
+        " +/- ",
+        "OK",
+        "CPU time",
+        "3 runs are stored below runs",
+        "tension_n.max against payload.wet_mass_kg",
+    ] {
+        assert!(text.contains(word), "{word} is missing in\n{text}");
+    }
+    assert!(
+        text.is_ascii() && text.lines().all(|line| line.len() <= 80),
+        "{text}"
+    );
+    let stored = store::list(&dir.path().join("runs")).unwrap();
+    let mut set: Vec<String> = stored
+        .iter()
+        .map(|run| run.info.as_ref().unwrap())
+        .map(|info| {
+            assert_eq!(
+                (info.state, info.case_file.as_str()),
+                (RunState::Done, "small.toml")
+            );
+            info.overrides.join(" ")
+        })
+        .collect();
+    set.sort();
+    assert_eq!(
+        set,
+        ["300", "400", "500"].map(|kg| format!("payload.wet_mass_kg={kg}"))
+    );
+}
+
+/// A point of a study is the run of its case: the same bits as computed alone.
+#[test]
+fn a_grid_has_every_combination_and_the_results_of_single_runs() {
+    let dir = place();
+    let words = [
+        "--vary",
+        "payload.drag_area_m2=1,2",
+        "--vary",
+        "line.rope.segments=4..8/3",
+        "--csv",
+        "--result",
+        "tension_n[rope|payload].max",
+        "--set",
+        "solver.duration_s=3",
+    ];
+    let csv = printed(vary(dir.path(), &words));
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let heads = reader.headers().unwrap().clone();
+    assert_eq!(&heads[1], "payload.drag_area_m2 [m²]");
+    assert_eq!(&heads[4], "error of tension_n[rope|payload].max [N]");
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let values: Vec<(&str, &str)> = rows.iter().map(|row| (&row[1], &row[2])).collect();
+    let [one, two] = ["1", "2"].map(|area| ["4", "6", "8"].map(|count| (area, count)));
+    assert_eq!(values, [one, two].concat());
+    let alone = [
+        "run",
+        "small.toml",
+        "--out",
+        "alone",
+        "--set",
+        "solver.duration_s=3",
+        "--set",
+        "payload.drag_area_m2=2",
+        "--set",
+        "line.rope.segments=6",
+    ];
+    seacable(dir.path()).args(alone).assert().success();
+    let run = store::read(&dir.path().join("alone")).unwrap();
+    let value = run.quantity("tension_n[rope|payload].max").unwrap();
+    assert_eq!(
+        rows[4][3].parse::<f64>().unwrap().to_bits(),
+        value.value.to_bits()
+    );
+    let stored = store::read(&dir.path().join(&rows[4][8])).unwrap();
+    assert_eq!(
+        stored.info.overrides,
+        [
+            "solver.duration_s=3",
+            "payload.drag_area_m2=2",
+            "line.rope.segments=6"
+        ]
+    );
+}
+
+#[test]
+fn a_point_that_fails_says_why_and_stops_no_other() {
+    let dir = place();
+    let words = [
+        "--set",
+        "solver.method=rk4",
+        "--vary",
+        "solver.time_step_s=0.001,1.0",
+        "--no-store",
+        "--result",
+        "tension_n.max",
+    ];
+    let failed = vary(dir.path(), &words).assert().code(1);
+    failed.stdout(
+        contains("FAILED [2]")
+            .and(contains("stability limit"))
+            .and(contains("OK")),
+    );
+    // The line does not reach where end B is put at the second point.
+    let held = SMALL.replace(
+        "kind = \"payload\"",
+        "kind = \"fixed\"\nposition_m = [15.0, 0.0, -10.0]",
+    );
+    let held =
+        held.split("[payload]").next().unwrap().to_owned() + "[solver]\nmethod = \"static\"\n";
+    std::fs::write(dir.path().join("small.toml"), held).unwrap();
+    let words = [
+        "--vary",
+        "ends.b.position_m.x=15,1e5",
+        "--no-store",
+        "--result",
+        "tension_n.max",
+    ];
+    let refused = vary(dir.path(), &words).assert().code(1);
+    refused.stdout(
+        contains("REFUSED [2]")
+            .or(contains("FAILED [2]"))
+            .and(contains("OK")),
+    );
+    assert!(!dir.path().join("runs").exists());
+}
+
+#[test]
+fn what_is_wrong_is_named_before_anything_is_computed() {
+    let dir = place();
+    for (words, why) in [
+        (
+            &["--vary", "payload.wet_mas_kg=1,2"][..],
+            "did you mean `wet_mass_kg`",
+        ),
+        (
+            &["--vary", "payload.wet_mass_kg=1..2"],
+            "lacks the number of values",
+        ),
+        (
+            &["--vary", "payload.wet_mass_kg=1..2 furlong/3"],
+            "give it in kg",
+        ),
+        (
+            &[
+                "--vary",
+                "payload.wet_mass_kg=1,2",
+                "--result",
+                "tension_n.mx",
+            ],
+            "did you mean `tension_n.max`",
+        ),
+        (&[], "--vary"),
+    ] {
+        let found = vary(dir.path(), words).assert().code(2).stdout("");
+        found.stderr(contains(why));
+    }
+    assert!(!dir.path().join("runs").exists());
+}
+
+#[test]
+fn cancelled_points_have_no_outcome() {
+    let base = BaseCase::new(SMALL, "small.toml");
+    let variation = Variation::grid(base, &["payload.wet_mass_kg=300..500/21"]).unwrap();
+    let (cancel, seen) = (AtomicBool::new(false), Mutex::new(0));
+    let outcomes = points::compute(variation.requests(), None, &cancel, &|progress| {
+        assert_eq!(progress.of, 21);
+        *seen.lock().unwrap() += 1;
+        cancel.store(true, Ordering::Relaxed);
+    });
+    let begun = outcomes.iter().flatten().count();
+    assert_eq!((outcomes.len(), begun), (21, *seen.lock().unwrap()));
+    assert!(begun < 21, "{begun}");
+}
