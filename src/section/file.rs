@@ -65,7 +65,7 @@ fn standing(behind: &str) -> Option<Mark> {
     Some(Mark {
         status,
         reason: comment.to_owned(),
-        value: None,
+        ..Mark::default()
     })
 }
 

@@ -19,6 +19,10 @@ table! {
         reason: String, "reason";
         /// The value that the mark is for; the mark is void where the key has another.
         value: Option<StudyValue>, "value", absent "whatever the key has";
+        /// How far the value may be off, as a share of it; studies of effects vary it by so much.
+        tolerance_rel: Option<f64>, "relative tolerance", range positive(10.0), absent "10 % in studies of effects";
+        /// How far the value may be off, in its unit; with both tolerances given, the wider one counts.
+        tolerance_abs: Option<f64>, "absolute tolerance", unit "", range positive(f64::INFINITY), absent "10 % in studies of effects";
     }
 }
 
