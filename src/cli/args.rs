@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
-use super::study_args::{CompareArgs, VaryArgs};
+use super::study_args::{CompareArgs, EffectsArgs, VaryArgs};
 use crate::case::Method;
 use crate::kinds::FileType;
 use crate::report::chart::Glyphs;
@@ -165,6 +165,11 @@ pub(super) enum StudyArgs {
     /// computed side by side, one for each core, and stored below `runs`. A point that fails says why and stops no other; the exit status
     /// is then 1.
     Vary(VaryArgs),
+    /// Rank the inputs of a case by their effect on a result: each varied alone by its tolerance, up and down.
+    ///
+    /// The tolerance is that of the input's mark (`tolerance_rel`, `tolerance_abs`), 10 % of its value where it states none. Draws a tornado
+    /// chart; changes within the error bar of the result are marked. Variants are computed side by side, without companion runs.
+    Effects(EffectsArgs),
 }
 
 // The arguments that commands share; doc comments here would replace the help of the commands.

@@ -10,6 +10,7 @@ mod cases;
 mod catenary;
 mod compare;
 mod duration;
+mod effects;
 mod error;
 mod inputs;
 mod keys;

@@ -6,6 +6,7 @@ use super::{
     BAD_RESULT, CommandError,
     args::{AccuracyArgs, CaseArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs},
     cases::{self, NamedCase},
+    effects,
     output::{self, FileFormat, OutputFile},
     progress,
     signals::StopFlag,
@@ -36,6 +37,7 @@ pub(super) fn study(args: &StudyArgs) -> Result<ExitCode, CommandError> {
         StudyArgs::Bars(args) => bars_of(args),
         StudyArgs::Accuracy(args) => accuracy_of(args),
         StudyArgs::Vary(args) => vary::vary(args),
+        StudyArgs::Effects(args) => effects::effects(args),
     }
 }
 

@@ -44,6 +44,19 @@ pub(super) struct VaryArgs {
 }
 
 #[derive(Debug, clap::Args)]
+pub(super) struct EffectsArgs {
+    #[command(flatten)]
+    pub(super) case: CaseArgs,
+
+    /// A result to look at, by its name in the summary of a run, such as tension_n.max; may be repeated. By default the main ones.
+    #[arg(long, value_name = "NAME")]
+    pub(super) result: Vec<String>,
+
+    #[command(flatten)]
+    pub(super) page: StudyPageArgs,
+}
+
+#[derive(Debug, clap::Args)]
 pub(super) struct StudyPageArgs {
     /// Print CSV with every digit instead of tables and charts.
     #[arg(long)]

@@ -2,6 +2,7 @@
 
 pub mod chart;
 pub mod comparison;
+pub mod effects;
 pub mod figures;
 pub mod limits;
 pub mod modes;

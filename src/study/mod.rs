@@ -3,6 +3,8 @@
 
 pub mod accuracy;
 pub mod bars;
+pub mod base_run;
+pub mod effects;
 pub mod hard_cases;
 pub mod lines;
 pub mod points;

@@ -13,6 +13,7 @@ mod small;
 mod cli;
 mod compare;
 mod documents;
+mod effects;
 mod hostile_text;
 mod output_files;
 mod signals;

@@ -1,0 +1,70 @@
+//! `seacable study effects`: which inputs matter to a result.
+
+use std::{process::ExitCode, sync::Mutex, time::Instant};
+
+use super::{
+    CommandError,
+    output::{self, OutputFile},
+    progress::ProgressLine,
+    signals::StopFlag,
+    study_args::EffectsArgs,
+    study_page::{base_case, print, results},
+};
+use crate::number::duration;
+use crate::report::effects::TornadoView;
+use crate::report::table::Table;
+use crate::study::effects;
+
+pub(super) fn effects(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
+    let inputs = [args.case.file.clone()];
+    let table = &args.page.table;
+    let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
+    let (base, case) = base_case(&args.case.file, &args.case.set)?;
+    let mut ids = results(&case, &args.result)?;
+    if args.result.is_empty() {
+        ids.truncate(1);
+    }
+    let stop = StopFlag::listen()?;
+    let (line, begun) = (Mutex::new(ProgressLine::new()), Instant::now());
+    let found = effects::compute(&base, stop.cancel(), &|progress| {
+        if let Ok(mut line) = line.lock() {
+            line.show(&format!(
+                "{} of {} variants computed",
+                progress.done, progress.of
+            ));
+        }
+    });
+    drop(line);
+    if let Some(status) = stop.status() {
+        output::message("Stopped before all variants were computed.");
+        return Ok(status);
+    }
+    let found =
+        found.map_err(|why| CommandError::Usage(format!("{}: {why}", args.case.file.display())))?;
+    let mut tables: Vec<Table> = Vec::new();
+    let mut csv = Table::default();
+    for id in &ids {
+        let Some(view) = TornadoView::of(&found, id) else {
+            let what = format!("--result: the run of the case does not have `{id}`.");
+            return Err(CommandError::Usage(what));
+        };
+        tables.extend([
+            view.chart(output::page_width(args.page.width)),
+            view.table(),
+        ]);
+        let rows = view.csv_table();
+        csv.columns.clone_from(&rows.columns);
+        csv.rows.extend(rows.rows);
+    }
+    let cost = format!(
+        "Cost: {} variants without companion runs, {} of CPU time together; {} of wall time in all.",
+        2 * found.inputs.len(),
+        duration(found.cpu_s()),
+        duration(begun.elapsed().as_secs_f64())
+    );
+    if let Some(last) = tables.last_mut() {
+        last.notes.push(cost);
+    }
+    print(&args.page, file.as_ref(), (&tables, &csv), &[])?;
+    Ok(ExitCode::SUCCESS)
+}
