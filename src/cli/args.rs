@@ -170,6 +170,11 @@ pub(super) enum StudyArgs {
     /// The tolerance is that of the input's mark (`tolerance_rel`, `tolerance_abs`), 10 % of its value where it states none. Draws a tornado
     /// chart; changes within the error bar of the result are marked. Variants are computed side by side, without companion runs.
     Effects(EffectsArgs),
+    /// Leave every effect of a case out in turn: what changes against the error bars, and what it saves.
+    ///
+    /// Effects are drag, added mass, bending, damping, elasticity, bed friction, current, waves, motion of the ends, rotation of the payload,
+    /// inertia and the mesh, as far as the case has them.
+    Physics(EffectsArgs),
 }
 
 // The arguments that commands share; doc comments here would replace the help of the commands.

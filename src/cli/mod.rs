@@ -17,6 +17,7 @@ mod keys;
 mod kinds;
 mod modes;
 mod output;
+mod physics;
 mod progress;
 mod report;
 mod ropeway;

@@ -8,7 +8,7 @@ use super::{
     cases::{self, NamedCase},
     effects,
     output::{self, FileFormat, OutputFile},
-    progress,
+    physics, progress,
     signals::StopFlag,
     vary,
 };
@@ -38,6 +38,7 @@ pub(super) fn study(args: &StudyArgs) -> Result<ExitCode, CommandError> {
         StudyArgs::Accuracy(args) => accuracy_of(args),
         StudyArgs::Vary(args) => vary::vary(args),
         StudyArgs::Effects(args) => effects::effects(args),
+        StudyArgs::Physics(args) => physics::physics(args),
     }
 }
 

@@ -7,6 +7,7 @@ pub mod figures;
 pub mod limits;
 pub mod modes;
 pub mod nodes;
+pub mod physics;
 pub mod plain;
 pub mod response;
 pub mod ropeway;

@@ -7,6 +7,7 @@ pub mod base_run;
 pub mod effects;
 pub mod hard_cases;
 pub mod lines;
+pub mod physics;
 pub mod points;
 pub mod results;
 pub mod speed;

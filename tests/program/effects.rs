@@ -1,12 +1,13 @@
-//! `seacable study effects`: what matters.
+//! `seacable study effects` and `seacable study physics`: what matters, and what is needed.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use assert_cmd::Command;
 use assert_cmd::assert::Assert;
 use predicates::{prelude::*, str::contains};
 use seacable::case::QuantityId;
 use seacable::study::effects;
+use seacable::study::physics;
 use seacable::study::points::BaseCase;
 
 use crate::small::SMALL;
@@ -114,13 +115,105 @@ fn the_tornado_is_drawn_ranked_and_exported() {
     wrong.stderr(contains("did you mean `tension_n.max`"));
 }
 
+/// In motion, drag and inertia matter to a body that swings down; bending, waves and a bed are not there.
+#[test]
+fn what_is_not_needed_is_within_the_errors() {
+    let base = BaseCase::new(SMALL, "small.toml");
+    let study = physics::compute(&base, &AtomicBool::new(false), &|_| {}).unwrap();
+    let id: QuantityId = "tension_n[rope|payload].mean".parse().unwrap();
+    let matters = |name: &str| {
+        let variant = study
+            .variants
+            .iter()
+            .find(|variant| variant.part.name == name);
+        study.omission(variant.unwrap(), &id).unwrap().matters
+    };
+    assert_eq!(matters("drag of bodies"), Some(true));
+    assert_eq!(matters("inertia"), Some(true));
+    assert_eq!(matters("mesh halved"), Some(false));
+    assert!(study.variants.iter().all(|variant| variant.run().is_ok()));
+    assert_eq!(
+        study.absent,
+        [
+            "drag along the line",
+            "bending stiffness",
+            "dynamic stiffness",
+            "bed friction",
+            "bed damping",
+            "current",
+            "waves",
+            "water surface",
+            "motion of the ends",
+            "rotation of the payload"
+        ]
+    );
+}
+
+/// Without its dynamic stiffness a rope has no channel of it, and the case no published value of that channel; the rest is computed.
+#[test]
+fn channels_that_go_with_an_effect_take_their_published_values_along() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/cases/mooring/hybrid_fixed.toml"
+    );
+    let base = BaseCase::new(&std::fs::read_to_string(path).unwrap(), path);
+    let study = physics::compute(&base, &AtomicBool::new(false), &|_| {}).unwrap();
+    let variants = || study.variants.iter();
+    assert!(variants().all(|variant| variant.run().is_ok()));
+    let variant = variants()
+        .find(|variant| variant.part.name == "dynamic stiffness")
+        .unwrap();
+    let of = |name: &str| study.omission(variant, &name.parse().unwrap());
+    assert!(of("tension_n.max").is_some());
+    assert!(of("stiffness_k[polyester.a].final").is_none());
+}
+
+#[test]
+fn physics_prints_changes_costs_and_reasons() {
+    let text = printed(study(
+        SMALL,
+        &["physics", "--ascii", "--result", "tension_n.max"],
+    ));
+    for word in [
+        "drag of bodies: matters",
+        "R1 tension_n.max",
+        "Not in this case: ",
+        "Cannot be left out: weight",
+        "axial stiffness x 10",
+        "steps",
+        "+/-",
+    ] {
+        assert!(text.contains(word), "{word} is missing in\n{text}");
+    }
+    assert!(text.lines().all(|line| line.len() <= 80), "{text}");
+    let csv = printed(study(
+        SMALL,
+        &["physics", "--csv", "--result", "tension_n.max"],
+    ));
+    assert!(
+        csv.starts_with(
+            "left out,how,result,unit,base,base_error,value,change,matters,cpu_s,steps,reason\n"
+        ),
+        "{csv}"
+    );
+}
+
 #[test]
 fn a_case_that_fails_gives_its_reason() {
     let failing = SMALL.replace("[solver]", "[solver]\nmethod = \"rk4\"\ntime_step_s = 1.0");
-    let name = "effects";
-    let found = study(&failing, &[name]).code(2).stdout("");
-    found.stderr(contains("stability limit").and(contains("small.toml")));
+    for name in ["effects", "physics"] {
+        let found = study(&failing, &[name]).code(2).stdout("");
+        found.stderr(contains("stability limit").and(contains("small.toml")));
+    }
     let base = BaseCase::new(SMALL, "small.toml");
     let cancel = AtomicBool::new(true);
     assert!(effects::compute(&base, &cancel, &|_| {}).is_err());
+    cancel.store(false, Ordering::Relaxed);
+    let some =
+        physics::compute(&base, &cancel, &|_| cancel.store(true, Ordering::Relaxed)).unwrap();
+    assert!(
+        some.variants
+            .iter()
+            .any(|variant| variant.outcome.is_none())
+    );
 }

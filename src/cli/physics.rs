@@ -1,0 +1,47 @@
+//! `seacable study physics`: which effects a case needs.
+
+use std::{process::ExitCode, sync::Mutex};
+
+use super::{
+    CommandError,
+    output::{self, OutputFile},
+    progress::ProgressLine,
+    signals::StopFlag,
+    study_args::EffectsArgs,
+    study_page::{base_case, print, results},
+};
+use crate::report::physics as report;
+use crate::study::physics;
+
+pub(super) fn physics(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
+    let inputs = [args.case.file.clone()];
+    let table = &args.page.table;
+    let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
+    let (base, case) = base_case(&args.case.file, &args.case.set)?;
+    let ids = results(&case, &args.result)?;
+    let stop = StopFlag::listen()?;
+    let line = Mutex::new(ProgressLine::new());
+    let study = physics::compute(&base, stop.cancel(), &|progress| {
+        if let Ok(mut line) = line.lock() {
+            line.show(&format!(
+                "{} of {} variants computed",
+                progress.done, progress.of
+            ));
+        }
+    });
+    drop(line);
+    if let Some(status) = stop.status() {
+        output::message("Stopped before all variants were computed.");
+        return Ok(status);
+    }
+    let study =
+        study.map_err(|why| CommandError::Usage(format!("{}: {why}", args.case.file.display())))?;
+    let tables = [report::table(&study, &ids)];
+    print(
+        &args.page,
+        file.as_ref(),
+        (&tables, &report::csv_table(&study, &ids)),
+        &[],
+    )?;
+    Ok(ExitCode::SUCCESS)
+}
