@@ -4,6 +4,7 @@ mod file_worker;
 mod index_worker;
 mod open;
 pub mod outbox;
+mod pages;
 mod runs;
 mod trial_worker;
 
@@ -26,7 +27,7 @@ use self::runs::{delete_runs, keep_run, read_run_case, write_notes};
 use self::trial_worker::compute_trials;
 use super::case_library;
 use super::files::{save_case, write_text};
-use super::msg::{Effect, Msg};
+use super::msg::{Effect, Msg, StudyRequest};
 use super::recovery;
 use super::state::modes::COUNT;
 use super::state::trials::TrialsOf;
@@ -177,6 +178,10 @@ impl EffectRunner {
             Effect::ListRuns { files, results } => {
                 self.runs.ask(Question::List { files, results }, &self.out)
             }
+            Effect::Compare { runs, width, name } => {
+                self.aside(move || Msg::Page(name, pages::compare(runs, width), false))
+            }
+            Effect::Study(request, cancel) => self.study(*request, cancel),
             Effect::RefreshRuns => self.runs.ask(Question::Refresh, &self.out),
             effect => self.files(effect),
         }
@@ -186,6 +191,21 @@ impl EffectRunner {
     fn files(&self, effect: Effect) -> Vec<Msg> {
         let dir = self.dir.clone();
         self.files.perform(move || file_effect(effect, &dir))
+    }
+
+    /// Computes a study behind the screen; one that is stopped answers nothing.
+    fn study(&self, request: StudyRequest, cancel: Arc<AtomicBool>) -> Vec<Msg> {
+        let out = self.out.clone();
+        let started = std::thread::Builder::new().spawn(move || {
+            lower_priority();
+            if let Some(page) = pages::study(&request, &cancel, &out) {
+                out.send(Msg::Page(request.of.title(&request.result), page, true));
+            }
+        });
+        let failed = started
+            .err()
+            .map(|error| Msg::Say(Severity::Error, no_thread(&error)));
+        failed.into_iter().collect()
     }
 
     fn cancel(&self, ticket: JobNumber) -> Vec<Msg> {

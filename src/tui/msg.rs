@@ -9,7 +9,7 @@ use super::state::trials::{TrialProgress, TrialsOf};
 use super::state::{
     CaseEntry, DocumentContent, JobNumber, RunCurves, RunEntry, Severity, VariantPlan,
 };
-use crate::case::Case;
+use crate::case::{Case, QuantityId};
 use crate::modes::LineModes;
 use crate::report::chart::Glyphs;
 use crate::run::index::{RunColumns, SyncProgress};
@@ -17,6 +17,7 @@ use crate::run::job::{JobEvent, Request};
 use crate::run::store::RunNotes;
 use crate::run::{ResumedRun, Run};
 use crate::ship::{DynamicAnalysis, StaticAnalysis};
+use crate::study::points::BaseCase;
 
 /// Something happened.
 #[derive(Debug, Clone)]
@@ -67,6 +68,10 @@ pub enum Msg {
     Indexing(SyncProgress),
     /// The variants of the case with this text.
     Planned(Box<VariantPlan>),
+    /// A page that was asked for: its title and text, or why there is none; and whether a study computed it.
+    Page(String, Result<String, String>, bool),
+    /// How many variants of a study are computed, of how many.
+    StudyProgress(usize, usize),
     /// The exact case of a stored run, for this.
     RunCase(PathBuf, RunCaseUse, Result<String, String>),
     /// A stored run was read.
@@ -77,6 +82,48 @@ pub enum Msg {
     Kept(PathBuf, Arc<Run>),
     /// A message to the user.
     Say(Severity, String),
+}
+
+/// A run to be compared.
+#[derive(Debug, Clone)]
+pub enum ComparedRun {
+    /// One in memory.
+    Memory(Arc<Run>),
+    /// One in this directory.
+    Stored(PathBuf),
+}
+
+/// What a study varies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StudyOf {
+    /// Every input.
+    Inputs,
+    /// Every effect of the scene, left out.
+    Physics,
+}
+
+impl StudyOf {
+    /// The title of its page.
+    #[must_use]
+    pub fn title(self, result: &QuantityId) -> String {
+        match self {
+            Self::Inputs => format!("what matters to {result}"),
+            Self::Physics => format!("what {result} needs"),
+        }
+    }
+}
+
+/// A study of one result.
+#[derive(Debug, Clone)]
+pub struct StudyRequest {
+    /// What it varies.
+    pub of: StudyOf,
+    /// The case.
+    pub base: BaseCase,
+    /// The result.
+    pub result: QuantityId,
+    /// Columns of the page.
+    pub width: usize,
 }
 
 /// What the exact case of a stored run is wanted for.
@@ -192,6 +239,17 @@ pub enum Effect {
         /// The name of its file.
         file: String,
     },
+    /// Compare runs with the first of them, on so many columns, under this name.
+    Compare {
+        /// The runs.
+        runs: Vec<ComparedRun>,
+        /// Columns of the page.
+        width: usize,
+        /// Its title.
+        name: String,
+    },
+    /// Compute a study until the flag is set.
+    Study(Box<StudyRequest>, Arc<AtomicBool>),
     /// Keep what the user says of a stored run.
     WriteNotes(PathBuf, RunNotes),
     /// Read the exact case of a stored run, for this.

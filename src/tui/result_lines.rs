@@ -67,7 +67,7 @@ fn one(line: &LineView, run: &Run, quantity: &Quantity) -> ResultLine {
         difference: against.map_or_else(String::new, |other| difference(quantity, other)),
         exceeded: share.as_ref().is_some_and(|(share, _)| *share > 1.0),
         share: share.map_or_else(String::new, |(share, of)| {
-            format!("{} of {of}", number::percent(share))
+            format!("{} {of}", number::percent(share))
         }),
         chosen: line.results.contains(&quantity.id),
     }

@@ -6,11 +6,11 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
 use crate::tui::command::{self, Command, CommandId, LIST, main, other};
-use crate::tui::msg::Effect;
+use crate::tui::msg::{Effect, StudyOf};
 use crate::tui::result_lines::{self, ResultLine};
 use crate::tui::state::{AppState, LineView};
 use crate::tui::update::motion::{moved, step};
-use crate::tui::update::results;
+use crate::tui::update::{pages, results};
 use crate::tui::view::paint::{below_head, right, span};
 use crate::tui::view::painter::Painter;
 
@@ -18,6 +18,8 @@ use crate::tui::view::painter::Painter;
 const COMMANDS: &[Command] = &[
     main(CommandId::Select, &["space", "enter"], "choose", "Show this result beside the inputs, or take it off"),
     main(CommandId::HoldAgainst, &["v"], "hold", "Hold these results: later ones are shown with their difference from them"),
+    main(CommandId::InputEffects, &["i"], "what matters", "Vary every input by its tolerance, and rank the inputs by what that does to this result"),
+    main(CommandId::Physics, &["P"], "what it needs", "Leave out every effect of the scene in turn, and show what that changes in this result, and its cost"),
     other(CommandId::Fit, &["0"], "main ones", "Show the main results of the case beside the inputs again"),
     command::DOWN,
 ];
@@ -31,7 +33,10 @@ impl Pane for ResultsPane {
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         match id {
-            CommandId::Select | CommandId::HoldAgainst => results::why_no_result(state),
+            CommandId::Select
+            | CommandId::HoldAgainst
+            | CommandId::InputEffects
+            | CommandId::Physics => results::why_no_result(state),
             CommandId::Fit => results::shows_main_ones(state)
                 .then_some("The main results stand beside the inputs already."),
             _ => None,
@@ -43,6 +48,8 @@ impl Pane for ResultsPane {
         match id {
             CommandId::Select => return Some(results::choose(state)),
             CommandId::HoldAgainst => return Some(results::hold_live(state)),
+            CommandId::InputEffects => return Some(pages::study(state, StudyOf::Inputs)),
+            CommandId::Physics => return Some(pages::study(state, StudyOf::Physics)),
             CommandId::Fit => results::main_ones(state),
             _ => {
                 let line = state.line_mut()?;
@@ -164,10 +171,10 @@ impl Widths {
             let width = lines.iter().map(|line| of(line).width()).max().unwrap_or(0);
             u16::try_from(width).unwrap_or(u16::MAX)
         };
-        let value = widest(|line| &line.value).min(30);
+        let value = widest(|line| &line.value).min(27);
         let difference = widest(|line| &line.difference).max(6);
         let share = widest(|line| &line.share);
-        let taken = value + difference + share + 10;
+        let taken = value + difference + share + 6 + 4;
         let name = widest(|line| &line.name).min(room.saturating_sub(taken).max(12));
         Self {
             name,

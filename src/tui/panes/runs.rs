@@ -12,7 +12,7 @@ use crate::tui::run_cells::{cell, head, live_cell};
 use crate::tui::state::overlay::RunText;
 use crate::tui::state::{AppState, JobState, LineView, RunColumn, RunEntry, RunList, RunStatus};
 use crate::tui::update::motion::{moved, step};
-use crate::tui::update::{results, resume, run_table, runs};
+use crate::tui::update::{pages, results, resume, run_table, runs};
 use crate::tui::view::paint::{below_head, first_line, rest, span};
 use crate::tui::view::painter::Painter;
 
@@ -21,6 +21,7 @@ const COMMANDS: &[Command] = &[
     main(CommandId::ShowAlone, &["enter"], "show", "Show this run alone on the charts, in the table and in the report"),
     main(CommandId::Select, &["space"], "overlay", "Add this run to the charts or take it off"),
     main(CommandId::Mark, &["m"], "mark", "Mark this run for what is done to several, or take the mark off"),
+    main(CommandId::Compare, &["="], "compare", "Compare the marked runs: inputs that differ, every result, validation; one run alone: with the run held"),
     FILTER,
     SORT,
     other(CommandId::HoldAgainst, &["v"], "hold", "Hold the results beside the inputs against this run"),
@@ -58,6 +59,7 @@ impl Pane for RunsPane {
                 Some(run) => run_table::why_not_deleted(run),
             },
             CommandId::Resume => why_not_resumed(run),
+            CommandId::Compare => pages::why_not_compared(state),
             CommandId::HoldAgainst => match run {
                 None => results::why_no_result(state),
                 Some(run) => why_not_stored(Some(run)),
@@ -86,6 +88,7 @@ impl Pane for RunsPane {
             CommandId::Select => return Some(runs::select(line)),
             CommandId::Resume => return Some(resume::ask(state)),
             CommandId::HoldAgainst => return Some(results::hold_run(state)),
+            CommandId::Compare => return Some(pages::compare(state)),
             CommandId::SelectNone => run_table::live_only(state),
             CommandId::Mark => run_table::mark(state),
             CommandId::MarkAll => return Some(run_table::mark_all(state)),

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use super::curves::{RunCurves, RunEntry};
 use super::document_kind::{DocumentKind, KindInfo};
@@ -17,6 +18,7 @@ use crate::run::{Run, RunState};
 use crate::tui::command::{Command, CommandId, LINE};
 use crate::tui::facade::{self, FieldRow, ValidationRow};
 use crate::tui::line_tables::LineTable;
+use crate::tui::msg::StudyOf;
 use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::PlotPane;
 use crate::tui::table_pane::TablePane;
@@ -57,6 +59,32 @@ impl LiveSolve {
     }
 }
 
+/// A study that computes behind the screen.
+#[derive(Debug, Clone)]
+pub struct RunningStudy {
+    /// What it varies.
+    pub of: StudyOf,
+    /// Stops it.
+    pub cancel: Arc<AtomicBool>,
+    /// Variants computed so far.
+    pub done: usize,
+    /// All variants; 0 before they are known.
+    pub all: usize,
+}
+
+impl RunningStudy {
+    /// A study that begins.
+    #[must_use]
+    pub const fn new(of: StudyOf, cancel: Arc<AtomicBool>) -> Self {
+        Self {
+            of,
+            cancel,
+            done: 0,
+            all: 0,
+        }
+    }
+}
+
 /// Work that needs the variants of the case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlannedWork {
@@ -89,6 +117,8 @@ pub struct LineView {
     pub against: Option<(String, Arc<Run>)>,
     /// The directory of a run that will be held against when it is read.
     pub hold: Option<PathBuf>,
+    /// A study that computes.
+    pub study: Option<RunningStudy>,
     /// Cursor among all results.
     pub result: usize,
     /// Runs of the case.
@@ -129,6 +159,7 @@ impl LineView {
             results: Vec::new(),
             against: None,
             hold: None,
+            study: None,
             result: 0,
             runs: RunList::default(),
             plan: VariantPlan::default(),

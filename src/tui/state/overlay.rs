@@ -35,6 +35,15 @@ pub enum Overlay {
         /// The file that it is about, to be opened in the user's editor.
         file: PathBuf,
     },
+    /// A page that can be written to a file.
+    Page {
+        /// Title of the frame.
+        title: String,
+        /// The text.
+        text: String,
+        /// First line shown.
+        scroll: usize,
+    },
     /// A question with an answer a key.
     Ask(Question),
     /// The studies of the case, to choose one from.

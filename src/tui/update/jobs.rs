@@ -77,7 +77,7 @@ fn request(line: &LineView, editor: &ParameterEditor, text: &str, case: Case, id
 }
 
 /// The keys in which a text differs from the file, as `key=value`.
-fn overrides(line: &LineView, editor: &ParameterEditor, text: &str) -> Vec<String> {
+pub(super) fn overrides(line: &LineView, editor: &ParameterEditor, text: &str) -> Vec<String> {
     if text == editor.saved {
         return Vec::new();
     }

@@ -112,5 +112,8 @@ pub(super) fn interrupt(state: &mut AppState) -> Vec<Effect> {
         state.interrupted = false;
         return quit::quit(state);
     }
+    if super::pages::stop(state) {
+        return info(state, "The study is stopped. Ctrl-C again quits.");
+    }
     super::jobs::cancel_focused(state)
 }

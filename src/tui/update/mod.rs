@@ -10,6 +10,7 @@ mod modes;
 pub mod motion;
 pub mod notice;
 mod overlay;
+pub mod pages;
 mod quit;
 pub mod results;
 pub mod resume;
@@ -74,6 +75,8 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
         Msg::RunsListed(found) => runs::listed(state, *found),
         Msg::Indexing(progress) => runs::indexing(state, progress),
         Msg::Planned(plan) => runs::planned(state, *plan),
+        Msg::Page(title, text, of_study) => pages::opened(state, title, text, of_study),
+        Msg::StudyProgress(done, of) => pages::progress(state, done, of),
         Msg::RunCase(dir, wanted, text) => run_table::exact_case(state, &dir, wanted, text),
         Msg::RunRead(dir, run) => runs::read(state, &dir, run),
         Msg::RunsDeleted(dirs) => runs::deleted(state, &dirs),

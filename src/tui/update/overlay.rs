@@ -5,7 +5,7 @@ use tui_input::Input;
 use super::motion::moved;
 use super::notice::info;
 use super::text_input::type_key;
-use super::{edit, export, jobs, keys, quit, resume, run_table, runs, studies, trials};
+use super::{edit, export, jobs, keys, pages, quit, resume, run_table, runs, studies, trials};
 use crate::report::chart::Glyphs;
 use crate::tui::command::{Command, CommandId};
 use crate::tui::key::KeyPress;
@@ -29,7 +29,21 @@ pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
     }
     match overlay {
         Overlay::Text { file, .. } if key == KeyPress::Char('E') => vec![Effect::EditFile(file)],
+        Overlay::Page {
+            title,
+            text,
+            scroll,
+        } if key == KeyPress::Char('w') => {
+            let effects = pages::write(state, &title, &text);
+            state.overlay = Some(Overlay::Page {
+                title,
+                text,
+                scroll,
+            });
+            effects
+        }
         Overlay::Help { ref mut scroll }
+        | Overlay::Page { ref mut scroll, .. }
         | Overlay::Messages { ref mut scroll }
         | Overlay::Text { ref mut scroll, .. } => {
             if let Some(moved) = scrolled(*scroll, key) {

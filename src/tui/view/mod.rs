@@ -13,8 +13,10 @@ use ratatui::widgets::{Clear, Widget};
 pub(super) use self::overlay::last_scroll;
 use self::painter::Painter;
 use super::command::{Command, CommandId};
+use super::msg::StudyOf;
 use super::pane::PaneId;
 use super::panes;
+use super::state::line::RunningStudy;
 use super::state::{AppState, JobPurpose, JobState, Severity};
 use super::theme::Theme;
 use crate::report::chart::Glyphs;
@@ -109,7 +111,9 @@ impl Painter<'_> {
         };
         let room = rest.width.saturating_sub(2);
         let busy = state.document.as_ref().and_then(|d| d.kind().busy());
+        let study = state.line().and_then(|line| line.study.as_ref());
         let words = match busy {
+            _ if study.is_some() => study_words(room.into(), study),
             Some(words) => fitting(room.into(), &[words.to_owned()]),
             None => self.progress(room.into()),
         };
@@ -248,6 +252,19 @@ pub fn offered(state: &AppState) -> Vec<Command> {
     commands
         .retain(|command| !command.label.is_empty() && panes::enabled(state, command.id).is_ok());
     commands
+}
+
+/// How far a study is.
+fn study_words(room: usize, study: Option<&RunningStudy>) -> String {
+    let Some(study) = study else {
+        return String::new();
+    };
+    let what = match study.of {
+        StudyOf::Inputs => "inputs varied",
+        StudyOf::Physics => "effects left out",
+    };
+    let share = format!("{} of {}", study.done, study.all);
+    fitting(room, &[format!("{what}: {share}"), share])
 }
 
 fn key_width(command: &Command) -> u16 {

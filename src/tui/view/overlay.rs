@@ -27,7 +27,7 @@ pub(in crate::tui) fn last_scroll(state: &AppState, overlay: &Overlay) -> usize 
             let width = MESSAGES.0.min(columns).saturating_sub(2);
             (message_lines(state, width).len(), MESSAGES.1)
         }
-        Overlay::Text { text, .. } => (text.lines().count(), rows),
+        Overlay::Text { text, .. } | Overlay::Page { text, .. } => (text.lines().count(), rows),
         _ => (0, rows),
     };
     lines.saturating_sub(most.min(rows).saturating_sub(2).into())
@@ -86,6 +86,11 @@ impl Painter<'_> {
             Overlay::Help { scroll } => self.help(screen, *scroll),
             Overlay::Palette { input, cursor } => self.palette(screen, input, *cursor),
             Overlay::Messages { scroll } => self.messages(screen, *scroll),
+            Overlay::Page {
+                title,
+                text,
+                scroll,
+            } => self.page(screen, title, text, *scroll),
             Overlay::Text {
                 title,
                 text,
@@ -178,6 +183,20 @@ impl Painter<'_> {
         let area = self.boxed(screen, MESSAGES, "Messages, newest first");
         let lines = message_lines(self.state, area.width);
         self.scrolled(area, &lines, scroll);
+    }
+
+    /// A page over the whole screen, as its lines were laid out for it.
+    fn page(&mut self, screen: Rect, title: &str, text: &str, scroll: usize) {
+        let title = format!("{title} (j and k scroll, w writes it, Esc closes)");
+        let area = self.boxed(screen, (screen.width, screen.height), &title);
+        let inside = Rect::new(
+            area.x + 1,
+            area.y,
+            area.width.saturating_sub(1),
+            area.height,
+        );
+        let lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        self.scrolled(inside, &lines, scroll);
     }
 
     fn long_text(&mut self, screen: Rect, title: &str, words: &str, scroll: usize) {

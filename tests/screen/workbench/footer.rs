@@ -1,7 +1,5 @@
 //! Every key that the footer offers does something that is seen, in all panes of every kind of file.
 
-use seacable::tui::command::CommandId;
-use seacable::tui::pane::PaneId;
 use seacable::tui::state::Severity;
 use seacable::tui::view::offered;
 use seacable::tui::{Msg, update};

@@ -1,0 +1,68 @@
+//! Pages worked out behind the screen: runs compared, the effect of every input on a result, what a scene needs.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use super::outbox::Outbox;
+use crate::comparison::Comparison;
+use crate::number::duration;
+use crate::report::comparison;
+use crate::report::effects::TornadoView;
+use crate::report::physics;
+use crate::run::{Run, store};
+use crate::study::points::PointProgress;
+use crate::study::{effects, physics as scene_physics};
+use crate::tui::msg::{ComparedRun, Msg, StudyOf, StudyRequest};
+
+/// Reads the runs that are not in memory, and compares all with the first.
+pub(super) fn compare(runs: Vec<ComparedRun>, width: usize) -> Result<String, String> {
+    let read = |run: ComparedRun| match run {
+        ComparedRun::Memory(run) => Ok(run),
+        ComparedRun::Stored(dir) => store::read(&dir).map(Arc::new).map_err(|e| e.to_string()),
+    };
+    let runs: Vec<Arc<Run>> = runs.into_iter().map(read).collect::<Result<_, _>>()?;
+    let all: Vec<&Run> = runs.iter().map(Arc::as_ref).collect();
+    Ok(comparison::text(&Comparison::of(&all), width))
+}
+
+/// Computes a study of the case, telling how far it is; nothing where it was stopped.
+pub(super) fn study(
+    request: &StudyRequest,
+    cancel: &AtomicBool,
+    out: &Outbox,
+) -> Option<Result<String, String>> {
+    let tell = |progress: PointProgress<'_>| {
+        out.send(Msg::StudyProgress(progress.done, progress.of));
+    };
+    let page = match request.of {
+        StudyOf::Inputs => input_effects(request, cancel, &tell),
+        StudyOf::Physics => {
+            let found = scene_physics::compute(&request.base, cancel, &tell);
+            found.map(|found| {
+                physics::table(&found, std::slice::from_ref(&request.result)).to_text(request.width)
+            })
+        }
+    };
+    (!cancel.load(std::sync::atomic::Ordering::Relaxed)).then_some(page)
+}
+
+fn input_effects(
+    request: &StudyRequest,
+    cancel: &AtomicBool,
+    tell: &(dyn Fn(PointProgress<'_>) + Sync),
+) -> Result<String, String> {
+    let found = effects::compute(&request.base, cancel, tell)?;
+    let Some(view) = TornadoView::of(&found, &request.result) else {
+        return Err(format!(
+            "The run of the case does not have `{}`.",
+            request.result
+        ));
+    };
+    let (chart, table) = (view.chart(request.width), view.table());
+    Ok(format!(
+        "{}\n{}\nCost: {} of CPU time.\n",
+        chart.to_text(request.width),
+        table.to_text(request.width),
+        duration(found.cpu_s())
+    ))
+}

@@ -1,0 +1,152 @@
+//! Pages of text that are worked out behind the screen, and read over it.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::jobs::overrides;
+use super::notice::{info, warn};
+use crate::case::stand_alone;
+use crate::study::points::BaseCase;
+use crate::tui::msg::{ComparedRun, Effect, StudyOf, StudyRequest};
+use crate::tui::result_lines::shown_run;
+use crate::tui::state::line::RunningStudy;
+use crate::tui::state::{AppState, Document, Overlay, RunEntry};
+
+/// Columns of a page: what the box over the screen has inside.
+fn width(state: &AppState) -> usize {
+    usize::from(state.size.0.saturating_sub(4).clamp(40, 160))
+}
+
+/// Compares the marked runs; where only one is chosen, with the run held against or the live one.
+pub fn compare(state: &mut AppState) -> Vec<Effect> {
+    let width = width(state);
+    let Some(line) = state.line() else {
+        return Vec::new();
+    };
+    let chosen = line.runs.chosen();
+    let mut runs: Vec<ComparedRun> = chosen.iter().filter_map(|run| of_entry(run)).collect();
+    if runs.len() == 1 {
+        let against = line.against.as_ref().map(|(_, run)| run);
+        if let Some(run) = against.or_else(|| shown_run(line)) {
+            runs.insert(0, ComparedRun::Memory(Arc::clone(run)));
+        }
+    }
+    if runs.len() < 2 {
+        return warn(state, "Two runs are compared, or more: `m` marks them.");
+    }
+    let name = format!("{} runs compared", runs.len());
+    let effects = vec![Effect::Compare { runs, width, name }];
+    info(state, "The runs are being compared.");
+    effects
+}
+
+fn of_entry(run: &RunEntry) -> Option<ComparedRun> {
+    match &run.curves.run {
+        Some(whole) => Some(ComparedRun::Memory(Arc::clone(whole))),
+        None => run.dir.clone().map(ComparedRun::Stored),
+    }
+}
+
+/// Why runs cannot be compared now.
+#[must_use]
+pub fn why_not_compared(state: &AppState) -> Option<&'static str> {
+    let line = state.line()?;
+    let chosen = line.runs.chosen().len();
+    let other = line.against.is_some() || shown_run(line).is_some();
+    match (chosen, other) {
+        (0, _) => Some("Two runs are compared, or more: `m` marks them."),
+        (1, false) => Some("There is no other run to compare this one with; `m` marks several."),
+        _ => None,
+    }
+}
+
+/// Varies every input, or leaves out every effect of the scene, and ranks what that does to the result under the cursor.
+pub fn study(state: &mut AppState, of: StudyOf) -> Vec<Effect> {
+    let width = width(state);
+    let document = state.document.as_mut();
+    let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
+        return Vec::new();
+    };
+    let result = shown_run(line).and_then(|run| run.summary.get(line.result));
+    let Some(result) = result.map(|quantity| quantity.id.clone()) else {
+        return Vec::new();
+    };
+    let cancel = Arc::new(AtomicBool::new(false));
+    if let Some(old) = line
+        .study
+        .replace(RunningStudy::new(of, Arc::clone(&cancel)))
+    {
+        old.cancel.store(true, Ordering::Relaxed);
+    }
+    let request = StudyRequest {
+        of,
+        base: BaseCase {
+            text: stand_alone(&editor.text, &line.case).into_owned(),
+            path: editor.path.display().to_string(),
+            overrides: overrides(line, editor, &editor.text),
+        },
+        result,
+        width,
+    };
+    info(
+        state,
+        "Computed in the background; a page opens when it is done. `ctrl+c` stops it.",
+    );
+    vec![Effect::Study(Box::new(request), cancel)]
+}
+
+/// How far a study is.
+pub(super) fn progress(state: &mut AppState, done: usize, of: usize) -> Vec<Effect> {
+    if let Some(study) = state.line_mut().and_then(|line| line.study.as_mut()) {
+        (study.done, study.all) = (done, of);
+    }
+    Vec::new()
+}
+
+/// A page is there, or the reason why not.
+pub(super) fn opened(
+    state: &mut AppState,
+    title: String,
+    text: Result<String, String>,
+    of_study: bool,
+) -> Vec<Effect> {
+    if of_study && let Some(line) = state.line_mut() {
+        line.study = None;
+    }
+    match text {
+        Ok(text) => {
+            state.note = None;
+            state.overlay = Some(Overlay::Page {
+                title,
+                text,
+                scroll: 0,
+            });
+            Vec::new()
+        }
+        Err(why) => warn(state, why),
+    }
+}
+
+/// Writes a page to a file named after the case.
+pub(super) fn write(state: &AppState, title: &str, text: &str) -> Vec<Effect> {
+    let stem = state.editor().map_or("page", |editor| editor.stem());
+    let words: String = title
+        .chars()
+        .map(|c| if c.is_alphanumeric() { c } else { '-' })
+        .collect();
+    vec![Effect::WriteText {
+        path: PathBuf::from(format!("{stem}-{words}.txt")),
+        text: text.to_owned(),
+        what: "The page",
+    }]
+}
+
+/// Stops the study that computes; tells whether there was one.
+pub(super) fn stop(state: &mut AppState) -> bool {
+    let study = state.line_mut().and_then(|line| line.study.take());
+    study.is_some_and(|study| {
+        study.cancel.store(true, Ordering::Relaxed);
+        true
+    })
+}
