@@ -117,7 +117,9 @@ impl ChartPlan {
         if chart.equal_scale {
             (frame.x, frame.y) = equalise(x, y, paper(&frame));
         }
-        let up = ticks::choose(frame.y, &chart.y.unit, |ticks| roomy_up(ticks, &frame));
+        let up = ticks::choose(frame.y, &chart.y.unit, frame.height, |ticks| {
+            roomy_up(ticks, &frame)
+        });
         // At equal scale the range may have grown into another prefix.
         let unit = ticks::scale(frame.y, &chart.y.unit).unit(&chart.y.unit);
         Self {
@@ -284,7 +286,9 @@ fn draw_axes(chart: &Chart, plan: &ChartPlan, glyphs: Glyphs, on: &mut Picture) 
         on.put(column, row, horizontal, PicturePart::Axis);
     }
     let width = on.width;
-    let along = ticks::choose(frame.x, &chart.x.unit, |t| roomy_along(t, &frame, width));
+    let along = ticks::choose(frame.x, &chart.x.unit, width, |t| {
+        roomy_along(t, &frame, width)
+    });
     for (tick, (start, _)) in along.iter().zip(places_along(&along, &frame, width)) {
         if let Some(column) = frame.column_of(tick.value) {
             on.put(frame.left + column, row, tick_along, PicturePart::Axis);

@@ -109,15 +109,23 @@ pub(super) fn scale(range: AxisRange, unit: &str) -> Scale {
 }
 
 /// The finest round ticks that pass a test, labelled at one scale; the test sees them all and says
-/// whether there is room.
-pub(super) fn choose(range: AxisRange, unit: &str, roomy: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
+/// whether there is room. More than `most` never have room: writing all their numbers took half the time of a frame.
+pub(super) fn choose(
+    range: AxisRange,
+    unit: &str,
+    most: usize,
+    roomy: impl Fn(&[Tick]) -> bool,
+) -> Vec<Tick> {
     let scale = scale(range, unit);
     let mut step = TickStep::at_least((range.1 - range.0) / 400.0);
     // 400 is passed in 8 steps; more only ever leave fewer ticks.
     for _ in 0..12 {
-        let ticks = label(&step.ticks(range), step.decimals(scale), scale);
-        if roomy(&ticks) {
-            return ticks;
+        let values = step.ticks(range);
+        if values.len() <= most {
+            let ticks = label(&values, step.decimals(scale), scale);
+            if roomy(&ticks) {
+                return ticks;
+            }
         }
         step = step.coarser();
     }
@@ -139,7 +147,7 @@ mod tests {
     use super::*;
 
     fn labels(range: AxisRange, unit: &str, most: usize) -> Vec<String> {
-        choose(range, unit, |ticks| ticks.len() <= most)
+        choose(range, unit, usize::MAX, |ticks| ticks.len() <= most)
             .into_iter()
             .map(|tick| tick.label)
             .collect()
@@ -168,7 +176,7 @@ mod tests {
 
     #[test]
     fn ticks_stand_at_their_values_when_the_range_is_not_round() {
-        let ticks = choose((137.0, 481.0), "s", |ticks| ticks.len() <= 4);
+        let ticks = choose((137.0, 481.0), "s", 400, |ticks| ticks.len() <= 4);
         let values: Vec<f64> = ticks.iter().map(|tick| tick.value).collect();
         assert_eq!(values, [200.0, 300.0, 400.0]);
     }
