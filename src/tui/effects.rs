@@ -31,7 +31,7 @@ use super::msg::{Effect, Msg, StudyRequest};
 use super::recovery;
 use super::state::modes::COUNT;
 use super::state::trials::TrialsOf;
-use super::state::{JobNumber, RunCurves, Severity, VariantPlan};
+use super::state::{JobNumber, RunCurves, Severity, VariantPlan, VariedRuns};
 use crate::background::lower_priority;
 use crate::case;
 use crate::modes;
@@ -174,6 +174,9 @@ impl EffectRunner {
             }),
             Effect::Plan { case, text, file } => {
                 self.aside(move || Msg::Planned(Box::new(VariantPlan::new(&text, &case, &file))))
+            }
+            Effect::Vary(path, variation) => {
+                self.aside(move || Msg::Varied(Box::new(VariedRuns::new(path, &variation))))
             }
             Effect::ListRuns { files, results } => {
                 self.runs.ask(Question::List { files, results }, &self.out)

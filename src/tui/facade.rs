@@ -86,11 +86,17 @@ fn sentences(d: &case::Diagnostic) -> String {
 pub fn at_label(case: &Case, at: &StudyPoint) -> String {
     let study = case.study.iter().find(|s| s.name == at.study);
     let key = study.map_or(at.study.as_str(), |s| s.key.as_str());
+    setting_label(key, &at.value.to_string())
+}
+
+/// A key at a value in words: `current speed 0.2 m/s`.
+#[must_use]
+pub fn setting_label(key: &str, value: &str) -> String {
     let path: Vec<&str> = key.split('.').collect();
     match case::field_at(&path) {
-        Some(field) if matches!(field.unit, "" | "-") => format!("{} {}", field.label, at.value),
-        Some(field) => format!("{} {} {}", field.label, at.value, field.unit),
-        None => format!("{key} {}", at.value),
+        Some(field) if matches!(field.unit, "" | "-") => format!("{} {value}", field.label),
+        Some(field) => format!("{} {value} {}", field.label, field.unit),
+        None => format!("{key} {value}"),
     }
 }
 

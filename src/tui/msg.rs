@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use super::key::KeyPress;
 use super::state::trials::{TrialProgress, TrialsOf};
 use super::state::{
-    CaseEntry, DocumentContent, JobNumber, RunCurves, RunEntry, Severity, VariantPlan,
+    CaseEntry, DocumentContent, JobNumber, RunCurves, RunEntry, Severity, VariantPlan, VariedRuns,
 };
 use crate::case::{Case, QuantityId};
 use crate::modes::LineModes;
@@ -18,6 +18,7 @@ use crate::run::store::RunNotes;
 use crate::run::{ResumedRun, Run};
 use crate::ship::{DynamicAnalysis, StaticAnalysis};
 use crate::study::points::BaseCase;
+use crate::study::vary::Variation;
 
 /// Something happened.
 #[derive(Debug, Clone)]
@@ -72,6 +73,8 @@ pub enum Msg {
     Page(String, Result<String, String>, bool),
     /// How many variants of a study are computed, of how many.
     StudyProgress(usize, usize),
+    /// The runs of a case over ranges of its inputs.
+    Varied(Box<VariedRuns>),
     /// The exact case of a stored run, for this.
     RunCase(PathBuf, RunCaseUse, Result<String, String>),
     /// A stored run was read.
@@ -250,6 +253,8 @@ pub enum Effect {
     },
     /// Compute a study until the flag is set.
     Study(Box<StudyRequest>, Arc<AtomicBool>),
+    /// Work out the runs of a variation of the case in this file.
+    Vary(PathBuf, Box<Variation>),
     /// Keep what the user says of a stored run.
     WriteNotes(PathBuf, RunNotes),
     /// Read the exact case of a stored run, for this.

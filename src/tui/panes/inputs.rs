@@ -14,13 +14,14 @@ use crate::tui::update::edit::{self, optional};
 use crate::tui::update::motion::{moved, step};
 use crate::tui::update::results;
 use crate::tui::update::step_value::step_value;
+use crate::tui::update::vary;
 use crate::tui::view::layout;
 use crate::tui::view::paint::{below_head, rest, row, span, wrap};
 use crate::tui::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
-    main(CommandId::Edit, &["enter", "e"], "edit", "Edit the value under the cursor"),
+    main(CommandId::Edit, &["enter", "e"], "edit", "Edit the value under the cursor; a range such as 0.2..0.8/4 runs the case at each value"),
     main(CommandId::StepUp, &["right", "l"], "step", "Step the value up: a number by a small round part of it, a word to the next"),
     FILTER,
     other(CommandId::StepDown, &["left", "h"], "", "Step the value down"),
@@ -309,9 +310,10 @@ fn edit_lines(painter: &mut Painter, area: Rect, document: &Document) {
     let half = span(line, 0, line.width / 2);
     let x = painter.text(half, &prompt, painter.theme.strong()).x;
     painter.input(rest(line, x), &editing.input, true);
-    let (words, style) = match &editing.problem {
-        Some(problem) => (format!("Refused: {problem}"), painter.theme.error()),
-        None => {
+    let (words, style) = match (&editing.problem, vary::typed(document)) {
+        (Some(problem), _) => (format!("Refused: {problem}"), painter.theme.error()),
+        (None, Some(typed)) => (vary::words(&typed), painter.theme.plain()),
+        (None, None) => {
             let empty = if document.line().is_some() && optional(field) {
                 "; nothing typed: not given"
             } else {

@@ -28,7 +28,7 @@ pub use ropeway::RopewayView;
 pub use run_list::{RunColumn, RunList};
 pub use section::SectionView;
 pub use ship::ShipView;
-pub use variants::{Variant, VariantPlan};
+pub use variants::{Variant, VariantPlan, VariedRuns};
 
 use super::pane::PaneId;
 use super::terminal::capabilities::Capabilities;

@@ -115,6 +115,11 @@ pub enum Question {
     },
     /// The file changed on disk since it was read.
     Overwrite,
+    /// A range that is typed into a field makes many runs.
+    ManyRuns {
+        /// How many.
+        count: usize,
+    },
 }
 
 impl Question {
@@ -147,6 +152,10 @@ impl Question {
                     ('d', "drop them"),
                     ('c', "decide later"),
                 ],
+            ),
+            Self::ManyRuns { count } => (
+                format!("This makes {count} runs; each is computed and stored."),
+                &[('r', "run them"), ('c', "edit the range")],
             ),
             Self::Overwrite => (
                 "The file has changed on disk since it was opened.".to_owned(),

@@ -1,7 +1,11 @@
 //! The variants of a case that its studies and published values need, worked out behind the screen.
 
+use std::path::PathBuf;
+
 use crate::case::{Case, StudyPoint, TextDigest};
 use crate::reference;
+use crate::study::points::PointRequest;
+use crate::study::vary::Variation;
 use crate::tui::facade;
 
 /// A case at a point of a study.
@@ -76,5 +80,34 @@ impl VariantPlan {
     pub fn of_study<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a Variant> {
         let of = move |v: &&Variant| v.at.as_ref().is_some_and(|at| at.study == name);
         self.variants.iter().filter(of)
+    }
+}
+
+/// The runs of a case over ranges of its inputs.
+#[derive(Debug, Clone)]
+pub struct VariedRuns {
+    /// The file of the case.
+    pub path: PathBuf,
+    /// The keys that are varied.
+    pub keys: String,
+    /// What is special about each, and what it computes or why the case refuses it.
+    pub runs: Vec<(String, PointRequest)>,
+}
+
+impl VariedRuns {
+    /// Works out the texts of a variation of the case in a file.
+    #[must_use]
+    pub fn new(path: PathBuf, variation: &Variation) -> Self {
+        let labels = variation.points.iter().map(|point| {
+            let settings = point.settings.iter();
+            let words = settings.map(|s| facade::setting_label(&s.key, &s.written()));
+            words.collect::<Vec<_>>().join(", ")
+        });
+        let keys = variation.keys.iter().map(|key| key.path.as_str());
+        Self {
+            path,
+            keys: keys.collect::<Vec<_>>().join(" and "),
+            runs: labels.zip(variation.requests()).collect(),
+        }
     }
 }

@@ -4,7 +4,7 @@ use tui_input::Input;
 
 use super::notice::{info, warn};
 use super::text_input::type_key;
-use super::{jobs, runs};
+use super::{jobs, runs, vary};
 use crate::case::fields::AbsentValue;
 use crate::run::settings::method_name;
 use crate::tui::facade::{self, FieldRow};
@@ -37,7 +37,9 @@ pub(super) fn typing_key(state: &mut AppState, key: KeyPress) -> Option<Vec<Effe
     match key {
         KeyPress::Ctrl('z') => return Some(vec![Effect::Suspend]),
         KeyPress::Esc | KeyPress::Ctrl('c') => editor.editing = None,
-        KeyPress::Enter => return Some(accept(state)),
+        KeyPress::Enter => {
+            return Some(vary::enter(state).unwrap_or_else(|| accept(state)));
+        }
         _ => {
             if type_key(&mut editing.input, key) {
                 editing.problem = None;

@@ -21,6 +21,7 @@ pub mod step_value;
 mod studies;
 mod text_input;
 pub mod trials;
+pub mod vary;
 
 pub use jobs::joined_label;
 pub use overlay::{palette_matches, run_command};
@@ -77,6 +78,7 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
         Msg::Planned(plan) => runs::planned(state, *plan),
         Msg::Page(title, text, of_study) => pages::opened(state, title, text, of_study),
         Msg::StudyProgress(done, of) => pages::progress(state, done, of),
+        Msg::Varied(runs) => vary::begun(state, *runs),
         Msg::RunCase(dir, wanted, text) => run_table::exact_case(state, &dir, wanted, text),
         Msg::RunRead(dir, run) => runs::read(state, &dir, run),
         Msg::RunsDeleted(dirs) => runs::deleted(state, &dirs),

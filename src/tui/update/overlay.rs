@@ -5,7 +5,9 @@ use tui_input::Input;
 use super::motion::moved;
 use super::notice::info;
 use super::text_input::type_key;
-use super::{edit, export, jobs, keys, pages, quit, resume, run_table, runs, studies, trials};
+use super::{
+    edit, export, jobs, keys, pages, quit, resume, run_table, runs, studies, trials, vary,
+};
 use crate::report::chart::Glyphs;
 use crate::tui::command::{Command, CommandId};
 use crate::tui::key::KeyPress;
@@ -194,6 +196,7 @@ fn answer(state: &mut AppState, question: Question, key: KeyPress) -> Vec<Effect
             .map(|editor| Effect::DropRecovery(editor.path.clone()))
             .into_iter()
             .collect(),
+        (Question::ManyRuns { .. }, 'r') => vary::begin(state),
         (Question::Overwrite, 'o') => quit::overwrite(state),
         (Question::Overwrite, 'a') => quit::ask_name(state, "the file has changed on disk"),
         _ => Vec::new(),

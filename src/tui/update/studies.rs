@@ -121,7 +121,8 @@ fn variants(state: &mut AppState, wanted: Vec<Variant>, shown: bool) -> Vec<Effe
     effects
 }
 
-fn usable(slot: &RunEntry) -> bool {
+/// Whether a run has what one of the same text would have.
+pub(super) fn usable(slot: &RunEntry) -> bool {
     matches!(
         slot.state,
         RunStatus::Job(JobState::Queued | JobState::Running | JobState::Done)

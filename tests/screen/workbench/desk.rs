@@ -17,7 +17,9 @@ use seacable::run::{
 };
 use seacable::tui::key::KeyPress;
 use seacable::tui::msg::FileRead;
-use seacable::tui::state::{CaseEntry, DocumentContent, JobNumber, LineView, VariantPlan};
+use seacable::tui::state::{
+    CaseEntry, DocumentContent, JobNumber, LineView, VariantPlan, VariedRuns,
+};
 use seacable::tui::terminal::capabilities::Capabilities;
 use seacable::tui::{AppState, Effect, Msg, draw, update};
 
@@ -105,6 +107,9 @@ impl Desk {
                     self.tell(Msg::Planned(Box::new(VariantPlan::new(
                         &text, &case, &file,
                     ))));
+                }
+                Effect::Vary(path, variation) => {
+                    self.tell(Msg::Varied(Box::new(VariedRuns::new(path, &variation))));
                 }
                 effect => self.asked.push(effect),
             }

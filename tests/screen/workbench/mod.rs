@@ -15,6 +15,7 @@ mod ropeway;
 mod section;
 mod ship;
 mod umbilical;
+mod vary;
 
 use std::path::PathBuf;
 

@@ -1,0 +1,221 @@
+//! Ranges typed into a field: a run of the case at each of their values.
+//!
+//! `0.2..0.8/4` or `0.2, 0.4, 0.8` in a field varies it alone; ` x KEY=VALUES` behind it varies a further key, to a grid.
+
+use super::notice::info;
+use super::{jobs, runs, studies};
+use crate::case::fields::{Field, ValueType};
+use crate::case::{self, StudyValue, TextDigest};
+use crate::study::points::{BaseCase, Setting};
+use crate::study::vary::{Variation, VariationError, VariedKey};
+use crate::tui::msg::Effect;
+use crate::tui::pane::PaneId;
+use crate::tui::state::{AppState, Document, Overlay, Question, RunEntry, Severity, VariedRuns};
+
+/// More runs than this are asked about first.
+const MANY: usize = 200;
+
+/// More runs than this are no work for the screen.
+const MOST: usize = 2000;
+
+/// Values of a key that are named one by one.
+const NAMED: usize = 8;
+
+/// What is being typed, as a variation of the case; nothing where it is one value.
+#[must_use]
+pub fn typed(document: &Document) -> Option<Result<Variation, VariationError>> {
+    document.line()?;
+    let editor = &document.editor;
+    let editing = editor.editing.as_ref()?;
+    let row = editor.rows.iter().find(|row| row.path == editing.path)?;
+    let mut parts = editing.input.value().split(" x ");
+    let own = parts.next().filter(|own| is_range(own, row.field))?;
+    let own = format!("{}={own}", row.path);
+    let words: Vec<&str> = std::iter::once(own.as_str()).chain(parts).collect();
+    Some(Variation::grid(
+        BaseCase::new(&editor.text, &editor.file),
+        &words,
+    ))
+}
+
+/// Whether a text is meant as several values. `1,5` and `1,500` are not: they may be a number with a comma.
+fn is_range(text: &str, field: &Field) -> bool {
+    let of_words = matches!(field.kind, ValueType::Choice(_) | ValueType::Boolean);
+    if !(field.takes_number() || of_words) || text.trim().starts_with('[') {
+        return false;
+    }
+    let listed = text.split_once(',').is_some_and(|(first, rest)| {
+        let clear = first.contains('.') || rest.starts_with(' ') || of_words;
+        clear && !rest.trim().is_empty()
+    });
+    text.contains("..") || listed
+}
+
+/// How a variation is read, or what it lacks.
+#[must_use]
+pub fn words(typed: &Result<Variation, VariationError>) -> String {
+    match typed {
+        Ok(variation) => {
+            let (first, others) = match variation.keys.split_first() {
+                Some((first, others)) => (values(first), others),
+                None => (String::new(), &[][..]),
+            };
+            let others = others
+                .iter()
+                .map(|key| format!(" x {} {}", key.path, values(key)));
+            let others: String = others.collect();
+            let count = variation.points.len();
+            format!("{count} runs: {first}{others}; Enter runs them.")
+        }
+        Err(why) => format!("Not yet a range: {}", reason(why)),
+    }
+}
+
+/// The values of a key with their unit.
+fn values(key: &VariedKey) -> String {
+    let all = &key.range.values;
+    let written = |value: &StudyValue| Setting::new(&key.path, value.clone()).written();
+    let list = |some: &[StudyValue]| some.iter().map(written).collect::<Vec<_>>().join(", ");
+    let words = match all.as_slice() {
+        [first, second, .., last] if all.len() > NAMED => {
+            format!(
+                "{}, {} .. {}",
+                written(first),
+                written(second),
+                written(last)
+            )
+        }
+        few => list(few),
+    };
+    format!("{words} {}", key.unit()).trim_end().to_owned()
+}
+
+/// What is wrong, without the key that is being edited.
+fn reason(why: &VariationError) -> String {
+    let words = match why {
+        VariationError::Range(_, why) => why.to_string(),
+        why => why.to_string(),
+    };
+    format!("{}.", words.trim_end_matches('.'))
+}
+
+/// Enter on a range: runs it, asks first, or says what is wrong with it. Nothing where a value is typed.
+pub(super) fn enter(state: &mut AppState) -> Option<Vec<Effect>> {
+    let document = state.document.as_mut()?;
+    let problem = match typed(document)? {
+        Ok(variation) => match variation.points.len() {
+            0..=MANY => return Some(begin(state)),
+            count @ ..=MOST => {
+                state.overlay = Some(Overlay::Ask(Question::ManyRuns { count }));
+                return Some(Vec::new());
+            }
+            count => format!(
+                "{count} runs are more than {MOST}; `seacable study vary` computes as many."
+            ),
+        },
+        Err(why) => reason(&why),
+    };
+    if let Some(editing) = &mut document.editor.editing {
+        editing.problem = Some(problem);
+    }
+    Some(Vec::new())
+}
+
+/// Asks for the texts of the runs.
+pub(super) fn begin(state: &mut AppState) -> Vec<Effect> {
+    let Some(document) = &mut state.document else {
+        return Vec::new();
+    };
+    let Some(Ok(mut variation)) = typed(document) else {
+        return Vec::new();
+    };
+    document.editor.editing = None;
+    let Some((line, editor)) = document.line_and_editor() else {
+        return Vec::new();
+    };
+    // What was edited is part of every run, but for the keys that vary.
+    let mut overrides = jobs::overrides(line, editor, &editor.text);
+    overrides.retain(|set| {
+        let key = set.split('=').next();
+        variation
+            .keys
+            .iter()
+            .all(|varied| Some(varied.path.as_str()) != key)
+    });
+    variation.base = BaseCase {
+        // With the files that it names: the name alone does not say where they are.
+        text: case::stand_alone(&editor.text, &line.case).into_owned(),
+        path: editor.file.clone(),
+        overrides,
+    };
+    vec![Effect::Vary(editor.path.clone(), Box::new(variation))]
+}
+
+/// Queues the runs that are not there yet, and shows them all.
+pub(super) fn begun(state: &mut AppState, found: VariedRuns) -> Vec<Effect> {
+    let Some(document) = state.document.as_mut() else {
+        return Vec::new();
+    };
+    if document.editor.path != found.path {
+        return Vec::new();
+    }
+    document.pane = PaneId::Runs;
+    let stem = document.editor.stem().to_owned();
+    if let Some(line) = state.line_mut() {
+        line.hide_runs();
+    }
+    let mut effects = vec![Effect::RefreshRuns];
+    let (mut begun, mut there) = (0, 0);
+    let mut refused = Vec::new();
+    for (label, request) in found.runs {
+        let mut request = match request {
+            Ok(request) => request,
+            Err(why) => {
+                refused.push(format!("{label}: {why}"));
+                continue;
+            }
+        };
+        let Some(line) = state.line_mut() else {
+            break;
+        };
+        let digest = TextDigest::of(&request.text);
+        let same = |run: &RunEntry| run.text == digest && studies::usable(run);
+        if let Some(run) = line.runs.newest_mut(same) {
+            there += 1;
+            run.label = label;
+            run.shown = true;
+            effects.extend(runs::load(run));
+            continue;
+        }
+        begun += 1;
+        request.id.clone_from(&stem);
+        jobs::queue(state, request, None, label, None, true);
+    }
+    if let Some(line) = state.line_mut() {
+        line.runs.arrange();
+        if begun > 0 {
+            line.runs.go_to_newest();
+        }
+    }
+    effects.extend(jobs::start_waiting(state));
+    runs::check(state);
+    let keys = found.keys;
+    let runs = match begun {
+        1 => "1 run".to_owned(),
+        _ => format!("{begun} runs"),
+    };
+    info(
+        state,
+        match (begun, there) {
+            (0, 0) => format!("No run begun over {keys}."),
+            (0, _) => format!("All runs over {keys} are there already; the charts show them."),
+            (_, 0) => format!("{runs} begun over {keys}. `2` shows the curves, `6` the jobs."),
+            _ => format!("{runs} begun over {keys}; {there} there already. `2` shows the curves."),
+        },
+    );
+    if let Some(first) = refused.first() {
+        let words = format!("The case refuses {} of the runs. {first}", refused.len());
+        state.say(Severity::Error, words);
+    }
+    effects
+}
