@@ -68,6 +68,7 @@ pub enum CommandId {
     NameRun,
     TagRuns,
     NoteRun,
+    PlotColumns,
     RunCase,
     RunAgain,
     SortAround,

@@ -12,6 +12,7 @@
 
 pub mod app;
 pub mod case_library;
+pub mod column_plot;
 pub mod command;
 pub mod effects;
 mod external_editor;

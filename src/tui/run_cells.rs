@@ -38,6 +38,15 @@ pub fn head(runs: &RunList, column: RunColumn) -> String {
 
 /// An input as the inputs call it, with its unit.
 fn label(key: &str) -> String {
+    match axis_name(key) {
+        (name, "") => name,
+        (name, unit) => format!("{name} [{unit}]"),
+    }
+}
+
+/// An input as the inputs call it, and its unit; empty for pure numbers and words.
+#[must_use]
+pub fn axis_name(key: &str) -> (String, &'static str) {
     let path: Vec<&str> = key.split('.').collect();
     match case::field_at(&path) {
         Some(field) => {
@@ -46,12 +55,10 @@ fn label(key: &str) -> String {
                 ["line" | "materials", name, ..] => format!("{name} "),
                 _ => String::new(),
             };
-            match field.unit {
-                "" | "-" => format!("{name}{}", field.label),
-                unit => format!("{name}{} [{unit}]", field.label),
-            }
+            let unit = if field.unit == "-" { "" } else { field.unit };
+            (format!("{name}{}", field.label), unit)
         }
-        None => key.to_owned(),
+        None => (key.to_owned(), ""),
     }
 }
 

@@ -12,7 +12,7 @@ use crate::tui::run_cells::{cell, head, live_cell};
 use crate::tui::state::overlay::RunText;
 use crate::tui::state::{AppState, JobState, LineView, RunColumn, RunEntry, RunList, RunStatus};
 use crate::tui::update::motion::{moved, step};
-use crate::tui::update::{pages, results, resume, run_table, runs};
+use crate::tui::update::{column_plot, pages, results, resume, run_table, runs};
 use crate::tui::view::paint::{below_head, first_line, rest, span};
 use crate::tui::view::painter::Painter;
 
@@ -24,6 +24,7 @@ const COMMANDS: &[Command] = &[
     main(CommandId::Compare, &["="], "compare", "Compare the marked runs: inputs that differ, every result, validation; one run alone: with the run held"),
     FILTER,
     SORT,
+    other(CommandId::PlotColumns, &["p"], "plot", "Plot a result of the runs of the table against an input; `]` and `[` change the result, `}` and `{` the input, `w` writes chart and values"),
     other(CommandId::HoldAgainst, &["v"], "hold", "Hold the results beside the inputs against this run"),
     other(CommandId::Delete, &["d"], "delete", "Delete the marked runs, or this one (asks first)"),
     other(CommandId::TagRuns, &["#"], "tag", "Tag the marked runs, or this one"),
@@ -53,6 +54,7 @@ impl Pane for RunsPane {
                 .is_some_and(|line| line.runs.all().iter().any(|r| r.marked))
         };
         match id {
+            CommandId::PlotColumns => column_plot::why_not(&state.line()?.runs),
             CommandId::Delete if any_marked() => None,
             CommandId::Delete => match run {
                 None => Some("The live run is in memory only; there is nothing to delete."),
@@ -99,6 +101,7 @@ impl Pane for RunsPane {
             CommandId::RunCase => return Some(run_table::read_case(state, RunCaseUse::Edit)),
             CommandId::RunAgain => return Some(run_table::read_case(state, RunCaseUse::RunAgain)),
             CommandId::Filter => line.runs.filter.typing = true,
+            CommandId::PlotColumns => return Some(column_plot::open(state)),
             CommandId::Sort => run_table::sort(state, false),
             CommandId::SortAround => run_table::sort(state, true),
             CommandId::ScrollRight => {

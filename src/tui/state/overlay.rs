@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use tui_input::Input;
 
+use crate::tui::column_plot::ColumnPair;
+
 /// What lies over the screen.
 #[derive(Debug, Clone)]
 pub enum Overlay {
@@ -53,6 +55,8 @@ pub enum Overlay {
         /// Cursor.
         cursor: usize,
     },
+    /// A column of the table of runs against another.
+    Columns(ColumnPair),
     /// A line to type.
     Prompt {
         /// What it is for.

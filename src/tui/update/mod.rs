@@ -1,6 +1,7 @@
 //! What each message does to the state. Pure: the world is asked for by [`Effect`]s.
 
 mod cases;
+pub mod column_plot;
 pub mod edit;
 pub mod export;
 mod job_events;

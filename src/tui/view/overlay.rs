@@ -7,6 +7,7 @@ use tui_input::Input;
 
 use super::paint::{below_head, over, row, wrap};
 use super::painter::Painter;
+use crate::tui::column_plot::ColumnPair;
 use crate::tui::command::Command;
 use crate::tui::panes;
 use crate::tui::state::overlay::RunText;
@@ -101,6 +102,7 @@ impl Painter<'_> {
                 self.long_text(screen, &title, text, *scroll);
             }
             Overlay::Ask(question) => self.ask(screen, question),
+            Overlay::Columns(pair) => self.columns(screen, *pair),
             Overlay::Studies { items, cursor } => self.choose(screen, items, *cursor),
             Overlay::Prompt {
                 purpose,
@@ -239,6 +241,24 @@ impl Painter<'_> {
             painter.buf.set_style(at, style);
             painter.text(at, &items[i], style);
         });
+    }
+
+    /// A column of the table of runs against another, over the whole screen.
+    fn columns(&mut self, screen: Rect, pair: ColumnPair) {
+        let Some(line) = self.state.line() else {
+            return;
+        };
+        let title = pair.title(&line.runs);
+        let area = self.boxed(screen, (screen.width, screen.height), &title);
+        let [chart, foot] =
+            Layout::vertical([Constraint::Min(0), Constraint::Length(1)]).areas(area);
+        self.chart(&pair.chart(&line.runs), chart);
+        let words = format!(
+            "{} of {} runs   ] [ what is up   }} {{ along   w write   esc close",
+            pair.count(&line.runs),
+            line.runs.rows().len()
+        );
+        self.text(foot, &words, self.theme.faint());
     }
 
     /// Words, and a line to type.
