@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
-use std::time::{Duration, SystemTime};
+use std::time::{Duration, Instant, SystemTime};
 
 use crossbeam_channel::{Receiver, RecvTimeoutError, Sender, unbounded};
 use etcetera::BaseStrategy;
@@ -36,6 +36,10 @@ pub(super) struct IndexWorker {
 
 /// How often the directory of the runs is looked at for runs of other programs.
 const LOOK: Duration = Duration::from_secs(2);
+
+/// How long each run is looked at after runs came or went: the files of one that is copied in come one after another, which
+/// changes its own directory only.
+const SETTLING: Duration = Duration::from_secs(60);
 
 /// Fewer runs are read before anyone could look at their progress.
 const WORTH_TELLING: usize = 100;
@@ -82,6 +86,7 @@ fn keep(questions: &Receiver<Question>, out: &Outbox) {
         since: 0,
         partial: false,
         changed: None,
+        noticed: Instant::now(),
         out: out.clone(),
     };
     loop {
@@ -113,6 +118,8 @@ struct Keeper {
     partial: bool,
     /// When the directory of the runs changed, as seen last.
     changed: Option<SystemTime>,
+    /// When that was noticed.
+    noticed: Instant,
     out: Outbox,
 }
 
@@ -134,7 +141,10 @@ impl Keeper {
         if at_once {
             self.tell(false, true)?;
         }
-        self.changed = changed(self.index.root());
+        let now = changed(self.index.root());
+        if now != self.changed {
+            (self.changed, self.noticed) = (now, Instant::now());
+        }
         let out = self.out.clone();
         let mut told = |progress: SyncProgress| {
             if progress.all >= WORTH_TELLING {
@@ -173,7 +183,8 @@ impl Keeper {
 
     /// Whether runs may have come, gone or ended. A run that ends changes only its own directory.
     fn may_have_changed(&self) -> bool {
-        self.partial || changed(self.index.root()) != self.changed
+        let settling = self.changed.is_some() && self.noticed.elapsed() < SETTLING;
+        self.partial || settling || changed(self.index.root()) != self.changed
     }
 }
 
