@@ -20,6 +20,7 @@ mod signals;
 mod start_from_run;
 mod store;
 mod stored_versions;
+mod stories;
 mod study_speed;
 mod terminal;
 mod vary;
