@@ -10,7 +10,8 @@ use seacable::run::RunState;
 use crate::pty::{Pty, Start};
 use crate::sshd::Sshd;
 use crate::work::{
-    ENDLESS, LIST, at_work, installed, only_run, place, recovered, report, rows, until,
+    ENDLESS, LIST, SETTINGS, any_colour, at_work, installed, only_run, place, recovered, report,
+    rows, until,
 };
 
 /// A program whose user is gone ends within this time.
@@ -54,6 +55,47 @@ fn output(server: &Sshd, said: &str) -> (Option<i32>, String, String) {
         stderr,
     } = server.ssh(said).output().unwrap();
     (status.code(), words(&stdout), words(&stderr))
+}
+
+#[test]
+#[ignore = "left out: needs an SSH server; .ci/run runs it"]
+fn locale_terminal_and_no_color_decide_what_is_sent_at_every_size() {
+    let mut dir = place();
+    let server = Sshd::start(dir.path());
+    for setting in SETTINGS {
+        for size in [(80, 24), (200, 60), (60, 20)] {
+            let words = format!("cd && env {} seacable", setting.words);
+            let mut pty = terminal(&server, dir, size, &words);
+            pty.wait_for(LIST);
+            pty.send("\r");
+            pty.wait_for("solver alpha");
+            pty.send("3");
+            pty.wait_for("in memory");
+            pty.send("5");
+            pty.wait_for("`w` saves it");
+            pty.send("2");
+            pty.wait_for("time [s]");
+            pty.send("q");
+            pty.ended(0);
+            let bytes = pty.bytes();
+            assert_eq!(bytes.is_ascii(), setting.ascii, "{words} {size:?}");
+            assert_eq!(any_colour(&bytes), setting.colour, "{words} {size:?}");
+            dir = std::mem::replace(&mut pty.dir, tempfile::tempdir().unwrap());
+        }
+    }
+}
+
+#[test]
+#[ignore = "left out: needs an SSH server; .ci/run runs it"]
+fn on_a_dumb_terminal_the_commands_to_use_instead_are_named() {
+    let dir = place();
+    let server = Sshd::start(dir.path());
+    let pty = terminal(&server, dir, (80, 24), "cd && env TERM=dumb seacable");
+    pty.ended(2);
+    for said in ["TERM=dumb", "seacable run CASE", "seacable report RUN_DIR"] {
+        assert!(pty.text().contains(said), "{}", pty.text());
+    }
+    assert!(!pty.bytes().contains(&0x1b), "{}", pty.text());
 }
 
 #[test]

@@ -6,7 +6,8 @@ use seacable::run::RunState;
 
 use crate::pty::{Pty, Start};
 use crate::work::{
-    ENDLESS, LIST, at_work, installed, only_run, place, recovered, report, rows, search_path, until,
+    ENDLESS, LIST, SETTINGS, any_colour, at_work, installed, only_run, place, recovered, report,
+    rows, search_path, until,
 };
 
 const NEW: &str = "new-session -s work";
@@ -114,6 +115,45 @@ fn from_the_list_to_a_saved_report_at_80x24() {
 #[ignore = "left out: needs tmux; .ci/run runs it"]
 fn from_the_list_to_a_saved_report_at_200x60() {
     from_the_list_to_a_saved_report((200, 60));
+}
+
+#[test]
+#[ignore = "left out: needs tmux; .ci/run runs it"]
+fn from_the_list_to_a_saved_report_at_60x20() {
+    from_the_list_to_a_saved_report((60, 20));
+}
+
+/// What tmux shows of the program; tmux itself has the terminal outside.
+#[test]
+#[ignore = "left out: needs tmux; .ci/run runs it"]
+fn locale_terminal_and_no_color_decide_what_is_shown_at_every_size() {
+    for size in [(80, 24), (200, 60), (60, 20)] {
+        let mut tmux = Tmux::start(size);
+        for setting in SETTINGS {
+            tmux.pty
+                .send(&format!("clear; env {} seacable\r", setting.words));
+            tmux.pty.wait_for(LIST);
+            tmux.pty.send("\r");
+            tmux.pty.wait_for("solver alpha");
+            tmux.pty.send("2");
+            tmux.pty.wait_for("time [s]");
+            let shown = tmux
+                .tell(&["capture-pane", "-e", "-p", "-t", "work"])
+                .stdout;
+            assert_eq!(shown.is_ascii(), setting.ascii, "{}", setting.words);
+            if !setting.colour {
+                assert!(!any_colour(&shown), "{}", setting.words);
+            }
+            tmux.pty.send("q");
+            tmux.pty
+                .wait("the shell", |screen| !screen.contents().contains("q quit"));
+        }
+        tmux.pty.send("clear; TERM=dumb seacable\r");
+        tmux.pty.wait_for("seacable run CASE");
+        tmux.pty.wait("the shell", |screen| {
+            screen.contents().trim_end().ends_with('$')
+        });
+    }
 }
 
 #[test]

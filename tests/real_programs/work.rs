@@ -109,3 +109,42 @@ pub(crate) fn report(dir: &Path) -> String {
     let run = std::fs::read_dir(dir.join("runs")).unwrap().next();
     std::fs::read_to_string(run.unwrap().unwrap().path().join("report.txt")).unwrap()
 }
+
+/// What is set for the program on top of what is there, and what its terminal may then get.
+pub(crate) struct Setting {
+    pub(crate) words: &'static str,
+    pub(crate) ascii: bool,
+    pub(crate) colour: bool,
+}
+
+const fn setting(words: &'static str, ascii: bool, colour: bool) -> Setting {
+    Setting {
+        words,
+        ascii,
+        colour,
+    }
+}
+
+/// Locales, terminals and `NO_COLOR`, as the words after `env`.
+pub(crate) const SETTINGS: [Setting; 7] = [
+    setting("LANG=C.UTF-8", false, true),
+    setting("LANG=C", true, true),
+    setting("-u LANG", true, true),
+    setting("NO_COLOR=1", false, false),
+    setting("TERM=vt100", true, true),
+    setting("TERM=screen-256color", false, true),
+    setting("LANG=C NO_COLOR=1 TERM=vt100", true, false),
+];
+
+/// Whether a terminal got a colour.
+pub(crate) fn any_colour(bytes: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(bytes);
+    let mut sequences = text.split("\x1b[").skip(1).filter_map(|sequence| {
+        let end = sequence.find(|c: char| c.is_ascii_alphabetic())?;
+        sequence[end..].starts_with('m').then(|| &sequence[..end])
+    });
+    sequences.any(|parameters| {
+        let colour = |p: &str| matches!(p.parse::<u8>(), Ok(30..=38 | 40..=48 | 90..=107));
+        parameters.split([';', ':']).any(colour)
+    })
+}
