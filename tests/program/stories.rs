@@ -35,7 +35,7 @@ fn speed(value: &'static str, yours: bool) -> impl Fn(&Screen) -> bool {
 /// The results are those of the inputs on the screen, and the first of them is so against the file's.
 fn first_result(screen: &Screen, so: impl Fn(&str) -> bool) -> bool {
     line_with(screen, "── results").is_some_and(|head| head.contains(HELD))
-        && line_with(screen, "tension_n[wire|pay").is_some_and(|line| so(&line))
+        && line_with(screen, "(0..200)").is_some_and(|line| so(&line))
 }
 
 /// The run directories, in the order of their names.

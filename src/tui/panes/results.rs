@@ -5,6 +5,7 @@ use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
+use crate::report::chart::Glyphs;
 use crate::tui::command::{self, Command, CommandId, LIST, main, other};
 use crate::tui::msg::{Effect, StudyOf};
 use crate::tui::result_lines::{self, ResultLine};
@@ -127,7 +128,7 @@ fn staleness(state: &AppState) -> Option<&'static str> {
 }
 
 fn title(painter: &mut Painter, head: Rect, line: &LineView) {
-    let rule = if painter.glyphs() == crate::report::chart::Glyphs::Braille {
+    let rule = if painter.glyphs() == Glyphs::Braille {
         "\u{2500}"
     } else {
         "-"
@@ -158,6 +159,23 @@ fn title(painter: &mut Painter, head: Rect, line: &LineView) {
     );
 }
 
+/// A name of so many columns: its end says which statistic of which window it is, as its beginning says of what.
+fn cut_in_the_middle(name: &str, width: usize, glyphs: Glyphs) -> String {
+    let letters: Vec<char> = name.chars().collect();
+    let mark = if glyphs == Glyphs::Braille {
+        "\u{2026}"
+    } else {
+        "~"
+    };
+    if letters.len() <= width || width < 5 {
+        return name.to_owned();
+    }
+    let tail = (width - 1) * 3 / 5;
+    let head: String = letters[..width - 1 - tail].iter().collect();
+    let tail: String = letters[letters.len() - tail..].iter().collect();
+    format!("{head}{mark}{tail}")
+}
+
 /// Columns of the results.
 struct Widths {
     name: u16,
@@ -184,7 +202,8 @@ impl Widths {
     }
 
     fn line(&self, painter: &mut Painter, at: Rect, line: &ResultLine, style: Style) {
-        painter.text(span(at, 0, self.name), &line.name, style);
+        let name = cut_in_the_middle(&line.name, self.name.into(), painter.glyphs());
+        painter.text(span(at, 0, self.name), &name, style);
         let mut from = self.name + 2;
         right(painter.buf, span(at, from, self.value), &line.value, style);
         from += self.value + 2;

@@ -118,10 +118,13 @@ impl RunList {
         self.on_charts.iter().map(|at| &self.entries[*at])
     }
 
-    /// The marked runs; the one under the cursor where none is marked.
+    /// The marked runs of the table; the one under the cursor where none is marked. What the filter hides is never among them.
     #[must_use]
     pub fn chosen(&self) -> Vec<&RunEntry> {
-        let marked: Vec<_> = self.entries.iter().filter(|run| run.marked).collect();
+        let mut rows = self.rows.clone();
+        rows.sort_unstable();
+        let rows = rows.iter().map(|at| &self.entries[*at]);
+        let marked: Vec<_> = rows.filter(|run| run.marked).collect();
         if marked.is_empty() {
             return self.current().into_iter().collect();
         }
@@ -279,6 +282,25 @@ impl RunList {
             .map(|run| self.input(run, column));
         let first = values.next();
         values.any(|value| Some(value) != first)
+    }
+
+    /// Takes new columns; the table stays sorted by the column of the same name.
+    pub fn take_columns(&mut self, columns: RunColumns) {
+        let sorted = self.sort.and_then(|(column, down)| {
+            let same = match column {
+                RunColumn::Input(at) => {
+                    let key = &self.columns.inputs.get(at)?.key;
+                    RunColumn::Input(columns.inputs.iter().position(|c| c.key == *key)?)
+                }
+                RunColumn::Result(at) => {
+                    let name = &self.columns.results.get(at)?.name;
+                    RunColumn::Result(columns.results.iter().position(|c| c.name == *name)?)
+                }
+                other => other,
+            };
+            Some((same, down))
+        });
+        (self.columns, self.sort) = (columns, sorted);
     }
 
     /// Sorts by the next column; after the last in the original order again.

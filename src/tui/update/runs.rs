@@ -136,7 +136,7 @@ pub(super) fn listed(state: &mut AppState, found: RunsFound) -> Vec<Effect> {
     };
     let runs = &mut line.runs;
     if let Some(columns) = found.columns {
-        runs.columns = columns;
+        runs.take_columns(columns);
     }
     if found.whole {
         runs.indexing = None;
