@@ -9,7 +9,7 @@
 //! than when they were read are read again. Any number of programs may do so at once.
 //!
 //! Of the inputs of a run only those are kept that differ from the first run of its case file that was read
-//! ([`baseline`]): what differs among runs is then a short list.
+//! (`baseline`): what differs among runs is then a short list.
 
 mod baseline;
 mod database;
