@@ -57,6 +57,7 @@ pub enum CommandId {
     MarkAll,
     HoldAgainst,
     Compare,
+    Statistics,
     InputEffects,
     Physics,
     StepUp,

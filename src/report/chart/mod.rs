@@ -30,6 +30,7 @@ mod marks;
 mod picture;
 mod range;
 mod readout;
+pub mod statistics;
 mod ticks;
 
 pub use draw::{draw, frame};

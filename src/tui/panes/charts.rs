@@ -18,6 +18,7 @@ use crate::tui::state::{AppState, LineView};
 use crate::tui::update::export::{self, TEXT_WIDTH};
 use crate::tui::update::motion::plot_verb;
 use crate::tui::update::notice::info;
+use crate::tui::update::pages;
 use crate::tui::view::layout;
 use crate::tui::view::paint::right;
 use crate::tui::view::painter::Painter;
@@ -34,6 +35,7 @@ const COMMANDS: &[Command] = &[
     command::write("Write the chart to a text file, a map also as CSV"),
     other(CommandId::Fit, &["0"], "fit", "Show everything again, at the newest instant"),
     other(CommandId::Limits, &["t"], "limits", "Show limits and published values, or leave them out"),
+    other(CommandId::Statistics, &["i"], "statistics", "Least, greatest, mean and deviation of each curve over what is shown of the axis"),
     other(CommandId::Freeze, &["f"], "freeze", "Hold the curves still while the job continues, or let them continue"),
     other(CommandId::PreviousChart, &["[", "p"], "", "Show the previous chart"),
     other(CommandId::PreviousSeries, &["k", "up"], "", "Show the previous joint or component alone"),
@@ -95,6 +97,10 @@ impl Pane for ChartsPane {
             CommandId::Freeze => return Some(freeze(state)),
             CommandId::Limits => return Some(limits(state)),
             CommandId::Copy => return Some(copy(state)),
+            CommandId::Statistics => {
+                let table = chart::statistics::table(&plots::viewed(line, line.chart));
+                return Some(pages::open_table(state, "statistics", &table));
+            }
             CommandId::Write => return Some(write(line, &stem, glyphs)),
             _ => match (instant_step(id), plot_verb(id)) {
                 (Some((way, parts)), _) if line.chart.figure().axis == FigureAxis::Space => {

@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::jobs::overrides;
 use super::notice::{info, warn};
 use crate::case::stand_alone;
+use crate::report::table::Table;
 use crate::study::points::BaseCase;
 use crate::tui::msg::{ComparedRun, Effect, StudyOf, StudyRequest};
 use crate::tui::result_lines::shown_run;
@@ -94,6 +95,23 @@ pub fn study(state: &mut AppState, of: StudyOf) -> Vec<Effect> {
         "Computed in the background; a page opens when it is done. `ctrl+c` stops it.",
     );
     vec![Effect::Study(Box::new(request), cancel)]
+}
+
+/// Opens a page with a table.
+pub fn open_table(state: &mut AppState, title: &str, table: &Table) -> Vec<Effect> {
+    if table.rows.is_empty() {
+        return info(
+            state,
+            "No curve here has a value for each place of the axis.",
+        );
+    }
+    let text = table.to_text(width(state));
+    state.overlay = Some(Overlay::Page {
+        title: title.to_owned(),
+        text,
+        scroll: 0,
+    });
+    Vec::new()
 }
 
 /// How far a study is.

@@ -455,6 +455,22 @@ fn a_paste_goes_to_the_field_and_never_to_the_commands() {
 }
 
 #[test]
+fn the_statistics_of_the_curves_are_of_what_is_shown() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys("2 i");
+    let Some(Overlay::Page { text, .. }) = &desk.state.overlay else {
+        panic!("there is no page");
+    };
+    assert!(text.contains("mean") && text.contains("vessel|chain"), "{text}");
+    let whole = text.clone();
+    desk.keys("esc l + + i");
+    let Some(Overlay::Page { text, .. }) = &desk.state.overlay else {
+        panic!("there is no page");
+    };
+    assert_ne!(*text, whole, "a window has statistics of its own");
+}
+
+#[test]
 fn the_live_run_can_be_kept() {
     let mut desk = Desk::with_case(SMALL);
     desk.keys("K");
