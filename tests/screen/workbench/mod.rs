@@ -461,7 +461,10 @@ fn the_statistics_of_the_curves_are_of_what_is_shown() {
     let Some(Overlay::Page { text, .. }) = &desk.state.overlay else {
         panic!("there is no page");
     };
-    assert!(text.contains("mean") && text.contains("vessel|chain"), "{text}");
+    assert!(
+        text.contains("mean") && text.contains("vessel|chain"),
+        "{text}"
+    );
     let whole = text.clone();
     desk.keys("esc l + + i");
     let Some(Overlay::Page { text, .. }) = &desk.state.overlay else {
