@@ -8,7 +8,7 @@
     reason = "a bench prints its table and may stop at a fault"
 )]
 
-#[allow(dead_code, clippy::allow_attributes, reason = "shared with the tests")]
+#[expect(dead_code, reason = "the tests use the rest")]
 #[path = "../tests/common/pty.rs"]
 mod pty;
 #[path = "screen/stored_runs.rs"]

@@ -1,14 +1,13 @@
 //! `seacable study effects`: which inputs matter to a result.
 
-use std::{process::ExitCode, sync::Mutex, time::Instant};
+use std::{process::ExitCode, time::Instant};
 
 use super::{
     CommandError,
     output::{self, OutputFile},
-    progress::ProgressLine,
     signals::StopFlag,
     study_args::EffectsArgs,
-    study_page::{base_case, print, results},
+    study_page::{base_case, print, results, variants_told},
 };
 use crate::number::duration;
 use crate::report::effects::TornadoView;
@@ -25,16 +24,8 @@ pub(super) fn effects(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
         ids.truncate(1);
     }
     let stop = StopFlag::listen()?;
-    let (line, begun) = (Mutex::new(ProgressLine::new()), Instant::now());
-    let found = effects::compute(&base, stop.cancel(), &|progress| {
-        if let Ok(mut line) = line.lock() {
-            line.show(&format!(
-                "{} of {} variants computed",
-                progress.done, progress.of
-            ));
-        }
-    });
-    drop(line);
+    let begun = Instant::now();
+    let found = variants_told(|told| effects::compute(&base, stop.cancel(), told));
     if let Some(status) = stop.status() {
         output::message("Stopped before all variants were computed.");
         return Ok(status);

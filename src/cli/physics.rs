@@ -1,14 +1,13 @@
 //! `seacable study physics`: which effects a case needs.
 
-use std::{process::ExitCode, sync::Mutex};
+use std::process::ExitCode;
 
 use super::{
     CommandError,
     output::{self, OutputFile},
-    progress::ProgressLine,
     signals::StopFlag,
     study_args::EffectsArgs,
-    study_page::{base_case, print, results},
+    study_page::{base_case, print, results, variants_told},
 };
 use crate::report::physics as report;
 use crate::study::physics;
@@ -20,16 +19,7 @@ pub(super) fn physics(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
     let (base, case) = base_case(&args.case.file, &args.case.set)?;
     let ids = results(&case, &args.result)?;
     let stop = StopFlag::listen()?;
-    let line = Mutex::new(ProgressLine::new());
-    let study = physics::compute(&base, stop.cancel(), &|progress| {
-        if let Ok(mut line) = line.lock() {
-            line.show(&format!(
-                "{} of {} variants computed",
-                progress.done, progress.of
-            ));
-        }
-    });
-    drop(line);
+    let study = variants_told(|told| physics::compute(&base, stop.cancel(), told));
     if let Some(status) = stop.status() {
         output::message("Stopped before all variants were computed.");
         return Ok(status);

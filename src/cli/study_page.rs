@@ -1,17 +1,18 @@
 //! What studies of one case have in common: their case, the results they show, the page they print.
 
-use std::{io, path::Path};
+use std::{io, path::Path, sync::Mutex};
 
 use super::{
     CommandError, cases,
     output::{self, FileFormat, OutputFile},
+    progress::ProgressLine,
     study_args::StudyPageArgs,
 };
 use crate::case::{self, Case, QuantityId};
 use crate::report::chart::{Chart, draw};
 use crate::report::plain;
 use crate::report::table::Table;
-use crate::study::points::BaseCase;
+use crate::study::points::{BaseCase, PointProgress};
 use crate::study::results::{main_results, named_result};
 
 /// Rows of a chart, and its columns at most.
@@ -38,6 +39,21 @@ pub(super) fn results(case: &Case, names: &[String]) -> Result<Vec<QuantityId>, 
     let named = names.iter().map(|name| named_result(case, name));
     let named: Result<Vec<QuantityId>, _> = named.collect();
     named.map_err(|error| CommandError::Usage(format!("--result: {error}.")))
+}
+
+/// Tells on a line of progress how many variants of a case are computed.
+pub(super) fn variants_told<T>(
+    compute: impl FnOnce(&(dyn Fn(PointProgress<'_>) + Sync)) -> T,
+) -> T {
+    let line = Mutex::new(ProgressLine::new());
+    compute(&|progress| {
+        if let Ok(mut line) = line.lock() {
+            line.show(&format!(
+                "{} of {} variants computed",
+                progress.done, progress.of
+            ));
+        }
+    })
 }
 
 /// Prints tables with charts below, or CSV, and writes the CSV to the file asked for.

@@ -232,7 +232,7 @@ impl RunEntry {
         }
     }
 
-    /// How the run is called: by the name that the user gave it, or by that of its directory without the one of its case.
+    /// How the run is called: by the name that the user gave it, or by that of its directory.
     #[must_use]
     pub fn title(&self) -> String {
         if self.notes.name.is_empty() {

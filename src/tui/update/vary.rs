@@ -6,6 +6,7 @@ use super::notice::info;
 use super::{jobs, runs, studies};
 use crate::case::fields::{Field, ValueType};
 use crate::case::{self, StudyValue, TextDigest};
+use crate::run::job::Request;
 use crate::study::points::{BaseCase, Setting};
 use crate::study::vary::{Variation, VariationError, VariedKey};
 use crate::tui::msg::Effect;
@@ -151,6 +152,15 @@ pub(super) fn begin(state: &mut AppState) -> Vec<Effect> {
     vec![Effect::Vary(editor.path.clone(), Box::new(variation))]
 }
 
+/// What became of the runs of a range.
+#[derive(Debug, Default)]
+struct Queued {
+    begun: usize,
+    there: usize,
+    /// Why the case refuses the others.
+    refused: Vec<String>,
+}
+
 /// Queues the runs that are not there yet, and shows them all.
 pub(super) fn begun(state: &mut AppState, found: VariedRuns) -> Vec<Effect> {
     let Some(document) = state.document.as_mut() else {
@@ -160,62 +170,71 @@ pub(super) fn begun(state: &mut AppState, found: VariedRuns) -> Vec<Effect> {
         return Vec::new();
     }
     document.pane = PaneId::Runs;
-    let stem = document.editor.stem().to_owned();
     if let Some(line) = state.line_mut() {
         line.hide_runs();
     }
     let mut effects = vec![Effect::RefreshRuns];
-    let (mut begun, mut there) = (0, 0);
-    let mut refused = Vec::new();
+    let mut queued = Queued::default();
     for (label, request) in found.runs {
-        let mut request = match request {
-            Ok(request) => request,
-            Err(why) => {
-                refused.push(format!("{label}: {why}"));
-                continue;
-            }
-        };
-        let Some(line) = state.line_mut() else {
-            break;
-        };
-        let digest = TextDigest::of(&request.text);
-        let same = |run: &RunEntry| run.text == digest && studies::usable(run);
-        if let Some(run) = line.runs.newest_mut(same) {
-            there += 1;
-            run.label = label;
-            run.shown = true;
-            effects.extend(runs::load(run));
-            continue;
+        match request {
+            Ok(request) => effects.extend(show_or_queue(state, label, request, &mut queued)),
+            Err(why) => queued.refused.push(format!("{label}: {why}")),
         }
-        begun += 1;
-        request.id.clone_from(&stem);
-        jobs::queue(state, request, None, label, None, true);
     }
     if let Some(line) = state.line_mut() {
         line.runs.arrange();
-        if begun > 0 {
+        if queued.begun > 0 {
             line.runs.go_to_newest();
         }
     }
     effects.extend(jobs::start_waiting(state));
     runs::check(state);
-    let keys = found.keys;
-    let runs = match begun {
-        1 => "1 run".to_owned(),
-        _ => format!("{begun} runs"),
+    say(state, &found.keys, &queued);
+    effects
+}
+
+/// Shows a run that is there already, or queues it.
+fn show_or_queue(
+    state: &mut AppState,
+    label: String,
+    mut request: Request,
+    queued: &mut Queued,
+) -> Vec<Effect> {
+    let digest = TextDigest::of(&request.text);
+    let same = |run: &RunEntry| run.text == digest && studies::usable(run);
+    let Some((line, editor)) = state.document.as_mut().and_then(Document::line_and_editor) else {
+        return Vec::new();
     };
-    info(
-        state,
-        match (begun, there) {
-            (0, 0) => format!("No run begun over {keys}."),
-            (0, _) => format!("All runs over {keys} are there already; the charts show them."),
-            (_, 0) => format!("{runs} begun over {keys}. `2` shows the curves, `6` the jobs."),
-            _ => format!("{runs} begun over {keys}; {there} there already. `2` shows the curves."),
-        },
-    );
-    if let Some(first) = refused.first() {
-        let words = format!("The case refuses {} of the runs. {first}", refused.len());
+    if let Some(run) = line.runs.newest_mut(same) {
+        queued.there += 1;
+        run.label = label;
+        run.shown = true;
+        return runs::load(run);
+    }
+    queued.begun += 1;
+    editor.stem().clone_into(&mut request.id);
+    jobs::queue(state, request, None, label, None, true);
+    Vec::new()
+}
+
+/// Says what became of the runs.
+fn say(state: &mut AppState, keys: &str, queued: &Queued) {
+    let runs = match queued.begun {
+        1 => "1 run".to_owned(),
+        begun => format!("{begun} runs"),
+    };
+    let words = match (queued.begun, queued.there) {
+        (0, 0) => format!("No run begun over {keys}."),
+        (0, _) => format!("All runs over {keys} are there already; the charts show them."),
+        (_, 0) => format!("{runs} begun over {keys}. `2` shows the curves, `6` the jobs."),
+        (_, there) => {
+            format!("{runs} begun over {keys}; {there} there already. `2` shows the curves.")
+        }
+    };
+    info(state, words);
+    if let Some(first) = queued.refused.first() {
+        let count = queued.refused.len();
+        let words = format!("The case refuses {count} of the runs. {first}");
         state.say(Severity::Error, words);
     }
-    effects
 }
