@@ -34,7 +34,11 @@ pub(super) fn compare(args: &CompareArgs) -> Result<ExitCode, CommandError> {
     if args.page.csv {
         output::document(&csv, FileFormat::Text)?;
     } else {
-        let text = comparison::text(&compared, output::page_width(args.page.width));
+        let width = output::page_width(args.page.width);
+        let mut text = comparison::text(&compared, width);
+        let runs: Vec<&Run> = runs.iter().collect();
+        let glyphs = output::glyphs(args.page.table.ascii);
+        text.push_str(&comparison::difference_curves(&runs, width, glyphs));
         output::results(&text, args.page.table.ascii)?;
     }
     Ok(ExitCode::SUCCESS)

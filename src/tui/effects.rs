@@ -181,9 +181,12 @@ impl EffectRunner {
             Effect::ListRuns { files, results } => {
                 self.runs.ask(Question::List { files, results }, &self.out)
             }
-            Effect::Compare { runs, width, name } => {
-                self.aside(move || Msg::Page(name, pages::compare(runs, width), false))
-            }
+            Effect::Compare {
+                runs,
+                width,
+                glyphs,
+                name,
+            } => self.aside(move || Msg::Page(name, pages::compare(runs, width, glyphs), false)),
             Effect::Study(request, cancel) => self.study(*request, cancel),
             Effect::RefreshRuns => self.runs.ask(Question::Refresh, &self.out),
             effect => self.files(effect),

@@ -248,6 +248,8 @@ pub enum Effect {
         runs: Vec<ComparedRun>,
         /// Columns of the page.
         width: usize,
+        /// Characters of its charts.
+        glyphs: Glyphs,
         /// Its title.
         name: String,
     },

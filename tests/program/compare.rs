@@ -64,6 +64,7 @@ fn two_runs_are_compared_by_inputs_results_channels_and_cost() {
         "differ",
         "CPU time",
         "Channels",
+        "Tension at the joints: B - A",
     ] {
         assert!(text.contains(word), "{word} is missing in\n{text}");
     }
@@ -83,6 +84,10 @@ fn two_runs_are_compared_by_inputs_results_channels_and_cost() {
 fn a_run_agrees_with_itself() {
     let dir = runs();
     let text = printed(dir.path(), &["compare", "one", "one"]);
+    assert!(
+        !text.contains("B - A\n"),
+        "a curve of no difference:\n{text}"
+    );
     assert!(
         text.contains("None.") && text.contains(" equal. Results"),
         "{text}"

@@ -1,8 +1,9 @@
 //! Difference curves as a chart.
 
 use crate::case::ChannelQuantity;
-use crate::comparison::CurveDifference;
-use crate::report::chart::{Axis, Chart, Limit, LimitLine, Series};
+use crate::comparison::{CurveDifference, differences, letter};
+use crate::report::chart::{Axis, Chart, Glyphs, Limit, LimitLine, Series, draw};
+use crate::run::Run;
 
 /// The difference curves of one quantity, a curve a place, about a line at zero. `words` say which run less which.
 #[must_use]
@@ -24,6 +25,39 @@ pub fn difference_chart(
     );
     chart.limits = vec![Limit::new("", LimitLine::Horizontal(0.0))];
     chart
+}
+
+/// Rows of a chart, and its columns at most.
+const CHART: (usize, usize) = (16, 100);
+
+/// The difference curves of each run less the first as text, a chart a quantity; quantities without a difference are left out.
+#[must_use]
+pub fn difference_curves(runs: &[&Run], width: usize, glyphs: Glyphs) -> String {
+    let Some((first, others)) = runs.split_first() else {
+        return String::new();
+    };
+    let mut text = String::new();
+    for (other, index) in others.iter().zip(1..) {
+        let words = format!("{} - {}", letter(index), letter(0));
+        let curves = differences(&first.history, &other.history);
+        for quantity in quantities(&curves) {
+            let chart = difference_chart(&curves, quantity, &words);
+            let picture = draw(&chart, width.min(CHART.1), CHART.0, glyphs);
+            text.push_str(&format!("\n{}", picture.to_text()));
+        }
+    }
+    text
+}
+
+/// The quantities of curves that differ, in their order.
+fn quantities(curves: &[CurveDifference]) -> Vec<ChannelQuantity> {
+    let mut found = Vec::new();
+    for curve in curves.iter().filter(|curve| curve.rms > 0.0) {
+        if !found.contains(&curve.id.quantity) {
+            found.push(curve.id.quantity);
+        }
+    }
+    found
 }
 
 #[cfg(test)]

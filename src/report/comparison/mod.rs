@@ -5,7 +5,7 @@ mod csv;
 mod results;
 mod tables;
 
-pub use charts::difference_chart;
+pub use charts::{difference_chart, difference_curves};
 pub use csv::csv;
 pub(crate) use results::result_text;
 pub use results::results_table;

@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 use super::outbox::Outbox;
 use crate::comparison::Comparison;
 use crate::number::duration;
+use crate::report::chart::Glyphs;
 use crate::report::comparison;
 use crate::report::effects::TornadoView;
 use crate::report::physics;
@@ -15,14 +16,20 @@ use crate::study::{effects, physics as scene_physics};
 use crate::tui::msg::{ComparedRun, Msg, StudyOf, StudyRequest};
 
 /// Reads the runs that are not in memory, and compares all with the first.
-pub(super) fn compare(runs: Vec<ComparedRun>, width: usize) -> Result<String, String> {
+pub(super) fn compare(
+    runs: Vec<ComparedRun>,
+    width: usize,
+    glyphs: Glyphs,
+) -> Result<String, String> {
     let read = |run: ComparedRun| match run {
         ComparedRun::Memory(run) => Ok(run),
         ComparedRun::Stored(dir) => store::read(&dir).map(Arc::new).map_err(|e| e.to_string()),
     };
     let runs: Vec<Arc<Run>> = runs.into_iter().map(read).collect::<Result<_, _>>()?;
     let all: Vec<&Run> = runs.iter().map(Arc::as_ref).collect();
-    Ok(comparison::text(&Comparison::of(&all), width))
+    let tables = comparison::text(&Comparison::of(&all), width);
+    let curves = comparison::difference_curves(&all, width, glyphs);
+    Ok(format!("{tables}{curves}"))
 }
 
 /// Computes a study of the case, telling how far it is; nothing where it was stopped.

@@ -37,7 +37,12 @@ pub fn compare(state: &mut AppState) -> Vec<Effect> {
         return warn(state, "Two runs are compared, or more: `m` marks them.");
     }
     let name = format!("{} runs compared", runs.len());
-    let effects = vec![Effect::Compare { runs, width, name }];
+    let effects = vec![Effect::Compare {
+        runs,
+        width,
+        glyphs: state.capabilities.glyphs,
+        name,
+    }];
     info(state, "The runs are being compared.");
     effects
 }
