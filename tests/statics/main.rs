@@ -13,6 +13,7 @@ mod cantilever;
 mod catenary;
 mod closed_forms;
 mod composite;
+mod end_stiffness;
 mod equilibrium;
 mod grounded_lines;
 mod random_lines;

@@ -109,7 +109,10 @@ impl CompositeLine {
     /// Suspended and grounded parts in order.
     fn pieces(&self, pattern: &ContactPattern, state: &BayUnknowns) -> Pieces {
         let mut profile = CompositeProfile::new(self, pattern, state.h);
-        for (bay, offset) in pattern.bays.iter().zip(&state.offsets) {
+        for (index, (bay, offset)) in pattern.bays.iter().zip(&state.offsets).enumerate() {
+            if index > 0 {
+                profile.touch();
+            }
             for part in self.chain.parts(bay, *offset) {
                 profile.ground_until(part.element, part.begin);
                 profile.suspend(&part);
@@ -168,6 +171,12 @@ impl<'a> CompositeProfile<'a> {
                 self.within = 0.0;
             }
         }
+    }
+
+    /// The line comes down to the bed here, if only at a body: a grounded piece without length.
+    fn touch(&mut self) {
+        let z = self.builder.z();
+        self.builder.slack(0.0, (0.0, 0.0), z);
     }
 
     fn ground(&mut self, length: f64, ea: f64) {

@@ -41,6 +41,7 @@ mod composite_solution;
 mod composite_touchdown;
 mod convex_newton;
 mod elements;
+mod end_stiffness;
 mod error;
 mod grounded_solution;
 mod grounded_span;
@@ -57,6 +58,7 @@ mod suspended;
 mod suspended_solution;
 mod touchdown;
 
+pub use end_stiffness::EndStiffness;
 pub use error::CatenaryError;
 pub use line::{CatenaryLine, EndOffset, RigidBed, SectionProperties};
 pub use profile::ProfilePoint;
