@@ -14,11 +14,19 @@ pub enum FileType {
     Ropeway,
     /// A ship at single-point mooring.
     Ship,
+    /// A system of lines.
+    System,
 }
 
 impl FileType {
     /// All kinds. A ropeway file has `[ship]` too, so that ropeways precede ships.
-    pub const ALL: [Self; 4] = [Self::Line, Self::Section, Self::Ropeway, Self::Ship];
+    pub const ALL: [Self; 5] = [
+        Self::Line,
+        Self::Section,
+        Self::Ropeway,
+        Self::Ship,
+        Self::System,
+    ];
 
     /// The table that every file of the kind has: the kind in a word.
     #[must_use]
@@ -28,6 +36,7 @@ impl FileType {
             Self::Section => "section",
             Self::Ropeway => "ropeway",
             Self::Ship => "ship",
+            Self::System => "system",
         }
     }
 
@@ -39,6 +48,7 @@ impl FileType {
             Self::Section => ("a cross-section", "`seacable section` works it out"),
             Self::Ropeway => ("a ropeway", "`seacable ropeway` works it out"),
             Self::Ship => ("a ship", "`seacable ship` works it out"),
+            Self::System => ("a system of lines", "`seacable run` computes it"),
         }
     }
 

@@ -57,5 +57,6 @@ pub mod ship;
 pub mod solve;
 pub mod statics;
 pub mod study;
+pub mod system;
 pub mod tui;
 pub mod visible;

@@ -99,12 +99,23 @@ pub const ROPEWAYS: &[Shipped] = &[
     shipped!("ropeway/span_80.toml"),
 ];
 
+/// The systems of lines that come with the program, in the order of their paths.
+pub const SYSTEMS: &[Shipped] = &[
+    shipped!("systems/crows_foot.toml"),
+    shipped!("systems/oc3_spar.toml"),
+    shipped!("systems/oc4_semi.toml"),
+    shipped!("systems/shared_line.toml"),
+    shipped!("systems/three_chains.toml"),
+    shipped!("systems/volturnus.toml"),
+];
+
 /// The files that come with the program, by kind.
 pub const BY_KIND: [(FileType, &[Shipped]); FileType::ALL.len()] = [
     (FileType::Line, SHIPPED),
     (FileType::Section, SECTIONS),
     (FileType::Ropeway, ROPEWAYS),
     (FileType::Ship, SHIPS),
+    (FileType::System, SYSTEMS),
 ];
 
 /// The shipped file that has the title of this text: what an edited copy of it was before.

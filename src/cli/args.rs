@@ -399,6 +399,10 @@ pub(super) struct RunArgs {
     /// Print with ASCII characters only.
     #[arg(long)]
     pub(super) ascii: bool,
+
+    /// Print one JSON object: for a system of lines, forces at both ends of every line, places of points, poses of bodies.
+    #[arg(long, conflicts_with = "ascii")]
+    pub(super) json: bool,
 }
 
 #[derive(Debug, clap::Args)]

@@ -10,6 +10,7 @@ use crate::{
     ropeway::{self, ROPEWAY, Ropeway},
     section::SECTION,
     ship::{self, MotionAnalysis, SHIP, Ship},
+    system::{self, SYSTEM, SystemFile},
 };
 
 /// The tables and keys of a kind.
@@ -19,6 +20,7 @@ pub(super) fn schema(kind: FileType) -> &'static Schema {
         FileType::Section => &SECTION,
         FileType::Ropeway => &ROPEWAY,
         FileType::Ship => &SHIP,
+        FileType::System => &SYSTEM,
     }
 }
 
@@ -48,6 +50,14 @@ pub(super) fn validation(
             let (_, edited) = kind::edited_rows::<Ship>(text, before);
             reference::set_edited_aside(&mut rows, &edited);
             (statics.ship.ship.title, rows)
+        }
+        FileType::System => {
+            let text = &kind::set_all::<SystemFile>(text, set).map_err(&wrong)?;
+            let solved = kind::parse::<SystemFile>(text, name).map_err(wrong)?;
+            let mut rows = system::validation::rows(&solved);
+            let (_, edited) = kind::edited_rows::<SystemFile>(text, before);
+            reference::set_edited_aside(&mut rows, &edited);
+            (solved.file.about.title, rows)
         }
         FileType::Line | FileType::Section => (String::new(), Vec::new()),
     })

@@ -28,6 +28,7 @@ mod signals;
 mod study;
 mod study_args;
 mod study_page;
+mod system;
 mod validate;
 mod vary;
 mod workbench;

@@ -2,9 +2,12 @@
 
 use std::{path::Path, process::ExitCode};
 
-use super::{BAD_RESULT, CommandError, args::RunArgs, cases, output, progress, signals::StopFlag};
+use super::{
+    BAD_RESULT, CommandError, args::RunArgs, cases, output, progress, signals::StopFlag, system,
+};
 use crate::{
     case,
+    kinds::FileType,
     report::{limits, text},
     run::{
         ResumedRun, Run, RunState,
@@ -15,6 +18,10 @@ use crate::{
 };
 
 pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
+    let path = args.case.as_deref();
+    if path.is_some_and(|path| FileType::of(path) == FileType::System) {
+        return system::system(args);
+    }
     let (mut request, from) = match &args.resume {
         Some(dir) => resume_request(dir, args.until).map_err(CommandError::Usage)?,
         None => (request(args)?, None),

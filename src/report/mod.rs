@@ -14,6 +14,7 @@ pub mod ropeway;
 pub mod sea;
 pub mod section;
 pub mod ship;
+pub mod system;
 pub mod table;
 pub mod text;
 pub mod variation;

@@ -9,6 +9,7 @@ use super::parameter_editor::ParameterEditor;
 use super::ropeway::RopewayView;
 use super::section::SectionView;
 use super::ship::ShipView;
+use super::system::SystemView;
 use crate::case::{self, Diagnostic, kind};
 use crate::kinds::FileType;
 use crate::report::chart::Chart;
@@ -16,6 +17,7 @@ use crate::report::table::Table;
 use crate::ropeway::Ropeway;
 use crate::section::CrossSection;
 use crate::ship::Ship;
+use crate::system::SystemFile;
 use crate::tui::pane::PaneId;
 use crate::tui::table_pane::TablePane;
 
@@ -30,6 +32,8 @@ pub enum DocumentContent {
     Ropeway(Box<RopewayView>),
     /// A ship.
     Ship(Box<ShipView>),
+    /// A system of lines.
+    System(Box<SystemView>),
 }
 
 impl DocumentContent {
@@ -58,6 +62,11 @@ impl DocumentContent {
                 let view = ShipView::new(file.computed);
                 (file.text, Self::Ship(Box::new(view)))
             }
+            FileType::System => {
+                let file = kind::load::<SystemFile>(path)?;
+                let view = SystemView::new(file.computed);
+                (file.text, Self::System(Box::new(view)))
+            }
         })
     }
 
@@ -69,6 +78,7 @@ impl DocumentContent {
             Self::Section(section) => section.as_ref(),
             Self::Ropeway(ropeway) => ropeway.as_ref(),
             Self::Ship(ship) => ship.as_ref(),
+            Self::System(system) => system.as_ref(),
         }
     }
 
@@ -79,6 +89,7 @@ impl DocumentContent {
             Self::Section(section) => section.as_mut(),
             Self::Ropeway(ropeway) => ropeway.as_mut(),
             Self::Ship(ship) => ship.as_mut(),
+            Self::System(system) => system.as_mut(),
         }
     }
 }

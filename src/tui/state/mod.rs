@@ -13,6 +13,7 @@ pub mod ropeway;
 pub mod run_list;
 pub mod section;
 pub mod ship;
+pub mod system;
 pub mod trials;
 pub mod variants;
 

@@ -1,0 +1,23 @@
+//! `seacable run` on a system of lines: at rest, as a report or as JSON.
+
+use std::process::ExitCode;
+
+use super::{CommandError, args::RunArgs, cases, output};
+use crate::{
+    report::system::{self as views, json},
+    system::{SystemFile, validation},
+};
+
+pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
+    let path = args.case.clone().unwrap_or_default();
+    let (fields, solved) = cases::load_with::<SystemFile>(&path, &args.set)?;
+    if args.json {
+        let text = format!("{:#}\n", json::object(&solved));
+        output::results(&text, false)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let rows = validation::rows(&solved);
+    let text = views::report(&solved, &rows, &fields, output::glyphs(args.ascii));
+    output::results(&text, args.ascii)?;
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,126 @@
+//! A system at rest as one JSON object, for scripts; keys end in their units.
+
+use serde_json::{Value, json};
+
+use crate::numerics::V3;
+use crate::reference::ValidationRow;
+use crate::system::SolvedSystem;
+use crate::system::bounds::Contact;
+use crate::system::network::Held;
+use crate::system::solved::Stability;
+
+use super::tables::{greatest_share, load};
+
+fn three(v: &V3) -> Value {
+    json!([v.x, v.y, v.z])
+}
+
+/// The system at rest.
+#[must_use]
+pub fn object(solved: &SolvedSystem) -> Value {
+    let rest = &solved.rest;
+    json!({
+        "kind": "system",
+        "title": solved.file.about.title,
+        "version": env!("CARGO_PKG_VERSION"),
+        "stability": stability(&solved.stability),
+        "residual_n": rest.residual,
+        "steps": rest.steps,
+        "evaluations": rest.evaluations,
+        "lines": (0..solved.network.lines.len()).map(|k| line(solved, k)).collect::<Vec<_>>(),
+        "points": (0..solved.network.points.len()).map(|k| point(solved, k)).collect::<Vec<_>>(),
+        "bodies": (0..solved.network.bodies.len()).map(|k| body(solved, k)).collect::<Vec<_>>(),
+        "warnings": super::tables::warnings(solved),
+    })
+}
+
+fn stability(stability: &Stability) -> Value {
+    match stability {
+        Stability::Stable => json!({"is": "stable"}),
+        Stability::Neutral(along) => json!({"is": "neutral", "along": along}),
+        Stability::Unstable(along) => json!({"is": "unstable", "along": along}),
+    }
+}
+
+/// A line: forces of the line on its ends; end A is its `from`.
+fn line(solved: &SolvedSystem, index: usize) -> Value {
+    let network = &solved.network;
+    let (line, at_rest) = (&network.lines[index], &solved.rest.balance.lines[index]);
+    let [a, b] = at_rest.tensions();
+    // The closed form is put back into its equations; what is left out of balance at free ends comes on top.
+    let own = at_rest.solution.as_ref().map_or(0.0, |line| line.residual) * a.max(b);
+    json!({
+        "name": line.name,
+        "from": network.points[line.from].name,
+        "to": network.points[line.to].name,
+        "length_m": line.length(),
+        "tension_a_n": a,
+        "tension_b_n": b,
+        "force_a_n": three(&at_rest.force_a),
+        "force_b_n": three(&at_rest.force_b),
+        "on_bed_m": at_rest.on_bed(),
+        "share_of_breaking_load": greatest_share(solved, index),
+        "error_n": own + solved.rest.residual + f64::EPSILON * a.max(b),
+    })
+}
+
+fn point(solved: &SolvedSystem, index: usize) -> Value {
+    let point = &solved.network.points[index];
+    let held = match &point.held {
+        Held::At(_) => "fixed",
+        Held::On(..) => "body",
+        Held::Free(_) => {
+            let first = solved.rest.freedoms.points[index].unwrap_or(0);
+            match solved.rest.contacts[first + 2] {
+                Contact::None => "free",
+                Contact::Bed => "on bed",
+                Contact::Surface => "afloat",
+            }
+        }
+    };
+    json!({
+        "name": point.name,
+        "held": held,
+        "position_m": three(&solved.rest.placement.points[index]),
+    })
+}
+
+fn body(solved: &SolvedSystem, index: usize) -> Value {
+    let body = &solved.network.bodies[index];
+    let pose = &solved.rest.placement.bodies[index];
+    let [roll, pitch, yaw] = pose.angles().map(f64::to_degrees);
+    let (force, moment) = load(solved, index);
+    let matrix = &solved.stiffness[index];
+    let rows: Vec<Vec<f64>> = (0..6)
+        .map(|i| (0..6).map(|j| matrix[(i, j)]).collect())
+        .collect();
+    json!({
+        "name": body.name,
+        "held": if body.free { "free" } else { "held" },
+        "pose": {
+            "position_m": three(&pose.origin),
+            "roll_deg": roll,
+            "pitch_deg": pitch,
+            "yaw_deg": yaw,
+        },
+        "lines_force_n": three(&force),
+        "lines_moment_n_m": three(&moment),
+        "stiffness": rows,
+    })
+}
+
+/// Rows of a validation table.
+#[must_use]
+pub fn validation(rows: &[ValidationRow]) -> Value {
+    let each = rows.iter().map(|row| {
+        json!({
+            "name": row.name,
+            "published": row.published,
+            "computed": row.computed,
+            "unit": row.unit,
+            "outcome": row.outcome.to_string(),
+            "source": row.source,
+        })
+    });
+    Value::Array(each.collect())
+}

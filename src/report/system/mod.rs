@@ -1,0 +1,50 @@
+//! A system of lines in views: plan, side and oblique view, tables of lines, points and bodies, text report, JSON.
+
+pub mod json;
+pub mod tables;
+pub mod views;
+
+use crate::case::FieldRow;
+use crate::reference::ValidationRow;
+use crate::report::chart::Glyphs;
+use crate::report::text::{self, Page, inputs};
+use crate::system::SolvedSystem;
+
+/// Lines of a view.
+const LINES: usize = 20;
+
+/// The report of a system: views, lines, points, bodies with their stiffness, comparison with published values, inputs.
+#[must_use]
+pub fn report(
+    solved: &SolvedSystem,
+    rows: &[ValidationRow],
+    fields: &[FieldRow],
+    glyphs: Glyphs,
+) -> String {
+    let about = &solved.file.about;
+    let mut page = Page::default();
+    page.title(&about.title);
+    page.prose([&about.source, &about.notes]);
+    page.paragraph(&tables::summary(solved));
+    for warning in tables::warnings(solved) {
+        page.hanging("! ", &warning);
+    }
+    page.heading("Lines");
+    page.chart(&views::plan(solved), LINES, glyphs);
+    page.chart(&views::side(solved), LINES, glyphs);
+    page.table(&tables::lines(solved));
+    page.heading("Points and bodies");
+    page.table(&tables::points(solved));
+    if !solved.network.bodies.is_empty() {
+        page.table(&tables::bodies(solved));
+        for body in 0..solved.network.bodies.len() {
+            page.table(&tables::stiffness(solved, body));
+        }
+    }
+    if !rows.is_empty() {
+        page.heading("Published values");
+        page.block(&text::validation(rows));
+    }
+    inputs(&mut page, fields, !about.source.trim().is_empty());
+    page.finish()
+}

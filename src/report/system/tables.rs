@@ -1,0 +1,291 @@
+//! A system at rest in tables: lines, points, bodies and their stiffness; what is to be noted.
+
+use crate::numerics::V3;
+use crate::report::table::{Align, Cell, Column, NumberFormat, Table};
+use crate::system::SolvedSystem;
+use crate::system::bounds::Contact;
+use crate::system::line_at_rest::LineNote;
+use crate::system::network::Held;
+use crate::system::solved::Stability;
+
+const NEWTONS: NumberFormat = NumberFormat::Si("N");
+const METRES: NumberFormat = NumberFormat::Decimals(3, "m");
+const DEGREES: NumberFormat = NumberFormat::Decimals(2, "deg");
+
+/// A line with its number.
+type Numbered = usize;
+
+/// The system in a sentence: how it rests, how exactly, at what cost.
+#[must_use]
+pub fn summary(solved: &SolvedSystem) -> String {
+    let (network, rest) = (&solved.network, &solved.rest);
+    let share = rest.residual / rest.balance.tension.max(f64::MIN_POSITIVE);
+    format!(
+        "{} lines, {} points, {} bodies at rest in still water: exact elastic catenaries. {} Forces out of balance {}, {share:.1e} of the greatest tension; {} steps, {} evaluations of all lines.",
+        network.lines.len(),
+        network.points.len(),
+        network.bodies.len(),
+        stability(&solved.stability),
+        NEWTONS.write(rest.residual),
+        rest.steps,
+        rest.evaluations,
+    )
+}
+
+fn stability(stability: &Stability) -> String {
+    match stability {
+        Stability::Stable => "The equilibrium is stable.".to_owned(),
+        Stability::Neutral(name) => {
+            format!(
+                "The equilibrium is neutral: nothing resists a small motion in {name}; the tensions are the same all along."
+            )
+        }
+        Stability::Unstable(name) => format!("The equilibrium is unstable: it leaves in {name}."),
+    }
+}
+
+/// What a reader must know beside the numbers.
+#[must_use]
+pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
+    let mut found = Vec::new();
+    for (line, at_rest) in solved.network.lines.iter().zip(&solved.rest.balance.lines) {
+        match at_rest.note {
+            Some(LineNote::WithoutFriction) => found.push(format!(
+                "Line {} lies on the bed between two suspended parts: it is taken without friction, which there depends on how it was laid.",
+                line.name
+            )),
+            Some(LineNote::ShapeUndetermined) => found.push(format!(
+                "Line {} is weightless and slack: its shape is not determined, it pulls on nothing.",
+                line.name
+            )),
+            None => {}
+        }
+        for (share, _) in shares(solved, line)
+            .iter()
+            .filter(|(share, _)| *share > 1.0)
+        {
+            found.push(format!(
+                "Line {} carries {:.0} % of its breaking load.",
+                line.name,
+                100.0 * share
+            ));
+        }
+    }
+    found.extend(afloat(solved));
+    found
+}
+
+/// Points that float at the surface.
+fn afloat(solved: &SolvedSystem) -> Vec<String> {
+    let rest = &solved.rest;
+    let numbered = solved.network.points.iter().zip(&rest.freedoms.points);
+    let floating = numbered.filter(|(_, first)| {
+        first.is_some_and(|first| rest.contacts[first + 2] == Contact::Surface)
+    });
+    floating
+        .map(|(point, _)| {
+            format!(
+                "Point {} floats at the surface, part of its volume out of the water.",
+                point.name
+            )
+        })
+        .collect()
+}
+
+/// Tension over breaking load at the ends of the sections of a line, and which section.
+fn shares(solved: &SolvedSystem, line: &crate::system::network::Line) -> Vec<(f64, usize)> {
+    let places = &solved.rest.placement.points;
+    let ends = [&places[line.from], &places[line.to]];
+    let index = solved.network.line(&line.name).unwrap_or(0);
+    let at_rest = &solved.rest.balance.lines[index];
+    let whole = line.length();
+    let mut arc = 0.0;
+    let mut found = Vec::new();
+    for (k, section) in line.sections.iter().enumerate() {
+        let (from, to) = (arc / whole, (arc + section.length_m) / whole);
+        arc += section.length_m;
+        if let Some(breaks) = line.break_loads[k] {
+            let greatest = at_rest.at(from, ends).1.max(at_rest.at(to, ends).1);
+            found.push((greatest / breaks, k));
+        }
+    }
+    found
+}
+
+/// The greatest tension over breaking load along a line; nothing where no section states one.
+#[must_use]
+pub fn greatest_share(solved: &SolvedSystem, line: usize) -> Option<f64> {
+    let shares = shares(solved, &solved.network.lines[line]);
+    shares.into_iter().map(|(share, _)| share).reduce(f64::max)
+}
+
+/// Elevation of a force above the horizontal \[deg\]; nothing without force.
+fn elevation(force: &V3) -> Option<f64> {
+    let horizontal = force.xy().norm();
+    (force.norm() > 0.0).then(|| force.z.atan2(horizontal).to_degrees())
+}
+
+/// The lines: tensions and angles at both ends, length on the bed, uplift of an end that is held, share of breaking load.
+#[must_use]
+pub fn lines(solved: &SolvedSystem) -> Table {
+    let network = &solved.network;
+    let numbers: Vec<Numbered> = (0..network.lines.len()).collect();
+    let at_rest = |k: &Numbered| &solved.rest.balance.lines[*k];
+    let name = |point: usize| network.points[point].name.as_str();
+    let table = Table::of("Lines at rest", &numbers)
+        .text("line", |k| format!("{} {}", k + 1, network.lines[*k].name))
+        .text("from", |k| name(network.lines[*k].from))
+        .text("to", |k| name(network.lines[*k].to))
+        .number("tension at from", NEWTONS, |k| at_rest(k).tensions()[0])
+        .number("angle", DEGREES, |k| elevation(&at_rest(k).force_a))
+        .number("tension at to", NEWTONS, |k| at_rest(k).tensions()[1])
+        .number("angle", DEGREES, |k| elevation(&at_rest(k).force_b))
+        .number("on the bed", METRES, |k| at_rest(k).on_bed());
+    let has_breaks = numbers.iter().any(|k| greatest_share(solved, *k).is_some());
+    let table = if has_breaks {
+        table.number("of breaking load", NumberFormat::Percent, |k| {
+            greatest_share(solved, *k)
+        })
+    } else {
+        table
+    };
+    table.build().noted(vec![
+        "Angles of the pull of a line on its end above the horizontal.".to_owned(),
+    ])
+}
+
+/// The points: what holds them, where they are, and the force that holds or bears them.
+#[must_use]
+pub fn points(solved: &SolvedSystem) -> Table {
+    let network = &solved.network;
+    let rest = &solved.rest;
+    let numbers: Vec<usize> = (0..network.points.len()).collect();
+    let place = |k: &usize| rest.placement.points[*k];
+    let pulls: Vec<V3> = numbers.iter().map(|k| pull(solved, *k)).collect();
+    Table::of("Points", &numbers)
+        .text("point", |k| network.points[*k].name.as_str())
+        .text("held", |k| held(solved, *k))
+        .number("x", METRES, |k| place(k).x)
+        .number("y", METRES, |k| place(k).y)
+        .number("z", METRES, |k| place(k).z)
+        .number("pull of the lines", NEWTONS, |k| pulls[*k].norm())
+        .number("upwards", NEWTONS, |k| pulls[*k].z)
+        .build()
+}
+
+/// The force of all lines on a point.
+fn pull(solved: &SolvedSystem, point: usize) -> V3 {
+    let mut sum = V3::zeros();
+    for (line, at_rest) in solved.network.lines.iter().zip(&solved.rest.balance.lines) {
+        if line.from == point {
+            sum += at_rest.force_a;
+        }
+        if line.to == point {
+            sum += at_rest.force_b;
+        }
+    }
+    sum
+}
+
+fn held(solved: &SolvedSystem, point: usize) -> String {
+    match &solved.network.points[point].held {
+        Held::At(_) => "fixed".to_owned(),
+        Held::On(body, _) => format!("on {}", solved.network.bodies[*body].name),
+        Held::Free(_) => {
+            let first = solved.rest.freedoms.points[point].unwrap_or(0);
+            match solved.rest.contacts[first + 2] {
+                Contact::None => "free",
+                Contact::Bed => "on the bed",
+                Contact::Surface => "afloat",
+            }
+            .to_owned()
+        }
+    }
+}
+
+/// The bodies: pose and force of the lines.
+#[must_use]
+pub fn bodies(solved: &SolvedSystem) -> Table {
+    let network = &solved.network;
+    let numbers: Vec<usize> = (0..network.bodies.len()).collect();
+    let pose = |k: &usize| &solved.rest.placement.bodies[*k];
+    let angle = |k: &usize, axis: usize| pose(k).angles()[axis].to_degrees();
+    let loads: Vec<(V3, V3)> = numbers.iter().map(|k| load(solved, *k)).collect();
+    Table::of("Bodies", &numbers)
+        .text("body", |k| network.bodies[*k].name.as_str())
+        .text("held", |k| {
+            if network.bodies[*k].free {
+                "free"
+            } else {
+                "held"
+            }
+        })
+        .number("x", METRES, |k| pose(k).origin.x)
+        .number("y", METRES, |k| pose(k).origin.y)
+        .number("z", METRES, |k| pose(k).origin.z)
+        .number("roll", DEGREES, |k| angle(k, 0))
+        .number("pitch", DEGREES, |k| angle(k, 1))
+        .number("yaw", DEGREES, |k| angle(k, 2))
+        .number("lines x", NEWTONS, |k| loads[*k].0.x)
+        .number("lines y", NEWTONS, |k| loads[*k].0.y)
+        .number("lines z", NEWTONS, |k| loads[*k].0.z)
+        .build()
+}
+
+/// Force and moment of the lines on a body about its origin.
+#[must_use]
+pub fn load(solved: &SolvedSystem, body: usize) -> (V3, V3) {
+    let placement = &solved.rest.placement;
+    let (mut force, mut moment) = (V3::zeros(), V3::zeros());
+    for (index, point) in solved.network.points.iter().enumerate() {
+        if matches!(point.held, Held::On(on, _) if on == body) {
+            let here = pull(solved, index);
+            force += here;
+            moment += (placement.points[index] - placement.bodies[body].origin).cross(&here);
+        }
+    }
+    (force, moment)
+}
+
+/// The stiffness of the lines on a body, six by six.
+#[must_use]
+pub fn stiffness(solved: &SolvedSystem, body: usize) -> Table {
+    const NAMES: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
+    let name = &solved.network.bodies[body].name;
+    let matrix = &solved.stiffness[body];
+    let greatest = |rows: std::ops::Range<usize>, columns: std::ops::Range<usize>| {
+        let inner = rows.flat_map(|i| columns.clone().map(move |j| (i, j)));
+        inner.map(|at| matrix[at].abs()).fold(0.0, f64::max)
+    };
+    let block = |k: usize| if k < 3 { 0..3 } else { 3..6 };
+    let cell = |i: usize, j: usize| {
+        let value = matrix[(i, j)];
+        // What is rounding beside the others of its block is shown as nothing.
+        if value.abs() <= 1e-9 * greatest(block(i), block(j)) {
+            return Cell::plain("0");
+        }
+        Cell::plain(format!("{value:.4e}"))
+    };
+    let mut columns = vec![Column {
+        head: "force by motion".to_owned(),
+        align: Align::Left,
+    }];
+    columns.extend(NAMES.iter().map(|name| Column {
+        head: (*name).to_owned(),
+        align: Align::Right,
+    }));
+    let rows = (0..6).map(|i| {
+        let mut row = vec![Cell::plain(NAMES[i])];
+        row.extend((0..6).map(|j| cell(i, j)));
+        row
+    });
+    Table {
+        title: format!("Stiffness of the lines on {name}, about its origin [N/m, N, N m]"),
+        columns,
+        rows: rows.collect(),
+        notes: vec![
+            "Exact: the tangent of the whole system condensed onto the body; axes of the earth."
+                .to_owned(),
+        ],
+    }
+}

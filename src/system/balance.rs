@@ -1,0 +1,154 @@
+//! The forces on the unknowns of a system, and their stiffness.
+//!
+//! A point at the arm `r` from the origin of a body moves by `du + dt x r` as the body moves by `du` and turns by `dt`. A force F
+//! there is the force F and the moment `r x F` on the body, and
+//!
+//! ```text
+//! d(r x F) = [F]x [r]x dt + [r]x dF
+//! ```
+//!
+//! The first part turns the arm under the force: with it the stiffness of a body is exact, loads that hold still included.
+
+use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
+
+use super::freedoms::{Follower, Freedoms, Placement, follower};
+use super::line_at_rest::{Friction, LineAtRest, solve};
+use super::network::{Body, Held, Network};
+use super::pose::{Pose, cross};
+use crate::numerics::V3;
+use crate::statics::catenary::CatenaryError;
+
+/// Forces and stiffness of a system at a placement.
+#[derive(Debug, Clone)]
+pub struct Balance {
+    /// Force on each unknown \[N, N m\].
+    pub force: DVector<f64>,
+    /// Minus the change of the forces with the unknowns \[N/m, N, N m\].
+    pub stiffness: DMatrix<f64>,
+    /// The lines at rest.
+    pub lines: Vec<LineAtRest>,
+    /// Greatest tension at an end \[N\].
+    pub tension: f64,
+}
+
+/// A line that has no equilibrium between its ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UnsolvedLine {
+    /// Which line.
+    pub line: usize,
+    /// Why.
+    pub error: CatenaryError,
+}
+
+/// The forces at a placement; `before` are lines near by.
+///
+/// # Errors
+/// The first line without a solution.
+pub fn balance(
+    network: &Network,
+    freedoms: &Freedoms,
+    placement: &Placement,
+    friction: Friction,
+    before: Option<&[LineAtRest]>,
+) -> Result<Balance, UnsolvedLine> {
+    let n = freedoms.count;
+    let mut out = Balance {
+        force: DVector::zeros(n),
+        stiffness: DMatrix::zeros(n, n),
+        lines: Vec::with_capacity(network.lines.len()),
+        tension: 0.0,
+    };
+    for (index, line) in network.lines.iter().enumerate() {
+        let ends = [line.from, line.to];
+        let [a, b] = ends.map(|point| &placement.points[point]);
+        let near = before.and_then(|lines| lines.get(index));
+        let at_rest = solve(network, line, (a, b), friction, near)
+            .map_err(|error| UnsolvedLine { line: index, error })?;
+        let followers = ends.map(|point| follower(network, freedoms, placement, point));
+        out.line(&at_rest, &followers);
+        out.tension = at_rest.tensions().into_iter().fold(out.tension, f64::max);
+        out.lines.push(at_rest);
+    }
+    for (point, first) in network.points.iter().zip(&freedoms.points) {
+        if let (Held::Free(free), Some(first)) = (&point.held, first) {
+            let mut force = out.force.fixed_rows_mut::<3>(*first);
+            force += free.force();
+        }
+    }
+    for (index, first) in freedoms.bodies.iter().enumerate() {
+        if let Some(first) = first {
+            let body = &network.bodies[index];
+            let (force, stiffness) = body_loads(body, &placement.bodies[index]);
+            let mut rows = out.force.fixed_rows_mut::<6>(*first);
+            rows += force;
+            let mut block = out.stiffness.fixed_view_mut::<6, 6>(*first, *first);
+            block += stiffness;
+        }
+    }
+    Ok(out)
+}
+
+impl Balance {
+    /// Adds a line on the unknowns that its ends follow.
+    fn line(&mut self, line: &LineAtRest, followers: &[Option<Follower>; 2]) {
+        let forces = [line.force_a, line.force_b];
+        for (i, on) in followers.iter().enumerate() {
+            let Some(on) = on else { continue };
+            let load = on.by.transpose() * forces[i];
+            for k in 0..on.size {
+                self.force[on.first + k] += load[k];
+            }
+            if on.size == 6 {
+                let turning = -(cross(&forces[i]) * cross(&on.arm));
+                let mut block = self
+                    .stiffness
+                    .fixed_view_mut::<3, 3>(on.first + 3, on.first + 3);
+                block += turning;
+            }
+            for (j, by) in followers.iter().enumerate() {
+                let Some(by) = by else { continue };
+                let block = on.by.transpose() * line.by_ends[i][j] * by.by;
+                for row in 0..on.size {
+                    for column in 0..by.size {
+                        self.stiffness[(on.first + row, by.first + column)] -= block[(row, column)];
+                    }
+                }
+            }
+        }
+    }
+
+    /// The stiffness made symmetric.
+    #[must_use]
+    pub fn symmetric(&self) -> DMatrix<f64> {
+        0.5 * (&self.stiffness + self.stiffness.transpose())
+    }
+}
+
+/// Weight, buoyancy, water-plane and steady loads of a body: force and moment about its origin, and their stiffness.
+///
+/// The water-plane acts by the displacement of the origin and the rotation vector from the pose given.
+#[must_use]
+pub fn body_loads(body: &Body, pose: &Pose) -> (Vector6<f64>, Matrix6<f64>) {
+    let mut force = Vector6::zeros();
+    let mut stiffness = body.waterplane;
+    let mut at = |arm: V3, load: V3| {
+        let moment = arm.cross(&load);
+        for k in 0..3 {
+            force[k] += load[k];
+            force[k + 3] += moment[k];
+        }
+        let mut block = stiffness.fixed_view_mut::<3, 3>(3, 3);
+        block -= cross(&load) * cross(&arm);
+    };
+    at(V3::zeros(), body.load);
+    at(pose.arm(&body.centre_of_gravity), V3::z() * -body.weight);
+    at(pose.arm(&body.centre_of_buoyancy), V3::z() * body.buoyancy);
+    let step = pose.origin - body.pose.origin;
+    let turn = (pose.rotation * body.pose.rotation.inverse()).scaled_axis();
+    let moved = Vector6::new(step.x, step.y, step.z, turn.x, turn.y, turn.z);
+    force -= body.waterplane * moved;
+    for k in 0..3 {
+        force[k + 3] += body.moment[k];
+    }
+    (force, stiffness)
+}

@@ -1,0 +1,244 @@
+//! A system file in SI, its repeats written out.
+
+use std::collections::BTreeMap;
+
+use nalgebra::{Matrix6, Rotation3, Vector6};
+
+use super::model::{BodyInputs, BodyKind, LineInputs, PointInputs, PointKind, SystemFile};
+use super::network::{Body, FreePoint, Held, Line, Network, Point, reversed};
+use super::pose::Pose;
+use crate::case::Material;
+use crate::numerics::{M3, V3};
+use crate::statics::catenary::SectionProperties;
+
+/// The system that a file states, which the checks passed.
+#[must_use]
+pub fn build(file: &SystemFile) -> Network {
+    let mut network = Network {
+        gravity: file.environment.gravity_m_per_s2,
+        density: file.environment.water_density_kg_per_m3,
+        bed_z: file.seabed.as_ref().map(|bed| -bed.depth_m),
+        ..Network::default()
+    };
+    for (name, body) in &file.bodies {
+        let built = self::body(name, body, &network);
+        network.bodies.push(built);
+    }
+    let mut builder = Builder {
+        file,
+        network,
+        numbers: BTreeMap::new(),
+    };
+    for line in &file.lines {
+        builder.repeated(line);
+    }
+    // Points without lines: loads and weights with nothing to hold them are refused, others say where something is.
+    for (name, _) in file
+        .points
+        .iter()
+        .filter(|(name, _)| !file.names_line_end(name))
+    {
+        builder.point(name, 0.0, V3::zeros());
+    }
+    builder.network
+}
+
+impl SystemFile {
+    /// Whether a line ends at this point.
+    #[must_use]
+    pub fn names_line_end(&self, point: &str) -> bool {
+        self.lines
+            .iter()
+            .any(|line| line.from == point || line.to == point)
+    }
+}
+
+struct Builder<'a> {
+    file: &'a SystemFile,
+    network: Network,
+    /// Points by the name that they have in the system.
+    numbers: BTreeMap<String, usize>,
+}
+
+impl Builder<'_> {
+    /// A line with all its copies.
+    fn repeated(&mut self, line: &LineInputs) {
+        let once = [0.0];
+        let angles: &[f64] = match line.repeat_at_deg.is_empty() {
+            true => &once,
+            false => &line.repeat_at_deg,
+        };
+        let [x, y] = line.repeat_about_m;
+        let axis = V3::new(x, y, 0.0);
+        for &angle in angles {
+            let from = self.point(&line.from, angle, axis);
+            let to = self.point(&line.to, angle, axis);
+            let built = self.line(line, copy_name(&line.name, angle), from, to);
+            self.network.lines.push(built);
+        }
+    }
+
+    /// The copy of a point at an angle; a point on the axis is its own copy.
+    fn point(&mut self, name: &str, angle: f64, axis: V3) -> usize {
+        let given = &self.file.points[name];
+        let on_axis = turned(given, angle, axis).is_none_or(|(place, here)| place == here);
+        let name = if on_axis {
+            name.to_owned()
+        } else {
+            copy_name(name, angle)
+        };
+        if let Some(number) = self.numbers.get(&name) {
+            return *number;
+        }
+        let place = turned(given, angle, axis).map(|(place, _)| place);
+        let number = self.network.points.len();
+        let held = self.held(given, place);
+        self.network.points.push(Point {
+            name: name.clone(),
+            held,
+        });
+        self.numbers.insert(name, number);
+        number
+    }
+
+    fn held(&self, given: &PointInputs, place: Option<V3>) -> Held {
+        match given.kind {
+            PointKind::Fixed => Held::At(place.unwrap_or_default()),
+            PointKind::Body => {
+                let body = given
+                    .body
+                    .as_deref()
+                    .and_then(|name| self.network.body(name));
+                Held::On(body.unwrap_or_default(), place.unwrap_or_default())
+            }
+            PointKind::Free => Held::Free(FreePoint {
+                weight: given.mass_kg * self.network.gravity,
+                buoyancy: self.network.density * given.volume_m3 * self.network.gravity,
+                mass: given.mass_kg,
+                volume: given.volume_m3,
+                load: V3::from(given.load_n),
+                start: place,
+            }),
+        }
+    }
+
+    fn line(&self, line: &LineInputs, name: String, from: usize, to: usize) -> Line {
+        let one = line
+            .material
+            .iter()
+            .zip(line.length_m)
+            .map(|(m, length)| (m, length, 0.0));
+        let several = line
+            .sections
+            .iter()
+            .map(|s| (&s.material, s.length_m, s.clump_kg));
+        let parts: Vec<(&Material, f64, f64)> = one
+            .chain(several)
+            .map(|(material, length, clump)| (&self.file.materials[material], length, clump))
+            .collect();
+        let sections: Vec<SectionProperties> = parts
+            .iter()
+            .map(|(material, length, clump)| SectionProperties {
+                length_m: *length,
+                weight_n_per_m: self.wet_weight(material),
+                ea_n: material.ea_n.unwrap_or(f64::INFINITY),
+                clump_n: clump * self.network.gravity,
+            })
+            .collect();
+        let friction = line
+            .friction
+            .or(self.file.seabed.as_ref().map(|bed| bed.friction));
+        let water = |m: &Material| self.network.density * area(m) * m.added_mass_normal;
+        Line {
+            name,
+            from,
+            to,
+            reversed: reversed(&sections),
+            sections,
+            break_loads: parts.iter().map(|(m, ..)| m.break_load_n).collect(),
+            masses: parts
+                .iter()
+                .map(|(m, ..)| [m.mass_kg_per_m, m.mass_kg_per_m + water(m)])
+                .collect(),
+            friction: friction.unwrap_or(0.0),
+        }
+    }
+
+    fn wet_weight(&self, material: &Material) -> f64 {
+        let displaced = self.network.density * area(material);
+        let mass = material
+            .wet_weight_kg_per_m
+            .unwrap_or(material.mass_kg_per_m - displaced);
+        mass * self.network.gravity
+    }
+}
+
+fn area(material: &Material) -> f64 {
+    0.25 * std::f64::consts::PI * material.diameter_m * material.diameter_m
+}
+
+/// The place of a point turned about the axis, and as it is given; nothing where none is given.
+fn turned(point: &PointInputs, angle: f64, axis: V3) -> Option<(V3, V3)> {
+    let here = V3::from(point.position_m?);
+    let about = match point.kind {
+        PointKind::Body => V3::zeros(),
+        PointKind::Fixed | PointKind::Free => axis,
+    };
+    if angle == 0.0 {
+        return Some((here, here));
+    }
+    let turn = Rotation3::from_axis_angle(&V3::z_axis(), angle.to_radians());
+    let arm = here - about;
+    if arm.x == 0.0 && arm.y == 0.0 {
+        return Some((here, here));
+    }
+    Some((about + turn * arm, here))
+}
+
+/// The name of a copy: `mooring@120`; the one that is not turned keeps its own.
+#[must_use]
+pub fn copy_name(name: &str, angle: f64) -> String {
+    if angle == 0.0 {
+        name.to_owned()
+    } else {
+        format!("{name}@{angle}")
+    }
+}
+
+fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
+    let [roll, pitch, yaw] = [given.roll_deg, given.pitch_deg, given.yaw_deg].map(f64::to_radians);
+    let mass = given.mass_kg.unwrap_or(0.0);
+    Body {
+        name: name.to_owned(),
+        pose: Pose::new(V3::from(given.position_m), roll, pitch, yaw),
+        free: given.kind == BodyKind::Free,
+        mass,
+        weight: mass * network.gravity,
+        centre_of_gravity: V3::from(given.centre_of_gravity_m),
+        inertia: inertia(&given.inertia_kg_m2),
+        buoyancy: network.density * given.volume_m3 * network.gravity,
+        centre_of_buoyancy: V3::from(given.centre_of_buoyancy_m),
+        waterplane: matrix(&given.waterplane_stiffness),
+        added_mass: matrix(&given.added_mass),
+        load: V3::from(given.load_n),
+        moment: V3::from(given.moment_n_m),
+        bottom: given.bottom_m,
+    }
+}
+
+/// 36 numbers row by row, a diagonal of six, or nothing: zeros.
+#[must_use]
+pub fn matrix(numbers: &[f64]) -> Matrix6<f64> {
+    match numbers.len() {
+        36 => Matrix6::from_row_slice(numbers),
+        6 => Matrix6::from_diagonal(&Vector6::from_row_slice(numbers)),
+        _ => Matrix6::zeros(),
+    }
+}
+
+/// Ixx, Iyy, Izz, and Ixy, Ixz, Iyz where they are given.
+fn inertia(numbers: &[f64]) -> M3 {
+    let at = |k: usize| numbers.get(k).copied().unwrap_or(0.0);
+    let (xy, xz, yz) = (at(3), at(4), at(5));
+    M3::new(at(0), xy, xz, xy, at(1), yz, xz, yz, at(2))
+}

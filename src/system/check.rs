@@ -1,0 +1,212 @@
+//! Checks of the keys of a system against each other: names, ends, places, what holds what.
+
+use super::model::{BodyKind, LineKeys, PointKeys, PointKind, SystemKeys};
+use super::quantities;
+use crate::case::schema::Key;
+use crate::case::{Finding, unknown, used_twice};
+use crate::reference::published_number;
+
+/// Checks of a system.
+pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    for (_, point) in &keys.points {
+        found.extend(place_of(point));
+        found.extend(body_of(keys, point));
+        found.extend(outside_water(keys, point));
+    }
+    for (_, body) in &keys.bodies {
+        if body.kind.is(&BodyKind::Free) {
+            found.extend(
+                body.mass_kg
+                    .if_missing("a free body needs its mass: add `mass_kg`"),
+            );
+        }
+        found.extend(matrix(
+            &body.waterplane_stiffness,
+            &[6, 36],
+            "6 numbers, a diagonal, or 36, row by row",
+        ));
+        found.extend(matrix(
+            &body.added_mass,
+            &[6, 36],
+            "6 numbers, a diagonal, or 36, row by row",
+        ));
+        found.extend(matrix(
+            &body.inertia_kg_m2,
+            &[3, 6],
+            "Ixx, Iyy, Izz, or these and Ixy, Ixz, Iyz",
+        ));
+    }
+    for (_, line) in &keys.lines {
+        found.extend(ends(keys, line));
+        found.extend(make_up(keys, line));
+        found.extend(repeats(line));
+    }
+    let names = keys.lines.iter().map(|(_, line)| &line.name);
+    found.extend(used_twice(names, "give every line a name of its own"));
+    for (_, material) in &keys.materials {
+        let needed =
+            "lines of a system are elastic: give `ea_n`, a table of strains is not covered";
+        found.extend(material.ea_n.if_missing(needed));
+    }
+    found.extend(published_number::check(&keys.published, |key| {
+        quantities::unknown(key, keys)
+    }));
+    found
+}
+
+/// Held points need a place; they have no mass.
+fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    let kind = point.kind.value();
+    match kind {
+        Some(PointKind::Fixed) => {
+            found.extend(
+                point
+                    .position_m
+                    .if_missing("add where the point is held: `position_m = [x, y, z]`"),
+            );
+        }
+        Some(PointKind::Body) => {
+            let remedy = "add its place in the body's frame: `position_m = [forward, to port, up]`";
+            found.extend(point.position_m.if_missing(remedy));
+            found.extend(
+                point
+                    .body
+                    .if_missing("name the body that the point is on: `body = \"...\"`"),
+            );
+        }
+        Some(PointKind::Free) | None => {}
+    }
+    if matches!(kind, Some(PointKind::Fixed | PointKind::Body)) {
+        let problem = "has no effect on a point that is held";
+        let remedy = "leave it out, or make the point free";
+        found.extend(point.mass_kg.if_given(problem, remedy));
+        found.extend(point.volume_m3.if_given(problem, remedy));
+        found.extend(point.load_n.if_given(problem, remedy));
+    }
+    found
+}
+
+fn body_of(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Option<Finding> {
+    if point.body.is_given() && !point.kind.is(&PointKind::Body) {
+        let remedy = "make the point of kind \"body\", or leave the body out";
+        return Some(
+            point
+                .body
+                .finding("is given for a point that is not on a body", remedy),
+        );
+    }
+    let names: Vec<&str> = keys.bodies.iter().map(|(name, _)| name.as_str()).collect();
+    unknown(&point.body, &names, "body", "system")
+}
+
+/// Points above the water or below the bed.
+fn outside_water(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Option<Finding> {
+    if point.kind.is(&PointKind::Body) {
+        return None;
+    }
+    let [_, _, z] = point.position_m.value()?;
+    if let Some(depth) = keys.seabed.as_ref().and_then(|bed| bed.depth_m.value())
+        && z < -depth
+    {
+        let problem = format!(
+            "lies {} m below the bed, which is {depth} m deep",
+            -depth - z
+        );
+        return Some(
+            point
+                .position_m
+                .finding(problem, format!("give a z of {} or more", -depth)),
+        );
+    }
+    let water = keys
+        .environment
+        .as_ref()
+        .and_then(|e| e.water_density_kg_per_m3.value());
+    if z > 0.0 && water.unwrap_or(1025.0) > 0.0 {
+        let problem = format!("lies {z} m above the water, where lines have another weight");
+        let remedy = "give a z of 0 or less, put the point on a body, or, for lines in air, set environment.water_density_kg_per_m3 = 0";
+        return Some(point.position_m.finding(problem, remedy));
+    }
+    None
+}
+
+fn matrix(key: &Key<'_, Vec<f64>>, lengths: &[usize], wanted: &str) -> Option<Finding> {
+    let numbers = key.given()?;
+    (!lengths.contains(&numbers.len())).then(|| {
+        let problem = format!("has {} numbers", numbers.len());
+        key.finding(problem, format!("give {wanted}"))
+    })
+}
+
+fn ends(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Vec<Finding> {
+    let names: Vec<&str> = keys.points.iter().map(|(name, _)| name.as_str()).collect();
+    let mut found: Vec<Finding> = [&line.from, &line.to]
+        .into_iter()
+        .filter_map(|end| unknown(end, &names, "point", "system"))
+        .collect();
+    if let (Some(from), Some(to)) = (line.from.get(), line.to.get())
+        && from == to
+    {
+        let problem = format!("the line begins and ends at \"{to}\"");
+        found.push(line.to.finding(problem, "give another point"));
+    }
+    found
+}
+
+/// One material and length, or sections.
+fn make_up(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Vec<Finding> {
+    let materials: Vec<&str> = keys
+        .materials
+        .iter()
+        .map(|(name, _)| name.as_str())
+        .collect();
+    let known = |key| unknown(key, &materials, "material", "system");
+    let mut found = Vec::from_iter(known(&line.material));
+    if line.sections.is_empty() {
+        found.extend(
+            line.material
+                .if_missing("give `material` and `length_m`, or [[lines.sections]]"),
+        );
+        found.extend(
+            line.length_m
+                .if_missing("give the unstretched length: `length_m`"),
+        );
+        return found;
+    }
+    let problem = "is given beside sections";
+    found.extend(
+        line.material
+            .if_given(problem, "leave it out, or leave out the sections"),
+    );
+    found.extend(
+        line.length_m
+            .if_given(problem, "leave it out, or leave out the sections"),
+    );
+    found.extend(
+        line.sections
+            .iter()
+            .filter_map(|(_, section)| known(&section.material)),
+    );
+    if let Some((_, last)) = line.sections.last() {
+        let problem = "is at the end of the line";
+        let remedy = "give the mass to the point there, or to the section before";
+        found.extend(last.clump_kg.if_given(problem, remedy));
+    }
+    found
+}
+
+fn repeats(line: &LineKeys<'_>) -> Option<Finding> {
+    let angles = line.repeat_at_deg.given()?;
+    let twice = angles.iter().enumerate().find(|(index, angle)| {
+        angles[..*index]
+            .iter()
+            .any(|before| (before - **angle).rem_euclid(360.0) == 0.0)
+    });
+    twice.map(|(index, angle)| {
+        let problem = format!("has {angle} twice");
+        line.repeat_at_deg
+            .finding_at_item(index, problem, "give every angle once")
+    })
+}

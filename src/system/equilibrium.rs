@@ -1,0 +1,401 @@
+//! The system at rest: Newton's method on free points and bodies.
+//!
+//! A line that bears no compression, its weight, a flat bed below and a surface above have together a potential energy
+//! that is convex in the places of the line; with the line at rest it is convex in its ends. With the bodies held, a system has
+//! therefore one state of least energy (or a connected set of them, all with the same tensions), and a descent from any start
+//! finds it. Friction of the bed has no energy: it acts in a second search, from the result of the first. Free bodies turn, which is
+//! not convex: their equilibria are found from several starts ([`super::rest`]).
+//!
+//! A step goes along `K d = F`, with a share of the unit matrix added where K is not positive definite, no further than a
+//! bound that grows and shrinks with its success. Along d the energy falls as long as `F . d > 0`, by which the length of the step is found: no
+//! energy is computed, whose rounding would hide the last digits.
+
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+use super::balance::{Balance, UnsolvedLine, balance};
+use super::bounds::{Bounds, Contact};
+use super::freedoms::{Freedoms, Placement, UnknownBodies};
+use super::line_at_rest::Friction;
+use super::network::Network;
+
+/// A system at rest.
+#[derive(Debug, Clone)]
+pub struct Equilibrium {
+    /// Where everything is.
+    pub placement: Placement,
+    /// The unknowns.
+    pub freedoms: Freedoms,
+    /// Forces, stiffness, lines.
+    pub balance: Balance,
+    /// What bears on each unknown.
+    pub contacts: Vec<Contact>,
+    /// Greatest force out of balance \[N\], moments by the size of the bodies.
+    pub residual: f64,
+    /// Newton steps and evaluations of all lines.
+    pub steps: usize,
+    /// See `steps`.
+    pub evaluations: usize,
+}
+
+/// Why there is no equilibrium.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SystemError {
+    /// A line has no solution where the search stands.
+    Line(UnsolvedLine),
+    /// The search did not come to rest.
+    NotConverged {
+        /// Force out of balance \[N\].
+        residual: f64,
+        /// On what: `z of buoy`.
+        at: String,
+        /// Steps taken.
+        steps: usize,
+    },
+}
+
+/// Steps that a search may take.
+const MOST_STEPS: usize = 400;
+/// Forces out of balance that are rounding, by the greatest tension.
+const ROUNDING: f64 = 1e-13;
+/// Residual that is accepted where it no longer falls, by the greatest tension.
+const ACCEPTED: f64 = 1e-9;
+/// Units in the last place of the positions, times stiffness, that are accepted as well.
+const LAST_PLACES: f64 = 8.0;
+
+/// Finds the equilibrium from a placement.
+///
+/// # Errors
+/// [`SystemError`].
+pub fn search(network: &Network, start: &Placement) -> Result<Equilibrium, SystemError> {
+    let freedoms = Freedoms::of(network, UnknownBodies::Free);
+    let rough = network.lines.iter().any(|line| line.friction > 0.0) && network.bed_z.is_some();
+    let mut search = Search::begin(network, freedoms, start.clone(), Friction::Ignored)?;
+    search.run()?;
+    if rough {
+        search.friction = Friction::Acting;
+        search.here = search.evaluate(&search.placement)?;
+        search.run()?;
+    }
+    Ok(search.finish())
+}
+
+/// A search under way.
+struct Search<'a> {
+    network: &'a Network,
+    freedoms: Freedoms,
+    bounds: Bounds,
+    /// Size of the bodies by unknown: turns count by the way they move a fairlead \[m\].
+    lever: DVector<f64>,
+    friction: Friction,
+    placement: Placement,
+    here: Balance,
+    /// Greatest step \[m\].
+    reach: f64,
+    steps: usize,
+    evaluations: std::cell::Cell<usize>,
+}
+
+/// A direction and what it does.
+struct Direction {
+    step: DVector<f64>,
+    /// Force along it \[N m\].
+    slope: f64,
+}
+
+impl<'a> Search<'a> {
+    fn begin(
+        network: &'a Network,
+        freedoms: Freedoms,
+        mut placement: Placement,
+        friction: Friction,
+    ) -> Result<Self, SystemError> {
+        let bounds = Bounds::of(network, &freedoms);
+        placement.carry(network);
+        bounds.keep(network, &freedoms, &mut placement);
+        let here =
+            balance(network, &freedoms, &placement, friction, None).map_err(SystemError::Line)?;
+        let longest = network.lines.iter().map(super::network::Line::length);
+        Ok(Self {
+            network,
+            lever: levers(network, &freedoms),
+            bounds,
+            friction,
+            placement,
+            here,
+            reach: 0.3 * longest.fold(1e-3, f64::max),
+            steps: 0,
+            evaluations: std::cell::Cell::new(1),
+            freedoms,
+        })
+    }
+
+    fn evaluate(&self, placement: &Placement) -> Result<Balance, SystemError> {
+        self.evaluations.set(self.evaluations.get() + 1);
+        let (network, freedoms) = (self.network, &self.freedoms);
+        balance(
+            network,
+            freedoms,
+            placement,
+            self.friction,
+            Some(&self.here.lines),
+        )
+        .map_err(SystemError::Line)
+    }
+
+    /// Steps until the forces balance.
+    fn run(&mut self) -> Result<(), SystemError> {
+        let mut best = f64::INFINITY;
+        let mut idle = 0;
+        for _ in 0..MOST_STEPS {
+            let force = self.unbalanced(&self.here, &self.placement);
+            let residual = self.size(&force);
+            if residual <= ROUNDING * self.here.tension || residual == 0.0 {
+                return Ok(());
+            }
+            idle = if residual < 0.5 * best { 0 } else { idle + 1 };
+            best = best.min(residual);
+            if idle > 2 && residual <= self.accepted() {
+                return Ok(());
+            }
+            if !self.step(&force)? {
+                break;
+            }
+            self.steps += 1;
+        }
+        let force = self.unbalanced(&self.here, &self.placement);
+        if self.size(&force) <= self.accepted() {
+            return Ok(());
+        }
+        Err(self.not_converged(&force))
+    }
+
+    fn not_converged(&self, force: &DVector<f64>) -> SystemError {
+        let scaled = force.component_div(&self.lever);
+        SystemError::NotConverged {
+            residual: self.size(force),
+            at: self.freedoms.name(self.network, scaled.iamax()),
+            steps: self.steps,
+        }
+    }
+
+    /// Residual that may remain: a share of the tension, or what the rounding of the places makes of the stiffness.
+    fn accepted(&self) -> f64 {
+        let places = self.placement.points.iter().map(nalgebra::Matrix::amax);
+        let size = places.fold(0.0, f64::max);
+        let stiffest = self.here.stiffness.diagonal().component_div(&self.lever);
+        let stiffest = stiffest.component_div(&self.lever).amax();
+        let rounding = LAST_PLACES * f64::EPSILON * size * stiffest;
+        (ACCEPTED * self.here.tension).max(rounding)
+    }
+
+    fn size(&self, force: &DVector<f64>) -> f64 {
+        force.component_div(&self.lever).amax()
+    }
+
+    /// The forces that bed and surface do not bear.
+    fn unbalanced(&self, balance: &Balance, placement: &Placement) -> DVector<f64> {
+        let contacts = self
+            .bounds
+            .contacts(&self.freedoms, placement, &balance.force);
+        let mut force = balance.force.clone();
+        for (unknown, contact) in contacts.iter().enumerate() {
+            if *contact != Contact::None {
+                force[unknown] = 0.0;
+            }
+        }
+        force
+    }
+
+    /// One step; whether anything moved.
+    fn step(&mut self, force: &DVector<f64>) -> Result<bool, SystemError> {
+        let held: Vec<bool> = self
+            .bounds
+            .contacts(&self.freedoms, &self.placement, &self.here.force)
+            .iter()
+            .map(|contact| *contact != Contact::None)
+            .collect();
+        let mut direction = self.direction(force, &held);
+        let far = direction.step.component_mul(&self.lever).amax();
+        let clipped = far > self.reach;
+        if clipped {
+            direction.step *= self.reach / far;
+            direction.slope *= self.reach / far;
+        }
+        self.move_along(&direction, clipped)
+    }
+
+    /// Newton's direction, or the nearest one in which the energy falls.
+    fn direction(&self, force: &DVector<f64>, held: &[bool]) -> Direction {
+        let mut stiffness = self.here.stiffness.clone();
+        for (unknown, held) in held.iter().enumerate() {
+            if *held {
+                stiffness.row_mut(unknown).fill(0.0);
+                stiffness.column_mut(unknown).fill(0.0);
+                stiffness[(unknown, unknown)] = 1.0;
+            }
+        }
+        let symmetric = 0.5 * (&stiffness + stiffness.transpose());
+        let most = symmetric.diagonal().component_div(&self.lever);
+        let most = most
+            .component_div(&self.lever)
+            .amax()
+            .max(1e-9 * self.here.tension);
+        let mut added = 0.0;
+        for _ in 0..40 {
+            let with = shifted(&symmetric, &self.lever, added);
+            if let Some(factors) = Cholesky::new(with) {
+                let plain = factors.solve(force);
+                let newton = (added == 0.0 && stiffness != symmetric)
+                    .then(|| stiffness.clone().lu().solve(force))
+                    .flatten();
+                let downhill =
+                    |step: &DVector<f64>| force.dot(step) > 0.0 && step.amax().is_finite();
+                if let Some(step) = newton.filter(downhill) {
+                    let slope = force.dot(&step);
+                    return Direction { step, slope };
+                }
+                if downhill(&plain) {
+                    let slope = force.dot(&plain);
+                    return Direction { step: plain, slope };
+                }
+            }
+            added = if added == 0.0 {
+                1e-12 * most
+            } else {
+                10.0 * added
+            };
+        }
+        let step = force.component_div(&self.lever).component_div(&self.lever);
+        let slope = force.dot(&step);
+        Direction { step, slope }
+    }
+
+    /// Moves along a direction as far as the forces still point along it.
+    fn move_along(&mut self, direction: &Direction, clipped: bool) -> Result<bool, SystemError> {
+        let (mut low, mut high) = (0.0_f64, f64::INFINITY);
+        let mut slopes = (direction.slope, f64::NAN);
+        let mut share = 1.0_f64;
+        let mut reached: Option<(f64, Placement, Balance)> = None;
+        let mut failure = None;
+        for _ in 0..60 {
+            let (place, slope, balance) = match self.probe(&direction.step, share) {
+                Ok(found) => found,
+                Err(error) => {
+                    failure = Some(error);
+                    (high, slopes.1) = (share, f64::NAN);
+                    share = 0.5 * (low + share);
+                    continue;
+                }
+            };
+            let enough = slope.abs() <= 0.5 * direction.slope;
+            let undershot = slope > 0.5 * direction.slope;
+            if !undershot {
+                (high, slopes.1) = (share, slope);
+            } else {
+                (low, slopes.0) = (share, slope);
+            }
+            if slope >= -0.5 * direction.slope {
+                reached = Some((share, place, balance));
+            }
+            let may_grow = clipped && undershot && high.is_infinite() && share < 64.0;
+            if enough || (undershot && high.is_infinite() && !may_grow) || high - low < 1e-12 * high
+            {
+                break;
+            }
+            share = next_share((low, slopes.0), (high, slopes.1));
+        }
+        let Some((share, place, balance)) = reached else {
+            return failure.map_or(Ok(false), Err);
+        };
+        if clipped {
+            self.reach *= share.max(0.25);
+        } else {
+            let far = direction.step.component_mul(&self.lever).amax() * share;
+            self.reach = self.reach.max(2.0 * far);
+        }
+        let moved = place != self.placement;
+        (self.placement, self.here) = (place, balance);
+        Ok(moved)
+    }
+
+    /// The system a share of a step further, and the force along the step there; unknowns that came to a bound count no more.
+    fn probe(
+        &self,
+        step: &DVector<f64>,
+        share: f64,
+    ) -> Result<(Placement, f64, Balance), SystemError> {
+        let mut place = self
+            .placement
+            .moved(self.network, &self.freedoms, &(step * share));
+        self.bounds.keep(self.network, &self.freedoms, &mut place);
+        let balance = self.evaluate(&place)?;
+        let force = self.unbalanced(&balance, &place);
+        let slope = force.dot(step);
+        if !slope.is_finite() {
+            return Err(SystemError::NotConverged {
+                residual: f64::NAN,
+                at: String::new(),
+                steps: self.steps,
+            });
+        }
+        Ok((place, slope, balance))
+    }
+
+    fn finish(self) -> Equilibrium {
+        let force = self.unbalanced(&self.here, &self.placement);
+        let residual = self.size(&force);
+        let contacts = self
+            .bounds
+            .contacts(&self.freedoms, &self.placement, &self.here.force);
+        Equilibrium {
+            residual,
+            contacts,
+            steps: self.steps,
+            evaluations: self.evaluations.get(),
+            placement: self.placement,
+            freedoms: self.freedoms,
+            balance: self.here,
+        }
+    }
+}
+
+/// Where to look next between two shares of a step: the secant, kept off both ends; twice as far where there is no upper one.
+fn next_share((low, at_low): (f64, f64), (high, at_high): (f64, f64)) -> f64 {
+    if high.is_infinite() {
+        return 2.0 * low;
+    }
+    let width = high - low;
+    let secant = low + width * at_low / (at_low - at_high);
+    if secant.is_finite() {
+        secant.clamp(low + 0.1 * width, high - 0.1 * width)
+    } else {
+        low + 0.5 * width
+    }
+}
+
+/// The stiffness with a share of the unit matrix added, turns by their levers.
+fn shifted(stiffness: &DMatrix<f64>, lever: &DVector<f64>, added: f64) -> DMatrix<f64> {
+    let mut shifted = stiffness.clone();
+    for (k, lever) in lever.iter().enumerate() {
+        shifted[(k, k)] += added * lever * lever;
+    }
+    shifted
+}
+
+/// 1 for steps; for turns the greatest arm of a point on the body \[m\].
+fn levers(network: &Network, freedoms: &Freedoms) -> DVector<f64> {
+    let mut levers = DVector::from_element(freedoms.count, 1.0);
+    for (index, first) in freedoms.bodies.iter().enumerate() {
+        let Some(first) = first else { continue };
+        let arms = network.points.iter().filter_map(|point| match &point.held {
+            super::network::Held::On(body, at) if *body == index => Some(at.norm()),
+            _ => None,
+        });
+        let arm = arms.fold(0.0, f64::max);
+        let arm = if arm > 0.0 { arm } else { 1.0 };
+        for k in 3..6 {
+            levers[first + k] = arm;
+        }
+    }
+    levers
+}

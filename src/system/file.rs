@@ -1,0 +1,97 @@
+//! The system as a kind of file: its result, its keys in reading order.
+
+use std::sync::LazyLock;
+
+use super::check::check;
+use super::connected::Loose;
+use super::model::{SystemFile, SystemKeys};
+use super::solved::{Refusal, SolvedSystem, solve};
+use crate::case::fields::Schema;
+use crate::case::file_kind::{FileContent, FileKind};
+use crate::case::schema::schema_of;
+use crate::case::{FieldLister, FieldRow, Finding};
+
+/// The system file.
+pub static SYSTEM: LazyLock<Schema> = LazyLock::new(|| {
+    let least = "a system has at least [system] with a title, [materials.<name>], [points.<name>] and [[lines]]";
+    schema_of::<SystemFile>("system", least).with_coordinates("points.*.position_m")
+});
+
+impl FileContent for SystemFile {
+    type Computed = SolvedSystem;
+}
+
+impl FileKind for SystemFile {
+    fn schema() -> &'static Schema {
+        &SYSTEM
+    }
+
+    fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
+        check(keys)
+    }
+
+    fn compute(self, keys: &SystemKeys<'_>) -> Result<SolvedSystem, Finding> {
+        solve(self).map_err(|refusal| located(&refusal, keys))
+    }
+
+    fn list(lister: &FieldLister<'_>) -> Vec<FieldRow> {
+        let mut rows = lister.always("system");
+        rows.extend(lister.always("environment"));
+        rows.extend(lister.if_given(&["seabed"], "seabed"));
+        rows.extend(lister.named("lines", "line"));
+        rows.extend(sections(lister));
+        rows.extend(lister.named("points", "point"));
+        rows.extend(lister.named("bodies", "body"));
+        rows.extend(lister.named("materials", "material"));
+        rows
+    }
+}
+
+/// The rows of the sections of every line.
+fn sections(lister: &FieldLister<'_>) -> Vec<FieldRow> {
+    let Some(lines) = lister.root.get("lines") else {
+        return Vec::new();
+    };
+    let mut rows = Vec::new();
+    for name in lines.names() {
+        let place = ["lines", &name, "sections"];
+        let Some(list) = lister.root.find(&place) else {
+            continue;
+        };
+        for section in list.names() {
+            let path = ["lines", &name, "sections", &section];
+            let group = format!("line {name}, section {section}");
+            rows.extend(lister.table("lines.*.sections.*", &path, &group));
+        }
+    }
+    rows
+}
+
+/// A refusal at the key that it is about.
+fn located(refusal: &Refusal, keys: &SystemKeys<'_>) -> Finding {
+    let problem = refusal.problem.as_str();
+    let remedy = refusal.remedy.as_str();
+    // A copy stands where its original does.
+    let original = |name: &str| name.split('@').next().unwrap_or(name).to_owned();
+    if let Some(name) = refusal.line.as_deref().map(original)
+        && let Some((_, line)) = keys.lines.iter().find(|(known, _)| *known == name)
+    {
+        return line.place.finding(problem, remedy);
+    }
+    match &refusal.part {
+        Some((Loose::Point(_), name)) => {
+            let name = original(name);
+            let point = keys.points.iter().find(|(known, _)| *known == name);
+            point.map_or(&keys.place, |(_, point)| &point.place)
+        }
+        Some((Loose::Body(_), name)) => {
+            let body = keys.bodies.iter().find(|(known, _)| known == name);
+            body.map_or(&keys.place, |(_, body)| &body.place)
+        }
+        None => keys
+            .about
+            .as_ref()
+            .map_or(&keys.place, |about| &about.place),
+    }
+    .finding(problem, remedy)
+}

@@ -1,0 +1,171 @@
+//! Which numbers of a system are unknown: three of a free point, six of a body.
+
+use nalgebra::{DVector, SMatrix};
+
+use super::network::{Held, Network};
+use super::pose::{Pose, cross};
+use crate::numerics::V3;
+
+/// Where the unknowns of points and bodies stand among all of them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Freedoms {
+    /// First unknown of each point; nothing for points that are held or on a body.
+    pub points: Vec<Option<usize>>,
+    /// First unknown of each body: three along x, y, z, then three turns; nothing for bodies that are held.
+    pub bodies: Vec<Option<usize>>,
+    /// How many there are.
+    pub count: usize,
+}
+
+/// Which bodies are unknown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum UnknownBodies {
+    /// The free ones.
+    Free,
+    /// All of them: for the stiffness of what is held.
+    All,
+}
+
+impl Freedoms {
+    /// The unknowns of a system: points first, each in the order of the system.
+    #[must_use]
+    pub fn of(network: &Network, which: UnknownBodies) -> Self {
+        let mut count = 0;
+        let mut next = |unknown: bool, size: usize| {
+            let first = count;
+            count += if unknown { size } else { 0 };
+            unknown.then_some(first)
+        };
+        let free = |held: &Held| matches!(held, Held::Free(_));
+        let points = network
+            .points
+            .iter()
+            .map(|p| next(free(&p.held), 3))
+            .collect();
+        let unknown = |free: bool| free || which == UnknownBodies::All;
+        let bodies = network
+            .bodies
+            .iter()
+            .map(|b| next(unknown(b.free), 6))
+            .collect();
+        Self {
+            points,
+            bodies,
+            count,
+        }
+    }
+
+    /// Unknowns in words: `x of junction`, `pitch of spar`.
+    #[must_use]
+    pub fn name(&self, network: &Network, unknown: usize) -> String {
+        const TURNS: [&str; 6] = ["x", "y", "z", "roll", "pitch", "yaw"];
+        let within = |first: &Option<usize>, size: usize| {
+            first.filter(|first| (*first..*first + size).contains(&unknown))
+        };
+        for (point, first) in network.points.iter().zip(&self.points) {
+            if let Some(first) = within(first, 3) {
+                return format!("{} of {}", TURNS[unknown - first], point.name);
+            }
+        }
+        for (body, first) in network.bodies.iter().zip(&self.bodies) {
+            if let Some(first) = within(first, 6) {
+                return format!("{} of {}", TURNS[unknown - first], body.name);
+            }
+        }
+        String::new()
+    }
+}
+
+/// Where everything is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Placement {
+    /// Places of the points \[m\].
+    pub points: Vec<V3>,
+    /// Poses of the bodies.
+    pub bodies: Vec<Pose>,
+}
+
+impl Placement {
+    /// The placement moved along `step`, points on bodies with them.
+    #[must_use]
+    pub fn moved(&self, network: &Network, freedoms: &Freedoms, step: &DVector<f64>) -> Self {
+        let three = |first: usize| V3::new(step[first], step[first + 1], step[first + 2]);
+        let bodies = self.bodies.iter().zip(&freedoms.bodies);
+        let bodies: Vec<Pose> = bodies
+            .map(|(pose, first)| match first {
+                Some(first) => pose.moved(&three(*first), &three(first + 3)),
+                None => *pose,
+            })
+            .collect();
+        let mut moved = Self {
+            points: self.points.clone(),
+            bodies,
+        };
+        for (point, first) in moved.points.iter_mut().zip(&freedoms.points) {
+            if let Some(first) = first {
+                *point += three(*first);
+            }
+        }
+        moved.carry(network);
+        moved
+    }
+
+    /// Puts points on bodies where their bodies have them.
+    pub fn carry(&mut self, network: &Network) {
+        for (place, point) in self.points.iter_mut().zip(&network.points) {
+            if let Held::On(body, at) = &point.held {
+                let pose = &self.bodies[*body];
+                *place = pose.origin + pose.arm(at);
+            }
+        }
+    }
+}
+
+/// How a point follows the unknowns: the first of them and their effect on it.
+#[derive(Debug, Clone, Copy)]
+pub struct Follower {
+    /// First of its unknowns.
+    pub first: usize,
+    /// Change of its place by six unknowns; a free point has three.
+    pub by: SMatrix<f64, 3, 6>,
+    /// Three or six.
+    pub size: usize,
+    /// From the origin of its body \[m\]; zero for a free point.
+    pub arm: V3,
+}
+
+/// How a point follows the unknowns; nothing for one that does not move.
+#[must_use]
+pub fn follower(
+    network: &Network,
+    freedoms: &Freedoms,
+    placement: &Placement,
+    point: usize,
+) -> Option<Follower> {
+    let mut by = SMatrix::<f64, 3, 6>::zeros();
+    by.fixed_view_mut::<3, 3>(0, 0).fill_with_identity();
+    match &network.points[point].held {
+        Held::At(_) => None,
+        Held::Free(_) => {
+            let first = freedoms.points[point]?;
+            let arm = V3::zeros();
+            Some(Follower {
+                first,
+                by,
+                size: 3,
+                arm,
+            })
+        }
+        Held::On(body, at) => {
+            let first = freedoms.bodies[*body]?;
+            let arm = placement.bodies[*body].arm(at);
+            by.fixed_view_mut::<3, 3>(0, 3).copy_from(&-cross(&arm));
+            Some(Follower {
+                first,
+                by,
+                size: 6,
+                arm,
+            })
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! A line between two places: its forces on both ends and their stiffness.
+
+use crate::numerics::{M3, V3};
+use crate::statics::catenary::{CatenaryError, CatenaryLine, EndOffset, RigidBed, Solution};
+
+use super::network::{Line, Network};
+
+/// A line at rest between its ends.
+#[derive(Debug, Clone)]
+pub struct LineAtRest {
+    /// Force of the line on its end A \[N\].
+    pub force_a: V3,
+    /// Force of the line on its end B \[N\].
+    pub force_b: V3,
+    /// Change of the force on end i as end j moves \[N/m\].
+    pub by_ends: [[M3; 2]; 2],
+    /// The closed form, in the line's plane; nothing for a weightless line that is slack, of which no shape is determined.
+    pub solution: Option<Solution>,
+    /// Whether the closed form begins at end B.
+    pub from_b: bool,
+    /// Where the closed form begins \[m\], and the horizontal direction towards its other end.
+    pub origin: V3,
+    /// See `origin`.
+    pub along: V3,
+    /// What was left out, if anything.
+    pub note: Option<LineNote>,
+}
+
+/// What was left out of a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LineNote {
+    /// It lies between two suspended parts: friction there depends on how it was laid.
+    WithoutFriction,
+    /// Weightless and slack.
+    ShapeUndetermined,
+}
+
+impl LineAtRest {
+    /// Tensions at ends A and B \[N\].
+    #[must_use]
+    pub fn tensions(&self) -> [f64; 2] {
+        [self.force_a.norm(), self.force_b.norm()]
+    }
+
+    /// Unstretched length on the bed, or against the surface \[m\].
+    #[must_use]
+    pub fn on_bed(&self) -> f64 {
+        self.solution.as_ref().map_or(0.0, |line| line.on_bed_m)
+    }
+
+    /// A place of the line \[m\] and the tension there \[N\], at a share of its unstretched length from A.
+    #[must_use]
+    pub fn at(&self, share: f64, ends: [&V3; 2]) -> (V3, f64) {
+        let Some(line) = &self.solution else {
+            return (ends[0].lerp(ends[1], share), 0.0);
+        };
+        let share = if self.from_b { 1.0 - share } else { share };
+        let point = line.at(share * line.length_m());
+        let place = self.origin + self.along * point.x_m + V3::z() * point.z_m;
+        (place, point.tension_n)
+    }
+}
+
+/// Whether the friction of the bed counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Friction {
+    /// It is left out, as in the first search.
+    Ignored,
+    /// It counts.
+    Acting,
+}
+
+/// How close to the bed an end is that lies on it, by the line's length.
+const ON_BED: f64 = 1e-12;
+
+/// The line between places `a` and `b`; `before` is a solution near by.
+///
+/// # Errors
+/// As [`CatenaryLine::solve`], but for weightless slack lines, which pull on nothing.
+pub fn solve(
+    network: &Network,
+    line: &Line,
+    (a, b): (&V3, &V3),
+    friction: Friction,
+    before: Option<&LineAtRest>,
+) -> Result<LineAtRest, CatenaryError> {
+    let from_b = b.z < a.z;
+    let (low, high) = if from_b { (b, a) } else { (a, b) };
+    let length = line.length();
+    let bed = network.bed_z.map(|z| low.z - z);
+    let lies = bed.is_some_and(|below| below.abs() <= ON_BED * (length + low.z.abs()));
+    let rough = friction == Friction::Acting && line.friction > 0.0;
+    let mu = if rough && lies { line.friction } else { 0.0 };
+    let afloat = network.density > 0.0 && line.is_buoyant() && high.z <= 0.0;
+    let given = CatenaryLine {
+        ends: EndOffset::between([low.x, low.y, low.z], [high.x, high.y, high.z]),
+        sections: if from_b {
+            &line.reversed
+        } else {
+            &line.sections
+        },
+        bed: bed.filter(|_| !afloat).map(|below| RigidBed {
+            below_a_m: below,
+            slope_rad: 0.0,
+            friction: mu,
+        }),
+        surface_above_a_m: afloat.then_some(-low.z),
+    };
+    let seed = before.filter(|before| before.from_b == from_b);
+    let solved = match seed.and_then(|before| before.solution.as_ref()) {
+        Some(near) => given.solve_from(near),
+        None => given.solve(),
+    };
+    let solution = match solved {
+        Ok(solution) => solution,
+        Err(CatenaryError::ShapeUndetermined) => return Ok(slack()),
+        Err(error) => return Err(error),
+    };
+    let note = (rough && !lies && solution.on_bed_m > 0.0).then_some(LineNote::WithoutFriction);
+    Ok(placed(solution, (low, high), from_b, mu, note))
+}
+
+/// A weightless line longer than the distance between its ends.
+fn slack() -> LineAtRest {
+    LineAtRest {
+        force_a: V3::zeros(),
+        force_b: V3::zeros(),
+        by_ends: [[M3::zeros(); 2]; 2],
+        solution: None,
+        from_b: false,
+        origin: V3::zeros(),
+        along: V3::x(),
+        note: Some(LineNote::ShapeUndetermined),
+    }
+}
+
+/// The solution in its vertical plane as forces in space.
+fn placed(
+    solution: Solution,
+    (low, high): (&V3, &V3),
+    from_b: bool,
+    friction: f64,
+    note: Option<LineNote>,
+) -> LineAtRest {
+    let step = V3::new(high.x - low.x, high.y - low.y, 0.0);
+    let distance = step.norm();
+    let along = if distance > 0.0 {
+        step / distance
+    } else {
+        V3::x()
+    };
+    let across = V3::new(-along.y, along.x, 0.0);
+    let on_low = along * solution.h_a_n + V3::z() * solution.v_a_n;
+    let on_high = -(along * solution.h_b_n) - V3::z() * solution.v_b_n;
+    let k = solution.end_stiffness(friction);
+    // Out of its plane the line turns with its ends; straight above each other it resists as in its plane.
+    let sideways = |h: f64, by_distance: f64| {
+        if distance > 0.0 {
+            h / distance
+        } else {
+            by_distance
+        }
+    };
+    let block = |h: &[f64; 3], v: &[f64; 3], h_now: f64| {
+        let force = |column: usize| along * h[column] + V3::z() * v[column];
+        let turning = across * across.transpose() * sideways(h_now, h[0]);
+        let by_high = force(0) * along.transpose() + turning + force(2) * V3::z().transpose();
+        let by_low = force(1) * V3::z().transpose() - force(0) * along.transpose() - turning;
+        [by_low, by_high]
+    };
+    let low_row = block(&k.h_a, &k.v_a, solution.h_a_n);
+    let high_row = block(&k.h_b, &k.v_b, solution.h_b_n).map(|block| -block);
+    let (force_a, force_b, by_ends) = if from_b {
+        let swap = |row: [M3; 2]| [row[1], row[0]];
+        (on_high, on_low, [swap(high_row), swap(low_row)])
+    } else {
+        (on_low, on_high, [low_row, high_row])
+    };
+    LineAtRest {
+        force_a,
+        force_b,
+        by_ends,
+        solution: Some(solution),
+        from_b,
+        origin: *low,
+        along,
+        note,
+    }
+}

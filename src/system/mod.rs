@@ -1,0 +1,27 @@
+//! Systems of lines at rest: points, bodies and the lines between them.
+//!
+//! A [`SystemFile`] says in the user's words what a [`Network`](network::Network) holds in SI. Lines are the closed forms of
+//! [`catenary`](crate::statics::catenary), so that only free points and bodies are unknown ([`freedoms`]). Forces and exact
+//! stiffness are assembled in [`balance`](mod@balance); [`equilibrium`] finds where they balance, from a cold start.
+
+pub mod balance;
+pub mod bounds;
+pub mod build;
+mod check;
+pub mod connected;
+pub mod equilibrium;
+mod file;
+pub mod freedoms;
+pub mod line_at_rest;
+pub mod model;
+pub mod network;
+pub mod pose;
+pub mod quantities;
+pub mod solved;
+pub mod start;
+pub mod stiffness;
+pub mod validation;
+
+pub use file::SYSTEM;
+pub use model::SystemFile;
+pub use solved::SolvedSystem;

@@ -1,0 +1,174 @@
+//! A system in SI: points, bodies, lines and what surrounds them.
+
+use nalgebra::Matrix6;
+
+use super::pose::Pose;
+use crate::numerics::{M3, V3};
+use crate::statics::catenary::SectionProperties;
+
+/// A system of lines at rest, in SI.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Network {
+    /// Gravity \[m/s²\].
+    pub gravity: f64,
+    /// Density of the water \[kg/m³\].
+    pub density: f64,
+    /// Height of the bed \[m\], negative; nothing where none is in reach.
+    pub bed_z: Option<f64>,
+    /// Points that lines end at.
+    pub points: Vec<Point>,
+    /// Bodies that points are on.
+    pub bodies: Vec<Body>,
+    /// Lines.
+    pub lines: Vec<Line>,
+}
+
+/// A point that lines end at.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// Its name.
+    pub name: String,
+    /// What holds it.
+    pub held: Held,
+}
+
+/// What holds a point.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Held {
+    /// It is at this place \[m\].
+    At(V3),
+    /// It is at this place of a body's frame \[m\].
+    On(usize, V3),
+    /// Nothing but lines, bed and surface.
+    Free(FreePoint),
+}
+
+/// A point that lines hold.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct FreePoint {
+    /// Weight in air \[N\].
+    pub weight: f64,
+    /// Buoyancy under water \[N\].
+    pub buoyancy: f64,
+    /// Mass \[kg\].
+    pub mass: f64,
+    /// Displaced volume \[m³\].
+    pub volume: f64,
+    /// Steady load \[N\].
+    pub load: V3,
+    /// Where the search begins \[m\], if that is given.
+    pub start: Option<V3>,
+}
+
+impl FreePoint {
+    /// The force on it under water, lines apart \[N\].
+    #[must_use]
+    pub fn force(&self) -> V3 {
+        self.load + V3::new(0.0, 0.0, self.buoyancy - self.weight)
+    }
+}
+
+/// A rigid body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body {
+    /// Its name.
+    pub name: String,
+    /// Where it is held, or where the search begins and its hydrostatics hold.
+    pub pose: Pose,
+    /// Whether it is free.
+    pub free: bool,
+    /// Mass in air \[kg\] and weight in air \[N\]; zero while a held body does not say its mass.
+    pub mass: f64,
+    /// See `mass`.
+    pub weight: f64,
+    /// Centre of gravity in its frame \[m\].
+    pub centre_of_gravity: V3,
+    /// Inertia about the centre of gravity, in its frame \[kg m²\].
+    pub inertia: M3,
+    /// Buoyancy at the pose given \[N\].
+    pub buoyancy: f64,
+    /// Centre of buoyancy in its frame \[m\].
+    pub centre_of_buoyancy: V3,
+    /// Stiffness of the water-plane about the origin \[N/m, N, N m\].
+    pub waterplane: Matrix6<f64>,
+    /// Added mass about the origin \[kg, kg m, kg m²\].
+    pub added_mass: Matrix6<f64>,
+    /// Steady load and moment at the origin, in the earth's directions \[N, N m\].
+    pub load: V3,
+    /// See `load`.
+    pub moment: V3,
+    /// From the origin down to what bears on the bed \[m\].
+    pub bottom: Option<f64>,
+}
+
+/// A line between two points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Line {
+    /// Its name.
+    pub name: String,
+    /// Point at end A.
+    pub from: usize,
+    /// Point at end B.
+    pub to: usize,
+    /// Sections from A to B.
+    pub sections: Vec<SectionProperties>,
+    /// The same from B to A: lines are solved from their lower end.
+    pub reversed: Vec<SectionProperties>,
+    /// Breaking load of each section \[N\].
+    pub break_loads: Vec<Option<f64>>,
+    /// Mass per length of each section, without and with added mass across it \[kg/m\].
+    pub masses: Vec<[f64; 2]>,
+    /// Axial friction under the line \[-\].
+    pub friction: f64,
+}
+
+impl Line {
+    /// Unstretched length \[m\].
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.sections.iter().map(|section| section.length_m).sum()
+    }
+
+    /// Whether all of it floats.
+    #[must_use]
+    pub fn is_buoyant(&self) -> bool {
+        let floats = |s: &SectionProperties| s.weight_n_per_m < 0.0 && s.clump_n <= 0.0;
+        self.sections.iter().all(floats)
+    }
+}
+
+/// Sections in the other order: bodies between them stay where they are.
+#[must_use]
+pub fn reversed(sections: &[SectionProperties]) -> Vec<SectionProperties> {
+    let n = sections.len();
+    (0..n)
+        .map(|k| SectionProperties {
+            clump_n: if k + 1 < n {
+                sections[n - 2 - k].clump_n
+            } else {
+                0.0
+            },
+            ..sections[n - 1 - k]
+        })
+        .collect()
+}
+
+impl Network {
+    /// The point of this name.
+    #[must_use]
+    pub fn point(&self, name: &str) -> Option<usize> {
+        self.points.iter().position(|point| point.name == name)
+    }
+
+    /// The line of this name.
+    #[must_use]
+    pub fn line(&self, name: &str) -> Option<usize> {
+        self.lines.iter().position(|line| line.name == name)
+    }
+
+    /// The body of this name.
+    #[must_use]
+    pub fn body(&self, name: &str) -> Option<usize> {
+        self.bodies.iter().position(|body| body.name == name)
+    }
+}

@@ -1,0 +1,146 @@
+//! The results of a system by name: `tension_n[LINE|b]`, `z_m[POINT]`, `stiffness[BODY|11]`.
+
+use super::model::SystemKeys;
+use super::solved::SolvedSystem;
+use crate::case::Finding;
+use crate::case::schema::Key;
+
+/// What a result by name is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Subject {
+    /// A line and one of its ends.
+    LineEnd,
+    /// A line.
+    Line,
+    /// A point.
+    Point,
+    /// A body and two directions from 1 to 6.
+    Stiffness,
+}
+
+/// A result of a system.
+#[derive(Debug, Clone, Copy)]
+struct Quantity {
+    name: &'static str,
+    unit: &'static str,
+    of: Subject,
+    meaning: &'static str,
+}
+
+const fn quantity(
+    name: &'static str,
+    unit: &'static str,
+    of: Subject,
+    meaning: &'static str,
+) -> Quantity {
+    Quantity {
+        name,
+        unit,
+        of,
+        meaning,
+    }
+}
+
+/// All results.
+#[rustfmt::skip] // one a line
+static QUANTITIES: [Quantity; 8] = [
+    quantity("tension_n", "N", Subject::LineEnd, "tension at an end of a line"),
+    quantity("horizontal_n", "N", Subject::LineEnd, "horizontal part of the tension at an end of a line"),
+    quantity("vertical_n", "N", Subject::LineEnd, "vertical force of a line on its end, upwards"),
+    quantity("on_bed_m", "m", Subject::Line, "unstretched length of a line on the bed"),
+    quantity("x_m", "m", Subject::Point, "x of a point"),
+    quantity("y_m", "m", Subject::Point, "y of a point"),
+    quantity("z_m", "m", Subject::Point, "z of a point"),
+    quantity("stiffness", "N/m, N, N m", Subject::Stiffness, "stiffness of the lines on a body, by row and column from 1 to 6"),
+];
+
+/// Name and places of a result: `tension_n[mooring|b]` is `tension_n`, `mooring`, `b`.
+fn parts(name: &str) -> Option<(&'static Quantity, &str, &str)> {
+    let (quantity, rest) = name.split_once('[')?;
+    let of = rest.strip_suffix(']')?;
+    let quantity = QUANTITIES.iter().find(|known| known.name == quantity)?;
+    let (subject, place) = of.split_once('|').unwrap_or((of, ""));
+    Some((quantity, subject, place))
+}
+
+/// Unit of the result of this name; empty where there is none.
+#[must_use]
+pub fn unit(name: &str) -> &'static str {
+    let Some((quantity, _, place)) = parts(name) else {
+        return "";
+    };
+    match (quantity.of, direction(place)) {
+        (Subject::Stiffness, Some((i, j))) => match (i < 3, j < 3) {
+            (true, true) => "N/m",
+            (false, false) => "N m",
+            _ => "N",
+        },
+        _ => quantity.unit,
+    }
+}
+
+/// Row and column from `15`.
+fn direction(place: &str) -> Option<(usize, usize)> {
+    let digits: Vec<usize> = place
+        .chars()
+        .map(|c| c.to_digit(10).map_or(0, |d| d as usize))
+        .collect();
+    match digits[..] {
+        [i, j] if (1..=6).contains(&i) && (1..=6).contains(&j) => Some((i - 1, j - 1)),
+        _ => None,
+    }
+}
+
+/// The value of the result of this name.
+///
+/// # Errors
+/// Why there is none, as a sentence.
+pub fn value(solved: &SolvedSystem, name: &str) -> Result<f64, String> {
+    let missing = || format!("There is no result `{name}` of this system.");
+    let (quantity, subject, place) = parts(name).ok_or_else(missing)?;
+    let network = &solved.network;
+    match quantity.of {
+        Subject::Line | Subject::LineEnd => {
+            let index = network.line(subject).ok_or_else(missing)?;
+            let line = &solved.rest.balance.lines[index];
+            let force = match place {
+                "a" => line.force_a,
+                "b" => line.force_b,
+                "" if quantity.of == Subject::Line => line.force_a,
+                _ => return Err(missing()),
+            };
+            Ok(match quantity.name {
+                "tension_n" => force.norm(),
+                "horizontal_n" => force.xy().norm(),
+                "vertical_n" => force.z,
+                _ => line.on_bed(),
+            })
+        }
+        Subject::Point => {
+            let index = network.point(subject).ok_or_else(missing)?;
+            let axis = ["x_m", "y_m", "z_m"]
+                .iter()
+                .position(|n| *n == quantity.name);
+            Ok(solved.rest.placement.points[index][axis.unwrap_or(0)])
+        }
+        Subject::Stiffness => {
+            let index = network.body(subject).ok_or_else(missing)?;
+            let at = direction(place).ok_or_else(missing)?;
+            Ok(solved.stiffness[index][at])
+        }
+    }
+}
+
+/// A result that does not exist.
+pub(super) fn unknown(key: &Key<'_, String>, _: &SystemKeys<'_>) -> Option<Finding> {
+    let name = key.get()?;
+    if parts(name).is_some() {
+        return None;
+    }
+    let known: Vec<String> = QUANTITIES
+        .iter()
+        .map(|known| format!("{}[...] ({})", known.name, known.meaning))
+        .collect();
+    let problem = format!("there is no result \"{}\"", name.escape_default());
+    Some(key.finding(problem, format!("give one of {}", known.join(", "))))
+}

@@ -1,0 +1,188 @@
+//! A system worked out: its equilibrium, how stable it is, the stiffness of its bodies.
+
+use nalgebra::{DMatrix, Matrix6, SymmetricEigen};
+
+use super::bounds::Contact;
+use super::build::build;
+use super::connected::{Loose, loose};
+use super::equilibrium::{Equilibrium, SystemError, search};
+use super::model::SystemFile;
+use super::network::{Held, Network};
+use super::start::start;
+use super::stiffness::{of_body, take};
+
+/// A system worked out.
+#[derive(Debug, Clone)]
+pub struct SolvedSystem {
+    /// What the file says.
+    pub file: SystemFile,
+    /// The same in SI.
+    pub network: Network,
+    /// At rest.
+    pub rest: Equilibrium,
+    /// How it rests.
+    pub stability: Stability,
+    /// Stiffness of the lines on each body about its origin \[N/m, N, N m\].
+    pub stiffness: Vec<Matrix6<f64>>,
+}
+
+/// How a system rests.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Stability {
+    /// It returns from any small displacement.
+    Stable,
+    /// It stays where it is put along some direction: the unknown that moves most, in words. The tensions are the same all along.
+    Neutral(String),
+    /// It leaves: the unknown that moves most, in words.
+    Unstable(String),
+}
+
+/// Why a system has no answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Refusal {
+    /// What is wrong.
+    pub problem: String,
+    /// What would be right.
+    pub remedy: String,
+    /// The line meant, if it is one.
+    pub line: Option<String>,
+    /// The point or body meant, if it is one, and its name.
+    pub part: Option<(Loose, String)>,
+}
+
+/// Eigenvalues below this share of the greatest are none.
+const NEUTRAL: f64 = 1e-11;
+
+/// Works out a system that the checks passed.
+///
+/// # Errors
+/// [`Refusal`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
+pub fn solve(file: SystemFile) -> Result<SolvedSystem, Refusal> {
+    let network = build(&file);
+    let rest = rest(&network)?;
+    let stability = stability(&network, &rest);
+    let bodies = 0..network.bodies.len();
+    let stiffness = bodies.map(|body| of_body(&network, &rest, body));
+    let stiffness: Result<Vec<_>, _> = stiffness.collect();
+    let stiffness = stiffness.map_err(|error| refused(&network, &SystemError::Line(error)))?;
+    Ok(SolvedSystem {
+        file,
+        stability,
+        stiffness,
+        rest,
+        network,
+    })
+}
+
+/// A system at rest, from a cold start.
+///
+/// # Errors
+/// As [`solve`].
+pub fn rest(network: &Network) -> Result<Equilibrium, Refusal> {
+    if let Some(part) = loose(network) {
+        return Err(not_held(network, part));
+    }
+    let rest = search(network, &start(network)).map_err(|error| refused(network, &error))?;
+    match out_of_water(network, &rest) {
+        Some(refusal) => Err(refusal),
+        None => Ok(rest),
+    }
+}
+
+fn part_name(network: &Network, part: Loose) -> String {
+    match part {
+        Loose::Point(index) => network.points[index].name.clone(),
+        Loose::Body(index) => network.bodies[index].name.clone(),
+    }
+}
+
+fn not_held(network: &Network, part: Loose) -> Refusal {
+    let name = part_name(network, part);
+    Refusal {
+        problem: format!(
+            "nothing holds \"{name}\": no line joins it, directly or over others, to anything fixed"
+        ),
+        remedy: "join it by a line to a fixed point or to a held body, or fix it".to_owned(),
+        line: None,
+        part: Some((part, name)),
+    }
+}
+
+fn refused(network: &Network, error: &SystemError) -> Refusal {
+    match error {
+        SystemError::Line(unsolved) => {
+            let line = &network.lines[unsolved.line].name;
+            Refusal {
+                problem: format!(
+                    "line \"{line}\" has no equilibrium between its ends: {}",
+                    unsolved.error
+                ),
+                remedy: "check its length and the places of its ends".to_owned(),
+                line: Some(line.clone()),
+                part: None,
+            }
+        }
+        SystemError::NotConverged {
+            residual,
+            at,
+            steps,
+        } => Refusal {
+            problem: format!(
+                "the search for an equilibrium did not come to rest: after {steps} steps {residual:.3e} N are out of balance, most in {at}"
+            ),
+            remedy: "give free points a position near where they should come to rest".to_owned(),
+            line: None,
+            part: None,
+        },
+    }
+}
+
+/// A point at the surface whose buoyancy does not suffice to hold it down there.
+fn out_of_water(network: &Network, rest: &Equilibrium) -> Option<Refusal> {
+    for (index, point) in network.points.iter().enumerate() {
+        let (Held::Free(free), Some(first)) = (&point.held, rest.freedoms.points[index]) else {
+            continue;
+        };
+        let pushed = rest.balance.force[first + 2];
+        if rest.contacts[first + 2] == Contact::Surface
+            && pushed > free.buoyancy + 1e-9 * rest.balance.tension
+        {
+            return Some(Refusal {
+                problem: format!(
+                    "\"{}\" would be pulled out of the water by {:.6} N more than its buoyancy",
+                    point.name,
+                    pushed - free.buoyancy
+                ),
+                remedy: "give it more mass, or its lines more length; for lines in air set environment.water_density_kg_per_m3 = 0".to_owned(),
+                line: None,
+                part: Some((Loose::Point(index), point.name.clone())),
+            });
+        }
+    }
+    None
+}
+
+/// The least eigenvalue of the stiffness of what may move.
+fn stability(network: &Network, rest: &Equilibrium) -> Stability {
+    let moving: Vec<usize> = (0..rest.freedoms.count)
+        .filter(|&k| rest.contacts[k] == Contact::None)
+        .collect();
+    if moving.is_empty() {
+        return Stability::Stable;
+    }
+    let stiffness: DMatrix<f64> = take(&rest.balance.symmetric(), &moving, &moving);
+    let most = stiffness.diagonal().amax();
+    let eigen = SymmetricEigen::new(stiffness);
+    let least = eigen.eigenvalues.imin();
+    let value = eigen.eigenvalues[least];
+    if value > NEUTRAL * most {
+        return Stability::Stable;
+    }
+    let unknown = moving[eigen.eigenvectors.column(least).iamax()];
+    let name = rest.freedoms.name(network, unknown);
+    if value < -NEUTRAL.sqrt() * most {
+        Stability::Unstable(name)
+    } else {
+        Stability::Neutral(name)
+    }
+}

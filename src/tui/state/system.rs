@@ -1,0 +1,89 @@
+//! A system of lines on the screen: its result and its validation table.
+
+use super::document_kind::{DocumentKind, KindInfo};
+use super::parameter_editor::ParameterEditor;
+use crate::case::{Diagnostic, kind};
+use crate::reference::{self, ValidationRow};
+use crate::report::chart::{Chart, Glyphs};
+use crate::report::system::{self as views, tables};
+use crate::report::table::Table;
+use crate::system::{SolvedSystem, SystemFile, validation};
+use crate::tui::facade::{self, FieldRow};
+use crate::tui::pane::PaneId;
+
+/// A system of lines.
+#[derive(Debug, Clone)]
+pub struct SystemView {
+    /// The result of the text.
+    pub solved: SolvedSystem,
+    /// The validation table.
+    pub checks: Vec<ValidationRow>,
+}
+
+impl SystemView {
+    /// A system as read.
+    #[must_use]
+    pub fn new(solved: SolvedSystem) -> Self {
+        Self {
+            solved,
+            checks: Vec::new(),
+        }
+    }
+}
+
+impl DocumentKind for SystemView {
+    fn info(&self) -> KindInfo<'_> {
+        KindInfo {
+            name: "system of lines",
+            title: &self.solved.file.about.title,
+            source: &self.solved.file.about.source,
+            panes: &[PaneId::Inputs, PaneId::Tables, PaneId::Validation],
+            first: PaneId::Tables,
+            tabs: &["Plan", "Side", "3-D", "Points", "Bodies", "Stiffness"],
+        }
+    }
+
+    fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
+        let solved = &self.solved;
+        match tab {
+            0 => (Some(views::views::plan(solved)), tables::lines(solved)),
+            1 => (Some(views::views::side(solved)), tables::lines(solved)),
+            2 => (Some(views::views::oblique(solved)), tables::lines(solved)),
+            3 => (None, tables::points(solved)),
+            4 => (None, tables::bodies(solved)),
+            _ => {
+                let first = !solved.network.bodies.is_empty();
+                let none = || Table::titled("The system has no body.");
+                let table = first.then(|| tables::stiffness(solved, 0));
+                (None, table.unwrap_or_else(none))
+            }
+        }
+    }
+
+    fn rows(&self, text: &str) -> Vec<FieldRow> {
+        kind::rows::<SystemFile>(text)
+    }
+
+    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {
+        kind::set::<SystemFile>(text, key, value).map_err(|all| facade::refusal(key, &all))
+    }
+
+    fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
+        self.solved = kind::parse::<SystemFile>(&source.text, &source.file)?;
+        Ok(())
+    }
+
+    fn validate(&mut self, source: &ParameterEditor) {
+        self.checks = validation::rows(&self.solved);
+        reference::set_edited_aside(&mut self.checks, &source.edited);
+    }
+
+    fn checks(&self) -> &[ValidationRow] {
+        &self.checks
+    }
+
+    fn report(&self, source: &ParameterEditor, glyphs: Glyphs) -> Option<String> {
+        let checks = &self.checks;
+        Some(views::report(&self.solved, checks, &source.rows, glyphs))
+    }
+}
