@@ -1,6 +1,6 @@
 //! What the screen makes its user wait for: the real program on a pseudo-terminal with many stored runs. Prints the time to
 //! the first full frame, from a key to its paint (idle, and with every core computing), frames a second while a key is held,
-//! and the CPU time of a frame. Run with `cargo bench --bench screen`; after `--`: `runs=10000`, `size=200x60`,
+//! the CPU time of a frame, and from a key to the coarse and to the full answer of the solver. Run with `cargo bench --bench screen`; after `--`: `runs=10000`, `size=200x60`,
 //! `case=cases/pendulous/module.toml`, `program=PATH` for another build of the program.
 #![expect(
     clippy::unwrap_used,
@@ -8,6 +8,8 @@
     reason = "a bench prints its table and may stop at a fault"
 )]
 
+#[path = "screen/answers.rs"]
+mod answers;
 #[expect(dead_code, reason = "the tests use the rest")]
 #[path = "../tests/common/pty.rs"]
 mod pty;
@@ -110,6 +112,11 @@ fn main() {
     screen.send("1");
     keys("key to paint, cores computing", &mut screen);
     held("frames a second while a key is held", &mut screen);
+    drop(screen);
+
+    let mut screen = start(&asked, pty::place());
+    waited(&screen, Instant::now());
+    answers::print(&mut screen);
 }
 
 /// Starts the program with the case, in a directory with its runs.

@@ -102,6 +102,21 @@ pub fn with_error(value: f64, error: Option<f64>, unit: &str) -> String {
     )
 }
 
+/// A number of a coarse computation, to three significant digits: `~2.13 MN`.
+#[must_use]
+pub fn coarse(value: f64, unit: &str) -> String {
+    if !value.is_finite() {
+        return "not available".to_owned();
+    }
+    let scale = Scale::of(value, unit);
+    format!(
+        "~{}{}{}",
+        digits(value / scale.factor, 3),
+        scale.power(),
+        scale_unit(scale, unit)
+    )
+}
+
 /// A range with its unit, to two significant digits of its width: `5.1 to 7.3 MN`.
 #[must_use]
 pub fn range(least: f64, greatest: f64, unit: &str) -> String {

@@ -197,7 +197,12 @@ fn tried(case: &Case, cancel: &AtomicBool) -> Work {
     trial.outcome.work
 }
 
-fn assemble(request: &Request, computed: Computed, started: String, summary: Vec<Quantity>) -> Run {
+pub(super) fn assemble(
+    request: &Request,
+    computed: Computed,
+    started: String,
+    summary: Vec<Quantity>,
+) -> Run {
     let RunRecord {
         history,
         shapes,

@@ -6,6 +6,7 @@ mod accuracy;
 mod channel_reading;
 mod channel_statistics;
 mod checkpoint;
+mod coarse;
 mod companions;
 mod compute;
 mod cycles;
@@ -46,6 +47,7 @@ mod wave_decomposition;
 
 pub use crate::case::{ModePlane, QuantityId, Subject};
 pub use checkpoint::{Checkpoint, ResumedRun};
+pub use coarse::coarse;
 pub use decimation::DecimatedRecord;
 pub use edited_inputs::edited_inputs;
 pub use line_statistics::evaluate as along_line;

@@ -15,7 +15,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crossbeam_channel::{Receiver, bounded};
 
@@ -37,7 +37,7 @@ use crate::case;
 use crate::modes;
 use crate::run::job::{self, JobEvent, Request};
 use crate::run::store::{self, RunLocation, RunWriter};
-use crate::run::{ResumedRun, resume_request};
+use crate::run::{ResumedRun, coarse, resume_request};
 use crate::ship::DynamicAnalysis;
 
 /// What is outside of the state.
@@ -282,9 +282,27 @@ fn compute(
     if let Some(writer) = &writer {
         out.send(Msg::Stored(ticket, writer.dir().to_owned()));
     }
+    if !store {
+        answer_coarsely(ticket, &request, &cancel, out);
+    }
     let (events, said) = bounded(AHEAD);
     job::start(request, from, cancel, events).map_err(|error| no_thread(&error))?;
     relay(ticket, &said, writer, fresh, out)
+}
+
+/// Time of the coarse answer from which it is shown: the full one takes some thirty times as long.
+const WORTH_SHOWING: Duration = Duration::from_millis(3);
+
+/// Computes a live solve coarsely first, and shows that where the full answer takes more than a blink.
+fn answer_coarsely(ticket: JobNumber, request: &Request, cancel: &AtomicBool, out: &Outbox) {
+    lower_priority();
+    let began = Instant::now();
+    let run = catch_unwind(AssertUnwindSafe(|| coarse(request, cancel)));
+    if let Ok(Some(run)) = run
+        && began.elapsed() > WORTH_SHOWING
+    {
+        out.send(Msg::Coarse(ticket, Arc::new(run)));
+    }
 }
 
 /// Reads or writes files as an effect asks for.

@@ -43,6 +43,8 @@ pub enum Msg {
         f64,
         Result<Box<(Request, Option<ResumedRun>)>, String>,
     ),
+    /// A coarse run ahead of that of a job.
+    Coarse(JobNumber, Arc<Run>),
     /// What a job has recorded since it was last asked.
     Recorded(JobNumber, Box<RunCurves>),
     /// The run of a job has this directory.

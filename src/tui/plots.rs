@@ -1,5 +1,6 @@
 //! The charts of the open case: which runs are on them, and which of their curves.
 
+use super::state::line::CoarseAnswer;
 use super::state::{LineView, RunCurves};
 use crate::report::chart::{AxisRange, Chart};
 use crate::report::figures::{FigureData, FigureId, PlottedRun};
@@ -22,14 +23,33 @@ impl<'a> Shown<'a> {
     }
 }
 
+/// Whether the curves of the live solve are complete, and only their errors are left to estimate.
+fn has_landed(line: &LineView) -> bool {
+    let going = line.live.going.as_ref();
+    going.is_some_and(|going| going.progress.estimating)
+}
+
+/// The coarse answer, as long as it is on the charts.
+fn coarse_shown(line: &LineView) -> Option<&CoarseAnswer> {
+    let coarse = line.live.coarse.as_ref();
+    coarse.filter(|_| !line.live.hidden && !has_landed(line))
+}
+
 /// The runs on the charts, older results first.
 fn shown(line: &LineView) -> Vec<Shown<'_>> {
     let mut list = Vec::new();
     let live = &line.live;
     if !live.hidden {
         // The old curve stays, dimmed, until the new one is complete.
-        let landed = live.going.as_ref().is_some_and(|g| g.progress.estimating);
-        let done = live.done.as_ref().filter(|_| !landed);
+        let landed = has_landed(line);
+        let coarse = coarse_shown(line);
+        list.extend(coarse.map(|coarse| Shown {
+            label: "coarse",
+            curves: &coarse.curves,
+            dimmed: live.going.is_some(),
+        }));
+        let done = live.done.as_ref();
+        let done = done.filter(|_| !landed && coarse.is_none());
         list.extend(done.map(|curves| Shown {
             label: if live.going.is_some() {
                 "before"
@@ -104,6 +124,9 @@ pub fn chart(line: &LineView, id: FigureId) -> Chart {
     };
     if let Some(only) = only {
         keep_only(&mut chart, only);
+    }
+    if coarse_shown(line).is_some() {
+        chart.title.push_str(" (coarse)");
     }
     chart
 }

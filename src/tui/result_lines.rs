@@ -25,10 +25,19 @@ pub struct ResultLine {
     pub chosen: bool,
 }
 
-/// The run whose results are shown: the one solved last.
+/// The run solved last, with which others are compared.
+#[must_use]
+pub fn solved_run(line: &LineView) -> Option<&Arc<Run>> {
+    line.live.done.as_ref()?.run.as_ref()
+}
+
+/// The run whose results are shown: the coarse one until the full one is complete.
 #[must_use]
 pub fn shown_run(line: &LineView) -> Option<&Arc<Run>> {
-    line.live.done.as_ref()?.run.as_ref()
+    match &line.live.coarse {
+        Some(coarse) => coarse.curves.run.as_ref(),
+        None => solved_run(line),
+    }
 }
 
 /// The results that the cockpit shows.
@@ -56,14 +65,17 @@ pub fn all(line: &LineView) -> Vec<ResultLine> {
 }
 
 fn one(line: &LineView, run: &Run, quantity: &Quantity) -> ResultLine {
+    let coarse = line.live.coarse.is_some();
+    // What differs from a coarse result may be nothing but its error.
     let against = line
         .against
         .as_ref()
+        .filter(|_| !coarse)
         .and_then(|(_, against)| against.summary.iter().find(|other| other.id == quantity.id));
     let share = share(&line.case, run, quantity);
     ResultLine {
         name: quantity.name(),
-        value: value(quantity),
+        value: value(quantity, coarse),
         difference: against.map_or_else(String::new, |other| difference(quantity, other)),
         exceeded: share.as_ref().is_some_and(|(share, _)| *share > 1.0),
         share: share.map_or_else(String::new, |(share, of)| {
@@ -73,7 +85,10 @@ fn one(line: &LineView, run: &Run, quantity: &Quantity) -> ResultLine {
     }
 }
 
-fn value(quantity: &Quantity) -> String {
+fn value(quantity: &Quantity, coarse: bool) -> String {
+    if coarse {
+        return number::coarse(quantity.value, &quantity.unit());
+    }
     match quantity.unsettled {
         Some([least, greatest]) => format!(
             "not settled: {}",

@@ -141,6 +141,32 @@ fn a_value_is_tweaked_and_the_results_follow() {
 }
 
 #[test]
+fn a_slow_case_answers_coarsely_first_and_then_in_full() {
+    let start = Start {
+        args: &["cases/basics/steep_wave.toml"],
+        ..Start::default()
+    };
+    let mut pty = start.go();
+    let of_inputs = |screen: &Screen| {
+        let head = line_with(screen, "── results");
+        head.is_some_and(|head| head.contains(HELD))
+    };
+    pty.wait("the results of the file", of_inputs);
+    pty.send("/duration\r");
+    pty.wait_for("duration");
+    pty.send(RIGHT);
+    pty.wait("a coarse answer, marked", |screen| {
+        let text = screen.contents();
+        text.contains("coarse: the full solve goes on") && text.contains(" ~")
+    });
+    pty.wait("the full answer", |screen| {
+        of_inputs(screen) && !screen.contents().contains('~')
+    });
+    pty.send("qd");
+    pty.ended(0);
+}
+
+#[test]
 fn a_value_is_edited_run_compared_and_reported() {
     let mut pty = Start::default().go();
     pty.wait_for(LIST);

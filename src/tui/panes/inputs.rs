@@ -46,7 +46,7 @@ impl Pane for InputsPane {
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         match id {
-            CommandId::HoldAgainst => results::why_no_result(state),
+            CommandId::HoldAgainst => results::why_not_held(state),
             CommandId::Zoom => layout::why_not_zoomed(state),
             CommandId::Reset if state.line().is_some() => {
                 let own = state.editor()?.current_field()?.replaced.is_none();

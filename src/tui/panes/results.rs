@@ -34,10 +34,10 @@ impl Pane for ResultsPane {
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         match id {
-            CommandId::Select
-            | CommandId::HoldAgainst
-            | CommandId::InputEffects
-            | CommandId::Physics => results::why_no_result(state),
+            CommandId::HoldAgainst => results::why_not_held(state),
+            CommandId::Select | CommandId::InputEffects | CommandId::Physics => {
+                results::why_no_result(state)
+            }
             CommandId::Fit => results::shows_main_ones(state)
                 .then_some("The main results stand beside the inputs already."),
             _ => None,
@@ -94,7 +94,8 @@ pub fn band(painter: &mut Painter, area: Rect) {
     title(painter, head, line);
     let lines = result_lines::chosen(line);
     let widths = Widths::of(&lines, area.width);
-    let stale = staleness(painter.state).is_some();
+    // What is coarse says so by its numbers.
+    let stale = staleness(painter.state).is_some_and(|words| !words.starts_with("coarse:"));
     for (words, y) in lines.iter().zip(list.top()..list.bottom()) {
         let at = Rect::new(list.x, y, list.width, 1);
         let style = if stale {
@@ -110,6 +111,15 @@ pub fn band(painter: &mut Painter, area: Rect) {
 fn staleness(state: &AppState) -> Option<&'static str> {
     let (line, editor) = (state.line()?, state.editor()?);
     let live = &line.live;
+    if let Some(coarse) = &live.coarse {
+        let of_inputs = coarse.text == editor.text;
+        return Some(match (of_inputs, live.ticket.is_some()) {
+            (true, true) => "coarse: the full solve goes on",
+            (true, false) => "coarse: the full solve was cancelled",
+            (false, true) => "coarse, older than the inputs: solving",
+            (false, false) => "coarse, older than the inputs",
+        });
+    }
     if live.done.is_none() {
         return Some(if live.failure.is_some() {
             "no results: the solve failed"

@@ -32,6 +32,8 @@ pub struct LiveSolve {
     pub going: Option<RunCurves>,
     /// The text that `going` computes.
     pub going_text: String,
+    /// The coarse answer, until the full solve is complete.
+    pub coarse: Option<CoarseAnswer>,
     /// The last complete curves, dimmed while `going` is incomplete.
     pub done: Option<RunCurves>,
     /// The text that `done` computed.
@@ -57,6 +59,15 @@ impl LiveSolve {
             None
         }
     }
+}
+
+/// What a coarse solve gave: it is shown, and never stored, compared or reported.
+#[derive(Debug, Clone)]
+pub struct CoarseAnswer {
+    /// Its curves.
+    pub curves: RunCurves,
+    /// The text that it computed.
+    pub text: String,
 }
 
 /// A study that computes behind the screen.

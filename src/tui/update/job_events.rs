@@ -7,6 +7,7 @@ use super::runs;
 use crate::run::job::JobEvent;
 use crate::run::{Progress, Run, RunState};
 use crate::tui::msg::Effect;
+use crate::tui::state::line::CoarseAnswer;
 use crate::tui::state::{
     AppState, Document, JobNumber, JobState, Overlay, Question, RunCurves, Severity,
 };
@@ -75,6 +76,19 @@ pub(super) fn recorded(state: &mut AppState, ticket: JobNumber, later: &RunCurve
     Vec::new()
 }
 
+/// A coarse run ahead of the live solve; dropped where that is not waited for any more.
+pub(super) fn coarse(state: &mut AppState, ticket: JobNumber, run: Arc<Run>) -> Vec<Effect> {
+    if is_live(state, ticket)
+        && let Some(line) = state.line_mut()
+    {
+        line.live.coarse = Some(CoarseAnswer {
+            curves: RunCurves::whole(run),
+            text: line.live.going_text.clone(),
+        });
+    }
+    Vec::new()
+}
+
 /// Whether a job is the live solve of what is open.
 fn is_live(state: &AppState, ticket: JobNumber) -> bool {
     state
@@ -131,9 +145,10 @@ fn live_finished(state: &mut AppState, run: Arc<Run>, new: &JobState) {
     live.ticket = None;
     live.going = None;
     match new {
-        // A cancelled solve leaves the old curve as it was.
+        // A cancelled solve leaves the old curve as it was, and the coarse answer, which is marked as such.
         JobState::Cancelled => live.failure = Some("cancelled".to_owned()),
         _ => {
+            live.coarse = None;
             if line.against.is_none() && *new == JobState::Done && of_file {
                 line.against = Some(("the file's".to_owned(), Arc::clone(&run)));
             }

@@ -55,6 +55,7 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
             vec![Effect::Repaint]
         }
         Msg::Job(ticket, event) => job_events::event(state, ticket, *event),
+        Msg::Coarse(ticket, run) => job_events::coarse(state, ticket, run),
         Msg::Edited(read) => edit::edited(state, read),
         Msg::Modes(text, found) => modes::computed(state, text, found),
         Msg::TrialProgress(ticket, progress) => trials::progress(state, ticket, *progress),

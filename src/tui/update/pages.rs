@@ -10,7 +10,7 @@ use crate::case::stand_alone;
 use crate::report::table::Table;
 use crate::study::points::BaseCase;
 use crate::tui::msg::{ComparedRun, Effect, StudyOf, StudyRequest};
-use crate::tui::result_lines::shown_run;
+use crate::tui::result_lines::{shown_run, solved_run};
 use crate::tui::state::line::RunningStudy;
 use crate::tui::state::{AppState, Document, Overlay, RunEntry};
 
@@ -29,7 +29,7 @@ pub fn compare(state: &mut AppState) -> Vec<Effect> {
     let mut runs: Vec<ComparedRun> = chosen.iter().filter_map(|run| of_entry(run)).collect();
     if runs.len() == 1 {
         let against = line.against.as_ref().map(|(_, run)| run);
-        if let Some(run) = against.or_else(|| shown_run(line)) {
+        if let Some(run) = against.or_else(|| solved_run(line)) {
             runs.insert(0, ComparedRun::Memory(Arc::clone(run)));
         }
     }
@@ -59,7 +59,7 @@ fn of_entry(run: &RunEntry) -> Option<ComparedRun> {
 pub fn why_not_compared(state: &AppState) -> Option<&'static str> {
     let line = state.line()?;
     let chosen = line.runs.chosen().len();
-    let other = line.against.is_some() || shown_run(line).is_some();
+    let other = line.against.is_some() || solved_run(line).is_some();
     match (chosen, other) {
         (0, _) => Some("Two runs are compared, or more: `m` marks them."),
         (1, false) => Some("There is no other run to compare this one with; `m` marks several."),

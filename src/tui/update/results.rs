@@ -3,7 +3,7 @@
 use super::notice::info;
 use crate::study::results::main_results;
 use crate::tui::msg::Effect;
-use crate::tui::result_lines::shown_run;
+use crate::tui::result_lines::{shown_run, solved_run};
 use crate::tui::state::AppState;
 
 /// The most results beside the inputs.
@@ -38,6 +38,14 @@ pub fn why_no_result(state: &AppState) -> Option<&'static str> {
     none.then_some("There is no result yet.")
 }
 
+/// Why the results cannot be held.
+#[must_use]
+pub fn why_not_held(state: &AppState) -> Option<&'static str> {
+    let coarse = state.line().is_some_and(|line| line.live.coarse.is_some());
+    let words = "These results are coarse; they can be held when the full solve is complete.";
+    why_no_result(state).or(coarse.then_some(words))
+}
+
 /// Whether the main results of the case stand beside the inputs.
 #[must_use]
 pub fn shows_main_ones(state: &AppState) -> bool {
@@ -60,8 +68,8 @@ pub fn hold_live(state: &mut AppState) -> Vec<Effect> {
     let Some(line) = state.line_mut() else {
         return Vec::new();
     };
-    let Some(run) = shown_run(line).cloned() else {
-        return info(state, "There is no result yet.");
+    let Some(run) = solved_run(line).cloned() else {
+        return info(state, "There is no complete result to hold yet.");
     };
     line.against = Some(("the results held".to_owned(), run));
     info(

@@ -3,6 +3,7 @@
 #![expect(clippy::float_cmp, reason = "compares numbers that are the same bits")]
 
 mod beside;
+mod coarse;
 mod column_plot;
 mod desk;
 mod footer;
