@@ -8,7 +8,8 @@ use ratatui::layout::Rect;
 
 use super::theme::Theme;
 use crate::report::chart::{
-    self, AxisRange, CONTINUATION, Chart, Glyphs, Limit, LimitLine, PlotFrame, Readout, Series,
+    self, AxisRange, AxisScale, CONTINUATION, Chart, Glyphs, Limit, LimitLine, PlotFrame, Readout,
+    Series,
 };
 use crate::report::number;
 
@@ -29,6 +30,10 @@ pub enum PlotVerb {
     Freeze,
     /// Set a mark at the cursor, or remove the mark there.
     Mark,
+    /// Change between a logarithmic and a linear x axis.
+    LogAlong,
+    /// The same of the y axis.
+    LogUp,
 }
 
 /// How far the cursor goes.
@@ -57,6 +62,8 @@ pub struct PlotPane {
     marks: Vec<f64>,
     /// The chart as it was when it was frozen.
     frozen: Option<Box<Chart>>,
+    /// Whether x and y are on logarithmic axes.
+    log: (bool, bool),
 }
 
 impl PlotPane {
@@ -90,6 +97,9 @@ impl PlotPane {
         let mut chart = self.source(base).clone();
         chart.x.range = self.x.or(chart.x.range);
         chart.y.range = self.y.or(chart.y.range);
+        let scale = |log: bool, given: AxisScale| if log { AxisScale::Log } else { given };
+        chart.x.scale = scale(self.log.0, chart.x.scale);
+        chart.y.scale = scale(self.log.1, chart.y.scale);
         chart.cursor = self.cursor.or(chart.cursor);
         if chart.map.is_some() {
             // Whoever has not chosen a place reads the middle of the line.
@@ -115,7 +125,10 @@ impl PlotPane {
     /// and what was drawn last ([`chart::frame`] gives it without drawing). With nothing drawn, an
     /// empty frame, whatever would move or scale the view does nothing.
     pub fn act(&mut self, verb: PlotVerb, base: &Chart, frame: PlotFrame) {
-        let needs_frame = !matches!(verb, PlotVerb::Fit | PlotVerb::Freeze);
+        let needs_frame = !matches!(
+            verb,
+            PlotVerb::Fit | PlotVerb::Freeze | PlotVerb::LogAlong | PlotVerb::LogUp
+        );
         if (frame.width == 0 || frame.height == 0) && needs_frame {
             return;
         }
@@ -135,6 +148,8 @@ impl PlotPane {
                 };
             }
             PlotVerb::Mark => self.mark(frame),
+            PlotVerb::LogAlong => self.log.0 = !self.log.0,
+            PlotVerb::LogUp => self.log.1 = !self.log.1,
         }
     }
 
@@ -142,41 +157,49 @@ impl PlotPane {
         self.frozen.as_deref().unwrap_or(base)
     }
 
-    /// The ranges that show everything.
-    fn whole(&self, base: &Chart) -> (AxisRange, AxisRange) {
+    /// The places along both axes between which everything is.
+    fn whole(&self, base: &Chart, frame: PlotFrame) -> (AxisRange, AxisRange) {
         let chart = self.source(base);
-        let all = |of: fn(&(f64, f64)) -> f64, given: Option<AxisRange>| {
-            let values = chart.series.iter().flat_map(|s| s.points.iter().map(of));
-            given.unwrap_or_else(|| chart::fit(chart::extent(values)))
+        let all = |of: fn(&(f64, f64)) -> f64, given: Option<AxisRange>, scale: AxisScale| {
+            let values = || chart.series.iter().flat_map(|s| s.points.iter().map(of));
+            let log = (scale == AxisScale::Log).then(|| chart::log_range(given, values()));
+            let range = log.flatten().or(given);
+            scale.places(range.unwrap_or_else(|| chart::fit(chart::extent(values()))))
         };
-        (all(|p| p.0, chart.x.range), all(|p| p.1, chart.y.range))
+        (
+            all(|p| p.0, chart.x.range, frame.x_scale),
+            all(|p| p.1, chart.y.range, frame.y_scale),
+        )
     }
 
     /// The cursor begins in the middle, stays within the chart's whole range, and takes the view
     /// along when it leaves it.
     fn move_cursor(&mut self, way: f64, stride: Stride, base: &Chart, frame: PlotFrame) {
-        let span = frame.x.1 - frame.x.0;
+        let axis = frame.x_scale;
+        let seen = axis.places(frame.x);
+        let span = seen.1 - seen.0;
         let step = match stride {
             Stride::Fine => span / (frame.dot_count().0.max(2) - 1) as f64,
             Stride::Coarse => span / 10.0,
         };
-        let whole = self.whole(base).0;
+        let whole = self.whole(base, frame).0;
         // What is on screen may reach beyond the data, at equal scale for instance.
-        let (low, high) = (whole.0.min(frame.x.0), whole.1.max(frame.x.1));
-        let cursor = match self.cursor {
+        let (low, high) = (whole.0.min(seen.0), whole.1.max(seen.1));
+        let at = self.cursor.map(|at| axis.place(at));
+        let cursor = match at.filter(|at| at.is_finite()) {
             Some(at) => (at + way * step).clamp(low, high),
-            None => middle(frame.x),
+            None => middle(seen),
         };
-        if cursor < frame.x.0 || cursor > frame.x.1 {
-            let shift = (cursor - frame.x.0).min(0.0) + (cursor - frame.x.1).max(0.0);
-            self.x = Some((frame.x.0 + shift, frame.x.1 + shift));
+        if cursor < seen.0 || cursor > seen.1 {
+            let shift = (cursor - seen.0).min(0.0) + (cursor - seen.1).max(0.0);
+            self.x = Some(axis.values((seen.0 + shift, seen.1 + shift)));
         }
-        self.cursor = Some(cursor);
+        self.cursor = Some(axis.value(cursor));
     }
 
     /// The place read on a map goes up or down by a fortieth of what is shown; the first time the cursor appears.
     fn move_place(&mut self, way: f64, base: &Chart, frame: PlotFrame) {
-        let (low, high) = self.whole(base).1;
+        let (low, high) = self.whole(base, frame).1;
         let from = self.cursor_y.unwrap_or_else(|| middle(frame.y));
         let step = (frame.y.1 - frame.y.0) / 40.0;
         self.cursor_y = Some((from + way * step).clamp(low, high));
@@ -185,20 +208,26 @@ impl PlotPane {
 
     /// Moves the view by parts of itself; never so far that it leaves the data.
     fn pan(&mut self, across: f64, up: f64, base: &Chart, frame: PlotFrame) {
-        let (x, y) = self.whole(base);
+        let (x, y) = self.whole(base, frame);
+        let moved = |axis: AxisScale, range, part, whole| {
+            Some(axis.values(shifted(axis.places(range), part, whole)))
+        };
         if across.abs() > 0.0 {
-            self.x = Some(shifted(frame.x, across, x));
+            self.x = moved(frame.x_scale, frame.x, across, x);
         }
         if up.abs() > 0.0 {
-            self.y = Some(shifted(frame.y, up, y));
+            self.y = moved(frame.y_scale, frame.y, up, y);
         }
     }
 
     fn zoom(&mut self, factor: f64, base: &Chart, frame: PlotFrame) {
-        let (x, y) = self.whole(base);
+        let (x, y) = self.whole(base, frame);
+        let axis = frame.x_scale;
+        let shown = axis.places(frame.x);
         let seen = |at: &f64| (frame.x.0..=frame.x.1).contains(at);
-        let about = self.cursor.filter(seen).unwrap_or_else(|| middle(frame.x));
-        self.x = scaled(frame.x, about, factor, x);
+        let cursor = self.cursor.filter(seen).map(|at| axis.place(at));
+        let about = cursor.unwrap_or_else(|| middle(shown));
+        self.x = scaled(shown, about, factor, x).map(|range| axis.values(range));
         if self.source(base).equal_scale {
             let at_cursor = self.readout(base).into_iter().find_map(|read| read.y);
             let seen = |at: &f64| (frame.y.0..=frame.y.1).contains(at);
@@ -215,14 +244,21 @@ impl PlotPane {
         let chart = self.chart(base);
         let shown = chart.series.iter().filter(|series| series.visible);
         let seen = shown.flat_map(|series| between(series, frame.x));
-        self.y = chart::extent(seen).map(|range| chart::fit(Some(range)));
+        let seen: Vec<f64> = seen.collect();
+        let log =
+            (frame.y_scale == AxisScale::Log).then(|| chart::log_range(None, seen.iter().copied()));
+        let fitted = || chart::extent(seen.into_iter()).map(|range| chart::fit(Some(range)));
+        self.y = log.unwrap_or_else(fitted);
     }
 
     fn mark(&mut self, frame: PlotFrame) {
         let Some(at) = self.cursor else { return };
-        let column = (frame.x.1 - frame.x.0) / frame.width.max(1) as f64;
+        let axis = frame.x_scale;
+        let (from, to) = axis.places(frame.x);
+        let column = (to - from) / frame.width.max(1) as f64;
         let before = self.marks.len();
-        self.marks.retain(|mark| (mark - at).abs() > 0.5 * column);
+        let far = |mark: f64| (axis.place(mark) - axis.place(at)).abs() > 0.5 * column;
+        self.marks.retain(|mark| far(*mark));
         if self.marks.len() == before {
             self.marks.push(at);
         }

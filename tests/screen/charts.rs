@@ -6,8 +6,8 @@ use std::sync::atomic::AtomicBool;
 use proptest::prelude::*;
 use seacable::case::{self, shipped::SHIPPED};
 use seacable::report::chart::{
-    Axis, Chart, Glyphs, GridMap, Limit, LimitLine, PictureCell, PicturePart, Series, draw, marker,
-    readout,
+    Axis, AxisScale, Chart, Glyphs, GridMap, Limit, LimitLine, PictureCell, PicturePart, Series,
+    draw, marker, readout,
 };
 use seacable::report::figures::{FigureData, FigureId, PlottedRun};
 use seacable::run::job::{self, Request};
@@ -298,6 +298,44 @@ fn a_zoomed_line_is_cut_at_the_edges_with_its_true_slope() {
 }
 
 #[test]
+fn a_logarithmic_axis_makes_a_power_a_straight_line() {
+    let points = |power: f64| {
+        (0..=40)
+            .map(move |i| f64::from(i) / 4.0)
+            .map(move |x| (x, x.powf(power)))
+    };
+    let series = [("square", 2.0), ("cube", 3.0)].into_iter().enumerate();
+    let log = |axis: Axis| Axis {
+        scale: AxisScale::Log,
+        ..axis
+    };
+    let chart = Chart {
+        x: log(Axis::new("length", "m")),
+        y: log(Axis::new("load", "N")),
+        series: series
+            .map(|(slot, (name, power))| Series::new(name, slot, points(power).collect()))
+            .collect(),
+        legend: true,
+        ends: true,
+        ..Chart::default()
+    };
+    let frame = draw(&chart, 80, 24, Glyphs::Braille).frame;
+    let cell = |x: f64| (frame.column_of(x).unwrap(), frame.row_of(x * x).unwrap());
+    let (a, b, c) = (cell(0.4), cell(2.0), cell(10.0));
+    assert!((a.0 + c.0).abs_diff(2 * b.0) <= 2 && (a.1 + c.1).abs_diff(2 * b.1) <= 2);
+    // Zero has no place on it.
+    assert_eq!((frame.column_of(0.0), frame.row_of(-1.0)), (None, None));
+    accept(
+        "chart_log_braille",
+        &draw(&chart, 80, 24, Glyphs::Braille).to_text(),
+    );
+    accept(
+        "chart_log_ascii",
+        &draw(&chart, 80, 24, Glyphs::Ascii).to_text(),
+    );
+}
+
+#[test]
 fn ascii_is_ascii_whatever_the_words() {
     let mut chart = tensions();
     chart.title = "Zugkraft – Größe ± 漢字".to_owned();
@@ -325,8 +363,12 @@ fn points() -> impl Strategy<Value = Vec<(f64, f64)>> {
 }
 
 prop_compose! {
-    fn axis()(range in prop::option::of((value(), value())), unit in "(N|m|-|)") -> Axis {
-        Axis { label: "quantity".to_owned(), unit, range }
+    fn axis()(
+        range in prop::option::of((value(), value())),
+        unit in "(N|m|-|)",
+        scale in prop::sample::select(vec![AxisScale::Linear, AxisScale::Log]),
+    ) -> Axis {
+        Axis { label: "quantity".to_owned(), unit, range, scale }
     }
 }
 
@@ -338,6 +380,7 @@ prop_compose! {
         limit in value(),
         cursor in prop::option::of(value()),
         equal_scale in any::<bool>(),
+        ends in any::<bool>(),
         title in "(|Title|ein längerer Titel 漢字)",
         field in prop::option::of((prop::collection::vec(value(), 6), value(), value())),
     ) -> Chart {
@@ -345,7 +388,7 @@ prop_compose! {
             Series { dimmed, visible, ..Series::new("a series", slot, points) }
         });
         Chart {
-            title, x, y, cursor, equal_scale,
+            title, x, y, cursor, equal_scale, ends,
             series: series.collect(),
             limits: vec![
                 Limit { label: "limit".to_owned(), line: LimitLine::Horizontal(limit) },

@@ -3,7 +3,6 @@
 use super::clip::{Dot, clip};
 use super::decimate::decimate;
 use super::picture::{PicturePart, PlotFrame, dot_of};
-use super::range::drawable;
 use super::{Glyphs, Series, marker};
 
 /// Dots of a broken line: so many on, as many off.
@@ -50,7 +49,8 @@ impl DotCanvas {
             dots: 0,
             path: Vec::new(),
         };
-        for piece in series.points.split(|p| !drawable(p.0) || !drawable(p.1)) {
+        let (along, up) = (self.frame.x_scale, self.frame.y_scale);
+        for piece in series.points.split(|p| !along.shows(p.0) || !up.shows(p.1)) {
             self.piece(piece, &mut pen);
         }
         pen.path
@@ -63,8 +63,8 @@ impl DotCanvas {
         let far = |v: f64| v.clamp(-1e12, 1e12);
         let dots = decimate(points.iter().map(|(x, y)| {
             (
-                far(dot_of(*x, self.frame.x, nx)),
-                far(dot_of(*y, self.frame.y, ny)),
+                far(dot_of(*x, self.frame.x, self.frame.x_scale, nx)),
+                far(dot_of(*y, self.frame.y, self.frame.y_scale, ny)),
             )
         }));
         if let [only] = dots[..] {

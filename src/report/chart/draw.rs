@@ -5,13 +5,15 @@ use std::borrow::Cow;
 use unicode_width::UnicodeWidthStr;
 
 use super::canvas::{DotCanvas, DotPath};
+use super::ends;
 use super::layout::{self, PictureColumns, PictureRows};
 use super::legend;
 use super::marks;
 use super::picture::{Picture, PicturePart, PlotFrame};
 use super::range::{AxisRange, equalise, extent, fit, fit_above_noise, sane};
+use super::scale::{AxisScale, log_range};
 use super::ticks::{self, Tick};
-use super::{Chart, Glyphs, LimitLine, Series};
+use super::{Axis, Chart, Glyphs, LimitLine, Series};
 use crate::report::plain;
 
 /// Draws a chart into so many columns and rows. Any size will do: what has no room is left out
@@ -69,6 +71,8 @@ struct ChartPlan {
     up: Vec<Tick>,
     /// Name and unit of the y axis, as short as needed.
     name: String,
+    /// The series are named at their ends.
+    ends: bool,
 }
 
 impl ChartPlan {
@@ -98,12 +102,17 @@ impl ChartPlan {
         glyphs: Glyphs,
         numbers: usize,
     ) -> Self {
-        let columns = PictureColumns::share(width, numbers);
-        let (x, y) = ranges(chart);
+        let ends = ends::columns(chart, width, height);
+        let columns = PictureColumns::share(width, numbers, ends);
+        let ((x, x_scale), (y, y_scale)) = ranges(chart);
         let unit = ticks::scale(y, &chart.y.unit).unit(&chart.y.unit);
-        let name = axis_name(&chart.y.label, &unit, width);
+        let name = axis_name(&chart.y.label, &unit, y_scale, width);
         let indent = head_indent(&name);
-        let rows = PictureRows::share(chart, height, layout::legend_rows(chart, width, indent));
+        let legend = match ends {
+            0 => layout::legend_rows(chart, width, indent),
+            _ => 0,
+        };
+        let rows = PictureRows::share(chart, height, legend);
         let dots = glyphs.dots();
         let mut frame = PlotFrame {
             left: columns.left,
@@ -113,21 +122,24 @@ impl ChartPlan {
             dots,
             x,
             y,
+            x_scale,
+            y_scale,
         };
         if chart.equal_scale {
             (frame.x, frame.y) = equalise(x, y, paper(&frame));
         }
-        let up = ticks::choose(frame.y, &chart.y.unit, frame.height, |ticks| {
+        let up = ticks::along(y_scale, frame.y, &chart.y.unit, frame.height, |ticks| {
             roomy_up(ticks, &frame)
         });
         // At equal scale the range may have grown into another prefix.
         let unit = ticks::scale(frame.y, &chart.y.unit).unit(&chart.y.unit);
         Self {
-            name: axis_name(&chart.y.label, &unit, width),
+            name: axis_name(&chart.y.label, &unit, y_scale, width),
             rows,
             columns,
             frame,
             up,
+            ends: ends > 0,
         }
     }
 }
@@ -140,11 +152,18 @@ fn paper(frame: &PlotFrame) -> (f64, f64) {
     (gaps(nx) * dot.0, gaps(ny) * dot.1)
 }
 
+/// What an axis shows, and how.
+type Shown = (AxisRange, AxisScale);
+
 /// What both axes show: as asked for, or all visible data.
-fn ranges(chart: &Chart) -> (AxisRange, AxisRange) {
+fn ranges(chart: &Chart) -> (Shown, Shown) {
     let shown = || chart.series.iter().filter(|series| series.visible);
     let xs = shown().flat_map(|s| s.points.iter().map(|p| p.0));
-    let x = chart.x.range.map_or_else(|| fit(extent(xs)), sane);
+    let x = log(chart, &chart.x, xs.clone()).unwrap_or_else(|| {
+        let range = chart.x.range;
+        let range = range.map_or_else(|| fit(extent(xs)), sane);
+        (range, AxisScale::Linear)
+    });
     // A zoomed x axis does not change the y axis: the eye compares heights.
     let ys = shown().flat_map(|s| s.points.iter().map(|p| p.1));
     let bands = chart.limits.iter().flat_map(|limit| match limit.line {
@@ -152,19 +171,30 @@ fn ranges(chart: &Chart) -> (AxisRange, AxisRange) {
         _ => Vec::new(),
     });
     let ys = ys.chain(bands);
-    let y = chart.y.range;
-    let y = y.map_or_else(|| fit_above_noise(extent(ys), &chart.y.unit), sane);
+    let y = log(chart, &chart.y, ys.clone()).unwrap_or_else(|| {
+        let range = chart.y.range;
+        let range = range.map_or_else(|| fit_above_noise(extent(ys), &chart.y.unit), sane);
+        (range, AxisScale::Linear)
+    });
     (x, y)
 }
 
+/// What a logarithmic axis shows; nothing where the axis is linear.
+fn log(chart: &Chart, axis: &Axis, values: impl Iterator<Item = f64>) -> Option<Shown> {
+    let wanted = axis.scale == AxisScale::Log && !chart.equal_scale && chart.map.is_none();
+    let range = wanted.then(|| log_range(axis.range, values)).flatten()?;
+    Some((range, AxisScale::Log))
+}
+
 /// Name and unit of an axis if there is room, else the unit alone, else nothing.
-fn axis_name(label: &str, unit: &str, room: usize) -> String {
+fn axis_name(label: &str, unit: &str, scale: AxisScale, room: usize) -> String {
     let unit = if unit.is_empty() {
         String::new()
     } else {
         format!("[{unit}]")
     };
-    let whole = format!("{label} {unit}").trim().to_owned();
+    let log = if scale == AxisScale::Log { ", log" } else { "" };
+    let whole = format!("{label}{log} {unit}").trim().to_owned();
     [whole, unit]
         .into_iter()
         .find(|text| text.width() <= room)
@@ -232,6 +262,9 @@ fn draw_head(chart: &Chart, plan: &ChartPlan, glyphs: Glyphs, on: &mut Picture) 
     on.write(0, top, &plan.name, PicturePart::Label);
     if let Some(map) = &chart.map {
         map.scale(head_indent(&plan.name), top, glyphs, on);
+    } else if plan.ends {
+        let hidden = ends::hidden(chart);
+        on.write(head_indent(&plan.name), top, &hidden, PicturePart::Legend);
     } else if chart.legend {
         let flow = legend::flow(chart, width, head_indent(&plan.name), rows);
         legend::draw(chart, &flow, top, glyphs, on);
@@ -282,11 +315,11 @@ fn draw_axes(chart: &Chart, plan: &ChartPlan, glyphs: Glyphs, on: &mut Picture) 
     if let Some(column) = plan.columns.axis {
         on.put(column, row, corner, PicturePart::Axis);
     }
-    for column in frame.left..on.width {
+    for column in frame.left..frame.left + frame.width {
         on.put(column, row, horizontal, PicturePart::Axis);
     }
     let width = on.width;
-    let along = ticks::choose(frame.x, &chart.x.unit, width, |t| {
+    let along = ticks::along(frame.x_scale, frame.x, &chart.x.unit, width, |t| {
         roomy_along(t, &frame, width)
     });
     for (tick, (start, _)) in along.iter().zip(places_along(&along, &frame, width)) {
@@ -297,8 +330,8 @@ fn draw_axes(chart: &Chart, plan: &ChartPlan, glyphs: Glyphs, on: &mut Picture) 
     }
     if let Some(row) = plan.rows.name {
         let unit = ticks::scale(frame.x, &chart.x.unit).unit(&chart.x.unit);
-        let name = axis_name(&chart.x.label, &unit, width - frame.left);
-        let start = frame.left + (width - frame.left - name.width()) / 2;
+        let name = axis_name(&chart.x.label, &unit, frame.x_scale, frame.width);
+        let start = frame.left + (frame.width - name.width()) / 2;
         on.write(start, row, &name, PicturePart::Label);
     }
 }
@@ -321,6 +354,9 @@ fn draw_plot(chart: &Chart, plan: &ChartPlan, glyphs: Glyphs, on: &mut Picture) 
         }
     }
     marks::names(chart, frame, glyphs, on);
+    if plan.ends {
+        ends::draw(chart, frame, on);
+    }
 }
 
 /// Dimmed series first, so that they lie below; markers last.

@@ -61,8 +61,8 @@ pub(super) struct PictureColumns {
 }
 
 impl PictureColumns {
-    /// Shares out the columns, given how wide the numbers at the y axis are.
-    pub(super) fn share(width: usize, numbers: usize) -> Self {
+    /// Shares out the columns, given how wide the numbers at the y axis are, and the names to the right of the plot.
+    pub(super) fn share(width: usize, numbers: usize, right: usize) -> Self {
         let axes = width >= 5;
         // Numbers are shown whole or not at all, and leave the plot more than half.
         let numbers = if axes && 2 * (numbers + 1) <= width {
@@ -75,7 +75,7 @@ impl PictureColumns {
             numbers,
             axis: axes.then_some(numbers),
             left,
-            width: width - left,
+            width: (width - left).saturating_sub(right),
         }
     }
 }

@@ -23,6 +23,7 @@ mod canvas;
 mod clip;
 mod decimate;
 mod draw;
+mod ends;
 mod layout;
 mod legend;
 mod map;
@@ -30,6 +31,7 @@ mod marks;
 mod picture;
 mod range;
 mod readout;
+mod scale;
 pub mod statistics;
 mod ticks;
 
@@ -38,6 +40,7 @@ pub use map::GridMap;
 pub use picture::{CONTINUATION, Picture, PictureCell, PicturePart, PlotFrame};
 pub use range::{AxisRange, StickyRange, extent, fit};
 pub use readout::{Readout, ReadoutMethod, readout};
+pub use scale::{AxisScale, log_range};
 
 /// Everything a chart shows.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -62,6 +65,8 @@ pub struct Chart {
     pub equal_scale: bool,
     /// Whether the series are named above the plot.
     pub legend: bool,
+    /// Whether they are named at their right ends instead, where there is room.
+    pub ends: bool,
 }
 
 impl Chart {
@@ -95,6 +100,8 @@ pub struct Axis {
     pub unit: String,
     /// What is shown, from where to where; absent: all the data, widened to round numbers.
     pub range: Option<AxisRange>,
+    /// How values are spread over it; linear all the same where none is positive, to equal scale and on a map.
+    pub scale: AxisScale,
 }
 
 impl Axis {
@@ -104,7 +111,7 @@ impl Axis {
         Self {
             label: label.to_owned(),
             unit: unit.to_owned(),
-            range: None,
+            ..Self::default()
         }
     }
 

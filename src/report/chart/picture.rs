@@ -2,7 +2,7 @@
 
 use unicode_width::UnicodeWidthChar;
 
-use super::AxisRange;
+use super::{AxisRange, AxisScale};
 use crate::visible;
 
 /// What a character of a picture is part of; the screen chooses colours by it.
@@ -60,6 +60,10 @@ pub struct PlotFrame {
     pub x: AxisRange,
     /// What the plot shows from bottom to top.
     pub y: AxisRange,
+    /// How x is spread.
+    pub x_scale: AxisScale,
+    /// How y is spread.
+    pub y_scale: AxisScale,
 }
 
 impl PlotFrame {
@@ -74,34 +78,37 @@ impl PlotFrame {
     pub fn x_of_column(&self, column: usize) -> f64 {
         let (n, _) = self.dot_count();
         let dot = (column as f64 + 0.5) * self.dots.0 as f64 - 0.5;
-        self.x.0 + (self.x.1 - self.x.0) * dot / (n.max(2) - 1) as f64
+        let (from, to) = self.x_scale.places(self.x);
+        self.x_scale
+            .value(from + (to - from) * dot / (n.max(2) - 1) as f64)
     }
 
     /// The plot column where an x is drawn; absent when it is out of sight.
     #[must_use]
     pub fn column_of(&self, x: f64) -> Option<usize> {
         let (n, _) = self.dot_count();
-        cell_of(x, self.x, n, self.dots.0)
+        cell_of(x, self.x, self.x_scale, n, self.dots.0)
     }
 
     /// The plot row, counted from the top, where a y is drawn; absent when it is out of sight.
     #[must_use]
     pub fn row_of(&self, y: f64) -> Option<usize> {
         let (_, n) = self.dot_count();
-        Some(self.height - 1 - cell_of(y, self.y, n, self.dots.1)?)
+        Some(self.height - 1 - cell_of(y, self.y, self.y_scale, n, self.dots.1)?)
     }
 }
 
 /// The cell in which a value falls, out of `n` dots with `per` dots a cell.
-fn cell_of(value: f64, range: AxisRange, n: usize, per: usize) -> Option<usize> {
-    let dot = dot_of(value, range, n);
+fn cell_of(value: f64, range: AxisRange, scale: AxisScale, n: usize, per: usize) -> Option<usize> {
+    let dot = dot_of(value, range, scale, n);
     let inside = n > 0 && dot.is_finite() && (-0.5..=n as f64 - 0.5).contains(&dot);
     inside.then(|| (dot.round().max(0.0) as usize).min(n - 1) / per)
 }
 
 /// Where a value falls on `n` dots: the range's ends are the middles of the first and the last dot.
-pub(super) fn dot_of(value: f64, range: AxisRange, n: usize) -> f64 {
-    (value - range.0) / (range.1 - range.0) * n.saturating_sub(1) as f64
+pub(super) fn dot_of(value: f64, range: AxisRange, scale: AxisScale, n: usize) -> f64 {
+    let (from, to) = scale.places(range);
+    (scale.place(value) - from) / (to - from) * n.saturating_sub(1) as f64
 }
 
 /// A chart drawn in characters.

@@ -77,7 +77,10 @@ fn inside(a: (f64, f64), b: (f64, f64), window: AxisRange) -> Option<Option<Piec
 #[must_use]
 pub fn table(chart: &Chart) -> Table {
     let window = chart.x.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
-    let curves = chart.series.iter().filter(|series| !series.dimmed);
+    let curves = chart
+        .series
+        .iter()
+        .filter(|series| series.visible && !series.dimmed);
     let rows: Vec<(&Series, CurveStatistics)> = curves
         .filter_map(|series| Some((series, of_curve(&series.points, window)?)))
         .collect();

@@ -1,6 +1,6 @@
 //! Round numbers along an axis: 1, 2, 5 times a power of ten, at their true places.
 
-use super::AxisRange;
+use super::{AxisRange, AxisScale};
 use crate::report::number::{self, Scale};
 
 /// A round distance between ticks.
@@ -132,6 +132,71 @@ pub(super) fn choose(
     Vec::new()
 }
 
+/// The finest round ticks of an axis that pass a test.
+pub(super) fn along(
+    spread: AxisScale,
+    range: AxisRange,
+    unit: &str,
+    most: usize,
+    roomy: impl Fn(&[Tick]) -> bool,
+) -> Vec<Tick> {
+    match spread {
+        AxisScale::Linear => choose(range, unit, most, roomy),
+        AxisScale::Log => choose_log(range, unit, most, roomy),
+    }
+}
+
+/// Mantissas of the ticks of a logarithmic axis, and every how many decades they come, the finest first.
+const LOG_STEPS: [(&[f64], i32); 6] = [
+    (&[1.0, 2.0, 5.0], 1),
+    (&[1.0], 1),
+    (&[1.0], 2),
+    (&[1.0], 3),
+    (&[1.0], 5),
+    (&[1.0], 10),
+];
+
+/// As [`choose`], of a logarithmic axis; within a decade there are not enough round numbers but those of a linear one.
+fn choose_log(
+    range: AxisRange,
+    unit: &str,
+    most: usize,
+    roomy: impl Fn(&[Tick]) -> bool,
+) -> Vec<Tick> {
+    if range.1 < 10.0 * range.0 {
+        return choose(range, unit, most, roomy);
+    }
+    let scale = scale(range, unit);
+    let decades = number::order(range.0)..=number::order(range.1);
+    for (mantissas, every) in LOG_STEPS {
+        let decades = decades
+            .clone()
+            .filter(|decade| decade.rem_euclid(every) == 0);
+        let values = decades.flat_map(|decade| mantissas.iter().map(move |m| (*m, decade)));
+        let ticks: Vec<Tick> = values
+            .map(|(mantissa, decade)| mantissa * 10f64.powi(decade))
+            .filter(|value| (range.0 * (1.0 - 1e-9)..=range.1 * (1.0 + 1e-9)).contains(value))
+            .map(|value| Tick {
+                value,
+                label: log_label(value / scale.factor),
+            })
+            .collect();
+        if ticks.len() <= most && roomy(&ticks) {
+            return ticks;
+        }
+    }
+    Vec::new()
+}
+
+/// A round number of a logarithmic axis: short ones in full.
+fn log_label(value: f64) -> String {
+    if (0.9e-3..1.1e4).contains(&value) {
+        number::digits(value, 2)
+    } else {
+        format!("{value:.0e}")
+    }
+}
+
 fn label(values: &[f64], decimals: i32, scale: Scale) -> Vec<Tick> {
     values
         .iter()
@@ -172,6 +237,20 @@ mod tests {
             ["1.90", "1.95", "2.00", "2.05", "2.10"]
         );
         assert_eq!(labels((-1400.0, 0.0), "m", 4), ["-1000", "-500", "0"]);
+    }
+
+    #[test]
+    fn decades_have_round_numbers() {
+        let labels = |range, most: usize| -> Vec<String> {
+            let ticks = choose_log(range, "", usize::MAX, |ticks| ticks.len() <= most);
+            ticks.into_iter().map(|tick| tick.label).collect()
+        };
+        assert_eq!(
+            labels((0.2, 50.0), 9),
+            ["0.2", "0.5", "1", "2", "5", "10", "20", "50"]
+        );
+        assert_eq!(labels((1e-6, 1e3), 4), ["1e-6", "0.001", "1", "1000"]);
+        assert_eq!(labels((20.0, 60.0), 5), ["20", "30", "40", "50", "60"]);
     }
 
     #[test]
