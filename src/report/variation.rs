@@ -1,6 +1,6 @@
 //! The points of a variation as a table, as CSV and as charts.
 
-use super::chart::{Axis, Chart, GridMap, Series};
+use super::chart::{Axis, AxisScale, Chart, GridMap, Series};
 use super::comparison::result_text;
 use super::number::duration;
 use super::table::{Align, Cell, CellStyle, LineKind, Table};
@@ -218,7 +218,7 @@ impl VariationView<'_> {
     fn one(&self, key: &VariedKey, values: &[f64], id: &QuantityId) -> Chart {
         let values = values.iter().enumerate();
         let found: Vec<(f64, &Quantity)> = values
-            .filter_map(|(point, x)| Some((along(key, *x), self.quantity(point, id)?)))
+            .filter_map(|(point, x)| Some((*x, self.quantity(point, id)?)))
             .collect();
         let mut series = vec![Series::new(
             "result",
@@ -248,12 +248,10 @@ impl VariationView<'_> {
     ) -> Chart {
         let count = second.range.values.len();
         let curve = |(place, value): (usize, &StudyValue)| {
-            let points = values.iter().enumerate().filter_map(|(row, x)| {
-                Some((
-                    along(first, *x),
-                    self.quantity(row * count + place, id)?.value,
-                ))
-            });
+            let points = values
+                .iter()
+                .enumerate()
+                .filter_map(|(row, x)| Some((*x, self.quantity(row * count + place, id)?.value)));
             Series::new(&setting(second, value), place, sorted(points))
         };
         let series = second.range.values.iter().enumerate().map(curve).collect();
@@ -283,7 +281,7 @@ impl VariationView<'_> {
         let title = format!("{id} against {} and {}", first.path, second.path);
         Chart {
             map: Some(map),
-            ..Chart::new(title, axis(first), axis(second), Vec::new())
+            ..Chart::new(title, map_axis(first), map_axis(second), Vec::new())
         }
     }
 }
@@ -319,7 +317,18 @@ fn headed(name: &str, unit: &str) -> String {
     }
 }
 
-/// Where a value lies on the axis of its key: even ratios are even steps of the logarithm.
+fn axis(key: &VariedKey) -> Axis {
+    let scale = match key.range.spacing {
+        Spacing::Logarithmic => AxisScale::Log,
+        Spacing::Linear | Spacing::Listed => AxisScale::Linear,
+    };
+    Axis {
+        scale,
+        ..Axis::new(key.field.label, key.unit())
+    }
+}
+
+/// Where a value lies on the axis of its key on a map, whose axes are linear: even ratios are even steps of the logarithm.
 fn along(key: &VariedKey, value: f64) -> f64 {
     match key.range.spacing {
         Spacing::Logarithmic => value.log10(),
@@ -327,7 +336,7 @@ fn along(key: &VariedKey, value: f64) -> f64 {
     }
 }
 
-fn axis(key: &VariedKey) -> Axis {
+fn map_axis(key: &VariedKey) -> Axis {
     match key.range.spacing {
         Spacing::Logarithmic => Axis::new(
             &format!("log10 of {} in {}", key.field.label, key.field.unit),
