@@ -51,6 +51,20 @@ pub fn difference(from: &History, to: &History, id: &ChannelId) -> Option<CurveD
     })
 }
 
+/// The points of a curve less those of another, at every place that either has within what both cover; straight in between.
+#[must_use]
+pub fn points_less(curve: &[(f64, f64)], other: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let split = |points: &[(f64, f64)]| -> (Vec<f64>, Vec<f64>) { points.iter().copied().unzip() };
+    let (curve, other) = (split(curve), split(other));
+    let axis = common_axis(&curve.0, &other.0).unwrap_or_default();
+    let less = |at: f64| {
+        let here = value_at((&curve.0, &curve.1), at);
+        here - value_at((&other.0, &other.1), at)
+    };
+    let points = axis.into_iter().map(|at| (at, less(at)));
+    points.filter(|(_, less)| less.is_finite()).collect()
+}
+
 /// Times and values, as many of the one as of the other.
 type Curve<'a> = (&'a [f64], &'a [f64]);
 

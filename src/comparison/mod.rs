@@ -15,7 +15,7 @@ mod validation;
 
 pub use agreement::{Agreement, Change, change, error_bar, is_beyond_error};
 pub use channels::{ChannelExtremes, ComparedChannel};
-pub use curves::{CurveDifference, difference, differences};
+pub use curves::{CurveDifference, difference, differences, points_less};
 pub use inputs::{ComparedInput, InputValue};
 pub use results::ComparedResult;
 pub use settings::ComparedSetting;

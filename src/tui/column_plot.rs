@@ -2,7 +2,7 @@
 
 use super::run_cells::{axis_name, cell};
 use super::state::{RunColumn, RunEntry, RunList};
-use crate::report::chart::{self, Axis, Chart, Glyphs, Series};
+use crate::report::chart::{self, Axis, AxisScale, Chart, Glyphs, Series};
 
 /// Two columns of the table of runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -11,6 +11,8 @@ pub struct ColumnPair {
     pub x: RunColumn,
     /// That along the y axis.
     pub y: RunColumn,
+    /// How x and y are spread.
+    pub scales: (AxisScale, AxisScale),
 }
 
 impl ColumnPair {
@@ -24,7 +26,8 @@ impl ColumnPair {
         let result = |column: &&RunColumn| matches!(column, RunColumn::Result(_));
         let other = || all.iter().find(|column| **column != x);
         let y = *all.iter().find(result).or_else(other)?;
-        Some(Self { x, y }).filter(|pair| pair.x != pair.y)
+        let scales = Default::default();
+        Some(Self { x, y, scales }).filter(|pair| pair.x != pair.y)
     }
 
     /// The next or the previous column along an axis, around at the end; never that of the other axis.
@@ -71,7 +74,26 @@ impl ColumnPair {
         if !bars.is_empty() {
             series.push(Series::new("error bars", 1, bars));
         }
-        Chart::new("", axis(runs, self.x), axis(runs, self.y), series)
+        let [x, y] =
+            [(self.x, self.scales.0), (self.y, self.scales.1)].map(|(column, scale)| Axis {
+                scale,
+                ..axis(runs, column)
+            });
+        Chart::new("", x, y, series)
+    }
+
+    /// The same with a logarithmic axis where it was linear, and the other way round.
+    #[must_use]
+    pub fn with_other_scale(mut self, along_x: bool) -> Self {
+        let scale = match along_x {
+            true => &mut self.scales.0,
+            false => &mut self.scales.1,
+        };
+        *scale = match scale {
+            AxisScale::Linear => AxisScale::Log,
+            AxisScale::Log => AxisScale::Linear,
+        };
+        self
     }
 
     /// How many runs of the table have both values.

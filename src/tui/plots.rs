@@ -1,9 +1,13 @@
 //! The charts of the open case: which runs are on them, and which of their curves.
 
+use std::sync::Arc;
+
 use super::state::line::CoarseAnswer;
 use super::state::{LineView, RunCurves};
-use crate::report::chart::{AxisRange, Chart};
-use crate::report::figures::{FigureData, FigureId, PlottedRun};
+use crate::comparison::points_less;
+use crate::report::chart::{AxisRange, Chart, Limit, LimitLine};
+use crate::report::figures::{FigureAxis, FigureData, FigureId, PlottedRun};
+use crate::run::Run;
 
 /// A run on the charts.
 struct Shown<'a> {
@@ -32,7 +36,9 @@ fn has_landed(line: &LineView) -> bool {
 /// The coarse answer, as long as it is on the charts.
 fn coarse_shown(line: &LineView) -> Option<&CoarseAnswer> {
     let coarse = line.live.coarse.as_ref();
-    coarse.filter(|_| !line.live.hidden && !has_landed(line))
+    // What is coarse is compared with nothing.
+    let subtracted = line.differences && line.against.is_some();
+    coarse.filter(|_| !line.live.hidden && !has_landed(line) && !subtracted)
 }
 
 /// The runs on the charts, older results first.
@@ -122,13 +128,79 @@ pub fn chart(line: &LineView, id: FigureId) -> Chart {
         None if runs_shown(line) > 1 => names.last(),
         None => None,
     };
+    if let Some(held) = held(line, id) {
+        let base = with_held(line, &held.1, |data| figure.draw(data));
+        subtract(&mut chart, &base, &held.0);
+    }
     if let Some(only) = only {
         keep_only(&mut chart, only);
+    }
+    if line.series.is_none() {
+        hide(&mut chart, line, id);
     }
     if coarse_shown(line).is_some() {
         chart.title.push_str(" (coarse)");
     }
     chart
+}
+
+/// Whether a figure can be drawn as differences: of curves against time.
+#[must_use]
+pub fn has_differences(id: FigureId) -> bool {
+    let figure = id.figure();
+    figure.axis == FigureAxis::Time && !figure.has_variants()
+}
+
+/// The run whose curves are subtracted from those of a figure, and its name.
+fn held(line: &LineView, id: FigureId) -> Option<&(String, Arc<Run>)> {
+    let held = line.against.as_ref();
+    held.filter(|_| line.differences && has_differences(id))
+}
+
+/// What a figure is drawn from, with the run held alone.
+fn with_held<T>(line: &LineView, held: &Run, make: impl FnOnce(&FigureData) -> T) -> T {
+    with_data(line, |data| {
+        make(&FigureData {
+            runs: &[PlottedRun::whole(held, "")],
+            ..*data
+        })
+    })
+}
+
+/// Subtracts the curve of the same name from each.
+fn subtract(chart: &mut Chart, held: &Chart, name: &str) {
+    for series in &mut chart.series {
+        let mut others = held.series.iter();
+        let other = others.find(|other| is_named(&series.label, &other.label));
+        series.points =
+            other.map_or_else(Vec::new, |other| points_less(&series.points, &other.points));
+    }
+    chart.series.retain(|series| !series.points.is_empty());
+    chart.title = format!("{}, less {name}", chart.title);
+    chart.y.label = "difference".to_owned();
+    chart.y.range = None;
+    chart.limits = vec![Limit::new("", LimitLine::Horizontal(0.0))];
+}
+
+/// Whether a label is this name, or this name of some run.
+#[must_use]
+pub fn is_named(label: &str, name: &str) -> bool {
+    let rest = label.strip_prefix(name);
+    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(", "))
+}
+
+/// Hides the curves that the user has taken off.
+fn hide(chart: &mut Chart, line: &LineView, id: FigureId) {
+    let hidden = || {
+        line.hidden_curves
+            .iter()
+            .filter(|(figure, _)| *figure == id)
+    };
+    for series in &mut chart.series {
+        if hidden().any(|(_, name)| is_named(&series.label, name)) {
+            series.visible = false;
+        }
+    }
 }
 
 /// How many curves or variants of a figure can be shown alone.

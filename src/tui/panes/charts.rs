@@ -14,7 +14,8 @@ use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::{PlotPane, PlotVerb};
 use crate::tui::plots;
-use crate::tui::state::{AppState, LineView};
+use crate::tui::state::{AppState, LineView, Overlay};
+use crate::tui::update::curves;
 use crate::tui::update::export::{self, TEXT_WIDTH};
 use crate::tui::update::motion::plot_verb;
 use crate::tui::update::notice::info;
@@ -35,6 +36,10 @@ const COMMANDS: &[Command] = &[
     command::write("Write the chart to a text file, a map also as CSV"),
     other(CommandId::Fit, &["0"], "fit", "Show everything again, at the newest instant"),
     other(CommandId::Limits, &["t"], "limits", "Show limits and published values, or leave them out"),
+    other(CommandId::Curves, &["c"], "curves", "Show or hide each curve of the chart"),
+    other(CommandId::Difference, &["d"], "difference", "Show curves against time less those of the run held against, or as they are"),
+    other(CommandId::LogUp, &["g"], "log", "Change between a logarithmic and a linear y axis"),
+    other(CommandId::LogAlong, &["G"], "", "Change between a logarithmic and a linear x axis"),
     other(CommandId::Statistics, &["i"], "statistics", "Least, greatest, mean and deviation of each curve over what is shown of the axis"),
     other(CommandId::Freeze, &["f"], "freeze", "Hold the curves still while the job continues, or let them continue"),
     other(CommandId::PreviousChart, &["[", "p"], "", "Show the previous chart"),
@@ -69,6 +74,10 @@ impl Pane for ChartsPane {
                 | CommandId::CursorLeft
                 | CommandId::ZoomIn
                 | CommandId::Freeze
+                | CommandId::Curves
+                | CommandId::Difference
+                | CommandId::LogUp
+                | CommandId::LogAlong
                 | CommandId::Write
         );
         if of_curves && !plots::has_curves(line) {
@@ -77,6 +86,12 @@ impl Pane for ChartsPane {
         let alone = matches!(id, CommandId::NextSeries | CommandId::PreviousSeries);
         if alone && plots::curve_count(line, line.chart) == 0 {
             return Some("This chart has no curves to show one by one.");
+        }
+        match id {
+            CommandId::Curves => return curves::why_none(line),
+            CommandId::Difference => return curves::why_no_difference(line),
+            CommandId::LogUp | CommandId::LogAlong => return curves::why_linear(line),
+            _ => {}
         }
         let fitted = line.instant.is_none() && line.views[line.chart.index()].is_fitted();
         (id == CommandId::Fit && fitted).then_some("Everything is shown already.")
@@ -96,6 +111,8 @@ impl Pane for ChartsPane {
             CommandId::PreviousSeries => next_series(line, false),
             CommandId::Freeze => return Some(freeze(state)),
             CommandId::Limits => return Some(limits(state)),
+            CommandId::Curves => state.overlay = Some(Overlay::Curves { cursor: 0 }),
+            CommandId::Difference => return Some(curves::difference(state)),
             CommandId::Copy => return Some(copy(state)),
             CommandId::Statistics => {
                 let table = chart::statistics::table(&plots::viewed(line, line.chart));
@@ -127,6 +144,7 @@ impl Pane for ChartsPane {
         }
         for (id, place) in &parts.charts {
             let mut chart = plots::viewed(line, *id);
+            chart.ends = true;
             if all && *id == line.chart && state.focus() == PaneId::Charts {
                 chart.title = format!("> {} <", chart.title);
             }

@@ -116,6 +116,10 @@ pub struct LineView {
     pub views: [PlotPane; FIGURES.len()],
     /// The joint or component shown alone; absent: all, or the last one when several runs are shown.
     pub series: Option<usize>,
+    /// Curves that are not drawn: chart and name.
+    pub hidden_curves: Vec<(FigureId, String)>,
+    /// Whether curves against time are drawn less those of the run held against.
+    pub differences: bool,
     /// Whether charts leave out limits and published values.
     pub without_limits: bool,
     /// The instant that all charts show \[s\]; absent: the newest.
@@ -164,6 +168,8 @@ impl LineView {
             case,
             views: Default::default(),
             series: None,
+            hidden_curves: Vec::new(),
+            differences: false,
             without_limits: false,
             instant: None,
             live: LiveSolve::default(),

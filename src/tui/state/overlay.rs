@@ -55,6 +55,11 @@ pub enum Overlay {
         /// Cursor.
         cursor: usize,
     },
+    /// The curves of the chart, to be shown or hidden one by one.
+    Curves {
+        /// Cursor.
+        cursor: usize,
+    },
     /// A column of the table of runs against another.
     Columns(ColumnPair),
     /// A line to type.

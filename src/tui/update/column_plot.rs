@@ -35,6 +35,8 @@ pub(super) fn key(state: &mut AppState, pair: ColumnPair, key: KeyPress) -> Vec<
         KeyPress::Char('[') => pair.stepped(runs, false, false),
         KeyPress::Char('}') => pair.stepped(runs, true, true),
         KeyPress::Char('{') => pair.stepped(runs, true, false),
+        KeyPress::Char('g') => pair.with_other_scale(false),
+        KeyPress::Char('G') => pair.with_other_scale(true),
         KeyPress::Char('w') => {
             let text = pair.text(runs, TEXT_WIDTH, state.capabilities.glyphs);
             let stem = state.editor().map_or("case", |editor| editor.stem());

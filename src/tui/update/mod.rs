@@ -2,6 +2,7 @@
 
 mod cases;
 pub mod column_plot;
+pub mod curves;
 pub mod edit;
 pub mod export;
 mod job_events;

@@ -56,6 +56,8 @@ pub fn plot_verb(id: CommandId) -> Option<PlotVerb> {
         CommandId::Fit => PlotVerb::Fit,
         CommandId::FitHeight => PlotVerb::FitUp,
         CommandId::Mark => PlotVerb::Mark,
+        CommandId::LogUp => PlotVerb::LogUp,
+        CommandId::LogAlong => PlotVerb::LogAlong,
         _ => return None,
     })
 }

@@ -6,8 +6,8 @@ use super::motion::moved;
 use super::notice::info;
 use super::text_input::type_key;
 use super::{
-    column_plot, edit, export, jobs, keys, pages, quit, resume, run_table, runs, studies, trials,
-    vary,
+    column_plot, curves, edit, export, jobs, keys, pages, quit, resume, run_table, runs, studies,
+    trials, vary,
 };
 use crate::report::chart::Glyphs;
 use crate::tui::command::{Command, CommandId};
@@ -57,6 +57,7 @@ pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
         }
         Overlay::Palette { input, cursor } => palette(state, input, cursor, key),
         Overlay::Columns(pair) => column_plot::key(state, pair, key),
+        Overlay::Curves { cursor } => curves::key(state, cursor, key),
         Overlay::Studies { items, cursor } => choose_study(state, items, cursor, key),
         Overlay::Prompt {
             purpose,

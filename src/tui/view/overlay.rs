@@ -4,15 +4,17 @@ use std::path::PathBuf;
 
 use ratatui::layout::{Constraint, Layout, Rect};
 use tui_input::Input;
+use unicode_width::UnicodeWidthStr;
 
 use super::paint::{below_head, over, row, wrap};
 use super::painter::Painter;
+use crate::report::chart::marker;
 use crate::tui::column_plot::ColumnPair;
 use crate::tui::command::Command;
-use crate::tui::panes;
 use crate::tui::state::overlay::RunText;
 use crate::tui::state::{AppState, Overlay, PromptPurpose, Question};
 use crate::tui::update::palette_matches;
+use crate::tui::{panes, plots};
 
 /// Columns of the help, and size of the box of messages.
 const HELP: u16 = 96;
@@ -103,6 +105,7 @@ impl Painter<'_> {
             }
             Overlay::Ask(question) => self.ask(screen, question),
             Overlay::Columns(pair) => self.columns(screen, *pair),
+            Overlay::Curves { cursor } => self.curves(screen, *cursor),
             Overlay::Studies { items, cursor } => self.choose(screen, items, *cursor),
             Overlay::Prompt {
                 purpose,
@@ -243,6 +246,34 @@ impl Painter<'_> {
         });
     }
 
+    /// The curves of the chart with their markers, beside what is left of the chart.
+    fn curves(&mut self, screen: Rect, cursor: usize) {
+        let Some(line) = self.state.line() else {
+            return;
+        };
+        let chart = plots::chart(line, line.chart);
+        let widest = chart.series.iter().map(|series| series.label.width());
+        let width = u16::try_from(widest.max().unwrap_or(0)).unwrap_or(u16::MAX);
+        let height = u16::try_from(chart.series.len() + 3).unwrap_or(u16::MAX);
+        let size = (width.saturating_add(10).clamp(42, 60), height);
+        let area = self.boxed(screen, size, "Curves");
+        let [list, foot] =
+            Layout::vertical([Constraint::Min(0), Constraint::Length(1)]).areas(area);
+        self.list(list, cursor, chart.series.len(), |painter, at, i| {
+            let series = &chart.series[i];
+            let style = painter.line_style(i == cursor);
+            painter.buf.set_style(at, style);
+            let shown = if series.visible { 'x' } else { ' ' };
+            let words = format!("[{shown}] {} {}", marker(series.slot), series.label);
+            painter.text(at, &words, style);
+        });
+        self.text(
+            foot,
+            "space shows or hides, a all, esc closes",
+            self.theme.faint(),
+        );
+    }
+
     /// A column of the table of runs against another, over the whole screen.
     fn columns(&mut self, screen: Rect, pair: ColumnPair) {
         let Some(line) = self.state.line() else {
@@ -254,7 +285,7 @@ impl Painter<'_> {
             Layout::vertical([Constraint::Min(0), Constraint::Length(1)]).areas(area);
         self.chart(&pair.chart(&line.runs), chart);
         let words = format!(
-            "{} of {} runs   ] [ what is up   }} {{ along   w write   esc close",
+            "{} of {} runs   ] [ what is up   }} {{ along   g G log   w write   esc close",
             pair.count(&line.runs),
             line.runs.rows().len()
         );

@@ -118,3 +118,16 @@ fn without_runs_it_says_why_not() {
     assert!(desk.state.overlay.is_none());
     assert!(said(&desk).contains("no two columns"), "{}", said(&desk));
 }
+
+#[test]
+fn its_axes_are_logarithmic_on_request() {
+    let mut desk = with_runs();
+    desk.keys("3 p g G");
+    let text = desk.screen();
+    assert!(
+        text.contains(", log [kN]") && text.contains(", log [m/s]"),
+        "{text}"
+    );
+    desk.keys("g G");
+    assert!(!desk.screen().contains(", log"));
+}

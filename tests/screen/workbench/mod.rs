@@ -5,6 +5,7 @@
 mod beside;
 mod coarse;
 mod column_plot;
+mod curves;
 mod desk;
 mod footer;
 mod hostile_text;
