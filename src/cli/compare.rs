@@ -38,7 +38,7 @@ pub(super) fn compare(args: &CompareArgs) -> Result<ExitCode, CommandError> {
         let mut text = comparison::text(&compared, width);
         let runs: Vec<&Run> = runs.iter().collect();
         let glyphs = output::glyphs(args.page.table.ascii);
-        text.push_str(&comparison::difference_curves(&runs, width, glyphs));
+        text.push_str(&comparison::charts(&runs, width, glyphs));
         output::results(&text, args.page.table.ascii)?;
     }
     Ok(ExitCode::SUCCESS)

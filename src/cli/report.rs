@@ -34,7 +34,7 @@ pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
         let other = store::read(dir)?;
         let compared = Comparison::of(&[&other, &run]);
         text.push_str(&format!("\n{}", comparison::report_section(&compared)));
-        let curves = comparison::difference_curves(&[&other, &run], text::WIDTH, glyphs);
+        let curves = comparison::charts(&[&other, &run], text::WIDTH, glyphs);
         text.push_str(&curves);
     }
     match file {

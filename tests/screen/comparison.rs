@@ -1,8 +1,9 @@
 //! Compared runs as tables.
 
 use seacable::comparison::Comparison;
+use seacable::report::chart::Glyphs;
 use seacable::report::comparison;
-use seacable::run::{Quantity, Run};
+use seacable::run::{LineShape, Quantity, Run};
 
 use crate::sample;
 
@@ -57,6 +58,41 @@ fn three_runs() {
     accept("comparison_of_three_120", &comparison::text(&compared, 120));
     let csv = String::from_utf8(comparison::csv(&compared).unwrap()).unwrap();
     assert!(csv.lines().all(|line| line.contains(',')));
+}
+
+/// A line straight down that swings away by so much each second.
+fn swinging(by: f64, nodes: u32) -> Run {
+    let [mut run, _] = runs();
+    let arc = || (0..nodes).map(|i| 100.0 * f64::from(i) / f64::from(nodes - 1));
+    let shape = |time: f64| LineShape {
+        time,
+        nodes: arc().map(|s| [by * time * s / 100.0, 0.0, -s]).collect(),
+        tension: arc().map(|_| 0.0).collect(),
+    };
+    run.shapes = (0..=4).map(|i| shape(f64::from(i))).collect();
+    run.profile.arc = arc().collect();
+    run
+}
+
+#[test]
+fn lines_are_drawn_where_they_are_furthest_apart() {
+    let (mut first, mut second) = (swinging(0.0, 5), swinging(5.0, 9));
+    for run in [&mut first, &mut second] {
+        run.shapes.push(LineShape {
+            time: 5.0,
+            ..run.shapes[1].clone()
+        });
+    }
+    accept(
+        "comparison_shapes_80",
+        &comparison::shapes(&[&first, &second], 80, Glyphs::Braille),
+    );
+    assert_eq!(comparison::shapes(&[&first, &first], 80, Glyphs::Ascii), "");
+    let rest = Run {
+        shapes: Vec::new(),
+        ..second.clone()
+    };
+    assert_eq!(comparison::shapes(&[&first, &rest], 80, Glyphs::Ascii), "");
 }
 
 /// A case that this version cannot read leaves the rest of the comparison as it is.

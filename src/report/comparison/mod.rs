@@ -3,17 +3,21 @@
 mod charts;
 mod csv;
 mod results;
+mod shapes;
 mod tables;
 
 pub use charts::{difference_chart, difference_curves};
 pub use csv::csv;
 pub(crate) use results::result_text;
 pub use results::results_table;
+pub use shapes::shapes;
 pub use tables::{channels_table, cost_table, inputs_table, settings_table, validation_table};
 
+use super::chart::Glyphs;
 use super::table::Table;
 use super::text::Page;
 use crate::comparison::{Comparison, letter};
+use crate::run::Run;
 
 /// Columns from which the table of results has a column for the verdict.
 const WIDE: usize = 110;
@@ -28,6 +32,13 @@ pub fn text(comparison: &Comparison, width: usize) -> String {
     }
     body(&mut page, comparison);
     page.finish()
+}
+
+/// The charts of compared runs as text: shapes at a common time, then difference curves.
+#[must_use]
+pub fn charts(runs: &[&Run], width: usize, glyphs: Glyphs) -> String {
+    let shapes = shapes(runs, width, glyphs);
+    shapes + &difference_curves(runs, width, glyphs)
 }
 
 /// What a run is: its name, case, overrides.

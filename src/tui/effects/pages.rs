@@ -28,7 +28,7 @@ pub(super) fn compare(
     let runs: Vec<Arc<Run>> = runs.into_iter().map(read).collect::<Result<_, _>>()?;
     let all: Vec<&Run> = runs.iter().map(Arc::as_ref).collect();
     let tables = comparison::text(&Comparison::of(&all), width);
-    let curves = comparison::difference_curves(&all, width, glyphs);
+    let curves = comparison::charts(&all, width, glyphs);
     Ok(format!("{tables}{curves}"))
 }
 
