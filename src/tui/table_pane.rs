@@ -3,12 +3,15 @@
 //! [`TablePane`] is plain state over a [`Table`] that comes from elsewhere. [`TablePane::act`]
 //! changes it, [`TablePane::draw`] paints the table as the user has it.
 
+mod layout_memo;
+
 use std::cmp::Ordering;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
+use self::layout_memo::LayoutMemo;
 use super::theme::Theme;
 use crate::report::chart::Glyphs;
 use crate::report::plain;
@@ -37,6 +40,7 @@ pub struct TablePane {
     right: usize,
     /// Column sorted by.
     sort: Option<usize>,
+    memo: LayoutMemo,
 }
 
 impl TablePane {
@@ -90,7 +94,9 @@ impl TablePane {
     /// sight, notes follow the last row.
     pub fn draw(&self, table: &Table, area: Rect, buf: &mut Buffer, glyphs: Glyphs, theme: Theme) {
         let area = area.intersection(*buf.area());
-        let layout = self.sorted(table).layout(area.width.into());
+        let width = area.width.into();
+        let lay_out = || self.sorted(table).layout(width);
+        let layout = self.memo.of(table, self.sort, width, lay_out);
         let selected = self.selected.min(table.rows.len().saturating_sub(1));
         let hidden = self
             .right
