@@ -103,7 +103,7 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
     let pool = rayon::ThreadPoolBuilder::new().start_handler(|_| lower_priority());
     drop(pool.build_global());
     let signals = Signals::register()?;
-    let mut screen = Screen::enter()?;
+    let mut screen = Screen::enter(capabilities::synchronizes(&var))?;
     let pace = if options.slow_link {
         Timing {
             answer: Duration::from_millis(100),

@@ -50,6 +50,13 @@ fn utf8_locale(var: &dyn Fn(&str) -> Option<String>) -> Option<bool> {
     Some(locale.contains("utf-8") || locale.contains("utf8"))
 }
 
+/// Whether the terminal may know synchronized output. Most others ignore its sequences, but consoles and those of old are spared them.
+pub fn synchronizes(var: &dyn Fn(&str) -> Option<String>) -> bool {
+    let old =
+        |term: &str| term.is_empty() || matches!(term, "dumb" | "linux") || term.starts_with("vt");
+    var("TERM").is_some_and(|term| !old(&term))
+}
+
 /// Whether the locale says that text may hold more than ASCII.
 pub fn knows_utf8(var: &dyn Fn(&str) -> Option<String>) -> bool {
     utf8_locale(var).unwrap_or(false)
@@ -109,6 +116,15 @@ mod tests {
         let capabilities = with(&[], None, None);
         assert!(capabilities.unsure);
         assert!(!with(&[], None, Some(Glyphs::Ascii)).unsure);
+    }
+
+    #[test]
+    fn old_terminals_are_sent_no_synchronized_output() {
+        let known = |term: Option<&str>| synchronizes(&|_| term.map(str::to_owned));
+        assert!(known(Some("xterm-256color")) && known(Some("tmux-256color")));
+        for term in [None, Some(""), Some("dumb"), Some("linux"), Some("vt100")] {
+            assert!(!known(term), "{term:?}");
+        }
     }
 
     #[test]

@@ -4,4 +4,5 @@ pub mod capabilities;
 pub mod decode;
 pub mod screen;
 pub mod signals;
+mod synchronized;
 pub mod wait;

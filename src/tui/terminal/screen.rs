@@ -1,7 +1,7 @@
 //! Entering and leaving the terminal: one way in, one way out, for every kind of exit.
 
 use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter};
 use std::os::fd::AsFd;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -11,9 +11,10 @@ use crossterm::terminal::{
     Clear, ClearType, EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode, enable_raw_mode,
 };
 use crossterm::{cursor, queue};
-use ratatui::backend::CrosstermBackend;
 use ratatui::layout::Rect;
 use ratatui::{Frame, Terminal};
+
+use super::synchronized::FrameBackend;
 
 static ENTERED: AtomicBool = AtomicBool::new(false);
 
@@ -22,7 +23,7 @@ const FRAME_BYTES: usize = 1 << 16;
 
 /// The screen while the workbench has it.
 pub struct Screen {
-    terminal: Terminal<CrosstermBackend<BufWriter<File>>>,
+    terminal: Terminal<FrameBackend<BufWriter<File>>>,
 }
 
 impl std::fmt::Debug for Screen {
@@ -32,14 +33,16 @@ impl std::fmt::Debug for Screen {
 }
 
 impl Screen {
-    /// Takes the terminal: raw mode, alternate screen, bracketed paste. No mouse, no queries.
+    /// Takes the terminal: raw mode, alternate screen, bracketed paste. No mouse, no queries. Frames are `synchronized` where the
+    /// terminal may know that.
     ///
     /// # Errors
     /// When the terminal cannot be set up; it is then as it was before.
-    pub fn enter() -> io::Result<Self> {
+    pub fn enter(synchronized: bool) -> io::Result<Self> {
         enter()?;
         let out = File::from(io::stdout().as_fd().try_clone_to_owned()?);
-        let backend = CrosstermBackend::new(BufWriter::with_capacity(FRAME_BYTES, out));
+        let out = BufWriter::with_capacity(FRAME_BYTES, out);
+        let backend = FrameBackend::new(out, synchronized);
         match Terminal::new(backend) {
             Ok(terminal) => Ok(Self { terminal }),
             Err(error) => {
@@ -55,6 +58,7 @@ impl Screen {
     /// When the terminal cannot be set up.
     pub fn reenter(&mut self) -> io::Result<()> {
         enter()?;
+        self.terminal.backend_mut().reenter();
         self.repaint()
     }
 
@@ -95,9 +99,7 @@ impl Screen {
     /// # Errors
     /// When the terminal cannot be written.
     pub fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
-        let out = self.terminal.backend_mut();
-        out.write_all(bytes)?;
-        Write::flush(out)
+        self.terminal.backend_mut().write_now(bytes)
     }
 }
 
