@@ -1,16 +1,17 @@
 //! A column of the table of runs against another: a point for each run of the table.
 
 use super::run_cells::{axis_name, cell};
+use super::state::run_list::ColumnName;
 use super::state::{RunColumn, RunEntry, RunList};
 use crate::report::chart::{self, Axis, AxisScale, Chart, Glyphs, Series};
 
 /// Two columns of the table of runs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ColumnPair {
     /// That along the x axis.
-    pub x: RunColumn,
+    pub x: ColumnName,
     /// That along the y axis.
-    pub y: RunColumn,
+    pub y: ColumnName,
     /// How x and y are spread.
     pub scales: (AxisScale, AxisScale),
 }
@@ -26,43 +27,58 @@ impl ColumnPair {
         let result = |column: &&RunColumn| matches!(column, RunColumn::Result(_));
         let other = || all.iter().find(|column| **column != x);
         let y = *all.iter().find(result).or_else(other)?;
-        let scales = Default::default();
-        Some(Self { x, y, scales }).filter(|pair| pair.x != pair.y)
+        let pair = Self {
+            x: runs.name_of(x)?,
+            y: runs.name_of(y)?,
+            scales: Default::default(),
+        };
+        (x != y).then_some(pair)
     }
 
     /// The next or the previous column along an axis, around at the end; never that of the other axis.
     #[must_use]
-    pub fn stepped(self, runs: &RunList, along_x: bool, forward: bool) -> Self {
-        let (now, other) = if along_x {
-            (self.x, self.y)
-        } else {
-            (self.y, self.x)
+    pub fn stepped(mut self, runs: &RunList, along_x: bool, forward: bool) -> Self {
+        let (now, other) = match along_x {
+            true => (&mut self.x, &self.y),
+            false => (&mut self.y, &self.x),
         };
+        let (at, other) = (runs.column_of(now), runs.column_of(other));
         let mut all = number_columns(runs);
-        all.retain(|column| *column != other);
+        all.retain(|column| Some(*column) != other);
         let count = all.len();
-        let next = match all.iter().position(|column| *column == now) {
+        let next = match all.iter().position(|column| Some(*column) == at) {
             Some(at) if forward => all.get((at + 1) % count),
             Some(at) => all.get((at + count - 1) % count),
             None => all.first(),
         };
-        let next = next.copied().unwrap_or(now);
-        match along_x {
-            true => Self { x: next, ..self },
-            false => Self { y: next, ..self },
+        if let Some(next) = next.and_then(|column| runs.name_of(*column)) {
+            *now = next;
         }
+        self
+    }
+
+    /// The columns of these names, x and y; nothing while the table lacks one.
+    #[must_use]
+    pub fn columns(&self, runs: &RunList) -> Option<[RunColumn; 2]> {
+        Some([runs.column_of(&self.x)?, runs.column_of(&self.y)?])
     }
 
     /// What is drawn, in words.
     #[must_use]
-    pub fn title(self, runs: &RunList) -> String {
-        let (x, y) = (axis(runs, self.x).label, axis(runs, self.y).label);
+    pub fn title(&self, runs: &RunList) -> String {
+        let Some([x, y]) = self.columns(runs) else {
+            return "No run of the table has these columns any more".to_owned();
+        };
+        let (x, y) = (axis(runs, x).label, axis(runs, y).label);
         format!("{y} against {x}")
     }
 
     /// The chart, with a vertical line for the error of each run.
     #[must_use]
-    pub fn chart(self, runs: &RunList) -> Chart {
+    pub fn chart(&self, runs: &RunList) -> Chart {
+        let Some([x, y]) = self.columns(runs) else {
+            return Chart::default();
+        };
         let points = self.points(runs);
         let line = points.iter().map(|point| (point.x, point.y)).collect();
         let mut series = vec![Series::new("result", 0, line)];
@@ -74,11 +90,10 @@ impl ColumnPair {
         if !bars.is_empty() {
             series.push(Series::new("error bars", 1, bars));
         }
-        let [x, y] =
-            [(self.x, self.scales.0), (self.y, self.scales.1)].map(|(column, scale)| Axis {
-                scale,
-                ..axis(runs, column)
-            });
+        let [x, y] = [(x, self.scales.0), (y, self.scales.1)].map(|(column, scale)| Axis {
+            scale,
+            ..axis(runs, column)
+        });
         Chart::new("", x, y, series)
     }
 
@@ -98,13 +113,13 @@ impl ColumnPair {
 
     /// How many runs of the table have both values.
     #[must_use]
-    pub fn count(self, runs: &RunList) -> usize {
+    pub fn count(&self, runs: &RunList) -> usize {
         self.points(runs).len()
     }
 
     /// Chart and values as text.
     #[must_use]
-    pub fn text(self, runs: &RunList, width: usize, glyphs: Glyphs) -> String {
+    pub fn text(&self, runs: &RunList, width: usize, glyphs: Glyphs) -> String {
         let chart = Chart {
             title: self.title(runs),
             ..self.chart(runs)
@@ -112,23 +127,29 @@ impl ColumnPair {
         let mut text = chart::draw(&chart, width, 30, glyphs).to_text();
         text.push('\n');
         for point in self.points(runs) {
-            let of = |column| cell(runs, point.run, column);
-            let (x, y) = (of(self.x), of(self.y));
+            let of = |name| {
+                let column = runs.column_of(name);
+                column.map_or_else(String::new, |column| cell(runs, point.run, column))
+            };
+            let (x, y) = (of(&self.x), of(&self.y));
             text.push_str(&format!("{x:>14}  {y:>36}  {}\n", point.run.title()));
         }
         text
     }
 
     /// The runs of the table that have both values, by that along x.
-    fn points(self, runs: &RunList) -> Vec<Point<'_>> {
+    fn points<'r>(&self, runs: &'r RunList) -> Vec<Point<'r>> {
+        let Some([x, y]) = self.columns(runs) else {
+            return Vec::new();
+        };
         let rows = runs.rows().iter().map(|at| &runs[*at]);
         let mut points: Vec<Point> = rows
             .filter_map(|run| {
                 Some(Point {
                     run,
-                    x: value(runs, run, self.x)?,
-                    y: value(runs, run, self.y)?,
-                    bar: bar(runs, run, self.y),
+                    x: value(runs, run, x)?,
+                    y: value(runs, run, y)?,
+                    bar: bar(runs, run, y),
                 })
             })
             .collect();

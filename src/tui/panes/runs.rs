@@ -13,6 +13,7 @@ use crate::tui::state::overlay::RunText;
 use crate::tui::state::{AppState, JobState, LineView, RunColumn, RunEntry, RunList, RunStatus};
 use crate::tui::update::motion::{moved, step};
 use crate::tui::update::{column_plot, pages, results, resume, run_table, runs};
+use crate::tui::view::layout;
 use crate::tui::view::paint::{below_head, first_line, rest, span};
 use crate::tui::view::painter::Painter;
 
@@ -102,8 +103,10 @@ impl Pane for RunsPane {
             CommandId::RunAgain => return Some(run_table::read_case(state, RunCaseUse::RunAgain)),
             CommandId::Filter => line.runs.filter.typing = true,
             CommandId::PlotColumns => return Some(column_plot::open(state)),
-            CommandId::Sort => run_table::sort(state, false),
-            CommandId::SortAround => run_table::sort(state, true),
+            CommandId::Sort | CommandId::SortAround => {
+                run_table::sort(state, id == CommandId::SortAround);
+                show_sorted(state);
+            }
             CommandId::ScrollRight => {
                 let last = line.runs.shown_columns().len().saturating_sub(2);
                 line.runs.scroll = (line.runs.scroll + 1).min(last);
@@ -121,8 +124,7 @@ impl Pane for RunsPane {
         };
         let area = filter_line(painter, area, &line.runs);
         let [heads, list] = below_head(area);
-        let rows = first_line(line.runs.cursor, line.runs.lines(), list.height.into());
-        let rows: Vec<usize> = (rows..line.runs.lines()).take(list.height.into()).collect();
+        let rows = rows_in_sight(line, list.height);
         let table = TableView::new(line, &rows, area.width);
         let strong = painter.theme.strong();
         table.line(painter, heads, strong, |column| head(&line.runs, column));
@@ -140,6 +142,37 @@ impl Pane for RunsPane {
             }
         }
     }
+}
+
+/// The lines of the table around its cursor, as many as there is room for.
+fn rows_in_sight(line: &LineView, height: u16) -> Vec<usize> {
+    let first = first_line(line.runs.cursor, line.runs.lines(), height.into());
+    (first..line.runs.lines()).take(height.into()).collect()
+}
+
+/// Scrolls the table sideways until the column that sorts it is in sight.
+fn show_sorted(state: &mut AppState) {
+    let area = layout::pane_area(state, PaneId::Runs).unwrap_or_default();
+    let Some(line) = state.line_mut() else {
+        return;
+    };
+    let column = line.runs.sort.map(|(column, _)| column);
+    let columns = line.runs.shown_columns();
+    // The first column is always there.
+    let place = column.and_then(|column| columns.iter().position(|shown| *shown == column));
+    let furthest = place.map_or(0, |place| place.saturating_sub(1));
+    line.runs.scroll = line.runs.scroll.min(furthest);
+    let rows = rows_in_sight(line, area.height.saturating_sub(1));
+    while line.runs.scroll < furthest && !is_in_sight(line, &rows, area.width, column) {
+        line.runs.scroll += 1;
+    }
+}
+
+/// Whether a column is seen, and not cut.
+fn is_in_sight(line: &LineView, rows: &[usize], room: u16, column: Option<RunColumn>) -> bool {
+    let columns = TableView::new(line, rows, room).columns.into_iter();
+    let mut whole = columns.filter(|(shown, seen)| *seen >= width(line, rows, *shown));
+    whole.any(|(shown, _)| Some(shown) == column)
 }
 
 /// The run of a line of the table; nothing for the live run.

@@ -33,6 +33,17 @@ pub enum RunColumn {
     Tags,
 }
 
+/// A column by its name: its number changes with the runs of the table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ColumnName {
+    /// The input of this key.
+    Input(String),
+    /// The result of this name.
+    Result(String),
+    /// A column that every table has.
+    Other(RunColumn),
+}
+
 /// The runs of the open case.
 #[derive(Debug, Clone, Default)]
 pub struct RunList {
@@ -146,6 +157,11 @@ impl RunList {
     /// The newest run for which something is so, to be changed.
     pub fn newest_mut(&mut self, so: impl Fn(&RunEntry) -> bool) -> Option<&mut RunEntry> {
         self.entries.iter_mut().rev().find(|run| so(run))
+    }
+
+    /// Adds a run at the end; [`RunList::arrange`] brings the table in step, once for many of them.
+    pub fn push(&mut self, run: RunEntry) {
+        self.entries.push(run);
     }
 
     /// Adds runs at the end.
@@ -286,21 +302,35 @@ impl RunList {
 
     /// Takes new columns; the table stays sorted by the column of the same name.
     pub fn take_columns(&mut self, columns: RunColumns) {
-        let sorted = self.sort.and_then(|(column, down)| {
-            let same = match column {
-                RunColumn::Input(at) => {
-                    let key = &self.columns.inputs.get(at)?.key;
-                    RunColumn::Input(columns.inputs.iter().position(|c| c.key == *key)?)
-                }
-                RunColumn::Result(at) => {
-                    let name = &self.columns.results.get(at)?.name;
-                    RunColumn::Result(columns.results.iter().position(|c| c.name == *name)?)
-                }
-                other => other,
-            };
-            Some((same, down))
-        });
-        (self.columns, self.sort) = (columns, sorted);
+        let sorted = self.sort.take();
+        let named = sorted.and_then(|(column, down)| Some((self.name_of(column)?, down)));
+        self.columns = columns;
+        self.sort = named.and_then(|(name, down)| Some((self.column_of(&name)?, down)));
+    }
+
+    /// The name of a column.
+    #[must_use]
+    pub fn name_of(&self, column: RunColumn) -> Option<ColumnName> {
+        Some(match column {
+            RunColumn::Input(at) => ColumnName::Input(self.columns.inputs.get(at)?.key.clone()),
+            RunColumn::Result(at) => ColumnName::Result(self.columns.results.get(at)?.name.clone()),
+            other => ColumnName::Other(other),
+        })
+    }
+
+    /// The column of this name, where there is one.
+    #[must_use]
+    pub fn column_of(&self, name: &ColumnName) -> Option<RunColumn> {
+        let (inputs, results) = (&self.columns.inputs, &self.columns.results);
+        Some(match name {
+            ColumnName::Input(key) => {
+                RunColumn::Input(inputs.iter().position(|column| column.key == *key)?)
+            }
+            ColumnName::Result(name) => {
+                RunColumn::Result(results.iter().position(|column| column.name == *name)?)
+            }
+            ColumnName::Other(column) => *column,
+        })
     }
 
     /// Sorts by the next column; after the last in the original order again.

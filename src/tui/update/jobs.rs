@@ -118,7 +118,7 @@ pub(super) fn start_newest(state: &mut AppState) -> Vec<Effect> {
     start_waiting(state)
 }
 
-/// Puts a run of the open case at the end of the queue.
+/// Puts a run of the open case at the end of the queue; the list of runs is to be arranged after the last.
 pub(super) fn enqueue(
     state: &mut AppState,
     text: &str,
@@ -137,7 +137,7 @@ pub(super) fn enqueue(
     queue(state, request, None, label, at, shown);
 }
 
-/// Puts a run at the end of the queue, and in the list of runs.
+/// Puts a run at the end of the queue, and in the list of runs, which is to be arranged after the last.
 pub(super) fn queue(
     state: &mut AppState,
     request: Request,
@@ -153,7 +153,7 @@ pub(super) fn queue(
     let method = method_name(request.case.solver.method).to_owned();
     let stem = request.file.trim_end_matches(".toml");
     let name = joined_label(&[stem, &label, &method]);
-    line.runs.extend([RunEntry {
+    line.runs.push(RunEntry {
         ticket: Some(ticket),
         id: name.clone(),
         label,
@@ -161,7 +161,7 @@ pub(super) fn queue(
         duration_s: request.case.solver.duration_s,
         shown,
         ..RunEntry::session(TextDigest::of(&request.text), method)
-    }]);
+    });
     state
         .jobs
         .lines

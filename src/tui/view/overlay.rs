@@ -104,7 +104,7 @@ impl Painter<'_> {
                 self.long_text(screen, &title, text, *scroll);
             }
             Overlay::Ask(question) => self.ask(screen, question),
-            Overlay::Columns(pair) => self.columns(screen, *pair),
+            Overlay::Columns(pair) => self.columns(screen, pair),
             Overlay::Curves { cursor } => self.curves(screen, *cursor),
             Overlay::Studies { items, cursor } => self.choose(screen, items, *cursor),
             Overlay::Prompt {
@@ -275,7 +275,7 @@ impl Painter<'_> {
     }
 
     /// A column of the table of runs against another, over the whole screen.
-    fn columns(&mut self, screen: Rect, pair: ColumnPair) {
+    fn columns(&mut self, screen: Rect, pair: &ColumnPair) {
         let Some(line) = self.state.line() else {
             return;
         };

@@ -58,7 +58,10 @@ fn with_runs() -> Desk {
 
 fn pair(desk: &Desk) -> (RunColumn, RunColumn) {
     match &desk.state.overlay {
-        Some(Overlay::Columns(pair)) => (pair.x, pair.y),
+        Some(Overlay::Columns(pair)) => {
+            let [x, y] = pair.columns(&desk.state.line().unwrap().runs).unwrap();
+            (x, y)
+        }
         other => panic!("{other:?}"),
     }
 }
@@ -99,6 +102,53 @@ fn chart_and_values_are_written_in_the_order_along_x() {
     };
     assert!(has(&desk, written), "{:?}", desk.asked);
     assert!(matches!(desk.state.overlay, Some(Overlay::Columns(_))));
+}
+
+#[test]
+fn the_columns_stay_when_the_table_has_others() {
+    let mut desk = with_runs();
+    desk.keys("p ]");
+    let runs = desk.state.line().unwrap().runs.clone();
+    let (mut columns, title) = (runs.columns.clone(), title(&desk));
+    columns.results.swap(0, 1);
+    let before = InputColumn {
+        key: "current.depth_m".to_owned(),
+        ..columns.inputs[0].clone()
+    };
+    columns.inputs.insert(0, before);
+    let all = runs.all().iter().filter_map(|run| run.number).collect();
+    desk.tell(Msg::RunsListed(Box::new(RunsFound {
+        changed: Vec::new(),
+        all,
+        columns: Some(columns),
+        whole: true,
+    })));
+    assert_eq!(pair(&desk), (RunColumn::Input(1), RunColumn::Result(0)));
+    assert_eq!(self::title(&desk), title);
+}
+
+fn title(desk: &Desk) -> String {
+    match &desk.state.overlay {
+        Some(Overlay::Columns(pair)) => pair.title(&desk.state.line().unwrap().runs),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn sorting_scrolls_to_its_column() {
+    let mut desk = with_runs();
+    desk.keys("3");
+    let columns = desk.state.line().unwrap().runs.shown_columns();
+    for column in columns {
+        desk.keys("o");
+        let sort = desk.state.line().unwrap().runs.sort;
+        assert_eq!(sort, Some((column, false)));
+        let text = desk.screen();
+        assert!(text.contains(" ^"), "{column:?}\n{text}");
+    }
+    desk.keys("o");
+    let runs = &desk.state.line().unwrap().runs;
+    assert_eq!((runs.sort, runs.scroll), (None, 0));
 }
 
 #[test]
