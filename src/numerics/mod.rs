@@ -18,6 +18,7 @@ mod lu;
 pub mod piecewise;
 pub mod quadrature;
 pub mod random;
+pub(crate) mod richardson;
 pub mod root_isolation;
 pub mod roots;
 pub mod spline;

@@ -4,9 +4,9 @@ use std::sync::atomic::AtomicBool;
 
 use super::RunState;
 use super::compute::{Computed, Resolution, compute};
-use super::richardson::Refinement;
 use crate::case::{Case, DragCoefficient, DragLawName, Method};
 use crate::dynamics::march::March;
+use crate::numerics::richardson::Refinement;
 
 /// The order where a force jumps.
 pub(super) const CRISIS: f64 = 1.5;

@@ -7,10 +7,10 @@ use super::companions::{self, Companions};
 use super::compute::Computed;
 use super::line_statistics;
 use super::requested_statistics::{RequestedStatistic, StatisticSource};
-use super::richardson::{self, OBSERVED, PRESUMED};
 use super::{Quantity, QuantityId, Subject};
 use crate::case::{Case, ChannelQuantity, LineQuantity, Method, Section, Statistic};
 use crate::numerics::interpolation::linear_clamped;
+use crate::numerics::richardson::{self, OBSERVED, PRESUMED};
 
 /// The single numbers of a run with their estimated errors.
 #[derive(Debug, Clone, Default)]

@@ -31,7 +31,6 @@ pub mod requested_statistics;
 pub mod response;
 mod result_scale;
 mod resume;
-mod richardson;
 mod search_progress;
 pub mod settings;
 mod simulation;

@@ -5,8 +5,8 @@
 //! order is observed on three results, 3 where it is that of the method.
 
 /// Factor of safety of an observed order, and of one that is presumed.
-pub(super) const OBSERVED: f64 = 1.25;
-pub(super) const PRESUMED: f64 = 3.0;
+pub(crate) const OBSERVED: f64 = 1.25;
+pub(crate) const PRESUMED: f64 = 3.0;
 /// The least order observed.
 const LEAST: f64 = 0.5;
 /// Power of the quotient that is usual among the results of a run, below which that of a single result is by chance.
@@ -21,22 +21,22 @@ const CHANCE: f64 = 30.0;
 
 /// What is known of a family of results.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Refinement {
+pub(crate) struct Refinement {
     /// Step or segment of a coarser result by that of the next finer one.
-    pub(super) ratio: f64,
+    pub(crate) ratio: f64,
     /// The order of the method.
-    pub(super) order: f64,
+    pub(crate) order: f64,
 }
 
 impl Refinement {
     /// Error of a result from the next coarser one.
-    pub(super) fn presumed(&self, value: f64, coarse: f64) -> f64 {
+    pub(crate) fn presumed(&self, value: f64, coarse: f64) -> f64 {
         PRESUMED * (value - coarse).abs() / (self.ratio.powf(self.order) - 1.0).abs()
     }
 
     /// Error of a result from the two next coarser ones. `usual` is the quotient of their differences that is usual among the results
     /// of the run (see [`usual_quotient`]).
-    pub(super) fn observed(&self, [value, coarse, coarser]: [f64; 3], usual: f64) -> f64 {
+    pub(crate) fn observed(&self, [value, coarse, coarser]: [f64; 3], usual: f64) -> f64 {
         let (near, far) = ((value - coarse).abs(), (coarse - coarser).abs());
         let falls = self.ratio.powf(self.order);
         if far > falls * near {
@@ -55,7 +55,7 @@ impl Refinement {
 }
 
 /// The median quotient of the differences between three results each; zero of none.
-pub(super) fn usual_quotient(results: impl Iterator<Item = [f64; 3]>) -> f64 {
+pub(crate) fn usual_quotient(results: impl Iterator<Item = [f64; 3]>) -> f64 {
     const ROUNDING: f64 = 1e-12;
     let quotient = |[value, coarse, coarser]: [f64; 3]| {
         let (near, far) = ((value - coarse).abs(), (coarse - coarser).abs());
@@ -67,7 +67,7 @@ pub(super) fn usual_quotient(results: impl Iterator<Item = [f64; 3]>) -> f64 {
 }
 
 /// Whether three results differ by a notable share of the finest and do not approach each other.
-pub(super) fn is_unsettled(value: f64, coarse: f64, coarser: f64) -> bool {
+pub(crate) fn is_unsettled(value: f64, coarse: f64, coarser: f64) -> bool {
     let (near, far) = ((value - coarse).abs(), (coarse - coarser).abs());
     near > far && near > NOTABLE * value.abs()
 }
