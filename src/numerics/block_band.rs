@@ -157,7 +157,7 @@ impl BlockBand {
 const SMALLEST_PIVOT: f64 = 1e-14;
 
 /// Whether no pivot of a block vanishes and all its entries are finite.
-fn is_regular(block: &M3, lu: &Lu<f64>) -> bool {
+pub(super) fn is_regular(block: &M3, lu: &Lu<f64>) -> bool {
     let size = block.diagonal().abs().sum();
     // A comparison that is false for NaN refuses NaN as well.
     let there = |pivot: &f64| pivot.abs() > SMALLEST_PIVOT * size;

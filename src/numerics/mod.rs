@@ -1,6 +1,7 @@
 //! Numerical methods that know no cable.
 //!
 //! * [`BlockBand`]: block-banded systems of 3 x 3 blocks, eliminated from both ends in two [`lanes`].
+//! * [`Condensation`]: such a system condensed onto its first and last nodes.
 //! * [`roots`], [`log_newton`], [`root_isolation`], [`golden_section`](mod@golden_section): roots and minima of one unknown.
 //! * [`interpolation`], [`spline`], [`piecewise`], [`quadrature`]: tables over an ascending grid.
 //! * [`statistics`], [`random`]: moments and extremes of records; reproducible random numbers.
@@ -8,6 +9,7 @@
 
 pub mod block_band;
 mod both_ends;
+pub mod condensation;
 pub mod double_double;
 pub mod golden_section;
 pub mod hyperbolic;
@@ -25,6 +27,7 @@ pub mod spline;
 pub mod statistics;
 
 pub use block_band::{BlockBand, SingularBlock};
+pub use condensation::{Condensation, EndBlocks};
 
 /// A vector of three numbers.
 pub type V3 = nalgebra::Vector3<f64>;

@@ -1,0 +1,249 @@
+//! Static condensation of the banded system of one line onto its first and last nodes.
+//!
+//! With the nodes between eliminated, `K_ii x_i + K_ie x_e = 0`, what is left is the Schur complement
+//! `S = K_ee - K_ei K_ii^-1 K_ie` (Guyan 1965, doi 10.2514/3.2874): of a tangent stiffness, that of the line as one element
+//! between its ends. The elimination runs from the first node to the last, and carries the couplings to the first node along.
+//! A front of three nodes (four with bending) moves along the line: the first node, the one that is eliminated next, and those that
+//! it is coupled to.
+
+use super::block_band::is_regular;
+use super::lu::{Lu, minus_applied, minus_product};
+use super::{BlockBand, M3, SingularBlock, V3};
+
+/// Blocks by row and column: of the first node, then of the last.
+pub type EndBlocks = [[M3; 2]; 2];
+
+/// A condensation with its storage: allocates in [`Condensation::new`] only.
+#[derive(Debug, Clone)]
+pub struct Condensation {
+    /// The nodes between, in the order of elimination: `x[i] = -(first x[0] + near x[i + 1] + far x[i + 2])`.
+    rows: Vec<EliminatedNode>,
+    negative_pivots: usize,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct EliminatedNode {
+    first: M3,
+    near: M3,
+    far: M3,
+}
+
+/// Nodes in the front: the first node of the line, the one that is eliminated next, and two beyond it.
+const FRONT: usize = 4;
+/// Where the node is that is eliminated next.
+const NEXT: usize = 1;
+
+type Front = [[M3; FRONT]; FRONT];
+
+impl Condensation {
+    /// Storage for a line of so many nodes.
+    #[must_use]
+    pub fn new(nodes: usize) -> Self {
+        let nothing = EliminatedNode {
+            first: M3::zeros(),
+            near: M3::zeros(),
+            far: M3::zeros(),
+        };
+        Self {
+            rows: vec![nothing; nodes.saturating_sub(2)],
+            negative_pivots: 0,
+        }
+    }
+
+    /// The matrix condensed onto its first and last nodes; it has as many nodes as the storage, two or more.
+    ///
+    /// # Errors
+    /// [`SingularBlock`] when a pivot vanishes or is not finite.
+    pub fn condense(&mut self, matrix: &BlockBand) -> Result<EndBlocks, SingularBlock> {
+        if matrix.is_wide() {
+            self.condense_as::<3>(matrix)
+        } else {
+            self.condense_as::<2>(matrix)
+        }
+    }
+
+    /// `BEYOND` is the place of the last node in the front.
+    fn condense_as<const BEYOND: usize>(
+        &mut self,
+        matrix: &BlockBand,
+    ) -> Result<EndBlocks, SingularBlock> {
+        let mut front = [[M3::zeros(); FRONT]; FRONT];
+        for (i, row) in front[..=BEYOND].iter_mut().enumerate() {
+            for (j, block) in row[..=BEYOND].iter_mut().enumerate() {
+                *block = coupling(matrix, i, j);
+            }
+        }
+        self.negative_pivots = 0;
+        for (k, eliminated) in self.rows.iter_mut().enumerate() {
+            let lu = Lu::new(&front[NEXT][NEXT]);
+            if !is_regular(&front[NEXT][NEXT], &lu) {
+                return Err(SingularBlock { node: k + 1 });
+            }
+            self.negative_pivots += lu.pivots.iter().filter(|p| **p < 0.0).count();
+            *eliminated = EliminatedNode {
+                first: lu.solve_block(&front[NEXT][0]),
+                near: lu.solve_block(&front[NEXT][2]),
+                far: if BEYOND > 2 {
+                    lu.solve_block(&front[NEXT][3])
+                } else {
+                    M3::zeros()
+                },
+            };
+            eliminate::<BEYOND>(&mut front, eliminated);
+            advance::<BEYOND>(&mut front, matrix, k + 1);
+        }
+        Ok([
+            [front[0][0], front[0][NEXT]],
+            [front[NEXT][0], front[NEXT][NEXT]],
+        ])
+    }
+
+    /// The displacements of the nodes between for those of the first and last in `x`, without load on them: the linear response
+    /// of the matrix condensed last.
+    pub fn respond(&self, x: &mut [V3]) {
+        let first = x[0];
+        for (k, row) in self.rows.iter().enumerate().rev() {
+            let node = k + 1;
+            let mut here = minus_applied(V3::zeros(), &row.first, &first);
+            here = minus_applied(here, &row.near, &x[node + 1]);
+            if let Some(far) = x.get(node + 2) {
+                here = minus_applied(here, &row.far, far);
+            }
+            x[node] = here;
+        }
+    }
+
+    /// How many pivots of the matrix condensed last were negative: of a symmetric matrix, as many as its nodes between have negative
+    /// eigenvalues (Sylvester).
+    #[must_use]
+    pub fn negative_pivots(&self) -> usize {
+        self.negative_pivots
+    }
+}
+
+/// The block that couples row i to node j; zero beyond the line.
+fn coupling(m: &BlockBand, i: usize, j: usize) -> M3 {
+    let nodes = m.diag.len();
+    if i >= nodes || j >= nodes {
+        return M3::zeros();
+    }
+    match (i, j) {
+        _ if i == j => m.diag[i],
+        _ if j == i + 1 => m.upper[i],
+        _ if i == j + 1 => m.lower[i],
+        _ if j == i + 2 && m.is_wide() => m.far_upper[i],
+        _ if i == j + 2 && m.is_wide() => m.far_lower[i],
+        _ => M3::zeros(),
+    }
+}
+
+/// Takes the next node out of the rows and columns of the others.
+#[inline(always)]
+fn eliminate<const BEYOND: usize>(front: &mut Front, row: &EliminatedNode) {
+    for a in (0..=BEYOND).filter(|a| *a != NEXT) {
+        let by = front[a][NEXT];
+        front[a][0] = minus_product(front[a][0], &by, &row.first);
+        front[a][2] = minus_product(front[a][2], &by, &row.near);
+        if BEYOND > 2 {
+            front[a][3] = minus_product(front[a][3], &by, &row.far);
+        }
+    }
+}
+
+/// Moves the front past the node just eliminated.
+#[inline(always)]
+fn advance<const BEYOND: usize>(front: &mut Front, matrix: &BlockBand, node: usize) {
+    for row in front.iter_mut() {
+        row.copy_within(NEXT + 1..=BEYOND, NEXT);
+        row[BEYOND] = M3::zeros();
+    }
+    front.copy_within(NEXT + 1..=BEYOND, NEXT);
+    front[BEYOND] = [M3::zeros(); FRONT];
+    let entering = node + BEYOND;
+    for (place, row) in front.iter_mut().enumerate().take(BEYOND).skip(NEXT) {
+        row[BEYOND] = coupling(matrix, node + place, entering);
+    }
+    for (place, block) in front[BEYOND]
+        .iter_mut()
+        .enumerate()
+        .take(BEYOND + 1)
+        .skip(NEXT)
+    {
+        *block = coupling(matrix, entering, node + place);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::DMatrix;
+    use proptest::prelude::*;
+
+    fn matrix(n: usize, wide: bool, entries: &[f64]) -> BlockBand {
+        let mut m = BlockBand::new(n);
+        let mut next = entries.iter().copied().cycle();
+        let mut block = || M3::from_fn(|_, _| next.next().unwrap());
+        if wide {
+            m.widen();
+            m.far_upper.fill_with(&mut block);
+            m.far_lower.fill_with(&mut block);
+        }
+        for i in 0..n {
+            m.diag[i] = block() + M3::identity() * if i % 3 == 2 { -12.0 } else { 12.0 };
+            m.upper[i] = block();
+            m.lower[i] = block();
+        }
+        m
+    }
+
+    fn dense(m: &BlockBand, rows: &[usize], columns: &[usize]) -> DMatrix<f64> {
+        DMatrix::from_fn(3 * rows.len(), 3 * columns.len(), |r, c| {
+            coupling(m, rows[r / 3], columns[c / 3])[(r % 3, c % 3)]
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn agrees_with_a_dense_schur_complement(
+            n in 2usize..12,
+            wide in any::<bool>(),
+            entries in proptest::collection::vec(-1.0f64..1.0, 9 * 12 * 5),
+        ) {
+            let m = matrix(n, wide, &entries);
+            let (ends, inner) = ([0, n - 1], (1..n - 1).collect::<Vec<_>>());
+            let mut condensation = Condensation::new(n);
+            let got = condensation.condense(&m).unwrap();
+            let mut expected = dense(&m, &ends, &ends);
+            if !inner.is_empty() {
+                let by_ends = dense(&m, &inner, &inner).lu().solve(&dense(&m, &inner, &ends)).unwrap();
+                expected -= dense(&m, &ends, &inner) * &by_ends;
+                let mut x = vec![V3::zeros(); n];
+                (x[0], x[n - 1]) = (V3::new(1.0, -2.0, 0.5), V3::new(0.3, 0.1, -1.0));
+                let moved = nalgebra::DVector::from_iterator(
+                    6,
+                    x[0].iter().chain(&x[n - 1]).copied(),
+                );
+                let response = -by_ends * moved;
+                condensation.respond(&mut x);
+                for (k, value) in response.iter().enumerate() {
+                    prop_assert!((x[1 + k / 3][k % 3] - value).abs() < 1e-12);
+                }
+            }
+            for r in 0..6 {
+                for c in 0..6 {
+                    let block = got[r / 3][c / 3][(r % 3, c % 3)];
+                    prop_assert!((block - expected[(r, c)]).abs() < 1e-12);
+                }
+            }
+            prop_assert_eq!(condensation.negative_pivots(), 3 * inner.iter().filter(|i| *i % 3 == 2).count());
+        }
+    }
+
+    #[test]
+    fn a_singular_node_is_named() {
+        let mut m = matrix(5, false, &[0.0]);
+        m.diag[3] = M3::zeros();
+        let condensed = Condensation::new(5).condense(&m);
+        assert_eq!(condensed, Err(SingularBlock { node: 3 }));
+    }
+}
