@@ -96,8 +96,7 @@ impl EquilibriumSearch {
         t: f64,
         state: &mut State,
     ) -> Result<Equilibrium, EquilibriumError> {
-        let tolerance = system.position_tolerance(0.1 * self.force_tolerance);
-        let mut newton = Newton::new(system.nodes(), tolerance, self.max_iterations);
+        let mut newton = self.newton(system);
         let size = length(state);
         newton.max_displacement = 0.3 * size;
         set_at_rest(state);
@@ -131,6 +130,29 @@ impl EquilibriumSearch {
                 *state = there;
                 Ok(found)
             })
+    }
+
+    /// Storage for [`EquilibriumSearch::refine`].
+    #[must_use]
+    pub fn newton<S: StaticSearch>(&self, system: &S) -> Newton {
+        let tolerance = system.position_tolerance(0.1 * self.force_tolerance);
+        Newton::new(system.nodes(), tolerance, self.max_iterations)
+    }
+
+    /// Moves `state` to the equilibrium at time t that Newton alone finds from it: for a state near an equilibrium, as after a
+    /// small motion of the ends. Allocates nothing.
+    ///
+    /// # Errors
+    /// Why Newton failed; none if it left a force or a fold. `state` then holds the last iterate.
+    pub fn refine<S: StaticSearch>(
+        &self,
+        system: &S,
+        t: f64,
+        newton: &mut Newton,
+        state: &mut State,
+    ) -> Result<Equilibrium, Option<NewtonError>> {
+        set_at_rest(state);
+        self.finish(system, t, newton, state, 0)
     }
 
     /// The equilibrium on a bed without friction, in which friction then holds the line: for slack line on a rough bed that has
