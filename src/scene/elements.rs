@@ -10,6 +10,7 @@
 //! nodes.
 
 mod bed;
+mod bed_end;
 mod body_contact;
 mod body_loads;
 mod flexure;

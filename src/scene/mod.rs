@@ -14,6 +14,7 @@ mod convergence_norm;
 mod elasticity;
 mod element;
 pub mod elements;
+mod end_tangent;
 mod ends;
 mod energy;
 mod equation;
@@ -29,6 +30,7 @@ pub mod line;
 pub mod mesh;
 mod mixed_iteration;
 pub mod outputs;
+mod placed_ends;
 pub mod rope;
 #[expect(clippy::module_inception, reason = "the type of the room")]
 pub mod scene;

@@ -297,7 +297,7 @@ impl BedContact {
     }
 
     /// Which end is held at a node, where it is held on the bed: it does not penetrate, so that its springs carry nothing.
-    fn end_held_on_bed(&self, node: usize, at: At<'_>) -> Option<usize> {
+    pub(super) fn end_held_on_bed(&self, node: usize, at: At<'_>) -> Option<usize> {
         let last = at.line.segments.len();
         let end = match node {
             0 => 0,
@@ -383,7 +383,7 @@ impl BedContact {
 }
 
 /// Contact at node i.
-fn contact<'a>(
+pub(super) fn contact<'a>(
     normal: &'a V3,
     push: &'a BedReaction,
     i: usize,

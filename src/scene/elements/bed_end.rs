@@ -1,0 +1,107 @@
+//! The derivative of the force on an end that is held on the bed.
+
+use super::bed::{BedContact, contact};
+use crate::numerics::lanes::outer;
+use crate::numerics::{BlockBand, M3, V3};
+use crate::scene::element::At;
+use crate::solve::State;
+
+/// Derivatives of a force on an end.
+struct EndForceSlopes {
+    /// By the force without the bed.
+    by_load: M3,
+    /// By the force of the bed on the neighbouring node.
+    by_beside: M3,
+}
+
+impl BedContact {
+    /// Where the first or last node is held on the bed, turns the row of its residual in the tangent into that of its negative end
+    /// force with [`BedContact::force_on_end`]; elsewhere it is that already. `r` is its residual \[N\].
+    pub(in crate::scene) fn linearise_end_force(
+        &self,
+        at: At<'_>,
+        node: usize,
+        r: &V3,
+        tangent: &mut BlockBand,
+    ) {
+        if self.end_held_on_bed(node, at).is_none() {
+            return;
+        }
+        let last = at.line.segments.len();
+        let load = -r - self.force(node, at.state);
+        tangent.diag[node] += self.force_by_position(node, at.state);
+        let beside = if node == 0 { 1 } else { last - 1 };
+        let by_beside = (beside != 0 && beside != last).then(|| self.force(beside, at.state));
+        let slopes = self.slopes_of_end_force(&load, by_beside);
+        let (near, far) = if node == 0 {
+            (&mut tangent.upper[0], tangent.far_upper.first_mut())
+        } else {
+            (&mut tangent.lower[last], tangent.far_lower.get_mut(last))
+        };
+        tangent.diag[node] = slopes.by_load * tangent.diag[node];
+        *near =
+            slopes.by_load * *near - slopes.by_beside * self.force_by_position(beside, at.state);
+        if let Some(far) = far {
+            *far = slopes.by_load * *far;
+        }
+    }
+
+    /// Derivatives of `load + force_on_end(load)`. With n the normal, P = -n.load the push on the end, g the friction on the
+    /// neighbouring node over its push b, and e = g/|g|:
+    ///
+    /// ```text
+    /// F = Q load + g P              Q = I - nn'      friction in full
+    /// F = Q load - e e' load                         friction that resists all of the load along it
+    /// ```
+    fn slopes_of_end_force(&self, load: &V3, beside: Option<V3>) -> EndForceSlopes {
+        let normal = self.seabed.normal();
+        let push = -normal.dot(load);
+        if push <= 0.0 {
+            return EndForceSlopes {
+                by_load: M3::identity(),
+                by_beside: M3::zeros(),
+            };
+        }
+        let level = M3::identity() - outer(&normal, &normal);
+        let held = beside.filter(|force| normal.dot(force) > 0.0);
+        let Some(force) = held else {
+            return EndForceSlopes {
+                by_load: level,
+                by_beside: M3::zeros(),
+            };
+        };
+        let borne = normal.dot(&force);
+        let friction = level * force / borne;
+        let by_force = (level - outer(&friction, &normal)) / borne;
+        let (size, resisted) = (friction.norm(), -load.dot(&friction));
+        if resisted > 0.0 && size * size * push > resisted {
+            let along = friction / size;
+            let turned = M3::from_diagonal_element(along.dot(load)) + outer(&along, load);
+            let across = M3::identity() - outer(&along, &along);
+            EndForceSlopes {
+                by_load: level - outer(&along, &along),
+                by_beside: -turned * across * by_force / size,
+            }
+        } else {
+            EndForceSlopes {
+                by_load: level - outer(&friction, &normal),
+                by_beside: by_force * push,
+            }
+        }
+    }
+
+    /// Derivative of the force of the bed on node i by its position \[N/m\].
+    fn force_by_position(&self, i: usize, state: &State) -> M3 {
+        let push = self.push(i, state);
+        let normal = self.seabed.normal();
+        let slope = outer(&normal, &(normal * push.by_height));
+        let friction = self.seabed.friction.as_ref().filter(|_| push.force > 0.0);
+        let friction = friction.and_then(|law| {
+            law.with_tangent(
+                &contact(&normal, &push, i, state),
+                state.memory.grips.get(i),
+            )
+        });
+        friction.map_or(slope, |friction| slope + friction.by_position)
+    }
+}
