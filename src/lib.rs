@@ -15,6 +15,7 @@
 //! * [`numerics`]: block bands, roots, interpolation, statistics; no cable.
 //! * [`solve`]: what solvers ask of a system, and Newton's method.
 //! * [`statics`], [`dynamics`]: equilibrium, quasi-static march, RK4, generalized-alpha.
+//! * [`line_between_ends`]: a line at rest as an element of a system: end forces and end stiffness.
 //! * [`equations`]: the equations of all of these, with links to the functions that hold them.
 //! * [`modes`]: natural frequencies and mode shapes about the static shape.
 //! * [`run`]: a case computed: history, shapes, summary with errors, cost; jobs on threads; the store.
@@ -43,6 +44,7 @@ pub mod dynamics;
 pub mod equations;
 pub mod files;
 pub mod kinds;
+pub mod line_between_ends;
 pub mod modes;
 pub mod number;
 pub mod numerics;

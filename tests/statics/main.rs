@@ -16,6 +16,7 @@ mod composite;
 mod end_stiffness;
 mod equilibrium;
 mod grounded_lines;
+mod line_between_ends;
 mod random_lines;
 mod reconfiguration;
 mod sections;
