@@ -1,7 +1,8 @@
 //! What one node costs in the kernels of dynamics, on one core: a Newton iteration, all in (residual, exact tangent,
 //! factorization, solution, update), and the explicit evaluation of forces and accelerations, each as the least of many short
 //! repeats, so that other work on the machine does not count. Three lines: one in open water, one half on a bed with friction,
-//! and one that bends. Run with `cargo bench --bench kernels`.
+//! and one that bends. Then what a line between held ends costs that is solved again for another place of an end. Run with
+//! `cargo bench --bench kernels`.
 #![expect(
     clippy::unwrap_used,
     clippy::print_stdout,
@@ -11,7 +12,8 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use seacable::case::{self, Case};
+use seacable::case::{self, Case, EndKind};
+use seacable::line_between_ends::LineBetweenEnds;
 use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
 use seacable::solve::{ExplicitRhs, Factors, Kinematics, Newton, Residual, State};
@@ -19,6 +21,7 @@ use seacable::statics::equilibrium::EquilibriumSearch;
 
 const MANIFOLD: &str = include_str!("../cases/pendulous/manifold.toml");
 const CHAIN: &str = include_str!("../cases/benchmarks/lindahl_chain.toml");
+const RISER: &str = include_str!("../cases/benchmarks/current_across.toml");
 
 /// Repeats of a measurement, and evaluations in each.
 const REPEATS: usize = 1000;
@@ -43,6 +46,42 @@ fn main() {
         material.ei_n_m2 = 1e4;
     }
     row("bending", &scene_of(&bending), &factors(0.5), swinging);
+    println!(
+        "\n{:<30} {:>5} {:>9} {:>10} {:>9}",
+        "line between ends, warm", "nodes", "ns/node", "iterations", "us"
+    );
+    let mut riser = case::parse(RISER, "current_across.toml").unwrap();
+    warm_row("in a current", &riser);
+    for material in riser.materials.values_mut() {
+        material.ei_n_m2 = 1e6;
+    }
+    warm_row("in a current, bending", &riser);
+    let mut chain = chain;
+    chain.ends.b.kind = EndKind::Fixed;
+    warm_row("half on a bed with friction", &chain);
+}
+
+/// The time of a solution after end B has moved by a thousandth of the line's length, with end stiffness, positions and tensions.
+fn warm_row(name: &str, case: &Case) {
+    let mut line = LineBetweenEnds::new(case).unwrap();
+    let (a, b) = (
+        case.ends.a.position_m.unwrap(),
+        case.ends.b.position_m.unwrap(),
+    );
+    let length: f64 = case.line.iter().map(|s| s.length_m).sum();
+    line.solve(a, b).unwrap();
+    let (mut sign, mut most) = (1.0, 0);
+    let nodes = case.line.iter().map(|s| s.segments).sum::<usize>() + 1;
+    let time = best(nodes, || {
+        sign = -sign;
+        let there = [b[0] + 5e-4 * sign * length, b[1], b[2]];
+        let found = line.solve(a, black_box(there)).unwrap();
+        most = found.iterations.max(most);
+    });
+    println!(
+        "{name:<30} {nodes:>5} {time:>9.1} {most:>10} {:>9.1}",
+        time * nodes as f64 * 1e-3
+    );
 }
 
 fn scene_of(case: &Case) -> Scene {
