@@ -2,7 +2,7 @@
 
 use super::clip::{Dot, clip};
 use super::decimate::decimate;
-use super::picture::{PicturePart, PlotFrame, dot_of};
+use super::picture::{DotAxis, PicturePart, PlotFrame};
 use super::{Glyphs, Series, marker};
 
 /// Dots of a broken line: so many on, as many off.
@@ -61,12 +61,12 @@ impl DotCanvas {
         let (nx, ny) = self.frame.dot_count();
         // Far outside, exact places do not matter, only that arithmetic stays finite.
         let far = |v: f64| v.clamp(-1e12, 1e12);
-        let dots = decimate(points.iter().map(|(x, y)| {
-            (
-                far(dot_of(*x, self.frame.x, self.frame.x_scale, nx)),
-                far(dot_of(*y, self.frame.y, self.frame.y_scale, ny)),
-            )
-        }));
+        let along = DotAxis::new(self.frame.x, self.frame.x_scale, nx);
+        let up = DotAxis::new(self.frame.y, self.frame.y_scale, ny);
+        let dots = points
+            .iter()
+            .map(|(x, y)| (far(along.dot(*x)), far(up.dot(*y))));
+        let dots = decimate(dots);
         if let [only] = dots[..] {
             self.segment(only, only, pen);
         }

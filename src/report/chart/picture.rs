@@ -106,9 +106,38 @@ fn cell_of(value: f64, range: AxisRange, scale: AxisScale, n: usize, per: usize)
 }
 
 /// Where a value falls on `n` dots: the range's ends are the middles of the first and the last dot.
-pub(super) fn dot_of(value: f64, range: AxisRange, scale: AxisScale, n: usize) -> f64 {
-    let (from, to) = scale.places(range);
-    (scale.place(value) - from) / (to - from) * n.saturating_sub(1) as f64
+fn dot_of(value: f64, range: AxisRange, scale: AxisScale, n: usize) -> f64 {
+    DotAxis::new(range, scale, n).dot(value)
+}
+
+/// The dots of an axis, for many values.
+pub(super) struct DotAxis {
+    /// A function by its address: the compiler would compute logarithms for linear axes as well, and drop them.
+    place: fn(f64) -> f64,
+    from: f64,
+    span: f64,
+    gaps: f64,
+}
+
+impl DotAxis {
+    /// An axis of `n` dots.
+    pub(super) fn new(range: AxisRange, scale: AxisScale, n: usize) -> Self {
+        let (from, to) = scale.places(range);
+        Self {
+            place: match scale {
+                AxisScale::Linear => std::convert::identity,
+                AxisScale::Log => f64::log10,
+            },
+            from,
+            span: to - from,
+            gaps: n.saturating_sub(1) as f64,
+        }
+    }
+
+    /// Where a value falls, in dots.
+    pub(super) fn dot(&self, value: f64) -> f64 {
+        ((self.place)(value) - self.from) / self.span * self.gaps
+    }
 }
 
 /// A chart drawn in characters.
