@@ -3,13 +3,16 @@
 //! [`PlotPane`] is plain state. [`PlotPane::act`] changes it, [`PlotPane::chart`] lays it over a
 //! chart made from runs, [`draw_chart`] paints the outcome; only the first changes anything.
 
+mod picture_memo;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use self::picture_memo::PictureMemo;
 use super::theme::Theme;
 use crate::report::chart::{
-    self, AxisRange, AxisScale, CONTINUATION, Chart, Glyphs, Limit, LimitLine, PlotFrame, Readout,
-    Series,
+    self, AxisRange, AxisScale, CONTINUATION, Chart, Glyphs, Limit, LimitLine, Picture, PlotFrame,
+    Readout, Series,
 };
 use crate::report::number;
 
@@ -64,6 +67,7 @@ pub struct PlotPane {
     frozen: Option<Box<Chart>>,
     /// Whether x and y are on logarithmic axes.
     log: (bool, bool),
+    memo: PictureMemo,
 }
 
 impl PlotPane {
@@ -112,6 +116,13 @@ impl PlotPane {
             chart.limits.push(mark);
         }
         chart
+    }
+
+    /// Paints a chart into an area of the screen, as [`draw_chart`]; one that is as it was last time is not drawn anew.
+    pub fn draw(&self, chart: &Chart, area: Rect, buf: &mut Buffer, glyphs: Glyphs, theme: Theme) {
+        let area = area.intersection(*buf.area());
+        let size = (area.width.into(), area.height.into());
+        paint(&self.memo.of(chart, size, glyphs), area, buf, theme);
     }
 
     /// What the visible series say at the cursor; nothing without a cursor.
@@ -303,6 +314,10 @@ fn scaled(range: AxisRange, about: f64, factor: f64, whole: AxisRange) -> Option
 pub fn draw_chart(chart: &Chart, area: Rect, buf: &mut Buffer, glyphs: Glyphs, theme: Theme) {
     let area = area.intersection(*buf.area());
     let picture = chart::draw(chart, area.width.into(), area.height.into(), glyphs);
+    paint(&picture, area, buf, theme);
+}
+
+fn paint(picture: &Picture, area: Rect, buf: &mut Buffer, theme: Theme) {
     for row in 0..area.height {
         for column in 0..area.width {
             let Some(cell) = picture.get(column.into(), row.into()) else {

@@ -149,7 +149,8 @@ impl Pane for ChartsPane {
                 chart.title = format!("> {} <", chart.title);
             }
             if !chart.is_empty() {
-                painter.chart(&chart, *place);
+                let (glyphs, theme) = (painter.glyphs(), painter.theme);
+                line.views[id.index()].draw(&chart, *place, painter.buf, glyphs, theme);
             } else if *id == FigureId::Study {
                 let words = "`V` computes what the case states along its studies.";
                 painter.titled(*place, &chart.title, words);
