@@ -29,8 +29,7 @@ pub(super) fn print(screen: &mut Pty) {
         } else {
             none += 1;
         }
-        solved(screen);
-        full.add(began.elapsed());
+        full.add(solved(screen).saturating_duration_since(began));
         std::thread::sleep(Duration::from_millis(50));
     }
     match none {
@@ -46,9 +45,15 @@ fn unsolved(text: &str) -> bool {
         .any(|word| text.contains(word))
 }
 
-fn solved(screen: &Pty) {
-    screen.wait("the full answer", |screen| {
-        let text = screen.contents();
-        text.contains("results") && !unsolved(&text)
-    });
+/// When the full answer is there: still there a little later, and not half of a frame.
+fn solved(screen: &Pty) -> Instant {
+    let whole = |text: &str| text.contains("results") && !unsolved(text);
+    loop {
+        screen.wait("the full answer", |screen| whole(&screen.contents()));
+        let at = Instant::now();
+        std::thread::sleep(Duration::from_millis(30));
+        if whole(&screen.text()) {
+            return at;
+        }
+    }
 }
