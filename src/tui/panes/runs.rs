@@ -221,7 +221,7 @@ struct TableView {
 impl TableView {
     /// The name of the run always, then what fits to the right of what is hidden.
     fn new(line: &LineView, rows: &[usize], room: u16) -> Self {
-        let mut all = line.runs.shown_columns().into_iter();
+        let mut all = line.runs.shown_columns().iter().copied();
         let name = all.next();
         let mut columns = Vec::new();
         let mut used = 0;

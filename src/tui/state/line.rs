@@ -178,7 +178,7 @@ impl LineView {
             hold: None,
             study: None,
             result: 0,
-            runs: RunList::default(),
+            runs: RunList::empty(),
             plan: VariantPlan::default(),
             planning: false,
             planned: None,

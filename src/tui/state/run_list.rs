@@ -55,6 +55,8 @@ pub struct RunList {
     on_charts: Vec<usize>,
     /// Those that pass the filter, in the order of the table.
     rows: Vec<usize>,
+    /// The columns of the table; whether an input differs takes a look at all runs.
+    shown_columns: Vec<RunColumn>,
     /// Cursor in the table; 0 is the live run.
     pub cursor: usize,
     /// The filter: words and conditions.
@@ -78,6 +80,14 @@ impl Index<usize> for RunList {
 }
 
 impl RunList {
+    /// A list without runs, with the columns that every table has.
+    #[must_use]
+    pub fn empty() -> Self {
+        let mut list = Self::default();
+        list.arrange();
+        list
+    }
+
     /// All runs, the oldest first.
     #[must_use]
     pub fn all(&self) -> &[RunEntry] {
@@ -208,6 +218,7 @@ impl RunList {
         let filter = RunFilter::new(self.filter.input.value());
         let passing = (0..self.entries.len()).filter(|at| filter.passes(self, &self.entries[*at]));
         self.rows = passing.collect();
+        self.shown_columns = self.columns_to_show();
         if let Some((column, down)) = self.sort {
             self.order(column, down);
         }
@@ -275,7 +286,12 @@ impl RunList {
 
     /// The columns of the table: inputs that differ among its rows, then results, then the rest.
     #[must_use]
-    pub fn shown_columns(&self) -> Vec<RunColumn> {
+    pub fn shown_columns(&self) -> &[RunColumn] {
+        &self.shown_columns
+    }
+
+    /// The columns, looked for in all rows.
+    fn columns_to_show(&self) -> Vec<RunColumn> {
         let inputs = (0..self.columns.inputs.len()).map(RunColumn::Input);
         let differ = inputs.filter(|column| self.differs(*column));
         let results = (0..self.columns.results.len()).map(RunColumn::Result);
@@ -305,6 +321,7 @@ impl RunList {
         let sorted = self.sort.take();
         let named = sorted.and_then(|(column, down)| Some((self.name_of(column)?, down)));
         self.columns = columns;
+        self.shown_columns = self.columns_to_show();
         self.sort = named.and_then(|(name, down)| Some((self.column_of(&name)?, down)));
     }
 

@@ -138,7 +138,7 @@ fn title(desk: &Desk) -> String {
 fn sorting_scrolls_to_its_column() {
     let mut desk = with_runs();
     desk.keys("3");
-    let columns = desk.state.line().unwrap().runs.shown_columns();
+    let columns = desk.state.line().unwrap().runs.shown_columns().to_vec();
     for column in columns {
         desk.keys("o");
         let sort = desk.state.line().unwrap().runs.sort;
