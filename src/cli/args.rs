@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand};
 
 use super::study_args::{CompareArgs, EffectsArgs, VaryArgs};
+use super::system_args::{OffsetsArgs, SeekArgs, SystemsArgs, WatchArgs};
 use crate::case::Method;
 use crate::kinds::FileType;
 use crate::report::chart::Glyphs;
@@ -175,6 +176,20 @@ pub(super) enum StudyArgs {
     /// Effects are drag, added mass, bending, damping, elasticity, bed friction, current, waves, motion of the ends, rotation of the payload,
     /// inertia and the mesh, as far as the case has them.
     Physics(EffectsArgs),
+    /// Solve random systems of lines at rest, nearly singular ones among them: each solved exactly, or refused with a reason.
+    ///
+    /// The exit status is 1 if one is solved with a residual above rounding.
+    Systems(SystemsArgs),
+    /// Push a body of a system of lines aside: restoring force and tensions against its offset.
+    Offsets(OffsetsArgs),
+    /// Watch circle of a body of a system under a steady load from all sides, with all lines and with each lost in turn.
+    ///
+    /// The body keeps its height and its angles. The exit status is 1 where the intact lines do not hold the load.
+    WatchCircle(WatchArgs),
+    /// Find the input of a system with which a result is as wanted: a length for a tension, a radius for a clearance.
+    ///
+    /// The exit status is 1, with the reason, where no value between the bounds gives it.
+    Seek(SeekArgs),
 }
 
 // The arguments that commands share; doc comments here would replace the help of the commands.
@@ -294,6 +309,10 @@ pub(super) struct ModesArgs {
     /// Replace the file if it exists.
     #[arg(long, requires = "output")]
     pub(super) force: bool,
+
+    /// Print one JSON object; for a system of lines only.
+    #[arg(long, conflicts_with = "ascii")]
+    pub(super) json: bool,
 
     /// Draw with ASCII characters only.
     #[arg(long)]

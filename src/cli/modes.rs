@@ -7,8 +7,11 @@ use super::{
     args::ModesArgs,
     cases,
     output::{self, FileFormat, OutputFile},
+    system_args::SystemArgs,
+    system_study,
 };
 use crate::{
+    kinds::FileType,
     modes,
     report::{chart, modes as views},
     visible,
@@ -19,6 +22,14 @@ const WIDTH: usize = 108;
 const HEIGHT: usize = 22;
 
 pub(super) fn modes(args: &ModesArgs) -> Result<ExitCode, CommandError> {
+    if FileType::of(&args.case.file) == FileType::System {
+        return system_study::modes(&SystemArgs {
+            file: args.case.file.clone(),
+            set: args.case.set.clone(),
+            ascii: args.ascii,
+            json: args.json,
+        });
+    }
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
     let loaded = cases::load(&args.case.file)?;

@@ -8,9 +8,9 @@ use super::{
     cases::{self, NamedCase},
     effects,
     output::{self, FileFormat, OutputFile},
-    physics, progress,
+    physics, progress, random_systems,
     signals::StopFlag,
-    vary,
+    system_study, vary,
 };
 use crate::case::Case;
 use crate::report::chart::draw;
@@ -39,6 +39,10 @@ pub(super) fn study(args: &StudyArgs) -> Result<ExitCode, CommandError> {
         StudyArgs::Vary(args) => vary::vary(args),
         StudyArgs::Effects(args) => effects::effects(args),
         StudyArgs::Physics(args) => physics::physics(args),
+        StudyArgs::Systems(args) => random_systems::systems(args),
+        StudyArgs::Offsets(args) => system_study::offsets(args),
+        StudyArgs::WatchCircle(args) => system_study::watch(args),
+        StudyArgs::Seek(args) => system_study::goal(args),
     }
 }
 

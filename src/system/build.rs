@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use nalgebra::{Matrix6, Rotation3, Vector6};
 
 use super::model::{BodyInputs, BodyKind, LineInputs, PointInputs, PointKind, SystemFile};
-use super::network::{Body, FreePoint, Held, Line, Network, Point, reversed};
+use super::network::{Body, FreePoint, Held, Line, Network, Point, WEIGHTLESS, reversed, weighted};
 use super::pose::Pose;
 use crate::case::Material;
 use crate::numerics::{M3, V3};
@@ -145,6 +145,7 @@ impl Builder<'_> {
                 clump_n: clump * self.network.gravity,
             })
             .collect();
+        let sections = weighted(sections, WEIGHTLESS);
         let friction = line
             .friction
             .or(self.file.seabed.as_ref().map(|bed| bed.friction));

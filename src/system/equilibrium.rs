@@ -4,7 +4,7 @@
 //! that is convex in the places of the line; with the line at rest it is convex in its ends. With the bodies held, a system has
 //! therefore one state of least energy (or a connected set of them, all with the same tensions), and a descent from any start
 //! finds it. Friction of the bed has no energy: it acts in a second search, from the result of the first. Free bodies turn, which is
-//! not convex: their equilibria are found from several starts ([`super::rest`]).
+//! not convex: the search ends at the equilibrium that it comes to first.
 //!
 //! A step goes along `K d = F`, with a share of the unit matrix added where K is not positive definite, no further than a
 //! bound that grows and shrinks with its success. Along d the energy falls as long as `F . d > 0`, by which the length of the step is found: no
@@ -57,6 +57,8 @@ pub enum SystemError {
 const MOST_STEPS: usize = 400;
 /// Forces out of balance that are rounding, by the greatest tension.
 const ROUNDING: f64 = 1e-13;
+/// Forces that are none, in a system that carries nothing \[N\].
+const NOTHING: f64 = 1e-100;
 /// Residual that is accepted where it no longer falls, by the greatest tension.
 const ACCEPTED: f64 = 1e-9;
 /// Units in the last place of the positions, times stiffness, that are accepted as well.
@@ -76,7 +78,12 @@ pub fn search(network: &Network, start: &Placement) -> Result<Equilibrium, Syste
         search.here = search.evaluate(&search.placement)?;
         search.run()?;
     }
-    Ok(search.finish())
+    let replaced = search.here.lines.iter().enumerate();
+    let mut errors = replaced.filter_map(|(line, at_rest)| Some((line, at_rest.replaced.clone()?)));
+    match errors.next() {
+        Some((line, error)) => Err(SystemError::Line(UnsolvedLine { line, error })),
+        None => Ok(search.finish()),
+    }
 }
 
 /// A search under way.
@@ -149,7 +156,7 @@ impl<'a> Search<'a> {
         for _ in 0..MOST_STEPS {
             let force = self.unbalanced(&self.here, &self.placement);
             let residual = self.size(&force);
-            if residual <= ROUNDING * self.here.tension || residual == 0.0 {
+            if residual <= ROUNDING * self.here.tension || residual <= NOTHING {
                 return Ok(());
             }
             idle = if residual < 0.5 * best { 0 } else { idle + 1 };

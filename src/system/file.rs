@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use super::check::check;
 use super::connected::Loose;
 use super::model::{SystemFile, SystemKeys};
-use super::solved::{Refusal, SolvedSystem, solve};
+use super::solved::{SolvedSystem, UnsolvedSystem, solve};
 use crate::case::fields::Schema;
 use crate::case::file_kind::{FileContent, FileKind};
 use crate::case::schema::schema_of;
@@ -68,7 +68,7 @@ fn sections(lister: &FieldLister<'_>) -> Vec<FieldRow> {
 }
 
 /// A refusal at the key that it is about.
-fn located(refusal: &Refusal, keys: &SystemKeys<'_>) -> Finding {
+fn located(refusal: &UnsolvedSystem, keys: &SystemKeys<'_>) -> Finding {
     let problem = refusal.problem.as_str();
     let remedy = refusal.remedy.as_str();
     // A copy stands where its original does.

@@ -1,9 +1,11 @@
 //! A line between two places: its forces on both ends and their stiffness.
 
 use crate::numerics::{M3, V3};
-use crate::statics::catenary::{CatenaryError, CatenaryLine, EndOffset, RigidBed, Solution};
+use crate::statics::catenary::{
+    CatenaryError, CatenaryLine, EndOffset, RigidBed, SectionProperties, Solution,
+};
 
-use super::network::{Line, Network};
+use super::network::{Line, Network, weighted};
 
 /// A line at rest between its ends.
 #[derive(Debug, Clone)]
@@ -24,6 +26,8 @@ pub struct LineAtRest {
     pub along: V3,
     /// What was left out, if anything.
     pub note: Option<LineNote>,
+    /// Why a line of one section with the same length, weight and stretch stands in its place, as only a search may do.
+    pub replaced: Option<CatenaryError>,
 }
 
 /// What was left out of a line.
@@ -107,17 +111,86 @@ pub fn solve(
         surface_above_a_m: afloat.then_some(-low.z),
     };
     let seed = before.filter(|before| before.from_b == from_b);
-    let solved = match seed.and_then(|before| before.solution.as_ref()) {
-        Some(near) => given.solve_from(near),
-        None => given.solve(),
+    let near = seed.and_then(|before| before.solution.as_ref());
+    let solve = |line: &CatenaryLine<'_>| match near {
+        Some(near) => line.solve_from(near),
+        None => line.solve(),
     };
+    let mut solved = solve(&given);
+    // Friction that depends on how the line was laid.
+    let unknown_friction = mu > 0.0 && matches!(solved, Err(CatenaryError::UnsupportedContact(_)));
+    let mu = if unknown_friction { 0.0 } else { mu };
+    if unknown_friction {
+        solved = solve(&smooth(given));
+    }
+    if let Err(CatenaryError::NotVerified { .. }) = solved {
+        solved = with_more_weight(&given);
+    }
     let solution = match solved {
         Ok(solution) => solution,
         Err(CatenaryError::ShapeUndetermined) => return Ok(slack()),
+        Err(error) if line.sections.len() > 1 => {
+            return replaced(&given, (low, high), from_b, error);
+        }
         Err(error) => return Err(error),
     };
-    let note = (rough && !lies && solution.on_bed_m > 0.0).then_some(LineNote::WithoutFriction);
+    let free_of_friction = unknown_friction || (rough && !lies && solution.on_bed_m > 0.0);
+    let note = free_of_friction.then_some(LineNote::WithoutFriction);
     Ok(placed(solution, (low, high), from_b, mu, note))
+}
+
+/// Weight by the others' of a weightless section where the line is slack: it bears as good as nothing there.
+const SLACK_WEIGHT: f64 = 1e-7;
+
+/// The line with more weight on its weightless sections: slack ones hang by their own weight, and the less they have of it, the
+/// fewer digits they leave.
+fn with_more_weight(line: &CatenaryLine<'_>) -> Result<Solution, CatenaryError> {
+    let sections = weighted(line.sections.to_vec(), SLACK_WEIGHT);
+    CatenaryLine {
+        sections: &sections,
+        ..*line
+    }
+    .solve()
+}
+
+/// The line on a bed without friction.
+fn smooth(line: CatenaryLine<'_>) -> CatenaryLine<'_> {
+    let bed = line.bed.map(|bed| RigidBed {
+        friction: 0.0,
+        ..bed
+    });
+    CatenaryLine { bed, ..line }
+}
+
+/// The line with one section in the place of several that have no solution.
+fn replaced(
+    line: &CatenaryLine<'_>,
+    ends: (&V3, &V3),
+    from_b: bool,
+    error: CatenaryError,
+) -> Result<LineAtRest, CatenaryError> {
+    let one = [equivalent(line.sections)];
+    let solved = smooth(CatenaryLine {
+        sections: &one,
+        ..*line
+    })
+    .solve();
+    let mut found = match solved {
+        Ok(solution) => placed(solution, ends, from_b, 0.0, None),
+        Err(CatenaryError::ShapeUndetermined) => slack(),
+        Err(error) => return Err(error),
+    };
+    found.replaced = Some(error);
+    Ok(found)
+}
+
+/// One section of the same length, weight and stretch: close enough to search on where the sections have no solution.
+fn equivalent(sections: &[SectionProperties]) -> SectionProperties {
+    let sum = |of: fn(&SectionProperties) -> f64| sections.iter().map(of).sum::<f64>();
+    let length = sum(|section| section.length_m);
+    let weight = sum(|section| section.length_m * section.weight_n_per_m + section.clump_n);
+    let stretch = sum(|section| section.length_m / section.ea_n);
+    SectionProperties::new(length, weight / length, length / stretch)
 }
 
 /// A weightless line longer than the distance between its ends.
@@ -131,6 +204,7 @@ fn slack() -> LineAtRest {
         origin: V3::zeros(),
         along: V3::x(),
         note: Some(LineNote::ShapeUndetermined),
+        replaced: None,
     }
 }
 
@@ -185,5 +259,6 @@ fn placed(
         origin: *low,
         along,
         note,
+        replaced: None,
     }
 }

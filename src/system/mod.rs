@@ -4,6 +4,7 @@
 //! [`catenary`](crate::statics::catenary), so that only free points and bodies are unknown ([`freedoms`]). Forces and exact
 //! stiffness are assembled in [`balance`](mod@balance); [`equilibrium`] finds where they balance, from a cold start.
 
+pub mod analysis;
 pub mod balance;
 pub mod bounds;
 pub mod build;

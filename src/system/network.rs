@@ -137,6 +137,27 @@ impl Line {
     }
 }
 
+/// Weight per length that a weightless section counts with beside others, by the weight of its line.
+pub const WEIGHTLESS: f64 = 1e-9;
+
+/// Sections of a line that are solved together: without weight a slack section has no shape, so that beside others it
+/// has at least this share of their weight per length.
+#[must_use]
+pub fn weighted(mut sections: Vec<SectionProperties>, share: f64) -> Vec<SectionProperties> {
+    let weights = sections
+        .iter()
+        .map(|section| section.weight_n_per_m.abs() + section.clump_n.abs() / section.length_m);
+    let least = share * weights.fold(0.0, f64::max);
+    if sections.len() > 1 {
+        for section in &mut sections {
+            if section.weight_n_per_m.abs() < least {
+                section.weight_n_per_m = least;
+            }
+        }
+    }
+    sections
+}
+
 /// Sections in the other order: bodies between them stay where they are.
 #[must_use]
 pub fn reversed(sections: &[SectionProperties]) -> Vec<SectionProperties> {

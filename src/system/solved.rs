@@ -39,7 +39,7 @@ pub enum Stability {
 
 /// Why a system has no answer.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Refusal {
+pub struct UnsolvedSystem {
     /// What is wrong.
     pub problem: String,
     /// What would be right.
@@ -56,8 +56,8 @@ const NEUTRAL: f64 = 1e-11;
 /// Works out a system that the checks passed.
 ///
 /// # Errors
-/// [`Refusal`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
-pub fn solve(file: SystemFile) -> Result<SolvedSystem, Refusal> {
+/// [`UnsolvedSystem`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
+pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
     let network = build(&file);
     let rest = rest(&network)?;
     let stability = stability(&network, &rest);
@@ -78,7 +78,7 @@ pub fn solve(file: SystemFile) -> Result<SolvedSystem, Refusal> {
 ///
 /// # Errors
 /// As [`solve`].
-pub fn rest(network: &Network) -> Result<Equilibrium, Refusal> {
+pub fn rest(network: &Network) -> Result<Equilibrium, UnsolvedSystem> {
     if let Some(part) = loose(network) {
         return Err(not_held(network, part));
     }
@@ -96,9 +96,9 @@ fn part_name(network: &Network, part: Loose) -> String {
     }
 }
 
-fn not_held(network: &Network, part: Loose) -> Refusal {
+fn not_held(network: &Network, part: Loose) -> UnsolvedSystem {
     let name = part_name(network, part);
-    Refusal {
+    UnsolvedSystem {
         problem: format!(
             "nothing holds \"{name}\": no line joins it, directly or over others, to anything fixed"
         ),
@@ -108,11 +108,11 @@ fn not_held(network: &Network, part: Loose) -> Refusal {
     }
 }
 
-fn refused(network: &Network, error: &SystemError) -> Refusal {
+fn refused(network: &Network, error: &SystemError) -> UnsolvedSystem {
     match error {
         SystemError::Line(unsolved) => {
             let line = &network.lines[unsolved.line].name;
-            Refusal {
+            UnsolvedSystem {
                 problem: format!(
                     "line \"{line}\" has no equilibrium between its ends: {}",
                     unsolved.error
@@ -126,7 +126,7 @@ fn refused(network: &Network, error: &SystemError) -> Refusal {
             residual,
             at,
             steps,
-        } => Refusal {
+        } => UnsolvedSystem {
             problem: format!(
                 "the search for an equilibrium did not come to rest: after {steps} steps {residual:.3e} N are out of balance, most in {at}"
             ),
@@ -138,7 +138,7 @@ fn refused(network: &Network, error: &SystemError) -> Refusal {
 }
 
 /// A point at the surface whose buoyancy does not suffice to hold it down there.
-fn out_of_water(network: &Network, rest: &Equilibrium) -> Option<Refusal> {
+fn out_of_water(network: &Network, rest: &Equilibrium) -> Option<UnsolvedSystem> {
     for (index, point) in network.points.iter().enumerate() {
         let (Held::Free(free), Some(first)) = (&point.held, rest.freedoms.points[index]) else {
             continue;
@@ -147,7 +147,7 @@ fn out_of_water(network: &Network, rest: &Equilibrium) -> Option<Refusal> {
         if rest.contacts[first + 2] == Contact::Surface
             && pushed > free.buoyancy + 1e-9 * rest.balance.tension
         {
-            return Some(Refusal {
+            return Some(UnsolvedSystem {
                 problem: format!(
                     "\"{}\" would be pulled out of the water by {:.6} N more than its buoyancy",
                     point.name,

@@ -1,5 +1,6 @@
 //! A system of lines in views: plan, side and oblique view, tables of lines, points and bodies, text report, JSON.
 
+pub mod analysis;
 pub mod json;
 pub mod tables;
 pub mod views;
@@ -9,6 +10,7 @@ use crate::reference::ValidationRow;
 use crate::report::chart::Glyphs;
 use crate::report::text::{self, Page, inputs};
 use crate::system::SolvedSystem;
+use crate::system::analysis::periods::periods;
 
 /// Lines of a view.
 const LINES: usize = 20;
@@ -40,6 +42,12 @@ pub fn report(
         for body in 0..solved.network.bodies.len() {
             page.table(&tables::stiffness(solved, body));
         }
+    }
+    page.table(&analysis::clearances(solved));
+    match periods(&solved.network, &solved.rest) {
+        Ok(modes) if modes.is_empty() => {}
+        Ok(modes) => page.table(&analysis::periods(solved, &modes)),
+        Err(why) => page.paragraph(&format!("No natural periods: {why}.")),
     }
     if !rows.is_empty() {
         page.heading("Published values");

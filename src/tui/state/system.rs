@@ -5,8 +5,9 @@ use super::parameter_editor::ParameterEditor;
 use crate::case::{Diagnostic, kind};
 use crate::reference::{self, ValidationRow};
 use crate::report::chart::{Chart, Glyphs};
-use crate::report::system::{self as views, tables};
+use crate::report::system::{self as views, analysis, tables};
 use crate::report::table::Table;
+use crate::system::analysis::periods::periods;
 use crate::system::{SolvedSystem, SystemFile, validation};
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::pane::PaneId;
@@ -31,6 +32,18 @@ impl SystemView {
     }
 }
 
+impl SystemView {
+    fn periods(&self) -> Table {
+        match periods(&self.solved.network, &self.solved.rest) {
+            Ok(modes) if modes.is_empty() => Table::titled(
+                "No body of the system has a mass; add `mass_kg` and `inertia_kg_m2`.",
+            ),
+            Ok(modes) => analysis::periods(&self.solved, &modes),
+            Err(why) => Table::titled(format!("No natural periods: {why}.")),
+        }
+    }
+}
+
 impl DocumentKind for SystemView {
     fn info(&self) -> KindInfo<'_> {
         KindInfo {
@@ -39,7 +52,16 @@ impl DocumentKind for SystemView {
             source: &self.solved.file.about.source,
             panes: &[PaneId::Inputs, PaneId::Tables, PaneId::Validation],
             first: PaneId::Tables,
-            tabs: &["Plan", "Side", "3-D", "Points", "Bodies", "Stiffness"],
+            tabs: &[
+                "Plan",
+                "Side",
+                "3-D",
+                "Points",
+                "Bodies",
+                "Stiffness",
+                "Clearances",
+                "Periods",
+            ],
         }
     }
 
@@ -51,6 +73,8 @@ impl DocumentKind for SystemView {
             2 => (Some(views::views::oblique(solved)), tables::lines(solved)),
             3 => (None, tables::points(solved)),
             4 => (None, tables::bodies(solved)),
+            6 => (None, analysis::clearances(solved)),
+            7 => (None, self.periods()),
             _ => {
                 let first = !solved.network.bodies.is_empty();
                 let none = || Table::titled("The system has no body.");

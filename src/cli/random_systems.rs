@@ -1,0 +1,113 @@
+//! `seacable study systems`: random systems of lines, each solved or refused.
+
+use std::process::ExitCode;
+
+use super::{BAD_RESULT, CommandError, output, system_args::SystemsArgs};
+use crate::report::table::{NumberFormat, Table};
+use crate::study::random_systems::{KINDS, RandomOutcome, RandomRest, run};
+
+/// What came of a kind.
+struct KindTally {
+    name: &'static str,
+    solved: Vec<RandomRest>,
+    refused: Vec<String>,
+    longest_s: f64,
+}
+
+pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
+    let outcomes = run(args.count, args.seed);
+    let tallies: Vec<KindTally> = (0..KINDS.len())
+        .map(|kind| tally(kind, &outcomes))
+        .collect();
+    let count = |many: usize| many as f64;
+    let worst = |kind: &KindTally| {
+        kind.solved
+            .iter()
+            .map(|rest| rest.residual)
+            .fold(0.0, f64::max)
+    };
+    let table = Table::of("Random systems at rest", &tallies)
+        .text("kind", |kind| kind.name)
+        .number("solved", NumberFormat::Digits(6, ""), |kind| {
+            count(kind.solved.len())
+        })
+        .number("refused", NumberFormat::Digits(6, ""), |kind| {
+            count(kind.refused.len())
+        })
+        .number("inexact", NumberFormat::Digits(6, ""), |kind| {
+            count(inexact(kind))
+        })
+        .number("greatest residual", NumberFormat::Digits(2, ""), worst)
+        .number("steps, greatest", NumberFormat::Digits(6, ""), |kind| {
+            count(kind.solved.iter().map(|rest| rest.steps).max().unwrap_or(0))
+        })
+        .number("longest", NumberFormat::Digits(3, "s"), |kind| {
+            kind.longest_s
+        })
+        .build();
+    let mut text = table.to_text(110);
+    text.push_str("\nReasons:\n");
+    for (reason, many) in reasons(&tallies) {
+        text.push_str(&format!("{many:6}  {reason}\n"));
+    }
+    if args.list {
+        for (index, outcome) in outcomes.iter().enumerate() {
+            if let Err(reason) = &outcome.result {
+                text.push_str(&format!("{index}: {}: {reason}\n", KINDS[outcome.kind]));
+            }
+        }
+    }
+    output::results(&text, args.ascii)?;
+    Ok(if tallies.iter().any(|kind| inexact(kind) > 0) {
+        ExitCode::from(BAD_RESULT)
+    } else {
+        ExitCode::SUCCESS
+    })
+}
+
+fn inexact(kind: &KindTally) -> usize {
+    kind.solved.iter().filter(|rest| !rest.is_exact()).count()
+}
+
+fn tally(kind: usize, outcomes: &[RandomOutcome]) -> KindTally {
+    let mut tally = KindTally {
+        name: KINDS[kind],
+        solved: Vec::new(),
+        refused: Vec::new(),
+        longest_s: 0.0,
+    };
+    for outcome in outcomes.iter().filter(|outcome| outcome.kind == kind) {
+        tally.longest_s = tally.longest_s.max(outcome.time.as_secs_f64());
+        match &outcome.result {
+            Ok(rest) => tally.solved.push(*rest),
+            Err(reason) => tally.refused.push(reason.clone()),
+        }
+    }
+    tally
+}
+
+/// Reasons without their numbers and names, and how often each is given, the most frequent first.
+fn reasons(tallies: &[KindTally]) -> Vec<(String, usize)> {
+    let mut found: Vec<(String, usize)> = Vec::new();
+    for reason in tallies.iter().flat_map(|kind| &kind.refused) {
+        let plain = without_numbers(reason);
+        match found.iter_mut().find(|(known, _)| *known == plain) {
+            Some((_, many)) => *many += 1,
+            None => found.push((plain, 1)),
+        }
+    }
+    found.sort_by_key(|(_, many)| std::cmp::Reverse(*many));
+    found
+}
+
+fn without_numbers(reason: &str) -> String {
+    let words = reason.split(' ').map(|word| {
+        let named = word.starts_with('"');
+        if named || word.chars().any(|c| c.is_ascii_digit()) {
+            "#"
+        } else {
+            word
+        }
+    });
+    words.collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,247 @@
+//! Analyses of a system in tables and charts: offsets, watch circle, natural periods, clearances.
+
+use crate::report::chart::{Axis, Chart, Outline, Series};
+use crate::report::table::{NumberFormat, Table};
+use crate::system::SolvedSystem;
+use crate::system::analysis::clearance::{between_lines, curves, from_bed_and_surface};
+use crate::system::analysis::offset::OffsetPoint;
+use crate::system::analysis::periods::BodyMode;
+use crate::system::analysis::watch_circle::WatchCircle;
+
+const NEWTONS: NumberFormat = NumberFormat::Si("N");
+const METRES: NumberFormat = NumberFormat::Decimals(3, "m");
+const SECONDS: NumberFormat = NumberFormat::Digits(5, "s");
+
+/// Name of a line with its number.
+fn line_name(solved: &SolvedSystem, index: usize) -> String {
+    let line = solved.network.lines.get(index);
+    format!(
+        "{} {}",
+        index + 1,
+        line.map_or("", |line| line.name.as_str())
+    )
+}
+
+/// A point of a curve with its distance from the start.
+fn distance(point: &OffsetPoint) -> f64 {
+    point.offset_m[0].hypot(point.offset_m[1])
+}
+
+/// Force and tensions against the offset.
+#[must_use]
+pub fn offsets(solved: &SolvedSystem, heading_deg: f64, points: &[OffsetPoint]) -> Table {
+    let heading = heading_deg.to_radians();
+    let towards = |p: &OffsetPoint| -(p.force_n.x * heading.cos() + p.force_n.y * heading.sin());
+    let title = format!("Offset along {heading_deg} deg, height and angles held");
+    Table::of(title, points)
+        .number("offset", METRES, distance)
+        .number("restoring force", NEWTONS, towards)
+        .number("down", NEWTONS, |p| -p.force_n.z)
+        .number("greatest tension", NEWTONS, |p| p.greatest.1)
+        .text("in line", |p| line_name(solved, p.greatest.0))
+        .number("of breaking load", NumberFormat::Percent, |p| {
+            p.weakest.map(|(_, share)| share)
+        })
+        .number("anchor uplift", NEWTONS, |p| {
+            p.uplift.map_or(0.0, |(_, z)| z)
+        })
+        .build()
+}
+
+/// Restoring force against the offset.
+#[must_use]
+pub fn offset_chart(heading_deg: f64, points: &[OffsetPoint]) -> Chart {
+    let heading = heading_deg.to_radians();
+    let towards = |p: &OffsetPoint| -(p.force_n.x * heading.cos() + p.force_n.y * heading.sin());
+    let force: Outline = points.iter().map(|p| (distance(p), towards(p))).collect();
+    let tension: Outline = points.iter().map(|p| (distance(p), p.greatest.1)).collect();
+    let (x, y) = (Axis::new("offset", "m"), Axis::new("force", "N"));
+    let series = vec![
+        Series::new("restoring force", 0, force),
+        Series::new("greatest tension", 1, tension),
+    ];
+    Chart::new("Offset", x, y, series)
+}
+
+/// A heading of a watch circle: intact, and with the line lost by which the body goes furthest and that which loads another most.
+struct HeadingRow<'a> {
+    heading: f64,
+    intact: Option<&'a OffsetPoint>,
+    furthest: Option<(usize, &'a OffsetPoint)>,
+    hardest: Option<(usize, &'a OffsetPoint)>,
+    unheld: Option<usize>,
+}
+
+fn heading_rows(circle: &WatchCircle) -> Vec<HeadingRow<'_>> {
+    let row = |(k, heading): (usize, &f64)| {
+        let lost = circle
+            .damaged
+            .iter()
+            .filter_map(|(line, points)| Some((*line, points[k].as_ref().ok()?)));
+        let furthest = lost
+            .clone()
+            .max_by(|a, b| a.1.distance_m().total_cmp(&b.1.distance_m()));
+        let hardest = lost.max_by(|a, b| a.1.greatest.1.total_cmp(&b.1.greatest.1));
+        let unheld = circle.damaged.iter().find(|(_, points)| points[k].is_err());
+        HeadingRow {
+            heading: heading.to_degrees(),
+            intact: circle.intact[k].as_ref().ok(),
+            furthest,
+            hardest,
+            unheld: unheld.map(|(line, _)| *line),
+        }
+    };
+    circle.headings.iter().enumerate().map(row).collect()
+}
+
+/// The watch circle: offset and greatest tension at each heading, with all lines and with the worst line lost.
+#[must_use]
+pub fn watch_circle(solved: &SolvedSystem, circle: &WatchCircle) -> Table {
+    let rows = heading_rows(circle);
+    let name = |line: usize| line_name(solved, line);
+    let title = format!(
+        "Watch circle under a steady load of {}, height and angles held",
+        NEWTONS.write(circle.load_n)
+    );
+    let mut table = Table::of(title, &rows)
+        .number("load towards", NumberFormat::Decimals(0, "deg"), |row| {
+            row.heading
+        })
+        .number("offset", METRES, |row| {
+            row.intact.map(OffsetPoint::distance_m)
+        })
+        .number("greatest tension", NEWTONS, |row| {
+            row.intact.map(|p| p.greatest.1)
+        })
+        .text("in", |row| {
+            row.intact.map_or_else(String::new, |p| name(p.greatest.0))
+        })
+        .number("offset, line lost", METRES, |row| {
+            row.furthest.map(|(_, p)| p.distance_m())
+        })
+        .text("lost", |row| {
+            row.furthest
+                .map_or_else(String::new, |(line, _)| name(line))
+        })
+        .number("tension, line lost", NEWTONS, |row| {
+            row.hardest.map(|(_, p)| p.greatest.1)
+        })
+        .text("governing", |row| {
+            row.hardest.map_or_else(String::new, |(lost, p)| {
+                format!("{} without {}", name(p.greatest.0), name(lost))
+            })
+        })
+        .build();
+    let unheld = rows
+        .iter()
+        .filter_map(|row| Some((row.heading, row.unheld?)));
+    table.notes.extend(unheld.map(|(heading, line)| {
+        format!(
+            "Towards {heading:.0} deg the load is not held without line {}.",
+            name(line)
+        )
+    }));
+    for (k, point) in circle.intact.iter().enumerate() {
+        if let Err(why) = point {
+            table.notes.push(format!(
+                "Towards {:.0} deg: {why}.",
+                circle.headings[k].to_degrees()
+            ));
+        }
+    }
+    table
+}
+
+/// The places of the body, seen from above.
+#[must_use]
+pub fn watch_chart(solved: &SolvedSystem, circle: &WatchCircle) -> Chart {
+    let path = |points: &[Result<OffsetPoint, String>]| -> Outline {
+        let place = |point: &Result<OffsetPoint, String>| {
+            let found = point.as_ref().ok();
+            found.map_or((f64::NAN, f64::NAN), |p| (p.offset_m[0], p.offset_m[1]))
+        };
+        points.iter().chain(points.first()).map(place).collect()
+    };
+    let mut series = vec![Series::new("all lines", 0, path(&circle.intact))];
+    for (line, points) in &circle.damaged {
+        let mut lost = Series::new(
+            &format!("without {}", line_name(solved, *line)),
+            line + 1,
+            path(points),
+        );
+        lost.dimmed = true;
+        series.push(lost);
+    }
+    Chart {
+        equal_scale: true,
+        legend: series.len() <= 7,
+        ..Chart::new(
+            "Places of the body",
+            Axis::new("x", "m"),
+            Axis::new("y", "m"),
+            series,
+        )
+    }
+}
+
+/// Natural periods.
+#[must_use]
+pub fn periods(solved: &SolvedSystem, modes: &[BodyMode]) -> Table {
+    const NAMES: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
+    let finite = |mode: &BodyMode| mode.period_s.filter(|period| period.is_finite());
+    let table = Table::of("Natural periods of the bodies on their lines", modes)
+        .number("period", SECONDS, finite)
+        .number("frequency", NumberFormat::Digits(5, "Hz"), |mode| {
+            finite(mode).map(f64::recip)
+        })
+        .text("mostly", |mode| {
+            format!(
+                "{} of {}",
+                NAMES[mode.most.1], solved.network.bodies[mode.most.0].name
+            )
+        })
+        .text("", |mode| match mode.period_s {
+            None => "unstable",
+            Some(period) if period.is_infinite() => "nothing restores",
+            Some(_) => "",
+        });
+    table.build().noted(vec![
+        "Without damping, and without the inertia of the lines.".to_owned(),
+    ])
+}
+
+/// Distances of lines from one another, from bed and surface.
+#[must_use]
+pub fn clearances(solved: &SolvedSystem) -> Table {
+    let pairs = between_lines(&solved.network, &solved.rest);
+    let curves = curves(&solved.network, &solved.rest);
+    let nearest = |line: usize| {
+        let mut with = pairs
+            .iter()
+            .filter(|pair| pair.lines.0 == line || pair.lines.1 == line);
+        with.next().map(|pair| {
+            let other = if pair.lines.0 == line {
+                pair.lines.1
+            } else {
+                pair.lines.0
+            };
+            (pair.distance_m, other)
+        })
+    };
+    let numbers: Vec<usize> = (0..curves.len()).collect();
+    let apart = |k: &usize| from_bed_and_surface(&solved.network, &curves[*k]);
+    Table::of("Clearances", &numbers)
+        .text("line", |k| line_name(solved, *k))
+        .number("least distance", METRES, |k| {
+            nearest(*k).map(|(distance, _)| distance)
+        })
+        .text("from line", |k| {
+            nearest(*k).map_or_else(String::new, |(_, other)| line_name(solved, other))
+        })
+        .number("above the bed", METRES, |k| apart(k).0)
+        .number("below the surface", METRES, |k| apart(k).1)
+        .build()
+        .noted(vec![
+            "Between axes; lines that share a point are left out.".to_owned(),
+        ])
+}

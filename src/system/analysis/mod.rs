@@ -1,0 +1,8 @@
+//! What is asked of a system at rest beside its forces: offsets and watch circles of a body, natural periods, clearances, the
+//! input that gives a wanted result.
+
+pub mod clearance;
+pub mod offset;
+pub mod periods;
+pub mod seek;
+pub mod watch_circle;

@@ -1,0 +1,31 @@
+//! Systems of lines at rest: closed forms, stiffness against differences, invariance, random systems, refusals.
+
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
+mod analysis;
+mod closed_forms;
+mod random;
+mod refusals;
+mod stiffness;
+
+use seacable::case::kind;
+use seacable::system::{SolvedSystem, SystemFile};
+
+/// A system of a text, solved.
+fn solved(text: &str) -> SolvedSystem {
+    kind::parse::<SystemFile>(text, "system.toml").unwrap()
+}
+
+/// Tensions at both ends of a line by its name.
+fn tensions(system: &SolvedSystem, line: &str) -> [f64; 2] {
+    let index = system.network.line(line).unwrap();
+    system.rest.balance.lines[index].tensions()
+}
+
+/// The place of a point by its name.
+fn place(system: &SolvedSystem, point: &str) -> [f64; 3] {
+    let index = system.network.point(point).unwrap();
+    system.rest.placement.points[index].into()
+}
+
+const HEAD: &str = "[system]\ntitle = \"test\"\n";

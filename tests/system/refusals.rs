@@ -1,0 +1,156 @@
+//! Bad systems: each refused at its place, with the reason and a remedy.
+
+use seacable::case::kind;
+use seacable::system::SystemFile;
+
+const GOOD: &str = r#"[system]
+title = "test"
+
+[seabed]
+depth_m = 100.0
+
+[materials.chain]
+diameter_m = 0.1
+mass_kg_per_m = 200.0
+ea_n = 8e8
+
+[bodies.platform]
+kind = "held"
+
+[points.anchor]
+kind = "fixed"
+position_m = [-300.0, 0.0, -100.0]
+
+[points.fairlead]
+kind = "body"
+body = "platform"
+position_m = [-10.0, 0.0, -10.0]
+
+[points.middle]
+kind = "free"
+
+[[lines]]
+name = "low"
+from = "anchor"
+to = "middle"
+material = "chain"
+length_m = 200.0
+
+[[lines]]
+name = "high"
+from = "middle"
+to = "fairlead"
+material = "chain"
+length_m = 130.0
+"#;
+
+/// Line, key and words of the first finding of the file with one text in the place of another.
+fn refused(from: &str, to: &str, line: u32, words: &[&str]) {
+    assert!(GOOD.contains(from), "{from}");
+    let text = GOOD.replacen(from, to, 1);
+    let found = kind::parse::<SystemFile>(&text, "system.toml").unwrap_err();
+    let first = &found[0];
+    let said = format!("{first}");
+    assert_eq!(first.line, line, "{said}");
+    for word in words {
+        assert!(said.contains(word), "{said} lacks {word}");
+    }
+    assert!(!first.remedy.is_empty());
+}
+
+#[test]
+fn the_good_one_is_solved() {
+    assert!(kind::parse::<SystemFile>(GOOD, "system.toml").is_ok());
+}
+
+#[test]
+fn unknown_names_are_refused_with_the_nearest() {
+    refused(
+        "from = \"anchor\"",
+        "from = \"ancor\"",
+        29,
+        &[
+            "lines.low.from",
+            "there is no point named \"ancor\"",
+            "anchor",
+        ],
+    );
+    refused(
+        "material = \"chain\"",
+        "material = \"chian\"",
+        31,
+        &["there is no material", "chain"],
+    );
+    refused(
+        "body = \"platform\"",
+        "body = \"platfrom\"",
+        21,
+        &["there is no body", "platform"],
+    );
+}
+
+#[test]
+fn impossible_lines_are_refused() {
+    refused(
+        "to = \"middle\"",
+        "to = \"anchor\"",
+        30,
+        &["begins and ends at \"anchor\"", "another point"],
+    );
+    refused("length_m = 200.0", "length_m = 0.0", 32, &["out of range"]);
+    refused(
+        "length_m = 200.0\n",
+        "",
+        27,
+        &["length_m", "unstretched length"],
+    );
+}
+
+#[test]
+fn places_outside_the_water_are_refused() {
+    refused(
+        "-300.0, 0.0, -100.0",
+        "-300.0, 0.0, -101.5",
+        17,
+        &["1.5 m below the bed"],
+    );
+    refused(
+        "-300.0, 0.0, -100.0",
+        "-300.0, 0.0, 3.0",
+        17,
+        &["3 m above the water"],
+    );
+}
+
+#[test]
+fn what_nothing_holds_is_refused() {
+    refused(
+        "kind = \"held\"",
+        "kind = \"free\"",
+        12,
+        &["mass_kg", "a free body needs its mass"],
+    );
+    let loose = "[points.middle]\nkind = \"free\"\n\n[points.adrift]\nkind = \"free\"\n";
+    refused(
+        "[points.middle]\nkind = \"free\"\n",
+        loose,
+        27,
+        &["nothing holds \"adrift\"", "join it by a line"],
+    );
+}
+
+#[test]
+fn masses_and_matrices_must_fit() {
+    refused(
+        "position_m = [-300.0, 0.0, -100.0]",
+        "position_m = [-300.0, 0.0, -100.0]\nmass_kg = 5.0",
+        18,
+        &["no effect on a point that is held"],
+    );
+    refused(
+        "kind = \"held\"",
+        "kind = \"held\"\nadded_mass = [1.0, 2.0]",
+        14,
+        &["has 2 numbers", "36"],
+    );
+}

@@ -1,0 +1,134 @@
+//! The stiffness of a body against central differences of the forces on it, and invariance of systems.
+
+use nalgebra::{Matrix6, Vector6};
+use seacable::numerics::V3;
+use seacable::system::equilibrium::search;
+use seacable::system::network::{Held, Network};
+use seacable::system::pose::Pose;
+use seacable::system::start::start;
+use seacable::system::stiffness::of_body;
+
+use crate::solved;
+
+/// Force and moment of the lines on a body at a pose.
+fn load(network: &Network, body: usize, pose: Pose) -> Vector6<f64> {
+    let mut network = network.clone();
+    network.bodies[body].pose = pose;
+    let rest = search(&network, &start(&network)).unwrap();
+    let mut sum = Vector6::zeros();
+    for (line, at_rest) in network.lines.iter().zip(&rest.balance.lines) {
+        for (end, force) in [(line.from, at_rest.force_a), (line.to, at_rest.force_b)] {
+            if let Held::On(on, place) = &network.points[end].held
+                && *on == body
+            {
+                let moment = pose.arm(place).cross(&force);
+                for k in 0..3 {
+                    sum[k] += force[k];
+                    sum[k + 3] += moment[k];
+                }
+            }
+        }
+    }
+    sum
+}
+
+fn differences(network: &Network, body: usize) -> Matrix6<f64> {
+    let pose = network.bodies[body].pose;
+    let mut found = Matrix6::zeros();
+    for column in 0..6 {
+        let step = if column < 3 { 1e-3 } else { 1e-5 };
+        let side = |sign: f64| {
+            let mut motion = Vector6::<f64>::zeros();
+            motion[column] = sign * step;
+            let (du, dt) = (
+                V3::new(motion[0], motion[1], motion[2]),
+                V3::new(motion[3], motion[4], motion[5]),
+            );
+            load(network, body, pose.moved(&du, &dt))
+        };
+        found.set_column(column, &(-(side(1.0) - side(-1.0)) / (2.0 * step)));
+    }
+    found
+}
+
+#[test]
+fn stiffness_of_the_shipped_platforms_is_that_of_differences() {
+    for (text, friction) in [
+        (include_str!("../../cases/systems/oc3_spar.toml"), 0.001),
+        (include_str!("../../cases/systems/oc4_semi.toml"), 0.0),
+        (include_str!("../../cases/systems/oc4_semi.toml"), 0.6),
+        (include_str!("../../cases/systems/crows_foot.toml"), 0.0),
+        (include_str!("../../cases/systems/volturnus.toml"), 0.0),
+    ] {
+        let mut network = solved(text).network;
+        network
+            .lines
+            .iter_mut()
+            .for_each(|line| line.friction = friction);
+        // Away from symmetry, so that every entry counts.
+        network.bodies[0].pose = Pose::new(V3::new(6.0, -4.0, 0.5), 0.02, -0.03, 0.05);
+        let rest = search(&network, &start(&network)).unwrap();
+        let exact = of_body(&network, &rest, 0).unwrap();
+        let numeric = differences(&network, 0);
+        let block = |i: usize, j: usize| {
+            (exact.fixed_view::<3, 3>(i, j) - numeric.fixed_view::<3, 3>(i, j)).amax()
+                / exact.fixed_view::<3, 3>(i, j).amax()
+        };
+        for (i, j) in [(0, 0), (0, 3), (3, 0), (3, 3)] {
+            assert!(block(i, j) < 2e-6, "block {i}, {j}: {:.1e}", block(i, j));
+        }
+        if friction == 0.0 {
+            let force = exact.fixed_view::<3, 3>(0, 0);
+            assert!((force - force.transpose()).amax() < 1e-10 * force.amax());
+        }
+    }
+}
+
+/// Turned about the vertical and moved sideways, a system has the same tensions.
+#[test]
+fn turned_and_moved_systems_have_the_same_tensions() {
+    let network = solved(include_str!("../../cases/systems/crows_foot.toml")).network;
+    let here = search(&network, &start(&network)).unwrap();
+    let turn = nalgebra::Rotation3::from_axis_angle(&V3::z_axis(), 0.7);
+    let step = V3::new(1234.5, -987.6, 0.0);
+    let mut moved = network.clone();
+    for point in &mut moved.points {
+        if let Held::At(place) = &mut point.held {
+            *place = turn * *place + step;
+        }
+    }
+    for body in &mut moved.bodies {
+        body.pose = Pose {
+            origin: turn * body.pose.origin + step,
+            rotation: nalgebra::UnitQuaternion::from_rotation_matrix(&turn) * body.pose.rotation,
+        };
+    }
+    let there = search(&moved, &start(&moved)).unwrap();
+    for (a, b) in here.balance.lines.iter().zip(&there.balance.lines) {
+        let (a, b) = (a.tensions(), b.tensions());
+        assert!((a[0] / b[0] - 1.0).abs() < 1e-9 && (a[1] / b[1] - 1.0).abs() < 1e-9);
+    }
+}
+
+/// The order of the lines and which end is named first do not matter.
+#[test]
+fn the_order_of_lines_and_ends_does_not_matter() {
+    let network = solved(include_str!("../../cases/systems/crows_foot.toml")).network;
+    let here = search(&network, &start(&network)).unwrap();
+    let mut other = network.clone();
+    other.lines.reverse();
+    for line in &mut other.lines {
+        std::mem::swap(&mut line.from, &mut line.to);
+        std::mem::swap(&mut line.sections, &mut line.reversed);
+    }
+    let there = search(&other, &start(&other)).unwrap();
+    for (a, b) in here
+        .balance
+        .lines
+        .iter()
+        .zip(there.balance.lines.iter().rev())
+    {
+        let (a, b) = (a.tensions(), b.tensions());
+        assert!((a[0] / b[1] - 1.0).abs() < 1e-9 && (a[1] / b[0] - 1.0).abs() < 1e-9);
+    }
+}
