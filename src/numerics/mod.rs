@@ -2,6 +2,7 @@
 //!
 //! * [`BlockBand`]: block-banded systems of 3 x 3 blocks, eliminated from both ends in two [`lanes`].
 //! * [`Condensation`]: such a system condensed onto its first and last nodes.
+//! * [`envelope`]: Cholesky's factors of sparse matrices.
 //! * [`roots`], [`log_newton`], [`root_isolation`], [`golden_section`](mod@golden_section): roots and minima of one unknown.
 //! * [`interpolation`], [`spline`], [`piecewise`], [`quadrature`]: tables over an ascending grid.
 //! * [`statistics`], [`random`]: moments and extremes of records; reproducible random numbers.
@@ -11,6 +12,7 @@ pub mod block_band;
 mod both_ends;
 pub mod condensation;
 pub mod double_double;
+pub mod envelope;
 pub mod golden_section;
 pub mod hyperbolic;
 pub mod interpolation;

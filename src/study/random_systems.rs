@@ -82,7 +82,12 @@ pub fn run(count: usize, seed: u64) -> Vec<RandomOutcome> {
                     .all(|p| p.iter().all(|v| v.is_finite()))
                 && balance.tension.is_finite();
             RandomRest {
-                residual: rest.residual / balance.tension.max(f64::MIN_POSITIVE),
+                // A system that carries nothing has rounding of nothing.
+                residual: if rest.residual <= 1e-100 {
+                    0.0
+                } else {
+                    rest.residual / balance.tension.max(f64::MIN_POSITIVE)
+                },
                 by_rounding: rest.residual
                     / (8.0 * f64::EPSILON * size * stiffest).max(f64::MIN_POSITIVE),
                 steps: rest.steps,
@@ -210,6 +215,7 @@ impl Maker<'_> {
             masses: vec![[1.0, 1.0]; sections.len()],
             sections,
             friction,
+            discretised: None,
         });
     }
 

@@ -12,11 +12,10 @@
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 
 use super::freedoms::{Follower, Freedoms, Placement, follower};
-use super::line_at_rest::{Friction, LineAtRest, solve};
+use super::line_at_rest::{LineAtRest, LinePhysics, solve};
 use super::network::{Body, Held, Network};
 use super::pose::{Pose, cross};
 use crate::numerics::V3;
-use crate::statics::catenary::CatenaryError;
 
 /// Forces and stiffness of a system at a placement.
 #[derive(Debug, Clone)]
@@ -37,7 +36,7 @@ pub struct UnsolvedLine {
     /// Which line.
     pub line: usize,
     /// Why.
-    pub error: CatenaryError,
+    pub why: String,
 }
 
 /// The forces at a placement; `before` are lines near by.
@@ -48,7 +47,7 @@ pub fn balance(
     network: &Network,
     freedoms: &Freedoms,
     placement: &Placement,
-    friction: Friction,
+    physics: LinePhysics,
     before: Option<&[LineAtRest]>,
 ) -> Result<Balance, UnsolvedLine> {
     let n = freedoms.count;
@@ -62,8 +61,11 @@ pub fn balance(
         let ends = [line.from, line.to];
         let [a, b] = ends.map(|point| &placement.points[point]);
         let near = before.and_then(|lines| lines.get(index));
-        let at_rest = solve(network, line, (a, b), friction, near)
-            .map_err(|error| UnsolvedLine { line: index, error })?;
+        let solved = match &line.discretised {
+            Some(element) if physics == LinePhysics::Full => element.solve((a, b), near),
+            _ => solve(network, line, (a, b), physics, near).map_err(|error| error.to_string()),
+        };
+        let at_rest = solved.map_err(|why| UnsolvedLine { line: index, why })?;
         let followers = ends.map(|point| follower(network, freedoms, placement, point));
         out.line(&at_rest, &followers);
         out.tension = at_rest.tensions().into_iter().fold(out.tension, f64::max);

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Matrix6, Rotation3, Vector6};
 
+use super::discretised::DiscretisedLine;
 use super::model::{BodyInputs, BodyKind, LineInputs, PointInputs, PointKind, SystemFile};
 use super::network::{Body, FreePoint, Held, Line, Network, Point, WEIGHTLESS, reversed, weighted};
 use super::pose::Pose;
@@ -12,8 +13,10 @@ use crate::numerics::{M3, V3};
 use crate::statics::catenary::SectionProperties;
 
 /// The system that a file states, which the checks passed.
-#[must_use]
-pub fn build(file: &SystemFile) -> Network {
+///
+/// # Errors
+/// The name of a line that has no element, and why.
+pub fn build(file: &SystemFile) -> Result<Network, (String, String)> {
     let mut network = Network {
         gravity: file.environment.gravity_m_per_s2,
         density: file.environment.water_density_kg_per_m3,
@@ -30,7 +33,7 @@ pub fn build(file: &SystemFile) -> Network {
         numbers: BTreeMap::new(),
     };
     for line in &file.lines {
-        builder.repeated(line);
+        builder.repeated(line)?;
     }
     // Points without lines: loads and weights with nothing to hold them are refused, others say where something is.
     for (name, _) in file
@@ -40,7 +43,7 @@ pub fn build(file: &SystemFile) -> Network {
     {
         builder.point(name, 0.0, V3::zeros());
     }
-    builder.network
+    Ok(builder.network)
 }
 
 impl SystemFile {
@@ -62,7 +65,9 @@ struct Builder<'a> {
 
 impl Builder<'_> {
     /// A line with all its copies.
-    fn repeated(&mut self, line: &LineInputs) {
+    fn repeated(&mut self, line: &LineInputs) -> Result<(), (String, String)> {
+        let discretised = DiscretisedLine::of(self.file, line);
+        let discretised = discretised.map_err(|why| (line.name.clone(), why))?;
         let once = [0.0];
         let angles: &[f64] = match line.repeat_at_deg.is_empty() {
             true => &once,
@@ -74,8 +79,12 @@ impl Builder<'_> {
             let from = self.point(&line.from, angle, axis);
             let to = self.point(&line.to, angle, axis);
             let built = self.line(line, copy_name(&line.name, angle), from, to);
-            self.network.lines.push(built);
+            self.network.lines.push(Line {
+                discretised: discretised.clone(),
+                ..built
+            });
         }
+        Ok(())
     }
 
     /// The copy of a point at an angle; a point on the axis is its own copy.
@@ -162,6 +171,7 @@ impl Builder<'_> {
                 .map(|(m, ..)| [m.mass_kg_per_m, m.mass_kg_per_m + water(m)])
                 .collect(),
             friction: friction.unwrap_or(0.0),
+            discretised: None,
         }
     }
 

@@ -3,20 +3,21 @@
 //! A line that bears no compression, its weight, a flat bed below and a surface above have together a potential energy
 //! that is convex in the places of the line; with the line at rest it is convex in its ends. With the bodies held, a system has
 //! therefore one state of least energy (or a connected set of them, all with the same tensions), and a descent from any start
-//! finds it. Friction of the bed has no energy: it acts in a second search, from the result of the first. Free bodies turn, which is
+//! finds it. Friction of the bed and current have no energy: they act in a second search, from the result of the first, as does bending. Free bodies turn, which is
 //! not convex: the search ends at the equilibrium that it comes to first.
 //!
 //! A step goes along `K d = F`, with a share of the unit matrix added where K is not positive definite, no further than a
 //! bound that grows and shrinks with its success. Along d the energy falls as long as `F . d > 0`, by which the length of the step is found: no
 //! energy is computed, whose rounding would hide the last digits.
 
-use nalgebra::{Cholesky, DMatrix, DVector};
+use nalgebra::DVector;
 
 use super::balance::{Balance, UnsolvedLine, balance};
 use super::bounds::{Bounds, Contact};
 use super::freedoms::{Freedoms, Placement, UnknownBodies};
-use super::line_at_rest::Friction;
-use super::network::Network;
+use super::line_at_rest::LinePhysics;
+use super::network::{Held, Network};
+use crate::numerics::envelope::{EnvelopeCholesky, from_neighbour_to_neighbour};
 
 /// A system at rest.
 #[derive(Debug, Clone)]
@@ -71,17 +72,21 @@ const LAST_PLACES: f64 = 8.0;
 pub fn search(network: &Network, start: &Placement) -> Result<Equilibrium, SystemError> {
     let freedoms = Freedoms::of(network, UnknownBodies::Free);
     let rough = network.lines.iter().any(|line| line.friction > 0.0) && network.bed_z.is_some();
-    let mut search = Search::begin(network, freedoms, start.clone(), Friction::Ignored)?;
+    let discretised = network.lines.iter().any(|line| line.discretised.is_some());
+    let mut search = Search::begin(network, freedoms, start.clone(), LinePhysics::Plain)?;
     search.run()?;
-    if rough {
-        search.friction = Friction::Acting;
+    if rough || discretised {
+        search.physics = LinePhysics::Full;
         search.here = search.evaluate(&search.placement)?;
         search.run()?;
     }
     let replaced = search.here.lines.iter().enumerate();
     let mut errors = replaced.filter_map(|(line, at_rest)| Some((line, at_rest.replaced.clone()?)));
     match errors.next() {
-        Some((line, error)) => Err(SystemError::Line(UnsolvedLine { line, error })),
+        Some((line, error)) => Err(SystemError::Line(UnsolvedLine {
+            line,
+            why: error.to_string(),
+        })),
         None => Ok(search.finish()),
     }
 }
@@ -93,7 +98,9 @@ struct Search<'a> {
     bounds: Bounds,
     /// Size of the bodies by unknown: turns count by the way they move a fairlead \[m\].
     lever: DVector<f64>,
-    friction: Friction,
+    /// In which they are eliminated.
+    order: Vec<usize>,
+    physics: LinePhysics,
     placement: Placement,
     here: Balance,
     /// Greatest step \[m\].
@@ -114,19 +121,20 @@ impl<'a> Search<'a> {
         network: &'a Network,
         freedoms: Freedoms,
         mut placement: Placement,
-        friction: Friction,
+        physics: LinePhysics,
     ) -> Result<Self, SystemError> {
         let bounds = Bounds::of(network, &freedoms);
         placement.carry(network);
         bounds.keep(network, &freedoms, &mut placement);
         let here =
-            balance(network, &freedoms, &placement, friction, None).map_err(SystemError::Line)?;
+            balance(network, &freedoms, &placement, physics, None).map_err(SystemError::Line)?;
         let longest = network.lines.iter().map(super::network::Line::length);
         Ok(Self {
             network,
             lever: levers(network, &freedoms),
+            order: elimination_order(network, &freedoms),
             bounds,
-            friction,
+            physics,
             placement,
             here,
             reach: 0.3 * longest.fold(1e-3, f64::max),
@@ -143,7 +151,7 @@ impl<'a> Search<'a> {
             network,
             freedoms,
             placement,
-            self.friction,
+            self.physics,
             Some(&self.here.lines),
         )
         .map_err(SystemError::Line)
@@ -192,7 +200,14 @@ impl<'a> Search<'a> {
         let stiffest = self.here.stiffness.diagonal().component_div(&self.lever);
         let stiffest = stiffest.component_div(&self.lever).amax();
         let rounding = LAST_PLACES * f64::EPSILON * size * stiffest;
-        (ACCEPTED * self.here.tension).max(rounding)
+        // Discretised lines balance no better than their own nodes do.
+        let own = self
+            .here
+            .lines
+            .iter()
+            .filter_map(|line| line.discretised.as_ref());
+        let own: f64 = own.map(|line| line.found.residual_n).sum();
+        (ACCEPTED * self.here.tension).max(rounding).max(2.0 * own)
     }
 
     fn size(&self, force: &DVector<f64>) -> f64 {
@@ -247,12 +262,14 @@ impl<'a> Search<'a> {
             .component_div(&self.lever)
             .amax()
             .max(1e-9 * self.here.tension);
+        // Friction, and moments out of balance, make it oblique; rounding does not count.
+        let oblique = (&stiffness - &symmetric).amax() > 1e-9 * symmetric.amax();
         let mut added = 0.0;
         for _ in 0..40 {
-            let with = shifted(&symmetric, &self.lever, added);
-            if let Some(factors) = Cholesky::new(with) {
+            let diagonal = self.lever.component_mul(&self.lever) * added;
+            if let Some(factors) = EnvelopeCholesky::new(&symmetric, &diagonal, &self.order) {
                 let plain = factors.solve(force);
-                let newton = (added == 0.0 && stiffness != symmetric)
+                let newton = (added == 0.0 && oblique)
                     .then(|| stiffness.clone().lu().solve(force))
                     .flatten();
                 let downhill =
@@ -380,13 +397,30 @@ fn next_share((low, at_low): (f64, f64), (high, at_high): (f64, f64)) -> f64 {
     }
 }
 
-/// The stiffness with a share of the unit matrix added, turns by their levers.
-fn shifted(stiffness: &DMatrix<f64>, lever: &DVector<f64>, added: f64) -> DMatrix<f64> {
-    let mut shifted = stiffness.clone();
-    for (k, lever) in lever.iter().enumerate() {
-        shifted[(k, k)] += added * lever * lever;
+/// The unknowns in the order in which they are eliminated: along the lines.
+fn elimination_order(network: &Network, freedoms: &Freedoms) -> Vec<usize> {
+    let points = network.points.len();
+    let part = |point: usize| match &network.points[point].held {
+        Held::At(_) => None,
+        Held::On(body, _) => Some(points + body),
+        Held::Free(_) => Some(point),
+    };
+    let mut neighbours = vec![Vec::new(); points + network.bodies.len()];
+    for line in &network.lines {
+        if let (Some(a), Some(b)) = (part(line.from), part(line.to)) {
+            neighbours[a].push(b);
+            neighbours[b].push(a);
+        }
     }
-    shifted
+    let parts = from_neighbour_to_neighbour(&neighbours);
+    let unknowns = parts.into_iter().flat_map(|part| {
+        let (first, size) = match part.checked_sub(points) {
+            None => (freedoms.points[part], 3),
+            Some(body) => (freedoms.bodies[body], 6),
+        };
+        first.map_or(0..0, |first| first..first + size)
+    });
+    unknowns.collect()
 }
 
 /// 1 for steps; for turns the greatest arm of a point on the body \[m\].
@@ -395,7 +429,7 @@ fn levers(network: &Network, freedoms: &Freedoms) -> DVector<f64> {
     for (index, first) in freedoms.bodies.iter().enumerate() {
         let Some(first) = first else { continue };
         let arms = network.points.iter().filter_map(|point| match &point.held {
-            super::network::Held::On(body, at) if *body == index => Some(at.norm()),
+            Held::On(body, at) if *body == index => Some(at.norm()),
             _ => None,
         });
         let arm = arms.fold(0.0, f64::max);

@@ -38,6 +38,7 @@ impl FileKind for SystemFile {
         let mut rows = lister.always("system");
         rows.extend(lister.always("environment"));
         rows.extend(lister.if_given(&["seabed"], "seabed"));
+        rows.extend(lister.if_given(&["current"], "current"));
         rows.extend(lister.named("lines", "line"));
         rows.extend(sections(lister));
         rows.extend(lister.named("points", "point"));

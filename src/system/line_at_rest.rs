@@ -5,6 +5,7 @@ use crate::statics::catenary::{
     CatenaryError, CatenaryLine, EndOffset, RigidBed, SectionProperties, Solution,
 };
 
+use super::discretised::DiscretisedRest;
 use super::network::{Line, Network, weighted};
 
 /// A line at rest between its ends.
@@ -28,6 +29,8 @@ pub struct LineAtRest {
     pub note: Option<LineNote>,
     /// Why a line of one section with the same length, weight and stretch stands in its place, as only a search may do.
     pub replaced: Option<CatenaryError>,
+    /// The line in segments, where it has no closed form.
+    pub discretised: Option<Box<DiscretisedRest>>,
 }
 
 /// What was left out of a line.
@@ -49,12 +52,34 @@ impl LineAtRest {
     /// Unstretched length on the bed, or against the surface \[m\].
     #[must_use]
     pub fn on_bed(&self) -> f64 {
-        self.solution.as_ref().map_or(0.0, |line| line.on_bed_m)
+        match &self.discretised {
+            Some(line) => line.found.on_bed_m,
+            None => self.solution.as_ref().map_or(0.0, |line| line.on_bed_m),
+        }
+    }
+
+    /// Error of the forces on its ends \[N\]: by rounding, or by the mesh of a discretised line.
+    #[must_use]
+    pub fn error(&self) -> Option<f64> {
+        let greatest = self.tensions().into_iter().fold(0.0, f64::max);
+        match &self.discretised {
+            Some(line) => {
+                let [a, b] = line.mesh_error()?;
+                Some(a.max(b) + line.found.residual_n)
+            }
+            None => {
+                let own = self.solution.as_ref().map_or(0.0, |line| line.residual);
+                Some((own + f64::EPSILON) * greatest)
+            }
+        }
     }
 
     /// A place of the line \[m\] and the tension there \[N\], at a share of its unstretched length from A.
     #[must_use]
     pub fn at(&self, share: f64, ends: [&V3; 2]) -> (V3, f64) {
+        if let Some(line) = &self.discretised {
+            return line.at(share);
+        }
         let Some(line) = &self.solution else {
             return (ends[0].lerp(ends[1], share), 0.0);
         };
@@ -65,13 +90,13 @@ impl LineAtRest {
     }
 }
 
-/// Whether the friction of the bed counts.
+/// Which part of the physics of the lines counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Friction {
-    /// It is left out, as in the first search.
-    Ignored,
-    /// It counts.
-    Acting,
+pub enum LinePhysics {
+    /// Weight and stretch, as in the first search.
+    Plain,
+    /// Friction of the bed, current and bending as well.
+    Full,
 }
 
 /// How close to the bed an end is that lies on it, by the line's length.
@@ -85,7 +110,7 @@ pub fn solve(
     network: &Network,
     line: &Line,
     (a, b): (&V3, &V3),
-    friction: Friction,
+    physics: LinePhysics,
     before: Option<&LineAtRest>,
 ) -> Result<LineAtRest, CatenaryError> {
     let from_b = b.z < a.z;
@@ -93,7 +118,7 @@ pub fn solve(
     let length = line.length();
     let bed = network.bed_z.map(|z| low.z - z);
     let lies = bed.is_some_and(|below| below.abs() <= ON_BED * (length + low.z.abs()));
-    let rough = friction == Friction::Acting && line.friction > 0.0;
+    let rough = physics == LinePhysics::Full && line.friction > 0.0;
     let mu = if rough && lies { line.friction } else { 0.0 };
     let afloat = network.density > 0.0 && line.is_buoyant() && high.z <= 0.0;
     let given = CatenaryLine {
@@ -205,6 +230,7 @@ fn slack() -> LineAtRest {
         along: V3::x(),
         note: Some(LineNote::ShapeUndetermined),
         replaced: None,
+        discretised: None,
     }
 }
 
@@ -260,5 +286,6 @@ fn placed(
         along,
         note,
         replaced: None,
+        discretised: None,
     }
 }

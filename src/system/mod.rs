@@ -1,7 +1,8 @@
 //! Systems of lines at rest: points, bodies and the lines between them.
 //!
 //! A [`SystemFile`] says in the user's words what a [`Network`](network::Network) holds in SI. Lines are the closed forms of
-//! [`catenary`](crate::statics::catenary), so that only free points and bodies are unknown ([`freedoms`]). Forces and exact
+//! [`catenary`](crate::statics::catenary), so that only free points and bodies are unknown ([`freedoms`]); in a current, or with
+//! bending stiffness, they are [`discretised`]. Forces and exact
 //! stiffness are assembled in [`balance`](mod@balance); [`equilibrium`] finds where they balance, from a cold start.
 
 pub mod analysis;
@@ -10,6 +11,7 @@ pub mod bounds;
 pub mod build;
 mod check;
 pub mod connected;
+pub mod discretised;
 pub mod equilibrium;
 mod file;
 pub mod freedoms;

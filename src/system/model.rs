@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::case::fields::ValueType::Name;
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
-use crate::case::{Environment, Mark, Material};
+use crate::case::{Current, Environment, Mark, Material};
 use crate::reference::PublishedNumber;
 
 const FIXED_OR_BODY: Conditions = &[("kind", &["fixed", "body"])];
@@ -21,6 +21,8 @@ table! {
         about: SystemInfo as "system";
         /// Water and gravity.
         environment: Environment, optional;
+        /// A current on the lines; points and bodies feel it by their steady loads only.
+        current: Option<Current>;
         /// The level sea bed; absent means that none is in reach.
         seabed: Option<SystemBed>;
         /// What the lines are made of, by name.
@@ -160,6 +162,8 @@ table! {
         repeat_at_deg: Vec<f64>, "repeats", range of(-360.0, 360.0), absent "once";
         /// The axis of the copies: x and y. Points on a body turn about the z axis of their body.
         repeat_about_m: [f64; 2] = [0.0, 0.0], "axis of repeats", range of(-1e6, 1e6);
+        /// Segments of the line where it has no closed form: in a current, or with bending stiffness.
+        segments: Option<usize>, "segments", range of(2.0, 1e4), absent "100";
         /// Friction under this line in the place of the bed's.
         friction: Option<f64>, "friction", range of(0.0, 10.0), absent "that of the bed";
     }

@@ -1,13 +1,16 @@
 //! A system in SI: points, bodies, lines and what surrounds them.
 
+use std::sync::Arc;
+
 use nalgebra::Matrix6;
 
+use super::discretised::DiscretisedLine;
 use super::pose::Pose;
 use crate::numerics::{M3, V3};
 use crate::statics::catenary::SectionProperties;
 
 /// A system of lines at rest, in SI.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default)]
 pub struct Network {
     /// Gravity \[m/s²\].
     pub gravity: f64,
@@ -102,7 +105,7 @@ pub struct Body {
 }
 
 /// A line between two points.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default)]
 pub struct Line {
     /// Its name.
     pub name: String,
@@ -120,6 +123,8 @@ pub struct Line {
     pub masses: Vec<[f64; 2]>,
     /// Axial friction under the line \[-\].
     pub friction: f64,
+    /// The line divided into segments, where it has no closed form.
+    pub discretised: Option<Arc<DiscretisedLine>>,
 }
 
 impl Line {

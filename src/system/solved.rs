@@ -6,6 +6,7 @@ use super::bounds::Contact;
 use super::build::build;
 use super::connected::{Loose, loose};
 use super::equilibrium::{Equilibrium, SystemError, search};
+use super::line_at_rest::LineAtRest;
 use super::model::SystemFile;
 use super::network::{Held, Network};
 use super::start::start;
@@ -22,8 +23,21 @@ pub struct SolvedSystem {
     pub rest: Equilibrium,
     /// How it rests.
     pub stability: Stability,
+    /// Error of the end forces of each line \[N\]: by rounding, or by the mesh; nothing where it is not known.
+    pub line_errors: Vec<Option<f64>>,
     /// Stiffness of the lines on each body about its origin \[N/m, N, N m\].
     pub stiffness: Vec<Matrix6<f64>>,
+}
+
+impl SolvedSystem {
+    /// Whether any of its lines is divided into segments.
+    #[must_use]
+    pub fn is_discretised(&self) -> bool {
+        self.network
+            .lines
+            .iter()
+            .any(|line| line.discretised.is_some())
+    }
 }
 
 /// How a system rests.
@@ -58,14 +72,21 @@ const NEUTRAL: f64 = 1e-11;
 /// # Errors
 /// [`UnsolvedSystem`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
 pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
-    let network = build(&file);
+    let network = build(&file).map_err(|(line, why)| UnsolvedSystem {
+        problem: format!("line \"{line}\" cannot be divided into segments: {why}"),
+        remedy: "check its materials and its sections".to_owned(),
+        line: Some(line),
+        part: None,
+    })?;
     let rest = rest(&network)?;
     let stability = stability(&network, &rest);
     let bodies = 0..network.bodies.len();
     let stiffness = bodies.map(|body| of_body(&network, &rest, body));
     let stiffness: Result<Vec<_>, _> = stiffness.collect();
     let stiffness = stiffness.map_err(|error| refused(&network, &SystemError::Line(error)))?;
+    let errors = rest.balance.lines.iter().map(LineAtRest::error);
     Ok(SolvedSystem {
+        line_errors: errors.collect(),
         file,
         stability,
         stiffness,
@@ -115,7 +136,7 @@ fn refused(network: &Network, error: &SystemError) -> UnsolvedSystem {
             UnsolvedSystem {
                 problem: format!(
                     "line \"{line}\" has no equilibrium between its ends: {}",
-                    unsolved.error
+                    unsolved.why
                 ),
                 remedy: "check its length and the places of its ends".to_owned(),
                 line: Some(line.clone()),

@@ -6,7 +6,7 @@ use super::balance::{UnsolvedLine, balance, body_loads};
 use super::bounds::Contact;
 use super::equilibrium::Equilibrium;
 use super::freedoms::{Freedoms, UnknownBodies};
-use super::line_at_rest::Friction;
+use super::line_at_rest::LinePhysics;
 use super::network::Network;
 
 /// Stiffness of the lines on a body about its origin: minus the change of their force and moment as the body moves and turns,
@@ -21,7 +21,13 @@ pub fn of_body(
 ) -> Result<Matrix6<f64>, UnsolvedLine> {
     let freedoms = Freedoms::of(network, UnknownBodies::All);
     let (placement, lines) = (&rest.placement, &rest.balance.lines);
-    let all = balance(network, &freedoms, placement, Friction::Acting, Some(lines))?;
+    let all = balance(
+        network,
+        &freedoms,
+        placement,
+        LinePhysics::Full,
+        Some(lines),
+    )?;
     let first = freedoms.bodies[body].unwrap_or(0);
     let mut own: Vec<usize> = (first..first + 6).collect();
     let others = relaxed(network, rest, &freedoms, body);

@@ -10,8 +10,9 @@ pub fn rows(solved: &SolvedSystem) -> Vec<ValidationRow> {
     let printed = solved.file.published.iter();
     printed
         .map(|printed| {
-            // Closed forms are exact to rounding.
-            let found = value(solved, &printed.quantity).map(|value| (value, Some(0.0)));
+            // Closed forms are exact to rounding; the mesh error of derived results is not estimated.
+            let error = (!solved.is_discretised()).then_some(0.0);
+            let found = value(solved, &printed.quantity).map(|value| (value, error));
             printed.held(unit(&printed.quantity), found)
         })
         .collect()

@@ -4,6 +4,7 @@
 
 mod analysis;
 mod closed_forms;
+mod discretised;
 mod random;
 mod refusals;
 mod stiffness;

@@ -21,6 +21,7 @@ pub fn object(solved: &SolvedSystem) -> Value {
     let rest = &solved.rest;
     json!({
         "kind": "system",
+        "lines_are": if solved.is_discretised() { "discretised" } else { "closed forms" },
         "title": solved.file.about.title,
         "version": env!("CARGO_PKG_VERSION"),
         "stability": stability(&solved.stability),
@@ -47,8 +48,6 @@ fn line(solved: &SolvedSystem, index: usize) -> Value {
     let network = &solved.network;
     let (line, at_rest) = (&network.lines[index], &solved.rest.balance.lines[index]);
     let [a, b] = at_rest.tensions();
-    // The closed form is put back into its equations; what is left out of balance at free ends comes on top.
-    let own = at_rest.solution.as_ref().map_or(0.0, |line| line.residual) * a.max(b);
     json!({
         "name": line.name,
         "from": network.points[line.from].name,
@@ -60,7 +59,7 @@ fn line(solved: &SolvedSystem, index: usize) -> Value {
         "force_b_n": three(&at_rest.force_b),
         "on_bed_m": at_rest.on_bed(),
         "share_of_breaking_load": greatest_share(solved, index),
-        "error_n": own + solved.rest.residual + f64::EPSILON * a.max(b),
+        "error_n": solved.line_errors[index].map(|own| own + solved.rest.residual),
     })
 }
 

@@ -21,10 +21,15 @@ pub fn summary(solved: &SolvedSystem) -> String {
     let (network, rest) = (&solved.network, &solved.rest);
     let share = rest.residual / rest.balance.tension.max(f64::MIN_POSITIVE);
     format!(
-        "{} lines, {} points, {} bodies at rest in still water: exact elastic catenaries. {} Forces out of balance {}, {share:.1e} of the greatest tension; {} steps, {} evaluations of all lines.",
+        "{} lines, {} points, {} bodies at rest: {}. {} Forces out of balance {}, {share:.1e} of the greatest tension; {} steps, {} evaluations of all lines.",
         network.lines.len(),
         network.points.len(),
         network.bodies.len(),
+        if solved.is_discretised() {
+            "lines in a current or with bending stiffness are divided into segments, others exact catenaries"
+        } else {
+            "exact elastic catenaries in still water"
+        },
         stability(&solved.stability),
         NEWTONS.write(rest.residual),
         rest.steps,
@@ -59,6 +64,12 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
                 line.name
             )),
             None => {}
+        }
+        if line.discretised.is_some() && line.friction > 0.0 && at_rest.on_bed() > 0.0 {
+            found.push(format!(
+                "Line {} is divided into segments and lies on the bed without friction.",
+                line.name
+            ));
         }
         for (share, _) in shares(solved, line)
             .iter()
@@ -140,7 +151,8 @@ pub fn lines(solved: &SolvedSystem) -> Table {
         .number("angle", DEGREES, |k| elevation(&at_rest(k).force_a))
         .number("tension at to", NEWTONS, |k| at_rest(k).tensions()[1])
         .number("angle", DEGREES, |k| elevation(&at_rest(k).force_b))
-        .number("on the bed", METRES, |k| at_rest(k).on_bed());
+        .number("on the bed", METRES, |k| at_rest(k).on_bed())
+        .number("error", NEWTONS, |k| solved.line_errors[*k]);
     let has_breaks = numbers.iter().any(|k| greatest_share(solved, *k).is_some());
     let table = if has_breaks {
         table.number("of breaking load", NumberFormat::Percent, |k| {

@@ -9,7 +9,7 @@ use super::super::balance::balance;
 use super::super::bounds::Contact;
 use super::super::equilibrium::Equilibrium;
 use super::super::freedoms::{Freedoms, UnknownBodies};
-use super::super::line_at_rest::Friction;
+use super::super::line_at_rest::LinePhysics;
 use super::super::network::{Body, Network};
 use super::super::pose::{Pose, cross};
 use super::super::stiffness::take;
@@ -34,8 +34,8 @@ pub fn periods(network: &Network, rest: &Equilibrium) -> Result<Vec<BodyMode>, S
     let all = Freedoms::of(network, UnknownBodies::All);
     let placement = &rest.placement;
     let lines = Some(rest.balance.lines.as_slice());
-    let balance = balance(network, &all, placement, Friction::Acting, lines)
-        .map_err(|unsolved| unsolved.error.to_string())?;
+    let balance = balance(network, &all, placement, LinePhysics::Full, lines)
+        .map_err(|unsolved| unsolved.why)?;
     let own: Vec<usize> = massive
         .iter()
         .filter_map(|body| all.bodies[*body])

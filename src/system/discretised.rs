@@ -1,0 +1,181 @@
+//! Lines that have no closed form: in a current, or with bending stiffness. They take part as discretised lines once the closed forms have
+//! found where everything is.
+
+use std::sync::Arc;
+
+use super::line_at_rest::LineAtRest;
+use super::model::{LineInputs, LineSection, SystemFile};
+use crate::case::{Case, Clump, End, Ends, Method, Seabed, Section};
+use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium, mesh_error};
+use crate::numerics::V3;
+
+/// Segments of a line that does not say how many.
+const SEGMENTS: f64 = 100.0;
+/// The fewest of a section.
+const FEWEST: usize = 8;
+
+/// A line as the element that is solved between its ends, and the case that states it.
+#[derive(Debug, Clone)]
+pub struct DiscretisedLine {
+    element: LineBetweenEnds,
+    case: Case,
+    /// Unstretched arc lengths of the nodes from A over the whole length, 0 to 1.
+    shares: Vec<f64>,
+}
+
+/// A discretised line at rest: its element, to be solved again from here, and its nodes.
+#[derive(Debug, Clone)]
+pub struct DiscretisedRest {
+    element: LineBetweenEnds,
+    /// Forces, nodes, tensions.
+    pub found: LineEquilibrium,
+    shares: Arc<DiscretisedLine>,
+}
+
+impl DiscretisedLine {
+    /// The element of a line, where it needs one: its file has a current, or a material of it bends.
+    ///
+    /// # Errors
+    /// What the element says of the line.
+    pub fn of(file: &SystemFile, line: &LineInputs) -> Result<Option<Arc<Self>>, String> {
+        let sections = sections(line);
+        let bends = |section: &LineSection| file.materials[&section.material].ei_n_m2 > 0.0;
+        if file.current.is_none() && !sections.iter().any(bends) {
+            return Ok(None);
+        }
+        let case = case(file, line, &sections);
+        let element = LineBetweenEnds::new(&case).map_err(|error| error.to_string())?;
+        let shares = shares(&case);
+        Ok(Some(Arc::new(Self {
+            element,
+            case,
+            shares,
+        })))
+    }
+
+    /// The line at rest between two places, from the solution before if there is one.
+    ///
+    /// # Errors
+    /// Why it has no equilibrium.
+    pub fn solve(
+        self: &Arc<Self>,
+        (a, b): (&V3, &V3),
+        before: Option<&LineAtRest>,
+    ) -> Result<LineAtRest, String> {
+        let near = before.and_then(|before| before.discretised.as_ref());
+        let mut element = near.map_or_else(|| self.element.clone(), |near| near.element.clone());
+        let found = element.solve(*a, *b).map_err(|error| error.to_string())?;
+        Ok(LineAtRest {
+            force_a: found.force_a_n,
+            force_b: found.force_b_n,
+            by_ends: found.stiffness_n_per_m,
+            solution: None,
+            from_b: false,
+            origin: *a,
+            along: V3::x(),
+            note: None,
+            replaced: None,
+            discretised: Some(Box::new(DiscretisedRest {
+                element,
+                found,
+                shares: Arc::clone(self),
+            })),
+        })
+    }
+}
+
+impl DiscretisedRest {
+    /// A place of the line \[m\] and the tension there \[N\], at a share of its unstretched length from A.
+    #[must_use]
+    pub fn at(&self, share: f64) -> (V3, f64) {
+        let shares = &self.shares.shares;
+        let next = shares
+            .partition_point(|s| *s < share)
+            .clamp(1, shares.len() - 1);
+        let (from, to) = (shares[next - 1], shares[next]);
+        let part = ((share - from) / (to - from)).clamp(0.0, 1.0);
+        let (place, tension) = (&self.found.position_m, &self.found.tension_n);
+        (
+            place[next - 1].lerp(&place[next], part),
+            tension[next - 1] + part * (tension[next] - tension[next - 1]),
+        )
+    }
+
+    /// Error of the end forces by the mesh \[N\], ends A and B; nothing where the finer mesh has no equilibrium.
+    #[must_use]
+    pub fn mesh_error(&self) -> Option<[f64; 2]> {
+        mesh_error(&self.shares.case, &self.found).ok()
+    }
+}
+
+/// The sections of a line, also of one that is of one material.
+fn sections(line: &LineInputs) -> Vec<LineSection> {
+    if let (Some(material), Some(length_m)) = (&line.material, line.length_m) {
+        return vec![LineSection {
+            material: material.clone(),
+            length_m,
+            clump_kg: 0.0,
+        }];
+    }
+    line.sections.clone()
+}
+
+/// The case of one line between held ends. On a bed it lies without friction.
+fn case(file: &SystemFile, line: &LineInputs, sections: &[LineSection]) -> Case {
+    let ends = Ends {
+        a: End::fixed("a", [0.0; 3]),
+        b: End::fixed("b", [1.0, 0.0, 0.0]),
+    };
+    let mut case = Case::new(&line.name, ends);
+    case.environment = file.environment.clone();
+    case.current.clone_from(&file.current);
+    case.seabed = file.seabed.as_ref().map(|bed| Seabed::level(bed.depth_m));
+    case.solver.method = Method::Static;
+    let whole: f64 = sections.iter().map(|section| section.length_m).sum();
+    for (k, section) in sections.iter().enumerate() {
+        let name = format!("section{}", k + 1);
+        let material = file.materials[&section.material].clone();
+        case.materials.insert(section.material.clone(), material);
+        let wanted = line.segments.map_or(SEGMENTS, |segments| segments as f64);
+        let count = (wanted * section.length_m / whole)
+            .round()
+            .max(FEWEST as f64);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a count of segments, bounded by the file"
+        )]
+        let count = count as usize;
+        case.line.push(Section::new(
+            &name,
+            &section.material,
+            section.length_m,
+            count,
+        ));
+        if section.clump_kg != 0.0 {
+            case.clumps.push(Clump {
+                name: format!("clump{}", k + 1),
+                section: name,
+                at_m: section.length_m,
+                mass_kg: section.clump_kg.abs(),
+                wet_mass_kg: section.clump_kg,
+                ..Clump::default()
+            });
+        }
+    }
+    case
+}
+
+fn shares(case: &Case) -> Vec<f64> {
+    let whole: f64 = case.line.iter().map(|section| section.length_m).sum();
+    let mut shares = vec![0.0];
+    let mut before = 0.0;
+    for section in &case.line {
+        for k in 1..=section.segments {
+            let arc = before + section.length_m * k as f64 / section.segments as f64;
+            shares.push(arc / whole);
+        }
+        before += section.length_m;
+    }
+    shares
+}
