@@ -1,4 +1,5 @@
 //! What systems of lines at rest cost: `cargo bench --bench systems`. Least of many repeats.
+#![expect(clippy::print_stdout, reason = "a bench prints its table")]
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -136,15 +137,16 @@ fn web(lines: usize, free: usize) -> Network {
         let distance = (places[k + 1] - places[k]).norm();
         join(&mut network, k, k + 1, 1.03 * distance);
     }
-    for k in 1..=lines.saturating_sub(free + 1) {
+    let anchored = lines.saturating_sub(free + 1);
+    for (k, place) in places.iter().enumerate().skip(1).take(anchored) {
         let side = if k % 2 == 0 { 150.0 } else { -150.0 };
-        let anchor = V3::new(places[k].x, side, -200.0);
+        let anchor = V3::new(place.x, side, -200.0);
         network.points.push(Point {
             name: format!("a{k}"),
             held: Held::At(anchor),
         });
         let at = network.points.len() - 1;
-        join(&mut network, at, k, 1.05 * (anchor - places[k]).norm());
+        join(&mut network, at, k, 1.05 * (anchor - place).norm());
     }
     network
 }

@@ -19,6 +19,7 @@
 //! * [`equations`]: the equations of all of these, with links to the functions that hold them.
 //! * [`modes`]: natural frequencies and mode shapes about the static shape.
 //! * [`run`]: a case computed: history, shapes, summary with errors, cost; jobs on threads; the store.
+//! * [`system`]: systems of lines at rest: points, bodies, lines.
 //! * [`section`]: the cross-section designer: from units, layers and armour to the material of a line.
 //! * [`ship`]: a ship at single-point mooring: loads, equilibria, motion.
 //! * [`ropeway`]: a ropeway between a platform and a ship.

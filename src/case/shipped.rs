@@ -101,9 +101,11 @@ pub const ROPEWAYS: &[Shipped] = &[
 
 /// The systems of lines that come with the program, in the order of their paths.
 pub const SYSTEMS: &[Shipped] = &[
+    shipped!("systems/bridle_and_buoy.toml"),
     shipped!("systems/crows_foot.toml"),
     shipped!("systems/oc3_spar.toml"),
     shipped!("systems/oc4_semi.toml"),
+    shipped!("systems/semi_taut.toml"),
     shipped!("systems/shared_line.toml"),
     shipped!("systems/three_chains.toml"),
     shipped!("systems/volturnus.toml"),

@@ -1,8 +1,10 @@
 //! A system at rest in tables: lines, points, bodies and their stiffness; what is to be noted.
 
+use crate::case::WaterSurface;
 use crate::numerics::V3;
 use crate::report::table::{Align, Cell, Column, NumberFormat, Table};
 use crate::system::SolvedSystem;
+use crate::system::analysis::clearance::curves;
 use crate::system::bounds::Contact;
 use crate::system::line_at_rest::LineNote;
 use crate::system::network::Held;
@@ -83,6 +85,27 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
         }
     }
     found.extend(afloat(solved));
+    found.extend(above_water(solved));
+    found
+}
+
+/// Lines that rise out of the water, where they count as under water.
+fn above_water(solved: &SolvedSystem) -> Vec<String> {
+    let crossed = solved.file.environment.water_surface == WaterSurface::Crossed;
+    if solved.network.density <= 0.0 {
+        return Vec::new();
+    }
+    let curves = curves(&solved.network, &solved.rest);
+    let mut found = Vec::new();
+    for (line, curve) in solved.network.lines.iter().zip(&curves) {
+        let high = curve.iter().map(|place| place.z).fold(f64::MIN, f64::max);
+        if high > 0.05 && !(crossed && line.discretised.is_some()) {
+            found.push(format!(
+                "Line {} rises {high:.1} m above the water and counts as under water there.",
+                line.name
+            ));
+        }
+    }
     found
 }
 
@@ -164,6 +187,24 @@ pub fn lines(solved: &SolvedSystem) -> Table {
     table.build().noted(vec![
         "Angles of the pull of a line on its end above the horizontal.".to_owned(),
     ])
+}
+
+/// The lines beside a view on a narrow screen: tensions, length on the bed, share of breaking load.
+#[must_use]
+pub fn lines_beside(solved: &SolvedSystem) -> Table {
+    let network = &solved.network;
+    let numbers: Vec<Numbered> = (0..network.lines.len()).collect();
+    let at_rest = |k: &Numbered| &solved.rest.balance.lines[*k];
+    Table::of("Lines at rest", &numbers)
+        .text("line", |k| format!("{} {}", k + 1, network.lines[*k].name))
+        .number("at from", NEWTONS, |k| at_rest(k).tensions()[0])
+        .number("at to", NEWTONS, |k| at_rest(k).tensions()[1])
+        .number("on bed", METRES, |k| at_rest(k).on_bed())
+        .number("of break", NumberFormat::Percent, |k| {
+            greatest_share(solved, *k)
+        })
+        .number("error", NEWTONS, |k| solved.line_errors[*k])
+        .build()
 }
 
 /// The points: what holds them, where they are, and the force that holds or bears them.

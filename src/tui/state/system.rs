@@ -56,6 +56,7 @@ impl DocumentKind for SystemView {
                 "Plan",
                 "Side",
                 "3-D",
+                "Lines",
                 "Points",
                 "Bodies",
                 "Stiffness",
@@ -68,13 +69,23 @@ impl DocumentKind for SystemView {
     fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
         let solved = &self.solved;
         match tab {
-            0 => (Some(views::views::plan(solved)), tables::lines(solved)),
-            1 => (Some(views::views::side(solved)), tables::lines(solved)),
-            2 => (Some(views::views::oblique(solved)), tables::lines(solved)),
-            3 => (None, tables::points(solved)),
-            4 => (None, tables::bodies(solved)),
-            6 => (None, analysis::clearances(solved)),
-            7 => (None, self.periods()),
+            0 => (
+                Some(views::views::plan(solved)),
+                tables::lines_beside(solved),
+            ),
+            1 => (
+                Some(views::views::side(solved)),
+                tables::lines_beside(solved),
+            ),
+            2 => (
+                Some(views::views::oblique(solved)),
+                tables::lines_beside(solved),
+            ),
+            3 => (None, tables::lines(solved)),
+            4 => (None, tables::points(solved)),
+            5 => (None, tables::bodies(solved)),
+            7 => (None, analysis::clearances(solved)),
+            8 => (None, self.periods()),
             _ => {
                 let first = !solved.network.bodies.is_empty();
                 let none = || Table::titled("The system has no body.");
