@@ -214,6 +214,12 @@ pub const MODEL: &[Command] = &[
     command(CommandOrder::Rare, CommandId::Copy, &["y"], "copy", "Copy the table [materials.<name>] to the clipboard of your terminal, and write it to a file"),
 ];
 
+/// Of a file that has a report and nothing for a line case.
+#[rustfmt::skip]
+pub const REPORTED: &[Command] = &[
+    command(CommandOrder::Rare, CommandId::Write, &["w"], "write", "Write the report to a text file; from the validation pane: its table"),
+];
+
 /// Of every open file.
 #[rustfmt::skip]
 pub const DOCUMENT: &[Command] = &[

@@ -33,4 +33,6 @@ pub enum PaneId {
     Ropeway,
     /// A ship from above, with its headings.
     Ship,
+    /// A system of lines drawn.
+    System,
 }

@@ -13,6 +13,7 @@ pub mod results;
 mod ropeway;
 mod runs;
 mod ship;
+mod system;
 mod tables;
 mod trials;
 mod validation;
@@ -85,6 +86,7 @@ pub fn pane(id: PaneId) -> &'static dyn Pane {
         PaneId::Drawing => &drawing::DrawingPane,
         PaneId::Ropeway => &ropeway::RopewayPane,
         PaneId::Ship => &ship::ShipPane,
+        PaneId::System => &system::SystemPane,
     }
 }
 

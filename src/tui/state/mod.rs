@@ -29,6 +29,7 @@ pub use ropeway::RopewayView;
 pub use run_list::{RunColumn, RunList};
 pub use section::SectionView;
 pub use ship::ShipView;
+pub use system::SystemView;
 pub use variants::{Variant, VariantPlan, VariedRuns};
 
 use super::pane::PaneId;

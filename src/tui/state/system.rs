@@ -9,6 +9,7 @@ use crate::report::system::{self as views, analysis, tables};
 use crate::report::table::Table;
 use crate::system::analysis::periods::periods;
 use crate::system::{SolvedSystem, SystemFile, validation};
+use crate::tui::command::{Command, REPORTED};
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::pane::PaneId;
 
@@ -19,6 +20,8 @@ pub struct SystemView {
     pub solved: SolvedSystem,
     /// The validation table.
     pub checks: Vec<ValidationRow>,
+    /// The view shown: from above, from the side, obliquely.
+    pub view: usize,
 }
 
 impl SystemView {
@@ -28,7 +31,16 @@ impl SystemView {
         Self {
             solved,
             checks: Vec::new(),
+            view: 0,
         }
+    }
+
+    /// How many views there are.
+    pub const VIEWS: usize = 3;
+
+    /// Shows the view so many further on.
+    pub fn turn(&mut self, by: usize) {
+        self.view = (self.view + by) % Self::VIEWS;
     }
 }
 
@@ -50,12 +62,14 @@ impl DocumentKind for SystemView {
             name: "system of lines",
             title: &self.solved.file.about.title,
             source: &self.solved.file.about.source,
-            panes: &[PaneId::Inputs, PaneId::Tables, PaneId::Validation],
-            first: PaneId::Tables,
+            panes: &[
+                PaneId::Inputs,
+                PaneId::System,
+                PaneId::Tables,
+                PaneId::Validation,
+            ],
+            first: PaneId::System,
             tabs: &[
-                "Plan",
-                "Side",
-                "3-D",
                 "Lines",
                 "Points",
                 "Bodies",
@@ -69,23 +83,11 @@ impl DocumentKind for SystemView {
     fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
         let solved = &self.solved;
         match tab {
-            0 => (
-                Some(views::views::plan(solved)),
-                tables::lines_beside(solved),
-            ),
-            1 => (
-                Some(views::views::side(solved)),
-                tables::lines_beside(solved),
-            ),
-            2 => (
-                Some(views::views::oblique(solved)),
-                tables::lines_beside(solved),
-            ),
-            3 => (None, tables::lines(solved)),
-            4 => (None, tables::points(solved)),
-            5 => (None, tables::bodies(solved)),
-            7 => (None, analysis::clearances(solved)),
-            8 => (None, self.periods()),
+            0 => (None, tables::lines(solved)),
+            1 => (None, tables::points(solved)),
+            2 => (None, tables::bodies(solved)),
+            4 => (None, analysis::clearances(solved)),
+            5 => (None, self.periods()),
             _ => {
                 let first = !solved.network.bodies.is_empty();
                 let none = || Table::titled("The system has no body.");
@@ -93,6 +95,10 @@ impl DocumentKind for SystemView {
                 (None, table.unwrap_or_else(none))
             }
         }
+    }
+
+    fn commands(&self) -> &'static [Command] {
+        REPORTED
     }
 
     fn rows(&self, text: &str) -> Vec<FieldRow> {

@@ -57,6 +57,7 @@ fn what_the_footer_offers_does_something() {
         each_pane("a section", &mut Desk::with_section(size), &mut idle);
         each_pane("a ropeway", &mut Desk::with_ropeway(size), &mut idle);
         each_pane("a ship", &mut Desk::with_ship(size), &mut idle);
+        each_pane("a system", &mut Desk::with_system(size), &mut idle);
     }
     assert!(idle.is_empty(), "{idle:#?}");
 }

@@ -17,6 +17,7 @@ mod resume;
 mod ropeway;
 mod section;
 mod ship;
+mod system;
 mod umbilical;
 mod vary;
 
@@ -507,6 +508,7 @@ fn every_command_can_be_reached_by_a_key_or_by_its_name() {
         Desk::with_section(SMALL),
         Desk::with_ropeway(SMALL),
         Desk::with_ship(SMALL),
+        Desk::with_system(SMALL),
     ];
     let eaten = ["ctrl+a", "ctrl+b", "ctrl+s", "ctrl+q"];
     for mut desk in desks {

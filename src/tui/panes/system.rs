@@ -1,0 +1,65 @@
+//! A system of lines drawn: from above, from the side, obliquely; the lines below the view.
+
+use ratatui::layout::{Constraint, Layout, Rect};
+
+use super::{Pane, PaneInfo, about};
+use crate::report::system::{tables, views};
+use crate::report::table::Table;
+use crate::tui::command::{Command, CommandId, main};
+use crate::tui::msg::Effect;
+use crate::tui::state::{AppState, DocumentContent, SystemView};
+use crate::tui::view::painter::Painter;
+
+/// Lines of the screen that a view has at least.
+const VIEW: u16 = 9;
+
+#[rustfmt::skip] // a table: one command a line
+const COMMANDS: &[Command] = &[
+    main(CommandId::CursorRight, &["l", "right"], "next view", "From above, from the side, obliquely"),
+    main(CommandId::CursorLeft, &["h", "left"], "view before", "The view before"),
+];
+
+pub(super) struct SystemPane;
+
+impl Pane for SystemPane {
+    fn about(&self) -> PaneInfo {
+        about("System", "Go to the views", &[COMMANDS])
+    }
+
+    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
+        let DocumentContent::System(system) = &mut state.document.as_mut()?.content else {
+            return None;
+        };
+        match id {
+            CommandId::CursorRight => system.turn(1),
+            CommandId::CursorLeft => system.turn(SystemView::VIEWS - 1),
+            _ => return None,
+        }
+        Some(Vec::new())
+    }
+
+    fn view(&self, painter: &mut Painter, area: Rect) {
+        let document = painter.state.document.as_ref();
+        let Some(DocumentContent::System(system)) = document.map(|document| &document.content)
+        else {
+            return;
+        };
+        let chart = match system.view {
+            0 => views::plan(&system.solved),
+            1 => views::side(&system.solved),
+            _ => views::oblique(&system.solved),
+        };
+        let bare = Table {
+            title: String::new(),
+            ..tables::lines_beside(&system.solved)
+        };
+        let text = bare.to_text(area.width.into());
+        let wanted = u16::try_from(text.lines().count()).unwrap_or(u16::MAX);
+        let rows = wanted.min(area.height.saturating_sub(VIEW));
+        let [drawing, table] =
+            Layout::vertical([Constraint::Min(VIEW), Constraint::Length(rows)]).areas(area);
+        painter.chart(&chart, drawing);
+        let plain = painter.theme.plain();
+        painter.lines(table, text.lines().map(|line| (line, plain)));
+    }
+}
