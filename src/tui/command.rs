@@ -12,6 +12,7 @@ pub enum CommandId {
     Reload,
     Edit,
     Reset,
+    DropRange,
     ExternalEditor,
     Undo,
     Redo,

@@ -6,7 +6,7 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
 use crate::case::{ReplacedValue, YOURS};
-use crate::tui::command::{self, Command, CommandId, FILTER, LIST, main, other};
+use crate::tui::command::{self, Command, CommandId, CommandOrder, FILTER, LIST, main, other};
 use crate::tui::facade::FieldRow;
 use crate::tui::msg::Effect;
 use crate::tui::state::{AppState, Document, ParameterEditor};
@@ -21,7 +21,7 @@ use crate::tui::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
-    main(CommandId::Edit, &["enter", "e"], "edit", "Edit the value under the cursor; a range such as 0.2..0.8/4 runs the case at each value"),
+    main(CommandId::Edit, &["enter", "e"], "edit", "Edit the value under the cursor; a range such as 0.2..0.8/4 runs the case at each value; + behind it keeps it for a grid with a further field"),
     main(CommandId::StepUp, &["right", "l"], "step", "Step the value up: a number by a small round part of it, a word to the next"),
     FILTER,
     other(CommandId::StepDown, &["left", "h"], "", "Step the value down"),
@@ -37,11 +37,24 @@ const COMMANDS: &[Command] = &[
     command::DOWN,
 ];
 
+/// While a range waits for one in a further field.
+#[rustfmt::skip]
+const KEPT: &[Command] = &[
+    main(CommandId::DropRange, &["esc"], "drop range", "Drop the range that waits for one in a further field"),
+    command::command(CommandOrder::Document, CommandId::Back, &["b"], "cases", "Back to the list of cases"),
+];
+
 pub(super) struct InputsPane;
 
 impl Pane for InputsPane {
     fn about(&self) -> PaneInfo {
         about("Inputs", "Go to the inputs", &[COMMANDS, LIST])
+    }
+
+    fn commands(&self, state: &AppState) -> Vec<Command> {
+        let waits = state.editor().is_some_and(|editor| !editor.kept.is_empty());
+        let kept = if waits { KEPT } else { &[] };
+        [kept, COMMANDS, LIST].concat()
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
@@ -60,6 +73,7 @@ impl Pane for InputsPane {
         let by = step(state, id);
         match id {
             CommandId::Edit => edit::begin(state),
+            CommandId::DropRange => return Some(vary::drop_kept(state)),
             CommandId::StepUp => return Some(step_value(state, 1.0)),
             CommandId::StepDown => return Some(step_value(state, -1.0)),
             CommandId::LeapUp => return Some(step_value(state, 10.0)),
@@ -93,8 +107,17 @@ impl Pane for InputsPane {
         let editor = &document.editor;
         let compact = area.width < COMPACT;
         let help_rows = if area.height > 14 && !compact { 5 } else { 3 };
-        let [list, help] =
-            Layout::vertical([Constraint::Min(0), Constraint::Length(help_rows)]).areas(area);
+        let waiting = vary::kept_words(editor).map(|words| wrap(&words, area.width.into()));
+        let waiting = waiting.unwrap_or_default();
+        let waiting_rows = u16::try_from(waiting.len()).unwrap_or(2).min(2);
+        let [list, wait, help] = Layout::vertical([
+            Constraint::Min(0),
+            Constraint::Length(waiting_rows),
+            Constraint::Length(help_rows),
+        ])
+        .areas(area);
+        let strong = painter.theme.strong();
+        painter.lines(wait, waiting.into_iter().map(|line| (line, strong)));
         let list = filter_line(painter, list, editor);
         fields(painter, list, editor);
         if editor.editing.is_some() {
@@ -154,9 +177,13 @@ fn fields(painter: &mut Painter, list: Rect, editor: &ParameterEditor) {
             painter.text(at, name, painter.theme.head());
         }
         ListLine::Field(i, field) if compact => {
-            compact_line(painter, at, field, i == editor.field);
+            let range = editor.kept_range(&field.path);
+            compact_line(painter, at, (field, range), i == editor.field);
         }
-        ListLine::Field(i, field) => field_line(painter, at, field, longest, i == editor.field),
+        ListLine::Field(i, field) => {
+            let range = editor.kept_range(&field.path);
+            field_line(painter, at, (field, range), longest, i == editor.field);
+        }
         ListLine::Folded => folded_line(painter, at, editor),
     });
 }
@@ -172,12 +199,16 @@ fn folded_line(painter: &mut Painter, at: Rect, editor: &ParameterEditor) {
 }
 
 /// Label, value with unit, and where the value comes from, in little room.
-fn compact_line(painter: &mut Painter, line: Rect, field: &FieldRow, selected: bool) {
+fn compact_line(painter: &mut Painter, line: Rect, shown: ShownField, selected: bool) {
+    let (field, range) = shown;
     let base = painter.line_style(selected);
     painter.buf.set_style(line, base);
     let note = note(field);
     let note_width = u16::try_from(note.width()).unwrap_or(0).max(5);
     let value = match field.absent {
+        _ if range.is_some() => format!("{} {}", range.unwrap_or_default(), field.unit)
+            .trim_end()
+            .to_owned(),
         Some(words) if field.value.is_empty() => words.to_owned(),
         _ => format!("{} {}", field.value, field.unit)
             .trim_end()
@@ -231,14 +262,18 @@ fn columns(longest: usize) -> u16 {
     u16::try_from(longest + 1).unwrap_or(u16::MAX)
 }
 
+/// A field and its range that waits for one in a further field.
+type ShownField<'a> = (&'a FieldRow, Option<&'a str>);
+
 /// Label, value, unit, and where the value comes from.
 fn field_line(
     painter: &mut Painter,
     line: Rect,
-    field: &FieldRow,
+    shown: ShownField,
     longest: (usize, usize),
     selected: bool,
 ) {
+    let (field, range) = shown;
     let theme = painter.theme;
     let base = painter.line_style(selected);
     painter.buf.set_style(line, base);
@@ -250,6 +285,7 @@ fn field_line(
     let label_width = columns(longest.0).max(25).min(left);
     let value_width = room - label_width;
     let (value, style) = match field.absent {
+        _ if range.is_some() => (range.unwrap_or_default(), base.patch(theme.strong())),
         Some(words) if field.value.is_empty() => (words, base.patch(theme.faint())),
         _ if !field.applies => (field.value.as_str(), base.patch(theme.faint())),
         _ if field.given => (field.value.as_str(), base.patch(theme.strong())),
@@ -312,7 +348,7 @@ fn edit_lines(painter: &mut Painter, area: Rect, document: &Document) {
     painter.input(rest(line, x), &editing.input, true);
     let (words, style) = match (&editing.problem, vary::typed(document)) {
         (Some(problem), _) => (format!("Refused: {problem}"), painter.theme.error()),
-        (None, Some(typed)) => (vary::words(&typed), painter.theme.plain()),
+        (None, Some(typed)) => (vary::words(&typed, editor), painter.theme.plain()),
         (None, None) => {
             let empty = if document.line().is_some() && optional(field) {
                 "; nothing typed: not given"

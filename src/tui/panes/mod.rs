@@ -55,6 +55,11 @@ pub trait Pane: Sync {
     /// What it is called and which commands it has.
     fn about(&self) -> PaneInfo;
 
+    /// The commands that it has now.
+    fn commands(&self, _state: &AppState) -> Vec<Command> {
+        self.about().commands.concat()
+    }
+
     /// Why a command cannot be done now.
     fn reason(&self, _state: &AppState, _id: CommandId) -> Option<&'static str> {
         None
@@ -94,7 +99,7 @@ pub fn pane(id: PaneId) -> &'static dyn Pane {
 #[must_use]
 pub fn commands(state: &AppState) -> Vec<Command> {
     let focus = state.focus();
-    let mut all: Vec<Command> = pane(focus).about().commands.concat();
+    let mut all: Vec<Command> = pane(focus).commands(state);
     if let Some(document) = state.document.as_ref().filter(|_| focus != PaneId::Trials) {
         let kind = document.kind();
         all.extend(kind.commands());

@@ -24,7 +24,7 @@ pub use document_kind::DocumentKind;
 pub use jobs::{JobLine, JobNumber, JobPurpose, JobState, Jobs, QueuedRequest};
 pub use line::LineView;
 pub use overlay::{Overlay, PromptPurpose, Question};
-pub use parameter_editor::{Editing, ParameterEditor};
+pub use parameter_editor::{Editing, KeptRange, ParameterEditor};
 pub use ropeway::RopewayView;
 pub use run_list::{RunColumn, RunList};
 pub use section::SectionView;

@@ -58,6 +58,33 @@ pub struct Editing {
     pub problem: Option<String>,
 }
 
+/// A range of a field that waits for a range in a further field, to a grid.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct KeptRange {
+    /// Key path of the field.
+    pub path: String,
+    /// The values as typed: `0.2..0.8/4`.
+    pub values: String,
+}
+
+impl KeptRange {
+    /// Reads `KEY=VALUES`.
+    #[must_use]
+    pub fn read(word: &str) -> Option<Self> {
+        let (path, values) = word.split_once('=')?;
+        Some(Self {
+            path: path.trim().to_owned(),
+            values: values.trim().to_owned(),
+        })
+    }
+
+    /// `KEY=VALUES`.
+    #[must_use]
+    pub fn word(&self) -> String {
+        format!("{}={}", self.path, self.values)
+    }
+}
+
 /// A file open in the parameter editor.
 #[derive(Debug, Clone)]
 pub struct ParameterEditor {
@@ -89,6 +116,8 @@ pub struct ParameterEditor {
     pub filter: Filter,
     /// A value being typed.
     pub editing: Option<Editing>,
+    /// Ranges that wait for one in a further field.
+    pub kept: Vec<KeptRange>,
 }
 
 impl ParameterEditor {
@@ -114,6 +143,7 @@ impl ParameterEditor {
             field: 0,
             filter: Filter::default(),
             editing: None,
+            kept: Vec::new(),
         }
     }
 
@@ -175,6 +205,13 @@ impl ParameterEditor {
             shown - self.fields().count().min(shown),
             self.rows.iter().filter(assumed).count(),
         )
+    }
+
+    /// The range of a field that waits for one in a further field, as typed.
+    #[must_use]
+    pub fn kept_range(&self, path: &str) -> Option<&str> {
+        let kept = self.kept.iter().find(|kept| kept.path == path)?;
+        Some(&kept.values)
     }
 
     /// The field under the cursor.

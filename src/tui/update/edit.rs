@@ -24,7 +24,12 @@ pub fn begin(state: &mut AppState) {
     {
         editor.editing = Some(Editing {
             path: row.path.clone(),
-            input: Input::new(row.value.clone()),
+            input: Input::new(
+                editor
+                    .kept_range(&row.path)
+                    .unwrap_or(&row.value)
+                    .to_owned(),
+            ),
             problem: None,
         });
     }
@@ -32,6 +37,7 @@ pub fn begin(state: &mut AppState) {
 
 /// Keys while a value is typed.
 pub(super) fn typing_key(state: &mut AppState, key: KeyPress) -> Option<Vec<Effect>> {
+    let keeps = key == KeyPress::Char('+') && vary::can_keep(state);
     let editor = state.editor_mut()?;
     let editing = editor.editing.as_mut()?;
     match key {
@@ -40,6 +46,7 @@ pub(super) fn typing_key(state: &mut AppState, key: KeyPress) -> Option<Vec<Effe
         KeyPress::Enter => {
             return Some(vary::enter(state).unwrap_or_else(|| accept(state)));
         }
+        KeyPress::Char('+') if keeps => return Some(vary::keep(state)),
         _ => {
             if type_key(&mut editing.input, key) {
                 editing.problem = None;
@@ -81,7 +88,12 @@ fn accept(state: &mut AppState) -> Vec<Effect> {
     let text = removed.and_then(|_| kind.unset(&editor.text, &editing.path));
     let text = text.unwrap_or_else(|| kind.set(&editor.text, &editing.path, value));
     match text {
-        Ok(text) => change(state, text),
+        Ok(text) => {
+            // A value in place of its range.
+            let kept = &mut document.editor.kept;
+            kept.retain(|kept| kept.path != editing.path);
+            change(state, text)
+        }
         Err(problem) => {
             document.editor.editing = Some(Editing {
                 problem: Some(problem),
@@ -194,6 +206,7 @@ pub(super) fn refresh(state: &mut AppState) {
         let problem = facade::first(&all, &editor.file);
         state.say(Severity::Error, problem);
     }
+    vary::recheck(state);
     runs::check(state);
 }
 

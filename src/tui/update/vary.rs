@@ -1,6 +1,7 @@
 //! Ranges typed into a field: a run of the case at each of their values.
 //!
-//! `0.2..0.8/4` or `0.2, 0.4, 0.8` in a field varies it alone; ` x KEY=VALUES` behind it varies a further key, to a grid.
+//! `0.2..0.8/4` or `0.2, 0.4, 0.8` in a field varies it alone; ` x KEY=VALUES` behind it varies a further key, to a grid. `+` keeps
+//! the range, and one typed into a further field makes the grid.
 
 use super::notice::info;
 use super::{jobs, runs, studies};
@@ -11,7 +12,10 @@ use crate::study::points::{BaseCase, Setting};
 use crate::study::vary::{Variation, VariationError, VariedKey};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
-use crate::tui::state::{AppState, Document, Overlay, Question, RunEntry, Severity, VariedRuns};
+use crate::tui::state::{
+    AppState, Document, KeptRange, Overlay, ParameterEditor, Question, RunEntry, Severity,
+    VariedRuns,
+};
 
 /// More runs than this are asked about first.
 const MANY: usize = 200;
@@ -25,18 +29,27 @@ const NAMED: usize = 8;
 /// What is being typed, as a variation of the case; nothing where it is one value.
 #[must_use]
 pub fn typed(document: &Document) -> Option<Result<Variation, VariationError>> {
+    let words = typed_words(document)?;
+    let editor = &document.editor;
+    Some(Variation::grid(
+        BaseCase::new(&editor.text, &editor.file),
+        &words,
+    ))
+}
+
+/// `KEY=VALUES` of the ranges kept, of the one being typed, and of those behind it.
+fn typed_words(document: &Document) -> Option<Vec<String>> {
     document.line()?;
     let editor = &document.editor;
     let editing = editor.editing.as_ref()?;
     let row = editor.rows.iter().find(|row| row.path == editing.path)?;
     let mut parts = editing.input.value().split(" x ");
     let own = parts.next().filter(|own| is_range(own, row.field))?;
-    let own = format!("{}={own}", row.path);
-    let words: Vec<&str> = std::iter::once(own.as_str()).chain(parts).collect();
-    Some(Variation::grid(
-        BaseCase::new(&editor.text, &editor.file),
-        &words,
-    ))
+    let others = editor.kept.iter().filter(|kept| kept.path != row.path);
+    let mut words: Vec<String> = others.map(KeptRange::word).collect();
+    words.push(format!("{}={own}", row.path));
+    words.extend(parts.map(str::to_owned));
+    Some(words)
 }
 
 /// Whether a text is meant as several values. `1,5` and `1,500` are not: they may be a number with a comma.
@@ -52,21 +65,25 @@ fn is_range(text: &str, field: &Field) -> bool {
     text.contains("..") || listed
 }
 
-/// How a variation is read, or what it lacks.
+/// How a variation is read, or what it lacks; the key being edited is not named, and ranges kept are shown already.
 #[must_use]
-pub fn words(typed: &Result<Variation, VariationError>) -> String {
+pub fn words(typed: &Result<Variation, VariationError>, editor: &ParameterEditor) -> String {
+    let edited = editor.editing.as_ref();
+    let is_edited = |key: &VariedKey| edited.is_some_and(|editing| editing.path == key.path);
     match typed {
         Ok(variation) => {
-            let (first, others) = match variation.keys.split_first() {
-                Some((first, others)) => (values(first), others),
-                None => (String::new(), &[][..]),
+            let keys = variation.keys.iter();
+            let keys = keys.filter(|key| is_edited(key) || editor.kept_range(&key.path).is_none());
+            let keys = keys.map(|key| match is_edited(key) {
+                true => values(key),
+                false => format!("{} {}", key.path, values(key)),
+            });
+            let keys = keys.collect::<Vec<_>>().join(" x ");
+            let runs = match variation.points.len() {
+                1 => "1 run".to_owned(),
+                count => format!("{count} runs"),
             };
-            let others = others
-                .iter()
-                .map(|key| format!(" x {} {}", key.path, values(key)));
-            let others: String = others.collect();
-            let count = variation.points.len();
-            format!("{count} runs: {first}{others}; Enter runs them.")
+            format!("Enter begins {runs}, + keeps the range for a grid: {keys}")
         }
         Err(why) => format!("Not yet a range: {}", reason(why)),
     }
@@ -122,6 +139,76 @@ pub(super) fn enter(state: &mut AppState) -> Option<Vec<Effect>> {
     Some(Vec::new())
 }
 
+/// Whether a whole range is typed, with the cursor behind it: `+` is part of a number elsewhere.
+pub(super) fn can_keep(state: &AppState) -> bool {
+    let Some(document) = &state.document else {
+        return false;
+    };
+    let editing = document.editor.editing.as_ref();
+    let behind = editing.is_some_and(|editing| {
+        let input = &editing.input;
+        input.cursor() == input.value().chars().count()
+    });
+    behind && matches!(typed(document), Some(Ok(_)))
+}
+
+/// `+` behind a range: keeps it until a further field has one.
+pub(super) fn keep(state: &mut AppState) -> Vec<Effect> {
+    let Some(document) = &mut state.document else {
+        return Vec::new();
+    };
+    let Some(words) = typed_words(document) else {
+        return Vec::new();
+    };
+    let editor = &mut document.editor;
+    editor.kept = words.iter().filter_map(|w| KeptRange::read(w)).collect();
+    editor.editing = None;
+    info(
+        state,
+        "The range is kept: one in a second field begins the grid, Esc drops it.",
+    )
+}
+
+/// Drops the ranges that wait.
+pub fn drop_kept(state: &mut AppState) -> Vec<Effect> {
+    if let Some(editor) = state.editor_mut() {
+        editor.kept.clear();
+    }
+    info(state, "The range kept for a grid is dropped.")
+}
+
+/// The ranges that wait, in words; nothing where none does.
+#[must_use]
+pub fn kept_words(editor: &ParameterEditor) -> Option<String> {
+    let label = |path: &str| {
+        let row = editor.rows.iter().find(|row| row.path == path);
+        row.map_or_else(|| path.to_owned(), |row| row.label.to_owned())
+    };
+    let kept = editor.kept.iter();
+    let ranges = kept.map(|kept| format!("{} {}", label(&kept.path), kept.values));
+    let ranges = ranges.collect::<Vec<_>>().join(" x ");
+    let next = match editor.kept.len() {
+        0 => return None,
+        1 => "second",
+        _ => "further",
+    };
+    Some(format!("{ranges}, waiting for a {next} field"))
+}
+
+/// Drops the ranges that the case of a new text no longer takes.
+pub(super) fn recheck(state: &mut AppState) {
+    let Some(editor) = state.editor_mut() else {
+        return;
+    };
+    let (text, before) = (&editor.text, editor.kept.len());
+    let kept = &mut editor.kept;
+    kept.retain(|kept| VariedKey::parse(&kept.word(), text).is_ok());
+    if kept.len() < before {
+        let words = "A range kept for a grid is dropped: the case no longer takes it.";
+        state.say(Severity::Warning, words.to_owned());
+    }
+}
+
 /// Asks for the texts of the runs.
 pub(super) fn begin(state: &mut AppState) -> Vec<Effect> {
     let Some(document) = &mut state.document else {
@@ -131,6 +218,7 @@ pub(super) fn begin(state: &mut AppState) -> Vec<Effect> {
         return Vec::new();
     };
     document.editor.editing = None;
+    document.editor.kept.clear();
     let Some((line, editor)) = document.line_and_editor() else {
         return Vec::new();
     };

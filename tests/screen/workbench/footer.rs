@@ -54,6 +54,11 @@ fn what_the_footer_offers_does_something() {
         desk.keys("1 j j M");
         desk.finish_jobs();
         each_pane("an edited case", &mut desk, &mut idle);
+        desk.keys("1 enter ctrl+u");
+        desk.type_text("1..2/2");
+        desk.keys("+");
+        assert!(!desk.state.editor().unwrap().kept.is_empty());
+        each_pane("a case with a range kept", &mut desk, &mut idle);
         each_pane("a section", &mut Desk::with_section(size), &mut idle);
         each_pane("a ropeway", &mut Desk::with_ropeway(size), &mut idle);
         each_pane("a ship", &mut Desk::with_ship(size), &mut idle);

@@ -1,7 +1,7 @@
 //! Ranges typed into a field, and the runs they make.
 
 use seacable::tui::pane::PaneId;
-use seacable::tui::state::{JobState, Overlay, Question, RunStatus};
+use seacable::tui::state::{JobState, KeptRange, Overlay, Question, RunStatus};
 
 use super::desk::Desk;
 use super::{SMALL, said, snapshot};
@@ -72,13 +72,128 @@ fn state_of(run: &seacable::tui::state::RunEntry) -> RunStatus {
 #[test]
 fn a_second_key_behind_the_range_makes_a_grid() {
     let mut desk = typing("0.2, 0.4 x solver.duration_s=300..600/3");
-    assert!(desk.screen().contains("6 runs: 0.2, 0.4 m/s x solver."));
+    assert!(
+        desk.screen()
+            .contains("Enter begins 6 runs, + keeps the range")
+    );
+    assert!(desk.screen().contains("for a grid: 0.2, 0.4 m/s x"));
     desk.keys("enter");
     let said = said(&desk).to_owned();
     assert!(
         said.starts_with("6 runs begun over current.speed_m_per_s and solver.duration_s."),
         "{said}"
     );
+}
+
+/// Goes to a field by its label, without a filter afterwards, and begins to edit it.
+fn edit(desk: &mut Desk, label: &str) {
+    desk.keys("1 /");
+    desk.keys("ctrl+u");
+    desk.type_text(label);
+    desk.keys("enter enter ctrl+u");
+}
+
+/// The ranges that wait, as `KEY=VALUES`.
+fn kept(desk: &Desk) -> Vec<String> {
+    let kept = &desk.state.editor().unwrap().kept;
+    kept.iter().map(KeptRange::word).collect()
+}
+
+#[test]
+fn a_range_kept_and_one_in_a_second_field_make_a_grid() {
+    let mut desk = typing("0.2..0.8/4");
+    desk.keys("+");
+    assert_eq!(kept(&desk), ["current.speed_m_per_s=0.2..0.8/4"]);
+    assert!(desk.state.editor().unwrap().editing.is_none());
+    assert!(desk.started().is_empty());
+    snapshot("tui_range_kept_80x24", &desk);
+    edit(&mut desk, "duration");
+    desk.type_text("300, 600");
+    snapshot("tui_grid_typed_80x24", &desk);
+    desk.state.jobs.limit = 8;
+    desk.keys("enter");
+    assert!(
+        said(&desk).starts_with("8 runs begun over current.speed_m_per_s and solver.duration_s."),
+        "{}",
+        said(&desk)
+    );
+    assert!(kept(&desk).is_empty());
+    assert!(!desk.state.editor().unwrap().unsaved());
+    let started = desk.started();
+    assert_eq!(
+        started[7].1.overrides,
+        ["current.speed_m_per_s=0.8", "solver.duration_s=600"]
+    );
+}
+
+#[test]
+fn a_kept_range_survives_edits_and_undo_and_is_in_its_field() {
+    let mut desk = typing("0.2..0.8/4");
+    desk.keys("+");
+    // Another input is edited and undone, and the first is part of the runs.
+    edit(&mut desk, "dry mass");
+    desk.type_text("310000");
+    desk.keys("enter u");
+    assert_eq!(kept(&desk).len(), 1);
+    desk.keys("U");
+    edit(&mut desk, "duration");
+    desk.type_text("300, 600");
+    desk.keys("+");
+    assert_eq!(kept(&desk).len(), 2);
+    // The field has its range again, which replaces the kept one.
+    desk.keys("1 /");
+    desk.keys("ctrl+u");
+    desk.type_text("current speed");
+    desk.keys("enter enter");
+    let editing = desk.state.editor().unwrap().editing.clone().unwrap();
+    assert_eq!(editing.input.value(), "0.2..0.8/4");
+    desk.keys("ctrl+u");
+    desk.type_text("0.2, 0.4");
+    desk.state.jobs.limit = 8;
+    desk.keys("enter");
+    assert!(said(&desk).starts_with("4 runs begun over solver.duration_s and current."));
+    let started = desk.started();
+    let overrides = &started.last().unwrap().1.overrides;
+    assert!(
+        overrides.iter().any(|set| set.contains("=310000")),
+        "{overrides:?}"
+    );
+    assert!(
+        overrides.ends_with(&["current.speed_m_per_s=0.4".to_owned()]),
+        "{overrides:?}"
+    );
+}
+
+#[test]
+fn a_kept_range_is_dropped_by_esc_or_by_a_value() {
+    let mut desk = typing("0.2..0.8/4");
+    desk.keys("+");
+    // Esc leaves the field first, then drops the range, then closes the case.
+    desk.keys("enter esc");
+    assert_eq!(kept(&desk).len(), 1);
+    assert!(desk.screen().contains("esc drop range"));
+    desk.keys("esc");
+    assert!(kept(&desk).is_empty() && desk.state.document.is_some());
+    assert!(desk.screen().contains("esc cases"));
+    begin(&mut desk, "0.2..0.8/4");
+    desk.keys("+");
+    begin(&mut desk, "0.5");
+    desk.keys("enter");
+    assert!(kept(&desk).is_empty());
+    assert!(desk.state.editor().unwrap().unsaved());
+}
+
+#[test]
+fn a_plus_is_part_of_a_number_elsewhere() {
+    let mut desk = typing("2e");
+    desk.keys("+");
+    desk.type_text("1");
+    let editing = desk.state.editor().unwrap().editing.clone().unwrap();
+    assert_eq!(editing.input.value(), "2e+1");
+    let mut desk = typing("0.2..0.8/4");
+    desk.keys("home +");
+    let editing = desk.state.editor().unwrap().editing.clone().unwrap();
+    assert_eq!(editing.input.value(), "+0.2..0.8/4");
 }
 
 #[test]
