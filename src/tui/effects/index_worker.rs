@@ -38,7 +38,7 @@ pub(super) struct IndexWorker {
 const LOOK: Duration = Duration::from_secs(2);
 
 /// How long each run is looked at after runs came or went: the files of one that is copied in come one after another, which
-/// changes its own directory only.
+/// changes its own directory only. The pauses between the looks grow, as each reads the state of all runs.
 const SETTLING: Duration = Duration::from_secs(60);
 
 /// Fewer runs are read before anyone could look at their progress.
@@ -87,6 +87,7 @@ fn keep(questions: &Receiver<Question>, out: &Outbox) {
         partial: false,
         changed: None,
         noticed: Instant::now(),
+        looked: Instant::now(),
         out: out.clone(),
     };
     loop {
@@ -120,6 +121,8 @@ struct Keeper {
     changed: Option<SystemTime>,
     /// When that was noticed.
     noticed: Instant,
+    /// When each run was looked at.
+    looked: Instant,
     out: Outbox,
 }
 
@@ -152,6 +155,7 @@ impl Keeper {
             }
         };
         let progress = self.index.sync(&AtomicBool::new(false), &mut told)?;
+        self.looked = Instant::now();
         if at_once || progress.all > 0 || self.partial {
             self.tell(true, at_once || progress.all > 0)?;
         }
@@ -183,7 +187,10 @@ impl Keeper {
 
     /// Whether runs may have come, gone or ended. A run that ends changes only its own directory.
     fn may_have_changed(&self) -> bool {
-        let settling = self.changed.is_some() && self.noticed.elapsed() < SETTLING;
+        let since = self.looked.saturating_duration_since(self.noticed);
+        let settling = self.changed.is_some()
+            && self.noticed.elapsed() < SETTLING
+            && self.looked.elapsed() >= since.min(SETTLING / 4);
         self.partial || settling || changed(self.index.root()) != self.changed
     }
 }
