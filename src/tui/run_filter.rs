@@ -59,16 +59,15 @@ impl RunFilter {
         }
     }
 
-    /// Whether a run of a list passes.
+    /// Whether it asks for words, which are looked for in the text of a run.
     #[must_use]
-    pub fn passes(&self, list: &RunList, run: &RunEntry) -> bool {
-        let met = |condition: &Condition| condition.is_met(list, run);
-        if !self.conditions.iter().all(met) {
-            return false;
-        }
-        if self.words.atoms.is_empty() {
-            return true;
-        }
+    pub fn has_words(&self) -> bool {
+        !self.words.atoms.is_empty()
+    }
+
+    /// What the words are looked for in.
+    #[must_use]
+    pub fn text_of(run: &RunEntry) -> Utf32String {
         let notes = &run.notes;
         let text = format!(
             "{} {} {} {} {} {} {}",
@@ -80,7 +79,19 @@ impl RunFilter {
             notes.tags.join(" "),
             notes.note
         );
-        let text = Utf32String::from(text);
+        Utf32String::from(text)
+    }
+
+    /// Whether a run of a list passes; its text is needed where there are words.
+    #[must_use]
+    pub fn passes(&self, list: &RunList, run: &RunEntry, text: Option<&Utf32String>) -> bool {
+        let met = |condition: &Condition| condition.is_met(list, run);
+        if !self.conditions.iter().all(met) {
+            return false;
+        }
+        let Some(text) = text.filter(|_| self.has_words()) else {
+            return !self.has_words();
+        };
         let matcher = &mut *self.matcher.borrow_mut();
         self.words.score(text.slice(..), matcher).is_some()
     }

@@ -49,11 +49,7 @@ impl Pane for RunsPane {
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let run = state.line()?.current_run();
-        let any_marked = || {
-            state
-                .line()
-                .is_some_and(|line| line.runs.all().iter().any(|r| r.marked))
-        };
+        let any_marked = || state.line().is_some_and(|line| line.runs.any_marked());
         match id {
             CommandId::PlotColumns => column_plot::why_not(&state.line()?.runs),
             CommandId::Delete if any_marked() => None,

@@ -212,7 +212,7 @@ impl LineView {
     /// Takes all runs off the charts.
     pub fn hide_runs(&mut self) {
         self.live.hidden = true;
-        self.runs.change_all(|entry| entry.shown = false);
+        self.runs.hide_all();
     }
 
     /// The newest complete run of exactly this text.

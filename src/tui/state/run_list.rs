@@ -5,6 +5,8 @@ use std::collections::HashMap;
 use std::ops::Index;
 use std::path::{Path, PathBuf};
 
+use nucleo_matcher::Utf32String;
+
 use super::case_list::Filter;
 use super::curves::RunEntry;
 use crate::run::index::{MeasuredResult, RunColumns, SyncProgress};
@@ -51,8 +53,14 @@ pub struct RunList {
     entries: Vec<RunEntry>,
     /// Where each directory is among them.
     places: HashMap<PathBuf, usize>,
+    /// Whether they are there: no run has come, gone or changed its directory since.
+    placed: bool,
+    /// What the words of a filter are looked for in, run by run; empty until it is needed.
+    texts: Vec<Utf32String>,
     /// Those on the charts, in their order.
     on_charts: Vec<usize>,
+    /// How many are marked.
+    marked: usize,
     /// Those that pass the filter, in the order of the table.
     rows: Vec<usize>,
     /// The columns of the table; whether an input differs takes a look at all runs.
@@ -128,8 +136,9 @@ impl RunList {
         self.rows.get(self.cursor.checked_sub(1)?).copied()
     }
 
-    /// The run under the cursor, to be changed.
+    /// The run under the cursor, to be changed, but for its directory.
     pub fn current_mut(&mut self) -> Option<&mut RunEntry> {
+        self.texts.clear();
         let at = self.current_place()?;
         self.entries.get_mut(at)
     }
@@ -142,14 +151,32 @@ impl RunList {
     /// The marked runs of the table; the one under the cursor where none is marked. What the filter hides is never among them.
     #[must_use]
     pub fn chosen(&self) -> Vec<&RunEntry> {
-        let mut rows = self.rows.clone();
-        rows.sort_unstable();
-        let rows = rows.iter().map(|at| &self.entries[*at]);
-        let marked: Vec<_> = rows.filter(|run| run.marked).collect();
+        let rows = self.rows.iter().copied().filter(|_| self.any_marked());
+        let mut marked: Vec<_> = rows.filter(|at| self.entries[*at].marked).collect();
         if marked.is_empty() {
             return self.current().into_iter().collect();
         }
-        marked
+        marked.sort_unstable();
+        marked.iter().map(|at| &self.entries[*at]).collect()
+    }
+
+    /// Whether any run is marked, also where the filter hides it.
+    #[must_use]
+    pub fn any_marked(&self) -> bool {
+        self.marked > 0
+    }
+
+    /// Marks the run under the cursor, or takes its mark off.
+    pub fn turn_mark(&mut self) {
+        if let Some(at) = self.current_place() {
+            let run = &mut self.entries[at];
+            run.marked = !run.marked;
+            self.marked = if run.marked {
+                self.marked + 1
+            } else {
+                self.marked.saturating_sub(1)
+            };
+        }
     }
 
     /// The run in a directory.
@@ -158,38 +185,52 @@ impl RunList {
         self.places.get(dir).map(|at| &self.entries[*at])
     }
 
-    /// The run in a directory, to be changed.
+    /// The run in a directory, to be changed, but for its directory.
     pub fn in_dir_mut(&mut self, dir: &Path) -> Option<&mut RunEntry> {
         let at = *self.places.get(dir)?;
+        self.texts.clear();
         self.entries.get_mut(at)
     }
 
     /// The newest run for which something is so, to be changed.
     pub fn newest_mut(&mut self, so: impl Fn(&RunEntry) -> bool) -> Option<&mut RunEntry> {
+        self.forget();
         self.entries.iter_mut().rev().find(|run| so(run))
     }
 
     /// Adds a run at the end; [`RunList::arrange`] brings the table in step, once for many of them.
     pub fn push(&mut self, run: RunEntry) {
+        self.forget();
         self.entries.push(run);
     }
 
     /// Adds runs at the end.
     pub fn extend(&mut self, runs: impl IntoIterator<Item = RunEntry>) {
+        self.forget();
         self.entries.extend(runs);
         self.arrange();
     }
 
     /// Drops the runs for which nothing is so any more.
     pub fn retain(&mut self, keep: impl FnMut(&RunEntry) -> bool) {
+        self.forget();
         self.entries.retain(keep);
         self.arrange();
     }
 
     /// Changes all runs.
     pub fn change_all(&mut self, change: impl FnMut(&mut RunEntry)) {
+        self.forget();
         self.entries.iter_mut().for_each(change);
         self.arrange();
+    }
+
+    /// Takes all runs off the charts.
+    pub fn hide_all(&mut self) {
+        for run in &mut self.entries {
+            run.shown = false;
+        }
+        self.on_charts.clear();
     }
 
     /// Puts the cursor on the newest run, and shows it also where the filter would not.
@@ -203,27 +244,41 @@ impl RunList {
 
     /// Brings places, charts and table in step with the runs, the filter and the order. The cursor stays on its run.
     pub fn arrange(&mut self) {
-        let under = self.current_place().and_then(|at| self.entries.get(at));
-        let under = under.map(|run| (run.dir.clone(), run.ticket));
-        self.places.clear();
-        self.on_charts.clear();
-        for (at, run) in self.entries.iter().enumerate() {
-            if let Some(dir) = &run.dir {
-                self.places.insert(dir.clone(), at);
-            }
-            if run.shown {
-                self.on_charts.push(at);
-            }
+        if !self.placed {
+            let runs = self.entries.iter().enumerate();
+            let dirs = runs.filter_map(|(at, run)| Some((run.dir.clone()?, at)));
+            self.places = dirs.collect();
+            self.placed = true;
         }
+        self.on_charts.clear();
+        let runs = self.entries.iter().enumerate();
+        let shown = runs.filter(|(_, run)| run.shown).map(|(at, _)| at);
+        self.on_charts.extend(shown);
+        self.marked = self.entries.iter().filter(|run| run.marked).count();
+        self.filter_rows();
+    }
+
+    /// Places and texts are looked for anew when they are needed.
+    fn forget(&mut self) {
+        self.placed = false;
+        self.texts.clear();
+    }
+
+    /// Brings the table in step with the filter and the order. The cursor stays on its run.
+    pub fn filter_rows(&mut self) {
+        let under = self.current_place();
         let filter = RunFilter::new(self.filter.input.value());
-        let passing = (0..self.entries.len()).filter(|at| filter.passes(self, &self.entries[*at]));
+        if filter.has_words() && self.texts.len() != self.entries.len() {
+            self.texts = self.entries.iter().map(RunFilter::text_of).collect();
+        }
+        let passing = (0..self.entries.len())
+            .filter(|at| filter.passes(self, &self.entries[*at], self.texts.get(*at)));
         self.rows = passing.collect();
         self.shown_columns = self.columns_to_show();
         if let Some((column, down)) = self.sort {
             self.order(column, down);
         }
-        let same = |run: &RunEntry| under == Some((run.dir.clone(), run.ticket));
-        let row = self.rows.iter().position(|at| same(&self.entries[*at]));
+        let row = self.rows.iter().position(|at| Some(*at) == under);
         self.cursor = match row {
             Some(row) => row + 1,
             None => self.cursor.min(self.rows.len()),

@@ -6,6 +6,7 @@ use super::text_input::{type_key, type_text};
 use super::{edit, overlay, quit};
 use crate::tui::key::KeyPress;
 use crate::tui::msg::Effect;
+use crate::tui::pane::PaneId;
 use crate::tui::panes;
 use crate::tui::state::{AppState, Filter, Overlay, Severity};
 
@@ -61,12 +62,18 @@ fn filter_key(state: &mut AppState, key: KeyPress) -> Option<Vec<Effect>> {
             }
         }
     }
-    if filter.input.value() != before
-        && let Some(line) = state.line_mut()
-    {
-        line.runs.arrange();
+    if filter.input.value() != before {
+        filter_runs(state);
     }
     Some(Vec::new())
+}
+
+/// Brings the table of runs in step with its filter, where that is the one typed.
+fn filter_runs(state: &mut AppState) {
+    let focused = state.focus() == PaneId::Runs;
+    if let Some(line) = state.line_mut().filter(|_| focused) {
+        line.runs.filter_rows();
+    }
 }
 
 pub(super) fn paste(state: &mut AppState, text: &str) -> Vec<Effect> {
@@ -95,9 +102,7 @@ pub(super) fn paste(state: &mut AppState, text: &str) -> Vec<Effect> {
     if filter.typing {
         type_text(&mut filter.input, text);
         *cursor = 0;
-        if let Some(line) = state.line_mut() {
-            line.runs.arrange();
-        }
+        filter_runs(state);
         return Vec::new();
     }
     info(

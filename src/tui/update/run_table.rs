@@ -19,9 +19,7 @@ pub fn mark(state: &mut AppState) {
     let Some(line) = state.line_mut() else {
         return;
     };
-    if let Some(run) = line.runs.current_mut() {
-        run.marked = !run.marked;
-    }
+    line.runs.turn_mark();
     line.runs.cursor = (line.runs.cursor + 1).min(line.runs.lines() - 1);
 }
 
@@ -30,7 +28,7 @@ pub fn mark_all(state: &mut AppState) -> Vec<Effect> {
     let Some(line) = state.line_mut() else {
         return Vec::new();
     };
-    let any = line.runs.all().iter().any(|run| run.marked);
+    let any = line.runs.any_marked();
     let rows = line.runs.rows().to_vec();
     let mut at = 0;
     let mut rows_in_order = rows.clone();
