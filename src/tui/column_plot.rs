@@ -169,6 +169,7 @@ struct Point<'a> {
 /// The columns of the table that have a number in any row.
 fn number_columns(runs: &RunList) -> Vec<RunColumn> {
     let mut columns = runs.shown_columns().to_vec();
+    columns.retain(|column| column.has_numbers());
     let rows = || runs.rows().iter().map(|at| &runs[*at]);
     columns.retain(|column| rows().any(|run| value(runs, run, *column).is_some()));
     columns

@@ -245,7 +245,8 @@ impl TableView {
         for (column, width) in &self.columns {
             let words = text(*column);
             let place = span(at, from, *width);
-            if is_number(*column) {
+            // Numbers are at the right of their column.
+            if column.has_numbers() {
                 let indent = width.saturating_sub(u16::try_from(words.width()).unwrap_or(*width));
                 painter.text(span(at, from + indent, width - indent), &words, style);
             } else {
@@ -254,14 +255,6 @@ impl TableView {
             from += width + GAP;
         }
     }
-}
-
-/// Numbers are at the right of their column.
-const fn is_number(column: RunColumn) -> bool {
-    matches!(
-        column,
-        RunColumn::Input(_) | RunColumn::Result(_) | RunColumn::Steps | RunColumn::Cpu
-    )
 }
 
 /// The width of a column: that of its widest cell in sight.

@@ -35,6 +35,17 @@ pub enum RunColumn {
     Tags,
 }
 
+impl RunColumn {
+    /// Whether its cells are numbers; inputs may have words too.
+    #[must_use]
+    pub const fn has_numbers(self) -> bool {
+        matches!(
+            self,
+            Self::Input(_) | Self::Result(_) | Self::Steps | Self::Cpu
+        )
+    }
+}
+
 /// A column by its name: its number changes with the runs of the table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ColumnName {
