@@ -236,6 +236,7 @@ fn without_a_locale_every_pane_is_ascii_and_no_character_is_lost() {
     }
     .go();
     pty.wait_for("No locale is set, so this is ASCII.");
+    pty.wait_for(LIST);
     pty.send("\r");
     pty.wait_for("1 Inputs");
     for pane in ["1", "2", "3", "4", "5", "6", "7", "8"] {
