@@ -419,7 +419,7 @@ pub(super) struct RunArgs {
     #[arg(long)]
     pub(super) ascii: bool,
 
-    /// Print one JSON object: for a system of lines, forces at both ends of every line, places of points, poses of bodies.
+    /// Print one JSON object: results with errors; for a system of lines, forces at both ends of every line, places of points, poses of bodies.
     #[arg(long, conflicts_with = "ascii")]
     pub(super) json: bool,
 }
@@ -434,6 +434,10 @@ pub(super) struct ValidateArgs {
     /// value of the key then read EDITED, and count neither as passed nor as failed.
     #[arg(long = "set", value_name = "KEY=VALUE", requires = "cases")]
     pub(super) set: Vec<String>,
+
+    /// Print one JSON object.
+    #[arg(long, conflicts_with = "ascii")]
+    pub(super) json: bool,
 
     /// Print with ASCII characters only.
     #[arg(long)]

@@ -8,7 +8,7 @@ use super::{
 use crate::{
     case,
     kinds::FileType,
-    report::{limits, text},
+    report::{limits, run_json, text},
     run::{
         ResumedRun, Run, RunState,
         job::{self, JobEvent, Request},
@@ -43,6 +43,10 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
         return Err(error.into());
     }
     let dir = writer.finish(&run)?;
+    if args.json {
+        output::results(&format!("{:#}\n", run_json::run(&run, &dir)), false)?;
+        return Ok(status(&run, &stop));
+    }
     let mut text = format!("{}\n\n{}", dir.display(), text::summary(&run));
     if let Some(limits) = limits::of_run(&request.case, &run.profile) {
         text.push_str(&format!("\n{}", limits.to_text(text::WIDTH)));

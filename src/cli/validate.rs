@@ -17,7 +17,7 @@ use super::{
 use crate::{
     case::{Case, EditedKey, StudyPoint, kind},
     reference::{self, Outcome, OutcomeCounts, ValidationRow},
-    report::text,
+    report::{run_json, text},
     run::{
         Run,
         job::{self, Request},
@@ -65,7 +65,11 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
     if args.cases.is_empty() {
         tables.retain(|file| !file.rows.is_empty());
     }
-    output::results(&text(&tables), args.ascii)?;
+    let page = match args.json {
+        true => format!("{:#}\n", object(&tables)),
+        false => text(&tables),
+    };
+    output::results(&page, args.ascii)?;
     let holds = total(&tables).holds();
     Ok(if holds {
         ExitCode::SUCCESS
@@ -178,6 +182,16 @@ fn total(tables: &[ValidatedFile]) -> OutcomeCounts {
         .iter()
         .map(|file| reference::count_outcomes(&file.rows))
         .fold(OutcomeCounts::default(), |a, b| a + b)
+}
+
+/// All tables as one JSON object.
+fn object(tables: &[ValidatedFile]) -> serde_json::Value {
+    let files = tables.iter().map(|file| {
+        let rows = run_json::validation(&file.rows);
+        serde_json::json!({"file": file.head, "rows": rows})
+    });
+    let counts = total(tables).to_string();
+    serde_json::json!({"files": files.collect::<Vec<_>>(), "counts": counts})
 }
 
 fn text(tables: &[ValidatedFile]) -> String {

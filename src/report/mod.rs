@@ -11,6 +11,7 @@ pub mod physics;
 pub mod plain;
 pub mod response;
 pub mod ropeway;
+pub mod run_json;
 pub mod sea;
 pub mod section;
 pub mod ship;

@@ -15,6 +15,7 @@ mod compare;
 mod documents;
 mod effects;
 mod hostile_text;
+mod json;
 mod output_files;
 mod signals;
 mod start_from_run;

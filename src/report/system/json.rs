@@ -3,7 +3,6 @@
 use serde_json::{Value, json};
 
 use crate::numerics::V3;
-use crate::reference::ValidationRow;
 use crate::system::SolvedSystem;
 use crate::system::bounds::Contact;
 use crate::system::network::Held;
@@ -106,20 +105,4 @@ fn body(solved: &SolvedSystem, index: usize) -> Value {
         "lines_moment_n_m": three(&moment),
         "stiffness": rows,
     })
-}
-
-/// Rows of a validation table.
-#[must_use]
-pub fn validation(rows: &[ValidationRow]) -> Value {
-    let each = rows.iter().map(|row| {
-        json!({
-            "name": row.name,
-            "published": row.published,
-            "computed": row.computed,
-            "unit": row.unit,
-            "outcome": row.outcome.to_string(),
-            "source": row.source,
-        })
-    });
-    Value::Array(each.collect())
 }

@@ -1,0 +1,165 @@
+//! What `--json` prints, against the schema that comes with the program, and how systems are refused on the command line.
+
+use std::path::Path;
+
+use assert_cmd::Command;
+use predicates::str::contains;
+use serde_json::Value;
+
+use crate::small::SMALL;
+
+const OC3: &str = include_str!("../../cases/systems/oc3_spar.toml");
+const SCHEMA: &str = include_str!("../../docs/output.schema.json");
+
+fn seacable(dir: &Path) -> Command {
+    let mut command = Command::cargo_bin("seacable").unwrap();
+    command.current_dir(dir).env("NO_COLOR", "1");
+    command
+}
+
+/// A directory with a small line case and a system.
+fn folder() -> tempfile::TempDir {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("small.toml"), SMALL).unwrap();
+    std::fs::write(dir.path().join("oc3.toml"), OC3).unwrap();
+    dir
+}
+
+fn printed(dir: &Path, words: &[&str]) -> Value {
+    let output = seacable(dir).args(words).output().unwrap();
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// Every key that the schema requires of this kind of object is there, and no other.
+fn fits(object: &Value, kind: &str) {
+    let schema: Value = serde_json::from_str(SCHEMA).unwrap();
+    let required = schema["$defs"][kind]["required"].as_array().unwrap();
+    let mut required: Vec<&str> = required.iter().filter_map(Value::as_str).collect();
+    let mut given: Vec<&str> = object
+        .as_object()
+        .unwrap()
+        .keys()
+        .map(String::as_str)
+        .collect();
+    required.sort_unstable();
+    given.sort_unstable();
+    assert_eq!(given, required, "{kind}");
+}
+
+#[test]
+fn a_system_as_json() {
+    let dir = folder();
+    let system = printed(dir.path(), &["run", "oc3.toml", "--json"]);
+    fits(&system, "system");
+    let lines = system["lines"].as_array().unwrap();
+    assert_eq!(lines.len(), 3);
+    for line in lines {
+        fits(line, "line");
+        assert!((line["tension_b_n"].as_f64().unwrap() / 911_089.457 - 1.0).abs() < 1e-8);
+        assert!(line["error_n"].as_f64().unwrap() < 1e-6);
+        // The line pulls its fairlead down and its anchor along the bed.
+        assert!(line["force_b_n"][2].as_f64().unwrap() < 0.0);
+        assert_eq!(line["force_a_n"][2].as_f64().unwrap(), 0.0);
+    }
+    assert_eq!(lines[1]["name"], "mooring@120");
+    fits(&system["points"][0], "point");
+    fits(&system["bodies"][0], "body");
+    let surge = system["bodies"][0]["stiffness"][0][0].as_f64().unwrap();
+    assert!((surge / 41_180.0 - 1.0).abs() < 0.003);
+}
+
+#[test]
+fn a_run_and_a_validation_as_json() {
+    let dir = folder();
+    let run = printed(dir.path(), &["run", "small.toml", "--out", "one", "--json"]);
+    fits(&run, "run");
+    let results = run["results"].as_array().unwrap();
+    assert!(!results.is_empty());
+    fits(&results[0], "result");
+    let validation = printed(dir.path(), &["validate", "oc3.toml", "--json"]);
+    fits(&validation, "validation");
+    assert_eq!(validation["files"][0]["rows"].as_array().unwrap().len(), 10);
+}
+
+#[test]
+fn analyses_as_json() {
+    let dir = folder();
+    let words = [
+        "study",
+        "watch-circle",
+        "oc3.toml",
+        "--load",
+        "5e5",
+        "--headings",
+        "6",
+        "--json",
+    ];
+    let circle = printed(dir.path(), &words);
+    assert_eq!(circle["intact"].as_array().unwrap().len(), 6);
+    assert_eq!(circle["line_lost"].as_array().unwrap().len(), 3);
+    let words = [
+        "study", "offsets", "oc3.toml", "--to", "10", "--steps", "5", "--json",
+    ];
+    assert_eq!(
+        printed(dir.path(), &words)["points"]
+            .as_array()
+            .unwrap()
+            .len(),
+        6
+    );
+    let want = "tension_n[mooring|b]=9.5e5";
+    let key = "lines.mooring.length_m";
+    let words = [
+        "study",
+        "seek",
+        "oc3.toml",
+        "--vary",
+        key,
+        "--between",
+        "890..910",
+        "--want",
+        want,
+        "--json",
+    ];
+    let found = printed(dir.path(), &words);
+    assert!((found["comes_to"].as_f64().unwrap() / 9.5e5 - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn refusals_end_with_a_status_and_a_message() {
+    let dir = folder();
+    std::fs::write(
+        dir.path().join("bad.toml"),
+        OC3.replace("from = \"anchor\"", "from = \"ancor\""),
+    )
+    .unwrap();
+    let mut bad = seacable(dir.path());
+    bad.args(["run", "bad.toml", "--json"]);
+    bad.assert()
+        .code(2)
+        .stderr(contains("there is no point named \"ancor\""))
+        .stderr(contains("did you mean"));
+    let mut never = seacable(dir.path());
+    let key = "lines.mooring.length_m";
+    never.args([
+        "study",
+        "seek",
+        "oc3.toml",
+        "--vary",
+        key,
+        "--between",
+        "900..905",
+        "--want",
+        "tension_n[mooring|b]=5e7",
+    ]);
+    never
+        .assert()
+        .code(1)
+        .stderr(contains("is not among these"));
+    let mut periods = seacable(dir.path());
+    periods.args(["modes", "oc3.toml"]);
+    periods
+        .assert()
+        .code(2)
+        .stderr(contains("No body of the system has a mass"));
+}
