@@ -1,5 +1,7 @@
 //! The results of a system by name: `tension_n[LINE|b]`, `z_m[POINT]`, `stiffness[BODY|11]`.
 
+use super::analysis::clearance::between_lines;
+use super::analysis::periods::periods;
 use super::model::SystemKeys;
 use super::solved::SolvedSystem;
 use crate::case::Finding;
@@ -16,6 +18,10 @@ enum Subject {
     Point,
     /// A body and two directions from 1 to 6.
     Stiffness,
+    /// A body.
+    Body,
+    /// A number from 1.
+    Period,
 }
 
 /// A result of a system.
@@ -43,11 +49,15 @@ const fn quantity(
 
 /// All results.
 #[rustfmt::skip] // one a line
-static QUANTITIES: [Quantity; 8] = [
+static QUANTITIES: [Quantity; 12] = [
     quantity("tension_n", "N", Subject::LineEnd, "tension at an end of a line"),
     quantity("horizontal_n", "N", Subject::LineEnd, "horizontal part of the tension at an end of a line"),
     quantity("vertical_n", "N", Subject::LineEnd, "vertical force of a line on its end, upwards"),
     quantity("on_bed_m", "m", Subject::Line, "unstretched length of a line on the bed"),
+    quantity("clearance_m", "m", Subject::Line, "least distance of a line from another that shares no point with it"),
+    quantity("uplift_n", "N", Subject::Point, "upward pull of the lines on a point"),
+    quantity("offset_m", "m", Subject::Body, "distance in plan of a free body from the place given"),
+    quantity("period_s", "s", Subject::Period, "natural period of the bodies by its number, the longest first"),
     quantity("x_m", "m", Subject::Point, "x of a point"),
     quantity("y_m", "m", Subject::Point, "y of a point"),
     quantity("z_m", "m", Subject::Point, "z of a point"),
@@ -110,6 +120,7 @@ pub fn value(solved: &SolvedSystem, name: &str) -> Result<f64, String> {
                 _ => return Err(missing()),
             };
             Ok(match quantity.name {
+                "clearance_m" => return clearance(solved, index),
                 "tension_n" => force.norm(),
                 "horizontal_n" => force.xy().norm(),
                 "vertical_n" => force.z,
@@ -118,17 +129,56 @@ pub fn value(solved: &SolvedSystem, name: &str) -> Result<f64, String> {
         }
         Subject::Point => {
             let index = network.point(subject).ok_or_else(missing)?;
+            if quantity.name == "uplift_n" {
+                return Ok(uplift(solved, index));
+            }
             let axis = ["x_m", "y_m", "z_m"]
                 .iter()
                 .position(|n| *n == quantity.name);
             Ok(solved.rest.placement.points[index][axis.unwrap_or(0)])
         }
+        Subject::Body => {
+            let index = network.body(subject).ok_or_else(missing)?;
+            let here = solved.rest.placement.bodies[index].origin;
+            Ok((here - network.bodies[index].pose.origin).xy().norm())
+        }
+        Subject::Period => period(solved, subject.parse().map_err(|_| missing())?),
         Subject::Stiffness => {
             let index = network.body(subject).ok_or_else(missing)?;
             let at = direction(place).ok_or_else(missing)?;
             Ok(solved.stiffness[index][at])
         }
     }
+}
+
+fn clearance(solved: &SolvedSystem, line: usize) -> Result<f64, String> {
+    let pairs = between_lines(&solved.network, &solved.rest);
+    let mut with = pairs
+        .iter()
+        .filter(|pair| pair.lines.0 == line || pair.lines.1 == line);
+    let alone = || "Every other line shares a point with it.".to_owned();
+    with.next().map(|pair| pair.distance_m).ok_or_else(alone)
+}
+
+fn uplift(solved: &SolvedSystem, point: usize) -> f64 {
+    let lines = solved.network.lines.iter().zip(&solved.rest.balance.lines);
+    let pull = lines.map(|(line, at_rest)| {
+        let at = |end: usize, force: f64| if end == point { force } else { 0.0 };
+        at(line.from, at_rest.force_a.z) + at(line.to, at_rest.force_b.z)
+    });
+    pull.sum()
+}
+
+/// The period of this number, those that do not end left out.
+fn period(solved: &SolvedSystem, number: usize) -> Result<f64, String> {
+    let modes = periods(&solved.network, &solved.rest)
+        .map_err(|why| format!("There are no natural periods: {why}."))?;
+    let finite = modes
+        .iter()
+        .filter_map(|mode| mode.period_s)
+        .filter(|period| period.is_finite());
+    let found = finite.clone().nth(number.wrapping_sub(1));
+    found.ok_or_else(|| format!("There are {} natural periods.", finite.count()))
 }
 
 /// A result that does not exist.

@@ -94,6 +94,17 @@ fn a_wanted_tension_gives_a_length_or_a_reason() {
     let system = solved(&found.text);
     assert!((crate::tensions(&system, "mooring")[1] - wanted).abs() < 1e-6 * wanted);
     assert!(found.value < 902.2 && found.value > 890.0);
+    // The radius of the anchors for a tension, and that of the fairleads for a clearance.
+    let key = "points.anchor.position_m.x";
+    let found = seek(OC3, key, (850.0, 865.0), "tension_n[mooring|b]", 1.2e6).unwrap();
+    assert!(found.value > 853.87, "{}", found.value);
+    let key = "points.fairlead.position_m.x";
+    let apart = seek(OC3, key, (4.0, 8.0), "clearance_m[mooring]", 10.0).unwrap();
+    assert!(
+        (apart.value - 10.0 / 3.0_f64.sqrt()).abs() < 1e-3,
+        "{}",
+        apart.value
+    );
     let why = seek(
         OC3,
         "lines.mooring.length_m",
