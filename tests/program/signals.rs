@@ -22,8 +22,11 @@ fn place(text: &str) -> tempfile::TempDir {
 fn endless() -> tempfile::TempDir {
     place(
         &SMALL
-            .replace("duration_s = 5.0", "duration_s = 1e6\ntime_step_s = 0.01")
-            .replace("interval_s = 0.5", "interval_s = 1.0"),
+            .replace(
+                "duration_s = 5.0",
+                "duration_s = 50000.0\ntime_step_s = 0.01",
+            )
+            .replace("interval_s = 0.5", "interval_s = 0.1"),
     )
 }
 
