@@ -108,8 +108,6 @@ fn web(lines: usize, free: usize) -> Network {
             Held::Free(FreePoint {
                 weight: mass * 9.806_65,
                 buoyancy: volume * 1025.0 * 9.806_65,
-                mass,
-                volume,
                 ..FreePoint::default()
             })
         };
@@ -127,7 +125,6 @@ fn web(lines: usize, free: usize) -> Network {
             to,
             reversed: reversed(&sections),
             break_loads: vec![None],
-            masses: vec![[20.0, 30.0]],
             sections,
             friction: 0.0,
             discretised: None,

@@ -194,7 +194,7 @@ pub(super) enum StudyArgs {
 
 // The arguments that commands share; doc comments here would replace the help of the commands.
 
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 pub(super) struct CaseArgs {
     /// The case file.
     #[arg(value_name = "CASE")]

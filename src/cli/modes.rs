@@ -24,8 +24,7 @@ const HEIGHT: usize = 22;
 pub(super) fn modes(args: &ModesArgs) -> Result<ExitCode, CommandError> {
     if FileType::of(&args.case.file) == FileType::System {
         return system_study::modes(&SystemArgs {
-            file: args.case.file.clone(),
-            set: args.case.set.clone(),
+            case: args.case.clone(),
             ascii: args.ascii,
             json: args.json,
         });

@@ -1,18 +1,13 @@
 //! The arguments of the analyses of systems of lines.
 
-use std::path::PathBuf;
+use super::args::CaseArgs;
 
 // Arguments that commands share; doc comments here would replace the help of the commands.
 
 #[derive(Debug, clap::Args)]
 pub(super) struct SystemArgs {
-    /// The system file, such as cases/systems/oc3_spar.toml.
-    #[arg(value_name = "CASE")]
-    pub(super) file: PathBuf,
-
-    /// Set a key on top of the file, for example seabed.friction=0.5; may be repeated.
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    pub(super) set: Vec<String>,
+    #[command(flatten)]
+    pub(super) case: CaseArgs,
 
     /// Print with ASCII characters only.
     #[arg(long)]

@@ -22,7 +22,7 @@ const WIDTH: usize = 140;
 const PLOT: (usize, usize) = (80, 24);
 
 fn load(args: &SystemArgs) -> Result<SolvedSystem, CommandError> {
-    Ok(cases::load_with::<SystemFile>(&args.file, &args.set)?.1)
+    Ok(cases::load_with::<SystemFile>(&args.case.file, &args.case.set)?.1)
 }
 
 /// The body named, or the only one.
@@ -131,9 +131,9 @@ pub(super) fn watch(args: &WatchArgs) -> Result<ExitCode, CommandError> {
 }
 
 pub(super) fn goal(args: &SeekArgs) -> Result<ExitCode, CommandError> {
-    let file = kind::load::<SystemFile>(&args.system.file)
-        .map_err(CommandError::invalid_file(&args.system.file))?;
-    let text = kind::set_all::<SystemFile>(&file.text, &cases::edits(&args.system.set)?)
+    let file = kind::load::<SystemFile>(&args.system.case.file)
+        .map_err(CommandError::invalid_file(&args.system.case.file))?;
+    let text = kind::set_all::<SystemFile>(&file.text, &cases::edits(&args.system.case.set)?)
         .map_err(CommandError::invalid(&file.text))?;
     let Some((quantity, wanted)) = args
         .want

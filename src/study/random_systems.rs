@@ -166,8 +166,6 @@ impl Maker<'_> {
         self.point(Held::Free(FreePoint {
             weight: mass * gravity,
             buoyancy: volume * density * gravity,
-            mass,
-            volume,
             load: V3::zeros(),
             start: None,
         }))
@@ -212,7 +210,6 @@ impl Maker<'_> {
             to,
             reversed: reversed(&sections),
             break_loads: vec![None; sections.len()],
-            masses: vec![[1.0, 1.0]; sections.len()],
             sections,
             friction,
             discretised: None,

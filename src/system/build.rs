@@ -123,8 +123,6 @@ impl Builder<'_> {
             PointKind::Free => Held::Free(FreePoint {
                 weight: given.mass_kg * self.network.gravity,
                 buoyancy: self.network.density * given.volume_m3 * self.network.gravity,
-                mass: given.mass_kg,
-                volume: given.volume_m3,
                 load: V3::from(given.load_n),
                 start: place,
             }),
@@ -158,7 +156,6 @@ impl Builder<'_> {
         let friction = line
             .friction
             .or(self.file.seabed.as_ref().map(|bed| bed.friction));
-        let water = |m: &Material| self.network.density * area(m) * m.added_mass_normal;
         Line {
             name,
             from,
@@ -166,10 +163,6 @@ impl Builder<'_> {
             reversed: reversed(&sections),
             sections,
             break_loads: parts.iter().map(|(m, ..)| m.break_load_n).collect(),
-            masses: parts
-                .iter()
-                .map(|(m, ..)| [m.mass_kg_per_m, m.mass_kg_per_m + water(m)])
-                .collect(),
             friction: friction.unwrap_or(0.0),
             discretised: None,
         }

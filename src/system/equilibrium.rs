@@ -38,6 +38,15 @@ pub struct Equilibrium {
     pub evaluations: usize,
 }
 
+impl Equilibrium {
+    /// What bears on a free point; nothing on one that is held.
+    #[must_use]
+    pub fn contact(&self, point: usize) -> Contact {
+        let first = self.freedoms.points[point];
+        first.map_or(Contact::None, |first| self.contacts[first + 2])
+    }
+}
+
 /// Why there is no equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SystemError {

@@ -16,6 +16,7 @@ pub mod equilibrium;
 mod file;
 pub mod freedoms;
 pub mod line_at_rest;
+pub mod loads;
 pub mod model;
 pub mod network;
 pub mod pose;

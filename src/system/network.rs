@@ -53,10 +53,6 @@ pub struct FreePoint {
     pub weight: f64,
     /// Buoyancy under water \[N\].
     pub buoyancy: f64,
-    /// Mass \[kg\].
-    pub mass: f64,
-    /// Displaced volume \[m³\].
-    pub volume: f64,
     /// Steady load \[N\].
     pub load: V3,
     /// Where the search begins \[m\], if that is given.
@@ -119,8 +115,6 @@ pub struct Line {
     pub reversed: Vec<SectionProperties>,
     /// Breaking load of each section \[N\].
     pub break_loads: Vec<Option<f64>>,
-    /// Mass per length of each section, without and with added mass across it \[kg/m\].
-    pub masses: Vec<[f64; 2]>,
     /// Axial friction under the line \[-\].
     pub friction: f64,
     /// The line divided into segments, where it has no closed form.

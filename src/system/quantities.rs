@@ -2,6 +2,7 @@
 
 use super::analysis::clearance::between_lines;
 use super::analysis::periods::periods;
+use super::loads;
 use super::model::SystemKeys;
 use super::solved::SolvedSystem;
 use crate::case::Finding;
@@ -130,7 +131,7 @@ pub fn value(solved: &SolvedSystem, name: &str) -> Result<f64, String> {
         Subject::Point => {
             let index = network.point(subject).ok_or_else(missing)?;
             if quantity.name == "uplift_n" {
-                return Ok(uplift(solved, index));
+                return Ok(loads::pull(network, &solved.rest, index).z);
             }
             let axis = ["x_m", "y_m", "z_m"]
                 .iter()
@@ -158,15 +159,6 @@ fn clearance(solved: &SolvedSystem, line: usize) -> Result<f64, String> {
         .filter(|pair| pair.lines.0 == line || pair.lines.1 == line);
     let alone = || "Every other line shares a point with it.".to_owned();
     with.next().map(|pair| pair.distance_m).ok_or_else(alone)
-}
-
-fn uplift(solved: &SolvedSystem, point: usize) -> f64 {
-    let lines = solved.network.lines.iter().zip(&solved.rest.balance.lines);
-    let pull = lines.map(|(line, at_rest)| {
-        let at = |end: usize, force: f64| if end == point { force } else { 0.0 };
-        at(line.from, at_rest.force_a.z) + at(line.to, at_rest.force_b.z)
-    });
-    pull.sum()
 }
 
 /// The period of this number, those that do not end left out.

@@ -165,7 +165,7 @@ fn out_of_water(network: &Network, rest: &Equilibrium) -> Option<UnsolvedSystem>
             continue;
         };
         let pushed = rest.balance.force[first + 2];
-        if rest.contacts[first + 2] == Contact::Surface
+        if rest.contact(index) == Contact::Surface
             && pushed > free.buoyancy + 1e-9 * rest.balance.tension
         {
             return Some(UnsolvedSystem {

@@ -29,7 +29,7 @@ pub fn of_body(
         Some(lines),
     )?;
     let first = freedoms.bodies[body].unwrap_or(0);
-    let mut own: Vec<usize> = (first..first + 6).collect();
+    let own: Vec<usize> = (first..first + 6).collect();
     let others = relaxed(network, rest, &freedoms, body);
     let mut block = take(&all.stiffness, &own, &own);
     let inner = take(&all.stiffness, &others, &others);
@@ -39,7 +39,6 @@ pub fn of_body(
     {
         block -= take(&all.stiffness, &own, &others) * response;
     }
-    own.clear();
     let loads = body_loads(&network.bodies[body], &placement.bodies[body]).1;
     Ok(Matrix6::from_fn(|i, j| block[(i, j)]) - loads)
 }

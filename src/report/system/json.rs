@@ -5,10 +5,9 @@ use serde_json::{Value, json};
 use crate::numerics::V3;
 use crate::system::SolvedSystem;
 use crate::system::bounds::Contact;
+use crate::system::loads;
 use crate::system::network::Held;
 use crate::system::solved::Stability;
-
-use super::tables::{greatest_share, load};
 
 fn three(v: &V3) -> Value {
     json!([v.x, v.y, v.z])
@@ -57,7 +56,7 @@ fn line(solved: &SolvedSystem, index: usize) -> Value {
         "force_a_n": three(&at_rest.force_a),
         "force_b_n": three(&at_rest.force_b),
         "on_bed_m": at_rest.on_bed(),
-        "share_of_breaking_load": greatest_share(solved, index),
+        "share_of_breaking_load": loads::share_of_breaking_load(network, &solved.rest, index),
         "error_n": solved.line_errors[index].map(|own| own + solved.rest.residual),
     })
 }
@@ -67,14 +66,11 @@ fn point(solved: &SolvedSystem, index: usize) -> Value {
     let held = match &point.held {
         Held::At(_) => "fixed",
         Held::On(..) => "body",
-        Held::Free(_) => {
-            let first = solved.rest.freedoms.points[index].unwrap_or(0);
-            match solved.rest.contacts[first + 2] {
-                Contact::None => "free",
-                Contact::Bed => "on bed",
-                Contact::Surface => "afloat",
-            }
-        }
+        Held::Free(_) => match solved.rest.contact(index) {
+            Contact::None => "free",
+            Contact::Bed => "on bed",
+            Contact::Surface => "afloat",
+        },
     };
     json!({
         "name": point.name,
@@ -87,7 +83,7 @@ fn body(solved: &SolvedSystem, index: usize) -> Value {
     let body = &solved.network.bodies[index];
     let pose = &solved.rest.placement.bodies[index];
     let [roll, pitch, yaw] = pose.angles().map(f64::to_degrees);
-    let (force, moment) = load(solved, index);
+    let (force, moment) = loads::on_body(&solved.network, &solved.rest, index);
     let matrix = &solved.stiffness[index];
     let rows: Vec<Vec<f64>> = (0..6)
         .map(|i| (0..6).map(|j| matrix[(i, j)]).collect())

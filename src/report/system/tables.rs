@@ -7,6 +7,7 @@ use crate::system::SolvedSystem;
 use crate::system::analysis::clearance::curves;
 use crate::system::bounds::Contact;
 use crate::system::line_at_rest::LineNote;
+use crate::system::loads;
 use crate::system::network::Held;
 use crate::system::solved::Stability;
 
@@ -55,7 +56,8 @@ fn stability(stability: &Stability) -> String {
 #[must_use]
 pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
     let mut found = Vec::new();
-    for (line, at_rest) in solved.network.lines.iter().zip(&solved.rest.balance.lines) {
+    for (index, line) in solved.network.lines.iter().enumerate() {
+        let at_rest = &solved.rest.balance.lines[index];
         match at_rest.note {
             Some(LineNote::WithoutFriction) => found.push(format!(
                 "Line {} lies on the bed between two suspended parts: it is taken without friction, which there depends on how it was laid.",
@@ -73,10 +75,7 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
                 line.name
             ));
         }
-        for (share, _) in shares(solved, line)
-            .iter()
-            .filter(|(share, _)| *share > 1.0)
-        {
+        if let Some(share) = greatest_share(solved, index).filter(|share| *share > 1.0) {
             found.push(format!(
                 "Line {} carries {:.0} % of its breaking load.",
                 line.name,
@@ -111,13 +110,10 @@ fn above_water(solved: &SolvedSystem) -> Vec<String> {
 
 /// Points that float at the surface.
 fn afloat(solved: &SolvedSystem) -> Vec<String> {
-    let rest = &solved.rest;
-    let numbered = solved.network.points.iter().zip(&rest.freedoms.points);
-    let floating = numbered.filter(|(_, first)| {
-        first.is_some_and(|first| rest.contacts[first + 2] == Contact::Surface)
-    });
+    let numbered = solved.network.points.iter().enumerate();
+    let floating = numbered.filter(|(index, _)| solved.rest.contact(*index) == Contact::Surface);
     floating
-        .map(|(point, _)| {
+        .map(|(_, point)| {
             format!(
                 "Point {} floats at the surface, part of its volume out of the water.",
                 point.name
@@ -126,31 +122,9 @@ fn afloat(solved: &SolvedSystem) -> Vec<String> {
         .collect()
 }
 
-/// Tension over breaking load at the ends of the sections of a line, and which section.
-fn shares(solved: &SolvedSystem, line: &crate::system::network::Line) -> Vec<(f64, usize)> {
-    let places = &solved.rest.placement.points;
-    let ends = [&places[line.from], &places[line.to]];
-    let index = solved.network.line(&line.name).unwrap_or(0);
-    let at_rest = &solved.rest.balance.lines[index];
-    let whole = line.length();
-    let mut arc = 0.0;
-    let mut found = Vec::new();
-    for (k, section) in line.sections.iter().enumerate() {
-        let (from, to) = (arc / whole, (arc + section.length_m) / whole);
-        arc += section.length_m;
-        if let Some(breaks) = line.break_loads[k] {
-            let greatest = at_rest.at(from, ends).1.max(at_rest.at(to, ends).1);
-            found.push((greatest / breaks, k));
-        }
-    }
-    found
-}
-
-/// The greatest tension over breaking load along a line; nothing where no section states one.
-#[must_use]
-pub fn greatest_share(solved: &SolvedSystem, line: usize) -> Option<f64> {
-    let shares = shares(solved, &solved.network.lines[line]);
-    shares.into_iter().map(|(share, _)| share).reduce(f64::max)
+/// The greatest share of its breaking load that a line carries; nothing where no section states one.
+fn greatest_share(solved: &SolvedSystem, line: usize) -> Option<f64> {
+    loads::share_of_breaking_load(&solved.network, &solved.rest, line)
 }
 
 /// Elevation of a force above the horizontal \[deg\]; nothing without force.
@@ -214,7 +188,10 @@ pub fn points(solved: &SolvedSystem) -> Table {
     let rest = &solved.rest;
     let numbers: Vec<usize> = (0..network.points.len()).collect();
     let place = |k: &usize| rest.placement.points[*k];
-    let pulls: Vec<V3> = numbers.iter().map(|k| pull(solved, *k)).collect();
+    let pulls: Vec<V3> = numbers
+        .iter()
+        .map(|k| loads::pull(network, rest, *k))
+        .collect();
     Table::of("Points", &numbers)
         .text("point", |k| network.points[*k].name.as_str())
         .text("held", |k| held(solved, *k))
@@ -226,33 +203,16 @@ pub fn points(solved: &SolvedSystem) -> Table {
         .build()
 }
 
-/// The force of all lines on a point.
-fn pull(solved: &SolvedSystem, point: usize) -> V3 {
-    let mut sum = V3::zeros();
-    for (line, at_rest) in solved.network.lines.iter().zip(&solved.rest.balance.lines) {
-        if line.from == point {
-            sum += at_rest.force_a;
-        }
-        if line.to == point {
-            sum += at_rest.force_b;
-        }
-    }
-    sum
-}
-
 fn held(solved: &SolvedSystem, point: usize) -> String {
     match &solved.network.points[point].held {
         Held::At(_) => "fixed".to_owned(),
         Held::On(body, _) => format!("on {}", solved.network.bodies[*body].name),
-        Held::Free(_) => {
-            let first = solved.rest.freedoms.points[point].unwrap_or(0);
-            match solved.rest.contacts[first + 2] {
-                Contact::None => "free",
-                Contact::Bed => "on the bed",
-                Contact::Surface => "afloat",
-            }
-            .to_owned()
+        Held::Free(_) => match solved.rest.contact(point) {
+            Contact::None => "free",
+            Contact::Bed => "on the bed",
+            Contact::Surface => "afloat",
         }
+        .to_owned(),
     }
 }
 
@@ -263,7 +223,10 @@ pub fn bodies(solved: &SolvedSystem) -> Table {
     let numbers: Vec<usize> = (0..network.bodies.len()).collect();
     let pose = |k: &usize| &solved.rest.placement.bodies[*k];
     let angle = |k: &usize, axis: usize| pose(k).angles()[axis].to_degrees();
-    let loads: Vec<(V3, V3)> = numbers.iter().map(|k| load(solved, *k)).collect();
+    let loads: Vec<(V3, V3)> = numbers
+        .iter()
+        .map(|k| loads::on_body(network, &solved.rest, *k))
+        .collect();
     Table::of("Bodies", &numbers)
         .text("body", |k| network.bodies[*k].name.as_str())
         .text("held", |k| {
@@ -283,21 +246,6 @@ pub fn bodies(solved: &SolvedSystem) -> Table {
         .number("lines y", NEWTONS, |k| loads[*k].0.y)
         .number("lines z", NEWTONS, |k| loads[*k].0.z)
         .build()
-}
-
-/// Force and moment of the lines on a body about its origin.
-#[must_use]
-pub fn load(solved: &SolvedSystem, body: usize) -> (V3, V3) {
-    let placement = &solved.rest.placement;
-    let (mut force, mut moment) = (V3::zeros(), V3::zeros());
-    for (index, point) in solved.network.points.iter().enumerate() {
-        if matches!(point.held, Held::On(on, _) if on == body) {
-            let here = pull(solved, index);
-            force += here;
-            moment += (placement.points[index] - placement.bodies[body].origin).cross(&here);
-        }
-    }
-    (force, moment)
 }
 
 /// The stiffness of the lines on a body, six by six.

@@ -1,0 +1,51 @@
+//! What the lines of a system at rest do to points and bodies, and how near they are to breaking.
+
+use super::equilibrium::Equilibrium;
+use super::network::{Held, Network};
+use crate::numerics::V3;
+
+/// Force of all lines on a point \[N\].
+#[must_use]
+pub fn pull(network: &Network, rest: &Equilibrium, point: usize) -> V3 {
+    let lines = network.lines.iter().zip(&rest.balance.lines);
+    let on_point = lines.map(|(line, at_rest)| {
+        let at = |end: usize, force: V3| if end == point { force } else { V3::zeros() };
+        at(line.from, at_rest.force_a) + at(line.to, at_rest.force_b)
+    });
+    on_point.sum()
+}
+
+/// Force \[N\] and moment about its origin \[N m\] of all lines on a body.
+#[must_use]
+pub fn on_body(network: &Network, rest: &Equilibrium, body: usize) -> (V3, V3) {
+    let placement = &rest.placement;
+    let (mut force, mut moment) = (V3::zeros(), V3::zeros());
+    for (index, point) in network.points.iter().enumerate() {
+        if matches!(point.held, Held::On(on, _) if on == body) {
+            let here = pull(network, rest, index);
+            force += here;
+            moment += (placement.points[index] - placement.bodies[body].origin).cross(&here);
+        }
+    }
+    (force, moment)
+}
+
+/// The greatest tension over breaking load of a line, at the ends of its sections \[-\]; nothing where none states one.
+#[must_use]
+pub fn share_of_breaking_load(network: &Network, rest: &Equilibrium, line: usize) -> Option<f64> {
+    let (line, at_rest) = (&network.lines[line], &rest.balance.lines[line]);
+    let places = &rest.placement.points;
+    let ends = [&places[line.from], &places[line.to]];
+    let whole = line.length();
+    let mut arc = 0.0;
+    let mut greatest: Option<f64> = None;
+    for (section, breaks) in line.sections.iter().zip(&line.break_loads) {
+        let (from, to) = (arc / whole, (arc + section.length_m) / whole);
+        arc += section.length_m;
+        if let Some(breaks) = breaks {
+            let tension = at_rest.at(from, ends).1.max(at_rest.at(to, ends).1);
+            greatest = Some(greatest.unwrap_or(0.0).max(tension / breaks));
+        }
+    }
+    greatest
+}
