@@ -124,6 +124,7 @@ fn web(lines: usize, free: usize) -> Network {
             from,
             to,
             reversed: reversed(&sections),
+            added_weight: 0.0,
             break_loads: vec![None],
             sections,
             friction: 0.0,

@@ -119,6 +119,19 @@ pub fn set<K: FileKind>(
 ///
 /// As [`set`].
 pub fn set_all<K: FileKind>(text: &str, edits: &[(&str, &str)]) -> Result<String, Vec<Diagnostic>> {
+    set_and_compute::<K>(text, edits).map(|(edited, _)| edited)
+}
+
+/// As [`set_all`], with the result of the edited text.
+///
+/// # Errors
+///
+/// As [`set`].
+pub fn set_and_compute<K: FileKind>(
+    text: &str,
+    edits: &[(&str, &str)],
+) -> Result<(String, K::Computed), Vec<Diagnostic>> {
     let (edited, shown) = put_all(K::schema(), text, edits)?;
-    parse::<K>(&edited, &shown).map(|_| edited)
+    let computed = parse::<K>(&edited, &shown)?;
+    Ok((edited, computed))
 }

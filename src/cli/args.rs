@@ -294,9 +294,9 @@ pub(super) struct ModesArgs {
     #[command(flatten)]
     pub(super) case: CaseArgs,
 
-    /// Number of modes, the lowest first.
-    #[arg(long, value_name = "N", default_value = "10", value_parser = count)]
-    pub(super) count: usize,
+    /// Number of modes, the lowest first; 10 by default.
+    #[arg(long, value_name = "N", value_parser = count)]
+    pub(super) count: Option<usize>,
 
     /// Modes to draw, by number: 9,10,11; by default the first three.
     #[arg(long, value_name = "N,...", value_delimiter = ',', value_parser = count)]
@@ -310,7 +310,7 @@ pub(super) struct ModesArgs {
     #[arg(long, requires = "output")]
     pub(super) force: bool,
 
-    /// Print one JSON object; for a system of lines only.
+    /// Print one JSON object.
     #[arg(long, conflicts_with = "ascii")]
     pub(super) json: bool,
 

@@ -20,9 +20,15 @@ use crate::{
 /// Columns and lines of the page.
 const WIDTH: usize = 108;
 const HEIGHT: usize = 22;
+/// Modes listed unless it is said how many.
+const MODES: usize = 10;
 
 pub(super) fn modes(args: &ModesArgs) -> Result<ExitCode, CommandError> {
     if FileType::of(&args.case.file) == FileType::System {
+        if args.output.is_some() || !args.shape.is_empty() || args.count.is_some() {
+            let how = "Systems of lines do not take --output, --shape or --count: all modes of their bodies are listed, without shapes.";
+            return Err(CommandError::Usage(how.to_owned()));
+        }
         return system_study::modes(&SystemArgs {
             case: args.case.clone(),
             ascii: args.ascii,
@@ -34,7 +40,7 @@ pub(super) fn modes(args: &ModesArgs) -> Result<ExitCode, CommandError> {
     let loaded = cases::load(&args.case.file)?;
     let text = cases::set(&loaded.text, &args.case.set)?;
     let case = cases::parse(&text, &loaded.name)?;
-    let found = match modes::of_case(&case, args.count) {
+    let found = match modes::of_case(&case, args.count.unwrap_or(MODES)) {
         Ok(found) => found,
         Err(why) => {
             output::message(&format!("error: No modes were computed: {why}"));

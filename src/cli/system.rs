@@ -10,6 +10,29 @@ use crate::{
 
 pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
     let path = args.case.clone().unwrap_or_default();
+    let given = [
+        (
+            args.out.is_some(),
+            "--out: a system at rest is printed, not kept; redirect the output",
+        ),
+        (
+            args.solver.is_some(),
+            "--solver: a system is solved at rest",
+        ),
+        (
+            args.accuracy.is_some(),
+            "--accuracy: lines in closed form have no mesh; give discretised ones `segments`",
+        ),
+        (
+            args.budget.is_some(),
+            "--budget: it bounds the search for an accuracy",
+        ),
+    ];
+    if let Some((_, why)) = given.iter().find(|(given, _)| *given) {
+        return Err(CommandError::Usage(format!(
+            "Systems of lines do not take {why}."
+        )));
+    }
     let (fields, solved) = cases::load_with::<SystemFile>(&path, &args.set)?;
     if args.json {
         let text = format!("{:#}\n", json::object(&solved));

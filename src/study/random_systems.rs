@@ -209,6 +209,7 @@ impl Maker<'_> {
             from,
             to,
             reversed: reversed(&sections),
+            added_weight: 0.0,
             break_loads: vec![None; sections.len()],
             sections,
             friction,

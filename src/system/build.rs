@@ -6,7 +6,9 @@ use nalgebra::{Matrix6, Rotation3, Vector6};
 
 use super::discretised::DiscretisedLine;
 use super::model::{BodyInputs, BodyKind, LineInputs, PointInputs, PointKind, SystemFile};
-use super::network::{Body, FreePoint, Held, Line, Network, Point, WEIGHTLESS, reversed, weighted};
+use super::network::{
+    Body, FreePoint, Held, Line, Network, Point, WEIGHTLESS, reversed, weight, weighted,
+};
 use super::pose::Pose;
 use crate::case::Material;
 use crate::numerics::{M3, V3};
@@ -152,6 +154,7 @@ impl Builder<'_> {
                 clump_n: clump * self.network.gravity,
             })
             .collect();
+        let own_weight = weight(&sections);
         let sections = weighted(sections, WEIGHTLESS);
         let friction = line
             .friction
@@ -161,6 +164,7 @@ impl Builder<'_> {
             from,
             to,
             reversed: reversed(&sections),
+            added_weight: weight(&sections) - own_weight,
             sections,
             break_loads: parts.iter().map(|(m, ..)| m.break_load_n).collect(),
             friction: friction.unwrap_or(0.0),

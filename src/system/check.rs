@@ -3,7 +3,7 @@
 use super::model::{BodyKind, LineKeys, PointKeys, PointKind, SystemKeys};
 use super::quantities;
 use crate::case::schema::Key;
-use crate::case::{Finding, unknown, used_twice};
+use crate::case::{Finding, MaterialKeys, unknown, used_twice};
 use crate::reference::published_number;
 
 /// Checks of a system.
@@ -45,13 +45,30 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let names = keys.lines.iter().map(|(_, line)| &line.name);
     found.extend(used_twice(names, "give every line a name of its own"));
     for (_, material) in &keys.materials {
-        let needed =
-            "lines of a system are elastic: give `ea_n`, a table of strains is not covered";
-        found.extend(material.ea_n.if_missing(needed));
+        found.extend(elastic(material));
     }
     found.extend(published_number::check(&keys.published, |key| {
         quantities::unknown(key, keys)
     }));
+    found
+}
+
+/// Lines of a system have one stiffness each.
+fn elastic(material: &MaterialKeys<'_>) -> Vec<Finding> {
+    let tabled = "is not covered in a system, whose lines have one stiffness";
+    let remedy = "leave both tables out and give `ea_n`";
+    let tables = [&material.strain, &material.tension_n];
+    let mut found: Vec<Finding> = tables
+        .into_iter()
+        .filter_map(|table| table.if_given(tabled, remedy))
+        .collect();
+    if found.is_empty() {
+        found.extend(
+            material
+                .ea_n
+                .if_missing("lines of a system are elastic: give `ea_n`"),
+        );
+    }
     found
 }
 

@@ -75,6 +75,7 @@ impl DiscretisedLine {
             along: V3::x(),
             note: None,
             replaced: None,
+            added_weight: 0.0,
             discretised: Some(Box::new(DiscretisedRest {
                 element,
                 found,

@@ -433,7 +433,7 @@ fn elimination_order(network: &Network, freedoms: &Freedoms) -> Vec<usize> {
 }
 
 /// 1 for steps; for turns the greatest arm of a point on the body \[m\].
-fn levers(network: &Network, freedoms: &Freedoms) -> DVector<f64> {
+pub(super) fn levers(network: &Network, freedoms: &Freedoms) -> DVector<f64> {
     let mut levers = DVector::from_element(freedoms.count, 1.0);
     for (index, first) in freedoms.bodies.iter().enumerate() {
         let Some(first) = first else { continue };

@@ -6,7 +6,7 @@ use crate::statics::catenary::{
 };
 
 use super::discretised::DiscretisedRest;
-use super::network::{Line, Network, weighted};
+use super::network::{Line, Network, weight, weighted};
 
 /// A line at rest between its ends.
 #[derive(Debug, Clone)]
@@ -29,6 +29,8 @@ pub struct LineAtRest {
     pub note: Option<LineNote>,
     /// Why a line of one section with the same length, weight and stretch stands in its place, as only a search may do.
     pub replaced: Option<CatenaryError>,
+    /// Weight that weightless sections were given \[N\]: see [`weighted`].
+    pub added_weight: f64,
     /// The line in segments, where it has no closed form.
     pub discretised: Option<Box<DiscretisedRest>>,
 }
@@ -69,7 +71,7 @@ impl LineAtRest {
             }
             None => {
                 let own = self.solution.as_ref().map_or(0.0, |line| line.residual);
-                Some((own + f64::EPSILON) * greatest)
+                Some((own + f64::EPSILON) * greatest + self.added_weight)
             }
         }
     }
@@ -144,39 +146,42 @@ pub fn solve(
     let mut solved = solve(&given);
     // Friction that depends on how the line was laid.
     let unknown_friction = mu > 0.0 && matches!(solved, Err(CatenaryError::UnsupportedContact(_)));
-    let mu = if unknown_friction { 0.0 } else { mu };
+    let mut added_weight = line.added_weight;
+    let (mu, taken) = match unknown_friction {
+        true => (0.0, smooth(given)),
+        false => (mu, given),
+    };
     if unknown_friction {
-        solved = solve(&smooth(given));
+        solved = solve(&taken);
     }
     if let Err(CatenaryError::NotVerified { .. }) = solved {
-        solved = with_more_weight(&given);
+        let sections = weighted(taken.sections.to_vec(), SLACK_WEIGHT);
+        added_weight += weight(&sections) - weight(taken.sections);
+        let heavier = CatenaryLine {
+            sections: &sections,
+            ..taken
+        };
+        solved = heavier.solve();
     }
     let solution = match solved {
         Ok(solution) => solution,
         Err(CatenaryError::ShapeUndetermined) => return Ok(slack()),
         Err(error) if line.sections.len() > 1 => {
-            return replaced(&given, (low, high), from_b, error);
+            return replaced(&taken, (low, high), from_b, error);
         }
         Err(error) => return Err(error),
     };
     let free_of_friction = unknown_friction || (rough && !lies && solution.on_bed_m > 0.0);
     let note = free_of_friction.then_some(LineNote::WithoutFriction);
-    Ok(placed(solution, (low, high), from_b, mu, note))
+    Ok(LineAtRest {
+        added_weight,
+        ..placed(solution, (low, high), from_b, mu, note)
+    })
 }
 
-/// Weight by the others' of a weightless section where the line is slack: it bears as good as nothing there.
+/// Weight by the others' of a weightless section where the line is slack, which hangs by it: the less there is of it, the fewer
+/// digits it leaves.
 const SLACK_WEIGHT: f64 = 1e-7;
-
-/// The line with more weight on its weightless sections: slack ones hang by their own weight, and the less they have of it, the
-/// fewer digits they leave.
-fn with_more_weight(line: &CatenaryLine<'_>) -> Result<Solution, CatenaryError> {
-    let sections = weighted(line.sections.to_vec(), SLACK_WEIGHT);
-    CatenaryLine {
-        sections: &sections,
-        ..*line
-    }
-    .solve()
-}
 
 /// The line on a bed without friction.
 fn smooth(line: CatenaryLine<'_>) -> CatenaryLine<'_> {
@@ -230,6 +235,7 @@ fn slack() -> LineAtRest {
         along: V3::x(),
         note: Some(LineNote::ShapeUndetermined),
         replaced: None,
+        added_weight: 0.0,
         discretised: None,
     }
 }
@@ -286,6 +292,7 @@ fn placed(
         along,
         note,
         replaced: None,
+        added_weight: 0.0,
         discretised: None,
     }
 }

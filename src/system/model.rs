@@ -8,7 +8,6 @@ use crate::case::schema::{table, words};
 use crate::case::{Current, Environment, Mark, Material};
 use crate::reference::PublishedNumber;
 
-const FIXED_OR_BODY: Conditions = &[("kind", &["fixed", "body"])];
 const ON_BODY: Conditions = &[("kind", &["body"])];
 const FREE: Conditions = &[("kind", &["free"])];
 
@@ -83,7 +82,7 @@ table! {
         /// What holds it.
         kind: PointKind, "kind";
         /// Fixed: the place, z up from still water. On a body: the place in its frame. Free: where the search begins.
-        position_m: Option<[f64; 3]>, "position", range of(-1e6, 1e6), absent "among its neighbours", matters FIXED_OR_BODY;
+        position_m: Option<[f64; 3]>, "position", range of(-1e6, 1e6), absent "among its neighbours";
         /// The body that the point is on.
         body: Option<String>, "body", kind Name, absent "needed for kind body", matters ON_BODY;
         /// Mass in air.

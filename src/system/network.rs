@@ -115,6 +115,8 @@ pub struct Line {
     pub reversed: Vec<SectionProperties>,
     /// Breaking load of each section \[N\].
     pub break_loads: Vec<Option<f64>>,
+    /// Weight that weightless sections were given \[N\]: see [`weighted`].
+    pub added_weight: f64,
     /// Axial friction under the line \[-\].
     pub friction: f64,
     /// The line divided into segments, where it has no closed form.
@@ -155,6 +157,14 @@ pub fn weighted(mut sections: Vec<SectionProperties>, share: f64) -> Vec<Section
         }
     }
     sections
+}
+
+/// Weight in water of sections and of the bodies between them \[N\].
+#[must_use]
+pub fn weight(sections: &[SectionProperties]) -> f64 {
+    let each =
+        |section: &SectionProperties| section.weight_n_per_m * section.length_m + section.clump_n;
+    sections.iter().map(each).sum()
 }
 
 /// Sections in the other order: bodies between them stay where they are.

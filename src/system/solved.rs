@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, Matrix6, SymmetricEigen};
 use super::bounds::Contact;
 use super::build::build;
 use super::connected::{Loose, loose};
-use super::equilibrium::{Equilibrium, SystemError, search};
+use super::equilibrium::{Equilibrium, SystemError, levers, search};
 use super::line_at_rest::LineAtRest;
 use super::model::SystemFile;
 use super::network::{Held, Network};
@@ -45,7 +45,8 @@ impl SolvedSystem {
 pub enum Stability {
     /// It returns from any small displacement.
     Stable,
-    /// It stays where it is put along some direction: the unknown that moves most, in words. The tensions are the same all along.
+    /// It stays where it is put along some direction: the unknown that moves most, in words. Where no body is free the
+    /// tensions are the same all along.
     Neutral(String),
     /// It leaves: the unknown that moves most, in words.
     Unstable(String),
@@ -66,6 +67,8 @@ pub struct UnsolvedSystem {
 
 /// Eigenvalues below this share of the greatest are none.
 const NEUTRAL: f64 = 1e-11;
+/// Negative eigenvalues beyond this share of the greatest are no rounding.
+const UNSTABLE: f64 = 1e-9;
 
 /// Works out a system that the checks passed.
 ///
@@ -191,7 +194,14 @@ fn stability(network: &Network, rest: &Equilibrium) -> Stability {
     if moving.is_empty() {
         return Stability::Stable;
     }
-    let stiffness: DMatrix<f64> = take(&rest.balance.symmetric(), &moving, &moving);
+    // Turns count by the way they move a fairlead, or N m would be held against N/m.
+    let lever = levers(network, &rest.freedoms);
+    let mut stiffness: DMatrix<f64> = take(&rest.balance.symmetric(), &moving, &moving);
+    for (row, i) in moving.iter().enumerate() {
+        for (column, j) in moving.iter().enumerate() {
+            stiffness[(row, column)] /= lever[*i] * lever[*j];
+        }
+    }
     let most = stiffness.diagonal().amax();
     let eigen = SymmetricEigen::new(stiffness);
     let least = eigen.eigenvalues.imin();
@@ -201,7 +211,7 @@ fn stability(network: &Network, rest: &Equilibrium) -> Stability {
     }
     let unknown = moving[eigen.eigenvectors.column(least).iamax()];
     let name = rest.freedoms.name(network, unknown);
-    if value < -NEUTRAL.sqrt() * most {
+    if value < -UNSTABLE * most {
         Stability::Unstable(name)
     } else {
         Stability::Neutral(name)

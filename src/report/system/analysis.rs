@@ -69,7 +69,8 @@ struct HeadingRow<'a> {
     intact: Option<&'a OffsetPoint>,
     furthest: Option<(usize, &'a OffsetPoint)>,
     hardest: Option<(usize, &'a OffsetPoint)>,
-    unheld: Option<usize>,
+    /// The line without which the load is not held, and why.
+    unheld: Option<(usize, &'a str)>,
 }
 
 fn heading_rows(circle: &WatchCircle) -> Vec<HeadingRow<'_>> {
@@ -82,13 +83,16 @@ fn heading_rows(circle: &WatchCircle) -> Vec<HeadingRow<'_>> {
             .clone()
             .max_by(|a, b| a.1.distance_m().total_cmp(&b.1.distance_m()));
         let hardest = lost.max_by(|a, b| a.1.greatest.1.total_cmp(&b.1.greatest.1));
-        let unheld = circle.damaged.iter().find(|(_, points)| points[k].is_err());
+        let mut refused = circle.damaged.iter().filter_map(|(line, points)| {
+            let why = points[k].as_ref().err()?;
+            Some((*line, why.as_str()))
+        });
         HeadingRow {
             heading: heading.to_degrees(),
             intact: circle.intact[k].as_ref().ok(),
             furthest,
             hardest,
-            unheld: unheld.map(|(line, _)| *line),
+            unheld: refused.next(),
         }
     };
     circle.headings.iter().enumerate().map(row).collect()
@@ -135,9 +139,9 @@ pub fn watch_circle(solved: &SolvedSystem, circle: &WatchCircle) -> Table {
     let unheld = rows
         .iter()
         .filter_map(|row| Some((row.heading, row.unheld?)));
-    table.notes.extend(unheld.map(|(heading, line)| {
+    table.notes.extend(unheld.map(|(heading, (line, why))| {
         format!(
-            "Towards {heading:.0} deg the load is not held without line {}.",
+            "Towards {heading:.0} deg the load is not held without line {}: {why}.",
             name(line)
         )
     }));

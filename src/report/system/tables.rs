@@ -33,20 +33,24 @@ pub fn summary(solved: &SolvedSystem) -> String {
         } else {
             "exact elastic catenaries in still water"
         },
-        stability(&solved.stability),
+        stability(solved),
         NEWTONS.write(rest.residual),
         rest.steps,
         rest.evaluations,
     )
 }
 
-fn stability(stability: &Stability) -> String {
-    match stability {
+fn stability(solved: &SolvedSystem) -> String {
+    match &solved.stability {
         Stability::Stable => "The equilibrium is stable.".to_owned(),
         Stability::Neutral(name) => {
-            format!(
-                "The equilibrium is neutral: nothing resists a small motion in {name}; the tensions are the same all along."
-            )
+            // With bodies held the energy is convex: states of the same energy have the same tensions.
+            let turns = solved.network.bodies.iter().any(|body| body.free);
+            let same = match turns {
+                true => "",
+                false => "; the tensions are the same all along",
+            };
+            format!("The equilibrium is neutral: nothing resists a small motion in {name}{same}.")
         }
         Stability::Unstable(name) => format!("The equilibrium is unstable: it leaves in {name}."),
     }

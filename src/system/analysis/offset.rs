@@ -2,6 +2,7 @@
 
 use super::super::equilibrium::{Equilibrium, SystemError, search};
 use super::super::freedoms::Placement;
+use super::super::loads;
 use super::super::network::{Held, Line, Network};
 use super::super::pose::Pose;
 use super::super::stiffness::of_body;
@@ -104,7 +105,7 @@ impl HeldAway {
 }
 
 fn point(network: &Network, rest: &Equilibrium, body: usize, offset_m: [f64; 2]) -> OffsetPoint {
-    let mut force_n = V3::zeros();
+    let force_n = loads::on_body(network, rest, body).0;
     let mut greatest = (0, 0.0);
     let mut weakest: Option<(usize, f64)> = None;
     let mut uplift: Option<(usize, f64)> = None;
@@ -112,12 +113,9 @@ fn point(network: &Network, rest: &Equilibrium, body: usize, offset_m: [f64; 2])
     for (index, (line, at_rest)) in network.lines.iter().zip(&rest.balance.lines).enumerate() {
         let ends = [(line.from, at_rest.force_a), (line.to, at_rest.force_b)];
         for (end, force) in ends {
-            match network.points[end].held {
-                Held::On(on, _) if on == body => force_n += force,
-                Held::At(_) if force.z > uplift.map_or(0.0, |(_, z)| z) => {
-                    uplift = Some((index, force.z));
-                }
-                _ => {}
+            let anchor = matches!(network.points[end].held, Held::At(_));
+            if anchor && force.z > uplift.map_or(0.0, |(_, z)| z) {
+                uplift = Some((index, force.z));
             }
         }
         let both = at_rest.tensions();
@@ -125,8 +123,7 @@ fn point(network: &Network, rest: &Equilibrium, body: usize, offset_m: [f64; 2])
         if tension > greatest.1 {
             greatest = (index, tension);
         }
-        let breaks = line.break_loads.iter().flatten().copied().reduce(f64::min);
-        if let Some(share) = breaks.map(|breaks| tension / breaks)
+        if let Some(share) = loads::share_of_breaking_load(network, rest, index)
             && share > weakest.map_or(0.0, |(_, share)| share)
         {
             weakest = Some((index, share));

@@ -2,6 +2,7 @@
 
 use super::super::model::SystemFile;
 use super::super::quantities::{unit, value};
+use super::super::solved::SolvedSystem;
 use crate::case::kind;
 
 /// A wanted result met.
@@ -83,8 +84,10 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn edited(&self, x: f64) -> Result<String, String> {
-        kind::set::<SystemFile>(self.text, self.key, &format!("{x:?}")).map_err(|all| {
+    /// The text with the key at a value, and its system.
+    fn edited(&self, x: f64) -> Result<(String, SolvedSystem), String> {
+        let edits = [(self.key, &*format!("{x:?}"))];
+        kind::set_and_compute::<SystemFile>(self.text, &edits).map_err(|all| {
             all.first()
                 .map_or_else(String::new, |first| first.problem.clone())
         })
@@ -93,13 +96,9 @@ impl Search<'_> {
     /// The result less that wanted.
     fn off(&mut self, x: f64) -> Option<f64> {
         self.solved += 1;
-        let found = self.edited(x).and_then(|text| {
-            let solved = kind::parse::<SystemFile>(&text, "seek").map_err(|all| {
-                all.first()
-                    .map_or_else(String::new, |first| first.problem.clone())
-            })?;
-            value(&solved, self.quantity)
-        });
+        let found = self
+            .edited(x)
+            .and_then(|(_, solved)| value(&solved, self.quantity));
         match found {
             Ok(result) if result.is_finite() => Some(result - self.wanted),
             Ok(_) => None,
@@ -159,7 +158,7 @@ impl Search<'_> {
             value: x,
             result: self.wanted + off,
             solved: self.solved,
-            text: self.edited(x)?,
+            text: self.edited(x)?.0,
         })
     }
 }
