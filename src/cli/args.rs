@@ -218,6 +218,10 @@ pub(super) struct TableArgs {
     /// Print with ASCII characters only.
     #[arg(long)]
     pub(super) ascii: bool,
+
+    /// Print one JSON object: the rows of the table, keys by the heads of its columns.
+    #[arg(long, conflicts_with = "ascii")]
+    pub(super) json: bool,
 }
 
 #[derive(Debug, clap::Args)]

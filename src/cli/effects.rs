@@ -56,6 +56,6 @@ pub(super) fn effects(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
     if let Some(last) = tables.last_mut() {
         last.notes.push(cost);
     }
-    print(&args.page, file.as_ref(), (&tables, &csv), &[])?;
+    print("effects", &args.page, file.as_ref(), (&tables, &csv), &[])?;
     Ok(ExitCode::SUCCESS)
 }

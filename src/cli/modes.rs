@@ -13,7 +13,7 @@ use super::{
 use crate::{
     kinds::FileType,
     modes,
-    report::{chart, modes as views},
+    report::{chart, modes as views, run_json},
     visible,
 };
 
@@ -47,6 +47,13 @@ pub(super) fn modes(args: &ModesArgs) -> Result<ExitCode, CommandError> {
             return Ok(ExitCode::from(BAD_RESULT));
         }
     };
+    if args.json {
+        if let Some(file) = file {
+            file.write(views::csv(&found).as_bytes(), FileFormat::Text)?;
+        }
+        output::object(&run_json::modes(&found))?;
+        return Ok(ExitCode::SUCCESS);
+    }
     if let Some(file) = file {
         file.write(views::csv(&found).as_bytes(), FileFormat::Text)?;
     }

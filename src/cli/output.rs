@@ -42,6 +42,11 @@ pub(super) fn document(text: &[u8], format: FileFormat) -> Result<(), CommandErr
     print(&format.visible(text))
 }
 
+/// Prints a JSON object.
+pub(super) fn object(object: &serde_json::Value) -> Result<(), CommandError> {
+    print(&visible::text(&format!("{object:#}\n")))
+}
+
 /// Prints text without invisible characters. A reader that leaves early, as `head` does, is not an error.
 fn print(text: &str) -> Result<(), CommandError> {
     let mut out = io::stdout().lock();

@@ -28,6 +28,7 @@ pub(super) fn physics(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
         study.map_err(|why| CommandError::Usage(format!("{}: {why}", args.case.file.display())))?;
     let tables = [report::table(&study, &ids)];
     print(
+        "physics",
         &args.page,
         file.as_ref(),
         (&tables, &report::csv_table(&study, &ids)),

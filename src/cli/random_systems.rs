@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 
 use super::{BAD_RESULT, CommandError, output, system_args::SystemsArgs};
+use crate::report::run_json;
 use crate::report::table::{NumberFormat, Table};
 use crate::study::random_systems::{KINDS, RandomOutcome, RandomRest, run};
 
@@ -45,6 +46,10 @@ pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
             kind.longest_s
         })
         .build();
+    if args.json {
+        output::object(&run_json::study("systems", &table))?;
+        return Ok(status(&tallies));
+    }
     let mut text = table.to_text(110);
     text.push_str("\nReasons:\n");
     for (reason, many) in reasons(&tallies) {
@@ -58,11 +63,14 @@ pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
         }
     }
     output::results(&text, args.ascii)?;
-    Ok(if tallies.iter().any(|kind| inexact(kind) > 0) {
-        ExitCode::from(BAD_RESULT)
-    } else {
-        ExitCode::SUCCESS
-    })
+    Ok(status(&tallies))
+}
+
+fn status(tallies: &[KindTally]) -> ExitCode {
+    match tallies.iter().any(|kind| inexact(kind) > 0) {
+        true => ExitCode::from(BAD_RESULT),
+        false => ExitCode::SUCCESS,
+    }
 }
 
 fn inexact(kind: &KindTally) -> usize {

@@ -4,7 +4,7 @@ use std::{io, process::ExitCode, sync::Mutex};
 
 use super::{
     BAD_RESULT, CommandError,
-    args::{AccuracyArgs, CaseArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs},
+    args::{AccuracyArgs, CaseArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs, TableArgs},
     cases::{self, NamedCase},
     effects,
     output::{self, FileFormat, OutputFile},
@@ -14,6 +14,7 @@ use super::{
 };
 use crate::case::Case;
 use crate::report::chart::draw;
+use crate::report::run_json as study_json;
 use crate::report::table::Table;
 use crate::study::{
     accuracy::{self, AccuracyTrial},
@@ -60,15 +61,21 @@ fn hard_cases(args: &HardArgs) -> Result<ExitCode, CommandError> {
     let table = hard_cases::table(&findings);
     write_csv(&table, file.as_ref())?;
     let tally = tally(&findings);
-    output::results(
-        &format!("{}\n{tally}\n", table.to_text(WIDTH)),
-        args.table.ascii,
-    )?;
+    print(&table, &format!("\n{tally}\n"), "hard-cases", &args.table)?;
     Ok(if tally.holds() {
         ExitCode::SUCCESS
     } else {
         ExitCode::from(BAD_RESULT)
     })
+}
+
+/// Prints a table and what stands below it, or its rows as JSON.
+fn print(table: &Table, below: &str, study: &str, args: &TableArgs) -> Result<(), CommandError> {
+    if args.json {
+        return output::object(&study_json::study(study, table));
+    }
+    let text = format!("{}{below}", table.to_text(WIDTH));
+    output::results(&text, args.ascii)
 }
 
 /// Writes a table to a file, where one is asked for.
@@ -107,10 +114,7 @@ fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
     let glyphs = output::glyphs(args.table.ascii);
     let chart = draw(&speed::chart(&study), PLOT.0, PLOT.1, glyphs).to_text();
     let mesh = speed::mesh_table(&study).to_text(WIDTH);
-    output::results(
-        &format!("{}\n{chart}\n{mesh}", table.to_text(WIDTH)),
-        args.table.ascii,
-    )?;
+    print(&table, &format!("\n{chart}\n{mesh}"), "speed", &args.table)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -145,7 +149,7 @@ fn steps_of(args: &StepsArgs) -> Result<ExitCode, CommandError> {
     drop(line);
     let table = speed::comparison_table(&rows, args.variants);
     write_csv(&table, file.as_ref())?;
-    output::results(&table.to_text(WIDTH), args.table.ascii)?;
+    print(&table, "", "steps", &args.table)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -179,10 +183,7 @@ fn bars_of(args: &HardArgs) -> Result<ExitCode, CommandError> {
     let table = bars::table(&checks);
     write_csv(&table, file.as_ref())?;
     let outside = bars::outside_table(&checks).to_text(WIDTH);
-    output::results(
-        &format!("{}\n{outside}", table.to_text(WIDTH)),
-        args.table.ascii,
-    )?;
+    print(&table, &format!("\n{outside}"), "bars", &args.table)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -212,10 +213,7 @@ fn accuracy_of(args: &AccuracyArgs) -> Result<ExitCode, CommandError> {
     let table = accuracy::table(&rows);
     write_csv(&table, file.as_ref())?;
     let totals = accuracy::totals(&rows).to_text(WIDTH);
-    output::results(
-        &format!("{}\n{totals}", table.to_text(WIDTH)),
-        args.table.ascii,
-    )?;
+    print(&table, &format!("\n{totals}"), "accuracy", &args.table)?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -59,7 +59,7 @@ pub(super) struct EffectsArgs {
 #[derive(Debug, clap::Args)]
 pub(super) struct StudyPageArgs {
     /// Print CSV with every digit instead of tables and charts.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "json")]
     pub(super) csv: bool,
 
     /// Columns of the page; by default those of the terminal, 80 at least.

@@ -10,8 +10,8 @@ use super::{
 };
 use crate::case::{self, Case, QuantityId};
 use crate::report::chart::{Chart, draw};
-use crate::report::plain;
 use crate::report::table::Table;
+use crate::report::{plain, run_json};
 use crate::study::points::{BaseCase, PointProgress};
 use crate::study::results::{main_results, named_result};
 
@@ -56,8 +56,9 @@ pub(super) fn variants_told<T>(
     })
 }
 
-/// Prints tables with charts below, or CSV, and writes the CSV to the file asked for.
+/// Prints tables with charts below, or CSV, or JSON, and writes the CSV to the file asked for.
 pub(super) fn print(
+    study: &str,
     page: &StudyPageArgs,
     file: Option<&OutputFile<'_>>,
     (tables, csv): (&[Table], &Table),
@@ -68,6 +69,9 @@ pub(super) fn print(
     written.map_err(CommandError::Output)?;
     if let Some(file) = file {
         file.write(&text, FileFormat::Text)?;
+    }
+    if page.table.json {
+        return output::object(&run_json::study(study, csv));
     }
     if page.csv {
         return output::document(&text, FileFormat::Text);

@@ -35,8 +35,7 @@ pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
     }
     let (fields, solved) = cases::load_with::<SystemFile>(&path, &args.set)?;
     if args.json {
-        let text = format!("{:#}\n", json::object(&solved));
-        output::results(&text, false)?;
+        output::object(&json::object(&solved))?;
         return Ok(ExitCode::SUCCESS);
     }
     let rows = validation::rows(&solved);

@@ -98,4 +98,8 @@ pub(super) struct SystemsArgs {
     /// Print with ASCII characters only.
     #[arg(long)]
     pub(super) ascii: bool,
+
+    /// Print one JSON object.
+    #[arg(long, conflicts_with_all = ["ascii", "list"])]
+    pub(super) json: bool,
 }

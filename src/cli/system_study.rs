@@ -52,10 +52,6 @@ fn print(
     output::results(&format!("{}\n{drawn}\n", table.to_text(WIDTH)), ascii)
 }
 
-fn print_json(object: &Value) -> Result<(), CommandError> {
-    output::results(&format!("{object:#}\n"), false)
-}
-
 fn point(solved: &SolvedSystem, point: &OffsetPoint) -> Value {
     let name = |line: usize| solved.network.lines.get(line).map(|line| line.name.clone());
     json!({
@@ -75,7 +71,7 @@ pub(super) fn offsets(args: &OffsetsArgs) -> Result<ExitCode, CommandError> {
     let points = curve(&mut held, args.heading.to_radians(), args.to, args.steps);
     if args.system.json {
         let points: Vec<Value> = points.iter().map(|p| point(&solved, p)).collect();
-        print_json(&json!({"heading_deg": args.heading, "points": points}))?;
+        output::object(&json!({"kind": "offsets", "heading_deg": args.heading, "points": points}))?;
     } else {
         let table = views::offsets(&solved, args.heading, &points);
         print(
@@ -108,7 +104,8 @@ pub(super) fn watch(args: &WatchArgs) -> Result<ExitCode, CommandError> {
             json!({"line": name, "points": points.iter().map(one).collect::<Vec<_>>()})
         });
         let headings: Vec<f64> = circle.headings.iter().map(|h| h.to_degrees()).collect();
-        print_json(&json!({
+        output::object(&json!({
+            "kind": "watch_circle",
             "load_n": circle.load_n,
             "headings_deg": headings,
             "intact": circle.intact.iter().map(one).collect::<Vec<_>>(),
@@ -154,7 +151,8 @@ pub(super) fn goal(args: &SeekArgs) -> Result<ExitCode, CommandError> {
         ));
     };
     match seek::seek(&text, &args.vary, (low, high), quantity, wanted) {
-        Ok(found) if args.system.json => print_json(&json!({
+        Ok(found) if args.system.json => output::object(&json!({
+            "kind": "seek",
             "key": args.vary,
             "value": found.value,
             "result": quantity,
@@ -195,7 +193,7 @@ pub(super) fn modes(args: &SystemArgs) -> Result<ExitCode, CommandError> {
             let direction = ["surge", "sway", "heave", "roll", "pitch", "yaw"][mode.most.1];
             json!({"period_s": mode.period_s, "body": body, "direction": direction})
         });
-        print_json(&json!({"modes": each.collect::<Vec<_>>()}))?;
+        output::object(&json!({"kind": "modes", "modes": each.collect::<Vec<_>>()}))?;
         return Ok(ExitCode::SUCCESS);
     }
     output::results(&views::periods(&solved, &modes).to_text(WIDTH), args.ascii)?;

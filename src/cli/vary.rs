@@ -47,6 +47,7 @@ pub(super) fn vary(args: &VaryArgs) -> Result<ExitCode, CommandError> {
             .push(format!("{stored} runs are stored below {root}."));
     }
     print(
+        "vary",
         &args.page,
         file.as_ref(),
         (&tables, &view.csv_table()),

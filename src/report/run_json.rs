@@ -4,6 +4,8 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use super::table::Table;
+use crate::modes::LineModes;
 use crate::reference::ValidationRow;
 use crate::run::{Quantity, Run};
 
@@ -32,6 +34,37 @@ fn result(quantity: &Quantity) -> Value {
         "mesh_error": quantity.mesh_error,
         "not_settled_between": quantity.unsettled,
     })
+}
+
+/// A study: the rows of its table by the heads of their columns.
+#[must_use]
+pub fn study(name: &str, table: &Table) -> Value {
+    json!({
+        "kind": "study",
+        "study": name,
+        "title": table.title,
+        "rows": table.to_json(),
+        "notes": table.notes,
+    })
+}
+
+/// The natural modes of a line, from the lowest frequency up.
+#[must_use]
+pub fn modes(found: &LineModes) -> Value {
+    let each = found.modes.iter().map(|named| {
+        let mode = &named.mode;
+        let vibrates = mode.eigenvalue > 0.0;
+        json!({
+            "frequency_hz": vibrates.then(|| mode.frequency_hz()),
+            "error_hz": named.error_hz.filter(|_| vibrates),
+            "period_s": vibrates.then(|| 1.0 / mode.frequency_hz()),
+            "moves": mode.kind.name(),
+            "of_kind": named.of_kind,
+            "half_waves": mode.half_waves,
+            "out_of_plane": mode.out_of_plane,
+        })
+    });
+    json!({"kind": "line_modes", "modes": each.collect::<Vec<_>>()})
 }
 
 /// A validation table.

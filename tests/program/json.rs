@@ -95,18 +95,17 @@ fn analyses_as_json() {
         "--json",
     ];
     let circle = printed(dir.path(), &words);
+    fits(&circle, "watch_circle");
+    fits(&circle["intact"][0], "offset_point");
+    fits(&circle["line_lost"][0], "line_lost");
     assert_eq!(circle["intact"].as_array().unwrap().len(), 6);
     assert_eq!(circle["line_lost"].as_array().unwrap().len(), 3);
     let words = [
         "study", "offsets", "oc3.toml", "--to", "10", "--steps", "5", "--json",
     ];
-    assert_eq!(
-        printed(dir.path(), &words)["points"]
-            .as_array()
-            .unwrap()
-            .len(),
-        6
-    );
+    let offsets = printed(dir.path(), &words);
+    fits(&offsets, "offsets");
+    assert_eq!(offsets["points"].as_array().unwrap().len(), 6);
     let want = "tension_n[mooring|b]=9.5e5";
     let key = "lines.mooring.length_m";
     let words = [
@@ -122,7 +121,60 @@ fn analyses_as_json() {
         "--json",
     ];
     let found = printed(dir.path(), &words);
+    fits(&found, "seek");
     assert!((found["comes_to"].as_f64().unwrap() / 9.5e5 - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn modes_and_studies_as_json() {
+    let dir = folder();
+    let heavy = format!("{OC3}\n").replace(
+        "[bodies.spar]\n",
+        "[bodies.spar]\nmass_kg = 8.1e6\ninertia_kg_m2 = [6e10, 6e10, 2e8]\n",
+    );
+    std::fs::write(dir.path().join("heavy.toml"), heavy).unwrap();
+    let modes = printed(dir.path(), &["modes", "heavy.toml", "--json"]);
+    fits(&modes, "modes");
+    fits(&modes["modes"][0], "mode");
+    assert_eq!(modes["modes"].as_array().unwrap().len(), 6);
+    let of_line = printed(
+        dir.path(),
+        &["modes", "small.toml", "--count", "3", "--json"],
+    );
+    fits(&of_line, "line_modes");
+    fits(&of_line["modes"][0], "line_mode");
+    let words = ["study", "systems", "--count", "30", "--json"];
+    let study = printed(dir.path(), &words);
+    fits(&study, "study");
+    let rows = study["rows"].as_array().unwrap();
+    assert!(rows.iter().all(|row| row["inexact"] == 0.0));
+    let words = [
+        "study",
+        "vary",
+        "small.toml",
+        "--vary",
+        "line.rope.length_m=20,21",
+        "--no-store",
+        "--json",
+    ];
+    let study = printed(dir.path(), &words);
+    fits(&study, "study");
+    assert_eq!(study["rows"].as_array().unwrap().len(), 2);
+}
+
+#[test]
+fn options_that_have_no_effect_on_a_system_are_refused() {
+    let dir = folder();
+    for words in [
+        &["run", "oc3.toml", "--out", "kept"][..],
+        &["run", "oc3.toml", "--solver", "static"],
+        &["run", "oc3.toml", "--accuracy", "1e-3"],
+        &["modes", "oc3.toml", "--count", "3"],
+        &["modes", "oc3.toml", "--shape", "1"],
+    ] {
+        let refused = seacable(dir.path()).args(words).assert().code(2);
+        refused.stderr(contains("Systems of lines do not take"));
+    }
 }
 
 #[test]
