@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 
 use crate::case::TomlNode;
 use crate::case::fields::ValueType::{self, NumberOrList};
-use crate::case::fields::{Field, Schema, of, positive};
+use crate::case::fields::{Field, POSITION, Schema, of, positive};
 use crate::case::schema::{FromDefault, KeyValue, schema_of, table};
 
 mod construct;
@@ -46,7 +46,13 @@ pub use validation_data::{
 /// The case file.
 pub static CASE: LazyLock<Schema> = LazyLock::new(|| {
     let least = "a case has at least [case], [materials.<name>], [[line]] and [ends.a], [ends.b]";
-    schema_of::<Case>("case", least).with_coordinates("ends.*.position_m")
+    schema_of::<Case>("case", least)
+        .with_coordinates("ends.*.position_m", POSITION.0, POSITION.1)
+        .with_coordinates(
+            "ends.*.amplitude_m",
+            ["surge amplitude", "sway amplitude", "heave amplitude"],
+            "Amplitude of the prescribed motion along one axis.",
+        )
 });
 
 /// The field of a key path given as its parts, if there is one; `ends.b.position_m.x` is a number of its own.

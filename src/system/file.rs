@@ -6,7 +6,7 @@ use super::check::check;
 use super::connected::Loose;
 use super::model::{SystemFile, SystemKeys};
 use super::solved::{SolvedSystem, UnsolvedSystem, solve};
-use crate::case::fields::Schema;
+use crate::case::fields::{POSITION, Schema};
 use crate::case::file_kind::{FileContent, FileKind};
 use crate::case::schema::schema_of;
 use crate::case::{FieldLister, FieldRow, Finding};
@@ -14,7 +14,11 @@ use crate::case::{FieldLister, FieldRow, Finding};
 /// The system file.
 pub static SYSTEM: LazyLock<Schema> = LazyLock::new(|| {
     let least = "a system has at least [system] with a title, [materials.<name>], [points.<name>] and [[lines]]";
-    schema_of::<SystemFile>("system", least).with_coordinates("points.*.position_m")
+    schema_of::<SystemFile>("system", least).with_coordinates(
+        "points.*.position_m",
+        POSITION.0,
+        POSITION.1,
+    )
 });
 
 impl FileContent for SystemFile {

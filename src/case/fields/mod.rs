@@ -38,27 +38,32 @@ pub struct Schema {
     pub tables: Vec<TableSchema>,
 }
 
+/// Labels and help of the coordinates of a position.
+pub(crate) const POSITION: ([&str; 3], &str) = (
+    ["position x", "position y", "position z"],
+    "Coordinate of the position.",
+);
+
 impl Schema {
     /// The same, with key paths for each coordinate of a field that takes three.
-    pub(crate) fn with_coordinates(mut self, path: &str) -> Self {
-        let whole = self.fields.iter().find(|field| field.path == path);
-        let parts = whole.map_or_else(Vec::new, |whole| {
-            let parts = [
-                ("x", "position x"),
-                ("y", "position y"),
-                ("z", "position z"),
-            ];
-            let part = |(axis, label)| Field {
+    pub(crate) fn with_coordinates(
+        mut self,
+        path: &str,
+        labels: [&'static str; 3],
+        help: &'static str,
+    ) -> Self {
+        if let Some(whole) = self.fields.iter().find(|field| field.path == path) {
+            let part = |(axis, label): (&str, &'static str)| Field {
                 path: format!("{path}.{axis}"),
                 label,
                 kind: ValueType::Number,
                 absent: AbsentValue::Required,
-                help: "Coordinate of the position.",
+                help,
                 ..whole.clone()
             };
-            parts.map(part).to_vec()
-        });
-        self.parts = parts;
+            let parts: Vec<Field> = ["x", "y", "z"].into_iter().zip(labels).map(part).collect();
+            self.parts.extend(parts);
+        }
         self
     }
 
