@@ -10,6 +10,7 @@ mod curves;
 mod edit;
 mod fields;
 mod hard_cases;
+mod heaved_chains;
 mod json_schema;
 mod line_tables;
 mod random_text;

@@ -119,6 +119,8 @@ fn allowed(path: &str, row: &ValidationRow) -> f64 {
             0.4
         }
         ("pendulous/module_as_published.toml", "where the line bears most") => 0.2,
+        // The peak comes as the last nodes lift off the bed one by one, which scatters it from mesh to mesh.
+        ("mooring/heaved_50m.toml", "greatest tension, heave 2 m") => 0.2,
         ("benchmarks/lindahl_chain.toml", name) if name.starts_with("mean peak") => 0.3,
         ("double_stepped/cantilever.toml", "drag at C_Y = 1000") => 0.13,
         ("benchmarks/current_across.toml", "pull on the anchor along z, 0.5 m/s") => 0.11,
