@@ -106,12 +106,15 @@ pub const ROPEWAYS: &[Shipped] = &[
 pub const SYSTEMS: &[Shipped] = &[
     shipped!("systems/bridle_and_buoy.toml"),
     shipped!("systems/crows_foot.toml"),
+    shipped!("systems/oc3_free.toml"),
     shipped!("systems/oc3_spar.toml"),
+    shipped!("systems/oc4_free.toml"),
     shipped!("systems/oc4_semi.toml"),
     shipped!("systems/semi_taut.toml"),
     shipped!("systems/shared_line.toml"),
     shipped!("systems/three_chains.toml"),
     shipped!("systems/volturnus.toml"),
+    shipped!("systems/volturnus_free.toml"),
 ];
 
 /// The files that come with the program, by kind.

@@ -178,20 +178,19 @@ pub(super) fn goal(args: &SeekArgs) -> Result<ExitCode, CommandError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// `seacable modes` on a system: the natural periods of its bodies.
+/// `seacable modes` on a system: the natural periods of its bodies and points.
 pub(super) fn modes(args: &SystemArgs) -> Result<ExitCode, CommandError> {
     let solved = load(args)?;
     let modes = periods::periods(&solved.network, &solved.rest)
         .map_err(|why| CommandError::Usage(format!("No natural periods: {why}.")))?;
     if modes.is_empty() {
-        let how = "No body of the system has a mass: give `mass_kg` and `inertia_kg_m2` to one.";
+        let how = "No body of the system has a mass, and no free point: give `mass_kg` and `inertia_kg_m2` to a body.";
         return Err(CommandError::Usage(how.to_owned()));
     }
     if args.json {
         let each = modes.iter().map(|mode| {
-            let body = &solved.network.bodies[mode.most.0].name;
-            let direction = ["surge", "sway", "heave", "roll", "pitch", "yaw"][mode.most.1];
-            json!({"period_s": mode.period_s, "body": body, "direction": direction})
+            let (part, direction) = mode.names(&solved.network);
+            json!({"period_s": mode.period_s, "part": part, "direction": direction})
         });
         output::object(&json!({"kind": "modes", "modes": each.collect::<Vec<_>>()}))?;
         return Ok(ExitCode::SUCCESS);

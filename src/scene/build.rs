@@ -341,7 +341,7 @@ fn lump(
 }
 
 /// Still water unless the case has a current.
-fn current(current: Option<&case::Current>) -> CurrentProfile {
+pub(crate) fn current(current: Option<&case::Current>) -> CurrentProfile {
     let Some(current) = current else {
         return CurrentProfile::Uniform(V3::zeros());
     };

@@ -46,6 +46,7 @@ pub mod water;
 mod waves;
 
 pub use build::build;
+pub(crate) use build::current as current_profile;
 pub use elements::{BedContact, Elements, Flexure, RigidPayload, TravellingBody};
 pub(crate) use ends::entry as response_entry;
 pub use error::SceneError;

@@ -166,8 +166,7 @@ impl Maker<'_> {
         self.point(Held::Free(FreePoint {
             weight: mass * gravity,
             buoyancy: volume * density * gravity,
-            load: V3::zeros(),
-            start: None,
+            ..FreePoint::default()
         }))
     }
 
@@ -277,8 +276,7 @@ impl Maker<'_> {
             } else {
                 V3::zeros()
             },
-            moment: V3::zeros(),
-            bottom: None,
+            ..Body::default()
         };
         self.network.bodies.push(body);
         self.network.bodies.len() - 1

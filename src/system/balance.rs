@@ -9,13 +9,13 @@
 //!
 //! The first part turns the arm under the force: with it the stiffness of a body is exact, loads that hold still included.
 
-use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
+use nalgebra::{DMatrix, DVector};
 
+use super::body_loads::body_loads;
 use super::freedoms::{Follower, Freedoms, Placement, follower};
 use super::line_at_rest::{LineAtRest, LinePhysics, solve};
-use super::network::{Body, Held, Network};
-use super::pose::{Pose, cross};
-use crate::numerics::V3;
+use super::network::{Held, Network};
+use super::pose::cross;
 
 /// Forces and stiffness of a system at a placement.
 #[derive(Debug, Clone)]
@@ -71,16 +71,20 @@ pub fn balance(
         out.tension = at_rest.tensions().into_iter().fold(out.tension, f64::max);
         out.lines.push(at_rest);
     }
-    for (point, first) in network.points.iter().zip(&freedoms.points) {
-        if let (Held::Free(free), Some(first)) = (&point.held, first) {
-            let mut force = out.force.fixed_rows_mut::<3>(*first);
-            force += free.force();
+    for (index, first) in freedoms.points.iter().enumerate() {
+        if let (Held::Free(free), Some(first)) = (&network.points[index].held, first) {
+            let (force, by_height) = free.force(network, placement.points[index].z, physics);
+            let mut rows = out.force.fixed_rows_mut::<3>(*first);
+            rows += force;
+            let mut column = out.stiffness.fixed_view_mut::<3, 1>(*first, *first + 2);
+            column -= by_height;
         }
     }
     for (index, first) in freedoms.bodies.iter().enumerate() {
         if let Some(first) = first {
             let body = &network.bodies[index];
-            let (force, stiffness) = body_loads(body, &placement.bodies[index]);
+            let pose = &placement.bodies[index];
+            let (force, stiffness) = body_loads(network, body, pose, physics);
             let mut rows = out.force.fixed_rows_mut::<6>(*first);
             rows += force;
             let mut block = out.stiffness.fixed_view_mut::<6, 6>(*first, *first);
@@ -124,33 +128,4 @@ impl Balance {
     pub fn symmetric(&self) -> DMatrix<f64> {
         0.5 * (&self.stiffness + self.stiffness.transpose())
     }
-}
-
-/// Weight, buoyancy, water-plane and steady loads of a body: force and moment about its origin, and their stiffness.
-///
-/// The water-plane acts by the displacement of the origin and the rotation vector from the pose given.
-#[must_use]
-pub fn body_loads(body: &Body, pose: &Pose) -> (Vector6<f64>, Matrix6<f64>) {
-    let mut force = Vector6::zeros();
-    let mut stiffness = body.waterplane;
-    let mut at = |arm: V3, load: V3| {
-        let moment = arm.cross(&load);
-        for k in 0..3 {
-            force[k] += load[k];
-            force[k + 3] += moment[k];
-        }
-        let mut block = stiffness.fixed_view_mut::<3, 3>(3, 3);
-        block -= cross(&load) * cross(&arm);
-    };
-    at(V3::zeros(), body.load);
-    at(pose.arm(&body.centre_of_gravity), V3::z() * -body.weight);
-    at(pose.arm(&body.centre_of_buoyancy), V3::z() * body.buoyancy);
-    let step = pose.origin - body.pose.origin;
-    let turn = (pose.rotation * body.pose.rotation.inverse()).scaled_axis();
-    let moved = Vector6::new(step.x, step.y, step.z, turn.x, turn.y, turn.z);
-    force -= body.waterplane * moved;
-    for k in 0..3 {
-        force[k + 3] += body.moment[k];
-    }
-    (force, stiffness)
 }

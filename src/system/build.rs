@@ -5,29 +5,48 @@ use std::collections::BTreeMap;
 use nalgebra::{Matrix6, Rotation3, Vector6};
 
 use super::discretised::DiscretisedLine;
-use super::model::{BodyInputs, BodyKind, LineInputs, PointInputs, PointKind, SystemFile};
+use super::model::{
+    BodyInputs, BodyKind, HeadingLoadInputs, LineInputs, MemberInputs, PointInputs, PointKind,
+    SystemFile,
+};
 use super::network::{
-    Body, FreePoint, Held, Line, Network, Point, WEIGHTLESS, reversed, weight, weighted,
+    Body, FreePoint, HeadingLoads, Held, Line, Member, Network, Point, WEIGHTLESS, reversed,
+    weight, weighted,
 };
 use super::pose::Pose;
+use super::rods;
 use crate::case::Material;
 use crate::numerics::{M3, V3};
+use crate::scene::current_profile;
 use crate::statics::catenary::SectionProperties;
 
 /// The system that a file states, which the checks passed.
 ///
 /// # Errors
 /// The name of a line that has no element, and why.
-pub fn build(file: &SystemFile) -> Result<Network, (String, String)> {
+pub fn build(given: &SystemFile) -> Result<Network, (String, String)> {
+    let file = &rods::written_out(given);
     let mut network = Network {
         gravity: file.environment.gravity_m_per_s2,
         density: file.environment.water_density_kg_per_m3,
         bed_z: file.seabed.as_ref().map(|bed| -bed.depth_m),
+        current: file
+            .current
+            .as_ref()
+            .map(|given| current_profile(Some(given))),
+        wind: file.wind.as_ref().map_or_else(V3::zeros, |wind| {
+            let (sin, cos) = wind.direction_deg.to_radians().sin_cos();
+            V3::new(cos, sin, 0.0) * wind.speed_m_per_s
+        }),
         ..Network::default()
     };
     for (name, body) in &file.bodies {
+        let spins_about = given.rods.contains_key(name).then(V3::x);
         let built = self::body(name, body, &network);
-        network.bodies.push(built);
+        network.bodies.push(Body {
+            spins_about,
+            ..built
+        });
     }
     let mut builder = Builder {
         file,
@@ -125,6 +144,8 @@ impl Builder<'_> {
             PointKind::Free => Held::Free(FreePoint {
                 weight: given.mass_kg * self.network.gravity,
                 buoyancy: self.network.density * given.volume_m3 * self.network.gravity,
+                moving_mass: given.mass_kg + given.added_mass_kg,
+                drag_area: given.drag_area_m2,
                 load: V3::from(given.load_n),
                 start: place,
             }),
@@ -231,7 +252,47 @@ fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
         load: V3::from(given.load_n),
         moment: V3::from(given.moment_n_m),
         bottom: given.bottom_m,
+        members: given.members.iter().flat_map(members).collect(),
+        drag_area: V3::from(given.drag_area_m2),
+        wind_loads: heading_loads(&given.wind_loads),
+        current_loads: heading_loads(&given.current_loads),
+        spins_about: None,
     }
+}
+
+/// A member and its copies about the z axis of its body.
+fn members(given: &MemberInputs) -> Vec<Member> {
+    let once = [0.0];
+    let angles: &[f64] = match given.repeat_at_deg.is_empty() {
+        true => &once,
+        false => &given.repeat_at_deg,
+    };
+    let turned = |angle: &f64| {
+        let turn = Rotation3::from_axis_angle(&V3::z_axis(), angle.to_radians());
+        let radius = 0.5 * given.diameter_m;
+        Member {
+            from: turn * V3::from(given.from_m),
+            to: turn * V3::from(given.to_m),
+            radius: (radius, given.to_diameter_m.map_or(radius, |end| 0.5 * end)),
+            drag: given.drag_normal,
+            added_mass: given.added_mass_normal,
+        }
+    };
+    angles.iter().map(turned).collect()
+}
+
+fn heading_loads(rows: &[HeadingLoadInputs]) -> Option<HeadingLoads> {
+    let loads = |row: &HeadingLoadInputs| {
+        [
+            row.surge_n_s2_per_m2,
+            row.sway_n_s2_per_m2,
+            row.yaw_n_s2_per_m,
+        ]
+    };
+    (!rows.is_empty()).then(|| HeadingLoads {
+        headings: rows.iter().map(|r| r.heading_deg.to_radians()).collect(),
+        loads: rows.iter().map(loads).collect(),
+    })
 }
 
 /// 36 numbers row by row, a diagonal of six, or nothing: zeros.

@@ -1,7 +1,10 @@
 //! Checks of the keys of a system against each other: names, ends, places, what holds what.
 
-use super::model::{BodyKind, LineKeys, PointKeys, PointKind, SystemKeys};
+use super::model::{
+    BodyKind, HeadingLoadKeys, LineKeys, MemberKeys, PointKeys, PointKind, RodKeys, SystemKeys,
+};
 use super::quantities;
+use super::rods;
 use crate::case::schema::Key;
 use crate::case::{Finding, MaterialKeys, unknown, used_twice};
 use crate::reference::published_number;
@@ -36,6 +39,12 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
             &[3, 6],
             "Ixx, Iyy, Izz, or these and Ixy, Ixz, Iyz",
         ));
+        found.extend(body.members.iter().filter_map(|(_, member)| long(member)));
+        found.extend(headings(&body.wind_loads));
+        found.extend(headings(&body.current_loads));
+    }
+    for (name, rod) in &keys.rods {
+        found.extend(rod_of(keys, name, rod));
     }
     for (_, line) in &keys.lines {
         found.extend(ends(keys, line));
@@ -72,6 +81,49 @@ fn elastic(material: &MaterialKeys<'_>) -> Vec<Finding> {
     found
 }
 
+/// A rod without length, or one with the name of a body.
+fn rod_of(keys: &SystemKeys<'_>, name: &str, rod: &RodKeys<'_>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    if let (Some(a), Some(b)) = (rod.end_a_m.value(), rod.end_b_m.value())
+        && a == b
+    {
+        let problem = "the rod begins and ends there";
+        found.push(rod.end_b_m.finding(problem, "give ends that lie apart"));
+    }
+    if keys.bodies.iter().any(|(known, _)| known == name) {
+        let problem = format!("there is a body named \"{name}\" too");
+        found.push(rod.place.finding(problem, "give the rod another name"));
+    }
+    found
+}
+
+/// A member without length.
+fn long(member: &MemberKeys<'_>) -> Option<Finding> {
+    let (from, to) = (member.from_m.value()?, member.to_m.value()?);
+    let remedy = "give ends that lie apart";
+    (from == to).then(|| {
+        member
+            .to_m
+            .finding("the member begins and ends there", remedy)
+    })
+}
+
+/// Headings that do not increase, or go round more than once.
+fn headings(rows: &[(String, HeadingLoadKeys<'_>)]) -> Option<Finding> {
+    let (_, first) = rows.first()?;
+    let mut before = first.heading_deg.value()?;
+    for (_, row) in &rows[1..] {
+        let here = row.heading_deg.value()?;
+        if here <= before || here >= first.heading_deg.value()? + 360.0 {
+            let problem = format!("{here} does not follow {before}");
+            let remedy = "give the headings in increasing order, each once around";
+            return Some(row.heading_deg.finding(problem, remedy));
+        }
+        before = here;
+    }
+    None
+}
+
 /// Held points need a place; they have no mass.
 fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
@@ -101,6 +153,8 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
         found.extend(point.mass_kg.if_given(problem, remedy));
         found.extend(point.volume_m3.if_given(problem, remedy));
         found.extend(point.load_n.if_given(problem, remedy));
+        found.extend(point.added_mass_kg.if_given(problem, remedy));
+        found.extend(point.drag_area_m2.if_given(problem, remedy));
     }
     found
 }
@@ -114,7 +168,10 @@ fn body_of(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Option<Finding> {
                 .finding("is given for a point that is not on a body", remedy),
         );
     }
-    let names: Vec<&str> = keys.bodies.iter().map(|(name, _)| name.as_str()).collect();
+    let bodies = keys.bodies.iter().map(|(name, _)| name.as_str());
+    let names: Vec<&str> = bodies
+        .chain(keys.rods.iter().map(|(name, _)| name.as_str()))
+        .collect();
     unknown(&point.body, &names, "body", "system")
 }
 
@@ -158,7 +215,13 @@ fn matrix(key: &Key<'_, Vec<f64>>, lengths: &[usize], wanted: &str) -> Option<Fi
 }
 
 fn ends(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Vec<Finding> {
-    let names: Vec<&str> = keys.points.iter().map(|(name, _)| name.as_str()).collect();
+    let of_rods: Vec<String> = keys
+        .rods
+        .iter()
+        .flat_map(|(name, _)| rods::ends(name))
+        .collect();
+    let points = keys.points.iter().map(|(name, _)| name.as_str());
+    let names: Vec<&str> = points.chain(of_rods.iter().map(String::as_str)).collect();
     let mut found: Vec<Finding> = [&line.from, &line.to]
         .into_iter()
         .filter_map(|end| unknown(end, &names, "point", "system"))

@@ -3,7 +3,7 @@
 //! A line that bears no compression, its weight, a flat bed below and a surface above have together a potential energy
 //! that is convex in the places of the line; with the line at rest it is convex in its ends. With the bodies held, a system has
 //! therefore one state of least energy (or a connected set of them, all with the same tensions), and a descent from any start
-//! finds it. Friction of the bed and current have no energy: they act in a second search, from the result of the first, as does bending. Free bodies turn, which is
+//! finds it. Friction of the bed, current and wind have no energy: they act in a second search, from the result of the first, as does bending. Free bodies turn, which is
 //! not convex: the search ends at the equilibrium that it comes to first.
 //!
 //! A step goes along `K d = F`, with a share of the unit matrix added where K is not positive definite, no further than a
@@ -84,7 +84,7 @@ pub fn search(network: &Network, start: &Placement) -> Result<Equilibrium, Syste
     let discretised = network.lines.iter().any(|line| line.discretised.is_some());
     let mut search = Search::begin(network, freedoms, start.clone(), LinePhysics::Plain)?;
     search.run()?;
-    if rough || discretised {
+    if rough || discretised || network.flows() {
         search.physics = LinePhysics::Full;
         search.here = search.evaluate(&search.placement)?;
         search.run()?;

@@ -43,30 +43,42 @@ impl FileKind for SystemFile {
         rows.extend(lister.always("environment"));
         rows.extend(lister.if_given(&["seabed"], "seabed"));
         rows.extend(lister.if_given(&["current"], "current"));
+        rows.extend(lister.if_given(&["wind"], "wind"));
         rows.extend(lister.named("lines", "line"));
-        rows.extend(sections(lister));
+        rows.extend(nested(lister, ("lines", "line"), ("sections", "section")));
         rows.extend(lister.named("points", "point"));
         rows.extend(lister.named("bodies", "body"));
+        rows.extend(nested(lister, ("bodies", "body"), ("members", "member")));
+        rows.extend(nested(lister, ("bodies", "body"), ("wind_loads", "wind")));
+        rows.extend(nested(
+            lister,
+            ("bodies", "body"),
+            ("current_loads", "current"),
+        ));
+        rows.extend(lister.named("rods", "rod"));
         rows.extend(lister.named("materials", "material"));
         rows
     }
 }
 
-/// The rows of the sections of every line.
-fn sections(lister: &FieldLister<'_>) -> Vec<FieldRow> {
-    let Some(lines) = lister.root.get("lines") else {
+/// The rows of a list that every table of a kind has: the sections of each line.
+fn nested(
+    lister: &FieldLister<'_>,
+    (tables, one): (&str, &str),
+    (lists, item): (&str, &str),
+) -> Vec<FieldRow> {
+    let Some(parents) = lister.root.get(tables) else {
         return Vec::new();
     };
     let mut rows = Vec::new();
-    for name in lines.names() {
-        let place = ["lines", &name, "sections"];
-        let Some(list) = lister.root.find(&place) else {
+    for name in parents.names() {
+        let Some(list) = lister.root.find(&[tables, &*name, lists]) else {
             continue;
         };
-        for section in list.names() {
-            let path = ["lines", &name, "sections", &section];
-            let group = format!("line {name}, section {section}");
-            rows.extend(lister.table("lines.*.sections.*", &path, &group));
+        for entry in list.names() {
+            let path = [tables, &*name, lists, &*entry];
+            let group = format!("{one} {name}, {item} {entry}");
+            rows.extend(lister.table(&format!("{tables}.*.{lists}.*"), &path, &group));
         }
     }
     rows
@@ -91,7 +103,11 @@ fn located(refusal: &UnsolvedSystem, keys: &SystemKeys<'_>) -> Finding {
         }
         Some((Loose::Body(_), name)) => {
             let body = keys.bodies.iter().find(|(known, _)| known == name);
-            body.map_or(&keys.place, |(_, body)| &body.place)
+            let rod = keys.rods.iter().find(|(known, _)| known == name);
+            let rod = rod.map(|(_, rod)| &rod.place);
+            body.map(|(_, body)| &body.place)
+                .or(rod)
+                .unwrap_or(&keys.place)
         }
         None => keys
             .about

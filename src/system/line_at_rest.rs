@@ -97,7 +97,7 @@ impl LineAtRest {
 pub enum LinePhysics {
     /// Weight and stretch, as in the first search.
     Plain,
-    /// Friction of the bed, current and bending as well.
+    /// Friction of the bed, current, wind and bending as well.
     Full,
 }
 

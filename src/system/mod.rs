@@ -7,6 +7,7 @@
 
 pub mod analysis;
 pub mod balance;
+pub mod body_loads;
 pub mod bounds;
 pub mod build;
 mod check;
@@ -15,12 +16,15 @@ pub mod discretised;
 pub mod equilibrium;
 mod file;
 pub mod freedoms;
+mod heading_loads;
 pub mod line_at_rest;
 pub mod loads;
+mod members;
 pub mod model;
 pub mod network;
 pub mod pose;
 pub mod quantities;
+pub mod rods;
 pub mod solved;
 pub mod start;
 pub mod stiffness;

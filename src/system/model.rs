@@ -20,14 +20,18 @@ table! {
         about: SystemInfo as "system";
         /// Water and gravity.
         environment: Environment, optional;
-        /// A current on the lines; points and bodies feel it by their steady loads only.
+        /// A current on lines, points and bodies.
         current: Option<Current>;
+        /// A wind on bodies that state their loads by it.
+        wind: Option<SystemWind>;
         /// The level sea bed; absent means that none is in reach.
         seabed: Option<SystemBed>;
         /// What the lines are made of, by name.
         materials: BTreeMap<String, Material>, required;
         /// The bodies that points are on, by name.
         bodies: BTreeMap<String, BodyInputs>;
+        /// Rigid rods, by name; lines end at their points NAME-a and NAME-b.
+        rods: BTreeMap<String, RodInputs>;
         /// The ends of the lines, by name.
         points: BTreeMap<String, PointInputs>, required;
         /// The lines, from one point to another.
@@ -63,6 +67,17 @@ table! {
     }
 }
 
+table! {
+    /// A steady wind.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct SystemWind => SystemWindKeys {
+        /// Speed, at the height that the loads of the bodies refer to.
+        speed_m_per_s: f64, "wind speed", range of(0.0, 100.0);
+        /// Direction towards which it blows, from +x towards +y.
+        direction_deg: f64 = 0.0, "wind direction", range of(-360.0, 360.0);
+    }
+}
+
 words! {
     /// What holds a point.
     pub enum PointKind {
@@ -89,6 +104,10 @@ table! {
         mass_kg: f64 = 0.0, "mass", range of(0.0, 1e10), matters FREE;
         /// Displaced volume.
         volume_m3: f64 = 0.0, "volume", range of(0.0, 1e7), matters FREE;
+        /// Added mass; for natural periods.
+        added_mass_kg: f64 = 0.0, "added mass", range of(0.0, 1e10), matters FREE;
+        /// Drag coefficient times area, in a current.
+        drag_area_m2: f64 = 0.0, "drag area", range of(0.0, 1e6), matters FREE;
         /// Steady load on it, along x, y, z.
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FREE;
     }
@@ -140,6 +159,75 @@ table! {
         moment_n_m: [f64; 3] = [0.0, 0.0, 0.0], "steady moment", range of(-1e15, 1e15), matters FLOATING;
         /// From its origin down to what bears on the bed.
         bottom_m: Option<f64>, "bottom", range of(-1e3, 1e3), absent "it does not touch the bed", matters FLOATING;
+        /// Drag coefficient times area along its x, y and z, at its origin, in a current.
+        drag_area_m2: [f64; 3] = [0.0, 0.0, 0.0], "drag area", range of(0.0, 1e7);
+    }
+    tables {
+        /// Round members in the water, whose buoyancy counts as far as they are immersed.
+        members: Vec<MemberInputs>;
+        /// Loads of the wind by its heading.
+        wind_loads: Vec<HeadingLoadInputs>;
+        /// Loads of the current at the surface by its heading.
+        current_loads: Vec<HeadingLoadInputs>;
+    }
+}
+
+table! {
+    /// A rigid rod: a slender body whose mass lies evenly along it. It spins about its axis without resistance.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct RodInputs => RodKeys {
+        /// What holds it.
+        kind: BodyKind, "kind";
+        /// Its end A; of a free rod where the search begins.
+        end_a_m: [f64; 3], "end A", range of(-1e6, 1e6);
+        /// Its end B.
+        end_b_m: [f64; 3], "end B", range of(-1e6, 1e6);
+        /// Mass in air.
+        mass_kg: f64, "mass", range positive(1e9);
+        /// Outer diameter, by which it displaces water.
+        diameter_m: f64, "diameter", range positive(1e2);
+        /// Drag coefficient across it, on the diameter, in a current.
+        drag_normal: f64 = 0.0, "normal drag", range of(0.0, 100.0);
+        /// Added mass coefficient across it, on the displaced volume; for natural periods.
+        added_mass_normal: f64 = 1.0, "normal added mass", range of(0.0, 100.0);
+        /// Steady load at its middle, along x, y, z.
+        load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FLOATING;
+    }
+}
+
+table! {
+    /// A round member of a body: a cylinder, or a cone.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct MemberInputs => MemberKeys {
+        /// One end in the frame of the body.
+        from_m: [f64; 3], "from", range of(-1e4, 1e4);
+        /// Its other end.
+        to_m: [f64; 3], "to", range of(-1e4, 1e4);
+        /// Outer diameter.
+        diameter_m: f64, "diameter", range positive(1e3);
+        /// Outer diameter at its other end.
+        to_diameter_m: Option<f64>, "diameter at the other end", range of(0.0, 1e3), absent "the same";
+        /// Drag coefficient across it, on the diameter, in a current.
+        drag_normal: f64 = 0.0, "normal drag", range of(0.0, 100.0);
+        /// Added mass coefficient across it, on the displaced volume; for natural periods.
+        added_mass_normal: f64 = 0.0, "normal added mass", range of(0.0, 100.0);
+        /// Copies turned about the z axis of the body by these angles.
+        repeat_at_deg: Vec<f64>, "repeats", range of(-360.0, 360.0), absent "once";
+    }
+}
+
+table! {
+    /// The load of a flow on a body at one heading, over its speed squared; cubics in between.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct HeadingLoadInputs => HeadingLoadKeys {
+        /// Towards which the flow runs, from the bow towards port: 0 from astern, 180 from ahead.
+        heading_deg: f64, "heading", range of(-360.0, 360.0);
+        /// Forwards.
+        surge_n_s2_per_m2: f64 = 0.0, "surge load", unit "N s2/m2", range of(-1e9, 1e9);
+        /// To port.
+        sway_n_s2_per_m2: f64 = 0.0, "sway load", unit "N s2/m2", range of(-1e9, 1e9);
+        /// Bow to port, about the origin.
+        yaw_n_s2_per_m: f64 = 0.0, "yaw load", unit "N s2/m", range of(-1e12, 1e12);
     }
 }
 

@@ -5,8 +5,10 @@ use std::sync::Arc;
 use nalgebra::Matrix6;
 
 use super::discretised::DiscretisedLine;
+use super::line_at_rest::LinePhysics;
 use super::pose::Pose;
 use crate::numerics::{M3, V3};
+use crate::physics::current::CurrentProfile;
 use crate::statics::catenary::SectionProperties;
 
 /// A system of lines at rest, in SI.
@@ -18,6 +20,10 @@ pub struct Network {
     pub density: f64,
     /// Height of the bed \[m\], negative; nothing where none is in reach.
     pub bed_z: Option<f64>,
+    /// The current on lines, points and bodies, if there is one.
+    pub current: Option<CurrentProfile>,
+    /// Velocity of the wind on bodies \[m/s\].
+    pub wind: V3,
     /// Points that lines end at.
     pub points: Vec<Point>,
     /// Bodies that points are on.
@@ -53,6 +59,10 @@ pub struct FreePoint {
     pub weight: f64,
     /// Buoyancy under water \[N\].
     pub buoyancy: f64,
+    /// Mass with added mass \[kg\].
+    pub moving_mass: f64,
+    /// Drag coefficient times area in a current \[m²\].
+    pub drag_area: f64,
     /// Steady load \[N\].
     pub load: V3,
     /// Where the search begins \[m\], if that is given.
@@ -60,15 +70,31 @@ pub struct FreePoint {
 }
 
 impl FreePoint {
-    /// The force on it under water, lines apart \[N\].
+    /// The force on it under water at height z \[m\], lines apart \[N\], and its change with z \[N/m\]; drag in the full physics.
     #[must_use]
-    pub fn force(&self) -> V3 {
-        self.load + V3::new(0.0, 0.0, self.buoyancy - self.weight)
+    pub fn force(&self, network: &Network, z: f64, physics: LinePhysics) -> (V3, V3) {
+        let force = self.load + V3::new(0.0, 0.0, self.buoyancy - self.weight);
+        let flows = physics == LinePhysics::Full && self.drag_area > 0.0;
+        let Some(current) = network.current.as_ref().filter(|_| flows) else {
+            return (force, V3::zeros());
+        };
+        let (velocity, slope) = current.at(z);
+        let speed = velocity.norm();
+        let half = 0.5 * network.density * self.drag_area;
+        let turning = if speed > 0.0 {
+            velocity * (velocity.dot(&slope) / speed)
+        } else {
+            V3::zeros()
+        };
+        (
+            force + velocity * (half * speed),
+            (slope * speed + turning) * half,
+        )
     }
 }
 
 /// A rigid body.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Body {
     /// Its name.
     pub name: String,
@@ -98,6 +124,49 @@ pub struct Body {
     pub moment: V3,
     /// From the origin down to what bears on the bed \[m\].
     pub bottom: Option<f64>,
+    /// Its members in the water.
+    pub members: Vec<Member>,
+    /// Drag coefficient times area along its axes, at the origin \[m²\].
+    pub drag_area: V3,
+    /// Loads of the wind by its heading.
+    pub wind_loads: Option<HeadingLoads>,
+    /// Loads of the current at the surface by its heading.
+    pub current_loads: Option<HeadingLoads>,
+    /// Axis of a rod in its frame, about which it spins freely and nothing hangs on.
+    pub spins_about: Option<V3>,
+}
+
+impl Body {
+    /// What holds the spin of a rod where it is \[N m\]: of the size of its other stiffness, without effect on any result.
+    #[must_use]
+    pub fn spin_stiffness(&self) -> f64 {
+        let longest = self.members.iter().map(|m| (m.to - m.from).norm());
+        (self.weight + self.buoyancy).max(1.0) * longest.fold(1.0, f64::max)
+    }
+}
+
+/// A round member of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Member {
+    /// Its ends in the frame of the body \[m\].
+    pub from: V3,
+    /// See `from`.
+    pub to: V3,
+    /// Radii there \[m\].
+    pub radius: (f64, f64),
+    /// Drag coefficient across it, on the diameter \[-\].
+    pub drag: f64,
+    /// Added mass coefficient across it, on the displaced volume \[-\].
+    pub added_mass: f64,
+}
+
+/// Loads of a flow by its heading.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeadingLoads {
+    /// Headings towards which the flow runs, from the body's bow towards port, increasing \[rad\].
+    pub headings: Vec<f64>,
+    /// Surge and sway \[N s²/m²\] and yaw \[N s²/m\] over speed squared.
+    pub loads: Vec<[f64; 3]>,
 }
 
 /// A line between two points.
@@ -194,6 +263,13 @@ impl Network {
     #[must_use]
     pub fn line(&self, name: &str) -> Option<usize> {
         self.lines.iter().position(|line| line.name == name)
+    }
+
+    /// Whether a current or a wind acts on points or bodies.
+    #[must_use]
+    pub fn flows(&self) -> bool {
+        let current = self.current.as_ref();
+        current.is_some_and(|current| current.max_speed() > 0.0) || self.wind != V3::zeros()
     }
 
     /// The body of this name.

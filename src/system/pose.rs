@@ -5,7 +5,7 @@ use nalgebra::{Rotation3, UnitQuaternion};
 use crate::numerics::{M3, V3};
 
 /// Place of the origin of a body's frame, and its rotation from the earth's frame.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Pose {
     /// The origin \[m\].
     pub origin: V3,

@@ -58,7 +58,7 @@ static QUANTITIES: [Quantity; 12] = [
     quantity("clearance_m", "m", Subject::Line, "least distance of a line from another that shares no point with it"),
     quantity("uplift_n", "N", Subject::Point, "upward pull of the lines on a point"),
     quantity("offset_m", "m", Subject::Body, "distance in plan of a free body from the place given"),
-    quantity("period_s", "s", Subject::Period, "natural period of the bodies by its number, the longest first"),
+    quantity("period_s", "s", Subject::Period, "natural period by its number, the longest first, or longest of one that is mostly of a body and a direction"),
     quantity("x_m", "m", Subject::Point, "x of a point"),
     quantity("y_m", "m", Subject::Point, "y of a point"),
     quantity("z_m", "m", Subject::Point, "z of a point"),
@@ -143,7 +143,7 @@ pub fn value(solved: &SolvedSystem, name: &str) -> Result<f64, String> {
             let here = solved.rest.placement.bodies[index].origin;
             Ok((here - network.bodies[index].pose.origin).xy().norm())
         }
-        Subject::Period => period(solved, subject.parse().map_err(|_| missing())?),
+        Subject::Period => period(solved, subject, place).ok_or_else(missing)?,
         Subject::Stiffness => {
             let index = network.body(subject).ok_or_else(missing)?;
             let at = direction(place).ok_or_else(missing)?;
@@ -161,16 +161,31 @@ fn clearance(solved: &SolvedSystem, line: usize) -> Result<f64, String> {
     with.next().map(|pair| pair.distance_m).ok_or_else(alone)
 }
 
-/// The period of this number, those that do not end left out.
-fn period(solved: &SolvedSystem, number: usize) -> Result<f64, String> {
-    let modes = periods(&solved.network, &solved.rest)
-        .map_err(|why| format!("There are no natural periods: {why}."))?;
+/// The period of this number, those that do not end left out, or the longest that is mostly of a part and a direction; nothing
+/// where there is no such subject.
+fn period(solved: &SolvedSystem, subject: &str, direction: &str) -> Option<Result<f64, String>> {
+    let number: Option<usize> = subject.parse().ok().filter(|_| direction.is_empty());
+    if number.is_none() && direction.is_empty() {
+        return None;
+    }
+    let modes = match periods(&solved.network, &solved.rest) {
+        Ok(modes) => modes,
+        Err(why) => return Some(Err(format!("There are no natural periods: {why}."))),
+    };
     let finite = modes
         .iter()
-        .filter_map(|mode| mode.period_s)
-        .filter(|period| period.is_finite());
-    let found = finite.clone().nth(number.wrapping_sub(1));
-    found.ok_or_else(|| format!("There are {} natural periods.", finite.count()))
+        .filter(|mode| mode.period_s.is_some_and(f64::is_finite));
+    let found = match number {
+        Some(number) => finite.clone().nth(number.wrapping_sub(1)),
+        None => finite
+            .clone()
+            .find(|mode| mode.names(&solved.network) == (subject, direction)),
+    };
+    let period = found.and_then(|mode| mode.period_s);
+    Some(period.ok_or_else(|| match number {
+        Some(_) => format!("There are {} natural periods.", finite.count()),
+        None => format!("No natural mode is mostly {direction} of {subject}."),
+    }))
 }
 
 /// A result that does not exist.

@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, Matrix6, SymmetricEigen};
 
+use super::analysis::equilibria;
 use super::bounds::Contact;
 use super::build::build;
 use super::connected::{Loose, loose};
@@ -23,6 +24,8 @@ pub struct SolvedSystem {
     pub rest: Equilibrium,
     /// How it rests.
     pub stability: Stability,
+    /// Equilibria that searches from other poses of the free bodies find, and how they rest.
+    pub others: Vec<(Equilibrium, Stability)>,
     /// Error of the end forces of each line \[N\]: by rounding, or by the mesh; nothing where it is not known.
     pub line_errors: Vec<Option<f64>>,
     /// Stiffness of the lines on each body about its origin \[N/m, N, N m\].
@@ -87,8 +90,14 @@ pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
     let stiffness = bodies.map(|body| of_body(&network, &rest, body));
     let stiffness: Result<Vec<_>, _> = stiffness.collect();
     let stiffness = stiffness.map_err(|error| refused(&network, &SystemError::Line(error)))?;
+    let others = equilibria::others(&network, &rest).into_iter();
+    let others = others.map(|other| {
+        let stability = self::stability(&network, &other);
+        (other, stability)
+    });
     let errors = rest.balance.lines.iter().map(LineAtRest::error);
     Ok(SolvedSystem {
+        others: others.collect(),
         line_errors: errors.collect(),
         file,
         stability,

@@ -2,7 +2,8 @@
 
 use nalgebra::{DMatrix, Matrix6};
 
-use super::balance::{UnsolvedLine, balance, body_loads};
+use super::balance::{UnsolvedLine, balance};
+use super::body_loads::body_loads;
 use super::bounds::Contact;
 use super::equilibrium::Equilibrium;
 use super::freedoms::{Freedoms, UnknownBodies};
@@ -39,7 +40,8 @@ pub fn of_body(
     {
         block -= take(&all.stiffness, &own, &others) * response;
     }
-    let loads = body_loads(&network.bodies[body], &placement.bodies[body]).1;
+    let pose = &placement.bodies[body];
+    let loads = body_loads(network, &network.bodies[body], pose, LinePhysics::Full).1;
     Ok(Matrix6::from_fn(|i, j| block[(i, j)]) - loads)
 }
 

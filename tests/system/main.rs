@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 mod analysis;
+mod bodies;
 mod closed_forms;
 mod discretised;
 mod random;

@@ -3,13 +3,19 @@
 use crate::report::chart::{Axis, Chart, Outline, Series};
 use crate::report::table::{NumberFormat, Table};
 use crate::system::SolvedSystem;
-use crate::system::analysis::clearance::{between_lines, curves, from_bed_and_surface};
+use crate::system::analysis::clearance::{
+    between_lines, curves, from_bed_and_surface, from_bodies,
+};
+use crate::system::analysis::equilibria::moved;
 use crate::system::analysis::offset::OffsetPoint;
-use crate::system::analysis::periods::BodyMode;
+use crate::system::analysis::periods::SystemMode;
 use crate::system::analysis::watch_circle::WatchCircle;
+use crate::system::equilibrium::Equilibrium;
+use crate::system::solved::Stability;
 
 const NEWTONS: NumberFormat = NumberFormat::Si("N");
 const METRES: NumberFormat = NumberFormat::Decimals(3, "m");
+const DEGREES: NumberFormat = NumberFormat::Decimals(2, "deg");
 const SECONDS: NumberFormat = NumberFormat::Digits(5, "s");
 
 /// Name of a line with its number.
@@ -190,19 +196,16 @@ pub fn watch_chart(solved: &SolvedSystem, circle: &WatchCircle) -> Chart {
 
 /// Natural periods.
 #[must_use]
-pub fn periods(solved: &SolvedSystem, modes: &[BodyMode]) -> Table {
-    const NAMES: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
-    let finite = |mode: &BodyMode| mode.period_s.filter(|period| period.is_finite());
-    let table = Table::of("Natural periods of the bodies on their lines", modes)
+pub fn periods(solved: &SolvedSystem, modes: &[SystemMode]) -> Table {
+    let finite = |mode: &SystemMode| mode.period_s.filter(|period| period.is_finite());
+    let table = Table::of("Natural periods of bodies and points on their lines", modes)
         .number("period", SECONDS, finite)
         .number("frequency", NumberFormat::Digits(5, "Hz"), |mode| {
             finite(mode).map(f64::recip)
         })
         .text("mostly", |mode| {
-            format!(
-                "{} of {}",
-                NAMES[mode.most.1], solved.network.bodies[mode.most.0].name
-            )
+            let (part, direction) = mode.names(&solved.network);
+            format!("{direction} of {part}")
         })
         .text("", |mode| match mode.period_s {
             None => "unstable",
@@ -212,6 +215,41 @@ pub fn periods(solved: &SolvedSystem, modes: &[BodyMode]) -> Table {
     table.build().noted(vec![
         "Without damping, and without the inertia of the lines.".to_owned(),
     ])
+}
+
+/// The equilibria found, the one that the report is of first: where the free bodies are, how each rests, what the lines carry.
+#[must_use]
+pub fn equilibria(solved: &SolvedSystem) -> Table {
+    let network = &solved.network;
+    let first = (&solved.rest, &solved.stability);
+    let others = solved.others.iter().map(|(rest, how)| (rest, how));
+    let all: Vec<(&Equilibrium, &Stability)> = std::iter::once(first).chain(others).collect();
+    let free = (0..network.bodies.len()).filter(|body| network.bodies[*body].free);
+    let mut table = Table::of("Equilibria that were found", &all)
+        .text("", |(_, how)| match how {
+            Stability::Stable => "stable".to_owned(),
+            Stability::Neutral(along) => format!("neutral in {along}"),
+            Stability::Unstable(along) => format!("unstable in {along}"),
+        })
+        .number("greatest tension", NEWTONS, |(rest, _)| {
+            rest.balance.tension
+        });
+    for body in free {
+        let name = &network.bodies[body].name;
+        let turn = |rest: &Equilibrium| moved(network, rest, body).0.to_degrees();
+        let shift = |rest: &Equilibrium| moved(network, rest, body).1.norm();
+        table = table
+            .number(&format!("{name} turned by"), DEGREES, move |(rest, _)| {
+                turn(rest)
+            })
+            .number("moved by", METRES, move |(rest, _)| shift(rest));
+    }
+    let mut table = table.build();
+    table.notes.push(
+        "Searched from the poses given and from each free body turned by a quarter and a half about its axes; the report is of the first."
+            .to_owned(),
+    );
+    table
 }
 
 /// Distances of lines from one another, from bed and surface.
@@ -234,6 +272,12 @@ pub fn clearances(solved: &SolvedSystem) -> Table {
     };
     let numbers: Vec<usize> = (0..curves.len()).collect();
     let apart = |k: &usize| from_bed_and_surface(&solved.network, &curves[*k]);
+    let has_members = solved
+        .network
+        .bodies
+        .iter()
+        .any(|body| !body.members.is_empty());
+    let nearest_body = |k: &usize| from_bodies(&solved.network, &solved.rest, *k, &curves[*k]);
     Table::of("Clearances", &numbers)
         .text("line", |k| line_name(solved, *k))
         .number("least distance", METRES, |k| {
@@ -241,6 +285,16 @@ pub fn clearances(solved: &SolvedSystem) -> Table {
         })
         .text("from line", |k| {
             nearest(*k).map_or_else(String::new, |(_, other)| line_name(solved, other))
+        })
+        .when(has_members, |table| {
+            table
+                .number("from a body", METRES, |k| {
+                    nearest_body(k).map(|(_, distance)| distance)
+                })
+                .text("which", |k| {
+                    let body = nearest_body(k).map(|(body, _)| body);
+                    body.map_or_else(String::new, |body| solved.network.bodies[body].name.clone())
+                })
         })
         .number("above the bed", METRES, |k| apart(k).0)
         .number("below the surface", METRES, |k| apart(k).1)

@@ -7,6 +7,7 @@ use crate::system::SolvedSystem;
 use crate::system::bounds::Contact;
 use crate::system::loads;
 use crate::system::network::Held;
+use crate::system::pose::Pose;
 use crate::system::solved::Stability;
 
 fn three(v: &V3) -> Value {
@@ -23,6 +24,14 @@ pub fn object(solved: &SolvedSystem) -> Value {
         "title": solved.file.about.title,
         "version": env!("CARGO_PKG_VERSION"),
         "stability": stability(&solved.stability),
+        "other_equilibria": solved.others.iter().map(|(other, how)| json!({
+            "stability": stability(how),
+            "greatest_tension_n": other.balance.tension,
+            "bodies": (0..solved.network.bodies.len()).map(|k| json!({
+                "name": solved.network.bodies[k].name,
+                "pose": pose(&other.placement.bodies[k]),
+            })).collect::<Vec<_>>(),
+        })).collect::<Vec<_>>(),
         "residual_n": rest.residual,
         "steps": rest.steps,
         "evaluations": rest.evaluations,
@@ -79,10 +88,18 @@ fn point(solved: &SolvedSystem, index: usize) -> Value {
     })
 }
 
+fn pose(pose: &Pose) -> Value {
+    let [roll, pitch, yaw] = pose.angles().map(f64::to_degrees);
+    json!({
+        "position_m": three(&pose.origin),
+        "roll_deg": roll,
+        "pitch_deg": pitch,
+        "yaw_deg": yaw,
+    })
+}
+
 fn body(solved: &SolvedSystem, index: usize) -> Value {
     let body = &solved.network.bodies[index];
-    let pose = &solved.rest.placement.bodies[index];
-    let [roll, pitch, yaw] = pose.angles().map(f64::to_degrees);
     let (force, moment) = loads::on_body(&solved.network, &solved.rest, index);
     let matrix = &solved.stiffness[index];
     let rows: Vec<Vec<f64>> = (0..6)
@@ -91,12 +108,7 @@ fn body(solved: &SolvedSystem, index: usize) -> Value {
     json!({
         "name": body.name,
         "held": if body.free { "free" } else { "held" },
-        "pose": {
-            "position_m": three(&pose.origin),
-            "roll_deg": roll,
-            "pitch_deg": pitch,
-            "yaw_deg": yaw,
-        },
+        "pose": pose(&solved.rest.placement.bodies[index]),
         "lines_force_n": three(&force),
         "lines_moment_n_m": three(&moment),
         "stiffness": rows,

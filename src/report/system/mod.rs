@@ -43,6 +43,9 @@ pub fn report(
             page.table(&tables::stiffness(solved, body));
         }
     }
+    if !solved.others.is_empty() {
+        page.table(&analysis::equilibria(solved));
+    }
     page.table(&analysis::clearances(solved));
     match periods(&solved.network, &solved.rest) {
         Ok(modes) if modes.is_empty() => {}

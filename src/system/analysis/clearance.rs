@@ -1,7 +1,7 @@
 //! Distances between lines, and of lines from bed and surface.
 
 use super::super::equilibrium::Equilibrium;
-use super::super::network::Network;
+use super::super::network::{Held, Network};
 use crate::numerics::V3;
 
 /// Points that a line is divided by; the distance of a curve from its chords falls with their square.
@@ -107,6 +107,33 @@ fn nearest(a: &[V3], b: &[V3]) -> (V3, V3) {
         }
     }
     (a[0] + d1 * s, b[0] + d2 * t)
+}
+
+/// The least distance of a line from the members of a body that none of its ends is on \[m\], and that body; nothing where no such body
+/// has members. Zero where it runs through one.
+#[must_use]
+pub fn from_bodies(
+    network: &Network,
+    rest: &Equilibrium,
+    line: usize,
+    curve: &[V3],
+) -> Option<(usize, f64)> {
+    let ends = [network.lines[line].from, network.lines[line].to];
+    let is_on = |body: usize| {
+        ends.iter()
+            .any(|end| matches!(network.points[*end].held, Held::On(on, _) if on == body))
+    };
+    let others = network.bodies.iter().enumerate();
+    let others = others.filter(|(body, _)| !is_on(*body));
+    let members = others.flat_map(|(body, given)| given.members.iter().map(move |m| (body, m)));
+    let distances = members.map(|(body, member)| {
+        let pose = &rest.placement.bodies[body];
+        let axis = [member.from, member.to].map(|end| pose.origin + pose.arm(&end));
+        let (from_axis, _) = least(curve, &axis);
+        let radius = member.radius.0.max(member.radius.1);
+        (body, (from_axis - radius).max(0.0))
+    });
+    distances.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 /// Height of the lowest point of a line above the bed \[m\], and depth of its highest below the surface; the bed only where there is one.

@@ -2,6 +2,7 @@
 //! input that gives a wanted result.
 
 pub mod clearance;
+pub mod equilibria;
 pub mod offset;
 pub mod periods;
 pub mod seek;

@@ -1,7 +1,7 @@
-//! Natural periods of bodies on their lines: `K x = w² M x` about the equilibrium.
+//! Natural periods of bodies and points on their lines: `K x = w² M x` about the equilibrium.
 //!
-//! K is the exact stiffness of lines, hydrostatics and weights, condensed onto the bodies that have a mass; M their mass and inertia with the
-//! added mass given. The lines bring no inertia here, and free points follow at once.
+//! K is the exact stiffness of lines, hydrostatics and weights, condensed onto the bodies and points that have a mass; M their mass and
+//! inertia with the added mass given. The lines bring no inertia here, and points without mass follow at once.
 
 use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen};
 
@@ -10,70 +10,143 @@ use super::super::bounds::Contact;
 use super::super::equilibrium::Equilibrium;
 use super::super::freedoms::{Freedoms, UnknownBodies};
 use super::super::line_at_rest::LinePhysics;
-use super::super::network::{Body, Network};
+use super::super::members;
+use super::super::network::{Body, Held, Network};
 use super::super::pose::{Pose, cross};
 use super::super::stiffness::take;
 
-/// A natural mode of the bodies.
+/// A natural mode.
 #[derive(Debug, Clone, PartialEq)]
-pub struct BodyMode {
+pub struct SystemMode {
     /// Period \[s\]; infinite where nothing restores, nothing where the motion grows.
     pub period_s: Option<f64>,
-    /// The body and the direction from 0 to 5 that move most.
-    pub most: (usize, usize),
+    /// What moves most, by kinetic energy, and in which direction from 0 to 5.
+    pub most: (Moving, usize),
 }
 
-/// The natural modes of the bodies that have a mass, the longest period first; none where no body has one.
+/// A body or a point that has a mass.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Moving {
+    /// A body, with six directions.
+    Body(usize),
+    /// A free point, with three.
+    Point(usize),
+}
+
+impl SystemMode {
+    /// Name of what moves most, and the direction in words.
+    #[must_use]
+    pub fn names<'a>(&self, network: &'a Network) -> (&'a str, &'static str) {
+        match self.most.0 {
+            Moving::Body(body) => {
+                let directions = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
+                (&network.bodies[body].name, directions[self.most.1])
+            }
+            Moving::Point(point) => (&network.points[point].name, ["x", "y", "z"][self.most.1]),
+        }
+    }
+}
+
+/// The natural modes of the bodies and free points that have a mass, the longest period first; none where nothing has one.
 ///
 /// # Errors
 /// A body with a mass and no inertia; a line without a solution.
-pub fn periods(network: &Network, rest: &Equilibrium) -> Result<Vec<BodyMode>, String> {
-    let massive: Vec<usize> = (0..network.bodies.len())
-        .filter(|b| network.bodies[*b].mass > 0.0)
-        .collect();
+pub fn periods(network: &Network, rest: &Equilibrium) -> Result<Vec<SystemMode>, String> {
     let all = Freedoms::of(network, UnknownBodies::All);
     let placement = &rest.placement;
     let lines = Some(rest.balance.lines.as_slice());
     let balance = balance(network, &all, placement, LinePhysics::Full, lines)
         .map_err(|unsolved| unsolved.why)?;
-    let own: Vec<usize> = massive
-        .iter()
-        .filter_map(|body| all.bodies[*body])
-        .flat_map(|first| first..first + 6)
-        .collect();
+    let (own, inner) = unknowns(network, rest, &all);
     if own.is_empty() {
         return Ok(Vec::new());
     }
-    let points = all.points.iter().zip(&rest.freedoms.points);
-    let free = points.filter_map(|(here, there)| Some((here.as_ref()?, there.as_ref()?)));
-    let inner: Vec<usize> = free
-        .flat_map(|(here, there)| {
-            let moves = (0..3).filter(|k| rest.contacts[there + k] == Contact::None);
-            moves.map(move |k| here + k).collect::<Vec<_>>()
-        })
-        .collect();
+    let rows: Vec<usize> = own.iter().map(|moving| moving.unknown).collect();
     let stiffness = balance.symmetric();
-    let mut condensed = take(&stiffness, &own, &own);
+    let mut condensed = take(&stiffness, &rows, &rows);
     if !inner.is_empty()
         && let Some(response) = take(&stiffness, &inner, &inner)
             .lu()
-            .solve(&take(&stiffness, &inner, &own))
+            .solve(&take(&stiffness, &inner, &rows))
     {
-        condensed -= take(&stiffness, &own, &inner) * response;
+        condensed -= take(&stiffness, &rows, &inner) * response;
     }
+    modes(network, rest, &condensed, &own)
+}
+
+/// An unknown that has inertia.
+struct MovingUnknown {
+    of: Moving,
+    direction: usize,
+    /// Its number among all.
+    unknown: usize,
+}
+
+/// The unknowns that have inertia, and those that follow at once; what bed or surface hold is in neither.
+fn unknowns(
+    network: &Network,
+    rest: &Equilibrium,
+    all: &Freedoms,
+) -> (Vec<MovingUnknown>, Vec<usize>) {
+    let (mut own, mut inner) = (Vec::new(), Vec::new());
+    for (body, first) in all.bodies.iter().enumerate() {
+        let Some(first) = first.filter(|_| network.bodies[body].mass > 0.0) else {
+            continue;
+        };
+        own.extend((0..6).map(|direction| MovingUnknown {
+            of: Moving::Body(body),
+            direction,
+            unknown: first + direction,
+        }));
+    }
+    for (point, (here, there)) in all.points.iter().zip(&rest.freedoms.points).enumerate() {
+        let (Some(here), Some(there), Held::Free(free)) =
+            (here, there, &network.points[point].held)
+        else {
+            continue;
+        };
+        for k in (0..3).filter(|k| rest.contacts[there + k] == Contact::None) {
+            match free.moving_mass > 0.0 {
+                true => own.push(MovingUnknown {
+                    of: Moving::Point(point),
+                    direction: k,
+                    unknown: here + k,
+                }),
+                false => inner.push(here + k),
+            }
+        }
+    }
+    (own, inner)
+}
+
+/// The masses of the unknowns that have inertia.
+fn masses(network: &Network, rest: &Equilibrium, own: &[MovingUnknown]) -> DMatrix<f64> {
     let mut masses = DMatrix::zeros(own.len(), own.len());
-    for (k, body) in massive.iter().enumerate() {
-        let block = mass_matrix(&network.bodies[*body], &placement.bodies[*body]);
-        masses.view_mut((6 * k, 6 * k), (6, 6)).copy_from(&block);
+    for (k, moving) in own.iter().enumerate() {
+        match (moving.of, moving.direction) {
+            (Moving::Body(body), 0) => {
+                let pose = &rest.placement.bodies[body];
+                let block = mass_matrix(network, &network.bodies[body], pose);
+                masses.view_mut((k, k), (6, 6)).copy_from(&block);
+            }
+            (Moving::Body(_), _) => {}
+            (Moving::Point(point), _) => {
+                if let Held::Free(free) = &network.points[point].held {
+                    masses[(k, k)] = free.moving_mass;
+                }
+            }
+        }
     }
-    modes(&condensed, &masses, &massive)
+    masses
 }
 
 fn modes(
+    network: &Network,
+    rest: &Equilibrium,
     stiffness: &DMatrix<f64>,
-    masses: &DMatrix<f64>,
-    bodies: &[usize],
-) -> Result<Vec<BodyMode>, String> {
+    own: &[MovingUnknown],
+) -> Result<Vec<SystemMode>, String> {
+    let masses = masses(network, rest, own);
     let factors = masses.clone().cholesky().ok_or_else(|| {
         "a body has mass and no moments of inertia about each axis: give `inertia_kg_m2`".to_owned()
     })?;
@@ -84,36 +157,93 @@ fn modes(
     let scaled = &inverse * stiffness * inverse.transpose();
     let eigen = SymmetricEigen::new(0.5 * (&scaled + scaled.transpose()));
     let greatest = eigen.eigenvalues.amax();
-    let mut found: Vec<(f64, BodyMode)> = Vec::new();
+    let mut found: Vec<(f64, SystemMode)> = Vec::new();
     for (k, value) in eigen.eigenvalues.iter().enumerate() {
-        // Shares of the kinetic energy tell which direction a mode is mostly of.
-        let shape: DVector<f64> = eigen.eigenvectors.column(k).into_owned();
-        let most = shape.iamax();
+        let motion = inverse.transpose() * eigen.eigenvectors.column(k);
+        if is_spin(network, rest, own, &motion) {
+            continue;
+        }
+        let most = &own[most_energy(network, rest, own, &motion)];
         let period_s = if value.abs() <= 1e-12 * greatest {
             Some(f64::INFINITY)
         } else {
             (*value > 0.0).then(|| std::f64::consts::TAU / value.sqrt())
         };
-        found.push((
-            *value,
-            BodyMode {
-                period_s,
-                most: (bodies[most / 6], most % 6),
-            },
-        ));
+        let most = (most.of, most.direction);
+        found.push((*value, SystemMode { period_s, most }));
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     Ok(found.into_iter().map(|(_, mode)| mode).collect())
 }
 
+/// The direction that a motion is mostly of, by its share of the kinetic energy. That of a body is taken about its centre of
+/// gravity: about another origin its pitch would read as surge.
+fn most_energy(
+    network: &Network,
+    rest: &Equilibrium,
+    own: &[MovingUnknown],
+    motion: &DVector<f64>,
+) -> usize {
+    let mut energy = DVector::zeros(own.len());
+    for (k, moving) in own.iter().enumerate() {
+        match (moving.of, moving.direction) {
+            (Moving::Body(body), 0) => {
+                let (body, pose) = (&network.bodies[body], &rest.placement.bodies[body]);
+                let mut shift = Matrix6::identity();
+                let arm = cross(&pose.arm(&body.centre_of_gravity));
+                shift.fixed_view_mut::<3, 3>(0, 3).copy_from(&arm);
+                let mass = shift.transpose() * mass_matrix(network, body, pose) * shift;
+                let mut here = motion.fixed_rows::<6>(k).into_owned();
+                let turn = arm * here.fixed_rows::<3>(3);
+                let mut step = here.fixed_rows_mut::<3>(0);
+                step -= turn;
+                for j in 0..6 {
+                    energy[k + j] = mass[(j, j)] * here[j] * here[j];
+                }
+            }
+            (Moving::Body(_), _) => {}
+            (Moving::Point(point), _) => {
+                if let Held::Free(free) = &network.points[point].held {
+                    energy[k] = free.moving_mass * motion[k] * motion[k];
+                }
+            }
+        }
+    }
+    energy.imax()
+}
+
+/// Whether a motion is the spin of a rod, which what keeps it in place makes up.
+fn is_spin(
+    network: &Network,
+    rest: &Equilibrium,
+    own: &[MovingUnknown],
+    motion: &DVector<f64>,
+) -> bool {
+    let whole = motion.norm_squared();
+    own.iter().enumerate().any(|(k, moving)| {
+        let Moving::Body(body) = moving.of else {
+            return false;
+        };
+        let Some(axis) = network.bodies[body]
+            .spins_about
+            .filter(|_| moving.direction == 3)
+        else {
+            return false;
+        };
+        let axis = rest.placement.bodies[body].arm(&axis);
+        let spin = axis.dot(&motion.fixed_rows::<3>(k));
+        spin * spin > 0.99 * whole
+    })
+}
+
 /// Mass, inertia and added mass of a body about its origin, in the axes of the earth \[kg, kg m, kg m²\].
 #[must_use]
-pub fn mass_matrix(body: &Body, pose: &Pose) -> Matrix6<f64> {
+pub fn mass_matrix(network: &Network, body: &Body, pose: &Pose) -> Matrix6<f64> {
     let arm = pose.arm(&body.centre_of_gravity);
     let turn = pose.matrix();
     let inertia = turn.matrix() * body.inertia * turn.matrix().transpose();
     let lever = cross(&arm) * body.mass;
-    let mut mass = body.added_mass;
+    let mut mass = body.added_mass + members::added_mass(network, body, pose);
     for k in 0..3 {
         mass[(k, k)] += body.mass;
     }

@@ -1,0 +1,162 @@
+//! Loads on a body that no line brings: weight, buoyancy, water-plane, steady loads, its members in the water, wind and current.
+//!
+//! Loads that hang on the pose are written once, for dual numbers in the six small motions of the body: their stiffness is exact and
+//! cannot come apart from them.
+
+use nalgebra::{Matrix6, Vector3, Vector6};
+use num_dual::DualSVec64;
+
+use super::heading_loads;
+use super::line_at_rest::LinePhysics;
+use super::members;
+use super::network::{Body, Network};
+use super::pose::{Pose, cross};
+use crate::numerics::V3;
+
+/// A number and its change with three displacements and three turns.
+pub(super) type Dual = DualSVec64<6>;
+/// A vector of them.
+pub(super) type DualVector = Vector3<Dual>;
+
+/// A pose and its small motions.
+pub(super) struct MovingPose {
+    pose: Pose,
+    /// The origin, and the small turn.
+    pub(super) origin: DualVector,
+    turn: DualVector,
+}
+
+impl MovingPose {
+    pub(super) fn of(pose: &Pose) -> Self {
+        let unknown = |value: f64, k: usize| {
+            let mut number = Dual::from_re(value);
+            number.eps = num_dual::Derivative::derivative_generic(
+                nalgebra::Const::<6>,
+                nalgebra::Const::<1>,
+                k,
+            );
+            number
+        };
+        Self {
+            pose: *pose,
+            origin: DualVector::from_fn(|k, _| unknown(pose.origin[k], k)),
+            turn: DualVector::from_fn(|k, _| unknown(0.0, k + 3)),
+        }
+    }
+
+    /// The arm from the origin to a place of the body, or a direction of it, in the earth's axes.
+    pub(super) fn arm(&self, place: &V3) -> DualVector {
+        let arm = constant(&self.pose.arm(place));
+        arm + self.turn.cross(&arm)
+    }
+}
+
+/// A vector that does not change.
+pub(super) fn constant(v: &V3) -> DualVector {
+    DualVector::from_fn(|k, _| Dual::from_re(v[k]))
+}
+
+/// Force and moment about the moving origin.
+pub(super) struct LoadSum {
+    force: DualVector,
+    moment: DualVector,
+}
+
+impl LoadSum {
+    fn none() -> Self {
+        let zero = constant(&V3::zeros());
+        Self {
+            force: zero,
+            moment: zero,
+        }
+    }
+
+    /// A force at an arm.
+    pub(super) fn add(&mut self, arm: &DualVector, force: &DualVector) {
+        self.force += force;
+        self.moment += arm.cross(force);
+    }
+
+    /// A moment alone.
+    pub(super) fn turn(&mut self, moment: &DualVector) {
+        self.moment += moment;
+    }
+
+    /// Values, and minus their change with the six motions.
+    fn parts(&self) -> (Vector6<f64>, Matrix6<f64>) {
+        let at = |row: usize| match row {
+            0..3 => &self.force[row],
+            _ => &self.moment[row - 3],
+        };
+        let value = Vector6::from_fn(|row, _| at(row).re);
+        let stiffness = Matrix6::from_fn(|row, column| {
+            let eps = at(row).eps.0.as_ref();
+            -eps.map_or(0.0, |eps| eps[column])
+        });
+        (value, stiffness)
+    }
+}
+
+/// Force and moment about its origin on a body, lines apart \[N, N m\], and minus their change \[N/m, N, N m\].
+///
+/// The water-plane acts by the displacement of the origin and the rotation vector from the pose given. Wind and current count in
+/// the full physics only: they have no energy.
+#[must_use]
+pub fn body_loads(
+    network: &Network,
+    body: &Body,
+    pose: &Pose,
+    physics: LinePhysics,
+) -> (Vector6<f64>, Matrix6<f64>) {
+    let (mut force, mut stiffness) = fixed_loads(body, pose);
+    let flow = physics == LinePhysics::Full && network.flows();
+    if flow || !body.members.is_empty() {
+        let moving = MovingPose::of(pose);
+        let mut sum = LoadSum::none();
+        for member in &body.members {
+            members::buoyancy(network, member, &moving, &mut sum);
+            if flow {
+                members::drag(network, member, &moving, &mut sum);
+            }
+        }
+        if flow {
+            heading_loads::add(network, body, &moving, &mut sum);
+        }
+        let (more, by_pose) = sum.parts();
+        force += more;
+        stiffness += by_pose;
+    }
+    (force, stiffness)
+}
+
+/// Weight, buoyancy of the volume given, water-plane and steady loads.
+fn fixed_loads(body: &Body, pose: &Pose) -> (Vector6<f64>, Matrix6<f64>) {
+    let mut force = Vector6::zeros();
+    let mut stiffness = body.waterplane;
+    let mut at = |arm: V3, load: V3| {
+        let moment = arm.cross(&load);
+        for k in 0..3 {
+            force[k] += load[k];
+            force[k + 3] += moment[k];
+        }
+        let mut block = stiffness.fixed_view_mut::<3, 3>(3, 3);
+        block -= cross(&load) * cross(&arm);
+    };
+    at(V3::zeros(), body.load);
+    at(pose.arm(&body.centre_of_gravity), V3::z() * -body.weight);
+    at(pose.arm(&body.centre_of_buoyancy), V3::z() * body.buoyancy);
+    let step = pose.origin - body.pose.origin;
+    let turn = (pose.rotation * body.pose.rotation.inverse()).scaled_axis();
+    let moved = Vector6::new(step.x, step.y, step.z, turn.x, turn.y, turn.z);
+    force -= body.waterplane * moved;
+    for k in 0..3 {
+        force[k + 3] += body.moment[k];
+    }
+    if let Some(axis) = &body.spins_about {
+        // A rod does not resist its spin, which nothing hangs on: this keeps it where it is.
+        let axis = pose.arm(axis);
+        let mut block = stiffness.fixed_view_mut::<3, 3>(3, 3);
+        block += axis * axis.transpose() * body.spin_stiffness();
+    }
+    (force, stiffness)
+}

@@ -1,0 +1,107 @@
+//! Wind and current on a body by coefficients: load by speed squared, by the heading from which they come, as tank and tunnel tests
+//! give them; and drag of a body on areas along its axes.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Vector3;
+use num_dual::DualNum;
+
+use super::body_loads::{Dual, LoadSum, MovingPose, constant};
+use super::network::{Body, HeadingLoads, Network};
+use crate::numerics::V3;
+
+/// Wind, current and drag on a body.
+pub(super) fn add(network: &Network, body: &Body, pose: &MovingPose, sum: &mut LoadSum) {
+    if let Some(loads) = &body.wind_loads {
+        by_heading(loads, &network.wind, pose, sum);
+    }
+    let Some(current) = &network.current else {
+        return;
+    };
+    if let Some(loads) = &body.current_loads {
+        by_heading(loads, &current.at(0.0).0, pose, sum);
+    }
+    if body.drag_area != V3::zeros() {
+        on_areas(
+            network.density,
+            body,
+            pose,
+            current.at(pose.origin.z.re),
+            sum,
+        );
+    }
+}
+
+/// Drag at the origin on an area along each axis of the body: `rho/2 A |u| u`, axis by axis.
+fn on_areas(
+    density: f64,
+    body: &Body,
+    pose: &MovingPose,
+    (still, slope): (V3, V3),
+    sum: &mut LoadSum,
+) {
+    let above = pose.origin.z - pose.origin.z.re;
+    let velocity = constant(&still) + constant(&slope) * above;
+    let speed2 = velocity.dot(&velocity);
+    if speed2.re == 0.0 {
+        return;
+    }
+    let speed = speed2.sqrt();
+    let arm = constant(&V3::zeros());
+    for k in 0..3 {
+        let axis = pose.arm(&V3::ith(k, 1.0));
+        let along = velocity.dot(&axis) * speed * (0.5 * density * body.drag_area[k]);
+        sum.add(&arm, &(axis * along));
+    }
+}
+
+/// The load of a flow by its heading: surge and sway along the body's heading, and yaw.
+fn by_heading(loads: &HeadingLoads, flow: &V3, pose: &MovingPose, sum: &mut LoadSum) {
+    let speed2 = flow.norm_squared();
+    if speed2 == 0.0 {
+        return;
+    }
+    let ahead = pose.arm(&V3::x());
+    let heading = ahead.y.atan2(ahead.x);
+    let relative = -heading + flow.y.atan2(flow.x);
+    let [surge, sway, yaw] = loads.at(relative).map(|load| load * speed2);
+    let (sin, cos) = heading.sin_cos();
+    let force = Vector3::new(
+        surge * cos - sway * sin,
+        surge * sin + sway * cos,
+        Dual::from_re(0.0),
+    );
+    sum.add(&constant(&V3::zeros()), &force);
+    sum.turn(&Vector3::new(Dual::from_re(0.0), Dual::from_re(0.0), yaw));
+}
+
+impl HeadingLoads {
+    /// Surge, sway and yaw by speed squared at a heading \[rad\]: periodic cubics through the values given, with the slopes of their
+    /// neighbours' chords (Catmull and Rom).
+    fn at(&self, heading: Dual) -> [Dual; 3] {
+        let turns = ((heading.re - self.headings[0]) / TAU).floor();
+        let angle = heading - turns * TAU;
+        let n = self.headings.len();
+        let next = self.headings.partition_point(|known| *known <= angle.re);
+        // Two headings before and two behind, a turn further where they lie beyond the last.
+        let node = |k: usize| {
+            let (index, turn) = (k % n, (k / n) as f64 - 1.0);
+            (self.headings[index] + TAU * turn, self.loads[index])
+        };
+        let nodes = [0, 1, 2, 3].map(|k| node(n + next + k - 2));
+        let span = nodes[2].0 - nodes[1].0;
+        let t = (angle - nodes[1].0) / span;
+        let (t2, t3) = (t.powi(2), t.powi(3));
+        let one = |k: usize| {
+            let slope = |a: usize, b: usize| {
+                (nodes[b].1[k] - nodes[a].1[k]) / (nodes[b].0 - nodes[a].0) * span
+            };
+            let (from, to) = (nodes[1].1[k], nodes[2].1[k]);
+            (t3 * 2.0 - t2 * 3.0 + 1.0) * from
+                + (t3 - t2 * 2.0 + t) * slope(0, 2)
+                + (t2 * 3.0 - t3 * 2.0) * to
+                + (t3 - t2) * slope(1, 3)
+        };
+        [0, 1, 2].map(one)
+    }
+}

@@ -1,0 +1,260 @@
+//! Members of bodies: round cylinders and cones in the water. Buoyancy of the part that is immersed, drag in a current, added mass.
+//!
+//! A member that the surface cuts between its ends has a closed form: a cylinder to the point where its axis meets the surface, and the wedge
+//! between the cut across the axis and the level one, whose volume is nothing and whose first moment is
+//!
+//! ```text
+//! S = pi r⁴/4 (-t/a_z + a c²/(2 a_z²)),   t = z - a a_z,   c² = 1 - a_z²
+//! ```
+//!
+//! with the axis a and the vertical z. Where the surface cuts an end, slices across the axis are integrated, each the segment of a circle.
+
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+use nalgebra::Matrix6;
+use num_dual::DualNum;
+
+use super::body_loads::{Dual, DualVector, LoadSum, MovingPose, constant};
+use super::network::{Body, Member, Network};
+use super::pose::{Pose, cross};
+use crate::numerics::{M3, V3};
+
+/// Points of a quadrature.
+const POINTS: usize = 24;
+
+/// Fejér's first rule on 0 to 1: nodes and weights (Fejér 1933; Waldvogel, BIT 46, 2006).
+static RULE: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
+    let n = POINTS as f64;
+    let node = |k: usize| {
+        let angle = (k as f64 + 0.5) * PI / n;
+        let sum: f64 = (1..=POINTS / 2)
+            .map(|j| j as f64)
+            .map(|j| (2.0 * j * angle).cos() / (4.0 * j * j - 1.0))
+            .sum();
+        (0.5 * (1.0 - angle.cos()), (1.0 - 2.0 * sum) / n)
+    };
+    (0..POINTS).map(node).collect()
+});
+
+/// A member where it is, its lower end first.
+struct Placed {
+    /// From the origin of the body to its lower end.
+    arm: DualVector,
+    /// Height of the lower end, and of the upper one above it.
+    z: Dual,
+    rise: Dual,
+    /// Along its axis, upwards.
+    axis: DualVector,
+    length: f64,
+    /// Radii at the lower and at the upper end.
+    radius: (f64, f64),
+    /// Sine of the angle between axis and vertical, squared.
+    tilt2: Dual,
+}
+
+impl Placed {
+    fn of(member: &Member, pose: &MovingPose) -> Self {
+        let (from, to) = (pose.arm(&member.from), pose.arm(&member.to));
+        let radius = member.radius;
+        let (low, high, radius) = if to.z.re < from.z.re {
+            (to, from, (radius.1, radius.0))
+        } else {
+            (from, to, radius)
+        };
+        let length = (member.to - member.from).norm();
+        let axis = (high - low) / Dual::from_re(length);
+        Self {
+            z: pose.origin.z + low.z,
+            rise: high.z - low.z,
+            tilt2: axis.x.powi(2) + axis.y.powi(2),
+            arm: low,
+            axis,
+            length,
+            radius,
+        }
+    }
+
+    fn radius_at(&self, share: Dual) -> Dual {
+        share * (self.radius.1 - self.radius.0) + self.radius.0
+    }
+
+    /// Volume between two shares of the length, and its first moment from the lower end.
+    fn frustum(&self, from: Dual, to: Dual) -> (Dual, DualVector) {
+        let (a, b) = (self.radius_at(from), self.radius_at(to));
+        let long = (to - from) * self.length;
+        let (aa, ab, bb) = (a * a, a * b, b * b);
+        let sum = aa + ab + bb;
+        let volume = long * sum * (PI / 3.0);
+        let centre = from * self.length + long * (aa + ab * 2.0 + bb * 3.0) / (sum * 4.0);
+        let moment = self.axis * (volume * centre);
+        (volume, moment)
+    }
+
+    /// The wedge between the cut across the axis where that meets the surface and the level cut.
+    fn wedge(&self, share: Dual) -> DualVector {
+        let radius = self.radius_at(share);
+        let second = radius.powi(4) * (PI / 4.0);
+        let up = self.axis.z;
+        let level = constant(&V3::z()) - self.axis * up;
+        let along = second * self.tilt2 / (up * up * 2.0);
+        self.axis * along - level * (second / up)
+    }
+
+    /// Volume and first moment of what is immersed, slice by slice; the axis is not upright.
+    fn slices(&self) -> (Dual, DualVector) {
+        let tilt = self.tilt2.sqrt();
+        let mut cuts = vec![Dual::from_re(0.0), Dual::from_re(1.0)];
+        for sign in [1.0, -1.0] {
+            // Where the top, or the bottom, of a slice is at the surface.
+            let at_end = self.z + tilt * (sign * self.radius.0);
+            let slope = self.rise + tilt * (sign * (self.radius.1 - self.radius.0));
+            let cut = -at_end / slope;
+            if cut.re > 0.0 && cut.re < 1.0 {
+                cuts.push(cut);
+            }
+        }
+        cuts.sort_by(|a, b| a.re.total_cmp(&b.re));
+        let mut volume = Dual::from_re(0.0);
+        let mut moment = constant(&V3::zeros());
+        for ends in cuts.windows(2) {
+            let middle = 0.5 * (ends[0].re + ends[1].re);
+            let height = self.z.re + self.rise.re * middle;
+            let half = tilt.re * (self.radius.0 + middle * (self.radius.1 - self.radius.0));
+            let (more, at) = if height + half <= 0.0 {
+                self.frustum(ends[0], ends[1])
+            } else if height - half < 0.0 {
+                self.partly(ends[0], ends[1], tilt)
+            } else {
+                continue;
+            };
+            volume += more;
+            moment += at;
+        }
+        (volume, moment)
+    }
+
+    /// Slices that the surface cuts, between two shares of the length.
+    fn partly(&self, from: Dual, to: Dual, tilt: Dual) -> (Dual, DualVector) {
+        let uphill = (constant(&V3::z()) - self.axis * self.axis.z) / tilt;
+        let mut volume = Dual::from_re(0.0);
+        let mut moment = constant(&V3::zeros());
+        for (node, weight) in RULE.iter() {
+            let share = from + (to - from) * *node;
+            let wide = (to - from) * (*weight * self.length);
+            let radius = self.radius_at(share);
+            let level = -(self.z + self.rise * share) / tilt;
+            let inside = radius * radius - level * level;
+            if inside.re <= 0.0 {
+                continue;
+            }
+            let chord = inside.sqrt();
+            let angle = Dual::from_re(PI) - (level / radius).acos();
+            let area = radius * radius * angle + level * chord;
+            let off = chord * inside * (-2.0 / 3.0);
+            moment += (self.axis * (share * self.length * area) + uphill * off) * wide;
+            volume += area * wide;
+        }
+        (volume, moment)
+    }
+
+    /// Volume and first moment, from the lower end, of what is immersed.
+    fn immersed(&self) -> (Dual, DualVector) {
+        let (none, whole) = (Dual::from_re(0.0), Dual::from_re(1.0));
+        let tilt = self.tilt2.re.max(0.0).sqrt();
+        let (low, high) = (self.z.re, self.z.re + self.rise.re);
+        let (half_low, half_high) = (tilt * self.radius.0, tilt * self.radius.1);
+        if low + half_low <= 0.0 && high + half_high <= 0.0 {
+            return self.frustum(none, whole);
+        }
+        if low - half_low >= 0.0 && high - half_high >= 0.0 {
+            return (none, constant(&V3::zeros()));
+        }
+        let between = low + half_low <= 0.0 && high - half_high >= 0.0;
+        let straight = self.radius.0 == self.radius.1;
+        if between && (straight || tilt < UPRIGHT) {
+            let share = -self.z / self.rise;
+            let (volume, moment) = self.frustum(none, share);
+            return (volume, moment + self.wedge(share));
+        }
+        self.slices()
+    }
+}
+
+/// Sine of the tilt below which a cone at the surface counts as a cylinder of its radius there.
+const UPRIGHT: f64 = 1e-6;
+
+/// Buoyancy of a member, as far as it is in the water.
+pub(super) fn buoyancy(network: &Network, member: &Member, pose: &MovingPose, sum: &mut LoadSum) {
+    let placed = Placed::of(member, pose);
+    let (volume, moment) = placed.immersed();
+    if volume.re == 0.0 {
+        return;
+    }
+    let weight = network.density * network.gravity;
+    let up = constant(&V3::z());
+    let centre = placed.arm + moment / volume;
+    sum.add(&centre, &(up * (volume * weight)));
+}
+
+/// Drag of a current across a member, on its part below the surface.
+pub(super) fn drag(network: &Network, member: &Member, pose: &MovingPose, sum: &mut LoadSum) {
+    let Some(current) = network.current.as_ref().filter(|_| member.drag > 0.0) else {
+        return;
+    };
+    let placed = Placed::of(member, pose);
+    if placed.z.re >= 0.0 {
+        return;
+    }
+    let wet = match placed.z.re + placed.rise.re > 0.0 {
+        true => -placed.z / placed.rise,
+        false => Dual::from_re(1.0),
+    };
+    for (node, weight) in RULE.iter() {
+        let share = wet * *node;
+        let height = placed.z + placed.rise * share;
+        let (still, slope) = current.at(height.re);
+        let above = height - height.re;
+        let velocity = constant(&still) + constant(&slope) * above;
+        let across = velocity - placed.axis * velocity.dot(&placed.axis);
+        let speed2 = across.dot(&across);
+        if speed2.re == 0.0 {
+            continue;
+        }
+        let width = placed.radius_at(share) * 2.0;
+        let long = wet * (*weight * placed.length);
+        let by_speed = width * long * speed2.sqrt() * (0.5 * network.density * member.drag);
+        let arm = placed.arm + placed.axis * (share * placed.length);
+        sum.add(&arm, &(across * by_speed));
+    }
+}
+
+/// Added mass of the members about the origin of their body, in the earth's axes \[kg, kg m, kg m²\].
+pub(super) fn added_mass(network: &Network, body: &Body, pose: &Pose) -> Matrix6<f64> {
+    let mut mass = Matrix6::zeros();
+    for member in body.members.iter().filter(|member| member.added_mass > 0.0) {
+        let (from, to) = (pose.arm(&member.from), pose.arm(&member.to));
+        let length = (to - from).norm();
+        let axis = (to - from) / length;
+        let across = M3::identity() - axis * axis.transpose();
+        for (node, weight) in RULE.iter() {
+            let arm = from.lerp(&to, *node);
+            if pose.origin.z + arm.z > 0.0 {
+                continue;
+            }
+            let radius = member.radius.0 + node * (member.radius.1 - member.radius.0);
+            let water = network.density * member.added_mass * PI * radius * radius;
+            let here = across * (water * weight * length);
+            let lever = cross(&arm);
+            let mut block = mass.fixed_view_mut::<3, 3>(0, 0);
+            block += here;
+            let mut block = mass.fixed_view_mut::<3, 3>(0, 3);
+            block -= here * lever;
+            let mut block = mass.fixed_view_mut::<3, 3>(3, 0);
+            block += lever * here;
+            let mut block = mass.fixed_view_mut::<3, 3>(3, 3);
+            block -= lever * here * lever;
+        }
+    }
+    mass
+}

@@ -1,0 +1,425 @@
+//! Loads on bodies: stiffness against differences, members against closed forms, rods and points in a current, several equilibria.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::{Matrix6, UnitQuaternion, Vector6};
+use seacable::numerics::V3;
+use seacable::physics::current::CurrentProfile;
+use seacable::system::analysis::periods::periods;
+use seacable::system::body_loads::body_loads;
+use seacable::system::line_at_rest::LinePhysics;
+use seacable::system::network::{Body, HeadingLoads, Member, Network};
+use seacable::system::pose::Pose;
+use seacable::system::solved::Stability;
+
+use crate::{HEAD, place, solved, tensions};
+
+const WEIGHT: f64 = 1025.0 * 9.80665;
+
+fn sea() -> Network {
+    Network {
+        gravity: 9.80665,
+        density: 1025.0,
+        ..Network::default()
+    }
+}
+
+fn cylinder(from: [f64; 3], to: [f64; 3], radius: f64) -> Member {
+    Member {
+        from: V3::from(from),
+        to: V3::from(to),
+        radius: (radius, radius),
+        drag: 1.1,
+        added_mass: 1.0,
+    }
+}
+
+fn with(members: Vec<Member>) -> Body {
+    Body {
+        free: true,
+        members,
+        ..Body::default()
+    }
+}
+
+fn load(network: &Network, body: &Body, pose: &Pose) -> Vector6<f64> {
+    body_loads(network, body, pose, LinePhysics::Full).0
+}
+
+fn differences(network: &Network, body: &Body, pose: &Pose) -> Matrix6<f64> {
+    let mut found = Matrix6::zeros();
+    for column in 0..6 {
+        let h = 1e-5;
+        let side = |sign: f64| {
+            let mut motion = Vector6::<f64>::zeros();
+            motion[column] = sign * h;
+            let step = V3::new(motion[0], motion[1], motion[2]);
+            let turn = V3::new(motion[3], motion[4], motion[5]);
+            load(network, body, &pose.moved(&step, &turn))
+        };
+        found.set_column(column, &(-(side(1.0) - side(-1.0)) / (2.0 * h)));
+    }
+    found
+}
+
+/// A body of everything: upright, lying, inclined and conical members, areas, wind and current by heading, off the origin.
+fn of_everything() -> (Network, Body) {
+    let network = Network {
+        current: Some(CurrentProfile::Table {
+            depth: vec![0.0, 40.0],
+            velocity: vec![V3::new(1.2, 0.4, 0.0), V3::new(0.2, -0.1, 0.0)],
+        }),
+        wind: V3::new(12.0, -5.0, 0.0),
+        ..sea()
+    };
+    let mut members = vec![
+        cylinder([20.0, 0.0, -15.0], [20.0, 0.0, 9.0], 4.0),
+        cylinder([-18.0, 6.0, -14.0], [-10.0, 9.0, 12.0], 3.0),
+        cylinder([-10.0, -12.0, -0.5], [22.0, -14.0, 0.8], 2.0),
+        cylinder([0.0, 0.0, -30.0], [0.0, 0.0, -12.0], 5.0),
+    ];
+    members[1].radius.1 = 2.0;
+    let rows = |scale: f64| HeadingLoads {
+        headings: vec![-2.6, -1.0, 0.3, 1.4],
+        loads: vec![
+            [-300.0, 120.0, 4e3],
+            [200.0, -500.0, -9e3],
+            [350.0, 90.0, 1e3],
+            [-40.0, 480.0, 7e3],
+        ]
+        .into_iter()
+        .map(|row: [f64; 3]| row.map(|load| scale * load))
+        .collect(),
+    };
+    let body = Body {
+        mass: 4e6,
+        weight: 4e7,
+        centre_of_gravity: V3::new(0.4, -0.2, -6.0),
+        drag_area: V3::new(120.0, 300.0, 500.0),
+        wind_loads: Some(rows(1.0)),
+        current_loads: Some(rows(300.0)),
+        load: V3::new(1e5, 2e5, -3e5),
+        ..with(members)
+    };
+    (network, body)
+}
+
+#[test]
+fn stiffness_of_every_load_is_that_of_differences() {
+    let (network, body) = of_everything();
+    for (k, angles) in [
+        (0.0, 0.0, 0.4),
+        (0.1, -0.2, 1.0),
+        (0.6, 0.9, -2.0),
+        (1.5, 0.1, 2.7),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let origin = V3::new(3.0, -2.0, -1.3 + k as f64);
+        let pose = Pose::new(origin, angles.0, angles.1, angles.2);
+        let exact = body_loads(&network, &body, &pose, LinePhysics::Full).1;
+        let numeric = differences(&network, &body, &pose);
+        for (i, j) in [(0, 0), (0, 3), (3, 0), (3, 3)] {
+            let size = exact.fixed_view::<3, 3>(i, j).amax().max(1.0);
+            let off = (exact - numeric).fixed_view::<3, 3>(i, j).amax() / size;
+            assert!(off < 2e-6, "pose {k}, block {i}, {j}: {off:.1e}");
+        }
+    }
+}
+
+#[test]
+fn a_lying_cylinder_floats_at_its_middle() {
+    let body = with(vec![cylinder([-8.0, 0.0, 0.0], [8.0, 0.0, 0.0], 2.0)]);
+    let (force, stiffness) = body_loads(&sea(), &body, &Pose::default(), LinePhysics::Plain);
+    let half = WEIGHT * 0.5 * PI * 4.0 * 16.0;
+    assert!((force[2] / half - 1.0).abs() < 1e-12, "{force}");
+    assert!(force[4].abs() < 1e-9 * half);
+    // The water-plane is 16 m by 4 m; the centre of buoyancy lies 4r/3pi below.
+    assert!((stiffness[(2, 2)] / (WEIGHT * 64.0) - 1.0).abs() < 1e-9);
+    let low = 4.0 * 2.0 / (3.0 * PI);
+    let roll = WEIGHT * 16.0 * 64.0 / 12.0 - half * low;
+    let pitch = WEIGHT * 4.0 * 16.0_f64.powi(3) / 12.0 - half * low;
+    assert!((stiffness[(3, 3)] - roll).abs() < 1e-7 * pitch);
+    assert!((stiffness[(4, 4)] / pitch - 1.0).abs() < 1e-7);
+}
+
+#[test]
+fn an_upright_cylinder_has_its_water_plane_and_metacentre() {
+    let body = with(vec![cylinder([0.0, 0.0, -20.0], [0.0, 0.0, 6.0], 3.0)]);
+    let (force, stiffness) = body_loads(&sea(), &body, &Pose::default(), LinePhysics::Plain);
+    let area = PI * 9.0;
+    assert!((force[2] / (WEIGHT * area * 20.0) - 1.0).abs() < 1e-12);
+    assert!((stiffness[(2, 2)] / (WEIGHT * area) - 1.0).abs() < 1e-12);
+    let pitch = WEIGHT * (PI * 81.0 / 4.0 - area * 20.0 * 10.0);
+    assert!((stiffness[(4, 4)] / pitch - 1.0).abs() < 1e-12);
+}
+
+/// Points spread evenly over a box count the volume in the water and its moment.
+#[test]
+fn what_is_immersed_is_what_points_in_it_count() {
+    let member = Member {
+        radius: (3.0, 2.0),
+        ..cylinder([0.0, 0.0, -5.0], [0.0, 0.0, 5.0], 3.0)
+    };
+    for (pitch, z) in [(0.3, 0.5), (1.1, -1.0), (1.5, 0.7), (1.0, 3.5), (2.4, -3.0)] {
+        let pose = Pose::new(V3::new(0.0, 0.0, z), 0.2, pitch, 0.0);
+        let force = load(&sea(), &with(vec![member.clone()]), &pose);
+        let (mut count, mut moment) = (0.0, V3::zeros());
+        let n = 80;
+        let cell = |k: i32, size: f64| size * ((f64::from(k) + 0.5) / f64::from(n) - 0.5);
+        for (i, j, k) in
+            (0..n).flat_map(|i| (0..n).flat_map(move |j| (0..n).map(move |k| (i, j, k))))
+        {
+            let at = V3::new(cell(i, 6.0), cell(j, 6.0), cell(k, 10.0));
+            let radius = 2.5 - 0.1 * at.z;
+            let arm = pose.arm(&at);
+            if at.xy().norm() <= radius && arm.z + z <= 0.0 {
+                count += 1.0;
+                moment += arm;
+            }
+        }
+        let volume = 360.0 / f64::from(n).powi(3);
+        let (wanted, turning) = (count * volume, moment * volume);
+        assert!(
+            (force[2] / WEIGHT - wanted).abs() < 0.4,
+            "{pitch}: {wanted}"
+        );
+        assert!((force[3] / WEIGHT - turning.y).abs() < 1.5, "{pitch}");
+        assert!((force[4] / WEIGHT + turning.x).abs() < 1.5, "{pitch}");
+    }
+}
+
+#[test]
+fn a_buoyant_rod_leans_in_the_current_until_drag_and_buoyancy_balance() {
+    let system = solved(&format!(
+        "{HEAD}
+[current]
+speed_m_per_s = 0.8
+[materials.wire]
+diameter_m = 0.01
+mass_kg_per_m = 0.1
+wet_weight_kg_per_m = 1e-6
+ea_n = 1e6
+[rods.float]
+kind = \"free\"
+end_a_m = [0.0, 0.0, -40.0]
+end_b_m = [1.0, 0.0, -28.0]
+mass_kg = 300.0
+diameter_m = 0.3
+drag_normal = 1.2
+[points.anchor]
+kind = \"fixed\"
+position_m = [0.0, 0.0, -60.0]
+[[lines]]
+name = \"tether\"
+from = \"anchor\"
+to = \"float-a\"
+material = \"wire\"
+length_m = 20.0
+"
+    ));
+    let (a, b) = (place(&system, "float-a"), place(&system, "float-b"));
+    let long = (145.0_f64).sqrt();
+    let buoyancy = WEIGHT * PI * 0.0225 * long - 300.0 * 9.80665;
+    let drag = 0.5 * 1025.0 * 1.2 * 0.3 * long * 0.64;
+    // Across the rod: drag of the speed across it, buoyancy's part across it.
+    let lean = ((b[0] - a[0]) / long).asin();
+    let off = drag * lean.cos().powi(2) - buoyancy * lean.sin();
+    assert!(off.abs() < 1e-6 * buoyancy, "{off}");
+    assert!(lean > 0.1, "{lean}");
+    assert_eq!(system.stability, Stability::Stable);
+    // The tether bears what buoyancy and drag leave; its own drag is nothing, its mesh exact.
+    let normal = drag * lean.cos().powi(2);
+    let pull = V3::new(normal * lean.cos(), 0.0, buoyancy - normal * lean.sin());
+    let [_, top] = tensions(&system, "tether");
+    assert!((top / pull.norm() - 1.0).abs() < 1e-6, "{top}");
+}
+
+#[test]
+fn a_buoy_in_a_current_leans_by_drag_over_buoyancy() {
+    let system = solved(&format!(
+        "{HEAD}
+[current]
+speed_m_per_s = 1.0
+direction_deg = 90.0
+[materials.wire]
+diameter_m = 0.001
+mass_kg_per_m = 0.01
+wet_weight_kg_per_m = 1e-6
+ea_n = 1e7
+[points.anchor]
+kind = \"fixed\"
+position_m = [0.0, 0.0, -60.0]
+[points.buoy]
+kind = \"free\"
+mass_kg = 100.0
+volume_m3 = 1.0
+drag_area_m2 = 2.0
+[[lines]]
+name = \"tether\"
+from = \"anchor\"
+to = \"buoy\"
+material = \"wire\"
+length_m = 30.0
+"
+    ));
+    let at = place(&system, "buoy");
+    let wanted = 0.5 * 1025.0 * 2.0 / (WEIGHT - 100.0 * 9.80665);
+    assert!(
+        (at[1] / (at[2] + 60.0) / wanted - 1.0).abs() < 1e-5,
+        "{at:?}"
+    );
+    assert!(at[0].abs() < 1e-9);
+}
+
+/// A beam that hangs from a point above its centre: at rest as it hangs, and turned over.
+#[test]
+fn an_equilibrium_turned_over_is_found_and_told_to_be_unstable() {
+    let system = solved(&format!(
+        "{HEAD}
+[environment]
+water_density_kg_per_m3 = 0.0
+[materials.wire]
+diameter_m = 0.02
+mass_kg_per_m = 1.0
+ea_n = 1e8
+[bodies.block]
+kind = \"free\"
+position_m = [0.0, 0.0, -12.0]
+mass_kg = 5000.0
+inertia_kg_m2 = [4e3, 5e3, 6e3]
+[points.hook]
+kind = \"fixed\"
+position_m = [-0.3, 0.0, 0.0]
+[points.eye]
+kind = \"fixed\"
+position_m = [0.3, 0.0, 0.0]
+[points.left]
+kind = \"body\"
+body = \"block\"
+position_m = [-0.5, 0.0, 1.0]
+[points.right]
+kind = \"body\"
+body = \"block\"
+position_m = [0.5, 0.0, 1.0]
+[[lines]]
+name = \"left\"
+from = \"hook\"
+to = \"left\"
+material = \"wire\"
+length_m = 11.0
+[[lines]]
+name = \"right\"
+from = \"eye\"
+to = \"right\"
+material = \"wire\"
+length_m = 11.0
+"
+    ));
+    assert!(
+        matches!(system.stability, Stability::Stable),
+        "{:?}",
+        system.stability
+    );
+    let over = system
+        .others
+        .iter()
+        .find(|(rest, _)| rest.placement.bodies[0].arm(&V3::z()).z < -0.999);
+    let (rest, how) = over.unwrap();
+    assert!(matches!(how, Stability::Unstable(_)), "{how:?}");
+    assert!(rest.residual < 1e-9 * rest.balance.tension);
+}
+
+#[test]
+fn a_clump_on_a_wire_bounces_and_swings_with_the_periods_of_both() {
+    let system = solved(&format!(
+        "{HEAD}
+[materials.wire]
+diameter_m = 0.01
+mass_kg_per_m = 0.1
+wet_weight_kg_per_m = 1e-7
+ea_n = 1e6
+[points.top]
+kind = \"fixed\"
+position_m = [0.0, 0.0, -1.0]
+[points.clump]
+kind = \"free\"
+mass_kg = 800.0
+volume_m3 = 0.1
+added_mass_kg = 60.0
+[[lines]]
+name = \"wire\"
+from = \"top\"
+to = \"clump\"
+material = \"wire\"
+length_m = 50.0
+"
+    ));
+    let modes = periods(&system.network, &system.rest).unwrap();
+    let weight = 800.0 * 9.80665 - 0.1 * WEIGHT;
+    let long = 50.0 * (1.0 + weight / 1e6);
+    let swing = TAU * (860.0 * long / weight).sqrt();
+    let bounce = TAU * (860.0 * 50.0_f64 / 1e6).sqrt();
+    let found: Vec<f64> = modes.iter().filter_map(|mode| mode.period_s).collect();
+    assert_eq!(found.len(), 3);
+    for (found, wanted) in found.iter().zip([swing, swing, bounce]) {
+        assert!((found / wanted - 1.0).abs() < 1e-6, "{found} {wanted}");
+    }
+    assert_eq!(modes[2].names(&system.network), ("clump", "z"));
+}
+
+/// A rod that is turned keeps its loads: nothing hangs on its spin, and its modes do not show it.
+#[test]
+fn a_rod_has_five_modes() {
+    let (mut network, mut body) = (
+        sea(),
+        with(vec![cylinder([-6.0, 0.0, 0.0], [6.0, 0.0, 0.0], 0.2)]),
+    );
+    body.spins_about = Some(V3::x());
+    body.weight = 1e3;
+    let pose = Pose::new(V3::new(0.0, 0.0, -30.0), 0.0, -1.2, 0.3);
+    let spun = Pose {
+        rotation: pose.rotation * UnitQuaternion::from_scaled_axis(V3::x() * 0.7),
+        ..pose
+    };
+    network.current = Some(CurrentProfile::Uniform(V3::x()));
+    let (one, two) = (load(&network, &body, &pose), load(&network, &body, &spun));
+    assert!((one - two).norm() < 1e-9 * one.norm());
+    let system = solved(&format!(
+        "{HEAD}
+[materials.wire]
+diameter_m = 0.01
+mass_kg_per_m = 0.1
+wet_weight_kg_per_m = 1e-7
+ea_n = 1e6
+[rods.bar]
+kind = \"free\"
+end_a_m = [-3.0, 0.0, -20.0]
+end_b_m = [3.0, 0.0, -20.0]
+mass_kg = 900.0
+diameter_m = 0.2
+[points.left]
+kind = \"fixed\"
+position_m = [-4.0, 0.0, -1.0]
+[points.right]
+kind = \"fixed\"
+position_m = [4.0, 0.0, -1.0]
+[[lines]]
+name = \"left\"
+from = \"left\"
+to = \"bar-a\"
+material = \"wire\"
+length_m = 18.0
+[[lines]]
+name = \"right\"
+from = \"right\"
+to = \"bar-b\"
+material = \"wire\"
+length_m = 18.0
+"
+    ));
+    assert_eq!(system.stability, Stability::Stable);
+    let modes = periods(&system.network, &system.rest).unwrap();
+    assert_eq!(modes.len(), 5, "{modes:?}");
+}
