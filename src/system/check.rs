@@ -5,7 +5,7 @@ use super::model::{
 };
 use super::quantities;
 use super::rods;
-use crate::case::schema::Key;
+use crate::case::schema::{Key, TableNode};
 use crate::case::{Finding, MaterialKeys, unknown, used_twice};
 use crate::reference::published_number;
 
@@ -50,6 +50,17 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(ends(keys, line));
         found.extend(make_up(keys, line));
         found.extend(repeats(line));
+    }
+    let asked = keys
+        .offset_curves
+        .iter()
+        .map(|(_, curve)| (&curve.body, &curve.place));
+    let circles = keys
+        .watch_circles
+        .iter()
+        .map(|(_, circle)| (&circle.body, &circle.place));
+    for (body, place) in asked.chain(circles) {
+        found.extend(body_asked(keys, body, place));
     }
     let names = keys.lines.iter().map(|(_, line)| &line.name);
     found.extend(used_twice(names, "give every line a name of its own"));
@@ -159,6 +170,31 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
     found
 }
 
+/// The body of an analysis: known, or the only one.
+fn body_asked(
+    keys: &SystemKeys<'_>,
+    body: &Key<'_, String>,
+    place: &TableNode<'_>,
+) -> Option<Finding> {
+    let names = body_names(keys);
+    if body.is_given() {
+        return unknown(body, &names, "body", "system");
+    }
+    let problem = match names.len() {
+        1 => return None,
+        0 => "the system has no body to move".to_owned(),
+        many => format!("the system has {many} bodies"),
+    };
+    Some(place.finding(problem, "name the body: `body = \"...\"`"))
+}
+
+/// Names of bodies and rods.
+fn body_names<'a>(keys: &'a SystemKeys<'_>) -> Vec<&'a str> {
+    let bodies = keys.bodies.iter().map(|(name, _)| name.as_str());
+    let rods = keys.rods.iter().map(|(name, _)| name.as_str());
+    bodies.chain(rods).collect()
+}
+
 fn body_of(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Option<Finding> {
     if point.body.is_given() && !point.kind.is(&PointKind::Body) {
         let remedy = "make the point of kind \"body\", or leave the body out";
@@ -168,11 +204,7 @@ fn body_of(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Option<Finding> {
                 .finding("is given for a point that is not on a body", remedy),
         );
     }
-    let bodies = keys.bodies.iter().map(|(name, _)| name.as_str());
-    let names: Vec<&str> = bodies
-        .chain(keys.rods.iter().map(|(name, _)| name.as_str()))
-        .collect();
-    unknown(&point.body, &names, "body", "system")
+    unknown(&point.body, &body_names(keys), "body", "system")
 }
 
 /// Points above the water or below the bed.

@@ -36,6 +36,10 @@ table! {
         points: BTreeMap<String, PointInputs>, required;
         /// The lines, from one point to another.
         lines: Vec<LineInputs>, required;
+        /// Offset curves to work out with the system.
+        offset_curves: Vec<OffsetCurveInputs>;
+        /// Watch circles to work out with the system.
+        watch_circles: Vec<WatchCircleInputs>;
         /// Where an input comes from when the source does not print it, by key path.
         marks: BTreeMap<String, Mark>;
         /// A published value the system is held against.
@@ -270,5 +274,33 @@ table! {
         length_m: f64, "length", range positive(1e5);
         /// Weight in water of a body at its end towards B, as mass; negative floats. Not on the last section.
         clump_kg: f64 = 0.0, "clump", range of(-1e10, 1e10);
+    }
+}
+
+table! {
+    /// A body pushed aside: restoring force and tensions against its offset.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct OffsetCurveInputs => OffsetCurveKeys {
+        /// The body.
+        body: Option<String>, "body", kind Name, absent "the only one";
+        /// Direction of the offset, from +x towards +y.
+        heading_deg: f64 = 0.0, "heading", range of(-360.0, 360.0);
+        /// Greatest offset.
+        to_m: f64, "greatest offset", range positive(1e5);
+        /// Steps to it.
+        steps: usize = 20, "steps", range of(1.0, 1e4);
+    }
+}
+
+table! {
+    /// Where a steady load from all sides moves a body, with all lines and with each lost in turn.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct WatchCircleInputs => WatchCircleKeys {
+        /// The body.
+        body: Option<String>, "body", kind Name, absent "the only one";
+        /// The steady horizontal load.
+        load_n: f64, "load", range positive(1e12);
+        /// Headings, evenly around.
+        headings: usize = 24, "headings", range of(1.0, 3600.0);
     }
 }

@@ -1,7 +1,8 @@
 //! A system worked out: its equilibrium, how stable it is, the stiffness of its bodies.
 
-use nalgebra::{DMatrix, Matrix6, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen};
 
+use super::analysis::asked::{Analyses, analyses};
 use super::analysis::equilibria;
 use super::bounds::Contact;
 use super::build::build;
@@ -12,6 +13,7 @@ use super::model::SystemFile;
 use super::network::{Held, Network};
 use super::start::start;
 use super::stiffness::{of_body, take};
+use crate::numerics::envelope::EnvelopeCholesky;
 
 /// A system worked out.
 #[derive(Debug, Clone)]
@@ -26,6 +28,8 @@ pub struct SolvedSystem {
     pub stability: Stability,
     /// Equilibria that searches from other poses of the free bodies find, and how they rest.
     pub others: Vec<(Equilibrium, Stability)>,
+    /// The analyses that the file asks for.
+    pub analyses: Analyses,
     /// Error of the end forces of each line \[N\]: by rounding, or by the mesh; nothing where it is not known.
     pub line_errors: Vec<Option<f64>>,
     /// Stiffness of the lines on each body about its origin \[N/m, N, N m\].
@@ -97,6 +101,7 @@ pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
     });
     let errors = rest.balance.lines.iter().map(LineAtRest::error);
     Ok(SolvedSystem {
+        analyses: analyses(&file, &network, &rest),
         others: others.collect(),
         line_errors: errors.collect(),
         file,
@@ -212,6 +217,12 @@ fn stability(network: &Network, rest: &Equilibrium) -> Stability {
         }
     }
     let most = stiffness.diagonal().amax();
+    // As many positive pivots as unknowns, as many positive eigenvalues (Sylvester): most systems need no more.
+    let floor = DVector::from_element(moving.len(), -NEUTRAL * most);
+    let order: Vec<usize> = (0..moving.len()).collect();
+    if EnvelopeCholesky::new(&stiffness, &floor, &order).is_some() {
+        return Stability::Stable;
+    }
     let eigen = SymmetricEigen::new(stiffness);
     let least = eigen.eigenvalues.imin();
     let value = eigen.eigenvalues[least];

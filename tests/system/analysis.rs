@@ -115,3 +115,23 @@ fn a_wanted_tension_gives_a_length_or_a_reason() {
     .unwrap_err();
     assert!(why.contains("is not among these"), "{why}");
 }
+
+/// What a file asks for is what the commands compute, and is worked out anew with every edit.
+#[test]
+fn analyses_that_a_file_asks_for_come_with_the_system() {
+    let text = include_str!("../../cases/systems/oc3_spar.toml");
+    let system = solved(text);
+    let asked = &system.analyses;
+    assert_eq!((asked.offsets.len(), asked.circles.len()), (1, 1));
+    let curve = &asked.offsets[0];
+    assert_eq!((curve.points.len(), curve.ends_before_m), (21, None));
+    let mut held = HeldAway::new(&system.network, &system.rest, 0);
+    let last = held.at([-20.0, 0.0]).unwrap();
+    let off = (curve.points[20].force_n - last.force_n).norm();
+    assert!(off < 1e-9 * last.force_n.norm(), "{off}");
+    let (body, circle) = &asked.circles[0];
+    assert_eq!(
+        (*body, circle.headings.len(), circle.damaged.len()),
+        (0, 12, 3)
+    );
+}

@@ -154,3 +154,39 @@ fn masses_and_matrices_must_fit() {
         &["has 2 numbers", "36"],
     );
 }
+
+/// What a refusal of the file with more at its end says.
+fn refused_with(more: &str, words: &str) {
+    let text = format!("{GOOD}{more}");
+    let found = kind::parse::<SystemFile>(&text, "system.toml").unwrap_err();
+    let first = &found[0];
+    let said = format!("{first}");
+    assert!(said.contains(words), "{said}");
+    assert!(first.line > 0 && !first.remedy.is_empty(), "{said}");
+}
+
+#[test]
+fn parts_of_bodies_and_analyses_must_make_sense() {
+    let member =
+        "[[bodies.platform.members]]\nfrom_m = [1, 0, 0]\nto_m = [1, 0, 0]\ndiameter_m = 2\n";
+    refused_with(member, "the member begins and ends there");
+    let wind = |from: f64, to: f64| {
+        let one = "[[bodies.platform.wind_loads]]\nheading_deg";
+        format!("{one} = {from}\n{one} = {to}\n")
+    };
+    refused_with(&wind(90.0, 0.0), "0 does not follow 90");
+    refused_with(&wind(-180.0, 180.0), "180 does not follow -180");
+    let rod = "[rods.bar]\nkind = \"held\"\nend_a_m = [0, 0, -5]\nend_b_m = [0, 0, -5]\nmass_kg = 1\ndiameter_m = 1\n";
+    refused_with(rod, "the rod begins and ends there");
+    let same = rod.replace("bar", "platform").replacen("-5", "-6", 1);
+    refused_with(&same, "there is a body named \"platform\" too");
+    let other = "[bodies.other]\nkind = \"held\"\n";
+    let curve = "[[offset_curves]]\nto_m = 5\n";
+    refused_with(&format!("{other}{curve}"), "the system has 2 bodies");
+    refused_with(
+        "[[watch_circles]]\nload_n = 5\nbody = \"platfrom\"\n",
+        "no body named",
+    );
+    let table = "[materials.rope]\ndiameter_m = 0.1\nmass_kg_per_m = 1\nea_n = 1e6\nstrain = [0, 0.1]\ntension_n = [0, 1e5]\n";
+    refused_with(table, "is not covered in a system");
+}

@@ -3,6 +3,7 @@
 use crate::report::chart::{Axis, Chart, Outline, Series};
 use crate::report::table::{NumberFormat, Table};
 use crate::system::SolvedSystem;
+use crate::system::analysis::asked::OffsetCurve;
 use crate::system::analysis::clearance::{
     between_lines, curves, from_bed_and_surface, from_bodies,
 };
@@ -67,6 +68,19 @@ pub fn offset_chart(heading_deg: f64, points: &[OffsetPoint]) -> Chart {
         Series::new("greatest tension", 1, tension),
     ];
     Chart::new("Offset", x, y, series)
+}
+
+/// The table of an offset curve that a file asks for; says where it ends for want of an equilibrium.
+#[must_use]
+pub fn offset_curve(solved: &SolvedSystem, curve: &OffsetCurve) -> Table {
+    let mut table = offsets(solved, curve.heading_deg, &curve.points);
+    if let Some(before) = curve.ends_before_m {
+        table.notes.push(format!(
+            "No equilibrium was found at {} and beyond.",
+            METRES.write(before)
+        ));
+    }
+    table
 }
 
 /// A heading of a watch circle: intact, and with the line lost by which the body goes furthest and that which loads another most.

@@ -52,6 +52,22 @@ pub fn report(
         Ok(modes) => page.table(&analysis::periods(solved, &modes)),
         Err(why) => page.paragraph(&format!("No natural periods: {why}.")),
     }
+    let asked = &solved.analyses;
+    if !asked.offsets.is_empty() || !asked.circles.is_empty() {
+        page.heading("Offsets");
+    }
+    for curve in &asked.offsets {
+        page.chart(
+            &analysis::offset_chart(curve.heading_deg, &curve.points),
+            LINES,
+            glyphs,
+        );
+        page.table(&analysis::offset_curve(solved, curve));
+    }
+    for (_, circle) in &asked.circles {
+        page.chart(&analysis::watch_chart(solved, circle), LINES, glyphs);
+        page.table(&analysis::watch_circle(solved, circle));
+    }
     if !rows.is_empty() {
         page.heading("Published values");
         page.block(&text::validation(rows));

@@ -56,6 +56,34 @@ impl SystemView {
     }
 }
 
+impl SystemView {
+    fn offsets(&self) -> (Option<Chart>, Table) {
+        match self.solved.analyses.offsets.first() {
+            Some(curve) => (
+                Some(analysis::offset_chart(curve.heading_deg, &curve.points)),
+                analysis::offset_curve(&self.solved, curve),
+            ),
+            None => {
+                let how = "None is asked for; add [[offset_curves]] with heading_deg and to_m.";
+                (None, Table::titled(how))
+            }
+        }
+    }
+
+    fn watch_circle(&self) -> (Option<Chart>, Table) {
+        match self.solved.analyses.circles.first() {
+            Some((_, circle)) => (
+                Some(analysis::watch_chart(&self.solved, circle)),
+                analysis::watch_circle(&self.solved, circle),
+            ),
+            None => {
+                let how = "None is asked for; add [[watch_circles]] with load_n.";
+                (None, Table::titled(how))
+            }
+        }
+    }
+}
+
 impl DocumentKind for SystemView {
     fn info(&self) -> KindInfo<'_> {
         KindInfo {
@@ -76,6 +104,9 @@ impl DocumentKind for SystemView {
                 "Stiffness",
                 "Clearances",
                 "Periods",
+                "Equilibria",
+                "Offsets",
+                "Watch circle",
             ],
         }
     }
@@ -88,6 +119,9 @@ impl DocumentKind for SystemView {
             2 => (None, tables::bodies(solved)),
             4 => (None, analysis::clearances(solved)),
             5 => (None, self.periods()),
+            6 => (None, analysis::equilibria(solved)),
+            7 => self.offsets(),
+            8 => self.watch_circle(),
             _ => {
                 let first = !solved.network.bodies.is_empty();
                 let none = || Table::titled("The system has no body.");
