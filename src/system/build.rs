@@ -13,6 +13,7 @@ use super::network::{
     Body, FreePoint, HeadingLoads, Held, Line, Member, Network, Point, WEIGHTLESS, reversed,
     weight, weighted,
 };
+use super::parts::{Part, parts};
 use super::pose::Pose;
 use super::rods;
 use crate::case::Material;
@@ -87,19 +88,16 @@ struct Builder<'a> {
 impl Builder<'_> {
     /// A line with all its copies.
     fn repeated(&mut self, line: &LineInputs) -> Result<(), (String, String)> {
-        let discretised = DiscretisedLine::of(self.file, line);
+        let parts = parts(self.file, line);
+        let discretised = DiscretisedLine::of(self.file, line, &parts);
         let discretised = discretised.map_err(|why| (line.name.clone(), why))?;
-        let once = [0.0];
-        let angles: &[f64] = match line.repeat_at_deg.is_empty() {
-            true => &once,
-            false => &line.repeat_at_deg,
-        };
         let [x, y] = line.repeat_about_m;
         let axis = V3::new(x, y, 0.0);
-        for &angle in angles {
+        for &angle in angles(line) {
             let from = self.point(&line.from, angle, axis);
             let to = self.point(&line.to, angle, axis);
-            let built = self.line(line, copy_name(&line.name, angle), from, to);
+            let name = copy_name(&line.name, angle);
+            let built = self.line(line, &parts, name, (from, to));
             self.network.lines.push(Line {
                 discretised: discretised.clone(),
                 ..built
@@ -152,27 +150,20 @@ impl Builder<'_> {
         }
     }
 
-    fn line(&self, line: &LineInputs, name: String, from: usize, to: usize) -> Line {
-        let one = line
-            .material
-            .iter()
-            .zip(line.length_m)
-            .map(|(m, length)| (m, length, 0.0));
-        let several = line
-            .sections
-            .iter()
-            .map(|s| (&s.material, s.length_m, s.clump_kg));
-        let parts: Vec<(&Material, f64, f64)> = one
-            .chain(several)
-            .map(|(material, length, clump)| (&self.file.materials[material], length, clump))
-            .collect();
+    fn line(
+        &self,
+        line: &LineInputs,
+        parts: &[Part],
+        name: String,
+        (from, to): (usize, usize),
+    ) -> Line {
         let sections: Vec<SectionProperties> = parts
             .iter()
-            .map(|(material, length, clump)| SectionProperties {
-                length_m: *length,
-                weight_n_per_m: self.wet_weight(material),
-                ea_n: material.ea_n.unwrap_or(f64::INFINITY),
-                clump_n: clump * self.network.gravity,
+            .map(|part| SectionProperties {
+                length_m: part.length_m,
+                weight_n_per_m: self.wet_weight(&part.material),
+                ea_n: part.material.ea_n.unwrap_or(f64::INFINITY),
+                clump_n: part.clump_kg * self.network.gravity,
             })
             .collect();
         let own_weight = weight(&sections);
@@ -187,7 +178,10 @@ impl Builder<'_> {
             reversed: reversed(&sections),
             added_weight: weight(&sections) - own_weight,
             sections,
-            break_loads: parts.iter().map(|(m, ..)| m.break_load_n).collect(),
+            break_loads: parts
+                .iter()
+                .map(|part| part.material.break_load_n)
+                .collect(),
             friction: friction.unwrap_or(0.0),
             discretised: None,
         }
@@ -222,6 +216,15 @@ fn turned(point: &PointInputs, angle: f64, axis: V3) -> Option<(V3, V3)> {
         return Some((here, here));
     }
     Some((about + turn * arm, here))
+}
+
+/// The angles of the copies of a line \[deg\]: 0 for a line without repeats.
+#[must_use]
+pub fn angles(line: &LineInputs) -> &[f64] {
+    match line.repeat_at_deg.as_slice() {
+        [] => &[0.0],
+        angles => angles,
+    }
 }
 
 /// The name of a copy: `mooring@120`; the one that is not turned keeps its own.

@@ -4,7 +4,8 @@
 use std::sync::Arc;
 
 use super::line_at_rest::LineAtRest;
-use super::model::{LineInputs, LineSection, SystemFile};
+use super::model::{LineInputs, SystemFile};
+use super::parts::Part;
 use crate::case::{Case, Clump, End, Ends, Method, Seabed, Section};
 use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium, mesh_error};
 use crate::numerics::V3;
@@ -33,17 +34,20 @@ pub struct DiscretisedRest {
 }
 
 impl DiscretisedLine {
-    /// The element of a line, where it needs one: its file has a current, or a material of it bends.
+    /// The element of a line of these parts, where it needs one: its file has a current, or a material of it bends.
     ///
     /// # Errors
     /// What the element says of the line.
-    pub fn of(file: &SystemFile, line: &LineInputs) -> Result<Option<Arc<Self>>, String> {
-        let sections = sections(line);
-        let bends = |section: &LineSection| file.materials[&section.material].ei_n_m2 > 0.0;
-        if file.current.is_none() && !sections.iter().any(bends) {
+    pub fn of(
+        file: &SystemFile,
+        line: &LineInputs,
+        parts: &[Part],
+    ) -> Result<Option<Arc<Self>>, String> {
+        let bends = |part: &Part| part.material.ei_n_m2 > 0.0;
+        if file.current.is_none() && !parts.iter().any(bends) {
             return Ok(None);
         }
-        let case = case(file, line, &sections);
+        let case = case(file, line, parts);
         let element = LineBetweenEnds::new(&case).map_err(|error| error.to_string())?;
         let shares = shares(&case);
         Ok(Some(Arc::new(Self {
@@ -109,20 +113,8 @@ impl DiscretisedRest {
     }
 }
 
-/// The sections of a line, also of one that is of one material.
-fn sections(line: &LineInputs) -> Vec<LineSection> {
-    if let (Some(material), Some(length_m)) = (&line.material, line.length_m) {
-        return vec![LineSection {
-            material: material.clone(),
-            length_m,
-            clump_kg: 0.0,
-        }];
-    }
-    line.sections.clone()
-}
-
 /// The case of one line between held ends. On a bed it lies without friction.
-fn case(file: &SystemFile, line: &LineInputs, sections: &[LineSection]) -> Case {
+fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
     let ends = Ends {
         a: End::fixed("a", [0.0; 3]),
         b: End::fixed("b", [1.0, 0.0, 0.0]),
@@ -132,34 +124,28 @@ fn case(file: &SystemFile, line: &LineInputs, sections: &[LineSection]) -> Case 
     case.current.clone_from(&file.current);
     case.seabed = file.seabed.as_ref().map(|bed| Seabed::level(bed.depth_m));
     case.solver.method = Method::Static;
-    let whole: f64 = sections.iter().map(|section| section.length_m).sum();
-    for (k, section) in sections.iter().enumerate() {
+    let whole: f64 = parts.iter().map(|part| part.length_m).sum();
+    for (k, part) in parts.iter().enumerate() {
         let name = format!("section{}", k + 1);
-        let material = file.materials[&section.material].clone();
-        case.materials.insert(section.material.clone(), material);
+        // Each section has a material of its own: parts of one material may differ.
+        case.materials.insert(name.clone(), part.material.clone());
         let wanted = line.segments.map_or(SEGMENTS, |segments| segments as f64);
-        let count = (wanted * section.length_m / whole)
-            .round()
-            .max(FEWEST as f64);
+        let count = (wanted * part.length_m / whole).round().max(FEWEST as f64);
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "a count of segments, bounded by the file"
         )]
         let count = count as usize;
-        case.line.push(Section::new(
-            &name,
-            &section.material,
-            section.length_m,
-            count,
-        ));
-        if section.clump_kg != 0.0 {
+        case.line
+            .push(Section::new(&name, &name, part.length_m, count));
+        if part.clump_kg != 0.0 {
             case.clumps.push(Clump {
                 name: format!("clump{}", k + 1),
                 section: name,
-                at_m: section.length_m,
-                mass_kg: section.clump_kg.abs(),
-                wet_mass_kg: section.clump_kg,
+                at_m: part.length_m,
+                mass_kg: part.clump_kg.abs(),
+                wet_mass_kg: part.clump_kg,
                 ..Clump::default()
             });
         }

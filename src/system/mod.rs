@@ -22,6 +22,7 @@ pub mod loads;
 mod members;
 pub mod model;
 pub mod network;
+pub mod parts;
 pub mod pose;
 pub mod quantities;
 pub mod rods;
