@@ -8,6 +8,7 @@ use super::bounds::Contact;
 use super::build::build;
 use super::connected::{Loose, loose};
 use super::equilibrium::{Equilibrium, SystemError, levers, search};
+use super::freedoms::Placement;
 use super::line_at_rest::LineAtRest;
 use super::model::SystemFile;
 use super::network::{Held, Network};
@@ -82,12 +83,7 @@ const UNSTABLE: f64 = 1e-9;
 /// # Errors
 /// [`UnsolvedSystem`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
 pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
-    let network = build(&file).map_err(|(line, why)| UnsolvedSystem {
-        problem: format!("line \"{line}\" cannot be divided into segments: {why}"),
-        remedy: "check its materials and its sections".to_owned(),
-        line: Some(line),
-        part: None,
-    })?;
+    let network = build(&file).map_err(not_divided)?;
     let rest = rest(&network)?;
     let stability = stability(&network, &rest);
     let bodies = 0..network.bodies.len();
@@ -112,6 +108,16 @@ pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
     })
 }
 
+/// A line that has no element, and why.
+fn not_divided((line, why): (String, String)) -> UnsolvedSystem {
+    UnsolvedSystem {
+        problem: format!("line \"{line}\" cannot be divided into segments: {why}"),
+        remedy: "check its materials and its sections".to_owned(),
+        line: Some(line),
+        part: None,
+    }
+}
+
 /// A system at rest, from a cold start.
 ///
 /// # Errors
@@ -120,7 +126,15 @@ pub fn rest(network: &Network) -> Result<Equilibrium, UnsolvedSystem> {
     if let Some(part) = loose(network) {
         return Err(not_held(network, part));
     }
-    let rest = search(network, &start(network)).map_err(|error| refused(network, &error))?;
+    rest_from(network, &start(network))
+}
+
+/// A system at rest, all of which something holds, from a placement.
+///
+/// # Errors
+/// As [`solve`].
+fn rest_from(network: &Network, start: &Placement) -> Result<Equilibrium, UnsolvedSystem> {
+    let rest = search(network, start).map_err(|error| refused(network, &error))?;
     match out_of_water(network, &rest) {
         Some(refusal) => Err(refusal),
         None => Ok(rest),
