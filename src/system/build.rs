@@ -21,11 +21,14 @@ use crate::numerics::{M3, V3};
 use crate::scene::current_profile;
 use crate::statics::catenary::SectionProperties;
 
-/// The system that a file states, which the checks passed.
+/// The parts of lines that differ from what the file states, by the name of line or copy.
+pub type AgedParts = BTreeMap<String, Vec<Part>>;
+
+/// The system that a file states, which the checks passed, with lines of other parts where they aged.
 ///
 /// # Errors
 /// The name of a line that has no element, and why.
-pub fn build(given: &SystemFile) -> Result<Network, (String, String)> {
+pub fn build(given: &SystemFile, aged: &AgedParts) -> Result<Network, (String, String)> {
     let file = &rods::written_out(given);
     let mut network = Network {
         gravity: file.environment.gravity_m_per_s2,
@@ -51,6 +54,7 @@ pub fn build(given: &SystemFile) -> Result<Network, (String, String)> {
     }
     let mut builder = Builder {
         file,
+        aged,
         network,
         numbers: BTreeMap::new(),
     };
@@ -80,6 +84,7 @@ impl SystemFile {
 
 struct Builder<'a> {
     file: &'a SystemFile,
+    aged: &'a AgedParts,
     network: Network,
     /// Points by the name that they have in the system.
     numbers: BTreeMap<String, usize>,
@@ -88,18 +93,19 @@ struct Builder<'a> {
 impl Builder<'_> {
     /// A line with all its copies.
     fn repeated(&mut self, line: &LineInputs) -> Result<(), (String, String)> {
-        let parts = parts(self.file, line);
-        let discretised = DiscretisedLine::of(self.file, line, &parts);
-        let discretised = discretised.map_err(|why| (line.name.clone(), why))?;
+        let new = parts(self.file, line);
         let [x, y] = line.repeat_about_m;
         let axis = V3::new(x, y, 0.0);
         for &angle in angles(line) {
             let from = self.point(&line.from, angle, axis);
             let to = self.point(&line.to, angle, axis);
             let name = copy_name(&line.name, angle);
-            let built = self.line(line, &parts, name, (from, to));
+            let parts = self.aged.get(&name).unwrap_or(&new);
+            let discretised = DiscretisedLine::of(self.file, line, parts);
+            let discretised = discretised.map_err(|why| (name.clone(), why))?;
+            let built = self.line(line, parts, name, (from, to));
             self.network.lines.push(Line {
-                discretised: discretised.clone(),
+                discretised,
                 ..built
             });
         }

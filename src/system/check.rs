@@ -1,5 +1,6 @@
 //! Checks of the keys of a system against each other: names, ends, places, what holds what.
 
+use super::ageing::check::ageing;
 use super::model::{
     BodyKind, HeadingLoadKeys, LineKeys, MemberKeys, PointKeys, PointKind, RodKeys, SystemKeys,
 };
@@ -67,6 +68,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     for (_, material) in &keys.materials {
         found.extend(elastic(material));
     }
+    found.extend(ageing(keys));
     found.extend(published_number::check(&keys.published, |key| {
         quantities::unknown(key, keys)
     }));

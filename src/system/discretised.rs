@@ -12,7 +12,7 @@ use crate::numerics::V3;
 
 /// Segments of a line that does not say how many.
 const SEGMENTS: f64 = 100.0;
-/// The fewest of a section.
+/// The fewest of a section; its pieces share them.
 const FEWEST: usize = 8;
 
 /// A line as the element that is solved between its ends, and the case that states it.
@@ -130,7 +130,8 @@ fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
         // Each section has a material of its own: parts of one material may differ.
         case.materials.insert(name.clone(), part.material.clone());
         let wanted = line.segments.map_or(SEGMENTS, |segments| segments as f64);
-        let count = (wanted * part.length_m / whole).round().max(FEWEST as f64);
+        let fewest = FEWEST.div_ceil(part.pieces) as f64;
+        let count = (wanted * part.length_m / whole).round().max(fewest);
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,

@@ -59,6 +59,10 @@ impl FileKind for SystemFile {
         ));
         rows.extend(lister.named("rods", "rod"));
         rows.extend(lister.named("materials", "material"));
+        rows.extend(lister.if_given(&["ageing"], "ageing"));
+        for of in ["growth", "corrosion"] {
+            rows.extend(ageing(lister, of));
+        }
         rows
     }
 }
@@ -84,6 +88,19 @@ fn nested(
         }
     }
     rows
+}
+
+/// The rows of every table of marine growth, or of corrosion.
+fn ageing(lister: &FieldLister<'_>, of: &str) -> Vec<FieldRow> {
+    let Some(tables) = lister.root.find(&["ageing", of]) else {
+        return Vec::new();
+    };
+    let names = tables.names();
+    let each = names.iter().flat_map(|name| {
+        let pattern = format!("ageing.{of}.*");
+        lister.table(&pattern, &["ageing", of, name], &format!("{of} {name}"))
+    });
+    each.collect()
 }
 
 /// A refusal at the key that it is about.

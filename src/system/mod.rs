@@ -4,7 +4,9 @@
 //! [`catenary`](crate::statics::catenary), so that only free points and bodies are unknown ([`freedoms`]); in a current, or with
 //! bending stiffness, they are [`discretised`]. Forces and exact
 //! stiffness are assembled in [`balance`](mod@balance); [`equilibrium`] finds where they balance, from a cold start.
+//! Lines gain marine growth and lose steel with years, by [`ageing`](mod@ageing).
 
+pub mod ageing;
 pub mod analysis;
 pub mod balance;
 pub mod body_loads;

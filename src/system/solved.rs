@@ -2,10 +2,12 @@
 
 use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen};
 
+use super::ageing::SettledAge;
+use super::ageing::settled::settle;
 use super::analysis::asked::{Analyses, analyses};
 use super::analysis::equilibria;
 use super::bounds::Contact;
-use super::build::build;
+use super::build::{AgedParts, build};
 use super::connected::{Loose, loose};
 use super::equilibrium::{Equilibrium, SystemError, levers, search};
 use super::freedoms::Placement;
@@ -21,8 +23,10 @@ use crate::numerics::envelope::EnvelopeCholesky;
 pub struct SolvedSystem {
     /// What the file says.
     pub file: SystemFile,
-    /// The same in SI.
+    /// The same in SI, its lines aged.
     pub network: Network,
+    /// How its lines aged, if they did.
+    pub age: Option<SettledAge>,
     /// At rest.
     pub rest: Equilibrium,
     /// How it rests.
@@ -83,8 +87,12 @@ const UNSTABLE: f64 = 1e-9;
 /// # Errors
 /// [`UnsolvedSystem`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
 pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
-    let network = build(&file).map_err(not_divided)?;
-    let rest = rest(&network)?;
+    let new = build(&file, &AgedParts::new()).map_err(not_divided)?;
+    let rest_as_new = rest(&new)?;
+    let (network, rest, age) = match settle(&file, &new, &rest_as_new)? {
+        Some((network, rest, age)) => (network, rest, Some(age)),
+        None => (new, rest_as_new, None),
+    };
     let stability = stability(&network, &rest);
     let bodies = 0..network.bodies.len();
     let stiffness = bodies.map(|body| of_body(&network, &rest, body));
@@ -105,11 +113,12 @@ pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
         stiffness,
         rest,
         network,
+        age,
     })
 }
 
 /// A line that has no element, and why.
-fn not_divided((line, why): (String, String)) -> UnsolvedSystem {
+pub(super) fn not_divided((line, why): (String, String)) -> UnsolvedSystem {
     UnsolvedSystem {
         problem: format!("line \"{line}\" cannot be divided into segments: {why}"),
         remedy: "check its materials and its sections".to_owned(),
@@ -133,7 +142,10 @@ pub fn rest(network: &Network) -> Result<Equilibrium, UnsolvedSystem> {
 ///
 /// # Errors
 /// As [`solve`].
-fn rest_from(network: &Network, start: &Placement) -> Result<Equilibrium, UnsolvedSystem> {
+pub(super) fn rest_from(
+    network: &Network,
+    start: &Placement,
+) -> Result<Equilibrium, UnsolvedSystem> {
     let rest = search(network, start).map_err(|error| refused(network, &error))?;
     match out_of_water(network, &rest) {
         Some(refusal) => Err(refusal),

@@ -190,3 +190,61 @@ fn parts_of_bodies_and_analyses_must_make_sense() {
     let table = "[materials.rope]\ndiameter_m = 0.1\nmass_kg_per_m = 1\nea_n = 1e6\nstrain = [0, 0.1]\ntension_n = [0, 1e5]\n";
     refused_with(table, "is not covered in a system");
 }
+
+/// As [`refused`], with tables of ageing at the end of the file; its line counts from the first of them.
+fn ageing_refused(tables: &str, line: u32, words: &[&str]) {
+    let last = "length_m = 130.0\n";
+    refused(last, &format!("{last}\n{tables}"), 40 + line, words);
+}
+
+#[test]
+fn ageing_that_cannot_be_is_refused() {
+    let tables = |growth: &str| format!("[ageing]\nyears = 20.0\n[[ageing.growth]]\n{growth}");
+    ageing_refused(
+        "[ageing]\nyears = 20.0\n",
+        2,
+        &["ageing.years", "nothing grows"],
+    );
+    ageing_refused(
+        &tables("depth_m = [0.0, 50.0]\nthickness_m = [0.1]\n"),
+        5,
+        &["thickness_m", "1 values for 2 depths"],
+    );
+    ageing_refused(
+        &tables("thickness_m = [0.1, 0.2]\n"),
+        4,
+        &["depths that they belong to are missing"],
+    );
+    ageing_refused(
+        &tables("depth_m = [50.0, 40.0]\nthickness_m = [0.1, 0.2]\n"),
+        4,
+        &["must increase: 40 m follows 50 m"],
+    );
+    ageing_refused(
+        &tables("material = \"chian\"\nthickness_m = [0.1]\n"),
+        4,
+        &["no material named \"chian\"", "chain"],
+    );
+    ageing_refused(
+        &tables("thickness_m = [0.1]\n[[ageing.growth]]\nthickness_m = [0.2]\n"),
+        5,
+        &["the growth of all materials is given twice"],
+    );
+    ageing_refused(
+        &tables("thickness_m = [0.1]\nnominal_diameter_m = 0.05\n"),
+        5,
+        &["growth on all materials", "name the material"],
+    );
+    ageing_refused(&tables("depth_m = [0.0]\n"), 3, &["thickness_m", "missing"]);
+    ageing_refused(
+        "[ageing]\nyears = 20.0\n[[ageing.corrosion]]\nmaterial = \"chain\"\nbar_diameter_m = 0.05\nrate_m_per_year = [0.4]\n",
+        6,
+        &["nothing is left of a bar of 0.05 m", "0.0003 for 0.3 mm"],
+    );
+    let once = "[[ageing.corrosion]]\nmaterial = \"chain\"\nbar_diameter_m = 0.05\nrate_m_per_year = [0.0004]\n";
+    ageing_refused(
+        &format!("[ageing]\nyears = 20.0\n{once}{once}"),
+        8,
+        &["the corrosion of \"chain\" is given twice"],
+    );
+}

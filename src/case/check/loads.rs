@@ -117,7 +117,7 @@ fn current(current: &CurrentKeys<'_>) -> Vec<Finding> {
 }
 
 /// A list of lengths must increase.
-pub(super) fn increasing(key: &Key<'_, Vec<f64>>, what: &str, remedy: &str) -> Option<Finding> {
+pub(crate) fn increasing(key: &Key<'_, Vec<f64>>, what: &str, remedy: &str) -> Option<Finding> {
     let values = key.get()?;
     let at = values.windows(2).position(|pair| pair[1] <= pair[0])?;
     let problem = format!(
