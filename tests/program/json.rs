@@ -51,6 +51,7 @@ fn a_system_as_json() {
     let dir = folder();
     let system = printed(dir.path(), &["run", "oc3.toml", "--json"]);
     fits(&system, "system");
+    assert!(system["ageing"].is_null());
     let lines = system["lines"].as_array().unwrap();
     assert_eq!(lines.len(), 3);
     for line in lines {

@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use crate::numerics::V3;
 use crate::system::SolvedSystem;
+use crate::system::ageing::SettledAge;
 use crate::system::bounds::Contact;
 use crate::system::loads;
 use crate::system::network::Held;
@@ -32,6 +33,7 @@ pub fn object(solved: &SolvedSystem) -> Value {
                 "pose": pose(&other.placement.bodies[k]),
             })).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
+        "ageing": solved.age.as_ref().map(ageing),
         "residual_n": rest.residual,
         "steps": rest.steps,
         "evaluations": rest.evaluations,
@@ -39,6 +41,17 @@ pub fn object(solved: &SolvedSystem) -> Value {
         "points": (0..solved.network.points.len()).map(|k| point(solved, k)).collect::<Vec<_>>(),
         "bodies": (0..solved.network.bodies.len()).map(|k| body(solved, k)).collect::<Vec<_>>(),
         "warnings": super::tables::warnings(solved),
+    })
+}
+
+/// What the lines gained and lost, at most.
+fn ageing(age: &SettledAge) -> Value {
+    json!({
+        "years": age.years,
+        "growth_m": age.growth_m,
+        "loss_of_diameter_m": age.loss_m,
+        "rounds": age.rounds,
+        "moved_m": age.moved_m,
     })
 }
 

@@ -28,6 +28,9 @@ pub fn report(
     page.title(&about.title);
     page.prose([&about.source, &about.notes]);
     page.paragraph(&tables::summary(solved));
+    if let Some(ageing) = tables::ageing(solved) {
+        page.paragraph(&ageing);
+    }
     for warning in tables::warnings(solved) {
         page.hanging("! ", &warning);
     }

@@ -40,6 +40,22 @@ pub fn summary(solved: &SolvedSystem) -> String {
     )
 }
 
+/// What the lines gained and lost, in a sentence; nothing where they are new.
+#[must_use]
+pub fn ageing(solved: &SolvedSystem) -> Option<String> {
+    let age = solved.age.as_ref()?;
+    let plural = |count: usize| if count == 1 { "" } else { "s" };
+    Some(format!(
+        "Lines after {} years: marine growth up to {:.1} mm thick, loss of diameter up to {:.2} mm; their depths settled to {:.1e} m in {} round{}.",
+        age.years,
+        1e3 * age.growth_m,
+        1e3 * age.loss_m,
+        age.moved_m,
+        age.rounds,
+        plural(age.rounds),
+    ))
+}
+
 fn stability(solved: &SolvedSystem) -> String {
     match &solved.stability {
         Stability::Stable => "The equilibrium is stable.".to_owned(),
