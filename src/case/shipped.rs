@@ -104,6 +104,7 @@ pub const ROPEWAYS: &[Shipped] = &[
 
 /// The systems of lines that come with the program, in the order of their paths.
 pub const SYSTEMS: &[Shipped] = &[
+    shipped!("systems/aged_chains.toml"),
     shipped!("systems/bridle_and_buoy.toml"),
     shipped!("systems/crows_foot.toml"),
     shipped!("systems/oc3_free.toml"),

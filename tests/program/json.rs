@@ -8,6 +8,7 @@ use serde_json::Value;
 
 use crate::small::SMALL;
 
+const AGED: &str = include_str!("../../cases/systems/aged_chains.toml");
 const OC3: &str = include_str!("../../cases/systems/oc3_spar.toml");
 const SCHEMA: &str = include_str!("../../docs/output.schema.json");
 
@@ -67,6 +68,21 @@ fn a_system_as_json() {
     fits(&system["bodies"][0], "body");
     let surge = system["bodies"][0]["stiffness"][0][0].as_f64().unwrap();
     assert!((surge / 41_180.0 - 1.0).abs() < 0.003);
+}
+
+#[test]
+fn an_aged_system_as_json() {
+    let dir = folder();
+    std::fs::write(dir.path().join("aged.toml"), AGED).unwrap();
+    let system = printed(dir.path(), &["run", "aged.toml", "--json"]);
+    fits(&system, "system");
+    fits(&system["ageing"], "ageing");
+    assert_eq!(system["ageing"]["years"], 20.0);
+    assert_eq!(system["ageing"]["growth_m"], 0.1);
+    let share = system["lines"][0]["share_of_breaking_load"]
+        .as_f64()
+        .unwrap();
+    assert!((share - 0.3).abs() < 0.01, "{share}");
 }
 
 #[test]
