@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use etcetera::base_strategy::{BaseStrategy, Xdg};
 
+use super::state::reading::read_file;
 use super::state::{CaseEntry, DocumentContent};
 use crate::case::{self, render_all};
 use crate::files::Target;
@@ -71,7 +72,7 @@ fn entry(dir: &Path, path: PathBuf) -> CaseEntry {
         .unwrap_or(&path)
         .display()
         .to_string();
-    let about = match DocumentContent::read(&path) {
+    let about = match read_file(&path) {
         Ok((_, content)) => {
             let kind = content.kind().info();
             let title = match &content {

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 use super::case_library;
-use super::state::DocumentContent;
+use super::state::reading::read_file;
 
 /// Runs the editor that `VISUAL` or `EDITOR` names, with its words, else `vi`, until it ends. A file with faults opens at the first
 /// where the editor is known to take a place.
@@ -37,7 +37,7 @@ pub(super) fn run(path: &Path) -> Result<(), String> {
 
 /// Line and column of the first fault of a file, from 1.
 fn first_fault(path: &Path) -> Option<(u32, u32)> {
-    let faults = DocumentContent::read(path).err()?;
+    let faults = read_file(path).err()?;
     let first = faults.first()?;
     Some((first.line, first.column))
 }
@@ -71,7 +71,7 @@ fn file_words(program: &str, path: &Path, place: Option<(u32, u32)>) -> Vec<OsSt
 /// # Errors
 /// All that is wrong with it, with the lines meant.
 pub(super) fn read(path: &Path) -> Result<String, String> {
-    let read = DocumentContent::read(path).map(|(text, _)| text);
+    let read = read_file(path).map(|(text, _)| text);
     read.map_err(|all| case_library::story(path, &all))
 }
 

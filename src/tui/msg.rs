@@ -7,7 +7,8 @@ use std::sync::atomic::AtomicBool;
 use super::key::KeyPress;
 use super::state::trials::{TrialProgress, TrialsOf};
 use super::state::{
-    CaseEntry, DocumentContent, JobNumber, RunCurves, RunEntry, Severity, VariantPlan, VariedRuns,
+    CaseEntry, DocumentContent, FileOfText, JobNumber, ParameterEditor, Reading, RunCurves,
+    RunEntry, Severity, VariantPlan, VariedRuns,
 };
 use crate::case::{Case, QuantityId};
 use crate::modes::LineModes;
@@ -158,12 +159,34 @@ pub struct RunsFound {
 pub struct FileRead {
     /// Where it is.
     pub path: PathBuf,
-    /// Its text.
-    pub text: String,
-    /// The result of its text.
-    pub content: DocumentContent,
+    /// Its text as read.
+    pub read: Reading,
     /// Unsaved text of an earlier session.
     pub recovered: Option<String>,
+}
+
+impl FileRead {
+    /// A file with this text and content.
+    #[must_use]
+    pub fn new(
+        path: PathBuf,
+        text: String,
+        content: DocumentContent,
+        recovered: Option<String>,
+    ) -> Self {
+        let file = FileOfText {
+            kind: content.file_type(),
+            name: ParameterEditor::name_of(&path),
+            path,
+            saved: text.clone(),
+            before: None,
+        };
+        Self {
+            read: Reading::of(&file, text, content),
+            path: file.path,
+            recovered,
+        }
+    }
 }
 
 /// Something to be done outside of the state.

@@ -3,18 +3,17 @@
 use std::path::Path;
 
 use crate::tui::msg::{FileRead, Msg};
-use crate::tui::state::DocumentContent;
+use crate::tui::state::reading::read_file;
 use crate::tui::{case_library, recovery};
 
 /// A file, with what an earlier session left of it.
 pub(super) fn read_case(path: &Path) -> Msg {
-    match DocumentContent::read(path) {
-        Ok((text, content)) => Msg::FileRead(Box::new(FileRead {
-            recovered: recovery::find(path).filter(|recovered| *recovered != text),
-            path: path.to_owned(),
-            text,
-            content,
-        })),
+    match read_file(path) {
+        Ok((text, content)) => {
+            let recovered = recovery::find(path).filter(|recovered| *recovered != text);
+            let read = FileRead::new(path.to_owned(), text, content, recovered);
+            Msg::FileRead(Box::new(read))
+        }
         Err(all) => Msg::CaseRejected(path.to_owned(), case_library::story(path, &all)),
     }
 }

@@ -1,23 +1,19 @@
 //! The document that is open: its text and edits, the result of its text, and what its panes show. What
 //! differs between the kinds of file is behind [`DocumentKind`].
 
-use std::path::Path;
+use std::path::PathBuf;
 
 use super::document_kind::DocumentKind;
 use super::line::LineView;
 use super::parameter_editor::ParameterEditor;
+use super::reading::{FileOfText, Reading};
 use super::ropeway::RopewayView;
 use super::section::SectionView;
 use super::ship::ShipView;
 use super::system::SystemView;
-use crate::case::{self, Diagnostic, kind};
 use crate::kinds::FileType;
 use crate::report::chart::Chart;
 use crate::report::table::Table;
-use crate::ropeway::Ropeway;
-use crate::section::CrossSection;
-use crate::ship::Ship;
-use crate::system::SystemFile;
 use crate::tui::pane::PaneId;
 use crate::tui::table_pane::TablePane;
 
@@ -37,39 +33,6 @@ pub enum DocumentContent {
 }
 
 impl DocumentContent {
-    /// The text of a file and its content, by the kind of the file.
-    ///
-    /// # Errors
-    /// Everything that is wrong with the file.
-    pub fn read(path: &Path) -> Result<(String, Self), Vec<Diagnostic>> {
-        Ok(match FileType::of(path) {
-            FileType::Line => {
-                let file = case::load(path)?;
-                (file.text, Self::Line(Box::new(LineView::new(file.case))))
-            }
-            FileType::Section => {
-                let file = kind::load::<CrossSection>(path)?;
-                let view = SectionView::new(file.computed);
-                (file.text, Self::Section(Box::new(view)))
-            }
-            FileType::Ropeway => {
-                let file = kind::load::<Ropeway>(path)?;
-                let view = RopewayView::new(file.computed);
-                (file.text, Self::Ropeway(Box::new(view)))
-            }
-            FileType::Ship => {
-                let file = kind::load::<Ship>(path)?;
-                let view = ShipView::new(file.computed);
-                (file.text, Self::Ship(Box::new(view)))
-            }
-            FileType::System => {
-                let file = kind::load::<SystemFile>(path)?;
-                let view = SystemView::new(file.computed);
-                (file.text, Self::System(Box::new(view)))
-            }
-        })
-    }
-
     /// What the screen needs of it.
     #[must_use]
     pub fn kind(&self) -> &dyn DocumentKind {
@@ -79,6 +42,18 @@ impl DocumentContent {
             Self::Ropeway(ropeway) => ropeway.as_ref(),
             Self::Ship(ship) => ship.as_ref(),
             Self::System(system) => system.as_ref(),
+        }
+    }
+
+    /// The kind of file.
+    #[must_use]
+    pub const fn file_type(&self) -> FileType {
+        match self {
+            Self::Line(_) => FileType::Line,
+            Self::Section(_) => FileType::Section,
+            Self::Ropeway(_) => FileType::Ropeway,
+            Self::Ship(_) => FileType::Ship,
+            Self::System(_) => FileType::System,
         }
     }
 
@@ -114,9 +89,14 @@ pub struct Document {
 }
 
 impl Document {
-    /// A file as read, with its fields still to be listed.
+    /// A file as read.
     #[must_use]
-    pub fn new(editor: ParameterEditor, content: DocumentContent) -> Self {
+    pub fn new(path: PathBuf, read: Reading) -> Self {
+        let mut editor = ParameterEditor::new(path, read.text);
+        editor.rows = read.rows;
+        editor.before = Some(read.before);
+        editor.edited = read.edited;
+        let content = read.content;
         let kind = content.kind().info();
         Self {
             pane: kind.first,
@@ -166,15 +146,37 @@ impl Document {
         self.kind().tab(self.tab)
     }
 
-    /// Reads fields, result and validation from the text again.
-    ///
-    /// # Errors
-    /// All that is wrong; everything is then unchanged.
-    pub fn refresh(&mut self) -> Result<(), Vec<Diagnostic>> {
-        self.content.kind_mut().read(&self.editor)?;
-        let kind = self.content.kind();
-        self.editor.list_fields(|text| kind.rows(text));
-        self.content.kind_mut().validate(&self.editor);
-        Ok(())
+    /// The file of its text.
+    #[must_use]
+    pub fn file(&self) -> FileOfText {
+        let editor = &self.editor;
+        FileOfText {
+            kind: self.content.file_type(),
+            path: editor.path.clone(),
+            name: editor.file.clone(),
+            saved: editor.saved.clone(),
+            before: editor.before.clone(),
+        }
+    }
+
+    /// Takes a newer text with all that was read from it.
+    pub fn take(&mut self, read: Reading) {
+        self.content.kind_mut().renew(read.content);
+        self.editor.text = read.text;
+        self.editor.rows = read.rows;
+        self.editor.before = Some(read.before);
+        self.editor.edited = read.edited;
+        self.validate();
+    }
+
+    /// Updates the validation table where it is of more than the text: of runs, or of an analysis in the background.
+    pub fn validate(&mut self) {
+        if matches!(
+            self.content,
+            DocumentContent::Line(_) | DocumentContent::Ship(_)
+        ) {
+            let kind = self.content.kind_mut();
+            kind.validate(&self.editor.text, &self.editor.edited);
+        }
     }
 }

@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
+use super::document::DocumentContent;
 use super::parameter_editor::ParameterEditor;
-use crate::case::Diagnostic;
+use crate::case::EditedKey;
 use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::table::Table;
 use crate::tui::command::{Command, CommandId, MODEL};
-use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 
 /// A kind of file and its panes, and what is said of one file.
@@ -43,31 +43,11 @@ pub trait DocumentKind {
         (None, Table::default())
     }
 
-    /// The fields of a text of this kind; none where it is not TOML.
-    fn rows(&self, text: &str) -> Vec<FieldRow>;
+    /// Replaces the result by that of a newer text of the same kind; what the user looks at stays.
+    fn renew(&mut self, newer: DocumentContent);
 
-    /// A text of this kind with one key set.
-    ///
-    /// # Errors
-    /// What is wrong with that value, and what would be right.
-    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String>;
-
-    /// A text of this kind without an optional key; nothing where keys of this kind cannot be left out.
-    ///
-    /// # Errors
-    /// Why the key cannot be left out.
-    fn unset(&self, _text: &str, _key: &str) -> Option<Result<String, String>> {
-        None
-    }
-
-    /// Replaces the result by that of the text of the editor.
-    ///
-    /// # Errors
-    /// All that is wrong; the result is then unchanged.
-    fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>>;
-
-    /// Updates the validation table.
-    fn validate(&mut self, _source: &ParameterEditor) {}
+    /// Updates the validation table of a text, of whose inputs these are the user's.
+    fn validate(&mut self, _text: &str, _edited: &[EditedKey]) {}
 
     /// The validation table.
     fn checks(&self) -> &[ValidationRow] {

@@ -5,18 +5,18 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use super::curves::{RunCurves, RunEntry};
+use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::jobs::JobNumber;
 use super::modes::ModesView;
-use super::parameter_editor::ParameterEditor;
 use super::run_list::RunList;
 use super::variants::VariantPlan;
-use crate::case::{Case, Diagnostic, QuantityId, TextDigest, kind};
+use crate::case::{Case, EditedKey, QuantityId, TextDigest};
 use crate::report::figures::{FIGURES, FigureId};
 use crate::run::settings::method_name;
 use crate::run::{Run, RunState};
 use crate::tui::command::{Command, CommandId, LINE};
-use crate::tui::facade::{self, FieldRow, ValidationRow};
+use crate::tui::facade::{self, ValidationRow};
 use crate::tui::line_tables::LineTable;
 use crate::tui::msg::StudyOf;
 use crate::tui::pane::PaneId;
@@ -284,34 +284,24 @@ impl DocumentKind for LineView {
         }
     }
 
-    fn rows(&self, text: &str) -> Vec<FieldRow> {
-        kind::rows::<Case>(text)
+    fn renew(&mut self, newer: DocumentContent) {
+        let DocumentContent::Line(newer) = newer else {
+            return;
+        };
+        self.case = newer.case;
     }
 
-    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {
-        facade::set(text, key, value)
-    }
-
-    fn unset(&self, text: &str, key: &str) -> Option<Result<String, String>> {
-        Some(facade::unset(text, key))
-    }
-
-    fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
-        self.case = facade::parse_at(&source.text, &source.path, &source.file)?;
-        Ok(())
-    }
-
-    fn validate(&mut self, source: &ParameterEditor) {
+    fn validate(&mut self, text: &str, edited: &[EditedKey]) {
         let mut runs = Vec::new();
         // The variants follow when they are worked out.
-        if self.plan.text == source.text {
+        if self.plan.text == text {
             let needed = self.plan.of_published_values().iter();
             let found = needed.filter_map(|v| Some((v.at.clone(), self.complete_run(v.digest)?)));
             runs.extend(found);
-        } else if let Some(run) = self.complete_run(TextDigest::of(&source.text)) {
+        } else if let Some(run) = self.complete_run(TextDigest::of(text)) {
             runs.push((None, run));
         }
-        self.checks = facade::checks(&self.case, &source.edited, &runs);
+        self.checks = facade::checks(&self.case, edited, &runs);
     }
 
     fn checks(&self) -> &[ValidationRow] {

@@ -1,16 +1,19 @@
 //! A file open in the parameter editor: its text, its fields, and the edits that can be undone.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use tui_input::Input;
 
 use super::case_list::Filter;
+use super::reading::rows;
 use crate::case::edited::{self, EditedKey, Origin};
 use crate::case::shipped;
+use crate::kinds::FileType;
 use crate::tui::facade::FieldRow;
 
 /// The inputs of a file as it was opened, or as it is shipped: edits are told by them, also once they are saved.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct InputsBefore {
     /// The text that states them.
     text: String,
@@ -23,15 +26,28 @@ pub struct InputsBefore {
 }
 
 impl InputsBefore {
-    fn new(opened: &str, rows: impl Fn(&str) -> Vec<FieldRow>) -> Self {
+    /// The inputs of a file with this text.
+    #[must_use]
+    pub fn new(kind: FileType, opened: &str) -> Self {
         let shipped = shipped::of_title(opened);
         let text = shipped.unwrap_or(opened);
         Self {
             text: text.to_owned(),
-            rows: rows(text),
+            rows: rows(kind, text),
             shipped: shipped.is_some(),
             sourced: edited::is_sourced(text),
         }
+    }
+
+    /// Which of these fields are the user's, where the file now has this text.
+    #[must_use]
+    pub fn edited(&self, rows: &[FieldRow], saved: &str) -> Vec<EditedKey> {
+        let origin = match self.shipped {
+            true => Origin::Shipped,
+            false if saved == self.text => Origin::File,
+            false => Origin::Opened,
+        };
+        edited::edited(rows, &self.rows, origin, self.sourced)
     }
 }
 
@@ -98,8 +114,8 @@ pub struct ParameterEditor {
     pub text: String,
     /// The fields of the editor.
     pub rows: Vec<FieldRow>,
-    /// What the inputs were before the user's edits.
-    pub before: InputsBefore,
+    /// What the inputs were before the user's edits; absent until the text is read.
+    pub before: Option<Arc<InputsBefore>>,
     /// The inputs that are the user's.
     pub edited: Vec<EditedKey>,
     /// Texts before each edit, oldest first.
@@ -121,20 +137,25 @@ pub struct ParameterEditor {
 }
 
 impl ParameterEditor {
+    /// The name of a file.
+    #[must_use]
+    pub fn name_of(path: &Path) -> String {
+        path.file_name().map_or_else(
+            || "case.toml".to_owned(),
+            |name| name.to_string_lossy().into_owned(),
+        )
+    }
+
     /// A file as read, with its fields still to be listed.
     #[must_use]
     pub fn new(path: PathBuf, text: String) -> Self {
-        let file = path.file_name().map_or_else(
-            || "case.toml".to_owned(),
-            |name| name.to_string_lossy().into_owned(),
-        );
         Self {
+            file: Self::name_of(&path),
             path,
-            file,
             saved: text.clone(),
             text,
             rows: Vec::new(),
-            before: InputsBefore::default(),
+            before: None,
             edited: Vec::new(),
             undo: Vec::new(),
             redo: Vec::new(),
@@ -145,22 +166,6 @@ impl ParameterEditor {
             editing: None,
             kept: Vec::new(),
         }
-    }
-
-    /// Lists the fields of the text anew, and the inputs among them that are the user's.
-    pub fn list_fields(&mut self, rows: impl Fn(&str) -> Vec<FieldRow>) {
-        if self.before.text.is_empty() {
-            self.before = InputsBefore::new(&self.saved, &rows);
-        }
-        let before = &self.before;
-        let origin = match before.shipped {
-            true => Origin::Shipped,
-            false if self.saved == before.text => Origin::File,
-            false => Origin::Opened,
-        };
-        self.rows = rows(&self.text);
-        self.edited = edited::edited(&self.rows, &before.rows, origin, before.sourced);
-        edited::mark(&mut self.rows, &self.edited);
     }
 
     /// The name of the file without its ending.

@@ -2,16 +2,16 @@
 
 use std::path::PathBuf;
 
+use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::parameter_editor::ParameterEditor;
-use crate::case::{Diagnostic, kind};
+use crate::case::EditedKey;
 use crate::reference::{self, ValidationRow};
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::ropeway::{self as views, cargo, tables, winch};
 use crate::report::table::Table;
 use crate::ropeway::elastic::Carrier;
-use crate::ropeway::{ModelResults, Ropeway, RopewayError, SolvedRopeway, line, validation};
-use crate::tui::facade::{self, FieldRow};
+use crate::ropeway::{ModelResults, RopewayError, SolvedRopeway, line, validation};
 use crate::tui::pane::PaneId;
 
 /// A ropeway.
@@ -93,31 +93,25 @@ impl DocumentKind for RopewayView {
         }
     }
 
-    fn rows(&self, text: &str) -> Vec<FieldRow> {
-        kind::rows::<Ropeway>(text)
-    }
-
-    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {
-        kind::set::<Ropeway>(text, key, value).map_err(|all| facade::refusal(key, &all))
-    }
-
-    fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
-        let worked = kind::parse::<Ropeway>(&source.text, &source.file)?;
+    fn renew(&mut self, newer: DocumentContent) {
+        let DocumentContent::Ropeway(newer) = newer else {
+            return;
+        };
         // Where the file's own place changes, the cargo goes there.
-        let moved = self.worked.ropeway.cargo.position != worked.ropeway.cargo.position;
+        let moved = self.worked.ropeway.cargo.position != newer.worked.ropeway.cargo.position;
         let position = if moved {
-            worked.ropeway.cargo.position
+            newer.worked.ropeway.cargo.position
         } else {
             self.position
         };
-        self.worked = worked;
+        self.worked = newer.worked;
+        self.checks = newer.checks;
         self.put(position);
-        Ok(())
     }
 
-    fn validate(&mut self, source: &ParameterEditor) {
-        self.checks = validation::rows(&self.worked, &source.text);
-        reference::set_edited_aside(&mut self.checks, &source.edited);
+    fn validate(&mut self, text: &str, edited: &[EditedKey]) {
+        self.checks = validation::rows(&self.worked, text);
+        reference::set_edited_aside(&mut self.checks, edited);
     }
 
     fn checks(&self) -> &[ValidationRow] {

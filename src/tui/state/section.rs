@@ -2,15 +2,14 @@
 
 use std::path::PathBuf;
 
+use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::parameter_editor::ParameterEditor;
-use crate::case::{Diagnostic, kind};
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::section::{self as views, tables};
 use crate::report::table::Table;
 use crate::section::stiffness::EndRotation;
-use crate::section::{self, CrossSection, Design};
-use crate::tui::facade::{self, FieldRow};
+use crate::section::{self, Design};
 use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::PlotPane;
 
@@ -63,17 +62,11 @@ impl DocumentKind for SectionView {
         (None, table)
     }
 
-    fn rows(&self, text: &str) -> Vec<FieldRow> {
-        kind::rows::<CrossSection>(text)
-    }
-
-    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {
-        kind::set::<CrossSection>(text, key, value).map_err(|all| facade::refusal(key, &all))
-    }
-
-    fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
-        self.design = kind::parse::<CrossSection>(&source.text, &source.file)?;
-        Ok(())
+    fn renew(&mut self, newer: DocumentContent) {
+        let DocumentContent::Section(newer) = newer else {
+            return;
+        };
+        self.design = newer.design;
     }
 
     fn report_name(&self) -> (&'static str, &'static str) {

@@ -5,17 +5,17 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::parameter_editor::ParameterEditor;
-use crate::case::{Diagnostic, kind};
+use crate::case::EditedKey;
 use crate::numerics::V3;
 use crate::reference::{self, ValidationRow};
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::ship::{coupled, motion, rope, statics, text};
 use crate::report::table::Table;
 use crate::ship::rope::RopeAnalysis;
-use crate::ship::{self, DynamicAnalysis, MotionAnalysis, Ship, StaticAnalysis, validation};
-use crate::tui::facade::{self, FieldRow};
+use crate::ship::{self, DynamicAnalysis, MotionAnalysis, StaticAnalysis, validation};
 use crate::tui::pane::PaneId;
 
 /// A ship.
@@ -180,31 +180,24 @@ impl DocumentKind for ShipView {
         }
     }
 
-    fn rows(&self, text: &str) -> Vec<FieldRow> {
-        kind::rows::<Ship>(text)
-    }
-
-    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {
-        kind::set::<Ship>(text, key, value).map_err(|all| facade::refusal(key, &all))
-    }
-
-    fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
-        let statics = kind::parse::<Ship>(&source.text, &source.file)?;
+    fn renew(&mut self, newer: DocumentContent) {
+        let DocumentContent::Ship(newer) = newer else {
+            return;
+        };
         let count = |statics: &StaticAnalysis| statics.equilibria.as_ref().map_or(0, Vec::len);
-        if count(&statics) != count(&self.statics) {
-            self.equilibrium = text::governing(&statics);
+        if count(&newer.statics) != count(&self.statics) {
+            self.equilibrium = newer.equilibrium;
         }
-        self.statics = statics;
-        Ok(())
+        self.statics = newer.statics;
     }
 
-    fn validate(&mut self, source: &ParameterEditor) {
+    fn validate(&mut self, _text: &str, edited: &[EditedKey]) {
         let motion = self
             .dynamic
             .as_ref()
             .and_then(|dynamic| dynamic.motion.as_ref());
         self.checks = validation::rows(&self.statics.ship, motion);
-        reference::set_edited_aside(&mut self.checks, &source.edited);
+        reference::set_edited_aside(&mut self.checks, edited);
     }
 
     fn checks(&self) -> &[ValidationRow] {

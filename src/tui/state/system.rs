@@ -1,16 +1,16 @@
 //! A system of lines on the screen: its result and its validation table.
 
+use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::parameter_editor::ParameterEditor;
-use crate::case::{Diagnostic, kind};
+use crate::case::EditedKey;
 use crate::reference::{self, ValidationRow};
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::system::{self as views, analysis, tables};
 use crate::report::table::Table;
 use crate::system::analysis::periods::periods;
-use crate::system::{SolvedSystem, SystemFile, validation};
+use crate::system::{SolvedSystem, validation};
 use crate::tui::command::{Command, REPORTED};
-use crate::tui::facade::{self, FieldRow};
 use crate::tui::pane::PaneId;
 
 /// A system of lines.
@@ -135,22 +135,17 @@ impl DocumentKind for SystemView {
         REPORTED
     }
 
-    fn rows(&self, text: &str) -> Vec<FieldRow> {
-        kind::rows::<SystemFile>(text)
+    fn renew(&mut self, newer: DocumentContent) {
+        let DocumentContent::System(newer) = newer else {
+            return;
+        };
+        self.solved = newer.solved;
+        self.checks = newer.checks;
     }
 
-    fn set(&self, text: &str, key: &str, value: &str) -> Result<String, String> {
-        kind::set::<SystemFile>(text, key, value).map_err(|all| facade::refusal(key, &all))
-    }
-
-    fn read(&mut self, source: &ParameterEditor) -> Result<(), Vec<Diagnostic>> {
-        self.solved = kind::parse::<SystemFile>(&source.text, &source.file)?;
-        Ok(())
-    }
-
-    fn validate(&mut self, source: &ParameterEditor) {
+    fn validate(&mut self, _text: &str, edited: &[EditedKey]) {
         self.checks = validation::rows(&self.solved);
-        reference::set_edited_aside(&mut self.checks, &source.edited);
+        reference::set_edited_aside(&mut self.checks, edited);
     }
 
     fn checks(&self) -> &[ValidationRow] {

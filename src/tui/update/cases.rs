@@ -3,12 +3,10 @@
 use std::path::PathBuf;
 
 use super::notice::info;
-use super::{edit, jobs, results, runs, ship};
+use super::{jobs, results, runs, ship};
 use crate::tui::case_library::FIRST;
 use crate::tui::msg::{Effect, FileRead};
-use crate::tui::state::{
-    AppState, CaseEntry, Document, Overlay, ParameterEditor, Question, Severity,
-};
+use crate::tui::state::{AppState, CaseEntry, Document, Overlay, Question, Severity};
 
 pub(super) fn listed(state: &mut AppState, dir: PathBuf, entries: Vec<CaseEntry>) -> Vec<Effect> {
     let before = state.cases.current().map(|e| e.path.clone());
@@ -57,9 +55,8 @@ pub(super) fn rejected(
 
 pub(super) fn opened(state: &mut AppState, read: FileRead) -> Vec<Effect> {
     state.close();
-    let editor = ParameterEditor::new(read.path, read.text);
-    state.document = Some(Document::new(editor, read.content));
-    edit::refresh(state);
+    state.document = Some(Document::new(read.path, read.read));
+    runs::check(state);
     if let Some(editor) = state
         .document
         .as_mut()

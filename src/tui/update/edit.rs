@@ -10,7 +10,8 @@ use crate::run::settings::method_name;
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::key::KeyPress;
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Editing, Severity};
+use crate::tui::state::reading;
+use crate::tui::state::{AppState, Editing, Reading, Severity};
 
 const METHODS: [&str; 4] = ["static", "quasi", "rk4", "alpha"];
 
@@ -61,7 +62,8 @@ pub fn set(state: &mut AppState, key: &str, value: &str) -> Vec<Effect> {
     let Some(document) = &state.document else {
         return Vec::new();
     };
-    let text = document.kind().set(&document.editor.text, key, value);
+    let kind = document.content.file_type();
+    let text = reading::set(kind, &document.editor.text, key, value);
     take(state, text)
 }
 
@@ -81,12 +83,12 @@ fn accept(state: &mut AppState) -> Vec<Effect> {
         return Vec::new();
     };
     let value = editing.input.value().trim();
-    let (editor, kind) = (&document.editor, document.kind());
+    let (editor, kind) = (&document.editor, document.content.file_type());
     let mut rows = editor.rows.iter();
     let row = rows.find(|row| row.path == editing.path);
     let removed = row.filter(|row| value.is_empty() && optional(row));
-    let text = removed.and_then(|_| kind.unset(&editor.text, &editing.path));
-    let text = text.unwrap_or_else(|| kind.set(&editor.text, &editing.path, value));
+    let text = removed.and_then(|_| reading::unset(kind, &editor.text, &editing.path));
+    let text = text.unwrap_or_else(|| reading::set(kind, &editor.text, &editing.path, value));
     match text {
         Ok(text) => {
             // A value in place of its range.
@@ -199,7 +201,8 @@ pub(super) fn refresh(state: &mut AppState) {
         return;
     };
     // Edits are checked before they are taken; where an old text is no longer valid, the fields stay as they were.
-    let read = document.refresh();
+    let read = Reading::new(&document.file(), document.editor.text.clone());
+    let read = read.map(|read| document.take(read));
     let editor = &mut document.editor;
     editor.field = editor.field.min(editor.fields().count().saturating_sub(1));
     if let Err(all) = read {
@@ -215,19 +218,19 @@ pub fn reset(state: &mut AppState) -> Vec<Effect> {
     let Some(document) = &state.document else {
         return Vec::new();
     };
-    let (editor, kind) = (&document.editor, document.kind());
+    let (editor, kind) = (&document.editor, document.content.file_type());
     let Some(row) = editor.current_field() else {
         return Vec::new();
     };
-    let saved = kind.rows(&editor.saved);
+    let saved = reading::rows(kind, &editor.saved);
     let saved = saved.iter().find(|saved| saved.path == row.path);
     let added = saved.is_some_and(|saved| !saved.given) && optional(row);
-    if added && let Some(text) = kind.unset(&editor.text, &row.path) {
+    if added && let Some(text) = reading::unset(kind, &editor.text, &row.path) {
         return take(state, text);
     }
     match saved.filter(|saved| !saved.value.is_empty()) {
         Some(saved) => {
-            let text = kind.set(&editor.text, &saved.path, &saved.value);
+            let text = reading::set(kind, &editor.text, &saved.path, &saved.value);
             take(state, text)
         }
         None => info(
@@ -288,9 +291,7 @@ pub(super) fn recover(state: &mut AppState, text: String) -> Vec<Effect> {
         return Vec::new();
     };
     let path = document.editor.path.clone();
-    let mut recovered = document.clone();
-    recovered.editor.text.clone_from(&text);
-    if let Err(all) = recovered.refresh() {
+    if let Err(all) = Reading::new(&document.file(), text.clone()) {
         let problem = facade::first(&all, &document.editor.file);
         return warn(
             state,

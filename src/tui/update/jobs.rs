@@ -3,15 +3,17 @@
 use super::notice::info;
 use super::trials;
 use crate::case::{Case, StudyPoint, TextDigest};
+use crate::kinds::FileType;
 use crate::run::ResumedRun;
 use crate::run::job::Request;
 use crate::run::settings::method_name;
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
+use crate::tui::state::reading::rows;
 use crate::tui::state::{
-    AppState, Document, DocumentKind, JobLine, JobNumber, JobPurpose, JobState, LineView,
-    ParameterEditor, QueuedRequest, RunCurves, RunEntry, RunStatus,
+    AppState, Document, JobLine, JobNumber, JobPurpose, JobState, ParameterEditor, QueuedRequest,
+    RunCurves, RunEntry, RunStatus,
 };
 
 /// Solves the edited case in the background; the newest wins.
@@ -22,7 +24,7 @@ pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
     let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
         return effects;
     };
-    let request = request(line, editor, &editor.text, line.case.clone(), "live");
+    let request = request(editor, &editor.text, line.case.clone(), "live");
     let live = &mut line.live;
     live.going = Some(RunCurves::default());
     live.going_text.clone_from(&editor.text);
@@ -66,27 +68,27 @@ pub(super) fn job_line(
     }
 }
 
-fn request(line: &LineView, editor: &ParameterEditor, text: &str, case: Case, id: &str) -> Request {
+fn request(editor: &ParameterEditor, text: &str, case: Case, id: &str) -> Request {
     Request {
         case,
         text: text.to_owned(),
         file: editor.file.clone(),
-        overrides: overrides(line, editor, text),
+        overrides: overrides(editor, text),
         id: id.to_owned(),
     }
 }
 
 /// The keys in which a text differs from the file, as `key=value`.
-pub(super) fn overrides(line: &LineView, editor: &ParameterEditor, text: &str) -> Vec<String> {
+pub(super) fn overrides(editor: &ParameterEditor, text: &str) -> Vec<String> {
     if text == editor.saved {
         return Vec::new();
     }
-    let saved = line.rows(&editor.saved);
+    let saved = rows(FileType::Line, &editor.saved);
     let changed = |row: &FieldRow| {
         let old = saved.iter().find(|old| old.path == row.path);
         old.is_none_or(|old| old.value != row.value)
     };
-    let rows = line.rows(text).into_iter();
+    let rows = rows(FileType::Line, text).into_iter();
     rows.filter(changed)
         .map(|row| format!("{}={}", row.path, row.value))
         .collect()
@@ -133,7 +135,7 @@ pub(super) fn enqueue(
     let label = at
         .as_ref()
         .map_or_else(String::new, |at| facade::at_label(&line.case, at));
-    let request = request(line, editor, text, case, editor.stem());
+    let request = request(editor, text, case, editor.stem());
     queue(state, request, None, label, at, shown);
 }
 

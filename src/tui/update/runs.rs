@@ -285,7 +285,7 @@ pub(super) fn deleted(state: &mut AppState, dirs: &[PathBuf]) -> Vec<Effect> {
 /// Updates the validation table from the runs of the edited case, and the report where it is seen.
 pub(super) fn check(state: &mut AppState) {
     if let Some(document) = &mut state.document {
-        document.content.kind_mut().validate(&document.editor);
+        document.validate();
         if document.pane == PaneId::Report {
             export::make_report(document);
         }

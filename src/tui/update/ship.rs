@@ -51,6 +51,6 @@ pub(super) fn computed(
     }
     ship.running = None;
     ship.dynamic = dynamic;
-    document.content.kind_mut().validate(&document.editor);
+    document.validate();
     Some(())
 }

@@ -223,7 +223,7 @@ pub(super) fn begin(state: &mut AppState) -> Vec<Effect> {
         return Vec::new();
     };
     // What was edited is part of every run, but for the keys that vary.
-    let mut overrides = jobs::overrides(line, editor, &editor.text);
+    let mut overrides = jobs::overrides(editor, &editor.text);
     overrides.retain(|set| {
         let key = set.split('=').next();
         variation

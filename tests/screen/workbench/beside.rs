@@ -17,12 +17,7 @@ fn write(folder: &Path) -> FileRead {
     let path = folder.join("body.toml");
     std::fs::write(&path, CASE.replacen("kind = \"fixed\"", moving, 1)).unwrap();
     let loaded = case::load(&path).unwrap();
-    FileRead {
-        path,
-        text: loaded.text,
-        content: content_of(loaded.case),
-        recovered: None,
-    }
+    FileRead::new(path, loaded.text, content_of(loaded.case), None)
 }
 
 #[test]

@@ -90,12 +90,12 @@ impl Desk {
     /// The case open, with its live solve on its way.
     pub(crate) fn opening(size: (u16, u16)) -> Self {
         let mut desk = Self::new(size);
-        desk.tell(Msg::FileRead(Box::new(FileRead {
-            path: PathBuf::from("cases/body.toml"),
-            text: CASE.to_owned(),
-            content: content_of(case::parse(CASE, "body.toml").unwrap()),
-            recovered: None,
-        })));
+        desk.tell(Msg::FileRead(Box::new(FileRead::new(
+            PathBuf::from("cases/body.toml"),
+            CASE.to_owned(),
+            content_of(case::parse(CASE, "body.toml").unwrap()),
+            None,
+        ))));
         desk
     }
 

@@ -46,12 +46,12 @@ fn hostile() -> Desk {
     check(&desk, "the list");
     assert!(desk.screen().contains(SEEN), "{}", desk.screen());
     let case = case::parse(&text, HOSTILE).unwrap();
-    desk.tell(Msg::FileRead(Box::new(FileRead {
+    desk.tell(Msg::FileRead(Box::new(FileRead::new(
         path,
         text,
-        content: content_of(case),
-        recovered: None,
-    })));
+        content_of(case),
+        None,
+    ))));
     desk.finish_jobs();
     desk
 }

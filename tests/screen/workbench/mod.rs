@@ -326,12 +326,12 @@ fn a_file_that_cannot_be_written_offers_another_name() {
 fn edits_of_an_earlier_session_are_offered() {
     let mut desk = Desk::new(SMALL);
     let edited = desk::CASE.replace("= 0.3", "= 0.7");
-    desk.tell(Msg::FileRead(Box::new(seacable::tui::msg::FileRead {
-        path: PathBuf::from("cases/body.toml"),
-        text: desk::CASE.to_owned(),
-        content: content_of(seacable::case::parse(desk::CASE, "body.toml").unwrap()),
-        recovered: Some(edited.clone()),
-    })));
+    desk.tell(Msg::FileRead(Box::new(seacable::tui::msg::FileRead::new(
+        PathBuf::from("cases/body.toml"),
+        desk::CASE.to_owned(),
+        content_of(seacable::case::parse(desk::CASE, "body.toml").unwrap()),
+        Some(edited.clone()),
+    ))));
     desk.keys("r");
     assert_eq!(desk.state.editor().unwrap().text, edited);
     assert!(desk.state.editor().unwrap().unsaved());

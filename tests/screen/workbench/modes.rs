@@ -19,12 +19,12 @@ use super::{LARGE, SMALL, said, snapshot};
 /// A case that comes with the program, open.
 fn open(size: (u16, u16), file: &str, text: &str) -> Desk {
     let mut desk = Desk::new(size);
-    desk.tell(Msg::FileRead(Box::new(FileRead {
-        path: PathBuf::from("cases").join(file),
-        text: text.to_owned(),
-        content: content_of(case::parse(text, file).unwrap()),
-        recovered: None,
-    })));
+    desk.tell(Msg::FileRead(Box::new(FileRead::new(
+        PathBuf::from("cases").join(file),
+        text.to_owned(),
+        content_of(case::parse(text, file).unwrap()),
+        None,
+    ))));
     desk
 }
 

@@ -23,12 +23,12 @@ fn cable(size: (u16, u16)) -> Desk {
         .replace("segments = 120", "segments = 30")
         .replace("segments = 100", "segments = 25");
     let mut desk = Desk::new(size);
-    desk.tell(Msg::FileRead(Box::new(FileRead {
-        path: PathBuf::from("cases/regular_wave.toml"),
-        content: content_of(case::parse(&text, "regular_wave.toml").unwrap()),
-        text,
-        recovered: None,
-    })));
+    desk.tell(Msg::FileRead(Box::new(FileRead::new(
+        PathBuf::from("cases/regular_wave.toml"),
+        text.clone(),
+        content_of(case::parse(&text, "regular_wave.toml").unwrap()),
+        None,
+    ))));
     for (ticket, request) in desk.started() {
         let mut run = job::execute(&request, &AtomicBool::new(false), &mut |_| ());
         // The time it took is another one every time.

@@ -19,14 +19,14 @@ impl Desk {
     /// The ropeway of 80 m, open.
     pub(crate) fn with_ropeway(size: (u16, u16)) -> Self {
         let mut desk = Self::new(size);
-        desk.tell(Msg::FileRead(Box::new(FileRead {
-            path: PathBuf::from("cases/span_80.toml"),
-            text: TEXT.to_owned(),
-            content: DocumentContent::Ropeway(Box::new(RopewayView::new(
+        desk.tell(Msg::FileRead(Box::new(FileRead::new(
+            PathBuf::from("cases/span_80.toml"),
+            TEXT.to_owned(),
+            DocumentContent::Ropeway(Box::new(RopewayView::new(
                 kind::parse::<Ropeway>(TEXT, "span_80.toml").unwrap(),
             ))),
-            recovered: None,
-        })));
+            None,
+        ))));
         desk
     }
 }

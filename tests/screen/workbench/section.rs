@@ -18,14 +18,14 @@ impl Desk {
     /// The cross-section of the umbilical, open.
     pub(crate) fn with_section(size: (u16, u16)) -> Self {
         let mut desk = Self::new(size);
-        desk.tell(Msg::FileRead(Box::new(FileRead {
-            path: PathBuf::from("cases/section.toml"),
-            text: TEXT.to_owned(),
-            content: DocumentContent::Section(Box::new(SectionView::new(
+        desk.tell(Msg::FileRead(Box::new(FileRead::new(
+            PathBuf::from("cases/section.toml"),
+            TEXT.to_owned(),
+            DocumentContent::Section(Box::new(SectionView::new(
                 kind::parse::<CrossSection>(TEXT, "section.toml").unwrap(),
             ))),
-            recovered: None,
-        })));
+            None,
+        ))));
         desk
     }
 }

@@ -28,12 +28,12 @@ impl Desk {
     pub(crate) fn with_ship(size: (u16, u16)) -> Self {
         let mut desk = Self::new(size);
         let rest = kind::parse::<Ship>(&text(), "anchored.toml").unwrap();
-        desk.tell(Msg::FileRead(Box::new(FileRead {
-            path: PathBuf::from("cases/ship/anchored.toml"),
-            text: text(),
-            content: DocumentContent::Ship(Box::new(ShipView::new(rest))),
-            recovered: None,
-        })));
+        desk.tell(Msg::FileRead(Box::new(FileRead::new(
+            PathBuf::from("cases/ship/anchored.toml"),
+            text(),
+            DocumentContent::Ship(Box::new(ShipView::new(rest))),
+            None,
+        ))));
         desk
     }
 

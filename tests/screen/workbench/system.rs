@@ -19,14 +19,14 @@ impl Desk {
     /// The platform on three split lines, open.
     pub(crate) fn with_system(size: (u16, u16)) -> Self {
         let mut desk = Self::new(size);
-        desk.tell(Msg::FileRead(Box::new(FileRead {
-            path: PathBuf::from("cases/crows_foot.toml"),
-            text: TEXT.to_owned(),
-            content: DocumentContent::System(Box::new(SystemView::new(
+        desk.tell(Msg::FileRead(Box::new(FileRead::new(
+            PathBuf::from("cases/crows_foot.toml"),
+            TEXT.to_owned(),
+            DocumentContent::System(Box::new(SystemView::new(
                 kind::parse::<SystemFile>(TEXT, "crows_foot.toml").unwrap(),
             ))),
-            recovered: None,
-        })));
+            None,
+        ))));
         desk
     }
 }

@@ -17,12 +17,12 @@ const WAVE: &str = include_str!("../../../cases/umbilical/steep_wave.toml");
 /// The case open with its live solve complete, computed for real: statics are quick.
 fn wave(size: (u16, u16)) -> Desk {
     let mut desk = Desk::new(size);
-    desk.tell(Msg::FileRead(Box::new(FileRead {
-        path: PathBuf::from("cases/steep_wave.toml"),
-        text: WAVE.to_owned(),
-        content: content_of(case::parse(WAVE, "steep_wave.toml").unwrap()),
-        recovered: None,
-    })));
+    desk.tell(Msg::FileRead(Box::new(FileRead::new(
+        PathBuf::from("cases/steep_wave.toml"),
+        WAVE.to_owned(),
+        content_of(case::parse(WAVE, "steep_wave.toml").unwrap()),
+        None,
+    ))));
     compute(&mut desk);
     desk
 }

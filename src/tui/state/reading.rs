@@ -1,0 +1,185 @@
+//! A text read as a file of its kind: its content, its fields, and which of them are the user's.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::document::DocumentContent;
+use super::line::LineView;
+use super::parameter_editor::InputsBefore;
+use super::ropeway::RopewayView;
+use super::section::SectionView;
+use super::ship::ShipView;
+use super::system::SystemView;
+use crate::case::edited::{self, EditedKey};
+use crate::case::{self, Case, Diagnostic, kind};
+use crate::kinds::FileType;
+use crate::ropeway::Ropeway;
+use crate::section::CrossSection;
+use crate::ship::Ship;
+use crate::system::SystemFile;
+use crate::tui::facade::{self, FieldRow};
+
+/// A file, apart from its text.
+#[derive(Debug, Clone)]
+pub struct FileOfText {
+    /// Its kind.
+    pub kind: FileType,
+    /// Where it is.
+    pub path: PathBuf,
+    /// Its name in messages.
+    pub name: String,
+    /// Its text as read or saved last.
+    pub saved: String,
+    /// What its inputs were before the user's edits; absent: those of `saved`.
+    pub before: Option<Arc<InputsBefore>>,
+}
+
+/// A text as read.
+#[derive(Debug, Clone)]
+pub struct Reading {
+    /// The text.
+    pub text: String,
+    /// Its content, with the validation table where that needs no runs.
+    pub content: DocumentContent,
+    /// Its fields.
+    pub rows: Vec<FieldRow>,
+    /// What its inputs were before the user's edits.
+    pub before: Arc<InputsBefore>,
+    /// The inputs that are the user's.
+    pub edited: Vec<EditedKey>,
+}
+
+impl Reading {
+    /// Reads a text of a file.
+    ///
+    /// # Errors
+    /// All that is wrong with it.
+    pub fn new(file: &FileOfText, text: String) -> Result<Self, Vec<Diagnostic>> {
+        let content = content(file.kind, &text, &file.path, &file.name)?;
+        Ok(Self::of(file, text, content))
+    }
+
+    /// The reading of a text with this content.
+    #[must_use]
+    pub fn of(file: &FileOfText, text: String, mut content: DocumentContent) -> Self {
+        let before = file.before.clone();
+        let before = before.unwrap_or_else(|| Arc::new(InputsBefore::new(file.kind, &file.saved)));
+        let mut rows = rows(file.kind, &text);
+        let edited = before.edited(&rows, &file.saved);
+        edited::mark(&mut rows, &edited);
+        content.kind_mut().validate(&text, &edited);
+        Self {
+            text,
+            content,
+            rows,
+            before,
+            edited,
+        }
+    }
+}
+
+/// The text of a file and its content, by the kind of the file.
+///
+/// # Errors
+/// Everything that is wrong with the file.
+pub fn read_file(path: &Path) -> Result<(String, DocumentContent), Vec<Diagnostic>> {
+    Ok(match FileType::of(path) {
+        FileType::Line => {
+            let file = case::load(path)?;
+            (
+                file.text,
+                DocumentContent::Line(Box::new(LineView::new(file.case))),
+            )
+        }
+        FileType::Section => {
+            let file = kind::load::<CrossSection>(path)?;
+            let view = SectionView::new(file.computed);
+            (file.text, DocumentContent::Section(Box::new(view)))
+        }
+        FileType::Ropeway => {
+            let file = kind::load::<Ropeway>(path)?;
+            let view = RopewayView::new(file.computed);
+            (file.text, DocumentContent::Ropeway(Box::new(view)))
+        }
+        FileType::Ship => {
+            let file = kind::load::<Ship>(path)?;
+            let view = ShipView::new(file.computed);
+            (file.text, DocumentContent::Ship(Box::new(view)))
+        }
+        FileType::System => {
+            let file = kind::load::<SystemFile>(path)?;
+            let view = SystemView::new(file.computed);
+            (file.text, DocumentContent::System(Box::new(view)))
+        }
+    })
+}
+
+/// The content of a text; a case may name files beside its own.
+///
+/// # Errors
+/// All that is wrong with it.
+pub fn content(
+    kind: FileType,
+    text: &str,
+    path: &Path,
+    file: &str,
+) -> Result<DocumentContent, Vec<Diagnostic>> {
+    Ok(match kind {
+        FileType::Line => {
+            let case = facade::parse_at(text, path, file)?;
+            DocumentContent::Line(Box::new(LineView::new(case)))
+        }
+        FileType::Section => {
+            let design = kind::parse::<CrossSection>(text, file)?;
+            DocumentContent::Section(Box::new(SectionView::new(design)))
+        }
+        FileType::Ropeway => {
+            let worked = kind::parse::<Ropeway>(text, file)?;
+            DocumentContent::Ropeway(Box::new(RopewayView::new(worked)))
+        }
+        FileType::Ship => {
+            let statics = kind::parse::<Ship>(text, file)?;
+            DocumentContent::Ship(Box::new(ShipView::new(statics)))
+        }
+        FileType::System => {
+            let solved = kind::parse::<SystemFile>(text, file)?;
+            DocumentContent::System(Box::new(SystemView::new(solved)))
+        }
+    })
+}
+
+/// The fields of a text; none where it is not TOML.
+#[must_use]
+pub fn rows(kind: FileType, text: &str) -> Vec<FieldRow> {
+    match kind {
+        FileType::Line => kind::rows::<Case>(text),
+        FileType::Section => kind::rows::<CrossSection>(text),
+        FileType::Ropeway => kind::rows::<Ropeway>(text),
+        FileType::Ship => kind::rows::<Ship>(text),
+        FileType::System => kind::rows::<SystemFile>(text),
+    }
+}
+
+/// A text with one key set.
+///
+/// # Errors
+/// What is wrong with that value, and what would be right.
+pub fn set(kind: FileType, text: &str, key: &str, value: &str) -> Result<String, String> {
+    let set = match kind {
+        FileType::Line => return facade::set(text, key, value),
+        FileType::Section => kind::set::<CrossSection>(text, key, value),
+        FileType::Ropeway => kind::set::<Ropeway>(text, key, value),
+        FileType::Ship => kind::set::<Ship>(text, key, value),
+        FileType::System => kind::set::<SystemFile>(text, key, value),
+    };
+    set.map_err(|all| facade::refusal(key, &all))
+}
+
+/// A text without an optional key; nothing where keys of this kind cannot be left out.
+///
+/// # Errors
+/// Why the key cannot be left out.
+#[must_use]
+pub fn unset(kind: FileType, text: &str, key: &str) -> Option<Result<String, String>> {
+    (kind == FileType::Line).then(|| facade::unset(text, key))
+}
