@@ -274,14 +274,15 @@ impl VariationView<'_> {
         let values = by_x.iter().flat_map(|x| by_y.iter().map(|y| value(*x, *y)));
         let map = GridMap {
             values: values.collect(),
-            x: by_x.iter().map(|i| along(first, xs[*i])).collect(),
-            y: by_y.iter().map(|i| along(second, ys[*i])).collect(),
+            x: by_x.iter().map(|i| xs[*i]).collect(),
+            y: by_y.iter().map(|i| ys[*i]).collect(),
             of: Axis::new(&id.to_string(), &id.unit()),
         };
         let title = format!("{id} against {} and {}", first.path, second.path);
+        let (along, up) = (across(first, &map.x), across(second, &map.y));
         Chart {
             map: Some(map),
-            ..Chart::new(title, map_axis(first), map_axis(second), Vec::new())
+            ..Chart::new(title, along, up, Vec::new())
         }
     }
 }
@@ -328,21 +329,12 @@ fn axis(key: &VariedKey) -> Axis {
     }
 }
 
-/// Where a value lies on the axis of its key on a map, whose axes are linear: even ratios are even steps of the logarithm.
-fn along(key: &VariedKey, value: f64) -> f64 {
-    match key.range.spacing {
-        Spacing::Logarithmic => value.log10(),
-        Spacing::Linear | Spacing::Listed => value,
-    }
-}
-
-fn map_axis(key: &VariedKey) -> Axis {
-    match key.range.spacing {
-        Spacing::Logarithmic => Axis::new(
-            &format!("log10 of {} in {}", key.field.label, key.field.unit),
-            "",
-        ),
-        Spacing::Linear | Spacing::Listed => Axis::new(key.field.label, key.unit()),
+/// The axis of a key on a map: from the least of its values, in increasing order, to the greatest.
+fn across(key: &VariedKey, values: &[f64]) -> Axis {
+    let ends = values.first().copied().zip(values.last().copied());
+    Axis {
+        range: ends,
+        ..axis(key)
     }
 }
 

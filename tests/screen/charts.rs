@@ -183,6 +183,39 @@ fn stripes_lean_where_waves_travel_and_are_upright_where_they_stand() {
 }
 
 #[test]
+fn a_map_has_logarithmic_axes_with_values_in_their_unit() {
+    let y: Vec<f64> = (0..=6).map(|i| 10_f64.powf(f64::from(i) / 3.0)).collect();
+    let x: Vec<f64> = (0..=4).map(f64::from).collect();
+    let value = |x: &f64, y: &f64| x * y.log10() - 2.0;
+    let values = x.iter().flat_map(|x| y.iter().map(move |y| value(x, y)));
+    let ends = |axis: &[f64]| axis.first().copied().zip(axis.last().copied());
+    let chart = Chart {
+        map: Some(GridMap {
+            values: values.collect(),
+            of: Axis::new("displacement", "m"),
+            x: x.clone(),
+            y: y.clone(),
+        }),
+        ..Chart::new(
+            "A map over even ratios",
+            Axis {
+                range: ends(&x),
+                ..Axis::new("time", "s")
+            },
+            Axis {
+                range: ends(&y),
+                scale: AxisScale::Log,
+                ..Axis::new("drag area", "m²")
+            },
+            Vec::new(),
+        )
+    };
+    let text = draw(&chart, 80, 20, Glyphs::Braille).to_text();
+    assert!(text.contains("drag area, log [m²]"), "{text}");
+    accept("chart_map_log", &text);
+}
+
+#[test]
 fn a_map_is_read_at_both_cursors() {
     let chart = Chart {
         cursor: Some(20.0),

@@ -13,7 +13,7 @@ use super::picture::{Picture, PicturePart, PlotFrame};
 use super::range::{AxisRange, equalise, extent, fit, fit_above_noise, sane};
 use super::scale::{AxisScale, log_range};
 use super::ticks::{self, Tick};
-use super::{Axis, Chart, Glyphs, LimitLine, Series};
+use super::{Axis, Chart, Glyphs, GridMap, LimitLine, Series};
 use crate::report::plain;
 
 /// Draws a chart into so many columns and rows. Any size will do: what has no room is left out
@@ -158,7 +158,9 @@ type Shown = (AxisRange, AxisScale);
 /// What both axes show: as asked for, or all visible data.
 fn ranges(chart: &Chart) -> (Shown, Shown) {
     let shown = || chart.series.iter().filter(|series| series.visible);
+    let grid = |of: fn(&GridMap) -> &[f64]| chart.map.iter().flat_map(of).copied();
     let xs = shown().flat_map(|s| s.points.iter().map(|p| p.0));
+    let xs = xs.chain(grid(|map| &map.x));
     let x = log(chart, &chart.x, xs.clone()).unwrap_or_else(|| {
         let range = chart.x.range;
         let range = range.map_or_else(|| fit(extent(xs)), sane);
@@ -170,7 +172,7 @@ fn ranges(chart: &Chart) -> (Shown, Shown) {
         LimitLine::Band { y, .. } => vec![y.0, y.1],
         _ => Vec::new(),
     });
-    let ys = ys.chain(bands);
+    let ys = ys.chain(bands).chain(grid(|map| &map.y));
     let y = log(chart, &chart.y, ys.clone()).unwrap_or_else(|| {
         let range = chart.y.range;
         let range = range.map_or_else(|| fit_above_noise(extent(ys), &chart.y.unit), sane);
@@ -181,7 +183,7 @@ fn ranges(chart: &Chart) -> (Shown, Shown) {
 
 /// What a logarithmic axis shows; nothing where the axis is linear.
 fn log(chart: &Chart, axis: &Axis, values: impl Iterator<Item = f64>) -> Option<Shown> {
-    let wanted = axis.scale == AxisScale::Log && !chart.equal_scale && chart.map.is_none();
+    let wanted = axis.scale == AxisScale::Log && !chart.equal_scale;
     let range = wanted.then(|| log_range(axis.range, values)).flatten()?;
     Some((range, AxisScale::Log))
 }

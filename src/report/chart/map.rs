@@ -3,10 +3,10 @@
 //! repeat the sign where there is colour.
 
 use super::picture::{Picture, PicturePart, PlotFrame};
-use super::{Axis, Glyphs};
+use super::{Axis, AxisScale, Glyphs};
 use crate::report::number;
 
-/// Values on a grid; between its points they are interpolated on both axes.
+/// Values on a grid; between its points they are interpolated along both axes as these are drawn.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct GridMap {
     /// Places along the x axis, increasing.
@@ -28,10 +28,11 @@ const ORDER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 
 const SCALE: usize = 10;
 
 impl GridMap {
-    /// The value at a place; nothing outside the grid, or where the values around are not finite.
+    /// The value at a place on axes of these scales; nothing outside the grid, or where the values around are not finite.
     #[must_use]
-    pub fn at(&self, x: f64, y: f64) -> Option<f64> {
-        let (x, y) = (bracket(&self.x, x)?, bracket(&self.y, y)?);
+    pub fn at(&self, (x, along): (f64, AxisScale), (y, up): (f64, AxisScale)) -> Option<f64> {
+        let x = bracket(&places(&self.x, along), along.place(x))?;
+        let y = bracket(&places(&self.y, up), up.place(y))?;
         self.between(x, y)
     }
 
@@ -74,12 +75,15 @@ impl GridMap {
     /// Shades the plot.
     pub(super) fn draw(&self, frame: PlotFrame, glyphs: Glyphs, on: &mut Picture) {
         let (nx, ny) = frame.dot_count();
-        let spread = |range: (f64, f64), n: usize, grid: &[f64]| -> Vec<Option<(usize, f64)>> {
-            let step = (range.1 - range.0) / (n.max(2) - 1) as f64;
-            let places = (0..n).map(|i| range.0 + step * i as f64);
-            places.map(|place| bracket(grid, place)).collect()
+        let spread = |range: (f64, f64), scale: AxisScale, n: usize, grid: &[f64]| {
+            let (from, to) = scale.places(range);
+            let step = (to - from) / (n.max(2) - 1) as f64;
+            let grid = places(grid, scale);
+            let dots = (0..n).map(|i| bracket(&grid, from + step * i as f64));
+            dots.collect::<Vec<Option<(usize, f64)>>>()
         };
-        let (along, up) = (spread(frame.x, nx, &self.x), spread(frame.y, ny, &self.y));
+        let along = spread(frame.x, frame.x_scale, nx, &self.x);
+        let up = spread(frame.y, frame.y_scale, ny, &self.y);
         let whole = self.greatest();
         let level = |column: usize, dot: usize| {
             let value = self.between((*along.get(column)?)?, (*up.get(dot)?)?)?;
@@ -126,6 +130,11 @@ impl GridMap {
         }
         on.write(at + 1, row, &end, PicturePart::Legend);
     }
+}
+
+/// Where the points of a grid lie along an axis of this scale.
+fn places(grid: &[f64], scale: AxisScale) -> Vec<f64> {
+    grid.iter().map(|value| scale.place(*value)).collect()
 }
 
 /// Between which points of a grid a place lies, as the number of the first and the part of the way to the next.
@@ -199,11 +208,12 @@ mod tests {
     #[test]
     fn values_are_read_between_the_points() {
         let map = saddle();
-        assert_eq!(map.at(0.0, 1.0), Some(1.0));
-        assert_eq!(map.at(0.5, 2.0), Some(3.0));
-        assert_eq!(map.at(2.0, 0.0), Some(-1.0));
-        assert_eq!(map.at(3.0, 2.0), None);
-        assert_eq!(map.at(3.1, 0.0), None);
+        let at = |map: &GridMap, x, y| map.at((x, AxisScale::Linear), (y, AxisScale::Linear));
+        assert_eq!(at(&map, 0.0, 1.0), Some(1.0));
+        assert_eq!(at(&map, 0.5, 2.0), Some(3.0));
+        assert_eq!(at(&map, 2.0, 0.0), Some(-1.0));
+        assert_eq!(at(&map, 3.0, 2.0), None);
+        assert_eq!(at(&map, 3.1, 0.0), None);
         assert!((map.greatest() - 4.0).abs() < 1e-15);
         let row = GridMap {
             x: vec![0.0, 1.0],
@@ -211,8 +221,24 @@ mod tests {
             values: vec![1.0, 2.0],
             ..GridMap::default()
         };
-        assert_eq!(row.at(0.5, 5.0), Some(1.5));
-        assert_eq!(GridMap::default().at(0.0, 0.0), None);
+        assert_eq!(at(&row, 0.5, 5.0), Some(1.5));
+        assert_eq!(at(&GridMap::default(), 0.0, 0.0), None);
+    }
+
+    #[test]
+    fn on_a_logarithmic_axis_the_middle_is_the_geometric_mean() {
+        let map = GridMap {
+            x: vec![1.0, 100.0],
+            y: vec![0.0, 1.0],
+            values: vec![1.0, 1.0, 3.0, 3.0],
+            ..GridMap::default()
+        };
+        let found = map.at((10.0, AxisScale::Log), (0.5, AxisScale::Linear));
+        assert!((found.unwrap() - 2.0).abs() < 1e-12);
+        assert_eq!(
+            map.at((-1.0, AxisScale::Log), (0.5, AxisScale::Linear)),
+            None
+        );
     }
 
     #[test]

@@ -100,7 +100,7 @@ pub struct Axis {
     pub unit: String,
     /// What is shown, from where to where; absent: all the data, widened to round numbers.
     pub range: Option<AxisRange>,
-    /// How values are spread over it; linear all the same where none is positive, to equal scale and on a map.
+    /// How values are spread over it; linear all the same where none is positive, and to equal scale.
     pub scale: AxisScale,
 }
 

@@ -54,7 +54,7 @@ pub enum ReadoutMethod {
 #[must_use]
 pub fn readout(chart: &Chart, x: f64) -> Vec<Readout> {
     if let Some((map, y)) = chart.map.as_ref().zip(chart.cursor_y) {
-        let value = map.at(x, y);
+        let value = map.at((x, chart.x.scale), (y, chart.y.scale));
         return vec![Readout {
             label: format!("{} at {}", map.of.label, number::si(y, &chart.y.unit)),
             x,
