@@ -10,7 +10,10 @@ use super::{Chart, Series, marker};
 const BEFORE: usize = 3;
 
 /// The narrowest picture with names at its right.
-const NARROWEST: usize = 56;
+const NARROWEST: usize = 40;
+
+/// The names leave the plot two thirds of the picture.
+const SHARE: usize = 3;
 
 /// Columns that the names take to the right of the plot; none where there is no room for all, or their curves have no right ends.
 pub(super) fn columns(chart: &Chart, width: usize, height: usize) -> usize {
@@ -18,7 +21,7 @@ pub(super) fn columns(chart: &Chart, width: usize, height: usize) -> usize {
     let shown: Vec<&Series> = visible(chart).collect();
     let widest = shown.iter().map(|series| series.label.width()).max();
     let columns = widest.map_or(0, |widest| widest + BEFORE);
-    let room = width >= NARROWEST && 4 * columns <= width && 2 * shown.len() <= height;
+    let room = width >= NARROWEST && SHARE * columns <= width && 2 * shown.len() <= height;
     if fits && room { columns } else { 0 }
 }
 
