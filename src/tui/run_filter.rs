@@ -59,6 +59,14 @@ impl RunFilter {
         }
     }
 
+    /// Whether a run that passes the filter typed now has passed the one typed before: letters were added to words, and nothing else
+    /// is asked.
+    #[must_use]
+    pub fn narrows(before: &str, now: &str) -> bool {
+        let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, ' ' | '-' | '_' | '.');
+        now.starts_with(before) && !before.trim().is_empty() && now.chars().all(is_plain)
+    }
+
     /// Whether it asks for words, which are looked for in the text of a run.
     #[must_use]
     pub fn has_words(&self) -> bool {

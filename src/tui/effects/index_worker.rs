@@ -146,7 +146,10 @@ impl Keeper {
         }
         let now = changed(self.index.root());
         if now != self.changed {
-            (self.changed, self.noticed) = (now, Instant::now());
+            // Runs that came long before the program began are there in full.
+            let since = now.and_then(|at| at.elapsed().ok()).unwrap_or_default();
+            let noticed = Instant::now().checked_sub(since);
+            (self.changed, self.noticed) = (now, noticed.unwrap_or_else(Instant::now));
         }
         let out = self.out.clone();
         let mut told = |progress: SyncProgress| {

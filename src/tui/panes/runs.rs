@@ -123,19 +123,15 @@ impl Pane for RunsPane {
         let rows = rows_in_sight(line, list.height);
         let table = TableView::new(line, &rows, area.width);
         let strong = painter.theme.strong();
-        table.line(painter, heads, strong, |column| head(&line.runs, column));
+        table.line(painter, heads, strong, 0);
         let focused = state.focus() == PaneId::Runs;
-        for (number, y) in rows.into_iter().zip(list.top()..) {
+        for (place, (number, y)) in rows.into_iter().zip(list.top()..).enumerate() {
             let at = Rect::new(list.x, y, list.width, 1);
             let style = painter.line_style(number == line.runs.cursor && focused);
             painter.buf.set_style(at, style);
-            match run_of(line, number) {
-                None => table.line(painter, at, style, |column| live_cell(line, column)),
-                Some(run) => {
-                    let style = run_style(painter, run, style);
-                    table.line(painter, at, style, |column| cell(&line.runs, run, column));
-                }
-            }
+            let run = run_of(line, number);
+            let style = run.map_or(style, |run| run_style(painter, run, style));
+            table.line(painter, at, style, place + 1);
         }
     }
 }
@@ -166,9 +162,9 @@ fn show_sorted(state: &mut AppState) {
 
 /// Whether a column is seen, and not cut.
 fn is_in_sight(line: &LineView, rows: &[usize], room: u16, column: Option<RunColumn>) -> bool {
-    let columns = TableView::new(line, rows, room).columns.into_iter();
-    let mut whole = columns.filter(|(shown, seen)| *seen >= width(line, rows, *shown));
-    whole.any(|(shown, _)| Some(shown) == column)
+    let seen = TableView::new(line, rows, room).columns;
+    let mut whole = seen.iter().filter(|seen| seen.width >= seen.widest());
+    whole.any(|seen| Some(seen.column) == column)
 }
 
 /// The run of a line of the table; nothing for the live run.
@@ -209,9 +205,43 @@ fn filter_line(painter: &mut Painter, area: Rect, runs: &RunList) -> Rect {
 /// Blanks between columns.
 const GAP: u16 = 2;
 
-/// The columns that fit, with their widths.
+/// The columns that fit.
 struct TableView {
-    columns: Vec<(RunColumn, u16)>,
+    columns: Vec<ColumnView>,
+}
+
+/// A column as it is seen.
+struct ColumnView {
+    column: RunColumn,
+    /// Head and cells in sight.
+    cells: Vec<String>,
+    width: u16,
+}
+
+impl ColumnView {
+    fn new(line: &LineView, rows: &[usize], column: RunColumn) -> Self {
+        let cells = rows.iter().map(|number| match run_of(line, *number) {
+            Some(run) => cell(&line.runs, run, column),
+            None => live_cell(line, column),
+        });
+        let mut view = Self {
+            column,
+            cells: std::iter::once(head(&line.runs, column))
+                .chain(cells)
+                .collect(),
+            width: 0,
+        };
+        view.width = view.widest();
+        view
+    }
+
+    /// The width of the widest cell, within reason.
+    fn widest(&self) -> u16 {
+        let widest = self.cells.iter().map(|words| words.width()).max();
+        u16::try_from(widest.unwrap_or(0))
+            .unwrap_or(u16::MAX)
+            .min(48)
+    }
 }
 
 impl TableView {
@@ -222,50 +252,37 @@ impl TableView {
         let mut columns = Vec::new();
         let mut used = 0;
         for column in name.into_iter().chain(all.skip(line.runs.scroll)) {
-            let width = width(line, rows, column);
             // The last column may be cut, but not to nothing.
             let left = room.saturating_sub(used);
-            if left < 4 || (left < width && width > 12 && used > 0 && left < 8) {
+            if left < 4 {
                 break;
             }
-            columns.push((column, width.min(left)));
+            let mut view = ColumnView::new(line, rows, column);
+            let width = view.width;
+            if left < width && width > 12 && used > 0 && left < 8 {
+                break;
+            }
+            view.width = width.min(left);
+            columns.push(view);
             used += width + GAP;
         }
         Self { columns }
     }
 
-    fn line(
-        &self,
-        painter: &mut Painter,
-        at: Rect,
-        style: Style,
-        text: impl Fn(RunColumn) -> String,
-    ) {
+    /// Writes the heads, the first row of cells, or a line of the table.
+    fn line(&self, painter: &mut Painter, at: Rect, style: Style, row: usize) {
         let mut from = 0;
-        for (column, width) in &self.columns {
-            let words = text(*column);
-            let place = span(at, from, *width);
+        for view in &self.columns {
+            let (words, width) = (view.cells.get(row).map_or("", String::as_str), view.width);
             // Numbers are at the right of their column.
-            if column.has_numbers() {
-                let indent = width.saturating_sub(u16::try_from(words.width()).unwrap_or(*width));
-                painter.text(span(at, from + indent, width - indent), &words, style);
-            } else {
-                painter.text(place, &words, style);
-            }
+            let indent = match view.column.has_numbers() {
+                true => width.saturating_sub(u16::try_from(words.width()).unwrap_or(width)),
+                false => 0,
+            };
+            painter.text(span(at, from + indent, width - indent), words, style);
             from += width + GAP;
         }
     }
-}
-
-/// The width of a column: that of its widest cell in sight.
-fn width(line: &LineView, rows: &[usize], column: RunColumn) -> u16 {
-    let cells = rows.iter().map(|number| match run_of(line, *number) {
-        Some(run) => cell(&line.runs, run, column),
-        None => live_cell(line, column),
-    });
-    let widest = cells.map(|words| words.width()).max().unwrap_or(0);
-    let widest = widest.max(head(&line.runs, column).width());
-    u16::try_from(widest).unwrap_or(u16::MAX).min(48)
 }
 
 /// Why nothing can be done to a run that is not stored.

@@ -74,6 +74,8 @@ pub struct RunList {
     marked: usize,
     /// Those that pass the filter, in the order of the table.
     rows: Vec<usize>,
+    /// The filter that they passed, as typed.
+    filtered_by: String,
     /// The columns of the table; whether an input differs takes a look at all runs.
     shown_columns: Vec<RunColumn>,
     /// Cursor in the table; 0 is the live run.
@@ -255,6 +257,7 @@ impl RunList {
 
     /// Brings places, charts and table in step with the runs, the filter and the order. The cursor stays on its run.
     pub fn arrange(&mut self) {
+        self.filtered_by.clear();
         if !self.placed {
             let runs = self.entries.iter().enumerate();
             let dirs = runs.filter_map(|(at, run)| Some((run.dir.clone()?, at)));
@@ -278,15 +281,21 @@ impl RunList {
     /// Brings the table in step with the filter and the order. The cursor stays on its run.
     pub fn filter_rows(&mut self) {
         let under = self.current_place();
-        let filter = RunFilter::new(self.filter.input.value());
-        if filter.has_words() && self.texts.len() != self.entries.len() {
+        let typed = self.filter.input.value();
+        let filter = RunFilter::new(typed);
+        let known = self.texts.len() == self.entries.len();
+        let narrows = known && RunFilter::narrows(&self.filtered_by, typed);
+        if filter.has_words() && !known {
             self.texts = self.entries.iter().map(RunFilter::text_of).collect();
         }
-        let passing = (0..self.entries.len())
-            .filter(|at| filter.passes(self, &self.entries[*at], self.texts.get(*at)));
-        self.rows = passing.collect();
+        let passes = |at: &usize| filter.passes(self, &self.entries[*at], self.texts.get(*at));
+        self.rows = match narrows {
+            true => self.rows.iter().copied().filter(passes).collect(),
+            false => (0..self.entries.len()).filter(passes).collect(),
+        };
+        typed.clone_into(&mut self.filtered_by);
         self.shown_columns = self.columns_to_show();
-        if let Some((column, down)) = self.sort {
+        if let Some((column, down)) = self.sort.filter(|_| !narrows) {
             self.order(column, down);
         }
         let row = self.rows.iter().position(|at| Some(*at) == under);
