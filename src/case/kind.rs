@@ -113,6 +113,19 @@ pub fn set<K: FileKind>(
     set_all::<K>(text, &[(key_path, value)])
 }
 
+/// The text with one key set, as [`set`] does: key and value are checked, the file with it is not.
+///
+/// # Errors
+///
+/// The key is not known, or the value is of the wrong type or out of range.
+pub fn put<K: FileKind>(
+    text: &str,
+    key_path: &str,
+    value: &str,
+) -> Result<String, Vec<Diagnostic>> {
+    put_all(K::schema(), text, &[(key_path, value)]).map(|(edited, _)| edited)
+}
+
 /// The text with several keys set one after the other; the file is checked and computed once all are set.
 ///
 /// # Errors

@@ -25,6 +25,7 @@ use super::terminal::decode::{Decoder, TerminalInput};
 use super::terminal::screen::{Screen, restore};
 use super::terminal::signals::{Signal, Signals};
 use super::terminal::wait::{read, wait};
+use super::update::edit_check;
 use super::{case_library, draw, external_editor, recovery, update};
 use crate::background::lower_priority;
 use crate::files::Target;
@@ -126,6 +127,7 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
         pace,
         capabilities,
         typed: VecDeque::new(),
+        awaited: None,
         may_panic: std::env::var_os("SEACABLE_MAY_PANIC").is_some(),
     };
     let ended = panic::catch_unwind(AssertUnwindSafe(|| app.run(file)));
@@ -228,8 +230,9 @@ fn is_typed(message: &Msg) -> bool {
 /// How long the first frame waits for the files that it shows.
 const FIRST_FRAME: Duration = Duration::from_millis(300);
 
-/// How long a frame waits for files.
-const KEPT_FIRST: Duration = Duration::from_millis(8);
+/// How long a frame waits for files and for the answer to an edit. What the screen shows as edited is then kept for recovery already,
+/// unless the disk is slow; and nearly every answer is there, so that no frame shows for a moment what is not checked.
+const ANSWER_FIRST: Duration = Duration::from_millis(8);
 
 /// How long the end of the program waits for files that are still to be written.
 const LAST_FILES: Duration = Duration::from_secs(5);
@@ -263,6 +266,8 @@ struct App<'a> {
     capabilities: Capabilities,
     /// Keys and pastes that wait for a file.
     typed: VecDeque<Msg>,
+    /// Since when answers have been on their way without a pause.
+    awaited: Option<Instant>,
     /// Lets the tests see that a panic gives the terminal back.
     may_panic: bool,
 }
@@ -283,8 +288,6 @@ impl App<'_> {
         let mut drawn: Option<Instant> = None;
         while end.is_none() {
             if due.is_some_and(|due| self.wait_for(due, drawn).is_zero()) {
-                // What the screen shows as edited is kept for recovery already, unless the disk is slow.
-                self.effects.finish(KEPT_FIRST);
                 self.screen.draw(|frame| draw(&self.state, frame))?;
                 drawn = Some(Instant::now());
                 due = None;
@@ -335,7 +338,13 @@ impl App<'_> {
             Due::Now => self.pace.answer,
             Due::Sometime => self.pace.frame,
         };
-        drawn.map_or(Duration::ZERO, |at| pause.saturating_sub(at.elapsed()))
+        let pause = drawn.map_or(Duration::ZERO, |at| pause.saturating_sub(at.elapsed()));
+        let awaited = self.awaited.map(|since| since.elapsed());
+        let awaited = awaited.max(self.effects.files_busy_for());
+        let answer = awaited.map_or(Duration::ZERO, |for_long| {
+            ANSWER_FIRST.saturating_sub(for_long)
+        });
+        pause.max(answer)
     }
 
     /// How long nothing needs to be done.
@@ -400,6 +409,10 @@ impl App<'_> {
             panic::panic_any("asked for by SEACABLE_MAY_PANIC");
         }
         let effects = update(&mut self.state, message);
+        self.awaited = match edit_check::awaits(&self.state) {
+            true => self.awaited.or_else(|| Some(Instant::now())),
+            false => None,
+        };
         self.perform(effects)
     }
 
@@ -411,12 +424,7 @@ impl App<'_> {
                 Effect::Repaint => self.screen.repaint()?,
                 Effect::Suspend => self.suspend(),
                 Effect::Copy(text) => self.copy(&text)?,
-                Effect::EditFile(path) => {
-                    let answer = self.edit(&path)?;
-                    if let Some(end) = self.take(answer)? {
-                        return Ok(Some(end));
-                    }
-                }
+                Effect::EditFile(path) => self.edit(&path)?,
                 other => {
                     for answer in self.effects.perform(other) {
                         if let Some(end) = self.take(answer)? {
@@ -453,16 +461,19 @@ impl App<'_> {
         self.screen.reenter()
     }
 
-    /// Gives the terminal to the user's editor, takes it back, and reads what the editor left. Jobs keep running meanwhile.
-    fn edit(&mut self, path: &Path) -> io::Result<Msg> {
+    /// Gives the terminal to the user's editor, takes it back, and asks for what the editor left. Jobs keep running meanwhile.
+    fn edit(&mut self, path: &Path) -> io::Result<()> {
         restore();
         let ended = external_editor::run(path);
         self.signals.forget_interrupt();
         self.screen.reenter()?;
-        Ok(match ended {
-            Ok(()) => Msg::Edited(external_editor::read(path)),
-            Err(why) => Msg::Say(Severity::Error, why),
-        })
+        let answers = match ended {
+            Ok(()) => self.effects.perform(Effect::ReadEdited(path.to_owned())),
+            Err(why) => vec![Msg::Say(Severity::Error, why)],
+        };
+        let out = self.effects.outbox();
+        answers.into_iter().for_each(|answer| out.send(answer));
+        Ok(())
     }
 
     fn copy(&mut self, text: &str) -> io::Result<()> {

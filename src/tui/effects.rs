@@ -1,8 +1,8 @@
 //! Files and threads: does what the effects ask for, and answers with messages.
 
-mod file_worker;
 mod index_worker;
 mod open;
+mod ordered_worker;
 pub mod outbox;
 mod pages;
 mod runs;
@@ -19,17 +19,20 @@ use std::time::{Duration, Instant};
 
 use crossbeam_channel::{Receiver, bounded};
 
-use self::file_worker::FileWorker;
 use self::index_worker::{IndexWorker, Question};
 use self::open::read_case;
+use self::ordered_worker::OrderedWorker;
 use self::outbox::{Inbox, Outbox};
 use self::runs::{delete_runs, keep_run, read_run_case, write_notes};
 use self::trial_worker::compute_trials;
 use super::case_library;
+use super::external_editor;
 use super::files::{save_case, write_text};
 use super::msg::{Effect, Msg, StudyRequest};
 use super::recovery;
+use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::modes::COUNT;
+use super::state::report::ReportRequest;
 use super::state::trials::TrialsOf;
 use super::state::{JobNumber, RunCurves, Severity, VariantPlan, VariedRuns};
 use crate::background::lower_priority;
@@ -46,7 +49,8 @@ pub struct EffectRunner {
     dir: PathBuf,
     out: Outbox,
     inbox: Inbox,
-    files: FileWorker,
+    files: OrderedWorker,
+    checks: OrderedWorker,
     runs: IndexWorker,
     jobs: HashMap<JobNumber, RunningJob>,
     /// The trials that compute, and the flag that stops them.
@@ -73,7 +77,8 @@ impl EffectRunner {
         let (out, inbox) = Inbox::new()?;
         Ok(Self {
             dir,
-            files: FileWorker::start(out.clone()),
+            files: OrderedWorker::start("files", out.clone()),
+            checks: OrderedWorker::start("checks", out.clone()),
             runs: IndexWorker::default(),
             out,
             inbox,
@@ -188,6 +193,8 @@ impl EffectRunner {
                 name,
             } => self.aside(move || Msg::Page(name, pages::compare(runs, width, glyphs), false)),
             Effect::Study(request, cancel) => self.study(*request, cancel),
+            Effect::CheckEdits(check) => self.checks.perform(move || vec![check_edits(*check)]),
+            Effect::MakeReport(request) => self.aside(move || make_report(*request)),
             Effect::RefreshRuns => self.runs.ask(Question::Refresh, &self.out),
             effect => self.files(effect),
         }
@@ -305,6 +312,21 @@ fn answer_coarsely(ticket: JobNumber, request: &Request, cancel: &AtomicBool, ou
     }
 }
 
+/// Applies edits. It always answers; the panic hook reports a fault of it.
+fn check_edits(check: EditCheck) -> Msg {
+    let number = check.number;
+    let answer = catch_unwind(AssertUnwindSafe(|| check.answer()));
+    let answer = answer.unwrap_or_else(|_| EditAnswer::of_fault(number));
+    Msg::EditsChecked(Box::new(answer))
+}
+
+/// Makes a report. It always answers; the panic hook reports a fault of it.
+fn make_report(request: ReportRequest) -> Msg {
+    let text = catch_unwind(AssertUnwindSafe(|| request.text()));
+    let text = text.unwrap_or_else(|_| "The report failed by a fault of seacable.".to_owned());
+    Msg::Report(Box::new(request), text)
+}
+
 /// Reads or writes files as an effect asks for.
 fn file_effect(effect: Effect, dir: &Path) -> Vec<Msg> {
     let answer = match effect {
@@ -334,7 +356,12 @@ fn file_effect(effect: Effect, dir: &Path) -> Vec<Msg> {
         }
         Effect::DeleteRuns(dirs) => return delete_runs(dirs),
         Effect::WriteNotes(dir, notes) => return write_notes(&dir, &notes),
-        Effect::ReadRunCase(dir, wanted) => read_run_case(dir, wanted),
+        Effect::ReadRunCase {
+            dir,
+            wanted,
+            beside,
+        } => read_run_case(dir, wanted, &beside),
+        Effect::ReadEdited(path) => Msg::Edited(external_editor::read(&path)),
         Effect::KeepRun(run) => keep_run(run),
         Effect::WriteText { path, text, what } => write_text(&path, &text, what),
         _ => return Vec::new(),

@@ -3,10 +3,15 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::case::{self, Case, EditedKey, StudyPoint};
+use crate::case::{self, Case, EditedKey, StudyPoint, kind};
+use crate::kinds::FileType;
 use crate::reference;
 use crate::report::chart::Glyphs;
+use crate::ropeway::Ropeway;
 use crate::run::Run;
+use crate::section::CrossSection;
+use crate::ship::Ship;
+use crate::system::SystemFile;
 
 pub use crate::case::FieldRow;
 pub use crate::reference::ValidationRow;
@@ -35,6 +40,25 @@ pub fn parse_at(text: &str, path: &Path, file: &str) -> Result<Case, Vec<case::D
 pub fn set(text: &str, key: &str, value: &str) -> Result<String, String> {
     let last = key.rsplit('.').next().unwrap_or(key);
     case::edit::set(text, key, value).map_err(|d| format!("{last} {}", sentences(&d)))
+}
+
+/// Sets a key of the text of a file; key and value are checked, the file with them is not.
+///
+/// # Errors
+/// What is wrong with the value and what would be right.
+pub fn put(kind: FileType, text: &str, key: &str, value: &str) -> Result<String, String> {
+    let put = match kind {
+        FileType::Line => kind::put::<Case>(text, key, value),
+        FileType::Section => kind::put::<CrossSection>(text, key, value),
+        FileType::Ropeway => kind::put::<Ropeway>(text, key, value),
+        FileType::Ship => kind::put::<Ship>(text, key, value),
+        FileType::System => kind::put::<SystemFile>(text, key, value),
+    };
+    let last = key.rsplit('.').next().unwrap_or(key);
+    put.map_err(|all| match (kind, all.first()) {
+        (FileType::Line, Some(first)) => format!("{last} {}", sentences(first)),
+        _ => refusal(key, &all),
+    })
 }
 
 /// Leaves an optional key out of the text.

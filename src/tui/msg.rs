@@ -5,6 +5,8 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use super::key::KeyPress;
+use super::state::edit_check::{EditAnswer, EditCheck};
+use super::state::report::ReportRequest;
 use super::state::trials::{TrialProgress, TrialsOf};
 use super::state::{
     CaseEntry, DocumentContent, FileOfText, JobNumber, ParameterEditor, Reading, RunCurves,
@@ -78,8 +80,12 @@ pub enum Msg {
     StudyProgress(usize, usize),
     /// The runs of a case over ranges of its inputs.
     Varied(Box<VariedRuns>),
+    /// What became of edits.
+    EditsChecked(Box<EditAnswer>),
+    /// The report that was asked for.
+    Report(Box<ReportRequest>, String),
     /// The exact case of a stored run, for this.
-    RunCase(PathBuf, RunCaseUse, Result<String, String>),
+    RunCase(PathBuf, RunCaseUse, Result<(String, Box<Case>), String>),
     /// A stored run was read.
     RunRead(PathBuf, Result<Arc<Run>, String>),
     /// Stored runs were deleted.
@@ -179,6 +185,7 @@ impl FileRead {
             name: ParameterEditor::name_of(&path),
             path,
             saved: text.clone(),
+            saved_rows: None,
             before: None,
         };
         Self {
@@ -284,8 +291,21 @@ pub enum Effect {
     Vary(PathBuf, Box<Variation>),
     /// Keep what the user says of a stored run.
     WriteNotes(PathBuf, RunNotes),
-    /// Read the exact case of a stored run, for this.
-    ReadRunCase(PathBuf, RunCaseUse),
+    /// Read the exact case of a stored run.
+    ReadRunCase {
+        /// The directory of the run.
+        dir: PathBuf,
+        /// What for.
+        wanted: RunCaseUse,
+        /// The file of the open case: files that the run names are beside it.
+        beside: PathBuf,
+    },
+    /// Apply edits to a text, and read it with them.
+    CheckEdits(Box<EditCheck>),
+    /// Read what the user's editor left of a file.
+    ReadEdited(PathBuf),
+    /// Make the report of a run.
+    MakeReport(Box<ReportRequest>),
     /// Read a stored run.
     ReadRun(PathBuf),
     /// Delete stored runs.

@@ -1,8 +1,8 @@
 //! A key of a case with the values it is varied over.
 
 use super::{RangeError, ValueRange, VariationError};
-use crate::case::edit;
 use crate::case::fields::{Field, ValueType};
+use crate::case::{Diagnostic, edit};
 
 /// A key that is varied.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,10 +21,21 @@ impl VariedKey {
     /// # Errors
     /// The case has no such key, or the key cannot have these values.
     pub fn parse(word: &str, case_text: &str) -> Result<Self, VariationError> {
+        Self::parse_by(word, |path| edit::field(case_text, path))
+    }
+
+    /// Reads `KEY=VALUES` for a case whose fields are known.
+    ///
+    /// # Errors
+    /// As [`Self::parse`].
+    pub fn parse_by(
+        word: &str,
+        field: impl Fn(&str) -> Result<&'static Field, Diagnostic>,
+    ) -> Result<Self, VariationError> {
         let parts = word.split_once('=');
         let (path, values) = parts.ok_or_else(|| VariationError::Syntax(word.to_owned()))?;
         let path = path.trim();
-        let field = edit::field(case_text, path).map_err(VariationError::Key)?;
+        let field = field(path).map_err(VariationError::Key)?;
         if field.kind == ValueType::Triple {
             return Err(VariationError::Coordinates(path.to_owned()));
         }

@@ -34,9 +34,18 @@ impl Variation {
     /// # Errors
     /// A key that is not known or given twice, values that it cannot have, or too many points.
     pub fn grid<S: AsRef<str>>(base: BaseCase, words: &[S]) -> Result<Self, VariationError> {
-        let mut keys: Vec<VariedKey> = Vec::with_capacity(words.len());
-        for word in words {
-            let key = VariedKey::parse(word.as_ref(), &base.text)?;
+        let read = |word: &S| VariedKey::parse(word.as_ref(), &base.text);
+        let keys = words.iter().map(read).collect::<Result<_, _>>()?;
+        Self::of_keys(base, keys)
+    }
+
+    /// The full product of the values of some keys; the last key varies fastest.
+    ///
+    /// # Errors
+    /// A key that is given twice, or too many points.
+    pub fn of_keys(base: BaseCase, given: Vec<VariedKey>) -> Result<Self, VariationError> {
+        let mut keys: Vec<VariedKey> = Vec::with_capacity(given.len());
+        for key in given {
             if keys.iter().any(|known| known.path == key.path) {
                 return Err(VariationError::Twice(key.path));
             }

@@ -6,8 +6,9 @@ use std::sync::Arc;
 
 use crate::run::Run;
 use crate::run::store::{self, RunLocation, RunNotes};
+use crate::tui::facade;
 use crate::tui::msg::{Msg, RunCaseUse};
-use crate::tui::state::Severity;
+use crate::tui::state::{ParameterEditor, Severity};
 
 /// Deletes run directories, and refuses to delete anything else.
 pub(super) fn delete_runs(dirs: Vec<PathBuf>) -> Vec<Msg> {
@@ -46,8 +47,18 @@ pub(super) fn write_notes(dir: &Path, notes: &RunNotes) -> Vec<Msg> {
     failed.map(say).into_iter().collect()
 }
 
-/// The exact case of a run.
-pub(super) fn read_run_case(dir: PathBuf, wanted: RunCaseUse) -> Msg {
-    let text = store::case_text(&dir).map_err(|error| error.to_string());
-    Msg::RunCase(dir, wanted, text)
+/// The exact case of a run of the case in this file.
+pub(super) fn read_run_case(dir: PathBuf, wanted: RunCaseUse, beside: &Path) -> Msg {
+    let read = || {
+        let text = store::case_text(&dir)
+            .map_err(|error| format!("The case of the run cannot be read: {error}"))?;
+        let name = ParameterEditor::name_of(beside);
+        let case = facade::parse_at(&text, beside, &name).map_err(|all| {
+            let problem = facade::first(&all, &name);
+            format!("The case of the run is none of this version: {problem}")
+        })?;
+        Ok((text, Box::new(case)))
+    };
+    let read = read();
+    Msg::RunCase(dir, wanted, read)
 }

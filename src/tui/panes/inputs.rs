@@ -177,12 +177,16 @@ fn fields(painter: &mut Painter, list: Rect, editor: &ParameterEditor) {
             painter.text(at, name, painter.theme.head());
         }
         ListLine::Field(i, field) if compact => {
-            let range = editor.kept_range(&field.path);
-            compact_line(painter, at, (field, range), i == editor.field);
+            compact_line(painter, at, shown(editor, field), i == editor.field);
         }
         ListLine::Field(i, field) => {
-            let range = editor.kept_range(&field.path);
-            field_line(painter, at, (field, range), longest, i == editor.field);
+            field_line(
+                painter,
+                at,
+                shown(editor, field),
+                longest,
+                i == editor.field,
+            );
         }
         ListLine::Folded => folded_line(painter, at, editor),
     });
@@ -200,16 +204,16 @@ fn folded_line(painter: &mut Painter, at: Rect, editor: &ParameterEditor) {
 
 /// Label, value with unit, and where the value comes from, in little room.
 fn compact_line(painter: &mut Painter, line: Rect, shown: ShownField, selected: bool) {
-    let (field, range) = shown;
+    let (field, instead) = shown;
     let base = painter.line_style(selected);
     painter.buf.set_style(line, base);
-    let note = note(field);
+    let note = note(shown);
     let note_width = u16::try_from(note.width()).unwrap_or(0).max(5);
-    let value = match field.absent {
-        _ if range.is_some() => format!("{} {}", range.unwrap_or_default(), field.unit)
+    let value = match (instead, field.absent) {
+        (Some(instead), _) => format!("{} {}", instead.words(), field.unit)
             .trim_end()
             .to_owned(),
-        Some(words) if field.value.is_empty() => words.to_owned(),
+        (None, Some(words)) if field.value.is_empty() => words.to_owned(),
         _ => format!("{} {}", field.value, field.unit)
             .trim_end()
             .to_owned(),
@@ -235,8 +239,9 @@ fn compact_line(painter: &mut Painter, line: Rect, shown: ShownField, selected: 
 }
 
 /// Where a value comes from, in a word.
-fn note(field: &FieldRow) -> &'static str {
+fn note((field, instead): ShownField) -> &'static str {
     match &field.standing {
+        _ if matches!(instead, Some(Instead::Unchecked(_))) => "checking",
         _ if field.replaced.is_some() => YOURS,
         Some(mark) => mark.status.name(),
         None if !field.applies => "no effect",
@@ -262,8 +267,31 @@ fn columns(longest: usize) -> u16 {
     u16::try_from(longest + 1).unwrap_or(u16::MAX)
 }
 
-/// A field and its range that waits for one in a further field.
-type ShownField<'a> = (&'a FieldRow, Option<&'a str>);
+/// A field, and what is shown in place of its value.
+type ShownField<'a> = (&'a FieldRow, Option<Instead<'a>>);
+
+/// What is shown in place of the value of a field.
+#[derive(Clone, Copy)]
+enum Instead<'a> {
+    /// A range that waits for one in a further field.
+    Range(&'a str),
+    /// A value that is being checked.
+    Unchecked(&'a str),
+}
+
+impl<'a> Instead<'a> {
+    const fn words(self) -> &'a str {
+        match self {
+            Self::Range(words) | Self::Unchecked(words) => words,
+        }
+    }
+}
+
+fn shown<'a>(editor: &'a ParameterEditor, field: &'a FieldRow) -> ShownField<'a> {
+    let range = editor.kept_range(&field.path).map(Instead::Range);
+    let unchecked = editor.pending.value(&field.path).map(Instead::Unchecked);
+    (field, range.or(unchecked))
+}
 
 /// Label, value, unit, and where the value comes from.
 fn field_line(
@@ -273,20 +301,20 @@ fn field_line(
     longest: (usize, usize),
     selected: bool,
 ) {
-    let (field, range) = shown;
+    let (field, instead) = shown;
     let theme = painter.theme;
     let base = painter.line_style(selected);
     painter.buf.set_style(line, base);
-    let note = note(field);
+    let note = note(shown);
     let note_width = 11.min(line.width / 4);
     let unit_width = columns(longest.1).clamp(4, 9).min(line.width / 6);
     let room = line.width.saturating_sub(note_width + unit_width + 4);
     let left = room.saturating_sub(NUMBER).max(room / 2);
     let label_width = columns(longest.0).max(25).min(left);
     let value_width = room - label_width;
-    let (value, style) = match field.absent {
-        _ if range.is_some() => (range.unwrap_or_default(), base.patch(theme.strong())),
-        Some(words) if field.value.is_empty() => (words, base.patch(theme.faint())),
+    let (value, style) = match (instead, field.absent) {
+        (Some(instead), _) => (instead.words(), base.patch(theme.strong())),
+        (None, Some(words)) if field.value.is_empty() => (words, base.patch(theme.faint())),
         _ if !field.applies => (field.value.as_str(), base.patch(theme.faint())),
         _ if field.given => (field.value.as_str(), base.patch(theme.strong())),
         _ => (field.value.as_str(), base),
@@ -347,6 +375,10 @@ fn edit_lines(painter: &mut Painter, area: Rect, document: &Document) {
     let x = painter.text(half, &prompt, painter.theme.strong()).x;
     painter.input(rest(line, x), &editing.input, true);
     let (words, style) = match (&editing.problem, vary::typed(document)) {
+        _ if !editor.pending.is_empty() => (
+            "The file is checked with this value; Ctrl-C twice drops it.".to_owned(),
+            painter.theme.plain(),
+        ),
         (Some(problem), _) => (format!("Refused: {problem}"), painter.theme.error()),
         (None, Some(typed)) => (vary::words(&typed, editor), painter.theme.plain()),
         (None, None) => {

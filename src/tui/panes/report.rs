@@ -37,7 +37,8 @@ impl Pane for ReportPane {
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
-        let none = state.line()?.report.is_none();
+        let line = state.line()?;
+        let none = line.report.is_none() && line.report_asked.is_none();
         (id == CommandId::Write && none)
             .then_some("There is no finished run to report on. `R` runs the case.")
     }
@@ -73,11 +74,17 @@ impl Pane for ReportPane {
             return;
         };
         let Some((name, report)) = &line.report else {
-            let words = "There is no finished run to report on yet. `R` runs the case.";
+            let words = match line.report_asked {
+                Some(_) => "The report is being made.",
+                None => "There is no finished run to report on yet. `R` runs the case.",
+            };
             return painter.paragraph(area, words);
         };
         let [head, below] = below_head(area);
-        let words = format!("Report on {name}; `w` saves it.");
+        let words = match line.report_asked {
+            Some(_) => format!("Report on {name}, older than the run: a newer one is being made."),
+            None => format!("Report on {name}; `w` saves it."),
+        };
         painter.text(head, &words, painter.theme.strong());
         let (down, across) = line.report_scroll;
         let last = report.lines().count().saturating_sub(text_rows(area));

@@ -112,7 +112,7 @@ fn staleness(state: &AppState) -> Option<&'static str> {
     let (line, editor) = (state.line()?, state.editor()?);
     let live = &line.live;
     if let Some(coarse) = &live.coarse {
-        let of_inputs = coarse.text == editor.text;
+        let of_inputs = coarse.text == editor.text && editor.pending.is_empty();
         return Some(match (of_inputs, live.ticket.is_some()) {
             (true, true) => "coarse: the full solve goes on",
             (true, false) => "coarse: the full solve was cancelled",
@@ -127,13 +127,14 @@ fn staleness(state: &AppState) -> Option<&'static str> {
             "solving"
         });
     }
-    if live.done_text == editor.text && live.ticket.is_none() {
+    if live.done_text == editor.text && live.ticket.is_none() && editor.pending.is_empty() {
         return None;
     }
-    Some(match (&live.ticket, &live.failure) {
-        (Some(_), _) => "older than the inputs: solving",
-        (None, Some(_)) => "older than the inputs: the last solve failed",
-        (None, None) => "older than the inputs",
+    let solving = live.ticket.is_some() || !editor.pending.is_empty();
+    Some(match (solving, &live.failure) {
+        (true, _) => "older than the inputs: solving",
+        (false, Some(_)) => "older than the inputs: the last solve failed",
+        (false, None) => "older than the inputs",
     })
 }
 

@@ -94,6 +94,7 @@ impl Document {
     pub fn new(path: PathBuf, read: Reading) -> Self {
         let mut editor = ParameterEditor::new(path, read.text);
         editor.rows = read.rows;
+        editor.saved_rows = Some(read.saved_rows);
         editor.before = Some(read.before);
         editor.edited = read.edited;
         let content = read.content;
@@ -155,6 +156,7 @@ impl Document {
             path: editor.path.clone(),
             name: editor.file.clone(),
             saved: editor.saved.clone(),
+            saved_rows: editor.saved_rows.clone(),
             before: editor.before.clone(),
         }
     }
@@ -164,6 +166,7 @@ impl Document {
         self.content.kind_mut().renew(read.content);
         self.editor.text = read.text;
         self.editor.rows = read.rows;
+        self.editor.saved_rows = Some(read.saved_rows);
         self.editor.before = Some(read.before);
         self.editor.edited = read.edited;
         self.validate();

@@ -9,6 +9,7 @@ use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::jobs::JobNumber;
 use super::modes::ModesView;
+use super::report::ReportRequest;
 use super::run_list::RunList;
 use super::variants::VariantPlan;
 use crate::case::{Case, EditedKey, QuantityId, TextDigest};
@@ -154,6 +155,10 @@ pub struct LineView {
     pub modes: ModesView,
     /// The report shown: name of the run and text.
     pub report: Option<(String, String)>,
+    /// What it is the report of.
+    pub report_of: Option<ReportRequest>,
+    /// The report that is being made.
+    pub report_asked: Option<ReportRequest>,
     /// First line and column shown of the report.
     pub report_scroll: (usize, usize),
 }
@@ -187,6 +192,8 @@ impl LineView {
             nodes_pane: TablePane::default(),
             modes: ModesView::default(),
             report: None,
+            report_of: None,
+            report_asked: None,
             report_scroll: (0, 0),
         }
     }

@@ -4,12 +4,15 @@ pub mod case_list;
 pub mod curves;
 pub mod document;
 pub mod document_kind;
+pub mod edit_check;
 pub mod jobs;
 pub mod line;
 pub mod modes;
 pub mod overlay;
 pub mod parameter_editor;
+pub mod pending;
 pub mod reading;
+pub mod report;
 pub mod ropeway;
 pub mod run_list;
 pub mod section;
@@ -34,6 +37,9 @@ pub use ship::ShipView;
 pub use system::SystemView;
 pub use variants::{Variant, VariantPlan, VariedRuns};
 
+use std::collections::VecDeque;
+
+use super::msg::Msg;
 use super::pane::PaneId;
 use super::terminal::capabilities::Capabilities;
 
@@ -60,6 +66,10 @@ pub struct AppState {
     pub log: Vec<StatusMessage>,
     /// True after a Ctrl-C: the next one quits.
     pub interrupted: bool,
+    /// Keys and pastes that wait for the answer to an edit before them.
+    pub held: VecDeque<Msg>,
+    /// How many checks of edits were asked for.
+    pub checks: u64,
 }
 
 /// A message to the user.
@@ -97,6 +107,8 @@ impl AppState {
             note: None,
             log: Vec::new(),
             interrupted: false,
+            held: VecDeque::new(),
+            checks: 0,
         }
     }
 

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use tui_input::Input;
 
 use super::case_list::Filter;
-use super::reading::rows;
+use super::pending::PendingEdits;
+use super::reading::{SavedRows, rows};
 use crate::case::edited::{self, EditedKey, Origin};
 use crate::case::shipped;
 use crate::kinds::FileType;
@@ -114,6 +115,8 @@ pub struct ParameterEditor {
     pub text: String,
     /// The fields of the editor.
     pub rows: Vec<FieldRow>,
+    /// The fields of the file as it is on disk; absent until the text is read.
+    pub saved_rows: Option<Arc<SavedRows>>,
     /// What the inputs were before the user's edits; absent until the text is read.
     pub before: Option<Arc<InputsBefore>>,
     /// The inputs that are the user's.
@@ -134,6 +137,8 @@ pub struct ParameterEditor {
     pub editing: Option<Editing>,
     /// Ranges that wait for one in a further field.
     pub kept: Vec<KeptRange>,
+    /// Edits that are not checked yet.
+    pub pending: PendingEdits,
 }
 
 impl ParameterEditor {
@@ -155,6 +160,7 @@ impl ParameterEditor {
             saved: text.clone(),
             text,
             rows: Vec::new(),
+            saved_rows: None,
             before: None,
             edited: Vec::new(),
             undo: Vec::new(),
@@ -165,6 +171,7 @@ impl ParameterEditor {
             filter: Filter::default(),
             editing: None,
             kept: Vec::new(),
+            pending: PendingEdits::default(),
         }
     }
 
@@ -172,6 +179,30 @@ impl ParameterEditor {
     #[must_use]
     pub fn stem(&self) -> &str {
         self.file.trim_end_matches(".toml")
+    }
+
+    /// The value of a field, with the edits that are not checked yet.
+    #[must_use]
+    pub fn value<'a>(&'a self, row: &'a FieldRow) -> &'a str {
+        self.pending.value(&row.path).unwrap_or(&row.value)
+    }
+
+    /// A field of the file as it is on disk.
+    #[must_use]
+    pub fn saved_field(&self, path: &str) -> Option<&FieldRow> {
+        let saved = self.saved_rows.as_ref()?;
+        saved.rows.iter().find(|row| row.path == path)
+    }
+
+    /// The inputs in which these fields differ from the file, as `key=value`.
+    #[must_use]
+    pub fn overrides(&self, rows: &[FieldRow]) -> Vec<String> {
+        let differs = |row: &&FieldRow| {
+            let saved = self.saved_field(&row.path);
+            saved.is_none_or(|saved| saved.value != row.value)
+        };
+        let words = |row: &FieldRow| format!("{}={}", row.path, row.value);
+        rows.iter().filter(differs).map(words).collect()
     }
 
     /// True when the text differs from the file.

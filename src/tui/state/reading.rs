@@ -30,8 +30,19 @@ pub struct FileOfText {
     pub name: String,
     /// Its text as read or saved last.
     pub saved: String,
+    /// The fields of a text that the file has or had.
+    pub saved_rows: Option<Arc<SavedRows>>,
     /// What its inputs were before the user's edits; absent: those of `saved`.
     pub before: Option<Arc<InputsBefore>>,
+}
+
+/// The fields of a file as it is on disk.
+#[derive(Debug, Clone)]
+pub struct SavedRows {
+    /// Its text.
+    pub text: String,
+    /// Its fields.
+    pub rows: Vec<FieldRow>,
 }
 
 /// A text as read.
@@ -43,6 +54,8 @@ pub struct Reading {
     pub content: DocumentContent,
     /// Its fields.
     pub rows: Vec<FieldRow>,
+    /// The fields of the file.
+    pub saved_rows: Arc<SavedRows>,
     /// What its inputs were before the user's edits.
     pub before: Arc<InputsBefore>,
     /// The inputs that are the user's.
@@ -64,7 +77,18 @@ impl Reading {
     pub fn of(file: &FileOfText, text: String, mut content: DocumentContent) -> Self {
         let before = file.before.clone();
         let before = before.unwrap_or_else(|| Arc::new(InputsBefore::new(file.kind, &file.saved)));
-        let mut rows = rows(file.kind, &text);
+        let known = file.saved_rows.clone();
+        let known = known.filter(|known| known.text == file.saved);
+        let saved_rows = known.unwrap_or_else(|| {
+            Arc::new(SavedRows {
+                text: file.saved.clone(),
+                rows: rows(file.kind, &file.saved),
+            })
+        });
+        let mut rows = match text == saved_rows.text {
+            true => saved_rows.rows.clone(),
+            false => rows(file.kind, &text),
+        };
         let edited = before.edited(&rows, &file.saved);
         edited::mark(&mut rows, &edited);
         content.kind_mut().validate(&text, &edited);
@@ -72,6 +96,7 @@ impl Reading {
             text,
             content,
             rows,
+            saved_rows,
             before,
             edited,
         }
@@ -158,28 +183,4 @@ pub fn rows(kind: FileType, text: &str) -> Vec<FieldRow> {
         FileType::Ship => kind::rows::<Ship>(text),
         FileType::System => kind::rows::<SystemFile>(text),
     }
-}
-
-/// A text with one key set.
-///
-/// # Errors
-/// What is wrong with that value, and what would be right.
-pub fn set(kind: FileType, text: &str, key: &str, value: &str) -> Result<String, String> {
-    let set = match kind {
-        FileType::Line => return facade::set(text, key, value),
-        FileType::Section => kind::set::<CrossSection>(text, key, value),
-        FileType::Ropeway => kind::set::<Ropeway>(text, key, value),
-        FileType::Ship => kind::set::<Ship>(text, key, value),
-        FileType::System => kind::set::<SystemFile>(text, key, value),
-    };
-    set.map_err(|all| facade::refusal(key, &all))
-}
-
-/// A text without an optional key; nothing where keys of this kind cannot be left out.
-///
-/// # Errors
-/// Why the key cannot be left out.
-#[must_use]
-pub fn unset(kind: FileType, text: &str, key: &str) -> Option<Result<String, String>> {
-    (kind == FileType::Line).then(|| facade::unset(text, key))
 }

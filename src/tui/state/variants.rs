@@ -2,11 +2,13 @@
 
 use std::path::PathBuf;
 
+use super::reading::rows;
 use crate::case::{Case, StudyPoint, TextDigest};
+use crate::kinds::FileType;
 use crate::reference;
 use crate::study::points::PointRequest;
 use crate::study::vary::Variation;
-use crate::tui::facade;
+use crate::tui::facade::{self, FieldRow};
 
 /// A case at a point of a study.
 #[derive(Debug, Clone)]
@@ -17,6 +19,8 @@ pub struct Variant {
     pub text: String,
     /// The digest of its text.
     pub digest: TextDigest,
+    /// Its fields.
+    pub rows: Vec<FieldRow>,
     /// What the text says, or why there is no such case.
     pub case: Result<Box<Case>, String>,
 }
@@ -59,6 +63,7 @@ impl VariantPlan {
             Variant {
                 at,
                 digest: TextDigest::of(&text),
+                rows: rows(FileType::Line, &text),
                 text,
                 case,
             }

@@ -2,21 +2,19 @@
 
 use tui_input::Input;
 
-use super::notice::{info, warn};
+use super::edit_check::ask;
+use super::notice::info;
 use super::text_input::type_key;
 use super::{jobs, runs, vary};
 use crate::case::fields::AbsentValue;
 use crate::run::settings::method_name;
-use crate::tui::facade::{self, FieldRow};
+use crate::tui::facade::FieldRow;
 use crate::tui::key::KeyPress;
 use crate::tui::msg::Effect;
-use crate::tui::state::reading;
-use crate::tui::state::{AppState, Editing, Reading, Severity};
+use crate::tui::state::pending::{Change, EditSource, PendingEdit};
+use crate::tui::state::{AppState, Editing, Severity};
 
 const METHODS: [&str; 4] = ["static", "quasi", "rk4", "alpha"];
-
-/// More steps back than anyone takes, and still a small file each.
-const UNDO_DEPTH: usize = 200;
 
 /// Begins to edit the value under the cursor.
 pub fn begin(state: &mut AppState) {
@@ -59,51 +57,39 @@ pub(super) fn typing_key(state: &mut AppState, key: KeyPress) -> Option<Vec<Effe
 
 /// Sets a key as if it had been typed; a value that is refused is reported.
 pub fn set(state: &mut AppState, key: &str, value: &str) -> Vec<Effect> {
-    let Some(document) = &state.document else {
-        return Vec::new();
-    };
-    let kind = document.content.file_type();
-    let text = reading::set(kind, &document.editor.text, key, value);
-    take(state, text)
+    let change = Change::Set(key.to_owned(), value.to_owned());
+    ask(state, PendingEdit::command(change))
 }
 
-/// Takes a text as an edit, or reports why there is none.
-pub(super) fn take(state: &mut AppState, text: Result<String, String>) -> Vec<Effect> {
-    match text {
-        Ok(text) => change(state, text),
-        Err(problem) => warn(state, problem),
-    }
+/// Takes a text as an edit, and says so.
+pub(super) fn replace(state: &mut AppState, text: String, said: impl Into<String>) -> Vec<Effect> {
+    let edit = PendingEdit {
+        said: Some(said.into()),
+        ..PendingEdit::command(Change::Text(text))
+    };
+    ask(state, edit)
 }
 
 fn accept(state: &mut AppState) -> Vec<Effect> {
-    let Some(document) = &mut state.document else {
+    let Some(document) = &state.document else {
         return Vec::new();
     };
-    let Some(editing) = document.editor.editing.take() else {
+    let editor = &document.editor;
+    let Some(editing) = &editor.editing else {
         return Vec::new();
     };
-    let value = editing.input.value().trim();
-    let (editor, kind) = (&document.editor, document.content.file_type());
-    let mut rows = editor.rows.iter();
-    let row = rows.find(|row| row.path == editing.path);
-    let removed = row.filter(|row| value.is_empty() && optional(row));
-    let text = removed.and_then(|_| reading::unset(kind, &editor.text, &editing.path));
-    let text = text.unwrap_or_else(|| reading::set(kind, &editor.text, &editing.path, value));
-    match text {
-        Ok(text) => {
-            // A value in place of its range.
-            let kept = &mut document.editor.kept;
-            kept.retain(|kept| kept.path != editing.path);
-            change(state, text)
-        }
-        Err(problem) => {
-            document.editor.editing = Some(Editing {
-                problem: Some(problem),
-                ..editing
-            });
-            Vec::new()
-        }
-    }
+    let (path, value) = (editing.path.clone(), editing.input.value().trim());
+    let row = editor.rows.iter().find(|row| row.path == path);
+    let removed = value.is_empty() && row.is_some_and(optional) && document.line().is_some();
+    let change = match removed {
+        true => Change::Unset(path),
+        false => Change::Set(path, value.to_owned()),
+    };
+    let edit = PendingEdit {
+        source: EditSource::Typed,
+        ..PendingEdit::command(change)
+    };
+    ask(state, edit)
 }
 
 /// Whether a field is one that the file gives and may leave out.
@@ -112,43 +98,32 @@ pub fn optional(row: &FieldRow) -> bool {
     row.given && row.field.absent != AbsentValue::Required
 }
 
-/// Takes a new text as an edit that can be undone.
-fn change(state: &mut AppState, text: String) -> Vec<Effect> {
-    let Some(editor) = state.editor_mut() else {
-        return Vec::new();
-    };
-    if text == editor.text {
-        return Vec::new();
-    }
-    let before = std::mem::replace(&mut editor.text, text);
-    editor.undo.push(before);
-    if editor.undo.len() > UNDO_DEPTH {
-        editor.undo.remove(0);
-    }
-    editor.redo.clear();
-    changed(state)
-}
-
 pub(super) fn undo(state: &mut AppState) -> Vec<Effect> {
-    if let Some(editor) = state.editor_mut()
-        && let Some(text) = editor.undo.pop()
-    {
-        editor.redo.push(std::mem::replace(&mut editor.text, text));
-        let effects = changed(state);
-        info(state, "Undone. `U` does it again.");
-        return effects;
-    }
-    Vec::new()
+    let text = state.editor().and_then(|editor| editor.undo.last());
+    let said = Some("Undone. `U` does it again.".to_owned());
+    step_back(state, text.cloned(), EditSource::Undo, said)
 }
 
 pub(super) fn redo(state: &mut AppState) -> Vec<Effect> {
-    if let Some(editor) = state.editor_mut()
-        && let Some(text) = editor.redo.pop()
-    {
-        editor.undo.push(std::mem::replace(&mut editor.text, text));
-        return changed(state);
-    }
-    Vec::new()
+    let text = state.editor().and_then(|editor| editor.redo.last());
+    step_back(state, text.cloned(), EditSource::Redo, None)
+}
+
+fn step_back(
+    state: &mut AppState,
+    text: Option<String>,
+    source: EditSource,
+    said: Option<String>,
+) -> Vec<Effect> {
+    let Some(text) = text else {
+        return Vec::new();
+    };
+    let edit = PendingEdit {
+        change: Change::Text(text),
+        source,
+        said,
+    };
+    ask(state, edit)
 }
 
 /// The file as an editor left it: taken as an edit that can be undone, or refused with all that is wrong with it.
@@ -160,12 +135,8 @@ pub(super) fn edited(state: &mut AppState, read: Result<String, String>) -> Vec<
         Ok(text) if text == editor.saved => info(state, "The file is as it was."),
         Ok(text) => {
             editor.saved.clone_from(&text);
-            let effects = change(state, text);
-            info(
-                state,
-                "Read from the file again. `u` takes the change back.",
-            );
-            effects
+            let said = "Read from the file again. `u` takes the change back.";
+            replace(state, text, said)
         }
         Err(story) => {
             let (title, file) = ("The file as the editor left it", editor.path.clone());
@@ -174,9 +145,21 @@ pub(super) fn edited(state: &mut AppState, read: Result<String, String>) -> Vec<
     }
 }
 
-/// What follows every change of the text: fields and result updated, the text kept for recovery, a new solve.
-fn changed(state: &mut AppState) -> Vec<Effect> {
-    refresh(state);
+/// What follows when edits are accepted: what hangs on the text is updated, the text kept for recovery, the case solved again.
+/// A text that is taken although it is faulty leaves the fields as they were.
+pub(super) fn taken(state: &mut AppState, fault: Option<String>, changed: bool) -> Vec<Effect> {
+    if let Some(editor) = state.editor_mut() {
+        let last = editor.fields().count().saturating_sub(1);
+        editor.field = editor.field.min(last);
+    }
+    if let Some(problem) = fault {
+        state.say(Severity::Error, problem);
+    }
+    vary::recheck(state);
+    runs::check(state);
+    if !changed {
+        return Vec::new();
+    }
     let mut effects = keep_recovery(state);
     effects.extend(jobs::resolve(state));
     effects.extend(super::ship::resolve(state));
@@ -195,22 +178,9 @@ pub(super) fn keep_recovery(state: &AppState) -> Vec<Effect> {
         .collect()
 }
 
-/// Reads what is open, and the fields, from the text again.
-pub(super) fn refresh(state: &mut AppState) {
-    let Some(document) = &mut state.document else {
-        return;
-    };
-    // Edits are checked before they are taken; where an old text is no longer valid, the fields stay as they were.
-    let read = Reading::new(&document.file(), document.editor.text.clone());
-    let read = read.map(|read| document.take(read));
-    let editor = &mut document.editor;
-    editor.field = editor.field.min(editor.fields().count().saturating_sub(1));
-    if let Err(all) = read {
-        let problem = facade::first(&all, &editor.file);
-        state.say(Severity::Error, problem);
-    }
-    vary::recheck(state);
-    runs::check(state);
+/// Reads the text again.
+pub(super) fn reread(state: &mut AppState) -> Vec<Effect> {
+    ask(state, PendingEdit::command(Change::Reread))
 }
 
 /// Puts the field back to what the file says.
@@ -218,20 +188,20 @@ pub fn reset(state: &mut AppState) -> Vec<Effect> {
     let Some(document) = &state.document else {
         return Vec::new();
     };
-    let (editor, kind) = (&document.editor, document.content.file_type());
+    let editor = &document.editor;
     let Some(row) = editor.current_field() else {
         return Vec::new();
     };
-    let saved = reading::rows(kind, &editor.saved);
-    let saved = saved.iter().find(|saved| saved.path == row.path);
+    let saved = editor.saved_field(&row.path);
     let added = saved.is_some_and(|saved| !saved.given) && optional(row);
-    if added && let Some(text) = reading::unset(kind, &editor.text, &row.path) {
-        return take(state, text);
+    if added && document.line().is_some() {
+        let change = Change::Unset(row.path.clone());
+        return ask(state, PendingEdit::command(change));
     }
     match saved.filter(|saved| !saved.value.is_empty()) {
         Some(saved) => {
-            let text = reading::set(kind, &editor.text, &saved.path, &saved.value);
-            take(state, text)
+            let change = Change::Set(saved.path.clone(), saved.value.clone());
+            ask(state, PendingEdit::command(change))
         }
         None => info(
             state,
@@ -278,33 +248,21 @@ pub(super) fn next_method(state: &mut AppState) -> Vec<Effect> {
     let now = method_name(line.case.solver.method);
     let at = METHODS.iter().position(|m| *m == now).unwrap_or(0);
     let next = METHODS[(at + 1) % METHODS.len()];
-    let effects = set(state, "solver.method", next);
-    if !effects.is_empty() {
-        info(state, format!("The solver is now `{next}`."));
-    }
-    effects
+    let change = Change::Set("solver.method".to_owned(), next.to_owned());
+    let edit = PendingEdit {
+        said: Some(format!("The solver is now `{next}`.")),
+        ..PendingEdit::command(change)
+    };
+    ask(state, edit)
 }
 
 /// Brings back the edits of an earlier session.
 pub(super) fn recover(state: &mut AppState, text: String) -> Vec<Effect> {
-    let Some(document) = &state.document else {
-        return Vec::new();
+    let said = "The edits of the earlier session are back. `u` undoes them.";
+    let edit = PendingEdit {
+        change: Change::Text(text),
+        source: EditSource::Recovered,
+        said: Some(said.to_owned()),
     };
-    let path = document.editor.path.clone();
-    if let Err(all) = Reading::new(&document.file(), text.clone()) {
-        let problem = facade::first(&all, &document.editor.file);
-        return warn(
-            state,
-            format!("The kept edits are no longer valid and stay where they are: {problem}"),
-        );
-    }
-    let mut effects = change(state, text);
-    effects.push(Effect::DropRecovery(path));
-    // The edits of this session are kept after those of the earlier one are dropped.
-    effects.extend(keep_recovery(state));
-    info(
-        state,
-        "The edits of the earlier session are back. `u` undoes them.",
-    );
-    effects
+    ask(state, edit)
 }

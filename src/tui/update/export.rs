@@ -1,12 +1,12 @@
-//! Files written from what the panes show, and the text report of a run.
+//! Files written from what the panes show, and when the text report of a run is asked for.
 
 use std::path::PathBuf;
 
 use super::notice::info;
-use crate::reference;
-use crate::tui::facade;
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Document};
+use crate::tui::pane::PaneId;
+use crate::tui::state::AppState;
+use crate::tui::state::report::ReportRequest;
 
 /// Width of texts that are written to files.
 pub const TEXT_WIDTH: usize = 100;
@@ -19,25 +19,40 @@ pub fn write(path: PathBuf, text: Option<String>, what: &'static str) -> Vec<Eff
         .collect()
 }
 
-/// Makes the report of the chosen run of a line case.
-pub(super) fn make_report(document: &mut Document) {
-    let Some((line, editor)) = document.line_and_editor() else {
-        return;
+/// Asks for the report of the chosen run of a line case where it is seen, one report after the other.
+pub(super) fn follow_report(state: &mut AppState) -> Option<Effect> {
+    let document = state.document.as_mut()?;
+    if document.pane != PaneId::Report {
+        return None;
+    }
+    let (line, editor) = document.line_and_editor()?;
+    let Some((name, run, _)) = line.reported() else {
+        line.report = None;
+        return None;
     };
-    line.report = line.reported().map(|(name, run, _)| {
-        let text = match facade::parse(&run.case_text, &editor.file) {
-            Ok(case) => {
-                let rows = if run.case_text == editor.text {
-                    line.checks.clone()
-                } else {
-                    reference::rows_of_run(&run, &case)
-                };
-                facade::report(&run, &case, &rows)
-            }
-            Err(problem) => problem,
-        };
-        (name, text)
-    });
+    let edited = run.case_text == editor.text;
+    let wanted = ReportRequest {
+        name,
+        run,
+        file: editor.file.clone(),
+        checks: edited.then(|| line.checks.clone()),
+    };
+    if line.report_asked.is_some() || line.report_of.as_ref() == Some(&wanted) {
+        return None;
+    }
+    line.report_asked = Some(wanted.clone());
+    Some(Effect::MakeReport(Box::new(wanted)))
+}
+
+/// A report is there.
+pub(super) fn reported(state: &mut AppState, of: &ReportRequest, text: String) -> Vec<Effect> {
+    if let Some(line) = state.line_mut()
+        && line.report_asked.as_ref() == Some(of)
+    {
+        line.report = Some((of.name.clone(), text));
+        line.report_of = line.report_asked.take();
+    }
+    Vec::new()
 }
 
 /// Writes the report of a file other than a line case.

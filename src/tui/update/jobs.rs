@@ -3,14 +3,12 @@
 use super::notice::info;
 use super::trials;
 use crate::case::{Case, StudyPoint, TextDigest};
-use crate::kinds::FileType;
 use crate::run::ResumedRun;
 use crate::run::job::Request;
 use crate::run::settings::method_name;
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
-use crate::tui::state::reading::rows;
 use crate::tui::state::{
     AppState, Document, JobLine, JobNumber, JobPurpose, JobState, ParameterEditor, QueuedRequest,
     RunCurves, RunEntry, RunStatus,
@@ -24,7 +22,13 @@ pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
     let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
         return effects;
     };
-    let request = request(editor, &editor.text, line.case.clone(), "live");
+    let request = request(
+        editor,
+        &editor.text,
+        &editor.rows,
+        line.case.clone(),
+        "live",
+    );
     let live = &mut line.live;
     live.going = Some(RunCurves::default());
     live.going_text.clone_from(&editor.text);
@@ -68,30 +72,32 @@ pub(super) fn job_line(
     }
 }
 
-fn request(editor: &ParameterEditor, text: &str, case: Case, id: &str) -> Request {
+fn request(
+    editor: &ParameterEditor,
+    text: &str,
+    rows: &[FieldRow],
+    case: Case,
+    id: &str,
+) -> Request {
+    let of_file = text == editor.saved;
     Request {
         case,
         text: text.to_owned(),
         file: editor.file.clone(),
-        overrides: overrides(editor, text),
+        overrides: match of_file {
+            true => Vec::new(),
+            false => editor.overrides(rows),
+        },
         id: id.to_owned(),
     }
 }
 
-/// The keys in which a text differs from the file, as `key=value`.
-pub(super) fn overrides(editor: &ParameterEditor, text: &str) -> Vec<String> {
-    if text == editor.saved {
-        return Vec::new();
+/// The inputs in which the edited text differs from the file, as `key=value`.
+pub(super) fn overrides(editor: &ParameterEditor) -> Vec<String> {
+    match editor.unsaved() {
+        true => editor.overrides(&editor.rows),
+        false => Vec::new(),
     }
-    let saved = rows(FileType::Line, &editor.saved);
-    let changed = |row: &FieldRow| {
-        let old = saved.iter().find(|old| old.path == row.path);
-        old.is_none_or(|old| old.value != row.value)
-    };
-    let rows = rows(FileType::Line, text).into_iter();
-    rows.filter(changed)
-        .map(|row| format!("{}={}", row.path, row.value))
-        .collect()
 }
 
 /// Runs the edited case, and stores the run.
@@ -102,8 +108,8 @@ pub(super) fn run(state: &mut AppState) -> Vec<Effect> {
     };
     // The same curves twice would only hide each other.
     line.hide_runs();
-    let (text, case) = (editor.text.clone(), line.case.clone());
-    enqueue(state, &text, case, None, true);
+    let (text, rows, case) = (editor.text.clone(), editor.rows.clone(), line.case.clone());
+    enqueue(state, (&text, &rows), case, None, true);
     let effects = start_newest(state);
     info(
         state,
@@ -120,10 +126,10 @@ pub(super) fn start_newest(state: &mut AppState) -> Vec<Effect> {
     start_waiting(state)
 }
 
-/// Puts a run of the open case at the end of the queue; the list of runs is to be arranged after the last.
+/// Puts a run of the open case with this text and these fields at the end of the queue; the list of runs is to be arranged after the last.
 pub(super) fn enqueue(
     state: &mut AppState,
-    text: &str,
+    (text, rows): (&str, &[FieldRow]),
     case: Case,
     at: Option<StudyPoint>,
     shown: bool,
@@ -135,7 +141,7 @@ pub(super) fn enqueue(
     let label = at
         .as_ref()
         .map_or_else(String::new, |at| facade::at_label(&line.case, at));
-    let request = request(editor, text, case, editor.stem());
+    let request = request(editor, text, rows, case, editor.stem());
     queue(state, request, None, label, at, shown);
 }
 

@@ -4,6 +4,7 @@ mod cases;
 pub mod column_plot;
 pub mod curves;
 pub mod edit;
+pub mod edit_check;
 pub mod export;
 mod job_events;
 pub mod jobs;
@@ -34,7 +35,13 @@ use crate::report::figures::FigureId;
 
 /// Changes the state as the message says, and returns what is to be done outside of it.
 pub fn update(state: &mut AppState, msg: Msg) -> Vec<Effect> {
-    let mut effects = on(state, msg);
+    let mut effects = match edit_check::hold(state, msg) {
+        Ok(effects) => effects,
+        Err(msg) => on(state, msg),
+    };
+    while let Some(msg) = edit_check::released(state) {
+        effects.extend(on(state, msg));
+    }
     if let Some(line) = state.line_mut() {
         // An edit may take away the chart that was shown.
         let figures = FigureId::of(&line.case);
@@ -44,6 +51,7 @@ pub fn update(state: &mut AppState, msg: Msg) -> Vec<Effect> {
     }
     effects.extend(modes::follow(state));
     effects.extend(runs::plan(state));
+    effects.extend(export::follow_report(state));
     effects
 }
 
@@ -58,6 +66,8 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
         Msg::Job(ticket, event) => job_events::event(state, ticket, *event),
         Msg::Coarse(ticket, run) => job_events::coarse(state, ticket, run),
         Msg::Edited(read) => edit::edited(state, read),
+        Msg::EditsChecked(answer) => edit_check::checked(state, *answer),
+        Msg::Report(of, text) => export::reported(state, &of, text),
         Msg::Modes(text, found) => modes::computed(state, text, found),
         Msg::TrialProgress(ticket, progress) => trials::progress(state, ticket, *progress),
         Msg::ResumeReady(dir, until, found) => resume::found(state, dir, until, found),

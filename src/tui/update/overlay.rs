@@ -287,11 +287,7 @@ fn go(state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         _ => now,
     };
     document.pane = panes[next % panes.len()];
-    match document.pane {
-        PaneId::Report => export::make_report(document),
-        // Runs that other programs computed may have ended.
-        PaneId::Runs => return Some(vec![Effect::RefreshRuns]),
-        _ => {}
-    }
-    Some(Vec::new())
+    // Runs that other programs computed may have ended.
+    let runs = document.pane == PaneId::Runs;
+    Some(runs.then_some(Effect::RefreshRuns).into_iter().collect())
 }

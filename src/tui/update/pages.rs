@@ -90,7 +90,7 @@ pub fn study(state: &mut AppState, of: StudyOf) -> Vec<Effect> {
         base: BaseCase {
             text: stand_alone(&editor.text, &line.case).into_owned(),
             path: editor.path.display().to_string(),
-            overrides: overrides(editor, &editor.text),
+            overrides: overrides(editor),
         },
         result,
         width,

@@ -1,6 +1,7 @@
 //! Saving, leaving a case, quitting.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use tui_input::Input;
 
@@ -8,6 +9,7 @@ use super::notice::{info, warn};
 use super::{edit, jobs};
 use crate::tui::msg::Effect;
 use crate::tui::state::parameter_editor::AfterSave;
+use crate::tui::state::reading::SavedRows;
 use crate::tui::state::{
     AppState, Filter, JobLine, JobPurpose, Overlay, ParameterEditor, PromptPurpose, Question,
     Severity,
@@ -102,9 +104,10 @@ pub(super) fn drop_edits(state: &mut AppState, quit: bool) -> Vec<Effect> {
     effects.extend(if quit {
         quit_past_edits(state)
     } else {
-        edit::refresh(state);
         back(state)
     });
+    // It may stay open, while runs are computed.
+    effects.extend(edit::reread(state));
     effects
 }
 
@@ -117,6 +120,13 @@ pub(super) fn saved(state: &mut AppState, path: PathBuf, text: String) -> Vec<Ef
         editor.file = name.to_string_lossy().into_owned();
     }
     editor.saved = text;
+    let differs = editor.unsaved() || !editor.pending.is_empty();
+    if !differs {
+        editor.saved_rows = Some(Arc::new(SavedRows {
+            text: editor.saved.clone(),
+            rows: editor.rows.clone(),
+        }));
+    }
     let after = std::mem::take(&mut editor.after_save);
     let said = format!("Saved to {}.", editor.path.display());
     let mut effects = vec![Effect::KeepRecovery {
@@ -125,6 +135,8 @@ pub(super) fn saved(state: &mut AppState, path: PathBuf, text: String) -> Vec<Ef
     }];
     info(state, said);
     effects.extend(match after {
+        // What was edited since differs from another file now.
+        AfterSave::Stay if differs => edit::reread(state),
         AfterSave::Stay => Vec::new(),
         AfterSave::Close => back(state),
         AfterSave::Quit => quit(state),

@@ -7,8 +7,8 @@ use tui_input::Input;
 use super::edit;
 use super::jobs::{queue, start_newest};
 use super::notice::{info, warn};
+use crate::case::Case;
 use crate::run::job::Request;
-use crate::tui::facade;
 use crate::tui::msg::{Effect, RunCaseUse};
 use crate::tui::pane::PaneId;
 use crate::tui::state::overlay::RunText;
@@ -148,9 +148,14 @@ pub(super) fn take_text(
 pub fn read_case(state: &AppState, wanted: RunCaseUse) -> Vec<Effect> {
     let run = state.line().and_then(|line| line.runs.current());
     let dir = run.and_then(|run| run.dir.clone());
-    dir.into_iter()
-        .map(|dir| Effect::ReadRunCase(dir, wanted))
-        .collect()
+    let (Some(dir), Some(editor)) = (dir, state.editor()) else {
+        return Vec::new();
+    };
+    vec![Effect::ReadRunCase {
+        dir,
+        wanted,
+        beside: editor.path.clone(),
+    }]
 }
 
 /// The exact case of a run: edited in place of what is open, which can be undone, or run again.
@@ -158,24 +163,14 @@ pub(super) fn exact_case(
     state: &mut AppState,
     dir: &Path,
     wanted: RunCaseUse,
-    text: Result<String, String>,
+    read: Result<(String, Box<Case>), String>,
 ) -> Vec<Effect> {
-    let text = match text {
-        Ok(text) => text,
-        Err(why) => return warn(state, format!("The case of the run cannot be read: {why}")),
+    let (text, case) = match read {
+        Ok(read) => read,
+        Err(why) => return warn(state, why),
     };
     let Some(editor) = state.editor() else {
         return Vec::new();
-    };
-    let case = match facade::parse_at(&text, &editor.path, &editor.file) {
-        Ok(case) => case,
-        Err(all) => {
-            let problem = facade::first(&all, &editor.file);
-            return warn(
-                state,
-                format!("The case of the run is none of this version: {problem}"),
-            );
-        }
     };
     let name = dir
         .file_name()
@@ -187,16 +182,12 @@ pub(super) fn exact_case(
             if let Some(document) = &mut state.document {
                 document.pane = PaneId::Inputs;
             }
-            let effects = edit::take(state, Ok(text));
-            info(
-                state,
-                format!("The inputs are those of {name}. `u` takes them back."),
-            );
-            effects
+            let said = format!("The inputs are those of {name}. `u` takes them back.");
+            edit::replace(state, text, said)
         }
         RunCaseUse::RunAgain => {
             let request = Request {
-                case,
+                case: *case,
                 file: editor.file.clone(),
                 id: editor.stem().to_owned(),
                 overrides: Vec::new(),

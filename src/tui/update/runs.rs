@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::export;
 use super::motion::moved;
 use super::notice::info;
 use crate::case::TextDigest;
@@ -12,7 +11,6 @@ use crate::run::index::SyncProgress;
 use crate::study::results::main_results;
 use crate::tui::facade;
 use crate::tui::msg::{Effect, RunsFound};
-use crate::tui::pane::PaneId;
 use crate::tui::state::line::PlannedWork;
 use crate::tui::state::{
     AppState, Document, JobNumber, JobState, LineView, RunCurves, RunEntry, RunOrigin, RunStatus,
@@ -282,12 +280,9 @@ pub(super) fn deleted(state: &mut AppState, dirs: &[PathBuf]) -> Vec<Effect> {
     vec![Effect::RefreshRuns]
 }
 
-/// Updates the validation table from the runs of the edited case, and the report where it is seen.
+/// Updates the validation table from the runs of the edited case.
 pub(super) fn check(state: &mut AppState) {
     if let Some(document) = &mut state.document {
         document.validate();
-        if document.pane == PaneId::Report {
-            export::make_report(document);
-        }
     }
 }

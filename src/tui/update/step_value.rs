@@ -15,10 +15,14 @@ const FROM_ZERO: f64 = 0.1;
 
 /// Steps the value under the cursor up or down, by so many steps.
 pub fn step_value(state: &mut AppState, steps: f64) -> Vec<Effect> {
-    let row = state.editor().and_then(|editor| editor.current_field());
-    let Some((path, value)) = row.map(|row| (row.path.clone(), stepped(row, steps))) else {
+    let Some(editor) = state.editor() else {
         return Vec::new();
     };
+    let Some(row) = editor.current_field() else {
+        return Vec::new();
+    };
+    // From the step before this one, which may not be checked yet.
+    let (path, value) = (row.path.clone(), stepped(row, editor.value(row), steps));
     match value {
         Some(value) => set(state, &path, &value),
         None => info(state, "This value cannot be stepped; Enter edits it."),
@@ -26,16 +30,16 @@ pub fn step_value(state: &mut AppState, steps: f64) -> Vec<Effect> {
 }
 
 /// The value some steps further; nothing where there is no such thing.
-fn stepped(row: &FieldRow, steps: f64) -> Option<String> {
+fn stepped(row: &FieldRow, now: &str, steps: f64) -> Option<String> {
     match row.field.kind {
-        ValueType::Choice(words) => next_word(words, &row.value, steps),
-        ValueType::Boolean => next_word(&["false", "true"], &row.value, steps),
+        ValueType::Choice(words) => next_word(words, now, steps),
+        ValueType::Boolean => next_word(&["false", "true"], now, steps),
         ValueType::Integer => {
-            let value: f64 = row.value.parse().ok()?;
+            let value: f64 = now.parse().ok()?;
             Some(format!("{}", value + steps * step(value).max(1.0)))
         }
         _ => {
-            let value: f64 = row.value.parse().ok()?;
+            let value: f64 = now.parse().ok()?;
             let step = step(value);
             // On the grid of the step, so that no digits gather behind it.
             let next = ((value / step).round() + steps) * step;

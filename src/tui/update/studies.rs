@@ -103,7 +103,13 @@ fn variants(state: &mut AppState, wanted: Vec<Variant>, shown: bool) -> Vec<Effe
             continue;
         }
         begun += 1;
-        enqueue(state, &variant.text, case, variant.at, shown);
+        enqueue(
+            state,
+            (&variant.text, &variant.rows),
+            case,
+            variant.at,
+            shown,
+        );
     }
     if let Some(line) = state.line_mut() {
         line.runs.arrange();

@@ -31,10 +31,20 @@ const NAMED: usize = 8;
 pub fn typed(document: &Document) -> Option<Result<Variation, VariationError>> {
     let words = typed_words(document)?;
     let editor = &document.editor;
-    Some(Variation::grid(
-        BaseCase::new(&editor.text, &editor.file),
-        &words,
-    ))
+    let keys = words.iter().map(|word| varied_key(editor, word));
+    let keys = keys.collect::<Result<Vec<_>, _>>();
+    Some(keys.and_then(|keys| Variation::of_keys(BaseCase::new(&editor.text, &editor.file), keys)))
+}
+
+/// Reads `KEY=VALUES` by the fields that are listed; the text is read only to say what is wrong with a key that is none of them.
+fn varied_key(editor: &ParameterEditor, word: &str) -> Result<VariedKey, VariationError> {
+    VariedKey::parse_by(word, |path| {
+        let row = editor.rows.iter().find(|row| row.path == path);
+        row.map_or_else(
+            || case::edit::field(&editor.text, path),
+            |row| Ok(row.field),
+        )
+    })
 }
 
 /// `KEY=VALUES` of the ranges kept, of the one being typed, and of those behind it.
@@ -200,10 +210,13 @@ pub(super) fn recheck(state: &mut AppState) {
     let Some(editor) = state.editor_mut() else {
         return;
     };
-    let (text, before) = (&editor.text, editor.kept.len());
-    let kept = &mut editor.kept;
-    kept.retain(|kept| VariedKey::parse(&kept.word(), text).is_ok());
-    if kept.len() < before {
+    let kept = std::mem::take(&mut editor.kept);
+    let before = kept.len();
+    let takes = |kept: &KeptRange| varied_key(editor, &kept.word()).is_ok();
+    let kept: Vec<KeptRange> = kept.into_iter().filter(takes).collect();
+    let dropped = kept.len() < before;
+    editor.kept = kept;
+    if dropped {
         let words = "A range kept for a grid is dropped: the case no longer takes it.";
         state.say(Severity::Warning, words.to_owned());
     }
@@ -223,7 +236,7 @@ pub(super) fn begin(state: &mut AppState) -> Vec<Effect> {
         return Vec::new();
     };
     // What was edited is part of every run, but for the keys that vary.
-    let mut overrides = jobs::overrides(editor, &editor.text);
+    let mut overrides = jobs::overrides(editor);
     overrides.retain(|set| {
         let key = set.split('=').next();
         variation

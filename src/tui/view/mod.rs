@@ -111,9 +111,13 @@ impl Painter<'_> {
         };
         let room = rest.width.saturating_sub(2);
         let busy = state.document.as_ref().and_then(|d| d.kind().busy());
+        let checking = state
+            .editor()
+            .is_some_and(|editor| !editor.pending.is_empty());
         let study = state.line().and_then(|line| line.study.as_ref());
         let words = match busy {
             _ if study.is_some() => study_words(room.into(), study),
+            _ if checking => fitting(room.into(), &["checking the edit".to_owned()]),
             Some(words) => fitting(room.into(), &[words.to_owned()]),
             None => self.progress(room.into()),
         };

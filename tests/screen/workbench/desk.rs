@@ -30,6 +30,8 @@ pub(crate) const CASE: &str = include_str!("body.toml");
 pub(crate) struct Desk {
     pub(crate) state: AppState,
     pub(crate) asked: Vec<Effect>,
+    /// Whether edits are checked as they are asked for.
+    pub(crate) checks_at_once: bool,
 }
 
 pub(crate) fn looks(glyphs: Glyphs, colour: bool) -> Capabilities {
@@ -51,6 +53,7 @@ impl Desk {
         let mut desk = Self {
             state: AppState::new(size, looks(Glyphs::Braille, true)),
             asked: Vec::new(),
+            checks_at_once: true,
         };
         let entry = |name: &str, about| CaseEntry {
             path: PathBuf::from("cases").join(name),
@@ -101,6 +104,11 @@ impl Desk {
 
     pub(crate) fn tell(&mut self, msg: Msg) {
         let effects = update(&mut self.state, msg);
+        self.perform(effects);
+    }
+
+    /// Does what can be done without files, threads and solvers; the rest is asked for.
+    pub(crate) fn perform(&mut self, effects: Vec<Effect>) {
         for effect in effects {
             match effect {
                 Effect::Plan { case, text, file } => {
@@ -110,6 +118,13 @@ impl Desk {
                 }
                 Effect::Vary(path, variation) => {
                     self.tell(Msg::Varied(Box::new(VariedRuns::new(path, &variation))));
+                }
+                Effect::CheckEdits(check) if self.checks_at_once => {
+                    self.tell(Msg::EditsChecked(Box::new(check.answer())));
+                }
+                Effect::MakeReport(request) => {
+                    let text = request.text();
+                    self.tell(Msg::Report(request, text));
                 }
                 effect => self.asked.push(effect),
             }

@@ -14,6 +14,7 @@ fn press_all(name: &str, desk: &Desk, idle: &mut Vec<String>) {
         let mut copy = Desk {
             state: desk.state.clone(),
             asked: Vec::new(),
+            checks_at_once: true,
         };
         let key = command.keys[0].parse().unwrap();
         copy.asked = update(&mut copy.state, Msg::Key(key));

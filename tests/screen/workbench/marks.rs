@@ -17,7 +17,7 @@ fn edited(size: (u16, u16), key: &str, value: &str) -> Desk {
 
 fn set(desk: &mut Desk, key: &str, value: &str) {
     let effects = update::edit::set(&mut desk.state, key, value);
-    desk.asked.extend(effects);
+    desk.perform(effects);
     desk.finish_jobs();
 }
 

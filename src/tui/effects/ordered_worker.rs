@@ -1,4 +1,4 @@
-//! One thread for the user's files: what is asked for is done in its order, and the screen never waits for a disk.
+//! A thread that does what is asked for in its order, so that the screen waits neither for a disk nor for a check.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -11,9 +11,9 @@ use crate::tui::msg::Msg;
 
 type Work = Box<dyn FnOnce() -> Vec<Msg> + Send>;
 
-/// The thread that reads and writes files.
+/// The thread.
 #[derive(Debug)]
-pub(super) struct FileWorker {
+pub(super) struct OrderedWorker {
     queue: Option<Sender<Work>>,
     open: Arc<(Mutex<Open>, Condvar)>,
 }
@@ -40,17 +40,17 @@ impl Open {
     }
 }
 
-impl FileWorker {
+impl OrderedWorker {
     /// Starts the thread; where the system gives none, everything is done at once.
-    pub(super) fn start(out: Outbox) -> Self {
+    pub(super) fn start(name: &str, out: Outbox) -> Self {
         let (queue, work) = unbounded::<Work>();
         let open: Arc<(Mutex<Open>, Condvar)> = Arc::default();
         let done = Arc::clone(&open);
         let started = std::thread::Builder::new()
-            .name("files".to_owned())
+            .name(name.to_owned())
             .spawn(move || {
                 for work in work {
-                    // The panic hook reports a fault; the files after it are still written.
+                    // The panic hook reports a fault; what comes after it is still done.
                     let answers = catch_unwind(AssertUnwindSafe(work)).unwrap_or_default();
                     answers.into_iter().for_each(|msg| out.send(msg));
                     lock(&done.0).remove();
@@ -107,7 +107,7 @@ mod tests {
     #[test]
     fn files_are_written_in_order_and_all_of_them_before_the_end() {
         let (out, mut inbox) = Inbox::new().unwrap();
-        let worker = FileWorker::start(out);
+        let worker = OrderedWorker::start("files", out);
         let seen: Arc<Mutex<Vec<usize>>> = Arc::default();
         for number in 0..100 {
             let seen = Arc::clone(&seen);
@@ -125,7 +125,7 @@ mod tests {
     #[test]
     fn a_disk_that_hangs_does_not_keep_the_program() {
         let (out, _inbox) = Inbox::new().unwrap();
-        let worker = FileWorker::start(out);
+        let worker = OrderedWorker::start("files", out);
         let (held, hold) = crossbeam_channel::bounded::<()>(0);
         worker.perform(move || {
             let _ = hold.recv();

@@ -1,0 +1,42 @@
+//! The text report of a run, made away from the drawing thread.
+
+use std::sync::Arc;
+
+use crate::reference::{self, ValidationRow};
+use crate::run::Run;
+use crate::tui::facade;
+
+/// A report that is asked for.
+#[derive(Debug, Clone)]
+pub struct ReportRequest {
+    /// Name of the run.
+    pub name: String,
+    /// The run.
+    pub run: Arc<Run>,
+    /// Name of the file of its case.
+    pub file: String,
+    /// The validation table, where the run is of the edited case; else that of the run alone.
+    pub checks: Option<Vec<ValidationRow>>,
+}
+
+impl PartialEq for ReportRequest {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.run, &other.run)
+            && (&self.name, &self.file, &self.checks) == (&other.name, &other.file, &other.checks)
+    }
+}
+
+impl ReportRequest {
+    /// The report.
+    #[must_use]
+    pub fn text(&self) -> String {
+        match facade::parse(&self.run.case_text, &self.file) {
+            Ok(case) => {
+                let own = || reference::rows_of_run(&self.run, &case);
+                let rows = self.checks.clone().unwrap_or_else(own);
+                facade::report(&self.run, &case, &rows)
+            }
+            Err(problem) => problem,
+        }
+    }
+}
