@@ -29,7 +29,7 @@ use super::case_library;
 use super::external_editor;
 use super::files::{save_case, write_text};
 use super::msg::{Effect, Msg, StudyRequest};
-use super::recovery;
+use super::recovery::{self, RecoveredEdits};
 use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::modes::COUNT;
 use super::state::report::ReportRequest;
@@ -338,8 +338,9 @@ fn file_effect(effect: Effect, dir: &Path) -> Vec<Msg> {
             expected,
             new,
         } => save_case(path, text, expected.as_deref(), new),
-        Effect::KeepRecovery { path, text } => {
-            let kept = recovery::store(&path, text.as_deref());
+        Effect::KeepRecovery { path, text, kept } => {
+            let edits = text.map(|text| RecoveredEdits { text, kept });
+            let kept = recovery::store(&path, edits.as_ref());
             return warning(kept, "The unsaved changes cannot be kept for recovery");
         }
         Effect::DropRecovery(path) => {

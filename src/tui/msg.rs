@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use super::key::KeyPress;
+use super::recovery::RecoveredEdits;
 use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::report::ReportRequest;
 use super::state::trials::{TrialProgress, TrialsOf};
@@ -167,8 +168,8 @@ pub struct FileRead {
     pub path: PathBuf,
     /// Its text as read.
     pub read: Reading,
-    /// Unsaved text of an earlier session.
-    pub recovered: Option<String>,
+    /// What an earlier session left unsaved.
+    pub recovered: Option<RecoveredEdits>,
 }
 
 impl FileRead {
@@ -178,7 +179,7 @@ impl FileRead {
         path: PathBuf,
         text: String,
         content: DocumentContent,
-        recovered: Option<String>,
+        recovered: Option<RecoveredEdits>,
     ) -> Self {
         let file = FileOfText {
             kind: content.file_type(),
@@ -220,6 +221,8 @@ pub enum Effect {
         path: PathBuf,
         /// The text; absent: there is nothing unsaved any more.
         text: Option<String>,
+        /// Ranges kept for a grid, as `KEY=VALUES`.
+        kept: Vec<String>,
     },
     /// Delete the recovery file of a case.
     DropRecovery(PathBuf),

@@ -13,29 +13,63 @@ use super::case_library::state_dir;
 use crate::files::Target;
 use crate::report::chart::Glyphs;
 
-/// Keeps the unsaved text of a case, or drops it when there is none any more.
+/// What a session left of a case.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct RecoveredEdits {
+    /// The text.
+    pub text: String,
+    /// Ranges kept for a grid, as `KEY=VALUES`.
+    pub kept: Vec<String>,
+}
+
+/// Ranges kept for a grid stand before the text, each in a comment that begins so.
+const RANGE: &str = "# range kept for a grid: ";
+
+impl RecoveredEdits {
+    fn read(file: &str) -> Self {
+        let mut kept = Vec::new();
+        let mut text = file;
+        while let Some(rest) = text.strip_prefix(RANGE) {
+            let (range, below) = rest.split_once('\n').unwrap_or((rest, ""));
+            kept.push(range.to_owned());
+            text = below;
+        }
+        Self {
+            text: text.to_owned(),
+            kept,
+        }
+    }
+
+    fn written(&self) -> String {
+        let ranges = self.kept.iter().map(|range| format!("{RANGE}{range}\n"));
+        ranges.chain([self.text.clone()]).collect()
+    }
+}
+
+/// Keeps what is unsaved of a case, or drops it when there is nothing any more.
 ///
 /// # Errors
 /// When the state directory cannot be written.
-pub fn store(case: &Path, text: Option<&str>) -> io::Result<()> {
+pub fn store(case: &Path, edits: Option<&RecoveredEdits>) -> io::Result<()> {
     let dir = state_dir()?.join("recovery");
     let path = dir.join(format!("{}{}.toml", prefix(case), std::process::id()));
-    match text {
-        Some(text) => {
+    match edits {
+        Some(edits) => {
             fs::create_dir_all(&dir)?;
-            Ok(Target::replacing(&path).write(text.as_bytes())?)
+            Ok(Target::replacing(&path).write(edits.written().as_bytes())?)
         }
         None => remove_if_present(&path),
     }
 }
 
-/// The text that a session which is no longer there left of this case; the newest of several.
+/// What a session which is no longer there left of this case; the newest of several.
 #[must_use]
-pub fn find(case: &Path) -> Option<String> {
+pub fn find(case: &Path) -> Option<RecoveredEdits> {
     let newest = recovery_files(case)
         .into_iter()
         .max_by_key(|path| fs::metadata(path).and_then(|m| m.modified()).ok())?;
-    fs::read_to_string(newest).ok()
+    let file = fs::read_to_string(newest).ok()?;
+    Some(RecoveredEdits::read(&file))
 }
 
 /// Drops what sessions that are no longer there left of this case.
@@ -140,6 +174,18 @@ pub fn remember_glyphs(glyphs: Glyphs) -> io::Result<()> {
 #[cfg(all(test, target_os = "linux"))]
 mod tests {
     use super::*;
+
+    #[test]
+    fn ranges_are_kept_before_the_text() {
+        let edits = RecoveredEdits {
+            text: "# a comment\n[case]\n".to_owned(),
+            kept: vec!["current.speed_m_per_s=0.2..0.8/4".to_owned()],
+        };
+        assert_eq!(RecoveredEdits::read(&edits.written()), edits);
+        let plain = RecoveredEdits::read("# a comment\n");
+        assert_eq!(plain.text, "# a comment\n");
+        assert!(plain.kept.is_empty());
+    }
 
     #[test]
     fn only_a_running_session_of_this_program_is_alive() {

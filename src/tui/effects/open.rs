@@ -10,7 +10,8 @@ use crate::tui::{case_library, recovery};
 pub(super) fn read_case(path: &Path) -> Msg {
     match read_file(path) {
         Ok((text, content)) => {
-            let recovered = recovery::find(path).filter(|recovered| *recovered != text);
+            let recovered = recovery::find(path);
+            let recovered = recovered.filter(|left| left.text != text || !left.kept.is_empty());
             let read = FileRead::new(path.to_owned(), text, content, recovered);
             Msg::FileRead(Box::new(read))
         }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use tui_input::Input;
 
 use crate::tui::column_plot::ColumnPair;
+use crate::tui::recovery::RecoveredEdits;
 
 /// What lies over the screen.
 #[derive(Debug, Clone)]
@@ -119,8 +120,8 @@ pub enum Question {
     },
     /// Edits of an earlier session were kept.
     Recover {
-        /// The text with those edits.
-        text: String,
+        /// The text with those edits, and ranges that wait.
+        left: RecoveredEdits,
     },
     /// The file changed on disk since it was read.
     Overwrite,

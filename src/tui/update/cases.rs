@@ -69,8 +69,8 @@ pub(super) fn opened(state: &mut AppState, read: FileRead) -> Vec<Effect> {
     let mut effects = jobs::resolve(state);
     effects.extend(ship::resolve(state));
     effects.extend(runs::list(state));
-    if let Some(text) = read.recovered {
-        state.overlay = Some(Overlay::Ask(Question::Recover { text }));
+    if let Some(left) = read.recovered {
+        state.overlay = Some(Overlay::Ask(Question::Recover { left }));
     }
     effects
 }

@@ -11,8 +11,9 @@ use crate::run::settings::method_name;
 use crate::tui::facade::FieldRow;
 use crate::tui::key::KeyPress;
 use crate::tui::msg::Effect;
+use crate::tui::recovery::RecoveredEdits;
 use crate::tui::state::pending::{Change, EditSource, PendingEdit};
-use crate::tui::state::{AppState, Editing, Severity};
+use crate::tui::state::{AppState, Editing, KeptRange, Severity};
 
 const METHODS: [&str; 4] = ["static", "quasi", "rk4", "alpha"];
 
@@ -173,7 +174,8 @@ pub(super) fn keep_recovery(state: &AppState) -> Vec<Effect> {
         .into_iter()
         .map(|editor| Effect::KeepRecovery {
             path: editor.path.clone(),
-            text: editor.unsaved().then(|| editor.text.clone()),
+            text: (editor.unsaved() || !editor.kept.is_empty()).then(|| editor.text.clone()),
+            kept: editor.kept.iter().map(KeptRange::word).collect(),
         })
         .collect()
 }
@@ -257,10 +259,14 @@ pub(super) fn next_method(state: &mut AppState) -> Vec<Effect> {
 }
 
 /// Brings back the edits of an earlier session.
-pub(super) fn recover(state: &mut AppState, text: String) -> Vec<Effect> {
+pub(super) fn recover(state: &mut AppState, left: RecoveredEdits) -> Vec<Effect> {
+    if let Some(editor) = state.editor_mut() {
+        let kept = left.kept.iter();
+        editor.kept = kept.filter_map(|word| KeptRange::read(word)).collect();
+    }
     let said = "The edits of the earlier session are back. `u` undoes them.";
     let edit = PendingEdit {
-        change: Change::Text(text),
+        change: Change::Text(left.text),
         source: EditSource::Recovered,
         said: Some(said.to_owned()),
     };

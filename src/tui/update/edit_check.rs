@@ -135,18 +135,24 @@ fn enter(state: &mut AppState, edits: &[PendingEdit], accepted: &[(usize, String
 
 /// What follows an edit that is accepted.
 fn accepted(state: &mut AppState, edit: &PendingEdit) -> Vec<Effect> {
+    let mut dropped = false;
     if edit.source == EditSource::Typed
         && let Some(editor) = state.editor_mut()
         && let Some(editing) = editor.editing.take()
     {
         // A value in place of its range.
+        let before = editor.kept.len();
         editor.kept.retain(|kept| kept.path != editing.path);
+        dropped = editor.kept.len() < before;
     }
     if let Some(words) = &edit.said {
         info(state, words.clone());
     }
     if edit.source != EditSource::Recovered {
-        return Vec::new();
+        return match dropped {
+            true => edit::keep_recovery(state),
+            false => Vec::new(),
+        };
     }
     let path = state.editor().map(|editor| editor.path.clone());
     let mut effects: Vec<Effect> = path.into_iter().map(Effect::DropRecovery).collect();

@@ -183,7 +183,7 @@ fn quit_if_asked(state: &mut AppState) -> Vec<Effect> {
     let asked = matches!(state.overlay, Some(Overlay::Ask(Question::JobsRunning)));
     if asked && state.jobs.open() == 0 {
         state.overlay = None;
-        return vec![Effect::Quit];
+        return super::quit::now(state);
     }
     Vec::new()
 }

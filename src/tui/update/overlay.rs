@@ -191,9 +191,9 @@ fn answer(state: &mut AppState, question: Question, key: KeyPress) -> Vec<Effect
     match (question, chosen) {
         (Question::Unsaved { quit }, 's') => quit::save_then_leave(state, quit),
         (Question::Unsaved { quit }, 'd') => quit::drop_edits(state, quit),
-        (Question::JobsRunning, 'q') => vec![Effect::Quit],
+        (Question::JobsRunning, 'q') => quit::now(state),
         (Question::DeleteRuns { dirs, .. }, 'd') => vec![Effect::DeleteRuns(dirs)],
-        (Question::Recover { text }, 'r') => edit::recover(state, text),
+        (Question::Recover { left }, 'r') => edit::recover(state, left),
         (Question::Recover { .. }, 'd') => state
             .editor()
             .map(|editor| Effect::DropRecovery(editor.path.clone()))

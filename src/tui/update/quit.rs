@@ -28,7 +28,30 @@ fn quit_past_edits(state: &mut AppState) -> Vec<Effect> {
         state.overlay = Some(Overlay::Ask(Question::JobsRunning));
         return Vec::new();
     }
-    vec![Effect::Quit]
+    now(state)
+}
+
+/// Ends the program. Ranges that wait for one in a further field are dropped as they are when the case is left.
+pub(super) fn now(state: &AppState) -> Vec<Effect> {
+    let mut effects = drop_ranges(state);
+    effects.push(Effect::Quit);
+    effects
+}
+
+/// Where nothing else is unsaved, nothing is to be recovered.
+fn drop_ranges(state: &AppState) -> Vec<Effect> {
+    let editor = state.editor();
+    let editor = editor.filter(|editor| !editor.unsaved() && !editor.kept.is_empty());
+    let path = editor.map(|editor| editor.path.clone());
+    path.map(nothing_unsaved).into_iter().collect()
+}
+
+const fn nothing_unsaved(path: PathBuf) -> Effect {
+    Effect::KeepRecovery {
+        path,
+        text: None,
+        kept: Vec::new(),
+    }
 }
 
 pub(super) fn back(state: &mut AppState) -> Vec<Effect> {
@@ -54,7 +77,8 @@ pub(super) fn back(state: &mut AppState) -> Vec<Effect> {
 }
 
 fn close(state: &mut AppState) -> Vec<Effect> {
-    let mut effects = jobs::cancel_all(state);
+    let mut effects = drop_ranges(state);
+    effects.extend(jobs::cancel_all(state));
     state.close();
     let goes_on = |l: &JobLine| l.purpose == JobPurpose::Trials && l.state.is_open();
     state.jobs.lines.retain(goes_on);
@@ -99,6 +123,7 @@ pub(super) fn save_then_leave(state: &mut AppState, quit: bool) -> Vec<Effect> {
 pub(super) fn drop_edits(state: &mut AppState, quit: bool) -> Vec<Effect> {
     if let Some(editor) = state.editor_mut() {
         editor.text.clone_from(&editor.saved);
+        editor.kept.clear();
     }
     let mut effects = edit::keep_recovery(state);
     effects.extend(if quit {
@@ -129,10 +154,11 @@ pub(super) fn saved(state: &mut AppState, path: PathBuf, text: String) -> Vec<Ef
     }
     let after = std::mem::take(&mut editor.after_save);
     let said = format!("Saved to {}.", editor.path.display());
-    let mut effects = vec![Effect::KeepRecovery {
-        path: old,
-        text: None,
-    }];
+    let mut effects = vec![nothing_unsaved(old)];
+    // Edits made since, and ranges that wait, are not in the file.
+    if !editor.kept.is_empty() || differs {
+        effects.extend(edit::keep_recovery(state));
+    }
     info(state, said);
     effects.extend(match after {
         // What was edited since differs from another file now.

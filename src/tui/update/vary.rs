@@ -4,7 +4,7 @@
 //! the range, and one typed into a further field makes the grid.
 
 use super::notice::info;
-use super::{jobs, runs, studies};
+use super::{edit, jobs, runs, studies};
 use crate::case::fields::{Field, ValueType};
 use crate::case::{self, StudyValue, TextDigest};
 use crate::run::job::Request;
@@ -176,7 +176,8 @@ pub(super) fn keep(state: &mut AppState) -> Vec<Effect> {
     info(
         state,
         "The range is kept: one in a second field begins the grid, Esc drops it.",
-    )
+    );
+    edit::keep_recovery(state)
 }
 
 /// Drops the ranges that wait.
@@ -184,7 +185,8 @@ pub fn drop_kept(state: &mut AppState) -> Vec<Effect> {
     if let Some(editor) = state.editor_mut() {
         editor.kept.clear();
     }
-    info(state, "The range kept for a grid is dropped.")
+    info(state, "The range kept for a grid is dropped.");
+    edit::keep_recovery(state)
 }
 
 /// The ranges that wait, in words; nothing where none does.
@@ -231,7 +233,7 @@ pub(super) fn begin(state: &mut AppState) -> Vec<Effect> {
         return Vec::new();
     };
     document.editor.editing = None;
-    document.editor.kept.clear();
+    let had_kept = !std::mem::take(&mut document.editor.kept).is_empty();
     let Some((line, editor)) = document.line_and_editor() else {
         return Vec::new();
     };
@@ -250,7 +252,11 @@ pub(super) fn begin(state: &mut AppState) -> Vec<Effect> {
         path: editor.file.clone(),
         overrides,
     };
-    vec![Effect::Vary(editor.path.clone(), Box::new(variation))]
+    let mut effects = vec![Effect::Vary(editor.path.clone(), Box::new(variation))];
+    if had_kept {
+        effects.extend(edit::keep_recovery(state));
+    }
+    effects
 }
 
 /// What became of the runs of a range.

@@ -11,6 +11,7 @@ mod footer;
 mod hostile_text;
 mod marks;
 mod modes;
+mod pending;
 mod random;
 mod response;
 mod resume;
@@ -29,6 +30,7 @@ use seacable::run::RunState;
 use seacable::run::job::JobEvent;
 use seacable::tui::key::KeyPress;
 use seacable::tui::panes;
+use seacable::tui::recovery::RecoveredEdits;
 use seacable::tui::state::{JobState, Overlay, PromptPurpose, Question, Severity};
 use seacable::tui::update::palette_matches;
 use seacable::tui::{Effect, Msg};
@@ -326,15 +328,20 @@ fn a_file_that_cannot_be_written_offers_another_name() {
 fn edits_of_an_earlier_session_are_offered() {
     let mut desk = Desk::new(SMALL);
     let edited = desk::CASE.replace("= 0.3", "= 0.7");
+    let recovered = RecoveredEdits {
+        text: edited.clone(),
+        kept: vec!["payload.drag_area_m2=100, 120".to_owned()],
+    };
     desk.tell(Msg::FileRead(Box::new(seacable::tui::msg::FileRead::new(
         PathBuf::from("cases/body.toml"),
         desk::CASE.to_owned(),
         content_of(seacable::case::parse(desk::CASE, "body.toml").unwrap()),
-        Some(edited.clone()),
+        Some(recovered),
     ))));
     desk.keys("r");
     assert_eq!(desk.state.editor().unwrap().text, edited);
     assert!(desk.state.editor().unwrap().unsaved());
+    assert_eq!(desk.state.editor().unwrap().kept.len(), 1);
     desk.keys("u");
     assert_eq!(desk.state.editor().unwrap().text, desk::CASE);
 }

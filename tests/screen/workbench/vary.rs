@@ -1,5 +1,6 @@
 //! Ranges typed into a field, and the runs they make.
 
+use seacable::tui::Effect;
 use seacable::tui::pane::PaneId;
 use seacable::tui::state::{JobState, KeptRange, Overlay, Question, RunStatus};
 
@@ -234,4 +235,20 @@ fn many_runs_are_asked_about_first() {
     assert!(desk.started().is_empty());
     desk.keys("enter r");
     assert!(said(&desk).starts_with("201 runs begun"));
+}
+
+#[test]
+fn a_kept_range_is_kept_for_recovery_until_it_is_dropped() {
+    let mut desk = typing("0.2..0.8/4");
+    desk.asked.clear();
+    desk.keys("+");
+    let is_kept = |effect: &Effect| match effect {
+        Effect::KeepRecovery { text, kept, .. } => text.is_some() && kept.len() == 1,
+        _ => false,
+    };
+    assert!(desk.asked.iter().any(is_kept));
+    desk.asked.clear();
+    desk.keys("esc");
+    let is_dropped = |effect: &Effect| matches!(effect, Effect::KeepRecovery { text: None, .. });
+    assert!(desk.asked.iter().any(is_dropped));
 }
