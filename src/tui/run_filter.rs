@@ -7,11 +7,69 @@ use std::cell::RefCell;
 
 use super::state::{RunColumn, RunEntry, RunList};
 
+/// What the words of a filter are looked for in.
+#[derive(Debug, Clone)]
+pub struct RunText {
+    text: Utf32String,
+    /// The letters and digits that it has.
+    letters: LetterSet,
+}
+
+impl RunText {
+    /// The text of a run.
+    #[must_use]
+    pub fn new(run: &RunEntry) -> Self {
+        let notes = &run.notes;
+        let text = format!(
+            "{} {} {} {} {} {} {}",
+            run.id,
+            run.label,
+            run.state.word(),
+            run.method,
+            notes.name,
+            notes.tags.join(" "),
+            notes.note
+        );
+        Self {
+            letters: LetterSet::of(&text).unwrap_or(LetterSet::ALL),
+            text: Utf32String::from(text),
+        }
+    }
+}
+
+/// Letters, whatever their case, and digits. A run that lacks one of those typed fails without a look at its text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct LetterSet(u64);
+
+impl LetterSet {
+    /// What any text may have.
+    const ALL: Self = Self(u64::MAX);
+
+    /// Those of a text; nothing where others are taken for them, as accented letters are.
+    fn of(text: &str) -> Option<Self> {
+        let bit = |c: u8| match c.to_ascii_lowercase() {
+            c @ b'a'..=b'z' => 1 << (c - b'a'),
+            c @ b'0'..=b'9' => 1 << (26 + c - b'0'),
+            _ => 0,
+        };
+        let set = || text.bytes().fold(0_u64, |set, c| set | bit(c));
+        text.is_ascii().then(|| Self(set()))
+    }
+
+    const fn has_all_of(self, other: Self) -> bool {
+        other.0 & !self.0 == 0
+    }
+}
+
 /// What a filter asks of a run.
 #[derive(Debug)]
 pub struct RunFilter {
     conditions: Vec<Condition>,
     words: Pattern,
+    /// Letters and digits that a run must have for the words.
+    letters: LetterSet,
+    /// Whether nothing else is needed for the words.
+    only_letters: bool,
     matcher: RefCell<Matcher>,
 }
 
@@ -52,9 +110,14 @@ impl RunFilter {
             .map(|word| Condition::new(word).ok_or(word))
             .partition(Result::is_ok);
         let words: Vec<&str> = words.into_iter().filter_map(Result::err).collect();
+        // Signs have a meaning in words: `!` before a word asks for runs without it.
+        let is_plain = |word: &&&str| word.bytes().all(|c| c.is_ascii_alphanumeric());
+        let plain: String = words.iter().filter(is_plain).copied().collect();
         Self {
             conditions: conditions.into_iter().flatten().collect(),
             words: Pattern::parse(&words.join(" "), CaseMatching::Ignore, Normalization::Smart),
+            letters: LetterSet::of(&plain).unwrap_or(LetterSet(0)),
+            only_letters: words.iter().all(|word| word.len() == 1) && plain.len() == words.len(),
             matcher: RefCell::new(Matcher::new(Config::DEFAULT)),
         }
     }
@@ -73,26 +136,9 @@ impl RunFilter {
         !self.words.atoms.is_empty()
     }
 
-    /// What the words are looked for in.
-    #[must_use]
-    pub fn text_of(run: &RunEntry) -> Utf32String {
-        let notes = &run.notes;
-        let text = format!(
-            "{} {} {} {} {} {} {}",
-            run.id,
-            run.label,
-            run.state.word(),
-            run.method,
-            notes.name,
-            notes.tags.join(" "),
-            notes.note
-        );
-        Utf32String::from(text)
-    }
-
     /// Whether a run of a list passes; its text is needed where there are words.
     #[must_use]
-    pub fn passes(&self, list: &RunList, run: &RunEntry, text: Option<&Utf32String>) -> bool {
+    pub fn passes(&self, list: &RunList, run: &RunEntry, text: Option<&RunText>) -> bool {
         let met = |condition: &Condition| condition.is_met(list, run);
         if !self.conditions.iter().all(met) {
             return false;
@@ -100,8 +146,14 @@ impl RunFilter {
         let Some(text) = text.filter(|_| self.has_words()) else {
             return !self.has_words();
         };
+        if !text.letters.has_all_of(self.letters) {
+            return false;
+        }
+        if self.only_letters && text.letters != LetterSet::ALL {
+            return true;
+        }
         let matcher = &mut *self.matcher.borrow_mut();
-        self.words.score(text.slice(..), matcher).is_some()
+        self.words.score(text.text.slice(..), matcher).is_some()
     }
 }
 
@@ -192,6 +244,39 @@ impl Condition {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::TextDigest;
+
+    #[test]
+    fn letters_decide_only_what_the_matcher_would() {
+        let list = RunList::empty();
+        let method = |word: &str| RunEntry::session(TextDigest::of(""), word.to_owned());
+        let passes = |typed: &str, run: &RunEntry| {
+            RunFilter::new(typed).passes(&list, run, Some(&RunText::new(run)))
+        };
+        let (plain, accented) = (method("quasi-static"), method("\u{e9}tat \u{e0} rest"));
+        for (typed, run, expected) in [
+            ("q", &plain, true),
+            ("Q", &plain, true),
+            ("z", &plain, false),
+            ("qs", &plain, true),
+            ("sq", &plain, false),
+            ("q z", &plain, false),
+            ("!q", &plain, false),
+            ("!z", &plain, true),
+            ("e", &accented, true),
+            ("z", &accented, false),
+        ] {
+            assert_eq!(passes(typed, run), expected, "{typed} in {}", run.method);
+        }
+    }
+
+    #[test]
+    fn a_filter_narrows_when_letters_are_added_to_words() {
+        assert!(RunFilter::narrows("mod", "modu") && RunFilter::narrows("mod", "mod 3"));
+        for (before, now) in [("", "m"), ("mod", "mo"), ("cpu>1", "cpu>12"), ("!m", "!mo")] {
+            assert!(!RunFilter::narrows(before, now), "{before} to {now}");
+        }
+    }
 
     #[test]
     fn a_word_with_a_sign_is_a_condition() {

@@ -5,12 +5,10 @@ use std::collections::HashMap;
 use std::ops::Index;
 use std::path::{Path, PathBuf};
 
-use nucleo_matcher::Utf32String;
-
 use super::case_list::Filter;
 use super::curves::RunEntry;
 use crate::run::index::{MeasuredResult, RunColumns, SyncProgress};
-use crate::tui::run_filter::RunFilter;
+use crate::tui::run_filter::{RunFilter, RunText};
 
 /// A column of the table of runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,7 +65,7 @@ pub struct RunList {
     /// Whether they are there: no run has come, gone or changed its directory since.
     placed: bool,
     /// What the words of a filter are looked for in, run by run; empty until it is needed.
-    texts: Vec<Utf32String>,
+    texts: Vec<RunText>,
     /// Those on the charts, in their order.
     on_charts: Vec<usize>,
     /// How many are marked.
@@ -286,7 +284,7 @@ impl RunList {
         let known = self.texts.len() == self.entries.len();
         let narrows = known && RunFilter::narrows(&self.filtered_by, typed);
         if filter.has_words() && !known {
-            self.texts = self.entries.iter().map(RunFilter::text_of).collect();
+            self.texts = self.entries.iter().map(RunText::new).collect();
         }
         let passes = |at: &usize| filter.passes(self, &self.entries[*at], self.texts.get(*at));
         self.rows = match narrows {
