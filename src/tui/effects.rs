@@ -365,6 +365,10 @@ fn file_effect(effect: Effect, dir: &Path) -> Vec<Msg> {
         Effect::ReadEdited(path) => Msg::Edited(external_editor::read(&path)),
         Effect::KeepRun(run) => keep_run(run),
         Effect::WriteText { path, text, what } => write_text(&path, &text, what),
+        Effect::WriteReport(report) => match report.text() {
+            Some((text, what)) => write_text(&report.path, &text, what),
+            None => return Vec::new(),
+        },
         _ => return Vec::new(),
     };
     vec![answer]

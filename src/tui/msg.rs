@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use super::key::KeyPress;
 use super::recovery::RecoveredEdits;
 use super::state::edit_check::{EditAnswer, EditCheck};
-use super::state::report::ReportRequest;
+use super::state::report::{ModelReport, ReportRequest};
 use super::state::trials::{TrialProgress, TrialsOf};
 use super::state::{
     CaseEntry, DocumentContent, FileOfText, JobNumber, ParameterEditor, Reading, RunCurves,
@@ -307,6 +307,8 @@ pub enum Effect {
     CheckEdits(Box<EditCheck>),
     /// Read what the user's editor left of a file.
     ReadEdited(PathBuf),
+    /// Make the report of a file other than a line case, and write it.
+    WriteReport(Box<ModelReport>),
     /// Make the report of a run.
     MakeReport(Box<ReportRequest>),
     /// Read a stored run.

@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use super::document::DocumentContent;
-use super::parameter_editor::ParameterEditor;
 use crate::case::EditedKey;
 use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::table::Table;
 use crate::tui::command::{Command, CommandId, MODEL};
+use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 
 /// A kind of file and its panes, and what is said of one file.
@@ -67,8 +67,8 @@ pub trait DocumentKind {
         ("report", "The report")
     }
 
-    /// The text report; absent where there is no result.
-    fn report(&self, _source: &ParameterEditor, _glyphs: Glyphs) -> Option<String> {
+    /// The text report, with the fields of its text; absent where there is no result.
+    fn report(&self, _rows: &[FieldRow], _glyphs: Glyphs) -> Option<String> {
         None
     }
 

@@ -1,10 +1,14 @@
-//! The text report of a run, made away from the drawing thread.
+//! Text reports, of runs and of files of other kinds, made away from the drawing thread.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::document::DocumentContent;
+
 use crate::reference::{self, ValidationRow};
+use crate::report::chart::Glyphs;
 use crate::run::Run;
-use crate::tui::facade;
+use crate::tui::facade::{self, FieldRow};
 
 /// A report that is asked for.
 #[derive(Debug, Clone)]
@@ -38,5 +42,28 @@ impl ReportRequest {
             }
             Err(problem) => problem,
         }
+    }
+}
+
+/// A report of a file other than a line case, that is to be written.
+#[derive(Debug, Clone)]
+pub struct ModelReport {
+    /// What it reports on.
+    pub content: DocumentContent,
+    /// The fields of the file.
+    pub rows: Vec<FieldRow>,
+    /// Characters of its charts.
+    pub glyphs: Glyphs,
+    /// Where to.
+    pub path: PathBuf,
+}
+
+impl ModelReport {
+    /// The report, and what it is; absent where there is no result.
+    #[must_use]
+    pub fn text(&self) -> Option<(String, &'static str)> {
+        let kind = self.content.kind();
+        let text = kind.report(&self.rows, self.glyphs)?;
+        Some((text, kind.report_name().1))
     }
 }

@@ -4,7 +4,6 @@ use std::path::PathBuf;
 
 use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
-use super::parameter_editor::ParameterEditor;
 use crate::case::EditedKey;
 use crate::reference::{self, ValidationRow};
 use crate::report::chart::{Chart, Glyphs};
@@ -12,6 +11,7 @@ use crate::report::ropeway::{self as views, cargo, tables, winch};
 use crate::report::table::Table;
 use crate::ropeway::elastic::Carrier;
 use crate::ropeway::{ModelResults, RopewayError, SolvedRopeway, line, validation};
+use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 
 /// A ropeway.
@@ -118,9 +118,9 @@ impl DocumentKind for RopewayView {
         &self.checks
     }
 
-    fn report(&self, source: &ParameterEditor, glyphs: Glyphs) -> Option<String> {
+    fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
         let results = self.results.as_ref().ok()?;
-        Some(views::report(&self.worked, results, &source.rows, glyphs))
+        Some(views::report(&self.worked, results, rows, glyphs))
     }
 
     fn line_input(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
-use super::parameter_editor::ParameterEditor;
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::section::{self as views, tables};
 use crate::report::table::Table;
 use crate::section::stiffness::EndRotation;
 use crate::section::{self, Design};
+use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::PlotPane;
 
@@ -73,7 +73,7 @@ impl DocumentKind for SectionView {
         ("tables", "The cross-section with its tables")
     }
 
-    fn report(&self, _source: &ParameterEditor, glyphs: Glyphs) -> Option<String> {
+    fn report(&self, _rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
         Some(views::report(&self.design, PAPER_WIDTH, glyphs, None))
     }
 

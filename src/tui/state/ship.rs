@@ -7,7 +7,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
-use super::parameter_editor::ParameterEditor;
 use crate::case::EditedKey;
 use crate::numerics::V3;
 use crate::reference::{self, ValidationRow};
@@ -16,6 +15,7 @@ use crate::report::ship::{coupled, motion, rope, statics, text};
 use crate::report::table::Table;
 use crate::ship::rope::RopeAnalysis;
 use crate::ship::{self, DynamicAnalysis, MotionAnalysis, StaticAnalysis, validation};
+use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 
 /// A ship.
@@ -214,11 +214,11 @@ impl DocumentKind for ShipView {
         self.running.as_ref().map(|_| "dynamic analysis: running")
     }
 
-    fn report(&self, source: &ParameterEditor, glyphs: Glyphs) -> Option<String> {
+    fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
         Some(text::text(
             &self.statics,
             self.dynamic.as_deref(),
-            &source.rows,
+            rows,
             glyphs,
         ))
     }

@@ -2,7 +2,6 @@
 
 use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
-use super::parameter_editor::ParameterEditor;
 use crate::case::EditedKey;
 use crate::reference::{self, ValidationRow};
 use crate::report::chart::{Chart, Glyphs};
@@ -11,6 +10,7 @@ use crate::report::table::Table;
 use crate::system::analysis::periods::periods;
 use crate::system::{SolvedSystem, validation};
 use crate::tui::command::{Command, REPORTED};
+use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 
 /// A system of lines.
@@ -152,8 +152,8 @@ impl DocumentKind for SystemView {
         &self.checks
     }
 
-    fn report(&self, source: &ParameterEditor, glyphs: Glyphs) -> Option<String> {
+    fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
         let checks = &self.checks;
-        Some(views::report(&self.solved, checks, &source.rows, glyphs))
+        Some(views::report(&self.solved, checks, rows, glyphs))
     }
 }

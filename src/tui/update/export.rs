@@ -6,7 +6,7 @@ use super::notice::info;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::AppState;
-use crate::tui::state::report::ReportRequest;
+use crate::tui::state::report::{ModelReport, ReportRequest};
 
 /// Width of texts that are written to files.
 pub const TEXT_WIDTH: usize = 100;
@@ -65,9 +65,14 @@ pub(super) fn write_report(state: &mut AppState) -> Vec<Effect> {
     if kind.busy().is_some() {
         return still_computing(state);
     }
-    let (name, what) = kind.report_name();
-    let path = PathBuf::from(format!("{}-{name}.txt", document.editor.stem()));
-    write(path, kind.report(&document.editor, glyphs), what)
+    let (name, _) = kind.report_name();
+    let stem = document.editor.stem();
+    vec![Effect::WriteReport(Box::new(ModelReport {
+        content: document.content.clone(),
+        rows: document.editor.rows.clone(),
+        glyphs,
+        path: PathBuf::from(format!("{stem}-{name}.txt")),
+    }))]
 }
 
 /// Writes the input for a line case.

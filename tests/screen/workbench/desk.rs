@@ -126,6 +126,14 @@ impl Desk {
                     let text = request.text();
                     self.tell(Msg::Report(request, text));
                 }
+                Effect::WriteReport(report) => {
+                    let written = report.text().map(|(text, what)| Effect::WriteText {
+                        path: report.path,
+                        text,
+                        what,
+                    });
+                    self.asked.extend(written);
+                }
                 effect => self.asked.push(effect),
             }
         }
