@@ -63,6 +63,9 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     for (body, place) in asked.chain(circles) {
         found.extend(body_asked(keys, body, place));
     }
+    for (_, goal) in &keys.goals {
+        found.extend(quantities::unknown(&goal.result, keys));
+    }
     let names = keys.lines.iter().map(|(_, line)| &line.name);
     found.extend(used_twice(names, "give every line a name of its own"));
     for (_, material) in &keys.materials {

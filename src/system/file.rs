@@ -44,6 +44,7 @@ impl FileKind for SystemFile {
         rows.extend(lister.if_given(&["seabed"], "seabed"));
         rows.extend(lister.if_given(&["current"], "current"));
         rows.extend(lister.if_given(&["wind"], "wind"));
+        rows.extend(lister.named("goals", "goal"));
         rows.extend(lister.named("offset_curves", "offset curve"));
         rows.extend(lister.named("watch_circles", "watch circle"));
         rows.extend(lister.named("lines", "line"));

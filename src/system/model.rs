@@ -40,6 +40,8 @@ table! {
         offset_curves: Vec<OffsetCurveInputs>;
         /// Watch circles to work out with the system.
         watch_circles: Vec<WatchCircleInputs>;
+        /// Wanted results, and the inputs that are to give them.
+        goals: Vec<GoalInputs>;
         /// Marine growth and corrosion of the lines; absent leaves them new.
         ageing: Option<AgeingInputs>;
         /// Where an input comes from when the source does not print it, by key path.
@@ -357,5 +359,20 @@ table! {
         depth_m: Vec<f64>, "depths", range of(-1e3, 2e4), absent "one rate at every depth";
         /// Loss of that diameter a year at these depths, corrosion and wear together.
         rate_m_per_year: Vec<f64>, "rate", unit "m/year", range of(0.0, 1.0);
+    }
+}
+
+table! {
+    /// A wanted result: which value of an input gives it, all else as it stands. The system itself stays as it is.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct GoalInputs => GoalKeys {
+        /// The input to vary, such as lines.mooring.length_m.
+        vary: String, "input to vary";
+        /// The values to search between, in its unit.
+        between: [f64; 2], "between", range of(-1e15, 1e15);
+        /// The result wanted, such as tension_n[mooring|b].
+        result: String, "result";
+        /// Its wanted value, in its unit.
+        value: f64, "wanted value", range of(-1e15, 1e15);
     }
 }

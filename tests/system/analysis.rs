@@ -134,4 +134,17 @@ fn analyses_that_a_file_asks_for_come_with_the_system() {
         (*body, circle.headings.len(), circle.damaged.len()),
         (0, 12, 3)
     );
+    let (goal, sought) = &asked.goals[0];
+    let sought = sought.as_ref().unwrap();
+    assert!((sought.result / goal.value - 1.0).abs() < 1e-9);
+    let with = text.replace(
+        "length_m = 902.2",
+        &format!("length_m = {:?}", sought.value),
+    );
+    let tension = crate::tensions(&solved(&with), "mooring")[1];
+    assert!((tension / 9.5e5 - 1.0).abs() < 1e-9, "{tension}");
+    // A goal that nothing meets says why, and the system stands.
+    let never = solved(&text.replace("value = 9.5e5", "value = 9.5e7"));
+    let why = never.analyses.goals[0].1.as_ref().unwrap_err();
+    assert!(why.contains("is not among these"), "{why}");
 }

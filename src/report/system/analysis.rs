@@ -10,6 +10,7 @@ use crate::system::analysis::clearance::{
 use crate::system::analysis::equilibria::moved;
 use crate::system::analysis::offset::OffsetPoint;
 use crate::system::analysis::periods::SystemMode;
+use crate::system::analysis::seek::Sought;
 use crate::system::analysis::watch_circle::WatchCircle;
 use crate::system::equilibrium::Equilibrium;
 use crate::system::solved::Stability;
@@ -17,6 +18,7 @@ use crate::system::solved::Stability;
 const NEWTONS: NumberFormat = NumberFormat::Si("N");
 const METRES: NumberFormat = NumberFormat::Decimals(3, "m");
 const DEGREES: NumberFormat = NumberFormat::Decimals(2, "deg");
+const DIGITS: NumberFormat = NumberFormat::Digits(8, "");
 const SECONDS: NumberFormat = NumberFormat::Digits(5, "s");
 
 /// Name of a line with its number.
@@ -38,7 +40,12 @@ fn distance(point: &OffsetPoint) -> f64 {
 #[must_use]
 pub fn offsets(solved: &SolvedSystem, heading_deg: f64, points: &[OffsetPoint]) -> Table {
     let heading = heading_deg.to_radians();
-    let towards = |p: &OffsetPoint| -(p.force_n.x * heading.cos() + p.force_n.y * heading.sin());
+    let towards = |p: &OffsetPoint| {
+        let force = -(p.force_n.x * heading.cos() + p.force_n.y * heading.sin());
+        // What rounding leaves at the place of rest is nothing.
+        let rounding = force.abs() <= 1e-12 * p.greatest.1;
+        if rounding { 0.0 } else { force }
+    };
     let title = format!("Offset along {heading_deg} deg, height and angles held");
     Table::of(title, points)
         .number("offset", METRES, distance)
@@ -81,6 +88,28 @@ pub fn offset_curve(solved: &SolvedSystem, curve: &OffsetCurve) -> Table {
         ));
     }
     table
+}
+
+/// The goals of a file: the input that meets each, or why none does.
+#[must_use]
+pub fn goals(solved: &SolvedSystem) -> Table {
+    let goals = &solved.analyses.goals;
+    let found = |sought: &Result<Sought, String>| sought.as_ref().ok().cloned();
+    let table = Table::of("Wanted results", goals)
+        .text("result", |(goal, _)| goal.result.as_str())
+        .number("wanted", DIGITS, |(goal, _)| goal.value)
+        .number("comes to", DIGITS, |(_, sought)| {
+            found(sought).map(|s| s.result)
+        })
+        .text("with", |(goal, _)| goal.vary.as_str())
+        .number("at", DIGITS, |(_, sought)| found(sought).map(|s| s.value))
+        .build();
+    let refused = goals.iter().filter_map(|(_, sought)| sought.as_ref().err());
+    table.noted(
+        refused
+            .map(|why| format!("Not met: {why}."))
+            .collect::<Vec<_>>(),
+    )
 }
 
 /// A heading of a watch circle: intact, and with the line lost by which the body goes furthest and that which loads another most.

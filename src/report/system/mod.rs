@@ -71,6 +71,10 @@ pub fn report(
         page.chart(&analysis::watch_chart(solved, circle), LINES, glyphs);
         page.table(&analysis::watch_circle(solved, circle));
     }
+    if !asked.goals.is_empty() {
+        page.heading("Goals");
+        page.table(&analysis::goals(solved));
+    }
     if !rows.is_empty() {
         page.heading("Published values");
         page.block(&text::validation(rows));

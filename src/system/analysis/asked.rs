@@ -1,10 +1,15 @@
-//! The analyses that a system file asks for: offset curves and watch circles, worked out with the system.
+//! The analyses that a system file asks for: offset curves, watch circles and goals, worked out with the system.
+
+use rayon::prelude::*;
+use toml_edit::DocumentMut;
 
 use super::super::equilibrium::Equilibrium;
-use super::super::model::SystemFile;
+use super::super::model::{GoalInputs, SystemFile};
 use super::super::network::Network;
 use super::offset::{HeldAway, OffsetPoint, curve};
+use super::seek::{Sought, seek};
 use super::watch_circle::{WatchCircle, watch_circle};
+use crate::case::schema::{TableType, WrittenKeys};
 
 /// What a file asks for beside the equilibrium.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -13,6 +18,8 @@ pub struct Analyses {
     pub offsets: Vec<OffsetCurve>,
     /// Watch circles, with the numbers of their bodies.
     pub circles: Vec<(usize, WatchCircle)>,
+    /// Goals, each with the input that meets it, or why none does.
+    pub goals: Vec<(GoalInputs, Result<Sought, String>)>,
 }
 
 /// A body held away from where it rests, step by step.
@@ -60,5 +67,27 @@ pub fn analyses(file: &SystemFile, network: &Network, rest: &Equilibrium) -> Ana
     Analyses {
         offsets: offsets.collect(),
         circles: circles.collect(),
+        goals: goals(file),
     }
+}
+
+/// The goals, sought in the file without its own analyses.
+fn goals(file: &SystemFile) -> Vec<(GoalInputs, Result<Sought, String>)> {
+    if file.goals.is_empty() {
+        return Vec::new();
+    }
+    let bare = SystemFile {
+        offset_curves: Vec::new(),
+        watch_circles: Vec::new(),
+        goals: Vec::new(),
+        published: Vec::new(),
+        ..file.clone()
+    };
+    let text = DocumentMut::from(bare.write(WrittenKeys::WithoutDefaults)).to_string();
+    let found = |goal: &GoalInputs| {
+        let [low, high] = goal.between;
+        let sought = seek(&text, &goal.vary, (low, high), &goal.result, goal.value);
+        (goal.clone(), sought)
+    };
+    file.goals.par_iter().map(found).collect()
 }

@@ -70,6 +70,14 @@ impl SystemView {
         }
     }
 
+    fn goals(&self) -> Table {
+        if self.solved.analyses.goals.is_empty() {
+            let how = "None is asked for; add [[goals]] with vary, between, result and value.";
+            return Table::titled(how);
+        }
+        analysis::goals(&self.solved)
+    }
+
     fn watch_circle(&self) -> (Option<Chart>, Table) {
         match self.solved.analyses.circles.first() {
             Some((_, circle)) => (
@@ -107,6 +115,7 @@ impl DocumentKind for SystemView {
                 "Equilibria",
                 "Offsets",
                 "Watch circle",
+                "Goals",
             ],
         }
     }
@@ -122,6 +131,7 @@ impl DocumentKind for SystemView {
             6 => (None, analysis::equilibria(solved)),
             7 => self.offsets(),
             8 => self.watch_circle(),
+            9 => (None, self.goals()),
             _ => {
                 let first = !solved.network.bodies.is_empty();
                 let none = || Table::titled("The system has no body.");
