@@ -85,12 +85,15 @@ pub fn run(count: usize, seed: u64) -> Vec<RandomOutcome> {
                     .iter()
                     .all(|p| p.iter().all(|v| v.is_finite()))
                 && balance.tension.is_finite();
+            // Bodies that float on slack lines balance their weight.
+            let weights = network.bodies.iter().map(|body| body.weight);
+            let carried = weights.fold(balance.tension, f64::max);
             RandomRest {
                 // A system that carries nothing has rounding of nothing.
                 residual: if rest.residual <= 1e-100 {
                     0.0
                 } else {
-                    rest.residual / balance.tension.max(f64::MIN_POSITIVE)
+                    rest.residual / carried.max(f64::MIN_POSITIVE)
                 },
                 by_rounding: rest.residual
                     / (8.0 * f64::EPSILON * size * stiffest).max(f64::MIN_POSITIVE),

@@ -1,4 +1,4 @@
-//! Loads on a body that no line brings: weight, buoyancy, water-plane, steady loads, its members in the water, wind and current.
+//! Loads on a body that no line brings: weight, buoyancy, water-plane, steady loads, its members in the water and on the bed, wind and current.
 //!
 //! Loads that hang on the pose are written once, for dual numbers in the six small motions of the body: their stiffness is exact and
 //! cannot come apart from them.
@@ -115,6 +115,7 @@ pub fn body_loads(
         let mut sum = LoadSum::none();
         for member in &body.members {
             members::buoyancy(network, member, &moving, &mut sum);
+            members::bed(network, body, member, &moving, &mut sum);
             if flow {
                 members::drag(network, member, &moving, &mut sum);
             }

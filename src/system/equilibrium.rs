@@ -287,7 +287,10 @@ impl<'a> Search<'a> {
                     let slope = force.dot(&step);
                     return Direction { step, slope };
                 }
-                if downhill(&plain) {
+                // What was barely made positive definite leads far along the one direction that it was not in.
+                let far = plain.component_mul(&self.lever).amax();
+                let within = added == 0.0 || far <= 2.0 * self.reach;
+                if within && downhill(&plain) {
                     let slope = force.dot(&plain);
                     return Direction { step: plain, slope };
                 }

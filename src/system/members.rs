@@ -197,6 +197,32 @@ pub(super) fn buoyancy(network: &Network, member: &Member, pose: &MovingPose, su
     sum.add(&centre, &(up * (volume * weight)));
 }
 
+/// The bed under the ends of a member, each a ball of its radius: a spring that gives way by a millimetre under the body's weight.
+pub(super) fn bed(
+    network: &Network,
+    body: &Body,
+    member: &Member,
+    pose: &MovingPose,
+    sum: &mut LoadSum,
+) {
+    let Some(bed) = network.bed_z else { return };
+    let spring = body.weight.max(1.0) / GIVES_WAY;
+    let ends = [
+        (&member.from, member.radius.0),
+        (&member.to, member.radius.1),
+    ];
+    for (end, radius) in ends {
+        let arm = pose.arm(end);
+        let above = pose.origin.z + arm.z - (bed + radius);
+        if above.re < 0.0 {
+            sum.add(&arm, &(constant(&V3::z()) * (above * -spring)));
+        }
+    }
+}
+
+/// How far the bed gives way under the weight of a body in air on one end of a member \[m\].
+const GIVES_WAY: f64 = 1e-3;
+
 /// Drag of a current across a member, on its part below the surface.
 pub(super) fn drag(network: &Network, member: &Member, pose: &MovingPose, sum: &mut LoadSum) {
     let Some(current) = network.current.as_ref().filter(|_| member.drag > 0.0) else {

@@ -423,3 +423,47 @@ length_m = 18.0
     let modes = periods(&system.network, &system.rest).unwrap();
     assert_eq!(modes.len(), 5, "{modes:?}");
 }
+
+/// A rod too heavy for its slack lines lies on the bed, which bears its weight and gives way by less than a millimetre.
+#[test]
+fn a_heavy_rod_lies_on_the_bed() {
+    let system = solved(&format!(
+        "{HEAD}
+[seabed]
+depth_m = 40.0
+[materials.wire]
+diameter_m = 0.01
+mass_kg_per_m = 0.5
+ea_n = 1e7
+[rods.pipe]
+kind = \"free\"
+end_a_m = [-6.0, 0.0, -20.0]
+end_b_m = [6.0, 0.0, -18.0]
+mass_kg = 5000.0
+diameter_m = 0.4
+[points.left]
+kind = \"fixed\"
+position_m = [-20.0, 0.0, -1.0]
+[points.right]
+kind = \"fixed\"
+position_m = [20.0, 0.0, -1.0]
+[[lines]]
+name = \"left\"
+from = \"left\"
+to = \"pipe-a\"
+material = \"wire\"
+length_m = 45.0
+[[lines]]
+name = \"right\"
+from = \"right\"
+to = \"pipe-b\"
+material = \"wire\"
+length_m = 45.0
+"
+    ));
+    for end in ["pipe-a", "pipe-b"] {
+        let above = place(&system, end)[2] + 40.0;
+        assert!(above > 0.199 && above < 0.2, "{end}: {above}");
+    }
+    assert!(tensions(&system, "left")[1] < 0.1 * 5000.0 * 9.8);
+}
