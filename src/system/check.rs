@@ -2,7 +2,8 @@
 
 use super::ageing::check::ageing;
 use super::model::{
-    BodyKind, HeadingLoadKeys, LineKeys, MemberKeys, PointKeys, PointKind, RodKeys, SystemKeys,
+    BodyKeys, BodyKind, HeadingLoadKeys, LineKeys, MemberKeys, PointKeys, PointKind, RodKeys,
+    SystemKeys,
 };
 use super::quantities;
 use super::rods;
@@ -19,30 +20,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(outside_water(keys, point));
     }
     for (_, body) in &keys.bodies {
-        if body.kind.is(&BodyKind::Free) {
-            found.extend(
-                body.mass_kg
-                    .if_missing("a free body needs its mass: add `mass_kg`"),
-            );
-        }
-        found.extend(matrix(
-            &body.waterplane_stiffness,
-            &[6, 36],
-            "6 numbers, a diagonal, or 36, row by row",
-        ));
-        found.extend(matrix(
-            &body.added_mass,
-            &[6, 36],
-            "6 numbers, a diagonal, or 36, row by row",
-        ));
-        found.extend(matrix(
-            &body.inertia_kg_m2,
-            &[3, 6],
-            "Ixx, Iyy, Izz, or these and Ixy, Ixz, Iyz",
-        ));
-        found.extend(body.members.iter().filter_map(|(_, member)| long(member)));
-        found.extend(headings(&body.wind_loads));
-        found.extend(headings(&body.current_loads));
+        found.extend(body_alone(body));
     }
     for (name, rod) in &keys.rods {
         found.extend(rod_of(keys, name, rod));
@@ -75,6 +53,36 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found.extend(published_number::check(&keys.published, |key| {
         quantities::unknown(key, keys)
     }));
+    found
+}
+
+/// A body by itself: mass, matrices, members, loads by heading.
+fn body_alone(body: &BodyKeys<'_>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    if body.kind.is(&BodyKind::Free) {
+        found.extend(
+            body.mass_kg
+                .if_missing("a free body needs its mass: add `mass_kg`"),
+        );
+    }
+    found.extend(matrix(
+        &body.waterplane_stiffness,
+        &[6, 36],
+        "6 numbers, a diagonal, or 36, row by row",
+    ));
+    found.extend(matrix(
+        &body.added_mass,
+        &[6, 36],
+        "6 numbers, a diagonal, or 36, row by row",
+    ));
+    found.extend(matrix(
+        &body.inertia_kg_m2,
+        &[3, 6],
+        "Ixx, Iyy, Izz, or these and Ixy, Ixz, Iyz",
+    ));
+    found.extend(body.members.iter().filter_map(|(_, member)| long(member)));
+    found.extend(headings(&body.wind_loads));
+    found.extend(headings(&body.current_loads));
     found
 }
 

@@ -117,26 +117,11 @@ pub fn solve(
 ) -> Result<LineAtRest, CatenaryError> {
     let from_b = b.z < a.z;
     let (low, high) = if from_b { (b, a) } else { (a, b) };
-    let length = line.length();
-    let bed = network.bed_z.map(|z| low.z - z);
-    let lies = bed.is_some_and(|below| below.abs() <= ON_BED * (length + low.z.abs()));
+    let below = network.bed_z.map_or(f64::INFINITY, |z| low.z - z);
+    let lies = below.abs() <= ON_BED * (line.length() + low.z.abs());
     let rough = physics == LinePhysics::Full && line.friction > 0.0;
     let mu = if rough && lies { line.friction } else { 0.0 };
-    let afloat = network.density > 0.0 && line.is_buoyant() && high.z <= 0.0;
-    let given = CatenaryLine {
-        ends: EndOffset::between([low.x, low.y, low.z], [high.x, high.y, high.z]),
-        sections: if from_b {
-            &line.reversed
-        } else {
-            &line.sections
-        },
-        bed: bed.filter(|_| !afloat).map(|below| RigidBed {
-            below_a_m: below,
-            slope_rad: 0.0,
-            friction: mu,
-        }),
-        surface_above_a_m: afloat.then_some(-low.z),
-    };
+    let given = closed_form(network, line, (low, high), from_b, mu);
     let seed = before.filter(|before| before.from_b == from_b);
     let near = seed.and_then(|before| before.solution.as_ref());
     let solve = |line: &CatenaryLine<'_>| match near {
@@ -177,6 +162,31 @@ pub fn solve(
         added_weight,
         ..placed(solution, (low, high), from_b, mu, note)
     })
+}
+
+/// The closed form of a line from its lower end, on a bed with this friction.
+fn closed_form<'a>(
+    network: &Network,
+    line: &'a Line,
+    (low, high): (&V3, &V3),
+    from_b: bool,
+    friction: f64,
+) -> CatenaryLine<'a> {
+    let afloat = network.density > 0.0 && line.is_buoyant() && high.z <= 0.0;
+    CatenaryLine {
+        ends: EndOffset::between([low.x, low.y, low.z], [high.x, high.y, high.z]),
+        sections: if from_b {
+            &line.reversed
+        } else {
+            &line.sections
+        },
+        bed: network.bed_z.filter(|_| !afloat).map(|z| RigidBed {
+            below_a_m: low.z - z,
+            slope_rad: 0.0,
+            friction,
+        }),
+        surface_above_a_m: afloat.then_some(-low.z),
+    }
 }
 
 /// Weight by the others' of a weightless section where the line is slack, which hangs by it: the less there is of it, the fewer

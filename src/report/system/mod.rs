@@ -55,6 +55,17 @@ pub fn report(
         Ok(modes) => page.table(&analysis::periods(solved, &modes)),
         Err(why) => page.paragraph(&format!("No natural periods: {why}.")),
     }
+    asked(&mut page, solved, glyphs);
+    if !rows.is_empty() {
+        page.heading("Published values");
+        page.block(&text::validation(rows));
+    }
+    inputs(&mut page, fields, !about.source.trim().is_empty());
+    page.finish()
+}
+
+/// The analyses that the file asks for.
+fn asked(page: &mut Page, solved: &SolvedSystem, glyphs: Glyphs) {
     let asked = &solved.analyses;
     if !asked.offsets.is_empty() || !asked.circles.is_empty() {
         page.heading("Offsets");
@@ -75,10 +86,4 @@ pub fn report(
         page.heading("Goals");
         page.table(&analysis::goals(solved));
     }
-    if !rows.is_empty() {
-        page.heading("Published values");
-        page.block(&text::validation(rows));
-    }
-    inputs(&mut page, fields, !about.source.trim().is_empty());
-    page.finish()
 }
