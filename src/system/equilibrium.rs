@@ -79,15 +79,27 @@ const LAST_PLACES: f64 = 8.0;
 /// # Errors
 /// [`SystemError`].
 pub fn search(network: &Network, start: &Placement) -> Result<Equilibrium, SystemError> {
+    search_within(network, start, MOST_STEPS)
+}
+
+/// The same within so many steps, for searches that need not succeed.
+///
+/// # Errors
+/// [`SystemError`].
+pub fn search_within(
+    network: &Network,
+    start: &Placement,
+    most_steps: usize,
+) -> Result<Equilibrium, SystemError> {
     let freedoms = Freedoms::of(network, UnknownBodies::Free);
     let rough = network.lines.iter().any(|line| line.friction > 0.0) && network.bed_z.is_some();
     let discretised = network.lines.iter().any(|line| line.discretised.is_some());
     let mut search = Search::begin(network, freedoms, start.clone(), LinePhysics::Plain)?;
-    search.run()?;
+    search.run(most_steps)?;
     if rough || discretised || network.flows() {
         search.physics = LinePhysics::Full;
         search.here = search.evaluate(&search.placement)?;
-        search.run()?;
+        search.run(most_steps)?;
     }
     let replaced = search.here.lines.iter().enumerate();
     let mut errors = replaced.filter_map(|(line, at_rest)| Some((line, at_rest.replaced.clone()?)));
@@ -167,10 +179,10 @@ impl<'a> Search<'a> {
     }
 
     /// Steps until the forces balance.
-    fn run(&mut self) -> Result<(), SystemError> {
+    fn run(&mut self, most_steps: usize) -> Result<(), SystemError> {
         let mut best = f64::INFINITY;
         let mut idle = 0;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..most_steps {
             let force = self.unbalanced(&self.here, &self.placement);
             let residual = self.size(&force);
             if residual <= ROUNDING * self.here.tension || residual <= NOTHING {

@@ -2,7 +2,7 @@
 
 use nalgebra::UnitQuaternion;
 
-use super::super::equilibrium::{Equilibrium, search};
+use super::super::equilibrium::{Equilibrium, search_within};
 use super::super::network::Network;
 use super::super::start::start;
 use crate::numerics::V3;
@@ -17,6 +17,8 @@ const TURNS: [[f64; 3]; 7] = [
     [180.0, 0.0, 0.0],
     [180.0, 0.0, 90.0],
 ];
+/// Steps of a search: those that find something take a few tens, and nothing is lost with one that does not.
+const MOST_STEPS: usize = 60;
 /// Turns \[rad\] and shares of the greatest length within which two equilibria are the same.
 const SAME: f64 = 1e-5;
 
@@ -33,7 +35,7 @@ pub fn others(network: &Network, first: &Equilibrium) -> Vec<Equilibrium> {
             let turn = UnitQuaternion::from_euler_angles(x, y, z);
             from.bodies[body].rotation = turn * from.bodies[body].rotation;
             from.carry(network);
-            let Ok(rest) = search(network, &from) else {
+            let Ok(rest) = search_within(network, &from, MOST_STEPS) else {
                 continue;
             };
             let known = std::iter::once(first).chain(&found);
