@@ -2,10 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use nalgebra::{Matrix6, UnitQuaternion, Vector6};
+use nalgebra::{Matrix6, SymmetricEigen, UnitQuaternion, Vector6};
 use seacable::numerics::V3;
 use seacable::physics::current::CurrentProfile;
-use seacable::system::analysis::periods::periods;
+use seacable::system::analysis::periods::{mass_matrix, periods};
 use seacable::system::body_loads::body_loads;
 use seacable::system::line_at_rest::LinePhysics;
 use seacable::system::network::{Body, HeadingLoads, Member, Network};
@@ -466,4 +466,37 @@ length_m = 45.0
         assert!(above > 0.199 && above < 0.2, "{end}: {above}");
     }
     assert!(tensions(&system, "left")[1] < 0.1 * 5000.0 * 9.8);
+}
+
+/// Periods of the free platforms by a stiffness of differences: that of the lines, and that of everything else on the body.
+#[test]
+fn periods_of_the_free_platforms_are_those_of_differences() {
+    for text in [
+        include_str!("../../cases/systems/oc3_free.toml"),
+        include_str!("../../cases/systems/oc4_free.toml"),
+        include_str!("../../cases/systems/volturnus_free.toml"),
+    ] {
+        let system = solved(text);
+        let (network, pose) = (&system.network, system.rest.placement.bodies[0]);
+        let body = &network.bodies[0];
+        let mut held = network.clone();
+        held.bodies[0].free = false;
+        held.bodies[0].pose = pose;
+        let lines = crate::stiffness::differences(&held, 0);
+        let stiffness = lines + differences(network, body, &pose);
+        let mass = mass_matrix(network, body, &pose);
+        let inverse = mass.cholesky().unwrap().l().try_inverse().unwrap();
+        let scaled = inverse * stiffness * inverse.transpose();
+        let mut values: Vec<f64> = SymmetricEigen::new(0.5 * (scaled + scaled.transpose()))
+            .eigenvalues
+            .iter()
+            .copied()
+            .collect();
+        values.sort_by(f64::total_cmp);
+        let modes = periods(network, &system.rest).unwrap();
+        for (mode, value) in modes.iter().zip(values) {
+            let (exact, numeric) = (mode.period_s.unwrap(), TAU / value.sqrt());
+            assert!((exact / numeric - 1.0).abs() < 1e-6, "{exact} {numeric}");
+        }
+    }
 }
