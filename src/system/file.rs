@@ -44,9 +44,6 @@ impl FileKind for SystemFile {
         rows.extend(lister.if_given(&["seabed"], "seabed"));
         rows.extend(lister.if_given(&["current"], "current"));
         rows.extend(lister.if_given(&["wind"], "wind"));
-        rows.extend(lister.named("goals", "goal"));
-        rows.extend(lister.named("offset_curves", "offset curve"));
-        rows.extend(lister.named("watch_circles", "watch circle"));
         rows.extend(lister.named("lines", "line"));
         rows.extend(nested(lister, ("lines", "line"), ("sections", "section")));
         rows.extend(lister.named("points", "point"));
@@ -60,6 +57,9 @@ impl FileKind for SystemFile {
         ));
         rows.extend(lister.named("rods", "rod"));
         rows.extend(lister.named("materials", "material"));
+        rows.extend(lister.named("goals", "goal"));
+        rows.extend(lister.named("offset_curves", "offset curve"));
+        rows.extend(lister.named("watch_circles", "watch circle"));
         rows.extend(lister.if_given(&["ageing"], "ageing"));
         for of in ["growth", "corrosion"] {
             rows.extend(ageing(lister, of));

@@ -164,7 +164,7 @@ table! {
         /// Steady load at its origin along x, y, z, in the earth's directions.
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FLOATING;
         /// Steady moment about its origin, in the earth's directions.
-        moment_n_m: [f64; 3] = [0.0, 0.0, 0.0], "steady moment", range of(-1e15, 1e15), matters FLOATING;
+        moment_n_m: [f64; 3] = [0.0, 0.0, 0.0], "steady moment", unit "N m", range of(-1e15, 1e15), matters FLOATING;
         /// From its origin down to what bears on the bed.
         bottom_m: Option<f64>, "bottom", range of(-1e3, 1e3), absent "it does not touch the bed", matters FLOATING;
         /// Drag coefficient times area along its x, y and z, at its origin, in a current.
