@@ -17,6 +17,7 @@ use super::bounds::{Bounds, Contact};
 use super::freedoms::{Freedoms, Placement, UnknownBodies};
 use super::line_at_rest::LinePhysics;
 use super::network::{Held, Network};
+use super::stiffness::held_apart;
 use crate::numerics::envelope::{EnvelopeCholesky, from_neighbour_to_neighbour};
 
 /// A system at rest.
@@ -63,6 +64,8 @@ pub enum SystemError {
     },
 }
 
+/// Halvings of a Newton step before another way is tried.
+const HALVINGS: usize = 8;
 /// Steps that a search may take.
 const MOST_STEPS: usize = 400;
 /// Forces out of balance that are rounding, by the greatest tension.
@@ -257,6 +260,9 @@ impl<'a> Search<'a> {
             .iter()
             .map(|contact| *contact != Contact::None)
             .collect();
+        if self.physics == LinePhysics::Full && self.newton_step(force, &held) {
+            return Ok(true);
+        }
         let mut direction = self.direction(force, &held);
         let far = direction.step.component_mul(&self.lever).amax();
         let clipped = far > self.reach;
@@ -267,16 +273,35 @@ impl<'a> Search<'a> {
         self.move_along(&direction, clipped)
     }
 
+    /// Newton's step for forces without energy, halved until less is out of balance; whether one was taken. A ship turns into
+    /// the wind along a way that the energy of its lines does not fall on.
+    fn newton_step(&mut self, force: &DVector<f64>, held: &[bool]) -> bool {
+        let stiffness = held_apart(&self.here.stiffness, held);
+        let oblique = (&stiffness - stiffness.transpose()).amax() > 1e-9 * stiffness.amax();
+        let newton = oblique.then(|| stiffness.lu().solve(force)).flatten();
+        let Some(step) = newton.filter(|step| step.iter().all(|part| part.is_finite())) else {
+            return false;
+        };
+        let far = step.component_mul(&self.lever).amax();
+        let mut share = (self.reach / far).min(1.0);
+        let before = force.component_div(&self.lever).norm();
+        for _ in 0..HALVINGS {
+            if let Ok((place, _, balance)) = self.probe(&step, share) {
+                let after = self.unbalanced(&balance, &place);
+                let after = after.component_div(&self.lever).norm();
+                if after < (1.0 - 0.1 * share) * before && place != self.placement {
+                    (self.placement, self.here) = (place, balance);
+                    return true;
+                }
+            }
+            share *= 0.5;
+        }
+        false
+    }
+
     /// Newton's direction, or the nearest one in which the energy falls.
     fn direction(&self, force: &DVector<f64>, held: &[bool]) -> Direction {
-        let mut stiffness = self.here.stiffness.clone();
-        for (unknown, held) in held.iter().enumerate() {
-            if *held {
-                stiffness.row_mut(unknown).fill(0.0);
-                stiffness.column_mut(unknown).fill(0.0);
-                stiffness[(unknown, unknown)] = 1.0;
-            }
-        }
+        let stiffness = held_apart(&self.here.stiffness, held);
         let symmetric = 0.5 * (&stiffness + stiffness.transpose());
         let most = symmetric.diagonal().component_div(&self.lever);
         let most = most

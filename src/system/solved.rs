@@ -194,7 +194,7 @@ fn refused(network: &Network, error: &SystemError) -> UnsolvedSystem {
             problem: format!(
                 "the search for an equilibrium did not come to rest: after {steps} steps {residual:.3e} N are out of balance, most in {at}"
             ),
-            remedy: "give free points a position near where they should come to rest".to_owned(),
+            remedy: "give free points a position, and free bodies a pose, near where they should come to rest".to_owned(),
             line: None,
             part: None,
         },

@@ -76,3 +76,17 @@ pub fn take(matrix: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> DMatrix
         matrix[(rows[i], columns[j])]
     })
 }
+
+/// The stiffness with the unknowns that are held standing for themselves.
+#[must_use]
+pub fn held_apart(stiffness: &DMatrix<f64>, held: &[bool]) -> DMatrix<f64> {
+    let mut stiffness = stiffness.clone();
+    for (unknown, held) in held.iter().enumerate() {
+        if *held {
+            stiffness.row_mut(unknown).fill(0.0);
+            stiffness.column_mut(unknown).fill(0.0);
+            stiffness[(unknown, unknown)] = 1.0;
+        }
+    }
+    stiffness
+}

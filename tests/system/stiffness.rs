@@ -33,7 +33,7 @@ fn load(network: &Network, body: usize, pose: Pose) -> Vector6<f64> {
 }
 
 /// Stiffness of the lines on a body by differences of their load.
-pub fn differences(network: &Network, body: usize) -> Matrix6<f64> {
+pub(crate) fn differences(network: &Network, body: usize) -> Matrix6<f64> {
     let pose = network.bodies[body].pose;
     let mut found = Matrix6::zeros();
     for column in 0..6 {

@@ -5,6 +5,7 @@ use crate::numerics::V3;
 use crate::report::table::{Align, Cell, Column, NumberFormat, Table};
 use crate::system::SolvedSystem;
 use crate::system::analysis::clearance::curves;
+use crate::system::analysis::equilibria::moved;
 use crate::system::bounds::Contact;
 use crate::system::line_at_rest::LineNote;
 use crate::system::loads;
@@ -104,6 +105,7 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
         }
     }
     found.extend(afloat(solved));
+    found.extend(far_turned(solved));
     found.extend(above_water(solved));
     found
 }
@@ -126,6 +128,26 @@ fn above_water(solved: &SolvedSystem) -> Vec<String> {
         }
     }
     found
+}
+
+/// Turn of a body from the pose given beyond which its water-plane says little \[rad\]: that of a ship turns with it.
+const FAR_TURNED: f64 = 0.35;
+
+/// Free bodies that turned so far that their water-plane does not hold.
+fn far_turned(solved: &SolvedSystem) -> Vec<String> {
+    let bodies = solved.network.bodies.iter().enumerate();
+    let free = bodies.filter(|(_, body)| body.free && body.waterplane.amax() > 0.0);
+    let turns = free.map(|(index, body)| (body, moved(&solved.network, &solved.rest, index).0));
+    turns
+        .filter(|(_, turn)| *turn > FAR_TURNED)
+        .map(|(body, turn)| {
+            format!(
+                "Body {} rests turned by {:.0} deg from the pose given, for which its water-plane holds: give a pose nearer to where it rests.",
+                body.name,
+                turn.to_degrees()
+            )
+        })
+        .collect()
 }
 
 /// Points that float at the surface.
