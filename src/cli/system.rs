@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use super::{CommandError, args::RunArgs, cases, output};
 use crate::{
     report::system::{self as views, json},
-    system::{SystemFile, validation},
+    system::{SystemFile, analysis::analyses::Analyses, validation},
 };
 
 pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
@@ -34,12 +34,19 @@ pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
         )));
     }
     let (fields, solved) = cases::load_with::<SystemFile>(&path, &args.set)?;
+    let analyses = Analyses::of(&solved);
     if args.json {
-        output::object(&json::object(&solved))?;
+        output::object(&json::object(&solved, &analyses))?;
         return Ok(ExitCode::SUCCESS);
     }
     let rows = validation::rows(&solved);
-    let text = views::report(&solved, &rows, &fields, output::glyphs(args.ascii));
+    let text = views::report(
+        &solved,
+        &analyses,
+        &rows,
+        &fields,
+        output::glyphs(args.ascii),
+    );
     output::results(&text, args.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -18,7 +18,7 @@ use crate::system::network::{
     Body, FreePoint, Held, Line, Network, Point, WEIGHTLESS, reversed, weighted,
 };
 use crate::system::pose::Pose;
-use crate::system::solved::rest;
+use crate::system::rest::rest;
 
 /// The kinds of random systems, in turn.
 pub const KINDS: [&str; 9] = [

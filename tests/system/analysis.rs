@@ -1,5 +1,6 @@
 //! Offsets, watch circles, periods, clearances and wanted results.
 
+use seacable::system::analysis::analyses::Analyses;
 use seacable::system::analysis::offset::{HeldAway, curve};
 use seacable::system::analysis::periods::periods;
 use seacable::system::analysis::seek::seek;
@@ -75,9 +76,9 @@ fn lines_keep_their_distance() {
     // Nearest at the fairleads, 5.2 m from the axis: the side of the triangle.
     assert_eq!(pairs.len(), 3);
     assert!((pairs[0].distance_m - 5.2 * 3.0_f64.sqrt()).abs() < 1e-3);
-    let curves = clearance::curves(&system.network, &system.rest);
-    let (bed, surface) = clearance::from_bed_and_surface(&system.network, &curves[0]);
-    assert!(bed.unwrap().abs() < 1e-9 && (surface - 70.0).abs() < 1e-9);
+    let first = &clearance::distances(&system.network, &system.rest)[0];
+    assert!((first.line.unwrap().1 - pairs[0].distance_m).abs() < 1e-9);
+    assert!(first.above_bed.unwrap().abs() < 1e-9 && (first.below_surface - 70.0).abs() < 1e-9);
 }
 
 #[test]
@@ -121,7 +122,7 @@ fn a_wanted_tension_gives_a_length_or_a_reason() {
 fn analyses_that_a_file_asks_for_come_with_the_system() {
     let text = include_str!("../../cases/systems/oc3_spar.toml");
     let system = solved(text);
-    let asked = &system.analyses;
+    let asked = Analyses::of(&system);
     assert_eq!((asked.offsets.len(), asked.circles.len()), (1, 1));
     let curve = &asked.offsets[0];
     assert_eq!((curve.points.len(), curve.ends_before_m), (21, None));
@@ -145,6 +146,7 @@ fn analyses_that_a_file_asks_for_come_with_the_system() {
     assert!((tension / 9.5e5 - 1.0).abs() < 1e-9, "{tension}");
     // A goal that nothing meets says why, and the system stands.
     let never = solved(&text.replace("value = 9.5e5", "value = 9.5e7"));
-    let why = never.analyses.goals[0].1.as_ref().unwrap_err();
+    let never = Analyses::of(&never);
+    let why = never.goals[0].1.as_ref().unwrap_err();
     assert!(why.contains("is not among these"), "{why}");
 }

@@ -5,14 +5,38 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::{Matrix6, SymmetricEigen, UnitQuaternion, Vector6};
 use seacable::numerics::V3;
 use seacable::physics::current::CurrentProfile;
+use seacable::system::SolvedSystem;
+use seacable::system::analysis::analyses::Analyses;
 use seacable::system::analysis::periods::{mass_matrix, periods};
 use seacable::system::body_loads::body_loads;
 use seacable::system::line_at_rest::LinePhysics;
 use seacable::system::network::{Body, HeadingLoads, Member, Network};
 use seacable::system::pose::Pose;
-use seacable::system::solved::Stability;
+use seacable::system::stability::Stability;
 
 use crate::{HEAD, place, solved, tensions};
+
+/// A system of a text with more tables behind it.
+fn system(text: &str, more: &[String]) -> SolvedSystem {
+    solved(&format!("{HEAD}{text}{}", more.concat()))
+}
+
+/// The material `wire`, thin and without drag: mass and weight in water \[kg/m\], EA \[N\].
+fn material(mass: f64, wet: f64, ea: f64) -> String {
+    format!(
+        "[materials.wire]\ndiameter_m = 0.01\nmass_kg_per_m = {mass}\nwet_weight_kg_per_m = {wet}\nea_n = {ea}\n"
+    )
+}
+
+fn fixed(name: &str, at: [f64; 3]) -> String {
+    format!("[points.{name}]\nkind = \"fixed\"\nposition_m = {at:?}\n")
+}
+
+fn wire(name: &str, [from, to]: [&str; 2], length: f64) -> String {
+    format!(
+        "[[lines]]\nname = \"{name}\"\nfrom = \"{from}\"\nto = \"{to}\"\nmaterial = \"wire\"\nlength_m = {length}\n"
+    )
+}
 
 const WEIGHT: f64 = 1025.0 * 9.80665;
 
@@ -192,33 +216,24 @@ fn what_is_immersed_is_what_points_in_it_count() {
 
 #[test]
 fn a_buoyant_rod_leans_in_the_current_until_drag_and_buoyancy_balance() {
-    let system = solved(&format!(
-        "{HEAD}
+    let system = system(
+        r#"
 [current]
 speed_m_per_s = 0.8
-[materials.wire]
-diameter_m = 0.01
-mass_kg_per_m = 0.1
-wet_weight_kg_per_m = 1e-6
-ea_n = 1e6
 [rods.float]
-kind = \"free\"
+kind = "free"
 end_a_m = [0.0, 0.0, -40.0]
 end_b_m = [1.0, 0.0, -28.0]
 mass_kg = 300.0
 diameter_m = 0.3
 drag_normal = 1.2
-[points.anchor]
-kind = \"fixed\"
-position_m = [0.0, 0.0, -60.0]
-[[lines]]
-name = \"tether\"
-from = \"anchor\"
-to = \"float-a\"
-material = \"wire\"
-length_m = 20.0
-"
-    ));
+"#,
+        &[
+            material(0.1, 1e-6, 1e6),
+            fixed("anchor", [0.0, 0.0, -60.0]),
+            wire("tether", ["anchor", "float-a"], 20.0),
+        ],
+    );
     let (a, b) = (place(&system, "float-a"), place(&system, "float-b"));
     let long = (145.0_f64).sqrt();
     let buoyancy = WEIGHT * PI * 0.0225 * long - 300.0 * 9.80665;
@@ -238,32 +253,23 @@ length_m = 20.0
 
 #[test]
 fn a_buoy_in_a_current_leans_by_drag_over_buoyancy() {
-    let system = solved(&format!(
-        "{HEAD}
+    let system = system(
+        r#"
 [current]
 speed_m_per_s = 1.0
 direction_deg = 90.0
-[materials.wire]
-diameter_m = 0.001
-mass_kg_per_m = 0.01
-wet_weight_kg_per_m = 1e-6
-ea_n = 1e7
-[points.anchor]
-kind = \"fixed\"
-position_m = [0.0, 0.0, -60.0]
 [points.buoy]
-kind = \"free\"
+kind = "free"
 mass_kg = 100.0
 volume_m3 = 1.0
 drag_area_m2 = 2.0
-[[lines]]
-name = \"tether\"
-from = \"anchor\"
-to = \"buoy\"
-material = \"wire\"
-length_m = 30.0
-"
-    ));
+"#,
+        &[
+            material(0.01, 1e-6, 1e7),
+            fixed("anchor", [0.0, 0.0, -60.0]),
+            wire("tether", ["anchor", "buoy"], 30.0),
+        ],
+    );
     let at = place(&system, "buoy");
     let wanted = 0.5 * 1025.0 * 2.0 / (WEIGHT - 100.0 * 9.80665);
     assert!(
@@ -276,54 +282,39 @@ length_m = 30.0
 /// A beam that hangs from a point above its centre: at rest as it hangs, and turned over.
 #[test]
 fn an_equilibrium_turned_over_is_found_and_told_to_be_unstable() {
-    let system = solved(&format!(
-        "{HEAD}
+    let system = system(
+        r#"
 [environment]
 water_density_kg_per_m3 = 0.0
-[materials.wire]
-diameter_m = 0.02
-mass_kg_per_m = 1.0
-ea_n = 1e8
 [bodies.block]
-kind = \"free\"
+kind = "free"
 position_m = [0.0, 0.0, -12.0]
 mass_kg = 5000.0
 inertia_kg_m2 = [4e3, 5e3, 6e3]
-[points.hook]
-kind = \"fixed\"
-position_m = [-0.3, 0.0, 0.0]
-[points.eye]
-kind = \"fixed\"
-position_m = [0.3, 0.0, 0.0]
 [points.left]
-kind = \"body\"
-body = \"block\"
+kind = "body"
+body = "block"
 position_m = [-0.5, 0.0, 1.0]
 [points.right]
-kind = \"body\"
-body = \"block\"
+kind = "body"
+body = "block"
 position_m = [0.5, 0.0, 1.0]
-[[lines]]
-name = \"left\"
-from = \"hook\"
-to = \"left\"
-material = \"wire\"
-length_m = 11.0
-[[lines]]
-name = \"right\"
-from = \"eye\"
-to = \"right\"
-material = \"wire\"
-length_m = 11.0
-"
-    ));
+"#,
+        &[
+            material(1.0, 1.0, 1e8),
+            fixed("hook", [-0.3, 0.0, 0.0]),
+            fixed("eye", [0.3, 0.0, 0.0]),
+            wire("left", ["hook", "left"], 11.0),
+            wire("right", ["eye", "right"], 11.0),
+        ],
+    );
     assert!(
         matches!(system.stability, Stability::Stable),
         "{:?}",
         system.stability
     );
-    let over = system
-        .others
+    let others = Analyses::of(&system).others;
+    let over = others
         .iter()
         .find(|(rest, _)| rest.placement.bodies[0].arm(&V3::z()).z < -0.999);
     let (rest, how) = over.unwrap();
@@ -333,29 +324,20 @@ length_m = 11.0
 
 #[test]
 fn a_clump_on_a_wire_bounces_and_swings_with_the_periods_of_both() {
-    let system = solved(&format!(
-        "{HEAD}
-[materials.wire]
-diameter_m = 0.01
-mass_kg_per_m = 0.1
-wet_weight_kg_per_m = 1e-7
-ea_n = 1e6
-[points.top]
-kind = \"fixed\"
-position_m = [0.0, 0.0, -1.0]
+    let system = system(
+        r#"
 [points.clump]
-kind = \"free\"
+kind = "free"
 mass_kg = 800.0
 volume_m3 = 0.1
 added_mass_kg = 60.0
-[[lines]]
-name = \"wire\"
-from = \"top\"
-to = \"clump\"
-material = \"wire\"
-length_m = 50.0
-"
-    ));
+"#,
+        &[
+            material(0.1, 1e-7, 1e6),
+            fixed("top", [0.0, 0.0, -1.0]),
+            wire("wire", ["top", "clump"], 50.0),
+        ],
+    );
     let modes = periods(&system.network, &system.rest).unwrap();
     let weight = 800.0 * 9.80665 - 0.1 * WEIGHT;
     let long = 50.0 * (1.0 + weight / 1e6);
@@ -386,39 +368,23 @@ fn a_rod_has_five_modes() {
     network.current = Some(CurrentProfile::Uniform(V3::x()));
     let (one, two) = (load(&network, &body, &pose), load(&network, &body, &spun));
     assert!((one - two).norm() < 1e-9 * one.norm());
-    let system = solved(&format!(
-        "{HEAD}
-[materials.wire]
-diameter_m = 0.01
-mass_kg_per_m = 0.1
-wet_weight_kg_per_m = 1e-7
-ea_n = 1e6
+    let system = system(
+        r#"
 [rods.bar]
-kind = \"free\"
+kind = "free"
 end_a_m = [-3.0, 0.0, -20.0]
 end_b_m = [3.0, 0.0, -20.0]
 mass_kg = 900.0
 diameter_m = 0.2
-[points.left]
-kind = \"fixed\"
-position_m = [-4.0, 0.0, -1.0]
-[points.right]
-kind = \"fixed\"
-position_m = [4.0, 0.0, -1.0]
-[[lines]]
-name = \"left\"
-from = \"left\"
-to = \"bar-a\"
-material = \"wire\"
-length_m = 18.0
-[[lines]]
-name = \"right\"
-from = \"right\"
-to = \"bar-b\"
-material = \"wire\"
-length_m = 18.0
-"
-    ));
+"#,
+        &[
+            material(0.1, 1e-7, 1e6),
+            fixed("left", [-4.0, 0.0, -1.0]),
+            fixed("right", [4.0, 0.0, -1.0]),
+            wire("left", ["left", "bar-a"], 18.0),
+            wire("right", ["right", "bar-b"], 18.0),
+        ],
+    );
     assert_eq!(system.stability, Stability::Stable);
     let modes = periods(&system.network, &system.rest).unwrap();
     assert_eq!(modes.len(), 5, "{modes:?}");
@@ -427,40 +393,25 @@ length_m = 18.0
 /// A rod too heavy for its slack lines lies on the bed, which bears its weight and gives way by less than a millimetre.
 #[test]
 fn a_heavy_rod_lies_on_the_bed() {
-    let system = solved(&format!(
-        "{HEAD}
+    let system = system(
+        r#"
 [seabed]
 depth_m = 40.0
-[materials.wire]
-diameter_m = 0.01
-mass_kg_per_m = 0.5
-ea_n = 1e7
 [rods.pipe]
-kind = \"free\"
+kind = "free"
 end_a_m = [-6.0, 0.0, -20.0]
 end_b_m = [6.0, 0.0, -18.0]
 mass_kg = 5000.0
 diameter_m = 0.4
-[points.left]
-kind = \"fixed\"
-position_m = [-20.0, 0.0, -1.0]
-[points.right]
-kind = \"fixed\"
-position_m = [20.0, 0.0, -1.0]
-[[lines]]
-name = \"left\"
-from = \"left\"
-to = \"pipe-a\"
-material = \"wire\"
-length_m = 45.0
-[[lines]]
-name = \"right\"
-from = \"right\"
-to = \"pipe-b\"
-material = \"wire\"
-length_m = 45.0
-"
-    ));
+"#,
+        &[
+            material(0.5, 0.5, 1e7),
+            fixed("left", [-20.0, 0.0, -1.0]),
+            fixed("right", [20.0, 0.0, -1.0]),
+            wire("left", ["left", "pipe-a"], 45.0),
+            wire("right", ["right", "pipe-b"], 45.0),
+        ],
+    );
     for end in ["pipe-a", "pipe-b"] {
         let above = place(&system, end)[2] + 40.0;
         assert!(above > 0.199 && above < 0.2, "{end}: {above}");

@@ -1,6 +1,6 @@
 //! Systems whose answer is known in closed form.
 
-use seacable::system::solved::Stability;
+use seacable::system::stability::Stability;
 
 use crate::{HEAD, place, solved, tensions};
 

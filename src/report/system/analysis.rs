@@ -3,17 +3,16 @@
 use crate::report::chart::{Axis, Chart, Outline, Series};
 use crate::report::table::{NumberFormat, Table};
 use crate::system::SolvedSystem;
-use crate::system::analysis::asked::OffsetCurve;
-use crate::system::analysis::clearance::{
-    between_lines, curves, from_bed_and_surface, from_bodies,
-};
+use crate::system::analysis::analyses::OffsetCurve;
+use crate::system::analysis::clearance::LineDistances;
 use crate::system::analysis::equilibria::moved;
 use crate::system::analysis::offset::OffsetPoint;
 use crate::system::analysis::periods::SystemMode;
 use crate::system::analysis::seek::Sought;
 use crate::system::analysis::watch_circle::WatchCircle;
 use crate::system::equilibrium::Equilibrium;
-use crate::system::solved::Stability;
+use crate::system::model::GoalInputs;
+use crate::system::stability::Stability;
 
 const NEWTONS: NumberFormat = NumberFormat::Si("N");
 const METRES: NumberFormat = NumberFormat::Decimals(3, "m");
@@ -92,8 +91,7 @@ pub fn offset_curve(solved: &SolvedSystem, curve: &OffsetCurve) -> Table {
 
 /// The goals of a file: the input that meets each, or why none does.
 #[must_use]
-pub fn goals(solved: &SolvedSystem) -> Table {
-    let goals = &solved.analyses.goals;
+pub fn goals(goals: &[(GoalInputs, Result<Sought, String>)]) -> Table {
     let found = |sought: &Result<Sought, String>| sought.as_ref().ok().cloned();
     let table = Table::of("Wanted results", goals)
         .text("result", |(goal, _)| goal.result.as_str())
@@ -262,10 +260,10 @@ pub fn periods(solved: &SolvedSystem, modes: &[SystemMode]) -> Table {
 
 /// The equilibria found, the one that the report is of first: where the free bodies are, how each rests, what the lines carry.
 #[must_use]
-pub fn equilibria(solved: &SolvedSystem) -> Table {
+pub fn equilibria(solved: &SolvedSystem, others: &[(Equilibrium, Stability)]) -> Table {
     let network = &solved.network;
     let first = (&solved.rest, &solved.stability);
-    let others = solved.others.iter().map(|(rest, how)| (rest, how));
+    let others = others.iter().map(|(rest, how)| (rest, how));
     let all: Vec<(&Equilibrium, &Stability)> = std::iter::once(first).chain(others).collect();
     let free = (0..network.bodies.len()).filter(|body| network.bodies[*body].free);
     let mut table = Table::of("Equilibria that were found", &all)
@@ -295,52 +293,33 @@ pub fn equilibria(solved: &SolvedSystem) -> Table {
     table
 }
 
-/// Distances of lines from one another, from bed and surface.
+/// Distances of lines from one another, from members of bodies, from bed and surface.
 #[must_use]
-pub fn clearances(solved: &SolvedSystem) -> Table {
-    let pairs = between_lines(&solved.network, &solved.rest);
-    let curves = curves(&solved.network, &solved.rest);
-    let nearest = |line: usize| {
-        let mut with = pairs
-            .iter()
-            .filter(|pair| pair.lines.0 == line || pair.lines.1 == line);
-        with.next().map(|pair| {
-            let other = if pair.lines.0 == line {
-                pair.lines.1
-            } else {
-                pair.lines.0
-            };
-            (pair.distance_m, other)
+pub fn clearances(solved: &SolvedSystem, distances: &[LineDistances]) -> Table {
+    let numbered: Vec<(usize, &LineDistances)> = distances.iter().enumerate().collect();
+    let bodies = &solved.network.bodies;
+    let has_members = bodies.iter().any(|body| !body.members.is_empty());
+    Table::of("Clearances", &numbered)
+        .text("line", |(k, _)| line_name(solved, *k))
+        .number("least distance", METRES, |(_, from)| {
+            from.line.map(|(_, distance)| distance)
         })
-    };
-    let numbers: Vec<usize> = (0..curves.len()).collect();
-    let apart = |k: &usize| from_bed_and_surface(&solved.network, &curves[*k]);
-    let has_members = solved
-        .network
-        .bodies
-        .iter()
-        .any(|body| !body.members.is_empty());
-    let nearest_body = |k: &usize| from_bodies(&solved.network, &solved.rest, *k, &curves[*k]);
-    Table::of("Clearances", &numbers)
-        .text("line", |k| line_name(solved, *k))
-        .number("least distance", METRES, |k| {
-            nearest(*k).map(|(distance, _)| distance)
-        })
-        .text("from line", |k| {
-            nearest(*k).map_or_else(String::new, |(_, other)| line_name(solved, other))
+        .text("from line", |(_, from)| {
+            from.line
+                .map_or_else(String::new, |(other, _)| line_name(solved, other))
         })
         .when(has_members, |table| {
             table
-                .number("from a body", METRES, |k| {
-                    nearest_body(k).map(|(_, distance)| distance)
+                .number("from a body", METRES, |(_, from)| {
+                    from.body.map(|(_, distance)| distance)
                 })
-                .text("which", |k| {
-                    let body = nearest_body(k).map(|(body, _)| body);
-                    body.map_or_else(String::new, |body| solved.network.bodies[body].name.clone())
+                .text("which", |(_, from)| {
+                    from.body
+                        .map_or_else(String::new, |(body, _)| bodies[body].name.clone())
                 })
         })
-        .number("above the bed", METRES, |k| apart(k).0)
-        .number("below the surface", METRES, |k| apart(k).1)
+        .number("above the bed", METRES, |(_, from)| from.above_bed)
+        .number("below the surface", METRES, |(_, from)| from.below_surface)
         .build()
         .noted(vec![
             "Between axes; lines that share a point are left out.".to_owned(),

@@ -5,11 +5,12 @@ use serde_json::{Value, json};
 use crate::numerics::V3;
 use crate::system::SolvedSystem;
 use crate::system::ageing::SettledAge;
+use crate::system::analysis::analyses::Analyses;
 use crate::system::bounds::Contact;
 use crate::system::loads;
 use crate::system::network::Held;
 use crate::system::pose::Pose;
-use crate::system::solved::Stability;
+use crate::system::stability::Stability;
 
 fn three(v: &V3) -> Value {
     json!([v.x, v.y, v.z])
@@ -17,7 +18,7 @@ fn three(v: &V3) -> Value {
 
 /// The system at rest.
 #[must_use]
-pub fn object(solved: &SolvedSystem) -> Value {
+pub fn object(solved: &SolvedSystem, analyses: &Analyses) -> Value {
     let rest = &solved.rest;
     json!({
         "kind": "system",
@@ -25,7 +26,7 @@ pub fn object(solved: &SolvedSystem) -> Value {
         "title": solved.file.about.title,
         "version": env!("CARGO_PKG_VERSION"),
         "stability": stability(&solved.stability),
-        "other_equilibria": solved.others.iter().map(|(other, how)| json!({
+        "other_equilibria": analyses.others.iter().map(|(other, how)| json!({
             "stability": stability(how),
             "greatest_tension_n": other.balance.tension,
             "bodies": (0..solved.network.bodies.len()).map(|k| json!({
@@ -34,7 +35,7 @@ pub fn object(solved: &SolvedSystem) -> Value {
             })).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
         "ageing": solved.age.as_ref().map(ageing),
-        "goals": solved.analyses.goals.iter().map(|(goal, sought)| json!({
+        "goals": analyses.goals.iter().map(|(goal, sought)| json!({
             "vary": goal.vary,
             "result": goal.result,
             "wanted": goal.value,

@@ -10,7 +10,7 @@ use crate::reference::ValidationRow;
 use crate::report::chart::Glyphs;
 use crate::report::text::{self, Page, inputs};
 use crate::system::SolvedSystem;
-use crate::system::analysis::periods::periods;
+use crate::system::analysis::analyses::Analyses;
 
 /// Lines of a view.
 const LINES: usize = 20;
@@ -19,6 +19,7 @@ const LINES: usize = 20;
 #[must_use]
 pub fn report(
     solved: &SolvedSystem,
+    analyses: &Analyses,
     rows: &[ValidationRow],
     fields: &[FieldRow],
     glyphs: Glyphs,
@@ -46,16 +47,16 @@ pub fn report(
             page.table(&tables::stiffness(solved, body));
         }
     }
-    if !solved.others.is_empty() {
-        page.table(&analysis::equilibria(solved));
+    if !analyses.others.is_empty() {
+        page.table(&analysis::equilibria(solved, &analyses.others));
     }
-    page.table(&analysis::clearances(solved));
-    match periods(&solved.network, &solved.rest) {
+    page.table(&analysis::clearances(solved, &analyses.clearances));
+    match &analyses.periods {
         Ok(modes) if modes.is_empty() => {}
-        Ok(modes) => page.table(&analysis::periods(solved, &modes)),
+        Ok(modes) => page.table(&analysis::periods(solved, modes)),
         Err(why) => page.paragraph(&format!("No natural periods: {why}.")),
     }
-    asked(&mut page, solved, glyphs);
+    asked(&mut page, solved, analyses, glyphs);
     if !rows.is_empty() {
         page.heading("Published values");
         page.block(&text::validation(rows));
@@ -65,8 +66,7 @@ pub fn report(
 }
 
 /// The analyses that the file asks for.
-fn asked(page: &mut Page, solved: &SolvedSystem, glyphs: Glyphs) {
-    let asked = &solved.analyses;
+fn asked(page: &mut Page, solved: &SolvedSystem, asked: &Analyses, glyphs: Glyphs) {
     if !asked.offsets.is_empty() || !asked.circles.is_empty() {
         page.heading("Offsets");
     }
@@ -84,6 +84,6 @@ fn asked(page: &mut Page, solved: &SolvedSystem, glyphs: Glyphs) {
     }
     if !asked.goals.is_empty() {
         page.heading("Goals");
-        page.table(&analysis::goals(solved));
+        page.table(&analysis::goals(&asked.goals));
     }
 }

@@ -10,7 +10,7 @@ use crate::system::bounds::Contact;
 use crate::system::line_at_rest::LineNote;
 use crate::system::loads;
 use crate::system::network::Held;
-use crate::system::solved::Stability;
+use crate::system::stability::Stability;
 
 const NEWTONS: NumberFormat = NumberFormat::Si("N");
 const METRES: NumberFormat = NumberFormat::Decimals(3, "m");

@@ -10,7 +10,7 @@ use crate::system::build::build;
 use crate::system::equilibrium::Equilibrium;
 use crate::system::model::SystemFile;
 use crate::system::network::Network;
-use crate::system::solved::{UnsolvedSystem, not_divided, rest_from};
+use crate::system::rest::{UnsolvedSystem, not_divided, rest_from};
 
 /// Rounds that the depths may take.
 const MOST_ROUNDS: usize = 60;

@@ -1,4 +1,4 @@
-//! Distances between lines, and of lines from bed and surface.
+//! Distances of lines from one another, from members of bodies, from bed and surface.
 
 use super::super::equilibrium::Equilibrium;
 use super::super::network::{Held, Network};
@@ -16,6 +16,47 @@ pub struct LineClearance {
     pub distance_m: f64,
     /// Where on the first and on the second \[m\].
     pub at: (V3, V3),
+}
+
+/// The least distances of a line \[m\].
+#[derive(Debug, Clone, PartialEq)]
+pub struct LineDistances {
+    /// From the nearest line that shares no point with it, and which.
+    pub line: Option<(usize, f64)>,
+    /// From the nearest body with members that none of its ends is on, and which.
+    pub body: Option<(usize, f64)>,
+    /// Of its lowest point above the bed.
+    pub above_bed: Option<f64>,
+    /// Of its highest point below the surface.
+    pub below_surface: f64,
+}
+
+/// The least distances of every line.
+#[must_use]
+pub fn distances(network: &Network, rest: &Equilibrium) -> Vec<LineDistances> {
+    let pairs = between_lines(network, rest);
+    let curves = curves(network, rest);
+    let of = |(line, curve): (usize, &Vec<V3>)| {
+        let mut with = pairs
+            .iter()
+            .filter(|pair| pair.lines.0 == line || pair.lines.1 == line);
+        let nearest = with.next().map(|pair| {
+            let other = if pair.lines.0 == line {
+                pair.lines.1
+            } else {
+                pair.lines.0
+            };
+            (other, pair.distance_m)
+        });
+        let (above_bed, below_surface) = from_bed_and_surface(network, curve);
+        LineDistances {
+            line: nearest,
+            body: from_bodies(network, rest, line, curve),
+            above_bed,
+            below_surface,
+        }
+    };
+    curves.iter().enumerate().map(of).collect()
 }
 
 /// The curves of all lines, each from its end A.
@@ -110,9 +151,8 @@ fn nearest(a: &[V3], b: &[V3]) -> (V3, V3) {
 }
 
 /// The least distance of a line from the members of a body that none of its ends is on \[m\], and that body; nothing where no such body
-/// has members. Zero where it runs through one.
-#[must_use]
-pub fn from_bodies(
+/// has members. Zero where it runs through one; a cone counts with its greater radius.
+fn from_bodies(
     network: &Network,
     rest: &Equilibrium,
     line: usize,
@@ -137,8 +177,7 @@ pub fn from_bodies(
 }
 
 /// Height of the lowest point of a line above the bed \[m\], and depth of its highest below the surface; the bed only where there is one.
-#[must_use]
-pub fn from_bed_and_surface(network: &Network, curve: &[V3]) -> (Option<f64>, f64) {
+fn from_bed_and_surface(network: &Network, curve: &[V3]) -> (Option<f64>, f64) {
     let low = curve.iter().map(|p| p.z).fold(f64::INFINITY, f64::min);
     let high = curve.iter().map(|p| p.z).fold(f64::NEG_INFINITY, f64::max);
     (network.bed_z.map(|bed| (low - bed).max(0.0)), -high)

@@ -1,7 +1,7 @@
 //! What is asked of a system at rest beside its forces: offsets and watch circles of a body, natural periods, clearances, the
 //! input that gives a wanted result.
 
-pub mod asked;
+pub mod analyses;
 pub mod clearance;
 pub mod equilibria;
 pub mod offset;

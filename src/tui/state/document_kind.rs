@@ -46,7 +46,7 @@ pub trait DocumentKind {
     /// Replaces the result by that of a newer text of the same kind; what the user looks at stays.
     fn renew(&mut self, newer: DocumentContent);
 
-    /// Updates the validation table of a text, of whose inputs these are the user's.
+    /// Works out what is shown of a text beside its result: analyses, and the validation table, of whose inputs these are the user's.
     fn validate(&mut self, _text: &str, _edited: &[EditedKey]) {}
 
     /// The validation table.

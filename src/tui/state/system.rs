@@ -1,5 +1,7 @@
 //! A system of lines on the screen: its result and its validation table.
 
+use std::sync::Arc;
+
 use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use crate::case::EditedKey;
@@ -7,17 +9,28 @@ use crate::reference::{self, ValidationRow};
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::system::{self as views, analysis, tables};
 use crate::report::table::Table;
-use crate::system::analysis::periods::periods;
+use crate::system::analysis::analyses::{Analyses, OffsetCurve};
+use crate::system::analysis::periods::SystemMode;
+use crate::system::analysis::watch_circle::WatchCircle;
 use crate::system::{SolvedSystem, validation};
 use crate::tui::command::{Command, REPORTED};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
+
+/// Numbers of the tabs of analyses.
+const CLEARANCES: usize = 4;
+const PERIODS: usize = 5;
+const EQUILIBRIA: usize = 6;
+const OFFSETS: usize = 7;
+const WATCH_CIRCLE: usize = 8;
 
 /// A system of lines.
 #[derive(Debug, Clone)]
 pub struct SystemView {
     /// The result of the text.
     pub solved: SolvedSystem,
+    /// Its analyses, once they are worked out.
+    pub analyses: Option<Arc<Analyses>>,
     /// The validation table.
     pub checks: Vec<ValidationRow>,
     /// The view shown: from above, from the side, obliquely.
@@ -30,6 +43,7 @@ impl SystemView {
     pub fn new(solved: SolvedSystem) -> Self {
         Self {
             solved,
+            analyses: None,
             checks: Vec::new(),
             view: 0,
         }
@@ -45,51 +59,68 @@ impl SystemView {
 }
 
 impl SystemView {
-    fn periods(&self) -> Table {
-        match periods(&self.solved.network, &self.solved.rest) {
+    /// The table of a tab of the analyses, once they are worked out.
+    fn analysis(&self, tab: usize) -> (Option<Chart>, Table) {
+        let Some(analyses) = &self.analyses else {
+            return (None, Table::titled("Not worked out yet."));
+        };
+        match tab {
+            CLEARANCES => {
+                let table = analysis::clearances(&self.solved, &analyses.clearances);
+                (None, table)
+            }
+            PERIODS => (None, self.periods(&analyses.periods)),
+            EQUILIBRIA => {
+                let table = analysis::equilibria(&self.solved, &analyses.others);
+                (None, table)
+            }
+            OFFSETS => self.offsets(&analyses.offsets),
+            WATCH_CIRCLE => self.watch_circle(&analyses.circles),
+            _ if analyses.goals.is_empty() => (None, none_asked("[[goals]]")),
+            _ => (None, analysis::goals(&analyses.goals)),
+        }
+    }
+
+    fn periods(&self, periods: &Result<Vec<SystemMode>, String>) -> Table {
+        match periods {
             Ok(modes) if modes.is_empty() => Table::titled(
-                "No body of the system has a mass; add `mass_kg` and `inertia_kg_m2`.",
+                "No body and no free point of the system has a mass; add `mass_kg` and `inertia_kg_m2`.",
             ),
-            Ok(modes) => analysis::periods(&self.solved, &modes),
+            Ok(modes) => analysis::periods(&self.solved, modes),
             Err(why) => Table::titled(format!("No natural periods: {why}.")),
         }
     }
+
+    fn offsets(&self, curves: &[OffsetCurve]) -> (Option<Chart>, Table) {
+        let Some(curve) = curves.first() else {
+            return (None, none_asked("[[offset_curves]]"));
+        };
+        let chart = analysis::offset_chart(curve.heading_deg, &curve.points);
+        let table = analysis::offset_curve(&self.solved, curve);
+        (Some(chart), with_rest_in_report(table, curves.len()))
+    }
+
+    fn watch_circle(&self, circles: &[(usize, WatchCircle)]) -> (Option<Chart>, Table) {
+        let Some((_, circle)) = circles.first() else {
+            return (None, none_asked("[[watch_circles]]"));
+        };
+        let chart = analysis::watch_chart(&self.solved, circle);
+        let table = analysis::watch_circle(&self.solved, circle);
+        (Some(chart), with_rest_in_report(table, circles.len()))
+    }
 }
 
-impl SystemView {
-    fn offsets(&self) -> (Option<Chart>, Table) {
-        match self.solved.analyses.offsets.first() {
-            Some(curve) => (
-                Some(analysis::offset_chart(curve.heading_deg, &curve.points)),
-                analysis::offset_curve(&self.solved, curve),
-            ),
-            None => {
-                let how = "None is asked for; add [[offset_curves]] with heading_deg and to_m.";
-                (None, Table::titled(how))
-            }
-        }
-    }
+fn none_asked(table: &str) -> Table {
+    Table::titled(format!("The file asks for none; add {table} to it."))
+}
 
-    fn goals(&self) -> Table {
-        if self.solved.analyses.goals.is_empty() {
-            let how = "None is asked for; add [[goals]] with vary, between, result and value.";
-            return Table::titled(how);
-        }
-        analysis::goals(&self.solved)
+/// The tab shows the first of several; the table says where the others are.
+fn with_rest_in_report(mut table: Table, count: usize) -> Table {
+    if count > 1 {
+        let note = format!("The first of {count}; the report has all.");
+        table.notes.push(note);
     }
-
-    fn watch_circle(&self) -> (Option<Chart>, Table) {
-        match self.solved.analyses.circles.first() {
-            Some((_, circle)) => (
-                Some(analysis::watch_chart(&self.solved, circle)),
-                analysis::watch_circle(&self.solved, circle),
-            ),
-            None => {
-                let how = "None is asked for; add [[watch_circles]] with load_n.";
-                (None, Table::titled(how))
-            }
-        }
-    }
+    table
 }
 
 impl DocumentKind for SystemView {
@@ -126,12 +157,7 @@ impl DocumentKind for SystemView {
             0 => (None, tables::lines(solved)),
             1 => (None, tables::points(solved)),
             2 => (None, tables::bodies(solved)),
-            4 => (None, analysis::clearances(solved)),
-            5 => (None, self.periods()),
-            6 => (None, analysis::equilibria(solved)),
-            7 => self.offsets(),
-            8 => self.watch_circle(),
-            9 => (None, self.goals()),
+            CLEARANCES.. => self.analysis(tab),
             _ => {
                 let first = !solved.network.bodies.is_empty();
                 let none = || Table::titled("The system has no body.");
@@ -150,10 +176,12 @@ impl DocumentKind for SystemView {
             return;
         };
         self.solved = newer.solved;
+        self.analyses = newer.analyses;
         self.checks = newer.checks;
     }
 
     fn validate(&mut self, _text: &str, edited: &[EditedKey]) {
+        self.analyses = Some(Arc::new(Analyses::of(&self.solved)));
         self.checks = validation::rows(&self.solved);
         reference::set_edited_aside(&mut self.checks, edited);
     }
@@ -163,7 +191,8 @@ impl DocumentKind for SystemView {
     }
 
     fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
-        let checks = &self.checks;
-        Some(views::report(&self.solved, checks, rows, glyphs))
+        let analyses = self.analyses.as_ref()?;
+        let report = views::report(&self.solved, analyses, &self.checks, rows, glyphs);
+        Some(report)
     }
 }

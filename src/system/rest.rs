@@ -1,0 +1,130 @@
+//! The equilibrium of a network from a cold start, or why it has none, in words.
+
+use super::bounds::Contact;
+use super::connected::{Loose, loose};
+use super::equilibrium::{Equilibrium, SystemError, search};
+use super::freedoms::Placement;
+use super::network::{Held, Network};
+use super::start::start;
+
+/// Why a system has no answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UnsolvedSystem {
+    /// What is wrong.
+    pub problem: String,
+    /// What would be right.
+    pub remedy: String,
+    /// The line meant, if it is one.
+    pub line: Option<String>,
+    /// The point or body meant, if it is one, and its name.
+    pub part: Option<(Loose, String)>,
+}
+
+/// A line that has no element, and why.
+#[must_use]
+pub fn not_divided((line, why): (String, String)) -> UnsolvedSystem {
+    UnsolvedSystem {
+        problem: format!("line \"{line}\" cannot be divided into segments: {why}"),
+        remedy: "check its materials and its sections".to_owned(),
+        line: Some(line),
+        part: None,
+    }
+}
+
+/// A system at rest, from a cold start.
+///
+/// # Errors
+/// [`UnsolvedSystem`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
+pub fn rest(network: &Network) -> Result<Equilibrium, UnsolvedSystem> {
+    if let Some(part) = loose(network) {
+        return Err(not_held(network, part));
+    }
+    rest_from(network, &start(network))
+}
+
+/// A system at rest, all of which something holds, from a placement.
+///
+/// # Errors
+/// As [`rest`].
+pub fn rest_from(network: &Network, start: &Placement) -> Result<Equilibrium, UnsolvedSystem> {
+    let rest = search(network, start).map_err(|error| refused(network, &error))?;
+    match out_of_water(network, &rest) {
+        Some(refusal) => Err(refusal),
+        None => Ok(rest),
+    }
+}
+
+fn part_name(network: &Network, part: Loose) -> String {
+    match part {
+        Loose::Point(index) => network.points[index].name.clone(),
+        Loose::Body(index) => network.bodies[index].name.clone(),
+    }
+}
+
+fn not_held(network: &Network, part: Loose) -> UnsolvedSystem {
+    let name = part_name(network, part);
+    UnsolvedSystem {
+        problem: format!(
+            "nothing holds \"{name}\": no line joins it, directly or over others, to anything fixed"
+        ),
+        remedy: "join it by a line to a fixed point or to a held body, or fix it".to_owned(),
+        line: None,
+        part: Some((part, name)),
+    }
+}
+
+/// A search without an answer, in words.
+#[must_use]
+pub fn refused(network: &Network, error: &SystemError) -> UnsolvedSystem {
+    match error {
+        SystemError::Line(unsolved) => {
+            let line = &network.lines[unsolved.line].name;
+            UnsolvedSystem {
+                problem: format!(
+                    "line \"{line}\" has no equilibrium between its ends: {}",
+                    unsolved.why
+                ),
+                remedy: "check its length and the places of its ends".to_owned(),
+                line: Some(line.clone()),
+                part: None,
+            }
+        }
+        SystemError::NotConverged {
+            residual,
+            at,
+            steps,
+        } => UnsolvedSystem {
+            problem: format!(
+                "the search for an equilibrium did not come to rest: after {steps} steps {residual:.3e} N are out of balance, most in {at}"
+            ),
+            remedy: "give free points a position, and free bodies a pose, near where they should come to rest".to_owned(),
+            line: None,
+            part: None,
+        },
+    }
+}
+
+/// A point at the surface whose buoyancy does not suffice to hold it down there.
+fn out_of_water(network: &Network, rest: &Equilibrium) -> Option<UnsolvedSystem> {
+    for (index, point) in network.points.iter().enumerate() {
+        let (Held::Free(free), Some(first)) = (&point.held, rest.freedoms.points[index]) else {
+            continue;
+        };
+        let pushed = rest.balance.force[first + 2];
+        if rest.contact(index) == Contact::Surface
+            && pushed > free.buoyancy + 1e-9 * rest.balance.tension
+        {
+            return Some(UnsolvedSystem {
+                problem: format!(
+                    "\"{}\" would be pulled out of the water by {:.6} N more than its buoyancy",
+                    point.name,
+                    pushed - free.buoyancy
+                ),
+                remedy: "give it more mass, or its lines more length; for lines in air set environment.water_density_kg_per_m3 = 0".to_owned(),
+                line: None,
+                part: Some((Loose::Point(index), point.name.clone())),
+            });
+        }
+    }
+    None
+}
