@@ -11,6 +11,7 @@ use super::line_at_rest::LinePhysics;
 use super::members;
 use super::network::{Body, Network};
 use super::pose::{Pose, cross};
+use super::waterplane;
 use crate::numerics::V3;
 
 /// A number and its change with three displacements and three turns.
@@ -99,8 +100,7 @@ impl LoadSum {
 
 /// Force and moment about its origin on a body, lines apart \[N, N m\], and minus their change \[N/m, N, N m\].
 ///
-/// The water-plane acts by the displacement of the origin and the rotation vector from the pose given. Wind and current count in
-/// the full physics only: they have no energy.
+/// Wind and current count in the full physics only: they have no energy.
 #[must_use]
 pub fn body_loads(
     network: &Network,
@@ -108,32 +108,29 @@ pub fn body_loads(
     pose: &Pose,
     physics: LinePhysics,
 ) -> (Vector6<f64>, Matrix6<f64>) {
-    let (mut force, mut stiffness) = fixed_loads(body, pose);
+    let (force, stiffness) = fixed_loads(body, pose);
     let flow = physics == LinePhysics::Full && network.flows();
-    if flow || !body.members.is_empty() {
-        let moving = MovingPose::of(pose);
-        let mut sum = LoadSum::none();
-        for member in &body.members {
-            members::buoyancy(network, member, &moving, &mut sum);
-            members::bed(network, body, member, &moving, &mut sum);
-            if flow {
-                members::drag(network, member, &moving, &mut sum);
-            }
-        }
+    let moving = MovingPose::of(pose);
+    let mut sum = LoadSum::none();
+    waterplane::add(body, &moving, &mut sum);
+    for member in &body.members {
+        members::buoyancy(network, member, &moving, &mut sum);
+        members::bed(network, body, member, &moving, &mut sum);
         if flow {
-            heading_loads::add(network, body, &moving, &mut sum);
+            members::drag(network, member, &moving, &mut sum);
         }
-        let (more, by_pose) = sum.parts();
-        force += more;
-        stiffness += by_pose;
     }
-    (force, stiffness)
+    if flow {
+        heading_loads::add(network, body, &moving, &mut sum);
+    }
+    let (by_water, by_pose) = sum.parts();
+    (force + by_water, stiffness + by_pose)
 }
 
-/// Weight, buoyancy of the volume given, water-plane and steady loads.
+/// Weight, buoyancy of the volume given, and steady loads.
 fn fixed_loads(body: &Body, pose: &Pose) -> (Vector6<f64>, Matrix6<f64>) {
     let mut force = Vector6::zeros();
-    let mut stiffness = body.waterplane;
+    let mut stiffness = Matrix6::zeros();
     let mut at = |arm: V3, load: V3| {
         let moment = arm.cross(&load);
         for k in 0..3 {
@@ -146,10 +143,6 @@ fn fixed_loads(body: &Body, pose: &Pose) -> (Vector6<f64>, Matrix6<f64>) {
     at(V3::zeros(), body.load);
     at(pose.arm(&body.centre_of_gravity), V3::z() * -body.weight);
     at(pose.arm(&body.centre_of_buoyancy), V3::z() * body.buoyancy);
-    let step = pose.origin - body.pose.origin;
-    let turn = (pose.rotation * body.pose.rotation.inverse()).scaled_axis();
-    let moved = Vector6::new(step.x, step.y, step.z, turn.x, turn.y, turn.z);
-    force -= body.waterplane * moved;
     for k in 0..3 {
         force[k + 3] += body.moment[k];
     }

@@ -34,6 +34,7 @@ pub mod stability;
 pub mod start;
 pub mod stiffness;
 pub mod validation;
+mod waterplane;
 
 pub use file::SYSTEM;
 pub use model::SystemFile;

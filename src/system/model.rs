@@ -157,9 +157,9 @@ table! {
         volume_m3: f64 = 0.0, "volume", range of(0.0, 1e9);
         /// Centre of buoyancy in its frame, at the pose given.
         centre_of_buoyancy_m: [f64; 3] = [0.0, 0.0, 0.0], "centre of buoyancy", range of(-1e3, 1e3);
-        /// By its water-plane alone, about its origin: 36 numbers row by row, or the diagonal. Moments of weight and buoyancy are added.
+        /// Of its water-plane alone, about its origin, along its axes: 36 numbers row by row, or the diagonal; for small tilts.
         waterplane_stiffness: Vec<f64>, "water-plane stiffness", unit "N/m, N, N m", range of(-1e15, 1e15), absent "none";
-        /// Added mass about its origin: 36 numbers row by row, or the diagonal; for natural periods.
+        /// Added mass about its origin, along its axes: 36 numbers row by row, or the diagonal; for natural periods.
         added_mass: Vec<f64>, "added mass", unit "kg, kg m, kg m2", range of(-1e18, 1e18), absent "none";
         /// Steady load at its origin along x, y, z, in the earth's directions.
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FLOATING;
@@ -168,7 +168,7 @@ table! {
         /// From its origin down to what bears on the bed.
         bottom_m: Option<f64>, "bottom", range of(-1e3, 1e3), absent "it does not touch the bed", matters FLOATING;
         /// Drag coefficient times area along its x, y and z, at its origin, in a current.
-        drag_area_m2: [f64; 3] = [0.0, 0.0, 0.0], "drag area", range of(0.0, 1e7);
+        drag_area_m2: [f64; 3] = [0.0, 0.0, 0.0], "drag area", range of(0.0, 1e7), matters FLOATING;
     }
     tables {
         /// Round members in the water, whose buoyancy counts as far as they are immersed.

@@ -114,9 +114,9 @@ pub struct Body {
     pub buoyancy: f64,
     /// Centre of buoyancy in its frame \[m\].
     pub centre_of_buoyancy: V3,
-    /// Stiffness of the water-plane about the origin \[N/m, N, N m\].
+    /// Stiffness of the water-plane about the origin, along the axes of the body \[N/m, N, N m\].
     pub waterplane: Matrix6<f64>,
-    /// Added mass about the origin \[kg, kg m, kg m²\].
+    /// Added mass about the origin, along the axes of the body \[kg, kg m, kg m²\].
     pub added_mass: Matrix6<f64>,
     /// Steady load and moment at the origin, in the earth's directions \[N, N m\].
     pub load: V3,
@@ -137,6 +137,13 @@ pub struct Body {
 }
 
 impl Body {
+    /// Angle between the vertical and what is vertical at the pose given \[rad\].
+    #[must_use]
+    pub fn tilt(&self, pose: &Pose) -> f64 {
+        let upright = self.pose.rotation.inverse() * V3::z();
+        pose.arm(&upright).angle(&V3::z())
+    }
+
     /// What holds the spin of a rod where it is \[N m\]: of the size of its other stiffness, without effect on any result.
     #[must_use]
     pub fn spin_stiffness(&self) -> f64 {

@@ -119,6 +119,8 @@ fn of_everything() -> (Network, Body) {
         mass: 4e6,
         weight: 4e7,
         centre_of_gravity: V3::new(0.4, -0.2, -6.0),
+        pose: Pose::new(V3::new(2.0, -1.0, 0.3), 0.05, -0.02, 0.3),
+        waterplane: Matrix6::from_fn(|i, j| 1e7 / (1.0 + (i as f64 - j as f64).abs())),
         drag_area: V3::new(120.0, 300.0, 500.0),
         wind_loads: Some(rows(1.0)),
         current_loads: Some(rows(300.0)),
@@ -149,6 +151,31 @@ fn stiffness_of_every_load_is_that_of_differences() {
             let off = (exact - numeric).fixed_view::<3, 3>(i, j).amax() / size;
             assert!(off < 2e-6, "pose {k}, block {i}, {j}: {off:.1e}");
         }
+    }
+}
+
+/// A ship that heels has the same righting moment about its own axes at every heading.
+#[test]
+fn a_water_plane_turns_with_its_body() {
+    let diagonal = nalgebra::vector![0.0, 0.0, 9e7, 1.4e10, 4e11, 0.0];
+    let righting = |given: f64, heading: f64| {
+        let ship = Body {
+            pose: Pose::new(V3::zeros(), 0.0, 0.0, given),
+            waterplane: Matrix6::from_diagonal(&diagonal),
+            ..with(Vec::new())
+        };
+        let pose = Pose::new(V3::zeros(), 0.01, 0.02, heading);
+        let force = load(&sea(), &ship, &pose);
+        let moment = V3::new(force[3], force[4], force[5]);
+        UnitQuaternion::from_euler_angles(0.0, 0.0, -heading) * moment
+    };
+    let straight = righting(0.0, 0.0);
+    let (roll, pitch) = (0.01_f64.sin() * 0.02_f64.cos(), 0.02_f64.sin());
+    assert!((straight.x / (-roll * 1.4e10) - 1.0).abs() < 1e-12);
+    assert!((straight.y / (-pitch * 4e11) - 1.0).abs() < 1e-12);
+    for (given, heading) in [(0.0, 0.5), (0.0, 3.1), (1.6, 1.6), (1.6, -2.0)] {
+        let off = righting(given, heading) - straight;
+        assert!(off.norm() < 1e-11 * straight.norm(), "{heading}: {off}");
     }
 }
 
@@ -449,5 +476,65 @@ fn periods_of_the_free_platforms_are_those_of_differences() {
             let (exact, numeric) = (mode.period_s.unwrap(), TAU / value.sqrt());
             assert!((exact / numeric - 1.0).abs() < 1e-6, "{exact} {numeric}");
         }
+    }
+}
+
+/// Wind from ahead and from astern: the ship that may turn about its turret comes to rest with its bow to the wind, also from a
+/// start across it.
+#[test]
+fn a_ship_on_a_turret_turns_into_the_wind() {
+    for start in [0.0, 60.0, 130.0] {
+        let loads = [(0.0, 500.0, 0.0), (90.0, 0.0, 2000.0), (180.0, -500.0, 0.0), (270.0, 0.0, -2000.0)]
+            .map(|(heading, surge, sway)| {
+                format!(
+                    "[[bodies.ship.wind_loads]]\nheading_deg = {heading:?}\nsurge_n_s2_per_m2 = {surge:?}\nsway_n_s2_per_m2 = {sway:?}\n"
+                )
+            })
+            .concat();
+        let text = format!(
+            r#"
+[seabed]
+depth_m = 80.0
+[wind]
+speed_m_per_s = 20.0
+direction_deg = 180.0
+[materials.wire]
+diameter_m = 0.2
+mass_kg_per_m = 220.0
+ea_n = 9e8
+[bodies.ship]
+kind = "free"
+yaw_deg = {start:?}
+mass_kg = 1.2e8
+volume_m3 = 117200.0
+centre_of_gravity_m = [0.0, 0.0, -2.0]
+centre_of_buoyancy_m = [0.0, 0.0, -7.0]
+waterplane_stiffness = [0.0, 0.0, 9e7, 1.4e10, 4e11, 0.0]
+[points.turret]
+kind = "body"
+body = "ship"
+position_m = [100.0, 0.0, -12.0]
+{loads}"#
+        );
+        let anchors = [
+            ("one", 600.0, 0.0),
+            ("two", -400.0, 500.0),
+            ("three", -400.0, -500.0),
+        ];
+        let more: Vec<String> = anchors
+            .iter()
+            .flat_map(|(name, x, y)| {
+                let line = format!("line_{name}");
+                [
+                    fixed(name, [*x, *y, -80.0]),
+                    wire(&line, [name, "turret"], 620.0),
+                ]
+            })
+            .collect();
+        let ship = system(&text, &more);
+        let pose = &ship.rest.placement.bodies[0];
+        let yaw = pose.angles()[2];
+        assert!(yaw.abs() < 1e-6, "{start}: {yaw}");
+        assert_eq!(ship.stability, Stability::Stable);
     }
 }

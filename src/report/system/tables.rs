@@ -5,7 +5,6 @@ use crate::numerics::V3;
 use crate::report::table::{Align, Cell, Column, NumberFormat, Table};
 use crate::system::SolvedSystem;
 use crate::system::analysis::clearance::curves;
-use crate::system::analysis::equilibria::moved;
 use crate::system::bounds::Contact;
 use crate::system::line_at_rest::LineNote;
 use crate::system::loads;
@@ -105,7 +104,7 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
         }
     }
     found.extend(afloat(solved));
-    found.extend(far_turned(solved));
+    found.extend(far_tilted(solved));
     found.extend(above_water(solved));
     found
 }
@@ -130,21 +129,22 @@ fn above_water(solved: &SolvedSystem) -> Vec<String> {
     found
 }
 
-/// Turn of a body from the pose given beyond which its water-plane says little \[rad\]: that of a ship turns with it.
-const FAR_TURNED: f64 = 0.35;
+/// Tilt of a body from the pose given beyond which its water-plane says little \[rad\].
+const FAR_TILTED: f64 = 0.35;
 
-/// Free bodies that turned so far that their water-plane does not hold.
-fn far_turned(solved: &SolvedSystem) -> Vec<String> {
-    let bodies = solved.network.bodies.iter().enumerate();
-    let free = bodies.filter(|(_, body)| body.free && body.waterplane.amax() > 0.0);
-    let turns = free.map(|(index, body)| (body, moved(&solved.network, &solved.rest, index).0));
-    turns
-        .filter(|(_, turn)| *turn > FAR_TURNED)
-        .map(|(body, turn)| {
+/// Free bodies that tilted so far that their water-plane does not hold.
+fn far_tilted(solved: &SolvedSystem) -> Vec<String> {
+    let poses = &solved.rest.placement.bodies;
+    let bodies = solved.network.bodies.iter().zip(poses);
+    let free = bodies.filter(|(body, _)| body.free && body.waterplane.amax() > 0.0);
+    let tilts = free.map(|(body, pose)| (body, body.tilt(pose)));
+    tilts
+        .filter(|(_, tilt)| *tilt > FAR_TILTED)
+        .map(|(body, tilt)| {
             format!(
-                "Body {} rests turned by {:.0} deg from the pose given, for which its water-plane holds: give a pose nearer to where it rests.",
+                "Body {} rests tilted by {:.0} deg from the pose given, for which its water-plane holds: give a pose nearer to where it rests, or members.",
                 body.name,
-                turn.to_degrees()
+                tilt.to_degrees()
             )
         })
         .collect()

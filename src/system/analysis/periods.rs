@@ -176,8 +176,8 @@ fn modes(
     Ok(found.into_iter().map(|(_, mode)| mode).collect())
 }
 
-/// The direction that a motion is mostly of, by its share of the kinetic energy. That of a body is taken about its centre of
-/// gravity: about another origin its pitch would read as surge.
+/// The direction that a motion is mostly of, by its share of the kinetic energy. That of a body is taken along its own axes and
+/// about its centre of gravity: about another origin its pitch would read as surge.
 fn most_energy(
     network: &Network,
     rest: &Equilibrium,
@@ -192,11 +192,13 @@ fn most_energy(
                 let mut shift = Matrix6::identity();
                 let arm = cross(&pose.arm(&body.centre_of_gravity));
                 shift.fixed_view_mut::<3, 3>(0, 3).copy_from(&arm);
+                shift *= axes(pose);
                 let mass = shift.transpose() * mass_matrix(network, body, pose) * shift;
                 let mut here = motion.fixed_rows::<6>(k).into_owned();
                 let turn = arm * here.fixed_rows::<3>(3);
                 let mut step = here.fixed_rows_mut::<3>(0);
                 step -= turn;
+                let here = axes(pose).transpose() * here;
                 for j in 0..6 {
                     energy[k + j] = mass[(j, j)] * here[j] * here[j];
                 }
@@ -236,6 +238,16 @@ fn is_spin(
     })
 }
 
+/// The axes of a body in the earth's, for displacements and turns.
+fn axes(pose: &Pose) -> Matrix6<f64> {
+    let mut axes = Matrix6::zeros();
+    for k in [0, 3] {
+        let mut block = axes.fixed_view_mut::<3, 3>(k, k);
+        block.copy_from(pose.matrix().matrix());
+    }
+    axes
+}
+
 /// Mass, inertia and added mass of a body about its origin, in the axes of the earth \[kg, kg m, kg m²\].
 #[must_use]
 pub fn mass_matrix(network: &Network, body: &Body, pose: &Pose) -> Matrix6<f64> {
@@ -243,7 +255,9 @@ pub fn mass_matrix(network: &Network, body: &Body, pose: &Pose) -> Matrix6<f64> 
     let turn = pose.matrix();
     let inertia = turn.matrix() * body.inertia * turn.matrix().transpose();
     let lever = cross(&arm) * body.mass;
-    let mut mass = body.added_mass + members::added_mass(network, body, pose);
+    let axes = axes(pose);
+    let added = axes * body.added_mass * axes.transpose();
+    let mut mass = added + members::added_mass(network, body, pose);
     for k in 0..3 {
         mass[(k, k)] += body.mass;
     }
