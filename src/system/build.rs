@@ -96,7 +96,7 @@ impl Builder<'_> {
         let new = parts(self.file, line);
         let [x, y] = line.repeat_about_m;
         let axis = V3::new(x, y, 0.0);
-        for &angle in angles(line) {
+        for &angle in angles(&line.repeat_at_deg) {
             let from = self.point(&line.from, angle, axis);
             let to = self.point(&line.to, angle, axis);
             let name = copy_name(&line.name, angle);
@@ -224,10 +224,10 @@ fn turned(point: &PointInputs, angle: f64, axis: V3) -> Option<(V3, V3)> {
     Some((about + turn * arm, here))
 }
 
-/// The angles of the copies of a line \[deg\]: 0 for a line without repeats.
+/// The angles of copies \[deg\]: 0 without repeats.
 #[must_use]
-pub fn angles(line: &LineInputs) -> &[f64] {
-    match line.repeat_at_deg.as_slice() {
+pub fn angles(repeat_at_deg: &[f64]) -> &[f64] {
+    match repeat_at_deg {
         [] => &[0.0],
         angles => angles,
     }
@@ -271,11 +271,6 @@ fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
 
 /// A member and its copies about the z axis of its body.
 fn members(given: &MemberInputs) -> Vec<Member> {
-    let once = [0.0];
-    let angles: &[f64] = match given.repeat_at_deg.is_empty() {
-        true => &once,
-        false => &given.repeat_at_deg,
-    };
     let turned = |angle: &f64| {
         let turn = Rotation3::from_axis_angle(&V3::z_axis(), angle.to_radians());
         let radius = 0.5 * given.diameter_m;
@@ -287,7 +282,7 @@ fn members(given: &MemberInputs) -> Vec<Member> {
             added_mass: given.added_mass_normal,
         }
     };
-    angles.iter().map(turned).collect()
+    angles(&given.repeat_at_deg).iter().map(turned).collect()
 }
 
 fn heading_loads(rows: &[HeadingLoadInputs]) -> Option<HeadingLoads> {

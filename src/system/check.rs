@@ -49,6 +49,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     for (_, material) in &keys.materials {
         found.extend(elastic(material));
     }
+    found.extend(wind_without_loads(keys));
     found.extend(ageing(keys));
     found.extend(published_number::check(&keys.published, |key| {
         quantities::unknown(key, keys)
@@ -80,7 +81,11 @@ fn body_alone(body: &BodyKeys<'_>) -> Vec<Finding> {
         &[3, 6],
         "Ixx, Iyy, Izz, or these and Ixy, Ixz, Iyz",
     ));
-    found.extend(body.members.iter().filter_map(|(_, member)| long(member)));
+    found.extend(
+        body.members
+            .iter()
+            .filter_map(|(_, member)| without_length(member)),
+    );
     found.extend(headings(&body.wind_loads));
     found.extend(headings(&body.current_loads));
     found
@@ -118,11 +123,50 @@ fn rod_of(keys: &SystemKeys<'_>, name: &str, rod: &RodKeys<'_>) -> Vec<Finding> 
         let problem = format!("there is a body named \"{name}\" too");
         found.push(rod.place.finding(problem, "give the rod another name"));
     }
+    for end in rods::ends(name) {
+        if keys.points.iter().any(|(known, _)| *known == end) {
+            let problem = format!("its end is named \"{end}\", as a point is");
+            found.push(
+                rod.place
+                    .finding(problem, "give the rod or the point another name"),
+            );
+        }
+    }
+    for end in [&rod.end_a_m, &rod.end_b_m] {
+        found.extend(below_bed(keys, end));
+    }
     found
 }
 
+/// A place below the bed.
+fn below_bed(keys: &SystemKeys<'_>, place: &Key<'_, [f64; 3]>) -> Option<Finding> {
+    let depth = keys.seabed.as_ref()?.depth_m.value()?;
+    let [_, _, z] = place.value()?;
+    (z < -depth).then(|| {
+        let problem = format!(
+            "lies {} m below the bed, which is {depth} m deep",
+            -depth - z
+        );
+        place.finding(problem, format!("give a z of {} or more", -depth))
+    })
+}
+
+/// A wind that no body states its loads by.
+fn wind_without_loads(keys: &SystemKeys<'_>) -> Option<Finding> {
+    let wind = keys.wind.as_ref()?;
+    let felt = keys
+        .bodies
+        .iter()
+        .any(|(_, body)| !body.wind_loads.is_empty());
+    let remedy = "add [[bodies.NAME.wind_loads]], or leave [wind] out";
+    (!felt).then(|| {
+        wind.place
+            .finding("acts on nothing: no body has wind loads", remedy)
+    })
+}
+
 /// A member without length.
-fn long(member: &MemberKeys<'_>) -> Option<Finding> {
+fn without_length(member: &MemberKeys<'_>) -> Option<Finding> {
     let (from, to) = (member.from_m.value()?, member.to_m.value()?);
     let remedy = "give ends that lie apart";
     (from == to).then(|| {
@@ -226,18 +270,8 @@ fn outside_water(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Option<Finding
         return None;
     }
     let [_, _, z] = point.position_m.value()?;
-    if let Some(depth) = keys.seabed.as_ref().and_then(|bed| bed.depth_m.value())
-        && z < -depth
-    {
-        let problem = format!(
-            "lies {} m below the bed, which is {depth} m deep",
-            -depth - z
-        );
-        return Some(
-            point
-                .position_m
-                .finding(problem, format!("give a z of {} or more", -depth)),
-        );
+    if let Some(below) = below_bed(keys, &point.position_m) {
+        return Some(below);
     }
     let water = keys
         .environment

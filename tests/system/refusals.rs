@@ -180,6 +180,12 @@ fn parts_of_bodies_and_analyses_must_make_sense() {
     refused_with(rod, "the rod begins and ends there");
     let same = rod.replace("bar", "platform").replacen("-5", "-6", 1);
     refused_with(&same, "there is a body named \"platform\" too");
+    let point = rod.replace("-5]\nmass", "-6]\nmass")
+        + "[points.bar-b]\nkind = \"fixed\"\nposition_m = [0, 0, -6]\n";
+    refused_with(&point, "its end is named \"bar-b\", as a point is");
+    let deep = rod.replace("end_b_m = [0, 0, -5]", "end_b_m = [0, 0, -105]");
+    refused_with(&deep, "lies 5 m below the bed");
+    refused_with("[wind]\nspeed_m_per_s = 9\n", "acts on nothing");
     let other = "[bodies.other]\nkind = \"held\"\n";
     let curve = "[[offset_curves]]\nto_m = 5\n";
     refused_with(&format!("{other}{curve}"), "the system has 2 bodies");

@@ -35,7 +35,7 @@ pub fn lines<'a>(file: &'a SystemFile, ageing: &'a AgeingInputs) -> Vec<AgeingLi
     let copies = |line: &'a LineInputs| {
         let pieces = pieces(file, ageing, line);
         let ages = pieces.iter().any(|piece| piece.ageing.is_some());
-        let angles = angles(line).iter().filter(move |_| ages);
+        let angles = angles(&line.repeat_at_deg).iter().filter(move |_| ages);
         angles.map(move |angle| AgeingLine {
             name: copy_name(&line.name, *angle),
             pieces: pieces.clone(),
