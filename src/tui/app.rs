@@ -230,8 +230,7 @@ fn is_typed(message: &Msg) -> bool {
 /// How long the first frame waits for the files that it shows.
 const FIRST_FRAME: Duration = Duration::from_millis(300);
 
-/// How long a frame waits for files and for the answer to an edit. What the screen shows as edited is then kept for recovery already,
-/// unless the disk is slow; and nearly every answer is there, so that no frame shows for a moment what is not checked.
+/// How long a frame waits for files and the answer to an edit: what it shows is then nearly always checked, and kept for recovery.
 const ANSWER_FIRST: Duration = Duration::from_millis(8);
 
 /// How long the end of the program waits for files that are still to be written.

@@ -64,6 +64,9 @@ fn a_system_as_json() {
         assert_eq!(line["force_a_n"][2].as_f64().unwrap(), 0.0);
     }
     assert_eq!(lines[1]["name"], "mooring@120");
+    fits(&system["goals"][0], "goal");
+    assert!((system["goals"][0]["comes_to"].as_f64().unwrap() / 9.5e5 - 1.0).abs() < 1e-9);
+    fits(&system["stability"], "stability");
     fits(&system["points"][0], "point");
     fits(&system["bodies"][0], "body");
     let surge = system["bodies"][0]["stiffness"][0][0].as_f64().unwrap();

@@ -5,18 +5,17 @@ use crate::report::table::{NumberFormat, Table};
 use crate::system::SolvedSystem;
 use crate::system::analysis::analyses::OffsetCurve;
 use crate::system::analysis::clearance::LineDistances;
-use crate::system::analysis::equilibria::moved;
 use crate::system::analysis::offset::OffsetPoint;
 use crate::system::analysis::periods::SystemMode;
 use crate::system::analysis::seek::Sought;
 use crate::system::analysis::watch_circle::WatchCircle;
 use crate::system::equilibrium::Equilibrium;
 use crate::system::model::GoalInputs;
+use crate::system::pose::Pose;
 use crate::system::stability::Stability;
 
 const NEWTONS: NumberFormat = NumberFormat::Si("N");
 const METRES: NumberFormat = NumberFormat::Decimals(3, "m");
-const DEGREES: NumberFormat = NumberFormat::Decimals(2, "deg");
 const DIGITS: NumberFormat = NumberFormat::Digits(8, "");
 const SECONDS: NumberFormat = NumberFormat::Digits(5, "s");
 
@@ -276,21 +275,30 @@ pub fn equilibria(solved: &SolvedSystem, others: &[(Equilibrium, Stability)]) ->
             rest.balance.tension
         });
     for body in free {
-        let name = &network.bodies[body].name;
-        let turn = |rest: &Equilibrium| moved(network, rest, body).0.to_degrees();
-        let shift = |rest: &Equilibrium| moved(network, rest, body).1.norm();
-        table = table
-            .number(&format!("{name} turned by"), DEGREES, move |(rest, _)| {
-                turn(rest)
-            })
-            .number("moved by", METRES, move |(rest, _)| shift(rest));
+        let head = format!("{} at", network.bodies[body].name);
+        table = table.text(&head, move |(rest, _)| place(&rest.placement.bodies[body]));
     }
     let mut table = table.build();
     table.notes.push(
         "Searched from the poses given and from each free body turned by a quarter and a half about its axes; the report is of the first."
             .to_owned(),
     );
+    let stable = |how: &Stability| *how == Stability::Stable;
+    if !stable(&solved.stability) && all.iter().any(|(_, how)| stable(how)) {
+        let how = "The first is not stable and another is: give the bodies its pose, and the report is of that one.";
+        table.notes.push(how.to_owned());
+    }
     table
+}
+
+/// A pose in words.
+fn place(pose: &Pose) -> String {
+    let at = pose.origin;
+    let [roll, pitch, yaw] = pose.angles().map(f64::to_degrees);
+    format!(
+        "({:.2}, {:.2}, {:.2}) m, roll {roll:.2}, pitch {pitch:.2}, yaw {yaw:.2} deg",
+        at.x, at.y, at.z
+    )
 }
 
 /// Distances of lines from one another, from members of bodies, from bed and surface.

@@ -3,9 +3,8 @@
 use nalgebra::UnitQuaternion;
 
 use super::super::equilibrium::{Equilibrium, search_within};
-use super::super::network::Network;
+use super::super::network::{Line, Network};
 use super::super::start::start;
-use crate::numerics::V3;
 
 /// Turns \[deg\] about x, y, z from which each free body is searched in turn.
 const TURNS: [[f64; 3]; 7] = [
@@ -50,10 +49,7 @@ pub fn others(network: &Network, first: &Equilibrium) -> Vec<Equilibrium> {
 /// Whether two equilibria are one, spins of rods left out.
 fn is_same(network: &Network, one: &Equilibrium, two: &Equilibrium) -> bool {
     let (one, two) = (&one.placement, &two.placement);
-    let size = network
-        .lines
-        .iter()
-        .map(super::super::network::Line::length);
+    let size = network.lines.iter().map(Line::length);
     let near = SAME * size.fold(1.0, f64::max);
     let points = one.points.iter().zip(&two.points);
     let bodies = one.bodies.iter().zip(&two.bodies).zip(&network.bodies);
@@ -65,14 +61,4 @@ fn is_same(network: &Network, one: &Equilibrium, two: &Equilibrium) -> bool {
             };
             turned <= SAME && (a.origin - b.origin).norm() <= near
         })
-}
-
-/// The turn of a body from where it is given \[rad\], and its displacement \[m\].
-#[must_use]
-pub fn moved(network: &Network, rest: &Equilibrium, body: usize) -> (f64, V3) {
-    let (given, found) = (&network.bodies[body].pose, &rest.placement.bodies[body]);
-    (
-        given.rotation.angle_to(&found.rotation),
-        found.origin - given.origin,
-    )
 }
