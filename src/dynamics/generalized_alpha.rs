@@ -20,17 +20,15 @@
 //! The balance holds at a mix of positions, where the chord of a rotating segment is shorter than before and after the step:
 //! [`MidstepBalance::correct_chord_lengths`] accounts for that in the tensions that are output.
 
+use super::alpha_scheme::{AlphaScheme, ErrorLimits, mix};
 use super::{Integrator, MethodState, StepError, Stepper, TimeStep, WorkCounts};
 use crate::numerics::V3;
-use crate::solve::{ExplicitRhs, Factors, Kinematics, MidstepBalance, Newton, Residual, State};
+use crate::solve::{ExplicitRhs, Kinematics, MidstepBalance, Newton, Residual, State};
 
 /// The method and its work arrays; allocates only in [`GeneralizedAlpha::new`].
 #[derive(Debug, Clone)]
 pub struct GeneralizedAlpha {
-    alpha_m: f64,
-    alpha_f: f64,
-    beta: f64,
-    gamma: f64,
+    scheme: AlphaScheme,
     newton: Newton,
     /// The state at the end of the step.
     end: State,
@@ -48,33 +46,15 @@ pub struct GeneralizedAlpha {
 /// Iterations without progress after which a step is halved: the half converges where the whole cycles.
 const STAGNATION_LIMIT: usize = 6;
 
-/// Fraction of the error limits of a step that the iteration may leave transverse to the line (1/10 to 1/100 in Hairer and
-/// Wanner 1996, sec. IV.8; where Newton extrapolates its convergence, its safety factor leaves less).
-const ITERATION_ERROR: f64 = 0.1;
-
-/// Error limits of a step.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ErrorLimits {
-    /// In the position of any node \[m\].
-    pub position: f64,
-    /// In the velocity of any node \[m/s\].
-    pub velocity: f64,
-}
-
 impl GeneralizedAlpha {
     /// For a system of `nodes` nodes. `rho` from 0 to 1; tolerance \[m\] and iterations as in [`Newton`].
     #[must_use]
     pub fn new(nodes: usize, rho: f64, tolerance: f64, max_iterations: usize) -> Self {
-        let alpha_m = (2.0 * rho - 1.0) / (rho + 1.0);
-        let alpha_f = rho / (rho + 1.0);
         let state = State::at_rest(vec![V3::zeros(); nodes]);
         let mut newton = Newton::new(nodes, tolerance, max_iterations);
         newton.stagnation_limit = STAGNATION_LIMIT;
         Self {
-            alpha_m,
-            alpha_f,
-            beta: 0.25 * (1.0 - alpha_m + alpha_f).powi(2),
-            gamma: 0.5 - alpha_m + alpha_f,
+            scheme: AlphaScheme::new(rho),
             newton,
             end: state.clone(),
             between: state,
@@ -94,15 +74,6 @@ impl GeneralizedAlpha {
         }
     }
 
-    /// Tolerance on transverse displacements of the iteration \[m\] that leaves [`ITERATION_ERROR`] of the error limits at the
-    /// end of the step; 0 without error control.
-    fn transverse_tolerance(&self, factors: &Factors) -> f64 {
-        self.limits.map_or(0.0, |limits| {
-            let at_end = limits.position.min(limits.velocity / factors.damping);
-            ITERATION_ERROR * (1.0 - self.alpha_f) * at_end
-        })
-    }
-
     /// The same with a tolerance on the velocities in Newton's iteration \[m/s\].
     #[must_use]
     pub fn resolving(mut self, speed: f64) -> Self {
@@ -110,19 +81,9 @@ impl GeneralizedAlpha {
         self
     }
 
-    /// Weights of the tangent for a step of h seconds.
-    fn factors(&self, h: f64) -> Factors {
-        let (k_f, k_m) = (1.0 - self.alpha_f, 1.0 - self.alpha_m);
-        Factors {
-            mass: k_m / (k_f * self.beta * h * h),
-            damping: self.gamma / (self.beta * h),
-            stiffness: 1.0,
-        }
-    }
-
     /// Shifts the acceleration of the state to the point of the algorithmic acceleration in a step of h.
     fn shift_acceleration(&mut self, h: f64, state: &State) {
-        let shift = (self.alpha_m - self.alpha_f) * h;
+        let shift = self.scheme.shift(h);
         for ((a0, a), jerk) in self.a0.iter_mut().zip(&state.a).zip(&self.jerk) {
             *a0 = a + jerk * shift;
         }
@@ -130,57 +91,48 @@ impl GeneralizedAlpha {
 
     /// Predicts the end state with the jerk of the step before, and the state between.
     fn predict<S: Kinematics>(&mut self, system: &S, t: f64, h: f64, state: &State) {
-        let (beta, gamma) = (self.beta, self.gamma);
         for i in system.free() {
             let a0 = self.a0[i];
             let a1 = a0 + self.jerk[i] * (h * self.jerk_weight);
-            self.end.x[i] = state.x[i] + (state.v[i] + (a0 * (0.5 - beta) + a1 * beta) * h) * h;
-            self.end.v[i] = state.v[i] + (a0 * (1.0 - gamma) + a1 * gamma) * h;
+            let start = (&state.x[i], &state.v[i]);
+            (self.end.x[i], self.end.v[i]) = self.scheme.end(h, start, (&a0, &a1));
             self.end.a[i] = a1;
         }
         self.between.memory.copy_from(&state.memory);
         self.end.memory.copy_from(&state.memory);
         system.prescribe(t + h, &mut self.end);
-        let mix = |k: f64, new: &[V3], old: &[V3], out: &mut [V3]| {
-            for ((o, n), p) in out.iter_mut().zip(new).zip(old) {
-                *o = n * (1.0 - k) + p * k;
-            }
-        };
-        mix(self.alpha_f, &self.end.x, &state.x, &mut self.between.x);
-        mix(self.alpha_f, &self.end.v, &state.v, &mut self.between.v);
-        mix(self.alpha_m, &self.end.a, &self.a0, &mut self.between.a);
+        let AlphaScheme {
+            alpha_m, alpha_f, ..
+        } = self.scheme;
+        mix(alpha_f, &self.end.x, &state.x, &mut self.between.x);
+        mix(alpha_f, &self.end.v, &state.v, &mut self.between.v);
+        mix(alpha_m, &self.end.a, &self.a0, &mut self.between.a);
     }
 
     /// Computes the end state from the converged state between.
     fn extrapolate_to_end<S: Kinematics>(&mut self, system: &S, h: f64, state: &State) {
-        let (m, k) = (1.0 / (1.0 - self.alpha_m), self.alpha_m);
-        let (beta, gamma) = (self.beta, self.gamma);
         for i in system.free() {
             let a0 = self.a0[i];
-            let a1 = (self.between.a[i] - a0 * k) * m;
-            self.end.x[i] = state.x[i] + (state.v[i] + (a0 * (0.5 - beta) + a1 * beta) * h) * h;
-            self.end.v[i] = state.v[i] + (a0 * (1.0 - gamma) + a1 * gamma) * h;
+            let a1 = self.scheme.acceleration_at_end(&a0, &self.between.a[i]);
+            let start = (&state.x[i], &state.v[i]);
+            (self.end.x[i], self.end.v[i]) = self.scheme.end(h, start, (&a0, &a1));
             self.end.a[i] = a1;
         }
     }
 
-    /// Estimated error of the step, relative to the limits: in position `|beta - 1/6| h² |a1 - a0|` (Zienkiewicz and Xie 1991,
-    /// doi 10.1002/eqe.4290200907); in velocity `h |a1 - a0 - h j0| / 12` from the second difference, which the predictor
-    /// missed; and by segments that snap taut after the point of balance.
+    /// Estimated error of the step, relative to the limits: of the nodes ([`AlphaScheme::squared_error`]), and by segments that
+    /// snap taut after the point of balance.
     fn error_ratio<S: MidstepBalance>(&self, system: &S, h: f64, limits: &ErrorLimits) -> f64 {
-        let by_change = (self.beta - 1.0 / 6.0).abs() * h * h / limits.position;
-        let by_miss = h / (12.0 * limits.velocity);
         let mut ratio = 0.0_f64;
         for i in system.free() {
             let change = self.end.a[i] - self.a0[i];
-            let miss = change - self.jerk[i] * (h * self.jerk_weight);
-            ratio = ratio
-                .max(change.norm_squared() * by_change * by_change)
-                .max(miss.norm_squared() * by_miss * by_miss);
+            let predicted = self.jerk[i] * (h * self.jerk_weight);
+            ratio = ratio.max(self.scheme.squared_error(h, limits, &change, &predicted));
         }
         // The balance has not seen the energy of a segment that snaps taut after it.
-        let by_snap = if self.alpha_f > 0.0 {
-            system.snap_acceleration(&self.between, &self.end) * self.alpha_f * h / limits.velocity
+        let alpha_f = self.scheme.alpha_f;
+        let by_snap = if alpha_f > 0.0 {
+            system.snap_acceleration(&self.between, &self.end) * alpha_f * h / limits.velocity
         } else {
             0.0
         };
@@ -189,15 +141,15 @@ impl GeneralizedAlpha {
 
     /// Accepts the end state, its acceleration shifted to the end of the step.
     fn accept<S: MidstepBalance>(&mut self, system: &S, t: f64, h: f64, state: &mut State) {
-        let shift = (self.alpha_f - self.alpha_m) * h;
+        let shift = -self.scheme.shift(h);
         for i in system.free() {
             self.jerk[i] = (self.end.a[i] - self.a0[i]) / h;
             self.end.a[i] += self.jerk[i] * shift;
         }
         self.jerk_weight = 1.0;
         system.update_wave_kinematics(t + h, &mut self.end);
-        if self.alpha_f > 0.0 {
-            system.correct_chord_lengths(self.alpha_f, state, &mut self.end);
+        if self.scheme.alpha_f > 0.0 {
+            system.correct_chord_lengths(self.scheme.alpha_f, state, &mut self.end);
         }
         state.copy_from(&self.end);
     }
@@ -208,9 +160,11 @@ impl<S: Residual + MidstepBalance + ExplicitRhs> Stepper<S> for GeneralizedAlpha
         let TimeStep { t, dt, reject } = at;
         self.shift_acceleration(dt, state);
         self.predict(system, t, dt, state);
-        let factors = self.factors(dt);
-        self.newton.transverse_tolerance = self.transverse_tolerance(&factors);
-        let balance = t + (1.0 - self.alpha_f) * dt;
+        let factors = self.scheme.factors(dt);
+        self.newton.transverse_tolerance = self.limits.map_or(0.0, |limits| {
+            limits.transverse_tolerance(&self.scheme, &factors)
+        });
+        let balance = t + (1.0 - self.scheme.alpha_f) * dt;
         system.update_wave_kinematics(balance, &mut self.between);
         let solved = self
             .newton

@@ -5,7 +5,7 @@
 use super::progress::MarchProgress;
 use super::step_control::WholeStep;
 use super::{MarchError, Stepper};
-use crate::solve::{AcceptedStep, Hysteresis, Progressing, Sink, State};
+use crate::solve::{AcceptedStep, Marched, Progressing, Sink};
 
 /// A march from time 0 to `duration` in whole steps of `step`, each divided as the step control asks for. The last whole step
 /// is cut short where they do not divide the duration.
@@ -70,12 +70,12 @@ impl March {
     ///
     /// # Errors
     /// [`MarchError`] when a step fails at every length tried; `state` is the last accepted one.
-    pub fn run<M: Stepper<S>, S: Hysteresis>(
+    pub fn run<M: Stepper<S, X>, S: Marched<X>, X>(
         &self,
         method: &mut M,
         system: &S,
-        state: &mut State,
-        sink: &mut dyn Sink,
+        state: &mut X,
+        sink: &mut dyn Sink<X>,
     ) -> Result<MarchSummary, MarchError> {
         let mut progress = MarchProgress::default();
         system.update_wave_kinematics(0.0, state);
@@ -103,14 +103,14 @@ impl March {
     ///
     /// # Errors
     /// As [`March::run`].
-    pub fn advance<M: Stepper<S>, S: Hysteresis>(
+    pub fn advance<M: Stepper<S, X>, S: Marched<X>, X>(
         &self,
         progress: &mut MarchProgress,
         until: f64,
         method: &mut M,
         system: &S,
-        state: &mut State,
-        sink: &mut dyn Sink,
+        state: &mut X,
+        sink: &mut dyn Sink<X>,
     ) -> Result<Progressing, MarchError> {
         let until = until.min(self.duration);
         let same = |a: f64, b: f64| (a - b).abs() <= self.slop();

@@ -2,6 +2,7 @@
 //! system by the traits of [`solve`](crate::solve) and report to a [`Sink`](crate::solve::Sink); none knows a case, a file
 //! or a screen.
 
+pub mod alpha_scheme;
 pub mod generalized_alpha;
 pub mod march;
 pub mod method_state;
@@ -12,6 +13,7 @@ pub mod rk4;
 pub mod step_control;
 pub mod stepper;
 
+pub use alpha_scheme::{AlphaScheme, ErrorLimits};
 pub use march::{March, MarchSummary};
 pub use method_state::MethodState;
 pub use progress::MarchProgress;

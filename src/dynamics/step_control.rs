@@ -6,7 +6,7 @@
 
 use super::progress::{MAX_HALVINGS, MarchProgress};
 use super::{StepError, Stepper, TimeStep};
-use crate::solve::{AcceptedStep, Hysteresis, NewtonError, Progressing, Sink, State};
+use crate::solve::{AcceptedStep, Marched, NewtonError, Progressing, Sink};
 
 /// Greatest number of times a step is halved for accuracy. Across a discontinuity of force shorter steps are no more
 /// accurate, since the estimate there falls with the step and not with its square.
@@ -46,13 +46,13 @@ impl WholeStep {
     ///
     /// # Errors
     /// [`MarchError`] if a step fails at every length; `state` is then the last accepted one.
-    pub(super) fn take<M: Stepper<S>, S: Hysteresis>(
+    pub(super) fn take<M: Stepper<S, X>, S: Marched<X>, X>(
         &self,
         progress: &mut MarchProgress,
         method: &mut M,
         system: &S,
-        state: &mut State,
-        sink: &mut dyn Sink,
+        state: &mut X,
+        sink: &mut dyn Sink<X>,
     ) -> Result<Progressing, MarchError> {
         // What was taken of it before the march was stopped counts.
         while progress.done < 1 << progress.level {

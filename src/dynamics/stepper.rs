@@ -19,17 +19,17 @@ pub trait Integrator {
     fn restore(&mut self, _saved: &MethodState) {}
 }
 
-/// A method that takes steps of systems of the kind S.
-pub trait Stepper<S>: Integrator {
+/// A method that takes steps of systems of the kind S, with states of the kind X.
+pub trait Stepper<S, X = State>: Integrator {
     /// Moves `state` from t to t + dt and returns the estimated error of the step relative to the error limits (0 if the
     /// method has none). A step with a ratio above 1 is rejected if `at.reject`. A failed step leaves `state` as it was.
     ///
     /// # Errors
     /// Why the step fails at this length.
-    fn step(&mut self, system: &S, at: TimeStep, state: &mut State) -> Result<f64, StepError>;
+    fn step(&mut self, system: &S, at: TimeStep, state: &mut X) -> Result<f64, StepError>;
 
     /// Restarts the method at time t \[s\] where the system has changed and its forces are discontinuous.
-    fn restart(&mut self, system: &S, t: f64, state: &mut State);
+    fn restart(&mut self, system: &S, t: f64, state: &mut X);
 
     /// Passes a kink of the prescribed motion at time t \[s\]
     /// ([`Kinematics::pass_kink`](crate::solve::Kinematics::pass_kink)), and continues the method after it. Returns whether a
@@ -37,7 +37,7 @@ pub trait Stepper<S>: Integrator {
     ///
     /// Positions are continuous, and the velocities of free nodes are too: a prescribed node has no inertia that counts. The forces
     /// that depend on its velocity, the axial damping of the segment at it, jump with it, and so do the accelerations of free nodes.
-    fn pass_kink(&mut self, system: &S, t: f64, state: &mut State) -> bool;
+    fn pass_kink(&mut self, system: &S, t: f64, state: &mut X) -> bool;
 }
 
 /// A step to take.

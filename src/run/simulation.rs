@@ -7,9 +7,9 @@ use super::time_march::{MarchResult, MarchStart, march};
 use super::warm_start::warm_start;
 use super::{ResumedRun, RunState, Settings, Work};
 use crate::case::{Case, Method};
-use crate::dynamics::generalized_alpha::{ErrorLimits, GeneralizedAlpha};
 use crate::dynamics::quasi_static::QuasiStatic;
 use crate::dynamics::rk4::Rk4;
+use crate::dynamics::{ErrorLimits, generalized_alpha::GeneralizedAlpha};
 use crate::scene::Scene;
 use crate::solve::{AcceptedStep, ExplicitRhs, Kinematics, Progressing, Sink, State};
 

@@ -10,6 +10,7 @@
 //! larger tolerance than along it. An iteration that cycles, as between two sides of a kink, stops early: the march then
 //! halves its step at less cost.
 
+use super::convergence::Convergence;
 use super::{Factors, Residual, State};
 use crate::numerics::{BlockBand, V3};
 
@@ -100,9 +101,6 @@ impl NewtonError {
     }
 }
 
-/// Safety factor on the extrapolated displacement.
-const SAFETY: f64 = 4.0;
-
 impl Newton {
     /// For a system of `nodes` nodes; tolerance \[m\].
     #[must_use]
@@ -156,29 +154,17 @@ impl Newton {
         } else {
             self.tolerance
         };
-        let mut before: Option<f64> = None;
-        let mut worst = (0, f64::INFINITY);
-        let (mut least, mut idle, mut made) = (f64::INFINITY, 0, 0);
-        while made < self.max_iterations && idle < self.stagnation_limit {
+        let mut convergence = Convergence::new(tolerance, self.curvature);
+        let (mut worst, mut made) = ((0, f64::INFINITY), 0);
+        while made < self.max_iterations && convergence.idle() < self.stagnation_limit {
             made += 1;
             worst = self.iterate(system, t, state, c)?;
             let moved = self.convergence_norm(system, state, worst.1);
-            idle = if moved < 0.5 * least { 0 } else { idle + 1 };
-            least = least.min(moved);
-            if let Some(last) = before {
-                let rate = moved / (last * last);
-                // The rate is that of the tail of the iteration, above rounding.
-                if moved < 0.1 * last && moved > 1e-3 * tolerance {
-                    self.curvature = Some(self.curvature.map_or(rate, |c| rate.max(0.7 * c)));
-                }
-            }
-            let next = self
-                .curvature
-                .map_or(f64::INFINITY, |k| SAFETY * k * moved * moved);
-            if moved <= tolerance || next <= tolerance {
+            let reached = convergence.is_reached(moved);
+            self.curvature = convergence.rate();
+            if reached {
                 return Ok(made);
             }
-            before = Some(moved);
         }
         self.reset_rate();
         let (node, moved) = worst;

@@ -2,18 +2,26 @@
 
 use super::State;
 
-/// An accepted instant.
-#[derive(Debug, Clone, Copy)]
-pub struct AcceptedStep<'a> {
+/// An accepted instant, of a line or of what has a state of another kind.
+#[derive(Debug)]
+pub struct AcceptedStep<'a, X = State> {
     /// Time \[s\].
     pub time: f64,
     /// The state at that time.
-    pub state: &'a State,
+    pub state: &'a X,
     /// Steps accepted so far.
     pub steps: u64,
     /// Whether a whole step of the march ends here: the start, and times that do not depend on how steps are halved.
     pub whole: bool,
 }
+
+impl<X> Clone for AcceptedStep<'_, X> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<X> Copy for AcceptedStep<'_, X> {}
 
 /// Whether the solver continues.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,16 +33,16 @@ pub enum Progressing {
 }
 
 /// Receives every accepted step.
-pub trait Sink {
+pub trait Sink<X = State> {
     /// Called at the start and after every accepted step.
-    fn accept(&mut self, instant: AcceptedStep<'_>) -> Progressing;
+    fn accept(&mut self, instant: AcceptedStep<'_, X>) -> Progressing;
 
     /// Called after an accepted step at time t \[s\] where velocities, accelerations or forces jump, with the state after the jump.
-    fn jump(&mut self, _time: f64, _state: &State) {}
+    fn jump(&mut self, _time: f64, _state: &X) {}
 }
 
-impl<F: FnMut(AcceptedStep<'_>) -> Progressing> Sink for F {
-    fn accept(&mut self, instant: AcceptedStep<'_>) -> Progressing {
+impl<X, F: FnMut(AcceptedStep<'_, X>) -> Progressing> Sink<X> for F {
+    fn accept(&mut self, instant: AcceptedStep<'_, X>) -> Progressing {
         self(instant)
     }
 }

@@ -7,9 +7,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use allocation_counter::measure;
 use seacable::case::{self, Case, Rotation, Seabed};
-use seacable::dynamics::generalized_alpha::{ErrorLimits, GeneralizedAlpha};
 use seacable::dynamics::quasi_static::QuasiStatic;
 use seacable::dynamics::rk4::Rk4;
+use seacable::dynamics::{ErrorLimits, generalized_alpha::GeneralizedAlpha};
 use seacable::dynamics::{March, Stepper, TimeStep};
 use seacable::numerics::{BlockBand, V3};
 use seacable::scene::{self, Scene};
