@@ -16,7 +16,7 @@ pub type EndBlocks = [[M3; 2]; 2];
 /// A condensation with its storage: allocates in [`Condensation::new`] only.
 #[derive(Debug, Clone)]
 pub struct Condensation {
-    /// The nodes between, in the order of elimination: `x[i] = -(first x[0] + near x[i + 1] + far x[i + 2])`.
+    /// The nodes between, in the order of elimination: `x[i] = load - (first x[0] + near x[i + 1] + far x[i + 2])`.
     rows: Vec<EliminatedNode>,
     negative_pivots: usize,
 }
@@ -26,6 +26,7 @@ struct EliminatedNode {
     first: M3,
     near: M3,
     far: M3,
+    load: V3,
 }
 
 /// Nodes in the front: the first node of the line, the one that is eliminated next, and two beyond it.
@@ -43,6 +44,7 @@ impl Condensation {
             first: M3::zeros(),
             near: M3::zeros(),
             far: M3::zeros(),
+            load: V3::zeros(),
         };
         Self {
             rows: vec![nothing; nodes.saturating_sub(2)],
@@ -55,23 +57,47 @@ impl Condensation {
     /// # Errors
     /// [`SingularBlock`] when a pivot vanishes or is not finite.
     pub fn condense(&mut self, matrix: &BlockBand) -> Result<EndBlocks, SingularBlock> {
+        Ok(self.condense_any::<false>(matrix, &[])?.0)
+    }
+
+    /// The same of the matrix and of a right-hand side, one entry a node: what is left of it on the first and last nodes.
+    ///
+    /// # Errors
+    /// As [`Condensation::condense`].
+    pub fn condense_loaded(
+        &mut self,
+        matrix: &BlockBand,
+        loads: &[V3],
+    ) -> Result<(EndBlocks, [V3; 2]), SingularBlock> {
+        self.condense_any::<true>(matrix, loads)
+    }
+
+    fn condense_any<const LOADED: bool>(
+        &mut self,
+        matrix: &BlockBand,
+        loads: &[V3],
+    ) -> Result<(EndBlocks, [V3; 2]), SingularBlock> {
         if matrix.is_wide() {
-            self.condense_as::<3>(matrix)
+            self.condense_as::<3, LOADED>(matrix, loads)
         } else {
-            self.condense_as::<2>(matrix)
+            self.condense_as::<2, LOADED>(matrix, loads)
         }
     }
 
     /// `BEYOND` is the place of the last node in the front.
-    fn condense_as<const BEYOND: usize>(
+    fn condense_as<const BEYOND: usize, const LOADED: bool>(
         &mut self,
         matrix: &BlockBand,
-    ) -> Result<EndBlocks, SingularBlock> {
+        loads: &[V3],
+    ) -> Result<(EndBlocks, [V3; 2]), SingularBlock> {
         let mut front = [[M3::zeros(); FRONT]; FRONT];
+        let mut load = [V3::zeros(); FRONT];
+        let load_of = |node: usize| loads.get(node).copied().unwrap_or_default();
         for (i, row) in front[..=BEYOND].iter_mut().enumerate() {
             for (j, block) in row[..=BEYOND].iter_mut().enumerate() {
                 *block = coupling(matrix, i, j);
             }
+            load[i] = load_of(i);
         }
         self.negative_pivots = 0;
         for (k, eliminated) in self.rows.iter_mut().enumerate() {
@@ -88,23 +114,33 @@ impl Condensation {
                 } else {
                     M3::zeros()
                 },
+                load: V3::zeros(),
             };
+            if LOADED {
+                eliminated.load = lu.solve(&load[NEXT]);
+                for a in (0..=BEYOND).filter(|a| *a != NEXT) {
+                    load[a] = minus_applied(load[a], &front[a][NEXT], &eliminated.load);
+                }
+                load.copy_within(NEXT + 1..=BEYOND, NEXT);
+                load[BEYOND] = load_of(k + 1 + BEYOND);
+            }
             eliminate::<BEYOND>(&mut front, eliminated);
             advance::<BEYOND>(&mut front, matrix, k + 1);
         }
-        Ok([
+        let blocks = [
             [front[0][0], front[0][NEXT]],
             [front[NEXT][0], front[NEXT][NEXT]],
-        ])
+        ];
+        Ok((blocks, [load[0], load[NEXT]]))
     }
 
-    /// The displacements of the nodes between for those of the first and last in `x`, without load on them: the linear response
-    /// of the matrix condensed last.
+    /// The displacements of the nodes between for those of the first and last in `x`, with the loads condensed last: the linear
+    /// response of the matrix condensed last.
     pub fn respond(&self, x: &mut [V3]) {
         let first = x[0];
         for (k, row) in self.rows.iter().enumerate().rev() {
             let node = k + 1;
-            let mut here = minus_applied(V3::zeros(), &row.first, &first);
+            let mut here = minus_applied(row.load, &row.first, &first);
             here = minus_applied(here, &row.near, &x[node + 1]);
             if let Some(far) = x.get(node + 2) {
                 here = minus_applied(here, &row.far, far);
@@ -236,6 +272,30 @@ mod tests {
                 }
             }
             prop_assert_eq!(condensation.negative_pivots(), 3 * inner.iter().filter(|i| *i % 3 == 2).count());
+        }
+    }
+
+    #[test]
+    fn loads_are_condensed_with_the_matrix() {
+        for wide in [false, true] {
+            let n = 9;
+            let m = matrix(n, wide, &[0.3, -0.7, 0.2, 0.9, -0.1, 0.5, -0.4]);
+            let loads: Vec<V3> = (0..n).map(|i| V3::new(i as f64, 1.0, -2.0)).collect();
+            let all: Vec<usize> = (0..n).collect();
+            let right = nalgebra::DVector::from_iterator(3 * n, loads.iter().flatten().copied());
+            let expected = dense(&m, &all, &all).lu().solve(&right).unwrap();
+            let mut condensation = Condensation::new(n);
+            let (blocks, left) = condensation.condense_loaded(&m, &loads).unwrap();
+            let ends = nalgebra::Matrix6::from_fn(|r, c| blocks[r / 3][c / 3][(r % 3, c % 3)]);
+            let left = nalgebra::Vector6::from_fn(|r, _| left[r / 3][r % 3]);
+            let ends = ends.lu().solve(&left).unwrap();
+            let mut x = vec![V3::zeros(); n];
+            x[0].copy_from(&ends.fixed_rows::<3>(0));
+            x[n - 1].copy_from(&ends.fixed_rows::<3>(3));
+            condensation.respond(&mut x);
+            for (k, value) in expected.iter().enumerate() {
+                assert!((x[k / 3][k % 3] - value).abs() < 1e-12);
+            }
         }
     }
 
