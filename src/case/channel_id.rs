@@ -64,6 +64,12 @@ channel_quantities! {
     Speed: "speed_m_per_s", "m/s", "speed", "Speed";
     /// Angle between the axis of a rigid payload and straight down \[deg\].
     Tilt: "tilt_deg", "deg", "tilt", "Tilt of the payload";
+    /// Turn of a body about its own x, last \[deg\].
+    Roll: "roll_deg", "deg", "roll", "Roll";
+    /// Turn of a body about its y before that \[deg\].
+    Pitch: "pitch_deg", "deg", "pitch", "Pitch";
+    /// Turn of a body about the vertical, first \[deg\].
+    Yaw: "yaw_deg", "deg", "yaw", "Yaw";
     /// Unstretched length from end A to a body that travels along the line \[m\].
     Arc: "arc_m", "m", "arc length", "Place along the line";
     /// First component of the line's force on a held end \[N\].
@@ -91,6 +97,8 @@ channel_quantities! {
 impl ChannelQuantity {
     /// Coordinates of a position, x first.
     pub const POSITION: [Self; 3] = [Self::X, Self::Y, Self::Z];
+    /// Angles of a body, roll first.
+    pub const ANGLES: [Self; 3] = [Self::Roll, Self::Pitch, Self::Yaw];
     /// Components of a force, x first.
     pub const FORCE: [Self; 3] = [Self::ForceX, Self::ForceY, Self::ForceZ];
     /// Quantities of dynamic stiffness.

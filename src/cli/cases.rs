@@ -67,6 +67,15 @@ pub(super) fn set(text: &str, words: &[String]) -> Result<String, CommandError> 
     edit::set_all(text, &edits).map_err(wrong)
 }
 
+/// The text of a file of a kind with keys set.
+pub(super) fn edited_text<K: FileKind>(
+    path: &Path,
+    words: &[String],
+) -> Result<String, CommandError> {
+    let loaded = kind::load::<K>(path).map_err(CommandError::invalid_file(path))?;
+    kind::set_all::<K>(&loaded.text, &edits(words)?).map_err(CommandError::invalid(&loaded.text))
+}
+
 /// The fields of a file of a kind that is read with keys set, and its result.
 pub(super) fn load_with<K: FileKind>(
     path: &Path,

@@ -159,6 +159,12 @@ impl LineBetweenEnds {
         self.unstable = None;
     }
 
+    /// The scene of the line with its ends held, and its last equilibrium.
+    #[must_use]
+    pub fn scene_and_state(&self) -> (&Scene, &State) {
+        (&self.scene, &self.last)
+    }
+
     /// Forgets the last equilibrium: the next solution starts from the closed form. Friction springs stay where they are.
     pub fn forget(&mut self) {
         self.unstable = None;

@@ -5,6 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::lanes::Number;
 
 /// Factors of a 3 x 3 block without pivoting: `L D U`, the diagonals of L and U ones.
+#[derive(Debug, Clone)]
 pub(super) struct Lu<T> {
     l10: T,
     l20: T,

@@ -2,13 +2,14 @@
 //!
 //! * [`BlockBand`]: block-banded systems of 3 x 3 blocks, eliminated from both ends in two [`lanes`].
 //! * [`Condensation`]: such a system condensed onto its first and last nodes.
-//! * [`envelope`]: Cholesky's factors of sparse matrices.
+//! * [`envelope`], [`BlockEnvelope`]: factors of sparse matrices, symmetric and in blocks.
 //! * [`roots`], [`log_newton`], [`root_isolation`], [`golden_section`](mod@golden_section): roots and minima of one unknown.
 //! * [`interpolation`], [`spline`], [`piecewise`], [`quadrature`]: tables over an ascending grid.
 //! * [`statistics`], [`random`]: moments and extremes of records; reproducible random numbers.
 //! * [`double_double`], [`hyperbolic`]: arithmetic of 32 digits; hyperbolic functions without cancellation.
 
 pub mod block_band;
+pub mod block_envelope;
 mod both_ends;
 pub mod condensation;
 pub mod double_double;
@@ -29,6 +30,7 @@ pub mod spline;
 pub mod statistics;
 
 pub use block_band::{BlockBand, SingularBlock};
+pub use block_envelope::BlockEnvelope;
 pub use condensation::{Condensation, EndBlocks};
 
 /// A vector of three numbers.

@@ -162,7 +162,11 @@ impl Maker<'_> {
 
     fn point(&mut self, held: Held) -> usize {
         let name = format!("p{}", self.network.points.len());
-        self.network.points.push(Point { name, held });
+        self.network.points.push(Point {
+            name,
+            held,
+            motion: None,
+        });
         self.network.points.len() - 1
     }
 
@@ -222,6 +226,7 @@ impl Maker<'_> {
             break_loads: vec![None; sections.len()],
             sections,
             friction,
+            releases: [None; 2],
             discretised: None,
         });
     }

@@ -12,37 +12,82 @@ use super::members;
 use super::network::{Body, Network};
 use super::pose::{Pose, cross};
 use super::waterplane;
-use crate::numerics::V3;
+use crate::numerics::{M3, V3};
 
 /// A number and its change with three displacements and three turns.
 pub(super) type Dual = DualSVec64<6>;
 /// A vector of them.
 pub(super) type DualVector = Vector3<Dual>;
 
-/// A pose and its small motions.
+/// A pose and its small motions, and how fast it moves.
 pub(super) struct MovingPose {
     pose: Pose,
     /// The origin, and the small turn.
     pub(super) origin: DualVector,
     turn: DualVector,
+    /// Velocity of the origin \[m/s\] and angular velocity \[rad/s\], in the earth's directions.
+    pub(super) velocity: DualVector,
+    pub(super) spin: DualVector,
+}
+
+/// A vector that moves with three of the six unknowns, by this matrix.
+pub(super) fn unknown(value: &V3, first: usize, by: &M3) -> DualVector {
+    DualVector::from_fn(|row, _| {
+        let mut number = Dual::from_re(value[row]);
+        let mut eps = nalgebra::SVector::<f64, 6>::zeros();
+        for k in 0..3 {
+            eps[first + k] = by[(row, k)];
+        }
+        number.eps = num_dual::Derivative::some(eps);
+        number
+    })
 }
 
 impl MovingPose {
+    /// At rest; its unknowns are displacements and turns in the earth's directions.
     pub(super) fn of(pose: &Pose) -> Self {
-        let unknown = |value: f64, k: usize| {
-            let mut number = Dual::from_re(value);
-            number.eps = num_dual::Derivative::derivative_generic(
-                nalgebra::Const::<6>,
-                nalgebra::Const::<1>,
-                k,
-            );
-            number
-        };
+        let one = M3::identity();
+        let still = constant(&V3::zeros());
+        Self::moving(
+            pose,
+            unknown(&pose.origin, 0, &one),
+            unknown(&V3::zeros(), 3, &one),
+            (still, still),
+        )
+    }
+
+    /// In motion: its origin, its small turn, and its velocity and angular velocity as they depend on the unknowns.
+    pub(super) fn moving(
+        pose: &Pose,
+        origin: DualVector,
+        turn: DualVector,
+        (velocity, spin): (DualVector, DualVector),
+    ) -> Self {
         Self {
             pose: *pose,
-            origin: DualVector::from_fn(|k, _| unknown(pose.origin[k], k)),
-            turn: DualVector::from_fn(|k, _| unknown(0.0, k + 3)),
+            origin,
+            turn,
+            velocity,
+            spin,
         }
+    }
+
+    /// The velocity at an arm.
+    pub(super) fn velocity_at(&self, arm: &DualVector) -> DualVector {
+        self.velocity + self.spin.cross(arm)
+    }
+
+    /// A vector of the earth's directions along the axes of the body.
+    pub(super) fn to_body(&self, v: &DualVector) -> DualVector {
+        let back = self.pose.rotation.inverse().to_rotation_matrix();
+        let back = back.matrix().map(Dual::from_re);
+        back * (v - self.turn.cross(v))
+    }
+
+    /// A vector along the axes of the body in the earth's directions.
+    pub(super) fn to_earth(&self, v: &DualVector) -> DualVector {
+        let there = self.pose.matrix().matrix().map(Dual::from_re) * v;
+        there + self.turn.cross(&there)
     }
 
     /// The arm from the origin to a place of the body, or a direction of it, in the earth's axes.
@@ -64,7 +109,7 @@ pub(super) struct LoadSum {
 }
 
 impl LoadSum {
-    fn none() -> Self {
+    pub(super) fn none() -> Self {
         let zero = constant(&V3::zeros());
         Self {
             force: zero,
@@ -84,7 +129,7 @@ impl LoadSum {
     }
 
     /// Values, and minus their change with the six motions.
-    fn parts(&self) -> (Vector6<f64>, Matrix6<f64>) {
+    pub(super) fn parts(&self) -> (Vector6<f64>, Matrix6<f64>) {
         let at = |row: usize| match row {
             0..3 => &self.force[row],
             _ => &self.moment[row - 3],
@@ -110,25 +155,35 @@ pub fn body_loads(
 ) -> (Vector6<f64>, Matrix6<f64>) {
     let (force, stiffness) = fixed_loads(body, pose);
     let flow = physics == LinePhysics::Full && network.flows();
-    let moving = MovingPose::of(pose);
     let mut sum = LoadSum::none();
-    waterplane::add(body, &moving, &mut sum);
-    for member in &body.members {
-        members::buoyancy(network, member, &moving, &mut sum);
-        members::bed(network, body, member, &moving, &mut sum);
-        if flow {
-            members::drag(network, member, &moving, &mut sum);
-        }
-    }
-    if flow {
-        heading_loads::add(network, body, &moving, &mut sum);
-    }
+    add_loads_by_pose(network, body, &MovingPose::of(pose), flow, &mut sum);
     let (by_water, by_pose) = sum.parts();
     (force + by_water, stiffness + by_pose)
 }
 
+/// Loads that hang on the pose and, where there is flow, on the velocity.
+pub(super) fn add_loads_by_pose(
+    network: &Network,
+    body: &Body,
+    moving: &MovingPose,
+    flow: bool,
+    sum: &mut LoadSum,
+) {
+    waterplane::add(body, moving, sum);
+    for member in &body.members {
+        members::buoyancy(network, member, moving, sum);
+        members::bed(network, body, member, moving, sum);
+        if flow {
+            members::drag(network, member, moving, sum);
+        }
+    }
+    if flow {
+        heading_loads::add(network, body, moving, sum);
+    }
+}
+
 /// Weight, buoyancy of the volume given, and steady loads.
-fn fixed_loads(body: &Body, pose: &Pose) -> (Vector6<f64>, Matrix6<f64>) {
+pub(super) fn fixed_loads(body: &Body, pose: &Pose) -> (Vector6<f64>, Matrix6<f64>) {
     let mut force = Vector6::zeros();
     let mut stiffness = Matrix6::zeros();
     let mut at = |arm: V3, load: V3| {

@@ -9,6 +9,7 @@ use super::model::{
     BodyInputs, BodyKind, HeadingLoadInputs, LineInputs, MemberInputs, PointInputs, PointKind,
     SystemFile,
 };
+use super::motion::inputs::{body_motion, point_motion};
 use super::network::{
     Body, FreePoint, HeadingLoads, Held, Line, Member, Network, Point, WEIGHTLESS, reversed,
     weight, weighted,
@@ -24,11 +25,24 @@ use crate::statics::catenary::SectionProperties;
 /// The parts of lines that differ from what the file states, by the name of line or copy.
 pub type AgedParts = BTreeMap<String, Vec<Part>>;
 
+/// Which lines are divided into segments.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Divided {
+    /// Those without a closed form.
+    WhereNeeded,
+    /// All, as in motion.
+    All,
+}
+
 /// The system that a file states, which the checks passed, with lines of other parts where they aged.
 ///
 /// # Errors
 /// The name of a line that has no element, and why.
-pub fn build(given: &SystemFile, aged: &AgedParts) -> Result<Network, (String, String)> {
+pub fn build(
+    given: &SystemFile,
+    aged: &AgedParts,
+    divided: Divided,
+) -> Result<Network, (String, String)> {
     let file = &rods::written_out(given);
     let mut network = Network {
         gravity: file.environment.gravity_m_per_s2,
@@ -55,6 +69,7 @@ pub fn build(given: &SystemFile, aged: &AgedParts) -> Result<Network, (String, S
     let mut builder = Builder {
         file,
         aged,
+        divided,
         network,
         numbers: BTreeMap::new(),
     };
@@ -85,6 +100,7 @@ impl SystemFile {
 struct Builder<'a> {
     file: &'a SystemFile,
     aged: &'a AgedParts,
+    divided: Divided,
     network: Network,
     /// Points by the name that they have in the system.
     numbers: BTreeMap<String, usize>,
@@ -101,7 +117,7 @@ impl Builder<'_> {
             let to = self.point(&line.to, angle, axis);
             let name = copy_name(&line.name, angle);
             let parts = self.aged.get(&name).unwrap_or(&new);
-            let discretised = DiscretisedLine::of(self.file, line, parts);
+            let discretised = DiscretisedLine::of(self.file, line, parts, self.divided);
             let discretised = discretised.map_err(|why| (name.clone(), why))?;
             let built = self.line(line, parts, name, (from, to));
             self.network.lines.push(Line {
@@ -127,9 +143,12 @@ impl Builder<'_> {
         let place = turned(given, angle, axis).map(|(place, _)| place);
         let number = self.network.points.len();
         let held = self.held(given, place);
+        let motion = (given.kind == PointKind::Moved)
+            .then(|| point_motion(given, place.unwrap_or_default()));
         self.network.points.push(Point {
             name: name.clone(),
             held,
+            motion,
         });
         self.numbers.insert(name, number);
         number
@@ -137,7 +156,7 @@ impl Builder<'_> {
 
     fn held(&self, given: &PointInputs, place: Option<V3>) -> Held {
         match given.kind {
-            PointKind::Fixed => Held::At(place.unwrap_or_default()),
+            PointKind::Fixed | PointKind::Moved => Held::At(place.unwrap_or_default()),
             PointKind::Body => {
                 let body = given
                     .body
@@ -189,6 +208,7 @@ impl Builder<'_> {
                 .map(|part| part.material.break_load_n)
                 .collect(),
             friction: friction.unwrap_or(0.0),
+            releases: [line.release_a_s, line.release_b_s],
             discretised: None,
         }
     }
@@ -211,7 +231,7 @@ fn turned(point: &PointInputs, angle: f64, axis: V3) -> Option<(V3, V3)> {
     let here = V3::from(point.position_m?);
     let about = match point.kind {
         PointKind::Body => V3::zeros(),
-        PointKind::Fixed | PointKind::Free => axis,
+        PointKind::Fixed | PointKind::Moved | PointKind::Free => axis,
     };
     if angle == 0.0 {
         return Some((here, here));
@@ -246,9 +266,11 @@ pub fn copy_name(name: &str, angle: f64) -> String {
 fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
     let [roll, pitch, yaw] = [given.roll_deg, given.pitch_deg, given.yaw_deg].map(f64::to_radians);
     let mass = given.mass_kg.unwrap_or(0.0);
+    let pose = Pose::new(V3::from(given.position_m), roll, pitch, yaw);
     Body {
         name: name.to_owned(),
-        pose: Pose::new(V3::from(given.position_m), roll, pitch, yaw),
+        motion: (given.kind == BodyKind::Moved).then(|| body_motion(given)),
+        pose,
         free: given.kind == BodyKind::Free,
         mass,
         weight: mass * network.gravity,
@@ -258,6 +280,8 @@ fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
         centre_of_buoyancy: V3::from(given.centre_of_buoyancy_m),
         waterplane: matrix(&given.waterplane_stiffness),
         added_mass: matrix(&given.added_mass),
+        damping: matrix(&given.damping),
+        quadratic_damping: matrix(&given.quadratic_damping),
         load: V3::from(given.load_n),
         moment: V3::from(given.moment_n_m),
         bottom: given.bottom_m,

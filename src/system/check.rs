@@ -50,10 +50,32 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(elastic(material));
     }
     found.extend(wind_without_loads(keys));
+    found.extend(motion(keys));
     found.extend(ageing(keys));
     found.extend(published_number::check(&keys.published, |key| {
         quantities::unknown(key, keys)
     }));
+    found
+}
+
+/// Motions without a period or without a run in time.
+fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    for (_, point) in &keys.points {
+        if point.kind.is(&PointKind::Moved) && point.amplitude_m.is_given() {
+            let remedy = "add the period of its motion: `period_s = 10.0`, or one along each axis";
+            found.extend(point.period_s.if_missing(remedy));
+        }
+    }
+    for (_, body) in &keys.bodies {
+        let moves = body.amplitude_m.is_given() || body.amplitude_deg.is_given();
+        if body.kind.is(&BodyKind::Moved) && moves {
+            let remedy = "add the period of its motion: `period_s = [10.0]`, or six of them";
+            found.extend(body.period_s.if_missing(remedy));
+        }
+        found.extend(matrix(&body.period_s, &[1, 6], "one number, or six"));
+        found.extend(matrix(&body.phase_deg, &[6], "six numbers"));
+    }
     found
 }
 
@@ -76,6 +98,13 @@ fn body_alone(body: &BodyKeys<'_>) -> Vec<Finding> {
         &[6, 36],
         "6 numbers, a diagonal, or 36, row by row",
     ));
+    for damping in [&body.damping, &body.quadratic_damping] {
+        found.extend(matrix(
+            damping,
+            &[6, 36],
+            "6 numbers, a diagonal, or 36, row by row",
+        ));
+    }
     found.extend(matrix(
         &body.inertia_kg_m2,
         &[3, 6],
@@ -197,7 +226,7 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
     let kind = point.kind.value();
     match kind {
-        Some(PointKind::Fixed) => {
+        Some(PointKind::Fixed | PointKind::Moved) => {
             found.extend(
                 point
                     .position_m
@@ -215,7 +244,10 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
         }
         Some(PointKind::Free) | None => {}
     }
-    if matches!(kind, Some(PointKind::Fixed | PointKind::Body)) {
+    if matches!(
+        kind,
+        Some(PointKind::Fixed | PointKind::Body | PointKind::Moved)
+    ) {
         let problem = "has no effect on a point that is held";
         let remedy = "leave it out, or make the point free";
         found.extend(point.mass_kg.if_given(problem, remedy));

@@ -3,15 +3,18 @@
 
 use std::sync::Arc;
 
+use super::build::Divided;
 use super::line_at_rest::LineAtRest;
 use super::model::{LineInputs, SystemFile};
 use super::parts::Part;
 use crate::case::{Case, Clump, End, Ends, Method, Seabed, Section};
 use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium, mesh_error};
 use crate::numerics::V3;
+use crate::scene::Scene;
+use crate::solve::State;
 
 /// Segments of a line that does not say how many.
-const SEGMENTS: f64 = 100.0;
+pub const SEGMENTS: usize = 100;
 /// The fewest of a section; its pieces share them.
 const FEWEST: usize = 8;
 
@@ -34,7 +37,7 @@ pub struct DiscretisedRest {
 }
 
 impl DiscretisedLine {
-    /// The element of a line of these parts, where it needs one: its file has a current, or a material of it bends.
+    /// The element of a line of these parts, where it needs one: its file has a current, a material of it bends, or all are divided.
     ///
     /// # Errors
     /// What the element says of the line.
@@ -42,12 +45,21 @@ impl DiscretisedLine {
         file: &SystemFile,
         line: &LineInputs,
         parts: &[Part],
+        divided: Divided,
     ) -> Result<Option<Arc<Self>>, String> {
         let bends = |part: &Part| part.material.ei_n_m2 > 0.0;
-        if file.current.is_none() && !parts.iter().any(bends) {
+        let closed = file.current.is_none() && !parts.iter().any(bends);
+        if closed && divided == Divided::WhereNeeded {
             return Ok(None);
         }
-        let case = case(file, line, parts);
+        let mut case = case(file, line, parts);
+        if divided == Divided::All
+            && let Some((bed, given)) = case.seabed.as_mut().zip(file.seabed.as_ref())
+        {
+            bed.stiffness_n_per_m3 = given.stiffness_n_per_m3;
+            bed.damping_n_s_per_m3 = given.damping_n_s_per_m3;
+            bed.friction = Some(line.friction.unwrap_or(given.friction));
+        }
         let element = LineBetweenEnds::new(&case).map_err(|error| error.to_string())?;
         let shares = shares(&case);
         Ok(Some(Arc::new(Self {
@@ -90,6 +102,12 @@ impl DiscretisedLine {
 }
 
 impl DiscretisedRest {
+    /// The scene of the line and its state at rest.
+    #[must_use]
+    pub fn scene_and_state(&self) -> (&Scene, &State) {
+        self.element.scene_and_state()
+    }
+
     /// A place of the line \[m\] and the tension there \[N\], at a share of its unstretched length from A.
     #[must_use]
     pub fn at(&self, share: f64) -> (V3, f64) {
@@ -129,7 +147,7 @@ fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
         let name = format!("section{}", k + 1);
         // Each section has a material of its own: parts of one material may differ.
         case.materials.insert(name.clone(), part.material.clone());
-        let wanted = line.segments.map_or(SEGMENTS, |segments| segments as f64);
+        let wanted = line.segments.unwrap_or(SEGMENTS) as f64;
         let fewest = FEWEST.div_ceil(part.pieces) as f64;
         let count = (wanted * part.length_m / whole).round().max(fewest);
         #[expect(

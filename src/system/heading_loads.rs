@@ -15,20 +15,16 @@ pub(super) fn add(network: &Network, body: &Body, pose: &MovingPose, sum: &mut L
     if let Some(loads) = &body.wind_loads {
         by_heading(loads, &network.wind, pose, sum);
     }
-    let Some(current) = &network.current else {
-        return;
+    let current = |z: f64| match &network.current {
+        Some(current) => current.at(z),
+        None => Default::default(),
     };
     if let Some(loads) = &body.current_loads {
-        by_heading(loads, &current.at(0.0).0, pose, sum);
+        by_heading(loads, &current(0.0).0, pose, sum);
     }
     if body.drag_area != V3::zeros() {
-        on_areas(
-            network.density,
-            body,
-            pose,
-            current.at(pose.origin.z.re),
-            sum,
-        );
+        let water = current(pose.origin.z.re);
+        on_areas(network.density, body, pose, water, sum);
     }
 }
 
@@ -41,7 +37,7 @@ fn on_areas(
     sum: &mut LoadSum,
 ) {
     let above = pose.origin.z - pose.origin.z.re;
-    let velocity = constant(&still) + constant(&slope) * above;
+    let velocity = constant(&still) + constant(&slope) * above - pose.velocity;
     let speed2 = velocity.dot(&velocity);
     if speed2.re == 0.0 {
         return;
@@ -57,13 +53,14 @@ fn on_areas(
 
 /// The load of a flow by its heading: surge and sway along the body's heading, and yaw.
 fn by_heading(loads: &HeadingLoads, flow: &V3, pose: &MovingPose, sum: &mut LoadSum) {
-    let speed2 = flow.norm_squared();
-    if speed2 == 0.0 {
+    let flow = constant(flow) - pose.velocity;
+    let speed2 = flow.x.powi(2) + flow.y.powi(2);
+    if speed2.re == 0.0 {
         return;
     }
     let ahead = pose.arm(&V3::x());
     let heading = ahead.y.atan2(ahead.x);
-    let relative = -heading + flow.y.atan2(flow.x);
+    let relative = flow.y.atan2(flow.x) - heading;
     let [surge, sway, yaw] = loads.at(relative).map(|load| load * speed2);
     let (sin, cos) = heading.sin_cos();
     let force = Vector3::new(

@@ -223,11 +223,12 @@ pub(super) fn bed(
 /// How far the bed gives way under the weight of a body in air on one end of a member \[m\].
 const GIVES_WAY: f64 = 1e-3;
 
-/// Drag of a current across a member, on its part below the surface.
+/// Drag across a member by the velocity of the water relative to it, on its part below the surface.
 pub(super) fn drag(network: &Network, member: &Member, pose: &MovingPose, sum: &mut LoadSum) {
-    let Some(current) = network.current.as_ref().filter(|_| member.drag > 0.0) else {
+    if member.drag == 0.0 {
         return;
-    };
+    }
+    let current = network.current.as_ref();
     let placed = Placed::of(member, pose);
     if placed.z.re >= 0.0 {
         return;
@@ -239,9 +240,10 @@ pub(super) fn drag(network: &Network, member: &Member, pose: &MovingPose, sum: &
     for (node, weight) in RULE.iter() {
         let share = wet * *node;
         let height = placed.z + placed.rise * share;
-        let (still, slope) = current.at(height.re);
+        let (water, slope) = current.map_or_else(Default::default, |current| current.at(height.re));
         let above = height - height.re;
-        let velocity = constant(&still) + constant(&slope) * above;
+        let arm = placed.arm + placed.axis * (share * placed.length);
+        let velocity = constant(&water) + constant(&slope) * above - pose.velocity_at(&arm);
         let across = velocity - placed.axis * velocity.dot(&placed.axis);
         let speed2 = across.dot(&across);
         if speed2.re == 0.0 {
@@ -250,7 +252,6 @@ pub(super) fn drag(network: &Network, member: &Member, pose: &MovingPose, sum: &
         let width = placed.radius_at(share) * 2.0;
         let long = wet * (*weight * placed.length);
         let by_speed = width * long * speed2.sqrt() * (0.5 * network.density * member.drag);
-        let arm = placed.arm + placed.axis * (share * placed.length);
         sum.add(&arm, &(across * by_speed));
     }
 }

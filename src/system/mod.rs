@@ -23,6 +23,7 @@ pub mod line_at_rest;
 pub mod loads;
 mod members;
 pub mod model;
+pub mod motion;
 pub mod network;
 pub mod parts;
 pub mod pose;

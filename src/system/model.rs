@@ -2,14 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use crate::case::fields::ValueType::Name;
+use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
-use crate::case::{Current, Environment, Mark, Material};
+use crate::case::{Current, Environment, Mark, Material, OneOrMany};
 use crate::reference::PublishedNumber;
 
 const ON_BODY: Conditions = &[("kind", &["body"])];
 const FREE: Conditions = &[("kind", &["free"])];
+const MOVED: Conditions = &[("kind", &["moved"])];
 
 table! {
     /// Everything a system file says.
@@ -44,6 +45,10 @@ table! {
         goals: Vec<GoalInputs>;
         /// Marine growth and corrosion of the lines; absent leaves them new.
         ageing: Option<AgeingInputs>;
+        /// The run in time; absent leaves the system at rest.
+        solver: Option<MotionInputs>;
+        /// What is recorded of a run in time.
+        output: MotionOutput, optional;
         /// Where an input comes from when the source does not print it, by key path.
         marks: BTreeMap<String, Mark>;
         /// A published value the system is held against.
@@ -72,6 +77,40 @@ table! {
         depth_m: f64, "depth", range of(0.0, 2e4);
         /// Axial friction under a line that lies from its end on the bed: tension lost by the weight that the bed bears.
         friction: f64 = 0.0, "friction", range of(0.0, 10.0);
+        /// Push of the bed per area of line and depth below it, in motion.
+        stiffness_n_per_m3: f64 = 1.0e5, "stiffness", range positive(1e12);
+        /// Push of the bed per area of line and speed into it, in motion.
+        damping_n_s_per_m3: f64 = 0.0, "damping", range of(0.0, 1e12);
+    }
+}
+
+table! {
+    /// How a run in time is computed: implicit generalized-alpha, from the equilibrium.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct MotionInputs => MotionInputKeys {
+        /// Simulated time.
+        duration_s: f64, "duration", range positive(1e6);
+        /// Constant time step. If absent it is chosen, and varies with the error; the run reports it.
+        time_step_s: Option<f64>, "time step", range positive(1e3), absent "chosen by the solver";
+        /// Error allowed in a step of varying length: in positions by the length L of the longest line, in velocities by 2 sqrt(g L).
+        step_tolerance: f64 = 2e-5, "step tolerance", range positive(1.0);
+        /// Spectral radius of generalized-alpha at infinite frequency: 0 damps most, 1 not at all.
+        rho_inf: f64 = 0.4, "rho infinity", range of(0.0, 1.0);
+        /// Newton iterations a step may take before it is halved.
+        max_iterations: usize = 30, "greatest iterations", range of(1.0, 1e4);
+        /// Newton stops when no node moves by more than this.
+        position_tolerance_m: f64 = 1e-5, "position tolerance", range positive(1.0);
+        /// Whether companion runs estimate the time and mesh error of every result.
+        error_estimate: bool = true, "error estimate";
+    }
+}
+
+table! {
+    /// What is recorded of a run in time.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct MotionOutput => MotionOutputKeys {
+        /// Interval of the time history.
+        interval_s: f64 = 0.5, "history interval", range positive(1e5);
     }
 }
 
@@ -95,6 +134,8 @@ words! {
         Free = "free",
         /// On a body, at a place in its frame: a fairlead.
         Body = "body",
+        /// Follows a prescribed motion about its position; held there at rest.
+        Moved = "moved",
     }
 }
 
@@ -118,6 +159,14 @@ table! {
         drag_area_m2: f64 = 0.0, "drag area", range of(0.0, 1e6), matters FREE;
         /// Steady load on it, along x, y, z.
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FREE;
+        /// Amplitudes of its motion along x, y, z.
+        amplitude_m: [f64; 3] = [0.0, 0.0, 0.0], "motion amplitude", range of(-1e4, 1e4), matters MOVED;
+        /// Period of its motion: one, or one along each of x, y, z.
+        period_s: Option<OneOrMany>, "motion period", kind NumberOrTriple, range positive(1e5), absent "it stays", matters MOVED;
+        /// Phases of its motion, A sin(2 pi t / T + phase).
+        phase_deg: [f64; 3] = [0.0, 0.0, 0.0], "motion phase", range of(-360.0, 360.0), matters MOVED;
+        /// Its motion grows smoothly from nothing over this time.
+        ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters MOVED;
     }
 }
 
@@ -128,6 +177,8 @@ words! {
         Held = "held",
         /// Free in all six directions.
         Free = "free",
+        /// Follows a prescribed motion about its pose; held there at rest.
+        Moved = "moved",
     }
 }
 
@@ -161,14 +212,28 @@ table! {
         waterplane_stiffness: Vec<f64>, "water-plane stiffness", unit "N/m, N, N m", range of(-1e15, 1e15), absent "none";
         /// Added mass about its origin, along its axes: 36 numbers row by row, or the diagonal; for natural periods.
         added_mass: Vec<f64>, "added mass", unit "kg, kg m, kg m2", range of(-1e18, 1e18), absent "none";
+        /// Damping about its origin, along its axes, in motion: 36 numbers row by row, or the diagonal.
+        damping: Vec<f64>, "damping", unit "N s/m, N s, N m s", range of(-1e18, 1e18), absent "none", matters FLOATING;
+        /// The same by the squares of the six velocities, each with its sign.
+        quadratic_damping: Vec<f64>, "quadratic damping", unit "N s2/m2, N s2, N m s2", range of(-1e18, 1e18), absent "none", matters FLOATING;
         /// Steady load at its origin along x, y, z, in the earth's directions.
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FLOATING;
         /// Steady moment about its origin, in the earth's directions.
         moment_n_m: [f64; 3] = [0.0, 0.0, 0.0], "steady moment", unit "N m", range of(-1e15, 1e15), matters FLOATING;
         /// From its origin down to what bears on the bed.
         bottom_m: Option<f64>, "bottom", range of(-1e3, 1e3), absent "it does not touch the bed", matters FLOATING;
-        /// Drag coefficient times area along its x, y and z, at its origin, in a current.
+        /// Drag coefficient times area along its x, y and z, at its origin.
         drag_area_m2: [f64; 3] = [0.0, 0.0, 0.0], "drag area", range of(0.0, 1e7), matters FLOATING;
+        /// Amplitudes of its motion: surge, sway, heave along x, y, z of the earth.
+        amplitude_m: [f64; 3] = [0.0, 0.0, 0.0], "motion amplitude", range of(-1e4, 1e4), matters MOVED;
+        /// Amplitudes of its roll, pitch and yaw.
+        amplitude_deg: [f64; 3] = [0.0, 0.0, 0.0], "motion angles", range of(-180.0, 180.0), matters MOVED;
+        /// Periods of its six motions: one for all, or six.
+        period_s: Vec<f64>, "motion periods", range positive(1e5), absent "it stays", matters MOVED;
+        /// Phases of its six motions, A sin(2 pi t / T + phase): six numbers.
+        phase_deg: Vec<f64>, "motion phases", range of(-360.0, 360.0), absent "0", matters MOVED;
+        /// Its motion grows smoothly from nothing over this time.
+        ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters MOVED;
     }
     tables {
         /// Round members in the water, whose buoyancy counts as far as they are immersed.
@@ -261,6 +326,10 @@ table! {
         segments: Option<usize>, "segments", range of(2.0, 1e4), absent "100";
         /// Friction under this line in the place of the bed's.
         friction: Option<f64>, "friction", range of(0.0, 10.0), absent "that of the bed";
+        /// In motion its end A is let go at this time.
+        release_a_s: Option<f64>, "release of end A", range of(0.0, 1e6), absent "never";
+        /// In motion its end B is let go at this time.
+        release_b_s: Option<f64>, "release of end B", range of(0.0, 1e6), absent "never";
     }
     tables {
         /// The sections of the line, from its end A to its end B.

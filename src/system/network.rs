@@ -6,8 +6,10 @@ use nalgebra::Matrix6;
 
 use super::discretised::DiscretisedLine;
 use super::line_at_rest::LinePhysics;
+use super::motion::PoseMotion;
 use super::pose::Pose;
 use crate::numerics::{M3, V3};
+use crate::physics::EndMotion;
 use crate::physics::current::CurrentProfile;
 use crate::statics::catenary::SectionProperties;
 
@@ -39,6 +41,8 @@ pub struct Point {
     pub name: String,
     /// What holds it.
     pub held: Held,
+    /// How it moves about its place, where it is moved.
+    pub motion: Option<EndMotion>,
 }
 
 /// What holds a point.
@@ -118,6 +122,12 @@ pub struct Body {
     pub waterplane: Matrix6<f64>,
     /// Added mass about the origin, along the axes of the body \[kg, kg m, kg m²\].
     pub added_mass: Matrix6<f64>,
+    /// Damping about the origin, along the axes of the body \[N s/m, N s, N m s\], and the same by the squares of its velocities.
+    pub damping: Matrix6<f64>,
+    /// See `damping`.
+    pub quadratic_damping: Matrix6<f64>,
+    /// How it moves about its pose, where it is moved.
+    pub motion: Option<PoseMotion>,
     /// Steady load and moment at the origin, in the earth's directions \[N, N m\].
     pub load: V3,
     /// See `load`.
@@ -195,6 +205,8 @@ pub struct Line {
     pub added_weight: f64,
     /// Axial friction under the line \[-\].
     pub friction: f64,
+    /// When its ends are let go in motion, A first \[s\].
+    pub releases: [Option<f64>; 2],
     /// The line divided into segments, where it has no closed form.
     pub discretised: Option<Arc<DiscretisedLine>>,
 }

@@ -37,6 +37,10 @@ fn point(rod: &str, x: f64) -> PointInputs {
         added_mass_kg: 0.0,
         drag_area_m2: 0.0,
         load_n: [0.0; 3],
+        amplitude_m: [0.0; 3],
+        period_s: None,
+        phase_deg: [0.0; 3],
+        ramp_s: 0.0,
     }
 }
 
@@ -60,10 +64,17 @@ fn body(rod: &RodInputs) -> BodyInputs {
         centre_of_buoyancy_m: [0.0; 3],
         waterplane_stiffness: Vec::new(),
         added_mass: Vec::new(),
+        damping: Vec::new(),
+        quadratic_damping: Vec::new(),
         load_n: rod.load_n,
         moment_n_m: [0.0; 3],
         bottom_m: None,
         drag_area_m2: [0.0; 3],
+        amplitude_m: [0.0; 3],
+        amplitude_deg: [0.0; 3],
+        period_s: Vec::new(),
+        phase_deg: Vec::new(),
+        ramp_s: 0.0,
         members: vec![MemberInputs {
             from_m: [-0.5 * long, 0.0, 0.0],
             to_m: [0.5 * long, 0.0, 0.0],

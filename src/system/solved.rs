@@ -4,7 +4,7 @@ use nalgebra::Matrix6;
 
 use super::ageing::SettledAge;
 use super::ageing::settled::settle;
-use super::build::{AgedParts, build};
+use super::build::{AgedParts, Divided, build};
 use super::equilibrium::{Equilibrium, SystemError};
 use super::line_at_rest::LineAtRest;
 use super::model::SystemFile;
@@ -48,7 +48,7 @@ impl SolvedSystem {
 /// # Errors
 /// [`UnsolvedSystem`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
 pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
-    let new = build(&file, &AgedParts::new()).map_err(not_divided)?;
+    let new = build(&file, &AgedParts::new(), Divided::WhereNeeded).map_err(not_divided)?;
     let rest_as_new = rest(&new)?;
     let (network, rest, age) = match settle(&file, &new, &rest_as_new)? {
         Some((network, rest, age)) => (network, rest, Some(age)),

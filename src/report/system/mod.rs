@@ -2,6 +2,7 @@
 
 pub mod analysis;
 pub mod json;
+pub mod motion;
 pub mod tables;
 pub mod views;
 

@@ -6,7 +6,7 @@
 
 use super::material::AgedState;
 use super::pieces::{AgeingLine, aged, depths, lines, varying};
-use crate::system::build::build;
+use crate::system::build::{AgedParts, Divided, build};
 use crate::system::equilibrium::Equilibrium;
 use crate::system::model::SystemFile;
 use crate::system::network::Network;
@@ -37,6 +37,8 @@ pub struct SettledAge {
     pub rounds: usize,
     /// What the depths still moved in the last of them \[m\].
     pub moved_m: f64,
+    /// The parts of the aged lines.
+    pub parts: AgedParts,
 }
 
 /// The aged system at rest, from it as new; nothing where nothing ages.
@@ -59,7 +61,7 @@ pub fn settle(
     let mut start = rest.placement.clone();
     for round in 1..=MOST_ROUNDS {
         let (parts, states) = aged(&lines, &iteration.depths, network.density);
-        let network = build(file, &parts).map_err(not_divided)?;
+        let network = build(file, &parts, Divided::WhereNeeded).map_err(not_divided)?;
         let rest = rest_from(&network, &start)?;
         start.clone_from(&rest.placement);
         if iteration.is_settled(&depths(&lines, &network, &rest)) {
@@ -70,6 +72,7 @@ pub fn settle(
                 loss_m: greatest(|state| state.loss_m),
                 rounds: round,
                 moved_m: iteration.amount(),
+                parts,
             };
             return Ok(Some((network, rest, age)));
         }

@@ -1,0 +1,315 @@
+//! The equation of motion of a free body, lines apart: Newton and Euler about its origin, with added mass by Kirchhoff's equations,
+//! loads, damping and bed.
+//!
+//! With u and w the velocity of the origin and the angular velocity along the axes of the body, and M the mass matrix about the
+//! origin, added mass included,
+//!
+//! ```text
+//! (P, L) = M (u, w)      force = P' + w x P      moment = L' + w x L + u x P
+//! ```
+//!
+//! (Fossen 2011, sec. 6.3). All is written once, for dual numbers in the six unknowns of a step: the tangent is exact.
+
+use nalgebra::{Matrix6, Vector6};
+
+use super::pose_motion::BodyMotion;
+use crate::numerics::{M3, V3};
+use crate::solve::Factors;
+use crate::system::body_loads::{
+    Dual, DualVector, LoadSum, MovingPose, add_loads_by_pose, constant, fixed_loads, unknown,
+};
+use crate::system::members;
+use crate::system::network::{Body, Network};
+use crate::system::pose::{Pose, cross};
+
+/// How far the bed gives way under the weight of a body \[m\].
+const GIVES_WAY: f64 = 1e-3;
+
+/// A body in the equation of motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MovingBody {
+    /// Which body of the network.
+    pub number: usize,
+    /// Mass matrix about the origin, along the axes of the body, added mass included \[kg, kg m, kg m²\].
+    pub mass: Matrix6<f64>,
+}
+
+impl MovingBody {
+    /// A body; its members have the added mass that they have at the pose given.
+    #[must_use]
+    pub fn new(network: &Network, number: usize, pose: &Pose) -> Self {
+        let body = &network.bodies[number];
+        let mut mass = body.added_mass;
+        let by_members = members::added_mass(network, body, pose);
+        let turn = pose.matrix().inverse();
+        let turn = turn.matrix();
+        for (row, column) in [(0, 0), (0, 3), (3, 0), (3, 3)] {
+            let block = by_members.fixed_view::<3, 3>(row, column).into_owned();
+            let mut here = mass.fixed_view_mut::<3, 3>(row, column);
+            here += turn * block * turn.transpose();
+        }
+        mass += rigid(body);
+        Self { number, mass }
+    }
+
+    /// The residual, inertia less loads: force \[N\] and moment about the origin \[N m\] in the earth's directions, and its
+    /// derivative by displacement of the origin and by the rotation vector along the axes of the body. `turning` turns changes of that
+    /// vector into turns in the earth's directions.
+    #[must_use]
+    pub fn residual(
+        &self,
+        network: &Network,
+        motion: &BodyMotion,
+        turning: &M3,
+        c: Factors,
+    ) -> (Vector6<f64>, Matrix6<f64>) {
+        let body = &network.bodies[self.number];
+        let one = M3::identity();
+        let (k, damping, mass) = (c.stiffness, one * c.damping, one * c.mass);
+        let rotation = motion.pose.matrix();
+        let turn = unknown(&V3::zeros(), 3, &(turning * k));
+        let velocity = unknown(&motion.velocity, 0, &damping);
+        let acceleration = unknown(&motion.acceleration, 0, &mass);
+        let spin = unknown(&motion.spin, 3, &damping);
+        let spin_rate = unknown(&motion.spin_rate, 3, &mass);
+        let still = rotation.matrix().map(Dual::from_re) * spin;
+        let moving = MovingPose::moving(
+            &motion.pose,
+            unknown(&motion.pose.origin, 0, &(one * k)),
+            turn,
+            (velocity, still + turn.cross(&still)),
+        );
+        let mut sum = LoadSum::none();
+        self.inertia(&moving, (&acceleration, &spin, &spin_rate), &mut sum);
+        add_loads_by_pose(network, body, &moving, true, &mut sum);
+        damp(body, &moving, &spin, &mut sum);
+        bottom(network, body, &moving, &mut sum);
+        let (force, tangent) = sum.parts();
+        let (fixed, by_turn) = fixed_loads(body, &motion.pose);
+        let mut by_unknowns = by_turn;
+        let mut columns = by_unknowns.fixed_view_mut::<6, 3>(0, 3);
+        columns.copy_from(&(by_turn.fixed_view::<6, 3>(0, 3) * turning * k));
+        (-(force + fixed), tangent + by_unknowns)
+    }
+
+    /// Inertia as a load.
+    fn inertia(
+        &self,
+        moving: &MovingPose,
+        (acceleration, spin, spin_rate): (&DualVector, &DualVector, &DualVector),
+        sum: &mut LoadSum,
+    ) {
+        let block = |row: usize, column: usize| {
+            let block = self.mass.fixed_view::<3, 3>(row, column).into_owned();
+            block.map(Dual::from_re)
+        };
+        let (linear, mixed, turned, angular) = (block(0, 0), block(0, 3), block(3, 0), block(3, 3));
+        let velocity = moving.to_body(&moving.velocity);
+        let rate = moving.to_body(acceleration) - spin.cross(&velocity);
+        let momentum = linear * velocity + mixed * spin;
+        let angular_momentum = turned * velocity + angular * spin;
+        let force = linear * rate + mixed * spin_rate + spin.cross(&momentum);
+        let moment = turned * rate
+            + angular * spin_rate
+            + spin.cross(&angular_momentum)
+            + velocity.cross(&momentum);
+        sum.add(&constant(&V3::zeros()), &-moving.to_earth(&force));
+        sum.turn(&-moving.to_earth(&moment));
+    }
+
+    /// Kinetic energy \[J\].
+    #[must_use]
+    pub fn kinetic_energy(&self, motion: &BodyMotion) -> f64 {
+        let rates = velocities(motion);
+        0.5 * rates.dot(&(self.mass * rates))
+    }
+
+    /// Power of the damping by matrices \[W\], positive where energy is lost.
+    #[must_use]
+    pub fn damped(network: &Network, number: usize, motion: &BodyMotion) -> f64 {
+        let body = &network.bodies[number];
+        let rates = velocities(motion);
+        let squares = rates.map(|rate| rate * rate.abs());
+        rates.dot(&(body.damping * rates + body.quadratic_damping * squares))
+    }
+}
+
+/// Velocity of the origin and angular velocity along the axes of the body.
+fn velocities(motion: &BodyMotion) -> Vector6<f64> {
+    let velocity = motion.pose.rotation.inverse() * motion.velocity;
+    let spin = motion.spin;
+    Vector6::new(velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z)
+}
+
+/// Mass matrix about the origin without water.
+fn rigid(body: &Body) -> Matrix6<f64> {
+    let lever = cross(&body.centre_of_gravity);
+    let mut mass = Matrix6::zeros();
+    let mut set = |row: usize, column: usize, block: M3| {
+        mass.fixed_view_mut::<3, 3>(row, column).copy_from(&block);
+    };
+    set(0, 0, M3::identity() * body.mass);
+    set(0, 3, -lever * body.mass);
+    set(3, 0, lever * body.mass);
+    set(3, 3, body.inertia - lever * lever * body.mass);
+    mass
+}
+
+/// Damping by the matrices of the body.
+fn damp(body: &Body, moving: &MovingPose, spin: &DualVector, sum: &mut LoadSum) {
+    if body.damping == Matrix6::zeros() && body.quadratic_damping == Matrix6::zeros() {
+        return;
+    }
+    let velocity = moving.to_body(&moving.velocity);
+    let rates = [velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z];
+    let load = |row: usize| {
+        let zero = Dual::from_re(0.0);
+        rates.iter().enumerate().fold(zero, |sum, (column, rate)| {
+            let size = if rate.re < 0.0 { -*rate } else { *rate };
+            sum - *rate * body.damping[(row, column)]
+                - *rate * size * body.quadratic_damping[(row, column)]
+        })
+    };
+    let force = DualVector::new(load(0), load(1), load(2));
+    let moment = DualVector::new(load(3), load(4), load(5));
+    sum.add(&constant(&V3::zeros()), &moving.to_earth(&force));
+    sum.turn(&moving.to_earth(&moment));
+}
+
+/// The bed under the bottom of a body that has one.
+fn bottom(network: &Network, body: &Body, moving: &MovingPose, sum: &mut LoadSum) {
+    let Some((bed, bottom)) = network.bed_z.zip(body.bottom) else {
+        return;
+    };
+    let above = moving.origin.z - (bed + bottom);
+    if above.re < 0.0 {
+        let spring = (body.weight - body.buoyancy).abs().max(1.0) / GIVES_WAY;
+        sum.add(
+            &constant(&V3::zeros()),
+            &(constant(&V3::z()) * (above * -spring)),
+        );
+    }
+}
+
+/// Turns changes of a rotation vector, along the axes of the body where it was before the rotation, into turns of the body in the
+/// earth's directions: `R J(v)` with R the rotation after it and J the right Jacobian
+/// `I - (1 - cos a)/a² [v] + (a - sin a)/a³ [v]²`, a = |v|.
+#[must_use]
+pub fn turning(rotation: &nalgebra::UnitQuaternion<f64>, vector: &V3) -> M3 {
+    let angle2 = vector.norm_squared();
+    let (first, second) = if angle2 < 1e-8 {
+        (0.5 - angle2 / 24.0, 1.0 / 6.0 - angle2 / 120.0)
+    } else {
+        let angle = angle2.sqrt();
+        (
+            (1.0 - angle.cos()) / angle2,
+            (angle - angle.sin()) / (angle2 * angle),
+        )
+    };
+    let by = cross(vector);
+    rotation.to_rotation_matrix().matrix() * (M3::identity() - by * first + by * by * second)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::system::network::Member;
+    use nalgebra::UnitQuaternion;
+
+    fn body() -> Body {
+        Body {
+            free: true,
+            mass: 4e3,
+            weight: 4e4,
+            centre_of_gravity: V3::new(0.3, -0.2, -1.0),
+            inertia: M3::new(5e4, 2e3, 1e3, 2e3, 6e4, -3e3, 1e3, -3e3, 8e4),
+            buoyancy: 2e4,
+            centre_of_buoyancy: V3::new(0.0, 0.1, 0.5),
+            waterplane: Matrix6::from_diagonal(&Vector6::new(0.0, 0.0, 3e4, 2e5, 3e5, 0.0)),
+            added_mass: Matrix6::from_diagonal(&Vector6::new(1e3, 2e3, 3e3, 1e4, 2e4, 1e4)),
+            damping: Matrix6::from_diagonal(&Vector6::new(1e3, 1e3, 2e3, 1e4, 1e4, 1e4)),
+            quadratic_damping: Matrix6::from_diagonal(&Vector6::new(5e2, 3e2, 1e3, 1e4, 1e4, 2e3)),
+            load: V3::new(1e3, 2e3, 0.0),
+            members: vec![Member {
+                from: V3::new(1.0, 0.0, -6.0),
+                to: V3::new(1.5, 0.5, 3.0),
+                radius: (0.8, 0.8),
+                drag: 1.1,
+                added_mass: 0.9,
+            }],
+            drag_area: V3::new(2.0, 3.0, 4.0),
+            ..Body::default()
+        }
+    }
+
+    /// The motion with the six unknowns moved by a little.
+    fn moved(
+        motion: &BodyMotion,
+        vector: &V3,
+        base: UnitQuaternion<f64>,
+        c: Factors,
+        d: &Vector6<f64>,
+    ) -> BodyMotion {
+        let (step, turn) = (
+            d.fixed_rows::<3>(0).into_owned(),
+            d.fixed_rows::<3>(3).into_owned(),
+        );
+        BodyMotion {
+            pose: Pose {
+                origin: motion.pose.origin + step * c.stiffness,
+                rotation: base * UnitQuaternion::from_scaled_axis(vector + turn * c.stiffness),
+            },
+            velocity: motion.velocity + step * c.damping,
+            spin: motion.spin + turn * c.damping,
+            acceleration: motion.acceleration + step * c.mass,
+            spin_rate: motion.spin_rate + turn * c.mass,
+        }
+    }
+
+    #[test]
+    fn the_tangent_is_the_derivative_of_the_residual() {
+        let network = Network {
+            gravity: 9.81,
+            density: 1025.0,
+            bodies: vec![body()],
+            wind: V3::new(10.0, 0.0, 0.0),
+            ..Network::default()
+        };
+        let base = UnitQuaternion::from_euler_angles(0.2, -0.1, 0.7);
+        let vector = V3::new(0.3, -0.2, 0.4);
+        let motion = BodyMotion {
+            pose: Pose {
+                origin: V3::new(3.0, -2.0, 1.0),
+                rotation: base * UnitQuaternion::from_scaled_axis(vector),
+            },
+            velocity: V3::new(0.7, -0.5, 0.3),
+            spin: V3::new(0.2, -0.3, 0.5),
+            acceleration: V3::new(0.3, 0.2, -0.6),
+            spin_rate: V3::new(-0.1, 0.2, 0.3),
+        };
+        let moving = MovingBody::new(&network, 0, &Pose::default());
+        let c = Factors {
+            mass: 7.0,
+            damping: 3.0,
+            stiffness: 1.0,
+        };
+        let residual = |motion: &BodyMotion, vector: &V3| {
+            moving.residual(&network, motion, &turning(&motion.pose.rotation, vector), c)
+        };
+        let (_, tangent) = residual(&motion, &vector);
+        for k in 0..6 {
+            let h = 1e-5;
+            let d = Vector6::ith(k, h);
+            let turn = d.fixed_rows::<3>(3).into_owned();
+            let ahead = residual(&moved(&motion, &vector, base, c, &d), &(vector + turn)).0;
+            let behind = residual(&moved(&motion, &vector, base, c, &-d), &(vector - turn)).0;
+            let slope = (ahead - behind) / (2.0 * h);
+            let error = (slope - tangent.column(k)).norm();
+            assert!(
+                error < 1e-6 * slope.norm(),
+                "{k}: {error}\n{slope}\n{}",
+                tangent.column(k)
+            );
+        }
+    }
+}

@@ -1,0 +1,339 @@
+//! One Newton iteration of a system: the bands of the lines, bordered by the joints.
+//!
+//! Each line that borders on unknowns is condensed onto its end nodes. What is left there goes to the joints as an element: an end on a free
+//! point moves with it; an end at the arm r of a free body moves by `du + dt x r`, and its force F has the moment `r x F`.
+
+use super::body_equation::{MovingBody, turning};
+use super::joints::{Follows, Role};
+use super::moving_system::MovingSystem;
+use super::point_loads::point_load;
+use super::pose_motion::BodyMotion;
+use super::system_state::SystemState;
+use crate::numerics::{BlockBand, BlockEnvelope, Condensation, EndBlocks, M3, V3};
+use crate::solve::{Factors, NewtonError, Residual, State};
+use crate::system::network::{FreePoint, Held};
+use crate::system::pose::cross;
+
+/// Work arrays of the iteration; allocates in [`Border::new`] only.
+#[derive(Debug, Clone)]
+pub struct Border {
+    /// Residuals of the lines, and then their displacements.
+    lines: Vec<Vec<V3>>,
+    tangents: Vec<BlockBand>,
+    condensations: Vec<Condensation>,
+    bodies: Vec<MovingBody>,
+    matrix: BlockEnvelope,
+    /// Right-hand side by the rows of the unknowns, and then their displacements.
+    rows: Vec<V3>,
+    /// The same by joints.
+    joints: Vec<V3>,
+}
+
+/// How an end of a line moves with a body.
+struct Arm {
+    origin: usize,
+    rotation: usize,
+    /// From the turns of the body to the displacement of the end.
+    by_turn: M3,
+    /// From the force on the end to the moment on the body.
+    lever: M3,
+    turning: M3,
+}
+
+/// The rows that an end of a line acts on.
+enum End {
+    Nothing,
+    Point(usize),
+    Body(Arm),
+}
+
+impl Border {
+    /// For a system, whose bodies have the added mass that they have in this state.
+    #[must_use]
+    pub fn new(system: &MovingSystem, state: &SystemState) -> Self {
+        let nodes = || state.lines.iter().map(|line| line.x.len());
+        let free = |number: &usize| system.network.bodies[*number].free;
+        let bodies = (0..system.network.bodies.len()).filter(free);
+        let tangent = |(scene, nodes): (&crate::scene::Scene, usize)| {
+            let mut tangent = BlockBand::new(nodes);
+            if scene.is_pentadiagonal() {
+                tangent.widen();
+            }
+            tangent
+        };
+        let unknowns = system.joints.envelope.len();
+        Self {
+            lines: nodes().map(|n| vec![V3::zeros(); n]).collect(),
+            tangents: system.scenes.iter().zip(nodes()).map(tangent).collect(),
+            condensations: nodes().map(Condensation::new).collect(),
+            bodies: bodies
+                .map(|number| {
+                    let pose = system.body(state, number).pose;
+                    MovingBody::new(&system.network, number, &pose)
+                })
+                .collect(),
+            matrix: BlockEnvelope::new(system.joints.envelope.clone()),
+            rows: vec![V3::zeros(); unknowns],
+            joints: vec![V3::zeros(); state.joints.x.len()],
+        }
+    }
+
+    /// The free bodies.
+    #[must_use]
+    pub fn bodies(&self) -> &[MovingBody] {
+        &self.bodies
+    }
+
+    /// The displacements, negative, of the nodes of a part: a line, or the joints.
+    #[must_use]
+    pub fn displacements(&self, part: usize) -> &[V3] {
+        self.lines.get(part).unwrap_or(&self.joints)
+    }
+
+    /// Solves the linearised equations of motion at a state: the displacements that make its residual vanish, to be subtracted.
+    ///
+    /// # Errors
+    /// [`NewtonError::Singular`], [`NewtonError::NotFinite`] with the number of the node among all.
+    pub fn solve(
+        &mut self,
+        system: &MovingSystem,
+        t: f64,
+        state: &SystemState,
+        c: Factors,
+    ) -> Result<(), NewtonError> {
+        self.matrix.clear();
+        self.rows.fill(V3::zeros());
+        for line in 0..self.lines.len() {
+            self.line(system, t, state, (line, c))
+                .map_err(|node| NewtonError::Singular {
+                    node: system.offset(line) + node,
+                })?;
+        }
+        self.points(system, state, c);
+        self.free_bodies(system, state, c);
+        if let Err(singular) = self.matrix.solve(&mut self.rows) {
+            let joint = (0..self.joints.len())
+                .find(|joint| system.joints.row(*joint) == Some(singular.node));
+            return Err(NewtonError::Singular {
+                node: system.offset(self.lines.len()) + joint.unwrap_or_default(),
+            });
+        }
+        self.back(system, state);
+        Ok(())
+    }
+
+    /// The node that moves most, by its number among all, and by how much \[m\]; rotations by the arm of their body.
+    ///
+    /// # Errors
+    /// [`NewtonError::NotFinite`].
+    pub fn greatest(&self, system: &MovingSystem) -> Result<(usize, f64), NewtonError> {
+        let mut worst = (0, 0.0);
+        let mut offset = 0;
+        for number in 0..=self.lines.len() {
+            let d = self.displacements(number);
+            let joints = number == self.lines.len();
+            for i in system.free(number) {
+                let scale = if joints { system.scale(i) } else { 1.0 };
+                let moved = d[i].amax() * scale;
+                if !moved.is_finite() {
+                    return Err(NewtonError::NotFinite { node: offset + i });
+                }
+                if moved > worst.1 {
+                    worst = (offset + i, moved);
+                }
+            }
+            offset += d.len();
+        }
+        Ok(worst)
+    }
+
+    /// A line: its own displacements where its ends are prescribed, else what it leaves on the unknowns.
+    fn line(
+        &mut self,
+        system: &MovingSystem,
+        t: f64,
+        state: &SystemState,
+        (line, c): (usize, Factors),
+    ) -> Result<(), usize> {
+        let scene = &system.scenes[line];
+        let (r, tangent) = (&mut self.lines[line], &mut self.tangents[line]);
+        scene.linearise(t, &state.lines[line], c, r, tangent);
+        let last = r.len() - 1;
+        if system.is_plain(state, line) {
+            (r[0], r[last]) = (V3::zeros(), V3::zeros());
+            return tangent.solve(1..last, r).map_err(|singular| singular.node);
+        }
+        let own = [r[0], r[last]];
+        let condensed = self.condensations[line].condense_loaded(tangent, r);
+        let (blocks, left) = condensed.map_err(|singular| singular.node)?;
+        let ends = state.attached[line].map(|joint| end(system, state, joint));
+        self.join(&ends, &blocks, (&left, &own), c.stiffness);
+        Ok(())
+    }
+
+    /// Adds the condensed line to the rows of its ends; `own` are the residuals of the end nodes themselves.
+    fn join(
+        &mut self,
+        ends: &[End; 2],
+        blocks: &EndBlocks,
+        (left, own): (&[V3; 2], &[V3; 2]),
+        stiffness: f64,
+    ) {
+        for (i, on) in ends.iter().enumerate() {
+            match on {
+                End::Nothing => continue,
+                End::Point(row) => self.rows[*row] += left[i],
+                End::Body(arm) => {
+                    self.rows[arm.origin] += left[i];
+                    self.rows[arm.rotation] += arm.lever * left[i];
+                    // The arm turns under the force.
+                    let turned = cross(&own[i]) * arm.lever * arm.turning * stiffness;
+                    *self.matrix.block(arm.rotation, arm.rotation) += turned;
+                }
+            }
+            for (j, by) in ends.iter().enumerate() {
+                self.couple(on, by, &blocks[i][j]);
+            }
+        }
+    }
+
+    /// Adds a block between two ends.
+    fn couple(&mut self, on: &End, by: &End, block: &M3) {
+        let mut add = |row: usize, column: usize, value: M3| {
+            *self.matrix.block(row, column) += value;
+        };
+        match (on, by) {
+            (End::Nothing, _) | (_, End::Nothing) => {}
+            (End::Point(row), End::Point(column)) => add(*row, *column, *block),
+            (End::Point(row), End::Body(by)) => {
+                add(*row, by.origin, *block);
+                add(*row, by.rotation, block * by.by_turn);
+            }
+            (End::Body(on), End::Point(column)) => {
+                add(on.origin, *column, *block);
+                add(on.rotation, *column, on.lever * block);
+            }
+            (End::Body(on), End::Body(by)) => {
+                add(on.origin, by.origin, *block);
+                add(on.origin, by.rotation, block * by.by_turn);
+                add(on.rotation, by.origin, on.lever * block);
+                add(on.rotation, by.rotation, on.lever * block * by.by_turn);
+            }
+        }
+    }
+
+    /// The free points, and ends that are let go.
+    fn points(&mut self, system: &MovingSystem, state: &SystemState, c: Factors) {
+        for joint in system.joints.free.clone() {
+            let Some(row) = system.joints.row(joint) else {
+                continue;
+            };
+            match system.joints.roles[joint] {
+                Role::Free(number) => {
+                    let point = free_point(system, number);
+                    let (x, v, a) = node(&state.joints, joint);
+                    let load = point_load(&system.network, point, x, v);
+                    self.rows[row] += a * point.moving_mass - load.force;
+                    *self.matrix.block(row, row) += M3::identity() * (c.mass * point.moving_mass)
+                        - load.by_velocity * c.damping
+                        - load.by_position * c.stiffness;
+                }
+                Role::LetGo(line, end) if state.attached[line][end] != joint => {
+                    *self.matrix.block(row, row) += M3::identity();
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn free_bodies(&mut self, system: &MovingSystem, state: &SystemState, c: Factors) {
+        for body in &self.bodies {
+            let origin = system.joints.bodies[body.number];
+            let rows = [origin, origin + 1].map(|joint| system.joints.row(joint));
+            let [Some(first), Some(second)] = rows else {
+                continue;
+            };
+            let motion = system.body(state, body.number);
+            let turning = turning(&motion.pose.rotation, &state.joints.x[origin + 1]);
+            let (residual, tangent) = body.residual(&system.network, &motion, &turning, c);
+            for (row, from) in [(first, 0), (second, 3)] {
+                self.rows[row] += residual.fixed_rows::<3>(from).into_owned();
+                for (column, to) in [(first, 0), (second, 3)] {
+                    let block = tangent.fixed_view::<3, 3>(from, to);
+                    *self.matrix.block(row, column) += block;
+                }
+            }
+        }
+    }
+
+    /// From the unknowns to the displacements of all nodes.
+    fn back(&mut self, system: &MovingSystem, state: &SystemState) {
+        for (joint, out) in self.joints.iter_mut().enumerate() {
+            *out = system
+                .joints
+                .row(joint)
+                .map_or_else(V3::zeros, |row| self.rows[row]);
+        }
+        for line in 0..self.lines.len() {
+            if system.is_plain(state, line) {
+                continue;
+            }
+            let last = self.lines[line].len() - 1;
+            let ends = state.attached[line].map(|joint| match end(system, state, joint) {
+                End::Nothing => V3::zeros(),
+                End::Point(row) => self.rows[row],
+                End::Body(arm) => self.rows[arm.origin] + arm.by_turn * self.rows[arm.rotation],
+            });
+            let x = &mut self.lines[line];
+            (x[0], x[last]) = (ends[0], ends[1]);
+            self.condensations[line].respond(x);
+        }
+    }
+}
+
+/// Position, velocity and acceleration of a joint.
+fn node(state: &State, joint: usize) -> (&V3, &V3, &V3) {
+    (&state.x[joint], &state.v[joint], &state.a[joint])
+}
+
+/// A free point of the network.
+#[must_use]
+pub fn free_point(system: &MovingSystem, number: usize) -> &FreePoint {
+    const NONE: &FreePoint = &FreePoint {
+        weight: 0.0,
+        buoyancy: 0.0,
+        moving_mass: 0.0,
+        drag_area: 0.0,
+        load: V3::new(0.0, 0.0, 0.0),
+        start: None,
+    };
+    match &system.network.points[number].held {
+        Held::Free(point) => point,
+        _ => NONE,
+    }
+}
+
+/// How the end of a line at a joint moves.
+fn end(system: &MovingSystem, state: &SystemState, joint: usize) -> End {
+    match system.joints.follows(joint) {
+        Follows::Nothing => End::Nothing,
+        Follows::Row(row) => End::Point(row),
+        Follows::Body(body, at) => {
+            let origin = system.joints.bodies[body];
+            let rows = [origin, origin + 1].map(|joint| system.joints.row(joint));
+            let [Some(first), Some(second)] = rows else {
+                return End::Nothing;
+            };
+            let motion: BodyMotion = system.body(state, body);
+            let turning = turning(&motion.pose.rotation, &state.joints.x[origin + 1]);
+            let lever = cross(&motion.pose.arm(&at));
+            End::Body(Arm {
+                origin: first,
+                rotation: second,
+                by_turn: -lever * turning,
+                lever,
+                turning,
+            })
+        }
+    }
+}

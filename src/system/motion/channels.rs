@@ -1,0 +1,90 @@
+//! What is recorded of a system in motion.
+
+use super::joints::Role;
+use super::moving_system::MovingSystem;
+use super::system_state::SystemState;
+use crate::case::{ChannelId, ChannelQuantity};
+
+/// What a channel reads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Source {
+    /// Tension of a line at its end A or B.
+    Tension(usize, usize),
+    /// A coordinate of a joint.
+    Place(usize, usize),
+    /// Roll, pitch or yaw of a body.
+    Angle(usize, usize),
+}
+
+/// The channels of a system and where they are read.
+#[derive(Debug, Clone)]
+pub struct Channels {
+    /// Their names.
+    pub ids: Vec<ChannelId>,
+    sources: Vec<Source>,
+}
+
+impl Channels {
+    /// Tensions at both ends of every line, places of the points that move, poses of the bodies that move.
+    #[must_use]
+    pub fn of(system: &MovingSystem) -> Self {
+        let mut channels = Self {
+            ids: Vec::new(),
+            sources: Vec::new(),
+        };
+        for (number, line) in system.network.lines.iter().enumerate() {
+            for (end, word) in ["a", "b"].into_iter().enumerate() {
+                let id = ChannelQuantity::Tension.at(format!("{}|{word}", line.name));
+                channels.add(id, Source::Tension(number, end));
+            }
+        }
+        for (point, &joint) in system.network.points.iter().zip(&system.joints.points) {
+            let moves = match system.joints.roles[joint] {
+                Role::Prescribed(_) => point.motion.is_some(),
+                Role::OnBody(body, _) => moves(system, body),
+                _ => true,
+            };
+            if moves {
+                channels.place(&point.name, joint);
+            }
+        }
+        for (number, body) in system.network.bodies.iter().enumerate() {
+            if moves(system, number) {
+                channels.place(&body.name, system.joints.bodies[number]);
+                for (axis, quantity) in ChannelQuantity::ANGLES.into_iter().enumerate() {
+                    channels.add(quantity.at(body.name.as_str()), Source::Angle(number, axis));
+                }
+            }
+        }
+        channels
+    }
+
+    fn place(&mut self, name: &str, joint: usize) {
+        for (axis, quantity) in ChannelQuantity::POSITION.into_iter().enumerate() {
+            self.add(quantity.at(name), Source::Place(joint, axis));
+        }
+    }
+
+    fn add(&mut self, id: ChannelId, source: Source) {
+        self.ids.push(id);
+        self.sources.push(source);
+    }
+
+    /// Their values, in order.
+    pub fn read(&self, system: &MovingSystem, state: &SystemState, values: &mut Vec<f64>) {
+        values.clear();
+        values.extend(self.sources.iter().map(|source| match *source {
+            Source::Tension(line, end) => {
+                let (scene, line) = (&system.scenes[line], &state.lines[line]);
+                scene.tension_at(end * (line.x.len() - 1), line)
+            }
+            Source::Place(joint, axis) => state.joints.x[joint][axis],
+            Source::Angle(body, axis) => system.body(state, body).pose.angles()[axis].to_degrees(),
+        }));
+    }
+}
+
+fn moves(system: &MovingSystem, body: usize) -> bool {
+    let body = &system.network.bodies[body];
+    body.free || body.motion.is_some()
+}

@@ -1,0 +1,71 @@
+//! The energy of a system in motion: `d(energy)/dt = power in - power lost`.
+//!
+//! Energy is that of the lines and of free points, and the kinetic energy of free bodies. What water, bed and steady loads do to a body
+//! counts as power in, whatever its sign.
+
+use nalgebra::Matrix6;
+
+use super::body_equation::{MovingBody, turning};
+use super::border::free_point;
+use super::joints::Role;
+use super::moving_system::MovingSystem;
+use super::point_loads::point_load;
+use super::system_state::SystemState;
+use crate::numerics::V3;
+use crate::solve::Factors;
+
+/// Energy and power at an instant.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Energy {
+    /// Kinetic and potential energy \[J\].
+    pub stored: f64,
+    /// Power of prescribed points and bodies, and of the loads on free bodies \[W\].
+    pub power_in: f64,
+    /// Power of drag, damping and bed \[W\].
+    pub lost: f64,
+}
+
+/// The energy of a state at time t \[s\]; `bodies` are the free bodies with their mass.
+#[must_use]
+pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &SystemState) -> Energy {
+    let mut sum = Energy::default();
+    for (scene, line) in system.scenes.iter().zip(&state.lines) {
+        sum.stored += scene.energy(line);
+        sum.power_in += scene.power_of_ends(t, line);
+        sum.lost += scene.dissipation(line);
+    }
+    for joint in system.joints.free.clone() {
+        if let Role::Free(number) = system.joints.roles[joint] {
+            let point = free_point(system, number);
+            let (x, v) = (&state.joints.x[joint], &state.joints.v[joint]);
+            let load = point_load(&system.network, point, x, v);
+            sum.stored += 0.5 * point.moving_mass * v.norm_squared() + load.energy;
+            sum.lost += load.lost;
+        }
+    }
+    for body in bodies {
+        sum.stored += body.kinetic_energy(&system.body(state, body.number));
+        sum.power_in += power_of_loads(system, body, state);
+    }
+    sum
+}
+
+/// The power of all loads on a free body but those of lines \[W\].
+fn power_of_loads(system: &MovingSystem, body: &MovingBody, state: &SystemState) -> f64 {
+    const STILL: Factors = Factors {
+        mass: 0.0,
+        damping: 0.0,
+        stiffness: 0.0,
+    };
+    let motion = system.body(state, body.number);
+    let massless = MovingBody {
+        number: body.number,
+        mass: Matrix6::zeros(),
+    };
+    let turning = turning(&motion.pose.rotation, &V3::zeros());
+    let (residual, _) = massless.residual(&system.network, &motion, &turning, STILL);
+    let spin = motion.pose.rotation * motion.spin;
+    let force = residual.fixed_rows::<3>(0).into_owned();
+    let moment = residual.fixed_rows::<3>(3).into_owned();
+    -force.dot(&motion.velocity) - moment.dot(&spin)
+}

@@ -1,0 +1,90 @@
+//! The motions that a file prescribes, in SI.
+
+use std::f64::consts::TAU;
+
+use super::PoseMotion;
+use crate::case::OneOrMany;
+use crate::numerics::V3;
+use crate::physics::EndMotion;
+use crate::physics::motion::MotionPath;
+use crate::physics::sea::{Component, Harmonics};
+use crate::system::model::{BodyInputs, PointInputs};
+
+/// The motion of a moved point about its place \[m\].
+#[must_use]
+pub fn point_motion(given: &PointInputs, place: V3) -> EndMotion {
+    let periods = match &given.period_s {
+        Some(OneOrMany::One(period)) => [*period; 3],
+        Some(OneOrMany::Many(periods)) => {
+            std::array::from_fn(|k| periods.get(k).copied().unwrap_or(f64::INFINITY))
+        }
+        None => [f64::INFINITY; 3],
+    };
+    harmonic(
+        place,
+        given.amplitude_m,
+        periods,
+        given.phase_deg,
+        given.ramp_s,
+    )
+}
+
+/// The motion of a moved body about its pose.
+#[must_use]
+pub fn body_motion(given: &BodyInputs) -> PoseMotion {
+    let period = |k: usize| match given.period_s.as_slice() {
+        [] => f64::INFINITY,
+        [one] => *one,
+        many => many.get(k).copied().unwrap_or(f64::INFINITY),
+    };
+    let phase = |k: usize| given.phase_deg.get(k).copied().unwrap_or(0.0);
+    let angles = [given.roll_deg, given.pitch_deg, given.yaw_deg].map(f64::to_radians);
+    let three = |from: usize, place: V3, amplitude: [f64; 3]| {
+        let axes = [from, from + 1, from + 2];
+        harmonic(
+            place,
+            amplitude,
+            axes.map(period),
+            axes.map(phase),
+            given.ramp_s,
+        )
+    };
+    PoseMotion {
+        place: three(0, V3::from(given.position_m), given.amplitude_m),
+        angles: three(
+            3,
+            V3::from(angles),
+            given.amplitude_deg.map(f64::to_radians),
+        ),
+    }
+}
+
+/// `A sin(2 pi t / T + phase)` along each axis about a place, growing over a ramp.
+fn harmonic(
+    position: V3,
+    amplitude: [f64; 3],
+    period: [f64; 3],
+    phase_deg: [f64; 3],
+    ramp: f64,
+) -> EndMotion {
+    let axis = |k: usize| {
+        let moves = amplitude[k] != 0.0 && period[k].is_finite();
+        let component = moves.then(|| Component {
+            omega: TAU / period[k],
+            amplitude: amplitude[k],
+            phase: phase_deg[k].to_radians() - 0.25 * TAU,
+        });
+        component.into_iter().collect()
+    };
+    let axes = [axis(0), axis(1), axis(2)];
+    let still = axes.iter().all(Vec::is_empty);
+    EndMotion {
+        position,
+        course: if still {
+            MotionPath::Still
+        } else {
+            MotionPath::Sum(Harmonics::along_axes(&axes))
+        },
+        ramp,
+    }
+}

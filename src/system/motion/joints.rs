@@ -1,0 +1,188 @@
+//! The joints of a system: its points and bodies as nodes, those that are prescribed or carried first.
+
+use std::ops::Range;
+
+use crate::numerics::V3;
+use crate::numerics::envelope::from_neighbour_to_neighbour;
+use crate::system::network::{Held, Network};
+
+/// What a joint does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Role {
+    /// A point held or moved: its number in the network.
+    Prescribed(usize),
+    /// A point at a place of a body.
+    OnBody(usize, V3),
+    /// Origin of a body, followed by its rotation.
+    Origin(usize),
+    /// Rotation of a body.
+    Rotation(usize),
+    /// A free point: its number in the network.
+    Free(usize),
+    /// Where an end of a line goes that is let go: the line, and which end.
+    LetGo(usize, usize),
+}
+
+/// The joints in their order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joints {
+    /// What each of them does.
+    pub roles: Vec<Role>,
+    /// The joint of each point of the network.
+    pub points: Vec<usize>,
+    /// The origin of each body of the network.
+    pub bodies: Vec<usize>,
+    /// The joint of each end of each line that may be let go.
+    pub let_go: Vec<[Option<usize>; 2]>,
+    /// The joints that follow the equation of motion.
+    pub free: Range<usize>,
+    /// The row of each joint among the unknowns; the joints before `free` have none.
+    rows: Vec<Option<usize>>,
+    /// First column of each row of the condensed system.
+    pub envelope: Vec<usize>,
+}
+
+impl Joints {
+    /// The joints of a system.
+    #[must_use]
+    pub fn new(network: &Network) -> Self {
+        let mut list = Roles::default();
+        let free = |held: &Held| matches!(held, Held::Free(_));
+        let points = || network.points.iter().enumerate();
+        for (number, point) in points().filter(|(_, p)| !free(&p.held)) {
+            list.points.insert(number, list.roles.len());
+            list.roles.push(match point.held {
+                Held::On(body, at) => Role::OnBody(body, at),
+                Held::At(_) | Held::Free(_) => Role::Prescribed(number),
+            });
+        }
+        let bodies = || network.bodies.iter().enumerate();
+        for (number, _) in bodies().filter(|(_, body)| !body.free) {
+            list.body(number);
+        }
+        let held = list.roles.len();
+        for (number, _) in points().filter(|(_, p)| free(&p.held)) {
+            list.points.insert(number, list.roles.len());
+            list.roles.push(Role::Free(number));
+        }
+        for (number, _) in bodies().filter(|(_, body)| body.free) {
+            list.body(number);
+        }
+        let mut let_go = vec![[None; 2]; network.lines.len()];
+        for (line, ends) in let_go.iter_mut().enumerate() {
+            for (end, joint) in ends.iter_mut().enumerate() {
+                if network.lines[line].releases[end].is_some() {
+                    *joint = Some(list.roles.len());
+                    list.roles.push(Role::LetGo(line, end));
+                }
+            }
+        }
+        let count = list.roles.len();
+        let mut joints = Self {
+            roles: list.roles,
+            points: list.points.into_values().collect(),
+            bodies: list.bodies.into_values().collect(),
+            let_go,
+            free: held..count,
+            rows: Vec::new(),
+            envelope: Vec::new(),
+        };
+        joints.number(network);
+        joints
+    }
+
+    /// Numbers the unknowns from neighbour to neighbour.
+    fn number(&mut self, network: &Network) {
+        let held = self.free.start;
+        let mut neighbours = vec![Vec::new(); self.free.len()];
+        let mut join = |one: usize, other: usize| {
+            if one != other && one >= held && other >= held {
+                neighbours[one - held].push(other - held);
+                neighbours[other - held].push(one - held);
+            }
+        };
+        for (number, line) in network.lines.iter().enumerate() {
+            let ends = [line.from, line.to].map(|point| self.points[point]);
+            let mut all: Vec<usize> = ends.iter().flat_map(|j| self.unknowns_of(*j)).collect();
+            all.extend(self.let_go[number].iter().flatten());
+            for (k, one) in all.iter().enumerate() {
+                for other in &all[k + 1..] {
+                    join(*one, *other);
+                }
+            }
+        }
+        for &origin in &self.bodies {
+            join(origin, origin + 1);
+        }
+        for list in &mut neighbours {
+            list.sort_unstable();
+            list.dedup();
+        }
+        let order = from_neighbour_to_neighbour(&neighbours);
+        self.rows = vec![None; self.roles.len()];
+        for (row, joint) in order.iter().enumerate() {
+            self.rows[held + joint] = Some(row);
+        }
+        self.envelope = (0..order.len()).collect();
+        for (row, joint) in order.iter().enumerate() {
+            for neighbour in &neighbours[*joint] {
+                if let Some(column) = self.rows[held + neighbour] {
+                    self.envelope[row] = self.envelope[row].min(column);
+                }
+            }
+        }
+    }
+
+    /// The joints that a joint moves with: itself, or origin and rotation of its body.
+    fn unknowns_of(&self, joint: usize) -> Vec<usize> {
+        match self.roles[joint] {
+            Role::OnBody(body, _) => vec![self.bodies[body], self.bodies[body] + 1],
+            _ => vec![joint],
+        }
+    }
+
+    /// The row of a joint among the unknowns; nothing where it is prescribed or carried.
+    #[must_use]
+    pub fn row(&self, joint: usize) -> Option<usize> {
+        self.rows[joint]
+    }
+
+    /// How a joint moves with the unknowns.
+    #[must_use]
+    pub fn follows(&self, joint: usize) -> Follows {
+        match self.roles[joint] {
+            Role::OnBody(body, at) => match self.rows[self.bodies[body]] {
+                Some(_) => Follows::Body(body, at),
+                None => Follows::Nothing,
+            },
+            _ => self.rows[joint].map_or(Follows::Nothing, Follows::Row),
+        }
+    }
+}
+
+/// How a joint moves with the unknowns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Follows {
+    /// It is prescribed.
+    Nothing,
+    /// It is the unknown of this row.
+    Row(usize),
+    /// It is at a place of a free body.
+    Body(usize, V3),
+}
+
+/// Joints while they are listed.
+#[derive(Default)]
+struct Roles {
+    roles: Vec<Role>,
+    points: std::collections::BTreeMap<usize, usize>,
+    bodies: std::collections::BTreeMap<usize, usize>,
+}
+
+impl Roles {
+    fn body(&mut self, number: usize) {
+        self.bodies.insert(number, self.roles.len());
+        self.roles.push(Role::Origin(number));
+        self.roles.push(Role::Rotation(number));
+    }
+}

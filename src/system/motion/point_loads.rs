@@ -1,0 +1,158 @@
+//! The forces on a free point in motion, lines apart, and their derivatives.
+
+use crate::numerics::{M3, V3};
+use crate::physics::CurrentProfile;
+use crate::system::network::{FreePoint, Network};
+
+/// How far the bed gives way under the weight of a point that lies on it \[m\].
+const GIVES_WAY: f64 = 1e-3;
+
+/// Damping ratio of a point on the bed.
+const DAMPING_RATIO: f64 = 0.5;
+
+/// A force and its derivatives.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct PointLoad {
+    /// The force \[N\].
+    pub(super) force: V3,
+    /// By position \[N/m\].
+    pub(super) by_position: M3,
+    /// By velocity \[N s/m\].
+    pub(super) by_velocity: M3,
+    /// Power that it loses \[W\].
+    pub(super) lost: f64,
+    /// Its potential energy \[J\], steady loads included.
+    pub(super) energy: f64,
+}
+
+/// The load on a point at a place and with a velocity.
+pub(super) fn point_load(network: &Network, point: &FreePoint, x: &V3, v: &V3) -> PointLoad {
+    let mut load = PointLoad::default();
+    let (share, by_height, integral) = immersion(network, point, x.z);
+    load.force = point.load + V3::z() * (point.buoyancy * share - point.weight);
+    load.by_position[(2, 2)] += point.buoyancy * by_height;
+    load.energy = point.weight * x.z - point.buoyancy * integral - point.load.dot(x);
+    drag(network, point, (x, v), share, &mut load);
+    bed(network, point, (x, v), &mut load);
+    load
+}
+
+/// The share of a ball of the point's volume that is under water, its derivative by height \[1/m\] and its integral over height from the
+/// surface \[m\].
+fn immersion(network: &Network, point: &FreePoint, z: f64) -> (f64, f64, f64) {
+    let weight = network.density * network.gravity;
+    let volume = if weight > 0.0 {
+        point.buoyancy / weight
+    } else {
+        0.0
+    };
+    let r = (0.75 * volume / std::f64::consts::PI).cbrt();
+    if z >= r {
+        return (0.0, 0.0, 0.375 * r);
+    }
+    if z <= -r {
+        return (1.0, 0.0, z + 0.375 * r);
+    }
+    let share = (r - z).powi(2) * (2.0 * r + z) / (4.0 * r.powi(3));
+    let by_height = -0.75 * (r * r - z * z) / r.powi(3);
+    let integral = 0.5 * z - 0.375 * z * z / r + z.powi(4) / (16.0 * r.powi(3));
+    // As far below the ball's top as the parts beyond it continue.
+    (share, by_height, integral + 0.1875 * r)
+}
+
+/// Drag by the velocity of the water relative to the point, `rho/2 CdA |u| u`, as far as it is under water.
+fn drag(
+    network: &Network,
+    point: &FreePoint,
+    (x, v): (&V3, &V3),
+    share: f64,
+    load: &mut PointLoad,
+) {
+    if point.drag_area == 0.0 || share == 0.0 {
+        return;
+    }
+    let current = network.current.as_ref();
+    let (water, slope) =
+        current.map_or_else(Default::default, |current: &CurrentProfile| current.at(x.z));
+    let u = water - v;
+    let speed = u.norm();
+    let half = 0.5 * network.density * point.drag_area * share;
+    let force = u * (half * speed);
+    let turning = if speed > 0.0 {
+        u * u.transpose() / speed
+    } else {
+        M3::zeros()
+    };
+    let by_flow = (M3::identity() * speed + turning) * half;
+    load.force += force;
+    load.by_velocity -= by_flow;
+    load.by_position += by_flow * slope * V3::z().transpose();
+    load.lost -= force.dot(v);
+}
+
+/// The bed: a spring and a damper.
+fn bed(network: &Network, point: &FreePoint, (x, v): (&V3, &V3), load: &mut PointLoad) {
+    let Some(bed) = network.bed_z.filter(|bed| x.z < *bed) else {
+        return;
+    };
+    let depth = bed - x.z;
+    let stiffness = (point.weight - point.buoyancy).abs().max(1.0) / GIVES_WAY;
+    let damping = 2.0 * DAMPING_RATIO * (stiffness * point.moving_mass.max(0.0)).sqrt();
+    let push = stiffness * depth - damping * v.z;
+    load.energy += 0.5 * stiffness * depth * depth;
+    if push <= 0.0 {
+        // The bed does not pull: what its spring holds is lost.
+        load.lost += stiffness * depth * v.z;
+        return;
+    }
+    load.force.z += push;
+    load.by_position[(2, 2)] -= stiffness;
+    load.by_velocity[(2, 2)] -= damping;
+    load.lost += damping * v.z * v.z;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::current_profile;
+
+    #[test]
+    fn derivatives_are_those_of_the_force() {
+        let network = Network {
+            gravity: 9.81,
+            density: 1025.0,
+            bed_z: Some(-50.0),
+            current: Some(current_profile(None)),
+            ..Network::default()
+        };
+        let point = FreePoint {
+            weight: 5e3,
+            buoyancy: 9e3,
+            moving_mass: 800.0,
+            drag_area: 1.3,
+            load: V3::new(10.0, -20.0, 30.0),
+            start: None,
+        };
+        let v = V3::new(0.4, -0.9, 0.3);
+        for z in [-50.005, -50.0004, -20.0, -0.4, 0.2, 5.0] {
+            let x = V3::new(1.0, 2.0, z);
+            let load = point_load(&network, &point, &x, &v);
+            let h = 1e-6;
+            for k in 0..3 {
+                let step = V3::ith(k, h);
+                let at = |x: V3, v: V3| point_load(&network, &point, &x, &v);
+                let (ahead, behind) = (at(x + step, v), at(x - step, v));
+                let by_x = (ahead.force - behind.force) / (2.0 * h);
+                let by_v = (at(x, v + step).force - at(x, v - step).force) / (2.0 * h);
+                assert!((by_x - load.by_position.column(k)).norm() < 1e-4 * (1.0 + by_x.norm()));
+                assert!((by_v - load.by_velocity.column(k)).norm() < 1e-4 * (1.0 + by_v.norm()));
+                let still = at(x, V3::zeros()).force[k];
+                let slope = (ahead.energy - behind.energy) / (2.0 * h);
+                assert!(
+                    (slope + still).abs() < 1e-3 * (1.0 + still.abs()),
+                    "{z} {k}"
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,254 @@
+//! Records the accepted steps of a system: a row at every output time, extremes and means of every step, the energy balance.
+
+use super::body_equation::MovingBody;
+use super::channels::Channels;
+use super::energy::{Energy, energy};
+use super::moving_system::MovingSystem;
+use super::system_state::SystemState;
+
+/// A channel over the whole run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ChannelSummary {
+    /// Least value at a step, and its time \[s\].
+    pub least: (f64, f64),
+    /// Greatest value at a step, and its time \[s\].
+    pub greatest: (f64, f64),
+    /// Mean over time.
+    pub mean: f64,
+    /// Last value.
+    pub last: f64,
+}
+
+/// The energy over the whole run \[J\].
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct EnergyBalance {
+    /// Work of prescribed motion and of the loads on bodies.
+    pub put_in: f64,
+    /// Lost by drag, damping and bed.
+    pub lost: f64,
+    /// Stored at the end more than at the start.
+    pub stored: f64,
+}
+
+impl EnergyBalance {
+    /// What does not balance \[J\].
+    #[must_use]
+    pub fn drift(&self) -> f64 {
+        self.stored - self.put_in + self.lost
+    }
+
+    /// The same by the greatest of its parts \[-\].
+    #[must_use]
+    pub fn relative_drift(&self) -> f64 {
+        let size = self.put_in.abs().max(self.lost.abs());
+        self.drift().abs() / size.max(self.stored.abs()).max(f64::MIN_POSITIVE)
+    }
+}
+
+/// An accepted step as it is recorded.
+#[derive(Debug, Clone, Default)]
+struct Step {
+    time: f64,
+    values: Vec<f64>,
+}
+
+/// The record of a run.
+#[derive(Debug, Clone)]
+pub struct Recorder {
+    /// What is recorded.
+    pub channels: Channels,
+    interval: f64,
+    /// Output times \[s\].
+    pub time: Vec<f64>,
+    /// Values at the output times, channel by channel.
+    pub rows: Vec<Vec<f64>>,
+    /// The last three steps, the oldest first: rows between the last two are written once the next is there.
+    steps: Vec<Step>,
+    sums: Vec<f64>,
+    summaries: Vec<ChannelSummary>,
+    last_energy: Energy,
+    /// The energy balance so far.
+    pub balance: EnergyBalance,
+    energy_at_start: f64,
+}
+
+impl Recorder {
+    /// For a system, with rows at this interval \[s\].
+    #[must_use]
+    pub fn new(system: &MovingSystem, interval: f64) -> Self {
+        let channels = Channels::of(system);
+        let n = channels.ids.len();
+        let nothing = ChannelSummary {
+            least: (f64::INFINITY, 0.0),
+            greatest: (f64::NEG_INFINITY, 0.0),
+            mean: 0.0,
+            last: 0.0,
+        };
+        Self {
+            channels,
+            interval,
+            time: Vec::new(),
+            rows: vec![Vec::new(); n],
+            steps: Vec::new(),
+            sums: vec![0.0; n],
+            summaries: vec![nothing; n],
+            last_energy: Energy::default(),
+            balance: EnergyBalance::default(),
+            energy_at_start: 0.0,
+        }
+    }
+
+    /// Records an accepted step at time t \[s\].
+    pub fn accept(
+        &mut self,
+        system: &MovingSystem,
+        bodies: &[MovingBody],
+        t: f64,
+        state: &SystemState,
+    ) {
+        let mut step = if self.steps.len() == 3 {
+            self.steps.remove(0)
+        } else {
+            Step::default()
+        };
+        step.time = t;
+        self.channels.read(system, state, &mut step.values);
+        self.summarise(&step);
+        self.add_energy(&energy(system, bodies, t, state), t);
+        self.steps.push(step);
+        match self.steps.len() {
+            1 => {
+                let first = &self.steps[0];
+                self.time.push(first.time);
+                for (row, value) in self.rows.iter_mut().zip(&first.values) {
+                    row.push(*value);
+                }
+            }
+            2 => {}
+            _ => self.write_rows(1),
+        }
+    }
+
+    /// Ends a stretch of smooth motion: what follows begins anew, from the state after a jump.
+    pub fn jump(
+        &mut self,
+        system: &MovingSystem,
+        bodies: &[MovingBody],
+        t: f64,
+        state: &SystemState,
+    ) {
+        self.end();
+        let mut step = Step {
+            time: t,
+            values: Vec::new(),
+        };
+        self.channels.read(system, state, &mut step.values);
+        self.summarise(&step);
+        self.last_energy = energy(system, bodies, t, state);
+        self.steps = vec![step];
+    }
+
+    /// Writes the rows between the last two steps.
+    pub fn end(&mut self) {
+        if self.steps.len() > 1 {
+            self.write_rows(self.steps.len() - 1);
+        }
+    }
+
+    /// Rows at output times after step `to - 1`, up to step `to`, on cubics with the slopes of the steps around.
+    fn write_rows(&mut self, to: usize) {
+        let (from, until) = (self.steps[to - 1].time, self.steps[to].time);
+        loop {
+            let t = self.time.len() as f64 * self.interval;
+            if t > until * (1.0 + 1e-12) || t <= from * (1.0 - 1e-12) {
+                break;
+            }
+            self.time.push(t);
+            for (channel, row) in self.rows.iter_mut().enumerate() {
+                row.push(between(&self.steps, to, channel, t));
+            }
+        }
+    }
+
+    fn summarise(&mut self, step: &Step) {
+        let before = self.steps.last();
+        let before = before.filter(|before| step.time > before.time);
+        for (k, value) in step.values.iter().enumerate() {
+            let summary = &mut self.summaries[k];
+            if *value < summary.least.0 {
+                summary.least = (*value, step.time);
+            }
+            if *value > summary.greatest.0 {
+                summary.greatest = (*value, step.time);
+            }
+            summary.last = *value;
+            if let Some(before) = before {
+                self.sums[k] += 0.5 * (value + before.values[k]) * (step.time - before.time);
+            }
+        }
+    }
+
+    /// The work between two steps by the trapezium rule.
+    fn add_energy(&mut self, now: &Energy, t: f64) {
+        match self.steps.last() {
+            None => self.energy_at_start = now.stored,
+            Some(before) => {
+                let half = 0.5 * (t - before.time);
+                self.balance.put_in += half * (now.power_in + self.last_energy.power_in);
+                self.balance.lost += half * (now.lost + self.last_energy.lost);
+                self.balance.stored = now.stored - self.energy_at_start;
+            }
+        }
+        self.last_energy = *now;
+    }
+
+    /// The channels over the whole run, which lasted this long \[s\].
+    #[must_use]
+    pub fn summaries(&self, duration: f64) -> Vec<ChannelSummary> {
+        let with_mean = |(summary, sum): (&ChannelSummary, &f64)| ChannelSummary {
+            mean: if duration > 0.0 {
+                sum / duration
+            } else {
+                summary.last
+            },
+            ..*summary
+        };
+        self.summaries
+            .iter()
+            .zip(&self.sums)
+            .map(with_mean)
+            .collect()
+    }
+}
+
+/// The value of a channel between steps `to - 1` and `to`: a cubic with the slopes of the parabolas through three steps, and the
+/// chord's where there is none.
+fn between(steps: &[Step], to: usize, channel: usize, t: f64) -> f64 {
+    let at = |k: usize| (steps[k].time, steps[k].values[channel]);
+    let chord = |a: usize, b: usize| {
+        let ((ta, ya), (tb, yb)) = (at(a), at(b));
+        (yb - ya) / (tb - ta)
+    };
+    let slope = |k: usize| -> f64 {
+        if k == 0 || k + 1 >= steps.len() {
+            return f64::NAN;
+        }
+        let (before, after) = (at(k).0 - at(k - 1).0, at(k + 1).0 - at(k).0);
+        (chord(k - 1, k) * after + chord(k, k + 1) * before) / (before + after)
+    };
+    let ((t0, y0), (t1, y1)) = (at(to - 1), at(to));
+    let (h, straight) = (t1 - t0, chord(to - 1, to));
+    let s = (t - t0) / h;
+    let (mut m0, mut m1) = (slope(to - 1), slope(to));
+    // A parabola through the value and slope at one side and the value at the other.
+    match (m0.is_nan(), m1.is_nan()) {
+        (true, true) => (m0, m1) = (straight, straight),
+        (true, false) => m0 = 2.0 * straight - m1,
+        (false, true) => m1 = 2.0 * straight - m0,
+        (false, false) => {}
+    }
+    let (s2, s3) = (s * s, s * s * s);
+    y0 * (2.0 * s3 - 3.0 * s2 + 1.0)
+        + y1 * (3.0 * s2 - 2.0 * s3)
+        + h * (m0 * (s3 - 2.0 * s2 + s) + m1 * (s3 - s2))
+}

@@ -1,0 +1,130 @@
+//! The settings of a run in time that the file leaves open.
+
+use std::f64::consts::TAU;
+
+use super::moving_system::MovingSystem;
+use crate::dynamics::ErrorLimits;
+use crate::physics::EndMotion;
+use crate::scene::Scene;
+use crate::solve::StaticSearch;
+use crate::system::model::MotionInputs;
+
+/// Steps that a period of prescribed motion, or of the longest line bouncing along itself, is divided into at least.
+const STEPS_A_PERIOD: f64 = 20.0;
+/// By how much the motion that errors are measured by may exceed that of the ends that cause it.
+const RESPONSE: f64 = 10.0;
+
+/// The settings that a run uses.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionSettings {
+    /// Simulated time \[s\].
+    pub duration_s: f64,
+    /// Length of a whole step, the greatest there is \[s\].
+    pub time_step_s: f64,
+    /// Error allowed in a step, where steps vary.
+    pub step_tolerance: Option<f64>,
+    /// Spectral radius of generalized-alpha.
+    pub rho_inf: f64,
+    /// Newton's tolerance \[m\].
+    pub position_tolerance_m: f64,
+    /// Newton iterations of a step.
+    pub max_iterations: usize,
+    /// Interval of the history \[s\].
+    pub interval_s: f64,
+}
+
+impl MotionSettings {
+    /// What a file asks for, and what its system needs.
+    #[must_use]
+    pub fn new(given: &MotionInputs, interval_s: f64, system: &MovingSystem) -> Self {
+        let own = |scene: &Scene| scene.position_tolerance(1e-4);
+        let finest = system.scenes.iter().map(own).fold(f64::INFINITY, f64::min);
+        Self {
+            duration_s: given.duration_s,
+            time_step_s: given.time_step_s.unwrap_or_else(|| longest_step(system)),
+            step_tolerance: given.time_step_s.is_none().then_some(given.step_tolerance),
+            rho_inf: given.rho_inf,
+            position_tolerance_m: given.position_tolerance_m.min(finest),
+            max_iterations: given.max_iterations,
+            interval_s,
+        }
+    }
+
+    /// The errors allowed in a step, where steps vary.
+    #[must_use]
+    pub fn limits(&self, system: &MovingSystem) -> Option<ErrorLimits> {
+        let (distance, speed) = motion_scale(system, self.duration_s);
+        self.step_tolerance.map(|tolerance| ErrorLimits {
+            position: tolerance * distance,
+            velocity: 2.0 * tolerance * speed,
+        })
+    }
+}
+
+/// The motions that are prescribed, of points and of the origins of bodies.
+fn motions(system: &MovingSystem) -> impl Iterator<Item = &EndMotion> {
+    let network = &system.network;
+    let points = network
+        .points
+        .iter()
+        .filter_map(|point| point.motion.as_ref());
+    let bodies = network
+        .bodies
+        .iter()
+        .filter_map(|body| body.motion.as_ref());
+    points.chain(bodies.flat_map(|motion| [&motion.place, &motion.angles]))
+}
+
+/// The longest step that sees what is prescribed; error control shortens it where it must.
+fn longest_step(system: &MovingSystem) -> f64 {
+    let bounce = system
+        .scenes
+        .iter()
+        .map(bounce_period)
+        .fold(0.0, f64::max)
+        .max(f64::MIN_POSITIVE);
+    let prescribed = motions(system).filter_map(|motion| motion.longest_step(STEPS_A_PERIOD));
+    prescribed.fold(bounce / STEPS_A_PERIOD, f64::min)
+}
+
+/// Period of a line bouncing along itself \[s\].
+fn bounce_period(scene: &Scene) -> f64 {
+    let line = &scene.line;
+    let compliance: f64 = line
+        .segments
+        .iter()
+        .map(|s| s.axial.length / s.axial.ea)
+        .sum();
+    TAU * (line.mass.iter().sum::<f64>() * compliance).sqrt()
+}
+
+/// Distance \[m\] and speed \[m/s\] that the errors of a step are measured by: of the longest line and its fall by its own length or, where
+/// nothing but prescribed motion disturbs a system at rest, of [`RESPONSE`] times that motion.
+fn motion_scale(system: &MovingSystem, duration: f64) -> (f64, f64) {
+    let network = &system.network;
+    let lengths = network.lines.iter().map(|line| line.length());
+    let length = lengths.fold(1.0, f64::max);
+    let speed = (network.gravity * length).sqrt();
+    let let_go = |line: &crate::system::network::Line| line.releases.iter().any(Option::is_some);
+    if network.lines.iter().any(let_go) {
+        return (length, speed);
+    }
+    let extent = |motion: &EndMotion, arm: f64| {
+        let (far, fast) = motion.extent(duration);
+        (far * arm, fast * arm)
+    };
+    let points = network
+        .points
+        .iter()
+        .filter_map(|point| point.motion.as_ref());
+    let turns = network.bodies.iter().zip(&system.arms);
+    let turns = turns.filter_map(|(body, arm)| Some((body.motion.as_ref()?, *arm)));
+    let moved = points.map(|motion| extent(motion, 1.0)).chain(
+        turns.flat_map(|(motion, arm)| [extent(&motion.place, 1.0), extent(&motion.angles, arm)]),
+    );
+    let (far, fast) = moved.fold((0.0_f64, 0.0_f64), |a, b| (a.0.max(b.0), a.1.max(b.1)));
+    if far <= 0.0 || fast <= 0.0 {
+        return (length, speed);
+    }
+    (length.min(RESPONSE * far), speed.min(RESPONSE * fast))
+}
