@@ -32,7 +32,7 @@ pub(super) fn point_load(network: &Network, point: &FreePoint, x: &V3, v: &V3) -
     load.force = point.load + V3::z() * (point.buoyancy * share - point.weight);
     load.by_position[(2, 2)] += point.buoyancy * by_height;
     load.energy = point.weight * x.z - point.buoyancy * integral - point.load.dot(x);
-    drag(network, point, (x, v), share, &mut load);
+    drag(network, point, (x, v), (share, by_height), &mut load);
     bed(network, point, (x, v), &mut load);
     load
 }
@@ -65,7 +65,7 @@ fn drag(
     network: &Network,
     point: &FreePoint,
     (x, v): (&V3, &V3),
-    share: f64,
+    (share, by_height): (f64, f64),
     load: &mut PointLoad,
 ) {
     if point.drag_area == 0.0 || share == 0.0 {
@@ -86,7 +86,8 @@ fn drag(
     let by_flow = (M3::identity() * speed + turning) * half;
     load.force += force;
     load.by_velocity -= by_flow;
-    load.by_position += by_flow * slope * V3::z().transpose();
+    let by_z = by_flow * slope + force * (by_height / share);
+    load.by_position += by_z * V3::z().transpose();
     load.lost -= force.dot(v);
 }
 
