@@ -226,7 +226,7 @@ impl Maker<'_> {
             break_loads: vec![None; sections.len()],
             sections,
             friction,
-            releases: [None; 2],
+            releases: Default::default(),
             discretised: None,
         });
     }

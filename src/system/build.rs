@@ -11,7 +11,7 @@ use super::model::{
 };
 use super::motion::inputs::{body_motion, point_motion};
 use super::network::{
-    Body, FreePoint, HeadingLoads, Held, Line, Member, Network, Point, WEIGHTLESS, reversed,
+    Body, FreePoint, HeadingLoads, Held, LetGo, Line, Member, Network, Point, WEIGHTLESS, reversed,
     weight, weighted,
 };
 use super::parts::{Part, parts};
@@ -208,7 +208,16 @@ impl Builder<'_> {
                 .map(|part| part.material.break_load_n)
                 .collect(),
             friction: friction.unwrap_or(0.0),
-            releases: [line.release_a_s, line.release_b_s],
+            releases: [
+                LetGo {
+                    time: line.release_a_s,
+                    tension: line.release_a_n,
+                },
+                LetGo {
+                    time: line.release_b_s,
+                    tension: line.release_b_n,
+                },
+            ],
             discretised: None,
         }
     }

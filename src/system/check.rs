@@ -29,6 +29,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(ends(keys, line));
         found.extend(make_up(keys, line));
         found.extend(repeats(line));
+        found.extend(breaks(line));
     }
     let asked = keys
         .offset_curves
@@ -56,6 +57,27 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         quantities::unknown(key, keys)
     }));
     found
+}
+
+/// A break without a place or a cause, or of a line that stands for several.
+fn breaks(line: &LineKeys<'_>) -> Option<Finding> {
+    let caused = line.break_s.is_given() || line.break_n.is_given();
+    if line.break_at_m.is_given() && line.repeat_at_deg.is_given() {
+        let problem = "is not covered for a line that is repeated";
+        return Some(
+            line.break_at_m
+                .finding(problem, "write the line that breaks apart from the others"),
+        );
+    }
+    if line.break_at_m.is_given() && !caused {
+        let remedy = "say when it breaks: add `break_s`, or `break_n`";
+        return Some(line.break_at_m.finding("has no effect by itself", remedy));
+    }
+    if caused {
+        let remedy = "add where it breaks, from its end A: `break_at_m`";
+        return line.break_at_m.if_missing(remedy);
+    }
+    None
 }
 
 /// Motions without a period or without a run in time.

@@ -330,6 +330,16 @@ table! {
         release_a_s: Option<f64>, "release of end A", range of(0.0, 1e6), absent "never";
         /// In motion its end B is let go at this time.
         release_b_s: Option<f64>, "release of end B", range of(0.0, 1e6), absent "never";
+        /// In motion its end A is let go where the tension there comes to this.
+        release_a_n: Option<f64>, "release tension of end A", range positive(1e12), absent "never";
+        /// In motion its end B is let go where the tension there comes to this.
+        release_b_n: Option<f64>, "release tension of end B", range positive(1e12), absent "never";
+        /// Where the line may break in motion, from its end A.
+        break_at_m: Option<f64>, "place of the break", range positive(1e5), absent "it does not break";
+        /// It breaks there at this time.
+        break_s: Option<f64>, "time of the break", range of(0.0, 1e6), absent "not by time";
+        /// It breaks where the tension at that place comes to this.
+        break_n: Option<f64>, "tension of the break", range positive(1e12), absent "not by tension";
     }
     tables {
         /// The sections of the line, from its end A to its end B.

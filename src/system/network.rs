@@ -186,6 +186,23 @@ pub struct HeadingLoads {
     pub loads: Vec<[f64; 3]>,
 }
 
+/// When an end of a line is let go in motion, whichever comes first.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct LetGo {
+    /// At this time \[s\].
+    pub time: Option<f64>,
+    /// Where the tension at the end comes to this \[N\].
+    pub tension: Option<f64>,
+}
+
+impl LetGo {
+    /// Whether it is ever let go.
+    #[must_use]
+    pub fn is_given(&self) -> bool {
+        self.time.is_some() || self.tension.is_some()
+    }
+}
+
 /// A line between two points.
 #[derive(Debug, Clone, Default)]
 pub struct Line {
@@ -205,8 +222,8 @@ pub struct Line {
     pub added_weight: f64,
     /// Axial friction under the line \[-\].
     pub friction: f64,
-    /// When its ends are let go in motion, A first \[s\].
-    pub releases: [Option<f64>; 2],
+    /// When its ends are let go in motion, A first.
+    pub releases: [LetGo; 2],
     /// The line divided into segments, where it has no closed form.
     pub discretised: Option<Arc<DiscretisedLine>>,
 }

@@ -7,6 +7,7 @@ mod analysis;
 mod bodies;
 mod closed_forms;
 mod discretised;
+mod motion;
 mod random;
 mod refusals;
 mod stiffness;

@@ -114,6 +114,9 @@ pub fn report(solved: &SolvedSystem, run: &MotionRun, glyphs: Glyphs) -> String 
     }
     page.heading("In motion");
     page.paragraph(&summary(run));
+    for event in &run.happened {
+        page.hanging("", event);
+    }
     page.table(&channels(run));
     for end in ["|a", "|b"] {
         page.chart(&tensions(run, end), LINES, glyphs);
@@ -168,6 +171,7 @@ pub fn object(run: &MotionRun) -> Value {
         "state": if run.failure.is_some() { "failed" } else { "done" },
         "failure": run.failure,
         "warnings": run.warnings,
+        "events": run.happened,
         "reached_s": work.reached,
         "steps": work.steps,
         "rejections": work.rejections,

@@ -1,5 +1,6 @@
 //! What is recorded of a system in motion.
 
+use super::breaks;
 use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
@@ -32,10 +33,12 @@ impl Channels {
             ids: Vec::new(),
             sources: Vec::new(),
         };
-        for (number, line) in system.network.lines.iter().enumerate() {
+        for number in 0..system.network.lines.len() {
             for (end, word) in ["a", "b"].into_iter().enumerate() {
-                let id = ChannelQuantity::Tension.at(format!("{}|{word}", line.name));
-                channels.add(id, Source::Tension(number, end));
+                if let Some(name) = breaks::name_of_end(system, number, end) {
+                    let id = ChannelQuantity::Tension.at(format!("{name}|{word}"));
+                    channels.add(id, Source::Tension(number, end));
+                }
             }
         }
         for (point, &joint) in system.network.points.iter().zip(&system.joints.points) {

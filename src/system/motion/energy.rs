@@ -30,9 +30,10 @@ pub struct Energy {
 pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &SystemState) -> Energy {
     let mut sum = Energy::default();
     for (scene, line) in system.scenes.iter().zip(&state.lines) {
-        sum.stored += scene.energy(line);
-        sum.power_in += scene.power_of_ends(t, line);
-        sum.lost += scene.dissipation(line);
+        let rates = scene.energy_rates(t, line);
+        sum.stored += rates.energy;
+        sum.power_in += rates.supplied + rates.growth;
+        sum.lost += rates.dissipated;
     }
     for joint in system.joints.free.clone() {
         if let Role::Free(number) = system.joints.roles[joint] {

@@ -71,7 +71,7 @@ impl Joints {
         let mut let_go = vec![[None; 2]; network.lines.len()];
         for (line, ends) in let_go.iter_mut().enumerate() {
             for (end, joint) in ends.iter_mut().enumerate() {
-                if network.lines[line].releases[end].is_some() {
+                if network.lines[line].releases[end].is_given() {
                     *joint = Some(list.roles.len());
                     list.roles.push(Role::LetGo(line, end));
                 }

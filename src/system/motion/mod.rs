@@ -12,6 +12,7 @@
 pub mod alpha;
 pub mod body_equation;
 pub mod border;
+pub mod breaks;
 pub mod channels;
 pub mod energy;
 pub mod inputs;

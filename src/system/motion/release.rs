@@ -3,6 +3,7 @@
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
 use crate::scene::EndCondition;
+use crate::system::network::LetGo;
 
 /// An end of a line that is let go at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,18 +16,40 @@ pub struct Release {
     pub end: usize,
 }
 
-/// All of a system, the earliest first.
+/// Those of a system that a time is given for, the earliest first.
 #[must_use]
-pub fn releases(system: &MovingSystem) -> Vec<Release> {
-    let lines = system.network.lines.iter().enumerate();
-    let mut all: Vec<Release> = lines
-        .flat_map(|(line, given)| {
-            let ends = given.releases.into_iter().enumerate();
-            ends.filter_map(move |(end, time)| time.map(|time| Release { time, line, end }))
-        })
-        .collect();
+pub fn by_time(system: &MovingSystem) -> Vec<Release> {
+    let at = |(line, end, time): (usize, usize, Option<f64>)| {
+        time.map(|time| Release { time, line, end })
+    };
+    let mut all: Vec<Release> = ends(system, |given| given.time).filter_map(at).collect();
     all.sort_by(|one, other| one.time.total_cmp(&other.time));
     all
+}
+
+/// The first end whose tension has come to where it is let go, at this time \[s\].
+#[must_use]
+pub fn by_tension(system: &MovingSystem, state: &SystemState, time: f64) -> Option<Release> {
+    let pulled = |(line, end, limit): (usize, usize, Option<f64>)| {
+        let limit = limit?;
+        let held = system.joints.let_go[line][end] != Some(state.attached[line][end]);
+        let (scene, here) = (&system.scenes[line], &state.lines[line]);
+        let tension = scene.tension_at(end * (here.x.len() - 1), here);
+        (held && tension >= limit).then_some(Release { time, line, end })
+    };
+    ends(system, |given| given.tension).find_map(pulled)
+}
+
+/// The ends of all lines with something of when they are let go.
+fn ends(
+    system: &MovingSystem,
+    of: fn(&LetGo) -> Option<f64>,
+) -> impl Iterator<Item = (usize, usize, Option<f64>)> {
+    let lines = system.network.lines.iter().enumerate();
+    lines.flat_map(move |(line, given)| {
+        let ends = given.releases.iter().enumerate();
+        ends.map(move |(end, given)| (line, end, of(given)))
+    })
 }
 
 impl MovingSystem {
@@ -37,6 +60,9 @@ impl MovingSystem {
             return;
         };
         let from = state.attached[line][end];
+        if from == joint {
+            return;
+        }
         let joints = &mut state.joints;
         joints.x[joint] = joints.x[from];
         joints.v[joint] = joints.v[from];

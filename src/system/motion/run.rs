@@ -4,9 +4,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use super::alpha::SystemAlpha;
+use super::breaks;
 use super::moving_system::MovingSystem;
 use super::recorder::{ChannelSummary, EnergyBalance, Recorder};
-use super::release::{Release, releases};
+use super::release::{Release, by_tension, by_time};
 use super::settings::MotionSettings;
 use super::start::{Start, start};
 use super::system_state::SystemState;
@@ -33,6 +34,8 @@ pub struct MotionRun {
     pub work: MotionWork,
     /// The energy balance.
     pub balance: EnergyBalance,
+    /// What happened to the lines, in words.
+    pub happened: Vec<String>,
     /// Why it ended before its end, if it did.
     pub failure: Option<String>,
     /// What a reader should know.
@@ -190,13 +193,16 @@ fn compute(
     system.commit(0.0, 0.0, &mut state);
     let bodies = method.bodies().to_vec();
     recorder.accept(&system, &bodies, 0.0, &state);
-    let mut events = releases(&system).into_iter().peekable();
+    let mut happened = Vec::new();
+    let mut events = by_time(&system).into_iter().peekable();
     while failure.is_none() && !march.is_over(&place) {
         let until = events.peek().map_or(f64::INFINITY, |event| event.time);
+        let mut pulled = None;
         let mut sink = |instant: AcceptedStep<'_, SystemState>| {
             recorder.accept(&system, &bodies, instant.time, instant.state);
             progress(instant.time);
-            match cancel.load(Ordering::Relaxed) {
+            pulled = by_tension(&system, instant.state, instant.time);
+            match pulled.is_some() || cancel.load(Ordering::Relaxed) {
                 true => Progressing::Stop,
                 false => Progressing::Continue,
             }
@@ -211,14 +217,22 @@ fn compute(
         );
         match going {
             Err(error) => failure = Some(march_in_words(&system, &error)),
-            Ok(Progressing::Stop) => failure = Some("it was stopped".to_owned()),
-            Ok(Progressing::Continue) => {}
+            Ok(Progressing::Stop) if pulled.is_none() => {
+                failure = Some("it was stopped".to_owned())
+            }
+            Ok(_) => {}
+        }
+        if let Some(event) = pulled {
+            release(&mut system, &mut method, event, &mut state);
+            recorder.jump(&system, &bodies, event.time, &state);
+            happened.push(in_time(&system, event));
         }
         while failure.is_none()
             && let Some(event) = events.next_if(|event| march.is_at(&place, event.time))
         {
             release(&mut system, &mut method, event, &mut state);
             recorder.jump(&system, &bodies, place.time, &state);
+            happened.push(in_time(&system, event));
         }
     }
     recorder.end();
@@ -235,7 +249,20 @@ fn compute(
         seconds: clock.elapsed().as_secs_f64(),
         reached: place.time,
     };
-    result(recorder, settings, work, failure)
+    MotionRun {
+        happened,
+        ..result(recorder, settings, work, failure)
+    }
+}
+
+/// What happened to an end, in words.
+fn in_time(system: &MovingSystem, event: Release) -> String {
+    let line = &system.network.lines[event.line].name;
+    let end = ["A", "B"][event.end];
+    if breaks::is_first(system, event.line) && event.end == 1 {
+        return format!("{:.6} s: line {line} breaks", event.time);
+    }
+    format!("{:.6} s: end {end} of line {line} is let go", event.time)
 }
 
 /// Lets an end go, and starts the method anew.
@@ -270,6 +297,7 @@ fn result(
         rows: recorder.rows,
         work,
         balance: recorder.balance,
+        happened: Vec::new(),
         failure,
         warnings: Vec::new(),
     }

@@ -1,6 +1,7 @@
 //! The start of a run in time: the divided lines at rest between points and bodies at rest.
 
 use super::border::Border;
+use super::breaks;
 use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
@@ -17,6 +18,8 @@ use crate::system::rest::{UnsolvedSystem, not_divided, rest_from};
 const MOST_ITERATIONS: usize = 60;
 /// Greatest displacement of an iteration by the length of the longest line.
 const LONGEST_ITERATION: f64 = 0.05;
+/// Stiffness that everything has, by that of a pendulum of that length.
+const LEAST_STIFFNESS: f64 = 1e-8;
 /// Displacement that counts as none, by the same length.
 const SETTLED: f64 = 1e-11;
 /// The same where the iteration no longer comes nearer: rounding.
@@ -43,10 +46,11 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
         let segments = line.segments.unwrap_or(SEGMENTS);
         line.segments = Some(segments.div_ceil(coarsening));
     }
+    let file = breaks::written_out(&file);
     let none = AgedParts::new();
     let parts = solved.age.as_ref().map_or(&none, |age| &age.parts);
     let mut network = build(&file, parts, Divided::All).map_err(not_divided)?;
-    let mut placement = solved.rest.placement.clone();
+    let mut placement = breaks::placed(solved, &network);
     for (point, place) in network.points.iter_mut().zip(&mut placement.points) {
         if let Some(motion) = &point.motion {
             *place = motion.at(0.0).0;
@@ -121,18 +125,19 @@ fn still(state: &mut SystemState) {
 
 /// Newton's method at rest.
 fn settle(system: &MovingSystem, state: &mut SystemState) -> Result<u64, NewtonError> {
-    const STATICS: Factors = Factors {
-        mass: 0.0,
+    let lengths = system.network.lines.iter().map(|line| line.length());
+    let size = lengths.fold(1.0, f64::max);
+    // What nothing holds, as the spin of a buoy on one line, stays where it is.
+    let statics = Factors {
+        mass: LEAST_STIFFNESS * system.network.gravity.max(1.0) / size,
         damping: 0.0,
         stiffness: 1.0,
     };
-    let lengths = system.network.lines.iter().map(|line| line.length());
-    let size = lengths.fold(1.0, f64::max);
     let mut border = Border::new(system, state);
     let mut convergence = Convergence::new(SETTLED * size, None);
     let mut last = (0, f64::INFINITY);
     for made in 1..=MOST_ITERATIONS {
-        border.solve(system, 0.0, state, STATICS)?;
+        border.solve(system, 0.0, state, statics)?;
         last = border.greatest(system)?;
         let share = (LONGEST_ITERATION * size / last.1).min(1.0);
         for (number, part) in state.parts_mut().enumerate() {

@@ -1,0 +1,176 @@
+//! Lines that may break: in motion they are two lines from the start, joined by a point without mass that the break parts.
+
+use super::moving_system::MovingSystem;
+use crate::system::SolvedSystem;
+use crate::system::freedoms::Placement;
+use crate::system::model::{LineInputs, LineSection, PointInputs, PointKind, SystemFile};
+use crate::system::network::{Held, Network};
+
+/// What the name of the second part of a line ends in, and of the point between both. No name in a file has a blank.
+const SECOND: &str = " beyond the break";
+const BETWEEN: &str = " at the break";
+
+/// The file with every line that may break written as two.
+#[must_use]
+pub fn written_out(file: &SystemFile) -> SystemFile {
+    let mut whole = file.clone();
+    whole.lines.clear();
+    for line in &file.lines {
+        let Some((first, second)) = parted(line) else {
+            whole.lines.push(line.clone());
+            continue;
+        };
+        whole.points.insert(first.to.clone(), between());
+        whole.lines.extend([first, second]);
+    }
+    whole
+}
+
+/// Both parts of a line; nothing where it does not break within its length.
+fn parted(line: &LineInputs) -> Option<(LineInputs, LineInputs)> {
+    let at = line.break_at_m?;
+    let sections = sections(line);
+    let whole: f64 = sections.iter().map(|section| section.length_m).sum();
+    if at >= whole || (line.break_s.is_none() && line.break_n.is_none()) {
+        return None;
+    }
+    let (mut before, mut after) = (Vec::new(), Vec::new());
+    let mut arc = 0.0;
+    for section in sections {
+        let end = arc + section.length_m;
+        if end <= at {
+            before.push(section);
+        } else if arc >= at {
+            after.push(section);
+        } else {
+            before.push(LineSection {
+                length_m: at - arc,
+                clump_kg: 0.0,
+                ..section.clone()
+            });
+            after.push(LineSection {
+                length_m: end - at,
+                ..section
+            });
+        }
+        arc = end;
+    }
+    let segments = line
+        .segments
+        .unwrap_or(crate::system::discretised::SEGMENTS) as f64;
+    let share = |part: f64| {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a count of segments, bounded by the file"
+        )]
+        let count = (segments * part / whole).round().max(2.0) as usize;
+        Some(count)
+    };
+    let part = |name: String, sections: Vec<LineSection>, length: f64| LineInputs {
+        name,
+        material: None,
+        length_m: None,
+        segments: share(length),
+        sections,
+        break_at_m: None,
+        break_s: None,
+        break_n: None,
+        ..line.clone()
+    };
+    let middle = format!("{}{BETWEEN}", line.name);
+    let first = LineInputs {
+        to: middle.clone(),
+        release_b_s: line.break_s,
+        release_b_n: line.break_n,
+        ..part(line.name.clone(), before, at)
+    };
+    let second = LineInputs {
+        from: middle,
+        release_a_s: None,
+        release_a_n: None,
+        ..part(format!("{}{SECOND}", line.name), after, whole - at)
+    };
+    Some((first, second))
+}
+
+fn sections(line: &LineInputs) -> Vec<LineSection> {
+    if !line.sections.is_empty() {
+        return line.sections.clone();
+    }
+    let one = line.material.clone().zip(line.length_m);
+    one.map(|(material, length_m)| LineSection {
+        material,
+        length_m,
+        clump_kg: 0.0,
+    })
+    .into_iter()
+    .collect()
+}
+
+/// The point between both parts.
+fn between() -> PointInputs {
+    PointInputs {
+        kind: PointKind::Free,
+        position_m: None,
+        body: None,
+        mass_kg: 0.0,
+        volume_m3: 0.0,
+        added_mass_kg: 0.0,
+        drag_area_m2: 0.0,
+        load_n: [0.0; 3],
+        amplitude_m: [0.0; 3],
+        period_s: None,
+        phase_deg: [0.0; 3],
+        ramp_s: 0.0,
+    }
+}
+
+/// Where everything is at rest in the system written out: what it has in common with the one solved, by name, and points at
+/// breaks on their lines.
+#[must_use]
+pub fn placed(solved: &SolvedSystem, network: &Network) -> Placement {
+    let at_rest = &solved.rest.placement;
+    let points = network.points.iter().map(|point| {
+        if let Some(known) = solved.network.point(&point.name) {
+            return at_rest.points[known];
+        }
+        at_break(solved, &point.name).unwrap_or_else(|| match point.held {
+            Held::At(place) => place,
+            _ => crate::numerics::V3::zeros(),
+        })
+    });
+    Placement {
+        points: points.collect(),
+        bodies: at_rest.bodies.clone(),
+    }
+}
+
+/// The place on its line of a point at a break.
+fn at_break(solved: &SolvedSystem, point: &str) -> Option<crate::numerics::V3> {
+    let name = point.strip_suffix(BETWEEN)?;
+    let given = solved.file.lines.iter().find(|line| line.name == name)?;
+    let index = solved.network.line(name)?;
+    let line = &solved.network.lines[index];
+    let places = &solved.rest.placement.points;
+    let ends = [&places[line.from], &places[line.to]];
+    let share = given.break_at_m? / line.length();
+    Some(solved.rest.balance.lines[index].at(share, ends).0)
+}
+
+/// Whether a line is the part of a broken one before the break.
+#[must_use]
+pub fn is_first(system: &MovingSystem, line: usize) -> bool {
+    let to = system.network.lines[line].to;
+    system.network.points[to].name.contains(BETWEEN)
+}
+
+/// The name under which an end of a line is known: the end B of a line that may break is that of its second part. Nothing for the
+/// ends at the break.
+#[must_use]
+pub fn name_of_end(system: &MovingSystem, line: usize, end: usize) -> Option<String> {
+    let name = &system.network.lines[line].name;
+    let second = name.contains(SECOND);
+    let at_break = (second && end == 0) || (end == 1 && is_first(system, line));
+    (!at_break).then(|| name.replace(SECOND, ""))
+}

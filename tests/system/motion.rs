@@ -1,0 +1,316 @@
+//! Systems in motion: against single lines, closed forms and conservation, orders of convergence.
+
+use std::sync::atomic::AtomicBool;
+
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use seacable::dynamics::{Stepper, TimeStep};
+use seacable::solve::{Marched, State};
+use seacable::system::motion::body_equation::MovingBody;
+use seacable::system::motion::run::{MotionRun, run};
+use seacable::system::motion::{MovingSystem, SystemAlpha, SystemState};
+use seacable::system::network::{Body, Network};
+use seacable::system::pose::Pose;
+
+use crate::{HEAD, solved};
+
+type V3 = Vector3<f64>;
+
+/// A system run in time.
+fn moved(text: &str) -> MotionRun {
+    let system = solved(&format!("{HEAD}{text}"));
+    let given = system.file.solver.clone().unwrap();
+    let run = run(&system, &given, &AtomicBool::new(false), &mut |_| {}).unwrap();
+    assert_eq!(run.failure, None);
+    run
+}
+
+/// The values of a channel.
+fn channel<'a>(run: &'a MotionRun, name: &str) -> &'a [f64] {
+    let index = run.channels.iter().position(|c| c.id.to_string() == name);
+    &run.rows[index.unwrap()]
+}
+
+const WIRE: &str = "
+[materials.wire]
+mass_kg_per_m = 20.0
+diameter_m = 0.06
+ea_n = 1e8
+drag_normal = 1.2
+drag_tangential = 0.01
+added_mass_normal = 1.0
+axial_damping_n_s = 1e5
+";
+
+fn solver(duration: f64, step: f64) -> String {
+    format!(
+        "[solver]\nduration_s = {duration}\ntime_step_s = {step:?}\nposition_tolerance_m = 1e-10\nerror_estimate = false\n\
+         [output]\ninterval_s = 0.25\n"
+    )
+}
+
+#[test]
+fn a_line_in_two_parts_moves_as_one() {
+    let head = format!(
+        "{WIRE}
+        [points.top]\nkind = \"moved\"\nposition_m = [60.0, 0.0, 0.0]\namplitude_m = [1.0, 0.5, 2.0]\nperiod_s = [9.0, 11.0, 7.0]\nramp_s = 5.0
+        [points.bottom]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -100.0]
+        {}",
+        solver(20.0, 0.05)
+    );
+    let whole = moved(&format!(
+        "{head}[[lines]]\nname = \"one\"\nfrom = \"bottom\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 130.0\nsegments = 26\n"
+    ));
+    let halves = moved(&format!(
+        "{head}[points.middle]\nkind = \"free\"
+        [[lines]]\nname = \"low\"\nfrom = \"bottom\"\nto = \"middle\"\nmaterial = \"wire\"\nlength_m = 50.0\nsegments = 10
+        [[lines]]\nname = \"high\"\nfrom = \"middle\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 80.0\nsegments = 16\n"
+    ));
+    for (one, other) in [
+        ("tension_n[one|a]", "tension_n[low|a]"),
+        ("tension_n[one|b]", "tension_n[high|b]"),
+    ] {
+        let pairs = channel(&whole, one).iter().zip(channel(&halves, other));
+        for (one, other) in pairs {
+            assert!((one - other).abs() < 1e-6 * one.abs(), "{one} {other}");
+        }
+    }
+    let both = ["tension_n[low|b]", "tension_n[high|a]"].map(|name| channel(&halves, name));
+    for (low, high) in both[0].iter().zip(both[1]) {
+        // Forces balance between the steps, and at their ends to second order.
+        assert!((low - high).abs() < 1e-4 * low, "{low} {high}");
+    }
+}
+
+/// A manifold on a bridle, hung from a heaving top.
+fn bridle(step: f64) -> MotionRun {
+    moved(&format!(
+        "{WIRE}
+        [points.top]\nkind = \"moved\"\nposition_m = [0.0, 0.0, 0.0]\namplitude_m = [0.5, 0.0, 1.0]\nperiod_s = 8.0\nramp_s = 8.0
+        [points.junction]\nkind = \"free\"\nmass_kg = 300.0
+        [points.fore]\nkind = \"body\"\nbody = \"manifold\"\nposition_m = [3.0, 0.0, 1.0]
+        [points.aft]\nkind = \"body\"\nbody = \"manifold\"\nposition_m = [-3.0, 0.2, 1.0]
+        [bodies.manifold]\nkind = \"free\"\nposition_m = [0.0, 0.0, -60.0]\nmass_kg = 2e4\ninertia_kg_m2 = [3e4, 1e5, 1e5]
+        volume_m3 = 2.5\nadded_mass = [5e3, 8e3, 1e4, 1e4, 2e4, 2e4]\ndrag_area_m2 = [6.0, 8.0, 12.0]
+        quadratic_damping = [0.0, 0.0, 0.0, 1e4, 4e4, 4e4]
+        [[lines]]\nname = \"lift\"\nfrom = \"junction\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 50.0\nsegments = 10
+        [[lines]]\nname = \"fore\"\nfrom = \"fore\"\nto = \"junction\"\nmaterial = \"wire\"\nlength_m = 8.0\nsegments = 4
+        [[lines]]\nname = \"aft\"\nfrom = \"aft\"\nto = \"junction\"\nmaterial = \"wire\"\nlength_m = 8.1\nsegments = 4
+        {}",
+        solver(16.0, step)
+    ))
+}
+
+#[test]
+fn a_body_on_a_bridle_is_of_second_order_in_time() {
+    let runs = [0.04, 0.02, 0.01].map(bridle);
+    for name in ["tension_n[lift|b]", "z_m[manifold]", "pitch_deg[manifold]"] {
+        let [coarse, middle, fine] = [0, 1, 2].map(|k| channel(&runs[k], name));
+        let off = |one: &[f64], other: &[f64]| {
+            let each = one.iter().zip(other).map(|(a, b)| (a - b).powi(2));
+            each.sum::<f64>().sqrt()
+        };
+        let order = (off(coarse, middle) / off(middle, fine)).log2();
+        assert!((1.8..2.4).contains(&order), "{name}: {order}");
+    }
+}
+
+#[test]
+fn the_energy_of_a_body_on_a_bridle_balances() {
+    let drifts = [0.04, 0.02].map(|step| bridle(step).balance.relative_drift());
+    assert!(drifts[1] < 1e-3, "{drifts:?}");
+    assert!(drifts[1] < 0.4 * drifts[0], "{drifts:?}");
+}
+
+/// A body alone in empty space, spinning.
+fn spinning(inertia: V3, spin: V3) -> (MovingSystem, SystemState) {
+    let network = Network {
+        bodies: vec![Body {
+            name: "body".to_owned(),
+            free: true,
+            mass: 1.0,
+            inertia: Matrix3::from_diagonal(&inertia),
+            ..Body::default()
+        }],
+        ..Network::default()
+    };
+    let system = MovingSystem::new(network, Vec::new());
+    let mut joints = State::at_rest(vec![V3::zeros(); 2]);
+    joints.v[1] = spin;
+    let state = SystemState {
+        lines: Vec::new(),
+        joints,
+        bases: vec![UnitQuaternion::identity()],
+        attached: Vec::new(),
+    };
+    (system, state)
+}
+
+fn spin_energy(system: &MovingSystem, state: &SystemState) -> f64 {
+    let body = MovingBody::new(&system.network, 0, &Pose::default());
+    body.kinetic_energy(&system.body(state, 0))
+}
+
+#[test]
+fn a_spinning_body_keeps_its_energy() {
+    // 200 steps a turn about the middle axis, which is unstable.
+    let step = std::f64::consts::TAU / 200.0;
+    let (system, mut state) = spinning(V3::new(1.0, 2.0, 3.0), V3::new(0.01, 1.0, 0.01));
+    let before = spin_energy(&system, &state);
+    let mut method = SystemAlpha::new(&system, &state, 0.4, 1e-13, 30);
+    method.accelerate(&system, 0.0, &mut state).unwrap();
+    let mut worst = 0.0_f64;
+    for k in 0..100_000 {
+        let at = TimeStep {
+            t: k as f64 * step,
+            dt: step,
+            reject: false,
+        };
+        method.step(&system, at, &mut state).unwrap();
+        system.commit(at.t + step, step, &mut state);
+        let norm = state.bases[0].as_ref().norm();
+        assert!((norm - 1.0).abs() < 1e-12);
+        worst = worst.max((spin_energy(&system, &state) / before - 1.0).abs());
+    }
+    assert!(worst < 3e-3, "{worst}");
+}
+
+/// Where a spinning body points after a time, in this many steps.
+fn turned(steps: usize) -> UnitQuaternion<f64> {
+    let step = 4.0 / steps as f64;
+    let (system, mut state) = spinning(V3::new(1.0, 2.0, 3.0), V3::new(0.6, 0.8, 0.3));
+    let mut method = SystemAlpha::new(&system, &state, 0.4, 1e-13, 30);
+    method.accelerate(&system, 0.0, &mut state).unwrap();
+    for k in 0..steps {
+        let at = TimeStep {
+            t: k as f64 * step,
+            dt: step,
+            reject: false,
+        };
+        method.step(&system, at, &mut state).unwrap();
+        system.commit(at.t + step, step, &mut state);
+    }
+    state.bases[0]
+}
+
+#[test]
+fn rotations_are_of_second_order_in_time() {
+    let [coarse, middle, fine] = [100, 200, 400].map(turned);
+    let order = (coarse.angle_to(&middle) / middle.angle_to(&fine)).log2();
+    assert!((1.9..2.1).contains(&order), "{order}");
+}
+
+#[test]
+fn an_end_that_is_let_go_falls_and_its_energy_balances() {
+    let run = moved(&format!(
+        "{WIRE}
+        [points.top]\nkind = \"fixed\"\nposition_m = [60.0, 0.0, 0.0]
+        [points.bottom]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -50.0]
+        [[lines]]\nname = \"one\"\nfrom = \"bottom\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 85.0\nsegments = 20\nrelease_a_s = 2.0
+        [solver]\nduration_s = 30.0\nerror_estimate = false\n[output]\ninterval_s = 0.25\n"
+    ));
+    let (a, b) = (
+        channel(&run, "tension_n[one|a]"),
+        channel(&run, "tension_n[one|b]"),
+    );
+    assert!(a[4] > 500.0, "{}", a[4]);
+    assert!(a[12..].iter().all(|tension| tension.abs() < 0.05 * b[0]));
+    // It hangs straight down in the end, by its weight in water.
+    let weight = 85.0 * (20.0 - 1025.0 * 0.25 * std::f64::consts::PI * 0.06 * 0.06) * 9.80665;
+    assert!(
+        (b.last().unwrap() / weight - 1.0).abs() < 0.02,
+        "{:?}",
+        b.last()
+    );
+    assert!(run.balance.relative_drift() < 5e-3, "{:?}", run.balance);
+}
+
+#[test]
+fn a_moored_body_decays_with_its_natural_period() {
+    // Pulled aside by a line that is let go.
+    let text = format!(
+        "{HEAD}
+        [materials.line]\nmass_kg_per_m = 1.0\ndiameter_m = 0.02\nea_n = 2e5
+        [bodies.buoy]\nkind = \"free\"\nmass_kg = 5e4\ninertia_kg_m2 = [2e5, 2e5, 2e5]\nvolume_m3 = 60.0
+        centre_of_buoyancy_m = [0.0, 0.0, 0.5]\nwaterplane_stiffness = [0.0, 0.0, 0.0, 1e6, 1e6, 0.0]\nposition_m = [0.0, 0.0, -10.0]
+        [points.low]\nkind = \"body\"\nbody = \"buoy\"\nposition_m = [0.0, 0.0, 0.0]
+        [points.anchor]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -110.0]
+        [points.aside]\nkind = \"fixed\"\nposition_m = [102.0, 0.0, -10.0]
+        [[lines]]\nname = \"tether\"\nfrom = \"anchor\"\nto = \"low\"\nmaterial = \"line\"\nlength_m = 70.0\nsegments = 10
+        [[lines]]\nname = \"tug\"\nfrom = \"aside\"\nto = \"low\"\nmaterial = \"line\"\nlength_m = 100.0\nsegments = 10\nrelease_b_s = 1.0
+        {}",
+        solver(120.0, 0.05)
+    );
+    let system = solved(&text);
+    let given = system.file.solver.clone().unwrap();
+    let run = run(&system, &given, &AtomicBool::new(false), &mut |_| {}).unwrap();
+    assert_eq!(run.failure, None);
+    // A pendulum upside down: tension over length and mass, that of the tether counted by a third.
+    let t = channel(&run, "tension_n[tether|b]");
+    let (z, x) = (channel(&run, "z_m[buoy]"), channel(&run, "x_m[buoy]"));
+    let n = t.len();
+    let mean = |list: &[f64]| list[n / 2..].iter().sum::<f64>() / (n - n / 2) as f64;
+    let mass = 5e4 + 70.0 / 3.0;
+    let period = std::f64::consts::TAU * (mass * (mean(z) + 110.0) / mean(t)).sqrt();
+    let crossings: Vec<f64> = (n / 10..n)
+        .filter(|k| x[k - 1] < 0.0 && x[*k] >= 0.0)
+        .map(|k| run.time[k - 1] - x[k - 1] / (x[k] - x[k - 1]) * 0.25)
+        .collect();
+    let cycles = (crossings.len() - 1) as f64;
+    let found = (crossings.last().unwrap() - crossings[0]) / cycles;
+    assert!((found / period - 1.0).abs() < 0.01, "{found} {period}");
+}
+
+#[test]
+fn a_line_breaks_where_its_tension_comes_to_the_limit() {
+    let line = |more: &str| {
+        moved(&format!(
+            "{WIRE}
+            [points.top]\nkind = \"moved\"\nposition_m = [0.0, 0.0, 0.0]\namplitude_m = [0.0, 0.0, 2.0]\nperiod_s = 6.0\nramp_s = 6.0
+            [points.weight]\nkind = \"free\"\nmass_kg = 2e3\nvolume_m3 = 0.3\ndrag_area_m2 = 1.0
+            [[lines]]\nname = \"wire\"\nfrom = \"weight\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 60.0\nsegments = 12\n{more}
+            [solver]\nduration_s = 12.0\nerror_estimate = false\n[output]\ninterval_s = 0.1\n"
+        ))
+    };
+    let whole = line("");
+    assert!(whole.happened.is_empty());
+    let greatest = channel(&whole, "tension_n[wire|b]")
+        .iter()
+        .copied()
+        .fold(0.0, f64::max);
+    // Just above the weight of the lower part by what heave adds.
+    let broken = line("break_at_m = 20.0\nbreak_n = 2.2e4");
+    assert_eq!(broken.happened.len(), 1, "{:?}", broken.happened);
+    assert!(broken.happened[0].ends_with("line wire breaks"));
+    let time: f64 = broken.happened[0]
+        .split(' ')
+        .next()
+        .unwrap()
+        .parse()
+        .unwrap();
+    let (b, a) = (
+        channel(&broken, "tension_n[wire|b]"),
+        channel(&broken, "tension_n[wire|a]"),
+    );
+    // The same until then; after it the top bears what is left of the line, and the weight falls.
+    for (k, (whole, broken)) in channel(&whole, "tension_n[wire|b]")
+        .iter()
+        .zip(b)
+        .enumerate()
+    {
+        if (k as f64) * 0.1 < time - 0.1 {
+            assert!(
+                (whole - broken).abs() < 2e-3 * greatest,
+                "{k} {whole} {broken}"
+            );
+        }
+    }
+    assert!(*b.last().unwrap() < 0.5 * greatest);
+    assert!(a.last().unwrap().abs() < 0.5 * a[0]);
+    assert!(
+        broken.balance.relative_drift() < 0.01,
+        "{:?}",
+        broken.balance
+    );
+    let by_time = line("break_at_m = 20.0\nbreak_s = 3.0");
+    assert_eq!(by_time.happened, ["3.000000 s: line wire breaks"]);
+}
