@@ -106,6 +106,7 @@ pub const ROPEWAYS: &[Shipped] = &[
 pub const SYSTEMS: &[Shipped] = &[
     shipped!("systems/aged_chains.toml"),
     shipped!("systems/bridle_and_buoy.toml"),
+    shipped!("systems/bridle_in_heave.toml"),
     shipped!("systems/crows_foot.toml"),
     shipped!("systems/oc3_free.toml"),
     shipped!("systems/oc3_spar.toml"),

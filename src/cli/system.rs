@@ -46,7 +46,7 @@ pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
     }
     if args.out.is_some() {
         return Err(CommandError::Usage(
-            "Systems of lines at rest do not take --out: the report is printed, not kept; redirect the output.".to_owned(),
+            "Systems of lines do not take --out: one at rest is printed, not kept; redirect the output.".to_owned(),
         ));
     }
     let analyses = Analyses::of(&solved);

@@ -61,6 +61,8 @@ impl FileKind for SystemFile {
         rows.extend(lister.named("goals", "goal"));
         rows.extend(lister.named("offset_curves", "offset curve"));
         rows.extend(lister.named("watch_circles", "watch circle"));
+        rows.extend(lister.if_given(&["solver"], "solver"));
+        rows.extend(lister.if_given(&["output"], "output"));
         rows.extend(lister.if_given(&["ageing"], "ageing"));
         for of in ["growth", "corrosion"] {
             rows.extend(ageing(lister, of));

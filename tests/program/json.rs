@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use assert_cmd::Command;
+use predicates::prelude::PredicateBooleanExt;
 use predicates::str::contains;
 use serde_json::Value;
 
@@ -234,4 +235,79 @@ fn refusals_end_with_a_status_and_a_message() {
         .assert()
         .code(2)
         .stderr(contains("No body of the system has a mass"));
+}
+
+const BRIDLE: &str = include_str!("../../cases/systems/bridle_in_heave.toml");
+
+#[test]
+fn a_system_in_motion_as_json_and_kept() {
+    let dir = folder();
+    std::fs::write(dir.path().join("bridle.toml"), BRIDLE).unwrap();
+    let words = ["run", "bridle.toml", "--json", "--out", "kept", "--set"];
+    let system = printed(
+        dir.path(),
+        &[&words[..], &["solver.duration_s=20"]].concat(),
+    );
+    fits(&system, "system");
+    let motion = &system["motion"];
+    fits(motion, "motion");
+    assert_eq!(motion["state"], "done");
+    assert_eq!(motion["directory"], "kept");
+    let channels = motion["channels"].as_array().unwrap();
+    let upper = channels
+        .iter()
+        .find(|c| c["name"] == "tension_n[upper|b]")
+        .unwrap();
+    fits(upper, "motion_channel");
+    let greatest = upper["greatest"].as_f64().unwrap();
+    let error = |which: &str| upper[which][1].as_f64().unwrap();
+    // As MoorDyn's, whose greatest is 69.18 kN.
+    assert!(
+        (greatest - 69.18e3).abs() < 0.1e3 + error("time_errors") + error("mesh_errors"),
+        "{upper}"
+    );
+    let history = std::fs::read_to_string(dir.path().join("kept/history.csv")).unwrap();
+    let mut rows = history.lines();
+    let names: Vec<&str> = rows.next().unwrap().split(',').collect();
+    assert_eq!(
+        names[..3],
+        ["time_s", "tension_n[upper|a]", "tension_n[upper|b]"]
+    );
+    assert!(names.contains(&"z_m[clump]"));
+    assert_eq!(rows.clone().count(), 201);
+    let last: Vec<f64> = rows
+        .next_back()
+        .unwrap()
+        .split(',')
+        .map(|n| n.parse().unwrap())
+        .collect();
+    assert_eq!(last.len(), names.len());
+    assert!((last[0] - 20.0).abs() < 1e-9);
+    for file in ["case.toml", "report.txt", "results.json"] {
+        assert!(dir.path().join("kept").join(file).exists(), "{file}");
+    }
+    seacable(dir.path())
+        .args(["run", "bridle.toml", "--out", "kept"])
+        .assert()
+        .code(2)
+        .stderr(contains("already holds files"));
+}
+
+#[test]
+fn what_moves_without_a_period_is_refused() {
+    let dir = folder();
+    let still = BRIDLE.replace("period_s = 8.0\n", "");
+    std::fs::write(dir.path().join("bridle.toml"), still).unwrap();
+    seacable(dir.path())
+        .args(["run", "bridle.toml"])
+        .assert()
+        .code(2)
+        .stderr(contains("period_s").and(contains("add the period of its motion")));
+    let broken = BRIDLE.replace("name = \"left\"\n", "name = \"left\"\nbreak_n = 1e5\n");
+    std::fs::write(dir.path().join("bridle.toml"), broken).unwrap();
+    seacable(dir.path())
+        .args(["run", "bridle.toml"])
+        .assert()
+        .code(2)
+        .stderr(contains("break_at_m"));
 }

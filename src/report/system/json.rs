@@ -43,6 +43,7 @@ pub fn object(solved: &SolvedSystem, analyses: &Analyses) -> Value {
             "comes_to": sought.as_ref().ok().map(|sought| sought.result),
             "refused": sought.as_ref().err(),
         })).collect::<Vec<_>>(),
+        "motion": null,
         "residual_n": rest.residual,
         "steps": rest.steps,
         "evaluations": rest.evaluations,

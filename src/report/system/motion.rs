@@ -180,6 +180,7 @@ pub fn object(run: &MotionRun) -> Value {
         "energy_lost_j": balance.lost,
         "energy_stored_j": balance.stored,
         "energy_drift_j": balance.drift(),
+        "directory": null,
         "channels": run.channels.iter().map(channel).collect::<Vec<_>>(),
     })
 }

@@ -28,7 +28,12 @@ pub struct EnergyBalance {
     pub lost: f64,
     /// Stored at the end more than at the start.
     pub stored: f64,
+    /// All that passed through: work and losses without their signs, and [`AT_REST`] of the greatest energy.
+    pub passed: f64,
 }
+
+/// Share of the energy itself that counts as passed through: in a system at rest rounding is all that does.
+const AT_REST: f64 = 1e-6;
 
 impl EnergyBalance {
     /// What does not balance \[J\].
@@ -37,11 +42,10 @@ impl EnergyBalance {
         self.stored - self.put_in + self.lost
     }
 
-    /// The same by the greatest of its parts \[-\].
+    /// The same by all that passed through \[-\].
     #[must_use]
     pub fn relative_drift(&self) -> f64 {
-        let size = self.put_in.abs().max(self.lost.abs());
-        self.drift().abs() / size.max(self.stored.abs()).max(f64::MIN_POSITIVE)
+        self.drift().abs() / self.passed.max(f64::MIN_POSITIVE)
     }
 }
 
@@ -70,6 +74,8 @@ pub struct Recorder {
     /// The energy balance so far.
     pub balance: EnergyBalance,
     energy_at_start: f64,
+    greatest_energy: f64,
+    passed: f64,
 }
 
 impl Recorder {
@@ -95,6 +101,8 @@ impl Recorder {
             last_energy: Energy::default(),
             balance: EnergyBalance::default(),
             energy_at_start: 0.0,
+            greatest_energy: 0.0,
+            passed: 0.0,
         }
     }
 
@@ -194,11 +202,15 @@ impl Recorder {
             None => self.energy_at_start = now.stored,
             Some(before) => {
                 let half = 0.5 * (t - before.time);
+                let size = |energy: &Energy| energy.power_in.abs() + energy.lost.abs();
+                self.passed += half * (size(now) + size(&self.last_energy));
                 self.balance.put_in += half * (now.power_in + self.last_energy.power_in);
                 self.balance.lost += half * (now.lost + self.last_energy.lost);
                 self.balance.stored = now.stored - self.energy_at_start;
             }
         }
+        self.greatest_energy = self.greatest_energy.max(now.stored.abs());
+        self.balance.passed = self.passed + AT_REST * self.greatest_energy;
         self.last_energy = *now;
     }
 
