@@ -29,11 +29,7 @@ pub(super) fn vary(args: &VaryArgs) -> Result<ExitCode, CommandError> {
     let stop = StopFlag::listen()?;
     let root = (!args.no_store).then(|| Path::new(store::DEFAULT_ROOT));
     let outcomes = compute(variation.requests(), root, &stop);
-    let view = VariationView {
-        variation: &variation,
-        outcomes: &outcomes,
-        results: &results,
-    };
+    let view = VariationView::of_case(&variation, &outcomes, &results);
     let mut tables = view.tables(output::page_width(args.page.width));
     let stored = outcomes
         .iter()
