@@ -124,6 +124,7 @@ pub const SYSTEMS: &[Shipped] = &[
     shipped!("systems/single_chain.toml"),
     shipped!("systems/slack_chain.toml"),
     shipped!("systems/three_chains.toml"),
+    shipped!("systems/tripod.toml"),
     shipped!("systems/volturnus.toml"),
     shipped!("systems/volturnus_free.toml"),
     shipped!("systems/w_shape.toml"),
