@@ -1,6 +1,7 @@
 //! The points of a variation as a table, as CSV and as charts.
 
 mod outcome;
+mod system;
 
 pub use outcome::{PointView, ResultColumn, ResultView};
 
@@ -211,7 +212,9 @@ impl VariationView<'_> {
             let bar = result.bar.unwrap_or([f64::NAN; 2]);
             [(*x, bar[0]), (*x, bar[1]), (*x, f64::NAN)]
         });
-        series.push(Series::new("error bars", 1, bars.collect()));
+        if found.iter().any(|(_, result)| result.bar.is_some()) {
+            series.push(Series::new("error bars", 1, bars.collect()));
+        }
         let of = &self.results[place];
         Chart::new(
             format!("{} against {}", of.name, key.path),
