@@ -1,6 +1,6 @@
 //! The results of a system by name: `tension_n[LINE|b]`, `z_m[POINT]`, `stiffness[BODY|11]`.
 
-use super::analysis::clearance::between_lines;
+use super::analysis::clearance::{boxed, nearest_line};
 use super::analysis::periods::periods;
 use super::loads;
 use super::model::SystemKeys;
@@ -187,12 +187,10 @@ pub fn main_results(solved: &SolvedSystem) -> Vec<String> {
 }
 
 fn clearance(solved: &SolvedSystem, line: usize) -> Result<f64, String> {
-    let pairs = between_lines(&solved.network, &solved.rest);
-    let mut with = pairs
-        .iter()
-        .filter(|pair| pair.lines.0 == line || pair.lines.1 == line);
+    let curves = boxed(&solved.network, &solved.rest);
+    let nearest = nearest_line(&solved.network, &curves, line);
     let alone = || "Every other line shares a point with it.".to_owned();
-    with.next().map(|pair| pair.distance_m).ok_or_else(alone)
+    nearest.map(|(_, distance)| distance).ok_or_else(alone)
 }
 
 /// The period of this number, those that do not end left out, or the longest that is mostly of a part and a direction; nothing

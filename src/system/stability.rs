@@ -68,10 +68,10 @@ fn above(stiffness: &EnvelopeMatrix, shift: f64) -> Option<EnvelopeCholesky> {
 const BISECTIONS: usize = 40;
 const SOLUTIONS: usize = 8;
 
-/// The unknown that moves most in the eigenvector of the least eigenvalue, which is below that of most of the diagonal.
+/// The unknown that moves most in the eigenvector of the least eigenvalue; `most` is the greatest number on the diagonal.
 fn softest(stiffness: &EnvelopeMatrix, most: f64) -> usize {
     let n = stiffness.size();
-    // The shift below the eigenvalue, by its distance from one above it.
+    // Shifts below the eigenvalue and not below it.
     let mut low = -most;
     let mut factors = above(stiffness, low);
     while factors.is_none() && low.is_finite() {
