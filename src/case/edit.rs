@@ -177,6 +177,15 @@ pub fn get(text: &str, key_path: &str) -> Option<String> {
 ///
 /// The case has no such key; the remedy names the one that was probably meant.
 pub fn field(text: &str, key_path: &str) -> Result<&'static Field, Diagnostic> {
+    field_by(&CASE, text, key_path)
+}
+
+/// The field of a key path of a file with this schema.
+pub(super) fn field_by(
+    schema: &'static Schema,
+    text: &str,
+    key_path: &str,
+) -> Result<&'static Field, Diagnostic> {
     let root = tree_of(text).map_err(|_| {
         let problem = "stands in a file that is not TOML".to_owned();
         refusal(
@@ -187,13 +196,13 @@ pub fn field(text: &str, key_path: &str) -> Result<&'static Field, Diagnostic> {
         )
     })?;
     let found = split(key_path).and_then(|parts| {
-        let field = field_of(&CASE, &root, &parts)?;
+        let field = field_of(schema, &root, &parts)?;
         let (_, table) = parts.split_last()?;
         let by_name = table.len() > 1 || field.table().contains('*');
         (!by_name || root.find(table).is_some()).then_some(field)
     });
     found.ok_or_else(|| {
-        let (problem, remedy) = unknown_path(&CASE, &root, key_path);
+        let (problem, remedy) = unknown_path(schema, &root, key_path);
         refusal(key_path, "", problem, remedy)
     })
 }

@@ -6,8 +6,9 @@
 use std::path::{Path, PathBuf};
 
 use super::diagnostic::Diagnostic;
-use super::edit::put_all;
+use super::edit::{field_by, put_all};
 use super::edited::{self, EditedKey, Origin};
+use super::fields::Field;
 pub use super::file_kind::FileContent;
 use super::file_kind::{FileKind, errors};
 use super::read::{checked, diagnose, text_of};
@@ -97,6 +98,15 @@ pub fn edited_rows<K: FileKind>(text: &str, before: &str) -> (Vec<FieldRow>, Vec
     );
     edited::mark(&mut rows, &keys);
     (rows, keys)
+}
+
+/// The field of a key path of a file.
+///
+/// # Errors
+///
+/// The file has no such key; the remedy names the one that was probably meant.
+pub fn field<K: FileKind>(text: &str, key_path: &str) -> Result<&'static Field, Diagnostic> {
+    field_by(K::schema(), text, key_path)
 }
 
 /// The text with one key set to a value as a user types it: a TOML value, or a bare word where the key takes words.

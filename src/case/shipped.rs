@@ -17,6 +17,8 @@ pub const SHIPPED: &[Shipped] = &[
     shipped!("basics/mooring_static.toml"),
     shipped!("basics/pendulum.toml"),
     shipped!("basics/steep_wave.toml"),
+    shipped!("benchmarks/beam_cantilevered.toml"),
+    shipped!("benchmarks/beam_simply_supported.toml"),
     shipped!("benchmarks/current_across.toml"),
     shipped!("benchmarks/current_along.toml"),
     shipped!("benchmarks/elastica.toml"),
@@ -76,6 +78,7 @@ pub const SHIPPED: &[Shipped] = &[
     shipped!("pendulous/module_rotating.toml"),
     shipped!("ropeway/crossing.toml"),
     shipped!("umbilical/catenary.toml"),
+    shipped!("umbilical/power_cable_80m.toml"),
     shipped!("umbilical/steep_wave.toml"),
 ];
 
@@ -107,16 +110,25 @@ pub const SYSTEMS: &[Shipped] = &[
     shipped!("systems/aged_chains.toml"),
     shipped!("systems/bridle_and_buoy.toml"),
     shipped!("systems/bridle_in_heave.toml"),
+    shipped!("systems/buoy_and_clump.toml"),
+    shipped!("systems/chain_and_rope.toml"),
     shipped!("systems/crows_foot.toml"),
+    shipped!("systems/lazy_wave.toml"),
+    shipped!("systems/line_beside_body.toml"),
+    shipped!("systems/line_on_body.toml"),
     shipped!("systems/oc3_free.toml"),
     shipped!("systems/oc3_spar.toml"),
     shipped!("systems/oc4_free.toml"),
     shipped!("systems/oc4_semi.toml"),
     shipped!("systems/semi_taut.toml"),
     shipped!("systems/shared_line.toml"),
+    shipped!("systems/single_chain.toml"),
+    shipped!("systems/slack_chain.toml"),
     shipped!("systems/three_chains.toml"),
+    shipped!("systems/tripod.toml"),
     shipped!("systems/volturnus.toml"),
     shipped!("systems/volturnus_free.toml"),
+    shipped!("systems/w_shape.toml"),
 ];
 
 /// The files that come with the program, by kind.

@@ -164,7 +164,7 @@ pub(super) enum StudyArgs {
     /// `--vary KEY=A..B/N` takes N values from A to B in even steps, `A..B/Nlog` in even ratios, `KEY=a,b,c` the values listed; each with a
     /// unit where it is not that of the key (`line.wire.length_m=0.1..0.5 km/3`). Given twice, all combinations are computed. Runs are
     /// computed side by side, one for each core, and stored below `runs`. A point that fails says why and stops no other; the exit status
-    /// is then 1.
+    /// is then 1. A system of lines is solved at each point, and not stored; `--result` takes the names that `study seek` takes.
     Vary(VaryArgs),
     /// Rank the inputs of a case by their effect on a result: each varied alone by its tolerance, up and down.
     ///

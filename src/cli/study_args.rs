@@ -31,7 +31,8 @@ pub(super) struct VaryArgs {
     #[arg(long, value_name = "KEY=VALUES", required = true)]
     pub(super) vary: Vec<String>,
 
-    /// A result to show, by its name in the summary of a run, such as tension_n.max; may be repeated. By default the main results.
+    /// A result to show, by its name in the summary of a run, such as tension_n.max, or of a system, such as tension_n[mooring|b]; may be
+    /// repeated. By default the main results.
     #[arg(long, value_name = "NAME")]
     pub(super) result: Vec<String>,
 

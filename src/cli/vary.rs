@@ -1,21 +1,28 @@
-//! `seacable study vary`: a case over ranges of its keys.
+//! `seacable study vary`: a case or a system of lines over ranges of its keys.
 
 use std::{path::Path, process::ExitCode, sync::Mutex};
 
 use super::{
-    BAD_RESULT, CommandError,
+    BAD_RESULT, CommandError, cases,
     output::{self, OutputFile},
     progress,
     signals::StopFlag,
     study_args::VaryArgs,
     study_page::{base_case, print, results},
 };
+use crate::case::kind;
+use crate::kinds::FileType;
+use crate::report::table::Table;
 use crate::report::variation::VariationView;
 use crate::run::store;
-use crate::study::points::{self, PointOutcome, PointRequest};
-use crate::study::vary::Variation;
+use crate::study::points::{self, BaseCase, PointOutcome, PointRequest};
+use crate::study::vary::{self, Variation};
+use crate::system::{SystemFile, quantities};
 
 pub(super) fn vary(args: &VaryArgs) -> Result<ExitCode, CommandError> {
+    if FileType::of(&args.case.file) == FileType::System {
+        return system(args);
+    }
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(
         args.page.table.output.as_deref(),
@@ -29,11 +36,7 @@ pub(super) fn vary(args: &VaryArgs) -> Result<ExitCode, CommandError> {
     let stop = StopFlag::listen()?;
     let root = (!args.no_store).then(|| Path::new(store::DEFAULT_ROOT));
     let outcomes = compute(variation.requests(), root, &stop);
-    let view = VariationView {
-        variation: &variation,
-        outcomes: &outcomes,
-        results: &results,
-    };
+    let view = VariationView::of_case(&variation, &outcomes, &results);
     let mut tables = view.tables(output::page_width(args.page.width));
     let stored = outcomes
         .iter()
@@ -46,13 +49,58 @@ pub(super) fn vary(args: &VaryArgs) -> Result<ExitCode, CommandError> {
         last.notes
             .push(format!("{stored} runs are stored below {root}."));
     }
-    print(
-        "vary",
-        &args.page,
-        file.as_ref(),
-        (&tables, &view.csv_table()),
-        &view.charts(),
-    )?;
+    shown(args, file.as_ref(), (&view, &tables), &stop)
+}
+
+/// `seacable study vary` on a system of lines, whose equilibria are not stored.
+fn system(args: &VaryArgs) -> Result<ExitCode, CommandError> {
+    let path = &args.case.file;
+    let inputs = [path.clone()];
+    let table = &args.page.table;
+    let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
+    let loaded = kind::load::<SystemFile>(path).map_err(CommandError::invalid_file(path))?;
+    let (text, solved) =
+        kind::set_and_compute::<SystemFile>(&loaded.text, &cases::edits(&args.case.set)?)
+            .map_err(CommandError::invalid(&loaded.text))?;
+    let results = match args.result.is_empty() {
+        true => quantities::main_results(&solved),
+        false => args.result.clone(),
+    };
+    if let Some(why) = results
+        .iter()
+        .find_map(|name| quantities::value(&solved, name).err())
+    {
+        return Err(CommandError::Usage(format!("--result: {why}")));
+    }
+    let base = BaseCase {
+        text,
+        path: path.display().to_string(),
+        overrides: args.case.set.clone(),
+    };
+    let variation = Variation::of_system(base, &args.vary)
+        .map_err(|error| CommandError::Usage(error.to_string()))?;
+    let stop = StopFlag::listen()?;
+    let line = Mutex::new(progress::ProgressLine::new());
+    let outcomes = vary::system::compute(&variation, &results, stop.cancel(), &|done, of| {
+        if let Ok(mut line) = line.lock() {
+            line.show(&format!("{done} of {of} points computed"));
+        }
+    });
+    drop(line);
+    let view = VariationView::of_system(&variation, &outcomes, &results);
+    let tables = view.tables(output::page_width(args.page.width));
+    shown(args, file.as_ref(), (&view, &tables), &stop)
+}
+
+/// Prints a variation; the exit status says whether all of it was computed.
+fn shown(
+    args: &VaryArgs,
+    file: Option<&OutputFile<'_>>,
+    (view, tables): (&VariationView<'_>, &[Table]),
+    stop: &StopFlag,
+) -> Result<ExitCode, CommandError> {
+    let tables_and_csv = (tables, &view.csv_table());
+    print("vary", &args.page, file, tables_and_csv, &view.charts())?;
     if let Some(status) = stop.status() {
         output::message("Stopped before all points were computed.");
         return Ok(status);

@@ -1,43 +1,235 @@
-//! Cholesky's factors of a symmetric, positive definite matrix within its envelope: from the first number of each row that is not
-//! zero to the diagonal. Numbered from neighbour to neighbour, the work of a chain or net of unknowns grows in proportion to their
-//! number (George and Liu, *Computer Solution of Large Sparse Positive Definite Systems*, 1981, chapter 4).
+//! Matrices of unknowns that are coupled to few others, within their envelope: of each row and each column what lies between its first
+//! coupling and the diagonal. Numbered from neighbour to neighbour, storage and work of a chain or a net of unknowns grow in
+//! proportion to their number (George and Liu, *Computer Solution of Large Sparse Positive Definite Systems*, 1981, chapter 4).
 
 use std::collections::VecDeque;
+use std::sync::Arc;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Dim, Matrix, RawStorage};
 
-/// The factors of a matrix in an order of its unknowns.
+/// The first unknown that each one is coupled to.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct EnvelopeShape {
+    first: Vec<usize>,
+    /// Where each row begins among the numbers kept, and their count.
+    starts: Vec<usize>,
+}
+
+impl EnvelopeShape {
+    /// The shape by the first coupling of each row, its own number where there is none before it.
+    #[must_use]
+    pub fn new(first: Vec<usize>) -> Self {
+        let mut starts = Vec::with_capacity(first.len() + 1);
+        let mut count = 0;
+        starts.push(0);
+        for (row, first) in first.iter().enumerate() {
+            count += row + 1 - first;
+            starts.push(count);
+        }
+        Self { first, starts }
+    }
+
+    fn len(&self) -> usize {
+        self.first.len()
+    }
+
+    /// The first column of a row, and where its numbers stand.
+    fn row(&self, row: usize) -> (usize, std::ops::Range<usize>) {
+        (self.first[row], self.starts[row]..self.starts[row + 1])
+    }
+}
+
+/// A square matrix within an envelope that is symmetric in shape.
+#[derive(Debug, Clone)]
+pub struct EnvelopeMatrix {
+    shape: Arc<EnvelopeShape>,
+    /// Rows up to the diagonal.
+    lower: Vec<f64>,
+    /// Columns down to the diagonal, which is in both.
+    upper: Vec<f64>,
+}
+
+/// Backward error by row of a solution that is as good as one with rows exchanged.
+const SOLVED: f64 = 1e-12;
+
+impl EnvelopeMatrix {
+    /// Nothing but zeros.
+    #[must_use]
+    pub fn zeros(shape: &Arc<EnvelopeShape>) -> Self {
+        let count = shape.starts[shape.len()];
+        Self {
+            shape: Arc::clone(shape),
+            lower: vec![0.0; count],
+            upper: vec![0.0; count],
+        }
+    }
+
+    /// Rows, and columns.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.shape.len()
+    }
+
+    /// Adds to a number within the envelope.
+    pub fn add(&mut self, row: usize, column: usize, value: f64) {
+        let place = |long: usize, short: usize| {
+            let (first, numbers) = self.shape.row(long);
+            numbers.start + short - first
+        };
+        if row >= column {
+            self.lower[place(row, column)] += value;
+        }
+        if row <= column {
+            self.upper[place(column, row)] += value;
+        }
+    }
+
+    /// Adds a block within the envelope, its first number at this row and column.
+    pub fn add_block<R: Dim, C: Dim, S: RawStorage<f64, R, C>>(
+        &mut self,
+        row: usize,
+        column: usize,
+        block: &Matrix<f64, R, C, S>,
+    ) {
+        for (j, values) in block.column_iter().enumerate() {
+            for (i, value) in values.iter().enumerate() {
+                self.add(row + i, column + j, *value);
+            }
+        }
+    }
+
+    /// The diagonal.
+    #[must_use]
+    pub fn diagonal(&self) -> DVector<f64> {
+        let ends = self.shape.starts.iter().skip(1).map(|end| end - 1);
+        DVector::from_iterator(self.size(), ends.map(|end| self.lower[end]))
+    }
+
+    /// A column.
+    #[must_use]
+    pub fn column(&self, column: usize) -> DVector<f64> {
+        let mut unit = DVector::zeros(self.size());
+        unit[column] = 1.0;
+        self.times(&unit)
+    }
+
+    /// The share of its greatest number by which the matrix differs from its symmetric part.
+    #[must_use]
+    pub fn asymmetry(&self) -> f64 {
+        let (mut odd, mut even) = (0.0_f64, 0.0_f64);
+        for (below, above) in self.lower.iter().zip(&self.upper) {
+            odd = odd.max((below - above).abs());
+            even = even.max((below + above).abs());
+        }
+        if even > 0.0 { odd / even } else { 0.0 }
+    }
+
+    /// Multiplies rows and columns by these numbers.
+    pub fn scale(&mut self, by: &DVector<f64>) {
+        self.each(|row, column| by[row] * by[column]);
+    }
+
+    /// Lets the unknowns that are held stand for themselves, with this number on the diagonal.
+    pub fn hold(&mut self, held: &[bool], diagonal: f64) {
+        if !held.contains(&true) {
+            return;
+        }
+        self.each(|row, column| f64::from(!held[row] && !held[column]));
+        for row in (0..self.size()).filter(|row| held[*row]) {
+            self.add(row, row, diagonal);
+        }
+    }
+
+    fn each(&mut self, factor: impl Fn(usize, usize) -> f64) {
+        for row in 0..self.size() {
+            let (first, numbers) = self.shape.row(row);
+            for (column, at) in (first..).zip(numbers) {
+                let factor = factor(row, column);
+                self.lower[at] *= factor;
+                self.upper[at] *= factor;
+            }
+        }
+    }
+
+    /// The product with a vector.
+    #[must_use]
+    pub fn times(&self, vector: &DVector<f64>) -> DVector<f64> {
+        self.product(vector, |value| value)
+    }
+
+    fn product(&self, vector: &DVector<f64>, value: fn(f64) -> f64) -> DVector<f64> {
+        let mut product = DVector::zeros(self.size());
+        for row in 0..self.size() {
+            let (first, numbers) = self.shape.row(row);
+            for (column, at) in (first..row).zip(numbers.clone()) {
+                product[row] += value(self.lower[at]) * vector[column];
+                product[column] += value(self.upper[at]) * vector[row];
+            }
+            product[row] += value(self.lower[numbers.end - 1]) * vector[row];
+        }
+        product
+    }
+
+    /// All of it.
+    #[must_use]
+    pub fn dense(&self) -> DMatrix<f64> {
+        let mut dense = DMatrix::zeros(self.size(), self.size());
+        for row in 0..self.size() {
+            let (first, numbers) = self.shape.row(row);
+            for (column, at) in (first..).zip(numbers) {
+                dense[(row, column)] = self.lower[at];
+                dense[(column, row)] = self.upper[at];
+            }
+        }
+        dense
+    }
+
+    /// Solutions for right-hand sides: by factors without exchange of rows, or densely where these lose digits. Nothing for a
+    /// singular matrix.
+    #[must_use]
+    pub fn solve(&self, rights: &[DVector<f64>]) -> Option<Vec<DVector<f64>>> {
+        let factors = EnvelopeLu::new(self);
+        let plain = factors.and_then(|factors| {
+            let solve = |right| Some(factors.solve(right)).filter(|x| self.is_solved(x, right));
+            rights.iter().map(solve).collect()
+        });
+        plain.or_else(|| {
+            let factors = self.dense().lu();
+            rights.iter().map(|right| factors.solve(right)).collect()
+        })
+    }
+
+    fn is_solved(&self, solution: &DVector<f64>, right: &DVector<f64>) -> bool {
+        let left = self.times(solution);
+        let terms = self.product(&solution.abs(), f64::abs);
+        (0..self.size())
+            .all(|row| (left[row] - right[row]).abs() <= SOLVED * (terms[row] + right[row].abs()))
+    }
+}
+
+/// Cholesky's factors of the symmetric part of a matrix.
 #[derive(Debug, Clone)]
 pub struct EnvelopeCholesky {
-    order: Vec<usize>,
-    /// First column of each row.
-    first: Vec<usize>,
-    /// Rows from there to the diagonal.
-    rows: Vec<Vec<f64>>,
+    shape: Arc<EnvelopeShape>,
+    lower: Vec<f64>,
 }
 
 impl EnvelopeCholesky {
-    /// Factors `matrix` plus a diagonal, its unknowns taken in this order; nothing where it is not positive definite. The upper
-    /// triangle is not read.
+    /// Factors the symmetric part plus a diagonal; nothing where it is not positive definite.
     #[must_use]
-    pub fn new(matrix: &DMatrix<f64>, diagonal: &DVector<f64>, order: &[usize]) -> Option<Self> {
-        let n = order.len();
-        let mut first = Vec::with_capacity(n);
-        let mut rows: Vec<Vec<f64>> = Vec::with_capacity(n);
-        for i in 0..n {
-            let entry = |j: usize| matrix[(order[i].max(order[j]), order[i].min(order[j]))];
-            let from = (0..i).find(|j| entry(*j) != 0.0).unwrap_or(i);
-            let mut row: Vec<f64> = (from..=i).map(entry).collect();
-            row[i - from] += diagonal[order[i]];
+    pub fn new(matrix: &EnvelopeMatrix, diagonal: &DVector<f64>) -> Option<Self> {
+        let shape = Arc::clone(&matrix.shape);
+        let both = matrix.lower.iter().zip(&matrix.upper);
+        let mut lower: Vec<f64> = both.map(|(below, above)| 0.5 * (below + above)).collect();
+        for i in 0..shape.len() {
+            let (from, numbers) = shape.row(i);
+            let (done, rest) = lower.split_at_mut(numbers.start);
+            let row = &mut rest[..numbers.len()];
+            row[i - from] += diagonal[i];
             for j in from..i {
-                let (other, start): (&Vec<f64>, usize) = (&rows[j], first[j]);
-                let common = start.max(from);
-                let dot: f64 = row[common - from..j - from]
-                    .iter()
-                    .zip(&other[common - start..j - start])
-                    .map(|(a, b)| a * b)
-                    .sum();
-                row[j - from] = (row[j - from] - dot) / other[j - start];
+                let (start, others) = shape.row(j);
+                let dot = common((row, from), (&done[others.clone()], start), j);
+                row[j - from] = (row[j - from] - dot) / done[others.end - 1];
             }
             let squares: f64 = row[..i - from].iter().map(|v| v * v).sum();
             let pivot = row[i - from] - squares;
@@ -45,44 +237,106 @@ impl EnvelopeCholesky {
                 return None;
             }
             row[i - from] = pivot.sqrt();
-            first.push(from);
-            rows.push(row);
         }
-        Some(Self {
-            order: order.to_vec(),
-            first,
-            rows,
-        })
+        Some(Self { shape, lower })
     }
 
     /// The solution for a right-hand side.
     #[must_use]
     pub fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
-        let n = self.order.len();
-        let mut x: Vec<f64> = self.order.iter().map(|k| right[*k]).collect();
-        for i in 0..n {
-            let (from, row) = (self.first[i], &self.rows[i]);
-            let dot: f64 = row[..i - from]
-                .iter()
-                .zip(&x[from..i])
-                .map(|(a, b)| a * b)
-                .sum();
+        let mut x = right.clone();
+        for i in 0..self.shape.len() {
+            let (from, numbers) = self.shape.row(i);
+            let row = &self.lower[numbers];
+            let dot: f64 = (from..i).zip(row).map(|(j, factor)| factor * x[j]).sum();
             x[i] = (x[i] - dot) / row[i - from];
         }
-        for i in (0..n).rev() {
-            let (from, row) = (self.first[i], &self.rows[i]);
+        for i in (0..self.shape.len()).rev() {
+            let (from, numbers) = self.shape.row(i);
+            let row = &self.lower[numbers];
             x[i] /= row[i - from];
             let found = x[i];
-            for (value, factor) in x[from..i].iter_mut().zip(row) {
-                *value -= factor * found;
+            for (j, factor) in (from..i).zip(row) {
+                x[j] -= factor * found;
             }
         }
-        let mut solution = DVector::zeros(n);
-        for (k, value) in self.order.iter().zip(x) {
-            solution[*k] = value;
-        }
-        solution
+        x
     }
+}
+
+/// Factors of a matrix without exchange of rows: rows of L, whose diagonal is 1, and columns of U.
+struct EnvelopeLu {
+    shape: Arc<EnvelopeShape>,
+    lower: Vec<f64>,
+    upper: Vec<f64>,
+}
+
+impl EnvelopeLu {
+    /// The factors; nothing where a pivot vanishes.
+    fn new(matrix: &EnvelopeMatrix) -> Option<Self> {
+        let shape = Arc::clone(&matrix.shape);
+        let (mut lower, mut upper) = (matrix.lower.clone(), matrix.upper.clone());
+        for i in 0..shape.len() {
+            let (from, numbers) = shape.row(i);
+            let (rows, rest) = lower.split_at_mut(numbers.start);
+            let row = &mut rest[..numbers.len()];
+            let (columns, rest) = upper.split_at_mut(numbers.start);
+            let column = &mut rest[..numbers.len()];
+            for j in from..i {
+                let (start, others) = shape.row(j);
+                let pivot = columns[others.end - 1];
+                let dot = common((row, from), (&columns[others.clone()], start), j);
+                row[j - from] = (row[j - from] - dot) / pivot;
+                let dot = common((column, from), (&rows[others], start), j);
+                column[j - from] -= dot;
+            }
+            let dot: f64 = row[..i - from]
+                .iter()
+                .zip(&*column)
+                .map(|(a, b)| a * b)
+                .sum();
+            column[i - from] -= dot;
+            let pivot = column[i - from];
+            if pivot == 0.0 || !pivot.is_finite() {
+                return None;
+            }
+        }
+        Some(Self {
+            shape,
+            lower,
+            upper,
+        })
+    }
+
+    fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
+        let mut x = right.clone();
+        for i in 0..self.shape.len() {
+            let (from, numbers) = self.shape.row(i);
+            let row = &self.lower[numbers];
+            let dot: f64 = (from..i).zip(row).map(|(j, factor)| factor * x[j]).sum();
+            x[i] -= dot;
+        }
+        for i in (0..self.shape.len()).rev() {
+            let (from, numbers) = self.shape.row(i);
+            let column = &self.upper[numbers];
+            x[i] /= column[i - from];
+            let found = x[i];
+            for (j, factor) in (from..i).zip(column) {
+                x[j] -= factor * found;
+            }
+        }
+        x
+    }
+}
+
+/// The product of two rows, each with its first column, before a column.
+fn common((row, from): (&[f64], usize), (other, start): (&[f64], usize), end: usize) -> f64 {
+    let begin = from.max(start);
+    let (row, other) = (
+        &row[begin - from..end - from],
+        &other[begin - start..end - start],
+    );
+    row.iter().zip(other).map(|(a, b)| a * b).sum()
 }
 
 /// Nodes numbered from neighbour to neighbour, beginning with one of the fewest neighbours (Cuthill and McKee 1969), in reverse.
@@ -112,42 +366,133 @@ pub fn from_neighbour_to_neighbour(neighbours: &[Vec<usize>]) -> Vec<usize> {
     order
 }
 
+/// Where each node's unknowns begin when they are numbered from neighbour to neighbour, nodes of `sizes` unknowns, and the shape of
+/// their matrix.
+#[must_use]
+pub fn number(neighbours: &[Vec<usize>], sizes: &[usize]) -> (Vec<usize>, EnvelopeShape) {
+    let order = from_neighbour_to_neighbour(neighbours);
+    let mut begins = vec![0; sizes.len()];
+    let mut count = 0;
+    for node in &order {
+        begins[*node] = count;
+        count += sizes[*node];
+    }
+    let mut first = Vec::with_capacity(count);
+    for node in order {
+        let own = begins[node];
+        let coupled = neighbours[node].iter().map(|other| begins[*other]);
+        let least = coupled.fold(own, usize::min);
+        first.extend((0..sizes[node]).map(|_| least));
+    }
+    (begins, EnvelopeShape::new(first))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::numerics::random::Random;
 
-    #[test]
-    fn the_solution_solves_the_matrix_in_any_order() {
+    /// A ring of nodes of three and six unknowns with a hub, diagonal numbers as given.
+    fn ring(nodes: usize, diagonal: f64, oblique: f64) -> EnvelopeMatrix {
+        let hub = nodes;
+        let mut neighbours = vec![Vec::new(); nodes + 1];
+        for node in 0..nodes {
+            for other in [(node + 1) % nodes, hub] {
+                neighbours[node].push(other);
+                neighbours[other].push(node);
+            }
+        }
+        let sizes: Vec<usize> = (0..=nodes)
+            .map(|node| if node % 3 == 0 { 6 } else { 3 })
+            .collect();
+        let (begins, shape) = number(&neighbours, &sizes);
+        let mut matrix = EnvelopeMatrix::zeros(&Arc::new(shape));
         let mut random = Random::new(3, 0);
-        let n = 24;
-        let mut half = DMatrix::from_fn(n, n, |_, _| random.uniform() - 0.5);
-        for i in 0..n {
-            for j in 0..n {
-                if i.abs_diff(j) > 3 {
-                    half[(i, j)] = 0.0;
+        for node in 0..=nodes {
+            for other in neighbours[node].iter().chain([&node]) {
+                for row in begins[node]..begins[node] + sizes[node] {
+                    for column in begins[*other]..begins[*other] + sizes[*other] {
+                        let value = random.uniform() - 0.5;
+                        matrix.add(row, column, value);
+                        matrix.add(column, row, value * (1.0 - oblique));
+                    }
                 }
             }
         }
-        let matrix = &half * half.transpose() + DMatrix::identity(n, n) * 0.1;
-        let right = DVector::from_fn(n, |_, _| random.uniform());
-        let neighbours: Vec<Vec<usize>> = (0..n)
-            .map(|i| {
-                (0..n)
-                    .filter(|j| *j != i && matrix[(i, *j)] != 0.0)
-                    .collect()
-            })
-            .collect();
-        let plain: Vec<usize> = (0..n).collect();
-        for order in [plain, from_neighbour_to_neighbour(&neighbours)] {
-            let factors = EnvelopeCholesky::new(&matrix, &DVector::zeros(n), &order).unwrap();
-            let x = factors.solve(&right);
-            assert!((&matrix * x - &right).amax() < 1e-10);
+        for row in 0..matrix.size() {
+            matrix.add(row, row, diagonal);
         }
-        let indefinite = &matrix - DMatrix::identity(n, n) * 10.0;
-        assert!(
-            EnvelopeCholesky::new(&indefinite, &DVector::zeros(n), &(0..n).collect::<Vec<_>>())
-                .is_none()
-        );
+        matrix
+    }
+
+    fn right(n: usize) -> DVector<f64> {
+        let mut random = Random::new(4, 0);
+        DVector::from_fn(n, |_, _| random.uniform())
+    }
+
+    #[test]
+    fn factors_solve_what_the_dense_matrix_solves() {
+        let matrix = ring(12, 40.0, 0.0);
+        let b = right(matrix.size());
+        let expected = matrix.dense().lu().solve(&b).unwrap();
+        let added = DVector::zeros(b.len());
+        let cholesky = EnvelopeCholesky::new(&matrix, &added).unwrap().solve(&b);
+        assert!((cholesky - &expected).amax() < 1e-13);
+        assert!((matrix.times(&expected) - &b).amax() < 1e-12);
+        let oblique = ring(12, 40.0, 0.7);
+        assert!(oblique.asymmetry() > 1e-3 && matrix.asymmetry() < 1e-15);
+        let expected = oblique.dense().lu().solve(&b).unwrap();
+        let found = oblique.solve(std::slice::from_ref(&b)).unwrap().remove(0);
+        assert!((found - expected).amax() < 1e-13);
+    }
+
+    #[test]
+    fn an_indefinite_matrix_has_no_cholesky_factors_and_is_still_solved() {
+        let mut matrix = ring(12, 0.0, 0.7);
+        let diagonal = matrix.diagonal();
+        matrix.add(0, 0, -diagonal[0]);
+        let b = right(matrix.size());
+        assert!(EnvelopeCholesky::new(&matrix, &DVector::zeros(b.len())).is_none());
+        let found = matrix.solve(std::slice::from_ref(&b)).unwrap().remove(0);
+        assert!((matrix.times(&found) - &b).amax() < 1e-10);
+    }
+
+    #[test]
+    fn unknowns_that_are_held_stand_for_themselves() {
+        let mut matrix = ring(5, 40.0, 0.3);
+        let n = matrix.size();
+        let free = matrix.dense();
+        let held: Vec<bool> = (0..n).map(|k| k % 4 == 1).collect();
+        matrix.hold(&held, 2.0);
+        let dense = matrix.dense();
+        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+            let expected = match (held[i] || held[j], i == j) {
+                (true, true) => 2.0,
+                (true, false) => 0.0,
+                (false, _) => free[(i, j)],
+            };
+            assert_eq!(dense[(i, j)], expected);
+        }
+    }
+
+    #[test]
+    fn the_envelope_of_a_chain_and_of_a_star_grows_with_their_size() {
+        let kept = |neighbours: &[Vec<usize>]| {
+            let (_, shape) = number(neighbours, &vec![3; neighbours.len()]);
+            *shape.starts.last().unwrap()
+        };
+        let chain = |n: usize| -> Vec<Vec<usize>> {
+            let near = |k: usize| [k.checked_sub(1), (k + 1 < n).then_some(k + 1)];
+            (0..n)
+                .map(|k| near(k).into_iter().flatten().collect())
+                .collect()
+        };
+        let star = |n: usize| -> Vec<Vec<usize>> {
+            let mut all = vec![vec![0]; n];
+            all[0] = (1..n).collect();
+            all
+        };
+        assert!(kept(&chain(400)) <= 15 * 400);
+        assert!(kept(&star(400)) <= 20 * 400);
     }
 }

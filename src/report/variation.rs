@@ -1,53 +1,40 @@
 //! The points of a variation as a table, as CSV and as charts.
 
+mod outcome;
+mod system;
+
+pub use outcome::{PointView, ResultColumn, ResultView};
+
+use std::ops::Range;
+
 use super::chart::{Axis, AxisScale, Chart, GridMap, Series};
-use super::comparison::result_text;
 use super::number::duration;
 use super::table::{Align, Cell, CellStyle, LineKind, Table};
-use crate::case::{QuantityId, StudyValue};
+use crate::case::StudyValue;
 use crate::number::si;
-use crate::run::Quantity;
-use crate::study::points::{Point, PointOutcome};
+use crate::study::points::Point;
 use crate::study::vary::{Spacing, Variation, VariedKey};
 
 /// Curves of a chart, at most; a finer grid is drawn as a map.
 const MOST_CURVES: usize = 6;
 
 /// A variation with what became of its points and the results of interest.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct VariationView<'a> {
-    /// What was computed.
-    pub variation: &'a Variation,
-    /// What became of each point; absent for those that did not begin.
-    pub outcomes: &'a [Option<PointOutcome>],
+    variation: &'a Variation,
     /// The results shown.
-    pub results: &'a [QuantityId],
+    results: Vec<ResultColumn>,
+    /// What became of each point.
+    outcomes: Vec<PointView>,
+    /// Whether the points are runs, which have a cost and may be stored.
+    runs: bool,
 }
 
 /// A point with its number.
 struct PointRow<'a> {
     number: usize,
     point: &'a Point,
-    outcome: Option<&'a PointOutcome>,
-}
-
-impl PointRow<'_> {
-    fn result(&self, id: &QuantityId) -> Option<&Quantity> {
-        self.outcome?.as_ref().ok()?.result(id)
-    }
-
-    /// Why there is no result; none where there is one.
-    fn reason(&self) -> Option<(&'static str, String)> {
-        match self.outcome {
-            None => Some(("STOPPED", "it was stopped before it began".to_owned())),
-            Some(Err(why)) => Some(("REFUSED", why.clone())),
-            Some(Ok(run)) => run.failure().map(|why| ("FAILED", why.to_owned())),
-        }
-    }
-
-    fn cpu_s(&self) -> Option<f64> {
-        Some(self.outcome?.as_ref().ok()?.info.cost.cpu_s)
-    }
+    outcome: &'a PointView,
 }
 
 impl VariationView<'_> {
@@ -57,7 +44,7 @@ impl VariationView<'_> {
             .map(|(index, point)| PointRow {
                 number: index + 1,
                 point,
-                outcome: self.outcomes.get(index).and_then(Option::as_ref),
+                outcome: &self.outcomes[index],
             })
             .collect()
     }
@@ -65,21 +52,20 @@ impl VariationView<'_> {
     /// Whether every point has come to its end.
     #[must_use]
     pub fn is_complete(&self) -> bool {
-        self.rows().iter().all(|row| row.reason().is_none())
+        self.outcomes.iter().all(|point| point.reason.is_none())
     }
 
     /// A row a point: the values of the keys, the results with their errors, state and CPU time; a note for each point that failed.
     #[must_use]
     pub fn table(&self) -> Table {
         let rows = self.rows();
-        let notes = rows
-            .iter()
-            .filter_map(|row| Some((row.number, row.reason()?.1)));
-        let notes: Vec<String> = notes
-            .map(|(number, why)| format!("[{number}] {why}"))
-            .collect();
-        let unestimated = self.unestimated(&rows);
-        self.part(&rows, self.results, true)
+        let notes = rows.iter().filter_map(|row| {
+            let why = &row.outcome.reason.as_ref()?.1;
+            Some(format!("[{}] {why}", row.number))
+        });
+        let notes: Vec<String> = notes.collect();
+        let unestimated = self.unestimated();
+        self.part(&rows, 0..self.results.len(), true)
             .noted(unestimated)
             .noted(notes)
     }
@@ -92,15 +78,16 @@ impl VariationView<'_> {
             let lines = table.layout(width).lines;
             lines.iter().any(|line| line.kind == LineKind::Head)
         };
-        let fits = |count: &usize| has_columns(&self.part(&rows, &self.results[..*count], true));
+        let fits = |count: &usize| has_columns(&self.part(&rows, 0..*count, true));
         let count = (1..=self.results.len())
             .rev()
             .find(fits)
             .unwrap_or(self.results.len());
         let whole = self.table();
-        let parts = self.results.chunks(count.max(1)).enumerate();
+        let all: Vec<usize> = (0..self.results.len()).collect();
+        let parts = all.chunks(count.max(1)).enumerate();
         let mut tables: Vec<Table> = parts
-            .map(|(place, results)| self.part(&rows, results, place == 0))
+            .map(|(place, part)| self.part(&rows, part[0]..part[0] + part.len(), place == 0))
             .collect();
         if let Some(last) = tables.last_mut() {
             last.notes = whole.notes;
@@ -109,37 +96,34 @@ impl VariationView<'_> {
     }
 
     /// The columns of the keys and of some results, with state and CPU time or without.
-    fn part(&self, rows: &[PointRow<'_>], results: &[QuantityId], with_state: bool) -> Table {
+    fn part(&self, rows: &[PointRow<'_>], results: Range<usize>, with_state: bool) -> Table {
         let mut table = Table::of("", rows).count("point", |row| row.number);
         for (place, key) in self.variation.keys.iter().enumerate() {
             table = table.cell(&key.path, Align::Decimal, move |row| {
                 Cell::plain(setting(key, &row.point.settings[place].value))
             });
         }
-        for id in results {
-            table = table.cell(&id.to_string(), Align::Decimal, move |row| {
-                row.result(id)
-                    .map_or_else(Cell::none, |q| Cell::plain(result_text(q)))
+        for place in results {
+            table = table.cell(&self.results[place].name, Align::Decimal, move |row| {
+                let found = row.outcome.result(place);
+                found.map_or_else(Cell::none, |found| Cell::plain(found.text.clone()))
             });
         }
         table
-            .when(with_state, |table| {
-                table
-                    .cell("state", Align::Left, state)
-                    .cell("CPU time", Align::Right, |row| {
-                        row.cpu_s()
-                            .map_or_else(Cell::none, |s| Cell::plain(duration(s)))
-                    })
+            .when(with_state, |table| table.cell("state", Align::Left, state))
+            .when(with_state && self.runs, |table| {
+                table.cell("CPU time", Align::Right, |row| {
+                    let cost = row.outcome.cpu_s;
+                    cost.map_or_else(Cell::none, |s| Cell::plain(duration(s)))
+                })
             })
             .build()
     }
 
     /// That errors are not estimated, where they are not.
-    fn unestimated(&self, rows: &[PointRow<'_>]) -> Option<&'static str> {
-        let mut shown = rows
-            .iter()
-            .flat_map(|row| self.results.iter().filter_map(|id| row.result(id)));
-        let unknown = shown.any(|quantity| quantity.error_estimate().is_none());
+    fn unestimated(&self) -> Option<&'static str> {
+        let mut shown = self.outcomes.iter().flat_map(|point| &point.results);
+        let unknown = shown.any(|result| result.as_ref().is_some_and(|result| result.unestimated));
         unknown.then_some("± ?: the numerical error was not estimated.")
     }
 
@@ -156,28 +140,32 @@ impl VariationView<'_> {
                 row.point.settings[place].value.to_string()
             });
         }
-        for id in self.results {
-            let (name, unit) = (id.to_string(), id.unit());
+        for (place, result) in self.results.iter().enumerate() {
+            let (name, unit) = (&result.name, &result.unit);
             table = table
-                .cell(&headed(&name, &unit), Align::Right, move |row| {
-                    number(row.result(id).map(|q| q.value))
+                .cell(&headed(name, unit), Align::Right, move |row| {
+                    number(row.outcome.result(place).map(|found| found.value))
                 })
                 .cell(
-                    &headed(&format!("error of {name}"), &unit),
+                    &headed(&format!("error of {name}"), unit),
                     Align::Right,
-                    move |row| number(row.result(id).and_then(Quantity::error_estimate)),
+                    move |row| number(row.outcome.result(place).and_then(|found| found.error)),
                 );
         }
         table
-            .text("state", |row| row.reason().map_or("OK", |(state, _)| state))
+            .text("state", |row| row.outcome.state())
             .text("reason", |row| {
-                row.reason().map_or_else(String::new, |(_, why)| why)
+                let reason = row.outcome.reason.as_ref().map(|(_, why)| why.clone());
+                reason
+                    .or_else(|| row.outcome.remark.clone())
+                    .unwrap_or_default()
             })
-            .cell("CPU time [s]", Align::Right, move |row| number(row.cpu_s()))
-            .text("run", |row| {
-                let run = row.outcome.and_then(|outcome| outcome.as_ref().ok());
-                let dir = run.and_then(|run| run.dir.as_ref());
-                dir.map_or_else(String::new, |dir| dir.display().to_string())
+            .when(self.runs, |table| {
+                table
+                    .cell("CPU time [s]", Align::Right, move |row| {
+                        number(row.outcome.cpu_s)
+                    })
+                    .text("run", |row| row.outcome.dir.clone().unwrap_or_default())
             })
             .build()
     }
@@ -188,75 +176,67 @@ impl VariationView<'_> {
     pub fn charts(&self) -> Vec<Chart> {
         let numbers = |key: &VariedKey| key.range.numbers();
         match self.variation.keys.as_slice() {
-            [key] => self.each(|id| Some(self.one(key, &numbers(key)?, id))),
+            [key] => self.each(|place| Some(self.one(key, &numbers(key)?, place))),
             [first, second] if second.range.values.len() <= MOST_CURVES => {
-                self.each(|id| Some(self.family(first, second, &numbers(first)?, id)))
+                self.each(|place| Some(self.family(first, second, &numbers(first)?, place)))
             }
-            [first, second] => self.each(|id| {
+            [first, second] => self.each(|place| {
                 let grid = (numbers(first)?, numbers(second)?);
-                Some(self.map(first, second, grid, id))
+                Some(self.map(first, second, grid, place))
             }),
             _ => Vec::new(),
         }
     }
 
-    fn each(&self, chart: impl Fn(&QuantityId) -> Option<Chart>) -> Vec<Chart> {
-        let charts = self.results.iter().filter_map(chart);
+    fn each(&self, chart: impl Fn(usize) -> Option<Chart>) -> Vec<Chart> {
+        let charts = (0..self.results.len()).filter_map(chart);
         charts.filter(|chart| !chart.is_empty()).collect()
     }
 
     /// The result at a point.
-    fn quantity(&self, point: usize, id: &QuantityId) -> Option<&Quantity> {
-        self.outcomes
-            .get(point)?
-            .as_ref()?
-            .as_ref()
-            .ok()?
-            .result(id)
+    fn found(&self, point: usize, place: usize) -> Option<&ResultView> {
+        self.outcomes.get(point)?.result(place)
     }
 
-    fn one(&self, key: &VariedKey, values: &[f64], id: &QuantityId) -> Chart {
+    fn one(&self, key: &VariedKey, values: &[f64], place: usize) -> Chart {
         let values = values.iter().enumerate();
-        let found: Vec<(f64, &Quantity)> = values
-            .filter_map(|(point, x)| Some((*x, self.quantity(point, id)?)))
+        let found: Vec<(f64, &ResultView)> = values
+            .filter_map(|(point, x)| Some((*x, self.found(point, place)?)))
             .collect();
         let mut series = vec![Series::new(
             "result",
             0,
-            sorted(found.iter().map(|(x, q)| (*x, q.value))),
+            sorted(found.iter().map(|(x, result)| (*x, result.value))),
         )];
-        let bars = found.iter().flat_map(|(x, quantity)| {
-            let bar = crate::comparison::error_bar(quantity).unwrap_or([f64::NAN; 2]);
+        let bars = found.iter().flat_map(|(x, result)| {
+            let bar = result.bar.unwrap_or([f64::NAN; 2]);
             [(*x, bar[0]), (*x, bar[1]), (*x, f64::NAN)]
         });
-        series.push(Series::new("error bars", 1, bars.collect()));
-        let unit = id.unit();
+        if found.iter().any(|(_, result)| result.bar.is_some()) {
+            series.push(Series::new("error bars", 1, bars.collect()));
+        }
+        let of = &self.results[place];
         Chart::new(
-            format!("{id} against {}", key.path),
+            format!("{} against {}", of.name, key.path),
             axis(key),
-            Axis::new("", &unit),
+            Axis::new("", &of.unit),
             series,
         )
     }
 
-    fn family(
-        &self,
-        first: &VariedKey,
-        second: &VariedKey,
-        values: &[f64],
-        id: &QuantityId,
-    ) -> Chart {
+    fn family(&self, first: &VariedKey, second: &VariedKey, values: &[f64], of: usize) -> Chart {
         let count = second.range.values.len();
         let curve = |(place, value): (usize, &StudyValue)| {
             let points = values
                 .iter()
                 .enumerate()
-                .filter_map(|(row, x)| Some((*x, self.quantity(row * count + place, id)?.value)));
+                .filter_map(|(row, x)| Some((*x, self.found(row * count + place, of)?.value)));
             Series::new(&setting(second, value), place, sorted(points))
         };
         let series = second.range.values.iter().enumerate().map(curve).collect();
-        let title = format!("{id} against {}, by {}", first.path, second.path);
-        Chart::new(title, axis(first), Axis::new("", &id.unit()), series)
+        let of = &self.results[of];
+        let title = format!("{} against {}, by {}", of.name, first.path, second.path);
+        Chart::new(title, axis(first), Axis::new("", &of.unit), series)
     }
 
     fn map(
@@ -264,21 +244,22 @@ impl VariationView<'_> {
         first: &VariedKey,
         second: &VariedKey,
         (xs, ys): (Vec<f64>, Vec<f64>),
-        id: &QuantityId,
+        place: usize,
     ) -> Chart {
         let (by_x, by_y) = (order(&xs), order(&ys));
         let value = |x: usize, y: usize| {
-            let found = self.quantity(x * ys.len() + y, id);
-            found.map_or(f64::NAN, |quantity| quantity.value)
+            let found = self.found(x * ys.len() + y, place);
+            found.map_or(f64::NAN, |found| found.value)
         };
+        let of = &self.results[place];
         let values = by_x.iter().flat_map(|x| by_y.iter().map(|y| value(*x, *y)));
         let map = GridMap {
             values: values.collect(),
             x: by_x.iter().map(|i| xs[*i]).collect(),
             y: by_y.iter().map(|i| ys[*i]).collect(),
-            of: Axis::new(&id.to_string(), &id.unit()),
+            of: Axis::new(&of.name, &of.unit),
         };
-        let title = format!("{id} against {} and {}", first.path, second.path);
+        let title = format!("{} against {} and {}", of.name, first.path, second.path);
         let (along, up) = (across(first, &map.x), across(second, &map.y));
         Chart {
             map: Some(map),
@@ -288,17 +269,10 @@ impl VariationView<'_> {
 }
 
 fn state(row: &PointRow<'_>) -> Cell {
-    let warnings = match row.outcome {
-        Some(Ok(run)) => run.info.warnings.len(),
-        _ => 0,
-    };
-    match row.reason() {
-        Some((state, _)) => Cell::new(format!("{state} [{}]", row.number), CellStyle::Bad),
-        None if warnings > 0 => {
-            let plural = if warnings == 1 { "" } else { "s" };
-            Cell::new(format!("OK, {warnings} warning{plural}"), CellStyle::Warn)
-        }
-        None => Cell::new("OK", CellStyle::Good),
+    match (&row.outcome.reason, &row.outcome.remark) {
+        (Some((state, _)), _) => Cell::new(format!("{state} [{}]", row.number), CellStyle::Bad),
+        (None, Some(remark)) => Cell::new(format!("OK, {remark}"), CellStyle::Warn),
+        (None, None) => Cell::new("OK", CellStyle::Good),
     }
 }
 

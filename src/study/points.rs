@@ -104,7 +104,7 @@ impl BaseCase {
 }
 
 /// Diagnostics in a line.
-fn reasons(faults: &[Diagnostic]) -> String {
+pub(super) fn reasons(faults: &[Diagnostic]) -> String {
     let problems = faults.iter().map(|d| format!("{}: {}", d.key, d.problem));
     problems.collect::<Vec<_>>().join("; ")
 }
@@ -164,19 +164,38 @@ pub fn compute(
     cancel: &AtomicBool,
     progress: &(dyn Fn(PointProgress<'_>) + Sync),
 ) -> Vec<Option<PointOutcome>> {
-    let (of, count) = (requests.len(), AtomicUsize::new(0));
-    let one = |(index, request): (usize, PointRequest)| {
-        if cancel.load(Ordering::Relaxed) {
-            return None;
-        }
-        let outcome = request.and_then(|request| outcome(request, store, cancel));
-        let done = 1 + count.fetch_add(1, Ordering::Relaxed);
+    let compute =
+        |request: PointRequest| request.and_then(|request| outcome(request, store, cancel));
+    side_by_side(requests, cancel, compute, |done, of, index, outcome| {
         progress(PointProgress {
             done,
             of,
             index,
-            outcome: &outcome,
+            outcome,
         });
+    })
+}
+
+/// Computes points side by side, and tells of each how many are done, of how many, which it was and what became of it. Once `cancel` is
+/// set no further one begins.
+pub(super) fn side_by_side<R: Send, T: Send>(
+    requests: Vec<R>,
+    cancel: &AtomicBool,
+    compute: impl Fn(R) -> T + Sync,
+    told: impl Fn(usize, usize, usize, &T) + Sync,
+) -> Vec<Option<T>> {
+    let (of, count) = (requests.len(), AtomicUsize::new(0));
+    let one = |(index, request): (usize, R)| {
+        if cancel.load(Ordering::Relaxed) {
+            return None;
+        }
+        let outcome = compute(request);
+        told(
+            1 + count.fetch_add(1, Ordering::Relaxed),
+            of,
+            index,
+            &outcome,
+        );
         Some(outcome)
     };
     let points = requests.into_par_iter().enumerate().with_max_len(1);

@@ -9,13 +9,14 @@
 //!
 //! The first part turns the arm under the force: with it the stiffness of a body is exact, loads that hold still included.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use super::body_loads::body_loads;
 use super::freedoms::{Follower, Freedoms, Placement, follower};
 use super::line_at_rest::{LineAtRest, LinePhysics, solve};
 use super::network::{Held, Network};
 use super::pose::cross;
+use crate::numerics::envelope::EnvelopeMatrix;
 
 /// Forces and stiffness of a system at a placement.
 #[derive(Debug, Clone)]
@@ -23,7 +24,7 @@ pub struct Balance {
     /// Force on each unknown \[N, N m\].
     pub force: DVector<f64>,
     /// Minus the change of the forces with the unknowns \[N/m, N, N m\].
-    pub stiffness: DMatrix<f64>,
+    pub stiffness: EnvelopeMatrix,
     /// The lines at rest.
     pub lines: Vec<LineAtRest>,
     /// Greatest tension at an end \[N\].
@@ -53,7 +54,7 @@ pub fn balance(
     let n = freedoms.count;
     let mut out = Balance {
         force: DVector::zeros(n),
-        stiffness: DMatrix::zeros(n, n),
+        stiffness: EnvelopeMatrix::zeros(&freedoms.shape),
         lines: Vec::with_capacity(network.lines.len()),
         tension: 0.0,
     };
@@ -76,8 +77,7 @@ pub fn balance(
             let (force, by_height) = free.force(network, placement.points[index].z, physics);
             let mut rows = out.force.fixed_rows_mut::<3>(*first);
             rows += force;
-            let mut column = out.stiffness.fixed_view_mut::<3, 1>(*first, *first + 2);
-            column -= by_height;
+            out.stiffness.add_block(*first, first + 2, &-by_height);
         }
     }
     for (index, first) in freedoms.bodies.iter().enumerate() {
@@ -87,8 +87,7 @@ pub fn balance(
             let (force, stiffness) = body_loads(network, body, pose, physics);
             let mut rows = out.force.fixed_rows_mut::<6>(*first);
             rows += force;
-            let mut block = out.stiffness.fixed_view_mut::<6, 6>(*first, *first);
-            block += stiffness;
+            out.stiffness.add_block(*first, *first, &stiffness);
         }
     }
     Ok(out)
@@ -106,26 +105,15 @@ impl Balance {
             }
             if on.size == 6 {
                 let turning = -(cross(&forces[i]) * cross(&on.arm));
-                let mut block = self
-                    .stiffness
-                    .fixed_view_mut::<3, 3>(on.first + 3, on.first + 3);
-                block += turning;
+                let turns = on.first + 3;
+                self.stiffness.add_block(turns, turns, &turning);
             }
             for (j, by) in followers.iter().enumerate() {
                 let Some(by) = by else { continue };
-                let block = on.by.transpose() * line.by_ends[i][j] * by.by;
-                for row in 0..on.size {
-                    for column in 0..by.size {
-                        self.stiffness[(on.first + row, by.first + column)] -= block[(row, column)];
-                    }
-                }
+                let block = on.by.transpose() * -line.by_ends[i][j] * by.by;
+                let block = block.view((0, 0), (on.size, by.size));
+                self.stiffness.add_block(on.first, by.first, &block);
             }
         }
-    }
-
-    /// The stiffness made symmetric.
-    #[must_use]
-    pub fn symmetric(&self) -> DMatrix<f64> {
-        0.5 * (&self.stiffness + self.stiffness.transpose())
     }
 }

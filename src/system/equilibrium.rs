@@ -17,8 +17,7 @@ use super::bounds::{Bounds, Contact};
 use super::freedoms::{Freedoms, Placement, UnknownBodies};
 use super::line_at_rest::LinePhysics;
 use super::network::{Held, Network};
-use super::stiffness::held_apart;
-use crate::numerics::envelope::{EnvelopeCholesky, from_neighbour_to_neighbour};
+use crate::numerics::envelope::{EnvelopeCholesky, EnvelopeMatrix};
 
 /// A system at rest.
 #[derive(Debug, Clone)]
@@ -122,8 +121,6 @@ struct Search<'a> {
     bounds: Bounds,
     /// Size of the bodies by unknown: turns count by the way they move a fairlead \[m\].
     lever: DVector<f64>,
-    /// In which they are eliminated.
-    order: Vec<usize>,
     physics: LinePhysics,
     placement: Placement,
     here: Balance,
@@ -156,7 +153,6 @@ impl<'a> Search<'a> {
         Ok(Self {
             network,
             lever: levers(network, &freedoms),
-            order: elimination_order(network, &freedoms),
             bounds,
             physics,
             placement,
@@ -276,9 +272,9 @@ impl<'a> Search<'a> {
     /// Newton's step for forces without energy, halved until less is out of balance; whether one was taken. A ship turns into
     /// the wind along a way that the energy of its lines does not fall on.
     fn newton_step(&mut self, force: &DVector<f64>, held: &[bool]) -> bool {
-        let stiffness = held_apart(&self.here.stiffness, held);
-        let oblique = (&stiffness - stiffness.transpose()).amax() > 1e-9 * stiffness.amax();
-        let newton = oblique.then(|| stiffness.lu().solve(force)).flatten();
+        let stiffness = self.stiffness(held);
+        let newton = is_oblique(&stiffness).then(|| solved(&stiffness, force));
+        let newton = newton.flatten();
         let Some(step) = newton.filter(|step| step.iter().all(|part| part.is_finite())) else {
             return false;
         };
@@ -299,24 +295,30 @@ impl<'a> Search<'a> {
         false
     }
 
+    /// The stiffness with the unknowns that are held standing for themselves.
+    fn stiffness(&self, held: &[bool]) -> EnvelopeMatrix {
+        let mut stiffness = self.here.stiffness.clone();
+        stiffness.hold(held, 1.0);
+        stiffness
+    }
+
     /// Newton's direction, or the nearest one in which the energy falls.
     fn direction(&self, force: &DVector<f64>, held: &[bool]) -> Direction {
-        let stiffness = held_apart(&self.here.stiffness, held);
-        let symmetric = 0.5 * (&stiffness + stiffness.transpose());
-        let most = symmetric.diagonal().component_div(&self.lever);
+        let stiffness = self.stiffness(held);
+        let most = stiffness.diagonal().component_div(&self.lever);
         let most = most
             .component_div(&self.lever)
             .amax()
             .max(1e-9 * self.here.tension);
-        // Friction, and moments out of balance, make it oblique; rounding does not count.
-        let oblique = (&stiffness - &symmetric).amax() > 1e-9 * symmetric.amax();
+        // Friction, and moments out of balance, make it oblique.
+        let oblique = is_oblique(&stiffness);
         let mut added = 0.0;
         for _ in 0..40 {
             let diagonal = self.lever.component_mul(&self.lever) * added;
-            if let Some(factors) = EnvelopeCholesky::new(&symmetric, &diagonal, &self.order) {
+            if let Some(factors) = EnvelopeCholesky::new(&stiffness, &diagonal) {
                 let plain = factors.solve(force);
                 let newton = (added == 0.0 && oblique)
-                    .then(|| stiffness.clone().lu().solve(force))
+                    .then(|| solved(&stiffness, force))
                     .flatten();
                 let downhill =
                     |step: &DVector<f64>| force.dot(step) > 0.0 && step.amax().is_finite();
@@ -446,45 +448,27 @@ fn next_share((low, at_low): (f64, f64), (high, at_high): (f64, f64)) -> f64 {
     }
 }
 
-/// The unknowns in the order in which they are eliminated: along the lines.
-fn elimination_order(network: &Network, freedoms: &Freedoms) -> Vec<usize> {
-    let points = network.points.len();
-    let part = |point: usize| match &network.points[point].held {
-        Held::At(_) => None,
-        Held::On(body, _) => Some(points + body),
-        Held::Free(_) => Some(point),
-    };
-    let mut neighbours = vec![Vec::new(); points + network.bodies.len()];
-    for line in &network.lines {
-        if let (Some(a), Some(b)) = (part(line.from), part(line.to)) {
-            neighbours[a].push(b);
-            neighbours[b].push(a);
-        }
-    }
-    let parts = from_neighbour_to_neighbour(&neighbours);
-    let unknowns = parts.into_iter().flat_map(|part| {
-        let (first, size) = match part.checked_sub(points) {
-            None => (freedoms.points[part], 3),
-            Some(body) => (freedoms.bodies[body], 6),
-        };
-        first.map_or(0..0, |first| first..first + size)
-    });
-    unknowns.collect()
+/// Whether a stiffness is not symmetric by more than rounding.
+fn is_oblique(stiffness: &EnvelopeMatrix) -> bool {
+    stiffness.asymmetry() > 1e-9
+}
+
+fn solved(stiffness: &EnvelopeMatrix, force: &DVector<f64>) -> Option<DVector<f64>> {
+    stiffness.solve(std::slice::from_ref(force))?.pop()
 }
 
 /// 1 for steps; for turns the greatest arm of a point on the body \[m\].
 pub(super) fn levers(network: &Network, freedoms: &Freedoms) -> DVector<f64> {
+    let mut arms = vec![0.0_f64; network.bodies.len()];
+    for point in &network.points {
+        if let Held::On(body, at) = &point.held {
+            arms[*body] = arms[*body].max(at.norm());
+        }
+    }
     let mut levers = DVector::from_element(freedoms.count, 1.0);
-    for (index, first) in freedoms.bodies.iter().enumerate() {
-        let Some(first) = first else { continue };
-        let arms = network.points.iter().filter_map(|point| match &point.held {
-            Held::On(body, at) if *body == index => Some(at.norm()),
-            _ => None,
-        });
-        let arm = arms.fold(0.0, f64::max);
-        let arm = if arm > 0.0 { arm } else { 1.0 };
-        for k in 3..6 {
-            levers[first + k] = arm;
+    for (first, arm) in freedoms.bodies.iter().zip(arms) {
+        if let Some(first) = first.filter(|_| arm > 0.0) {
+            levers.rows_mut(first + 3, 3).fill(arm);
         }
     }
     levers

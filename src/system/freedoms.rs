@@ -1,10 +1,13 @@
 //! Which numbers of a system are unknown: three of a free point, six of a body.
 
+use std::sync::Arc;
+
 use nalgebra::{DVector, SMatrix};
 
 use super::network::{Held, Network};
 use super::pose::{Pose, cross};
 use crate::numerics::V3;
+use crate::numerics::envelope::{EnvelopeShape, number};
 
 /// Where the unknowns of points and bodies stand among all of them.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -15,6 +18,8 @@ pub struct Freedoms {
     pub bodies: Vec<Option<usize>>,
     /// How many there are.
     pub count: usize,
+    /// Which of them lines couple.
+    pub shape: Arc<EnvelopeShape>,
 }
 
 /// Which bodies are unknown.
@@ -27,31 +32,34 @@ pub enum UnknownBodies {
 }
 
 impl Freedoms {
-    /// The unknowns of a system: points first, each in the order of the system.
+    /// The unknowns of a system, numbered along its lines: those that a line couples stand near each other.
     #[must_use]
     pub fn of(network: &Network, which: UnknownBodies) -> Self {
-        let mut count = 0;
-        let mut next = |unknown: bool, size: usize| {
-            let first = count;
-            count += if unknown { size } else { 0 };
-            unknown.then_some(first)
+        let points = network.points.len();
+        let unknown = |body: usize| network.bodies[body].free || which == UnknownBodies::All;
+        let part = |point: usize| match &network.points[point].held {
+            Held::At(_) => None,
+            Held::On(body, _) => unknown(*body).then_some(points + body),
+            Held::Free(_) => Some(point),
         };
-        let free = |held: &Held| matches!(held, Held::Free(_));
-        let points = network
-            .points
-            .iter()
-            .map(|p| next(free(&p.held), 3))
-            .collect();
-        let unknown = |free: bool| free || which == UnknownBodies::All;
-        let bodies = network
-            .bodies
-            .iter()
-            .map(|b| next(unknown(b.free), 6))
-            .collect();
+        let mut neighbours = vec![Vec::new(); points + network.bodies.len()];
+        for line in &network.lines {
+            if let (Some(a), Some(b)) = (part(line.from), part(line.to)) {
+                neighbours[a].push(b);
+                neighbours[b].push(a);
+            }
+        }
+        let free = |point: usize| matches!(network.points[point].held, Held::Free(_));
+        let of_points = (0..points).map(|point| if free(point) { 3 } else { 0 });
+        let of_bodies = (0..network.bodies.len()).map(|body| if unknown(body) { 6 } else { 0 });
+        let sizes: Vec<usize> = of_points.chain(of_bodies).collect();
+        let (begins, shape) = number(&neighbours, &sizes);
+        let first = |part: usize| (sizes[part] > 0).then_some(begins[part]);
         Self {
-            points,
-            bodies,
-            count,
+            points: (0..points).map(first).collect(),
+            bodies: (points..sizes.len()).map(first).collect(),
+            count: sizes.iter().sum(),
+            shape: Arc::new(shape),
         }
     }
 

@@ -1,6 +1,6 @@
 //! The results of a system by name: `tension_n[LINE|b]`, `z_m[POINT]`, `stiffness[BODY|11]`.
 
-use super::analysis::clearance::between_lines;
+use super::analysis::clearance::{boxed, nearest_line};
 use super::analysis::periods::periods;
 use super::loads;
 use super::model::SystemKeys;
@@ -152,13 +152,45 @@ pub fn value(solved: &SolvedSystem, name: &str) -> Result<f64, String> {
     }
 }
 
-fn clearance(solved: &SolvedSystem, line: usize) -> Result<f64, String> {
-    let pairs = between_lines(&solved.network, &solved.rest);
-    let mut with = pairs
+/// The error of the result of this name, where it is known: by rounding, or by the mesh of the line.
+#[must_use]
+pub fn error(solved: &SolvedSystem, name: &str) -> Option<f64> {
+    let (quantity, subject, _) = parts(name)?;
+    if quantity.of != Subject::LineEnd {
+        return None;
+    }
+    let line = solved.network.line(subject)?;
+    solved.line_errors.get(line).copied().flatten()
+}
+
+/// The results that matter most: the tension of every line at the end where it is greater, the offsets of free bodies, the natural
+/// periods.
+#[must_use]
+pub fn main_results(solved: &SolvedSystem) -> Vec<String> {
+    let (network, rest) = (&solved.network, &solved.rest);
+    let lines = network.lines.iter().zip(&rest.balance.lines);
+    let mut names: Vec<String> = lines
+        .map(|(line, at_rest)| {
+            let [a, b] = at_rest.tensions();
+            format!("tension_n[{}|{}]", line.name, if a > b { "a" } else { "b" })
+        })
+        .collect();
+    let free = network.bodies.iter().filter(|body| body.free);
+    names.extend(free.map(|body| format!("offset_m[{}]", body.name)));
+    // By number: as inputs change, modes of a part and a direction may mix.
+    let modes = periods(network, rest).unwrap_or_default();
+    let finite = modes
         .iter()
-        .filter(|pair| pair.lines.0 == line || pair.lines.1 == line);
+        .filter(|mode| mode.period_s.is_some_and(f64::is_finite));
+    names.extend((1..=finite.count()).map(|number| format!("period_s[{number}]")));
+    names
+}
+
+fn clearance(solved: &SolvedSystem, line: usize) -> Result<f64, String> {
+    let curves = boxed(&solved.network, &solved.rest);
+    let nearest = nearest_line(&solved.network, &curves, line);
     let alone = || "Every other line shares a point with it.".to_owned();
-    with.next().map(|pair| pair.distance_m).ok_or_else(alone)
+    nearest.map(|(_, distance)| distance).ok_or_else(alone)
 }
 
 /// The period of this number, those that do not end left out, or the longest that is mostly of a part and a direction; nothing

@@ -11,7 +11,7 @@ use super::model::SystemFile;
 use super::network::Network;
 use super::rest::{UnsolvedSystem, not_divided, refused, rest};
 use super::stability::{Stability, stability};
-use super::stiffness::of_body;
+use super::stiffness::of_bodies;
 
 /// A system worked out.
 #[derive(Debug, Clone)]
@@ -55,9 +55,7 @@ pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
         None => (new, rest_as_new, None),
     };
     let stability = stability(&network, &rest);
-    let bodies = 0..network.bodies.len();
-    let stiffness = bodies.map(|body| of_body(&network, &rest, body));
-    let stiffness: Result<Vec<_>, _> = stiffness.collect();
+    let stiffness = of_bodies(&network, &rest);
     let stiffness = stiffness.map_err(|error| refused(&network, &SystemError::Line(error)))?;
     let errors = rest.balance.lines.iter().map(LineAtRest::error);
     Ok(SolvedSystem {

@@ -1,12 +1,12 @@
 //! How an equilibrium rests: by the least eigenvalue of its stiffness.
 
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::DVector;
 
 use super::bounds::Contact;
 use super::equilibrium::{Equilibrium, levers};
 use super::network::Network;
-use super::stiffness::take;
-use crate::numerics::envelope::EnvelopeCholesky;
+use crate::numerics::envelope::{EnvelopeCholesky, EnvelopeMatrix};
+use crate::numerics::random::Random;
 
 /// How a system rests.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,38 +28,70 @@ const UNSTABLE: f64 = 1e-9;
 /// The stability of an equilibrium: the least eigenvalue of the stiffness of what may move.
 #[must_use]
 pub fn stability(network: &Network, rest: &Equilibrium) -> Stability {
-    let moving: Vec<usize> = (0..rest.freedoms.count)
-        .filter(|&k| rest.contacts[k] == Contact::None)
+    let held: Vec<bool> = rest
+        .contacts
+        .iter()
+        .map(|on| *on != Contact::None)
         .collect();
-    if moving.is_empty() {
+    if !held.contains(&false) {
         return Stability::Stable;
     }
     // Turns count by the way they move a fairlead, or N m would be held against N/m.
-    let lever = levers(network, &rest.freedoms);
-    let mut stiffness: DMatrix<f64> = take(&rest.balance.symmetric(), &moving, &moving);
-    for (row, i) in moving.iter().enumerate() {
-        for (column, j) in moving.iter().enumerate() {
-            stiffness[(row, column)] /= lever[*i] * lever[*j];
-        }
+    let by = levers(network, &rest.freedoms).map(|lever| 1.0 / lever);
+    let mut stiffness = rest.balance.stiffness.clone();
+    stiffness.scale(&by);
+    stiffness.hold(&held, 0.0);
+    let most = stiffness.diagonal().amax().max(f64::MIN_POSITIVE);
+    for (unknown, _) in held.iter().enumerate().filter(|(_, held)| **held) {
+        stiffness.add(unknown, unknown, most);
     }
-    let most = stiffness.diagonal().amax();
-    // As many positive pivots as unknowns, as many positive eigenvalues (Sylvester): most systems need no more.
-    let floor = DVector::from_element(moving.len(), -NEUTRAL * most);
-    let order: Vec<usize> = (0..moving.len()).collect();
-    if EnvelopeCholesky::new(&stiffness, &floor, &order).is_some() {
+    // As many positive pivots of the shifted matrix as unknowns, as many eigenvalues above the shift (Sylvester).
+    if above(&stiffness, NEUTRAL * most).is_some() {
         return Stability::Stable;
     }
-    let eigen = SymmetricEigen::new(stiffness);
-    let least = eigen.eigenvalues.imin();
-    let value = eigen.eigenvalues[least];
-    if value > NEUTRAL * most {
-        return Stability::Stable;
-    }
-    let unknown = moving[eigen.eigenvectors.column(least).iamax()];
+    let unknown = softest(&stiffness, most);
     let name = rest.freedoms.name(network, unknown);
-    if value < -UNSTABLE * most {
+    if above(&stiffness, -UNSTABLE * most).is_none() {
         Stability::Unstable(name)
     } else {
         Stability::Neutral(name)
     }
+}
+
+/// The factors of a matrix less a multiple of the unit matrix; nothing where an eigenvalue is not above it.
+fn above(stiffness: &EnvelopeMatrix, shift: f64) -> Option<EnvelopeCholesky> {
+    let diagonal = DVector::from_element(stiffness.size(), -shift);
+    EnvelopeCholesky::new(stiffness, &diagonal)
+}
+
+/// Bisections for the least eigenvalue, and solutions for its eigenvector: next to the eigenvalue one solution is nearly enough.
+const BISECTIONS: usize = 40;
+const SOLUTIONS: usize = 8;
+
+/// The unknown that moves most in the eigenvector of the least eigenvalue; `most` is the greatest number on the diagonal.
+fn softest(stiffness: &EnvelopeMatrix, most: f64) -> usize {
+    let n = stiffness.size();
+    // Shifts below the eigenvalue and not below it.
+    let mut low = -most;
+    let mut factors = above(stiffness, low);
+    while factors.is_none() && low.is_finite() {
+        low *= 4.0;
+        factors = above(stiffness, low);
+    }
+    let mut high = most;
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (low + high);
+        match above(stiffness, middle) {
+            Some(found) => (low, factors) = (middle, Some(found)),
+            None => high = middle,
+        }
+    }
+    let mut random = Random::new(1, 0);
+    let mut vector = DVector::from_fn(n, |_, _| random.uniform() - 0.5);
+    if let Some(factors) = factors {
+        for _ in 0..SOLUTIONS {
+            vector = factors.solve(&vector).normalize();
+        }
+    }
+    vector.iamax()
 }

@@ -1,10 +1,13 @@
 //! Where the search for an equilibrium begins: free points among their neighbours.
 
-use nalgebra::{Cholesky, DMatrix};
+use std::sync::Arc;
+
+use nalgebra::DVector;
 
 use super::freedoms::Placement;
 use super::network::{Held, Network};
 use crate::numerics::V3;
+use crate::numerics::envelope::{EnvelopeCholesky, EnvelopeMatrix, number};
 
 /// Bodies where they are given; free points where they are given, or else where springs in the place of the lines, the
 /// stiffer the shorter the line, would hold them.
@@ -20,39 +23,45 @@ pub fn start(network: &Network) -> Placement {
     };
     placement.carry(network);
     let searched = |held: &Held| matches!(held, Held::Free(free) if free.start.is_none());
-    let mut count = 0;
-    let numbers: Vec<Option<usize>> = network
-        .points
+    let unknown: Vec<bool> = network.points.iter().map(|p| searched(&p.held)).collect();
+    let mut neighbours = vec![Vec::new(); unknown.len()];
+    for line in network
+        .lines
         .iter()
-        .map(|point| {
-            let number = count;
-            let unknown = searched(&point.held);
-            count += usize::from(unknown);
-            unknown.then_some(number)
-        })
+        .filter(|line| unknown[line.from] && unknown[line.to])
+    {
+        neighbours[line.from].push(line.to);
+        neighbours[line.to].push(line.from);
+    }
+    let sizes: Vec<usize> = unknown
+        .iter()
+        .map(|unknown| usize::from(*unknown))
         .collect();
-    let mut springs = DMatrix::<f64>::zeros(count, count);
-    let mut pull = DMatrix::<f64>::zeros(count, 3);
+    let (rows, shape) = number(&neighbours, &sizes);
+    let mut springs = EnvelopeMatrix::zeros(&Arc::new(shape));
+    let nothing = DVector::zeros(springs.size());
+    let mut pull = [nothing.clone(), nothing.clone(), nothing.clone()];
     for line in &network.lines {
         let stiffness = 1.0 / line.length();
         for (end, other) in [(line.from, line.to), (line.to, line.from)] {
-            let Some(row) = numbers[end] else { continue };
-            springs[(row, row)] += stiffness;
-            match numbers[other] {
-                Some(column) => springs[(row, column)] -= stiffness,
-                None => {
-                    for axis in 0..3 {
-                        pull[(row, axis)] += stiffness * placement.points[other][axis];
-                    }
-                }
+            if !unknown[end] {
+                continue;
+            }
+            springs.add(rows[end], rows[end], stiffness);
+            if unknown[other] {
+                springs.add(rows[end], rows[other], -stiffness);
+                continue;
+            }
+            for (axis, pull) in pull.iter_mut().enumerate() {
+                pull[rows[end]] += stiffness * placement.points[other][axis];
             }
         }
     }
-    if let Some(found) = Cholesky::new(springs).map(|factors| factors.solve(&pull)) {
-        for (place, number) in placement.points.iter_mut().zip(&numbers) {
-            if let Some(row) = number {
-                *place = V3::new(found[(*row, 0)], found[(*row, 1)], found[(*row, 2)]);
-            }
+    if let Some(factors) = EnvelopeCholesky::new(&springs, &nothing) {
+        let found = pull.map(|pull| factors.solve(&pull));
+        let places = placement.points.iter_mut().zip(&rows).zip(&unknown);
+        for ((place, row), _) in places.filter(|(_, unknown)| **unknown) {
+            *place = V3::new(found[0][*row], found[1][*row], found[2][*row]);
         }
     }
     placement

@@ -1,8 +1,8 @@
 //! Stiffness of what is held: the tangent of the whole system condensed onto a body.
 
-use nalgebra::{DMatrix, Matrix6};
+use nalgebra::{DMatrix, DVector, Matrix6};
 
-use super::balance::{UnsolvedLine, balance};
+use super::balance::{Balance, UnsolvedLine, balance};
 use super::body_loads::body_loads;
 use super::bounds::Contact;
 use super::equilibrium::Equilibrium;
@@ -20,53 +20,94 @@ pub fn of_body(
     rest: &Equilibrium,
     body: usize,
 ) -> Result<Matrix6<f64>, UnsolvedLine> {
-    let freedoms = Freedoms::of(network, UnknownBodies::All);
-    let (placement, lines) = (&rest.placement, &rest.balance.lines);
-    let all = balance(
-        network,
-        &freedoms,
-        placement,
-        LinePhysics::Full,
-        Some(lines),
-    )?;
-    let first = freedoms.bodies[body].unwrap_or(0);
-    let own: Vec<usize> = (first..first + 6).collect();
-    let others = relaxed(network, rest, &freedoms, body);
-    let mut block = take(&all.stiffness, &own, &own);
-    let inner = take(&all.stiffness, &others, &others);
-    let coupling = take(&all.stiffness, &others, &own);
-    if !others.is_empty()
-        && let Some(response) = inner.lu().solve(&coupling)
-    {
-        block -= take(&all.stiffness, &own, &others) * response;
-    }
-    let pose = &placement.bodies[body];
-    let loads = body_loads(network, &network.bodies[body], pose, LinePhysics::Full).1;
-    Ok(Matrix6::from_fn(|i, j| block[(i, j)]) - loads)
+    let whole = Whole::new(network, rest)?;
+    Ok(whole.on_body(network, rest, body))
 }
 
-/// The unknowns that follow a body: free points and other free bodies, but for heights that bed or surface hold.
-fn relaxed(network: &Network, rest: &Equilibrium, all: &Freedoms, body: usize) -> Vec<usize> {
-    let mut unknowns = Vec::new();
+/// The same for every body.
+///
+/// # Errors
+/// As [`of_body`].
+pub fn of_bodies(network: &Network, rest: &Equilibrium) -> Result<Vec<Matrix6<f64>>, UnsolvedLine> {
+    if network.bodies.is_empty() {
+        return Ok(Vec::new());
+    }
+    let whole = Whole::new(network, rest)?;
+    let bodies = 0..network.bodies.len();
+    Ok(bodies
+        .map(|body| whole.on_body(network, rest, body))
+        .collect())
+}
+
+/// The tangent of a system, held bodies among its unknowns.
+struct Whole {
+    freedoms: Freedoms,
+    balance: Balance,
+}
+
+impl Whole {
+    fn new(network: &Network, rest: &Equilibrium) -> Result<Self, UnsolvedLine> {
+        let freedoms = Freedoms::of(network, UnknownBodies::All);
+        let near = Some(rest.balance.lines.as_slice());
+        let at = &rest.placement;
+        let balance = balance(network, &freedoms, at, LinePhysics::Full, near)?;
+        Ok(Self { freedoms, balance })
+    }
+
+    fn on_body(&self, network: &Network, rest: &Equilibrium, body: usize) -> Matrix6<f64> {
+        let first = self.freedoms.bodies[body].unwrap_or(0);
+        let stiffness = &self.balance.stiffness;
+        let mut block = Matrix6::zeros();
+        let follow = follows(rest, &self.freedoms, body);
+        let columns: Vec<DVector<f64>> = (0..6).map(|k| stiffness.column(first + k)).collect();
+        for (k, column) in columns.iter().enumerate() {
+            block.set_column(k, &column.fixed_rows::<6>(first));
+        }
+        if follow.contains(&true) {
+            let held: Vec<bool> = follow.iter().map(|follows| !follows).collect();
+            let mut inner = stiffness.clone();
+            inner.hold(&held, 1.0);
+            let pulls = columns.into_iter().map(|mut column| {
+                let zeros = column
+                    .iter_mut()
+                    .zip(&follow)
+                    .filter(|(_, follows)| !**follows);
+                zeros.for_each(|(value, _)| *value = 0.0);
+                column
+            });
+            let pulls: Vec<DVector<f64>> = pulls.collect();
+            for (k, response) in inner.solve(&pulls).into_iter().flatten().enumerate() {
+                let back = stiffness.times(&response);
+                let mut column = block.column_mut(k);
+                column -= back.fixed_rows::<6>(first);
+            }
+        }
+        let pose = &rest.placement.bodies[body];
+        let loads = body_loads(network, &network.bodies[body], pose, LinePhysics::Full).1;
+        block - loads
+    }
+}
+
+/// Whether each unknown follows a body: those of free points and other free bodies, but for heights that bed or surface hold.
+fn follows(rest: &Equilibrium, all: &Freedoms, body: usize) -> Vec<bool> {
+    let mut follows = vec![false; all.count];
     let mut add = |here: Option<usize>, there: Option<usize>, size: usize| {
         let (Some(here), Some(there)) = (here, there) else {
             return;
         };
-        unknowns.extend(
-            (0..size)
-                .filter(|k| rest.contacts[there + k] == Contact::None)
-                .map(|k| here + k),
-        );
+        for k in 0..size {
+            follows[here + k] = rest.contacts[there + k] == Contact::None;
+        }
     };
     for (here, there) in all.points.iter().zip(&rest.freedoms.points) {
         add(*here, *there, 3);
     }
     for (index, (here, there)) in all.bodies.iter().zip(&rest.freedoms.bodies).enumerate() {
-        if index != body && network.bodies[index].free {
+        if index != body {
             add(*here, *there, 6);
         }
     }
-    unknowns
+    follows
 }
 
 /// Rows and columns of a matrix.
@@ -75,18 +116,4 @@ pub fn take(matrix: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> DMatrix
     DMatrix::from_fn(rows.len(), columns.len(), |i, j| {
         matrix[(rows[i], columns[j])]
     })
-}
-
-/// The stiffness with the unknowns that are held standing for themselves.
-#[must_use]
-pub fn held_apart(stiffness: &DMatrix<f64>, held: &[bool]) -> DMatrix<f64> {
-    let mut stiffness = stiffness.clone();
-    for (unknown, held) in held.iter().enumerate() {
-        if *held {
-            stiffness.row_mut(unknown).fill(0.0);
-            stiffness.column_mut(unknown).fill(0.0);
-            stiffness[(unknown, unknown)] = 1.0;
-        }
-    }
-    stiffness
 }

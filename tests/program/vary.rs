@@ -12,6 +12,9 @@ use seacable::study::vary::Variation;
 
 use crate::small::SMALL;
 
+const OC3: &str = include_str!("../../cases/systems/oc3_spar.toml");
+const OC3_FREE: &str = include_str!("../../cases/systems/oc3_free.toml");
+
 fn seacable(dir: &Path) -> Command {
     let mut command = Command::cargo_bin("seacable").unwrap();
     command.current_dir(dir).env("NO_COLOR", "1");
@@ -225,4 +228,131 @@ fn cancelled_points_have_no_outcome() {
     let begun = outcomes.iter().flatten().count();
     assert_eq!((outcomes.len(), begun), (21, *seen.lock().unwrap()));
     assert!(begun < 21, "{begun}");
+}
+
+/// A directory with a system.
+fn system(words: &[&str]) -> (tempfile::TempDir, Command) {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("oc3.toml"), OC3).unwrap();
+    let mut command = seacable(dir.path());
+    command.args(["study", "vary", "oc3.toml"]).args(words);
+    (dir, command)
+}
+
+#[test]
+fn a_system_over_a_range_gives_a_table_and_charts_and_stores_nothing() {
+    let (dir, command) = system(&["--vary", "lines.mooring.length_m=890..910 m/3", "--ascii"]);
+    let text = printed(command);
+    for word in [
+        "lines.mooring.length_m",
+        "890 m",
+        "900 m",
+        "910 m",
+        "tension_n[mooring|b]",
+        "OK",
+        "tension_n[mooring|b] against lines.mooring.length_m",
+    ] {
+        assert!(text.contains(word), "{word} is missing in\n{text}");
+    }
+    // What only runs have, and bars of rounding errors.
+    for word in ["CPU time", "stored", "error bars"] {
+        assert!(!text.contains(word), "{word} in\n{text}");
+    }
+    assert!(text.is_ascii(), "{text}");
+    assert!(!dir.path().join("runs").exists());
+}
+
+#[test]
+fn the_results_of_a_system_are_those_of_single_runs() {
+    let words = [
+        "--vary",
+        "lines.mooring.length_m=902.2,905",
+        "--vary",
+        "seabed.friction=0,0.5",
+        "--result",
+        "tension_n[mooring|a]",
+        "--result",
+        "stiffness[spar|11]",
+        "--csv",
+    ];
+    let (dir, command) = system(&words);
+    let csv = printed(command);
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let heads = reader.headers().unwrap().clone();
+    let expected = [
+        "point",
+        "lines.mooring.length_m [m]",
+        "seabed.friction",
+        "tension_n[mooring|a] [N]",
+        "error of tension_n[mooring|a] [N]",
+        "stiffness[spar|11] [N/m]",
+        "error of stiffness[spar|11] [N/m]",
+        "state",
+        "reason",
+    ];
+    assert_eq!(heads.iter().collect::<Vec<_>>(), expected);
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), 4);
+    let set = "lines.mooring.length_m=905";
+    let alone = seacable(dir.path())
+        .args(["run", "oc3.toml", "--json", "--set", set])
+        .args(["--set", "seabed.friction=0.5"])
+        .output()
+        .unwrap();
+    let alone: serde_json::Value = serde_json::from_slice(&alone.stdout).unwrap();
+    let number = |value: &serde_json::Value| value.as_f64().unwrap().to_bits();
+    let found = |column: usize| rows[3][column].parse::<f64>().unwrap().to_bits();
+    assert_eq!(found(3), number(&alone["lines"][0]["tension_a_n"]));
+    assert_eq!(found(4), number(&alone["lines"][0]["error_n"]));
+    assert_eq!(found(5), number(&alone["bodies"][0]["stiffness"][0][0]));
+    assert!(rows.iter().all(|row| &row[7] == "OK"), "{csv}");
+    let (_dir, mut json) = system(&["--vary", "seabed.friction=0,0.5", "--json"]);
+    let json = json.output().unwrap();
+    let json: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(json["study"], "vary");
+    assert_eq!(json["rows"].as_array().unwrap().len(), 2);
+}
+
+#[test]
+fn a_free_body_has_its_offset_and_its_periods_among_the_main_results() {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("oc3.toml"), OC3_FREE).unwrap();
+    let mut command = seacable(dir.path());
+    command.args(["study", "vary", "oc3.toml", "--csv"]);
+    command.args(["--vary", "bodies.spar.mass_kg=8.0e6,8.1e6"]);
+    let csv = printed(command);
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let heads = reader.headers().unwrap().clone();
+    let place = |name: &str| heads.iter().position(|head| head == name).unwrap();
+    let longest = place("period_s[1] [s]");
+    place("offset_m[spar] [m]");
+    place("period_s[6] [s]");
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let period = |row: usize| rows[row][longest].parse::<f64>().unwrap();
+    assert!(period(1) > period(0) && period(0) > 100.0, "{csv}");
+}
+
+#[test]
+fn a_point_of_a_system_that_is_refused_says_why_and_stops_no_other() {
+    // The anchors are 320 m deep.
+    let (_dir, mut command) = system(&["--vary", "seabed.depth_m=320,300,321"]);
+    let refused = command.assert().code(1);
+    refused.stdout(
+        contains("REFUSED [2]")
+            .and(contains("REFUSED [1]").not())
+            .and(contains("REFUSED [3]").not())
+            .and(contains("below the bed")),
+    );
+    for (words, why) in [
+        (&["--vary", "lines.mooring.lenth_m=1,2"][..], "length_m"),
+        (&["--vary", "lines.moring.length_m=1,2"], "moring"),
+        (&["--vary", "points.anchor.position_m=1,2"], "position_m.x"),
+        (
+            &["--vary", "seabed.depth_m=320,321", "--result", "tension"],
+            "no result `tension`",
+        ),
+    ] {
+        let (_dir, mut command) = system(words);
+        command.assert().code(2).stdout("").stderr(contains(why));
+    }
 }

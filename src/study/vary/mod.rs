@@ -7,12 +7,15 @@
 mod error;
 mod key;
 mod range;
+pub mod system;
 
 pub use error::{RangeError, VariationError};
 pub use key::VariedKey;
 pub use range::{Spacing, ValueRange};
 
 use super::points::{BaseCase, Point, PointRequest, Setting};
+use crate::case::kind;
+use crate::system::SystemFile;
 
 /// Points of a variation, at most.
 pub const MOST_POINTS: usize = 10_000;
@@ -35,6 +38,17 @@ impl Variation {
     /// A key that is not known or given twice, values that it cannot have, or too many points.
     pub fn grid<S: AsRef<str>>(base: BaseCase, words: &[S]) -> Result<Self, VariationError> {
         let read = |word: &S| VariedKey::parse(word.as_ref(), &base.text);
+        let keys = words.iter().map(read).collect::<Result<_, _>>()?;
+        Self::of_keys(base, keys)
+    }
+
+    /// The same of a system of lines, whose text is the base.
+    ///
+    /// # Errors
+    /// As [`Self::grid`].
+    pub fn of_system<S: AsRef<str>>(base: BaseCase, words: &[S]) -> Result<Self, VariationError> {
+        let field = |path: &str| kind::field::<SystemFile>(&base.text, path);
+        let read = |word: &S| VariedKey::parse_by(word.as_ref(), field);
         let keys = words.iter().map(read).collect::<Result<_, _>>()?;
         Self::of_keys(base, keys)
     }

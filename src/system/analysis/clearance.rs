@@ -2,21 +2,11 @@
 
 use super::super::equilibrium::Equilibrium;
 use super::super::network::{Held, Network};
+use super::boxed_curve::BoxedCurve;
 use crate::numerics::V3;
 
 /// Points that a line is divided by; the distance of a curve from its chords falls with their square.
 const POINTS: u32 = 200;
-
-/// Two lines where they are nearest.
-#[derive(Debug, Clone, PartialEq)]
-pub struct LineClearance {
-    /// Numbers of the lines.
-    pub lines: (usize, usize),
-    /// Least distance of their axes \[m\].
-    pub distance_m: f64,
-    /// Where on the first and on the second \[m\].
-    pub at: (V3, V3),
-}
 
 /// The least distances of a line \[m\].
 #[derive(Debug, Clone, PartialEq)]
@@ -34,23 +24,11 @@ pub struct LineDistances {
 /// The least distances of every line.
 #[must_use]
 pub fn distances(network: &Network, rest: &Equilibrium) -> Vec<LineDistances> {
-    let pairs = between_lines(network, rest);
-    let curves = curves(network, rest);
-    let of = |(line, curve): (usize, &Vec<V3>)| {
-        let mut with = pairs
-            .iter()
-            .filter(|pair| pair.lines.0 == line || pair.lines.1 == line);
-        let nearest = with.next().map(|pair| {
-            let other = if pair.lines.0 == line {
-                pair.lines.1
-            } else {
-                pair.lines.0
-            };
-            (other, pair.distance_m)
-        });
-        let (above_bed, below_surface) = from_bed_and_surface(network, curve);
+    let curves = boxed(network, rest);
+    let of = |(line, curve): (usize, &BoxedCurve)| {
+        let (above_bed, below_surface) = from_bed_and_surface(network, curve.points());
         LineDistances {
-            line: nearest,
+            line: nearest_line(network, &curves, line),
             body: from_bodies(network, rest, line, curve),
             above_bed,
             below_surface,
@@ -74,80 +52,37 @@ pub fn curves(network: &Network, rest: &Equilibrium) -> Vec<Vec<V3>> {
         .collect()
 }
 
-/// The least distance of every two lines that share no point, the nearest first.
+/// The same with boxes around their parts.
 #[must_use]
-pub fn between_lines(network: &Network, rest: &Equilibrium) -> Vec<LineClearance> {
-    let curves = curves(network, rest);
-    let mut found = Vec::new();
-    for (i, one) in network.lines.iter().enumerate() {
-        for (j, two) in network.lines.iter().enumerate().skip(i + 1) {
-            let joined = [one.from, one.to]
-                .iter()
-                .any(|end| [two.from, two.to].contains(end));
-            if !joined {
-                let (distance_m, at) = least(&curves[i], &curves[j]);
-                found.push(LineClearance {
-                    lines: (i, j),
-                    distance_m,
-                    at,
-                });
-            }
-        }
-    }
-    found.sort_by(|a, b| a.distance_m.total_cmp(&b.distance_m));
-    found
+pub fn boxed(network: &Network, rest: &Equilibrium) -> Vec<BoxedCurve> {
+    let curves = curves(network, rest).into_iter();
+    curves.map(BoxedCurve::new).collect()
 }
 
-/// The least distance of two polylines and where.
-fn least(one: &[V3], two: &[V3]) -> (f64, (V3, V3)) {
-    let mut best = (f64::INFINITY, (V3::zeros(), V3::zeros()));
-    for a in one.windows(2) {
-        let half = 0.5 * (a[1] - a[0]).norm();
-        let middle = 0.5 * (a[0] + a[1]);
-        for b in two.windows(2) {
-            let apart = (0.5 * (b[0] + b[1]) - middle).norm() - half - 0.5 * (b[1] - b[0]).norm();
-            if apart >= best.0 {
-                continue;
-            }
-            let (p, q) = nearest(a, b);
-            let distance = (p - q).norm();
-            if distance < best.0 {
-                best = (distance, (p, q));
-            }
+/// The nearest of the lines that share no point with a line, the first of several, and its distance \[m\]; nothing where every line does.
+#[must_use]
+pub fn nearest_line(network: &Network, curves: &[BoxedCurve], line: usize) -> Option<(usize, f64)> {
+    let ends = |line: usize| [network.lines[line].from, network.lines[line].to];
+    let apart = |other: &usize| !ends(*other).iter().any(|end| ends(line).contains(end));
+    let others = (0..curves.len()).filter(apart);
+    let mut others: Vec<(f64, usize)> = others
+        .map(|other| (curves[line].distance_of_boxes(&curves[other]), other))
+        .collect();
+    others.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut best: Option<(usize, f64)> = None;
+    for (boxes, other) in others {
+        if best.is_some_and(|(_, distance)| boxes > distance) {
+            break;
+        }
+        // From the first to the second, whichever is asked for: the digits are the same.
+        let (one, two) = (line.min(other), line.max(other));
+        let distance = curves[one].distance(&curves[two]);
+        let first = |(known, least): (usize, f64)| (distance, other) < (least, known);
+        if best.is_none_or(first) {
+            best = Some((other, distance));
         }
     }
     best
-}
-
-/// The nearest points of two straight segments (Ericson, *Real-Time Collision Detection*, 2005, sec. 5.1.9).
-fn nearest(a: &[V3], b: &[V3]) -> (V3, V3) {
-    let (d1, d2, r) = (a[1] - a[0], b[1] - b[0], a[0] - b[0]);
-    let (aa, e, f) = (d1.norm_squared(), d2.norm_squared(), d2.dot(&r));
-    let tiny = f64::MIN_POSITIVE;
-    let (mut s, t);
-    if aa <= tiny {
-        s = 0.0;
-        t = if e > tiny {
-            (f / e).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
-    } else {
-        let c = d1.dot(&r);
-        let (cross, free) = (d1.dot(&d2), if e > tiny { f / e } else { 0.0 });
-        let det = aa * e - cross * cross;
-        s = if det > tiny {
-            ((cross * f - c * e) / det).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
-        let along = if e > tiny { (cross * s + f) / e } else { free };
-        t = along.clamp(0.0, 1.0);
-        if t != along {
-            s = ((t * cross - c) / aa).clamp(0.0, 1.0);
-        }
-    }
-    (a[0] + d1 * s, b[0] + d2 * t)
 }
 
 /// The least distance of a line from the members of a body that none of its ends is on \[m\], and that body; nothing where no such body
@@ -156,7 +91,7 @@ fn from_bodies(
     network: &Network,
     rest: &Equilibrium,
     line: usize,
-    curve: &[V3],
+    curve: &BoxedCurve,
 ) -> Option<(usize, f64)> {
     let ends = [network.lines[line].from, network.lines[line].to];
     let is_on = |body: usize| {
@@ -169,7 +104,7 @@ fn from_bodies(
     let distances = members.map(|(body, member)| {
         let pose = &rest.placement.bodies[body];
         let axis = [member.from, member.to].map(|end| pose.origin + pose.arm(&end));
-        let (from_axis, _) = least(curve, &axis);
+        let from_axis = curve.distance(&BoxedCurve::new(axis.to_vec()));
         let radius = member.radius.0.max(member.radius.1);
         (body, (from_axis - radius).max(0.0))
     });

@@ -62,7 +62,8 @@ pub fn periods(network: &Network, rest: &Equilibrium) -> Result<Vec<SystemMode>,
         return Ok(Vec::new());
     }
     let rows: Vec<usize> = own.iter().map(|moving| moving.unknown).collect();
-    let stiffness = balance.symmetric();
+    let stiffness = balance.stiffness.dense();
+    let stiffness = 0.5 * (&stiffness + stiffness.transpose());
     let mut condensed = take(&stiffness, &rows, &rows);
     if !inner.is_empty()
         && let Some(response) = take(&stiffness, &inner, &inner)

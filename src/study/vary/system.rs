@@ -1,0 +1,67 @@
+//! A system of lines at the points of a variation.
+
+use std::sync::atomic::AtomicBool;
+
+use super::super::points::{Point, Setting, reasons, side_by_side};
+use super::Variation;
+use crate::case::kind;
+use crate::system::quantities::{error, value};
+use crate::system::stability::Stability;
+use crate::system::{SolvedSystem, SystemFile};
+
+/// A system at rest at a point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SystemPoint {
+    /// The results, in the order asked for: value and error, or why there is none.
+    pub results: Vec<Result<SystemResult, String>>,
+    /// How it rests.
+    pub stability: Stability,
+}
+
+/// A result of a system.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SystemResult {
+    /// Its value.
+    pub value: f64,
+    /// Its error, where it is known.
+    pub error: Option<f64>,
+}
+
+/// What became of a point: its results, or why the system refuses it or has no equilibrium there.
+pub type SystemOutcome = Result<SystemPoint, String>;
+
+/// Computes the results of these names at every point, side by side. A point that fails stops no other; once `cancel` is set no further one
+/// begins. `told` hears how many are done, of how many.
+pub fn compute(
+    variation: &Variation,
+    results: &[String],
+    cancel: &AtomicBool,
+    told: &(dyn Fn(usize, usize) + Sync),
+) -> Vec<Option<SystemOutcome>> {
+    let points: Vec<&Point> = variation.points.iter().collect();
+    let one = |point: &Point| {
+        let solved = solve(&variation.base.text, &point.settings)?;
+        let read = |name: &String| {
+            value(&solved, name).map(|value| SystemResult {
+                value,
+                error: error(&solved, name),
+            })
+        };
+        Ok(SystemPoint {
+            results: results.iter().map(read).collect(),
+            stability: solved.stability.clone(),
+        })
+    };
+    side_by_side(points, cancel, one, |done, of, _, _| told(done, of))
+}
+
+/// The system of a text with some keys set.
+fn solve(text: &str, settings: &[Setting]) -> Result<SolvedSystem, String> {
+    let written: Vec<String> = settings.iter().map(Setting::written).collect();
+    let keys = settings.iter().map(|setting| setting.key.as_str());
+    let edits: Vec<(&str, &str)> = keys.zip(written.iter().map(String::as_str)).collect();
+    let solved = kind::set_and_compute::<SystemFile>(text, &edits);
+    solved
+        .map(|(_, solved)| solved)
+        .map_err(|faults| reasons(&faults))
+}
