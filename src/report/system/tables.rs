@@ -37,7 +37,21 @@ pub fn summary(solved: &SolvedSystem) -> String {
         NEWTONS.write(rest.residual),
         rest.steps,
         rest.evaluations,
-    )
+    ) + &in_motion(solved)
+}
+
+/// Whether the file has a run in time, which the screen does not compute.
+fn in_motion(solved: &SolvedSystem) -> String {
+    solved
+        .file
+        .solver
+        .as_ref()
+        .map_or_else(String::new, |solver| {
+            format!(
+                " This is where it starts: `seacable run` computes it in motion for {} s.",
+                solver.duration_s
+            )
+        })
 }
 
 /// What the lines gained and lost, in a sentence; nothing where they are new.

@@ -11,7 +11,9 @@ use crate::system::SolvedSystem;
 use crate::system::build::{AgedParts, Divided, build};
 use crate::system::discretised::SEGMENTS;
 use crate::system::equilibrium::Equilibrium;
-use crate::system::network::{Held, Network};
+use crate::system::freedoms::Placement;
+use crate::system::model::SystemFile;
+use crate::system::network::{Held, Line, Network};
 use crate::system::rest::{UnsolvedSystem, not_divided, rest_from};
 
 /// Iterations from the equilibrium of the closed forms to that of the divided lines on their bed.
@@ -20,6 +22,10 @@ const MOST_ITERATIONS: usize = 60;
 const LONGEST_ITERATION: f64 = 0.05;
 /// Stiffness that everything has, by that of a pendulum of that length.
 const LEAST_STIFFNESS: f64 = 1e-8;
+/// How often lines are laid on a rough bed.
+const MOST_LAYS: usize = 6;
+/// How far points may still move then, by the length of the longest line.
+const LAID: f64 = 1e-5;
 /// Displacement that counts as none, by the same length.
 const SETTLED: f64 = 1e-11;
 /// The same where the iteration no longer comes nearer: rounding.
@@ -49,22 +55,7 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
     let file = breaks::written_out(&file);
     let none = AgedParts::new();
     let parts = solved.age.as_ref().map_or(&none, |age| &age.parts);
-    let mut network = build(&file, parts, Divided::All).map_err(not_divided)?;
-    let mut placement = breaks::placed(solved, &network);
-    for (point, place) in network.points.iter_mut().zip(&mut placement.points) {
-        if let Some(motion) = &point.motion {
-            *place = motion.at(0.0).0;
-            point.held = Held::At(*place);
-        }
-    }
-    for (body, pose) in network.bodies.iter_mut().zip(&mut placement.bodies) {
-        if let Some(motion) = &body.motion {
-            body.pose = motion.at(0.0).pose;
-            *pose = body.pose;
-        }
-    }
-    placement.carry(&network);
-    let rest = rest_from(&network, &placement)?;
+    let (network, rest) = laid(&file, parts, solved)?;
     let (system, mut state) = at_rest(network, &rest);
     system.prescribe(0.0, &mut state);
     still(&mut state);
@@ -77,6 +68,86 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
         state,
         iterations,
     })
+}
+
+/// The divided lines at rest. Friction of the bed acts by springs from where a line was laid: at first it is left out, and then the lines are laid
+/// where that has their ends, until these no longer move.
+fn laid(
+    file: &SystemFile,
+    parts: &AgedParts,
+    solved: &SolvedSystem,
+) -> Result<(Network, Equilibrium), UnsolvedSystem> {
+    let mut smooth = file.clone();
+    let rough = file.seabed.as_ref().is_some_and(|bed| bed.friction > 0.0)
+        || file.lines.iter().any(|line| line.friction.is_some());
+    if let Some(bed) = &mut smooth.seabed {
+        bed.friction = 0.0;
+    }
+    for line in &mut smooth.lines {
+        line.friction = None;
+    }
+    let network = moved_to_start(&smooth, parts)?;
+    let mut placement = breaks::placed(solved, &network);
+    carried(&network, &mut placement);
+    let mut found = rest_from(&network, &placement)?;
+    if !rough {
+        return Ok((network, found));
+    }
+    let size = longest(&network);
+    for _ in 0..MOST_LAYS {
+        let network = moved_to_start(file, parts)?;
+        let rest = rest_from(&network, &found.placement)?;
+        let points = rest.placement.points.iter().zip(&found.placement.points);
+        let moved = points.map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
+        if moved <= LAID * size {
+            return Ok((network, rest));
+        }
+        found = rest;
+    }
+    Err(UnsolvedSystem {
+        problem: format!(
+            "lines on a rough bed pull free points and bodies along wherever they are laid, {MOST_LAYS} times over"
+        ),
+        remedy: "set seabed.friction = 0, or hold what lies on the bed".to_owned(),
+        line: None,
+        part: None,
+    })
+}
+
+/// The system with what is moved where it is at time zero.
+fn moved_to_start(file: &SystemFile, parts: &AgedParts) -> Result<Network, UnsolvedSystem> {
+    let mut network = build(file, parts, Divided::All).map_err(not_divided)?;
+    for point in &mut network.points {
+        if let Some(motion) = &point.motion {
+            point.held = Held::At(motion.at(0.0).0);
+        }
+    }
+    for body in &mut network.bodies {
+        if let Some(motion) = &body.motion {
+            body.pose = motion.at(0.0).pose;
+        }
+    }
+    Ok(network)
+}
+
+/// Puts what is held where the network has it.
+fn carried(network: &Network, placement: &mut Placement) {
+    for (point, place) in network.points.iter().zip(&mut placement.points) {
+        if let Held::At(at) = &point.held {
+            *place = *at;
+        }
+    }
+    for (body, pose) in network.bodies.iter().zip(&mut placement.bodies) {
+        if !body.free {
+            *pose = body.pose;
+        }
+    }
+    placement.carry(network);
+}
+
+/// Unstretched length of the longest line, a metre at least \[m\].
+fn longest(network: &Network) -> f64 {
+    network.lines.iter().map(Line::length).fold(1.0, f64::max)
 }
 
 /// The system and its state as the equilibrium found it.
@@ -103,9 +174,7 @@ fn at_rest(network: Network, rest: &Equilibrium) -> (MovingSystem, SystemState) 
     };
     let places = joints.roles.iter().enumerate().map(place).collect();
     let bases = rest.placement.bodies.iter().map(|pose| pose.rotation);
-    let ends = |line: &crate::system::network::Line| {
-        [line.from, line.to].map(|point| joints.points[point])
-    };
+    let ends = |line: &Line| [line.from, line.to].map(|point| joints.points[point]);
     let state = SystemState {
         lines,
         joints: State::at_rest(places),
@@ -125,8 +194,7 @@ fn still(state: &mut SystemState) {
 
 /// Newton's method at rest.
 fn settle(system: &MovingSystem, state: &mut SystemState) -> Result<u64, NewtonError> {
-    let lengths = system.network.lines.iter().map(|line| line.length());
-    let size = lengths.fold(1.0, f64::max);
+    let size = longest(&system.network);
     // What nothing holds, as the spin of a buoy on one line, stays where it is.
     let statics = Factors {
         mass: LEAST_STIFFNESS * system.network.gravity.max(1.0) / size,
