@@ -64,5 +64,8 @@ impl Pane for ValidationPane {
             return painter.paragraph(area, NO_PUBLISHED_VALUES);
         }
         painter.table(&document.checks_pane, &reference::table(checks), area);
+        if document.line().is_some_and(|line| line.checking.is_open()) {
+            painter.older(area);
+        }
     }
 }

@@ -11,6 +11,7 @@ mod footer;
 mod hostile_text;
 mod marks;
 mod modes;
+mod parts;
 mod pending;
 mod random;
 mod response;

@@ -1,0 +1,45 @@
+//! Runs of a line case compared with its published values, behind the screen.
+
+use std::sync::Arc;
+
+use crate::case::{Case, EditedKey, StudyPoint};
+use crate::run::Run;
+use crate::tui::facade::{self, ValidationRow};
+
+/// Whether the validation table is being made.
+#[derive(Debug, Clone, Default)]
+pub struct Checking {
+    /// True when it is older than the runs or the text.
+    pub is_due: bool,
+    /// The comparison under way.
+    pub asked: Option<Arc<()>>,
+}
+
+impl Checking {
+    /// Whether the table is older than the runs or the text.
+    #[must_use]
+    pub const fn is_open(&self) -> bool {
+        self.is_due || self.asked.is_some()
+    }
+}
+
+/// A comparison that is asked for.
+#[derive(Debug, Clone)]
+pub struct ValueCheck {
+    /// Tells it from others.
+    pub token: Arc<()>,
+    /// The case.
+    pub case: Box<Case>,
+    /// The inputs that are the user's.
+    pub edited: Vec<EditedKey>,
+    /// The runs, by their points.
+    pub runs: Vec<(Option<StudyPoint>, Arc<Run>)>,
+}
+
+impl ValueCheck {
+    /// The validation table.
+    #[must_use]
+    pub fn rows(&self) -> Vec<ValidationRow> {
+        facade::checks(&self.case, &self.edited, &self.runs)
+    }
+}
