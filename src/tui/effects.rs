@@ -344,8 +344,8 @@ fn make_part(request: PartRequest) -> Msg {
 
 /// Compares runs with published values. It always answers; the panic hook reports a fault of it.
 fn check_values(check: ValueCheck) -> Msg {
-    let rows = catch_unwind(AssertUnwindSafe(|| check.rows()));
-    Msg::ValuesChecked(check.token, rows.unwrap_or_default())
+    let table = catch_unwind(AssertUnwindSafe(|| check.table()));
+    Msg::ValuesChecked(check.token, Box::new(table.unwrap_or_default()))
 }
 
 /// Makes a report. It always answers; the panic hook reports a fault of it.

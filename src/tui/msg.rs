@@ -4,7 +4,6 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use super::facade::ValidationRow;
 use super::key::KeyPress;
 use super::recovery::RecoveredEdits;
 use super::state::edit_check::{EditAnswer, EditCheck};
@@ -12,7 +11,7 @@ use super::state::parts::{PartKey, PartRequest, PartView};
 use super::state::report::{ReportRequest, TextRequest};
 use super::state::ship::ShipAtSea;
 use super::state::trials::{TrialProgress, TrialsOf};
-use super::state::value_check::ValueCheck;
+use super::state::value_check::{ValidationTable, ValueCheck};
 use super::state::{
     CaseEntry, DocumentContent, FileOfText, JobNumber, ParameterEditor, Reading, RunCurves,
     RunEntry, Severity, VariantPlan, VariedRuns,
@@ -66,12 +65,12 @@ pub enum Msg {
     /// A ship at sea was computed, by the thread that this stops, with its validation table; nothing where it was stopped or failed.
     ShipComputed(
         Arc<AtomicBool>,
-        Option<(Arc<DynamicAnalysis>, Vec<ValidationRow>)>,
+        Option<(Arc<DynamicAnalysis>, ValidationTable)>,
     ),
     /// A part of the screen is worked out.
     PartMade(Box<PartKey>, Arc<PartView>),
     /// The comparison of this token with published values is made.
-    ValuesChecked(Arc<()>, Vec<ValidationRow>),
+    ValuesChecked(Arc<()>, Box<ValidationTable>),
     /// A case file cannot be opened: the file, and all that is wrong.
     CaseRejected(PathBuf, String),
     /// A case was saved here.

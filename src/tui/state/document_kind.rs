@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use super::document::DocumentContent;
 use super::parts::Part;
+use super::value_check::ValidationTable;
 use crate::case::EditedKey;
-use crate::reference::ValidationRow;
 use crate::report::chart::Glyphs;
 use crate::tui::command::{Command, CommandId, MODEL};
 use crate::tui::facade::FieldRow;
@@ -55,9 +55,9 @@ pub trait DocumentKind {
     /// For the threads behind the screen.
     fn validate(&mut self, _text: &str, _edited: &[EditedKey]) {}
 
-    /// The validation table.
-    fn checks(&self) -> &[ValidationRow] {
-        &[]
+    /// The validation table, where its kind has one.
+    fn checks(&self) -> Option<&ValidationTable> {
+        None
     }
 
     /// What it computes in the background, in a few words.

@@ -11,14 +11,13 @@ use super::jobs::JobNumber;
 use super::modes::ModesView;
 use super::report::ReportRequest;
 use super::run_list::RunList;
-use super::value_check::Checking;
+use super::value_check::{Checking, ValidationTable};
 use super::variants::VariantPlan;
 use crate::case::{Case, QuantityId, StudyPoint, TextDigest};
 use crate::report::figures::{FIGURES, FigureId};
 use crate::run::settings::method_name;
 use crate::run::{Run, RunState};
 use crate::tui::command::{Command, CommandId, LINE};
-use crate::tui::facade::ValidationRow;
 use crate::tui::line_tables::LineTable;
 use crate::tui::msg::StudyOf;
 use crate::tui::pane::PaneId;
@@ -147,7 +146,7 @@ pub struct LineView {
     /// What was asked for and waits for the variants.
     pub planned: Option<PlannedWork>,
     /// The validation table, made anew behind the screen when a run lands.
-    pub checks: Vec<ValidationRow>,
+    pub checks: ValidationTable,
     /// Whether it is, or has to be.
     pub checking: Checking,
     /// The table of the line that is shown.
@@ -190,7 +189,7 @@ impl LineView {
             plan: VariantPlan::default(),
             planning: false,
             planned: None,
-            checks: Vec::new(),
+            checks: ValidationTable::default(),
             checking: Checking::default(),
             line_table: LineTable::default(),
             nodes_pane: TablePane::default(),
@@ -315,7 +314,7 @@ impl DocumentKind for LineView {
         self.case = newer.case;
     }
 
-    fn checks(&self) -> &[ValidationRow] {
-        &self.checks
+    fn checks(&self) -> Option<&ValidationTable> {
+        Some(&self.checks)
     }
 }

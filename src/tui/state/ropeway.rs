@@ -6,8 +6,8 @@ use std::sync::Arc;
 use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::parts::Part;
+use super::value_check::ValidationTable;
 use crate::case::EditedKey;
-use crate::reference::{self, ValidationRow};
 use crate::report::chart::Glyphs;
 use crate::report::ropeway as views;
 use crate::ropeway::elastic::Carrier;
@@ -26,7 +26,7 @@ pub struct RopewayView {
     /// Where the cargo is, from 0 at the platform to 1 at the ship; the file's own place stays in the file.
     pub position: f64,
     /// The validation table.
-    pub checks: Vec<ValidationRow>,
+    pub checks: ValidationTable,
 }
 
 impl RopewayView {
@@ -36,7 +36,7 @@ impl RopewayView {
         Self {
             position: worked.ropeway.cargo.position,
             worked: Arc::new(worked),
-            checks: Vec::new(),
+            checks: ValidationTable::default(),
         }
     }
 
@@ -95,12 +95,12 @@ impl DocumentKind for RopewayView {
     }
 
     fn validate(&mut self, text: &str, edited: &[EditedKey]) {
-        self.checks = validation::rows(&self.worked, text);
-        reference::set_edited_aside(&mut self.checks, edited);
+        let rows = validation::rows(&self.worked, text);
+        self.checks = ValidationTable::edited(rows, edited);
     }
 
-    fn checks(&self) -> &[ValidationRow] {
-        &self.checks
+    fn checks(&self) -> Option<&ValidationTable> {
+        Some(&self.checks)
     }
 
     fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {

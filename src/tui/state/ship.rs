@@ -9,9 +9,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::parts::Part;
+use super::value_check::ValidationTable;
 use crate::case::EditedKey;
 use crate::numerics::V3;
-use crate::reference::{self, ValidationRow};
 use crate::report::chart::Glyphs;
 use crate::report::ship::text;
 use crate::ship::{DynamicAnalysis, MotionAnalysis, StaticAnalysis, validation};
@@ -32,7 +32,7 @@ pub struct ShipView {
     /// The motion that is drawn alone; none: all six.
     pub trace: Option<usize>,
     /// The validation table.
-    pub checks: Vec<ValidationRow>,
+    pub checks: ValidationTable,
 }
 
 /// The tab of its motions.
@@ -46,11 +46,9 @@ fn checks(
     statics: &StaticAnalysis,
     dynamic: Option<&DynamicAnalysis>,
     edited: &[EditedKey],
-) -> Vec<ValidationRow> {
+) -> ValidationTable {
     let motion = dynamic.and_then(|dynamic| dynamic.motion.as_ref());
-    let mut rows = validation::rows(&statics.ship, motion);
-    reference::set_edited_aside(&mut rows, edited);
-    rows
+    ValidationTable::edited(validation::rows(&statics.ship, motion), edited)
 }
 
 /// A ship that is to be computed at sea.
@@ -69,10 +67,10 @@ pub struct ShipAtSea {
 impl ShipAtSea {
     /// Its dynamic analysis with the validation table; nothing where it was stopped.
     #[must_use]
-    pub fn computed(&self) -> Option<(Arc<DynamicAnalysis>, Vec<ValidationRow>)> {
+    pub fn computed(&self) -> Option<(Arc<DynamicAnalysis>, ValidationTable)> {
         let dynamic = DynamicAnalysis::new(&self.statics, &self.folder, &self.stop)?;
-        let rows = checks(&self.statics, Some(&dynamic), &self.edited);
-        Some((Arc::new(dynamic), rows))
+        let table = checks(&self.statics, Some(&dynamic), &self.edited);
+        Some((Arc::new(dynamic), table))
     }
 }
 
@@ -86,7 +84,7 @@ impl ShipView {
             dynamic: None,
             running: None,
             trace: None,
-            checks: Vec::new(),
+            checks: ValidationTable::default(),
         }
     }
 
@@ -162,8 +160,8 @@ impl DocumentKind for ShipView {
         self.checks = checks(&self.statics, dynamic, edited);
     }
 
-    fn checks(&self) -> &[ValidationRow] {
-        &self.checks
+    fn checks(&self) -> Option<&ValidationTable> {
+        Some(&self.checks)
     }
 
     fn stop(&mut self) {

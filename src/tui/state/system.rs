@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::parts::Part;
+use super::value_check::ValidationTable;
 use crate::case::EditedKey;
-use crate::reference::{self, ValidationRow};
 use crate::report::chart::Glyphs;
 use crate::report::system as views;
 use crate::system::analysis::analyses::Analyses;
@@ -23,7 +23,7 @@ pub struct SystemView {
     /// Its analyses, once they are worked out.
     pub analyses: Option<Arc<Analyses>>,
     /// The validation table.
-    pub checks: Vec<ValidationRow>,
+    pub checks: ValidationTable,
     /// The view shown: from above, from the side, obliquely.
     pub view: usize,
 }
@@ -35,7 +35,7 @@ impl SystemView {
         Self {
             solved: Arc::new(solved),
             analyses: None,
-            checks: Vec::new(),
+            checks: ValidationTable::default(),
             view: 0,
         }
     }
@@ -99,17 +99,17 @@ impl DocumentKind for SystemView {
 
     fn validate(&mut self, _text: &str, edited: &[EditedKey]) {
         self.analyses = Some(Arc::new(Analyses::of(&self.solved)));
-        self.checks = validation::rows(&self.solved);
-        reference::set_edited_aside(&mut self.checks, edited);
+        let rows = validation::rows(&self.solved);
+        self.checks = ValidationTable::edited(rows, edited);
     }
 
-    fn checks(&self) -> &[ValidationRow] {
-        &self.checks
+    fn checks(&self) -> Option<&ValidationTable> {
+        Some(&self.checks)
     }
 
     fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
         let analyses = self.analyses.as_ref()?;
-        let report = views::report(&self.solved, analyses, &self.checks, rows, glyphs);
+        let report = views::report(&self.solved, analyses, &self.checks.rows, rows, glyphs);
         Some(report)
     }
 }

@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use crate::case::{Case, EditedKey, StudyPoint};
+use crate::reference;
+use crate::report::table::Table;
 use crate::run::Run;
 use crate::tui::facade::{self, ValidationRow};
 
@@ -23,6 +25,33 @@ impl Checking {
     }
 }
 
+/// Rows of a validation table, and the table as it is shown.
+#[derive(Debug, Clone, Default)]
+pub struct ValidationTable {
+    /// The rows.
+    pub rows: Vec<ValidationRow>,
+    /// The table.
+    pub table: Table,
+}
+
+impl ValidationTable {
+    /// The table of these rows.
+    #[must_use]
+    pub fn new(rows: Vec<ValidationRow>) -> Self {
+        Self {
+            table: reference::table(&rows),
+            rows,
+        }
+    }
+
+    /// The table of these rows, of which the inputs of the user do not count as published.
+    #[must_use]
+    pub fn edited(mut rows: Vec<ValidationRow>, edited: &[EditedKey]) -> Self {
+        reference::set_edited_aside(&mut rows, edited);
+        Self::new(rows)
+    }
+}
+
 /// A comparison that is asked for.
 #[derive(Debug, Clone)]
 pub struct ValueCheck {
@@ -39,7 +68,7 @@ pub struct ValueCheck {
 impl ValueCheck {
     /// The validation table.
     #[must_use]
-    pub fn rows(&self) -> Vec<ValidationRow> {
-        facade::checks(&self.case, &self.edited, &self.runs)
+    pub fn table(&self) -> ValidationTable {
+        ValidationTable::new(facade::checks(&self.case, &self.edited, &self.runs))
     }
 }

@@ -35,7 +35,7 @@ pub(super) fn follow_report(state: &mut AppState) -> Option<Effect> {
         name,
         run,
         file: editor.file.clone(),
-        checks: edited.then(|| line.checks.clone()),
+        checks: edited.then(|| line.checks.rows.clone()),
     };
     // Its validation table is that of the runs as they are now.
     let open = line.checking.is_open() && edited;

@@ -84,7 +84,7 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
             Vec::new()
         }
         Msg::PartMade(key, view) => parts::made(state, *key, view),
-        Msg::ValuesChecked(token, rows) => parts::compared(state, &token, rows),
+        Msg::ValuesChecked(token, table) => parts::compared(state, &token, *table),
         Msg::CaseRejected(file, text) => {
             cases::rejected(state, file.display().to_string(), file, text)
         }

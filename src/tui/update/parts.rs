@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
-use crate::tui::facade::ValidationRow;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::parts::{Part, PartKey, PartView};
-use crate::tui::state::value_check::ValueCheck;
+use crate::tui::state::value_check::{ValidationTable, ValueCheck};
 use crate::tui::state::{AppState, Document};
 use crate::tui::view::layout;
 
@@ -70,14 +69,14 @@ pub(super) fn follow_checks(state: &mut AppState) -> Option<Effect> {
 pub(super) fn compared(
     state: &mut AppState,
     token: &Arc<()>,
-    rows: Vec<ValidationRow>,
+    table: ValidationTable,
 ) -> Vec<Effect> {
     if let Some(line) = state.line_mut()
         && let Some(asked) = &line.checking.asked
         && Arc::ptr_eq(asked, token)
     {
         line.checking.asked = None;
-        line.checks = rows;
+        line.checks = table;
     }
     Vec::new()
 }

@@ -6,9 +6,9 @@ use std::sync::atomic::AtomicBool;
 
 use crate::physics::sea::DEGREES;
 use crate::ship::DynamicAnalysis;
-use crate::tui::facade::ValidationRow;
 use crate::tui::msg::Effect;
 use crate::tui::state::ship::ShipAtSea;
+use crate::tui::state::value_check::ValidationTable;
 use crate::tui::state::{AppState, Document, DocumentContent, DocumentKind, ShipView};
 
 fn ship(document: &mut Document) -> Option<&mut ShipView> {
@@ -46,7 +46,7 @@ pub(super) fn resolve(state: &mut AppState) -> Option<Effect> {
 pub(super) fn computed(
     state: &mut AppState,
     by: &Arc<AtomicBool>,
-    computed: Option<(Arc<DynamicAnalysis>, Vec<ValidationRow>)>,
+    computed: Option<(Arc<DynamicAnalysis>, ValidationTable)>,
 ) -> Option<()> {
     let document = state.document.as_mut()?;
     let ship = ship(document)?;

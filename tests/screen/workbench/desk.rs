@@ -139,8 +139,8 @@ impl Desk {
                     self.tell(Msg::PartMade(Box::new(request.key), view));
                 }
                 Effect::CheckValues(check) if self.parts_at_once => {
-                    let rows = check.rows();
-                    self.tell(Msg::ValuesChecked(check.token, rows));
+                    let table = Box::new(check.table());
+                    self.tell(Msg::ValuesChecked(check.token, table));
                 }
                 effect => self.asked.push(effect),
             }

@@ -74,9 +74,7 @@ fn tabs_and_views_of_models_show_what_was_answered_and_nothing_else() {
                     let screen = desk.screen();
                     assert!(
                         screen.contains("Computing."),
-                        "{name} {pane:?} {tab} {:?} {:?}\n{screen}",
-                        desk.state.held,
-                        desk.state.focus()
+                        "{name} {pane:?} {tab}\n{screen}"
                     );
                     let keys = asked(&mut desk);
                     assert_eq!(keys.len(), 1, "{name} {pane:?} {tab}");
@@ -165,7 +163,10 @@ fn the_validation_table_follows_its_runs_and_writing_waits_for_it() {
     let Effect::CheckValues(check) = desk.asked.remove(at.unwrap()) else {
         panic!("no comparison was asked for");
     };
-    desk.tell(Msg::ValuesChecked(Arc::clone(&check.token), check.rows()));
+    desk.tell(Msg::ValuesChecked(
+        Arc::clone(&check.token),
+        Box::new(check.table()),
+    ));
     // Runs that landed meanwhile are compared next.
     while let Some(at) = desk
         .asked
@@ -173,7 +174,10 @@ fn the_validation_table_follows_its_runs_and_writing_waits_for_it() {
         .rposition(|e| matches!(e, Effect::CheckValues(_)))
     {
         if let Effect::CheckValues(check) = desk.asked.remove(at) {
-            desk.tell(Msg::ValuesChecked(Arc::clone(&check.token), check.rows()));
+            desk.tell(Msg::ValuesChecked(
+                Arc::clone(&check.token),
+                Box::new(check.table()),
+            ));
         }
     }
     assert!(!desk.screen().contains(OLDER));
@@ -184,6 +188,7 @@ fn the_validation_table_follows_its_runs_and_writing_waits_for_it() {
 const FAR: &[&str] = &[
     "facade::parse",
     "facade::checks",
+    "reference::table",
     "kind::parse",
     "case::parse",
     "part_views::of_model",

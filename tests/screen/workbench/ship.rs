@@ -130,7 +130,10 @@ fn an_edit_is_live_at_rest_and_only_the_newest_text_is_taken_at_sea() {
         coupled: None,
         rope: None,
     };
-    desk.tell(Msg::ShipComputed(stale, Some((Arc::new(old), Vec::new()))));
+    desk.tell(Msg::ShipComputed(
+        stale,
+        Some((Arc::new(old), Default::default())),
+    ));
     assert!(ship(&desk).dynamic.is_none() && ship(&desk).running.is_some());
     desk.sail();
     assert!(ship(&desk).dynamic.is_some() && ship(&desk).running.is_none());
