@@ -22,14 +22,12 @@ pub(super) fn view(system: &SystemView, part: Part) -> PartView {
     with_table(match part {
         Part::Tab(0) => (None, tables::lines(solved)),
         Part::Tab(1) => (None, tables::points(solved)),
+        Part::Tab(2 | 3) if solved.network.bodies.is_empty() => {
+            (None, Table::titled("The system has no body."))
+        }
         Part::Tab(2) => (None, tables::bodies(solved)),
         Part::Tab(tab @ CLEARANCES..) => analyses(system, tab),
-        Part::Tab(_) => {
-            let first = !solved.network.bodies.is_empty();
-            let none = || Table::titled("The system has no body.");
-            let table = first.then(|| tables::stiffness(solved, 0));
-            (None, table.unwrap_or_else(none))
-        }
+        Part::Tab(_) => (None, tables::stiffness(solved, 0)),
         _ => return drawn(system),
     })
 }
