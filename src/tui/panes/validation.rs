@@ -60,11 +60,18 @@ impl Pane for ValidationPane {
             return;
         };
         let checks = document.kind().checks();
+        let line = document.line();
+        let is_open = line.is_some_and(|line| line.checking.is_open());
         let Some(checks) = checks.filter(|checks| !checks.rows.is_empty()) else {
-            return painter.paragraph(area, NO_PUBLISHED_VALUES);
+            let words = if is_open {
+                "Computing."
+            } else {
+                NO_PUBLISHED_VALUES
+            };
+            return painter.paragraph(area, words);
         };
         painter.table(&document.checks_pane, &checks.table, area);
-        if document.line().is_some_and(|line| line.checking.is_open()) {
+        if is_open {
             painter.older(area);
         }
     }

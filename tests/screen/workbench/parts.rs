@@ -147,6 +147,10 @@ fn an_edit_makes_parts_older_until_they_are_answered() {
 
 #[test]
 fn the_validation_table_follows_its_runs_and_writing_waits_for_it() {
+    let (kind, text) = (FileType::Line, super::desk::CASE);
+    let mut desk = open(kind, "body.toml", text, SMALL);
+    desk.keys("4");
+    assert!(desk.screen().contains("Computing."), "nothing is known yet");
     let mut desk = Desk::with_case(SMALL);
     desk.parts_at_once = false;
     desk.keys("R");
