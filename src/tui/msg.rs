@@ -65,7 +65,7 @@ pub enum Msg {
     /// A ship at sea was computed, by the thread that this stops, with its validation table; nothing where it was stopped or failed.
     ShipComputed(
         Arc<AtomicBool>,
-        Option<(Arc<DynamicAnalysis>, ValidationTable)>,
+        Option<(Arc<DynamicAnalysis>, Box<ValidationTable>)>,
     ),
     /// A part of the screen is worked out.
     PartMade(Box<PartKey>, Arc<PartView>),

@@ -67,10 +67,10 @@ pub struct ShipAtSea {
 impl ShipAtSea {
     /// Its dynamic analysis with the validation table; nothing where it was stopped.
     #[must_use]
-    pub fn computed(&self) -> Option<(Arc<DynamicAnalysis>, ValidationTable)> {
+    pub fn computed(&self) -> Option<(Arc<DynamicAnalysis>, Box<ValidationTable>)> {
         let dynamic = DynamicAnalysis::new(&self.statics, &self.folder, &self.stop)?;
         let table = checks(&self.statics, Some(&dynamic), &self.edited);
-        Some((Arc::new(dynamic), table))
+        Some((Arc::new(dynamic), Box::new(table)))
     }
 }
 

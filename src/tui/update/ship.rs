@@ -46,7 +46,7 @@ pub(super) fn resolve(state: &mut AppState) -> Option<Effect> {
 pub(super) fn computed(
     state: &mut AppState,
     by: &Arc<AtomicBool>,
-    computed: Option<(Arc<DynamicAnalysis>, ValidationTable)>,
+    computed: Option<(Arc<DynamicAnalysis>, Box<ValidationTable>)>,
 ) -> Option<()> {
     let document = state.document.as_mut()?;
     let ship = ship(document)?;
@@ -57,7 +57,7 @@ pub(super) fn computed(
     ship.dynamic = None;
     if let Some((dynamic, checks)) = computed {
         ship.dynamic = Some(dynamic);
-        ship.checks = checks;
+        ship.checks = *checks;
     }
     document.parts.outdate();
     Some(())
