@@ -32,16 +32,18 @@ use super::msg::{Effect, Msg, StudyRequest};
 use super::recovery::{self, RecoveredEdits};
 use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::modes::COUNT;
+use super::state::parts::{Part, PartRequest, PartView};
 use super::state::report::ReportRequest;
 use super::state::trials::TrialsOf;
+use super::state::value_check::ValueCheck;
 use super::state::{JobNumber, RunCurves, Severity, VariantPlan, VariedRuns};
 use crate::background::lower_priority;
 use crate::case;
 use crate::modes;
+use crate::report::table::Table;
 use crate::run::job::{self, JobEvent, Request};
 use crate::run::store::{self, RunLocation, RunWriter};
 use crate::run::{ResumedRun, coarse, resume_request};
-use crate::ship::DynamicAnalysis;
 
 /// What is outside of the state.
 #[derive(Debug)]
@@ -51,6 +53,9 @@ pub struct EffectRunner {
     inbox: Inbox,
     files: OrderedWorker,
     checks: OrderedWorker,
+    /// Views of models, which do not wait for their tables.
+    drawings: OrderedWorker,
+    tables: OrderedWorker,
     runs: IndexWorker,
     jobs: HashMap<JobNumber, RunningJob>,
     /// The trials that compute, and the flag that stops them.
@@ -79,6 +84,8 @@ impl EffectRunner {
             dir,
             files: OrderedWorker::start("files", out.clone()),
             checks: OrderedWorker::start("checks", out.clone()),
+            drawings: OrderedWorker::start("drawings", out.clone()),
+            tables: OrderedWorker::start("tables", out.clone()),
             runs: IndexWorker::default(),
             out,
             inbox,
@@ -167,12 +174,16 @@ impl EffectRunner {
                 let found = modes::of_case(&case, COUNT);
                 Msg::Modes(text, found.map(Arc::new).map_err(|why| why.to_string()))
             }),
-            Effect::ComputeShip(rest, folder, stop) => self.aside(move || {
+            Effect::ComputeShip(ship) => self.aside(move || {
                 // It always answers; the panic hook reports a fault of it.
-                let work = AssertUnwindSafe(|| DynamicAnalysis::new(&rest, &folder, &stop));
-                let sea = catch_unwind(work).ok().flatten().map(Arc::new);
-                Msg::ShipComputed(stop, sea)
+                let computed = catch_unwind(AssertUnwindSafe(|| ship.computed()));
+                Msg::ShipComputed(ship.stop, computed.ok().flatten())
             }),
+            Effect::MakePart(request) => match request.key.part {
+                Part::Drawing => self.drawings.perform(move || vec![make_part(*request)]),
+                _ => self.tables.perform(move || vec![make_part(*request)]),
+            },
+            Effect::CheckValues(check) => self.tables.perform(move || vec![check_values(*check)]),
             Effect::ReadRun(dir) => self.aside(move || {
                 let run = store::read(&dir).map(Arc::new).map_err(|e| e.to_string());
                 Msg::RunRead(dir, run)
@@ -320,6 +331,23 @@ fn check_edits(check: EditCheck) -> Msg {
     Msg::EditsChecked(Box::new(answer))
 }
 
+/// Works a part of the screen out. It always answers; the panic hook reports a fault of it.
+fn make_part(request: PartRequest) -> Msg {
+    let view = catch_unwind(AssertUnwindSafe(|| request.view()));
+    let fault = |_| PartView {
+        table: Table::titled("This could not be worked out by a fault of seacable."),
+        ..PartView::default()
+    };
+    let view = Arc::new(view.unwrap_or_else(fault));
+    Msg::PartMade(Box::new(request.key), view)
+}
+
+/// Compares runs with published values. It always answers; the panic hook reports a fault of it.
+fn check_values(check: ValueCheck) -> Msg {
+    let table = catch_unwind(AssertUnwindSafe(|| check.table()));
+    Msg::ValuesChecked(check.token, Box::new(table.unwrap_or_default()))
+}
+
 /// Makes a report. It always answers; the panic hook reports a fault of it.
 fn make_report(request: ReportRequest) -> Msg {
     let text = catch_unwind(AssertUnwindSafe(|| request.text()));
@@ -365,9 +393,9 @@ fn file_effect(effect: Effect, dir: &Path) -> Vec<Msg> {
         Effect::ReadEdited(path) => Msg::Edited(external_editor::read(&path)),
         Effect::KeepRun(run) => keep_run(run),
         Effect::WriteText { path, text, what } => write_text(&path, &text, what),
-        Effect::WriteReport(report) => match report.text() {
-            Some((text, what)) => write_text(&report.path, &text, what),
-            None => return Vec::new(),
+        Effect::WriteMade(request) => match request.text() {
+            (path, Some(text), what) => write_text(&path, &text, what),
+            _ => Msg::Say(Severity::Info, "There is nothing to write.".to_owned()),
         },
         _ => return Vec::new(),
     };

@@ -69,7 +69,7 @@ impl LineTable {
         all[(at + step) % all.len()]
     }
 
-    /// The table of a run.
+    /// The table of a run; for the threads behind the screen.
     #[must_use]
     pub fn table(self, run: &Run) -> Table {
         match self {
@@ -82,7 +82,7 @@ impl LineTable {
         }
     }
 
-    /// The same as CSV, with every digit of the nodes.
+    /// The same as CSV, with every digit of the nodes; for the threads behind the screen.
     #[must_use]
     pub fn csv(self, run: &Run) -> String {
         if self == Self::Nodes {

@@ -23,6 +23,7 @@ pub mod line_tables;
 pub mod msg;
 pub mod pane;
 pub mod panes;
+pub mod part_views;
 pub mod plot_pane;
 pub mod plots;
 pub mod recovery;

@@ -7,8 +7,11 @@ use std::sync::atomic::AtomicBool;
 use super::key::KeyPress;
 use super::recovery::RecoveredEdits;
 use super::state::edit_check::{EditAnswer, EditCheck};
-use super::state::report::{ModelReport, ReportRequest};
+use super::state::parts::{PartKey, PartRequest, PartView};
+use super::state::report::{ReportRequest, TextRequest};
+use super::state::ship::ShipAtSea;
 use super::state::trials::{TrialProgress, TrialsOf};
+use super::state::value_check::{ValidationTable, ValueCheck};
 use super::state::{
     CaseEntry, DocumentContent, FileOfText, JobNumber, ParameterEditor, Reading, RunCurves,
     RunEntry, Severity, VariantPlan, VariedRuns,
@@ -20,7 +23,7 @@ use crate::run::index::{RunColumns, SyncProgress};
 use crate::run::job::{JobEvent, Request};
 use crate::run::store::RunNotes;
 use crate::run::{ResumedRun, Run};
-use crate::ship::{DynamicAnalysis, StaticAnalysis};
+use crate::ship::DynamicAnalysis;
 use crate::study::points::BaseCase;
 use crate::study::vary::Variation;
 
@@ -59,8 +62,15 @@ pub enum Msg {
     CasesRead(PathBuf, Vec<CaseEntry>),
     /// A file was read; with edits that an earlier session left behind.
     FileRead(Box<FileRead>),
-    /// A ship at sea was computed, by the thread that this stops; nothing where it was stopped or failed.
-    ShipComputed(Arc<AtomicBool>, Option<Arc<DynamicAnalysis>>),
+    /// A ship at sea was computed, by the thread that this stops, with its validation table; nothing where it was stopped or failed.
+    ShipComputed(
+        Arc<AtomicBool>,
+        Option<(Arc<DynamicAnalysis>, Box<ValidationTable>)>,
+    ),
+    /// A part of the screen is worked out.
+    PartMade(Box<PartKey>, Arc<PartView>),
+    /// The comparison of this token with published values is made.
+    ValuesChecked(Arc<()>, Box<ValidationTable>),
     /// A case file cannot be opened: the file, and all that is wrong.
     CaseRejected(PathBuf, String),
     /// A case was saved here.
@@ -239,8 +249,12 @@ pub enum Effect {
     },
     /// Cancel a job.
     Cancel(JobNumber),
-    /// Compute a ship at sea, from the folder of its file, on a thread of its own that the last stops.
-    ComputeShip(Box<StaticAnalysis>, PathBuf, Arc<AtomicBool>),
+    /// Compute a ship at sea on a thread of its own.
+    ComputeShip(Box<ShipAtSea>),
+    /// Work out a part of the screen.
+    MakePart(Box<PartRequest>),
+    /// Compare runs with published values.
+    CheckValues(Box<ValueCheck>),
     /// Give the terminal to the user's editor with this file, and take it back.
     EditFile(PathBuf),
     /// Find the natural modes of a case.
@@ -307,8 +321,8 @@ pub enum Effect {
     CheckEdits(Box<EditCheck>),
     /// Read what the user's editor left of a file.
     ReadEdited(PathBuf),
-    /// Make the report of a file other than a line case, and write it.
-    WriteReport(Box<ModelReport>),
+    /// Make a text, and write it to a new file; when the name is taken, to the next free one.
+    WriteMade(Box<TextRequest>),
     /// Make the report of a run.
     MakeReport(Box<ReportRequest>),
     /// Read a stored run.

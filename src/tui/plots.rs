@@ -109,7 +109,7 @@ fn with_data<T>(line: &LineView, make: impl FnOnce(&FigureData) -> T) -> T {
     make(&FigureData {
         case: &line.case,
         runs: &runs,
-        checks: &line.checks,
+        checks: &line.checks.rows,
         instant: line.instant,
         chosen: line.series,
         limits: !line.without_limits,

@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use unicode_width::UnicodeWidthStr;
+use unicode_width::UnicodeWidthChar;
 
 use self::layout_memo::LayoutMemo;
 use super::theme::Theme;
@@ -186,11 +186,18 @@ fn draw_line(
             Glyphs::Ascii => plain::ascii(&piece.text),
         };
         for ch in text.chars() {
-            let symbol = ch.to_string();
-            let wide = symbol.width();
+            let wide = ch.width().unwrap_or(0);
             let shown = column.checked_sub(hidden).filter(|at| at + wide <= width);
-            if let Some(at) = shown {
-                buf.set_stringn(place.x + at as u16, place.y, &symbol, wide, style);
+            if let Some(at) = shown.and_then(|at| u16::try_from(at).ok()) {
+                let (x, y) = (place.x + at, place.y);
+                // Most letters take one cell, and need no search for their graphemes.
+                match buf
+                    .cell_mut((x, y))
+                    .filter(|_| ch.is_ascii_graphic() || ch == ' ')
+                {
+                    Some(cell) => _ = cell.set_char(ch).set_style(style),
+                    None => _ = buf.set_stringn(x, y, ch.to_string(), wide, style),
+                }
             }
             column += wide;
         }

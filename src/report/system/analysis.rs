@@ -1,6 +1,7 @@
 //! Analyses of a system in tables and charts: offsets, watch circle, natural periods, clearances.
 
 use crate::report::chart::{Axis, Chart, Outline, Series};
+use crate::report::number::rounded;
 use crate::report::table::{NumberFormat, Table};
 use crate::system::SolvedSystem;
 use crate::system::analysis::analyses::OffsetCurve;
@@ -11,7 +12,6 @@ use crate::system::analysis::seek::Sought;
 use crate::system::analysis::watch_circle::WatchCircle;
 use crate::system::equilibrium::Equilibrium;
 use crate::system::model::GoalInputs;
-use crate::system::pose::Pose;
 use crate::system::stability::Stability;
 
 const NEWTONS: NumberFormat = NumberFormat::Si("N");
@@ -264,9 +264,11 @@ pub fn equilibria(solved: &SolvedSystem, others: &[(Equilibrium, Stability)]) ->
     let first = (&solved.rest, &solved.stability);
     let others = others.iter().map(|(rest, how)| (rest, how));
     let all: Vec<(&Equilibrium, &Stability)> = std::iter::once(first).chain(others).collect();
-    let free = (0..network.bodies.len()).filter(|body| network.bodies[*body].free);
+    let free: Vec<usize> = (0..network.bodies.len())
+        .filter(|body| network.bodies[*body].free)
+        .collect();
     let mut table = Table::of("Equilibria that were found", &all)
-        .text("", |(_, how)| match how {
+        .text("at rest", |(_, how)| match how {
             Stability::Stable => "stable".to_owned(),
             Stability::Neutral(along) => format!("neutral in {along}"),
             Stability::Unstable(along) => format!("unstable in {along}"),
@@ -274,15 +276,24 @@ pub fn equilibria(solved: &SolvedSystem, others: &[(Equilibrium, Stability)]) ->
         .number("greatest tension", NEWTONS, |(rest, _)| {
             rest.balance.tension
         });
-    for body in free {
-        let head = format!("{} at", network.bodies[body].name);
-        table = table.text(&head, move |(rest, _)| place(&rest.placement.bodies[body]));
+    for body in &free {
+        let name = &network.bodies[*body].name;
+        let pose = |rest: &Equilibrium| rest.placement.bodies[*body];
+        let (places, angles) = (format!("{name}: x, y, z"), "roll, pitch, yaw");
+        table = table
+            .text(&places, |(rest, _)| {
+                in_words(pose(rest).origin.as_slice(), "m")
+            })
+            .text(angles, |(rest, _)| {
+                in_words(&pose(rest).angles().map(f64::to_degrees), "deg")
+            });
     }
     let mut table = table.build();
-    table.notes.push(
-        "Searched from the poses given and from each free body turned by a quarter and a half about its axes; the report is of the first."
+    table.notes.push(match free.is_empty() {
+        true => "Searched from the poses given; no body is free to be turned.".to_owned(),
+        false => "Searched from the poses given and from each free body turned by a quarter and a half about its axes; the report is of the first."
             .to_owned(),
-    );
+    });
     let stable = |how: &Stability| *how == Stability::Stable;
     if !stable(&solved.stability) && all.iter().any(|(_, how)| stable(how)) {
         let how = "The first is not stable and another is: give the bodies its pose, and the report is of that one.";
@@ -291,14 +302,10 @@ pub fn equilibria(solved: &SolvedSystem, others: &[(Equilibrium, Stability)]) ->
     table
 }
 
-/// A pose in words.
-fn place(pose: &Pose) -> String {
-    let at = pose.origin;
-    let [roll, pitch, yaw] = pose.angles().map(f64::to_degrees);
-    format!(
-        "({:.2}, {:.2}, {:.2}) m, roll {roll:.2}, pitch {pitch:.2}, yaw {yaw:.2} deg",
-        at.x, at.y, at.z
-    )
+/// The three parts of a pose, with their unit.
+fn in_words(parts: &[f64], unit: &str) -> String {
+    let parts: Vec<String> = parts.iter().map(|part| rounded(*part, 2)).collect();
+    format!("{} {unit}", parts.join(", "))
 }
 
 /// Distances of lines from one another, from members of bodies, from bed and surface.

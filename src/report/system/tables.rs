@@ -248,15 +248,23 @@ pub fn points(solved: &SolvedSystem) -> Table {
         .iter()
         .map(|k| loads::pull(network, rest, *k))
         .collect();
+    let force = balanced(solved);
     Table::of("Points", &numbers)
         .text("point", |k| network.points[*k].name.as_str())
         .text("held", |k| held(solved, *k))
         .number("x", METRES, |k| place(k).x)
         .number("y", METRES, |k| place(k).y)
         .number("z", METRES, |k| place(k).z)
-        .number("pull of the lines", NEWTONS, |k| pulls[*k].norm())
-        .number("upwards", NEWTONS, |k| pulls[*k].z)
+        .number("pull of the lines", NEWTONS, |k| force(pulls[*k].norm()))
+        .number("upwards", NEWTONS, |k| force(pulls[*k].z))
         .build()
+}
+
+/// A force as it is shown: what the search leaves out of balance, or rounding, is nothing.
+fn balanced(solved: &SolvedSystem) -> impl Fn(f64) -> f64 + '_ {
+    let rounding = 1e-12 * solved.rest.balance.tension;
+    let least = solved.rest.residual.max(rounding);
+    move |force| if force.abs() <= least { 0.0 } else { force }
 }
 
 fn held(solved: &SolvedSystem, point: usize) -> String {
@@ -283,6 +291,7 @@ pub fn bodies(solved: &SolvedSystem) -> Table {
         .iter()
         .map(|k| loads::on_body(network, &solved.rest, *k))
         .collect();
+    let force = balanced(solved);
     Table::of("Bodies", &numbers)
         .text("body", |k| network.bodies[*k].name.as_str())
         .text("held", |k| {
@@ -298,9 +307,9 @@ pub fn bodies(solved: &SolvedSystem) -> Table {
         .number("roll", DEGREES, |k| angle(k, 0))
         .number("pitch", DEGREES, |k| angle(k, 1))
         .number("yaw", DEGREES, |k| angle(k, 2))
-        .number("lines x", NEWTONS, |k| loads[*k].0.x)
-        .number("lines y", NEWTONS, |k| loads[*k].0.y)
-        .number("lines z", NEWTONS, |k| loads[*k].0.z)
+        .number("lines x", NEWTONS, |k| force(loads[*k].0.x))
+        .number("lines y", NEWTONS, |k| force(loads[*k].0.y))
+        .number("lines z", NEWTONS, |k| force(loads[*k].0.z))
         .build()
 }
 

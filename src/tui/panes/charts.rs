@@ -323,12 +323,15 @@ fn nothing_yet(line: &LineView) -> String {
 
 /// The position of the cursor and every value there, as many lines as the area has.
 fn readout(painter: &mut Painter, area: Rect, line: &LineView) {
-    let chart = plots::viewed(line, line.chart);
-    let mut words = readout_words(line, line.chart);
-    let at = match chart.cursor {
-        Some(x) if !words.is_empty() => Some(number::si(x, &chart.x.unit)),
-        _ => line.instant.map(|t| format!("t = {t:.1} s")),
-    };
+    let mut words = Vec::new();
+    let mut at = line.instant.map(|t| format!("t = {t:.1} s"));
+    // Without a cursor there is nothing to read, and no chart to make for it.
+    if line.views[line.chart.index()].cursor().is_some() {
+        let chart = plots::viewed(line, line.chart);
+        words = readout_words(line, line.chart);
+        let read = chart.cursor.filter(|_| !words.is_empty());
+        at = read.map(|x| number::si(x, &chart.x.unit)).or(at);
+    }
     if let Some(at) = at {
         words.insert(0, at);
     }

@@ -6,9 +6,9 @@ use ratatui::layout::Rect;
 
 use super::{Pane, PaneInfo, about};
 use crate::report::chart;
-use crate::report::section::drawing;
 use crate::tui::command::{self, Command, CommandId, main, other};
 use crate::tui::msg::Effect;
+use crate::tui::state::parts::Part;
 use crate::tui::state::{AppState, DocumentContent};
 use crate::tui::update::export::{self, TEXT_WIDTH};
 use crate::tui::update::motion::plot_verb;
@@ -50,16 +50,22 @@ impl Pane for DrawingPane {
         let DocumentContent::Section(section) = &mut document.content else {
             return None;
         };
-        let base = drawing::chart(&section.design);
-        if id == CommandId::Write {
-            let shown = section.view.chart(&base);
+        let verb = plot_verb(id);
+        if verb.is_none() && id != CommandId::Write {
+            return None;
+        }
+        let shown = document.parts.last(Part::Drawing);
+        let Some(base) = shown.and_then(|view| view.chart.as_ref()) else {
+            return Some(Vec::new());
+        };
+        let Some(verb) = verb else {
+            let shown = section.view.chart(base);
             let text = chart::draw(&shown, TEXT_WIDTH, TEXT_WIDTH / 2, glyphs).to_text();
             return Some(export::write(path, Some(text), "The drawing"));
-        }
-        let verb = plot_verb(id)?;
+        };
         let size = (area.width.into(), area.height.into());
-        let frame = chart::frame(&section.view.chart(&base), size.0, size.1, glyphs);
-        section.view.act(verb, &base, frame);
+        let frame = chart::frame(&section.view.chart(base), size.0, size.1, glyphs);
+        section.view.act(verb, base, frame);
         Some(Vec::new())
     }
 
@@ -67,8 +73,11 @@ impl Pane for DrawingPane {
         let document = painter.state.document.as_ref();
         if let Some(DocumentContent::Section(section)) = document.map(|document| &document.content)
         {
-            let chart = section.view.chart(&drawing::chart(&section.design));
-            painter.chart(&chart, area);
+            painter.part(area, Part::Drawing, |painter, view| {
+                if let Some(base) = &view.chart {
+                    painter.chart(&section.view.chart(base), area);
+                }
+            });
         }
     }
 }

@@ -1,22 +1,22 @@
 //! The line node by node: the tables of a run's line, and what its sections bear.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
 use crate::report::limits;
 use crate::report::table::Table;
-use crate::run::Run;
 use crate::tui::command::{self, Command, CommandId, DOWN, LIST, SORT, WIDE, main, other};
-use crate::tui::facade;
 use crate::tui::line_tables::LineTable;
 use crate::tui::msg::Effect;
+use crate::tui::pane::PaneId;
+use crate::tui::state::parts::Part;
+use crate::tui::state::report::TextOf;
 use crate::tui::state::{AppState, LineView};
 use crate::tui::table_pane::TablePane;
-use crate::tui::update::export;
 use crate::tui::update::motion::table_verb;
+use crate::tui::update::{export, parts};
 use crate::tui::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
@@ -53,7 +53,10 @@ impl Pane for NodesPane {
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let verb = table_verb(state, id);
-        let (line, editor) = state.document.as_mut()?.line_and_editor()?;
+        let document = state.document.as_mut()?;
+        let part = parts::of_pane(document, PaneId::Nodes);
+        let shown = part.and_then(|part| document.parts.last(part)).cloned();
+        let (line, editor) = document.line_and_editor()?;
         match id {
             CommandId::NextTable => next_table(line, true),
             CommandId::PreviousTable => next_table(line, false),
@@ -61,12 +64,12 @@ impl Pane for NodesPane {
                 let (_, run, _) = line.reported()?;
                 let table = line.line_table.or_nodes(&run);
                 let path = PathBuf::from(format!("{}-{}.csv", editor.stem(), table.name()));
-                return Some(export::write(path, Some(table.csv(&run)), "The table"));
+                return Some(export::write_made(TextOf::Line(table, run), path));
             }
             _ => {
                 let verb = verb?;
-                if let Some(table) = line_table(line) {
-                    line.nodes_pane.act(verb, &table);
+                if let Some(view) = shown.filter(|view| !view.table.rows.is_empty()) {
+                    line.nodes_pane.act(verb, &view.table);
                 }
             }
         }
@@ -77,32 +80,15 @@ impl Pane for NodesPane {
         let Some(line) = painter.state.line() else {
             return;
         };
-        let Some((name, run, _)) = line.reported() else {
+        let Some((_, run, _)) = line.reported() else {
             return painter.paragraph(area, "There is no finished run yet. `R` runs the case.");
         };
-        let below = limits_above(painter, area, &run);
-        let which = line.line_table.or_nodes(&run);
-        let mut table = which.table(&run);
-        table.title = match (which, LineTable::of(&run).len()) {
-            (LineTable::Nodes, 1) => format!("Nodes of {name}; `w` writes them as CSV."),
-            (which, count) => {
-                let number = 1 + which as usize;
-                let what = which.title();
-                format!(
-                    "{what} of {name}, table {number} of {count}; `]` shows the next, `w` writes it."
-                )
-            }
-        };
-        painter.table(&line.nodes_pane, &table, below);
+        let part = Part::Line(line.line_table.or_nodes(&run));
+        painter.part(area, part, |painter, view| {
+            let below = limits_above(painter, area, view.limits.as_ref());
+            painter.table(&line.nodes_pane, &view.table, below);
+        });
     }
-}
-
-/// The table of the line that is shown of the chosen run.
-fn line_table(line: &LineView) -> Option<Table> {
-    let (_, run, _) = line
-        .reported()
-        .filter(|(_, run, _)| !run.profile.nodes.is_empty())?;
-    Some(line.line_table.or_nodes(&run).table(&run))
 }
 
 fn next_table(line: &mut LineView, forward: bool) {
@@ -113,12 +99,7 @@ fn next_table(line: &mut LineView, forward: bool) {
 }
 
 /// What the sections bear, where the case states limits and there is room; returns the area below.
-fn limits_above(painter: &mut Painter, area: Rect, run: &Arc<Run>) -> Rect {
-    // A stored run may be of another text than the one that is open.
-    let case = facade::parse(&run.case_text, &run.info.case_file);
-    let table = case
-        .ok()
-        .and_then(|case| limits::of_run(&case, &run.profile));
+fn limits_above(painter: &mut Painter, area: Rect, table: Option<&Table>) -> Rect {
     let lines = table.map_or_else(String::new, |table| table.to_text(area.width.into()));
     let height = u16::try_from(lines.lines().count()).unwrap_or(u16::MAX);
     // The nodes keep at least half of the room.

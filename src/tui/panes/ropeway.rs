@@ -5,14 +5,13 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::{Pane, PaneInfo, about};
 use crate::report::chart::Glyphs;
 use crate::report::number::{percent, rounded};
-use crate::report::ropeway::{drawing, tables};
-use crate::report::table::Table;
-use crate::ropeway::ModelResults;
-use crate::ropeway::elastic::Carrier;
+use crate::report::table::CellStyle;
 use crate::tui::command::{Command, CommandId, main, other};
 use crate::tui::msg::Effect;
+use crate::tui::state::parts::{Part, PartView};
 use crate::tui::state::{AppState, DocumentContent, RopewayView};
 use crate::tui::update::edit;
+use crate::tui::view::paint::below_head;
 use crate::tui::view::painter::Painter;
 
 /// Lines that the results take: head, rule, and a line each.
@@ -73,35 +72,36 @@ impl Pane for RopewayPane {
         else {
             return;
         };
-        let results = match &ropeway.results {
-            Ok(results) => results,
-            Err(error) => {
-                let words = format!("No solution with the cargo here: {error}.");
-                painter.text(area, &words, painter.theme.warning());
-                return;
-            }
-        };
-        let [bar, drawing, readout, table] = Layout::vertical([
-            Constraint::Length(1),
-            Constraint::Min(4),
-            Constraint::Length(1),
-            Constraint::Length(RESULTS),
-        ])
-        .areas(area);
+        let [bar, below] = below_head(area);
         slider(painter, bar, ropeway);
-        let mut chart = drawing::chart(&ropeway.worked, results);
-        // Its title is beside the tabs; every line counts here.
-        chart.title.clear();
-        painter.chart(&chart, drawing);
-        rope_readout(painter, readout, ropeway, results);
-        let bare = Table {
-            title: String::new(),
-            notes: Vec::new(),
-            ..tables::models(&ropeway.worked, results)
+        painter.part(below, Part::Drawing, |painter, view| {
+            let Some(chart) = &view.chart else {
+                return words(painter, below, view);
+            };
+            let [drawing, readout, table] = Layout::vertical([
+                Constraint::Min(4),
+                Constraint::Length(1),
+                Constraint::Length(RESULTS),
+            ])
+            .areas(below);
+            painter.chart(chart, drawing);
+            words(painter, readout, view);
+            let plain = painter.theme.plain();
+            let lines = view.table.to_text(table.width.into());
+            painter.lines(table, lines.lines().map(|line| (line, plain)));
+        });
+    }
+}
+
+/// What is said of the rope, one after the other.
+fn words(painter: &mut Painter, line: Rect, view: &PartView) {
+    let mut rest = line;
+    for (i, (words, style)) in view.words.iter().enumerate() {
+        let style = match style {
+            CellStyle::Plain if i == 0 => painter.theme.strong(),
+            style => painter.theme.cell(*style),
         };
-        let plain = painter.theme.plain();
-        let lines = bare.to_text(table.width.into());
-        painter.lines(table, lines.lines().map(|line| (line, plain)));
+        rest = painter.text(rest, words, style);
     }
 }
 
@@ -128,30 +128,4 @@ fn slider(painter: &mut Painter, line: Rect, ropeway: &RopewayView) {
     let rest = painter.text(line, head, painter.theme.plain());
     let rest = painter.text(rest, &rail, painter.theme.strong());
     painter.text(rest, &words, painter.theme.plain());
-}
-
-/// The exact rope in a line, and whether the cargo is dry.
-fn rope_readout(painter: &mut Painter, line: Rect, ropeway: &RopewayView, results: &ModelResults) {
-    let exact = &results.exact;
-    let clear = ropeway.worked.clearance_m(exact);
-    let words = format!(
-        "exact: platform {} N  ship {} N  sag {} m  ",
-        rounded(exact.platform_n(), 1),
-        rounded(exact.ship_n(), 1),
-        rounded(exact.sag_m, 2)
-    );
-    let (state, style) = match exact.carrier {
-        Carrier::Rope if clear < 0.0 => (
-            format!("IN THE WATER by {} m", rounded(-clear, 2)),
-            painter.theme.error(),
-        ),
-        Carrier::Rope => (
-            format!("clear by {} m", rounded(clear, 2)),
-            painter.theme.good(),
-        ),
-        Carrier::Platform => ("on the platform".to_owned(), painter.theme.plain()),
-        Carrier::Ship => ("on the ship".to_owned(), painter.theme.plain()),
-    };
-    let rest = painter.text(line, &words, painter.theme.strong());
-    painter.text(rest, &state, style);
 }

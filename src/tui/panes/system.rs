@@ -3,10 +3,9 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
-use crate::report::system::{tables, views};
-use crate::report::table::Table;
 use crate::tui::command::{Command, CommandId, main};
 use crate::tui::msg::Effect;
+use crate::tui::state::parts::Part;
 use crate::tui::state::{AppState, DocumentContent, SystemView};
 use crate::tui::view::painter::Painter;
 
@@ -39,27 +38,17 @@ impl Pane for SystemPane {
     }
 
     fn view(&self, painter: &mut Painter, area: Rect) {
-        let document = painter.state.document.as_ref();
-        let Some(DocumentContent::System(system)) = document.map(|document| &document.content)
-        else {
-            return;
-        };
-        let chart = match system.view {
-            0 => views::plan(&system.solved),
-            1 => views::side(&system.solved),
-            _ => views::oblique(&system.solved),
-        };
-        let bare = Table {
-            title: String::new(),
-            ..tables::lines_beside(&system.solved)
-        };
-        let text = bare.to_text(area.width.into());
-        let wanted = u16::try_from(text.lines().count()).unwrap_or(u16::MAX);
-        let rows = wanted.min(area.height.saturating_sub(VIEW));
-        let [drawing, table] =
-            Layout::vertical([Constraint::Min(VIEW), Constraint::Length(rows)]).areas(area);
-        painter.chart(&chart, drawing);
-        let plain = painter.theme.plain();
-        painter.lines(table, text.lines().map(|line| (line, plain)));
+        painter.part(area, Part::Drawing, |painter, view| {
+            let text = view.table.to_text(area.width.into());
+            let wanted = u16::try_from(text.lines().count()).unwrap_or(u16::MAX);
+            let rows = wanted.min(area.height.saturating_sub(VIEW));
+            let [drawing, table] =
+                Layout::vertical([Constraint::Min(VIEW), Constraint::Length(rows)]).areas(area);
+            if let Some(chart) = &view.chart {
+                painter.chart(chart, drawing);
+            }
+            let plain = painter.theme.plain();
+            painter.lines(table, text.lines().map(|line| (line, plain)));
+        });
     }
 }

@@ -5,6 +5,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::{Pane, PaneInfo, about};
 use crate::tui::command::{Command, CommandId, DOWN, LIST, SORT, WIDE, main, other};
 use crate::tui::msg::Effect;
+use crate::tui::state::parts::Part;
 use crate::tui::state::ship::MOTIONS;
 use crate::tui::state::{AppState, DocumentContent};
 use crate::tui::update::motion::table_verb;
@@ -48,9 +49,11 @@ impl Pane for TablesPane {
             (CommandId::NextTrace, DocumentContent::Ship(ship)) => ship::next_motion(ship),
             _ => {
                 let verb = verb?;
-                let (_, table) = document.shown();
-                if let Some(pane) = document.tables.get_mut(document.tab) {
-                    pane.act(verb, &table);
+                let shown = document.parts.last(Part::Tab(document.tab));
+                if let Some(view) = shown
+                    && let Some(pane) = document.tables.get_mut(document.tab)
+                {
+                    pane.act(verb, &view.table);
                 }
             }
         }
@@ -63,18 +66,19 @@ impl Pane for TablesPane {
         };
         let [names, rest] = below_head(area);
         painter.tabs(names, document.kind().info().tabs, Some(document.tab));
-        let (chart, table) = document.shown();
-        let below = match chart {
-            None => rest,
-            Some(chart) => {
-                let [upper, lower] =
-                    Layout::vertical([Constraint::Fill(1), Constraint::Fill(1)]).areas(rest);
-                painter.chart(&chart, upper);
-                lower
+        painter.part(rest, Part::Tab(document.tab), |painter, view| {
+            let below = match &view.chart {
+                None => rest,
+                Some(chart) => {
+                    let [upper, lower] =
+                        Layout::vertical([Constraint::Fill(1), Constraint::Fill(1)]).areas(rest);
+                    painter.chart(chart, upper);
+                    lower
+                }
+            };
+            if let Some(pane) = document.tables.get(document.tab) {
+                painter.table(pane, &view.table, below);
             }
-        };
-        if let Some(pane) = document.tables.get(document.tab) {
-            painter.table(pane, &table, below);
-        }
+        });
     }
 }

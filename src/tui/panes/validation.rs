@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use ratatui::layout::Rect;
 
 use super::{Pane, PaneInfo, about};
-use crate::reference;
 use crate::report::text;
 use crate::tui::command::{self, Command, CommandId, DOWN, LIST, SORT, WIDE};
 use crate::tui::msg::Effect;
@@ -35,23 +34,24 @@ impl Pane for ValidationPane {
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
-        let empty = state.document.as_ref()?.kind().checks().is_empty();
+        let checks = state.document.as_ref()?.kind().checks();
+        let empty = checks.is_none_or(|checks| checks.rows.is_empty());
         (id == CommandId::Write && empty).then_some(NO_PUBLISHED_VALUES)
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let verb = table_verb(state, id);
         let document = state.document.as_mut()?;
-        let checks = document.content.kind().checks();
+        let checks = document.content.kind().checks()?;
         if id == CommandId::Write {
             let words = match document.line() {
-                Some(_) => reference::table(checks).to_text(TEXT_WIDTH),
-                None => text::validation(checks),
+                Some(_) => checks.table.to_text(TEXT_WIDTH),
+                None => text::validation(&checks.rows),
             };
             let path = PathBuf::from(format!("{}-validation.txt", document.editor.stem()));
             return Some(export::write(path, Some(words), "The validation table"));
         }
-        document.checks_pane.act(verb?, &reference::table(checks));
+        document.checks_pane.act(verb?, &checks.table);
         Some(Vec::new())
     }
 
@@ -60,9 +60,19 @@ impl Pane for ValidationPane {
             return;
         };
         let checks = document.kind().checks();
-        if checks.is_empty() {
-            return painter.paragraph(area, NO_PUBLISHED_VALUES);
+        let line = document.line();
+        let is_open = line.is_some_and(|line| line.checking.is_open());
+        let Some(checks) = checks.filter(|checks| !checks.rows.is_empty()) else {
+            let words = if is_open {
+                "Computing."
+            } else {
+                NO_PUBLISHED_VALUES
+            };
+            return painter.paragraph(area, words);
+        };
+        painter.table(&document.checks_pane, &checks.table, area);
+        if is_open {
+            painter.older(area);
         }
-        painter.table(&document.checks_pane, &reference::table(checks), area);
     }
 }

@@ -6,14 +6,13 @@ use std::path::PathBuf;
 use super::document_kind::DocumentKind;
 use super::line::LineView;
 use super::parameter_editor::ParameterEditor;
+use super::parts::{Part, PartKey, PartOf, PartRequest, Parts};
 use super::reading::{FileOfText, Reading};
 use super::ropeway::RopewayView;
 use super::section::SectionView;
 use super::ship::ShipView;
 use super::system::SystemView;
 use crate::kinds::FileType;
-use crate::report::chart::Chart;
-use crate::report::table::Table;
 use crate::tui::pane::PaneId;
 use crate::tui::table_pane::TablePane;
 
@@ -86,6 +85,8 @@ pub struct Document {
     pub tables: Vec<TablePane>,
     /// Selection, sorting and scrolling of the validation table.
     pub checks_pane: TablePane,
+    /// What takes more than drawing.
+    pub parts: Parts,
 }
 
 impl Document {
@@ -105,6 +106,7 @@ impl Document {
             tab: 0,
             tables: vec![TablePane::default(); kind.tabs.len()],
             checks_pane: TablePane::default(),
+            parts: Parts::default(),
             editor,
             content,
         }
@@ -141,10 +143,33 @@ impl Document {
         }
     }
 
-    /// The tab shown: its chart, where it has one, and its table.
+    /// What a part of the screen is of now; nothing where there is no such part.
     #[must_use]
-    pub fn shown(&self) -> (Option<Chart>, Table) {
-        self.kind().tab(self.tab)
+    pub fn part_key(&self, part: Part) -> Option<PartKey> {
+        let of = match (&self.content, part) {
+            (DocumentContent::Line(line), Part::Line(_)) => {
+                let (name, run, _) = line.reported()?;
+                PartOf::Run(name, run)
+            }
+            (DocumentContent::Line(_), _) | (_, Part::Line(_)) => return None,
+            _ => self.parts.of_inputs(self.kind().choice(part)),
+        };
+        Some(PartKey { part, of })
+    }
+
+    /// Whether a part is shown as it is now.
+    #[must_use]
+    pub fn is_shown(&self, part: Part) -> bool {
+        let key = self.part_key(part);
+        key.is_none_or(|key| self.parts.is_known(&key))
+    }
+
+    /// The request for a part that is not known as it is now, and is not being worked out.
+    pub fn ask_part(&mut self, part: Part) -> Option<PartRequest> {
+        let key = self.part_key(part)?;
+        let begun = self.parts.begin(&key);
+        let model = matches!(key.of, PartOf::Inputs(..)).then(|| self.content.clone());
+        begun.then_some(PartRequest { key, model })
     }
 
     /// The file of its text.
@@ -164,22 +189,19 @@ impl Document {
     /// Takes a newer text with all that was read from it.
     pub fn take(&mut self, read: Reading) {
         self.content.kind_mut().renew(read.content);
+        self.parts.outdate();
         self.editor.text = read.text;
         self.editor.rows = read.rows;
         self.editor.saved_rows = Some(read.saved_rows);
         self.editor.before = Some(read.before);
         self.editor.edited = read.edited;
-        self.validate();
+        self.outdate_checks();
     }
 
-    /// Updates the validation table where it is of more than the text: of runs, or of an analysis in the background.
-    pub fn validate(&mut self) {
-        if matches!(
-            self.content,
-            DocumentContent::Line(_) | DocumentContent::Ship(_)
-        ) {
-            let kind = self.content.kind_mut();
-            kind.validate(&self.editor.text, &self.editor.edited);
+    /// The validation table of a line case is older than its runs or its text.
+    pub fn outdate_checks(&mut self) {
+        if let Some(line) = self.line_mut() {
+            line.checking.is_due = true;
         }
     }
 }

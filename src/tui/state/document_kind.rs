@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use super::document::DocumentContent;
+use super::parts::Part;
+use super::value_check::ValidationTable;
 use crate::case::EditedKey;
-use crate::reference::ValidationRow;
-use crate::report::chart::{Chart, Glyphs};
-use crate::report::table::Table;
+use crate::report::chart::Glyphs;
 use crate::tui::command::{Command, CommandId, MODEL};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
@@ -38,20 +38,26 @@ pub trait DocumentKind {
         self.info().name.to_owned()
     }
 
-    /// A tab: its chart, where it has one, and its table.
-    fn tab(&self, _tab: usize) -> (Option<Chart>, Table) {
-        (None, Table::default())
+    /// What the user has chosen that a part depends on besides the inputs.
+    fn choice(&self, _part: Part) -> u64 {
+        0
+    }
+
+    /// Whether a part is of an analysis that is older than the inputs, and is being made anew.
+    fn is_behind(&self, _part: Part) -> bool {
+        false
     }
 
     /// Replaces the result by that of a newer text of the same kind; what the user looks at stays.
     fn renew(&mut self, newer: DocumentContent);
 
     /// Works out what is shown of a text beside its result: analyses, and the validation table, of whose inputs these are the user's.
+    /// For the threads behind the screen.
     fn validate(&mut self, _text: &str, _edited: &[EditedKey]) {}
 
-    /// The validation table.
-    fn checks(&self) -> &[ValidationRow] {
-        &[]
+    /// The validation table, where its kind has one.
+    fn checks(&self) -> Option<&ValidationTable> {
+        None
     }
 
     /// What it computes in the background, in a few words.
@@ -67,7 +73,7 @@ pub trait DocumentKind {
         ("report", "The report")
     }
 
-    /// The text report, with the fields of its text; absent where there is no result.
+    /// The text report, with the fields of its text; absent where there is no result. For the threads behind the screen.
     fn report(&self, _rows: &[FieldRow], _glyphs: Glyphs) -> Option<String> {
         None
     }
@@ -84,11 +90,11 @@ pub trait DocumentKind {
     }
 
     /// The text for the clipboard.
-    fn copy(&self) -> Option<String> {
+    fn copy(&self) -> Option<&str> {
         None
     }
 
-    /// Input for a line case: the name of a file beside `stem`, its text, and what it is.
+    /// Input for a line case: the name of a file beside `stem`, its text, and what it is. For the threads behind the screen.
     fn line_input(&self, _stem: &str) -> (PathBuf, Option<String>, &'static str) {
         (PathBuf::new(), None, "")
     }

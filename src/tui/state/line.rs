@@ -11,13 +11,13 @@ use super::jobs::JobNumber;
 use super::modes::ModesView;
 use super::report::ReportRequest;
 use super::run_list::RunList;
+use super::value_check::{Checking, ValidationTable};
 use super::variants::VariantPlan;
-use crate::case::{Case, EditedKey, QuantityId, TextDigest};
+use crate::case::{Case, QuantityId, StudyPoint, TextDigest};
 use crate::report::figures::{FIGURES, FigureId};
 use crate::run::settings::method_name;
 use crate::run::{Run, RunState};
 use crate::tui::command::{Command, CommandId, LINE};
-use crate::tui::facade::{self, ValidationRow};
 use crate::tui::line_tables::LineTable;
 use crate::tui::msg::StudyOf;
 use crate::tui::pane::PaneId;
@@ -145,8 +145,10 @@ pub struct LineView {
     pub planning: bool,
     /// What was asked for and waits for the variants.
     pub planned: Option<PlannedWork>,
-    /// The validation table, made anew when a run lands.
-    pub checks: Vec<ValidationRow>,
+    /// The validation table, made anew behind the screen when a run lands.
+    pub checks: ValidationTable,
+    /// Whether it is, or has to be.
+    pub checking: Checking,
     /// The table of the line that is shown.
     pub line_table: LineTable,
     /// Selection, sorting and scrolling of that table.
@@ -187,7 +189,8 @@ impl LineView {
             plan: VariantPlan::default(),
             planning: false,
             planned: None,
-            checks: Vec::new(),
+            checks: ValidationTable::default(),
+            checking: Checking::default(),
             line_table: LineTable::default(),
             nodes_pane: TablePane::default(),
             modes: ModesView::default(),
@@ -220,6 +223,19 @@ impl LineView {
     pub fn hide_runs(&mut self) {
         self.live.hidden = true;
         self.runs.hide_all();
+    }
+
+    /// The runs that the validation table of this text is made from, by their points.
+    #[must_use]
+    pub fn checked_runs(&self, text: &str) -> Vec<(Option<StudyPoint>, Arc<Run>)> {
+        // The variants follow when they are worked out.
+        if self.plan.text != text {
+            let run = self.complete_run(TextDigest::of(text));
+            return run.into_iter().map(|run| (None, run)).collect();
+        }
+        let needed = self.plan.of_published_values().iter();
+        let found = needed.filter_map(|v| Some((v.at.clone(), self.complete_run(v.digest)?)));
+        found.collect()
     }
 
     /// The newest complete run of exactly this text.
@@ -298,20 +314,7 @@ impl DocumentKind for LineView {
         self.case = newer.case;
     }
 
-    fn validate(&mut self, text: &str, edited: &[EditedKey]) {
-        let mut runs = Vec::new();
-        // The variants follow when they are worked out.
-        if self.plan.text == text {
-            let needed = self.plan.of_published_values().iter();
-            let found = needed.filter_map(|v| Some((v.at.clone(), self.complete_run(v.digest)?)));
-            runs.extend(found);
-        } else if let Some(run) = self.complete_run(TextDigest::of(text)) {
-            runs.push((None, run));
-        }
-        self.checks = facade::checks(&self.case, edited, &runs);
-    }
-
-    fn checks(&self) -> &[ValidationRow] {
-        &self.checks
+    fn checks(&self) -> Option<&ValidationTable> {
+        Some(&self.checks)
     }
 }

@@ -10,6 +10,7 @@ pub mod line;
 pub mod modes;
 pub mod overlay;
 pub mod parameter_editor;
+pub mod parts;
 pub mod pending;
 pub mod reading;
 pub mod report;
@@ -19,6 +20,7 @@ pub mod section;
 pub mod ship;
 pub mod system;
 pub mod trials;
+pub mod value_check;
 pub mod variants;
 
 pub use case_list::{CaseEntry, CaseList, Filter};

@@ -9,6 +9,7 @@ use crate::reference::{self, ValidationRow};
 use crate::report::chart::Glyphs;
 use crate::run::Run;
 use crate::tui::facade::{self, FieldRow};
+use crate::tui::line_tables::LineTable;
 
 /// A report that is asked for.
 #[derive(Debug, Clone)]
@@ -45,25 +46,40 @@ impl ReportRequest {
     }
 }
 
-/// A report of a file other than a line case, that is to be written.
+/// A text that is to be made and written.
 #[derive(Debug, Clone)]
-pub struct ModelReport {
-    /// What it reports on.
-    pub content: DocumentContent,
-    /// The fields of the file.
-    pub rows: Vec<FieldRow>,
-    /// Characters of its charts.
-    pub glyphs: Glyphs,
-    /// Where to.
+pub struct TextRequest {
+    /// What it is of.
+    pub of: TextOf,
+    /// Where to; the name of an input for a line case begins with it.
     pub path: PathBuf,
 }
 
-impl ModelReport {
-    /// The report, and what it is; absent where there is no result.
+/// What a text is of.
+#[derive(Debug, Clone)]
+pub enum TextOf {
+    /// The report of a file other than a line case, with the fields of the file and the characters of its charts.
+    Report(DocumentContent, Vec<FieldRow>, Glyphs),
+    /// The input for a line case that a file of another kind gives.
+    LineInput(DocumentContent),
+    /// A table of a run's line, as CSV.
+    Line(LineTable, Arc<Run>),
+}
+
+impl TextRequest {
+    /// Where to, the text, and what it is; the text is absent where there is no result.
     #[must_use]
-    pub fn text(&self) -> Option<(String, &'static str)> {
-        let kind = self.content.kind();
-        let text = kind.report(&self.rows, self.glyphs)?;
-        Some((text, kind.report_name().1))
+    pub fn text(self) -> (PathBuf, Option<String>, &'static str) {
+        match self.of {
+            TextOf::Report(content, rows, glyphs) => {
+                let kind = content.kind();
+                (self.path, kind.report(&rows, glyphs), kind.report_name().1)
+            }
+            TextOf::LineInput(content) => {
+                let stem = self.path.to_string_lossy();
+                content.kind().line_input(&stem)
+            }
+            TextOf::Line(table, run) => (self.path, Some(table.csv(&run)), "The table"),
+        }
     }
 }

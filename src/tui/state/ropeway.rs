@@ -1,62 +1,56 @@
 //! A ropeway on the screen: its result, and the position of the cargo.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
+use super::parts::Part;
+use super::value_check::ValidationTable;
 use crate::case::EditedKey;
-use crate::reference::{self, ValidationRow};
-use crate::report::chart::{Chart, Glyphs};
-use crate::report::ropeway::{self as views, cargo, tables, winch};
-use crate::report::table::Table;
+use crate::report::chart::Glyphs;
+use crate::report::ropeway as views;
 use crate::ropeway::elastic::Carrier;
 use crate::ropeway::{ModelResults, RopewayError, SolvedRopeway, line, validation};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 
+/// The tab of its ropes, which the position of the cargo loads.
+const ROPES: usize = 4;
+
 /// A ropeway.
 #[derive(Debug, Clone)]
 pub struct RopewayView {
     /// The result of the text.
-    pub worked: SolvedRopeway,
+    pub worked: Arc<SolvedRopeway>,
     /// Where the cargo is, from 0 at the platform to 1 at the ship; the file's own place stays in the file.
     pub position: f64,
-    /// The results there.
-    pub results: Result<ModelResults, RopewayError>,
     /// The validation table.
-    pub checks: Vec<ValidationRow>,
+    pub checks: ValidationTable,
 }
 
 impl RopewayView {
     /// A ropeway as read.
     #[must_use]
     pub fn new(worked: SolvedRopeway) -> Self {
-        let position = worked.ropeway.cargo.position;
         Self {
-            results: worked.results(position),
-            worked,
-            position,
-            checks: Vec::new(),
+            position: worked.ropeway.cargo.position,
+            worked: Arc::new(worked),
+            checks: ValidationTable::default(),
         }
     }
 
     /// Puts the cargo somewhere on the span.
     pub fn put(&mut self, position: f64) {
         self.position = position.clamp(0.0, 1.0);
-        self.results = self.worked.results(self.position);
     }
 
-    fn winch(&self) -> (Option<Chart>, Table) {
-        let Some(series) = self.worked.ship_motion() else {
-            return (None, Table::titled("The ship does not move; add [motion]."));
-        };
-        match self.worked.run_winch(&series) {
-            Ok(followed) => (
-                Some(winch::winch_chart(&followed)),
-                winch::winch(&self.worked, &followed),
-            ),
-            Err(error) => (None, Table::titled(format!("No solution: {error}."))),
-        }
+    /// The results with the cargo there; for the threads behind the screen.
+    ///
+    /// # Errors
+    /// No solution at this position.
+    pub fn results(&self) -> Result<ModelResults, RopewayError> {
+        self.worked.results(self.position)
     }
 }
 
@@ -77,19 +71,10 @@ impl DocumentKind for RopewayView {
         }
     }
 
-    fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
-        let worked = &self.worked;
-        match (tab, &self.results) {
-            (0, _) => (None, tables::crossing(worked, 20)),
-            (1, _) => (Some(winch::hauling_chart(worked)), winch::hauling(worked)),
-            (2, _) => self.winch(),
-            (3, _) => (Some(cargo::crossing_chart(worked)), cargo::cargo(worked)),
-            (4, Ok(results)) => (None, tables::ropes(worked, results)),
-            (4, Err(error)) => (None, Table::titled(format!("No solution: {error}."))),
-            _ => {
-                let none = || Table::titled("The file has no finite-element check.");
-                (None, tables::weight_check(worked).unwrap_or_else(none))
-            }
+    fn choice(&self, part: Part) -> u64 {
+        match part {
+            Part::Drawing | Part::Tab(ROPES) => self.position.to_bits(),
+            _ => 0,
         }
     }
 
@@ -110,21 +95,21 @@ impl DocumentKind for RopewayView {
     }
 
     fn validate(&mut self, text: &str, edited: &[EditedKey]) {
-        self.checks = validation::rows(&self.worked, text);
-        reference::set_edited_aside(&mut self.checks, edited);
+        let rows = validation::rows(&self.worked, text);
+        self.checks = ValidationTable::edited(rows, edited);
     }
 
-    fn checks(&self) -> &[ValidationRow] {
-        &self.checks
+    fn checks(&self) -> Option<&ValidationTable> {
+        Some(&self.checks)
     }
 
     fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
-        let results = self.results.as_ref().ok()?;
-        Some(views::report(&self.worked, results, rows, glyphs))
+        let results = self.results().ok()?;
+        Some(views::report(&self.worked, &results, rows, glyphs))
     }
 
     fn line_input(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {
-        let results = self.results.as_ref().ok();
+        let results = self.results().ok();
         let on_rope = results.filter(|results| results.exact.carrier == Carrier::Rope);
         let text = on_rope.map(|results| {
             line::static_case_file(&self.worked.ropeway, results.length_m, results.exact.arc_m)

@@ -1,13 +1,12 @@
 //! A cross-section on the screen: the design and the zoom of its drawing.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
-use crate::report::chart::{Chart, Glyphs};
-use crate::report::section::{self as views, tables};
-use crate::report::table::Table;
-use crate::section::stiffness::EndRotation;
+use crate::report::chart::Glyphs;
+use crate::report::section as views;
 use crate::section::{self, Design};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
@@ -20,7 +19,9 @@ pub const PAPER_WIDTH: usize = 100;
 #[derive(Debug, Clone)]
 pub struct SectionView {
     /// The result of the text.
-    pub design: Design,
+    pub design: Arc<Design>,
+    /// Its table of materials for a line case.
+    pub material: String,
     /// Zoom and pan of the drawing.
     pub view: PlotPane,
 }
@@ -30,7 +31,8 @@ impl SectionView {
     #[must_use]
     pub fn new(design: Design) -> Self {
         Self {
-            design,
+            material: section::material_table(&design),
+            design: Arc::new(design),
             view: PlotPane::default(),
         }
     }
@@ -48,25 +50,12 @@ impl DocumentKind for SectionView {
         }
     }
 
-    fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
-        let design = &self.design;
-        let table = match tab {
-            0 => tables::layers(design),
-            1 => tables::summary(design),
-            2 => tables::stiffness(design),
-            _ => {
-                let core = design.section.about.core;
-                tables::load_sharing(design, core, EndRotation::Fixed, views::tension(design))
-            }
-        };
-        (None, table)
-    }
-
     fn renew(&mut self, newer: DocumentContent) {
         let DocumentContent::Section(newer) = newer else {
             return;
         };
         self.design = newer.design;
+        self.material = newer.material;
     }
 
     fn report_name(&self) -> (&'static str, &'static str) {
@@ -77,15 +66,15 @@ impl DocumentKind for SectionView {
         Some(views::report(&self.design, PAPER_WIDTH, glyphs, None))
     }
 
-    fn copy(&self) -> Option<String> {
-        Some(section::material_table(&self.design))
+    fn copy(&self) -> Option<&str> {
+        Some(&self.material)
     }
 
     fn line_input(&self, _stem: &str) -> (PathBuf, Option<String>, &'static str) {
         let name = &self.design.section.about.name;
         (
             PathBuf::from(format!("{name}-material.txt")),
-            Some(section::material_table(&self.design)),
+            Some(self.material.clone()),
             "The table [materials] for a line case",
         )
     }

@@ -1,20 +1,20 @@
 //! A ship on the screen: its static analysis at once, its dynamic analysis from a thread of its own.
 
 use std::fmt::Write;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
+use super::parts::Part;
+use super::value_check::ValidationTable;
 use crate::case::EditedKey;
 use crate::numerics::V3;
-use crate::reference::{self, ValidationRow};
-use crate::report::chart::{Chart, Glyphs};
-use crate::report::ship::{coupled, motion, rope, statics, text};
-use crate::report::table::Table;
-use crate::ship::rope::RopeAnalysis;
-use crate::ship::{self, DynamicAnalysis, MotionAnalysis, StaticAnalysis, validation};
+use crate::report::chart::Glyphs;
+use crate::report::ship::text;
+use crate::ship::{DynamicAnalysis, MotionAnalysis, StaticAnalysis, validation};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 
@@ -22,7 +22,7 @@ use crate::tui::pane::PaneId;
 #[derive(Debug, Clone)]
 pub struct ShipView {
     /// Its static analysis.
-    pub statics: StaticAnalysis,
+    pub statics: Arc<StaticAnalysis>,
     /// Its dynamic analysis, of the newest text that was analysed.
     pub dynamic: Option<Arc<DynamicAnalysis>>,
     /// Stops the dynamic analysis of the newest text; none once it is complete.
@@ -32,11 +32,47 @@ pub struct ShipView {
     /// The motion that is drawn alone; none: all six.
     pub trace: Option<usize>,
     /// The validation table.
-    pub checks: Vec<ValidationRow>,
+    pub checks: ValidationTable,
 }
 
 /// The tab of its motions.
 pub const MOTIONS: usize = 1;
+
+/// The tabs of its dynamic analysis.
+pub const AT_SEA: RangeInclusive<usize> = 1..=6;
+
+/// The validation table of a ship, of whose inputs these are the user's.
+fn checks(
+    statics: &StaticAnalysis,
+    dynamic: Option<&DynamicAnalysis>,
+    edited: &[EditedKey],
+) -> ValidationTable {
+    let motion = dynamic.and_then(|dynamic| dynamic.motion.as_ref());
+    ValidationTable::edited(validation::rows(&statics.ship, motion), edited)
+}
+
+/// A ship that is to be computed at sea.
+#[derive(Debug, Clone)]
+pub struct ShipAtSea {
+    /// Its static analysis.
+    pub statics: Arc<StaticAnalysis>,
+    /// The folder of its file.
+    pub folder: PathBuf,
+    /// The inputs that are the user's.
+    pub edited: Vec<EditedKey>,
+    /// Stops the computation, and tells it from others.
+    pub stop: Arc<AtomicBool>,
+}
+
+impl ShipAtSea {
+    /// Its dynamic analysis with the validation table; nothing where it was stopped.
+    #[must_use]
+    pub fn computed(&self) -> Option<(Arc<DynamicAnalysis>, Box<ValidationTable>)> {
+        let dynamic = DynamicAnalysis::new(&self.statics, &self.folder, &self.stop)?;
+        let table = checks(&self.statics, Some(&dynamic), &self.edited);
+        Some((Arc::new(dynamic), Box::new(table)))
+    }
+}
 
 impl ShipView {
     /// A ship as read, without a dynamic analysis yet.
@@ -44,90 +80,24 @@ impl ShipView {
     pub fn new(statics: StaticAnalysis) -> Self {
         Self {
             equilibrium: text::governing(&statics),
-            statics,
+            statics: Arc::new(statics),
             dynamic: None,
             running: None,
             trace: None,
-            checks: Vec::new(),
+            checks: ValidationTable::default(),
         }
+    }
+
+    /// Its motion in the sea, where that is computed.
+    fn motion(&self) -> Option<&MotionAnalysis> {
+        let dynamic = self.dynamic.as_ref()?;
+        dynamic.motion.as_ref()?.as_ref().ok()
     }
 
     /// Whether its motion in the sea is computed.
     #[must_use]
     pub fn has_motion(&self) -> bool {
-        self.motion().is_ok()
-    }
-
-    /// A part of the dynamic analysis, or why there is none.
-    fn part<'a, T>(
-        &'a self,
-        of: impl Fn(&'a DynamicAnalysis) -> Option<T>,
-        none: &str,
-    ) -> Result<T, Table> {
-        let wait = || Table::titled("The dynamic analysis is still running.");
-        let dynamic = self.dynamic.as_ref().ok_or_else(wait)?;
-        of(dynamic).ok_or_else(|| Table::titled(none))
-    }
-
-    fn motion(&self) -> Result<&MotionAnalysis, Table> {
-        let none = "No motion analysis: the file has no [motion].";
-        match self.part(|dynamic| dynamic.motion.as_ref(), none)? {
-            Ok(motion) => Ok(motion),
-            Err(error) => Err(Table::titled(format!(
-                "The motion analysis failed: {error}."
-            ))),
-        }
-    }
-
-    fn rope(&self) -> Result<&RopeAnalysis, Table> {
-        let none = "No rope analysis: the file has no [rope].";
-        match self.part(|dynamic| dynamic.rope.as_ref(), none)? {
-            Ok(rope) => Ok(rope),
-            Err(error) => Err(Table::titled(format!("The rope analysis failed: {error}."))),
-        }
-    }
-
-    /// Chart and table of the dynamic analysis, or why there are none.
-    fn dynamic_tab(&self, tab: usize) -> Result<(Option<Chart>, Table), Table> {
-        let seed = self
-            .statics
-            .ship
-            .motion
-            .as_ref()
-            .map_or(0, ship::model::MotionSettings::seed);
-        Ok(match tab {
-            MOTIONS => {
-                let analysis = self.motion()?;
-                let table = motion::statistics(analysis, seed);
-                (Some(motion::motions(analysis, self.trace)), table)
-            }
-            2 => (None, motion::spectra(self.motion()?)),
-            3 => {
-                let rope = self.rope()?;
-                (Some(rope::chart(rope)), rope::table(rope))
-            }
-            4 => {
-                let rope = self.rope()?;
-                let none = || Table::titled("The rope made fast has no solution.");
-                let table = rope::dynamic_table(rope).unwrap_or_else(none);
-                (rope::dynamic_chart(rope), table)
-            }
-            _ => {
-                let none = "No coupled analysis: the file has no [coupled].";
-                match self.part(|dynamic| dynamic.coupled.as_ref(), none)? {
-                    Ok(coupled) if tab == 5 => (
-                        Some(coupled::motions(coupled)),
-                        coupled::statistics(coupled),
-                    ),
-                    Ok(coupled) => (Some(coupled::tension(coupled)), coupled::decay(coupled)),
-                    Err(error) => {
-                        return Err(Table::titled(format!(
-                            "The coupled analysis failed: {error}."
-                        )));
-                    }
-                }
-            }
-        })
+        self.motion().is_some()
     }
 }
 
@@ -159,25 +129,18 @@ impl DocumentKind for ShipView {
         }
     }
 
-    fn tab(&self, tab: usize) -> (Option<Chart>, Table) {
-        let statics = &self.statics;
-        let or = |table: Option<Table>, words: &str| table.unwrap_or_else(|| Table::titled(words));
-        match tab {
-            0 => (Some(statics::moments(statics)), statics::headings(statics)),
-            1..=6 => self.dynamic_tab(tab).unwrap_or_else(|table| (None, table)),
-            7 => {
-                let words = "Dynamic stability needs [hull], and [mooring] with a solution.";
-                (None, or(statics::eigenvalues(statics), words))
-            }
-            8 => (
-                None,
-                or(statics::loads(statics), "There is no stable equilibrium."),
-            ),
-            _ => {
-                let words = "There is no stable equilibrium, or no [mooring] with a solution.";
-                (None, or(statics::mooring(statics), words))
-            }
-        }
+    fn choice(&self, part: Part) -> u64 {
+        let chosen = match part {
+            Part::Drawing => Some(self.equilibrium),
+            Part::Tab(MOTIONS) => self.trace,
+            _ => None,
+        };
+        chosen.map_or(0, |chosen| chosen as u64 + 1)
+    }
+
+    fn is_behind(&self, part: Part) -> bool {
+        let at_sea = matches!(part, Part::Tab(tab) if AT_SEA.contains(&tab));
+        at_sea && self.running.is_some() && self.dynamic.is_some()
     }
 
     fn renew(&mut self, newer: DocumentContent) {
@@ -189,19 +152,16 @@ impl DocumentKind for ShipView {
             self.equilibrium = newer.equilibrium;
         }
         self.statics = newer.statics;
+        self.checks = newer.checks;
     }
 
     fn validate(&mut self, _text: &str, edited: &[EditedKey]) {
-        let motion = self
-            .dynamic
-            .as_ref()
-            .and_then(|dynamic| dynamic.motion.as_ref());
-        self.checks = validation::rows(&self.statics.ship, motion);
-        reference::set_edited_aside(&mut self.checks, edited);
+        let dynamic = self.dynamic.as_deref();
+        self.checks = checks(&self.statics, dynamic, edited);
     }
 
-    fn checks(&self) -> &[ValidationRow] {
-        &self.checks
+    fn checks(&self) -> Option<&ValidationTable> {
+        Some(&self.checks)
     }
 
     fn stop(&mut self) {
@@ -225,7 +185,7 @@ impl DocumentKind for ShipView {
 
     fn line_input(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {
         let arm = self.statics.ship.motion.as_ref().map(|m| m.hang_point_m);
-        let table = self.motion().ok().zip(arm).map(|(motion, arm)| {
+        let table = self.motion().zip(arm).map(|(motion, arm)| {
             let mut table = String::from("time_s,x_m,y_m,z_m\n");
             for (i, at) in motion
                 .point_displacements(&V3::from(arm))

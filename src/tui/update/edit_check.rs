@@ -1,7 +1,7 @@
 //! Edits are applied and checked behind the screen: asking for them, taking their answer, and the keys that wait for it.
 
-use super::edit;
 use super::notice::{info, warn};
+use super::{edit, parts};
 use crate::tui::command::CommandId;
 use crate::tui::key::KeyPress;
 use crate::tui::msg::{Effect, Msg};
@@ -179,7 +179,7 @@ fn refused(state: &mut AppState, edit: &PendingEdit, why: String) -> Vec<Effect>
 /// Whether what the screen shows is about to change by an answer that is on its way.
 #[must_use]
 pub fn awaits(state: &AppState) -> bool {
-    checking(state) || reporting(state)
+    checking(state) || reporting(state) || parts::any_open(state)
 }
 
 fn checking(state: &AppState) -> bool {
@@ -193,9 +193,9 @@ fn reporting(state: &AppState) -> bool {
     line.is_some_and(|line| line.report_asked.is_some())
 }
 
-/// Whether a key or a paste waits: it is meant for the text with the edits before it, or for the report that is being made.
+/// Whether a key or a paste waits: it is meant for the text with the edits before it, or writes what is being made.
 fn waits(state: &AppState, msg: &Msg) -> bool {
-    if reporting(state)
+    if (reporting(state) || parts::is_open(state))
         && let Msg::Key(key) = msg
     {
         let found = state.overlay.is_none().then(|| panes::find(state, *key));

@@ -6,7 +6,7 @@ use super::notice::info;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::AppState;
-use crate::tui::state::report::{ModelReport, ReportRequest};
+use crate::tui::state::report::{ReportRequest, TextOf, TextRequest};
 
 /// Width of texts that are written to files.
 pub const TEXT_WIDTH: usize = 100;
@@ -35,9 +35,11 @@ pub(super) fn follow_report(state: &mut AppState) -> Option<Effect> {
         name,
         run,
         file: editor.file.clone(),
-        checks: edited.then(|| line.checks.clone()),
+        checks: edited.then(|| line.checks.rows.clone()),
     };
-    if line.report_asked.is_some() || line.report_of.as_ref() == Some(&wanted) {
+    // Its validation table is that of the runs as they are now.
+    let open = line.checking.is_open() && edited;
+    if open || line.report_asked.is_some() || line.report_of.as_ref() == Some(&wanted) {
         return None;
     }
     line.report_asked = Some(wanted.clone());
@@ -66,13 +68,16 @@ pub(super) fn write_report(state: &mut AppState) -> Vec<Effect> {
         return still_computing(state);
     }
     let (name, _) = kind.report_name();
-    let stem = document.editor.stem();
-    vec![Effect::WriteReport(Box::new(ModelReport {
-        content: document.content.clone(),
-        rows: document.editor.rows.clone(),
-        glyphs,
-        path: PathBuf::from(format!("{stem}-{name}.txt")),
-    }))]
+    let path = PathBuf::from(format!("{}-{name}.txt", document.editor.stem()));
+    let rows = document.editor.rows.clone();
+    let of = TextOf::Report(document.content.clone(), rows, glyphs);
+    write_made(of, path)
+}
+
+/// Writes a text that is made behind the screen.
+#[must_use]
+pub fn write_made(of: TextOf, path: PathBuf) -> Vec<Effect> {
+    vec![Effect::WriteMade(Box::new(TextRequest { of, path }))]
 }
 
 /// Writes the input for a line case.
@@ -83,10 +88,8 @@ pub(super) fn write_line_input(state: &mut AppState) -> Vec<Effect> {
     if document.kind().busy().is_some() {
         return still_computing(state);
     }
-    match document.kind().line_input(document.editor.stem()) {
-        (path, Some(text), what) => write(path, Some(text), what),
-        _ => info(state, "There is nothing to write."),
-    }
+    let stem = PathBuf::from(document.editor.stem());
+    write_made(TextOf::LineInput(document.content.clone()), stem)
 }
 
 fn still_computing(state: &mut AppState) -> Vec<Effect> {

@@ -14,6 +14,7 @@ pub mod motion;
 pub mod notice;
 mod overlay;
 pub mod pages;
+pub mod parts;
 mod quit;
 pub mod results;
 pub mod resume;
@@ -51,6 +52,8 @@ pub fn update(state: &mut AppState, msg: Msg) -> Vec<Effect> {
     }
     effects.extend(modes::follow(state));
     effects.extend(runs::plan(state));
+    effects.extend(parts::follow_checks(state));
+    effects.extend(parts::follow(state));
     effects.extend(export::follow_report(state));
     effects
 }
@@ -76,10 +79,12 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
         Msg::JobFailed(ticket, reason) => job_events::failed(state, ticket, reason),
         Msg::CasesRead(dir, entries) => cases::listed(state, dir, entries),
         Msg::FileRead(read) => cases::opened(state, *read),
-        Msg::ShipComputed(by, sea) => {
-            ship::computed(state, &by, sea);
+        Msg::ShipComputed(by, computed) => {
+            ship::computed(state, &by, computed);
             Vec::new()
         }
+        Msg::PartMade(key, view) => parts::made(state, *key, view),
+        Msg::ValuesChecked(token, table) => parts::compared(state, &token, *table),
         Msg::CaseRejected(file, text) => {
             cases::rejected(state, file.display().to_string(), file, text)
         }

@@ -241,7 +241,7 @@ fn document_command(state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> 
         CommandId::LineInput => export::write_line_input(state),
         CommandId::Write => export::write_report(state),
         CommandId::Copy => {
-            let text = document.kind().copy()?;
+            let text = document.kind().copy()?.to_owned();
             vec![Effect::Copy(text)]
         }
         _ => return None,

@@ -280,9 +280,9 @@ pub(super) fn deleted(state: &mut AppState, dirs: &[PathBuf]) -> Vec<Effect> {
     vec![Effect::RefreshRuns]
 }
 
-/// Updates the validation table from the runs of the edited case.
+/// The validation table has to be made anew from the runs of the edited case.
 pub(super) fn check(state: &mut AppState) {
     if let Some(document) = &mut state.document {
-        document.validate();
+        document.outdate_checks();
     }
 }

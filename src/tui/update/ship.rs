@@ -7,6 +7,8 @@ use std::sync::atomic::AtomicBool;
 use crate::physics::sea::DEGREES;
 use crate::ship::DynamicAnalysis;
 use crate::tui::msg::Effect;
+use crate::tui::state::ship::ShipAtSea;
+use crate::tui::state::value_check::ValidationTable;
 use crate::tui::state::{AppState, Document, DocumentContent, DocumentKind, ShipView};
 
 fn ship(document: &mut Document) -> Option<&mut ShipView> {
@@ -26,23 +28,25 @@ pub fn next_motion(ship: &mut ShipView) {
 pub(super) fn resolve(state: &mut AppState) -> Option<Effect> {
     let document = state.document.as_mut()?;
     let path = document.editor.path.clone();
+    let edited = document.editor.edited.clone();
     let ship = ship(document)?;
     ship.stop();
     let stop = Arc::new(AtomicBool::new(false));
     ship.running = Some(Arc::clone(&stop));
     let folder = path.parent().map_or_else(PathBuf::new, PathBuf::from);
-    Some(Effect::ComputeShip(
-        Box::new(ship.statics.clone()),
+    Some(Effect::ComputeShip(Box::new(ShipAtSea {
+        statics: Arc::clone(&ship.statics),
         folder,
+        edited,
         stop,
-    ))
+    })))
 }
 
 /// Takes a dynamic analysis over, unless the text has changed since.
 pub(super) fn computed(
     state: &mut AppState,
     by: &Arc<AtomicBool>,
-    dynamic: Option<Arc<DynamicAnalysis>>,
+    computed: Option<(Arc<DynamicAnalysis>, Box<ValidationTable>)>,
 ) -> Option<()> {
     let document = state.document.as_mut()?;
     let ship = ship(document)?;
@@ -50,7 +54,11 @@ pub(super) fn computed(
         return None;
     }
     ship.running = None;
-    ship.dynamic = dynamic;
-    document.validate();
+    ship.dynamic = None;
+    if let Some((dynamic, checks)) = computed {
+        ship.dynamic = Some(dynamic);
+        ship.checks = *checks;
+    }
+    document.parts.outdate();
     Some(())
 }

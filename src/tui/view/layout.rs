@@ -113,6 +113,14 @@ pub fn panes(screen: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
     panes
 }
 
+/// The names of the panes seen.
+#[must_use]
+pub fn seen(state: &AppState) -> Vec<PaneId> {
+    let screen = Rect::new(0, 0, state.size.0, state.size.1);
+    let panes = panes(screen, state).into_iter();
+    panes.map(|(id, _)| id).collect()
+}
+
 /// The inputs with the band of results below them; without it where all results are seen.
 fn with_band(area: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
     let height = match state.focus() {

@@ -6,12 +6,13 @@ use ratatui::style::Style;
 use tui_input::Input;
 use unicode_width::UnicodeWidthStr;
 
-use super::paint::{cut, first_line, rest, row, span, tabs_seen, text, wrap};
+use super::paint::{cut, first_line, rest, right, row, span, tabs_seen, text, wrap};
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::plain::ascii;
 use crate::report::table::Table;
 use crate::tui::plot_pane::draw_chart;
 use crate::tui::state::AppState;
+use crate::tui::state::parts::{Part, PartView};
 use crate::tui::table_pane::TablePane;
 use crate::tui::theme::Theme;
 
@@ -122,6 +123,26 @@ impl Painter<'_> {
             rest = self.text(rest, ">", faint);
         }
         rest
+    }
+
+    /// Draws a part that is worked out behind the screen as it is known, with a mark where that is older than what it is of.
+    pub fn part(&mut self, area: Rect, part: Part, draw: impl FnOnce(&mut Self, &PartView)) {
+        let Some(document) = &self.state.document else {
+            return;
+        };
+        let Some(view) = document.parts.last(part) else {
+            return self.paragraph(area, "Computing.");
+        };
+        draw(self, view);
+        if !document.is_shown(part) || document.kind().is_behind(part) {
+            self.older(area);
+        }
+    }
+
+    /// Says at the top of an area that it is older than the inputs, and is being made anew.
+    pub fn older(&mut self, area: Rect) {
+        let words = " older than the inputs: computing";
+        right(self.buf, row(area, 0), words, self.theme.warning());
     }
 
     /// A chart over an area.

@@ -32,6 +32,8 @@ pub(crate) struct Desk {
     pub(crate) asked: Vec<Effect>,
     /// Whether edits are checked as they are asked for.
     pub(crate) checks_at_once: bool,
+    /// Whether parts and validation tables are worked out as they are asked for.
+    pub(crate) parts_at_once: bool,
 }
 
 pub(crate) fn looks(glyphs: Glyphs, colour: bool) -> Capabilities {
@@ -54,6 +56,7 @@ impl Desk {
             state: AppState::new(size, looks(Glyphs::Braille, true)),
             asked: Vec::new(),
             checks_at_once: true,
+            parts_at_once: true,
         };
         let entry = |name: &str, about| CaseEntry {
             path: PathBuf::from("cases").join(name),
@@ -126,13 +129,18 @@ impl Desk {
                     let text = request.text();
                     self.tell(Msg::Report(request, text));
                 }
-                Effect::WriteReport(report) => {
-                    let written = report.text().map(|(text, what)| Effect::WriteText {
-                        path: report.path,
-                        text,
-                        what,
-                    });
+                Effect::WriteMade(request) => {
+                    let (path, text, what) = request.text();
+                    let written = text.map(|text| Effect::WriteText { path, text, what });
                     self.asked.extend(written);
+                }
+                Effect::MakePart(request) if self.parts_at_once => {
+                    let view = Arc::new(request.view());
+                    self.tell(Msg::PartMade(Box::new(request.key), view));
+                }
+                Effect::CheckValues(check) if self.parts_at_once => {
+                    let table = Box::new(check.table());
+                    self.tell(Msg::ValuesChecked(check.token, table));
                 }
                 effect => self.asked.push(effect),
             }

@@ -15,6 +15,7 @@ fn press_all(name: &str, desk: &Desk, idle: &mut Vec<String>) {
             state: desk.state.clone(),
             asked: Vec::new(),
             checks_at_once: true,
+            parts_at_once: true,
         };
         let key = command.keys[0].parse().unwrap();
         copy.asked = update(&mut copy.state, Msg::Key(key));

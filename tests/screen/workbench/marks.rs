@@ -22,7 +22,7 @@ fn set(desk: &mut Desk, key: &str, value: &str) {
 }
 
 fn outcomes(desk: &Desk) -> Vec<(Outcome, String)> {
-    let checks = &desk.state.line().unwrap().checks;
+    let checks = &desk.state.line().unwrap().checks.rows;
     let row = |row: &seacable::reference::ValidationRow| {
         (row.outcome, row.reason.clone().unwrap_or_default())
     };

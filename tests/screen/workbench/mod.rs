@@ -11,6 +11,7 @@ mod footer;
 mod hostile_text;
 mod marks;
 mod modes;
+mod parts;
 mod pending;
 mod random;
 mod response;
@@ -187,7 +188,7 @@ fn a_run_is_stored_validated_and_reported() {
     desk.finish_jobs();
     let open = desk.state.line().unwrap();
     assert_eq!(open.runs.len(), 1);
-    assert_eq!(open.checks.len(), 2);
+    assert_eq!(open.checks.rows.len(), 2);
     desk.keys("5 w");
     let written = desk.asked.iter().find_map(|e| match e {
         Effect::WriteText { path, text, .. } => Some((path.clone(), text.clone())),

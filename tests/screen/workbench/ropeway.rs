@@ -43,7 +43,7 @@ fn ropeway(desk: &Desk) -> &RopewayView {
 }
 
 fn sag(desk: &Desk) -> f64 {
-    ropeway(desk).results.as_ref().unwrap().exact.sag_m
+    ropeway(desk).results().unwrap().exact.sag_m
 }
 
 #[test]

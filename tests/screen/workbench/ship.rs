@@ -40,13 +40,13 @@ impl Desk {
     /// Answers as the thread does that works the newest text out.
     fn sail(&mut self) {
         let asked = self.asked.iter().rev().find_map(|effect| match effect {
-            Effect::ComputeShip(rest, _, stop) => Some((rest.clone(), Arc::clone(stop))),
+            Effect::ComputeShip(ship) => Some(ship.clone()),
             _ => None,
         });
-        let (rest, stop) = asked.unwrap();
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/ship");
-        let sea = DynamicAnalysis::new(&rest, &folder, &stop).map(Arc::new);
-        self.tell(Msg::ShipComputed(stop, sea));
+        let mut ship = asked.unwrap();
+        ship.folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/ship");
+        let computed = ship.computed();
+        self.tell(Msg::ShipComputed(ship.stop, computed));
     }
 }
 
@@ -130,7 +130,10 @@ fn an_edit_is_live_at_rest_and_only_the_newest_text_is_taken_at_sea() {
         coupled: None,
         rope: None,
     };
-    desk.tell(Msg::ShipComputed(stale, Some(Arc::new(old))));
+    desk.tell(Msg::ShipComputed(
+        stale,
+        Some((Arc::new(old), Default::default())),
+    ));
     assert!(ship(&desk).dynamic.is_none() && ship(&desk).running.is_some());
     desk.sail();
     assert!(ship(&desk).dynamic.is_some() && ship(&desk).running.is_none());

@@ -1,0 +1,30 @@
+//! Tables of a run's line.
+
+use crate::report::limits;
+use crate::run::Run;
+use crate::tui::facade;
+use crate::tui::line_tables::LineTable;
+use crate::tui::state::parts::PartView;
+
+pub(in crate::tui) fn view(name: &str, run: &Run, which: LineTable) -> PartView {
+    let mut table = which.table(run);
+    table.title = match (which, LineTable::of(run).len()) {
+        (LineTable::Nodes, 1) => format!("Nodes of {name}; `w` writes them as CSV."),
+        (which, count) => {
+            let number = 1 + which as usize;
+            let what = which.title();
+            format!(
+                "{what} of {name}, table {number} of {count}; `]` shows the next, `w` writes it."
+            )
+        }
+    };
+    // A stored run may be of another text than the one that is open.
+    let case = facade::parse(&run.case_text, &run.info.case_file);
+    PartView {
+        table,
+        limits: case
+            .ok()
+            .and_then(|case| limits::of_run(&case, &run.profile)),
+        ..PartView::default()
+    }
+}

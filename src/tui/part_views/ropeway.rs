@@ -1,0 +1,98 @@
+//! Drawing and tables of a ropeway with its cargo where the user has put it.
+
+use super::with_table;
+use crate::report::chart::Chart;
+use crate::report::number::rounded;
+use crate::report::ropeway::{cargo, drawing, tables, winch};
+use crate::report::table::{CellStyle, Table};
+use crate::ropeway::elastic::Carrier;
+use crate::ropeway::{ModelResults, SolvedRopeway};
+use crate::tui::state::RopewayView;
+use crate::tui::state::parts::{Part, PartView};
+
+pub(super) fn view(ropeway: &RopewayView, part: Part) -> PartView {
+    let solved = &ropeway.worked;
+    with_table(match part {
+        Part::Tab(0) => (None, tables::crossing(solved, 20)),
+        Part::Tab(1) => (Some(winch::hauling_chart(solved)), winch::hauling(solved)),
+        Part::Tab(2) => winch_on_ship(solved),
+        Part::Tab(3) => (Some(cargo::crossing_chart(solved)), cargo::cargo(solved)),
+        Part::Tab(4) => (None, ropes(ropeway)),
+        Part::Tab(_) => {
+            let none = || Table::titled("The file has no finite-element check.");
+            (None, tables::weight_check(solved).unwrap_or_else(none))
+        }
+        _ => return drawn(ropeway),
+    })
+}
+
+fn winch_on_ship(solved: &SolvedRopeway) -> (Option<Chart>, Table) {
+    let Some(series) = solved.ship_motion() else {
+        return (None, Table::titled("The ship does not move; add [motion]."));
+    };
+    match solved.run_winch(&series) {
+        Ok(followed) => (
+            Some(winch::winch_chart(&followed)),
+            winch::winch(solved, &followed),
+        ),
+        Err(error) => (None, Table::titled(format!("No solution: {error}."))),
+    }
+}
+
+fn ropes(ropeway: &RopewayView) -> Table {
+    match ropeway.results() {
+        Ok(results) => tables::ropes(&ropeway.worked, &results),
+        Err(error) => Table::titled(format!("No solution: {error}.")),
+    }
+}
+
+/// The picture, the exact rope in words, and the models side by side.
+fn drawn(ropeway: &RopewayView) -> PartView {
+    let solved = &ropeway.worked;
+    match ropeway.results() {
+        Ok(results) => {
+            let mut chart = drawing::chart(solved, &results);
+            // Its title is beside the tabs; every line counts here.
+            chart.title.clear();
+            PartView {
+                chart: Some(chart),
+                table: Table {
+                    title: String::new(),
+                    notes: Vec::new(),
+                    ..tables::models(solved, &results)
+                },
+                words: readout(solved, &results),
+                ..PartView::default()
+            }
+        }
+        Err(error) => {
+            let words = format!("No solution with the cargo here: {error}.");
+            PartView {
+                words: vec![(words, CellStyle::Warn)],
+                ..PartView::default()
+            }
+        }
+    }
+}
+
+/// The exact rope, and whether the cargo is dry.
+fn readout(solved: &SolvedRopeway, results: &ModelResults) -> Vec<(String, CellStyle)> {
+    let exact = &results.exact;
+    let clear = solved.clearance_m(exact);
+    let words = format!(
+        "exact: platform {} N  ship {} N  sag {} m  ",
+        rounded(exact.platform_n(), 1),
+        rounded(exact.ship_n(), 1),
+        rounded(exact.sag_m, 2)
+    );
+    let carried = match exact.carrier {
+        Carrier::Rope if clear < 0.0 => (
+            format!("IN THE WATER by {} m", rounded(-clear, 2)),
+            CellStyle::Bad,
+        ),
+        Carrier::Rope => (format!("clear by {} m", rounded(clear, 2)), CellStyle::Good),
+        Carrier::Platform => ("on the platform".to_owned(), CellStyle::Plain),
+        Carrier::Ship => ("on the ship".to_owned(), CellStyle::Plain),
+    };
+    vec![(words, CellStyle::Plain), carried]
+}

@@ -1,0 +1,22 @@
+//! Drawing and tables of a cross-section.
+
+use super::{with_chart, with_table};
+use crate::report::section::{self as views, drawing, tables};
+use crate::section::stiffness::EndRotation;
+use crate::tui::state::SectionView;
+use crate::tui::state::parts::{Part, PartView};
+
+pub(super) fn view(section: &SectionView, part: Part) -> PartView {
+    let design = &section.design;
+    let table = match part {
+        Part::Tab(0) => tables::layers(design),
+        Part::Tab(1) => tables::summary(design),
+        Part::Tab(2) => tables::stiffness(design),
+        Part::Tab(_) => {
+            let core = design.section.about.core;
+            tables::load_sharing(design, core, EndRotation::Fixed, views::tension(design))
+        }
+        _ => return with_chart(drawing::chart(design)),
+    };
+    with_table((None, table))
+}
