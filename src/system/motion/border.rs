@@ -27,6 +27,10 @@ pub struct Border {
     rows: Vec<V3>,
     /// The same by joints.
     joints: Vec<V3>,
+    /// Residuals of the unknowns themselves, nothing condensed onto them.
+    own: Vec<V3>,
+    /// Greatest residual of an inner node of the lines \[N\].
+    of_lines: f64,
 }
 
 /// How an end of a line moves with a body.
@@ -75,6 +79,8 @@ impl Border {
             matrix: BlockEnvelope::new(system.joints.envelope.clone()),
             rows: vec![V3::zeros(); unknowns],
             joints: vec![V3::zeros(); state.joints.x.len()],
+            own: vec![V3::zeros(); unknowns],
+            of_lines: 0.0,
         }
     }
 
@@ -82,6 +88,15 @@ impl Border {
     #[must_use]
     pub fn bodies(&self) -> &[MovingBody] {
         &self.bodies
+    }
+
+    /// The greatest residual at the state solved for last: of a node, a point or a body \[N\], moments by the arm of their body.
+    #[must_use]
+    pub fn residual(&self, system: &MovingSystem) -> f64 {
+        let joints = system.joints.free.clone();
+        let rows = joints.filter_map(|joint| Some((system.joints.row(joint)?, joint)));
+        let sizes = rows.map(|(row, joint)| self.own[row].norm() / system.scale(joint));
+        sizes.fold(self.of_lines, f64::max)
     }
 
     /// The displacements, negative, of the nodes of a part: a line, or the joints.
@@ -103,6 +118,8 @@ impl Border {
     ) -> Result<(), NewtonError> {
         self.matrix.clear();
         self.rows.fill(V3::zeros());
+        self.own.fill(V3::zeros());
+        self.of_lines = 0.0;
         for line in 0..self.lines.len() {
             self.line(system, t, state, (line, c))
                 .map_err(|node| NewtonError::Singular {
@@ -159,6 +176,8 @@ impl Border {
         let (r, tangent) = (&mut self.lines[line], &mut self.tangents[line]);
         scene.linearise(t, &state.lines[line], c, r, tangent);
         let last = r.len() - 1;
+        let sizes = r[1..last].iter().map(V3::norm_squared);
+        self.of_lines = self.of_lines.max(sizes.fold(0.0, f64::max).sqrt());
         if system.is_plain(state, line) {
             (r[0], r[last]) = (V3::zeros(), V3::zeros());
             return tangent.solve(1..last, r).map_err(|singular| singular.node);
@@ -182,10 +201,15 @@ impl Border {
         for (i, on) in ends.iter().enumerate() {
             match on {
                 End::Nothing => continue,
-                End::Point(row) => self.rows[*row] += left[i],
+                End::Point(row) => {
+                    self.rows[*row] += left[i];
+                    self.own[*row] += own[i];
+                }
                 End::Body(arm) => {
                     self.rows[arm.origin] += left[i];
                     self.rows[arm.rotation] += arm.lever * left[i];
+                    self.own[arm.origin] += own[i];
+                    self.own[arm.rotation] += arm.lever * own[i];
                     // The arm turns under the force.
                     let turned = cross(&own[i]) * arm.lever * arm.turning * stiffness;
                     *self.matrix.block(arm.rotation, arm.rotation) += turned;
@@ -233,7 +257,9 @@ impl Border {
                     let point = free_point(system, number);
                     let (x, v, a) = node(&state.joints, joint);
                     let load = point_load(&system.network, point, x, v);
-                    self.rows[row] += a * point.moving_mass - load.force;
+                    let residual = a * point.moving_mass - load.force;
+                    self.rows[row] += residual;
+                    self.own[row] += residual;
                     *self.matrix.block(row, row) += M3::identity() * (c.mass * point.moving_mass)
                         - load.by_velocity * c.damping
                         - load.by_position * c.stiffness;
@@ -257,7 +283,9 @@ impl Border {
             let turning = turning(&motion.pose.rotation, &state.joints.x[origin + 1]);
             let (residual, tangent) = body.residual(&system.network, &motion, &turning, c);
             for (row, from) in [(first, 0), (second, 3)] {
-                self.rows[row] += residual.fixed_rows::<3>(from).into_owned();
+                let own = residual.fixed_rows::<3>(from).into_owned();
+                self.rows[row] += own;
+                self.own[row] += own;
                 for (column, to) in [(first, 0), (second, 3)] {
                     let block = tangent.fixed_view::<3, 3>(from, to);
                     *self.matrix.block(row, column) += block;

@@ -6,7 +6,7 @@ use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
 use crate::numerics::V3;
-use crate::solve::{Convergence, Factors, NewtonError, State};
+use crate::solve::{Factors, NewtonError, State, StaticSearch};
 use crate::system::SolvedSystem;
 use crate::system::build::{AgedParts, Divided, build};
 use crate::system::discretised::SEGMENTS;
@@ -16,20 +16,24 @@ use crate::system::model::SystemFile;
 use crate::system::network::{Held, Line, Network};
 use crate::system::rest::{UnsolvedSystem, not_divided, rest_from};
 
-/// Iterations from the equilibrium of the closed forms to that of the divided lines on their bed.
-const MOST_ITERATIONS: usize = 60;
+/// Iterations from the equilibrium of held ends to that of everything on its bed.
+const MOST_ITERATIONS: usize = 200;
 /// Greatest displacement of an iteration by the length of the longest line.
 const LONGEST_ITERATION: f64 = 0.05;
-/// Stiffness that everything has, by that of a pendulum of that length.
-const LEAST_STIFFNESS: f64 = 1e-8;
+/// Stiffness that everything has, by that of a pendulum of that length; and how many times that at most.
+const LEAST_STIFFNESS: f64 = 1e-4;
+const MOST_STIFFNESS: f64 = 1e12;
+/// By how much an iteration may leave more out of balance than there was.
+const WORSE: f64 = 2.0;
+/// Forces out of balance that count as none, by the typical force of a line; and where nothing moves any more.
+const BALANCED: f64 = 1e-10;
+const ACCEPTED: f64 = 1e-6;
 /// How often lines are laid on a rough bed.
 const MOST_LAYS: usize = 6;
 /// How far points may still move then, by the length of the longest line.
 const LAID: f64 = 1e-5;
 /// Displacement that counts as none, by the same length.
 const SETTLED: f64 = 1e-11;
-/// The same where the iteration no longer comes nearer: rounding.
-const ACCEPTED: f64 = 1e-8;
 
 /// A system ready to move.
 #[derive(Debug, Clone)]
@@ -192,21 +196,47 @@ fn still(state: &mut SystemState) {
     }
 }
 
-/// Newton's method at rest.
+/// Newton's method at rest, damped by a little mass, and by more where a step leaves more out of balance than there was: slack line on a
+/// bed, and the spin of a buoy on one line, have no stiffness of their own.
 fn settle(system: &MovingSystem, state: &mut SystemState) -> Result<u64, NewtonError> {
     let size = longest(&system.network);
-    // What nothing holds, as the spin of a buoy on one line, stays where it is.
-    let statics = Factors {
-        mass: LEAST_STIFFNESS * system.network.gravity.max(1.0) / size,
-        damping: 0.0,
-        stiffness: 1.0,
-    };
+    let least = LEAST_STIFFNESS * system.network.gravity.max(1.0) / size;
+    let force = system
+        .scenes
+        .iter()
+        .map(StaticSearch::force_scale)
+        .fold(0.0, f64::max);
     let mut border = Border::new(system, state);
-    let mut convergence = Convergence::new(SETTLED * size, None);
-    let mut last = (0, f64::INFINITY);
+    let (mut mass, mut before, mut last) = (least, f64::INFINITY, (0, f64::INFINITY));
+    let mut kept = state.clone();
     for made in 1..=MOST_ITERATIONS {
-        border.solve(system, 0.0, state, statics)?;
+        let factors = Factors {
+            mass,
+            damping: 0.0,
+            stiffness: 1.0,
+        };
+        let solved = border.solve(system, 0.0, state, factors);
+        let residual = border.residual(system);
+        if solved.is_err() || residual > WORSE * before {
+            state.copy_from(&kept);
+            before = f64::INFINITY;
+            mass *= 100.0;
+            if mass > MOST_STIFFNESS * least {
+                solved?;
+                break;
+            }
+            continue;
+        }
+        if residual <= BALANCED * force {
+            return Ok(made as u64);
+        }
         last = border.greatest(system)?;
+        if last.1 <= SETTLED * size && residual <= ACCEPTED * force {
+            return Ok(made as u64);
+        }
+        kept.copy_from(state);
+        before = residual;
+        mass = (mass / 10.0).max(least);
         let share = (LONGEST_ITERATION * size / last.1).min(1.0);
         for (number, part) in state.parts_mut().enumerate() {
             let d = border.displacements(number);
@@ -217,10 +247,6 @@ fn settle(system: &MovingSystem, state: &mut SystemState) -> Result<u64, NewtonE
         system.follow(state);
         still(state);
         turn_bases(system, state);
-        let reached = convergence.is_reached(last.1);
-        if reached || (convergence.idle() > 2 && last.1 <= ACCEPTED * size) {
-            return Ok(made as u64);
-        }
     }
     Err(NewtonError::NotConverged {
         iterations: MOST_ITERATIONS,
