@@ -99,7 +99,7 @@ pub struct ErrorLimits {
 const ITERATION_ERROR: f64 = 0.1;
 
 impl ErrorLimits {
-    /// Tolerance on transverse displacements of the iteration \[m\] that leaves [`ITERATION_ERROR`] of these limits at the
+    /// Tolerance on transverse displacements of the iteration \[m\] that leaves a tenth of these limits at the
     /// end of the step.
     #[must_use]
     pub fn transverse_tolerance(&self, scheme: &AlphaScheme, factors: &Factors) -> f64 {

@@ -139,8 +139,8 @@ mod tests {
             let mut matrix = BlockEnvelope::new(first.clone());
             let mut dense = DMatrix::zeros(3 * n, 3 * n);
             let mut next = entries.iter().copied().cycle();
-            for i in 0..n {
-                for j in first[i]..=i {
+            for (i, from) in first.iter().enumerate() {
+                for j in *from..=i {
                     for (row, column) in [(i, j), (j, i)] {
                         let mut block = M3::from_fn(|_, _| next.next().unwrap());
                         if i == j {

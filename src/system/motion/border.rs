@@ -45,6 +45,10 @@ struct Arm {
 }
 
 /// The rows that an end of a line acts on.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "two of them live on the stack while a line is joined"
+)]
 enum End {
     Nothing,
     Point(usize),

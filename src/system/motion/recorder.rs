@@ -28,7 +28,7 @@ pub struct EnergyBalance {
     pub lost: f64,
     /// Stored at the end more than at the start.
     pub stored: f64,
-    /// All that passed through: work and losses without their signs, and [`AT_REST`] of the greatest energy.
+    /// All that passed through: work and losses without their signs, and a millionth of the greatest energy.
     pub passed: f64,
 }
 

@@ -218,7 +218,7 @@ fn compute(
         match going {
             Err(error) => failure = Some(march_in_words(&system, &error)),
             Ok(Progressing::Stop) if pulled.is_none() => {
-                failure = Some("it was stopped".to_owned())
+                failure = Some("it was stopped".to_owned());
             }
             Ok(_) => {}
         }

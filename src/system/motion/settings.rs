@@ -103,7 +103,7 @@ fn bounce_period(scene: &Scene) -> f64 {
 /// nothing but prescribed motion disturbs a system at rest, of [`RESPONSE`] times that motion.
 fn motion_scale(system: &MovingSystem, duration: f64) -> (f64, f64) {
     let network = &system.network;
-    let lengths = network.lines.iter().map(|line| line.length());
+    let lengths = network.lines.iter().map(Line::length);
     let length = lengths.fold(1.0, f64::max);
     let speed = (network.gravity * length).sqrt();
     let let_go = |line: &Line| line.releases.iter().any(LetGo::is_given);

@@ -8,13 +8,15 @@ use super::system_state::SystemState;
 use crate::numerics::V3;
 use crate::solve::{Factors, NewtonError, State, StaticSearch};
 use crate::system::SolvedSystem;
+use crate::system::balance::balance;
 use crate::system::build::{AgedParts, Divided, build};
 use crate::system::discretised::SEGMENTS;
-use crate::system::equilibrium::Equilibrium;
-use crate::system::freedoms::Placement;
+use crate::system::equilibrium::SystemError;
+use crate::system::freedoms::{Freedoms, Placement, UnknownBodies};
+use crate::system::line_at_rest::{LineAtRest, LinePhysics};
 use crate::system::model::SystemFile;
 use crate::system::network::{Held, Line, Network};
-use crate::system::rest::{UnsolvedSystem, not_divided, rest_from};
+use crate::system::rest::{UnsolvedSystem, not_divided, refused as refused_at_rest, rest_from};
 
 /// Iterations from the equilibrium of held ends to that of everything on its bed.
 const MOST_ITERATIONS: usize = 200;
@@ -28,10 +30,6 @@ const WORSE: f64 = 2.0;
 /// Forces out of balance that count as none, by the typical force of a line; and where nothing moves any more.
 const BALANCED: f64 = 1e-10;
 const ACCEPTED: f64 = 1e-6;
-/// How often lines are laid on a rough bed.
-const MOST_LAYS: usize = 6;
-/// How far points may still move then, by the length of the longest line.
-const LAID: f64 = 1e-5;
 /// Displacement that counts as none, by the same length.
 const SETTLED: f64 = 1e-11;
 
@@ -59,8 +57,8 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
     let file = breaks::written_out(&file);
     let none = AgedParts::new();
     let parts = solved.age.as_ref().map_or(&none, |age| &age.parts);
-    let (network, rest) = laid(&file, parts, solved)?;
-    let (system, mut state) = at_rest(network, &rest);
+    let (network, placement, lines) = laid(&file, parts, solved)?;
+    let (system, mut state) = at_rest(network, &placement, &lines);
     system.prescribe(0.0, &mut state);
     still(&mut state);
     system.follow(&mut state);
@@ -74,53 +72,36 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
     })
 }
 
-/// The divided lines at rest. Friction of the bed acts by springs from where a line was laid: at first it is left out, and then the lines are laid
-/// where that has their ends, until these no longer move.
+/// The divided lines, each at rest between its ends where the system rests, with what is moved where it is at time zero. Friction of the bed acts
+/// by springs from where a line was laid: for these ends.
 fn laid(
     file: &SystemFile,
     parts: &AgedParts,
     solved: &SolvedSystem,
-) -> Result<(Network, Equilibrium), UnsolvedSystem> {
-    let mut smooth = file.clone();
-    let rough = file.seabed.as_ref().is_some_and(|bed| bed.friction > 0.0)
-        || file.lines.iter().any(|line| line.friction.is_some());
-    if let Some(bed) = &mut smooth.seabed {
-        bed.friction = 0.0;
+) -> Result<(Network, Placement, Vec<LineAtRest>), UnsolvedSystem> {
+    let closed = moved_to_start(file, parts, Divided::WhereNeeded)?;
+    let mut placement = breaks::placed(solved, &closed);
+    let given = placement.clone();
+    carried(&closed, &mut placement);
+    if placement != given {
+        placement = rest_from(&closed, &placement)?.placement;
     }
-    for line in &mut smooth.lines {
-        line.friction = None;
-    }
-    let network = moved_to_start(&smooth, parts)?;
-    let mut placement = breaks::placed(solved, &network);
-    carried(&network, &mut placement);
-    let mut found = rest_from(&network, &placement)?;
-    if !rough {
-        return Ok((network, found));
-    }
-    let size = longest(&network);
-    for _ in 0..MOST_LAYS {
-        let network = moved_to_start(file, parts)?;
-        let rest = rest_from(&network, &found.placement)?;
-        let points = rest.placement.points.iter().zip(&found.placement.points);
-        let moved = points.map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
-        if moved <= LAID * size {
-            return Ok((network, rest));
-        }
-        found = rest;
-    }
-    Err(UnsolvedSystem {
-        problem: format!(
-            "lines on a rough bed pull free points and bodies along wherever they are laid, {MOST_LAYS} times over"
-        ),
-        remedy: "set seabed.friction = 0, or hold what lies on the bed".to_owned(),
-        line: None,
-        part: None,
-    })
+    let network = moved_to_start(file, parts, Divided::All)?;
+    let freedoms = Freedoms::of(&network, UnknownBodies::Free);
+    let lines = balance(&network, &freedoms, &placement, LinePhysics::Full, None);
+    let lines = lines
+        .map_err(|unsolved| refused_at_rest(&network, &SystemError::Line(unsolved)))?
+        .lines;
+    Ok((network, placement, lines))
 }
 
 /// The system with what is moved where it is at time zero.
-fn moved_to_start(file: &SystemFile, parts: &AgedParts) -> Result<Network, UnsolvedSystem> {
-    let mut network = build(file, parts, Divided::All).map_err(not_divided)?;
+fn moved_to_start(
+    file: &SystemFile,
+    parts: &AgedParts,
+    divided: Divided,
+) -> Result<Network, UnsolvedSystem> {
+    let mut network = build(file, parts, divided).map_err(not_divided)?;
     for point in &mut network.points {
         if let Some(motion) = &point.motion {
             point.held = Held::At(motion.at(0.0).0);
@@ -154,10 +135,13 @@ fn longest(network: &Network) -> f64 {
     network.lines.iter().map(Line::length).fold(1.0, f64::max)
 }
 
-/// The system and its state as the equilibrium found it.
-fn at_rest(network: Network, rest: &Equilibrium) -> (MovingSystem, SystemState) {
-    let lines = rest.balance.lines.iter();
-    let found = lines.filter_map(|line| line.discretised.as_ref());
+/// The system and its state there.
+fn at_rest(
+    network: Network,
+    placement: &Placement,
+    lines: &[LineAtRest],
+) -> (MovingSystem, SystemState) {
+    let found = lines.iter().filter_map(|line| line.discretised.as_ref());
     let (scenes, lines): (Vec<_>, Vec<_>) = found
         .map(|line| {
             let (scene, state) = line.scene_and_state();
@@ -169,15 +153,15 @@ fn at_rest(network: Network, rest: &Equilibrium) -> (MovingSystem, SystemState) 
     let system = MovingSystem::new(network, scenes);
     let joints = &system.joints;
     let place = |(joint, role): (usize, &Role)| match role {
-        Role::Origin(body) => rest.placement.bodies[*body].origin,
+        Role::Origin(body) => placement.bodies[*body].origin,
         Role::Rotation(_) | Role::LetGo(..) => V3::zeros(),
         _ => {
             let point = joints.points.iter().position(|known| *known == joint);
-            point.map_or_else(V3::zeros, |point| rest.placement.points[point])
+            point.map_or_else(V3::zeros, |point| placement.points[point])
         }
     };
     let places = joints.roles.iter().enumerate().map(place).collect();
-    let bases = rest.placement.bodies.iter().map(|pose| pose.rotation);
+    let bases = placement.bodies.iter().map(|pose| pose.rotation);
     let ends = |line: &Line| [line.from, line.to].map(|point| joints.points[point]);
     let state = SystemState {
         lines,
