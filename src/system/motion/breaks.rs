@@ -34,27 +34,7 @@ fn parted(line: &LineInputs) -> Option<(LineInputs, LineInputs)> {
     if at >= whole || (line.break_s.is_none() && line.break_n.is_none()) {
         return None;
     }
-    let (mut before, mut after) = (Vec::new(), Vec::new());
-    let mut arc = 0.0;
-    for section in sections {
-        let end = arc + section.length_m;
-        if end <= at {
-            before.push(section);
-        } else if arc >= at {
-            after.push(section);
-        } else {
-            before.push(LineSection {
-                length_m: at - arc,
-                clump_kg: 0.0,
-                ..section.clone()
-            });
-            after.push(LineSection {
-                length_m: end - at,
-                ..section
-            });
-        }
-        arc = end;
-    }
+    let (before, after) = cut(sections, at);
     let segments = line
         .segments
         .unwrap_or(crate::system::discretised::SEGMENTS) as f64;
@@ -92,6 +72,32 @@ fn parted(line: &LineInputs) -> Option<(LineInputs, LineInputs)> {
         ..part(format!("{}{SECOND}", line.name), after, whole - at)
     };
     Some((first, second))
+}
+
+/// The sections before and after a place.
+fn cut(sections: Vec<LineSection>, at: f64) -> (Vec<LineSection>, Vec<LineSection>) {
+    let (mut before, mut after) = (Vec::new(), Vec::new());
+    let mut arc = 0.0;
+    for section in sections {
+        let end = arc + section.length_m;
+        if end <= at {
+            before.push(section);
+        } else if arc >= at {
+            after.push(section);
+        } else {
+            before.push(LineSection {
+                length_m: at - arc,
+                clump_kg: 0.0,
+                ..section.clone()
+            });
+            after.push(LineSection {
+                length_m: end - at,
+                ..section
+            });
+        }
+        arc = end;
+    }
+    (before, after)
 }
 
 fn sections(line: &LineInputs) -> Vec<LineSection> {

@@ -17,6 +17,7 @@ pub mod channels;
 pub mod energy;
 pub mod inputs;
 pub mod joints;
+mod march;
 pub mod moving_system;
 mod point_loads;
 pub mod pose_motion;
