@@ -100,6 +100,49 @@ fn bridle(step: f64) -> MotionRun {
     ))
 }
 
+/// A body on two lines below a top that moves, all of it turned about the vertical.
+fn turned_by(angle_deg: f64) -> MotionRun {
+    let (sin, cos) = angle_deg.to_radians().sin_cos();
+    let at = |x: f64, y: f64, z: f64| {
+        format!("[{:?}, {:?}, {z:?}]", cos * x - sin * y, sin * x + cos * y)
+    };
+    moved(&format!(
+        "{WIRE}
+        [points.left]\nkind = \"moved\"\nposition_m = {}\namplitude_m = {}\nperiod_s = 8.0\nramp_s = 8.0
+        [points.right]\nkind = \"fixed\"\nposition_m = {}
+        [points.fore]\nkind = \"body\"\nbody = \"box\"\nposition_m = [3.0, 0.5, 1.0]
+        [points.aft]\nkind = \"body\"\nbody = \"box\"\nposition_m = [-3.0, 0.0, 1.0]
+        [bodies.box]\nkind = \"free\"\nposition_m = {}\nyaw_deg = {angle_deg:?}\nmass_kg = 1e4\ninertia_kg_m2 = [1e4, 4e4, 4e4]
+        volume_m3 = 1.5\nadded_mass = [2e3, 3e3, 4e3, 1e3, 5e3, 5e3]\ndrag_area_m2 = [3.0, 4.0, 6.0]
+        [[lines]]\nname = \"left\"\nfrom = \"fore\"\nto = \"left\"\nmaterial = \"wire\"\nlength_m = 41.0\nsegments = 8
+        [[lines]]\nname = \"right\"\nfrom = \"aft\"\nto = \"right\"\nmaterial = \"wire\"\nlength_m = 40.0\nsegments = 8
+        {}",
+        at(6.0, 2.0, 0.0), at(0.6, 0.2, 1.0), at(-6.0, 0.0, 0.0), at(0.0, 0.0, -40.0),
+        solver(16.0, 0.02)
+    ))
+}
+
+#[test]
+fn the_heading_of_a_system_changes_no_tension() {
+    let straight = turned_by(0.0);
+    for angle in [90.0, 137.0, -90.0] {
+        let turned = turned_by(angle);
+        for name in [
+            "tension_n[left|a]",
+            "tension_n[right|b]",
+            "z_m[box]",
+            "pitch_deg[box]",
+        ] {
+            for (one, other) in channel(&straight, name).iter().zip(channel(&turned, name)) {
+                assert!(
+                    (one - other).abs() < 1e-6 * (1.0 + one.abs()),
+                    "{angle} {name}: {one} {other}"
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn a_body_on_a_bridle_is_of_second_order_in_time() {
     let runs = [0.04, 0.02, 0.01].map(bridle);

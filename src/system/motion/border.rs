@@ -37,10 +37,12 @@ pub struct Border {
 struct Arm {
     origin: usize,
     rotation: usize,
-    /// From the turns of the body to the displacement of the end.
+    /// From changes of the rotation vector to the displacement of the end.
     by_turn: M3,
-    /// From the force on the end to the moment on the body.
+    /// From the force on the end to the moment along the same axes: its transpose.
     lever: M3,
+    /// The arm as the matrix of its cross product.
+    arm: M3,
     turning: M3,
 }
 
@@ -215,8 +217,9 @@ impl Border {
                     self.own[arm.origin] += own[i];
                     self.own[arm.rotation] += arm.lever * own[i];
                     // The arm turns under the force.
-                    let turned = cross(&own[i]) * arm.lever * arm.turning * stiffness;
-                    *self.matrix.block(arm.rotation, arm.rotation) += turned;
+                    let turned = cross(&own[i]) * arm.arm * stiffness;
+                    *self.matrix.block(arm.rotation, arm.rotation) +=
+                        arm.turning.transpose() * turned * arm.turning;
                 }
             }
             for (j, by) in ends.iter().enumerate() {
@@ -286,12 +289,14 @@ impl Border {
             let motion = system.body(state, body.number);
             let turning = turning(&motion.pose.rotation, &state.joints.x[origin + 1]);
             let (residual, tangent) = body.residual(&system.network, &motion, &turning, c);
-            for (row, from) in [(first, 0), (second, 3)] {
-                let own = residual.fixed_rows::<3>(from).into_owned();
+            // Moments along the axes of the rotation vector: whatever the heading, the pivots are those of a stiffness.
+            let rows = [(first, 0, M3::identity()), (second, 3, turning.transpose())];
+            for (row, from, along) in rows {
+                let own = along * residual.fixed_rows::<3>(from);
                 self.rows[row] += own;
                 self.own[row] += own;
                 for (column, to) in [(first, 0), (second, 3)] {
-                    let block = tangent.fixed_view::<3, 3>(from, to);
+                    let block = along * tangent.fixed_view::<3, 3>(from, to);
                     *self.matrix.block(row, column) += block;
                 }
             }
@@ -358,12 +363,14 @@ fn end(system: &MovingSystem, state: &SystemState, joint: usize) -> End {
             };
             let motion: BodyMotion = system.body(state, body);
             let turning = turning(&motion.pose.rotation, &state.joints.x[origin + 1]);
-            let lever = cross(&motion.pose.arm(&at));
+            let arm = cross(&motion.pose.arm(&at));
+            let by_turn = -arm * turning;
             End::Body(Arm {
                 origin: first,
                 rotation: second,
-                by_turn: -lever * turning,
-                lever,
+                by_turn,
+                lever: by_turn.transpose(),
+                arm,
                 turning,
             })
         }
