@@ -104,17 +104,22 @@ impl Placed {
     /// Volume and first moment of what is immersed, slice by slice; the axis is not upright.
     fn slices(&self) -> (Dual, DualVector) {
         let tilt = self.tilt2.sqrt();
-        let mut cuts = vec![Dual::from_re(0.0), Dual::from_re(1.0)];
+        // Both ends, and at most two cuts between.
+        let mut cuts = [Dual::from_re(0.0); 4];
+        cuts[1] = Dual::from_re(1.0);
+        let mut count = 2;
         for sign in [1.0, -1.0] {
             // Where the top, or the bottom, of a slice is at the surface.
             let at_end = self.z + tilt * (sign * self.radius.0);
             let slope = self.rise + tilt * (sign * (self.radius.1 - self.radius.0));
             let cut = -at_end / slope;
             if cut.re > 0.0 && cut.re < 1.0 {
-                cuts.push(cut);
+                cuts[count] = cut;
+                count += 1;
             }
         }
-        cuts.sort_by(|a, b| a.re.total_cmp(&b.re));
+        let cuts = &mut cuts[..count];
+        cuts.sort_unstable_by(|a, b| a.re.total_cmp(&b.re));
         let mut volume = Dual::from_re(0.0);
         let mut moment = constant(&V3::zeros());
         for ends in cuts.windows(2) {

@@ -7,3 +7,4 @@ mod small;
 
 mod memory_bound;
 mod steps;
+mod systems;

@@ -1,0 +1,92 @@
+//! A step of a system in motion allocates nothing: lines on a bed, a free point, a body with members through the surface.
+
+use allocation_counter::measure;
+use seacable::case::kind;
+use seacable::dynamics::March;
+use seacable::solve::{AcceptedStep, Marched, Progressing};
+use seacable::system::SystemFile;
+use seacable::system::motion::start::start;
+use seacable::system::motion::{SystemAlpha, SystemState};
+
+const SYSTEM: &str = "
+[system]
+title = \"test\"
+[seabed]
+depth_m = 60.0
+friction = 0.3
+[materials.chain]
+mass_kg_per_m = 50.0
+diameter_m = 0.1
+ea_n = 2e8
+drag_normal = 1.2
+added_mass_normal = 1.0
+[bodies.buoy]
+kind = \"free\"
+position_m = [0.0, 0.0, 0.0]
+mass_kg = 4e4
+inertia_kg_m2 = [3e5, 3e5, 2e5]
+centre_of_gravity_m = [0.0, 0.0, -3.0]
+quadratic_damping = [0.0, 0.0, 1e4, 1e4, 1e4, 1e4]
+[[bodies.buoy.members]]
+from_m = [0.0, 0.0, -6.0]
+to_m = [0.5, 0.0, 3.0]
+diameter_m = 3.0
+drag_normal = 1.0
+added_mass_normal = 1.0
+[points.fairlead]
+kind = \"body\"
+body = \"buoy\"
+position_m = [1.5, 0.0, -5.0]
+[points.clump]
+kind = \"free\"
+position_m = [40.0, 0.0, -50.0]
+mass_kg = 1e3
+volume_m3 = 0.2
+drag_area_m2 = 0.5
+[points.anchor]
+kind = \"fixed\"
+position_m = [120.0, 0.0, -60.0]
+[[lines]]
+name = \"upper\"
+from = \"clump\"
+to = \"fairlead\"
+material = \"chain\"
+length_m = 65.0
+segments = 10
+repeat_at_deg = [0.0, 120.0, 240.0]
+[[lines]]
+name = \"lower\"
+from = \"anchor\"
+to = \"clump\"
+material = \"chain\"
+length_m = 82.0
+segments = 14
+repeat_at_deg = [0.0, 120.0, 240.0]
+";
+
+#[test]
+fn a_step_of_a_system_allocates_nothing() {
+    let solved = kind::parse::<SystemFile>(SYSTEM, "system.toml").unwrap();
+    let begun = start(&solved, 1).unwrap();
+    let (system, mut state) = (begun.system, begun.state);
+    // Pushed, so that it moves.
+    let origin = system.joints.bodies[0];
+    state.joints.v[origin].x = 0.5;
+    let mut method = SystemAlpha::new(&system, &state, 0.4, 1e-7, 30);
+    method.accelerate(&system, 0.0, &mut state).unwrap();
+    system.commit(0.0, 0.0, &mut state);
+    let march = |duration: f64| March {
+        duration,
+        step: 0.02,
+    };
+    let mut ignore = |_: AcceptedStep<'_, SystemState>| Progressing::Continue;
+    march(0.1)
+        .run(&mut method, &system, &mut state, &mut ignore)
+        .unwrap();
+    let mut ended = None;
+    let info = measure(|| {
+        ended = Some(march(4.0).run(&mut method, &system, &mut state, &mut ignore));
+    });
+    assert!(ended.unwrap().unwrap().steps >= 200);
+    assert_eq!(info.count_total, 0);
+}
